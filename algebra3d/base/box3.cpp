@@ -1,0 +1,55 @@
+#include "algebra3d/base/box3.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace algebra3d {
+namespace {
+
+Vec3 gap_between(const Box3& a, const Box3& b) {
+  Vec3 gap;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    gap[axis] = std::max({0.0, a.min[axis] - b.max[axis], b.min[axis] - a.max[axis]});
+  return gap;
+}
+
+}  // namespace
+
+void Box3::extend(const Vec3& point) {
+  extend(Box3::of(point));
+}
+
+void Box3::extend(const Box3& other) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    min[axis] = std::min(min[axis], other.min[axis]);
+    max[axis] = std::max(max[axis], other.max[axis]);
+  }
+}
+
+Box3 unite(const Box3& a, const Box3& b) {
+  Box3 result = a;
+  result.extend(b);
+  return result;
+}
+
+Box3 intersect(const Box3& a, const Box3& b) {
+  Box3 result;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    result.min[axis] = std::max(a.min[axis], b.min[axis]);
+    result.max[axis] = std::min(a.max[axis], b.max[axis]);
+  }
+  return result.is_empty() ? Box3{} : result;
+}
+
+double squared_distance(const Box3& a, const Box3& b) {
+  const Vec3 gap = gap_between(a, b);
+  return dot(gap, gap);
+}
+
+// hypot, so that distances whose square overflows or underflows come out right.
+double distance(const Box3& a, const Box3& b) {
+  const Vec3 gap = gap_between(a, b);
+  return std::hypot(gap.x, gap.y, gap.z);
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <limits>
+
+#include "algebra3d/base/vec3.h"
+
+namespace algebra3d {
+
+/// Axis-parallel closed box; the only box type. Touching counts as intersecting.
+/// The default box is empty (min above max on every axis), the neutral element of `unite`.
+/// Where a box encloses exact coordinates, its maker rounds it outward.
+struct Box3 {
+  Vec3 min{kInfinity, kInfinity, kInfinity};
+  Vec3 max{-kInfinity, -kInfinity, -kInfinity};
+
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+  static Box3 of(const Vec3& point) { return {point, point}; }
+
+  bool is_empty() const { return !(min.x <= max.x && min.y <= max.y && min.z <= max.z); }
+  bool intersects(const Box3& other) const {
+    return min.x <= other.max.x && other.min.x <= max.x && min.y <= other.max.y && other.min.y <= max.y &&
+           min.z <= other.max.z && other.min.z <= max.z;
+  }
+  bool contains(const Vec3& p) const {
+    return min.x <= p.x && p.x <= max.x && min.y <= p.y && p.y <= max.y && min.z <= p.z && p.z <= max.z;
+  }
+  /// True if every point of `other` lies in this box; an empty box lies in every box.
+  bool contains(const Box3& other) const { return other.is_empty() || (contains(other.min) && contains(other.max)); }
+
+  void extend(const Vec3& point);
+  void extend(const Box3& other);
+
+  friend bool operator==(const Box3&, const Box3&) = default;
+};
+
+/// Smallest box around both.
+Box3 unite(const Box3& a, const Box3& b);
+/// Common part; empty if they do not meet.
+Box3 intersect(const Box3& a, const Box3& b);
+/// Smallest Euclidean distance between points of the boxes; 0 if they meet. Both must not be empty. Rounded.
+double distance(const Box3& a, const Box3& b);
+/// Square of `distance`, without the root: for ordering.
+double squared_distance(const Box3& a, const Box3& b);
+
+}  // namespace algebra3d

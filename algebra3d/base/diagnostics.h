@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace algebra3d {
+
+/// Diagnostics of one statement: the reasons why values became undefined, and remarks that change no value.
+///
+/// Equal texts are counted, not repeated: per text the first places are kept (`kPlacesKept`), and of different texts
+/// the first `kTextsKept`; all others are only counted. So memory stays bounded however long a statement runs. All
+/// members may be called by several threads at once; the order of texts is that of their first report.
+class Diagnostics {
+ public:
+  static constexpr std::size_t kPlacesKept = 3;
+  static constexpr std::size_t kTextsKept = 200;
+
+  struct Entry {
+    std::string text;                 ///< what happened, without the place
+    std::vector<std::string> places;  ///< where: at most kPlacesKept, empty if no place was given
+    std::uint64_t count = 0;
+  };
+
+  /// Counts one occurrence of `text` at `place` (file, attribute, coordinate; may be empty).
+  void report(std::string text, std::string place = {});
+
+  /// The entries so far, in order of first report.
+  std::vector<Entry> entries() const;
+  /// Occurrences of texts beyond the first kTextsKept different ones.
+  std::uint64_t dropped_count() const;
+  bool empty() const;
+  void clear();
+
+  /// One line per entry, as people read it: text, places, "and N more".
+  std::vector<std::string> summary() const;
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<Entry> entries_;
+  std::uint64_t dropped_count_ = 0;
+};
+
+}  // namespace algebra3d

@@ -1,0 +1,11 @@
+#include "algebra3d/base/vec3.h"
+
+#include <cmath>
+
+namespace algebra3d {
+
+bool is_finite(const Vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+}  // namespace algebra3d
