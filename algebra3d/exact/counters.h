@@ -1,0 +1,58 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+namespace algebra3d {
+
+/// Counts of this process that show what exactness costs; each thread adds to its own and they are summed on reading.
+struct ExactCounters {
+  std::uint64_t calls = 0;            ///< predicate calls
+  std::uint64_t filter_failures = 0;  ///< calls that the floating-point filter could not decide
+  std::uint64_t big_fallbacks = 0;    ///< calls that came down to rationals or big integers
+  std::uint64_t heap_rationals = 0;   ///< rationals made that did not fit 64 bits
+};
+
+/// Sum over all threads, ended ones included. Counts of calls that run meanwhile may be missing. Cost: one lock.
+ExactCounters exact_counters();
+/// Sets the counts of all threads to zero. A call that runs meanwhile may bring back its thread's old count.
+void reset_exact_counters();
+
+namespace detail {
+
+/// The counts of one thread. Written by that thread alone, read by any: so an increment is a plain load and store.
+struct ThreadCounters {
+  std::atomic<std::uint64_t> calls{0};
+  std::atomic<std::uint64_t> filter_failures{0};
+  std::atomic<std::uint64_t> big_fallbacks{0};
+  std::atomic<std::uint64_t> heap_rationals{0};
+};
+
+/// The counts of the calling thread while it is registered; null before its first count.
+extern constinit thread_local ThreadCounters* thread_counters;  // NOLINT(readability-identifier-naming)
+/// Registers the calling thread, so that its counts are seen, and kept when it ends.
+ThreadCounters& register_thread_counters();
+
+inline void increment(std::atomic<std::uint64_t> ThreadCounters::*count) {
+  ThreadCounters* counters = thread_counters;
+  if (counters == nullptr) [[unlikely]]
+    counters = &register_thread_counters();
+  auto& value = counters->*count;
+  value.store(value.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+}
+
+inline void count_call() {
+  increment(&ThreadCounters::calls);
+}
+inline void count_filter_failure() {
+  increment(&ThreadCounters::filter_failures);
+}
+inline void count_big_fallback() {
+  increment(&ThreadCounters::big_fallbacks);
+}
+inline void count_heap_rational() {
+  increment(&ThreadCounters::heap_rationals);
+}
+
+}  // namespace detail
+}  // namespace algebra3d
