@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "algebra3d/base/error.h"
+
+namespace algebra3d {
+
+/// The language's external representation of everything: an atom or a list. A regular value type.
+/// Equality is structural; atoms of different kinds are never equal (int 1 is not real 1.0).
+class NestedList {
+ public:
+  struct Symbol {
+    std::string name;
+    friend bool operator==(const Symbol&, const Symbol&) = default;
+  };
+  struct Text {
+    std::string content;
+    friend bool operator==(const Text&, const Text&) = default;
+  };
+  using List = std::vector<NestedList>;
+
+  /// Deepest nesting that `parse` accepts.
+  static constexpr int kMaxDepth = 1000;
+
+  NestedList() : content_(List{}) {}  ///< the empty list
+  explicit NestedList(std::int32_t value) : content_(value) {}
+  explicit NestedList(double value) : content_(value) {}
+  explicit NestedList(bool value) : content_(value) {}
+  explicit NestedList(std::string value) : content_(std::move(value)) {}  ///< string atom
+  explicit NestedList(Text value) : content_(std::move(value)) {}
+  explicit NestedList(Symbol value) : content_(std::move(value)) {}
+  explicit NestedList(List elements) : content_(std::move(elements)) {}
+  NestedList(const char*) = delete;
+
+  static NestedList symbol(std::string name) { return NestedList(Symbol{std::move(name)}); }
+  static NestedList text(std::string content) { return NestedList(Text{std::move(content)}); }
+  template <typename... Elements>
+  static NestedList list(Elements&&... elements) {
+    List content;
+    content.reserve(sizeof...(elements));
+    (content.push_back(std::forward<Elements>(elements)), ...);
+    return NestedList(std::move(content));
+  }
+
+  bool is_list() const { return std::holds_alternative<List>(content_); }
+  bool is_symbol() const { return std::holds_alternative<Symbol>(content_); }
+  bool is_symbol(std::string_view name) const { return is_symbol() && as_symbol() == name; }
+  bool is_int() const { return std::holds_alternative<std::int32_t>(content_); }
+  bool is_real() const { return std::holds_alternative<double>(content_); }
+  bool is_bool() const { return std::holds_alternative<bool>(content_); }
+  bool is_string() const { return std::holds_alternative<std::string>(content_); }
+  bool is_text() const { return std::holds_alternative<Text>(content_); }
+  /// `undefined` in any of the spellings that the language accepts on input.
+  bool is_undefined() const;
+
+  // Each requires the kind that it names.
+  const List& elements() const { return std::get<List>(content_); }
+  List& elements() { return std::get<List>(content_); }
+  const std::string& as_symbol() const { return std::get<Symbol>(content_).name; }
+  std::int32_t as_int() const { return std::get<std::int32_t>(content_); }
+  double as_real() const { return std::get<double>(content_); }
+  bool as_bool() const { return std::get<bool>(content_); }
+  const std::string& as_string() const { return std::get<std::string>(content_); }
+  const std::string& as_text() const { return std::get<Text>(content_).content; }
+
+  /// Reads one list or atom that is all of `source` (white space and `_! ... !_` comments apart): lists in parentheses,
+  /// ints, reals, TRUE/FALSE, "strings", 'texts' and <text>...</text--->, symbols (words, runs of special characters,
+  /// and `p/q`). An integer beyond 32 bits becomes a real. Invalid UTF-8 in strings and texts is an error.
+  /// Errors: invalid_value with line and column, what was found and what was expected.
+  static Result<NestedList> parse(std::string_view source);
+
+  /// Text that `parse` reads back to an equal list; one line, single blanks.
+  std::string print() const;
+  void print_to(std::string& text) const;
+  /// For messages: `print`, cut in the middle of nowhere after `limit` characters and marked with "...".
+  std::string print_short(std::size_t limit = 60) const;
+
+  friend bool operator==(const NestedList&, const NestedList&) = default;
+
+ private:
+  std::variant<List, std::int32_t, double, bool, std::string, Text, Symbol> content_;
+};
+
+}  // namespace algebra3d

@@ -1,0 +1,140 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "algebra3d/base/box3.h"
+#include "algebra3d/base/context.h"
+#include "algebra3d/base/error.h"
+#include "algebra3d/types/nested_list.h"
+
+namespace algebra3d {
+
+class Value;
+
+/// What is known of a spatial value without its geometry.
+struct GeometryHeader {
+  Box3 box;                ///< smallest box of doubles around the exact geometry; empty for an empty value
+  std::uint32_t size = 0;  ///< what the operator `size` gives: points or triangles
+};
+
+/// A database type: how its values are written, stored, compared. One immutable object per type, for the whole process.
+/// Values passed to the members are defined, loaded and of this type.
+class Type {
+ public:
+  enum class Kind : std::uint8_t { data, spatial3d, numeric };
+  /// How a relation keeps it: in the columns of a native kind, or as bytes of the codec.
+  enum class Storage : std::uint8_t { integer, real, text, bytes };
+
+  virtual ~Type() = default;
+  Type(const Type&) = delete;
+  Type& operator=(const Type&) = delete;
+
+  virtual std::string_view name() const = 0;
+  virtual std::string_view doc() const = 0;       ///< one sentence
+  virtual std::string_view notation() const = 0;  ///< the value list, as in "(x y z)"
+  virtual std::string_view example() const = 0;   ///< a value list that gives a defined value
+  virtual std::vector<Kind> kinds() const = 0;
+  virtual Storage storage() const = 0;
+  bool is_spatial() const;
+
+  /// Reads a value list; `undefined` is treated by the caller. Malformed: error invalid_value. Well-formed but no valid
+  /// value: undefined, with the reason reported to `context`.
+  virtual Result<Value> from_nested(const NestedList& list, Context& context) const = 0;
+  virtual NestedList to_nested(const Value& value) const = 0;
+
+  /// The canonical order: equality, order and hash agree with each other.
+  virtual std::strong_ordering compare(const Value& a, const Value& b) const = 0;
+  virtual std::size_t hash(const Value& value) const = 0;
+
+  /// Box and count; only for spatial types.
+  virtual GeometryHeader header(const Value& value) const = 0;
+
+  /// Body of the binary form, to which codec.h adds header and checksum; see docs/file_format.md.
+  virtual void encode(const Value& value, std::string& bytes) const = 0;
+  /// `trusted`: the bytes are our own store's and their checksum was right, so that a proof of validity need not be
+  /// repeated. Never crashes on any bytes. Errors: database_corrupt.
+  virtual Result<Value> decode(std::string_view bytes, bool trusted) const = 0;
+
+ protected:
+  Type() = default;
+};
+
+/// A value that lies elsewhere: its header is at hand, the rest is loaded when first needed.
+/// Safe to share between threads. Owned by the values that refer to it.
+class DeferredValue {
+ public:
+  virtual ~DeferredValue() = default;
+  virtual GeometryHeader header() const = 0;
+  /// The value, loaded now or remembered from an earlier call.
+  virtual Result<Value> load() const = 0;
+};
+
+/// The C++ class T of a database type, and the database type of a C++ class: specialised next to each class with
+/// `static const Type& type()`.
+template <typename T>
+struct TypeOf;
+
+/// A value of some database type: defined, undefined, or defined and not yet loaded. Immutable, cheap to copy.
+class Value {
+ public:
+  /// Undefined of a type.
+  explicit Value(const Type& type) : type_(&type) {}
+  Value(const Type& type, std::shared_ptr<const DeferredValue> deferred)
+      : type_(&type), content_(std::move(deferred)) {}
+
+  template <typename T>
+  static Value of(T content) {
+    Value value(TypeOf<T>::type());
+    if constexpr (std::is_same_v<T, bool> || std::is_same_v<T, std::int32_t> || std::is_same_v<T, double>)
+      value.content_ = content;
+    else
+      value.content_ = std::shared_ptr<const void>(std::make_shared<const T>(std::move(content)));
+    return value;
+  }
+  template <typename T>
+  static Value of(Maybe<T> content) = delete;
+
+  const Type& type() const { return *type_; }
+  bool is_defined() const { return !std::holds_alternative<std::monostate>(content_); }
+  bool is_deferred() const { return std::holds_alternative<std::shared_ptr<const DeferredValue>>(content_); }
+  /// The deferred content, or null.
+  std::shared_ptr<const DeferredValue> deferred() const;
+
+  /// The C++ object of a defined, loaded value of that very type (asserted).
+  template <typename T>
+  const T& get() const {
+    if constexpr (std::is_same_v<T, bool> || std::is_same_v<T, std::int32_t> || std::is_same_v<T, double>)
+      return std::get<T>(content_);
+    else
+      return *static_cast<const T*>(std::get<std::shared_ptr<const void>>(content_).get());
+  }
+
+  /// This value with its content at hand. Errors: those of the store.
+  Result<Value> loaded() const;
+  /// Box and count of a defined value of a spatial type; reads no geometry.
+  GeometryHeader header() const;
+
+  /// The value list: `undefined`, or what the type prints. Requires a loaded value.
+  NestedList to_nested() const;
+
+ private:
+  const Type* type_;
+  std::variant<std::monostate, bool, std::int32_t, double, std::shared_ptr<const void>,
+               std::shared_ptr<const DeferredValue>>
+      content_;
+};
+
+/// Order of two loaded values of one type; undefined comes first and equals undefined.
+std::strong_ordering compare(const Value& a, const Value& b);
+std::size_t hash(const Value& value);
+/// Reads a value list of `type`, `undefined` included.
+Result<Value> value_from_nested(const Type& type, const NestedList& list, Context& context);
+
+}  // namespace algebra3d
