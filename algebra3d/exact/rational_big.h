@@ -1,0 +1,68 @@
+#pragma once
+
+#include <memory>
+
+#include <gmp.h>
+
+#include "algebra3d/exact/rational.h"
+
+namespace algebra3d {
+
+__extension__ typedef __int128 Int128;            // NOLINT(modernize-use-using): `using` takes no __extension__
+__extension__ typedef unsigned __int128 UInt128;  // NOLINT(modernize-use-using)
+
+/// The part of a rational that does not fit 64 bits. In lowest terms.
+struct Rational::Big {
+  mpq_t value;
+
+  Big() { mpq_init(value); }
+  ~Big() { mpq_clear(value); }
+  Big(const Big&) = delete;
+  Big(Big&&) = delete;
+  Big& operator=(const Big&) = delete;
+  Big& operator=(Big&&) = delete;
+};
+
+/// How the sources of `exact/` that compute with GMP reach into a rational; internal to this layer.
+class RationalAccess {
+ public:
+  using Owner = std::unique_ptr<Rational::Big>;
+
+  /// Any rational as a GMP number that must not be written; valid as long as both the view and the rational.
+  class View {
+   public:
+    explicit View(const Rational& number);
+    ~View() = default;
+    View(const View&) = delete;  // `small_` points into this object
+    View(View&&) = delete;
+    View& operator=(const View&) = delete;
+    View& operator=(View&&) = delete;
+
+    mpq_srcptr get() const { return value_; }
+    mpz_srcptr numerator() const { return mpq_numref(value_); }
+    mpz_srcptr denominator() const { return mpq_denref(value_); }
+
+   private:
+    mp_limb_t numerator_limb_ = 0;
+    mp_limb_t denominator_limb_ = 1;
+    mpq_t small_;
+    mpq_srcptr value_;
+  };
+
+  static Owner make() { return std::make_unique<Rational::Big>(); }
+  /// The number in its proper place: back to 64 bits if it fits. `big` must be in lowest terms.
+  static Rational take(Owner big);
+  /// The quotient of magnitudes with a sign, in lowest terms already; the denominator is not zero.
+  static Rational from_terms(bool negative, UInt128 numerator, UInt128 denominator);
+
+  static std::int64_t small_numerator(const Rational& number) { return number.numerator_; }
+  static std::int64_t small_denominator(const Rational& number) { return number.denominator_; }
+};
+
+/// Magnitude of any 64-bit integer, the smallest included.
+inline std::uint64_t magnitude(std::int64_t value) {
+  const auto bits = static_cast<std::uint64_t>(value);
+  return value < 0 ? 0 - bits : bits;
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,120 @@
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "algebra3d/exact/rational.h"
+#include "algebra3d/exact/rational_big.h"
+
+namespace algebra3d {
+
+namespace {
+
+enum class Rounding { nearest, toward_zero, away_from_zero };
+
+constexpr int kMantissaBits = std::numeric_limits<double>::digits;
+constexpr int kLowestBit = std::numeric_limits<double>::min_exponent - kMantissaBits;   // -1074, of the subnormals
+constexpr int kHighestBit = std::numeric_limits<double>::max_exponent - kMantissaBits;  // 971, last bit of the largest
+constexpr int kQuotientBits = kMantissaBits + 2;
+
+/// A positive number by its leading bits: (quotient + something in [0, 1)) / 2^scale; the something is 0 if `exact`.
+struct Leading {
+  std::uint64_t quotient;
+  bool exact;
+  long scale;
+};
+
+/// Rounds once, to the precision that a double has at this magnitude; `leading` has at least kQuotientBits bits.
+double round_leading(const Leading& leading, Rounding rounding) {
+  const long last_bit =
+      std::max<long>(static_cast<long>(std::bit_width(leading.quotient)) - leading.scale - kMantissaBits, kLowestBit);
+  if (last_bit > kHighestBit) {
+    return rounding == Rounding::toward_zero ? std::numeric_limits<double>::max()
+                                             : std::numeric_limits<double>::infinity();
+  }
+  const long dropped_bits = last_bit + leading.scale;  // at least 2
+  // At 64 and beyond, all bits are dropped, and what is left is less than half of the lowest bit.
+  const std::uint64_t kept = dropped_bits > 63 ? 0 : leading.quotient >> dropped_bits;
+  const std::uint64_t dropped = dropped_bits > 63 ? 1 : leading.quotient - (kept << dropped_bits);
+  const std::uint64_t half = dropped_bits > 63 ? 2 : std::uint64_t{1} << (dropped_bits - 1);
+  const bool inexact = dropped != 0 || !leading.exact;
+  bool up = rounding == Rounding::away_from_zero && inexact;
+  if (rounding == Rounding::nearest) {
+    up = dropped > half || (dropped == half && (!leading.exact || kept % 2 == 1));
+  }
+  const double result = std::ldexp(static_cast<double>(kept + (up ? 1 : 0)), static_cast<int>(last_bit));
+  return result;  // infinite if rounding up has carried beyond the largest double
+}
+
+Leading leading_of(std::uint64_t numerator, std::uint64_t denominator) {
+  const int scale =
+      kQuotientBits - (static_cast<int>(std::bit_width(numerator)) - static_cast<int>(std::bit_width(denominator)));
+  const UInt128 dividend = UInt128{numerator} << std::max(scale, 0);
+  const UInt128 divisor = UInt128{denominator} << std::max(-scale, 0);
+  return {static_cast<std::uint64_t>(dividend / divisor), dividend % divisor == 0, scale};
+}
+
+Leading leading_of(mpz_srcptr numerator, mpz_srcptr denominator) {
+  const auto numerator_bits = static_cast<long>(mpz_sizeinbase(numerator, 2));
+  const auto denominator_bits = static_cast<long>(mpz_sizeinbase(denominator, 2));
+  const long scale = kQuotientBits - (numerator_bits - denominator_bits);
+  RationalAccess::Owner work = RationalAccess::make();
+  mpz_ptr dividend = mpq_numref(work->value);
+  mpz_ptr divisor = mpq_denref(work->value);
+  mpz_abs(dividend, numerator);
+  mpz_set(divisor, denominator);
+  if (scale >= 0) {
+    mpz_mul_2exp(dividend, dividend, static_cast<mp_bitcnt_t>(scale));
+  } else {
+    mpz_mul_2exp(divisor, divisor, static_cast<mp_bitcnt_t>(-scale));
+  }
+  mpz_tdiv_qr(dividend, divisor, dividend, divisor);
+  const Leading result{mpz_get_ui(dividend), mpz_sgn(divisor) == 0, scale};
+  mpz_set_ui(divisor, 1);
+  return result;
+}
+
+double round_magnitude(const Rational& number, Rounding rounding) {
+  if (number.sign() == 0) return 0;
+  if (number.is_small()) {
+    return round_leading(leading_of(magnitude(RationalAccess::small_numerator(number)),
+                                    magnitude(RationalAccess::small_denominator(number))),
+                         rounding);
+  }
+  const RationalAccess::View view(number);
+  return round_leading(leading_of(view.numerator(), view.denominator()), rounding);
+}
+
+}  // namespace
+
+double Rational::nearest_double() const {
+  const double rounded = round_magnitude(*this, Rounding::nearest);
+  return sign() < 0 ? -rounded : rounded;
+}
+
+double Rational::lower_double() const {
+  return sign() < 0 ? -round_magnitude(*this, Rounding::away_from_zero) : round_magnitude(*this, Rounding::toward_zero);
+}
+
+double Rational::upper_double() const {
+  return sign() < 0 ? -round_magnitude(*this, Rounding::toward_zero) : round_magnitude(*this, Rounding::away_from_zero);
+}
+
+bool Rational::is_double() const {
+  if (is_small()) {
+    const std::uint64_t numerator = magnitude(numerator_);
+    return std::has_single_bit(static_cast<std::uint64_t>(denominator_)) &&
+           (numerator == 0 ||
+            static_cast<int>(std::bit_width(numerator)) - std::countr_zero(numerator) <= kMantissaBits);
+  }
+  // In lowest terms: either the denominator is 1, or it is a power of two and the numerator is odd.
+  const RationalAccess::View view(*this);
+  const auto denominator_bits = static_cast<long>(mpz_sizeinbase(view.denominator(), 2)) - 1;
+  if (mpz_scan1(view.denominator(), 0) != static_cast<mp_bitcnt_t>(denominator_bits)) return false;
+  const auto numerator_bits = static_cast<long>(mpz_sizeinbase(view.numerator(), 2));
+  const auto zeros = static_cast<long>(mpz_scan1(view.numerator(), 0));
+  return numerator_bits - zeros <= kMantissaBits && denominator_bits <= -kLowestBit &&
+         numerator_bits - denominator_bits <= std::numeric_limits<double>::max_exponent;
+}
+
+}  // namespace algebra3d
