@@ -17,10 +17,11 @@ namespace algebra3d {
 ///
 /// Any list of triangles is representable, nothing is dropped. An edge is *manifold* if exactly two half-edges run
 /// along it, in opposite directions; *boundary* if exactly one does; every other edge is *non-manifold*, its half-edges
-/// stand in a side table and have no opposite. A vertex is *non-manifold* if its faces form more than one fan (faces
-/// linked across manifold edges); a side table then holds one half-edge per fan. Invariants: `audit` (audit.h) lists
-/// them and finds every violation. Memory: 24 bytes per triangle and 28 per vertex where all coordinates are doubles
-/// and the mesh is manifold. Immutable after construction; concurrent reading is safe. At most kMaxFaces faces.
+/// stand in a side table and have no opposite. A half-edge from a vertex to itself (a triangle that repeats a corner)
+/// is non-manifold, be it alone or not. A vertex is *non-manifold* if its faces form more than one fan (faces linked
+/// across manifold edges); a side table then holds one half-edge per fan. Invariants: `audit` (audit.h) lists them and
+/// finds every violation. Memory: 24 bytes per triangle and 28 per vertex where all coordinates are doubles and the
+/// mesh is manifold. Immutable after construction; concurrent reading is safe. At most kMaxFaces faces.
 class TriangleMesh {
  public:
   using Triangle = std::array<std::uint32_t, 3>;
@@ -61,7 +62,7 @@ class TriangleMesh {
 
   /// Some half-edge that leaves `v`; at a boundary vertex the one from which a counter-clockwise walk sees the whole
   /// fan. Invalid at an isolated vertex.
-  HalfedgeId outgoing(VertexId v) const { return HalfedgeId(outgoing_[v.index()]); }
+  HalfedgeId outgoing(VertexId v) const { return outgoing_[v.index()]; }
   bool is_isolated(VertexId v) const { return !outgoing(v).is_valid(); }
   bool is_nonmanifold(VertexId v) const;
   /// One half-edge per fan of `v`, each the first of its fan; one entry at a manifold vertex, none at an isolated one.
@@ -83,12 +84,12 @@ class TriangleMesh {
   static constexpr std::uint32_t kNoOpposite = 0x80000000;  // set: no opposite; the low bits number a non-manifold edge
   static constexpr std::uint32_t kBoundary = 0xFFFFFFFF;
 
-  struct NonManifold;  // side tables; absent while everything is manifold
+  struct NonManifold;  // side tables (nonmanifold_tables.h); absent while everything is manifold
 
   PointArray points_;
   std::vector<std::uint32_t> origins_;    // per half-edge
   std::vector<std::uint32_t> opposites_;  // per half-edge
-  std::vector<std::uint32_t> outgoing_;   // per vertex
+  std::vector<HalfedgeId> outgoing_;      // per vertex; handles, so that `fans` can show one entry in place
   std::shared_ptr<const NonManifold> nonmanifold_;
 };
 

@@ -1,0 +1,227 @@
+#include <algorithm>
+#include <cassert>
+#include <memory>
+
+#include "algebra3d/halfedge/nonmanifold_tables.h"
+#include "algebra3d/halfedge/triangle_mesh.h"
+
+namespace algebra3d {
+
+/// Fills a mesh whose points and origins stand: opposites, outgoing half-edges, side tables.
+struct TriangleMeshBuilder {
+  /// A half-edge as seen from its edge's smaller end: larger end in the upper half, then the half-edge's index and, in
+  /// the lowest bit, whether it leaves the smaller end. So order is by edge, then by half-edge.
+  using Entry = std::uint64_t;
+
+  TriangleMesh& mesh;
+  TriangleMesh::NonManifold tables;
+
+  void build() {
+    link_edges();
+    const std::vector<std::uint32_t> corner_counts = choose_outgoing();
+    find_nonmanifold_vertices(corner_counts);
+    if (tables.edge_starts.size() == 1 && tables.vertices.empty()) return;
+    mesh.nonmanifold_ = std::make_shared<const TriangleMesh::NonManifold>(std::move(tables));
+  }
+
+ private:
+  static std::uint32_t halfedge_of(Entry e) { return static_cast<std::uint32_t>(e) >> 1; }
+  static std::uint32_t larger_end(Entry e) { return static_cast<std::uint32_t>(e >> 32); }
+  static bool same_direction(Entry a, Entry b) { return ((a ^ b) & 1) == 0; }
+
+  std::vector<std::uint32_t> bucket_starts() const;
+  std::vector<Entry> entries_by_smaller_end(std::vector<std::uint32_t>& ends) const;
+  void link_edges();
+  void link_bucket(std::uint32_t smaller_end, std::span<Entry> bucket);
+  void link_edge(std::uint32_t smaller_end, std::span<const Entry> edge);
+  void number_nonmanifold_edges();
+
+  std::vector<std::uint32_t> choose_outgoing();
+  HalfedgeId next_in_fan(HalfedgeId h) const { return mesh.opposite(TriangleMesh::prev(h)); }
+  template <typename Visit>
+  void walk_fan(HalfedgeId first, Visit visit) const;
+  void find_nonmanifold_vertices(const std::vector<std::uint32_t>& corner_counts);
+  void list_fans();
+};
+
+namespace {
+
+/// Calls visit(a, b) for the ends of each half-edge, in order.
+template <typename Visit>
+void for_each_halfedge(const std::vector<std::uint32_t>& origins, Visit visit) {
+  for (std::size_t h = 0; h < origins.size(); h += 3) {
+    visit(origins[h], origins[h + 1]);
+    visit(origins[h + 1], origins[h + 2]);
+    visit(origins[h + 2], origins[h]);
+  }
+}
+
+void sort_entries(std::span<std::uint64_t> entries) {
+  // Buckets have six entries on average: insertion sort. A hub of a large fan has any number.
+  if (entries.size() > 32) {
+    std::ranges::sort(entries);
+    return;
+  }
+  for (std::size_t i = 1; i < entries.size(); ++i) {
+    const std::uint64_t entry = entries[i];
+    std::size_t place = i;
+    for (; place > 0 && entries[place - 1] > entry; --place) entries[place] = entries[place - 1];
+    entries[place] = entry;
+  }
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> TriangleMeshBuilder::bucket_starts() const {
+  std::vector<std::uint32_t> starts(mesh.vertex_count() + 1, 0);
+  for_each_halfedge(mesh.origins_, [&](std::uint32_t a, std::uint32_t b) { ++starts[std::min(a, b)]; });
+  std::uint32_t sum = 0;
+  for (std::uint32_t& start : starts) {
+    const std::uint32_t count = start;
+    start = sum;
+    sum += count;
+  }
+  return starts;
+}
+
+/// Counting sort; turns the bucket starts that it is given into bucket ends.
+std::vector<TriangleMeshBuilder::Entry> TriangleMeshBuilder::entries_by_smaller_end(
+    std::vector<std::uint32_t>& ends) const {
+  std::vector<Entry> entries(mesh.halfedge_count());
+  Entry h = 0;
+  for_each_halfedge(mesh.origins_, [&](std::uint32_t a, std::uint32_t b) {
+    const bool upwards = a < b;
+    entries[ends[upwards ? a : b]++] = (Entry{upwards ? b : a} << 32) | (h << 1) | Entry{upwards};
+    ++h;
+  });
+  return entries;
+}
+
+void TriangleMeshBuilder::link_edges() {
+  mesh.opposites_.resize(mesh.halfedge_count());
+  std::vector<std::uint32_t> ends = bucket_starts();
+  std::vector<Entry> entries = entries_by_smaller_end(ends);
+  std::uint32_t start = 0;
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    link_bucket(v, std::span(entries).subspan(start, ends[v] - start));
+    start = ends[v];
+  }
+  number_nonmanifold_edges();
+}
+
+void TriangleMeshBuilder::link_bucket(std::uint32_t smaller_end, std::span<Entry> bucket) {
+  sort_entries(bucket);
+  for (std::size_t first = 0, last = 0; first < bucket.size(); first = last) {
+    while (last < bucket.size() && larger_end(bucket[last]) == larger_end(bucket[first])) ++last;
+    link_edge(smaller_end, bucket.subspan(first, last - first));
+  }
+}
+
+void TriangleMeshBuilder::link_edge(std::uint32_t smaller_end, std::span<const Entry> edge) {
+  const bool is_loop = larger_end(edge[0]) == smaller_end;
+  if (edge.size() == 2 && !same_direction(edge[0], edge[1]) && !is_loop) {
+    mesh.opposites_[halfedge_of(edge[0])] = halfedge_of(edge[1]);
+    mesh.opposites_[halfedge_of(edge[1])] = halfedge_of(edge[0]);
+  } else if (edge.size() == 1 && !is_loop) {
+    mesh.opposites_[halfedge_of(edge[0])] = TriangleMesh::kBoundary;
+  } else {
+    for (const Entry e : edge) tables.edge_halfedges.emplace_back(halfedge_of(e));
+    tables.edge_starts.push_back(static_cast<std::uint32_t>(tables.edge_halfedges.size()));
+  }
+}
+
+/// Orders the non-manifold edges by first half-edge and writes their numbers in place of opposites.
+void TriangleMeshBuilder::number_nonmanifold_edges() {
+  const TriangleMesh::NonManifold found = std::move(tables);
+  tables = {};
+  std::vector<std::uint32_t> order(found.edge_starts.size() - 1);
+  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::ranges::sort(order, {}, [&](std::uint32_t i) { return found.edge_halfedges[found.edge_starts[i]]; });
+  tables.edge_halfedges.reserve(found.edge_halfedges.size());
+  for (std::uint32_t number = 0; number < order.size(); ++number) {
+    for (std::uint32_t i = found.edge_starts[order[number]]; i < found.edge_starts[order[number] + 1]; ++i) {
+      const HalfedgeId h = found.edge_halfedges[i];
+      mesh.opposites_[h.index()] = TriangleMesh::kNoOpposite | number;
+      tables.edge_halfedges.push_back(h);
+    }
+    tables.edge_starts.push_back(static_cast<std::uint32_t>(tables.edge_halfedges.size()));
+  }
+}
+
+/// Gives each vertex its first fan's start: a half-edge without opposite if there is one, else the lowest that leaves
+/// it. Returns how many half-edges leave each vertex.
+std::vector<std::uint32_t> TriangleMeshBuilder::choose_outgoing() {
+  mesh.outgoing_.resize(mesh.vertex_count());
+  std::vector<std::uint32_t> corner_counts(mesh.vertex_count(), 0);
+  for (std::size_t h = 0; h < mesh.halfedge_count(); ++h) {
+    const std::uint32_t v = mesh.origins_[h];
+    HalfedgeId& chosen = mesh.outgoing_[v];
+    const bool starts_fan = (mesh.opposites_[h] & TriangleMesh::kNoOpposite) != 0;
+    if (!chosen.is_valid() || (starts_fan && mesh.opposite(chosen).is_valid())) chosen = HalfedgeId(h);
+    ++corner_counts[v];
+  }
+  return corner_counts;
+}
+
+template <typename Visit>
+void TriangleMeshBuilder::walk_fan(HalfedgeId first, Visit visit) const {
+  HalfedgeId h = first;
+  do {
+    visit(h);
+    h = next_in_fan(h);
+  } while (h.is_valid() && h != first);
+}
+
+/// A vertex is manifold if the walk from its outgoing half-edge meets all half-edges that leave it.
+void TriangleMeshBuilder::find_nonmanifold_vertices(const std::vector<std::uint32_t>& corner_counts) {
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    if (corner_counts[v] == 0) continue;
+    std::uint32_t met = 0;
+    walk_fan(mesh.outgoing_[v], [&](HalfedgeId) { ++met; });
+    if (met != corner_counts[v]) tables.vertices.push_back(v);
+  }
+  if (!tables.vertices.empty()) list_fans();
+}
+
+/// Lists the fans of all non-manifold vertices: open ones first, since they have but one start, then what is left, the
+/// closed ones, each from its lowest half-edge.
+void TriangleMeshBuilder::list_fans() {
+  std::vector<bool> is_pending(mesh.vertex_count(), false);
+  for (const std::uint32_t v : tables.vertices) is_pending[v] = true;
+  std::vector<bool> is_listed(mesh.halfedge_count(), false);
+  std::vector<std::pair<std::uint32_t, HalfedgeId>> fans;
+  for (const bool open : {true, false}) {
+    for (std::size_t h = 0; h < mesh.halfedge_count(); ++h) {
+      const std::uint32_t v = mesh.origins_[h];
+      if (!is_pending[v] || is_listed[h] || (open && mesh.opposite(HalfedgeId(h)).is_valid())) continue;
+      fans.emplace_back(v, HalfedgeId(h));
+      walk_fan(HalfedgeId(h), [&](HalfedgeId met) { is_listed[met.index()] = true; });
+    }
+  }
+  std::ranges::sort(fans);
+  tables.fans.reserve(fans.size());
+  for (const auto& [v, h] : fans) {
+    if (!tables.fans.empty() && mesh.origins_[tables.fans.back().index()] != v)
+      tables.fan_starts.push_back(static_cast<std::uint32_t>(tables.fans.size()));
+    tables.fans.push_back(h);
+  }
+  tables.fan_starts.push_back(static_cast<std::uint32_t>(tables.fans.size()));
+  for (std::size_t i = 0; i < tables.vertices.size(); ++i)
+    mesh.outgoing_[tables.vertices[i]] = tables.fans[tables.fan_starts[i]];
+}
+
+TriangleMesh::TriangleMesh(PointArray points, std::span<const Triangle> triangles) : points_(std::move(points)) {
+  assert(triangles.size() <= kMaxFaces);
+  // A mesh lives long: it keeps no spare capacity of the array that it was given.
+  if (points_.approx().capacity() > points_.size()) points_ = PointArray(std::as_const(points_));
+  origins_.reserve(3 * triangles.size());
+  for (const Triangle& triangle : triangles) {
+    for (const std::uint32_t corner : triangle) {
+      assert(corner < points_.size());
+      origins_.push_back(corner);
+    }
+  }
+  TriangleMeshBuilder{*this, {}}.build();
+}
+
+}  // namespace algebra3d
