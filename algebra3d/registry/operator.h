@@ -1,0 +1,91 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "algebra3d/base/context.h"
+#include "algebra3d/registry/syntax_pattern.h"
+#include "algebra3d/types/type_expr.h"
+#include "algebra3d/types/value.h"
+
+namespace algebra3d {
+
+/// How the numbers and decisions of an operator relate to the exact answer.
+enum class Exactness : std::uint8_t {
+  exact,         ///< the answer itself, always
+  rounded_once,  ///< the exact answer, rounded once to doubles
+  two_ulp,       ///< within two units in the last place of the exact answer
+  outward,       ///< a box that encloses the exact answer, each bound the nearest double outward
+  not_numeric,   ///< nothing is computed that could be inexact
+};
+std::string_view describe(Exactness exactness);
+
+/// What an overload gives: a value, the elements of a stream, or undefined with its reason.
+using Outcome = std::variant<Value, std::vector<Value>, Undefined>;
+
+struct Parameter {
+  std::string name;  ///< for people: "solid", "axis"
+  const Type* type = nullptr;
+  bool accepts_undefined = false;  ///< the function is called with an undefined argument too
+};
+
+/// One signature of a value operator with its function. Made by `overload<&function>(...)` (overload.h), which reads
+/// the signature off the function, or by hand for functions over any type.
+struct Overload {
+  std::vector<Parameter> parameters;
+  const Type* result = nullptr;
+  bool result_is_stream = false;  ///< a stream of `result`
+  /// Arguments have exactly the parameter types; undefined ones only where accepted. Loads what it needs.
+  std::function<Result<Outcome>(std::span<const Value>, Context&)> function;
+
+  TypeExpr result_type() const;
+  /// "(volume3d real) -> volume3d"
+  std::string signature() const;
+};
+
+/// The implementation of an operator over streams, relations and functions. This library does not know what a tuple is:
+/// queries/streams derives its own class with a type mapping, hosts without streams ignore it.
+class StreamImplementation {
+ public:
+  virtual ~StreamImplementation() = default;
+  StreamImplementation() = default;
+  StreamImplementation(const StreamImplementation&) = delete;
+  StreamImplementation& operator=(const StreamImplementation&) = delete;
+};
+
+/// A query and the exact text of its answer (the value list, without the type). Shown in the help and run as a test.
+struct Example {
+  std::string query;
+  std::string result;
+};
+
+/// A query that fails, and a part of its message. Run as a test.
+struct ErrorExample {
+  std::string query;
+  std::string message;
+};
+
+/// The one description of an operator, from which help texts, reference page, tests and SQL derive.
+struct Operator {
+  std::string name;
+  std::string syntax;  ///< see SyntaxPattern
+  std::string doc;     ///< one sentence: what it gives, in which unit
+  std::string detail;  ///< domain, special cases, what is undefined; may be empty
+  Exactness exactness = Exactness::not_numeric;
+  std::vector<std::string> sources;                              ///< keys of docs/references.md
+  std::vector<Overload> overloads;                               ///< of a value operator
+  std::shared_ptr<const StreamImplementation> stream = nullptr;  ///< of a stream operator
+  std::vector<std::string> signatures;  ///< of a stream operator, for people; value operators deduce theirs
+  bool handles_undefined = false;       ///< of a stream operator; value operators deduce it from their parameters
+  std::vector<Example> examples;
+  std::vector<ErrorExample> errors;
+
+  bool accepts_undefined() const;
+  std::vector<std::string> all_signatures() const;
+};
+
+}  // namespace algebra3d

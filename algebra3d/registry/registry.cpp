@@ -1,0 +1,168 @@
+#include "algebra3d/registry/registry.h"
+
+#include <algorithm>
+#include <cassert>
+#include <optional>
+
+#include "algebra3d/types/scalars.h"
+
+namespace algebra3d {
+namespace {
+
+// Number of promotions that make `arguments` fit, or nothing if they do not.
+std::optional<std::size_t> promotions(const Overload& overload, std::span<const TypeExpr> arguments) {
+  if (overload.parameters.size() != arguments.size()) return std::nullopt;
+  std::size_t count = 0;
+  for (std::size_t place = 0; place < arguments.size(); ++place) {
+    const std::string_view wanted = overload.parameters[place].type->name();
+    if (arguments[place].is(wanted) && arguments[place].arguments().empty()) continue;
+    if (wanted != "real" || !arguments[place].is("int")) return std::nullopt;
+    ++count;
+  }
+  return count;
+}
+
+std::vector<std::string> expected_arguments(const Operator& op) {
+  std::vector<std::string> lists;
+  for (const Overload& overload : op.overloads) {
+    std::vector<TypeExpr> types;
+    for (const Parameter& parameter : overload.parameters) types.emplace_back(parameter.type->name());
+    std::string list = argument_list_text(types);
+    if (std::ranges::find(lists, list) == lists.end()) lists.push_back(std::move(list));
+  }
+  return lists;
+}
+
+// Int to real where the overload wants it. Undefined stays undefined.
+Value promoted(const Value& value, const Type& wanted) {
+  if (&value.type() == &wanted) return value;
+  if (!value.is_defined()) return Value(wanted);
+  return Value::of<double>(value.get<std::int32_t>());
+}
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+void Registry::add(const Type& type) {
+  assert(find_type(type.name()) == nullptr);
+  types_.push_back(&type);
+}
+
+void Registry::add(Operator op) {
+  auto syntax = SyntaxPattern::parse(op.syntax);
+  assert(syntax.ok() && syntax->name == op.name);
+  std::string name = op.name;
+  [[maybe_unused]] const bool is_new =
+      operators_.emplace(std::move(name), Entry{std::move(op), std::move(syntax).value()}).second;
+  assert(is_new);
+}
+
+const Type* Registry::find_type(std::string_view name) const {
+  const auto found = std::ranges::find(types_, name, [](const Type* type) { return type->name(); });
+  return found == types_.end() ? nullptr : *found;
+}
+
+const Operator* Registry::find_operator(std::string_view name) const {
+  const auto found = operators_.find(name);
+  return found == operators_.end() ? nullptr : &found->second.op;
+}
+
+const SyntaxPattern& Registry::syntax(const Operator& op) const {
+  return operators_.find(op.name)->second.syntax;
+}
+
+std::vector<const Operator*> Registry::operators() const {
+  std::vector<const Operator*> all;
+  for (const auto& [name, entry] : operators_) all.push_back(&entry.op);
+  return all;
+}
+
+Result<ResolvedCall> Registry::resolve(const Operator& op, std::span<const TypeExpr> arguments) const {
+  const Overload* best = nullptr;
+  std::size_t fewest = 0;
+  for (const Overload& overload : op.overloads) {
+    const auto count = promotions(overload, arguments);
+    if (!count || (best != nullptr && *count >= fewest)) continue;
+    best = &overload;
+    fewest = *count;
+  }
+  if (best == nullptr)
+    return Error{ErrorCode::type_error, "{}: expected {}, got {}", op.name, enumerate(expected_arguments(op)),
+                 argument_list_text(arguments)};
+  return ResolvedCall{&op, best};
+}
+
+Result<std::variant<Value, std::vector<Value>>> Registry::call(const ResolvedCall& call,
+                                                               std::span<const Value> arguments, Context& context) {
+  using Returned = std::variant<Value, std::vector<Value>>;
+  const Overload& overload = *call.overload;
+  const auto undefined = [&] {
+    return overload.result_is_stream ? Returned(std::vector<Value>()) : Returned(Value(*overload.result));
+  };
+  std::vector<Value> values;
+  values.reserve(arguments.size());
+  for (std::size_t place = 0; place < arguments.size(); ++place) {
+    const Parameter& parameter = overload.parameters[place];
+    if (!arguments[place].is_defined() && !parameter.accepts_undefined) return undefined();
+    values.push_back(promoted(arguments[place], *parameter.type));
+  }
+  ASSIGN_OR_RETURN(Outcome outcome, overload.function(values, context));
+  if (auto* value = std::get_if<Value>(&outcome)) return Returned(std::move(*value));
+  if (auto* elements = std::get_if<std::vector<Value>>(&outcome)) return Returned(std::move(*elements));
+  context.diagnostics.report(call.op->name + ": " + std::get<Undefined>(outcome).reason);
+  return undefined();
+}
+
+std::string Registry::suggestion(std::string_view word) const {
+  std::vector<std::string> names;
+  for (const auto& [name, entry] : operators_) names.push_back(name);
+  return nearest_name(word, names);
+}
+
+std::string enumerate(const std::vector<std::string>& items, std::size_t limit) {
+  std::string text;
+  const std::size_t shown = std::min(items.size(), limit);
+  for (std::size_t i = 0; i < shown; ++i) {
+    if (i > 0) text += i + 1 == items.size() ? " or " : ", ";
+    text += items[i];
+  }
+  if (items.size() > shown) text += " or " + std::to_string(items.size() - shown) + " more";
+  return text;
+}
+
+std::string nearest_name(std::string_view word, std::span<const std::string> candidates) {
+  std::string best;
+  std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
+  for (const std::string& candidate : candidates) {
+    const std::size_t distance = edit_distance(word, candidate);
+    if (distance >= best_distance) continue;
+    best = candidate;
+    best_distance = distance;
+  }
+  return best;
+}
+
+std::string argument_list_text(std::span<const TypeExpr> types) {
+  std::string text = "(";
+  for (const TypeExpr& type : types) {
+    if (text.size() > 1) text += ' ';
+    text += type.text();
+  }
+  return text + ")";
+}
+
+}  // namespace algebra3d
