@@ -71,7 +71,8 @@ class ExactPoint {
 class PointArray {
  public:
   PointArray() = default;
-  explicit PointArray(std::vector<Vec3> doubles) : approx_(std::move(doubles)) {}
+  /// Exactly these doubles, which must be finite; negative zeros become zeros.
+  explicit PointArray(std::vector<Vec3> doubles);
   PointArray(const PointArray& other);
   PointArray(PointArray&&) noexcept = default;
   PointArray& operator=(const PointArray& other);
