@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "algebra3d/base/context.h"
+#include "algebra3d/base/error.h"
+#include "algebra3d/types/type_expr.h"
+#include "algebra3d/types/value.h"
+
+namespace queries {
+
+using algebra3d::Error;
+using algebra3d::ErrorCode;
+using algebra3d::Result;
+using algebra3d::Status;
+using algebra3d::TypeExpr;
+using algebra3d::Value;
+
+/// Names a tuple within its relation; positive, never reused while the relation lives. 0: the tuple is not stored.
+using TupleId = std::int64_t;
+
+/// A row: one value per attribute of its tuple type. Immutable once shared. Large attributes may be deferred.
+struct Tuple {
+  std::vector<Value> attributes;
+  TupleId id = 0;
+};
+using TuplePtr = std::shared_ptr<const Tuple>;
+
+/// Tuples one after the other, pulled by the consumer. Used by one thread; ends for good with the first null.
+class TupleStream {
+ public:
+  virtual ~TupleStream() = default;
+  TupleStream() = default;
+  TupleStream(const TupleStream&) = delete;
+  TupleStream& operator=(const TupleStream&) = delete;
+  /// The next tuple, or null at the end.
+  virtual Result<TuplePtr> next() = 0;
+};
+using TupleStreamPtr = std::shared_ptr<TupleStream>;
+
+/// Values one after the other, like TupleStream.
+class ValueStream {
+ public:
+  virtual ~ValueStream() = default;
+  ValueStream() = default;
+  ValueStream(const ValueStream&) = delete;
+  ValueStream& operator=(const ValueStream&) = delete;
+  /// The next value, or nothing at the end.
+  virtual Result<std::optional<Value>> next() = 0;
+};
+using ValueStreamPtr = std::shared_ptr<ValueStream>;
+
+class Relation;      // relation.h
+class SpatialIndex;  // spatial_index.h
+class Function;      // below
+
+/// What an expression evaluates to: a value, or one of the things that only live while a statement runs.
+/// A list is the value of a list argument (names, several functions).
+struct Datum;
+using DatumList = std::vector<Datum>;
+struct Datum {
+  std::variant<Value, TuplePtr, TupleStreamPtr, ValueStreamPtr, std::shared_ptr<Relation>,
+               std::shared_ptr<SpatialIndex>, std::shared_ptr<const Function>, DatumList>
+      content;
+
+  const Value& value() const { return std::get<Value>(content); }
+  const TuplePtr& tuple() const { return std::get<TuplePtr>(content); }
+  const TupleStreamPtr& tuples() const { return std::get<TupleStreamPtr>(content); }
+  const ValueStreamPtr& values() const { return std::get<ValueStreamPtr>(content); }
+  const std::shared_ptr<Relation>& relation() const { return std::get<std::shared_ptr<Relation>>(content); }
+  const std::shared_ptr<SpatialIndex>& index() const { return std::get<std::shared_ptr<SpatialIndex>>(content); }
+  const Function& function() const { return *std::get<std::shared_ptr<const Function>>(content); }
+  const std::shared_ptr<const Function>& function_ptr() const {
+    return std::get<std::shared_ptr<const Function>>(content);
+  }
+  const DatumList& list() const { return std::get<DatumList>(content); }
+};
+
+/// A typed function of the language with everything that it refers to. Callable any number of times.
+class Function {
+ public:
+  virtual ~Function() = default;
+  Function() = default;
+  Function(const Function&) = delete;
+  Function& operator=(const Function&) = delete;
+  virtual Result<Datum> call(std::span<const Datum> arguments) const = 0;
+  /// The nested-list form `(fun (p T) ... body)`, from which the function can be made again.
+  virtual algebra3d::NestedList to_nested() const = 0;
+};
+
+}  // namespace queries
