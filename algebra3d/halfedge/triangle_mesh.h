@@ -80,6 +80,7 @@ class TriangleMesh {
 
  private:
   friend struct TriangleMeshBuilder;  // triangle_mesh_builder.cpp
+  friend struct TriangleMeshAuditor;  // audit.cpp
   friend struct TriangleMeshTester;   // tests damage meshes through it, to see that `audit` finds it
   static constexpr std::uint32_t kNoOpposite = 0x80000000;  // set: no opposite; the low bits number a non-manifold edge
   static constexpr std::uint32_t kBoundary = 0xFFFFFFFF;

@@ -1,0 +1,212 @@
+#include "algebra3d/halfedge/topology.h"
+
+#include <algorithm>
+
+#include "algebra3d/halfedge/circulators.h"
+
+namespace algebra3d {
+namespace {
+
+/// Counts of one component, as its own surface.
+struct ComponentCounts {
+  std::int64_t vertices = 0;
+  std::int64_t fans = 0;
+  std::int64_t edges = 0;
+  std::int64_t faces = 0;
+  std::int64_t boundary_edges = 0;
+  std::int64_t nonmanifold_edges = 0;
+};
+
+std::vector<ComponentCounts> count_elements(const TriangleMesh& mesh, const FaceComponents& components) {
+  std::vector<ComponentCounts> counts(components.count);
+  const auto component_of = [&](HalfedgeId h) { return components.of_face[TriangleMesh::face(h).index()]; };
+  for (const std::uint32_t component : components.of_face) ++counts[component].faces;
+  for (const HalfedgeId h : edges(mesh)) {
+    ComponentCounts& own = counts[component_of(h)];
+    ++own.edges;
+    own.boundary_edges += mesh.is_boundary(h) ? 1 : 0;
+    own.nonmanifold_edges += mesh.is_nonmanifold(h) ? 1 : 0;
+  }
+  std::vector<VertexId> last_vertex(components.count);
+  for (const VertexId v : vertices(mesh)) {
+    for (const HalfedgeId fan : mesh.fans(v)) {
+      const std::uint32_t component = component_of(fan);
+      ++counts[component].fans;
+      counts[component].vertices += last_vertex[component] != v ? 1 : 0;
+      last_vertex[component] = v;
+    }
+  }
+  return counts;
+}
+
+Maybe<std::int64_t> genus_from(const ComponentCounts& counts) {
+  const std::int64_t extra_fans = counts.fans - counts.vertices;
+  if (counts.nonmanifold_edges != 0)
+    return Undefined{fmt::format("no genus: non-manifold edges: {}", counts.nonmanifold_edges)};
+  if (counts.boundary_edges != 0) return Undefined{fmt::format("no genus: boundary edges: {}", counts.boundary_edges)};
+  if (extra_fans != 0)
+    return Undefined{fmt::format("no genus: vertices where the surface touches itself: {}", extra_fans)};
+  return 1 - (counts.vertices - counts.edges + counts.faces) / 2;
+}
+
+/// Calls visit(other) for half-edges that share the edge of `h`. Only the first along a non-manifold edge sees all the
+/// others, these see the first: enough to connect them, and linear.
+template <typename Visit>
+void for_each_link(const TriangleMesh& mesh, HalfedgeId h, Visit visit) {
+  if (!mesh.is_nonmanifold(h)) {
+    if (const HalfedgeId other = mesh.opposite(h); other.is_valid()) visit(other);
+    return;
+  }
+  const auto along = mesh.edge_halfedges(h);
+  if (along.front() != h) return visit(along.front());
+  for (const HalfedgeId other : along) visit(other);
+}
+
+/// The boundary half-edge that follows boundary half-edge `h` round the same fan; invalid if the fan ends on a
+/// non-manifold edge.
+HalfedgeId next_on_boundary(const TriangleMesh& mesh, HalfedgeId h) {
+  HalfedgeId leaving = TriangleMesh::next(h);
+  for (HalfedgeId other = mesh.opposite(leaving); other.is_valid(); other = mesh.opposite(leaving))
+    leaving = TriangleMesh::next(other);
+  return mesh.is_boundary(leaving) ? leaving : HalfedgeId();
+}
+
+constexpr std::uint32_t kUnset = 0xFFFFFFFF;
+
+}  // namespace
+
+std::vector<std::vector<FaceId>> FaceComponents::faces() const {
+  std::vector<std::vector<FaceId>> result(count);
+  for (std::size_t f = 0; f < of_face.size(); ++f) result[of_face[f]].emplace_back(f);
+  return result;
+}
+
+FaceComponents connected_components(const TriangleMesh& mesh) {
+  FaceComponents components{std::vector<std::uint32_t>(mesh.face_count(), kUnset), 0};
+  std::vector<FaceId> pending;
+  for (const FaceId seed : faces(mesh)) {
+    if (components.of_face[seed.index()] != kUnset) continue;
+    const auto number = static_cast<std::uint32_t>(components.count++);
+    const auto enter = [&](FaceId f) {
+      if (components.of_face[f.index()] != kUnset) return;
+      components.of_face[f.index()] = number;
+      pending.push_back(f);
+    };
+    enter(seed);
+    while (!pending.empty()) {
+      const FaceId f = pending.back();
+      pending.pop_back();
+      for (const HalfedgeId h : halfedges_of(mesh, f))
+        for_each_link(mesh, h, [&](HalfedgeId other) { enter(TriangleMesh::face(other)); });
+    }
+  }
+  return components;
+}
+
+std::vector<BoundaryLoop> boundary_loops(const TriangleMesh& mesh) {
+  // Runs that are not closed must be entered at their start: at the half-edges that follow no other.
+  std::vector<bool> follows(mesh.halfedge_count(), false);
+  for (const HalfedgeId h : halfedges(mesh)) {
+    if (!mesh.is_boundary(h)) continue;
+    if (const HalfedgeId next = next_on_boundary(mesh, h); next.is_valid()) follows[next.index()] = true;
+  }
+  std::vector<bool> is_done(mesh.halfedge_count(), false);
+  std::vector<BoundaryLoop> loops;
+  for (const bool closed : {false, true}) {
+    for (const HalfedgeId first : halfedges(mesh)) {
+      if (!mesh.is_boundary(first) || is_done[first.index()] || (!closed && follows[first.index()])) continue;
+      BoundaryLoop& loop = loops.emplace_back();
+      loop.is_closed = closed;
+      for (HalfedgeId h = first; h.is_valid() && !is_done[h.index()]; h = next_on_boundary(mesh, h)) {
+        is_done[h.index()] = true;
+        loop.halfedges.push_back(h);
+      }
+    }
+  }
+  std::ranges::sort(loops, {}, [](const BoundaryLoop& loop) { return loop.halfedges.front(); });
+  return loops;
+}
+
+std::size_t edge_count(const TriangleMesh& mesh) {
+  return static_cast<std::size_t>(std::ranges::distance(edges(mesh)));
+}
+
+std::int64_t euler_characteristic(const TriangleMesh& mesh) {
+  const auto used = std::ranges::count_if(vertices(mesh), [&](VertexId v) { return !mesh.is_isolated(v); });
+  return used - static_cast<std::int64_t>(edge_count(mesh)) + static_cast<std::int64_t>(mesh.face_count());
+}
+
+bool is_closed(const TriangleMesh& mesh) {
+  return std::ranges::none_of(halfedges(mesh), [&](HalfedgeId h) { return mesh.is_boundary(h); });
+}
+
+bool is_manifold(const TriangleMesh& mesh) {
+  return mesh.nonmanifold_edge_count() == 0 && mesh.nonmanifold_vertices().empty();
+}
+
+bool is_consistently_oriented(const TriangleMesh& mesh) {
+  for (std::size_t n = 0; n < mesh.nonmanifold_edge_count(); ++n) {
+    std::int64_t balance = 0;
+    for (const HalfedgeId h : mesh.nonmanifold_edge(n)) {
+      const auto direction = mesh.origin(h) <=> mesh.target(h);
+      balance += direction < 0 ? 1 : direction > 0 ? -1 : 0;
+    }
+    if (balance != 0) return false;
+  }
+  return true;
+}
+
+Maybe<std::int64_t> genus(const TriangleMesh& mesh) {
+  const FaceComponents components = connected_components(mesh);
+  ComponentCounts total;
+  for (const ComponentCounts& part : count_elements(mesh, components)) {
+    total.edges += part.edges;
+    total.faces += part.faces;
+    total.fans += part.fans;
+    total.boundary_edges += part.boundary_edges;
+    total.nonmanifold_edges += part.nonmanifold_edges;
+  }
+  // Here a vertex is one even if components meet in it: that is where the mesh touches itself.
+  total.vertices = std::ranges::count_if(vertices(mesh), [&](VertexId v) { return !mesh.is_isolated(v); });
+  const Maybe<std::int64_t> connected = genus_from(total);
+  if (!connected) return connected;
+  return *connected + static_cast<std::int64_t>(components.count) - 1;
+}
+
+std::vector<Maybe<std::int64_t>> component_genus(const TriangleMesh& mesh, const FaceComponents& components) {
+  std::vector<Maybe<std::int64_t>> result;
+  result.reserve(components.count);
+  for (const ComponentCounts& counts : count_elements(mesh, components)) result.push_back(genus_from(counts));
+  return result;
+}
+
+TriangleMesh flipped(const TriangleMesh& mesh) {
+  std::vector<TriangleMesh::Triangle> triangles;
+  triangles.reserve(mesh.face_count());
+  for (const FaceId f : faces(mesh)) {
+    const auto [a, b, c] = mesh.triangle(f);
+    triangles.push_back({a, c, b});
+  }
+  return {mesh.points(), triangles};
+}
+
+TriangleMesh submesh(const TriangleMesh& mesh, std::span<const FaceId> faces) {
+  std::vector<std::uint32_t> new_index(mesh.vertex_count(), kUnset);
+  std::vector<TriangleMesh::Triangle> triangles;
+  triangles.reserve(faces.size());
+  PointArray points;
+  for (const FaceId f : faces) {
+    TriangleMesh::Triangle triangle = mesh.triangle(f);
+    for (std::uint32_t& corner : triangle) {
+      if (new_index[corner] == kUnset) {
+        new_index[corner] = static_cast<std::uint32_t>(points.size());
+        points.push_back(mesh.points().point(corner));
+      }
+      corner = new_index[corner];
+    }
+    triangles.push_back(triangle);
+  }
+  return {std::move(points), triangles};
+}
+
+}  // namespace algebra3d
