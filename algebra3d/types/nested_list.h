@@ -71,11 +71,14 @@ class NestedList {
 
   /// Reads one list or atom that is all of `source` (white space and `_! ... !_` comments apart): lists in parentheses,
   /// ints, reals, TRUE/FALSE, "strings", 'texts' and <text>...</text--->, symbols (words, runs of special characters,
-  /// and `p/q`). An integer beyond 32 bits becomes a real. Invalid UTF-8 in strings and texts is an error.
-  /// Errors: invalid_value with line and column, what was found and what was expected.
-  static Result<NestedList> parse(std::string_view source);
+  /// and `p/q`). An integer beyond 32 bits becomes a real. In strings and texts a backslash before the quote or another
+  /// backslash escapes it, any other stands for itself. Atoms are separated by white space, parentheses or comments.
+  /// Errors: invalid_value with line and column of the source (which begins at `start`), what was found and what was
+  /// expected; limit_exceeded. Invalid UTF-8 in strings and texts is an error. Cost: linear, no recursion.
+  static Result<NestedList> parse(std::string_view source, const SourcePlace& start = {{}, 1, 1});
 
-  /// Text that `parse` reads back to an equal list; one line, single blanks.
+  /// Text that `parse` reads back to an equal list; single blanks, and no line breaks but those inside strings and
+  /// texts. Requires finite reals and symbols as `parse` makes them.
   std::string print() const;
   void print_to(std::string& text) const;
   /// For messages: `print`, cut in the middle of nowhere after `limit` characters and marked with "...".

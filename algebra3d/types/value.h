@@ -85,7 +85,7 @@ struct TypeOf;
 class Value {
  public:
   /// Undefined of a type.
-  explicit Value(const Type& type) : type_(&type) {}
+  explicit Value(const Type& type);
   Value(const Type& type, std::shared_ptr<const DeferredValue> deferred)
       : type_(&type), content_(std::move(deferred)) {}
 
