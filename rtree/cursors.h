@@ -1,0 +1,165 @@
+#pragma once
+
+#include <array>
+#include <iterator>
+#include <optional>
+#include <span>
+
+#include "rtree/storage.h"
+
+namespace rtree {
+
+/// Payloads of the entries whose boxes meet a window, found as they are asked for: by `next`, or as a range that is
+/// walked once. The order is that of the tree, the same for the same history of the tree.
+/// A cursor refers to its tree: it must not outlive it, and is invalid once the tree is changed or moved.
+template <typename Payload>
+class WindowCursor {
+ public:
+  class Iterator {
+   public:
+    using value_type = Payload;
+    using difference_type = std::ptrdiff_t;
+    using iterator_concept = std::input_iterator_tag;
+
+    Iterator() = default;
+    explicit Iterator(WindowCursor& cursor) : cursor_(&cursor), current_(cursor.next()) {}
+    Payload operator*() const { return *current_; }
+    Iterator& operator++() {
+      current_ = cursor_->next();
+      return *this;
+    }
+    void operator++(int) { ++*this; }
+    friend bool operator==(const Iterator& it, std::default_sentinel_t) { return !it.current_.has_value(); }
+
+   private:
+    WindowCursor* cursor_ = nullptr;
+    std::optional<Payload> current_;
+  };
+
+  /// Domain: any window, infinite extents included; an empty one meets nothing.
+  WindowCursor(const Storage<Payload>& storage, const Box3& window);
+
+  std::optional<Payload> next() {
+    if (leaf_slots_ == 0 && !find_leaf()) return std::nullopt;
+    return leaf_->reference[take_slot(leaf_slots_)];
+  }
+  Iterator begin() { return Iterator(*this); }
+  static std::default_sentinel_t end() { return {}; }
+
+ private:
+  struct Frame {
+    const Node<Payload>* node;
+    SlotMask slots;  ///< children that are still to be visited
+    std::uint32_t level;
+  };
+
+  bool find_leaf();
+  void enter(const Node<Payload>& node, std::uint32_t level);
+
+  const Node<Payload>* nodes_;
+  const Node<Payload>* leaf_ = nullptr;
+  SlotMask leaf_slots_ = 0;
+  std::uint32_t depth_ = 0;
+  Box3 window_;
+  std::array<Frame, kMaxLevels> frames_;
+};
+
+/// One result of a nearest search.
+template <typename Payload>
+struct Neighbor {
+  Payload payload;
+  double distance;  ///< Euclidean, from box to box; rounded
+
+  friend bool operator==(const Neighbor&, const Neighbor&) = default;
+};
+
+/// Entries by growing distance from a box, equal distances by payload; each step does only the work that it needs.
+/// Distances are compared as rounded squares. Lifetime: as WindowCursor.
+/// Source: [hjaltason1999].
+template <typename Payload>
+class NearestCursor {
+ public:
+  /// Domain: any box, infinite extents included; an empty one has no neighbours.
+  NearestCursor(const Storage<Payload>& storage, const Box3& box);
+
+  std::optional<Neighbor<Payload>> next();
+
+ private:
+  struct Candidate {
+    double squared_distance;
+    Payload reference;
+    std::uint32_t level;  ///< 0: an entry; else one above the level of the node
+
+    // Nodes before entries at the same distance: they may hold an entry of smaller payload.
+    bool is_after(const Candidate& other) const {
+      if (squared_distance != other.squared_distance) return squared_distance > other.squared_distance;
+      if ((level == 0) != (other.level == 0)) return level == 0;
+      return reference > other.reference;
+    }
+  };
+
+  void expand(NodeIndex node, std::uint32_t level);
+  void push(const Candidate& candidate);
+  Candidate pop();
+
+  const Storage<Payload>* storage_;
+  Box3 box_;
+  double scale_ = 1;
+  std::vector<Candidate> heap_;
+};
+
+/// Two entries whose boxes meet.
+template <typename Payload>
+struct Pair {
+  Payload first;
+  Payload second;
+
+  friend auto operator<=>(const Pair&, const Pair&) = default;
+};
+
+/// Pairs of entries whose boxes meet, of two trees or within one, found as they are asked for.
+/// Lifetime: as WindowCursor, for both trees. Source: [brinkhoff1993], section 4, without the plane sweep.
+template <typename Payload>
+class JoinCursor {
+ public:
+  /// All pairs of an entry of `first` and an entry of `second`.
+  JoinCursor(const Storage<Payload>& first, const Storage<Payload>& second);
+  /// All pairs of different entries of one tree, each once, the smaller payload first.
+  explicit JoinCursor(const Storage<Payload>& storage);
+
+  std::optional<Pair<Payload>> next() {
+    if (position_ == pairs_.size() && !refill()) return std::nullopt;
+    return pairs_[position_++];
+  }
+  /// The pairs that come next, some hundred at a time; empty at the end. Valid until the next call.
+  std::span<const Pair<Payload>> next_batch() {
+    if (position_ == pairs_.size() && !refill()) return {};
+    const auto batch = std::span<const Pair<Payload>>(pairs_).subspan(position_);
+    position_ = pairs_.size();
+    return batch;
+  }
+
+ private:
+  struct Task {
+    NodeIndex first, second;
+    std::uint32_t first_level, second_level;
+    Box3 second_box;
+  };
+
+  bool refill();
+  void expand(const Task& task);
+  void expand_both(const Task& task);
+  void expand_self(const Task& task);
+  void match_leaves(const Task& task);
+  void match_within(NodeIndex leaf);
+  void emit(Payload first, Payload second);
+
+  const Storage<Payload>* first_;
+  const Storage<Payload>* second_;
+  bool within_one_;
+  std::vector<Task> tasks_;
+  std::vector<Pair<Payload>> pairs_;
+  std::size_t position_ = 0;
+};
+
+}  // namespace rtree
