@@ -8,7 +8,7 @@
 
 namespace algebra3d {
 
-/// Exact affine map x -> Mx + t with rational entries.
+/// Exact affine map x -> Mx + t with rational entries. A value; calls on one map may run in parallel.
 class AffineMap {
  public:
   static AffineMap translation(const RationalVec3& by);
@@ -16,20 +16,28 @@ class AffineMap {
   static AffineMap scaling(const RationalVec3& centre, const RationalVec3& factors);
   static AffineMap reflection(const ExactPlane& plane);
   /// Right-handed rotation by `angle_degrees` about the axis through `centre` with direction `axis` (any length, not
-  /// zero). A true rotation about exactly that axis, by an angle within 2^-50 rad of the one asked for; multiples of 90
-  /// degrees about coordinate axes and of 180 degrees about any axis are exact. The entries come from MPFR, so they do
-  /// not depend on the C library. `angle_degrees` is finite. Nothing for a zero axis.
+  /// zero). Domain: any finite angle, reduced exactly by whole turns. Nothing for a zero axis.
+  /// Exactness: a true rotation about exactly that axis, by an angle within 2^-50 rad of the one asked for; exact where
+  /// the matrix has short rational entries (quarter turns about coordinate axes, half turns about any axis, third turns
+  /// about a diagonal of the cube). The entries come from MPFR, so they do not depend on the C library.
   static std::optional<AffineMap> rotation(const RationalVec3& centre, const RationalVec3& axis, double angle_degrees);
 
   /// Sign of the determinant: -1 mirrors, 0 flattens.
   int orientation() const;
   /// The exact image.
   RationalVec3 apply(const RationalVec3& point) const;
-  /// The exact image, each coordinate rounded once to nearest; infinite where it leaves the range of doubles.
-  /// Cost: tens of nanoseconds when a double-double filter decides the rounding, rationals otherwise.
+  /// The exact image as a point; nothing if it leaves the range of doubles.
+  std::optional<ExactPoint> apply(const ExactPoint& point) const;
+  /// The image of a plane, with the image of its positive side on its positive side. The map must not flatten.
+  ExactPlane apply(const ExactPlane& plane) const;
+  /// The exact image, each coordinate rounded once to nearest; infinite where it leaves the range of doubles. Never a
+  /// negative zero. Cost: some 50 nanoseconds when a double-double filter decides the rounding, rationals otherwise
+  /// (then counted in `exact_counters().big_fallbacks`).
   Vec3 apply_rounded(PointRef point) const;
-  /// True if `apply_rounded` loses nothing at this point.
+  /// True if `rounded` is the exact image of this point. Cost: as `apply_rounded`.
   bool image_is_double(PointRef point, const Vec3& rounded) const;
+  /// First this map, then `next`.
+  AffineMap then(const AffineMap& next) const;
 
   const std::array<RationalVec3, 3>& rows() const { return rows_; }
   const RationalVec3& shift() const { return shift_; }
@@ -39,11 +47,19 @@ class AffineMap {
 
   std::array<RationalVec3, 3> rows_;
   RationalVec3 shift_;
-  // Entries as unevaluated sums of two doubles with the error that they leave, for the filter of apply_rounded.
+  // An entry for the filter of apply_rounded: nearest double (and its halves, products of which are exact), the double
+  // nearest to what that leaves, and what both leave at most.
   struct Split {
-    double high = 0, low = 0, error = 0;
+    double high = 0, high_head = 0, high_tail = 0, low = 0, error = 0;
   };
-  std::array<std::array<Split, 4>, 3> split_;
+  struct SplitRow {
+    std::array<Split, 4> entries;  // the shift is the last
+    bool is_safe = true;           // the filter's range holds all entries
+  };
+  std::array<SplitRow, 3> split_;
+
+  static SplitRow split(const RationalVec3& row, const Rational& shift);
+  friend struct RowFilter;
 };
 
 }  // namespace algebra3d

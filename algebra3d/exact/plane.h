@@ -21,7 +21,14 @@ struct ExactPlane {
 
   /// Exact value of p.n - c: positive on the side to which the normal points.
   Rational evaluate(const RationalVec3& p) const;
+  /// The same plane with the same positive side and a primitive normal: two planes are the same oriented plane exactly
+  /// if their canonical forms are equal in both members.
+  ExactPlane canonical() const;
 };
+
+/// The vector of integers without a common divisor that points the same way; `v` is not zero.
+RationalVec3 primitive_direction(const RationalVec3& v);
+bool is_zero(const RationalVec3& v);
 
 Rational dot(const RationalVec3& a, const RationalVec3& b);
 RationalVec3 cross(const RationalVec3& a, const RationalVec3& b);

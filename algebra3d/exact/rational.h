@@ -68,6 +68,8 @@ class Rational {
   /// Largest double <= this, smallest double >= this.
   double lower_double() const;
   double upper_double() const;
+  /// Nearest double to the square root of this, which must not be negative; ties to even.
+  double nearest_root() const;
   bool is_double() const;  ///< exactly representable as a finite double
   bool is_integer() const;
   /// True if both terms are held in place.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -47,6 +48,7 @@ double round_leading(const Leading& leading, Rounding rounding) {
 }
 
 Leading leading_of(std::uint64_t numerator, std::uint64_t denominator) {
+  assert(numerator != 0 && denominator != 0);
   const int scale =
       kQuotientBits - (static_cast<int>(std::bit_width(numerator)) - static_cast<int>(std::bit_width(denominator)));
   const UInt128 dividend = UInt128{numerator} << std::max(scale, 0);
@@ -98,6 +100,31 @@ double Rational::lower_double() const {
 
 double Rational::upper_double() const {
   return sign() < 0 ? -round_magnitude(*this, Rounding::toward_zero) : round_magnitude(*this, Rounding::away_from_zero);
+}
+
+// With an integer k, the root of this number times 2^k has an integer part r of at least 64 bits. Between r and r + 1
+// lies no number that is a double or half-way between two, so that r + 1/2 stands for every root that is not r itself.
+double Rational::nearest_root() const {
+  assert(sign() >= 0);
+  if (sign() == 0) return 0;
+  const RationalAccess::View view(*this);
+  const auto numerator_bits = static_cast<long>(mpz_sizeinbase(view.numerator(), 2));
+  const auto denominator_bits = static_cast<long>(mpz_sizeinbase(view.denominator(), 2));
+  const auto k = static_cast<mp_bitcnt_t>(std::max(0L, (denominator_bits - numerator_bits) / 2 + 66));
+  RationalAccess::Owner root = RationalAccess::make();
+  mpz_ptr square = mpq_numref(root->value);
+  mpz_ptr remainder = mpq_denref(root->value);
+  mpz_mul_2exp(square, view.numerator(), 2 * k);
+  mpz_tdiv_qr(square, remainder, square, view.denominator());
+  bool exact = mpz_sgn(remainder) == 0;
+  mpz_sqrtrem(square, remainder, square);
+  exact = exact && mpz_sgn(remainder) == 0;
+  mpz_mul_2exp(square, square, 1);
+  if (!exact) mpz_add_ui(square, square, 1);
+  mpz_set_ui(remainder, 1);
+  mpz_mul_2exp(remainder, remainder, k + 1);
+  mpq_canonicalize(root->value);
+  return RationalAccess::take(std::move(root)).nearest_double();
 }
 
 bool Rational::is_double() const {
