@@ -1,0 +1,168 @@
+#include "algebra3d/validity/box_hierarchy.h"
+
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace algebra3d {
+namespace {
+
+struct CodedFace {
+  std::uint64_t code;
+  std::uint32_t position;
+};
+
+/// The low 21 bits of `value`, two zeros after each.
+std::uint64_t spread_bits(std::uint64_t value) {
+  value &= 0x1FFFFF;
+  value = (value | value << 32) & 0x1F00000000FFFF;
+  value = (value | value << 16) & 0x1F0000FF0000FF;
+  value = (value | value << 8) & 0x100F00F00F00F00F;
+  value = (value | value << 4) & 0x10C30C30C30C30C3;
+  value = (value | value << 2) & 0x1249249249249249;
+  return value;
+}
+
+/// Stable sort by code: 63 bits in seven rounds; a round whose digit is the same everywhere is left out.
+void radix_sort(std::vector<CodedFace>& faces) {
+  constexpr unsigned kDigitBits = 9, kRounds = 7;
+  constexpr std::size_t kBuckets = std::size_t{1} << kDigitBits;
+  std::vector<std::array<std::uint32_t, kBuckets>> counts(kRounds);
+  for (const CodedFace& face : faces)
+    for (unsigned round = 0; round < kRounds; ++round) ++counts[round][(face.code >> round * kDigitBits) % kBuckets];
+  std::vector<CodedFace> sorted(faces.size());
+  for (unsigned round = 0; round < kRounds; ++round) {
+    auto& starts = counts[round];
+    const unsigned shift = round * kDigitBits;
+    if (starts[(faces[0].code >> shift) % kBuckets] == faces.size()) continue;
+    std::uint32_t sum = 0;
+    for (std::uint32_t& start : starts) sum += std::exchange(start, sum);
+    for (const CodedFace& face : faces) sorted[starts[(face.code >> shift) % kBuckets]++] = face;
+    faces.swap(sorted);
+  }
+}
+
+Box3 box_of_face(const TriangleMesh& mesh, FaceId face) {
+  const TriangleRef corners = mesh.corners(face);
+  Box3 box = box_of(corners[0]);
+  box.extend(box_of(corners[1]));
+  box.extend(box_of(corners[2]));
+  return box;
+}
+
+}  // namespace
+
+void BoxHierarchy::Box::extend(const Box& other) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    min[axis] = std::min(min[axis], other.min[axis]);
+    max[axis] = std::max(max[axis], other.max[axis]);
+  }
+}
+
+BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> faces) : faces_(std::move(faces)) {
+  if (faces_.empty()) return;
+  std::vector<Box3> exact_boxes;
+  exact_boxes.reserve(faces_.size());
+  Box3 bounds;
+  for (const std::uint32_t face : faces_) {
+    exact_boxes.push_back(box_of_face(mesh, FaceId(face)));
+    bounds.extend(exact_boxes.back());
+  }
+  origin_ = bounds.min;
+  // Halved first, so that the extent of the largest doubles is finite. A power of two, so that few coordinates are
+  // rounded; 2^20 units are what the codes can tell apart.
+  double half_extent = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    half_extent = std::max(half_extent, bounds.max[axis] / 2 - bounds.min[axis] / 2);
+  scale_ = half_extent > 0 ? std::ldexp(1.0, std::min(19 - std::ilogb(half_extent), 1000)) : 1;
+  std::vector<Box> boxes;
+  boxes.reserve(faces_.size());
+  for (const Box3& box : exact_boxes) boxes.push_back(scaled(box));
+  sort_faces(boxes);
+  build_levels();
+}
+
+BoxHierarchy::Box BoxHierarchy::scaled(const Box3& box) const {
+  // Roundings of functions that grow: never decreasing.
+  const auto map = [this](const Vec3& p, std::size_t axis) {
+    return static_cast<float>((p[axis] / 2 - origin_[axis] / 2) * scale_);
+  };
+  return {{map(box.min, 0), map(box.min, 1), map(box.min, 2)}, {map(box.max, 0), map(box.max, 1), map(box.max, 2)}};
+}
+
+void BoxHierarchy::sort_faces(std::vector<Box>& boxes) {
+  std::vector<CodedFace> coded;
+  coded.reserve(boxes.size());
+  for (const Box& box : boxes) {
+    // Sums of two coordinates up to 2^20; 21 bits hold all but the very last value.
+    const auto cell = [&box](std::size_t axis) {
+      return std::min(static_cast<std::uint64_t>(box.min[axis] + box.max[axis]), std::uint64_t{0x1FFFFF});
+    };
+    const std::uint64_t code = spread_bits(cell(0)) | spread_bits(cell(1)) << 1 | spread_bits(cell(2)) << 2;
+    coded.push_back({code, static_cast<std::uint32_t>(coded.size())});
+  }
+  radix_sort(coded);
+  std::vector<std::uint32_t> sorted_faces;
+  sorted_faces.reserve(coded.size());
+  face_boxes_.reserve(coded.size());
+  for (const CodedFace& face : coded) {
+    sorted_faces.push_back(faces_[face.position]);
+    face_boxes_.push_back(boxes[face.position]);
+  }
+  faces_ = std::move(sorted_faces);
+}
+
+void BoxHierarchy::build_levels() {
+  Level leaves;
+  for (std::size_t begin = 0; begin < faces_.size(); begin += kLeafSize) {
+    Box box = face_boxes_[begin];
+    const std::size_t end = std::min(begin + kLeafSize, faces_.size());
+    for (std::size_t i = begin + 1; i < end; ++i) box.extend(face_boxes_[i]);
+    leaves.boxes.push_back(box);
+  }
+  levels_.push_back(std::move(leaves));
+  while (levels_.back().boxes.size() > 1) {
+    const std::vector<Box>& below = levels_.back().boxes;
+    Level level;
+    for (std::size_t i = 0; i < below.size(); i += 2) {
+      level.boxes.push_back(below[i]);
+      if (i + 1 < below.size()) level.boxes.back().extend(below[i + 1]);
+    }
+    levels_.push_back(std::move(level));
+  }
+}
+
+std::span<const std::uint32_t> BoxHierarchy::leaf_faces(std::size_t leaf) const {
+  const std::size_t begin = leaf * kLeafSize;
+  return std::span(faces_).subspan(begin, std::min(kLeafSize, faces_.size() - begin));
+}
+
+void BoxHierarchy::set_groups(std::span<const std::uint32_t> leaf_groups) {
+  assert(leaf_groups.size() == leaf_count());
+  if (leaf_groups.empty()) return;
+  levels_[0].groups.assign(leaf_groups.begin(), leaf_groups.end());
+  for (std::size_t height = 1; height < levels_.size(); ++height) {
+    const std::vector<std::uint32_t>& below = levels_[height - 1].groups;
+    std::vector<std::uint32_t>& groups = levels_[height].groups;
+    groups.clear();
+    for (std::size_t i = 0; i < below.size(); i += 2)
+      groups.push_back(i + 1 == below.size() || below[i] == below[i + 1] ? below[i] : kNoGroup);
+  }
+}
+
+void BoxHierarchy::push_children(NodePair pair, std::vector<NodePair>& stack) const {
+  const std::uint32_t level = pair.level - 1;
+  const Level& below = levels_[level];
+  const auto child_count = static_cast<std::uint32_t>(below.boxes.size());
+  const std::uint32_t first_end = std::min(2 * pair.first + 2, child_count);
+  const std::uint32_t second_end = std::min(2 * pair.second + 2, child_count);
+  for (std::uint32_t a = 2 * pair.first; a < first_end; ++a) {
+    const std::uint32_t second_begin = pair.first == pair.second ? a : 2 * pair.second;
+    for (std::uint32_t b = second_begin; b < second_end; ++b)
+      if ((a == b || below.boxes[a].meets(below.boxes[b])) && !is_one_group(below, a, b))
+        stack.push_back({level, a, b});
+  }
+}
+
+}  // namespace algebra3d

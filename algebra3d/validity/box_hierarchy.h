@@ -1,0 +1,166 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "algebra3d/base/box3.h"
+#include "algebra3d/halfedge/triangle_mesh.h"
+
+namespace algebra3d {
+
+/// Implicit box hierarchy over triangles of one mesh: triangles in Morton order, kLeafSize to a leaf, and a complete
+/// binary tree of boxes over the leaves, all in flat arrays without pointers.
+///
+/// Boxes are floats, scaled to the mesh: every coordinate goes through one map that never decreases (subtract, scale,
+/// round), so that boxes which touch or overlap still do after it; a query may name too many candidates, never too few,
+/// however far from the origin the mesh lies. Immutable after construction and `set_groups`; refers to nothing.
+/// Memory: 40 bytes per triangle. Deterministic. Source: [lauterbach2009] for the order of the triangles.
+class BoxHierarchy {
+ public:
+  static constexpr std::size_t kLeafSize = 8;
+  static constexpr std::uint32_t kNoGroup = 0xFFFFFFFF;
+
+  /// Over `faces` of `mesh`. Cost: linear (radix sort).
+  BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> faces);
+
+  std::size_t face_count() const { return faces_.size(); }
+  std::size_t leaf_count() const { return (faces_.size() + kLeafSize - 1) / kLeafSize; }
+  /// Faces of a leaf: at most kLeafSize.
+  std::span<const std::uint32_t> leaf_faces(std::size_t leaf) const;
+
+  /// Gives each leaf a group or kNoGroup. A node whose leaves are all of one group is of that group; pairs within one
+  /// group are left out of `for_each_pair`, without being enumerated.
+  void set_groups(std::span<const std::uint32_t> leaf_groups);
+
+  /// Calls visit(f, g) once for each pair of different faces whose boxes meet (and for some more whose boxes nearly do)
+  /// and which are not both in leaves of one group; ends early when it returns false. `pause` is called after every few
+  /// thousand steps and ends the search when it returns false. Order: depends on the mesh alone. No recursion.
+  template <typename Visit, typename Pause>
+  void for_each_pair(Visit visit, Pause pause) const;
+
+  /// Calls visit(f) for each face whose box meets the vertical line through `where`, a box around a point that lies in
+  /// the mesh's box.
+  template <typename Visit>
+  void for_each_on_vertical_line(const Box3& where, Visit visit) const;
+
+ private:
+  struct Box {
+    std::array<float, 3> min, max;
+
+    bool meets(const Box& other) const {
+      // Without short cuts: the outcome is unpredictable, and six comparisons cost less than a wrong guess.
+      return (min[0] <= other.max[0]) & (other.min[0] <= max[0]) & (min[1] <= other.max[1]) & (other.min[1] <= max[1]) &
+             (min[2] <= other.max[2]) & (other.min[2] <= max[2]);
+    }
+    void extend(const Box& other);
+  };
+  struct Node {
+    std::uint32_t level, index;
+  };
+  struct NodePair {
+    std::uint32_t level, first, second;
+  };
+  struct PairsOfLeaves;
+  /// Nodes of one height above the leaves; node i has the children 2i and 2i + 1 in the level below, if they exist.
+  struct Level {
+    std::vector<Box> boxes;
+    std::vector<std::uint32_t> groups;  // empty: none
+  };
+
+  Box scaled(const Box3& box) const;
+  void sort_faces(std::vector<Box>& boxes);
+  void build_levels();
+  bool is_one_group(const Level& level, std::uint32_t a, std::uint32_t b) const {
+    return !level.groups.empty() && level.groups[a] != kNoGroup && level.groups[a] == level.groups[b];
+  }
+  void push_children(NodePair pair, std::vector<NodePair>& stack) const;
+  template <typename Visit>
+  bool visit_leaf_pair(std::size_t a, std::size_t b, Visit& visit) const;
+  template <typename Visit>
+  bool visit_leaf(std::size_t leaf, Visit& visit) const;
+
+  Vec3 origin_;
+  double scale_ = 1;
+  std::vector<std::uint32_t> faces_;  // in Morton order
+  std::vector<Box> face_boxes_;       // parallel to faces_
+  std::vector<Level> levels_;         // [0]: the leaves; the last has one node
+};
+
+template <typename Visit>
+bool BoxHierarchy::visit_leaf(std::size_t leaf, Visit& visit) const {
+  const std::size_t begin = leaf * kLeafSize, end = std::min(begin + kLeafSize, faces_.size());
+  for (std::size_t i = begin; i < end; ++i)
+    for (std::size_t j = i + 1; j < end; ++j)
+      if (face_boxes_[i].meets(face_boxes_[j]) && !visit(faces_[i], faces_[j])) return false;
+  return true;
+}
+
+template <typename Visit>
+bool BoxHierarchy::visit_leaf_pair(std::size_t a, std::size_t b, Visit& visit) const {
+  // Of neighbouring leaves few triangles reach into the other's box; only those are paired.
+  std::array<std::size_t, kLeafSize> reaching{};
+  std::size_t reaching_count = 0;
+  const Box& box_a = levels_[0].boxes[a];
+  const std::size_t begin_b = b * kLeafSize, end_b = std::min(begin_b + kLeafSize, faces_.size());
+  for (std::size_t j = begin_b; j < end_b; ++j) {
+    reaching[reaching_count] = j;
+    reaching_count += static_cast<std::size_t>(box_a.meets(face_boxes_[j]));
+  }
+  if (reaching_count == 0) return true;
+  const Box& box_b = levels_[0].boxes[b];
+  const std::size_t begin_a = a * kLeafSize, end_a = std::min(begin_a + kLeafSize, faces_.size());
+  for (std::size_t i = begin_a; i < end_a; ++i) {
+    if (!box_b.meets(face_boxes_[i])) continue;
+    for (std::size_t k = 0; k < reaching_count; ++k)
+      if (face_boxes_[i].meets(face_boxes_[reaching[k]]) && !visit(faces_[i], faces_[reaching[k]])) return false;
+  }
+  return true;
+}
+
+template <typename Visit, typename Pause>
+void BoxHierarchy::for_each_pair(Visit visit, Pause pause) const {
+  if (faces_.empty()) return;
+  std::vector<NodePair> stack{{static_cast<std::uint32_t>(levels_.size() - 1), 0, 0}};
+  std::uint32_t steps = 0;
+  while (!stack.empty()) {
+    const NodePair pair = stack.back();
+    stack.pop_back();
+    if (++steps % 4096 == 0 && !pause()) return;
+    if (pair.level > 0) {
+      push_children(pair, stack);
+    } else if (pair.first == pair.second) {
+      if (!visit_leaf(pair.first, visit)) return;
+    } else {
+      if (!visit_leaf_pair(pair.first, pair.second, visit)) return;
+    }
+  }
+}
+
+template <typename Visit>
+void BoxHierarchy::for_each_on_vertical_line(const Box3& where, Visit visit) const {
+  if (faces_.empty()) return;
+  Box window = scaled(where);
+  window.min[2] = -std::numeric_limits<float>::infinity();
+  window.max[2] = std::numeric_limits<float>::infinity();
+  std::vector<Node> stack{{static_cast<std::uint32_t>(levels_.size() - 1), 0}};
+  while (!stack.empty()) {
+    const Node node = stack.back();
+    stack.pop_back();
+    if (!levels_[node.level].boxes[node.index].meets(window)) continue;
+    if (node.level > 0) {
+      const auto child_count = static_cast<std::uint32_t>(levels_[node.level - 1].boxes.size());
+      for (std::uint32_t child = std::min(2 * node.index + 2, child_count); child-- > 2 * node.index;)
+        stack.push_back({node.level - 1, child});
+      continue;
+    }
+    const std::size_t begin = node.index * kLeafSize, end = std::min(begin + kLeafSize, faces_.size());
+    for (std::size_t i = begin; i < end; ++i)
+      if (face_boxes_[i].meets(window)) visit(faces_[i]);
+  }
+}
+
+}  // namespace algebra3d

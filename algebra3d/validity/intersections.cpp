@@ -1,0 +1,124 @@
+#include "algebra3d/validity/intersections.h"
+
+#include <array>
+
+namespace algebra3d {
+namespace {
+
+/// The corners that two triangles share: positions in the first and the second, in order of the first.
+struct SharedCorners {
+  std::size_t count = 0;
+  std::array<std::size_t, 3> in_first{}, in_second{};
+};
+
+SharedCorners shared_corners(const TriangleMesh::Triangle& s, const TriangleMesh::Triangle& t) {
+  SharedCorners shared;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (s[i] != t[j]) continue;
+      shared.in_first[shared.count] = i;
+      shared.in_second[shared.count] = j;
+      ++shared.count;
+    }
+  }
+  return shared;
+}
+
+bool share_a_corner(const TriangleMesh::Triangle& s, const TriangleMesh::Triangle& t) {
+  return (s[0] == t[0]) | (s[0] == t[1]) | (s[0] == t[2]) | (s[1] == t[0]) | (s[1] == t[1]) | (s[1] == t[2]) |
+         (s[2] == t[0]) | (s[2] == t[1]) | (s[2] == t[2]);
+}
+
+class PairTest {
+ public:
+  PairTest(const TriangleMesh& mesh, const EmbeddedStars& stars) : mesh_(mesh), stars_(stars) {}
+
+  bool is_improper(FaceId f, FaceId g) const {
+    const TriangleMesh::Triangle s = mesh_.triangle(f), t = mesh_.triangle(g);
+    return share_a_corner(s, t) ? is_improper_neighbour(s, t) : is_improper_stranger(f, g);
+  }
+
+ private:
+  bool is_improper_stranger(FaceId f, FaceId g) const {
+    const Contact contact = intersect_triangles(mesh_.corners(f), mesh_.corners(g));
+    return contact == Contact::segment || contact == Contact::area;
+  }
+
+  bool is_improper_neighbour(const TriangleMesh::Triangle& s, const TriangleMesh::Triangle& t) const {
+    const SharedCorners shared = shared_corners(s, t);
+    for (std::size_t k = 0; k < shared.count; ++k)
+      if (stars_.is_embedded(VertexId(s[shared.in_first[k]]))) return false;
+    const auto s_point = [&](std::size_t corner) { return mesh_.point(VertexId(s[corner % 3])); };
+    const auto t_point = [&](std::size_t corner) { return mesh_.point(VertexId(t[corner % 3])); };
+    const std::size_t i = shared.in_first[0], j = shared.in_second[0];
+    if (shared.count == 1)
+      return meet_beyond_shared_vertex(s_point(i), s_point(i + 1), s_point(i + 2), t_point(j + 1), t_point(j + 2));
+    // The third corner is the one whose position is missing from 0 + 1 + 2.
+    const std::size_t s_apex = 3 - i - shared.in_first[1], t_apex = 3 - j - shared.in_second[1];
+    return overlap_beyond_shared_edge(s_point(i), s_point(shared.in_first[1]), s_point(s_apex), t_point(t_apex));
+  }
+
+  const TriangleMesh& mesh_;
+  const EmbeddedStars& stars_;
+};
+
+/// The first corner of the leaf's first face that is embedded and belongs to all its faces; kNoGroup if there is none.
+std::uint32_t common_embedded_corner(const TriangleMesh& mesh, const EmbeddedStars& stars,
+                                     std::span<const std::uint32_t> faces) {
+  for (const std::uint32_t corner : mesh.triangle(FaceId(faces[0]))) {
+    const auto has_corner = [&](std::uint32_t face) {
+      const TriangleMesh::Triangle t = mesh.triangle(FaceId(face));
+      return t[0] == corner || t[1] == corner || t[2] == corner;
+    };
+    if (stars.is_embedded(VertexId(corner)) && std::ranges::all_of(faces, has_corner)) return corner;
+  }
+  return BoxHierarchy::kNoGroup;
+}
+
+// All triangles at the tip of a cone or the pole of a sphere meet there, so their boxes do, and their pairs are
+// quadratically many. The group of a leaf is such a corner; then whole nodes are known to be free of intersections.
+void group_by_common_corner(const TriangleMesh& mesh, const EmbeddedStars& stars, BoxHierarchy& hierarchy) {
+  std::vector<std::uint32_t> groups(hierarchy.leaf_count());
+  for (std::size_t leaf = 0; leaf < groups.size(); ++leaf)
+    groups[leaf] = common_embedded_corner(mesh, stars, hierarchy.leaf_faces(leaf));
+  hierarchy.set_groups(groups);
+}
+
+/// Middle of the common part of the triangles' boxes.
+Vec3 place_of(const TriangleMesh& mesh, FaceId f, FaceId g) {
+  std::array<Box3, 2> boxes;
+  for (const PointRef& corner : mesh.corners(f)) boxes[0].extend(corner.approx);
+  for (const PointRef& corner : mesh.corners(g)) boxes[1].extend(corner.approx);
+  const Box3 common = intersect(boxes[0], boxes[1]);
+  // Rounded corners may leave no common part where the exact triangles just meet.
+  if (common.is_empty()) return mesh.corners(f)[0].approx;
+  return 0.5 * common.min + 0.5 * common.max;
+}
+
+}  // namespace
+
+Status find_intersections(const TriangleMesh& mesh, const EmbeddedStars& stars, BoxHierarchy& hierarchy,
+                          const ProofOptions& options, ValidityReport& report) {
+  group_by_common_corner(mesh, stars, hierarchy);
+  const PairTest test(mesh, stars);
+  const std::uint64_t limit = options.thoroughness == Thoroughness::first_defect
+                                  ? 1
+                                  : std::max<std::uint64_t>(options.max_intersecting_pairs, 1);
+  bool is_cancelled = false;
+  hierarchy.for_each_pair(
+      [&](std::uint32_t a, std::uint32_t b) {
+        const FaceId first(std::min(a, b)), second(std::max(a, b));
+        if (!test.is_improper(first, second)) return true;
+        report.add({Defect::intersecting_triangles, first, second, place_of(mesh, first, second)});
+        report.is_cut_short = report.count(Defect::intersecting_triangles) == limit;
+        return !report.is_cut_short;
+      },
+      [&] {
+        is_cancelled = options.cancel != nullptr && options.cancel->load(std::memory_order_relaxed);
+        return !is_cancelled;
+      });
+  if (is_cancelled) return Error{ErrorCode::interrupted, "interrupted"};
+  return {};
+}
+
+}  // namespace algebra3d

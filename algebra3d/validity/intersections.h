@@ -1,0 +1,17 @@
+#pragma once
+
+#include "algebra3d/base/error.h"
+#include "algebra3d/validity/box_hierarchy.h"
+#include "algebra3d/validity/validity.h"
+#include "algebra3d/validity/vertex_stars.h"
+
+namespace algebra3d {
+
+/// Adds to `report` every pair of the hierarchy's faces whose common part is neither nothing, nor one point, nor a
+/// whole edge of both; after the first one it stops if that is all that `options` wants. None of the faces may be
+/// degenerate or repeat another. Gives the hierarchy its groups. Exact. Errors: interrupted.
+/// Cost: that of the pairs whose boxes meet; pairs at a common embedded corner cost a few nanoseconds.
+Status find_intersections(const TriangleMesh& mesh, const EmbeddedStars& stars, BoxHierarchy& hierarchy,
+                          const ProofOptions& options, ValidityReport& report);
+
+}  // namespace algebra3d

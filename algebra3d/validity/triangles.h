@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/validity/report.h"
+#include "algebra3d/validity/vertex_stars.h"
+
+namespace algebra3d {
+
+/// Per face: true if it is neither degenerate nor a repetition of an earlier face.
+using SoundFaces = std::vector<bool>;
+
+/// Adds degenerate and duplicate triangles to `report` and says which faces are left for the later stages. Of n
+/// triangles with the same corners n - 1 are duplicates. Exact. Cost: linear; n log n where many share one edge.
+SoundFaces check_triangles(const TriangleMesh& mesh, const EmbeddedStars& stars, ValidityReport& report);
+
+}  // namespace algebra3d

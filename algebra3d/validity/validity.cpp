@@ -1,0 +1,67 @@
+#include "algebra3d/validity/validity.h"
+
+#include "algebra3d/validity/box_hierarchy.h"
+#include "algebra3d/validity/edges.h"
+#include "algebra3d/validity/intersections.h"
+#include "algebra3d/validity/triangles.h"
+#include "algebra3d/validity/vertex_stars.h"
+#include "algebra3d/validity/winding.h"
+
+namespace algebra3d {
+namespace {
+
+enum class Kind : std::uint8_t { surface, volume };
+
+Status check_cancelled(const ProofOptions& options) {
+  if (options.cancel != nullptr && options.cancel->load(std::memory_order_relaxed))
+    return Error{ErrorCode::interrupted, "interrupted"};
+  return {};
+}
+
+BoxHierarchy hierarchy_of(const TriangleMesh& mesh, const SoundFaces& sound) {
+  std::vector<std::uint32_t> faces;
+  faces.reserve(mesh.face_count());
+  for (std::uint32_t face = 0; face < mesh.face_count(); ++face)
+    if (sound[face]) faces.push_back(face);
+  return {mesh, std::move(faces)};
+}
+
+Status check_windings(const TriangleMesh& mesh, const BoxHierarchy& hierarchy, const ProofOptions& options,
+                      ValidityReport& report) {
+  ASSIGN_OR_RETURN(const ShellWindings shells, find_shell_windings(mesh, hierarchy, options.cancel));
+  for (std::size_t shell = 0; shell < shells.fronts.size(); ++shell) {
+    if (shells.fronts[shell] == 0) continue;
+    const FaceId face(shells.first_faces[shell]);
+    report.add({Defect::wrong_winding, face, FaceId(), mesh.corners(face)[0].approx});
+  }
+  return {};
+}
+
+Result<ValidityReport> prove(const TriangleMesh& mesh, Kind kind, const ProofOptions& options) {
+  ValidityReport report;
+  const auto is_done = [&] { return options.thoroughness == Thoroughness::first_defect && !report.is_valid(); };
+  const EmbeddedStars stars(mesh);
+  RETURN_IF_ERROR(check_cancelled(options));
+  const SoundFaces sound = check_triangles(mesh, stars, report);
+  if (is_done()) return report;
+  if (kind == Kind::volume) check_edges(mesh, sound, report);
+  if (is_done()) return report;
+  RETURN_IF_ERROR(check_cancelled(options));
+  BoxHierarchy hierarchy = hierarchy_of(mesh, sound);
+  RETURN_IF_ERROR(find_intersections(mesh, stars, hierarchy, options, report));
+  // Off the beaten track a winding number means nothing.
+  if (kind == Kind::volume && report.is_valid()) RETURN_IF_ERROR(check_windings(mesh, hierarchy, options, report));
+  return report;
+}
+
+}  // namespace
+
+Result<ValidityReport> prove_surface(const TriangleMesh& mesh, const ProofOptions& options) {
+  return prove(mesh, Kind::surface, options);
+}
+
+Result<ValidityReport> prove_volume(const TriangleMesh& mesh, const ProofOptions& options) {
+  return prove(mesh, Kind::volume, options);
+}
+
+}  // namespace algebra3d

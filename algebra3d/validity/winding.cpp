@@ -1,0 +1,167 @@
+// Why one question per shell proves the winding number everywhere.
+//
+// Let the mesh have no degenerate or duplicate triangles, let triangles meet in nothing but single points and whole
+// common edges, and let the triangles round each edge alternate in direction. Each is then a cycle, so every point off
+// the surface has a winding number, and it changes by one where a triangle is crossed: by going from its front to its
+// back it grows by one.
+//
+// (1) It is the same in front of all of one triangle. Near an inner point of a triangle there is no other triangle,
+// except near finitely many points in which others touch it; a path close in front of the triangle avoids these.
+// (2) It is the same in front of two triangles that share an edge. Near an inner point of the edge, apart from finitely
+// many touched ones, there are only the triangles at the edge. They cut the neighbourhood into sectors, and since they
+// alternate, each sector lies either in front of both its triangles or behind both; going round, the number steps up
+// and down by one, so it is the same in all the front sectors, and one more in all the others.
+// (3) So the number in front of one point of one triangle decides for the whole shell, and 0 there means 1 behind it.
+// (4) Every cell of space off the surface is bounded by some triangle, or is all of space, so it has the number 0 or 1
+// if all shells pass.
+
+#include "algebra3d/validity/winding.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "algebra3d/exact/plane.h"
+#include "algebra3d/exact/vertical_line.h"
+
+namespace algebra3d {
+namespace {
+
+constexpr std::uint32_t kNoShell = 0xFFFFFFFF;
+
+/// Labels the shell of `first` by an explicit stack.
+void flood(const TriangleMesh& mesh, std::uint32_t first, std::uint32_t shell, std::vector<std::uint32_t>& shells) {
+  std::vector<std::uint32_t> stack{first};
+  shells[first] = shell;
+  const auto reach = [&](HalfedgeId h) {
+    const std::uint32_t face = TriangleMesh::face(h).index();
+    if (shells[face] != kNoShell) return;
+    shells[face] = shell;
+    stack.push_back(face);
+  };
+  while (!stack.empty()) {
+    const FaceId face(stack.back());
+    stack.pop_back();
+    for (std::uint32_t corner = 0; corner < 3; ++corner) {
+      const HalfedgeId h = TriangleMesh::halfedge(face, corner);
+      if (mesh.opposite(h).is_valid()) {
+        reach(mesh.opposite(h));
+      } else if (mesh.is_nonmanifold(h)) {
+        std::ranges::for_each(mesh.edge_halfedges(h), reach);
+      }
+    }
+  }
+}
+
+ShellWindings find_shells(const TriangleMesh& mesh) {
+  ShellWindings shells;
+  shells.shell_of_face.assign(mesh.face_count(), kNoShell);
+  for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
+    if (shells.shell_of_face[face] != kNoShell) continue;
+    flood(mesh, face, static_cast<std::uint32_t>(shells.first_faces.size()), shells.shell_of_face);
+    shells.first_faces.push_back(face);
+  }
+  return shells;
+}
+
+/// Inner point number `attempt` of a triangle: 0 is the centroid; the points lie on a curve, so that only finitely many
+/// of them can be points in which another triangle touches.
+ExactPoint inner_point(const TriangleRef& triangle, std::int64_t attempt) {
+  const std::int64_t sum = 3 + 2 * attempt + attempt * attempt;
+  const RationalVec3 weighted = triangle[0].rational() + Rational(1 + attempt) * triangle[1].rational() +
+                                Rational(1 + attempt + attempt * attempt) * triangle[2].rational();
+  return ExactPoint(Rational(1, sum) * weighted);
+}
+
+class WindingQuery {
+ public:
+  WindingQuery(const TriangleMesh& mesh, const BoxHierarchy& hierarchy, const ShellWindings& shells)
+      : mesh_(mesh), hierarchy_(hierarchy), shells_(shells), shell_boxes_(shells.first_faces.size()) {
+    for (std::size_t h = 0; h < mesh.halfedge_count(); ++h) {
+      const std::uint32_t shell = shells.shell_of_face[TriangleMesh::face(HalfedgeId(h)).index()];
+      shell_boxes_[shell].extend(box_of(mesh.point(mesh.origin(HalfedgeId(h)))));
+    }
+  }
+
+  /// Winding number in front of `face`, which must not be vertical.
+  int in_front_of(FaceId face) const {
+    for (std::int64_t attempt = 0;; ++attempt) {
+      const Sum sum = ask(face, inner_point(mesh_.corners(face), attempt));
+      if (!sum.is_on_other_triangle) return sum.winding;
+    }
+  }
+
+ private:
+  struct Sum {
+    int winding = 0;
+    bool is_on_other_triangle = false;
+  };
+
+  Sum ask(FaceId face, const ExactPoint& point) const {
+    const Box3 where = box_of(point);
+    const TriangleRef own = mesh_.corners(face);
+    // In front is above the point if the normal points up. Upwards, triangles whose normals point up are left through
+    // their fronts: each counts one for the place before it. Downwards it is those whose normals point down.
+    const int upward = orient2d(Projection::xy, own[0], own[1], own[2]);
+    Sum sum;
+    hierarchy_.for_each_on_vertical_line(where, [&](std::uint32_t other) {
+      // A shell is a cycle by itself, and its winding number is 0 outside its box.
+      if (other == face.index() || !shell_boxes_[shells_.shell_of_face[other]].intersects(where)) return;
+      const LineCrossing crossing = cross_vertical_line(point, mesh_.corners(FaceId(other)));
+      if (crossing.sign == 0) return;
+      if (crossing.side == 0) sum.is_on_other_triangle = true;
+      if (crossing.side == -upward) sum.winding += upward * crossing.sign;
+    });
+    return sum;
+  }
+
+  const TriangleMesh& mesh_;
+  const BoxHierarchy& hierarchy_;
+  const ShellWindings& shells_;
+  std::vector<Box3> shell_boxes_;
+};
+
+bool is_vertical(const TriangleMesh& mesh, FaceId face) {
+  const TriangleRef corners = mesh.corners(face);
+  return orient2d(Projection::xy, corners[0], corners[1], corners[2]) == 0;
+}
+
+/// Per shell, its first face that is not vertical. There is one: a shell bounds something, which has a top.
+std::vector<std::uint32_t> faces_to_ask(const TriangleMesh& mesh, const ShellWindings& shells) {
+  std::vector<std::uint32_t> faces(shells.first_faces.size(), kNoShell);
+  for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
+    std::uint32_t& chosen = faces[shells.shell_of_face[face]];
+    if (chosen == kNoShell && !is_vertical(mesh, FaceId(face))) chosen = face;
+  }
+  return faces;
+}
+
+}  // namespace
+
+bool ShellWindings::is_inside_out() const {
+  // Turned over, front and back change places and all numbers their signs: -1 in front becomes 1 behind.
+  return !fronts.empty() && std::ranges::all_of(fronts, [](int front) { return front == -1; });
+}
+
+Result<ShellWindings> find_shell_windings(const TriangleMesh& mesh, const BoxHierarchy& hierarchy,
+                                          const std::atomic<bool>* cancel) {
+  ShellWindings shells = find_shells(mesh);
+  const std::vector<std::uint32_t> faces = faces_to_ask(mesh, shells);
+  const WindingQuery query(mesh, hierarchy, shells);
+  std::vector<int> fronts;
+  fronts.reserve(faces.size());
+  for (const std::uint32_t face : faces) {
+    if (cancel != nullptr && cancel->load(std::memory_order_relaxed))
+      return Error{ErrorCode::interrupted, "interrupted"};
+    fronts.push_back(query.in_front_of(FaceId(face)));
+  }
+  shells.fronts = std::move(fronts);
+  return shells;
+}
+
+Result<ShellWindings> find_shell_windings(const TriangleMesh& mesh, const std::atomic<bool>* cancel) {
+  std::vector<std::uint32_t> faces(mesh.face_count());
+  std::iota(faces.begin(), faces.end(), 0U);
+  return find_shell_windings(mesh, BoxHierarchy(mesh, std::move(faces)), cancel);
+}
+
+}  // namespace algebra3d

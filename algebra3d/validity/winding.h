@@ -1,0 +1,31 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+#include "algebra3d/base/error.h"
+#include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/validity/box_hierarchy.h"
+
+namespace algebra3d {
+
+/// Shells of a mesh: its faces, connected across common edges (also non-manifold ones; common corners do not connect),
+/// with the winding number of the whole mesh just in front of each shell; just behind it, the number is one more.
+struct ShellWindings {
+  std::vector<std::uint32_t> shell_of_face;  ///< shells numbered from 0 in order of their lowest faces
+  std::vector<std::uint32_t> first_faces;    ///< per shell: its lowest face
+  std::vector<int> fronts;                   ///< per shell; 0 where all is well
+
+  /// True if turning every triangle over gives a valid volume.
+  bool is_inside_out() const;
+};
+
+/// Requires a mesh of which prove_volume finds no defect but wrong windings. Refers to `hierarchy` over all its faces.
+/// Errors: interrupted. Exact. Cost: linear for the shells, and one vertical line through the hierarchy for each.
+Result<ShellWindings> find_shell_windings(const TriangleMesh& mesh, const BoxHierarchy& hierarchy,
+                                          const std::atomic<bool>* cancel = nullptr);
+/// The same with a hierarchy of its own.
+Result<ShellWindings> find_shell_windings(const TriangleMesh& mesh, const std::atomic<bool>* cancel = nullptr);
+
+}  // namespace algebra3d
