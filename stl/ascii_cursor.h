@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <string_view>
+
+#include "stl/text.h"
+
+namespace stl {
+
+/// A word of the ASCII format, in lower case, at most eight letters; matches in any case.
+class Keyword {
+ public:
+  explicit constexpr Keyword(std::string_view text) : text_(text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      letters_ |= static_cast<std::uint64_t>(static_cast<unsigned char>(text[i])) << (8 * i);
+      mask_ |= std::uint64_t{0xff} << (8 * i);
+    }
+  }
+  [[nodiscard]] constexpr std::string_view text() const { return text_; }
+  [[nodiscard]] constexpr std::size_t size() const { return text_.size(); }
+  /// True if the low bytes of `word` spell the keyword. Setting bit 5 maps exactly a letter's two cases to the lower
+  /// one.
+  [[nodiscard]] constexpr bool matches(std::uint64_t word) const {
+    return ((word | 0x2020202020202020U) & mask_) == letters_;
+  }
+
+ private:
+  std::string_view text_;
+  std::uint64_t letters_ = 0;
+  std::uint64_t mask_ = 0;
+};
+
+/// What `AsciiCursor::take_number` found.
+enum class NumberKind { finite, not_finite, too_large, none };
+
+/// A place in the text of an ASCII file, and the tokens that can be taken there. Allocates nothing.
+/// It does not own the text, which must outlive it.
+class AsciiCursor {
+ public:
+  AsciiCursor(const char* position, const char* end) : position_(position), end_(end) {}
+
+  [[nodiscard]] const char* position() const { return position_; }
+  [[nodiscard]] bool is_at_end() const { return position_ == end_; }
+  [[nodiscard]] std::string_view rest() const { return {position_, static_cast<std::size_t>(end_ - position_)}; }
+  void move_to(const char* position) { position_ = position; }
+
+  void skip_blanks() {
+    while (position_ != end_ && is_blank(*position_)) ++position_;
+  }
+  /// White space, and comments from `#` to the end of the line.
+  void skip_space() {
+    skip_blanks();
+    if (position_ != end_ && *position_ == '#') skip_comments();
+  }
+  void skip_word() {
+    while (position_ != end_ && !is_blank(*position_)) ++position_;
+  }
+
+  /// True if the word here is `keyword`.
+  [[nodiscard]] bool is_at(const Keyword& keyword) const {
+    const auto left = static_cast<std::size_t>(end_ - position_);
+    if (left > sizeof(std::uint64_t)) {
+      std::uint64_t word = 0;
+      std::memcpy(&word, position_, sizeof word);
+      return keyword.matches(word) && is_blank(position_[keyword.size()]);
+    }
+    return is_at_near_end(keyword, left);
+  }
+  /// Goes behind the word here if it is `keyword`.
+  bool take(const Keyword& keyword) {
+    if (!is_at(keyword)) return false;
+    position_ += keyword.size();
+    return true;
+  }
+
+  /// Goes behind the number here, which must fill the word: decimal digits with sign, point and exponent as usual.
+  /// Spellings of NaN and infinity (also `1.#QNAN`) are not_finite, numbers beyond the range of double too_large; both
+  /// are passed. Exactness: the double nearest to the digits. Source: [lemire2021].
+  NumberKind take_number(double& value);
+
+ private:
+  void skip_comments();
+  [[nodiscard]] bool is_at_near_end(const Keyword& keyword, std::size_t left) const;
+  NumberKind take_odd_number();
+
+  const char* position_;
+  const char* end_;
+};
+
+}  // namespace stl

@@ -1,0 +1,225 @@
+#include "stl/stl_ascii_reader.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "stl/ascii_cursor.h"
+#include "stl/solid_names.h"
+#include "stl/soup_room.h"
+
+namespace stl {
+
+using algebra3d::Error;
+using algebra3d::ErrorCode;
+using algebra3d::Result;
+using algebra3d::TriangleSoup;
+using algebra3d::Vec3;
+
+namespace {
+
+constexpr Keyword kFacet("facet");
+constexpr Keyword kNormal("normal");
+constexpr Keyword kOuter("outer");
+constexpr Keyword kLoop("loop");
+constexpr Keyword kVertex("vertex");
+constexpr Keyword kEndloop("endloop");
+constexpr Keyword kEndfacet("endfacet");
+
+constexpr std::size_t kFacetsPerPoll = 65536;
+// After so many facets the length of one is known well enough to reserve room for the rest.
+constexpr std::size_t kFacetsForEstimate = 256;
+
+// Lines end at CR, LF or CRLF.
+std::size_t line_number(std::string_view bytes, std::size_t offset) {
+  std::size_t line = 1;
+  for (std::size_t i = 0; i < offset; ++i)
+    if (bytes[i] == '\n' || (bytes[i] == '\r' && !(i + 1 < bytes.size() && bytes[i + 1] == '\n'))) ++line;
+  return line;
+}
+
+// The reading functions return false after having set the error: a Result per token would cost more than the token.
+class AsciiReader {
+ public:
+  AsciiReader(std::string_view bytes, std::string_view file_name, const std::atomic<bool>* cancel)
+      : bytes_(bytes),
+        file_name_(file_name),
+        cancel_(cancel),
+        cursor_(bytes.data(), bytes.data() + bytes.size()),
+        names_(bytes.data(), bytes.data() + bytes.size()) {}
+
+  Result<ReadStl> read() {
+    if (bytes_.starts_with("\xef\xbb\xbf")) cursor_.move_to(bytes_.data() + 3);
+    if (!read_solids()) return *std::move(error_);
+    read_.format = Format::ascii;
+    add_remarks();
+    return std::move(read_);
+  }
+
+ private:
+  bool read_solids() {
+    for (;;) {
+      cursor_.skip_space();
+      if (read_.solid_count > 0 && (cursor_.is_at_end() || skip_padding())) return true;
+      if (!cursor_.take(kSolid)) return fail_expected("'solid'");
+      if (!read_solid()) return false;
+    }
+  }
+
+  // Behind `solid`, up to the line of `endsolid`.
+  bool read_solid() {
+    const char* name_begin = cursor_.position();
+    cursor_.move_to(names_.end_of_solid_name(name_begin));
+    if (read_.solid_count++ == 0)
+      read_.soup.name = trimmed({name_begin, static_cast<std::size_t>(cursor_.position() - name_begin)});
+    const std::size_t first_facet = read_.soup.triangles.size();
+    for (;;) {
+      cursor_.skip_space();
+      if (cursor_.take(kFacet)) {
+        if (!read_facet()) return false;
+      } else if (take_end(cursor_, kEndsolid, kSolid)) {
+        cursor_.move_to(names_.end_of_endsolid_name(cursor_.position()));
+        return true;
+      } else if (cursor_.is_at(kSolid) || (cursor_.is_at_end() && read_.soup.triangles.size() > first_facet)) {
+        ++missing_end_count_;
+        return true;
+      } else {
+        return fail_expected("'facet' or 'endsolid'");
+      }
+    }
+  }
+
+  bool read_facet() {
+    Vec3 normal;
+    TriangleSoup::Triangle corners;
+    if (!(expect(kNormal) && read_normal(normal) && expect(kOuter) && expect(kLoop) && read_corner(corners, 0) &&
+          read_corner(corners, 1) && read_corner(corners, 2) && expect_endloop() && expect_end(kEndfacet, kFacet)))
+      return false;
+    read_.soup.triangles.push_back(corners);
+    read_.soup.normals.push_back(normal);
+    const std::size_t count = read_.soup.triangles.size();
+    if (count == kFacetsForEstimate) reserve_rest();
+    if (count % kFacetsPerPoll == 0 && cancel_ != nullptr && cancel_->load(std::memory_order_relaxed))
+      return fail(interrupted(file_name_));
+    return true;
+  }
+
+  bool read_normal(Vec3& normal) {
+    bool finite = true;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      cursor_.skip_space();
+      const NumberKind kind = cursor_.take_number(normal[axis]);
+      if (kind == NumberKind::none) return fail_expected("a number");
+      finite = finite && kind == NumberKind::finite;
+    }
+    if (finite) [[likely]]
+      return true;
+    normal = Vec3{};
+    ++bad_normal_count_;
+    return true;
+  }
+
+  bool read_corner(TriangleSoup::Triangle& corners, std::size_t index) {
+    if (!expect(kVertex)) return false;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      cursor_.skip_space();
+      const char* number = cursor_.position();
+      const NumberKind kind = cursor_.take_number(corners[index][axis]);
+      if (kind != NumberKind::finite) [[unlikely]]
+        return fail_coordinate(number, kind, index, axis);
+    }
+    return true;
+  }
+
+  bool fail_coordinate(const char* number, NumberKind kind, std::size_t corner, std::size_t axis) {
+    if (kind == NumberKind::none) return fail_expected("a number");
+    cursor_.move_to(number);
+    const std::string_view expected =
+        kind == NumberKind::too_large ? "a number within the range of double" : "a finite number";
+    return fail(at_cursor(fmt::format("facet {}, corner {}: {} is {}; expected {}", facet_number(), corner + 1,
+                                      "xyz"[axis], found_text(cursor_.rest()), expected)));
+  }
+
+  bool expect(const Keyword& keyword) {
+    cursor_.skip_space();
+    if (cursor_.take(keyword)) [[likely]]
+      return true;
+    return fail_expected(fmt::format("'{}'", keyword.text()));
+  }
+
+  bool expect_endloop() {
+    cursor_.skip_space();
+    if (!cursor_.is_at(kVertex)) [[likely]]
+      return expect_end(kEndloop, kLoop);
+    return fail(
+        at_cursor(fmt::format("facet {} has more than 3 corners; expected 'endloop', found 'vertex'", facet_number())));
+  }
+
+  bool expect_end(const Keyword& joined, const Keyword& second) {
+    cursor_.skip_space();
+    if (take_end(cursor_, joined, second)) [[likely]]
+      return true;
+    return fail_expected(fmt::format("'{}'", joined.text()));
+  }
+
+  // Some programs fill the last block of a file with NUL, or end it as CP/M did.
+  bool skip_padding() {
+    const std::string_view rest = cursor_.rest();
+    if (!std::all_of(rest.begin(), rest.end(), [](char c) { return c == '\0' || c == '\x1a' || is_blank(c); }))
+      return false;
+    read_.remarks.push_back(fmt::format("{} after the last solid ignored", counted(rest.size(), "trailing byte")));
+    return true;
+  }
+
+  // An estimate that is too low costs a reallocation; it cannot exceed about the size of the file.
+  void reserve_rest() {
+    const auto taken = static_cast<std::size_t>(cursor_.position() - bytes_.data());
+    const std::size_t rest = (bytes_.size() - taken) / (taken / kFacetsForEstimate);
+    reserve_room(read_.soup, kFacetsForEstimate + rest + rest / 16);
+  }
+
+  void add_remarks() {
+    if (missing_end_count_ == 1) read_.remarks.emplace_back("missing endsolid");
+    if (missing_end_count_ > 1)
+      read_.remarks.push_back(fmt::format("missing endsolid in {} solids", missing_end_count_));
+    if (bad_normal_count_ > 0) read_.remarks.push_back(bad_normals_remark(bad_normal_count_));
+  }
+
+  std::size_t facet_number() const { return read_.soup.triangles.size() + 1; }
+
+  Error at_cursor(std::string_view what) const {
+    const auto offset = static_cast<std::size_t>(cursor_.position() - bytes_.data());
+    return {ErrorCode::file_format,
+            "read_stl: {} byte {}, line {}: {}",
+            file_name_,
+            offset,
+            line_number(bytes_, offset),
+            what};
+  }
+  bool fail_expected(std::string_view expected) {
+    return fail(at_cursor(fmt::format("expected {}, found {}", expected, found_text(cursor_.rest()))));
+  }
+  bool fail(Error error) {
+    error_ = std::move(error);
+    return false;
+  }
+
+  std::string_view bytes_;
+  std::string_view file_name_;
+  const std::atomic<bool>* cancel_;
+  AsciiCursor cursor_;
+  SolidNames names_;
+  ReadStl read_;
+  std::size_t missing_end_count_ = 0;
+  std::size_t bad_normal_count_ = 0;
+  std::optional<Error> error_;
+};
+
+}  // namespace
+
+Result<ReadStl> read_ascii(std::string_view bytes, std::string_view file_name, const std::atomic<bool>* cancel) {
+  return AsciiReader(bytes, file_name, cancel).read();
+}
+
+}  // namespace stl

@@ -1,0 +1,33 @@
+// Any bytes: the STL reader gives finite triangles or an error that names the file, in time linear in the bytes.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "stl/stl_reader.h"
+
+namespace {
+
+void require(bool holds) {
+  if (!holds) std::abort();
+}
+
+void check_value(const stl::ReadStl& read) {
+  require(read.soup.normals.size() == read.soup.triangles.size());
+  require(read.solid_count > 0);
+  for (const auto& triangle : read.soup.triangles)
+    for (const auto& corner : triangle) require(is_finite(corner));
+  for (const auto& normal : read.soup.normals) require(is_finite(normal));
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  const auto read = stl::read_stl(bytes, "fuzz.stl");
+  if (read)
+    check_value(*read);
+  else
+    require(read.error().message.starts_with("read_stl: fuzz.stl"));
+  return 0;
+}
