@@ -1,0 +1,297 @@
+#include "queries/language/checker.h"
+
+#include <algorithm>
+
+#include "algebra3d/types/scalars.h"
+
+namespace queries {
+namespace {
+
+using algebra3d::Error;
+using algebra3d::ErrorCode;
+using algebra3d::Operator;
+using algebra3d::SyntaxPattern;
+using PlaceKind = SyntaxPattern::PlaceKind;
+
+// `TUPLE` and its like, where a parameter type is written.
+bool is_pseudo_type(std::string_view name) {
+  return name == "TUPLE" || name == "TUPLE2" || name == "STREAMELEM" || name == "GROUP";
+}
+
+std::optional<std::int32_t> int_literal(const Expression& expression) {
+  const auto* literal = std::get_if<Literal>(&expression.node);
+  if (literal == nullptr || !literal->atom.is_int()) return std::nullopt;
+  return literal->atom.as_int();
+}
+
+}  // namespace
+
+Result<TypedPtr> Checker::check(const Expression& expression) {
+  return std::visit([&](const auto& node) { return check(node, expression.place); }, expression.node);
+}
+
+Result<TypedPtr> Checker::check(const Literal& literal, const SourcePlace& place) {
+  const NestedList& atom = literal.atom;
+  const std::string_view type = atom.is_int()      ? "int"
+                                : atom.is_real()   ? "real"
+                                : atom.is_bool()   ? "bool"
+                                : atom.is_string() ? "string"
+                                                   : "text";
+  return constant(TypeExpr(type), atom, place);
+}
+
+Result<TypedPtr> Checker::check(const TypedLiteral& literal, const SourcePlace& place) {
+  ASSIGN_OR_RETURN(const TypeExpr type, resolve(literal.type));
+  return constant(type, literal.list, place);
+}
+
+Result<TypedPtr> Checker::check(const NameUse& use, const SourcePlace& place) {
+  for (std::size_t level = 0; level < scopes_.size(); ++level) {
+    const Scope& scope = scopes_[scopes_.size() - 1 - level];
+    const auto found = std::ranges::find(scope.parameters, use.name, &Parameter::name);
+    if (found != scope.parameters.end())
+      return make_parameter(found->type, level, static_cast<std::size_t>(found - scope.parameters.begin()), place);
+  }
+  ASSIGN_OR_RETURN(const auto type, objects_.type_of(use.name));
+  if (!type) return unknown_name(use.name, place);
+  return make_object(*type, use.name, objects_, place);
+}
+
+Result<TypedPtr> Checker::implicit_parameter(int number, const SourcePlace& place, std::string_view shown) {
+  for (std::size_t level = 0; level < scopes_.size(); ++level) {
+    const Scope& scope = scopes_[scopes_.size() - 1 - level];
+    if (!scope.is_implicit) continue;
+    if (static_cast<std::size_t>(number) > scope.parameters.size())
+      return Error(ErrorCode::type_error, "'{}': the function here has {} parameter{}", shown, scope.parameters.size(),
+                   scope.parameters.size() == 1 ? "" : "s")
+          .at(place);
+    const auto index = static_cast<std::size_t>(number - 1);
+    return make_parameter(scope.parameters[index].type, level, index, place);
+  }
+  return Error(ErrorCode::type_error,
+               "'{}' needs an operator around it that gives it a meaning, such as filter or extend", shown)
+      .at(place);
+}
+
+Result<TypedPtr> Checker::check(const AttributeUse& use, const SourcePlace& place) {
+  const std::string shown = (use.parameter == 2 ? ".." : ".") + use.name;
+  ASSIGN_OR_RETURN(TypedPtr tuple, implicit_parameter(use.parameter, place, shown));
+  if (!tuple->type().is_tuple())
+    return Error(ErrorCode::type_error, "'{}': expected a tuple, got {}", shown, tuple->type().text()).at(place);
+  auto index = attribute_index(tuple->type(), use.name);
+  if (!index) return std::move(index).error().at(place);
+  TypeExpr type = tuple->type().attributes()[*index].type;
+  return make_attribute(std::move(type), std::move(tuple), *index, place);
+}
+
+Result<TypedPtr> Checker::check(const ParameterUse& use, const SourcePlace& place) {
+  return implicit_parameter(use.parameter, place, use.parameter == 1 ? "." : "..");
+}
+
+Result<TypedPtr> Checker::check(const Application& application, const SourcePlace& place) {
+  const Operator& op = *registry_.find_operator(application.name);
+  return op.stream != nullptr ? stream_application(op, application, place) : value_application(op, application, place);
+}
+
+Result<TypedPtr> Checker::value_application(const Operator& op, const Application& application,
+                                            const SourcePlace& place) {
+  std::vector<TypedPtr> arguments;
+  std::vector<TypeExpr> types;
+  for (const Argument& argument : application.arguments) {
+    ASSIGN_OR_RETURN(TypedPtr node, check(*argument.value));
+    types.push_back(node->type());
+    arguments.push_back(std::move(node));
+  }
+  auto call = registry_.resolve(op, types);
+  if (!call) return std::move(call).error().at(place);
+  return make_value_call(*call, std::move(arguments), place);
+}
+
+Status Checker::check_place_count(const Operator& op, const Application& application, const SourcePlace& place) {
+  const SyntaxPattern& pattern = registry_.syntax(op);
+  const std::size_t given = application.arguments.size();
+  if (given >= pattern.place_count() && (given == pattern.place_count() || pattern.is_open_ended)) return {};
+  return Error(ErrorCode::type_error, "{}: expected {}{} arguments, got {} (syntax: {})", op.name,
+               pattern.is_open_ended ? "at least " : "", pattern.place_count(), given, op.syntax)
+      .at(place);
+}
+
+Result<TypedPtr> Checker::stream_application(const Operator& op, const Application& application,
+                                             const SourcePlace& place) {
+  RETURN_IF_ERROR(check_place_count(op, application, place));
+  const SyntaxPattern& pattern = registry_.syntax(op);
+  static const std::vector<std::string> kNone;
+  std::vector<TypedPtr> nodes;
+  std::vector<ArgumentType> types;
+  std::vector<TypeExpr> operands;
+  for (std::size_t index = 0; index < application.arguments.size(); ++index) {
+    const bool is_operand = index < pattern.operand_count;
+    const std::size_t bracket = index - pattern.operand_count;
+    const bool is_declared = !is_operand && bracket < pattern.places.size();
+    const FunctionPlace functions{is_declared ? pattern.places[bracket].parameters : kNone, operands};
+    ArgumentType type;
+    auto node = checked_argument(application.arguments[index], functions, type);
+    if (!node) {
+      Error error = std::move(node).error();
+      if (!error.place.is_known()) error.message = op.name + ": " + error.message;
+      return std::move(error).at(place);
+    }
+    if (is_operand) operands.push_back(type.type);
+    // In prefix form the first arguments are the operands of later function places.
+    if (pattern.operand_count == 0 && application.arguments[index].kind == PlaceKind::value)
+      operands.push_back(type.type);
+    nodes.push_back(std::move(node).value());
+    types.push_back(std::move(type));
+  }
+  auto plan = static_cast<const StreamOperator&>(*op.stream).mapping()(types);
+  if (!plan) return std::move(plan).error().at(place);
+  return make_stream_call(std::move(plan).value(), std::move(nodes), place);
+}
+
+Result<TypedPtr> Checker::checked_argument(const Argument& argument, const FunctionPlace& function_place,
+                                           ArgumentType& type) {
+  type.names = argument.names;
+  type.modifiers = argument.modifiers;
+  switch (argument.kind) {
+    case PlaceKind::value: {
+      ASSIGN_OR_RETURN(TypedPtr node, check(*argument.value));
+      type.type = node->type();
+      type.literal = int_literal(*argument.value);
+      return node;
+    }
+    case PlaceKind::function: {
+      ASSIGN_OR_RETURN(TypedPtr node, function_argument(*argument.value, function_place));
+      type.type = node->type();
+      return node;
+    }
+    case PlaceKind::functions: {
+      std::vector<TypedPtr> functions;
+      for (const auto& [name, value] : argument.functions) {
+        ASSIGN_OR_RETURN(TypedPtr node, function_argument(*value, function_place));
+        type.names.push_back(name);
+        type.types.push_back(node->type());
+        functions.push_back(std::move(node));
+      }
+      return make_list(std::move(functions), argument.place);
+    }
+    default:
+      return make_list({}, argument.place);
+  }
+}
+
+Result<TypedPtr> Checker::function_argument(const Expression& expression, const FunctionPlace& place) {
+  if (const auto* literal = std::get_if<FunctionLiteral>(&expression.node))
+    return explicit_function(*literal, place, expression.place);
+  if (std::holds_alternative<FunctionReference>(expression.node)) return check(expression);
+  Scope scope;
+  scope.is_implicit = true;
+  for (const std::string& pseudo : place.pseudo_types) {
+    ASSIGN_OR_RETURN(TypeExpr type, pseudo_type(pseudo, place.operands));
+    scope.parameters.push_back({"", std::move(type)});
+  }
+  return make_checked_function(std::move(scope), expression, expression.place);
+}
+
+Result<TypedPtr> Checker::explicit_function(const FunctionLiteral& function, const FunctionPlace& functions,
+                                            const SourcePlace& place) {
+  Scope scope;
+  for (const auto& [name, syntax] : function.parameters) {
+    // A bare pseudo type is taken from the operands; every other type is as written.
+    auto type = is_pseudo_type(syntax.name) && syntax.arguments.empty() && !syntax.type_of
+                    ? pseudo_type(syntax.name, functions.operands)
+                    : resolve(syntax);
+    if (!type) return std::move(type).error().at(syntax.place);
+    scope.parameters.push_back({name, std::move(type).value()});
+  }
+  return make_checked_function(std::move(scope), *function.body, place);
+}
+
+Result<TypedPtr> Checker::make_checked_function(Scope scope, const Expression& body, const SourcePlace& place) {
+  std::vector<TypeExpr> parameters;
+  NestedList::List written = {NestedList::symbol("fun")};
+  for (std::size_t index = 0; index < scope.parameters.size(); ++index) {
+    const Parameter& parameter = scope.parameters[index];
+    parameters.push_back(parameter.type);
+    // Implicit parameters are written as the tree names them: `.` is tuple1, `..` tuple2.
+    std::string name = parameter.name.empty() ? "tuple" + std::to_string(index + 1) : parameter.name;
+    written.push_back(NestedList::list(NestedList::symbol(std::move(name)), parameter.type.to_nested()));
+  }
+  written.push_back(to_nested(body));
+  scopes_.push_back(std::move(scope));
+  auto checked = check(body);
+  scopes_.pop_back();
+  if (!checked) return std::move(checked).error();
+  TypeExpr type = TypeExpr::map(std::move(parameters), (*checked)->type());
+  return make_function(std::move(type), std::move(checked).value(), NestedList(std::move(written)), place);
+}
+
+Result<TypedPtr> Checker::check(const FunctionLiteral& function, const SourcePlace& place) {
+  return explicit_function(function, {{}, {}}, place);
+}
+
+Result<TypedPtr> Checker::check(const FunctionReference& reference, const SourcePlace& place) {
+  ASSIGN_OR_RETURN(TypedPtr node, check(NameUse{reference.name}, place));
+  if (!node->type().is_function())
+    return Error(ErrorCode::type_error, "fun {}: expected a function, got {}", reference.name, node->type().text())
+        .at(place);
+  return node;
+}
+
+Result<TypedPtr> Checker::fitted(TypedPtr argument, const TypeExpr& wanted, const std::string& what) {
+  if (argument->type() == wanted) return argument;
+  if (wanted.is("real") && argument->type().is("int")) return make_promotion(std::move(argument));
+  return Error(ErrorCode::type_error, "{}: expected {}, got {}", what, wanted.text(), argument->type().text())
+      .at(argument->place());
+}
+
+Result<TypedPtr> Checker::check(const FunctionCall& call, const SourcePlace& place) {
+  auto function = check(NameUse{call.name}, place);
+  if (!function) {
+    const std::string suggestion = registry_.suggestion(call.name);
+    if (suggestion.empty() || function.error().code != ErrorCode::unknown_name) return std::move(function).error();
+    return Error(ErrorCode::unknown_name, "unknown operator '{}', did you mean '{}'?", call.name, suggestion).at(place);
+  }
+  const TypeExpr& type = (*function)->type();
+  if (!type.is_function())
+    return Error(ErrorCode::type_error, "{}: expected a function, got {}", call.name, type.text()).at(place);
+  const std::vector<TypeExpr> parameters = type.function_parameters();
+  if (parameters.size() != call.arguments.size())
+    return Error(ErrorCode::type_error, "{}: expected {} arguments, got {}", call.name,
+                 algebra3d::argument_list_text(parameters), call.arguments.size())
+        .at(place);
+  std::vector<TypedPtr> arguments;
+  for (std::size_t index = 0; index < parameters.size(); ++index) {
+    ASSIGN_OR_RETURN(TypedPtr argument, check(*call.arguments[index]));
+    ASSIGN_OR_RETURN(argument, fitted(std::move(argument), parameters[index], call.name));
+    arguments.push_back(std::move(argument));
+  }
+  return make_function_call(std::move(function).value(), std::move(arguments), place);
+}
+
+// No operator takes lists as values; a list of one element is that element, as in `(translate v (vec))`.
+Result<TypedPtr> Checker::check(const ListExpression& list, const SourcePlace& place) {
+  if (list.items.size() == 1 && list.items[0].name.empty() && list.items[0].modifier == nullptr)
+    return check(*list.items[0].value);
+  return Error(ErrorCode::type_error, "a list of {} elements is no value", list.items.size()).at(place);
+}
+
+Error Checker::unknown_name(const std::string& name, const SourcePlace& place) {
+  std::string message = "unknown name '" + name + "'";
+  const std::vector<std::string> names = objects_.names();
+  std::string suggestion = algebra3d::nearest_name(name, names);
+  if (suggestion.empty()) suggestion = registry_.suggestion(name);
+  if (!suggestion.empty()) message += ", did you mean '" + suggestion + "'?";
+  return Error(ErrorCode::unknown_name, message).at(place);
+}
+
+Result<std::size_t> attribute_index(const TypeExpr& tuple, const std::string& name) {
+  std::vector<std::string> names;
+  for (const auto& attribute : tuple.attributes()) names.push_back(attribute.name);
+  const auto found = std::ranges::find(names, name);
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  const std::string suggestion = algebra3d::nearest_name(name, names);
+  return Error{ErrorCode::unknown_name, "unknown attribute '{}'{}; the attributes are {}", name,
+               suggestion.empty() ? "" : ", did you mean '" + suggestion + "'?", algebra3d::enumerate(names, 20)};
+}
+
+}  // namespace queries

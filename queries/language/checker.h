@@ -1,0 +1,75 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "algebra3d/registry/registry.h"
+#include "queries/language/typed_tree.h"
+
+namespace queries {
+
+/// Turns parsed expressions into typed ones, by asking the registry for operators and the database for objects.
+/// The source, the registry and `context` outlive the typed nodes. Diagnostics of constants go to `context`.
+class Checker {
+ public:
+  Checker(const algebra3d::Registry& registry, ObjectSource& objects, Context& context)
+      : registry_(registry), objects_(objects), context_(context) {}
+
+  /// Errors: type_error, unknown_name and invalid_value, each with line and column.
+  Result<TypedPtr> check(const Expression& expression);
+  /// The type that is written; `typeOf` is resolved. Errors: unknown_name for a type that does not exist.
+  Result<TypeExpr> resolve(const TypeSyntax& syntax);
+
+ private:
+  struct Parameter {
+    std::string name;  ///< empty for the implicit parameters of an operator's function
+    TypeExpr type;
+  };
+  struct Scope {
+    std::vector<Parameter> parameters;
+    bool is_implicit = false;
+  };
+  /// A function place of an operator: pseudo types, and what they stand for there.
+  struct FunctionPlace {
+    const std::vector<std::string>& pseudo_types;
+    const std::vector<TypeExpr>& operands;
+  };
+
+  Result<TypedPtr> check(const Literal& literal, const SourcePlace& place);
+  Result<TypedPtr> check(const TypedLiteral& literal, const SourcePlace& place);
+  Result<TypedPtr> check(const NameUse& use, const SourcePlace& place);
+  Result<TypedPtr> check(const AttributeUse& use, const SourcePlace& place);
+  Result<TypedPtr> check(const ParameterUse& use, const SourcePlace& place);
+  Result<TypedPtr> check(const Application& application, const SourcePlace& place);
+  Result<TypedPtr> check(const FunctionCall& call, const SourcePlace& place);
+  Result<TypedPtr> check(const ListExpression& list, const SourcePlace& place);
+  Result<TypedPtr> check(const FunctionLiteral& function, const SourcePlace& place);
+  Result<TypedPtr> check(const FunctionReference& reference, const SourcePlace& place);
+
+  Result<TypedPtr> value_application(const algebra3d::Operator& op, const Application& application,
+                                     const SourcePlace& place);
+  Result<TypedPtr> stream_application(const algebra3d::Operator& op, const Application& application,
+                                      const SourcePlace& place);
+  Result<TypedPtr> checked_argument(const Argument& argument, const FunctionPlace& function_place, ArgumentType& type);
+  Result<TypedPtr> function_argument(const Expression& expression, const FunctionPlace& place);
+  Result<TypedPtr> explicit_function(const FunctionLiteral& function, const FunctionPlace& functions,
+                                     const SourcePlace& place);
+  Result<TypedPtr> make_checked_function(Scope scope, const Expression& body, const SourcePlace& place);
+  Result<TypedPtr> implicit_parameter(int number, const SourcePlace& place, std::string_view shown);
+  Result<TypedPtr> constant(const TypeExpr& type, const NestedList& list, const SourcePlace& place);
+  Result<Datum> relation_constant(const TypeExpr& type, const NestedList& list, const SourcePlace& place);
+  Result<TypedPtr> fitted(TypedPtr argument, const TypeExpr& wanted, const std::string& what);
+  Status check_type_name(const TypeExpr& type, const SourcePlace& place);
+  Status check_place_count(const algebra3d::Operator& op, const Application& application, const SourcePlace& place);
+  algebra3d::Error unknown_name(const std::string& name, const SourcePlace& place);
+
+  const algebra3d::Registry& registry_;
+  ObjectSource& objects_;
+  Context& context_;
+  std::vector<Scope> scopes_;  // innermost last
+};
+
+/// Position of an attribute in a tuple type. Errors: unknown_name with the nearest name and what there is.
+Result<std::size_t> attribute_index(const TypeExpr& tuple, const std::string& name);
+
+}  // namespace queries

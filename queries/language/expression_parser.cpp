@@ -1,0 +1,447 @@
+#include "queries/language/expression_parser.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+#include "queries/language/parser.h"
+
+namespace queries {
+namespace {
+
+using algebra3d::Error;
+using algebra3d::ErrorCode;
+using algebra3d::Operator;
+using algebra3d::SyntaxPattern;
+using Kind = Token::Kind;
+using Shape = SyntaxPattern::Shape;
+
+constexpr std::array<std::pair<std::string_view, int>, 11> kPrecedences = {{
+    {"or", 1},
+    {"and", 2},
+    {"+", 4},
+    {"-", 4},
+    {"union", 4},
+    {"minus", 4},
+    {"*", 5},
+    {"/", 5},
+    {"div", 5},
+    {"mod", 5},
+    {"concat", 4},
+}};
+
+// Every infix operator that the table leaves out is a predicate and stands with the comparisons.
+int precedence_of(std::string_view name) {
+  const auto row = std::ranges::find(kPrecedences, name, [](const auto& entry) { return entry.first; });
+  return row == kPrecedences.end() ? 3 : row->second;
+}
+
+Argument value_argument(ExpressionPtr value) {
+  Argument argument;
+  argument.place = value->place;
+  argument.value = std::move(value);
+  return argument;
+}
+
+}  // namespace
+
+ExpressionPtr ExpressionParser::make(SourcePlace place, decltype(Expression::node) node) const {
+  return std::make_shared<const Expression>(Expression{std::move(place), std::move(node)});
+}
+
+bool ExpressionParser::accept(std::string_view spelling) {
+  if (!at(spelling)) return false;
+  scanner_.take();
+  return true;
+}
+
+Error ExpressionParser::unexpected(std::string_view what) {
+  const Token& token = scanner_.peek();
+  if (scanner_.error()) return *scanner_.error();
+  return Error(ErrorCode::syntax_error, "expected {}, found {}", what, token.shown()).at(token.place);
+}
+
+Status ExpressionParser::expect(std::string_view spelling, std::string_view context) {
+  if (accept(spelling)) return {};
+  return unexpected("'" + std::string(spelling) + "' " + std::string(context));
+}
+
+Status ExpressionParser::expect_end() {
+  if (scanner_.peek().kind == Kind::end && !scanner_.error()) return {};
+  return unexpected("the end of the command");
+}
+
+Result<std::string> ExpressionParser::name(std::string_view what) {
+  if (scanner_.peek().kind != Kind::word) return unexpected(what);
+  return scanner_.take().text;
+}
+
+Status ExpressionParser::deeper() {
+  if (depth_ < kMaxExpressionDepth) return {};
+  return Error(ErrorCode::limit_exceeded, "the expression is nested deeper than {} levels", kMaxExpressionDepth)
+      .at(scanner_.peek().place);
+}
+
+const Operator* ExpressionParser::operator_at(Shape shape) {
+  const Token& token = scanner_.peek();
+  if (token.kind != Kind::word && token.kind != Kind::special) return nullptr;
+  const Operator* op = registry_.find_operator(token.text);
+  return op != nullptr && registry_.syntax(*op).shape == shape ? op : nullptr;
+}
+
+// Precedence climbing; all operators group to the left.
+Result<ExpressionPtr> ExpressionParser::binary(int lowest_precedence) {
+  RETURN_IF_ERROR(deeper());
+  ++depth_;
+  ASSIGN_OR_RETURN(ExpressionPtr left, chain());
+  for (const Operator* op = operator_at(Shape::infix); op != nullptr; op = operator_at(Shape::infix)) {
+    const int precedence = precedence_of(op->name);
+    if (precedence < lowest_precedence) break;
+    const SourcePlace place = scanner_.take().place;
+    ASSIGN_OR_RETURN(ExpressionPtr right, binary(precedence + 1));
+    left = make(place, Application{op->name, {value_argument(std::move(left)), value_argument(std::move(right))}});
+  }
+  --depth_;
+  return left;
+}
+
+Result<ExpressionPtr> ExpressionParser::chain() {
+  ASSIGN_OR_RETURN(std::vector<ExpressionPtr> found, operands());
+  if (found.size() > 1) return not_an_operator(found[1]);
+  return std::move(found.front());
+}
+
+// Operands side by side, consumed by the postfix operators that follow them.
+Result<std::vector<ExpressionPtr>> ExpressionParser::operands() {
+  std::vector<ExpressionPtr> found;
+  while (true) {
+    if (const Operator* op = operator_at(Shape::postfix); op != nullptr) {
+      RETURN_IF_ERROR(postfix_application(*op, found));
+    } else if (at("{") && !found.empty()) {
+      RETURN_IF_ERROR(annotation(found.back()));
+    } else if (found.empty() || starts_operand()) {
+      ASSIGN_OR_RETURN(ExpressionPtr operand, primary());
+      found.push_back(std::move(operand));
+    } else {
+      return found;
+    }
+  }
+}
+
+bool ExpressionParser::starts_operand() {
+  const Token& token = scanner_.peek();
+  switch (token.kind) {
+    case Kind::end:
+      return false;
+    case Kind::special:
+      return token.text == "(" || token.text == "[";
+    case Kind::word: {
+      if (token.text == "fun" || token.text == "group" || token.text == "tuple") return true;
+      const Operator* op = registry_.find_operator(token.text);
+      return op == nullptr ? !is_reserved(token.text, registry_) : registry_.syntax(*op).shape == Shape::prefix;
+    }
+    default:
+      return true;
+  }
+}
+
+// Two operands with nothing between them: the second is most likely a misspelt operator.
+Error ExpressionParser::not_an_operator(const ExpressionPtr& second) {
+  std::string message = "expected an operator between two operands";
+  std::string word;
+  if (const auto* use = std::get_if<NameUse>(&second->node)) word = use->name;
+  if (const auto* call = std::get_if<FunctionCall>(&second->node)) word = call->name;
+  if (word.empty()) return Error(ErrorCode::syntax_error, message).at(second->place);
+  message = "unknown operator '" + word + "'";
+  const std::string suggestion = registry_.suggestion(word);
+  if (!suggestion.empty()) message += ", did you mean '" + suggestion + "'?";
+  return Error(ErrorCode::unknown_name, message).at(second->place);
+}
+
+Result<ExpressionPtr> ExpressionParser::primary() {
+  const Token& token = scanner_.peek();
+  const SourcePlace place = token.place;
+  switch (token.kind) {
+    case Kind::integer:
+    case Kind::real:
+      return signed_number();
+    case Kind::boolean:
+      return make(place, Literal{NestedList(scanner_.take().text == "TRUE")});
+    case Kind::string:
+      return make(place, Literal{NestedList(scanner_.take().text)});
+    case Kind::text:
+      return make(place, Literal{NestedList::text(scanner_.take().text)});
+    case Kind::attribute: {
+      const Token use = scanner_.take();
+      return make(place, AttributeUse{use.parameter, use.text});
+    }
+    case Kind::parameter:
+      return make(place, ParameterUse{scanner_.take().parameter});
+    case Kind::word:
+      return word_primary();
+    default:
+      break;
+  }
+  if (at("-") || at("+")) return signed_number();
+  if (at("[")) return list();
+  if (accept("(")) {
+    ASSIGN_OR_RETURN(ExpressionPtr inner, expression());
+    RETURN_IF_ERROR(expect(")", "to close the bracket"));
+    return inner;
+  }
+  return unexpected("an operand");
+}
+
+Result<ExpressionPtr> ExpressionParser::signed_number() {
+  const SourcePlace place = scanner_.peek().place;
+  const bool is_negative = at("-");
+  const bool is_signed = is_negative || at("+");
+  if (is_signed) scanner_.take();
+  if (scanner_.peek().kind != Kind::integer && scanner_.peek().kind != Kind::real)
+    return unexpected("a number after the sign");
+  const Token number = scanner_.take();
+  const double value = is_negative ? -number.real : number.real;
+  // `+5` is a real by the rules of the language.
+  if (number.kind == Kind::real || (is_signed && !is_negative)) return make(place, Literal{NestedList(value)});
+  if (value > std::numeric_limits<std::int32_t>::max())
+    return Error(ErrorCode::syntax_error, "the integer {:.0f} is beyond the range of ints (-2147483648 to 2147483647)",
+                 value)
+        .at(place);
+  return make(place, Literal{NestedList(static_cast<std::int32_t>(value))});
+}
+
+Result<ExpressionPtr> ExpressionParser::word_primary() {
+  const Token token = scanner_.peek();
+  if (token.text == "fun") return function_literal();
+  if (token.text == "tuple" || token.text == "group") {
+    scanner_.take();
+    return make(token.place, ParameterUse{1});
+  }
+  if (const Operator* op = operator_at(Shape::prefix); op != nullptr) return prefix_application(*op);
+  if (is_reserved(token.text, registry_)) return unexpected("an operand");
+  scanner_.take();
+  if (at("(")) return function_call(token.text);
+  const bool known_later = !at("[");
+  if (known_later) return make(token.place, NameUse{token.text});
+  // `feeed[...]`: a bracket after a name is the argument list of an operator that there is not.
+  return not_an_operator(make(token.place, NameUse{token.text}));
+}
+
+Result<ExpressionPtr> ExpressionParser::prefix_application(const Operator& op) {
+  const SourcePlace place = scanner_.take().place;
+  RETURN_IF_ERROR(expect("(", "after the operator '" + op.name + "'"));
+  Application application{op.name, {}};
+  RETURN_IF_ERROR(places(registry_.syntax(op), ")", application.arguments));
+  return make(place, std::move(application));
+}
+
+Result<ExpressionPtr> ExpressionParser::function_call(std::string function) {
+  const SourcePlace place = scanner_.take().place;
+  FunctionCall call{std::move(function), {}};
+  while (!at(")")) {
+    ASSIGN_OR_RETURN(ExpressionPtr argument, expression());
+    call.arguments.push_back(std::move(argument));
+    if (!accept(",")) break;
+  }
+  RETURN_IF_ERROR(expect(")", "to close the arguments of '" + call.name + "'"));
+  return make(place, std::move(call));
+}
+
+Status ExpressionParser::postfix_application(const Operator& op, std::vector<ExpressionPtr>& operands) {
+  const SyntaxPattern& pattern = registry_.syntax(op);
+  const SourcePlace place = scanner_.peek().place;
+  if (operands.size() < pattern.operand_count)
+    return Error(ErrorCode::syntax_error, "{}: expected {} operand{} before it, found {} (syntax: {})", op.name,
+                 pattern.operand_count, pattern.operand_count == 1 ? "" : "s", operands.size(), op.syntax)
+        .at(place);
+  scanner_.take();
+  Application application{op.name, {}};
+  const auto first = operands.end() - static_cast<std::ptrdiff_t>(pattern.operand_count);
+  for (auto operand = first; operand != operands.end(); ++operand)
+    application.arguments.push_back(value_argument(std::move(*operand)));
+  operands.erase(first, operands.end());
+  if (pattern.has_brackets) {
+    RETURN_IF_ERROR(expect("[", "after '" + op.name + "' (syntax: " + op.syntax + ")"));
+    RETURN_IF_ERROR(places(pattern, "]", application.arguments));
+  }
+  operands.push_back(make(place, std::move(application)));
+  return {};
+}
+
+// `E {x}` renames, `E {5}`, `E {0.01, 2.5}` and `E {memory 64}` are hints that change no result.
+Status ExpressionParser::annotation(ExpressionPtr& operand) {
+  const SourcePlace place = scanner_.take().place;
+  const Token first = scanner_.take();
+  if (first.kind == Kind::word && first.text != "memory") {
+    Argument argument;
+    argument.kind = SyntaxPattern::PlaceKind::name;
+    argument.names = {first.text};
+    argument.place = first.place;
+    operand = make(place, Application{"rename", {value_argument(operand), std::move(argument)}});
+  } else if (first.kind == Kind::word) {
+    scanner_.take();
+  } else if (first.kind != Kind::integer && first.kind != Kind::real) {
+    return Error(ErrorCode::syntax_error, "expected a name or a number after '{{', found {}", first.shown())
+        .at(first.place);
+  } else if (accept(",")) {
+    scanner_.take();
+  }
+  return expect("}", "to close the bracket");
+}
+
+Status ExpressionParser::places(const SyntaxPattern& pattern, std::string_view close,
+                                std::vector<Argument>& arguments) {
+  const std::string context = "in the arguments of '" + pattern.name + "'";
+  std::size_t index = 0;
+  while (index < pattern.places.size() || pattern.is_open_ended || !at(close)) {
+    const bool is_declared = index < pattern.places.size();
+    const Place place = is_declared ? pattern.places[index] : Place{};
+    const bool may_be_empty = place.kind == SyntaxPattern::PlaceKind::attributes && index + 1 < pattern.places.size();
+    if (at(close) && !may_be_empty) break;
+    if (index > 0) RETURN_IF_ERROR(expect(is_declared && place.before == ';' ? ";" : ",", context));
+    ASSIGN_OR_RETURN(Argument next, argument(place));
+    arguments.push_back(std::move(next));
+    ++index;
+    if (!at(close) && !at(",") && !at(";")) break;
+  }
+  return expect(close, context);
+}
+
+Result<Argument> ExpressionParser::argument(const Place& place) {
+  Argument argument;
+  argument.kind = place.kind;
+  argument.place = scanner_.peek().place;
+  using PlaceKind = SyntaxPattern::PlaceKind;
+  switch (place.kind) {
+    case PlaceKind::value:
+    case PlaceKind::function: {
+      ASSIGN_OR_RETURN(argument.value, expression());
+      break;
+    }
+    case PlaceKind::attribute:
+    case PlaceKind::name: {
+      ASSIGN_OR_RETURN(std::string word, name(place.kind == PlaceKind::name ? "a name" : "an attribute name"));
+      argument.names = {std::move(word)};
+      break;
+    }
+    case PlaceKind::attributes:
+      RETURN_IF_ERROR(attribute_names(argument, false));
+      break;
+    case PlaceKind::keys:
+      RETURN_IF_ERROR(attribute_names(argument, true));
+      break;
+    case PlaceKind::functions:
+      RETURN_IF_ERROR(function_list(argument));
+      break;
+    case PlaceKind::renames:
+      RETURN_IF_ERROR(rename_list(argument));
+      break;
+  }
+  return argument;
+}
+
+Status ExpressionParser::attribute_names(Argument& argument, bool with_order) {
+  if (at(";") || at("]")) return {};
+  do {
+    ASSIGN_OR_RETURN(std::string attribute, name("an attribute name"));
+    argument.names.push_back(std::move(attribute));
+    if (!with_order) continue;
+    const bool is_descending = accept("desc");
+    if (!is_descending) accept("asc");
+    argument.modifiers.emplace_back(is_descending ? "desc" : "asc");
+  } while (accept(","));
+  return {};
+}
+
+Status ExpressionParser::function_list(Argument& argument) {
+  if (at("]")) return {};
+  do {
+    NamedExpression function;
+    ASSIGN_OR_RETURN(function.name, name("the name of a new attribute"));
+    RETURN_IF_ERROR(expect(":", "after the name of the new attribute '" + function.name + "'"));
+    ASSIGN_OR_RETURN(function.value, expression());
+    argument.functions.push_back(std::move(function));
+  } while (accept(","));
+  return {};
+}
+
+Status ExpressionParser::rename_list(Argument& argument) {
+  do {
+    ASSIGN_OR_RETURN(std::string renamed, name("the new name of an attribute"));
+    RETURN_IF_ERROR(expect(":", "after the new name '" + renamed + "'"));
+    if (scanner_.peek().kind != Kind::word && scanner_.peek().kind != Kind::string)
+      return unexpected("an attribute name");
+    argument.names.push_back(std::move(renamed));
+    argument.modifiers.push_back(scanner_.take().text);
+  } while (accept(","));
+  return {};
+}
+
+Result<ExpressionPtr> ExpressionParser::list() {
+  const SourcePlace place = scanner_.take().place;
+  if (at("const")) {
+    RETURN_IF_ERROR(deeper());
+    return typed_literal();
+  }
+  ListExpression content;
+  while (!at("]")) {
+    ListExpression::Item item;
+    const bool is_named = scanner_.peek().kind == Kind::word && scanner_.peek(1).is(":");
+    if (is_named) {
+      item.name = scanner_.take().text;
+      scanner_.take();
+    }
+    ++depth_;
+    RETURN_IF_ERROR(deeper());
+    if (const auto second = scanner_.peek(1); !is_named && (second.is("asc") || second.is("desc"))) {
+      const Token key = scanner_.take();
+      const Token order = scanner_.take();
+      item.value = make(key.place, NameUse{key.text});
+      item.modifier = make(order.place, NameUse{order.text});
+    } else {
+      ASSIGN_OR_RETURN(item.value, expression());
+    }
+    --depth_;
+    content.items.push_back(std::move(item));
+    if (!accept(",")) break;
+  }
+  RETURN_IF_ERROR(expect("]", "to close the list"));
+  return make(place, std::move(content));
+}
+
+// The value is a nested list, which has rules of its own: it is cut out as text and read by NestedList.
+Result<ExpressionPtr> ExpressionParser::typed_literal() {
+  const SourcePlace place = scanner_.take().place;
+  TypedLiteral literal;
+  ASSIGN_OR_RETURN(literal.type, type());
+  RETURN_IF_ERROR(expect("value", "after the type of a constant"));
+  const std::size_t begin = scanner_.peek().begin;
+  const SourcePlace list_place = scanner_.place_of(begin);
+  const auto raw = scanner_.take_raw_until(']');
+  if (!raw) return Error(ErrorCode::syntax_error, "expected ']' after the value of a constant").at(place);
+  auto list = NestedList::parse(*raw);
+  if (!list) return std::move(list).error().at(list_place);
+  literal.list = std::move(list).value();
+  RETURN_IF_ERROR(expect("]", "after the value of a constant"));
+  return make(place, std::move(literal));
+}
+
+Result<ExpressionPtr> ExpressionParser::function_literal() {
+  const SourcePlace place = scanner_.take().place;
+  if (scanner_.peek().kind == Kind::word) return make(place, FunctionReference{scanner_.take().text});
+  RETURN_IF_ERROR(expect("(", "or the name of a function object after 'fun'"));
+  FunctionLiteral function;
+  while (!at(")")) {
+    ASSIGN_OR_RETURN(std::string parameter, name("a parameter name"));
+    RETURN_IF_ERROR(expect(":", "after the parameter '" + parameter + "'"));
+    ASSIGN_OR_RETURN(TypeSyntax parameter_type, type());
+    function.parameters.emplace_back(std::move(parameter), std::move(parameter_type));
+    if (!accept(",")) break;
+  }
+  RETURN_IF_ERROR(expect(")", "to close the parameters"));
+  ASSIGN_OR_RETURN(function.body, expression());
+  return make(place, std::move(function));
+}
+
+}  // namespace queries

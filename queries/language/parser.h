@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string_view>
+
+#include "algebra3d/registry/registry.h"
+#include "queries/language/command.h"
+#include "queries/language/syntax_tree.h"
+
+namespace queries {
+
+/// Deepest nesting of expressions; beyond it: error limit_exceeded.
+inline constexpr int kMaxExpressionDepth = 500;
+
+/// Reads one command (without the `;` that ends it). Operators are recognised by the syntax patterns of `registry`.
+/// Errors: syntax_error and unknown_name with line and column, what was found and what is possible.
+algebra3d::Result<Command> parse_command(std::string_view text, const algebra3d::Registry& registry,
+                                         SourcePlace start = {"", 1, 1});
+
+/// Reads one expression that is all of `text`.
+algebra3d::Result<ExpressionPtr> parse_expression(std::string_view text, const algebra3d::Registry& registry,
+                                                  SourcePlace start = {"", 1, 1});
+
+/// True for words that cannot name an object: those of the language and every operator with a pattern.
+bool is_reserved(std::string_view word, const algebra3d::Registry& registry);
+
+}  // namespace queries

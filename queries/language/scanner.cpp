@@ -1,0 +1,269 @@
+#include "queries/language/scanner.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "algebra3d/base/number_text.h"
+
+namespace queries {
+namespace {
+
+using Kind = Token::Kind;
+
+bool is_letter(char c) {
+  return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+bool is_word(char c) {
+  return is_letter(c) || is_digit(c);
+}
+bool is_blank(char c) {
+  return std::isspace(static_cast<unsigned char>(c)) != 0;
+}
+bool is_operator_character(char c) {
+  return std::string_view("+-*/<>=#:!?%&^~|@\\").find(c) != std::string_view::npos;
+}
+
+}  // namespace
+
+std::string Token::shown() const {
+  switch (kind) {
+    case Kind::end:
+      return "the end of the command";
+    case Kind::integer:
+      return "'" + std::to_string(integer) + "'";
+    case Kind::real:
+      return "'" + algebra3d::real_text(real) + "'";
+    case Kind::string:
+      return "the string \"" + text + "\"";
+    case Kind::text:
+      return "the text '" + (text.size() > 40 ? text.substr(0, 40) + "..." : text) + "'";
+    case Kind::attribute:
+      return "'." + text + "'";
+    case Kind::parameter:
+      return parameter == 1 ? "'.'" : parameter == 2 ? "'..'" : "'$" + std::to_string(parameter) + "'";
+    default:
+      return "'" + text + "'";
+  }
+}
+
+Scanner::Scanner(std::string_view source, SourcePlace start) : source_(source), start_(std::move(start)) {}
+
+SourcePlace Scanner::place_of(std::size_t offset) const {
+  SourcePlace place = start_;
+  const std::string_view before = source_.substr(0, offset);
+  const auto lines = std::ranges::count(before, '\n');
+  place.line += static_cast<int>(lines);
+  const std::size_t line_begin = before.rfind('\n');
+  place.column = lines == 0 ? start_.column + static_cast<int>(offset) : static_cast<int>(offset - line_begin);
+  return place;
+}
+
+const Token& Scanner::peek(std::size_t ahead) {
+  while (buffer_.size() <= ahead) buffer_.push_back(scan());
+  return buffer_[ahead];
+}
+
+Token Scanner::take() {
+  Token token = peek();
+  buffer_.pop_front();
+  return token;
+}
+
+void Scanner::fail(const Token& token, std::string message) {
+  if (!error_) error_ = algebra3d::Error(algebra3d::ErrorCode::syntax_error, std::move(message)).at(token.place);
+  position_ = source_.size();
+}
+
+void Scanner::skip_blanks() {
+  while (position_ < source_.size() && is_blank(source_[position_])) ++position_;
+}
+
+Token Scanner::scan() {
+  skip_blanks();
+  Token token;
+  token.begin = position_;
+  token.place = place_of(position_);
+  const char c = at(position_);
+  if (position_ >= source_.size())
+    token.kind = Kind::end;
+  else if (is_letter(c)) {
+    while (is_word(at(position_))) ++position_;
+    token.text = source_.substr(token.begin, position_ - token.begin);
+    token.kind = token.text == "TRUE" || token.text == "FALSE" ? Kind::boolean : Kind::word;
+  } else if (is_digit(c) || (c == '.' && is_digit(at(position_ + 1))))
+    token = scan_number(std::move(token));
+  else if (c == '"' || c == '\'')
+    token = scan_quoted(std::move(token), c);
+  else if (starts_with("<text>"))
+    token = scan_tagged(std::move(token), "<text>", "</text--->");
+  else if (c == '.')
+    token = scan_dots(std::move(token));
+  else if (c == '$' && is_digit(at(position_ + 1)))
+    token = scan_dollar(std::move(token));
+  else
+    token = scan_special(std::move(token));
+  token.end = position_;
+  return token;
+}
+
+Token Scanner::scan_number(Token token) {
+  const auto digits = [&] {
+    while (is_digit(at(position_))) ++position_;
+  };
+  bool is_real = false;
+  digits();
+  // A second dot belongs to what follows; `5.` itself is a real, `5.Name` is not a number with an attribute.
+  if (at(position_) == '.' && at(position_ + 1) != '.') {
+    is_real = true;
+    ++position_;
+    digits();
+  }
+  const char e = at(position_);
+  const char sign = at(position_ + 1);
+  if ((e == 'e' || e == 'E') && (is_digit(sign) || ((sign == '+' || sign == '-') && is_digit(at(position_ + 2))))) {
+    is_real = true;
+    position_ += 2;
+    digits();
+  }
+  const std::string_view spelling = source_.substr(token.begin, position_ - token.begin);
+  if (is_word(at(position_))) {
+    fail(token, "a number ends with '" + std::string(1, at(position_)) + "' after '" + std::string(spelling) + "'");
+    return token;
+  }
+  if (is_real) {
+    const auto value = algebra3d::parse_real(spelling);
+    if (!value) fail(token, "the number " + std::string(spelling.substr(0, 40)) + " is beyond the range of reals");
+    token.kind = Kind::real;
+    token.real = value.value_or(0);
+    return token;
+  }
+  // The magnitude of the smallest int is one more than that of the largest; the parser puts the sign in front.
+  const auto value = algebra3d::parse_real(spelling);
+  if (!value || *value > 2147483648.0)
+    fail(token, "the integer " + std::string(spelling.substr(0, 40)) +
+                    " is beyond the range of ints (-2147483648 to 2147483647); write it with a point for a real");
+  token.kind = Kind::integer;
+  token.real = value.value_or(0);
+  token.integer = static_cast<std::int32_t>(std::min(token.real, 2147483647.0));
+  return token;
+}
+
+Token Scanner::scan_quoted(Token token, char quote) {
+  token.kind = quote == '"' ? Kind::string : Kind::text;
+  ++position_;
+  while (position_ < source_.size() && source_[position_] != quote) {
+    if (source_[position_] == '\\' && (at(position_ + 1) == quote || at(position_ + 1) == '\\')) ++position_;
+    token.text += source_[position_++];
+  }
+  if (position_ >= source_.size())
+    fail(token, std::string("a ") + (quote == '"' ? "string" : "text") + " is not closed: expected " + quote);
+  else
+    ++position_;
+  return token;
+}
+
+Token Scanner::scan_tagged(Token token, std::string_view open, std::string_view close) {
+  token.kind = Kind::text;
+  const std::size_t begin = position_ + open.size();
+  const std::size_t end = source_.find(close, begin);
+  if (end == std::string_view::npos) {
+    fail(token, "a text is not closed: expected " + std::string(close));
+    return token;
+  }
+  token.text = source_.substr(begin, end - begin);
+  position_ = end + close.size();
+  return token;
+}
+
+Token Scanner::scan_dots(Token token) {
+  token.parameter = at(position_ + 1) == '.' ? 2 : 1;
+  position_ += static_cast<std::size_t>(token.parameter);
+  const std::size_t begin = position_;
+  if (is_letter(at(position_)))
+    while (is_word(at(position_))) ++position_;
+  token.text = source_.substr(begin, position_ - begin);
+  token.kind = token.text.empty() ? Kind::parameter : Kind::attribute;
+  return token;
+}
+
+Token Scanner::scan_dollar(Token token) {
+  token.parameter = at(position_ + 1) - '0';
+  position_ += 2;
+  token.kind = Kind::parameter;
+  if (at(position_) == '.' && is_letter(at(position_ + 1))) {
+    const std::size_t begin = ++position_;
+    while (is_word(at(position_))) ++position_;
+    token.text = source_.substr(begin, position_ - begin);
+    token.kind = Kind::attribute;
+  }
+  return token;
+}
+
+Token Scanner::scan_special(Token token) {
+  token.kind = Kind::special;
+  if (starts_with("{{") || starts_with("}}")) {
+    position_ += 2;
+  } else if (!is_operator_character(at(position_))) {
+    ++position_;
+  } else {
+    // Runs such as <=, :=, :: are one token; a minus or plus in front of a number is left to the parser.
+    while (is_operator_character(at(position_)) &&
+           (position_ == token.begin || (at(position_) != '-' && at(position_) != '+')))
+      ++position_;
+  }
+  token.text = source_.substr(token.begin, position_ - token.begin);
+  if (std::string_view("()[]{},;").find(token.text.front()) == std::string_view::npos &&
+      !is_operator_character(token.text.front()))
+    fail(token, "the character '" + token.text + "' does not belong to the language");
+  return token;
+}
+
+void Scanner::rewind_to_next() {
+  if (buffer_.empty()) return;
+  position_ = buffer_.front().begin;
+  buffer_.clear();
+}
+
+std::optional<std::string_view> Scanner::take_raw_until(char closing) {
+  rewind_to_next();
+  const std::size_t begin = position_;
+  int depth = 0;
+  while (position_ < source_.size()) {
+    const char c = source_[position_];
+    if (depth == 0 && c == closing) return source_.substr(begin, position_ - begin);
+    if (c == '"' || c == '\'') {
+      scan_quoted(Token{}, c);
+      continue;
+    }
+    if (starts_with("<text>")) {
+      scan_tagged(Token{}, "<text>", "</text--->");
+      continue;
+    }
+    if (starts_with("_!")) {
+      const std::size_t end = source_.find("!_", position_ + 2);
+      position_ = end == std::string_view::npos ? source_.size() : end + 2;
+      continue;
+    }
+    if (c == '(') ++depth;
+    if (c == ')') --depth;
+    ++position_;
+    if (closing == ')' && depth < 0) break;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string_view> Scanner::take_raw_list() {
+  rewind_to_next();
+  skip_blanks();
+  const std::size_t begin = position_;
+  if (at(position_) != '(') return std::nullopt;
+  ++position_;
+  if (!take_raw_until(')')) return std::nullopt;
+  ++position_;
+  return source_.substr(begin, position_ - begin);
+}
+
+}  // namespace queries

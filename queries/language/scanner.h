@@ -1,0 +1,54 @@
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string_view>
+
+#include "queries/language/token.h"
+
+namespace queries {
+
+/// Cuts the text of one command into tokens, on demand, so that the parser may take raw text in between.
+/// The text outlives the scanner. Places count from `start`.
+class Scanner {
+ public:
+  explicit Scanner(std::string_view source, SourcePlace start = {"", 1, 1});
+
+  /// The token `ahead` places after the next. Errors are given by `take` when they are reached.
+  const Token& peek(std::size_t ahead = 0);
+  /// The next token; steps over it.
+  Token take();
+  /// The first thing that is no token (an unterminated string, a number out of range), if `peek` has come across one.
+  const std::optional<algebra3d::Error>& error() const { return error_; }
+
+  /// The text from here to the bracket that closes the one around it, strings and comments of nested lists respected.
+  /// Steps over the text, not over the bracket. `closing` is ']' or ')'. Empty optional if the bracket is missing.
+  std::optional<std::string_view> take_raw_until(char closing);
+  /// The text of the nested list `(...)` that begins at the next token; steps over it.
+  std::optional<std::string_view> take_raw_list();
+
+  std::string_view source() const { return source_; }
+  SourcePlace place_of(std::size_t offset) const;
+
+ private:
+  Token scan();
+  void skip_blanks();
+  Token scan_number(Token token);
+  Token scan_quoted(Token token, char quote);
+  Token scan_tagged(Token token, std::string_view open, std::string_view close);
+  Token scan_dots(Token token);
+  Token scan_dollar(Token token);
+  Token scan_special(Token token);
+  void fail(const Token& token, std::string message);
+  void rewind_to_next();
+  bool starts_with(std::string_view text) const { return source_.substr(position_).starts_with(text); }
+  char at(std::size_t offset) const { return offset < source_.size() ? source_[offset] : '\0'; }
+
+  std::string_view source_;
+  SourcePlace start_;
+  std::size_t position_ = 0;
+  std::deque<Token> buffer_;
+  std::optional<algebra3d::Error> error_;
+};
+
+}  // namespace queries

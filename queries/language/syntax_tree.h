@@ -1,0 +1,110 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "algebra3d/base/error.h"
+#include "algebra3d/registry/syntax_pattern.h"
+#include "algebra3d/types/nested_list.h"
+#include "algebra3d/types/type_expr.h"
+
+namespace queries {
+
+using algebra3d::NestedList;
+using algebra3d::SourcePlace;
+using algebra3d::TypeExpr;
+
+struct Expression;
+using ExpressionPtr = std::shared_ptr<const Expression>;
+
+/// A type as written: a term whose leaves are names, or the type of an expression.
+struct TypeSyntax {
+  std::string name;
+  std::vector<TypeSyntax> arguments;
+  std::vector<std::pair<std::string, TypeSyntax>> attributes;  ///< of a tuple
+  ExpressionPtr type_of;                                       ///< typeOf(E); then nothing else is set
+  SourcePlace place;
+};
+
+/// `12`, `1.5`, `TRUE`, "string", 'text'.
+struct Literal {
+  NestedList atom;
+};
+/// `[const T value L]`
+struct TypedLiteral {
+  TypeSyntax type;
+  NestedList list;
+};
+/// An object, or a parameter of an explicit function.
+struct NameUse {
+  std::string name;
+};
+/// `.Name` (parameter 1), `..Name` (2), `$n.Name`: of the innermost implicit function.
+struct AttributeUse {
+  int parameter = 1;
+  std::string name;
+};
+/// `.`, `..`, `$n`, `tuple`, `group`.
+struct ParameterUse {
+  int parameter = 1;
+};
+/// One `Name: expression` of a function list.
+struct NamedExpression {
+  std::string name;
+  ExpressionPtr value;
+};
+/// What stands at one place of an operator's syntax pattern; which members are set follows from the kind.
+struct Argument {
+  algebra3d::SyntaxPattern::PlaceKind kind = algebra3d::SyntaxPattern::PlaceKind::value;
+  ExpressionPtr value;                     ///< value, function
+  std::vector<NamedExpression> functions;  ///< functions
+  std::vector<std::string> names;          ///< attribute, name, attributes, keys, renames (the new names)
+  std::vector<std::string> modifiers;      ///< keys: asc or desc; renames: the old names
+  SourcePlace place;
+};
+/// An operator with its arguments in the order of its pattern.
+struct Application {
+  std::string name;
+  std::vector<Argument> arguments;
+};
+/// `name(e1, e2)` where name is no operator: a function object or parameter.
+struct FunctionCall {
+  std::string name;
+  std::vector<ExpressionPtr> arguments;
+};
+/// `[e1, Name: e2, A asc]`
+struct ListExpression {
+  struct Item {
+    std::string name;
+    ExpressionPtr value;
+    ExpressionPtr modifier;  ///< the second of two adjacent expressions, or null
+  };
+  std::vector<Item> items;
+};
+/// `fun(p1: T1, p2: T2) E`
+struct FunctionLiteral {
+  std::vector<std::pair<std::string, TypeSyntax>> parameters;
+  ExpressionPtr body;
+};
+/// `fun Name`
+struct FunctionReference {
+  std::string name;
+};
+
+/// A parsed expression; nothing is known of types and objects yet. Immutable.
+struct Expression {
+  SourcePlace place;
+  std::variant<Literal, TypedLiteral, NameUse, AttributeUse, ParameterUse, Application, FunctionCall, ListExpression,
+               FunctionLiteral, FunctionReference>
+      node;
+};
+
+/// The nested-list form of an expression (language.md 3.3), `(op a b)`.
+NestedList to_nested(const Expression& expression);
+NestedList to_nested(const TypeSyntax& type);
+
+}  // namespace queries

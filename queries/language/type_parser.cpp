@@ -1,0 +1,75 @@
+// The part of the parser that reads types.
+#include "queries/language/expression_parser.h"
+
+namespace queries {
+namespace {
+
+using algebra3d::Error;
+using algebra3d::ErrorCode;
+
+TypeSyntax syntax_of(const TypeExpr& type, const SourcePlace& place) {
+  TypeSyntax syntax;
+  syntax.name = type.name();
+  syntax.place = place;
+  for (const TypeExpr& argument : type.arguments()) syntax.arguments.push_back(syntax_of(argument, place));
+  for (const auto& [name, attribute] : type.attributes())
+    syntax.attributes.emplace_back(name, syntax_of(attribute, place));
+  return syntax;
+}
+
+}  // namespace
+
+Result<TypeSyntax> ExpressionParser::type() {
+  if (at("(")) return nested_type();
+  if (at("[")) return bracketed_type();
+  TypeSyntax syntax;
+  syntax.place = scanner_.peek().place;
+  if (accept("typeOf")) {
+    RETURN_IF_ERROR(expect("(", "after typeOf"));
+    ASSIGN_OR_RETURN(syntax.type_of, expression());
+    RETURN_IF_ERROR(expect(")", "to close typeOf"));
+    return syntax;
+  }
+  ASSIGN_OR_RETURN(syntax.name, name("a type"));
+  if (!accept("(")) return syntax;
+  ++depth_;
+  RETURN_IF_ERROR(deeper());
+  do {
+    ASSIGN_OR_RETURN(TypeSyntax argument, type());
+    syntax.arguments.push_back(std::move(argument));
+  } while (accept(","));
+  --depth_;
+  RETURN_IF_ERROR(expect(")", "to close the arguments of the type '" + syntax.name + "'"));
+  // tuple([A: int]) is a tuple with attributes, not a term over a list.
+  if (syntax.name == "tuple" && syntax.arguments.size() == 1 && !syntax.arguments[0].attributes.empty())
+    return std::move(syntax.arguments[0]);
+  return syntax;
+}
+
+// `[Name: T, ...]`: the attributes of a tuple.
+Result<TypeSyntax> ExpressionParser::bracketed_type() {
+  TypeSyntax syntax;
+  syntax.name = "tuple";
+  syntax.place = scanner_.take().place;
+  do {
+    ASSIGN_OR_RETURN(std::string attribute, name("an attribute name"));
+    RETURN_IF_ERROR(expect(":", "after the attribute '" + attribute + "'"));
+    ASSIGN_OR_RETURN(TypeSyntax attribute_type, type());
+    syntax.attributes.emplace_back(std::move(attribute), std::move(attribute_type));
+  } while (accept(","));
+  RETURN_IF_ERROR(expect("]", "to close the attributes"));
+  return syntax;
+}
+
+Result<TypeSyntax> ExpressionParser::nested_type() {
+  const SourcePlace place = scanner_.peek().place;
+  const auto raw = scanner_.take_raw_list();
+  if (!raw) return Error(ErrorCode::syntax_error, "expected ')' to close the type").at(place);
+  auto list = NestedList::parse(*raw);
+  if (!list) return std::move(list).error().at(place);
+  auto parsed = TypeExpr::from_nested(*list);
+  if (!parsed) return std::move(parsed).error().at(place);
+  return syntax_of(*parsed, place);
+}
+
+}  // namespace queries

@@ -1,0 +1,256 @@
+#include "queries/language/typed_tree.h"
+
+#include <cassert>
+#include <deque>
+#include <utility>
+
+#include "algebra3d/types/scalars.h"
+
+namespace queries {
+namespace {
+
+using algebra3d::Registry;
+using algebra3d::ResolvedCall;
+
+Result<std::vector<Datum>> evaluate_all(const std::vector<TypedPtr>& nodes, const Frame* frame, Context& context) {
+  std::vector<Datum> values;
+  values.reserve(nodes.size());
+  for (const TypedPtr& node : nodes) {
+    ASSIGN_OR_RETURN(Datum value, node->evaluate(frame, context));
+    values.push_back(std::move(value));
+  }
+  return values;
+}
+
+class ConstantNode final : public TypedNode {
+ public:
+  ConstantNode(TypeExpr type, Datum value, SourcePlace place)
+      : TypedNode(std::move(type), std::move(place)), value_(std::move(value)) {}
+  Result<Datum> evaluate(const Frame*, Context&) const override { return value_; }
+
+ private:
+  Datum value_;
+};
+
+class ObjectNode final : public TypedNode {
+ public:
+  ObjectNode(TypeExpr type, std::string name, ObjectSource& objects, SourcePlace place)
+      : TypedNode(std::move(type), std::move(place)), name_(std::move(name)), objects_(objects) {}
+  Result<Datum> evaluate(const Frame*, Context&) const override {
+    auto value = objects_.value_of(name_);
+    if (!value) return std::move(value).error().at(place());
+    return value;
+  }
+
+ private:
+  std::string name_;
+  ObjectSource& objects_;
+};
+
+class ParameterNode final : public TypedNode {
+ public:
+  ParameterNode(TypeExpr type, std::size_t level, std::size_t index, SourcePlace place)
+      : TypedNode(std::move(type), std::move(place)), level_(level), index_(index) {}
+  Result<Datum> evaluate(const Frame* frame, Context&) const override {
+    for (std::size_t level = 0; level < level_; ++level) frame = frame->outer;
+    return frame->arguments[index_];
+  }
+
+ private:
+  std::size_t level_;
+  std::size_t index_;
+};
+
+class AttributeNode final : public TypedNode {
+ public:
+  AttributeNode(TypeExpr type, TypedPtr tuple, std::size_t index, SourcePlace place)
+      : TypedNode(std::move(type), std::move(place)), tuple_(std::move(tuple)), index_(index) {}
+  Result<Datum> evaluate(const Frame* frame, Context& context) const override {
+    ASSIGN_OR_RETURN(const Datum tuple, tuple_->evaluate(frame, context));
+    return Datum{tuple.tuple()->attributes[index_]};
+  }
+
+ private:
+  TypedPtr tuple_;
+  std::size_t index_;
+};
+
+class VectorStream final : public ValueStream {
+ public:
+  explicit VectorStream(std::vector<Value> values) : values_(std::move(values)) {}
+  Result<std::optional<Value>> next() override {
+    if (position_ == values_.size()) return std::optional<Value>();
+    return std::optional<Value>(std::move(values_[position_++]));
+  }
+
+ private:
+  std::vector<Value> values_;
+  std::size_t position_ = 0;
+};
+
+class ValueCallNode final : public TypedNode {
+ public:
+  ValueCallNode(ResolvedCall call, std::vector<TypedPtr> arguments, SourcePlace place)
+      : TypedNode(call.overload->result_type(), std::move(place)), call_(call), arguments_(std::move(arguments)) {}
+  Result<Datum> evaluate(const Frame* frame, Context& context) const override {
+    std::vector<Value> values;
+    values.reserve(arguments_.size());
+    for (const TypedPtr& argument : arguments_) {
+      ASSIGN_OR_RETURN(Datum datum, argument->evaluate(frame, context));
+      values.push_back(std::get<Value>(std::move(datum.content)));
+    }
+    auto returned = Registry::call(call_, values, context);
+    if (!returned) return std::move(returned).error().at(place());
+    if (auto* value = std::get_if<Value>(&*returned)) return Datum{std::move(*value)};
+    return Datum{ValueStreamPtr(std::make_shared<VectorStream>(std::get<std::vector<Value>>(std::move(*returned))))};
+  }
+
+ private:
+  ResolvedCall call_;
+  std::vector<TypedPtr> arguments_;
+};
+
+class StreamCallNode final : public TypedNode {
+ public:
+  StreamCallNode(Plan plan, std::vector<TypedPtr> arguments, SourcePlace place)
+      : TypedNode(plan.type, std::move(place)), plan_(std::move(plan)), arguments_(std::move(arguments)) {}
+  Result<Datum> evaluate(const Frame* frame, Context& context) const override {
+    ASSIGN_OR_RETURN(std::vector<Datum> values, evaluate_all(arguments_, frame, context));
+    auto result = plan_.run(std::move(values), context);
+    if (!result) return std::move(result).error().at(place());
+    return result;
+  }
+
+ private:
+  Plan plan_;
+  std::vector<TypedPtr> arguments_;
+};
+
+class ListNode final : public TypedNode {
+ public:
+  ListNode(std::vector<TypedPtr> elements, SourcePlace place)
+      : TypedNode("list", std::move(place)), elements_(std::move(elements)) {}
+  Result<Datum> evaluate(const Frame* frame, Context& context) const override {
+    ASSIGN_OR_RETURN(std::vector<Datum> values, evaluate_all(elements_, frame, context));
+    return Datum{DatumList(std::move(values))};
+  }
+
+ private:
+  std::vector<TypedPtr> elements_;
+};
+
+class FunctionNode final : public TypedNode {
+ public:
+  FunctionNode(TypeExpr type, TypedPtr body, NestedList written, SourcePlace place)
+      : TypedNode(std::move(type), std::move(place)), body_(std::move(body)), written_(std::move(written)) {}
+  Result<Datum> evaluate(const Frame* frame, Context& context) const override;
+  const TypedNode& body() const { return *body_; }
+  const NestedList& written() const { return written_; }
+
+ private:
+  TypedPtr body_;
+  NestedList written_;
+};
+
+// A function with a copy of the frames around it, so that it may be called after the outer calls have returned.
+class Closure final : public Function {
+ public:
+  Closure(std::shared_ptr<const FunctionNode> node, const Frame* outer, Context& context)
+      : node_(std::move(node)), context_(context) {
+    for (const Frame* frame = outer; frame != nullptr; frame = frame->outer)
+      copies_.emplace_back(frame->arguments.begin(), frame->arguments.end());
+    for (auto copy = copies_.rbegin(); copy != copies_.rend(); ++copy)
+      frames_.push_back({*copy, frames_.empty() ? nullptr : &frames_.back()});
+  }
+  Result<Datum> call(std::span<const Datum> arguments) const override {
+    const Frame frame{arguments, frames_.empty() ? nullptr : &frames_.back()};
+    return node_->body().evaluate(&frame, context_);
+  }
+  NestedList to_nested() const override { return node_->written(); }
+
+ private:
+  std::shared_ptr<const FunctionNode> node_;
+  std::vector<std::vector<Datum>> copies_;
+  std::deque<Frame> frames_;  // a deque: frames point to each other
+  Context& context_;
+};
+
+Result<Datum> FunctionNode::evaluate(const Frame* frame, Context& context) const {
+  auto self = std::static_pointer_cast<const FunctionNode>(shared_from_this());
+  return Datum{std::shared_ptr<const Function>(std::make_shared<Closure>(std::move(self), frame, context))};
+}
+
+class FunctionCallNode final : public TypedNode {
+ public:
+  FunctionCallNode(TypedPtr function, std::vector<TypedPtr> arguments, SourcePlace place)
+      : TypedNode(function->type().function_result(), std::move(place)),
+        function_(std::move(function)),
+        arguments_(std::move(arguments)) {}
+  Result<Datum> evaluate(const Frame* frame, Context& context) const override {
+    ASSIGN_OR_RETURN(const Datum function, function_->evaluate(frame, context));
+    ASSIGN_OR_RETURN(const std::vector<Datum> values, evaluate_all(arguments_, frame, context));
+    return function.function().call(values);
+  }
+
+ private:
+  TypedPtr function_;
+  std::vector<TypedPtr> arguments_;
+};
+
+class PromotionNode final : public TypedNode {
+ public:
+  explicit PromotionNode(TypedPtr argument) : TypedNode("real", argument->place()), argument_(std::move(argument)) {}
+  Result<Datum> evaluate(const Frame* frame, Context& context) const override {
+    ASSIGN_OR_RETURN(const Datum argument, argument_->evaluate(frame, context));
+    const Value& value = argument.value();
+    if (!value.is_defined()) return Datum{Value(algebra3d::TypeOf<double>::type())};
+    return Datum{Value::of<double>(value.get<std::int32_t>())};
+  }
+
+ private:
+  TypedPtr argument_;
+};
+
+}  // namespace
+
+TypedPtr make_constant(TypeExpr type, Datum value, SourcePlace place) {
+  return std::make_shared<ConstantNode>(std::move(type), std::move(value), std::move(place));
+}
+
+TypedPtr make_object(TypeExpr type, std::string name, ObjectSource& objects, SourcePlace place) {
+  return std::make_shared<ObjectNode>(std::move(type), std::move(name), objects, std::move(place));
+}
+
+TypedPtr make_parameter(TypeExpr type, std::size_t level, std::size_t index, SourcePlace place) {
+  return std::make_shared<ParameterNode>(std::move(type), level, index, std::move(place));
+}
+
+TypedPtr make_attribute(TypeExpr type, TypedPtr tuple, std::size_t index, SourcePlace place) {
+  return std::make_shared<AttributeNode>(std::move(type), std::move(tuple), index, std::move(place));
+}
+
+TypedPtr make_value_call(ResolvedCall call, std::vector<TypedPtr> arguments, SourcePlace place) {
+  return std::make_shared<ValueCallNode>(call, std::move(arguments), std::move(place));
+}
+
+TypedPtr make_stream_call(Plan plan, std::vector<TypedPtr> arguments, SourcePlace place) {
+  return std::make_shared<StreamCallNode>(std::move(plan), std::move(arguments), std::move(place));
+}
+
+TypedPtr make_list(std::vector<TypedPtr> elements, SourcePlace place) {
+  return std::make_shared<ListNode>(std::move(elements), std::move(place));
+}
+
+TypedPtr make_function(TypeExpr type, TypedPtr body, NestedList written, SourcePlace place) {
+  return std::make_shared<FunctionNode>(std::move(type), std::move(body), std::move(written), std::move(place));
+}
+
+TypedPtr make_function_call(TypedPtr function, std::vector<TypedPtr> arguments, SourcePlace place) {
+  return std::make_shared<FunctionCallNode>(std::move(function), std::move(arguments), std::move(place));
+}
+
+TypedPtr make_promotion(TypedPtr argument) {
+  return std::make_shared<PromotionNode>(std::move(argument));
+}
+
+}  // namespace queries
