@@ -1,0 +1,15 @@
+#include "algebra3d/types/all.h"
+
+#include "algebra3d/types/scalars.h"
+#include "algebra3d/types/spatial.h"
+
+namespace algebra3d {
+
+std::vector<const Type*> all_types() {
+  return {&TypeOf<std::int32_t>::type(), &TypeOf<double>::type(),    &TypeOf<bool>::type(),
+          &TypeOf<std::string>::type(),  &TypeOf<Text>::type(),      &TypeOf<Point3d>::type(),
+          &TypeOf<Points3d>::type(),     &TypeOf<Vector3d>::type(),  &TypeOf<Plane3d>::type(),
+          &TypeOf<Box3>::type(),         &TypeOf<Surface3d>::type(), &TypeOf<Volume3d>::type()};
+}
+
+}  // namespace algebra3d

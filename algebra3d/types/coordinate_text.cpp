@@ -1,0 +1,90 @@
+#include "algebra3d/types/coordinate_text.h"
+
+#include <cmath>
+#include <optional>
+
+namespace algebra3d {
+
+namespace {
+
+Error expected(std::string_view what, std::string_view expectation, const NestedList& found) {
+  return {ErrorCode::invalid_value, "{}: expected {}, got {}", what, expectation, found.print_short()};
+}
+
+bool is_triple(const NestedList& list) {
+  return list.is_list() && list.elements().size() == 3;
+}
+
+std::optional<double> double_of(const NestedList& atom) {
+  if (atom.is_real() && std::isfinite(atom.as_real())) return atom.as_real();
+  if (atom.is_int()) return atom.as_int();
+  return std::nullopt;
+}
+
+// Nothing if one of the coordinates is no int or real.
+std::optional<Vec3> doubles_of(const NestedList& triple) {
+  Vec3 result;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto coordinate = double_of(triple.elements()[axis]);
+    if (!coordinate) return std::nullopt;
+    result[axis] = *coordinate;
+  }
+  return result;
+}
+
+bool is_in_range(const Rational& number) {
+  return std::isfinite(number.nearest_double());
+}
+
+}  // namespace
+
+NestedList coordinate_to_nested(const Rational& number) {
+  if (number.is_double()) return NestedList(number.nearest_double());
+  auto text = number.text();
+  if (number.is_integer()) text += "/1";
+  return NestedList::symbol(std::move(text));
+}
+
+Result<Rational> coordinate_from_nested(const NestedList& atom, std::string_view what) {
+  if (const auto number = double_of(atom)) return Rational(*number);
+  if (atom.is_symbol() && atom.as_symbol().find('/') != std::string::npos) {
+    if (auto number = Rational::parse(atom.as_symbol())) return *std::move(number);
+  }
+  return expected(what, "a number or a fraction p/q", atom);
+}
+
+NestedList point_to_nested(PointRef point) {
+  if (!point.is_double()) return triple_to_nested(*point.exact);
+  return NestedList::list(NestedList(point.approx.x), NestedList(point.approx.y), NestedList(point.approx.z));
+}
+
+NestedList triple_to_nested(const RationalVec3& triple) {
+  return NestedList::list(coordinate_to_nested(triple.x), coordinate_to_nested(triple.y),
+                          coordinate_to_nested(triple.z));
+}
+
+Result<RationalVec3> triple_from_nested(const NestedList& list, std::string_view what) {
+  if (!is_triple(list)) return expected(what, "(x y z)", list);
+  ASSIGN_OR_RETURN(auto x, coordinate_from_nested(list.elements()[0], what));
+  ASSIGN_OR_RETURN(auto y, coordinate_from_nested(list.elements()[1], what));
+  ASSIGN_OR_RETURN(auto z, coordinate_from_nested(list.elements()[2], what));
+  return RationalVec3(std::move(x), std::move(y), std::move(z));
+}
+
+Result<ExactPoint> point_from_nested(const NestedList& list, std::string_view what) {
+  if (is_triple(list)) {
+    if (const auto doubles = doubles_of(list)) return ExactPoint(*doubles);
+  }
+  ASSIGN_OR_RETURN(auto exact, triple_from_nested(list, what));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!is_in_range(exact[axis])) return expected(what, "coordinates within the range of real", list);
+  }
+  return ExactPoint(std::move(exact));
+}
+
+Result<double> double_from_nested(const NestedList& atom, std::string_view what) {
+  if (const auto number = double_of(atom)) return *number;
+  return expected(what, "an int or a real", atom);
+}
+
+}  // namespace algebra3d

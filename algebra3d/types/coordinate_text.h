@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string_view>
+
+#include "algebra3d/base/error.h"
+#include "algebra3d/exact/point.h"
+#include "algebra3d/types/nested_list.h"
+
+namespace algebra3d {
+
+// How exact coordinates are written in value lists (language.md 4.1): a real where the number is a double, the symbol
+// `p/q` in lowest terms otherwise. A whole number that is no double is written `p/1`: without its denominator it would
+// be read as the nearest double. What is printed reads back to an equal number, always.
+
+/// The number as an atom.
+NestedList coordinate_to_nested(const Rational& number);
+/// Reads an int, a real or a symbol `p/q` (lowest terms not required). Errors: invalid_value; `what` begins the
+/// message.
+Result<Rational> coordinate_from_nested(const NestedList& atom, std::string_view what);
+
+/// A triple as the list `(x y z)`.
+NestedList point_to_nested(PointRef point);
+NestedList triple_to_nested(const RationalVec3& triple);
+
+/// Reads `(x y z)`, exactly three coordinates of any size. Errors: invalid_value; `what` begins the message.
+Result<RationalVec3> triple_from_nested(const NestedList& list, std::string_view what);
+/// The same within the range of doubles. Cost: no rational is made if all coordinates are ints or reals.
+Result<ExactPoint> point_from_nested(const NestedList& list, std::string_view what);
+
+/// Reads an int or a real; a fraction is an error. Errors: invalid_value; `what` begins the message.
+Result<double> double_from_nested(const NestedList& atom, std::string_view what);
+
+}  // namespace algebra3d
