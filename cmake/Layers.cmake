@@ -41,3 +41,9 @@ function(add_header_check name folder headers)
     set_property(GLOBAL APPEND PROPERTY ALGEBRA3D_HEADER_CHECKS ${name}_headers)
   endif()
 endfunction()
+
+# Target `headers`: every header compiles alone. Call after the last layer.
+function(add_header_target)
+  get_property(checks GLOBAL PROPERTY ALGEBRA3D_HEADER_CHECKS)
+  add_custom_target(headers DEPENDS ${checks})
+endfunction()
