@@ -2,16 +2,13 @@
 
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace algebra3d {
 namespace {
 
-struct CodedFace {
-  std::uint64_t code;
-  std::uint32_t position;
-};
+/// Upper 32 bits of a Morton code, and the position of its face in the lower half.
+using CodedFace = std::uint64_t;
 
 /// The low 21 bits of `value`, two zeros after each.
 std::uint64_t spread_bits(std::uint64_t value) {
@@ -24,31 +21,33 @@ std::uint64_t spread_bits(std::uint64_t value) {
   return value;
 }
 
-/// Stable sort by code: 63 bits in seven rounds; a round whose digit is the same everywhere is left out.
+/// Stable sort by the upper halves; a round whose digit is the same everywhere is left out.
 void radix_sort(std::vector<CodedFace>& faces) {
-  constexpr unsigned kDigitBits = 9, kRounds = 7;
+  constexpr unsigned kDigitBits = 11, kRounds = 3;
   constexpr std::size_t kBuckets = std::size_t{1} << kDigitBits;
+  const auto digit = [](CodedFace face, unsigned round) { return (face >> (32 + round * kDigitBits)) % kBuckets; };
   std::vector<std::array<std::uint32_t, kBuckets>> counts(kRounds);
-  for (const CodedFace& face : faces)
-    for (unsigned round = 0; round < kRounds; ++round) ++counts[round][(face.code >> round * kDigitBits) % kBuckets];
+  for (const CodedFace face : faces)
+    for (unsigned round = 0; round < kRounds; ++round) ++counts[round][digit(face, round)];
   std::vector<CodedFace> sorted(faces.size());
   for (unsigned round = 0; round < kRounds; ++round) {
     auto& starts = counts[round];
-    const unsigned shift = round * kDigitBits;
-    if (starts[(faces[0].code >> shift) % kBuckets] == faces.size()) continue;
+    if (starts[digit(faces[0], round)] == faces.size()) continue;
     std::uint32_t sum = 0;
     for (std::uint32_t& start : starts) sum += std::exchange(start, sum);
-    for (const CodedFace& face : faces) sorted[starts[(face.code >> shift) % kBuckets]++] = face;
+    for (const CodedFace face : faces) sorted[starts[digit(face, round)]++] = face;
     faces.swap(sorted);
   }
 }
 
-Box3 box_of_face(const TriangleMesh& mesh, FaceId face) {
-  const TriangleRef corners = mesh.corners(face);
-  Box3 box = box_of(corners[0]);
-  box.extend(box_of(corners[1]));
-  box.extend(box_of(corners[2]));
-  return box;
+/// Orders by the full codes, where more faces than a leaf holds have the same upper half: small parts far apart.
+void sort_ties(std::vector<CodedFace>& faces, std::span<const std::uint64_t> codes) {
+  const auto full_code = [&](CodedFace face) { return std::pair(codes[static_cast<std::uint32_t>(face)], face); };
+  for (std::size_t begin = 0, end = 0; begin < faces.size(); begin = end) {
+    while (end < faces.size() && faces[end] >> 32 == faces[begin] >> 32) ++end;
+    if (end - begin > BoxHierarchy::kLeafSize)
+      std::ranges::sort(std::span(faces).subspan(begin, end - begin), {}, full_code);
+  }
 }
 
 }  // namespace
@@ -62,13 +61,28 @@ void BoxHierarchy::Box::extend(const Box& other) {
 
 BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> faces) : faces_(std::move(faces)) {
   if (faces_.empty()) return;
-  std::vector<Box3> exact_boxes;
-  exact_boxes.reserve(faces_.size());
-  Box3 bounds;
+  const PointArray& points = mesh.points();
+  choose_scale(points);
+  std::vector<Box> corners;
+  corners.reserve(points.size());
+  for (const Vec3& point : points.approx()) corners.push_back(scaled(Box3::of(point)));
+  for (const auto& [index, exact] : points.exact_entries()) corners[index] = scaled(box_of(points[index]));
+  std::vector<Box> boxes;
+  boxes.reserve(faces_.size());
   for (const std::uint32_t face : faces_) {
-    exact_boxes.push_back(box_of_face(mesh, FaceId(face)));
-    bounds.extend(exact_boxes.back());
+    const TriangleMesh::Triangle triangle = mesh.triangle(FaceId(face));
+    boxes.push_back(corners[triangle[0]]);
+    boxes.back().extend(corners[triangle[1]]);
+    boxes.back().extend(corners[triangle[2]]);
   }
+  sort_faces(boxes);
+  build_levels();
+}
+
+void BoxHierarchy::choose_scale(const PointArray& points) {
+  Box3 bounds;
+  for (const Vec3& point : points.approx()) bounds.extend(point);
+  for (const auto& [index, exact] : points.exact_entries()) bounds.extend(box_of(points[index]));
   origin_ = bounds.min;
   // Halved first, so that the extent of the largest doubles is finite. A power of two, so that few coordinates are
   // rounded; 2^20 units are what the codes can tell apart.
@@ -76,11 +90,6 @@ BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> 
   for (std::size_t axis = 0; axis < 3; ++axis)
     half_extent = std::max(half_extent, bounds.max[axis] / 2 - bounds.min[axis] / 2);
   scale_ = half_extent > 0 ? std::ldexp(1.0, std::min(19 - std::ilogb(half_extent), 1000)) : 1;
-  std::vector<Box> boxes;
-  boxes.reserve(faces_.size());
-  for (const Box3& box : exact_boxes) boxes.push_back(scaled(box));
-  sort_faces(boxes);
-  build_levels();
 }
 
 BoxHierarchy::Box BoxHierarchy::scaled(const Box3& box) const {
@@ -92,23 +101,27 @@ BoxHierarchy::Box BoxHierarchy::scaled(const Box3& box) const {
 }
 
 void BoxHierarchy::sort_faces(std::vector<Box>& boxes) {
+  std::vector<std::uint64_t> codes;
   std::vector<CodedFace> coded;
+  codes.reserve(boxes.size());
   coded.reserve(boxes.size());
   for (const Box& box : boxes) {
     // Sums of two coordinates up to 2^20; 21 bits hold all but the very last value.
     const auto cell = [&box](std::size_t axis) {
       return std::min(static_cast<std::uint64_t>(box.min[axis] + box.max[axis]), std::uint64_t{0x1FFFFF});
     };
-    const std::uint64_t code = spread_bits(cell(0)) | spread_bits(cell(1)) << 1 | spread_bits(cell(2)) << 2;
-    coded.push_back({code, static_cast<std::uint32_t>(coded.size())});
+    codes.push_back(spread_bits(cell(0)) | spread_bits(cell(1)) << 1 | spread_bits(cell(2)) << 2);
+    // The code has 63 bits.
+    coded.push_back(codes.back() >> 31 << 32 | coded.size());
   }
   radix_sort(coded);
+  sort_ties(coded, codes);
   std::vector<std::uint32_t> sorted_faces;
   sorted_faces.reserve(coded.size());
   face_boxes_.reserve(coded.size());
-  for (const CodedFace& face : coded) {
-    sorted_faces.push_back(faces_[face.position]);
-    face_boxes_.push_back(boxes[face.position]);
+  for (const CodedFace face : coded) {
+    sorted_faces.push_back(faces_[static_cast<std::uint32_t>(face)]);
+    face_boxes_.push_back(boxes[static_cast<std::uint32_t>(face)]);
   }
   faces_ = std::move(sorted_faces);
 }
@@ -136,6 +149,17 @@ void BoxHierarchy::build_levels() {
 std::span<const std::uint32_t> BoxHierarchy::leaf_faces(std::size_t leaf) const {
   const std::size_t begin = leaf * kLeafSize;
   return std::span(faces_).subspan(begin, std::min(kLeafSize, faces_.size() - begin));
+}
+
+std::span<const std::uint32_t> BoxHierarchy::reaching(std::size_t leaf, const Box& box,
+                                                      std::array<std::uint32_t, kLeafSize>& positions) const {
+  const std::size_t begin = leaf * kLeafSize, end = std::min(begin + kLeafSize, faces_.size());
+  std::size_t count = 0;
+  for (std::size_t i = begin; i < end; ++i) {
+    positions[count] = static_cast<std::uint32_t>(i);
+    count += static_cast<std::size_t>(box.meets(face_boxes_[i]));
+  }
+  return std::span(positions).first(count);
 }
 
 void BoxHierarchy::set_groups(std::span<const std::uint32_t> leaf_groups) {

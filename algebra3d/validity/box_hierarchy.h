@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -64,13 +65,13 @@ class BoxHierarchy {
   struct NodePair {
     std::uint32_t level, first, second;
   };
-  struct PairsOfLeaves;
   /// Nodes of one height above the leaves; node i has the children 2i and 2i + 1 in the level below, if they exist.
   struct Level {
     std::vector<Box> boxes;
     std::vector<std::uint32_t> groups;  // empty: none
   };
 
+  void choose_scale(const PointArray& points);
   Box scaled(const Box3& box) const;
   void sort_faces(std::vector<Box>& boxes);
   void build_levels();
@@ -78,6 +79,11 @@ class BoxHierarchy {
     return !level.groups.empty() && level.groups[a] != kNoGroup && level.groups[a] == level.groups[b];
   }
   void push_children(NodePair pair, std::vector<NodePair>& stack) const;
+  /// The positions of those of the leaf's faces whose boxes meet `box`; written to `positions`.
+  std::span<const std::uint32_t> reaching(std::size_t leaf, const Box& box,
+                                          std::array<std::uint32_t, kLeafSize>& positions) const;
+  template <typename Visit>
+  bool visit_hits(std::size_t face, std::span<const std::uint32_t> others, Visit& visit) const;
   template <typename Visit>
   bool visit_leaf_pair(std::size_t a, std::size_t b, Visit& visit) const;
   template <typename Visit>
@@ -91,33 +97,39 @@ class BoxHierarchy {
 };
 
 template <typename Visit>
+bool BoxHierarchy::visit_hits(std::size_t face, std::span<const std::uint32_t> others, Visit& visit) const {
+  // First all comparisons, then all visits: whether two boxes meet cannot be predicted, so no branch depends on it.
+  std::array<std::uint32_t, kLeafSize> hits{};
+  std::size_t hit_count = 0;
+  const Box box = face_boxes_[face];
+  for (const std::uint32_t other : others) {
+    hits[hit_count] = other;
+    hit_count += static_cast<std::size_t>(box.meets(face_boxes_[other]));
+  }
+  for (std::size_t k = 0; k < hit_count; ++k)
+    if (!visit(faces_[face], faces_[hits[k]])) return false;
+  return true;
+}
+
+template <typename Visit>
 bool BoxHierarchy::visit_leaf(std::size_t leaf, Visit& visit) const {
-  const std::size_t begin = leaf * kLeafSize, end = std::min(begin + kLeafSize, faces_.size());
-  for (std::size_t i = begin; i < end; ++i)
-    for (std::size_t j = i + 1; j < end; ++j)
-      if (face_boxes_[i].meets(face_boxes_[j]) && !visit(faces_[i], faces_[j])) return false;
+  const std::size_t begin = leaf * kLeafSize, count = leaf_faces(leaf).size();
+  std::array<std::uint32_t, kLeafSize> positions{};
+  for (std::size_t i = 0; i < count; ++i) positions[i] = static_cast<std::uint32_t>(begin + i);
+  for (std::size_t i = 0; i + 1 < count; ++i)
+    if (!visit_hits(begin + i, std::span(positions).subspan(i + 1, count - i - 1), visit)) return false;
   return true;
 }
 
 template <typename Visit>
 bool BoxHierarchy::visit_leaf_pair(std::size_t a, std::size_t b, Visit& visit) const {
   // Of neighbouring leaves few triangles reach into the other's box; only those are paired.
-  std::array<std::size_t, kLeafSize> reaching{};
-  std::size_t reaching_count = 0;
-  const Box& box_a = levels_[0].boxes[a];
-  const std::size_t begin_b = b * kLeafSize, end_b = std::min(begin_b + kLeafSize, faces_.size());
-  for (std::size_t j = begin_b; j < end_b; ++j) {
-    reaching[reaching_count] = j;
-    reaching_count += static_cast<std::size_t>(box_a.meets(face_boxes_[j]));
-  }
-  if (reaching_count == 0) return true;
-  const Box& box_b = levels_[0].boxes[b];
-  const std::size_t begin_a = a * kLeafSize, end_a = std::min(begin_a + kLeafSize, faces_.size());
-  for (std::size_t i = begin_a; i < end_a; ++i) {
-    if (!box_b.meets(face_boxes_[i])) continue;
-    for (std::size_t k = 0; k < reaching_count; ++k)
-      if (face_boxes_[i].meets(face_boxes_[reaching[k]]) && !visit(faces_[i], faces_[reaching[k]])) return false;
-  }
+  std::array<std::uint32_t, kLeafSize> from_a{}, from_b{};
+  const std::span<const std::uint32_t> reaching_a = reaching(a, levels_[0].boxes[b], from_a);
+  const std::span<const std::uint32_t> reaching_b = reaching(b, levels_[0].boxes[a], from_b);
+  if (reaching_b.empty()) return true;
+  for (const std::uint32_t i : reaching_a)
+    if (!visit_hits(i, reaching_b, visit)) return false;
   return true;
 }
 

@@ -1,6 +1,9 @@
 #include "algebra3d/validity/intersections.h"
 
+#include <algorithm>
 #include <array>
+#include <span>
+#include <vector>
 
 namespace algebra3d {
 namespace {
@@ -24,30 +27,44 @@ SharedCorners shared_corners(const TriangleMesh::Triangle& s, const TriangleMesh
   return shared;
 }
 
-bool share_a_corner(const TriangleMesh::Triangle& s, const TriangleMesh::Triangle& t) {
-  return (s[0] == t[0]) | (s[0] == t[1]) | (s[0] == t[2]) | (s[1] == t[0]) | (s[1] == t[1]) | (s[1] == t[2]) |
-         (s[2] == t[0]) | (s[2] == t[1]) | (s[2] == t[2]);
+/// True if the three points lie on one side of the plane of the triangle.
+bool on_one_side(const std::array<const Vec3*, 3>& triangle, const std::array<const Vec3*, 3>& points) {
+  const int side = orient3d(*triangle[0], *triangle[1], *triangle[2], *points[0]);
+  return side != 0 && orient3d(*triangle[0], *triangle[1], *triangle[2], *points[1]) == side &&
+         orient3d(*triangle[0], *triangle[1], *triangle[2], *points[2]) == side;
 }
 
 class PairTest {
  public:
-  PairTest(const TriangleMesh& mesh, const EmbeddedStars& stars) : mesh_(mesh), stars_(stars) {}
+  PairTest(const TriangleMesh& mesh, const EmbeddedStars& stars)
+      : mesh_(mesh), stars_(stars), all_double_(mesh.points().exact_count() == 0) {}
 
   bool is_improper(FaceId f, FaceId g) const {
     const TriangleMesh::Triangle s = mesh_.triangle(f), t = mesh_.triangle(g);
-    return share_a_corner(s, t) ? is_improper_neighbour(s, t) : is_improper_stranger(f, g);
+    // Without branches: three of four pairs end here, but which is hard to predict.
+    const bool has0 = is_corner(s[0], t), has1 = is_corner(s[1], t), has2 = is_corner(s[2], t);
+    const bool embedded = (has0 & stars_.is_embedded(VertexId(s[0]))) | (has1 & stars_.is_embedded(VertexId(s[1]))) |
+                          (has2 & stars_.is_embedded(VertexId(s[2])));
+    if (embedded) return false;
+    return has0 | has1 | has2 ? is_improper_neighbour(s, t) : is_improper_stranger(f, g);
   }
 
  private:
+  static bool is_corner(std::uint32_t vertex, const TriangleMesh::Triangle& t) {
+    return (vertex == t[0]) | (vertex == t[1]) | (vertex == t[2]);
+  }
+
   bool is_improper_stranger(FaceId f, FaceId g) const {
+    if (all_double_) {
+      const std::array<const Vec3*, 3> s = doubles(f), t = doubles(g);
+      if (on_one_side(s, t) || on_one_side(t, s)) return false;
+    }
     const Contact contact = intersect_triangles(mesh_.corners(f), mesh_.corners(g));
     return contact == Contact::segment || contact == Contact::area;
   }
 
   bool is_improper_neighbour(const TriangleMesh::Triangle& s, const TriangleMesh::Triangle& t) const {
     const SharedCorners shared = shared_corners(s, t);
-    for (std::size_t k = 0; k < shared.count; ++k)
-      if (stars_.is_embedded(VertexId(s[shared.in_first[k]]))) return false;
     const auto s_point = [&](std::size_t corner) { return mesh_.point(VertexId(s[corner % 3])); };
     const auto t_point = [&](std::size_t corner) { return mesh_.point(VertexId(t[corner % 3])); };
     const std::size_t i = shared.in_first[0], j = shared.in_second[0];
@@ -58,8 +75,15 @@ class PairTest {
     return overlap_beyond_shared_edge(s_point(i), s_point(shared.in_first[1]), s_point(s_apex), t_point(t_apex));
   }
 
+  std::array<const Vec3*, 3> doubles(FaceId face) const {
+    const TriangleMesh::Triangle t = mesh_.triangle(face);
+    const std::vector<Vec3>& points = mesh_.points().approx();
+    return {&points[t[0]], &points[t[1]], &points[t[2]]};
+  }
+
   const TriangleMesh& mesh_;
   const EmbeddedStars& stars_;
+  bool all_double_;
 };
 
 /// The first corner of the leaf's first face that is embedded and belongs to all its faces; kNoGroup if there is none.

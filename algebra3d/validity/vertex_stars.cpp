@@ -64,31 +64,31 @@ Vec3 to_integers(const Vec3& v) {
   return {std::trunc(v.x * factor), std::trunc(v.y * factor), std::trunc(v.z * factor)};
 }
 
+bool shows_front(const Star& star, const Vec3& direction, double bound) {
+  return std::ranges::all_of(star.normals, [&](const Vec3& normal) { return dot(normal, direction) > bound; });
+}
+
 /// Finds an integer direction along which every triangle shows its front; the zero vector if the search fails.
-/// The sum of the normals serves smooth surfaces. Where a triangle turns away from it, that one's unit normal is added
-/// (the perceptron rule, which ends if there is a solution with enough room).
-Vec3 front_direction(const Star& star, const Vec3& first_guess) {
+/// The sum of the normals serves smooth surfaces. Where a triangle turns away from it, that one's unit normal is added,
+/// one at a time: the perceptron rule, which ends if there is a solution with enough room.
+Vec3 front_direction(const Star& star, const Vec3& sum_of_normals) {
   // Products of two edges and d: six terms of at most longest^2 * 1024, each with seven roundings.
   const double square = star.longest * star.longest;
   const double bound = 1e-11 * square;
   // Outside this range underflow would break the bound, or overflow make it void.
   if (!(square > 1e-250 && square < 1e250)) return {};
+  Vec3 direction = to_integers(sum_of_normals);
+  if (shows_front(star, direction, bound)) return direction;
   constexpr int kRounds = 8;
-  Vec3 guess = first_guess;
+  Vec3 guess = (1 / kDirectionSize) * direction;
   for (int round = 0; round < kRounds; ++round) {
-    const Vec3 direction = to_integers(guess);
-    bool all_front = true;
-    const double guess_length = std::sqrt(dot(guess, guess));
-    if (!(guess_length > 0)) return {};
-    guess = (1 / guess_length) * guess;
     for (const Vec3& normal : star.normals) {
-      if (dot(normal, direction) > bound) continue;
-      all_front = false;
       const double length = std::sqrt(dot(normal, normal));
       if (!(length > 0)) return {};
-      guess = guess + (1 / length) * normal;
+      if (dot(normal, guess) <= 0.02 * length * std::sqrt(dot(guess, guess))) guess = guess + (1 / length) * normal;
     }
-    if (all_front) return direction;
+    direction = to_integers(guess);
+    if (shows_front(star, direction, bound)) return direction;
   }
   return {};
 }

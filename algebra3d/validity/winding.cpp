@@ -63,28 +63,28 @@ ShellWindings find_shells(const TriangleMesh& mesh) {
   return shells;
 }
 
-/// Inner point number `attempt` of a triangle: 0 is the centroid; the points lie on a curve, so that only finitely many
-/// of them can be points in which another triangle touches.
-ExactPoint inner_point(const TriangleRef& triangle, std::int64_t attempt) {
-  const std::int64_t sum = 3 + 2 * attempt + attempt * attempt;
-  const RationalVec3 weighted = triangle[0].rational() + Rational(1 + attempt) * triangle[1].rational() +
-                                Rational(1 + attempt + attempt * attempt) * triangle[2].rational();
-  return ExactPoint(Rational(1, sum) * weighted);
+/// Inner point number `attempt` (at most 50) of a triangle. The points are all different, so that only finitely many
+/// can be points in which another triangle touches. The weights are fractions of a power of two, so that the point of a
+/// triangle with short coordinates is made of doubles, which are fast.
+ExactPoint inner_point(const TriangleRef& triangle, int attempt) {
+  const std::int64_t whole = std::int64_t{4} << attempt;
+  const RationalVec3 sum =
+      triangle[0].rational() + triangle[1].rational() + Rational(whole - 2) * triangle[2].rational();
+  return ExactPoint(Rational(1, whole) * sum);
 }
 
 class WindingQuery {
  public:
   WindingQuery(const TriangleMesh& mesh, const BoxHierarchy& hierarchy, const ShellWindings& shells)
       : mesh_(mesh), hierarchy_(hierarchy), shells_(shells), shell_boxes_(shells.first_faces.size()) {
-    for (std::size_t h = 0; h < mesh.halfedge_count(); ++h) {
-      const std::uint32_t shell = shells.shell_of_face[TriangleMesh::face(HalfedgeId(h)).index()];
-      shell_boxes_[shell].extend(box_of(mesh.point(mesh.origin(HalfedgeId(h)))));
-    }
+    for (std::size_t face = 0; face < mesh.face_count(); ++face)
+      for (const PointRef& corner : mesh.corners(FaceId(face)))
+        shell_boxes_[shells.shell_of_face[face]].extend(box_of(corner));
   }
 
   /// Winding number in front of `face`, which must not be vertical.
   int in_front_of(FaceId face) const {
-    for (std::int64_t attempt = 0;; ++attempt) {
+    for (int attempt = 0;; ++attempt) {
       const Sum sum = ask(face, inner_point(mesh_.corners(face), attempt));
       if (!sum.is_on_other_triangle) return sum.winding;
     }
