@@ -14,7 +14,7 @@ bool take_end(AsciiCursor& cursor, const Keyword& joined, const Keyword& second)
 /// Does not own the text, which must outlive it. Cost: linear in the text over all calls, if they go forward.
 class SolidNames {
  public:
-  SolidNames(const char* begin, const char* end) : end_(end), line_begin_(begin), line_end_(nullptr), next_(end, end) {}
+  SolidNames(const char* begin, const char* end) : end_(end), line_begin_(begin), next_(end, end) {}
 
   /// `name` stands right behind the keyword; the result is at most the end of its line.
   const char* end_of_solid_name(const char* name);
@@ -27,7 +27,7 @@ class SolidNames {
   const char* end_;
   // The line found last, and the first word behind it: a file can be one line with a million names in it.
   const char* line_begin_;
-  const char* line_end_;
+  const char* line_end_ = nullptr;
   AsciiCursor next_;
 };
 

@@ -186,9 +186,9 @@ class AsciiReader {
     if (bad_normal_count_ > 0) read_.remarks.push_back(bad_normals_remark(bad_normal_count_));
   }
 
-  std::size_t facet_number() const { return read_.soup.triangles.size() + 1; }
+  [[nodiscard]] std::size_t facet_number() const { return read_.soup.triangles.size() + 1; }
 
-  Error at_cursor(std::string_view what) const {
+  [[nodiscard]] Error at_cursor(std::string_view what) const {
     const auto offset = static_cast<std::size_t>(cursor_.position() - bytes_.data());
     return {ErrorCode::file_format,
             "read_stl: {} byte {}, line {}: {}",

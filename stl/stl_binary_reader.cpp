@@ -95,7 +95,7 @@ class BinaryReader {
     return announced;
   }
 
-  std::string header_name() const {
+  [[nodiscard]] std::string header_name() const {
     std::string_view header = bytes_.substr(0, kBinaryHeaderBytes);
     header = trimmed(header.substr(0, header.find('\0')));
     const std::string_view keyword = header.substr(0, 5);
@@ -142,7 +142,7 @@ class BinaryReader {
     return {};
   }
 
-  Error not_finite(std::size_t facet, std::size_t corner, std::size_t axis, double value) const {
+  [[nodiscard]] Error not_finite(std::size_t facet, std::size_t corner, std::size_t axis, double value) const {
     const std::size_t byte = kBinaryPrefixBytes + facet * kBinaryFacetBytes + 12 * (corner + 1) + 4 * axis;
     return {ErrorCode::file_format,
             "read_stl: {} byte {}: facet {}, corner {}: {} is {}; expected a finite number",

@@ -35,10 +35,9 @@ bool contains_keyword(std::string_view sample, const Keyword& keyword) {
 }
 
 bool begins_like_ascii(std::string_view sample) {
-  constexpr Keyword kSolid("solid");
   AsciiCursor cursor(sample.data(), sample.data() + sample.size());
   cursor.skip_blanks();
-  return cursor.is_at(kSolid) && contains_keyword(sample, Keyword("facet")) &&
+  return cursor.is_at(Keyword("solid")) && contains_keyword(sample, Keyword("facet")) &&
          contains_keyword(sample, Keyword("vertex"));
 }
 

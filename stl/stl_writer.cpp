@@ -91,10 +91,10 @@ std::string_view cut(std::string_view text, std::size_t limit) {
 }
 
 bool begins_with_solid(std::string_view text) {
-  constexpr std::string_view kSolid = "solid";
-  if (text.size() < kSolid.size()) return false;
-  for (std::size_t i = 0; i < kSolid.size(); ++i)
-    if ((text[i] | 0x20) != kSolid[i]) return false;
+  const std::string_view solid = "solid";
+  if (text.size() < solid.size()) return false;
+  for (std::size_t i = 0; i < solid.size(); ++i)
+    if ((text[i] | 0x20) != solid[i]) return false;
   return true;
 }
 

@@ -6,6 +6,12 @@
 
 namespace stl {
 
+namespace {
+
+constexpr std::size_t kLongestFound = 24;
+
+}  // namespace
+
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
   while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
@@ -17,11 +23,10 @@ std::string counted(std::size_t count, std::string_view noun) {
 }
 
 std::string found_text(std::string_view text) {
-  constexpr std::size_t kLongest = 24;
   if (text.empty()) return "end of file";
   std::string found = "'";
   std::size_t length = 0;
-  for (; length < text.size() && length < kLongest && !is_blank(text[length]); ++length) {
+  for (; length < text.size() && length < kLongestFound && !is_blank(text[length]); ++length) {
     const char c = text[length];
     if (c >= ' ' && c <= '~')
       found += c;

@@ -22,7 +22,7 @@ void check_value(const stl::ReadStl& read) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {  // NOLINT(*-naming)
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   const auto read = stl::read_stl(bytes, "fuzz.stl");
   if (read)
