@@ -1,0 +1,103 @@
+#include "queries/language/command_reader.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace queries {
+namespace {
+
+bool is_blank(char c) {
+  return std::isspace(static_cast<unsigned char>(c)) != 0;
+}
+
+constexpr std::string_view kTextEnd = "</text--->";
+constexpr std::string_view kTextBegin = "<text>";
+
+}  // namespace
+
+std::vector<CommandText> CommandReader::add_line(std::string_view line) {
+  ++line_;
+  while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
+  std::vector<CommandText> complete;
+  if (line.starts_with('#')) return complete;
+  if (line.empty()) {
+    if (auto command = take()) complete.push_back(std::move(*command));
+    return complete;
+  }
+  if (!text_.empty()) text_ += '\n';
+  for (std::size_t position = 0; position < line.size();) add_character(line, position, complete);
+  return complete;
+}
+
+std::optional<CommandText> CommandReader::finish() {
+  return take();
+}
+
+void CommandReader::add_character(std::string_view line, std::size_t& position, std::vector<CommandText>& complete) {
+  if (literal_ != Literal::none) {
+    if (step_literal(line, position)) return;
+    text_ += line[position++];
+    return;
+  }
+  const char c = line[position];
+  if (c == ';' && depth_ == 0) {
+    ++position;
+    if (auto command = take()) complete.push_back(std::move(*command));
+    return;
+  }
+  if (text_.empty()) {
+    if (is_blank(c)) {
+      ++position;
+      return;
+    }
+    start_ = {file_, line_, static_cast<int>(position) + 1};
+  }
+  open_literal(line.substr(position));
+  if (c == '(' || c == '[' || c == '{') ++depth_;
+  // A bracket too many must not swallow the rest of the script.
+  if (c == ')' || c == ']' || c == '}') depth_ = std::max(0, depth_ - 1);
+  text_ += c;
+  ++position;
+}
+
+void CommandReader::open_literal(std::string_view rest) {
+  if (rest.front() == '"') literal_ = Literal::string;
+  if (rest.front() == '\'') literal_ = Literal::text;
+  if (rest.starts_with(kTextBegin)) literal_ = Literal::tagged_text;
+  if (rest.starts_with("_!")) literal_ = Literal::comment;
+}
+
+// Steps over an escape or the end of the literal; false if the character is an ordinary one of it.
+bool CommandReader::step_literal(std::string_view line, std::size_t& position) {
+  const std::string_view rest = line.substr(position);
+  const char quote = literal_ == Literal::string ? '"' : '\'';
+  std::size_t length = 0;
+  if (literal_ == Literal::tagged_text) {
+    if (rest.starts_with(kTextEnd)) length = kTextEnd.size();
+  } else if (literal_ == Literal::comment) {
+    if (rest.starts_with("!_")) length = 2;
+  } else if (rest.size() > 1 && rest[0] == '\\' && (rest[1] == quote || rest[1] == '\\')) {
+    text_ += rest.substr(0, 2);
+    position += 2;
+    return true;
+  } else if (rest.front() == quote) {
+    length = 1;
+  }
+  if (length == 0) return false;
+  text_ += rest.substr(0, length);
+  position += length;
+  literal_ = Literal::none;
+  return true;
+}
+
+std::optional<CommandText> CommandReader::take() {
+  literal_ = Literal::none;
+  depth_ = 0;
+  if (text_.empty()) return std::nullopt;
+  CommandText command{std::move(text_), start_};
+  text_.clear();
+  while (!command.text.empty() && is_blank(command.text.back())) command.text.pop_back();
+  return command;
+}
+
+}  // namespace queries

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "algebra3d/base/error.h"
+
+namespace queries {
+
+/// One command as it was collected, without the `;`.
+struct CommandText {
+  std::string text;
+  algebra3d::SourcePlace start;  ///< place of its first character
+};
+
+/// Assembles commands from lines (language.md 1.1): a line that begins with `#` is skipped, `;` outside of brackets and
+/// literals ends a command, and so does an empty line. Works for scripts, test files and terminals alike.
+class CommandReader {
+ public:
+  explicit CommandReader(std::string file = {}) : file_(std::move(file)) {}
+
+  /// Takes the next line (without its line end) and gives the commands that it completes.
+  std::vector<CommandText> add_line(std::string_view line);
+  /// The command that was begun and not ended, at the end of the input.
+  std::optional<CommandText> finish();
+  /// True while a command is begun: a terminal then shows that more is expected.
+  bool is_pending() const { return !text_.empty(); }
+  int line() const { return line_; }
+
+ private:
+  enum class Literal : std::uint8_t { none, string, text, tagged_text, comment };
+
+  void add_character(std::string_view line, std::size_t& position, std::vector<CommandText>& complete);
+  bool step_literal(std::string_view line, std::size_t& position);
+  void open_literal(std::string_view rest);
+  std::optional<CommandText> take();
+
+  std::string file_;
+  int line_ = 0;
+  std::string text_;
+  algebra3d::SourcePlace start_;
+  Literal literal_ = Literal::none;
+  int depth_ = 0;
+};
+
+}  // namespace queries

@@ -1,0 +1,82 @@
+#include "queries/session/inquiry.h"
+
+#include <algorithm>
+#include <system_error>
+
+namespace queries {
+namespace {
+
+NestedList symbol(std::string_view name) {
+  return NestedList::symbol(std::string(name));
+}
+
+NestedList inquiry(std::string_view what, NestedList content) {
+  return NestedList::list(symbol("inquiry"), NestedList::list(symbol(what), std::move(content)));
+}
+
+NestedList databases(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error))
+    if (entry.path().extension() == ".db") names.push_back(entry.path().stem().string());
+  std::ranges::sort(names);
+  NestedList::List list;
+  for (const std::string& name : names) list.push_back(symbol(name));
+  return NestedList(std::move(list));
+}
+
+Result<NestedList> objects(Store& store) {
+  ASSIGN_OR_RETURN(const auto infos, store.objects());
+  NestedList::List list = {symbol("OBJECTS")};
+  for (const ObjectInfo& info : infos)
+    list.push_back(
+        NestedList::list(symbol("OBJECT"), symbol(info.name), NestedList(), NestedList::list(info.type.to_nested())));
+  return NestedList(std::move(list));
+}
+
+NestedList operators(const algebra3d::Registry& registry) {
+  NestedList::List list;
+  for (const algebra3d::Operator* op : registry.operators()) {
+    NestedList::List signatures;
+    for (std::string& signature : op->all_signatures()) signatures.push_back(NestedList::text(std::move(signature)));
+    list.push_back(NestedList::list(symbol(op->name), NestedList(std::move(signatures)), NestedList::text(op->syntax),
+                                    NestedList::text(op->doc)));
+  }
+  return NestedList(std::move(list));
+}
+
+NestedList type_constructors(const algebra3d::Registry& registry) {
+  NestedList::List list;
+  for (const algebra3d::Type* type : registry.types()) {
+    NestedList::List kinds;
+    for (const auto kind : type->kinds()) {
+      using Kind = algebra3d::Type::Kind;
+      kinds.push_back(symbol(kind == Kind::data ? "DATA" : kind == Kind::spatial3d ? "SPATIAL3D" : "NUMERIC"));
+    }
+    list.push_back(NestedList::list(symbol(type->name()), NestedList(std::move(kinds)),
+                                    NestedList::text(std::string(type->notation())),
+                                    NestedList::text(std::string(type->doc()))));
+  }
+  return NestedList(std::move(list));
+}
+
+}  // namespace
+
+Result<NestedList> inquire(Inquiry::Subject subject, const algebra3d::Registry& registry, Store* store,
+                           const std::filesystem::path& folder) {
+  switch (subject) {
+    case Inquiry::Subject::databases:
+      return inquiry("databases", databases(folder));
+    case Inquiry::Subject::objects: {
+      ASSIGN_OR_RETURN(NestedList list, objects(*store));
+      return inquiry("objects", std::move(list));
+    }
+    case Inquiry::Subject::operators:
+      return inquiry("operators", operators(registry));
+    case Inquiry::Subject::type_constructors:
+      return inquiry("constructors", type_constructors(registry));
+  }
+  return Error{ErrorCode::internal, "unknown subject of an inquiry"};
+}
+
+}  // namespace queries

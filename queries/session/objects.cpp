@@ -1,0 +1,40 @@
+#include "queries/session/objects.h"
+
+#include "queries/language/checker.h"
+#include "queries/language/parser.h"
+
+namespace queries {
+
+Result<std::optional<TypeExpr>> Session::Objects::type_of(const std::string& name) {
+  if (store_ == nullptr) return std::optional<TypeExpr>();
+  ASSIGN_OR_RETURN(const auto info, store_->find(name));
+  return info ? std::optional(info->type) : std::nullopt;
+}
+
+Result<Datum> Session::Objects::value_of(const std::string& name) {
+  if (const auto known = values_.find(name); known != values_.end()) return known->second;
+  ASSIGN_OR_RETURN(const auto info, store_->find(name));
+  if (!info) return Error{ErrorCode::unknown_name, "unknown object '{}'", name};
+  ASSIGN_OR_RETURN(Datum value, info->type.is_function() ? function_of(*info) : store_->read(name));
+  return values_.emplace(name, std::move(value)).first->second;
+}
+
+Result<Datum> Session::Objects::function_of(const ObjectInfo& info) {
+  ASSIGN_OR_RETURN(const ExpressionPtr expression, parse_expression(info.function_text, registry_, {info.name, 1, 1}));
+  ASSIGN_OR_RETURN(const TypedPtr function, Checker(registry_, *this, context_).check(*expression));
+  if (!(function->type() == info.type))
+    return Error{ErrorCode::type_error, "{}: the function was {} when it was defined and is {} now", info.name,
+                 info.type.text(), function->type().text()};
+  return function->evaluate(nullptr, context_);
+}
+
+std::vector<std::string> Session::Objects::names() {
+  std::vector<std::string> names;
+  if (store_ == nullptr) return names;
+  auto objects = store_->objects();
+  if (!objects) return names;  // only suggestions come from here
+  for (const ObjectInfo& info : *objects) names.push_back(info.name);
+  return names;
+}
+
+}  // namespace queries

@@ -1,0 +1,51 @@
+// Results as nested lists (language.md 4).
+#include "queries/session/session.h"
+
+namespace queries {
+namespace {
+
+Result<NestedList> tuple_list(const Tuple& tuple) {
+  NestedList::List values;
+  values.reserve(tuple.attributes.size());
+  for (const Value& attribute : tuple.attributes) {
+    ASSIGN_OR_RETURN(const Value loaded, attribute.loaded());
+    values.push_back(loaded.to_nested());
+  }
+  return NestedList(std::move(values));
+}
+
+Result<NestedList> relation_list(Relation& relation, Context& context) {
+  ASSIGN_OR_RETURN(const TupleStreamPtr tuples, relation.scan());
+  NestedList::List rows;
+  while (true) {
+    RETURN_IF_ERROR(context.check_cancelled());
+    ASSIGN_OR_RETURN(const TuplePtr tuple, tuples->next());
+    if (tuple == nullptr) return NestedList(std::move(rows));
+    ASSIGN_OR_RETURN(NestedList row, tuple_list(*tuple));
+    rows.push_back(std::move(row));
+  }
+}
+
+}  // namespace
+
+Result<NestedList> value_list(const TypeExpr& type, const Datum& value, Context& context) {
+  if (type.is_relation()) return relation_list(*value.relation(), context);
+  if (type.is_function()) return value.function().to_nested();
+  if (type.is("rtree3")) {
+    const SpatialIndex& index = *value.index();
+    return NestedList::list(NestedList::symbol(index.is_definition() ? index.relation() : "frozen"),
+                            NestedList::symbol(index.attribute()),
+                            NestedList(static_cast<std::int32_t>(index.tree().size())));
+  }
+  if (!std::holds_alternative<Value>(value.content))
+    return Error{ErrorCode::not_evaluable, "a result of type {} cannot be shown", type.text()};
+  ASSIGN_OR_RETURN(const Value loaded, value.value().loaded());
+  return loaded.to_nested();
+}
+
+Result<NestedList> result_list(const TypeExpr& type, const Datum& value, Context& context) {
+  ASSIGN_OR_RETURN(NestedList list, value_list(type, value, context));
+  return NestedList::list(type.to_nested(), std::move(list));
+}
+
+}  // namespace queries

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "algebra3d/base/context.h"
+#include "algebra3d/registry/registry.h"
+#include "queries/language/command.h"
+#include "queries/language/typed_tree.h"
+#include "queries/store/store.h"
+
+namespace queries {
+
+/// Takes the result of a statement while it is being run: relations are pulled from the database by the presenter.
+class Presenter {
+ public:
+  virtual ~Presenter() = default;
+  Presenter() = default;
+  Presenter(const Presenter&) = delete;
+  Presenter& operator=(const Presenter&) = delete;
+  /// The result of a query.
+  virtual Status present(const TypeExpr& type, const Datum& value, Context& context) = 0;
+  /// The result list of an inquiry, `(inquiry (...))`.
+  virtual Status present_inquiry(const NestedList& result) = 0;
+};
+
+struct SessionOptions {
+  /// Folder of the databases that `create`, `open` and `delete database N` mean.
+  std::filesystem::path folder = ".";
+  bool read_only = false;
+};
+
+/// One user's state: the open database, if any. Runs statements from text to result; each is one transaction, which
+/// happens or does not. Used by one thread. The registry outlives the session.
+class Session {
+ public:
+  Session(const algebra3d::Registry& registry, SessionOptions options);
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  /// Opens that file, and creates it if it is not there (unless read-only).
+  Status open_file(const std::filesystem::path& file);
+  /// Runs one command. Reasons of undefined values and remarks go to `context.diagnostics`. Never throws: exhausted
+  /// memory becomes error out_of_memory. After an error the database is as before the command.
+  Status execute(std::string_view text, SourcePlace start, Presenter& presenter, Context& context);
+
+  /// Null while no database is open.
+  Store* store() { return store_.get(); }
+  const algebra3d::Registry& registry() const { return registry_; }
+
+ private:
+  class Objects;
+
+  Status run(const Command& command, Presenter& presenter, Context& context);
+  Status run(const CreateDatabase& command, Presenter& presenter, Context& context);
+  Status run(const DeleteDatabase& command, Presenter& presenter, Context& context);
+  Status run(const OpenDatabase& command, Presenter& presenter, Context& context);
+  Status run(const CloseDatabase& command, Presenter& presenter, Context& context);
+  Status run(const CreateObject& command, Presenter& presenter, Context& context);
+  Status run(const LetObject& command, Presenter& presenter, Context& context);
+  Status run(const UpdateObject& command, Presenter& presenter, Context& context);
+  Status run(const DeleteObject& command, Presenter& presenter, Context& context);
+  Status run(const Query& command, Presenter& presenter, Context& context);
+  Status run(const Inquiry& command, Presenter& presenter, Context& context);
+
+  /// Runs `work` as one transaction of the open database, or without one if none is open.
+  template <typename Work>
+  Status in_transaction(bool writes, Work work);
+  Result<Store*> required_store();
+  Status check_new_name(const std::string& name);
+  Status require_closed();
+  Result<std::filesystem::path> database_file(const std::string& name) const;
+  Status define(const LetObject& command, Context& context);
+
+  const algebra3d::Registry& registry_;
+  SessionOptions options_;
+  std::unique_ptr<Store> store_;
+};
+
+/// The result list `(T V)` of a query. Streams and tuples have none: error not_evaluable.
+Result<NestedList> result_list(const TypeExpr& type, const Datum& value, Context& context);
+/// The value list V alone.
+Result<NestedList> value_list(const TypeExpr& type, const Datum& value, Context& context);
+
+}  // namespace queries
