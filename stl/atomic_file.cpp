@@ -62,6 +62,7 @@ std::filesystem::path folder_of(const std::filesystem::path& file) {
 }  // namespace
 
 Result<AtomicFile> AtomicFile::create(const std::filesystem::path& path) {
+  if (path.empty()) return Error{ErrorCode::io_error, "the file name is empty"};
   AtomicFile file;
   file.path_ = path;
   std::error_code error;
