@@ -62,6 +62,7 @@ class Surface3d {
 
   const TriangleMesh& mesh() const { return geometry_->mesh; }
   const Box3& box() const { return geometry_->box; }
+  const Geometry& geometry() const { return *geometry_; }
 
  private:
   explicit Surface3d(std::shared_ptr<const Geometry> geometry) : geometry_(std::move(geometry)) {}
@@ -78,6 +79,7 @@ class Volume3d {
 
   const TriangleMesh& mesh() const { return geometry_->mesh; }
   const Box3& box() const { return geometry_->box; }
+  const Geometry& geometry() const { return *geometry_; }
 
  private:
   explicit Volume3d(std::shared_ptr<const Geometry> geometry) : geometry_(std::move(geometry)) {}

@@ -1,0 +1,157 @@
+#include "algebra3d/types/geometry.h"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "algebra3d/exact/predicates.h"
+#include "algebra3d/repair/weld.h"
+#include "algebra3d/types/coordinate_text.h"
+#include "algebra3d/types/described_type.h"
+
+namespace algebra3d {
+namespace {
+
+using Triangle = TriangleMesh::Triangle;
+
+Result<std::array<ExactPoint, 3>> corners_from_nested(const NestedList& list, std::string_view what) {
+  if (!list.is_list() || list.elements().size() != 3)
+    return Error{ErrorCode::invalid_value, "{}: expected (p1 p2 p3), got {}", what, list.print_short()};
+  std::array<ExactPoint, 3> corners;
+  for (std::size_t i = 0; i < 3; ++i) {
+    ASSIGN_OR_RETURN(corners[i], point_from_nested(list.elements()[i], what));
+  }
+  return corners;
+}
+
+/// The points in ascending order; equal points have one rank.
+struct RankedPoints {
+  std::vector<std::uint32_t> ranks;   // of each point
+  std::vector<std::uint32_t> points;  // of each rank, one point
+};
+
+RankedPoints rank_points(const PointArray& points) {
+  std::vector<std::uint32_t> order(points.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
+    const auto by_place = compare(points[a], points[b]);
+    return by_place != 0 ? by_place < 0 : a < b;
+  });
+  RankedPoints result;
+  result.ranks.resize(points.size());
+  for (const std::uint32_t point : order) {
+    if (result.points.empty() || !equal(points[result.points.back()], points[point])) result.points.push_back(point);
+    result.ranks[point] = static_cast<std::uint32_t>(result.points.size() - 1);
+  }
+  return result;
+}
+
+/// The rotation of three numbers that comes first.
+template <typename T>
+std::array<T, 3> first_rotation(const std::array<T, 3>& t) {
+  return std::min({t, {t[1], t[2], t[0]}, {t[2], t[0], t[1]}});
+}
+
+/// The triangles as points in canonical order.
+std::vector<Triangle> canonical_triangles(const TriangleMesh& mesh) {
+  const RankedPoints ranked = rank_points(mesh.points());
+  std::vector<Triangle> triangles(mesh.face_count());
+  for (std::size_t f = 0; f < triangles.size(); ++f) {
+    const Triangle t = mesh.triangle(FaceId(f));
+    triangles[f] = first_rotation(Triangle{ranked.ranks[t[0]], ranked.ranks[t[1]], ranked.ranks[t[2]]});
+  }
+  std::ranges::sort(triangles);
+  for (Triangle& t : triangles)
+    for (std::uint32_t& corner : t) corner = ranked.points[corner];
+  return triangles;
+}
+
+std::strong_ordering compare_boxes(const Box3& a, const Box3& b) {
+  for (const auto& [p, q] : {std::pair{a.min, b.min}, std::pair{a.max, b.max}})
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (const auto order = compare_reals(p[axis], q[axis]); order != 0) return order;
+  return std::strong_ordering::equal;
+}
+
+}  // namespace
+
+std::shared_ptr<const Geometry> make_geometry(TriangleMesh mesh) {
+  Box3 box;
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    if (mesh.is_isolated(VertexId(v))) continue;
+    const PointRef point = mesh.point(VertexId(v));
+    if (point.is_double())
+      box.extend(point.approx);
+    else
+      box.extend(box_of(point));
+  }
+  return std::make_shared<const Geometry>(Geometry{std::move(mesh), box});
+}
+
+Result<TriangleMesh> mesh_from_nested(const NestedList& list, std::string_view type_name) {
+  if (!list.is_list())
+    return Error{ErrorCode::invalid_value, "{}: expected a list of triangles, got {}", type_name, list.print_short()};
+  if (list.elements().size() > TriangleMesh::kMaxFaces)
+    return Error{ErrorCode::limit_exceeded, "{}: expected at most {} triangles, got {}", type_name,
+                 TriangleMesh::kMaxFaces, list.elements().size()};
+  std::vector<std::array<ExactPoint, 3>> corners;
+  corners.reserve(list.elements().size());
+  for (const NestedList& element : list.elements()) {
+    ASSIGN_OR_RETURN(auto triangle,
+                     corners_from_nested(element, fmt::format("{}: triangle {}", type_name, corners.size() + 1)));
+    corners.push_back(std::move(triangle));
+  }
+  WeldedTriangles welded = weld(corners);
+  return TriangleMesh(std::move(welded.points), welded.triangles);
+}
+
+NestedList mesh_to_nested(const TriangleMesh& mesh) {
+  NestedList::List triangles;
+  triangles.reserve(mesh.face_count());
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const TriangleRef corners = mesh.corners(FaceId(f));
+    triangles.push_back(
+        NestedList::list(point_to_nested(corners[0]), point_to_nested(corners[1]), point_to_nested(corners[2])));
+  }
+  return NestedList(std::move(triangles));
+}
+
+std::strong_ordering compare_triangles(const Geometry& a, const Geometry& b) {
+  if (&a == &b) return std::strong_ordering::equal;
+  if (const auto order = a.mesh.face_count() <=> b.mesh.face_count(); order != 0) return order;
+  if (const auto order = compare_boxes(a.box, b.box); order != 0) return order;
+  const std::vector<Triangle> triangles_a = canonical_triangles(a.mesh);
+  const std::vector<Triangle> triangles_b = canonical_triangles(b.mesh);
+  for (std::size_t f = 0; f < triangles_a.size(); ++f)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const PointRef p = a.mesh.points()[triangles_a[f][i]];
+      const PointRef q = b.mesh.points()[triangles_b[f][i]];
+      if (const auto order = compare(p, q); order != 0) return order;
+    }
+  return std::strong_ordering::equal;
+}
+
+std::size_t hash_triangles(const TriangleMesh& mesh) {
+  // The rounded coordinates do: equal points have equal ones. Of the three rotations that with the smallest hashes
+  // counts, and the sum of all triangles does not depend on their order.
+  std::vector<std::size_t> point_hashes;
+  point_hashes.reserve(mesh.vertex_count());
+  for (const Vec3& p : mesh.points().approx())
+    point_hashes.push_back(combine_hashes(combine_hashes(hash_real(p.x), hash_real(p.y)), hash_real(p.z)));
+  std::size_t sum = mesh.face_count();
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const Triangle t = mesh.triangle(FaceId(f));
+    const auto [h0, h1, h2] =
+        first_rotation(std::array<std::size_t, 3>{point_hashes[t[0]], point_hashes[t[1]], point_hashes[t[2]]});
+    sum += hash_word(combine_hashes(combine_hashes(h0, h1), h2));
+  }
+  return sum;
+}
+
+bool has_equal_points(const TriangleMesh& mesh) {
+  return rank_points(mesh.points()).points.size() < mesh.vertex_count();
+}
+
+}  // namespace algebra3d
