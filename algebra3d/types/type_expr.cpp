@@ -84,6 +84,7 @@ NestedList TypeExpr::to_nested() const {
 
 Result<TypeExpr> TypeExpr::from_nested(const NestedList& list) {
   if (list.is_bool()) return TypeExpr(list.as_bool() ? "TRUE" : "FALSE");
+  if (list.is_symbol("tuple")) return no_type("(tuple ((Name type) ...))", list);
   if (list.is_symbol() && is_name(list.as_symbol())) return TypeExpr(list.as_symbol());
   if (!list.is_list()) return no_type("a name or (constructor type ...)", list);
   const auto& terms = list.elements();

@@ -36,7 +36,7 @@ void check_type_term(const NestedList& list) {
 
 void check_value(const algebra3d::Type& type, const NestedList& list) {
   algebra3d::Diagnostics diagnostics;
-  algebra3d::Context context{diagnostics};
+  algebra3d::Context context{diagnostics, nullptr, {}};
   const auto value = value_from_nested(type, list, context);
   if (!value) {
     require(!value.error().message.empty());
