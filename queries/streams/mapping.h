@@ -16,21 +16,27 @@ class MappingCheck {
  public:
   MappingCheck(std::string_view op, std::span<const ArgumentType> arguments) : op_(op), arguments_(arguments) {}
 
-  /// The tuple type of a stream or relation operand.
-  Result<TypeExpr> tuple_stream(std::size_t position) const;
+  /// The tuple type of a stream of tuples.
+  Result<TypeExpr> stream(std::size_t position) const;
+  /// The tuple type of a relation.
   Result<TypeExpr> relation(std::size_t position) const;
-  /// A function with that result type, or any if `result` is empty.
+  /// The tuple type of a stream of tuples or of a relation.
+  Result<TypeExpr> stream_or_relation(std::size_t position) const;
+  /// The function at `position` gives that type; a value type of any kind if `result` is empty.
   Status function(std::size_t position, std::string_view result = {}) const;
   Status type(std::size_t position, std::string_view wanted) const;
-  /// Position of the attribute that `names[which]` of an argument names.
+  /// Index of the attribute that `names[which]` of the argument names.
   Result<std::size_t> attribute(std::size_t position, const TypeExpr& tuple, std::size_t which = 0) const;
-  /// A tuple type without clashes. `left` and `right` in this order.
+  /// Indices of all the attributes that the argument names.
+  Result<std::vector<std::size_t>> attributes(std::size_t position, const TypeExpr& tuple) const;
+  /// Both tuples side by side. Error if a name occurs twice.
   Result<TypeExpr> concatenated(const TypeExpr& left, const TypeExpr& right) const;
-  /// Error unless every name is new in `tuple` and in the list itself.
-  Status new_names(const TypeExpr& tuple, std::span<const std::string> names) const;
+  /// `tuple` with the attributes that the function list at `position` makes.
+  Result<TypeExpr> extended(const TypeExpr& tuple, std::size_t position) const;
+  Status argument_count(std::size_t least, std::size_t most) const;
 
   Error expected(std::string_view what, const TypeExpr& got) const;
-  Error error(std::string_view text) const;
+  Error error(std::string text) const;
   std::size_t count() const { return arguments_.size(); }
   const ArgumentType& operator[](std::size_t position) const { return arguments_[position]; }
 
@@ -38,5 +44,55 @@ class MappingCheck {
   std::string op_;
   std::span<const ArgumentType> arguments_;
 };
+
+/// A type whose instances are values: neither stream, relation, tuple nor function.
+bool is_value_type(const TypeExpr& type);
+
+/// A stream whose `next` is a function object.
+template <typename Next>
+TupleStreamPtr make_stream(Next next) {
+  class Stream final : public TupleStream {
+   public:
+    explicit Stream(Next function) : function_(std::move(function)) {}
+    Result<TuplePtr> next() override { return function_(); }
+
+   private:
+    Next function_;
+  };
+  return std::make_shared<Stream>(std::move(next));
+}
+template <typename Next>
+ValueStreamPtr make_value_stream(Next next) {
+  class Stream final : public ValueStream {
+   public:
+    explicit Stream(Next function) : function_(std::move(function)) {}
+    Result<std::optional<Value>> next() override { return function_(); }
+
+   private:
+    Next function_;
+  };
+  return std::make_shared<Stream>(std::move(next));
+}
+
+/// The tuples of a stream or relation operand.
+Result<TupleStreamPtr> tuples_of(const Datum& operand);
+/// Calls `visit(tuple)` for each tuple until the end or an error. Interruptible.
+template <typename Visit>
+Status for_each_tuple(TupleStream& stream, const Context& context, Visit visit) {
+  for (std::uint32_t step = 1;; ++step) {
+    ASSIGN_OR_RETURN(const TuplePtr tuple, stream.next());
+    if (tuple == nullptr) return {};
+    if (step % 1024 == 0) RETURN_IF_ERROR(context.check_cancelled());
+    RETURN_IF_ERROR(visit(tuple));
+  }
+}
+/// The attributes of both, without an id.
+TuplePtr concatenated(const Tuple& left, const Tuple& right);
+/// Calls a function of one tuple that gives a value.
+Result<Value> call_on(const Function& function, const TuplePtr& tuple);
+/// True if the predicate gives a defined TRUE.
+bool is_true(const Value& value);
+/// The list of functions of a `functions` place, applied to the tuple; appended to `attributes`.
+Status append_results(const DatumList& functions, const Datum& argument, std::vector<Value>& attributes);
 
 }  // namespace queries

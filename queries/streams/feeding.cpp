@@ -1,0 +1,122 @@
+// feed, consume, count: between relations and streams.
+#include <limits>
+#include <utility>
+
+#include "algebra3d/types/scalars.h"
+#include "queries/streams/all.h"
+#include "queries/streams/mapping.h"
+#include "queries/streams/relation.h"
+
+namespace queries {
+namespace {
+
+// The one place where long scans notice that the statement was interrupted.
+TupleStreamPtr interruptible(TupleStreamPtr tuples, const Context& context) {
+  return make_stream([tuples = std::move(tuples), &context, step = 0U]() mutable -> Result<TuplePtr> {
+    if (++step % 256 == 0) RETURN_IF_ERROR(context.check_cancelled());
+    return tuples->next();
+  });
+}
+
+Result<Plan> map_feed(std::span<const ArgumentType> arguments) {
+  const MappingCheck check("feed", arguments);
+  if (check[0].type.is_relation())
+    return Plan{TypeExpr::stream(check[0].type.element()),
+                [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                  ASSIGN_OR_RETURN(TupleStreamPtr tuples, given[0].relation()->scan());
+                  return Datum{interruptible(std::move(tuples), context)};
+                }};
+  if (!is_value_type(check[0].type)) return check.expected("a relation or a value", check[0].type);
+  return Plan{TypeExpr::stream(check[0].type), [](std::vector<Datum> given, Context&) -> Result<Datum> {
+                return Datum{make_value_stream([value = std::optional(given[0].value())]() mutable {
+                  return Result<std::optional<Value>>(std::exchange(value, std::nullopt));
+                })};
+              }};
+}
+
+Result<Plan> map_consume(std::span<const ArgumentType> arguments) {
+  ASSIGN_OR_RETURN(const TypeExpr tuple, MappingCheck("consume", arguments).stream(0));
+  return Plan{TypeExpr::rel(tuple), [tuple](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                ASSIGN_OR_RETURN(auto tuples, materialise(*given[0].tuples(), context));
+                return Datum{RelationPtr(std::make_shared<MemoryRelation>(tuple, std::move(tuples)))};
+              }};
+}
+
+Result<Datum> counted(std::int64_t count, Context& context) {
+  if (count <= std::numeric_limits<std::int32_t>::max())
+    return Datum{Value::of<std::int32_t>(static_cast<std::int32_t>(count))};
+  context.diagnostics.report("count: the result " + std::to_string(count) + " is beyond the range of ints");
+  return Datum{Value(algebra3d::TypeOf<std::int32_t>::type())};
+}
+
+Result<Datum> count_values(ValueStream& values, Context& context) {
+  for (std::int64_t count = 0;; ++count) {
+    if (count % 1024 == 0) RETURN_IF_ERROR(context.check_cancelled());
+    ASSIGN_OR_RETURN(const auto value, values.next());
+    if (!value) return counted(count, context);
+  }
+}
+
+Result<Datum> count_tuples(TupleStream& tuples, Context& context) {
+  std::int64_t count = 0;
+  RETURN_IF_ERROR(for_each_tuple(tuples, context, [&](const TuplePtr&) -> Status { return ++count, Status(); }));
+  return counted(count, context);
+}
+
+Result<Plan> map_count(std::span<const ArgumentType> arguments) {
+  const MappingCheck check("count", arguments);
+  const TypeExpr& type = check[0].type;
+  if (!type.is_relation() && !type.is_stream()) return check.expected("a relation or a stream", type);
+  return Plan{"int", [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                if (const auto* relation = std::get_if<RelationPtr>(&given[0].content)) {
+                  ASSIGN_OR_RETURN(const std::int64_t count, (*relation)->count());
+                  return counted(count, context);
+                }
+                if (const auto* values = std::get_if<ValueStreamPtr>(&given[0].content))
+                  return count_values(**values, context);
+                return count_tuples(*given[0].tuples(), context);
+              }};
+}
+
+}  // namespace
+
+void register_feeding(algebra3d::Registry& registry) {
+  registry.add({
+      .name = "feed",
+      .syntax = "_ feed",
+      .doc =
+          "The tuples of a relation as a stream, in storage order; of a single value the stream of that one element.",
+      .stream = stream_operator(map_feed),
+      .signatures = {"(rel(tuple)) -> stream(tuple)", "(DATA) -> stream(DATA)"},
+      .handles_undefined = true,
+      .examples = {{"[const rel(tuple([A: int])) value ((1) (2))] feed consume", "((1) (2))"},
+                   {"5 feed count", "1"},
+                   {"[const int value undefined] feed count", "1"}},
+      .errors = {{"query intstream(1, 2) feed", "feed: expected a relation or a value, got (stream int)"}},
+  });
+  registry.add({
+      .name = "consume",
+      .syntax = "_ consume",
+      .doc = "The relation of all tuples of a stream.",
+      .stream = stream_operator(map_consume),
+      .signatures = {"(stream(tuple)) -> rel(tuple)"},
+      .handles_undefined = true,
+      .examples = {{"intstream(1, 3) transformstream consume", "((1) (2) (3))"},
+                   {"[const int value undefined] feed transformstream consume", "((undefined))"}},
+      .errors = {{"query 5 consume", "consume: expected a stream of tuples, got int"}},
+  });
+  registry.add({
+      .name = "count",
+      .syntax = "_ count",
+      .doc = "The number of tuples of a relation, or of elements of a stream.",
+      .stream = stream_operator(map_count),
+      .signatures = {"(rel(tuple)) -> int", "(stream(tuple)) -> int", "(stream(DATA)) -> int"},
+      .handles_undefined = true,
+      .examples = {{"intstream(1, 10) count", "10"},
+                   {"[const rel(tuple([A: int])) value ()] count", "0"},
+                   {"[const int value undefined] feed count", "1"}},
+      .errors = {{"query 5 count", "count: expected a relation or a stream, got int"}},
+  });
+}
+
+}  // namespace queries
