@@ -174,7 +174,7 @@ void nearest_ours(benchmark::State& state) {
   double sum = 0;
   for (auto _ : state) {
     for (const Box3& place : d.places) {
-      auto cursor = d.first_tree.nearest(place);
+      auto cursor = d.first_tree.nearest(place, 10);
       for (int i = 0; i < 10; ++i) sum += cursor.next()->distance;
     }
   }

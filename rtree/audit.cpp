@@ -77,7 +77,7 @@ class Auditor {
       if (child_info.parent != node) complain("node {} names {} as its parent, not {}", child, child_info.parent, node);
       if (child_info.level + 1 != info.level)
         complain("node {} of level {} has child {} of level {}", node, info.level, child, child_info.level);
-      else if (child_info.count <= kFanOut)
+      else
         stack.push_back(child);
       if (child_info.count <= kFanOut && storage_.bounds(child) != storage_.nodes[node].box(slot))
         complain("node {} slot {}: the box is not the union of the boxes of child {}", node, slot, child);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cassert>
 
 #include "rtree/selection.h"
@@ -95,11 +96,23 @@ class Loader {
   }
 
   // By index, so that the order within a leaf does not depend on how the selection moved the seeds.
-  void fill_leaf(NodeIndex node, const Part& part) {
-    std::sort(seeds_.begin() + static_cast<std::ptrdiff_t>(part.begin),
-              seeds_.begin() + static_cast<std::ptrdiff_t>(part.end),
-              [](const Seed& a, const Seed& b) { return a.index < b.index; });
-    for (std::size_t i = part.begin; i < part.end; ++i) storage_.append(node, entries_[seeds_[i].index]);
+  void fill_leaf(NodeIndex index, const Part& part) {
+    std::array<std::uint32_t, kFanOut> order;
+    const std::size_t count = part.end - part.begin;
+    for (std::size_t i = 0; i < count; ++i) order[i] = seeds_[part.begin + i].index;
+    std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count));
+    Node<Payload>& leaf = storage_.nodes[index];
+    for (std::size_t i = 0; i < count; ++i) leaf.set(i, entries_[order[i]]);
+    storage_.infos[index].count = static_cast<std::uint16_t>(count);
+  }
+
+  // The entries lie all over the input: they are on their way while their seeds are cut into leaves.
+  void prefetch_entries(const Part& part) const {
+    for (std::size_t i = part.begin; i < part.end; ++i) {
+      const auto* bytes = reinterpret_cast<const char*>(&entries_[seeds_[i].index]);
+      __builtin_prefetch(bytes);
+      __builtin_prefetch(bytes + sizeof(Entry<Payload>) - 1);
+    }
   }
 
   void cut_into_children(NodeIndex node, const Task& task) {
@@ -107,6 +120,7 @@ class Loader {
     std::size_t capacity = 1;  // leaves of a full child
     for (std::size_t level = 1; level < task.level; ++level) capacity *= kFanOut;
     whole.node_count = (whole.leaf_count + capacity - 1) / capacity;
+    if (task.level == 1) prefetch_entries(whole);
     whole.region = region_of(whole);
     parts_.push_back(whole);
     while (!parts_.empty()) {

@@ -55,6 +55,7 @@ class WindowCursor {
 
   bool find_leaf();
   void enter(const Node<Payload>& node, std::uint32_t level);
+  void prefetch_leaves(const Node<Payload>& node, SlotMask slots) const;
 
   const Node<Payload>* nodes_;
   const Node<Payload>* leaf_ = nullptr;
@@ -74,25 +75,27 @@ struct Neighbor {
 };
 
 /// Entries by growing distance from a box, equal distances by payload; each step does only the work that it needs.
-/// Distances are compared as rounded squares. Lifetime: as WindowCursor.
+/// Distances are rounded and compared as rounded, at any size of the coordinates; beyond the largest
+/// double they are infinite. Lifetime: as WindowCursor.
 /// Source: [hjaltason1999].
 template <typename Payload>
 class NearestCursor {
  public:
+  /// The cursor ends after `limit` entries; a limit that is known beforehand saves work.
   /// Domain: any box, infinite extents included; an empty one has no neighbours.
-  NearestCursor(const Storage<Payload>& storage, const Box3& box);
+  NearestCursor(const Storage<Payload>& storage, const Box3& box, std::size_t limit);
 
   std::optional<Neighbor<Payload>> next();
 
  private:
   struct Candidate {
-    double squared_distance;
+    double distance;
     Payload reference;
     std::uint32_t level;  ///< 0: an entry; else one above the level of the node
 
     // Nodes before entries at the same distance: they may hold an entry of smaller payload.
     bool is_after(const Candidate& other) const {
-      if (squared_distance != other.squared_distance) return squared_distance > other.squared_distance;
+      if (distance != other.distance) return distance > other.distance;
       if ((level == 0) != (other.level == 0)) return level == 0;
       return reference > other.reference;
     }
@@ -101,10 +104,15 @@ class NearestCursor {
   void expand(NodeIndex node, std::uint32_t level);
   void push(const Candidate& candidate);
   Candidate pop();
+  void lower_bound(double distance);
 
   const Storage<Payload>* storage_;
   Box3 box_;
-  double scale_ = 1;
+  std::size_t limit_;               // entries still to be handed out
+  double bound_ = Box3::kInfinity;  // nothing farther away can be among them
+  double square_bound_ = Box3::kInfinity;
+  std::vector<double> bounds_;   // distances of the nearest entries seen, the largest first; for small limits
+  std::size_t bounds_size_ = 0;  // entries that `bounds_` is to hold; 0: no bound is kept
   std::vector<Candidate> heap_;
 };
 

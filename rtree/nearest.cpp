@@ -6,35 +6,55 @@
 namespace rtree {
 namespace {
 
-// A power of two by which the largest distance between the boxes comes to about 1: then no square overflows, and only
-// distances below 1e-154 of the largest underflow.
-double scale_for(const Box3& a, const Box3& b) {
-  double largest = 0;
+// Beyond this many the bound costs more than it saves.
+constexpr std::size_t kLargestBoundedLimit = 64;
+
+// Where the square lies outside of this range, the scaled one is computed instead.
+constexpr double kSmallSquare = 0x1p-900;
+constexpr double kLargeSquare = 0x1p1000;
+
+double gap_on(const Box3& a, const Box3& b, std::size_t axis) {
+  const double above = a.min[axis] - b.max[axis];
+  const double below = b.min[axis] - a.max[axis];
+  return above > 0 ? above : below > 0 ? below : 0;
+}
+
+// Scaled by a power of two, the squares neither overflow nor underflow, and the distance is the one that the plain
+// formula would give if exponents had no limit: distances of nodes and of their entries stay in order.
+double scaled_distance(const Box3& a, const Box3& b, double scale) {
+  double sum = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    // Halved first, so that the difference of the largest numbers stays finite.
-    const double width = std::max(a.max[axis] / 2 - b.min[axis] / 2, b.max[axis] / 2 - a.min[axis] / 2);
-    if (std::isfinite(width)) largest = std::max(largest, width);
+    const double gap = scale * gap_on(a, b, axis);
+    sum += gap * gap;
   }
-  if (largest == 0) return 1;
-  return std::ldexp(1.0, std::clamp(-std::ilogb(largest) - 1, -1022, 1022));
+  return std::sqrt(sum) / scale;
 }
 
 }  // namespace
 
 template <typename Payload>
-NearestCursor<Payload>::NearestCursor(const Storage<Payload>& storage, const Box3& box)
-    : storage_(&storage), box_(box) {
-  if (storage.root == kNoNode || box.is_empty()) return;
-  scale_ = scale_for(storage.bounds(storage.root), box);
-  heap_.reserve(256);
+NearestCursor<Payload>::NearestCursor(const Storage<Payload>& storage, const Box3& box, std::size_t limit)
+    : storage_(&storage), box_(box), limit_(limit) {
+  if (storage.root == kNoNode || box.is_empty() || limit == 0) return;
+  if (limit <= kLargestBoundedLimit) {
+    bounds_size_ = limit;
+    bounds_.reserve(limit);
+  }
+  heap_.reserve(128);
   expand(storage.root, static_cast<std::uint32_t>(storage.height()));
 }
 
 template <typename Payload>
 std::optional<Neighbor<Payload>> NearestCursor<Payload>::next() {
-  while (!heap_.empty()) {
+  while (limit_ > 0 && !heap_.empty()) {
     const Candidate nearest = pop();
-    if (nearest.level == 0) return Neighbor<Payload>{nearest.reference, std::sqrt(nearest.squared_distance) / scale_};
+    if (nearest.level == 0) {
+      --limit_;
+      return Neighbor<Payload>{nearest.reference, nearest.distance};
+    }
+    // What is nearest now is most likely expanded next.
+    if (!heap_.empty() && heap_.front().level == 1)
+      prefetch(storage_->nodes[static_cast<NodeIndex>(heap_.front().reference)]);
     expand(static_cast<NodeIndex>(nearest.reference), nearest.level - 1);
   }
   return std::nullopt;
@@ -43,12 +63,34 @@ std::optional<Neighbor<Payload>> NearestCursor<Payload>::next() {
 template <typename Payload>
 void NearestCursor<Payload>::expand(NodeIndex index, std::uint32_t level) {
   const Node<Payload>& node = storage_->nodes[index];
-  alignas(16) double distances[kFanOut];
-  SlotMask slots = squared_distances(node, box_, scale_, distances);
-  while (slots != 0) {
+  double squares[kFanOut];
+  for (SlotMask slots = squared_distances(node, box_, squares); slots != 0;) {
     const std::size_t slot = take_slot(slots);
-    push({distances[slot], node.reference[slot], level});
+    const double square = squares[slot];
+    if (square > square_bound_) continue;
+    double distance = std::sqrt(square);
+    if (square < kSmallSquare) distance = scaled_distance(node.box(slot), box_, 0x1p600);
+    if (square > kLargeSquare) distance = scaled_distance(node.box(slot), box_, 0x1p-600);
+    if (distance > bound_) continue;
+    push({distance, node.reference[slot], level});
+    if (level == 0 && bounds_size_ > 0) lower_bound(distance);
   }
+}
+
+// The bound is the largest of the nearest distances seen, once there are as many as are asked for.
+template <typename Payload>
+void NearestCursor<Payload>::lower_bound(double distance) {
+  if (bounds_.size() == bounds_size_) {
+    if (distance >= bounds_.front()) return;
+    std::ranges::pop_heap(bounds_);
+    bounds_.pop_back();
+  }
+  bounds_.push_back(distance);
+  std::ranges::push_heap(bounds_);
+  if (bounds_.size() < bounds_size_) return;
+  bound_ = bounds_.front();
+  // A little more than the square, whatever was rounded: it only spares the root.
+  square_bound_ = std::max(bound_ * bound_, kSmallSquare) * (1 + 0x1p-48);
 }
 
 template <typename Payload>

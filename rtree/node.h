@@ -82,6 +82,13 @@ struct alignas(64) Node {
   }
 };
 
+/// Asks the cache for all of a node that is going to be read.
+template <typename Payload>
+inline void prefetch(const Node<Payload>& node) {
+  const auto* bytes = reinterpret_cast<const char*>(&node);
+  for (std::size_t line = 0; line < sizeof(node); line += 64) __builtin_prefetch(bytes + line);
+}
+
 #if defined(__SSE2__)
 
 /// The slots whose boxes meet `box`, which must not be empty.
@@ -101,12 +108,11 @@ inline SlotMask slots_meeting(const Node<Payload>& node, const Box3& box) {
   return slots;
 }
 
-/// Squares of `scale` times the distances from `box` to the boxes of the node; returns the used slots. A difference of
-/// two infinities counts as no gap.
+/// Squared distances from `box` to the boxes of the node; returns the used slots. A difference of two infinities counts
+/// as no gap.
 template <typename Payload>
-inline SlotMask squared_distances(const Node<Payload>& node, const Box3& box, double scale, double (&result)[kFanOut]) {
+inline SlotMask squared_distances(const Node<Payload>& node, const Box3& box, double (&result)[kFanOut]) {
   const __m128d zero = _mm_setzero_pd();
-  const __m128d factor = _mm_set1_pd(scale);
   SlotMask used = 0;
   for (std::size_t slot = 0; slot < kFanOut; slot += 2) {
     __m128d sum = zero;
@@ -114,7 +120,7 @@ inline SlotMask squared_distances(const Node<Payload>& node, const Box3& box, do
       const __m128d above = _mm_sub_pd(_mm_load_pd(&node.min[axis][slot]), _mm_set1_pd(box.max[axis]));
       const __m128d below = _mm_sub_pd(_mm_set1_pd(box.min[axis]), _mm_load_pd(&node.max[axis][slot]));
       // maxpd gives its second operand when the first is NaN.
-      const __m128d gap = _mm_mul_pd(factor, _mm_max_pd(above, _mm_max_pd(below, zero)));
+      const __m128d gap = _mm_max_pd(above, _mm_max_pd(below, zero));
       sum = _mm_add_pd(sum, _mm_mul_pd(gap, gap));
     }
     _mm_storeu_pd(&result[slot], sum);
@@ -135,14 +141,14 @@ inline SlotMask slots_meeting(const Node<Payload>& node, const Box3& box) {
 }
 
 template <typename Payload>
-inline SlotMask squared_distances(const Node<Payload>& node, const Box3& box, double scale, double (&result)[kFanOut]) {
+inline SlotMask squared_distances(const Node<Payload>& node, const Box3& box, double (&result)[kFanOut]) {
   SlotMask used = 0;
   for (std::size_t slot = 0; slot < kFanOut; ++slot) {
     double sum = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double above = node.min[axis][slot] - box.max[axis];
       const double below = box.min[axis] - node.max[axis][slot];
-      const double gap = scale * (above > 0 ? above : below > 0 ? below : 0);
+      const double gap = above > 0 ? above : below > 0 ? below : 0;
       sum += gap * gap;
     }
     result[slot] = sum;

@@ -35,8 +35,8 @@ class RTree {
 
   /// The entries that meet `window`: `for (auto id : tree.window(box))`.
   WindowCursor<Payload> window(const Box3& window) const { return {storage_, window}; }
-  /// The entries by growing distance from `box`, equal distances by payload.
-  NearestCursor<Payload> nearest(const Box3& box) const { return {storage_, box}; }
+  /// The entries by growing distance from `box`, equal distances by payload; no more than `limit`.
+  NearestCursor<Payload> nearest(const Box3& box, std::size_t limit = SIZE_MAX) const { return {storage_, box, limit}; }
   /// The pairs of an entry of this tree and an entry of `other` that meet.
   JoinCursor<Payload> join(const RTree& other) const { return {storage_, other.storage_}; }
   /// The pairs of different entries of this tree that meet, each once, the smaller payload first.

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "rtree/large_allocator.h"
 #include "rtree/node.h"
 
 namespace rtree {
@@ -19,7 +20,7 @@ struct NodeInfo {
 /// node is either reachable from the root exactly once or listed in `free_nodes`.
 template <typename Payload>
 struct Storage {
-  std::vector<Node<Payload>> nodes;
+  std::vector<Node<Payload>, LargeAllocator<Node<Payload>>> nodes;
   std::vector<NodeInfo> infos;  ///< parallel to `nodes`
   std::vector<NodeIndex> free_nodes;
   NodeIndex root = kNoNode;

@@ -17,7 +17,15 @@ void WindowCursor<Payload>::enter(const Node<Payload>& node, std::uint32_t level
     leaf_slots_ = slots;
     return;
   }
-  if (slots != 0) frames_[depth_++] = {&node, slots, level};
+  if (slots == 0) return;
+  frames_[depth_++] = {&node, slots, level};
+  if (level == 1) prefetch_leaves(node, slots);
+}
+
+// All leaves at once, so that their cache misses overlap: in a tree larger than the cache they are what a query costs.
+template <typename Payload>
+void WindowCursor<Payload>::prefetch_leaves(const Node<Payload>& node, SlotMask slots) const {
+  while (slots != 0) prefetch(nodes_[node.child(take_slot(slots))]);
 }
 
 template <typename Payload>

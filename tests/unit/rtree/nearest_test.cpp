@@ -1,0 +1,132 @@
+#include <gtest/gtest.h>
+
+#include "unit/rtree/rtree_samples.h"
+
+namespace rtree {
+namespace {
+
+using samples::Entries;
+using samples::Kind;
+using samples::Tree;
+
+struct Expected {
+  long double distance;
+  std::uint64_t payload;
+};
+
+// By a scan in wider arithmetic, which neither overflows nor loses what double arithmetic tells apart.
+std::vector<Expected> scan_distances(const Entries& entries, const Box3& box) {
+  std::vector<Expected> result;
+  for (const auto& entry : entries) {
+    long double sum = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const long double above = static_cast<long double>(entry.box.min[axis]) - box.max[axis];
+      const long double below = static_cast<long double>(box.min[axis]) - entry.box.max[axis];
+      const long double gap = std::max({0.0L, above, below});
+      sum += gap * gap;
+    }
+    result.push_back({std::sqrt(sum), entry.payload});
+  }
+  std::ranges::sort(result, [](const Expected& a, const Expected& b) {
+    return a.distance != b.distance ? a.distance < b.distance : a.payload < b.payload;
+  });
+  return result;
+}
+
+void expect_all_neighbours(const Entries& entries, const Tree& tree, const Box3& box) {
+  auto cursor = tree.nearest(box);
+  std::vector<bool> seen(entries.size(), false);
+  for (const Expected& expected : scan_distances(entries, box)) {
+    const auto found = cursor.next();
+    ASSERT_TRUE(found.has_value());
+    ASSERT_FALSE(seen[found->payload]);
+    seen[found->payload] = true;
+    // Distances that differ in the last place may come in either order.
+    ASSERT_NEAR(found->distance, static_cast<double>(expected.distance),
+                1e-15 * static_cast<double>(expected.distance) * 4);
+  }
+  ASSERT_FALSE(cursor.next().has_value());
+}
+
+TEST(Nearest, gives_every_entry_by_growing_distance) {
+  for (const Kind kind : samples::kKinds) {
+    const Entries entries = samples::random_entries(700, kind, 1);
+    const Tree bulk = Tree::bulk_load(entries);
+    const Tree grown = samples::inserted(entries);
+    std::mt19937_64 random(2);
+    for (int round = 0; round < 20; ++round) {
+      const Box3 box = samples::random_box(random, kind);
+      expect_all_neighbours(entries, bulk, box);
+      expect_all_neighbours(entries, grown, box);
+    }
+  }
+}
+
+// Whole coordinates: squares are exact, so ties are true ties.
+TEST(Nearest, equal_distances_come_by_payload) {
+  Entries entries = samples::random_entries(5000, Kind::grid, 3);
+  std::mt19937_64 random(4);
+  std::ranges::shuffle(entries, random);
+  const Tree bulk = Tree::bulk_load(entries);
+  const Tree grown = samples::inserted(entries);
+  for (int round = 0; round < 20; ++round) {
+    const Box3 box = samples::random_box(random, Kind::grid);
+    auto from_bulk = bulk.nearest(box);
+    auto from_grown = grown.nearest(box);
+    for (const Expected& expected : scan_distances(entries, box)) {
+      const Neighbor<std::uint64_t> wanted{expected.payload, static_cast<double>(expected.distance)};
+      ASSERT_EQ(from_bulk.next(), wanted);
+      ASSERT_EQ(from_grown.next(), wanted);
+    }
+  }
+}
+
+TEST(Nearest, a_limit_ends_the_search_and_changes_nothing_before) {
+  for (const Kind kind : {Kind::uniform, Kind::grid, Kind::outlier, Kind::identical}) {
+    const Tree tree = Tree::bulk_load(samples::random_entries(3000, kind, 5));
+    std::mt19937_64 random(6);
+    for (const std::size_t limit : {0, 1, 2, 10, 64, 65, 500, 5000}) {
+      const Box3 box = samples::random_box(random, kind);
+      auto limited = tree.nearest(box, limit);
+      auto unlimited = tree.nearest(box);
+      for (std::size_t i = 0; i < std::min(limit, tree.size()); ++i) ASSERT_EQ(limited.next(), unlimited.next());
+      ASSERT_FALSE(limited.next());
+    }
+  }
+}
+
+TEST(Nearest, distances_whose_squares_underflow_or_overflow_keep_their_order) {
+  for (const double unit : {1e-200, 1e-310, 1e300}) {
+    Tree tree;
+    for (std::uint64_t id = 0; id < 40; ++id) {
+      const double x = unit * static_cast<double>(40 - id);
+      tree.insert(Box3::of({x, 0, 0}), id);
+    }
+    auto cursor = tree.nearest(Box3::of({0, 0, 0}));
+    for (std::uint64_t id = 40; id-- > 0;) ASSERT_EQ(cursor.next()->payload, id);
+  }
+}
+
+TEST(Nearest, infinite_boxes_have_distances_too) {
+  constexpr double kInfinity = Box3::kInfinity;
+  Tree tree;
+  tree.insert({{-kInfinity, 5, 5}, {kInfinity, 6, 6}}, 1);
+  tree.insert({{0, 0, 2}, {1, 1, 3}}, 2);
+  auto from_point = tree.nearest(Box3::of({0, 0, 0}));
+  EXPECT_EQ(from_point.next(), (Neighbor<std::uint64_t>{2, 2}));
+  EXPECT_EQ(from_point.next()->payload, 1);
+  EXPECT_FALSE(from_point.next());
+  auto from_slab = tree.nearest({{-kInfinity, -kInfinity, 4}, {kInfinity, kInfinity, 4.5}});
+  EXPECT_EQ(from_slab.next(), (Neighbor<std::uint64_t>{1, 0.5}));
+  EXPECT_EQ(from_slab.next(), (Neighbor<std::uint64_t>{2, 1}));
+}
+
+TEST(Nearest, empty_trees_and_empty_boxes_have_no_neighbours) {
+  Tree tree;
+  EXPECT_FALSE(tree.nearest(Box3::of({0, 0, 0})).next());
+  tree.insert(Box3::of({1, 1, 1}), 1);
+  EXPECT_FALSE(tree.nearest(Box3{}).next());
+}
+
+}  // namespace
+}  // namespace rtree
