@@ -156,7 +156,9 @@ bool AffineMap::image_is_double(PointRef point, const Vec3& rounded) const {
   const Coordinates coordinates{Coordinate(safe ? p.x : 0), Coordinate(safe ? p.y : 0), Coordinate(safe ? p.z : 0)};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (safe && split_[axis].is_safe) {
-      const Estimate estimate = RowFilter{split_[axis], coordinates}.thorough();
+      const RowFilter filter{split_[axis], coordinates};
+      Estimate estimate = filter.quick();
+      if (estimate.error != 0 && estimate.error >= std::abs(estimate.low)) estimate = filter.thorough();
       // Of two doubles whose sum rounds to the first, a second that is not zero is never lost in the first.
       if (estimate.error < std::abs(estimate.low) && estimate.high == rounded[axis]) return false;
       if (estimate.error == 0 && estimate.high != rounded[axis]) return false;

@@ -24,8 +24,11 @@ void set_magnitude(mpz_ptr number, UInt128 value) {
   mpz_import(number, limbs.size(), -1, sizeof(std::uint64_t), 0, 0, limbs.data());
 }
 
-std::uint64_t gcd_of(UInt128 a, std::uint64_t b) {
-  return std::gcd(static_cast<std::uint64_t>(a % b), b);
+// Most numbers come from doubles, so most denominators are powers of two: there the divisor is a matter of zero bits.
+std::uint64_t gcd_of(std::uint64_t a, std::uint64_t b) {
+  if (!std::has_single_bit(b)) return std::gcd(a, b);
+  const std::uint64_t lowest_bit = a & (0 - a);
+  return lowest_bit == 0 || lowest_bit > b ? b : lowest_bit;
 }
 
 std::size_t mix(std::size_t seed, std::uint64_t word) {
@@ -115,7 +118,7 @@ Rational::Rational(std::int64_t numerator, std::int64_t denominator) {
   assert(denominator != 0);
   const std::uint64_t n = magnitude(numerator);
   const std::uint64_t d = magnitude(denominator);
-  const std::uint64_t common = std::gcd(n, d);
+  const std::uint64_t common = gcd_of(n, d);
   *this = RationalAccess::from_terms((numerator < 0) != (denominator < 0) && n != 0, n / common, d / common);
 }
 
@@ -171,18 +174,18 @@ Rational add_small(const Terms& s, const Terms& t, bool subtract) {
   if (s.denominator == 1 && t.denominator == 1) return signed_terms(s.numerator + other, 1);
   const auto b = static_cast<std::uint64_t>(s.denominator);
   const auto d = static_cast<std::uint64_t>(t.denominator);
-  const std::uint64_t g = b == d ? b : std::gcd(b, d);
+  const std::uint64_t g = b == d ? b : gcd_of(b, d);
   const Int128 sum = Int128{s.numerator} * Int128{d / g} + other * Int128{b / g};
   if (g == 1) return signed_terms(sum, UInt128{b} * d);
   const auto sum_magnitude = static_cast<UInt128>(sum < 0 ? -sum : sum);
-  const std::uint64_t common = gcd_of(sum_magnitude, g);
+  const std::uint64_t common = gcd_of(static_cast<std::uint64_t>(sum_magnitude % g), g);
   return signed_terms(sum / Int128{common}, UInt128{b / g} * (d / common));
 }
 
 // (n1 / d1) * (n2 / d2) for magnitudes; crosswise reduction leaves the product in lowest terms.
 Rational multiply_small(bool negative, std::uint64_t n1, std::uint64_t d1, std::uint64_t n2, std::uint64_t d2) {
-  const std::uint64_t g = d2 == 1 ? 1 : std::gcd(n1, d2);
-  const std::uint64_t h = d1 == 1 ? 1 : std::gcd(n2, d1);
+  const std::uint64_t g = d2 == 1 ? 1 : gcd_of(n1, d2);
+  const std::uint64_t h = d1 == 1 ? 1 : gcd_of(n2, d1);
   return RationalAccess::from_terms(negative && n1 != 0 && n2 != 0, UInt128{n1 / g} * (n2 / h),
                                     UInt128{d1 / h} * (d2 / g));
 }
