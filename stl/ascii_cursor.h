@@ -20,8 +20,8 @@ class Keyword {
   }
   [[nodiscard]] constexpr std::string_view text() const { return text_; }
   [[nodiscard]] constexpr std::size_t size() const { return text_.size(); }
-  /// True if the low bytes of `word` spell the keyword. Setting bit 5 maps exactly a letter's two cases to the lower
-  /// one.
+  /// True if the low bytes of `word` spell the keyword. Setting bit 5 maps exactly a letter's two cases to
+  /// the lower one.
   [[nodiscard]] constexpr bool matches(std::uint64_t word) const {
     return ((word | 0x2020202020202020U) & mask_) == letters_;
   }
@@ -77,7 +77,8 @@ class AsciiCursor {
 
   /// Goes behind the number here, which must fill the word: decimal digits with sign, point and exponent as usual.
   /// Spellings of NaN and infinity (also `1.#QNAN`) are not_finite, numbers beyond the range of double too_large; both
-  /// are passed. Exactness: the double nearest to the digits. Source: [lemire2021].
+  /// are passed.
+  /// Exactness: the double nearest to the digits. Source: [lemire2021].
   NumberKind take_number(double& value);
 
  private:

@@ -18,16 +18,14 @@ namespace stl {
 /// - Keywords in any case, layout free: blanks and line breaks (CR, LF, CRLF) may stand between any two words. A byte
 ///   order mark, leading white space, and comments from `#` to the end of the line are skipped. `end solid`, `end loop`
 ///   and `end facet` count as one word. Any number of solids; the soup takes the name of the first.
-/// - A name is the rest of its line, whatever words it holds, trimmed; it may be missing. Only where the file goes on
-/// in
-///   the same line it ends earlier: a solid's name before `facet normal` with three numbers and `outer`, or before an
-///   `endsolid` whose line is followed by `solid` or the end of the file; the name behind `endsolid` before a `solid`
-///   whose first facet or end stands in the same line or begins the next.
+/// - A name is the rest of its line, whatever words it holds, trimmed; it may be missing. Only where the file goes
+///   on in the same line it ends earlier: a solid's name before `facet normal` with three numbers and `outer`, or
+///   before an `endsolid` whose line is followed by `solid` or the end of the file; the name behind `endsolid` before
+///   a `solid` whose first facet or end stands in the same line or begins the next.
 /// - Tolerated with a remark: a missing `endsolid` (but not at the end of a file without facets); NUL and Ctrl-Z bytes
 ///   after the last solid; normals that are NaN or infinite, which become zero.
 /// - Everything else is an error, also a coordinate that is not finite or beyond the range of double, and a loop of
-/// more
-///   or fewer than three corners. Numbers too small for a double become zero.
+///   more or fewer than three corners. Numbers too small for a double become zero.
 algebra3d::Result<ReadStl> read_ascii(std::string_view bytes, std::string_view file_name,
                                       const std::atomic<bool>* cancel);
 

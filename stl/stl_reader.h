@@ -15,9 +15,8 @@ namespace stl {
 /// remark. Facets are neither welded, nor reordered, nor checked beyond finiteness.
 /// Exactness: binary coordinates are floats, passed on as they are; ASCII coordinates are the doubles nearest to their
 /// digits (not floats: a file with more digits keeps them, and one beyond the range of float is still read).
-/// Errors: file_format, naming the byte (for ASCII also the line), what was found and what was expected; interrupted,
-/// if
-/// `*cancel` was set (asked every 65536 facets).
+/// Errors: file_format, naming the byte (for ASCII also the line), what was found and what was expected;
+/// interrupted, if `*cancel` was set (asked every 65536 facets).
 /// Cost: linear, one pass; memory for the soup alone, bounded by the size of the file, whatever its header announces.
 algebra3d::Result<ReadStl> read_stl(std::string_view bytes, std::string_view file_name,
                                     const std::atomic<bool>* cancel = nullptr);
