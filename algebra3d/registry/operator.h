@@ -71,18 +71,18 @@ struct ErrorExample {
 
 /// The one description of an operator, from which help texts, reference page, tests and SQL derive.
 struct Operator {
-  std::string name;
-  std::string syntax;  ///< see SyntaxPattern
-  std::string doc;     ///< one sentence: what it gives, in which unit
-  std::string detail;  ///< domain, special cases, what is undefined; may be empty
+  std::string name = {};
+  std::string syntax = {};  ///< see SyntaxPattern
+  std::string doc = {};     ///< one sentence: what it gives, in which unit
+  std::string detail = {};  ///< domain, special cases, what is undefined; may be empty
   Exactness exactness = Exactness::not_numeric;
-  std::vector<std::string> sources;                              ///< keys of docs/references.md
-  std::vector<Overload> overloads;                               ///< of a value operator
+  std::vector<std::string> sources = {};                              ///< keys of docs/references.md
+  std::vector<Overload> overloads = {};                               ///< of a value operator
   std::shared_ptr<const StreamImplementation> stream = nullptr;  ///< of a stream operator
-  std::vector<std::string> signatures;  ///< of a stream operator, for people; value operators deduce theirs
+  std::vector<std::string> signatures = {};  ///< of a stream operator, for people; value operators deduce theirs
   bool handles_undefined = false;       ///< of a stream operator; value operators deduce it from their parameters
-  std::vector<Example> examples;
-  std::vector<ErrorExample> errors;
+  std::vector<Example> examples = {};
+  std::vector<ErrorExample> errors = {};
 
   bool accepts_undefined() const;
   std::vector<std::string> all_signatures() const;

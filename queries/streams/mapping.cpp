@@ -1,14 +1,19 @@
 #include "queries/streams/mapping.h"
 
 #include <algorithm>
-#include <array>
 
+#include "algebra3d/types/all.h"
 #include "queries/streams/relation.h"
 
 namespace queries {
 
 bool is_value_type(const TypeExpr& type) {
   return type.arguments().empty() && !type.is_tuple() && !type.is("list");
+}
+
+Value undefined_of(const TypeExpr& type) {
+  const auto types = algebra3d::all_types();
+  return Value(**std::ranges::find_if(types, [&](const algebra3d::Type* known) { return type.is(known->name()); }));
 }
 
 Error MappingCheck::error(std::string text) const {

@@ -48,6 +48,9 @@ class MappingCheck {
 /// A type whose instances are values: neither stream, relation, tuple nor function.
 bool is_value_type(const TypeExpr& type);
 
+/// The undefined value of a value type.
+Value undefined_of(const TypeExpr& type);
+
 /// A stream whose `next` is a function object.
 template <typename Next>
 TupleStreamPtr make_stream(Next next) {

@@ -1,0 +1,198 @@
+// sum, avg, min, max, extract: one value from a stream.
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "algebra3d/types/scalars.h"
+#include "queries/streams/all.h"
+#include "queries/streams/mapping.h"
+
+namespace queries {
+namespace {
+
+using algebra3d::TypeOf;
+
+// Sum of doubles with the rounding errors kept apart. Source: [neumaier1974].
+class CompensatedSum {
+ public:
+  void add(double value) {
+    const double total = sum_ + value;
+    correction_ += std::abs(sum_) >= std::abs(value) ? (sum_ - total) + value : (value - total) + sum_;
+    sum_ = total;
+    ++count_;
+  }
+  double total() const { return std::isfinite(sum_) ? sum_ + correction_ : sum_; }
+  std::int64_t count() const { return count_; }
+
+ private:
+  double sum_ = 0;
+  double correction_ = 0;
+  std::int64_t count_ = 0;
+};
+
+/// Calls `visit` with each defined value of an attribute, loaded.
+template <typename Visit>
+Status for_each_defined(const Datum& stream, std::size_t attribute, Context& context, Visit visit) {
+  return for_each_tuple(*stream.tuples(), context, [&](const TuplePtr& tuple) -> Status {
+    const Value& value = tuple->attributes[attribute];
+    if (!value.is_defined()) return {};
+    ASSIGN_OR_RETURN(const Value loaded, value.loaded());
+    visit(loaded);
+    return {};
+  });
+}
+
+double as_real(const Value& value) {
+  return &value.type() == &TypeOf<double>::type() ? value.get<double>() : value.get<std::int32_t>();
+}
+
+Datum finite(double value, std::string_view op, Context& context) {
+  if (std::isfinite(value)) return Datum{Value::of<double>(value)};
+  context.diagnostics.report(std::string(op) + ": the result is no finite number");
+  return Datum{Value(TypeOf<double>::type())};
+}
+
+Result<Datum> sum_of_ints(const Datum& stream, std::size_t attribute, Context& context) {
+  std::int64_t total = 0;
+  RETURN_IF_ERROR(
+      for_each_defined(stream, attribute, context, [&](const Value& value) { total += value.get<std::int32_t>(); }));
+  if (total == static_cast<std::int32_t>(total))
+    return Datum{Value::of<std::int32_t>(static_cast<std::int32_t>(total))};
+  context.diagnostics.report("sum: the result " + std::to_string(total) + " is beyond the range of ints");
+  return Datum{Value(TypeOf<std::int32_t>::type())};
+}
+
+Result<CompensatedSum> sum_of_reals(const Datum& stream, std::size_t attribute, Context& context) {
+  CompensatedSum sum;
+  RETURN_IF_ERROR(for_each_defined(stream, attribute, context, [&](const Value& value) { sum.add(as_real(value)); }));
+  return sum;
+}
+
+Result<std::size_t> numeric_attribute(const MappingCheck& check, const TypeExpr& tuple) {
+  ASSIGN_OR_RETURN(const std::size_t index, check.attribute(1, tuple));
+  const TypeExpr& type = tuple.attributes()[index].type;
+  if (!type.is("int") && !type.is("real")) return check.expected("an attribute of type int or real", type);
+  return index;
+}
+
+Result<Plan> map_sum(std::span<const ArgumentType> arguments) {
+  const MappingCheck check("sum", arguments);
+  ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
+  ASSIGN_OR_RETURN(const std::size_t index, numeric_attribute(check, tuple));
+  const TypeExpr type = tuple.attributes()[index].type;
+  return Plan{type, [index, is_int = type.is("int")](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                if (is_int) return sum_of_ints(given[0], index, context);
+                ASSIGN_OR_RETURN(const CompensatedSum sum, sum_of_reals(given[0], index, context));
+                return finite(sum.total(), "sum", context);
+              }};
+}
+
+Result<Plan> map_avg(std::span<const ArgumentType> arguments) {
+  const MappingCheck check("avg", arguments);
+  ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
+  ASSIGN_OR_RETURN(const std::size_t index, numeric_attribute(check, tuple));
+  return Plan{"real", [index](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                ASSIGN_OR_RETURN(const CompensatedSum sum, sum_of_reals(given[0], index, context));
+                if (sum.count() == 0) {
+                  context.diagnostics.report("avg: there is no defined value");
+                  return Datum{Value(TypeOf<double>::type())};
+                }
+                return finite(sum.total() / static_cast<double>(sum.count()), "avg", context);
+              }};
+}
+
+// `wanted` is the sign of the comparison that makes a later value win.
+Result<Plan> map_extreme(const char* op, int wanted, std::span<const ArgumentType> arguments) {
+  const MappingCheck check(op, arguments);
+  ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
+  ASSIGN_OR_RETURN(const std::size_t index, check.attribute(1, tuple));
+  return Plan{tuple.attributes()[index].type, [=](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                std::optional<Value> best;
+                RETURN_IF_ERROR(for_each_defined(given[0], index, context, [&](const Value& value) {
+                  const auto order = best ? compare(value, *best) : std::strong_ordering::equal;
+                  if (!best || (wanted < 0 ? order < 0 : order > 0)) best = value;
+                }));
+                if (best) return Datum{*best};
+                context.diagnostics.report(std::string(op) + ": there is no defined value");
+                return Datum{undefined_of(tuple.attributes()[index].type)};
+              }};
+}
+
+Result<Plan> map_extract(std::span<const ArgumentType> arguments) {
+  const MappingCheck check("extract", arguments);
+  ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
+  ASSIGN_OR_RETURN(const std::size_t index, check.attribute(1, tuple));
+  const TypeExpr type = tuple.attributes()[index].type;
+  return Plan{type, [=](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                ASSIGN_OR_RETURN(const TuplePtr first, given[0].tuples()->next());
+                if (first != nullptr) return Datum{first->attributes[index]};
+                context.diagnostics.report("extract: the stream is empty");
+                return Datum{undefined_of(type)};
+              }};
+}
+
+}  // namespace
+
+void register_aggregates(algebra3d::Registry& registry) {
+  const std::string numbers = "[const rel(tuple([A: int, B: real])) value ((1 0.5) (2 undefined) (6 1.0))] feed ";
+  const std::string nothing = "[const rel(tuple([A: int])) value ((undefined))] feed ";
+  registry.add({
+      .name = "sum",
+      .syntax = "_ sum[attribute]",
+      .doc = "The sum of the defined values of a numeric attribute; 0 if there are none.",
+      .detail = "A sum of ints beyond the range of ints is undefined.",
+      .exactness = algebra3d::Exactness::two_ulp,
+      .sources = {"neumaier1974"},
+      .stream = stream_operator(map_sum),
+      .signatures = {"(stream(tuple) NAME) -> int", "(stream(tuple) NAME) -> real"},
+      .handles_undefined = true,
+      .examples = {{numbers + "sum[A]", "9"}, {numbers + "sum[B]", "1.5"}, {nothing + "sum[A]", "0"}},
+      .errors = {{"query intstream(1, 2) transformstream extend[T: TRUE] sum[T]",
+                  "sum: expected an attribute of type int or real, got bool"}},
+  });
+  registry.add({
+      .name = "avg",
+      .syntax = "_ avg[attribute]",
+      .doc = "The mean of the defined values of a numeric attribute; undefined if there are none.",
+      .exactness = algebra3d::Exactness::two_ulp,
+      .sources = {"neumaier1974"},
+      .stream = stream_operator(map_avg),
+      .signatures = {"(stream(tuple) NAME) -> real"},
+      .handles_undefined = true,
+      .examples = {{numbers + "avg[A]", "3.0"}, {numbers + "avg[B]", "0.75"}, {nothing + "avg[A]", "undefined"}},
+      .errors = {{"query intstream(1, 2) transformstream extend[T: TRUE] avg[T]",
+                  "avg: expected an attribute of type int or real, got bool"}},
+  });
+  registry.add({
+      .name = "min",
+      .syntax = "_ min[attribute]",
+      .doc = "The smallest defined value of an attribute; undefined if there is none.",
+      .stream = stream_operator([](auto arguments) { return map_extreme("min", -1, arguments); }),
+      .signatures = {"(stream(tuple) NAME) -> DATA"},
+      .handles_undefined = true,
+      .examples = {{numbers + "min[A]", "1"}, {nothing + "min[A]", "undefined"}},
+      .errors = {{"query intstream(1, 2) transformstream min[X]", "min: unknown attribute 'X'"}},
+  });
+  registry.add({
+      .name = "max",
+      .syntax = "_ max[attribute]",
+      .doc = "The largest defined value of an attribute; undefined if there is none.",
+      .stream = stream_operator([](auto arguments) { return map_extreme("max", 1, arguments); }),
+      .signatures = {"(stream(tuple) NAME) -> DATA"},
+      .handles_undefined = true,
+      .examples = {{numbers + "max[B]", "1.0"}, {nothing + "max[A]", "undefined"}},
+      .errors = {{"query intstream(1, 2) transformstream max[X]", "max: unknown attribute 'X'"}},
+  });
+  registry.add({
+      .name = "extract",
+      .syntax = "_ extract[attribute]",
+      .doc = "The value of an attribute in the first tuple; undefined for an empty stream.",
+      .stream = stream_operator(map_extract),
+      .signatures = {"(stream(tuple) NAME) -> DATA"},
+      .handles_undefined = true,
+      .examples = {{numbers + "extract[B]", "0.5"}, {nothing + "extract[A]", "undefined"}},
+      .errors = {{"query intstream(1, 2) transformstream extract[X]", "extract: unknown attribute 'X'"}},
+  });
+}
+
+}  // namespace queries
