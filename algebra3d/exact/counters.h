@@ -33,16 +33,19 @@ extern constinit thread_local ThreadCounters* thread_counters;  // NOLINT(readab
 /// Registers the calling thread, so that its counts are seen, and kept when it ends.
 ThreadCounters& register_thread_counters();
 
-inline void increment(std::atomic<std::uint64_t> ThreadCounters::*count) {
+inline void increment(std::atomic<std::uint64_t> ThreadCounters::*count, std::uint64_t by = 1) {
   ThreadCounters* counters = thread_counters;
   if (counters == nullptr) [[unlikely]]
     counters = &register_thread_counters();
   auto& value = counters->*count;
-  value.store(value.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+  value.store(value.load(std::memory_order_relaxed) + by, std::memory_order_relaxed);
 }
 
 inline void count_call() {
   increment(&ThreadCounters::calls);
+}
+inline void count_calls(std::uint64_t count) {
+  increment(&ThreadCounters::calls, count);
 }
 inline void count_filter_failure() {
   increment(&ThreadCounters::filter_failures);

@@ -41,11 +41,17 @@ inline Interval operator*(const Interval& a, const Interval& b) {
   return widened(a.centre * b.centre, from_radii);
 }
 
-/// Interval of one coordinate of a point.
-inline Interval interval_of(const PointRef& point, std::size_t axis) {
+/// Interval of one coordinate of a point, as far as its rounding tells.
+inline Interval rounded_interval_of(const PointRef& point, std::size_t axis) {
   const double rounded = point.approx[axis];
-  if (point.is_double() || (*point.exact)[axis].is_double()) return {rounded, 0};
-  return widened(rounded, 0);
+  return point.is_double() ? Interval{rounded, 0} : widened(rounded, 0);
+}
+
+/// The same, of radius 0 also for a coordinate that is a double in a point that is none. Takes longer, but shows that
+/// points lie on a plane parallel to two axes.
+inline Interval interval_of(const PointRef& point, std::size_t axis) {
+  if (!point.is_double() && (*point.exact)[axis].is_double()) return {point.approx[axis], 0};
+  return rounded_interval_of(point, axis);
 }
 
 }  // namespace algebra3d::detail

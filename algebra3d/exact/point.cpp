@@ -87,8 +87,8 @@ ExactPoint PointArray::point(std::size_t index) const {
 }
 
 const std::vector<std::pair<std::uint32_t, RationalVec3>>& PointArray::exact_entries() const {
-  static const ExactTable kNone;
-  return exact_ ? *exact_ : kNone;
+  static const ExactTable none;
+  return exact_ ? *exact_ : none;
 }
 
 std::size_t PointArray::heap_bytes() const {

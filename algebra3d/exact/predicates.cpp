@@ -5,6 +5,7 @@
 
 #include "algebra3d/exact/expansion.h"
 #include "algebra3d/exact/interval.h"
+#include "algebra3d/exact/predicates_integers.h"
 
 namespace algebra3d {
 
@@ -83,6 +84,10 @@ int orient2d_by_expansions(double ax, double ay, double bx, double by, double cx
 int decide_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   if (has_zero_row_or_column(b - a, c - a, d - a)) return 0;
   count_filter_failure();
+  const auto x = scale_to_integers<4>({a.x, b.x, c.x, d.x});
+  const auto y = scale_to_integers<4>({a.y, b.y, c.y, d.y});
+  const auto z = scale_to_integers<4>({a.z, b.z, c.z, d.z});
+  if (x && y && z) return determinant_sign(*x, *y, *z);
   if (all_safe(a) && all_safe(b) && all_safe(c) && all_safe(d)) return orient3d_by_expansions(a, b, c, d);
   const PointRef pa = a, pb = b, pc = c, pd = d;
   return orient3d_by_rationals({&pa, &pb, &pc, &pd});
@@ -92,6 +97,9 @@ int decide_orient2d(Projection plane, const Vec3& a, const Vec3& b, const Vec3& 
   const std::size_t i = first_axis(plane), j = second_axis(plane);
   if ((a[i] == b[i] || a[j] == c[j]) && (a[j] == b[j] || a[i] == c[i])) return 0;  // both products are exactly 0
   count_filter_failure();
+  const auto x = scale_to_integers<3>({a[i], b[i], c[i]});
+  const auto y = scale_to_integers<3>({a[j], b[j], c[j]});
+  if (x && y) return determinant_sign(*x, *y);
   if (is_safe(a[i]) && is_safe(a[j]) && is_safe(b[i]) && is_safe(b[j]) && is_safe(c[i]) && is_safe(c[j]))
     return orient2d_by_expansions(a[i], a[j], b[i], b[j], c[i], c[j]);
   const PointRef pa = a, pb = b, pc = c;
@@ -99,18 +107,18 @@ int decide_orient2d(Projection plane, const Vec3& a, const Vec3& b, const Vec3& 
 }
 
 int orient3d_of_rationals(const PointRef& a, const PointRef& b, const PointRef& c, const PointRef& d) {
-  count_call();
   const std::array<const PointRef*, 4> points{&a, &b, &c, &d};
-  const int sign = determinant3<Interval>(interval_of, points).sign();
+  int sign = determinant3<Interval>(rounded_interval_of, points).sign();
+  if (sign == kUndecided) sign = determinant3<Interval>(interval_of, points).sign();
   if (sign != kUndecided) return sign;
   count_filter_failure();
   return orient3d_by_rationals(points);
 }
 
 int orient2d_of_rationals(Projection plane, const PointRef& a, const PointRef& b, const PointRef& c) {
-  count_call();
   const std::array<const PointRef*, 3> points{&a, &b, &c};
-  const int sign = determinant2<Interval>(interval_of, plane, points).sign();
+  int sign = determinant2<Interval>(rounded_interval_of, plane, points).sign();
+  if (sign == kUndecided) sign = determinant2<Interval>(interval_of, plane, points).sign();
   if (sign != kUndecided) return sign;
   count_filter_failure();
   return orient2d_by_rationals(plane, points);
@@ -128,12 +136,12 @@ std::strong_ordering compare(std::size_t axis, PointRef a, PointRef b) {
 
 std::strong_ordering compare(PointRef a, PointRef b) {
   for (std::size_t axis = 0; axis < 3; ++axis)
-    if (const auto order = compare(axis, a, b); order != 0) return order;
+    if (const auto order = compare(axis, a, b); std::is_neq(order)) return order;
   return std::strong_ordering::equal;
 }
 
 bool equal(PointRef a, PointRef b) {
-  return compare(a, b) == 0;
+  return std::is_eq(compare(a, b));
 }
 
 bool collinear(PointRef a, PointRef b, PointRef c) {

@@ -33,6 +33,7 @@ inline int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) 
 inline int orient3d(PointRef a, PointRef b, PointRef c, PointRef d) {
   if (a.is_double() && b.is_double() && c.is_double() && d.is_double()) [[likely]]
     return orient3d(a.approx, b.approx, c.approx, d.approx);
+  detail::count_call();
   return detail::orient3d_of_rationals(a, b, c, d);
 }
 
@@ -45,6 +46,7 @@ inline int orient2d(Projection plane, const Vec3& a, const Vec3& b, const Vec3& 
 inline int orient2d(Projection plane, PointRef a, PointRef b, PointRef c) {
   if (a.is_double() && b.is_double() && c.is_double()) [[likely]]
     return orient2d(plane, a.approx, b.approx, c.approx);
+  detail::count_call();
   return detail::orient2d_of_rationals(plane, a, b, c);
 }
 

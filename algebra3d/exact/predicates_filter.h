@@ -33,21 +33,37 @@ inline constexpr double kOrient2dError = 4 * 0x1p-53;
 // infinite or NaN, and each comparison false.
 inline constexpr double kUnderflowError = 0x1p-1000;
 
+/// The filter of orient3d with what belongs to the plane abc computed once.
+class PlaneFilter {
+ public:
+  PlaneFilter(const Vec3& a, const Vec3& b, const Vec3& c) : a_(a) {
+    const Vec3 u = b - a;
+    const Vec3 v = c - a;
+    const double yz = u.y * v.z, zy = u.z * v.y;
+    const double zx = u.z * v.x, xz = u.x * v.z;
+    const double xy = u.x * v.y, yx = u.y * v.x;
+    normal_ = {yz - zy, zx - xz, xy - yx};
+    magnitude_ = {std::abs(yz) + std::abs(zy), std::abs(zx) + std::abs(xz), std::abs(xy) + std::abs(yx)};
+  }
+
+  int side(const Vec3& d) const {
+    const Vec3 w = d - a_;
+    const Vec3 size{std::abs(w.x), std::abs(w.y), std::abs(w.z)};
+    const double determinant = dot(w, normal_);
+    const double error = kOrient3dError * dot(size, magnitude_) + kUnderflowError * (1 + (size.x + size.y + size.z));
+    if (determinant > error) return 1;
+    if (determinant < -error) return -1;
+    return kUndecided;
+  }
+
+ private:
+  Vec3 a_;
+  Vec3 normal_;
+  Vec3 magnitude_;
+};
+
 inline int filter_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const Vec3 u = b - a;
-  const Vec3 v = c - a;
-  const Vec3 w = d - a;
-  const double yz = u.y * v.z, zy = u.z * v.y;
-  const double zx = u.z * v.x, xz = u.x * v.z;
-  const double xy = u.x * v.y, yx = u.y * v.x;
-  const double determinant = w.x * (yz - zy) + w.y * (zx - xz) + w.z * (xy - yx);
-  const double wx = std::abs(w.x), wy = std::abs(w.y), wz = std::abs(w.z);
-  const double magnitude =
-      wx * (std::abs(yz) + std::abs(zy)) + wy * (std::abs(zx) + std::abs(xz)) + wz * (std::abs(xy) + std::abs(yx));
-  const double error = kOrient3dError * magnitude + kUnderflowError * (1 + (wx + wy + wz));
-  if (determinant > error) return 1;
-  if (determinant < -error) return -1;
-  return kUndecided;
+  return PlaneFilter(a, b, c).side(d);
 }
 
 inline int filter_orient2d(Projection plane, const Vec3& a, const Vec3& b, const Vec3& c) {

@@ -1,6 +1,7 @@
 // Common parts of segments and triangles. All decisions are signs of orient3d and orient2d or comparisons of exact
 // coordinates; no intersection point is ever computed.
 
+#include <compare>
 #include <utility>
 
 #include "algebra3d/exact/predicates.h"
@@ -23,22 +24,48 @@ bool all_zero(const Signs& signs) {
   return signs[0] == 0 && signs[1] == 0 && signs[2] == 0;
 }
 
+// orient3d, without counting the call, where the filter for doubles did not decide.
+int decide(const PointRef& a, const PointRef& b, const PointRef& c, const PointRef& d) {
+  return d.is_double() ? detail::decide_orient3d(a.approx, b.approx, c.approx, d.approx)
+                       : detail::orient3d_of_rationals(a, b, c, d);
+}
+
+// Sides of the plane of `base` on which the corners of `triangle` lie: three times orient3d, and the filter's part that
+// belongs to the plane only once.
+Signs heights_over(const TriangleRef& base, const TriangleRef& triangle) {
+  const auto& [a, b, c] = base;
+  Signs heights{};
+  if (!a.is_double() || !b.is_double() || !c.is_double()) {
+    for (std::size_t i = 0; i < 3; ++i) heights[i] = orient3d(a, b, c, triangle[i]);
+    return heights;
+  }
+  detail::count_calls(3);
+  const detail::PlaneFilter filter(a.approx, b.approx, c.approx);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const PointRef& d = triangle[i];
+    heights[i] = d.is_double() ? filter.side(d.approx) : detail::kUndecided;
+    if (heights[i] == detail::kUndecided) heights[i] = decide(a, b, c, d);
+  }
+  return heights;
+}
+
 // ---- on one line, where lexicographic order is the order along the line
 
 Contact point_on_collinear_segment(const PointRef& p, const PointRef& a, const PointRef& b) {
   const auto to_a = compare(p, a);
   const auto to_b = compare(p, b);
-  const bool between = (to_a >= 0 && to_b <= 0) || (to_a <= 0 && to_b >= 0);
+  const bool between = (std::is_gteq(to_a) && std::is_lteq(to_b)) || (std::is_lteq(to_a) && std::is_gteq(to_b));
   return between ? Contact::point : Contact::none;
 }
 
 Contact collinear_segments(PointRef a, PointRef b, PointRef c, PointRef d) {
-  if (compare(a, b) > 0) std::swap(a, b);
-  if (compare(c, d) > 0) std::swap(c, d);
-  const PointRef& from = compare(a, c) < 0 ? c : a;
-  const PointRef& to = compare(b, d) < 0 ? b : d;
+  if (std::is_gt(compare(a, b))) std::swap(a, b);
+  if (std::is_gt(compare(c, d))) std::swap(c, d);
+  const PointRef& from = std::is_lt(compare(a, c)) ? c : a;
+  const PointRef& to = std::is_lt(compare(b, d)) ? b : d;
   const auto order = compare(from, to);
-  return order < 0 ? Contact::segment : order == 0 ? Contact::point : Contact::none;
+  if (std::is_eq(order)) return Contact::point;
+  return std::is_lt(order) ? Contact::segment : Contact::none;
 }
 
 // ---- in one plane, seen in a projection that keeps it a plane
@@ -201,12 +228,10 @@ Contact intersect_segment_triangle(PointRef p, PointRef q, const TriangleRef& tr
 }
 
 Contact intersect_triangles(const TriangleRef& s, const TriangleRef& t) {
-  const Signs t_heights{orient3d(s[0], s[1], s[2], t[0]), orient3d(s[0], s[1], s[2], t[1]),
-                        orient3d(s[0], s[1], s[2], t[2])};
+  const Signs t_heights = heights_over(s, t);
   if (all_equal_and_not_zero(t_heights)) return Contact::none;
   if (all_zero(t_heights)) return coplanar_triangles(s, t);
-  const Signs s_heights{orient3d(t[0], t[1], t[2], s[0]), orient3d(t[0], t[1], t[2], s[1]),
-                        orient3d(t[0], t[1], t[2], s[2])};
+  const Signs s_heights = heights_over(t, s);
   if (all_equal_and_not_zero(s_heights)) return Contact::none;
   return intervals_on_common_line(s, s_heights, t, t_heights);
 }
@@ -238,8 +263,8 @@ std::weak_ordering compare_around_edge(PointRef e0, PointRef e1, PointRef origin
 }
 
 bool in_counterclockwise_order(PointRef e0, PointRef e1, PointRef a, PointRef b, PointRef c) {
-  if (compare_around_edge(e0, e1, a, a, c) == 0) return false;
-  return compare_around_edge(e0, e1, a, a, b) == 0 || compare_around_edge(e0, e1, a, c, b) < 0;
+  if (half_turn(e0, e1, a, c) == 0) return false;
+  return half_turn(e0, e1, a, b) == 0 || std::is_lt(compare_around_edge(e0, e1, a, c, b));
 }
 
 }  // namespace algebra3d

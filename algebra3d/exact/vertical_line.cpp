@@ -1,11 +1,13 @@
 #include "algebra3d/exact/vertical_line.h"
 
+#include <compare>
+
 namespace algebra3d {
 
 namespace {
 
 int as_int(std::strong_ordering order) {
-  return order < 0 ? -1 : order > 0 ? 1 : 0;
+  return std::is_lt(order) ? -1 : std::is_gt(order) ? 1 : 0;
 }
 
 // Side of edge ab on which p moved by (e, e^2) lies in projection. The determinant (b-a) x (p-a) grows by

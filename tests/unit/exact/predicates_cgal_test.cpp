@@ -51,9 +51,10 @@ double real(Random& random) {
 }
 
 // Families of points; in each, four points are coplanar and three collinear often enough to matter.
-enum class Family { uniform, grid, scaled_grid, near_plane, extreme, thirds, far_thirds, mixed_thirds };
-constexpr std::array kFamilies{Family::uniform, Family::grid,   Family::scaled_grid, Family::near_plane,
-                               Family::extreme, Family::thirds, Family::far_thirds,  Family::mixed_thirds};
+enum class Family { uniform, grid, scaled_grid, near_plane, wide_plane, extreme, thirds, far_thirds, mixed_thirds };
+constexpr std::array kFamilies{Family::uniform,    Family::grid,       Family::scaled_grid,
+                               Family::near_plane, Family::wide_plane, Family::extreme,
+                               Family::thirds,     Family::far_thirds, Family::mixed_thirds};
 
 double moved_by_ulps(double value, int ulps) {
   for (; ulps > 0; --ulps) value = std::nextafter(value, 2);
@@ -81,6 +82,14 @@ std::vector<TestPoint> near_plane(Random& random, std::size_t count) {
   return points;
 }
 
+// On z = x - y, each at its own scale: exactly coplanar, but the bits of the coordinates lie far apart. Some are moved
+// off by their last bit.
+Vec3 wide_plane_point(Random& random) {
+  const Vec3 g = grid_point(random);
+  const double scale = std::ldexp(1, integer(random, -90, 90));
+  return {scale * g.x, scale * g.y, scale * moved_by_ulps(g.x - g.y, integer(random, 0, 3) == 0 ? 1 : 0)};
+}
+
 // Any exponent that a double can have, subnormal ones included; zero now and then.
 double extreme(Random& random) {
   if (integer(random, 0, 7) == 0) return integer(random, 0, 1) != 0 ? 0.0 : -0.0;
@@ -100,6 +109,9 @@ std::vector<TestPoint> make_points(Family family, Random& random, std::size_t co
     switch (family) {
       case Family::uniform:
         points.emplace_back(Vec3{real(random), real(random), real(random)});
+        break;
+      case Family::wide_plane:
+        points.emplace_back(wide_plane_point(random));
         break;
       case Family::grid:
         points.emplace_back(g);
@@ -187,6 +199,14 @@ TEST_P(EachFamily, comparison_and_collinearity_are_exact) {
   }
   const bool is_small_grid = GetParam() == Family::grid || GetParam() == Family::thirds;
   EXPECT_GE(collinear_count, is_small_grid ? 20 : 0);
+}
+
+TEST(orient3d, a_subnormal_coordinate_counts_beside_a_huge_one) {
+  for (const double huge : {0x1p900, 0x1p959, 0x1p1000}) {
+    const TestPoint a(Vec3{0x1p-1074, 1, 0}), b(Vec3{0, 0, 0}), c(Vec3{0, -1, 0}), d(Vec3{huge, 0, 1});
+    EXPECT_EQ(sign_of(CGAL::orientation(a.oracle, b.oracle, c.oracle, d.oracle)), 1);
+    EXPECT_EQ(orient3d(a.ours, b.ours, c.ours, d.ours), 1);
+  }
 }
 
 // ---- common parts
