@@ -1,0 +1,24 @@
+#pragma once
+
+#include "algebra3d/registry/registry.h"
+
+namespace algebra3d {
+
+/// A registry with every type and value operator of this library.
+Registry make_registry();
+
+// The families, one file each.
+void register_arithmetic(Registry& registry);
+void register_comparison(Registry& registry);
+void register_logic(Registry& registry);
+void register_strings(Registry& registry);
+void register_points(Registry& registry);
+void register_boxes(Registry& registry);
+void register_information(Registry& registry);
+void register_measure(Registry& registry);
+void register_creation(Registry& registry);
+void register_transformation(Registry& registry);
+void register_decomposition(Registry& registry);
+void register_files(Registry& registry);
+
+}  // namespace algebra3d

@@ -1,0 +1,140 @@
+// + - * / div mod on int and real.
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "algebra3d/operators/all.h"
+#include "algebra3d/registry/overload.h"
+#include "algebra3d/types/scalars.h"
+
+namespace algebra3d {
+namespace {
+
+Maybe<std::int32_t> as_int(std::int64_t result) {
+  if (result == static_cast<std::int32_t>(result)) return static_cast<std::int32_t>(result);
+  return Undefined{fmt::format("the result {} is beyond the range of ints", result)};
+}
+
+Maybe<std::int32_t> add_ints(std::int32_t a, std::int32_t b) {
+  return as_int(std::int64_t{a} + b);
+}
+Maybe<std::int32_t> subtract_ints(std::int32_t a, std::int32_t b) {
+  return as_int(std::int64_t{a} - b);
+}
+Maybe<std::int32_t> multiply_ints(std::int32_t a, std::int32_t b) {
+  return as_int(std::int64_t{a} * b);
+}
+double add(double a, double b) {
+  return a + b;
+}
+double subtract(double a, double b) {
+  return a - b;
+}
+double multiply(double a, double b) {
+  return a * b;
+}
+std::string concatenate(const std::string& a, const std::string& b) {
+  return a + b;
+}
+Text concatenate_texts(const Text& a, const Text& b) {
+  return {a.content + b.content};
+}
+
+Maybe<double> divide(double a, double b) {
+  if (b == 0) return Undefined{"division by zero"};
+  return a / b;
+}
+
+// As in C and in SECONDO: div rounds towards zero, and mod has the sign of the first operand.
+Maybe<std::int32_t> divide_ints(std::int32_t a, std::int32_t b) {
+  if (b == 0) return Undefined{"division by zero"};
+  return as_int(std::int64_t{a} / b);
+}
+
+Maybe<std::int32_t> modulo(std::int32_t a, std::int32_t b) {
+  if (b == 0) return Undefined{"division by zero"};
+  return as_int(std::int64_t{a} % b);
+}
+
+}  // namespace
+
+void register_arithmetic(Registry& registry) {
+  registry.add({
+      .name = "+",
+      .syntax = "_ + _",
+      .doc = "The sum of two numbers, or two strings or texts one after the other.",
+      .detail = "An int result beyond the range of ints is undefined.",
+      .exactness = Exactness::rounded_once,
+      .overloads = {overload<&add_ints>("a", "b"), overload<&add>("a", "b"), overload<&concatenate>("a", "b"),
+                    overload<&concatenate_texts>("a", "b")},
+      .examples = {{"1 + 2", "3"},
+                   {"1 + 0.5", "1.5"},
+                   {"\"ab\" + \"c\"", "\"abc\""},
+                   {"'ab' + 'c'", "'abc'"},
+                   {"2147483647 + 1", "undefined"},
+                   {"1 + [const int value undefined]", "undefined"}},
+      .errors = {{"query 1 + TRUE",
+                  "+: expected (int int), (real real), (string string) or (text text), got (int bool)"}},
+  });
+  registry.add({
+      .name = "-",
+      .syntax = "_ - _",
+      .doc = "The difference of two numbers.",
+      .detail = "An int result beyond the range of ints is undefined.",
+      .exactness = Exactness::rounded_once,
+      .overloads = {overload<&subtract_ints>("a", "b"), overload<&subtract>("a", "b")},
+      .examples = {{"10 - 4 - 3", "3"}, {"1.5 - 1", "0.5"}, {"1 - [const real value undefined]", "undefined"}},
+      .errors = {{"query 1 - \"a\"", "-: expected (int int) or (real real), got (int string)"}},
+  });
+  registry.add({
+      .name = "*",
+      .syntax = "_ * _",
+      .doc = "The product of two numbers.",
+      .detail = "An int result beyond the range of ints is undefined.",
+      .exactness = Exactness::rounded_once,
+      .overloads = {overload<&multiply_ints>("a", "b"), overload<&multiply>("a", "b")},
+      .examples = {{"2 * 3 + 1", "7"},
+                   {"0.5 * 4", "2.0"},
+                   {"65536 * 65536", "undefined"},
+                   {"2 * [const int value undefined]", "undefined"}},
+      .errors = {{"query 1 * \"a\"", "*: expected (int int) or (real real), got (int string)"}},
+  });
+  registry.add({
+      .name = "/",
+      .syntax = "_ / _",
+      .doc = "The quotient of two numbers, always a real.",
+      .detail = "Division by zero is undefined.",
+      .exactness = Exactness::rounded_once,
+      .overloads = {overload<&divide>("a", "b")},
+      .examples = {{"1 / 4", "0.25"}, {"1 / 0", "undefined"}, {"[const real value undefined] / 2", "undefined"}},
+      .errors = {{"query 1 / \"a\"", "/: expected (real real), got (int string)"}},
+  });
+  registry.add({
+      .name = "div",
+      .syntax = "_ div _",
+      .doc = "The integer part of a quotient of ints, rounded towards zero.",
+      .detail = "Division by zero is undefined.",
+      .exactness = Exactness::exact,
+      .overloads = {overload<&divide_ints>("a", "b")},
+      .examples = {{"7 div 2", "3"},
+                   {"-7 div 2", "-3"},
+                   {"7 div 0", "undefined"},
+                   {"[const int value undefined] div 2", "undefined"}},
+      .errors = {{"query 7.5 div 2", "div: expected (int int), got (real int)"}},
+  });
+  registry.add({
+      .name = "mod",
+      .syntax = "_ mod _",
+      .doc = "The remainder of `div`, with the sign of the first operand.",
+      .detail = "Division by zero is undefined.",
+      .exactness = Exactness::exact,
+      .overloads = {overload<&modulo>("a", "b")},
+      .examples = {{"7 mod 2", "1"},
+                   {"-7 mod 2", "-1"},
+                   {"7 mod 0", "undefined"},
+                   {"[const int value undefined] mod 2", "undefined"}},
+      .errors = {{"query 7.5 mod 2", "mod: expected (int int), got (real int)"}},
+  });
+}
+
+}  // namespace algebra3d

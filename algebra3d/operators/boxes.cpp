@@ -1,0 +1,203 @@
+// rect3: rectangle3, intersects, inside, contains, union, intersection, enlargeRect, minD, maxD.
+#include <cmath>
+
+#include "algebra3d/operators/all.h"
+#include "algebra3d/registry/overload.h"
+#include "algebra3d/types/scalars.h"
+#include "algebra3d/types/spatial.h"
+
+namespace algebra3d {
+namespace {
+
+Maybe<Box3> make_box(double x1, double x2, double y1, double y2, double z1, double z2) {
+  const Box3 box{{x1, y1, z1}, {x2, y2, z2}};
+  if (box.is_empty()) return Undefined{"a minimum is above its maximum"};
+  return box;
+}
+
+bool boxes_intersect(const Box3& a, const Box3& b) {
+  return a.intersects(b);
+}
+bool box_inside(const Box3& inner, const Box3& outer) {
+  return outer.contains(inner);
+}
+bool box_contains(const Box3& outer, const Box3& inner) {
+  return outer.contains(inner);
+}
+bool string_contains(const std::string& whole, const std::string& part) {
+  return whole.find(part) != std::string::npos;
+}
+bool text_contains(const Text& whole, const Text& part) {
+  return whole.content.find(part.content) != std::string::npos;
+}
+bool text_contains_string(const Text& whole, const std::string& part) {
+  return whole.content.find(part) != std::string::npos;
+}
+
+Box3 box_union(const Box3& a, const Box3& b) {
+  return unite(a, b);
+}
+
+Maybe<Box3> box_intersection(const Box3& a, const Box3& b) {
+  const Box3 common = intersect(a, b);
+  if (common.is_empty()) return Undefined{"the boxes do not meet"};
+  return common;
+}
+
+// Each bound rounded outward, so that the result holds every point within the distances.
+Maybe<Box3> enlarged(const Box3& box, double dx, double dy, double dz) {
+  const Vec3 by{dx, dy, dz};
+  Box3 result;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Rational change(by[axis]);
+    result.min[axis] = (Rational(box.min[axis]) - change).lower_double();
+    result.max[axis] = (Rational(box.max[axis]) + change).upper_double();
+  }
+  if (!is_finite(result.min) || !is_finite(result.max)) return Undefined{"a bound is beyond the range of doubles"};
+  if (result.is_empty()) return Undefined{"nothing is left of the box"};
+  return result;
+}
+
+Maybe<double> bound(const Vec3& corner, std::int32_t dimension) {
+  if (dimension < 1 || dimension > 3)
+    return Undefined{fmt::format("there is no dimension {}; a rect3 has 1 to 3", dimension)};
+  return corner[static_cast<std::size_t>(dimension - 1)];
+}
+
+Maybe<double> lower_bound(const Box3& box, std::int32_t dimension) {
+  return bound(box.min, dimension);
+}
+Maybe<double> upper_bound(const Box3& box, std::int32_t dimension) {
+  return bound(box.max, dimension);
+}
+
+constexpr std::string_view kUndefined = "[const rect3 value undefined]";
+constexpr std::string_view kUnit = "rectangle3(0, 1, 0, 1, 0, 1)";
+constexpr std::string_view kShifted = "rectangle3(1, 2, 0, 1, 0, 1)";
+
+std::string call(std::string_view op, std::string_view a, std::string_view b) {
+  return std::string(op) + "(" + std::string(a) + ", " + std::string(b) + ")";
+}
+std::string infix(std::string_view a, std::string_view op, std::string_view b) {
+  return std::string(a) + " " + std::string(op) + " " + std::string(b);
+}
+
+void register_box_predicates(Registry& registry) {
+  registry.add({
+      .name = "intersects",
+      .syntax = "_ intersects _",
+      .doc = "True if the boxes have a point in common; touching counts.",
+      .exactness = Exactness::exact,
+      .overloads = {overload<&boxes_intersect>("a", "b")},
+      .examples = {{infix(kUnit, "intersects", kShifted), "TRUE"},
+                   {infix(kUnit, "intersects", "rectangle3(2, 3, 0, 1, 0, 1)"), "FALSE"},
+                   {infix(kUnit, "intersects", kUndefined), "undefined"}},
+      .errors = {{"query " + infix(kUnit, "intersects", "1"), "intersects: expected (rect3 rect3), got (rect3 int)"}},
+  });
+  registry.add({
+      .name = "inside",
+      .syntax = "_ inside _",
+      .doc = "True if every point of the first box lies in the second; common boundaries count.",
+      .exactness = Exactness::exact,
+      .overloads = {overload<&box_inside>("inner", "outer")},
+      .examples = {{infix(kUnit, "inside", "rectangle3(0, 2, 0, 2, 0, 2)"), "TRUE"},
+                   {infix(kUnit, "inside", kShifted), "FALSE"},
+                   {infix(kUnit, "inside", kUndefined), "undefined"}},
+      .errors = {{"query " + infix(kUnit, "inside", "1"), "inside: expected (rect3 rect3), got (rect3 int)"}},
+  });
+  registry.add({
+      .name = "contains",
+      .syntax = "_ contains _",
+      .doc = "True if the first box holds every point of the second, or if the first string or text holds the second.",
+      .exactness = Exactness::exact,
+      .overloads = {overload<&box_contains>("outer", "inner"), overload<&string_contains>("whole", "part"),
+                    overload<&text_contains>("whole", "part"), overload<&text_contains_string>("whole", "part")},
+      .examples = {{infix("rectangle3(0, 2, 0, 2, 0, 2)", "contains", kUnit), "TRUE"},
+                   {"\"gearbox\" contains \"box\"", "TRUE"},
+                   {"'gearbox.stl' contains \"cog\"", "FALSE"},
+                   {infix(kUnit, "contains", kUndefined), "undefined"}},
+      .errors = {{"query " + infix(kUnit, "contains", "1"), "contains: expected (rect3 rect3)"}},
+  });
+}
+
+void register_box_sets(Registry& registry) {
+  registry.add({
+      .name = "union",
+      .syntax = "_ union _",
+      .doc = "The smallest box around both boxes.",
+      .exactness = Exactness::exact,
+      .overloads = {overload<&box_union>("a", "b")},
+      .examples = {{infix(kUnit, "union", kShifted), "(0.0 2.0 0.0 1.0 0.0 1.0)"},
+                   {infix(kUnit, "union", kUndefined), "undefined"}},
+      .errors = {{"query " + infix(kUnit, "union", "1"), "union: expected (rect3 rect3), got (rect3 int)"}},
+  });
+  registry.add({
+      .name = "intersection",
+      .syntax = "intersection(_, _)",
+      .doc = "The common part of both boxes.",
+      .detail = "Undefined if the boxes do not meet.",
+      .exactness = Exactness::exact,
+      .overloads = {overload<&box_intersection>("a", "b")},
+      .examples = {{call("intersection", kUnit, kShifted), "(1.0 1.0 0.0 1.0 0.0 1.0)"},
+                   {call("intersection", kUnit, "rectangle3(2, 3, 0, 1, 0, 1)"), "undefined"},
+                   {call("intersection", kUnit, kUndefined), "undefined"}},
+      .errors = {{"query " + call("intersection", kUnit, "1"),
+                  "intersection: expected (rect3 rect3), got (rect3 int)"}},
+  });
+}
+
+}  // namespace
+
+void register_boxes(Registry& registry) {
+  registry.add({
+      .name = "rectangle3",
+      .syntax = "rectangle3(_, _, _, _, _, _)",
+      .doc = "The box with these bounds: minimum and maximum of x, of y, of z.",
+      .detail = "Undefined if a minimum is above its maximum.",
+      .exactness = Exactness::exact,
+      .overloads = {overload<&make_box>("minX", "maxX", "minY", "maxY", "minZ", "maxZ")},
+      .examples = {{"rectangle3(0, 1, 0, 2, 0, 3)", "(0.0 1.0 0.0 2.0 0.0 3.0)"},
+                   {"rectangle3(1, 0, 0, 2, 0, 3)", "undefined"},
+                   {"rectangle3(0, 1, 0, 2, 0, [const real value undefined])", "undefined"}},
+      .errors = {{"query rectangle3(0, 1)", "rectangle3: expected (real real real real real real), got (int int)"}},
+  });
+  register_box_predicates(registry);
+  register_box_sets(registry);
+  registry.add({
+      .name = "enlargeRect",
+      .syntax = "enlargeRect(_, _, _, _)",
+      .doc = "The box with every bound moved outward by the distance given for its axis; negative distances shrink it.",
+      .detail = "Undefined if nothing is left.",
+      .exactness = Exactness::outward,
+      .overloads = {overload<&enlarged>("box", "dx", "dy", "dz")},
+      .examples = {{call("enlargeRect", kUnit, "1, 0, 0.5"), "(-1.0 2.0 0.0 1.0 -0.5 1.5)"},
+                   {call("enlargeRect", kUnit, "-1, 0, 0"), "undefined"},
+                   {call("enlargeRect", kUndefined, "1, 1, 1"), "undefined"}},
+      .errors = {{"query " + call("enlargeRect", kUnit, "1"),
+                  "enlargeRect: expected (rect3 real real real), got (rect3 int)"}},
+  });
+  registry.add({
+      .name = "minD",
+      .syntax = "minD(_, _)",
+      .doc = "The lower bound of a box in a dimension, counted from 1.",
+      .exactness = Exactness::exact,
+      .overloads = {overload<&lower_bound>("box", "dimension")},
+      .examples = {{call("minD", kShifted, "1"), "1.0"},
+                   {call("minD", kShifted, "4"), "undefined"},
+                   {call("minD", kUndefined, "1"), "undefined"}},
+      .errors = {{"query " + call("minD", kUnit, "1.5"), "minD: expected (rect3 int), got (rect3 real)"}},
+  });
+  registry.add({
+      .name = "maxD",
+      .syntax = "maxD(_, _)",
+      .doc = "The upper bound of a box in a dimension, counted from 1.",
+      .exactness = Exactness::exact,
+      .overloads = {overload<&upper_bound>("box", "dimension")},
+      .examples = {{call("maxD", kShifted, "1"), "2.0"},
+                   {call("maxD", kShifted, "0"), "undefined"},
+                   {call("maxD", kUndefined, "1"), "undefined"}},
+      .errors = {{"query " + call("maxD", kUnit, "1.5"), "maxD: expected (rect3 int), got (rect3 real)"}},
+  });
+}
+
+}  // namespace algebra3d

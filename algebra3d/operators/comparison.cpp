@@ -1,0 +1,141 @@
+// = # < <= > >= between, isdefined, ifthenelse: the same for every type, by the type's own order.
+#include <array>
+
+#include "algebra3d/operators/all.h"
+#include "algebra3d/registry/overload.h"
+#include "algebra3d/types/scalars.h"
+
+namespace algebra3d {
+namespace {
+
+using Test = bool (*)(std::strong_ordering);
+
+// Compares loaded values of one type.
+Overload comparison(const Type& type, Test holds) {
+  Overload overload;
+  overload.parameters = {{"a", &type}, {"b", &type}};
+  overload.result = &TypeOf<bool>::type();
+  overload.function = [holds](std::span<const Value> values, Context&) -> Result<Outcome> {
+    ASSIGN_OR_RETURN(const Value a, values[0].loaded());
+    ASSIGN_OR_RETURN(const Value b, values[1].loaded());
+    return Outcome(Value::of<bool>(holds(compare(a, b))));
+  };
+  return overload;
+}
+
+Overload range_test(const Type& type) {
+  Overload overload;
+  overload.parameters = {{"x", &type}, {"low", &type}, {"high", &type}};
+  overload.result = &TypeOf<bool>::type();
+  overload.function = [](std::span<const Value> values, Context&) -> Result<Outcome> {
+    ASSIGN_OR_RETURN(const Value x, values[0].loaded());
+    ASSIGN_OR_RETURN(const Value low, values[1].loaded());
+    ASSIGN_OR_RETURN(const Value high, values[2].loaded());
+    return Outcome(Value::of<bool>(compare(low, x) <= 0 && compare(x, high) <= 0));
+  };
+  return overload;
+}
+
+Overload definedness(const Type& type) {
+  Overload overload;
+  overload.parameters = {{"x", &type, true}};
+  overload.result = &TypeOf<bool>::type();
+  overload.function = [](std::span<const Value> values, Context&) -> Result<Outcome> {
+    return Outcome(Value::of<bool>(values[0].is_defined()));
+  };
+  return overload;
+}
+
+Overload choice(const Type& type) {
+  Overload overload;
+  overload.parameters = {{"condition", &TypeOf<bool>::type(), true}, {"yes", &type, true}, {"no", &type, true}};
+  overload.result = &type;
+  overload.function = [](std::span<const Value> values, Context&) -> Result<Outcome> {
+    if (!values[0].is_defined()) return Outcome(Undefined{"the condition is undefined"});
+    return Outcome(values[0].get<bool>() ? values[1] : values[2]);
+  };
+  return overload;
+}
+
+template <typename Make>
+std::vector<Overload> for_all_types(const Registry& registry, Make make) {
+  std::vector<Overload> overloads;
+  for (const Type* type : registry.types()) overloads.push_back(make(*type));
+  return overloads;
+}
+
+struct Comparison {
+  const char* name;
+  const char* doc;
+  Test holds;
+  const char* yes;
+  const char* no;
+};
+
+constexpr std::array kComparisons = {
+    Comparison{"=", "True if both values are equal.", [](std::strong_ordering o) { return o == 0; }, "1 = 1.0",
+               "1 = 2"},
+    Comparison{"#", "True if the values differ.", [](std::strong_ordering o) { return o != 0; }, "\"a\" # \"b\"",
+               "1 # 1"},
+    Comparison{"<", "True if the first value comes before the second in the order of their type.",
+               [](std::strong_ordering o) { return o < 0; }, "1 < 1.5", "2 < 1"},
+    Comparison{"<=", "True if the first value does not come after the second.",
+               [](std::strong_ordering o) { return o <= 0; }, "1 <= 1", "\"b\" <= \"a\""},
+    Comparison{">", "True if the first value comes after the second.", [](std::strong_ordering o) { return o > 0; },
+               "TRUE > FALSE", "1 > 1"},
+    Comparison{">=", "True if the first value does not come before the second.",
+               [](std::strong_ordering o) { return o >= 0; }, "2 >= 1", "0.5 >= 1"},
+};
+
+}  // namespace
+
+void register_comparison(Registry& registry) {
+  for (const Comparison& row : kComparisons)
+    registry.add({
+        .name = row.name,
+        .syntax = std::string("_ ") + row.name + " _",
+        .doc = row.doc,
+        .detail =
+            "Both are of one type; an int beside a real counts as a real. Volumes and surfaces are equal here when "
+            "they have the same set of oriented triangles.",
+        .exactness = Exactness::exact,
+        .overloads = for_all_types(registry, [&](const Type& type) { return comparison(type, row.holds); }),
+        .examples = {{row.yes, "TRUE"},
+                     {row.no, "FALSE"},
+                     {std::string("1 ") + row.name + " [const int value undefined]", "undefined"}},
+        .errors = {{std::string("query 1 ") + row.name + " \"a\"", std::string(row.name) + ": expected (int int)"}},
+    });
+  registry.add({
+      .name = "between",
+      .syntax = "_ between[_, _]",
+      .doc = "True if the value lies between the bounds, or is one of them, in the order of its type.",
+      .exactness = Exactness::exact,
+      .overloads = for_all_types(registry, range_test),
+      .examples = {{"2 between[1, 3]", "TRUE"},
+                   {"0.5 between[1, 3]", "FALSE"},
+                   {"2 between[1, [const int value undefined]]", "undefined"}},
+      .errors = {{"query 2 between[1, \"a\"]", "between: expected (int int int)"}},
+  });
+  registry.add({
+      .name = "isdefined",
+      .syntax = "isdefined(_)",
+      .doc = "True if the value is not undefined.",
+      .exactness = Exactness::exact,
+      .overloads = for_all_types(registry, definedness),
+      .examples = {{"isdefined(1)", "TRUE"}, {"isdefined([const point3d value undefined])", "FALSE"}},
+      .errors = {{"query isdefined(1, 2)", "isdefined: expected (int)"}},
+  });
+  registry.add({
+      .name = "ifthenelse",
+      .syntax = "ifthenelse(_, _, _)",
+      .doc = "The second argument if the condition is TRUE, the third if it is FALSE.",
+      .detail = "Undefined if the condition is. Both branches are evaluated.",
+      .overloads = for_all_types(registry, choice),
+      .examples = {{"ifthenelse(1 < 2, \"yes\", \"no\")", "\"yes\""},
+                   {"ifthenelse(TRUE, 1, [const int value undefined])", "1"},
+                   {"ifthenelse([const bool value undefined], 1, 2)", "undefined"}},
+      .errors = {{"query ifthenelse(TRUE, 1, \"a\")", "ifthenelse: expected (bool int int)"}},
+  });
+}
+
+}  // namespace algebra3d

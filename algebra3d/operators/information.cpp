@@ -1,0 +1,129 @@
+// size, bbox, bbox3d, isEmpty, bboxDistance, bboxIntersects: what box and count alone can tell.
+#include <optional>
+
+#include "algebra3d/operators/all.h"
+#include "algebra3d/registry/overload.h"
+#include "algebra3d/types/scalars.h"
+#include "algebra3d/types/spatial.h"
+
+namespace algebra3d {
+namespace {
+
+template <typename T>
+Maybe<std::int32_t> size_of(const HeaderOf<T>& geometry) {
+  if (geometry.header.size > 0x7FFFFFFF) return Undefined{"the result is beyond the range of ints"};
+  return static_cast<std::int32_t>(geometry.header.size);
+}
+
+template <typename T>
+Maybe<Box3> box_of(const HeaderOf<T>& geometry) {
+  if (geometry.header.box.is_empty()) return Undefined{"an empty value has no box"};
+  return geometry.header.box;
+}
+
+template <typename T>
+bool is_empty(std::optional<HeaderOf<T>> geometry) {
+  return !geometry || geometry->header.box.is_empty();
+}
+
+template <typename T>
+Maybe<double> box_distance(std::optional<HeaderOf<T>> geometry, std::optional<Box3> box) {
+  if (!geometry || geometry->header.box.is_empty()) return -1.0;
+  if (!box) return Undefined{"the box is undefined"};
+  return distance(geometry->header.box, *box);
+}
+
+template <typename T>
+bool box_intersects(const HeaderOf<T>& geometry, const Box3& box) {
+  return geometry.header.box.intersects(box);
+}
+
+void register_sizes(Registry& registry) {
+  registry.add({
+      .name = "size",
+      .syntax = "size(_)",
+      .doc = "The number of points or triangles.",
+      .detail = "A point3d has size 1. Reads no geometry.",
+      .exactness = Exactness::exact,
+      .overloads = {overload<&size_of<Point3d>>("point"), overload<&size_of<Points3d>>("points"),
+                    overload<&size_of<Surface3d>>("surface"), overload<&size_of<Volume3d>>("solid")},
+      .examples = {{"size(createCube(makePoint3D(0, 0, 0), makePoint3D(1, 1, 1)))", "12"},
+                   {"size([const surface3d value ()])", "0"},
+                   {"size([const volume3d value undefined])", "undefined"}},
+      .errors = {{"query size(1)", "size: expected (point3d), (points3d), (surface3d) or (volume3d), got (int)"}},
+  });
+  registry.add({
+      .name = "isEmpty",
+      .syntax = "isEmpty(_)",
+      .doc = "True for the empty and for the undefined value.",
+      .exactness = Exactness::exact,
+      .overloads = {overload<&is_empty<Point3d>>("point"), overload<&is_empty<Points3d>>("points"),
+                    overload<&is_empty<Surface3d>>("surface"), overload<&is_empty<Volume3d>>("solid"),
+                    overload<&is_empty<Box3>>("box")},
+      .examples = {{"isEmpty([const volume3d value ()])", "TRUE"},
+                   {"isEmpty(makePoint3D(0, 0, 0))", "FALSE"},
+                   {"isEmpty([const volume3d value undefined])", "TRUE"}},
+      .errors = {{"query isEmpty(1)", "isEmpty: expected (point3d)"}},
+  });
+}
+
+void register_box_operator(Registry& registry, const std::string& name) {
+  registry.add({
+      .name = name,
+      .syntax = name + "(_)",
+      .doc = "The smallest box of doubles around a geometry.",
+      .detail = "Outward-rounded where coordinates are no doubles. Undefined for an empty value. Reads no geometry. "
+                "`bbox` and "
+                "`bbox3d` are the same operator.",
+      .exactness = Exactness::outward,
+      .overloads = {overload<&box_of<Point3d>>("point"), overload<&box_of<Points3d>>("points"),
+                    overload<&box_of<Surface3d>>("surface"), overload<&box_of<Volume3d>>("solid"),
+                    overload<&box_of<Box3>>("box")},
+      .examples = {{name + "(createCube(makePoint3D(0, 0, 0), makePoint3D(1, 2, 3)))", "(0.0 1.0 0.0 2.0 0.0 3.0)"},
+                   {name + "([const volume3d value ()])", "undefined"},
+                   {name + "([const volume3d value undefined])", "undefined"}},
+      .errors = {{"query " + name + "(1)", name + ": expected (point3d)"}},
+  });
+}
+
+}  // namespace
+
+void register_information(Registry& registry) {
+  register_sizes(registry);
+  register_box_operator(registry, "bbox");
+  register_box_operator(registry, "bbox3d");
+  const std::string cube = "createCube(makePoint3D(0, 0, 0), makePoint3D(1, 1, 1))";
+  registry.add({
+      .name = "bboxDistance",
+      .syntax = "bboxDistance(_, _)",
+      .doc = "The smallest distance between the box of a geometry and a box, in coordinate units; 0 if they meet.",
+      .detail = "-1 for an empty or undefined geometry.",
+      .exactness = Exactness::two_ulp,
+      .overloads = {overload<&box_distance<Point3d>>("point", "box"),
+                    overload<&box_distance<Points3d>>("points", "box"),
+                    overload<&box_distance<Surface3d>>("surface", "box"),
+                    overload<&box_distance<Volume3d>>("solid", "box"), overload<&box_distance<Box3>>("other", "box")},
+      .examples = {{"bboxDistance(" + cube + ", rectangle3(4, 5, 5, 6, 0, 1))", "5.0"},
+                   {"bboxDistance([const volume3d value undefined], rectangle3(4, 5, 5, 6, 0, 1))", "-1.0"},
+                   {"bboxDistance(" + cube + ", [const rect3 value undefined])", "undefined"}},
+      .errors = {{"query bboxDistance(" + cube + ", 1)", "bboxDistance: expected (point3d rect3)"}},
+  });
+  registry.add({
+      .name = "bboxIntersects",
+      .syntax = "bboxIntersects(_, _)",
+      .doc = "True if the box of a geometry meets a box; touching counts.",
+      .detail = "FALSE for an empty geometry.",
+      .exactness = Exactness::exact,
+      .overloads = {overload<&box_intersects<Point3d>>("point", "box"),
+                    overload<&box_intersects<Points3d>>("points", "box"),
+                    overload<&box_intersects<Surface3d>>("surface", "box"),
+                    overload<&box_intersects<Volume3d>>("solid", "box"),
+                    overload<&box_intersects<Box3>>("other", "box")},
+      .examples = {{"bboxIntersects(" + cube + ", rectangle3(1, 2, 1, 2, 1, 2))", "TRUE"},
+                   {"bboxIntersects([const volume3d value ()], rectangle3(1, 2, 1, 2, 1, 2))", "FALSE"},
+                   {"bboxIntersects([const volume3d value undefined], rectangle3(1, 2, 1, 2, 1, 2))", "undefined"}},
+      .errors = {{"query bboxIntersects(" + cube + ", 1)", "bboxIntersects: expected (point3d rect3)"}},
+  });
+}
+
+}  // namespace algebra3d

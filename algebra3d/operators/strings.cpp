@@ -1,0 +1,37 @@
+// startsWith: strings and texts. (`contains` stands with the boxes, since one description holds all its overloads.)
+#include "algebra3d/operators/all.h"
+#include "algebra3d/registry/overload.h"
+#include "algebra3d/types/scalars.h"
+
+namespace algebra3d {
+namespace {
+
+bool string_starts(const std::string& whole, const std::string& start) {
+  return whole.starts_with(start);
+}
+bool text_starts(const Text& whole, const Text& start) {
+  return whole.content.starts_with(start.content);
+}
+bool text_starts_string(const Text& whole, const std::string& start) {
+  return whole.content.starts_with(start);
+}
+
+}  // namespace
+
+void register_strings(Registry& registry) {
+  registry.add({
+      .name = "startsWith",
+      .syntax = "_ startsWith _",
+      .doc = "True if the first string or text begins with the second.",
+      .exactness = Exactness::exact,
+      .overloads = {overload<&string_starts>("whole", "start"), overload<&text_starts>("whole", "start"),
+                    overload<&text_starts_string>("whole", "start")},
+      .examples = {{"\"gear.stl\" startsWith \"gear\"", "TRUE"},
+                   {"'gear.stl' startsWith \"cog\"", "FALSE"},
+                   {"\"a\" startsWith [const string value undefined]", "undefined"}},
+      .errors = {{"query \"a\" startsWith 1",
+                  "startsWith: expected (string string), (text text) or (text string), got (string int)"}},
+  });
+}
+
+}  // namespace algebra3d
