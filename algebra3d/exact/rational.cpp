@@ -175,6 +175,7 @@ Rational add_small(const Terms& s, const Terms& t, bool subtract) {
   const auto b = static_cast<std::uint64_t>(s.denominator);
   const auto d = static_cast<std::uint64_t>(t.denominator);
   const std::uint64_t g = b == d ? b : gcd_of(b, d);
+  assert(g != 0);
   const Int128 sum = Int128{s.numerator} * Int128{d / g} + other * Int128{b / g};
   if (g == 1) return signed_terms(sum, UInt128{b} * d);
   const auto sum_magnitude = static_cast<UInt128>(sum < 0 ? -sum : sum);
