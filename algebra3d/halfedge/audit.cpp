@@ -111,7 +111,7 @@ bool TriangleMeshAuditor::check_origins() {
 
 void TriangleMeshAuditor::derive_opposites() {
   std::vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>> keyed;
-  for (std::uint32_t h = 0; h < mesh.origins_.size(); ++h) keyed.push_back({std::minmax({origin(h), target(h)}), h});
+  for (std::uint32_t h = 0; h < mesh.origins_.size(); ++h) keyed.emplace_back(std::minmax({origin(h), target(h)}), h);
   std::ranges::sort(keyed);
   opposites.assign(mesh.origins_.size(), TriangleMesh::kBoundary);
   for (std::size_t i = 0; i < keyed.size();) {

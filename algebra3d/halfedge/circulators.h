@@ -1,16 +1,15 @@
 #pragma once
 
 #include <cstddef>
-#include <iterator>
 #include <ranges>
+#include <span>
 
 #include "algebra3d/halfedge/cursor_range.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
 
-/// Neighbourhoods and elements of a mesh as lazy ranges: forward (elements and those of a face: random access), without
-/// allocation, to be composed with std::views. They refer to the mesh, not to each other: iterators (but for those of
-/// `vertices_of`) outlive their range, none outlives the mesh. Where a function takes a handle, that must be a valid
-/// one of the mesh.
+/// Neighbourhoods and elements of a mesh as lazy ranges: forward (all elements of a kind: random access), without
+/// allocation, to be composed with std::views. They refer to the mesh, not to each other: iterators outlive their range
+/// but not the mesh. Where a function takes a handle, that must be a valid one of the mesh.
 ///
 /// Round a vertex the order is counter-clockwise, fan after fan in the order of `TriangleMesh::fans`; each fan starts
 /// at its first half-edge. So all fans of a non-manifold vertex are met, and an isolated vertex has empty
@@ -158,6 +157,23 @@ class EdgeCursor {
   std::size_t halfedge_ = 0;
 };
 
+/// Walks over half-edges by index and sees their origins.
+class OriginCursor {
+ public:
+  using value_type = VertexId;
+
+  OriginCursor() = default;
+  OriginCursor(const TriangleMesh& mesh, std::size_t halfedge) : mesh_(&mesh), halfedge_(halfedge) {}
+
+  VertexId get() const { return mesh_->origin(HalfedgeId(halfedge_)); }
+  void advance() { ++halfedge_; }
+  bool operator==(const OriginCursor& other) const { return halfedge_ == other.halfedge_; }
+
+ private:
+  const TriangleMesh* mesh_ = nullptr;
+  std::size_t halfedge_ = 0;
+};
+
 template <typename Cursor>
 CursorRange<Cursor> around(const TriangleMesh& mesh, VertexId v) {
   const auto fans = mesh.fans(v);
@@ -188,9 +204,11 @@ inline auto adjacent_vertices(const TriangleMesh& mesh, VertexId v) {
 inline HandleRange<HalfedgeId> halfedges_of(const TriangleMesh& /*mesh*/, FaceId f) {
   return {TriangleMesh::halfedge(f).index(), TriangleMesh::halfedge(f).index() + 3};
 }
-/// The three corners of `f`, from corner 0. Random access.
+/// The three corners of `f`, from corner 0.
 inline auto vertices_of(const TriangleMesh& mesh, FaceId f) {
-  return halfedges_of(mesh, f) | std::views::transform([&mesh](HalfedgeId h) { return mesh.origin(h); });
+  using circulators::OriginCursor;
+  const std::size_t first = TriangleMesh::halfedge(f).index();
+  return CursorRange<OriginCursor>(OriginCursor(mesh, first), OriginCursor(mesh, first + 3));
 }
 /// Faces that share an edge with `f`, itself excluded: edge by edge from half-edge 0, across a non-manifold edge all
 /// others along it, ascending. A face that shares two edges appears twice.
@@ -219,7 +237,7 @@ inline auto edges(const TriangleMesh& mesh) {
 
 static_assert(std::ranges::random_access_range<HandleRange<VertexId>> &&
               std::ranges::borrowed_range<HandleRange<VertexId>>);
-static_assert(std::ranges::random_access_range<decltype(vertices_of(TriangleMesh(), FaceId()))>);
+static_assert(std::ranges::forward_range<decltype(vertices_of(TriangleMesh(), FaceId()))>);
 static_assert(std::ranges::forward_range<decltype(outgoing_halfedges(TriangleMesh(), VertexId()))>);
 static_assert(std::ranges::forward_range<decltype(incoming_halfedges(TriangleMesh(), VertexId()))>);
 static_assert(std::ranges::forward_range<decltype(faces_around(TriangleMesh(), VertexId()))>);

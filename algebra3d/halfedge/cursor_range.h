@@ -37,15 +37,18 @@ class CursorIterator {
   Cursor cursor_;
 };
 
-/// The values from one cursor to another. A view; its iterators do not refer to it.
+/// The values from one cursor to another. A view; its iterators do not refer to it. (Not a std::ranges::view_interface:
+/// Clang 14 refuses that of GCC 12's library.)
 template <typename Cursor>
-class CursorRange : public std::ranges::view_interface<CursorRange<Cursor>> {
+class CursorRange : public std::ranges::view_base {
  public:
   CursorRange() = default;
   CursorRange(Cursor first, Cursor last) : first_(std::move(first)), last_(std::move(last)) {}
 
   CursorIterator<Cursor> begin() const { return CursorIterator<Cursor>(first_); }
   CursorIterator<Cursor> end() const { return CursorIterator<Cursor>(last_); }
+  bool empty() const { return first_ == last_; }
+  typename Cursor::value_type front() const { return first_.get(); }
 
  private:
   Cursor first_;
@@ -54,7 +57,7 @@ class CursorRange : public std::ranges::view_interface<CursorRange<Cursor>> {
 
 /// The handles with indices from `first` up to, not including, `last`. A view; its iterators do not refer to it.
 template <typename Id>
-class HandleRange : public std::ranges::view_interface<HandleRange<Id>> {
+class HandleRange : public std::ranges::view_base {
  public:
   class Iterator {
    public:
@@ -92,6 +95,9 @@ class HandleRange : public std::ranges::view_interface<HandleRange<Id>> {
 
   Iterator begin() const { return Iterator(first_); }
   Iterator end() const { return Iterator(last_); }
+  bool empty() const { return first_ == last_; }
+  std::size_t size() const { return last_ - first_; }
+  Id operator[](std::size_t n) const { return Id(first_ + n); }
 
  private:
   std::size_t first_ = 0;

@@ -19,7 +19,7 @@ class Handle {
   constexpr std::uint32_t index() const { return index_; }
   constexpr bool is_valid() const { return index_ != kInvalidIndex; }
 
-  friend constexpr auto operator<=>(Handle, Handle) = default;
+  friend constexpr auto operator<=>(Handle, Handle) = default;  // NOLINT(modernize-use-nullptr)
 
  private:
   std::uint32_t index_ = kInvalidIndex;

@@ -148,8 +148,8 @@ bool is_consistently_oriented(const TriangleMesh& mesh) {
   for (std::size_t n = 0; n < mesh.nonmanifold_edge_count(); ++n) {
     std::int64_t balance = 0;
     for (const HalfedgeId h : mesh.nonmanifold_edge(n)) {
-      const auto direction = mesh.origin(h) <=> mesh.target(h);
-      balance += direction < 0 ? 1 : direction > 0 ? -1 : 0;
+      balance += mesh.origin(h) < mesh.target(h) ? 1 : 0;
+      balance -= mesh.target(h) < mesh.origin(h) ? 1 : 0;
     }
     if (balance != 0) return false;
   }
@@ -168,7 +168,7 @@ Maybe<std::int64_t> genus(const TriangleMesh& mesh) {
   }
   // Here a vertex is one even if components meet in it: that is where the mesh touches itself.
   total.vertices = std::ranges::count_if(vertices(mesh), [&](VertexId v) { return !mesh.is_isolated(v); });
-  const Maybe<std::int64_t> connected = genus_from(total);
+  Maybe<std::int64_t> connected = genus_from(total);
   if (!connected) return connected;
   return *connected + static_cast<std::int64_t>(components.count) - 1;
 }

@@ -65,25 +65,25 @@ TEST(Audit, origin_that_is_no_vertex_is_found) {
 TEST(Audit, forgotten_opposite_is_found) {
   TriangleMesh mesh = tetrahedron();
   Tester::opposites(mesh)[0] = 0xFFFFFFFF;
-  EXPECT_EQ(audit(mesh), (Lines{"half-edge 0: boundary, its edge demands opposite 11",
-                                "half-edge 11: its opposite 0 has boundary"}));
+  EXPECT_EQ(audit(mesh),
+            (Lines{"half-edge 0: boundary, its edge demands opposite 9", "half-edge 9: its opposite 0 has boundary"}));
 }
 
 TEST(Audit, opposite_that_does_not_run_in_reverse_is_found) {
   TriangleMesh mesh = tetrahedron();
   Tester::opposites(mesh)[0] = 1;
-  EXPECT_EQ(audit(mesh), (Lines{"half-edge 0: opposite 1, its edge demands opposite 11",
-                                "half-edge 0: its opposite 1 has opposite 8",
-                                "half-edge 0 from 0 to 2: its opposite 1 runs from 2 to 1",
-                                "half-edge 11: its opposite 0 has opposite 1"}));
+  EXPECT_EQ(audit(mesh),
+            (Lines{"half-edge 0: opposite 1, its edge demands opposite 9", "half-edge 0: its opposite 1 has opposite 6",
+                   "half-edge 0 from 0 to 2: its opposite 1 runs from 2 to 1",
+                   "half-edge 9: its opposite 0 has opposite 1"}));
 }
 
 TEST(Audit, opposite_that_is_no_halfedge_is_found) {
   TriangleMesh mesh = tetrahedron();
-  Tester::opposites(mesh)[11] = 12;
-  EXPECT_EQ(audit(mesh), (Lines{"half-edge 0: its opposite 11 has opposite 12",
-                                "half-edge 11: opposite 12, its edge demands opposite 0",
-                                "half-edge 11: opposite 12 is no half-edge"}));
+  Tester::opposites(mesh)[9] = 12;
+  EXPECT_EQ(audit(mesh), (Lines{"half-edge 0: its opposite 9 has opposite 12",
+                                "half-edge 9: opposite 12, its edge demands opposite 0",
+                                "half-edge 9: opposite 12 is no half-edge"}));
 }
 
 TEST(Audit, boundary_taken_for_nonmanifold_is_found) {

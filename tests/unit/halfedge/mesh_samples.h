@@ -168,6 +168,11 @@ inline std::vector<Triangles> all_kinds() {
     result.push_back(random_soup(random, count, 3 + static_cast<std::uint32_t>(i % 7), i % 3 == 0));
   }
   for (int i = 0; i < 300; ++i) result.push_back(damaged_grid(random));
+  for (std::uint32_t i = 0; i < 64; ++i) {
+    Triangles& holed = result.emplace_back(grid(3 + i % 4, 3 + i / 16, i % 2 == 0, i % 8 < 4));
+    std::ranges::shuffle(holed, random);
+    holed.pop_back();
+  }
   return result;
 }
 
