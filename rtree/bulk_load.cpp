@@ -9,7 +9,7 @@ namespace rtree {
 namespace {
 
 // The tree is cut from the top: a node's entries are halved again and again across the longest side of their region
-// until there is one part per child. Measured against the alternatives in docs/decisions/0003-rtree-layout.md.
+// until there is one part per child; docs/decisions/0003-rtree-layout.md has the measurements.
 
 // A run of seeds that becomes one node, or several sisters as long as node_count > 1.
 struct Part {
@@ -25,9 +25,10 @@ struct Task {
   std::size_t level;
 };
 
+constexpr double kLargest = std::numeric_limits<double>::max();
+
 // Infinite extents are cut off, so that a centre is never NaN.
 double center_of(double min, double max) {
-  constexpr double kLargest = std::numeric_limits<double>::max();
   return std::max(min, -kLargest) / 2 + std::min(max, kLargest) / 2;
 }
 

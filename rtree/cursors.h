@@ -101,7 +101,7 @@ class NearestCursor {
     }
   };
 
-  void expand(NodeIndex node, std::uint32_t level);
+  void expand(NodeIndex node_index, std::uint32_t level);
   void push(const Candidate& candidate);
   Candidate pop();
   void lower_bound(double distance);

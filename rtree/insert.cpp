@@ -8,6 +8,9 @@
 namespace rtree {
 namespace {
 
+// Slots whose growth of overlap is computed. [beckmann1990] takes 32 of larger nodes; four was chosen, not measured.
+constexpr std::ptrdiff_t kTried = 4;
+
 // What it costs to put a box into a slot, in the order in which costs are compared.
 struct Cost {
   double overlap = 0;
@@ -51,22 +54,21 @@ double shared_volume(const Node<Payload>& node, std::size_t count, std::size_t s
 }
 
 // [beckmann1990], section 4.1: above the leaves the least growth of overlap, elsewhere the least growth of volume. The
-// overlap is computed for the cheapest few alone; more of them cost time and gave no better trees.
+// overlap is computed for the kTried slots that grow least.
 template <typename Payload>
 std::size_t choose_slot(const Storage<Payload>& storage, NodeIndex index, const Box3& added) {
-  constexpr std::size_t kTried = 4;
   const Node<Payload>& node = storage.nodes[index];
   const NodeInfo info = storage.infos[index];
   std::array<Cost, kFanOut> costs;
   for (std::size_t slot = 0; slot < info.count; ++slot) costs[slot] = cost_of(node, slot, added);
   const auto is_cheaper = [](const Cost& a, const Cost& b) { return a < b; };
-  const auto first = costs.begin();
-  const auto last = first + info.count;
+  auto* const first = costs.data();
+  auto* const last = first + info.count;
   if (info.level > 1) return std::min_element(first, last, is_cheaper)->slot;
-  const auto tried = first + std::min<std::ptrdiff_t>(kTried, info.count);
+  auto* const tried = first + std::min<std::ptrdiff_t>(kTried, info.count);
   std::partial_sort(first, tried, last, is_cheaper);
   if (first->growth == 0 && first->margin_growth == 0) return first->slot;
-  for (auto cost = first; cost != tried; ++cost) {
+  for (auto* cost = first; cost != tried; ++cost) {
     const Box3 box = node.box(cost->slot);
     cost->overlap = shared_volume(node, info.count, cost->slot, unite(box, added)) -
                     shared_volume(node, info.count, cost->slot, box);

@@ -57,7 +57,7 @@ void JoinCursor<Payload>::expand(const Task& task) {
   }
 }
 
-// Only children that meet the other node are compared with its children: most pairs of nodes overlap at a corner.
+// Only children that meet the other node are compared with its children: many pairs of nodes overlap in a small part.
 template <typename Payload>
 void JoinCursor<Payload>::expand_both(const Task& task) {
   const Node<Payload>& first = first_->nodes[task.first];

@@ -6,7 +6,7 @@
 namespace rtree {
 namespace {
 
-// Beyond this many the bound costs more than it saves.
+// Up to this limit a bound is kept, whose upkeep is logarithmic in the limit. Chosen, not measured.
 constexpr std::size_t kLargestBoundedLimit = 64;
 
 // Where the square lies outside of this range, the scaled one is computed instead.
@@ -61,8 +61,8 @@ std::optional<Neighbor<Payload>> NearestCursor<Payload>::next() {
 }
 
 template <typename Payload>
-void NearestCursor<Payload>::expand(NodeIndex index, std::uint32_t level) {
-  const Node<Payload>& node = storage_->nodes[index];
+void NearestCursor<Payload>::expand(NodeIndex node_index, std::uint32_t level) {
+  const Node<Payload>& node = storage_->nodes[node_index];
   double squares[kFanOut];
   for (SlotMask slots = squared_distances(node, box_, squares); slots != 0;) {
     const std::size_t slot = take_slot(slots);

@@ -13,7 +13,7 @@ struct Seed {
 
 /// Reorders `seeds` so that none of the first `first_count` comes after any of the others by (center[axis], index).
 /// Which seeds come first does not depend on their order. Indices must differ; no centre is NaN.
-/// Cost: linear on average, about 1.5 passes. Source: [floyd1975], with a fixed sample instead of recursion.
+/// Cost: linear on average. Source: [floyd1975], with a fixed sample instead of recursion.
 void select_first(Seed* seeds, std::size_t count, std::size_t first_count, std::size_t axis);
 
 }  // namespace rtree
