@@ -1,0 +1,44 @@
+#include "queries/shell/interactive.h"
+
+#include <editline/readline.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <memory>
+
+#include "queries/shell/interruption.h"
+
+namespace queries {
+namespace {
+
+void print_banner(const Session&, bool has_database) {
+  std::cout << "algebra3d: exact solids in a database\n"
+               "Commands end with ';'. `help` lists the operators, `help volume` explains one, `quit` leaves.\n";
+  if (!has_database) std::cout << "No database is open: try `create database parts; open database parts;`\n";
+}
+
+}  // namespace
+
+void run_interactive(Session& session, StatementRunner& runner) {
+  print_banner(session, session.store() != nullptr);
+  CommandReader reader;
+  while (true) {
+    using Line = std::unique_ptr<char, decltype(&std::free)>;
+    const Line line(readline(reader.is_pending() ? "      ...> " : "algebra3d> "), &std::free);
+    if (Interruption::flag().exchange(false)) {
+      reader = CommandReader();
+      std::cout << "\n";
+      continue;
+    }
+    if (line == nullptr) break;
+    if (*line != '\0') add_history(line.get());
+    std::string text = line.get();
+    // Words of the shell itself need no semicolon.
+    if (!reader.is_pending() && (text == "quit" || text == "q" || text == "?" || text.starts_with("help"))) text += ";";
+    for (const CommandText& command : reader.add_line(text))
+      if (runner.run(command) == RunResult::quit) return;
+  }
+  std::cout << "\n";
+}
+
+}  // namespace queries

@@ -1,0 +1,29 @@
+#include "queries/shell/interruption.h"
+
+#include <csignal>
+#include <cstdlib>
+
+namespace queries {
+namespace {
+
+std::atomic<bool> is_interrupted{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
+
+extern "C" void on_signal(int) {
+  if (is_interrupted.exchange(true)) std::_Exit(130);
+}
+
+}  // namespace
+
+Interruption::Interruption() {
+  struct sigaction action = {};
+  action.sa_handler = on_signal;
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+std::atomic<bool>& Interruption::flag() {
+  return is_interrupted;
+}
+
+}  // namespace queries

@@ -1,0 +1,76 @@
+#include "queries/shell/presenters.h"
+
+#include <fmt/format.h>
+
+#include "queries/shell/table.h"
+
+namespace queries {
+namespace {
+
+// Widths are found per piece, so that the first rows appear before the last ones are read.
+constexpr std::size_t kRowsPerPiece = 200;
+
+TextTable empty_table(const TypeExpr& tuple) {
+  std::vector<std::string> header;
+  std::vector<bool> is_number;
+  for (const auto& [name, type] : tuple.attributes()) {
+    header.push_back(name);
+    is_number.push_back(type.is("int") || type.is("real"));
+  }
+  return {std::move(header), std::move(is_number)};
+}
+
+}  // namespace
+
+Status ListPresenter::present(const TypeExpr& type, const Datum& value, Context& context) {
+  ASSIGN_OR_RETURN(const NestedList result, result_list(type, value, context));
+  out_ << result.print() << "\n";
+  return {};
+}
+
+Status ListPresenter::present_inquiry(const NestedList& result) {
+  out_ << result.print() << "\n";
+  return {};
+}
+
+Status TablePresenter::present(const TypeExpr& type, const Datum& value, Context& context) {
+  if (type.is_relation()) return present_relation(type.element(), *value.relation(), context);
+  if (const auto* single = std::get_if<Value>(&value.content)) {
+    out_ << display_text(*single) << "\n";
+    return {};
+  }
+  ASSIGN_OR_RETURN(const NestedList result, value_list(type, value, context));
+  out_ << type.text() << "\n" << result.print() << "\n";
+  return {};
+}
+
+Status TablePresenter::present_relation(const TypeExpr& tuple, Relation& relation, Context& context) {
+  ASSIGN_OR_RETURN(const TupleStreamPtr tuples, relation.scan());
+  std::size_t count = 0;
+  TextTable table = empty_table(tuple);
+  while (true) {
+    RETURN_IF_ERROR(context.check_cancelled());
+    ASSIGN_OR_RETURN(const TuplePtr next, tuples->next());
+    if (next != nullptr) {
+      std::vector<std::string> row;
+      for (const Value& attribute : next->attributes) row.push_back(display_text(attribute));
+      table.add(std::move(row));
+      if (++count % kRowsPerPiece != 0) continue;
+    }
+    if (count == 0 || next != nullptr || count % kRowsPerPiece != 0) out_ << table.print(width_);
+    if (next == nullptr) break;
+    table = empty_table(tuple);
+  }
+  out_ << fmt::format("({} {})\n", count, count == 1 ? "tuple" : "tuples");
+  return {};
+}
+
+// (inquiry (what (item ...))): an item per line.
+Status TablePresenter::present_inquiry(const NestedList& result) {
+  const NestedList& content = result.elements()[1].elements()[1];
+  for (const NestedList& item : content.elements())
+    if (!item.is_symbol("OBJECTS")) out_ << item.print() << "\n";
+  return {};
+}
+
+}  // namespace queries

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <ostream>
+
+#include "queries/session/session.h"
+
+namespace queries {
+
+/// Results as nested lists, one line each: for scripts and pipes.
+class ListPresenter final : public Presenter {
+ public:
+  explicit ListPresenter(std::ostream& out) : out_(out) {}
+  Status present(const TypeExpr& type, const Datum& value, Context& context) override;
+  Status present_inquiry(const NestedList& result) override;
+
+ private:
+  std::ostream& out_;
+};
+
+/// Results for people: relations as tables that fit the terminal, a long one in pieces of some hundred rows.
+class TablePresenter final : public Presenter {
+ public:
+  TablePresenter(std::ostream& out, std::size_t width) : out_(out), width_(width) {}
+  Status present(const TypeExpr& type, const Datum& value, Context& context) override;
+  Status present_inquiry(const NestedList& result) override;
+
+ private:
+  Status present_relation(const TypeExpr& tuple, Relation& relation, Context& context);
+
+  std::ostream& out_;
+  std::size_t width_;
+};
+
+}  // namespace queries

@@ -1,0 +1,190 @@
+#include "queries/shell/program.h"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <iostream>
+
+#include "algebra3d/operators/all.h"
+#include "algebra3d/registry/documentation.h"
+#include "queries/importer/import_command.h"
+#include "queries/shell/interactive.h"
+#include "queries/shell/interruption.h"
+#include "queries/shell/presenters.h"
+#include "queries/streams/all.h"
+#include "queries/test_runner/test_runner.h"
+
+namespace queries {
+namespace {
+
+constexpr int kOk = 0;
+constexpr int kFailed = 1;
+constexpr int kWrongUsage = 2;
+constexpr int kInterrupted = 130;
+
+struct Options {
+  std::string database;
+  std::string folder;
+  std::string commands;
+  std::string format = "auto";
+  std::vector<std::string> scripts;
+  std::vector<std::string> test_files;
+  std::string help_operator;
+  bool help_as_markdown = false;
+  bool is_read_only = false;
+  bool stops_on_error = false;
+};
+
+int exit_status(RunResult result) {
+  if (result == RunResult::failed) return kFailed;
+  return result == RunResult::interrupted ? kInterrupted : kOk;
+}
+
+std::size_t terminal_width() {
+  winsize size{};
+  constexpr std::size_t kUsual = 100;
+  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : kUsual;
+}
+
+std::unique_ptr<Presenter> make_presenter(const Options& options) {
+  const bool as_table = options.format == "table" || (options.format == "auto" && isatty(STDOUT_FILENO) != 0);
+  if (as_table) return std::make_unique<TablePresenter>(std::cout, terminal_width());
+  return std::make_unique<ListPresenter>(std::cout);
+}
+
+std::filesystem::path database_folder(const Options& options) {
+  if (!options.folder.empty()) return options.folder;
+  const auto parent = std::filesystem::path(options.database).parent_path();
+  return parent.empty() ? "." : parent;
+}
+
+int run_scripts(const Options& options, StatementRunner& runner) {
+  int worst = kOk;
+  for (const std::string& name : options.scripts) {
+    std::ifstream script(name);
+    if (!script || std::filesystem::is_directory(name)) {
+      std::cerr << "error: cannot read the script '" << name << "'\n";
+      worst = kFailed;
+      if (options.stops_on_error) return worst;
+      continue;
+    }
+    const RunResult result = runner.run_script(script, name);
+    if (result == RunResult::interrupted) return kInterrupted;
+    if (result == RunResult::failed) worst = kFailed;
+    if (result == RunResult::failed && options.stops_on_error) return worst;
+  }
+  return worst;
+}
+
+int run_session(const Options& options, const algebra3d::Registry& registry) {
+  Session session(registry, {database_folder(options), options.is_read_only});
+  if (!options.database.empty()) {
+    const Status opened = session.open_file(options.database);
+    if (!opened) {
+      std::cerr << "error: " << opened.error().message << "\n";
+      return kFailed;
+    }
+  }
+  const auto presenter = make_presenter(options);
+  StatementRunner runner(session, *presenter, std::cerr, options.stops_on_error);
+  if (!options.commands.empty()) {
+    std::istringstream commands(options.commands);
+    const int status = exit_status(runner.run_script(commands, "-c"));
+    if (status != kOk || options.scripts.empty()) return status;
+  }
+  if (!options.scripts.empty()) return run_scripts(options, runner);
+  if (isatty(STDIN_FILENO) == 0) return exit_status(runner.run_script(std::cin, "stdin"));
+  run_interactive(session, runner);
+  return kOk;
+}
+
+int run_tests(const Options& options, const algebra3d::Registry& registry) {
+  std::size_t passed = 0;
+  std::size_t failed = 0;
+  for (const std::string& file : options.test_files) {
+    std::cout << "== " << file << "\n";
+    const auto outcome = run_test_file(
+        file, registry, {[](const std::string& line) { std::cout << line << "\n"; }, &Interruption::flag()});
+    if (!outcome) {
+      std::cerr << "error: " << outcome.error().message << "\n";
+      if (outcome.error().code == ErrorCode::interrupted) return kInterrupted;
+      ++failed;
+      continue;
+    }
+    if (!outcome->skipped.empty()) std::cout << "left out: " << outcome->skipped << "\n";
+    passed += outcome->passed;
+    failed += outcome->failed;
+    for (const std::string& failure : outcome->failures) std::cout << "failed " << failure << "\n";
+  }
+  std::cout << passed << " passed, " << failed << " failed\n";
+  return failed == 0 ? kOk : kFailed;
+}
+
+int run_help(const Options& options, const algebra3d::Registry& registry) {
+  if (options.help_as_markdown) {
+    std::cout << algebra3d::reference_page(registry);
+    return kOk;
+  }
+  if (options.help_operator.empty()) {
+    std::cout << algebra3d::help_overview(registry);
+    return kOk;
+  }
+  const algebra3d::Operator* op = registry.find_operator(options.help_operator);
+  if (op != nullptr) {
+    std::cout << algebra3d::help_text(*op);
+    return kOk;
+  }
+  const std::string suggestion = registry.suggestion(options.help_operator);
+  std::cerr << "error: there is no operator '" << options.help_operator << "'"
+            << (suggestion.empty() ? "" : ", did you mean '" + suggestion + "'?") << "\n";
+  return kWrongUsage;
+}
+
+void add_options(CLI::App& app, Options& options) {
+  app.add_option("--db", options.database, "Database file to open from the start; made if it is not there")
+      ->type_name("FILE");
+  app.add_option("--dir", options.folder,
+                 "Folder of the databases of `create`, `open` and `delete database` (default: that of --db, else here)")
+      ->type_name("DIR");
+  app.add_flag("--read-only", options.is_read_only, "Change nothing");
+  app.add_option("-c", options.commands, "Commands to run, separated by ';'")->type_name("'COMMAND; ...'");
+  app.add_option("--format", options.format, "Results as nested lists or as tables (default: tables on a terminal)")
+      ->check(CLI::IsMember({"auto", "list", "table"}));
+  app.add_flag("--stop-on-error", options.stops_on_error, "End a script at its first error");
+  app.add_option("SCRIPT", options.scripts, "Scripts to run; without any, and on a terminal: the interactive shell");
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv) {
+  const Interruption interruption;
+  std::ios::sync_with_stdio(false);
+  Options options;
+  ImportOptions import_options;
+  CLI::App app{"algebra3d: solids and surfaces as values in a database, with exact geometry"};
+  app.footer("Exit status: 0 all went well, 1 a command failed, 2 wrong usage, 130 interrupted.");
+  app.set_version_flag("--version", "algebra3d 0.1.0");
+  add_options(app, options);
+  const CLI::App* import = add_import_command(app, import_options);
+  CLI::App* test = app.add_subcommand("test", "Run files of regression tests; the last line is 'N passed, N failed'");
+  test->add_option("FILES", options.test_files, "Test files")->required();
+  CLI::App* help = app.add_subcommand("help", "Explain an operator, or list all of them");
+  help->add_option("OPERATOR", options.help_operator, "Name of an operator, such as volume");
+  help->add_flag("--markdown", options.help_as_markdown, "The whole reference page");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const int status = app.exit(error);
+    return status == 0 ? kOk : kWrongUsage;
+  }
+  algebra3d::Registry registry = algebra3d::make_registry();
+  register_stream_operators(registry);
+  if (import->parsed()) return run_import(import_options, registry, &Interruption::flag());
+  if (test->parsed()) return run_tests(options, registry);
+  if (help->parsed()) return run_help(options, registry);
+  return run_session(options, registry);
+}
+
+}  // namespace queries

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "queries/session/session.h"
+
+namespace queries {
+
+/// A value as people read it in a table: one line, reals with six significant digits, large values as a summary
+/// (`volume3d: 12 triangles, box (0 1) (0 1) (0 1)`). Reads no geometry.
+std::string display_text(const Value& value);
+
+/// Rows of cells as an aligned table of at most `width` columns of a terminal: long cells are cut and marked with `…`.
+/// Numbers stand to the right.
+class TextTable {
+ public:
+  TextTable(std::vector<std::string> header, std::vector<bool> is_number)
+      : header_(std::move(header)), is_number_(std::move(is_number)) {}
+  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+  std::string print(std::size_t width) const;
+
+ private:
+  std::vector<std::size_t> column_widths(std::size_t width) const;
+
+  std::vector<std::string> header_;
+  std::vector<bool> is_number_;
+  std::vector<std::vector<std::string>> rows_;
+};
+
+}  // namespace queries

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <span>
+#include <utility>
+
+#include "queries/streams/spatial_index.h"
+
+namespace queries {
+
+/// The trees of index definitions, in memory, one per relation table and attribute however many objects name it.
+/// They follow the changes of their relation. A tree that somebody else holds is copied before it is changed, so that
+/// no cursor sees a change. Used by one thread.
+class IndexCache {
+ public:
+  using Tree = SpatialIndex::Tree;
+
+  /// Null if there is none.
+  std::shared_ptr<Tree> find(std::int64_t table_number, std::size_t attribute) const;
+  void add(std::int64_t table_number, std::size_t attribute, std::shared_ptr<Tree> tree);
+
+  /// A tuple came or went; `boxes` holds one box per attribute, empty ones for attributes without.
+  void insert(std::int64_t table_number, std::int64_t tuple, std::span<const algebra3d::Box3> boxes);
+  void erase(std::int64_t table_number, std::int64_t tuple, std::span<const algebra3d::Box3> boxes);
+
+  void drop_table(std::int64_t table_number);
+  void clear() { trees_.clear(); }
+  bool has_trees(std::int64_t table_number) const;
+
+ private:
+  using Key = std::pair<std::int64_t, std::size_t>;
+  template <typename Change>
+  void change(std::int64_t table_number, std::span<const algebra3d::Box3> boxes, Change apply);
+
+  std::map<Key, std::shared_ptr<Tree>> trees_;
+};
+
+}  // namespace queries

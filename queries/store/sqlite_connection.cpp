@@ -1,0 +1,141 @@
+#include "queries/store/sqlite_connection.h"
+
+#include <utility>
+
+#include "queries/store/sqlite_error.h"
+
+namespace queries {
+namespace {
+
+using algebra3d::Error;
+using algebra3d::Result;
+using algebra3d::Status;
+
+/// Statements that are kept prepared; each relation needs about ten.
+constexpr std::size_t kPreparedKept = 500;
+
+/// The name of the file as SQLite takes it: absolute, so that neither "file:x" nor ":memory:" means something else.
+std::string name_for_sqlite(const std::filesystem::path& file, SqliteConnection::Access access) {
+  const std::string path = std::filesystem::absolute(file).string();
+  if (access != SqliteConnection::Access::immutable) return path;
+  std::string uri = "file:";
+  for (const char c : path) {
+    if (c == '?' || c == '#' || c == '%')
+      uri += fmt::format("%{:02x}", static_cast<unsigned char>(c));
+    else
+      uri += c;
+  }
+  return uri + "?immutable=1";
+}
+
+int flags_of(SqliteConnection::Access access) {
+  constexpr int kCommon = SQLITE_OPEN_FULLMUTEX | SQLITE_OPEN_EXRESCODE;
+  switch (access) {
+    case SqliteConnection::Access::create:
+      return kCommon | SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+    case SqliteConnection::Access::read_write:
+      return kCommon | SQLITE_OPEN_READWRITE;
+    case SqliteConnection::Access::read_only:
+      return kCommon | SQLITE_OPEN_READONLY;
+    case SqliteConnection::Access::immutable:
+      break;
+  }
+  return kCommon | SQLITE_OPEN_READONLY | SQLITE_OPEN_URI;
+}
+
+// What a damaged or hostile file could make SQLite do beyond reading tables is switched off.
+void harden(sqlite3* handle) {
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+}
+
+}  // namespace
+
+Result<std::unique_ptr<SqliteConnection>> SqliteConnection::open(const std::filesystem::path& file, Access access,
+                                                                 int busy_milliseconds) {
+  sqlite3* handle = nullptr;
+  const std::string name = name_for_sqlite(file, access);
+  const int code = sqlite3_open_v2(name.c_str(), &handle, flags_of(access), nullptr);
+  if (code != SQLITE_OK) {
+    Error error = sqlite_error(handle, code, file.string(), "opening the database");
+    sqlite3_close(handle);
+    return error;
+  }
+  auto connection = std::unique_ptr<SqliteConnection>(new SqliteConnection(handle, file.string()));
+  sqlite3_busy_timeout(handle, busy_milliseconds);
+  harden(handle);
+  return connection;
+}
+
+SqliteConnection::~SqliteConnection() {
+  for (const auto& [sql, prepared] : prepared_) sqlite3_finalize(prepared->statement);
+  sqlite3_close_v2(handle_);
+}
+
+Error SqliteConnection::error(int code, std::string_view doing) const {
+  return sqlite_error(handle_, code, file_, doing);
+}
+
+Result<sqlite3_stmt*> SqliteConnection::prepare(std::string_view sql) {
+  sqlite3_stmt* statement = nullptr;
+  const int code = sqlite3_prepare_v3(handle_, sql.data(), static_cast<int>(sql.size()), SQLITE_PREPARE_PERSISTENT,
+                                      &statement, nullptr);
+  if (code != SQLITE_OK) return error(code, "reading the tables of the database");
+  return statement;
+}
+
+Status SqliteConnection::execute(std::string_view sql) {
+  ASSIGN_OR_RETURN(sqlite3_stmt * prepared, prepare(sql));
+  SqliteStatement statement(*this, prepared, nullptr);
+  while (true) {
+    ASSIGN_OR_RETURN(const bool has_row, statement.step());
+    if (!has_row) return {};
+  }
+}
+
+Result<SqliteStatement> SqliteConnection::use(std::string_view sql) {
+  const std::lock_guard lock(mutex_);
+  const auto known = prepared_.find(std::string(sql));
+  if (known != prepared_.end() && !known->second->in_use) {
+    known->second->in_use = true;
+    return SqliteStatement(*this, known->second->statement, &known->second->in_use);
+  }
+  ASSIGN_OR_RETURN(sqlite3_stmt * statement, prepare(sql));
+  // Two uses of one text at the same time: the second one is not kept.
+  if (known != prepared_.end()) return SqliteStatement(*this, statement, nullptr);
+  if (prepared_.size() >= kPreparedKept) forget_unused();
+  auto& added = prepared_[std::string(sql)];
+  added = std::make_unique<Prepared>(Prepared{statement, true});
+  return SqliteStatement(*this, statement, &added->in_use);
+}
+
+void SqliteConnection::forget_unused() {
+  std::erase_if(prepared_, [](const auto& entry) {
+    if (entry.second->in_use) return false;
+    sqlite3_finalize(entry.second->statement);
+    return true;
+  });
+}
+
+void SqliteConnection::give_back(sqlite3_stmt* statement, bool* in_use) {
+  if (in_use == nullptr) {
+    sqlite3_finalize(statement);
+    return;
+  }
+  sqlite3_reset(statement);
+  sqlite3_clear_bindings(statement);
+  const std::lock_guard lock(mutex_);
+  *in_use = false;
+}
+
+Result<std::int64_t> SqliteConnection::integer(std::string_view sql) {
+  ASSIGN_OR_RETURN(SqliteStatement statement, use(sql));
+  ASSIGN_OR_RETURN(const bool has_row, statement.step());
+  if (!has_row || !statement.column(0).is(Cell::Kind::integer))
+    return Error{algebra3d::ErrorCode::database_corrupt, "{}: expected a number for \"{}\"", file_, sql};
+  return statement.column(0).integer;
+}
+
+}  // namespace queries

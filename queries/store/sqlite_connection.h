@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include <sqlite3.h>
+
+#include "queries/store/sqlite_statement.h"
+
+namespace queries {
+
+/// One connection to a SQLite file, with its prepared statements. Members may be called by several threads at once; the
+/// statements must all have been given back when it ends.
+class SqliteConnection {
+ public:
+  enum class Access : std::uint8_t {
+    read_write,
+    create,     ///< read and write, makes the file
+    read_only,  ///< with the lock files of other processes
+    immutable,  ///< reads the file alone, trusting that nobody changes it
+  };
+
+  static algebra3d::Result<std::unique_ptr<SqliteConnection>> open(const std::filesystem::path& file, Access access,
+                                                                   int busy_milliseconds);
+  ~SqliteConnection();
+  SqliteConnection(const SqliteConnection&) = delete;
+  SqliteConnection& operator=(const SqliteConnection&) = delete;
+
+  const std::string& file() const { return file_; }
+  /// The system lets nobody write through this connection.
+  bool is_read_only() const { return sqlite3_db_readonly(handle_, "main") == 1; }
+  bool in_transaction() const { return sqlite3_get_autocommit(handle_) == 0; }
+
+  /// Runs a statement whose rows are of no interest.
+  algebra3d::Status execute(std::string_view sql);
+  /// A statement of this text, prepared before or now.
+  algebra3d::Result<SqliteStatement> use(std::string_view sql);
+  /// The first column of the first row, an integer. Error if there is no row.
+  algebra3d::Result<std::int64_t> integer(std::string_view sql);
+
+  algebra3d::Error error(int code, std::string_view doing) const;
+  /// For SqliteStatement alone.
+  void give_back(sqlite3_stmt* statement, bool* in_use);
+
+ private:
+  struct Prepared {
+    sqlite3_stmt* statement = nullptr;
+    bool in_use = false;
+  };
+
+  SqliteConnection(sqlite3* handle, std::string file) : handle_(handle), file_(std::move(file)) {}
+  algebra3d::Result<sqlite3_stmt*> prepare(std::string_view sql);
+  void forget_unused();
+
+  sqlite3* handle_;
+  std::string file_;
+  std::mutex mutex_;  // guards prepared_
+  std::unordered_map<std::string, std::unique_ptr<Prepared>> prepared_;
+};
+
+}  // namespace queries
