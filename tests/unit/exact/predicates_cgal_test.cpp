@@ -57,8 +57,8 @@ constexpr std::array kFamilies{Family::uniform,    Family::grid,       Family::s
                                Family::thirds,     Family::far_thirds, Family::mixed_thirds};
 
 double moved_by_ulps(double value, int ulps) {
-  for (; ulps > 0; --ulps) value = std::nextafter(value, 2);
-  for (; ulps < 0; ++ulps) value = std::nextafter(value, -2);
+  for (; ulps > 0; --ulps) value = std::nextafter(value, 9);
+  for (; ulps < 0; ++ulps) value = std::nextafter(value, -9);
   return value;
 }
 
@@ -84,9 +84,9 @@ std::vector<TestPoint> near_plane(Random& random, std::size_t count) {
 
 // On z = x - y, each at its own scale: exactly coplanar, but the bits of the coordinates lie far apart. Some are moved
 // off by their last bit.
-Vec3 wide_plane_point(Random& random) {
+Vec3 wide_plane_point(Random& random, int exponent) {
   const Vec3 g = grid_point(random);
-  const double scale = std::ldexp(1, integer(random, -90, 90));
+  const double scale = std::ldexp(1, exponent + integer(random, -90, 90));
   return {scale * g.x, scale * g.y, scale * moved_by_ulps(g.x - g.y, integer(random, 0, 3) == 0 ? 1 : 0)};
 }
 
@@ -101,6 +101,8 @@ std::vector<TestPoint> make_points(Family family, Random& random, std::size_t co
   constexpr std::array kScales{-1074, -1073, -1022, -520, -330, -201, -30, 0, 40, 299, 310, 520, 1021};
   const auto scale = [&] { return kScales[static_cast<std::size_t>(integer(random, 0, kScales.size() - 1))]; };
   const std::array exponents{scale(), scale(), scale()};
+  constexpr std::array kMiddles{0, 0, -960, -330, -240, 240, 330, 900};
+  const int middle = kMiddles[static_cast<std::size_t>(integer(random, 0, kMiddles.size() - 1))];
   const double far = std::ldexp(1, integer(random, 0, 50));
   std::vector<TestPoint> points;
   for (std::size_t i = 0; i < count; ++i) {
@@ -111,7 +113,7 @@ std::vector<TestPoint> make_points(Family family, Random& random, std::size_t co
         points.emplace_back(Vec3{real(random), real(random), real(random)});
         break;
       case Family::wide_plane:
-        points.emplace_back(wide_plane_point(random));
+        points.emplace_back(wide_plane_point(random, middle));
         break;
       case Family::grid:
         points.emplace_back(g);

@@ -143,6 +143,17 @@ TEST(vertical_line, sign_and_side_are_as_documented) {
   EXPECT_EQ(cross_vertical_line(Vec3{3, 3, 0}, upward).sign, 0);
 }
 
+TEST(vertical_line, passes_a_little_towards_positive_x_and_less_towards_positive_y) {
+  const TriangleRef triangle{Vec3{0, 0, 0}, Vec3{4, 0, 0}, Vec3{0, 4, 0}};
+  EXPECT_EQ(cross_vertical_line(Vec3{1, 0, 5}, triangle).sign, 1) << "moved off the edge on the x axis, inwards";
+  EXPECT_EQ(cross_vertical_line(Vec3{0, 1, 5}, triangle).sign, 1) << "moved off the edge on the y axis, inwards";
+  EXPECT_EQ(cross_vertical_line(Vec3{2, 2, 5}, triangle).sign, 0) << "moved off the third edge, outwards";
+  const TriangleRef steep{Vec3{0, 0, 0}, Vec3{4, 4, 0}, Vec3{0, 4, 0}};
+  EXPECT_EQ(cross_vertical_line(Vec3{2, 2, 5}, steep).sign, 0) << "x counts before y";
+  EXPECT_EQ(cross_vertical_line(Vec3{0, 0, 5}, triangle).sign, 1);
+  EXPECT_EQ(cross_vertical_line(Vec3{4, 0, 5}, triangle).sign, 0);
+}
+
 TEST(vertical_line, triangles_without_projected_area_are_never_crossed) {
   const TriangleRef upright{Vec3{0, 0, 0}, Vec3{1, 1, 0}, Vec3{2, 2, 5}};
   const TriangleRef needle{Vec3{0, 0, 0}, Vec3{2, 0, 0}, Vec3{1, 0, 0}};
