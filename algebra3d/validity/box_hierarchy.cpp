@@ -53,7 +53,7 @@ void sort_ties(std::vector<CodedFace>& faces, std::span<const std::uint64_t> cod
 }  // namespace
 
 void BoxHierarchy::Box::extend(const Box& other) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
+  for (std::size_t axis = 0; axis < 4; ++axis) {
     min[axis] = std::min(min[axis], other.min[axis]);
     max[axis] = std::max(max[axis], other.max[axis]);
   }
@@ -97,7 +97,8 @@ BoxHierarchy::Box BoxHierarchy::scaled(const Box3& box) const {
   const auto map = [this](const Vec3& p, std::size_t axis) {
     return static_cast<float>((p[axis] / 2 - origin_[axis] / 2) * scale_);
   };
-  return {{map(box.min, 0), map(box.min, 1), map(box.min, 2)}, {map(box.max, 0), map(box.max, 1), map(box.max, 2)}};
+  return {{map(box.min, 0), map(box.min, 1), map(box.min, 2), 0},
+          {map(box.max, 0), map(box.max, 1), map(box.max, 2), 0}};
 }
 
 void BoxHierarchy::sort_faces(std::vector<Box>& boxes) {

@@ -25,6 +25,7 @@ struct Star {
 };
 
 constexpr double kDirectionSize = 1024;
+constexpr int kSearchRounds = 8;
 
 /// Collects the closed fan of `v`; false if there is none, or its coordinates are no doubles.
 bool collect_star(const TriangleMesh& mesh, VertexId v, Star& star) {
@@ -79,9 +80,8 @@ Vec3 front_direction(const Star& star, const Vec3& sum_of_normals) {
   if (!(square > 1e-250 && square < 1e250)) return {};
   Vec3 direction = to_integers(sum_of_normals);
   if (shows_front(star, direction, bound)) return direction;
-  constexpr int kRounds = 8;
   Vec3 guess = (1 / kDirectionSize) * direction;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kSearchRounds; ++round) {
     for (const Vec3& normal : star.normals) {
       const double length = std::sqrt(dot(normal, normal));
       if (!(length > 0)) return {};

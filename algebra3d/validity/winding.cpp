@@ -77,6 +77,12 @@ class WindingQuery {
  public:
   WindingQuery(const TriangleMesh& mesh, const BoxHierarchy& hierarchy, const ShellWindings& shells)
       : mesh_(mesh), hierarchy_(hierarchy), shells_(shells), shell_boxes_(shells.first_faces.size()) {
+    if (shell_boxes_.size() == 1) {
+      // Every crossing counts; asking no box saves reading all points.
+      shell_boxes_[0] = {{-Box3::kInfinity, -Box3::kInfinity, -Box3::kInfinity},
+                         {Box3::kInfinity, Box3::kInfinity, Box3::kInfinity}};
+      return;
+    }
     for (std::size_t face = 0; face < mesh.face_count(); ++face)
       for (const PointRef& corner : mesh.corners(FaceId(face)))
         shell_boxes_[shells.shell_of_face[face]].extend(box_of(corner));
@@ -103,7 +109,7 @@ class WindingQuery {
     // their fronts: each counts one for the place before it. Downwards it is those whose normals point down.
     const int upward = orient2d(Projection::xy, own[0], own[1], own[2]);
     Sum sum;
-    hierarchy_.for_each_on_vertical_line(where, [&](std::uint32_t other) {
+    hierarchy_.for_each_on_vertical_ray(where, upward, [&](std::uint32_t other) {
       // A shell is a cycle by itself, and its winding number is 0 outside its box.
       if (other == face.index() || !shell_boxes_[shells_.shell_of_face[other]].intersects(where)) return;
       const LineCrossing crossing = cross_vertical_line(point, mesh_.corners(FaceId(other)));

@@ -137,16 +137,16 @@ TEST(validity_oracle, random_boxes_on_a_small_grid_are_judged_by_the_definition)
   Tally tally;
   for (int round = 0; round < 150; ++round) {
     std::uniform_int_distribution<int> coordinate(0, 4), chance(0, 9);
-    const auto interval = [&] {
+    const auto interval = [&]() -> std::array<double, 2> {
       const int a = coordinate(random), b = coordinate(random);
-      return a == b ? std::pair(a, a + 1) : std::minmax(a, b);
+      return {1.0 * std::min(a, b), 1.0 * std::max(a, b) + (a == b ? 1 : 0)};
     };
     MeshMaker maker;
     for (int n = 0; n < 2 + round % 2; ++n) {
-      const auto [x0, x1] = std::pair<int, int>(interval());
-      const auto [y0, y1] = std::pair<int, int>(interval());
-      const auto [z0, z1] = std::pair<int, int>(interval());
-      maker.box({1.0 * x0, 1.0 * y0, 1.0 * z0}, {1.0 * x1, 1.0 * y1, 1.0 * z1}, chance(random) < 2);
+      const auto [x0, x1] = interval();
+      const auto [y0, y1] = interval();
+      const auto [z0, z1] = interval();
+      maker.box({x0, y0, z0}, {x1, y1, z1}, chance(random) < 2);
     }
     if (chance(random) == 0) maker.drop();
     if (chance(random) == 0) std::ranges::swap(maker.triangles()[0][0], maker.triangles()[0][1]);

@@ -1,0 +1,228 @@
+// prove_volume beside CGAL's self-intersection test on the same meshes in the same run: geodesic spheres, with faces in
+// the order of their making and shuffled, and tori. CGAL answers only whether there is an intersecting pair;
+// prove_volume also proves edges, duplicates and winding numbers. The kernel is the one CGAL recommends for this (exact
+// predicates, inexact constructions). Compare lines of the same arguments.
+#include <benchmark/benchmark.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <random>
+
+#include "algebra3d/validity/validity.h"
+
+namespace {
+
+using algebra3d::PointArray;
+using algebra3d::TriangleMesh;
+using algebra3d::Vec3;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using CgalMesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+struct Shape {
+  std::vector<Vec3> points;
+  std::vector<TriangleMesh::Triangle> triangles;
+};
+
+/// A surface over a grid that is closed in both directions.
+Shape torus(std::uint32_t rows, std::uint32_t columns) {
+  Shape shape;
+  for (std::uint32_t i = 0; i < rows; ++i) {
+    for (std::uint32_t j = 0; j < columns; ++j) {
+      const double u = 2 * std::numbers::pi * i / rows, v = 2 * std::numbers::pi * j / columns;
+      const double radius = 3 + std::cos(v);
+      shape.points.push_back({radius * std::cos(u), radius * std::sin(u), std::sin(v)});
+      const std::uint32_t i1 = (i + 1) % rows, j1 = (j + 1) % columns;
+      const std::uint32_t a = i * columns + j, b = i1 * columns + j, c = i1 * columns + j1, d = i * columns + j1;
+      shape.triangles.push_back({a, b, c});
+      shape.triangles.push_back({a, c, d});
+    }
+  }
+  return shape;
+}
+
+/// Welds points by the corners and weights that they are made of.
+class SphereMaker {
+ public:
+  explicit SphereMaker(std::uint32_t frequency) : n_(frequency) {}
+
+  Shape make() {
+    const double g = std::numbers::phi;
+    corners_ = {{{-1, g, 0},
+                 {1, g, 0},
+                 {-1, -g, 0},
+                 {1, -g, 0},
+                 {0, -1, g},
+                 {0, 1, g},
+                 {0, -1, -g},
+                 {0, 1, -g},
+                 {g, 0, -1},
+                 {g, 0, 1},
+                 {-g, 0, -1},
+                 {-g, 0, 1}}};
+    constexpr std::array<TriangleMesh::Triangle, 20> kFaces{
+        {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+         {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+         {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
+    for (const auto& face : kFaces) {
+      for (std::uint32_t i = 0; i < n_; ++i) {
+        for (std::uint32_t j = 0; i + j < n_; ++j) {
+          shape_.triangles.push_back({point(face, i, j), point(face, i + 1, j), point(face, i, j + 1)});
+          if (i + j + 1 < n_)
+            shape_.triangles.push_back({point(face, i + 1, j), point(face, i + 1, j + 1), point(face, i, j + 1)});
+        }
+      }
+    }
+    return std::move(shape_);
+  }
+
+ private:
+  using Key = std::array<std::pair<std::uint32_t, std::uint32_t>, 3>;
+
+  std::uint32_t point(const TriangleMesh::Triangle& face, std::uint32_t i, std::uint32_t j) {
+    Key key{{{face[0], n_ - i - j}, {face[1], i}, {face[2], j}}};
+    for (auto& [corner, weight] : key)
+      if (weight == 0) corner = 0;
+    std::ranges::sort(key);
+    const auto [place, is_new] = numbers_.try_emplace(key, static_cast<std::uint32_t>(shape_.points.size()));
+    if (is_new) {
+      Vec3 sum;
+      for (const auto& [corner, weight] : key) sum = sum + static_cast<double>(weight) * corners_[corner];
+      shape_.points.push_back((1 / std::sqrt(dot(sum, sum))) * sum);
+    }
+    return place->second;
+  }
+
+  std::uint32_t n_;
+  std::array<Vec3, 12> corners_;
+  std::map<Key, std::uint32_t> numbers_;
+  Shape shape_;
+};
+
+Shape sphere(std::uint32_t frequency) {
+  return SphereMaker(frequency).make();
+}
+
+Shape shuffled(Shape shape) {
+  std::ranges::shuffle(shape.triangles, std::mt19937(1));  // NOLINT(cert-msc51-cpp): the same order in every run
+  return shape;
+}
+
+/// A cone with `sides` slivers that all meet in the apex, and as many in the base.
+Shape cone(std::uint32_t sides) {
+  Shape shape;
+  shape.points = {{0, 0, 1}, {0, 0, 0}};
+  for (std::uint32_t i = 0; i < sides; ++i) {
+    const double angle = 2 * std::numbers::pi * i / sides;
+    shape.points.push_back({std::cos(angle), std::sin(angle), 0});
+    const std::uint32_t a = 2 + i, b = 2 + (i + 1) % sides;
+    shape.triangles.push_back({0, a, b});
+    shape.triangles.push_back({1, b, a});
+  }
+  return shape;
+}
+
+/// Cubes in a row, each a shell of its own.
+Shape cubes(std::uint32_t count) {
+  Shape shape;
+  constexpr std::array<TriangleMesh::Triangle, 12> kFaces{{{0, 2, 3},
+                                                           {0, 3, 1},
+                                                           {4, 5, 7},
+                                                           {4, 7, 6},
+                                                           {0, 1, 5},
+                                                           {0, 5, 4},
+                                                           {2, 6, 7},
+                                                           {2, 7, 3},
+                                                           {0, 4, 6},
+                                                           {0, 6, 2},
+                                                           {1, 3, 7},
+                                                           {1, 7, 5}}};
+  for (std::uint32_t n = 0; n < count; ++n) {
+    for (std::uint32_t i = 0; i < 8; ++i)
+      shape.points.push_back(
+          {2.0 * (n % 22) + (i & 1), 2.0 * (n / 22 % 22) + (i >> 1 & 1), 2.0 * (n / 484) + (i >> 2)});
+    for (const auto& face : kFaces) shape.triangles.push_back({8 * n + face[0], 8 * n + face[1], 8 * n + face[2]});
+  }
+  return shape;
+}
+
+TriangleMesh mesh_of(const Shape& shape) {
+  return {PointArray(shape.points), shape.triangles};
+}
+
+CgalMesh cgal_mesh_of(const Shape& shape) {
+  CgalMesh mesh;
+  for (const Vec3& p : shape.points) mesh.add_vertex({p.x, p.y, p.z});
+  using V = CgalMesh::Vertex_index;
+  for (const auto& t : shape.triangles) mesh.add_face(V(t[0]), V(t[1]), V(t[2]));
+  return mesh;
+}
+
+void prove(benchmark::State& state, const Shape& shape) {
+  const TriangleMesh mesh = mesh_of(shape);
+  for (auto step : state) {
+    const auto report = prove_volume(mesh);
+    if (!report.ok() || !report->is_valid()) state.SkipWithError(report.ok() ? report->text().c_str() : "error");
+  }
+  state.counters["triangles"] = static_cast<double>(shape.triangles.size());
+}
+
+void ask_cgal(benchmark::State& state, const Shape& shape) {
+  const CgalMesh mesh = cgal_mesh_of(shape);
+  for (auto step : state)
+    if (CGAL::Polygon_mesh_processing::does_self_intersect(mesh)) state.SkipWithError("intersects");
+  state.counters["triangles"] = static_cast<double>(shape.triangles.size());
+}
+
+void sphere_ours(benchmark::State& state) {
+  prove(state, sphere(static_cast<std::uint32_t>(state.range(0))));
+}
+void sphere_cgal(benchmark::State& state) {
+  ask_cgal(state, sphere(static_cast<std::uint32_t>(state.range(0))));
+}
+void shuffled_sphere_ours(benchmark::State& state) {
+  prove(state, shuffled(sphere(static_cast<std::uint32_t>(state.range(0)))));
+}
+void shuffled_sphere_cgal(benchmark::State& state) {
+  ask_cgal(state, shuffled(sphere(static_cast<std::uint32_t>(state.range(0)))));
+}
+void torus_ours(benchmark::State& state) {
+  const auto n = static_cast<std::uint32_t>(state.range(0));
+  prove(state, torus(2 * n, n));
+}
+void torus_cgal(benchmark::State& state) {
+  const auto n = static_cast<std::uint32_t>(state.range(0));
+  ask_cgal(state, torus(2 * n, n));
+}
+void cone_ours(benchmark::State& state) {
+  prove(state, cone(static_cast<std::uint32_t>(state.range(0))));
+}
+void cone_cgal(benchmark::State& state) {
+  ask_cgal(state, cone(static_cast<std::uint32_t>(state.range(0))));
+}
+void cubes_ours(benchmark::State& state) {
+  prove(state, cubes(static_cast<std::uint32_t>(state.range(0))));
+}
+void cubes_cgal(benchmark::State& state) {
+  ask_cgal(state, cubes(static_cast<std::uint32_t>(state.range(0))));
+}
+
+// Frequencies for 20 thousand, 100 thousand and a million triangles.
+BENCHMARK(sphere_ours)->Arg(32)->Arg(71)->Arg(224)->Unit(benchmark::kMillisecond);
+BENCHMARK(sphere_cgal)->Arg(32)->Arg(71)->Arg(224)->Unit(benchmark::kMillisecond);
+BENCHMARK(shuffled_sphere_ours)->Arg(71)->Unit(benchmark::kMillisecond);
+BENCHMARK(shuffled_sphere_cgal)->Arg(71)->Unit(benchmark::kMillisecond);
+BENCHMARK(torus_ours)->Arg(158)->Unit(benchmark::kMillisecond);
+BENCHMARK(torus_cgal)->Arg(158)->Unit(benchmark::kMillisecond);
+BENCHMARK(cone_ours)->Arg(1000)->Arg(10'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
+BENCHMARK(cone_cgal)->Arg(1000)->Unit(benchmark::kMillisecond);
+BENCHMARK(cubes_ours)->Arg(10'000)->Unit(benchmark::kMillisecond);
+BENCHMARK(cubes_cgal)->Arg(10'000)->Unit(benchmark::kMillisecond);
+
+}  // namespace
