@@ -14,4 +14,10 @@ void register_stream_operators(algebra3d::Registry& registry) {
   register_indexes(registry);
 }
 
+std::vector<std::string> example_objects() {
+  return {
+      "let Boxes = [const rel(tuple([No: int, B: rect3])) value ((1 (0 1 0 1 0 1)) (2 (5 6 0 1 0 1)) (3 undefined))]",
+      "let Boxes_B = Boxes creatertree[B]"};
+}
+
 }  // namespace queries

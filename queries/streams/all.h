@@ -1,11 +1,18 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "algebra3d/registry/registry.h"
 
 namespace queries {
 
 /// Registers every operator over streams and relations. `registry` outlives all use of them.
 void register_stream_operators(algebra3d::Registry& registry);
+
+/// Commands that make the objects which examples of operators on stored relations use: the relation Boxes with the
+/// attributes No: int and B: rect3, and the index Boxes_B on it.
+std::vector<std::string> example_objects();
 
 // The families, one file each.
 void register_feeding(algebra3d::Registry& registry);

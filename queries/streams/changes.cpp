@@ -154,7 +154,8 @@ void register_changes(algebra3d::Registry& registry) {
       .stream = stream_operator(map_inserttuple),
       .signatures = {"(rel(tuple) DATA ...) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {},
+      .examples = {{"Boxes inserttuple[4, rectangle3(0, 1, 0, 1, 0, 1)] consume", "((4 (0.0 1.0 0.0 1.0 0.0 1.0) 4))"},
+                   {"Boxes inserttuple[5, [const rect3 value undefined]] count", "1"}},
       .errors = {{"query [const rel(tuple([A: int])) value ()] inserttuple[1, 2] count",
                   "inserttuple: expected 1 values, one per attribute, got 2"},
                  {"query [const rel(tuple([A: int])) value ()] inserttuple[TRUE] count",
@@ -171,9 +172,8 @@ void register_changes(algebra3d::Registry& registry) {
       .stream = stream_operator(map_deletesearch),
       .signatures = {"(stream(tuple) rel(tuple)) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{"[const rel(tuple([A: int])) value ((1))] feed [const rel(tuple([A: int])) value ((undefined))] "
-                    "deletesearch count",
-                    "0"}},
+      .examples = {{"Boxes feed filter[.No = 1] Boxes deletesearch project[No, TID] consume", "((1 1))"},
+                   {"Boxes feed filter[not(isdefined(.B))] Boxes deletesearch count", "1"}},
       .errors = {{"query intstream(1, 2) transformstream [const rel(tuple([A: int])) value ()] deletesearch count",
                   "deletesearch: expected a stream of (tuple ((A int))), got (tuple ((Elem int)))"}},
   });

@@ -231,7 +231,8 @@ void register_indexes(algebra3d::Registry& registry) {
       .stream = stream_operator(map_creatertree(registry)),
       .signatures = {"(rel(tuple) NAME) -> rtree3(tuple SPATIAL3D)", "(stream(tuple) NAME) -> rtree3(tuple SPATIAL3D)"},
       .handles_undefined = true,
-      .examples = {},
+      .examples = {{"Boxes creatertree[B]", "(Boxes B 2)"},
+                   {"Boxes feed filter[isdefined(.B)] creatertree[B]", "(frozen B 2)"}},
       .errors = {{"query " + boxes + "creatertree[No]",
                   "creatertree: expected an attribute of kind SPATIAL3D, got int"},
                  {"query " + boxes + "creatertree[B]", "creatertree: the tuples have no ids"}},
@@ -246,7 +247,8 @@ void register_indexes(algebra3d::Registry& registry) {
       .stream = stream_operator(map_windowintersects(registry)),
       .signatures = {"(rtree3(tuple SPATIAL3D) rel(tuple) SPATIAL3D) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {},
+      .examples = {{"Boxes_B Boxes windowintersects[rectangle3(0, 2, 0, 2, 0, 2)] project[No] consume", "((1))"},
+                   {"Boxes_B Boxes windowintersects[[const rect3 value undefined]] count", "0"}},
       .errors = {{"query 5 6 windowintersects[7]", "windowintersects: expected an R-tree, got int"}},
   });
   registry.add({
@@ -260,7 +262,9 @@ void register_indexes(algebra3d::Registry& registry) {
       .signatures = {"(rtree3(tuple SPATIAL3D) rel(tuple) SPATIAL3D) -> stream(tuple)",
                      "(rtree3(tuple SPATIAL3D) rel(tuple) SPATIAL3D int) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {},
+      .examples = {{"Boxes_B Boxes distancescan[makePoint3D(9, 0, 0), 1] project[No] consume", "((2))"},
+                   {"Boxes_B Boxes distancescan[makePoint3D(0, 0, 0)] project[No] consume", "((1) (2))"},
+                   {"Boxes_B Boxes distancescan[[const point3d value undefined]] count", "0"}},
       .errors = {{"query 5 6 distancescan[7]", "distancescan: expected an R-tree, got int"}},
   });
   registry.add({
