@@ -21,10 +21,11 @@ std::uint64_t spread_bits(std::uint64_t value) {
   return value;
 }
 
+constexpr unsigned kDigitBits = 11, kRounds = 3;
+constexpr std::size_t kBuckets = std::size_t{1} << kDigitBits;
+
 /// Stable sort by the upper halves; a round whose digit is the same everywhere is left out.
 void radix_sort(std::vector<CodedFace>& faces) {
-  constexpr unsigned kDigitBits = 11, kRounds = 3;
-  constexpr std::size_t kBuckets = std::size_t{1} << kDigitBits;
   const auto digit = [](CodedFace face, unsigned round) { return (face >> (32 + round * kDigitBits)) % kBuckets; };
   std::vector<std::array<std::uint32_t, kBuckets>> counts(kRounds);
   for (const CodedFace face : faces)

@@ -1,6 +1,7 @@
 #include "algebra3d/validity/edges.h"
 
 #include <algorithm>
+#include <compare>
 #include <span>
 #include <vector>
 
@@ -34,10 +35,10 @@ bool alternates(const TriangleMesh& mesh, std::span<const HalfedgeId> edge) {
     return compare_around_edge(mesh.point(from), mesh.point(to), mesh.point(start), mesh.point(a.apex),
                                mesh.point(b.apex));
   };
-  std::ranges::stable_sort(wings, [&](const Wing& a, const Wing& b) { return order(a, b) < 0; });
+  std::ranges::stable_sort(wings, [&](const Wing& a, const Wing& b) { return std::is_lt(order(a, b)); });
   for (std::size_t i = 0; i < wings.size(); ++i) {
     const Wing& next = wings[i + 1 == wings.size() ? 0 : i + 1];
-    if (wings[i].is_forward == next.is_forward && order(wings[i], next) != 0) return false;
+    if (wings[i].is_forward == next.is_forward && std::is_neq(order(wings[i], next))) return false;
   }
   return true;
 }

@@ -42,17 +42,18 @@ class PairTest {
   bool is_improper(FaceId f, FaceId g) const {
     const TriangleMesh::Triangle s = mesh_.triangle(f), t = mesh_.triangle(g);
     // Without branches: three of four pairs end here, but which is hard to predict.
-    const bool has0 = is_corner(s[0], t), has1 = is_corner(s[1], t), has2 = is_corner(s[2], t);
-    const bool embedded = (has0 & stars_.is_embedded(VertexId(s[0]))) | (has1 & stars_.is_embedded(VertexId(s[1]))) |
-                          (has2 & stars_.is_embedded(VertexId(s[2])));
-    if (embedded) return false;
-    return has0 | has1 | has2 ? is_improper_neighbour(s, t) : is_improper_stranger(f, g);
+    const int has0 = is_corner(s[0], t), has1 = is_corner(s[1], t), has2 = is_corner(s[2], t);
+    const int embedded = (has0 & is_embedded(s[0])) | (has1 & is_embedded(s[1])) | (has2 & is_embedded(s[2]));
+    if (embedded != 0) return false;
+    return (has0 | has1 | has2) != 0 ? is_improper_neighbour(s, t) : is_improper_stranger(f, g);
   }
 
  private:
-  static bool is_corner(std::uint32_t vertex, const TriangleMesh::Triangle& t) {
-    return (vertex == t[0]) | (vertex == t[1]) | (vertex == t[2]);
+  // Both 0 or 1, as numbers, so that they combine without branches.
+  static int is_corner(std::uint32_t vertex, const TriangleMesh::Triangle& t) {
+    return static_cast<int>(vertex == t[0]) | static_cast<int>(vertex == t[1]) | static_cast<int>(vertex == t[2]);
   }
+  int is_embedded(std::uint32_t vertex) const { return static_cast<int>(stars_.is_embedded(VertexId(vertex))); }
 
   bool is_improper_stranger(FaceId f, FaceId g) const {
     if (all_double_) {
