@@ -28,9 +28,10 @@ constexpr std::array<CharClass, 256> make_char_classes() {
   return classes;
 }
 
+constexpr auto kCharClasses = make_char_classes();
+
 CharClass class_of(char character) {
-  static constexpr auto kClasses = make_char_classes();
-  return kClasses[static_cast<unsigned char>(character)];
+  return kCharClasses[static_cast<unsigned char>(character)];
 }
 
 bool is_digit(char character) {
@@ -99,13 +100,13 @@ class Parser {
   // The part of the source up to `end`, as a place: columns count characters, not bytes.
   Error error_at(std::size_t end, ErrorCode code, std::string message) const {
     const auto before = source_.substr(0, end);
-    const auto line_break = before.rfind('\n');
-    const auto line_begin = line_break == kNone ? before.begin() : before.begin() + line_break + 1;
+    const auto line_begin = before.rfind('\n') + 1;  // 0 if there is none
+    const auto line = before.substr(line_begin);
     auto place = start_;
     place.line += static_cast<int>(std::count(before.begin(), before.end(), '\n'));
-    place.column = (line_break == kNone ? start_.column : 1) +
+    place.column = (line_begin == 0 ? start_.column : 1) +
                    static_cast<int>(
-                       std::count_if(line_begin, before.end(), [](char byte) { return !is_utf8_continuation(byte); }));
+                       std::count_if(line.begin(), line.end(), [](char byte) { return !is_utf8_continuation(byte); }));
     return Error(code, std::move(message)).at(std::move(place));
   }
 

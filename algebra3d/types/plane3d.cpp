@@ -68,7 +68,7 @@ class Plane3dType final : public DescribedType {
     const auto plane_a = value_plane(a).canonical();
     const auto plane_b = value_plane(b).canonical();
     const auto order = plane_a.normal <=> plane_b.normal;
-    return order != 0 ? order : plane_a.offset <=> plane_b.offset;
+    return std::is_neq(order) ? order : plane_a.offset <=> plane_b.offset;
   }
   std::size_t hash(const Value& value) const override {
     const auto plane = value_plane(value).canonical();

@@ -55,7 +55,7 @@ class Rect3Type final : public DescribedType {
     const auto bounds_b = bounds_of(b);
     for (std::size_t i = 0; i < bounds_a.size(); ++i) {
       const auto order = compare_reals(bounds_a[i], bounds_b[i]);
-      if (order != 0) return order;
+      if (std::is_neq(order)) return order;
     }
     return std::strong_ordering::equal;
   }
