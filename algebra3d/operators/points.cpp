@@ -1,7 +1,6 @@
 // makePoint3D, makeVector3D, makePlane3D, getx, gety, getz, length, dot, cross.
 #include <cmath>
 
-#include "algebra3d/exact/square_root.h"
 #include "algebra3d/operators/all.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/types/scalars.h"
@@ -53,7 +52,7 @@ double vector_component(const Vector3d& vector) {
 
 double vector_length(const Vector3d& v) {
   const RationalVec3 exact = v.components.rational();
-  return nearest_square_root(dot(exact, exact));
+  return dot(exact, exact).nearest_root();
 }
 
 double scalar_product(const Vector3d& v, const Vector3d& w) {

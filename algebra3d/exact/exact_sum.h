@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <span>
+
+#include "algebra3d/base/error.h"
+#include "algebra3d/exact/plane.h"
+#include "algebra3d/exact/point.h"
+
+namespace algebra3d {
+
+/// Triangles over shared points, as index triples into a PointArray.
+using IndexTriangles = std::span<const std::array<std::uint32_t, 3>>;
+
+/// Volume enclosed by a closed oriented mesh (negative if it is inside out): a sixth of the sum of the determinants of
+/// all triangles. Units: cubed coordinate units. Domain: any triangles; what is not closed has a volume that depends on
+/// the origin. Exactness: exact. Errors: interrupted, once `*cancel` is set (null: never).
+/// Cost: linear; per triangle some 20 nanoseconds where the coordinates of each axis are multiples of a power of two,
+/// 60 bits apart at most, some 300 for other doubles, microseconds at corners that are no doubles.
+/// Source: [lien1984].
+Result<Rational> exact_volume(const PointArray& points, IndexTriangles triangles,
+                              const std::atomic<bool>* cancel = nullptr);
+
+/// The volume, and the integrals of x, y and z over the solid.
+struct SolidMoments {
+  Rational volume;
+  RationalVec3 first;
+};
+/// As `exact_volume`, at about twice the cost.
+Result<SolidMoments> exact_moments(const PointArray& points, IndexTriangles triangles,
+                                   const std::atomic<bool>* cancel = nullptr);
+
+/// Sum of the areas of the triangles, in squared coordinate units; infinite beyond the range of doubles.
+/// Exactness: rounded once if the area of each triangle is a double (or any other multiple of a power of two).
+/// Otherwise the sum has a relative error below 2^-90 before it is rounded. Errors: interrupted. Cost: linear; per
+/// triangle some 20 nanoseconds if it is parallel to two axes, below a microsecond for other triangles of doubles.
+Result<double> nearest_area(const PointArray& points, IndexTriangles triangles,
+                            const std::atomic<bool>* cancel = nullptr);
+
+}  // namespace algebra3d

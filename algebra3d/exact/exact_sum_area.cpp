@@ -1,0 +1,104 @@
+#include <utility>
+
+#include "algebra3d/exact/exact_sum.h"
+#include "algebra3d/exact/exact_sum_integers.h"
+
+namespace algebra3d {
+namespace {
+
+using detail::BigInteger;
+using detail::BitRange;
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// Bits behind the binary point in the sums below. With integer coordinates a triangle that is not degenerate has a
+/// normal of length 1 at least, so that what is cut off is at most 2^-128 of it.
+constexpr mp_bitcnt_t kFractionBits = 128;
+
+/// Sum of the lengths of the triangles' normals, which are twice the areas, with all coordinates as integers.
+class LengthSum {
+ public:
+  LengthSum(const PointArray& points, const BitRange& range) : points_(points), range_(range) {}
+
+  void add(const Triangle& t) {
+    const Vec3 &a = points_.approx()[t[0]], &b = points_.approx()[t[1]], &c = points_.approx()[t[2]];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      detail::set_integer(origin_, a[axis], range_.exponent());
+      detail::set_integer(u_[axis], b[axis], range_.exponent());
+      detail::set_integer(v_[axis], c[axis], range_.exponent());
+      mpz_sub(u_[axis], u_[axis], origin_);
+      mpz_sub(v_[axis], v_[axis], origin_);
+    }
+    mpz_set_ui(square_, 0);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      mpz_mul(normal_[i], u_[j], v_[k]);
+      mpz_submul(normal_[i], u_[k], v_[j]);
+    }
+    add_length();
+  }
+  /// Half the sum.
+  Rational area() const {
+    return detail::scaled_rational(sum_, 2L * range_.exponent() - static_cast<long>(kFractionBits) - 1, 1);
+  }
+
+ private:
+  void add_length() {
+    const auto zeros = std::ranges::count_if(normal_, [](const BigInteger& c) { return c.sign() == 0; });
+    if (zeros >= 2) {
+      // Parallel to two axes, as most triangles of most parts: no root to take.
+      for (const BigInteger& component : normal_) mpz_add(square_, square_, component);
+      mpz_abs(square_, square_);
+      mpz_mul_2exp(square_, square_, kFractionBits);
+    } else {
+      for (const BigInteger& component : normal_) mpz_addmul(square_, component, component);
+      mpz_mul_2exp(square_, square_, 2 * kFractionBits);
+      mpz_sqrt(square_, square_);
+    }
+    mpz_add(sum_, sum_, square_);
+  }
+
+  const PointArray& points_;
+  BitRange range_;
+  BigInteger origin_, square_, sum_;
+  std::array<BigInteger, 3> u_, v_, normal_;
+};
+
+/// Root of a rational: cut off behind 128 bits at least, exact if it has no more and its denominator is a power of two.
+Rational long_root(const Rational& square) {
+  if (square.sign() == 0) return {};
+  const RationalAccess::View view(square);
+  const auto numerator_bits = static_cast<long>(mpz_sizeinbase(view.numerator(), 2));
+  const auto denominator_bits = static_cast<long>(mpz_sizeinbase(view.denominator(), 2));
+  // Half the bits of the quotient's scale, so that the root has a whole scale; large enough for any dyadic square.
+  const long half_scale = std::max(0L, (2 * 130 + denominator_bits - numerator_bits) / 2 + 1) + denominator_bits;
+  BigInteger quotient;
+  mpz_mul_2exp(quotient, view.numerator(), static_cast<mp_bitcnt_t>(2 * half_scale));
+  mpz_tdiv_q(quotient, quotient, view.denominator());
+  mpz_sqrt(quotient, quotient);
+  return detail::scaled_rational(quotient, -half_scale, 1);
+}
+
+Rational double_area(const PointArray& points, const Triangle& t) {
+  const RationalVec3 a = points[t[0]].rational();
+  const RationalVec3 normal = cross(points[t[1]].rational() - a, points[t[2]].rational() - a);
+  return long_root(dot(normal, normal));
+}
+
+}  // namespace
+
+Result<double> nearest_area(const PointArray& points, IndexTriangles triangles, const std::atomic<bool>* cancel) {
+  BitRange range;
+  for (const Vec3& p : points.approx())
+    for (std::size_t axis = 0; axis < 3; ++axis) range.extend(p[axis]);
+  LengthSum sum(points, range);
+  Rational doubled;
+  RETURN_IF_ERROR(detail::for_each_triangle(triangles, cancel, [&](const Triangle& t) {
+    if (detail::has_exact_corner(points, t))
+      doubled += double_area(points, t);
+    else
+      sum.add(t);
+  }));
+  return (sum.area() + doubled / Rational(2)).nearest_double();
+}
+
+}  // namespace algebra3d

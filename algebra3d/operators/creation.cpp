@@ -1,0 +1,249 @@
+// createCube, createCylinder, createCone, createSphere.
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "algebra3d/exact/affine_map.h"
+#include "algebra3d/exact/trigonometry.h"
+#include "algebra3d/operators/all.h"
+#include "algebra3d/registry/overload.h"
+#include "algebra3d/repair/weld.h"
+#include "algebra3d/types/scalars.h"
+#include "algebra3d/types/spatial.h"
+
+namespace algebra3d {
+namespace {
+
+using Triangle = TriangleMesh::Triangle;
+
+constexpr std::int32_t kMaxCorners = 10'000'000;
+/// What a cylinder of kMaxCorners has, about.
+constexpr std::int64_t kMaxSphereTriangles = 40'000'000;
+
+/// Corners, rounded or exact, and triangles of a solid that is being made.
+struct Draft {
+  std::vector<Vec3> points;
+  std::vector<Triangle> triangles;
+
+  void quad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+    triangles.push_back({a, b, c});
+    triangles.push_back({a, c, d});
+  }
+};
+
+Maybe<Volume3d> undefined(std::string reason) {
+  return Undefined{std::move(reason)};
+}
+
+/// Proves what the rounding of the corners has left of the shape.
+Result<Maybe<Volume3d>> finish(Context& context, Draft draft) {
+  for (const Vec3& p : draft.points)
+    if (!is_finite(p)) return undefined("a corner is beyond the range of doubles");
+  RETURN_IF_ERROR(context.check_cancelled());
+  TriangleMesh mesh(PointArray(std::move(draft.points)), draft.triangles);
+  const ProofOptions options{.thoroughness = Thoroughness::first_defect, .cancel = context.cancel};
+  ASSIGN_OR_RETURN(auto proved, Volume3d::prove(std::move(mesh), options));
+  if (proved) return proved;
+  return undefined("the shape collapses when its corners are rounded to doubles");
+}
+
+Result<Maybe<Volume3d>> make_cube(const Point3d& p, const Point3d& q) {
+  std::array<RationalVec3, 2> ends{p.position.rational(), q.position.rational()};
+  const auto order = [](Rational& low, Rational& high) {
+    if (high < low) std::swap(low, high);
+    return low != high;
+  };
+  if (!order(ends[0].x, ends[1].x) || !order(ends[0].y, ends[1].y) || !order(ends[0].z, ends[1].z))
+    return undefined("the corners have a coordinate in common, so the cube has no extent there");
+  PointArray points;
+  for (std::size_t i = 0; i < 8; ++i)
+    points.push_back(ExactPoint(RationalVec3(ends[i & 1U].x, ends[(i >> 1U) & 1U].y, ends[(i >> 2U) & 1U].z)));
+  Draft draft;
+  constexpr std::array<std::array<std::uint32_t, 4>, 6> kSides{
+      {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
+  for (const auto& [a, b, c, d] : kSides) draft.quad(a, b, c, d);
+  return Volume3d::prove(TriangleMesh(std::move(points), draft.triangles));
+}
+
+/// Why there is no circle of `count` corners with this radius; empty if there is.
+std::string circle_complaint(double radius, std::int32_t count) {
+  if (!(radius > 0)) return fmt::format("the radius is {}; it must be positive", radius);
+  if (count < 3 || count > kMaxCorners) return fmt::format("{} corners; there must be 3 to {}", count, kMaxCorners);
+  return {};
+}
+
+/// Points of the unit cylinder moved to their place, each coordinate rounded once.
+AffineMap placement(const Point3d& base, double radius, double height) {
+  const Rational r(radius);
+  return AffineMap::scaling(RationalVec3(), RationalVec3(r, r, Rational(height)))
+      .then(AffineMap::translation(base.position.rational()));
+}
+
+/// Appends the corners of one circle of a cylinder, at height 0 or 1 before the placement.
+Status add_circle(Context& context, const AffineMap& place, double height, std::uint32_t count, Draft& draft) {
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (i % 8192 == 0) RETURN_IF_ERROR(context.check_cancelled());
+    const CirclePoint on_circle = circle_point(i, count);
+    draft.points.push_back(place.apply_rounded(Vec3{on_circle.cosine, on_circle.sine, height}));
+  }
+  return {};
+}
+
+/// The polygon of points first .. first + count - 1 as a fan, seen from above counter-clockwise, or turned over.
+void add_fan(std::uint32_t first, std::uint32_t count, bool faces_up, Draft& draft) {
+  for (std::uint32_t i = 1; i + 1 < count; ++i) {
+    const std::uint32_t a = first + i, b = a + 1;
+    draft.triangles.push_back(faces_up ? Triangle{first, a, b} : Triangle{first, b, a});
+  }
+}
+
+Result<Maybe<Volume3d>> make_cylinder(Context& context, const Point3d& base, double radius, double height,
+                                      std::int32_t corners) {
+  if (auto complaint = circle_complaint(radius, corners); !complaint.empty()) return undefined(std::move(complaint));
+  if (!(height > 0)) return undefined(fmt::format("the height is {}; it must be positive", height));
+  const auto n = static_cast<std::uint32_t>(corners);
+  const AffineMap place = placement(base, radius, height);
+  Draft draft;
+  RETURN_IF_ERROR(add_circle(context, place, 0, n, draft));
+  RETURN_IF_ERROR(add_circle(context, place, 1, n, draft));
+  add_fan(0, n, false, draft);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t next = (i + 1) % n;
+    draft.quad(i, next, n + next, n + i);
+  }
+  add_fan(n, n, true, draft);
+  return finish(context, std::move(draft));
+}
+
+Result<Maybe<Volume3d>> make_cone(Context& context, const Point3d& base, double radius, double height,
+                                  std::int32_t corners) {
+  if (auto complaint = circle_complaint(radius, corners); !complaint.empty()) return undefined(std::move(complaint));
+  if (!(height > 0)) return undefined(fmt::format("the height is {}; it must be positive", height));
+  const auto n = static_cast<std::uint32_t>(corners);
+  const AffineMap place = placement(base, radius, height);
+  Draft draft;
+  RETURN_IF_ERROR(add_circle(context, place, 0, n, draft));
+  draft.points.push_back(place.apply_rounded(Vec3{0, 0, 1}));
+  add_fan(0, n, false, draft);
+  for (std::uint32_t i = 0; i < n; ++i) draft.triangles.push_back({i, (i + 1) % n, n});
+  return finish(context, std::move(draft));
+}
+
+/// A ring of the sphere is the circle of `steps` corners round the x axis, through corner `index` of the half circle.
+Status add_ring(Context& context, const Point3d& centre, double radius, std::uint32_t index, std::uint32_t steps,
+                Draft& draft) {
+  RETURN_IF_ERROR(context.check_cancelled());
+  const CirclePoint on_half_circle = circle_point(index, steps);
+  const Rational across = Rational(radius) * Rational(on_half_circle.sine);
+  const AffineMap place = AffineMap::scaling(RationalVec3(), RationalVec3(Rational(radius), across, across))
+                              .then(AffineMap::translation(centre.position.rational()));
+  for (std::uint32_t j = 0; j < steps; ++j) {
+    const CirclePoint on_ring = circle_point(j, steps);
+    draft.points.push_back(place.apply_rounded(Vec3{on_half_circle.cosine, on_ring.cosine, on_ring.sine}));
+  }
+  return {};
+}
+
+Result<Maybe<Volume3d>> make_sphere(Context& context, const Point3d& centre, double radius, std::int32_t corners) {
+  if (auto complaint = circle_complaint(radius, corners); !complaint.empty()) return undefined(std::move(complaint));
+  const auto n = static_cast<std::uint32_t>(corners + corners % 2);
+  if (std::int64_t{n} * (n - 2) > kMaxSphereTriangles)
+    return undefined(fmt::format("{} corners give {} triangles; there must be at most {}", n, std::int64_t{n} * (n - 2),
+                                 kMaxSphereTriangles));
+  const AffineMap place = placement(centre, radius, radius);
+  const std::uint32_t rings = n / 2 - 1;
+  Draft draft;
+  for (std::uint32_t i = 1; i <= rings; ++i) RETURN_IF_ERROR(add_ring(context, centre, radius, i, n, draft));
+  const std::uint32_t first_pole = rings * n, last_pole = first_pole + 1;
+  draft.points.push_back(place.apply_rounded(Vec3{1, 0, 0}));
+  draft.points.push_back(place.apply_rounded(Vec3{-1, 0, 0}));
+  for (std::uint32_t j = 0; j < n; ++j) {
+    const std::uint32_t next = (j + 1) % n, last_ring = (rings - 1) * n;
+    draft.triangles.push_back({first_pole, j, next});
+    for (std::uint32_t ring = 0; ring + 1 < rings; ++ring)
+      draft.quad(ring * n + j, (ring + 1) * n + j, (ring + 1) * n + next, ring * n + next);
+    draft.triangles.push_back({last_pole, last_ring + next, last_ring + j});
+  }
+  return finish(context, std::move(draft));
+}
+
+const std::string kOrigin = "makePoint3D(0, 0, 0)";
+const std::string kUndefinedPoint = "[const point3d value undefined]";
+const std::string kRoundNote =
+    "Each coordinate is rounded once. Undefined if the radius or height is not positive, with fewer than 3 corners or "
+    "more than 10 million, and if the shape collapses when its corners are rounded to doubles.";
+
+void register_round_prism(Registry& registry) {
+  registry.add({
+      .name = "createCylinder",
+      .syntax = "createCylinder(_, _, _, _)",
+      .doc = "An upright prism over a regular polygon: centre of its base, radius, height and number of corners.",
+      .detail =
+          "The base lies in the plane z = that of the centre, its first corner in direction +x; 4n - 4 triangles. " +
+          kRoundNote,
+      .exactness = Exactness::rounded_once,
+      .overloads = {overload<&make_cylinder>("base", "radius", "height", "n")},
+      .examples = {{"volume(createCylinder(" + kOrigin + ", 1, 3, 4))", "6.0"},
+                   {"size(createCylinder(" + kOrigin + ", 1, 3, 12))", "44"},
+                   {"createCylinder(" + kOrigin + ", 1, 3, 2)", "undefined"},
+                   {"createCylinder(" + kUndefinedPoint + ", 1, 3, 12)", "undefined"}},
+      .errors = {{"query createCylinder(" + kOrigin + ", 1, 3)",
+                  "createCylinder: expected (point3d real real int), got (point3d int int)"}},
+  });
+  registry.add({
+      .name = "createCone",
+      .syntax = "createCone(_, _, _, _)",
+      .doc = "An upright pyramid over a regular polygon: centre of its base, radius, height and number of corners.",
+      .detail = "The apex lies above the centre; 2n - 2 triangles. " + kRoundNote,
+      .exactness = Exactness::rounded_once,
+      .overloads = {overload<&make_cone>("base", "radius", "height", "n")},
+      .examples = {{"volume(createCone(" + kOrigin + ", 1, 3, 4))", "2.0"},
+                   {"size(createCone(" + kOrigin + ", 1, 3, 12))", "22"},
+                   {"createCone(" + kOrigin + ", 0, 3, 12)", "undefined"},
+                   {"createCone(" + kUndefinedPoint + ", 1, 3, 12)", "undefined"}},
+      .errors = {{"query createCone(" + kOrigin + ", 1, 3)",
+                  "createCone: expected (point3d real real int), got (point3d int int)"}},
+  });
+}
+
+}  // namespace
+
+void register_creation(Registry& registry) {
+  registry.add({
+      .name = "createCube",
+      .syntax = "createCube(_, _)",
+      .doc = "The axis-parallel box between two corners, given in any order, as 12 triangles.",
+      .detail = "Undefined if the box has no extent along an axis.",
+      .exactness = Exactness::exact,
+      .overloads = {overload<&make_cube>("p", "q")},
+      .examples = {{"volume(createCube(makePoint3D(1, 1, 1), makePoint3D(0, -1, 4)))", "6.0"},
+                   {"size(createCube(" + kOrigin + ", makePoint3D(1, 1, 1)))", "12"},
+                   {"createCube(" + kOrigin + ", makePoint3D(1, 0, 1))", "undefined"},
+                   {"createCube(" + kOrigin + ", " + kUndefinedPoint + ")", "undefined"}},
+      .errors = {{"query createCube(" + kOrigin + ", 1)", "createCube: expected (point3d point3d), got (point3d int)"}},
+  });
+  register_round_prism(registry);
+  registry.add({
+      .name = "createSphere",
+      .syntax = "createSphere(_, _, _)",
+      .doc = "A ball of flat triangles: centre, radius and number of corners of its circles.",
+      .detail =
+          "The number of corners n is made even by adding 1. A half circle of n/2 steps from (1, 0, 0) to (-1, 0, "
+          "0) is turned about the x axis in n steps, scaled by the radius and moved to the centre; n(n - 2) "
+          "triangles, at most 40 million. " +
+          kRoundNote,
+      .exactness = Exactness::rounded_once,
+      .overloads = {overload<&make_sphere>("centre", "radius", "n")},
+      // With 4 corners, the octahedron: 4/3 r^3.
+      .examples = {{"volume(createSphere(" + kOrigin + ", 3, 4))", "36.0"},
+                   {"size(createSphere(" + kOrigin + ", 1, 11))", "120"},
+                   {"bbox(createSphere(makePoint3D(1, 2, 3), 0.5, 8))", "(0.5 1.5 1.5 2.5 2.5 3.5)"},
+                   {"createSphere(" + kOrigin + ", -1, 8)", "undefined"},
+                   {"createSphere(" + kUndefinedPoint + ", 1, 8)", "undefined"}},
+      .errors = {{"query createSphere(" + kOrigin + ", 1)",
+                  "createSphere: expected (point3d real int), got (point3d int)"}},
+  });
+}
+
+}  // namespace algebra3d

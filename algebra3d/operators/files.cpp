@@ -1,0 +1,123 @@
+// importSTL, exportSTL.
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "algebra3d/operators/all.h"
+#include "algebra3d/operators/import_solid.h"
+#include "algebra3d/registry/overload.h"
+#include "algebra3d/repair/weld.h"
+#include "algebra3d/types/scalars.h"
+#include "algebra3d/types/spatial.h"
+#include "stl/stl_writer.h"
+
+namespace algebra3d {
+namespace {
+
+Result<Maybe<Volume3d>> import_stl(Context& context, const Text& file) {
+  ASSIGN_OR_RETURN(ImportedSolid imported, import_solid(context.resolve(file.content), context.cancel));
+  for (const std::string& remark : imported.remarks) context.diagnostics.report("importSTL: " + remark, file.content);
+  if (imported.solid) return Maybe<Volume3d>(*std::move(imported.solid));
+  // The reader's messages name the file; those about the solid do not.
+  const bool names_file = imported.status.find(file.content) != std::string::npos;
+  return Maybe<Volume3d>(Undefined{names_file ? imported.status : file.content + ": " + imported.status});
+}
+
+/// The triangles with coordinates rounded to floats.
+struct FloatTriangles {
+  TriangleSoup soup;
+  bool are_exact = true;
+};
+
+FloatTriangles round_to_float(const TriangleMesh& mesh) {
+  FloatTriangles result;
+  result.are_exact = mesh.points().exact_count() == 0;
+  std::vector<Vec3> points = mesh.points().approx();
+  for (Vec3& p : points) {
+    // Beyond the range of floats the writer refuses the number as it is; the cast would be undefined there.
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (std::abs(p[axis]) > std::numeric_limits<float>::max()) continue;
+      const double rounded = static_cast<float>(p[axis]);
+      result.are_exact = result.are_exact && rounded == p[axis];
+      p[axis] = rounded;
+    }
+  }
+  result.soup.triangles.reserve(mesh.face_count());
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto [a, b, c] = mesh.triangle(FaceId(f));
+    result.soup.triangles.push_back({points[a], points[b], points[c]});
+  }
+  return result;
+}
+
+/// What becomes of a solid whose rounded triangles are read back.
+Result<bool> is_solid(Context& context, const TriangleSoup& soup) {
+  WeldedTriangles welded = weld(soup.triangles);
+  const TriangleMesh mesh(std::move(welded.points), welded.triangles);
+  ASSIGN_OR_RETURN(const ValidityReport report,
+                   prove_volume(mesh, {.thoroughness = Thoroughness::first_defect, .cancel = context.cancel}));
+  return report.is_valid();
+}
+
+bool refuse(Context& context, const std::string& reason) {
+  context.diagnostics.report("exportSTL: " + reason);
+  return false;
+}
+
+Result<bool> export_stl(Context& context, const std::optional<Volume3d>& solid, const std::optional<std::string>& name,
+                        const std::optional<Text>& file, const std::optional<bool>& is_binary) {
+  if (!solid) return refuse(context, "the solid is undefined");
+  if (!name || !file || !is_binary) return refuse(context, "the name, the file or the format is undefined");
+  const FloatTriangles rounded = round_to_float(solid->mesh());
+  // A solid whose coordinates are floats has been proved as it is.
+  if (!rounded.are_exact) {
+    ASSIGN_OR_RETURN(const bool stays_solid, is_solid(context, rounded.soup));
+    if (!stays_solid)
+      return refuse(context, file->content + ": the solid cannot be kept closed when rounded to floats");
+  }
+  const Status written = stl::write_stl_file(context.resolve(file->content), rounded.soup, *name,
+                                             *is_binary ? stl::Format::binary : stl::Format::ascii);
+  if (!written) return refuse(context, written.error().message);
+  return true;
+}
+
+const std::string kCube = "createCube(makePoint3D(0, 0, 0), makePoint3D(1, 1, 1))";
+
+}  // namespace
+
+void register_files(Registry& registry) {
+  registry.add({
+      .name = "importSTL",
+      .syntax = "importSTL(_)",
+      .doc = "The solid in an STL file, ASCII or binary.",
+      .detail =
+          "Equal corners are welded, and a solid that is inside out is turned right side out; what is then a valid "
+          "solid is accepted, with its triangles in spatial order. Everything else, a missing or malformed file "
+          "too, is undefined, and a diagnostic counts and locates the defects. A file without facets is the empty "
+          "solid. Relative names start at the folder of the session.",
+      .exactness = Exactness::exact,
+      .overloads = {overload<&import_stl>("file")},
+      .examples = {{"isEmpty(importSTL('no such file.stl'))", "TRUE"},
+                   {"importSTL('no such file.stl')", "undefined"},
+                   {"importSTL([const text value undefined])", "undefined"}},
+      .errors = {{"query importSTL(\"part.stl\")", "importSTL: expected (text), got (string)"}},
+  });
+  registry.add({
+      .name = "exportSTL",
+      .syntax = "_ exportSTL[_, _, _]",
+      .doc = "Writes a solid to an STL file with a name, in binary (TRUE) or ASCII; TRUE if the file was written.",
+      .detail =
+          "Coordinates are rounded once, to floats. FALSE with a diagnostic if the solid would not stay valid by "
+          "that, if a coordinate is beyond the range of floats, if an argument is undefined, or if the file cannot "
+          "be written; a file that was there before is then left as it was.",
+      .exactness = Exactness::rounded_once,
+      .overloads = {overload<&export_stl>("solid", "name", "file", "binary")},
+      .examples = {{kCube + " exportSTL[\"cube\", 'no such folder/cube.stl', TRUE]", "FALSE"},
+                   {"[const volume3d value undefined] exportSTL[\"cube\", 'cube.stl', TRUE]", "FALSE"}},
+      .errors = {{"query " + kCube + " exportSTL[\"cube\", 'cube.stl']",
+                  "exportSTL: expected (volume3d string text bool), got (volume3d string text)"}},
+  });
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "algebra3d/base/error.h"
+#include "algebra3d/types/spatial.h"
+
+namespace algebra3d {
+
+/// The outcome of importing one mesh file.
+struct ImportedSolid {
+  std::optional<Volume3d> solid;
+  /// One line for people: "ok", "ok: turned right side out", or why there is no solid.
+  std::string status;
+  /// What was tolerated in the file, and what changed no decision, one sentence each.
+  std::vector<std::string> remarks;
+};
+
+/// Reads an STL file as a solid: the reader of stl/, then solid_from_soup (repair/). Whatever is wrong with the file is
+/// a status, no error. A file without facets is the empty solid. Any number of calls may run at once.
+/// Errors: interrupted, out_of_memory.
+Result<ImportedSolid> import_solid(const std::filesystem::path& path, const std::atomic<bool>* cancel = nullptr);
+
+}  // namespace algebra3d

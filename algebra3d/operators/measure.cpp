@@ -1,0 +1,87 @@
+// volume, area, centroid.
+#include "algebra3d/exact/exact_sum.h"
+#include "algebra3d/operators/all.h"
+#include "algebra3d/operators/mesh_triangles.h"
+#include "algebra3d/registry/overload.h"
+#include "algebra3d/types/scalars.h"
+#include "algebra3d/types/spatial.h"
+
+namespace algebra3d {
+namespace {
+
+Result<double> volume_of(Context& context, const Volume3d& solid) {
+  ASSIGN_OR_RETURN(const Rational volume,
+                   exact_volume(solid.mesh().points(), triangles_of(solid.mesh()), context.cancel));
+  return volume.nearest_double();
+}
+
+template <typename T>
+Result<double> area_of(Context& context, const T& geometry) {
+  return nearest_area(geometry.mesh().points(), triangles_of(geometry.mesh()), context.cancel);
+}
+
+Result<Maybe<Point3d>> centroid_of(Context& context, const Volume3d& solid) {
+  if (solid.mesh().is_empty()) return Maybe<Point3d>(Undefined{"an empty solid has no centroid"});
+  ASSIGN_OR_RETURN(const SolidMoments moments,
+                   exact_moments(solid.mesh().points(), triangles_of(solid.mesh()), context.cancel));
+  // A valid solid that is not empty has a positive volume, and its centroid lies in its box.
+  const auto coordinate = [&](std::size_t axis) { return (moments.first[axis] / moments.volume).nearest_double(); };
+  return Maybe<Point3d>(Point3d{ExactPoint(Vec3{coordinate(0), coordinate(1), coordinate(2)})});
+}
+
+const std::string kUndefinedSolid = "[const volume3d value undefined]";
+const std::string kCube = "createCube(makePoint3D(0, 0, 0), makePoint3D(2, 2, 2))";
+// Three and four long at the right angle, five high: 1/6 * 3 * 4 * 5.
+const std::string kCorner =
+    "[const volume3d value (((0 0 0) (0 4 0) (3 0 0)) ((0 0 0) (3 0 0) (0 0 5)) ((0 0 0) (0 0 5) (0 4 0)) "
+    "((3 0 0) (0 4 0) (0 0 5)))]";
+const std::string kTriangle = "[const surface3d value (((0 0 0) (3 0 0) (0 4 0)))]";
+
+}  // namespace
+
+void register_measure(Registry& registry) {
+  registry.add({
+      .name = "volume",
+      .syntax = "volume(_)",
+      .doc = "The enclosed volume of a solid, in cubed coordinate units.",
+      .detail = "Cavities do not count. The empty solid has volume 0.",
+      .exactness = Exactness::rounded_once,
+      .sources = {"lien1984"},
+      .overloads = {overload<&volume_of>("solid")},
+      .examples = {{"volume(" + kCube + ")", "8.0"},
+                   {"volume(createCube(makePoint3D(1e9, 0, 0), makePoint3D(1000000002, 2, 2)))", "8.0"},
+                   {"volume(" + kCorner + ")", "10.0"},
+                   {"volume([const volume3d value ()])", "0.0"},
+                   {"volume(" + kUndefinedSolid + ")", "undefined"}},
+      .errors = {{"query volume(" + kTriangle + ")", "volume: expected (volume3d), got (surface3d)"}},
+  });
+  registry.add({
+      .name = "area",
+      .syntax = "area(_)",
+      .doc = "The total area of the triangles of a surface or solid, in squared coordinate units.",
+      .detail = "Exact, rounded once, if the area of every triangle is a double. The walls of cavities count.",
+      .exactness = Exactness::two_ulp,
+      .overloads = {overload<&area_of<Surface3d>>("surface"), overload<&area_of<Volume3d>>("solid")},
+      .examples = {{"area(" + kCube + ")", "24.0"},
+                   {"area(" + kTriangle + ")", "6.0"},
+                   {"area([const surface3d value ()])", "0.0"},
+                   {"area(" + kUndefinedSolid + ")", "undefined"}},
+      .errors = {{"query area(makePoint3D(0, 0, 0))", "area: expected (surface3d) or (volume3d), got (point3d)"}},
+  });
+  registry.add({
+      .name = "centroid",
+      .syntax = "centroid(_)",
+      .doc = "The centre of mass of a solid of even density.",
+      .detail = "Each coordinate is the exact one, rounded once. Undefined for the empty solid.",
+      .exactness = Exactness::rounded_once,
+      .sources = {"lien1984"},
+      .overloads = {overload<&centroid_of>("solid")},
+      .examples = {{"centroid(" + kCube + ")", "(1.0 1.0 1.0)"},
+                   {"centroid(" + kCorner + ")", "(0.75 1.0 1.25)"},
+                   {"centroid([const volume3d value ()])", "undefined"},
+                   {"centroid(" + kUndefinedSolid + ")", "undefined"}},
+      .errors = {{"query centroid(" + kTriangle + ")", "centroid: expected (volume3d), got (surface3d)"}},
+  });
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,113 @@
+#include "algebra3d/repair/solid_from_soup.h"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "algebra3d/exact/exact_sum.h"
+#include "algebra3d/repair/spatial_order.h"
+#include "algebra3d/repair/weld.h"
+#include "algebra3d/validity/validity.h"
+
+namespace algebra3d {
+namespace {
+
+struct Wording {
+  const char* one;
+  const char* many;
+};
+constexpr std::array<Wording, kDefectKinds> kWordings{{
+    {"degenerate facet", "degenerate facets"},
+    {"duplicate facet", "duplicate facets"},
+    {"boundary edge", "boundary edges"},
+    {"non-manifold edge", "non-manifold edges"},
+    {"inconsistently oriented edge", "inconsistently oriented edges"},
+    {"intersecting pair", "intersecting pairs"},
+    {"shell with a wrong winding number", "shells with a wrong winding number"},
+}};
+
+std::string place_text(const DefectExample& example) {
+  // Six digits are enough to find the place; mesh files hold floats, whose exact digits are long.
+  const std::string where =
+      fmt::format("near ({:.6g} {:.6g} {:.6g})", example.where.x, example.where.y, example.where.z);
+  if (!example.second.is_valid()) return fmt::format("facet {}, {}", example.first.index() + 1, where);
+  return fmt::format("facets {} and {}, {}", example.first.index() + 1, example.second.index() + 1, where);
+}
+
+void count_contradicting_normals(const TriangleSoup& soup, SoupReport& report) {
+  for (std::size_t i = 0; i < soup.normals.size(); ++i) {
+    const auto& [a, b, c] = soup.triangles[i];
+    if (!(dot(cross(b - a, c - a), soup.normals[i]) < 0)) continue;
+    if (++report.contradicting_normal_count == 1) report.first_contradicting_facet = i + 1;
+  }
+}
+
+/// The report of a mesh whose face i is facet order[i].
+ValidityReport in_facets(ValidityReport report, const std::vector<std::uint32_t>& order) {
+  for (DefectExample& example : report.examples) {
+    example.first = FaceId(order[example.first.index()]);
+    if (!example.second.is_valid()) continue;
+    example.second = FaceId(order[example.second.index()]);
+    if (example.second < example.first) std::swap(example.first, example.second);
+  }
+  std::ranges::sort(report.examples, {}, [](const DefectExample& e) { return std::tuple(e.kind, e.first, e.second); });
+  return report;
+}
+
+}  // namespace
+
+std::string SoupReport::defects() const {
+  std::string text;
+  Defect previous{kDefectKinds};
+  for (const DefectExample& example : validity.examples) {
+    if (example.kind == previous) continue;
+    previous = example.kind;
+    const std::uint64_t count = validity.count(example.kind);
+    const Wording& wording = kWordings[static_cast<std::size_t>(example.kind)];
+    const bool at_least = validity.is_cut_short && example.kind == Defect::intersecting_triangles;
+    text += fmt::format("{}{}{} {} ({})", text.empty() ? "no valid solid: " : ", ", at_least ? "at least " : "", count,
+                        count == 1 ? wording.one : wording.many, place_text(example));
+  }
+  return text;
+}
+
+std::vector<std::string> SoupReport::remarks() const {
+  std::vector<std::string> remarks;
+  if (was_turned) remarks.emplace_back("turned right side out");
+  if (contradicting_normal_count == 1)
+    remarks.push_back(
+        fmt::format("1 facet normal contradicts the order of the corners (facet {})", first_contradicting_facet));
+  if (contradicting_normal_count > 1)
+    remarks.push_back(fmt::format("{} facet normals contradict the order of the corners (first: facet {})",
+                                  contradicting_normal_count, first_contradicting_facet));
+  return remarks;
+}
+
+Result<SolidFromSoup> solid_from_soup(const TriangleSoup& soup, const std::atomic<bool>* cancel) {
+  if (soup.triangles.size() > TriangleMesh::kMaxFaces)
+    return Error{ErrorCode::limit_exceeded, "{} triangles; at most {} make a solid", soup.triangles.size(),
+                 TriangleMesh::kMaxFaces};
+  SolidFromSoup result;
+  count_contradicting_normals(soup, result.report);
+  WeldedTriangles welded = weld(soup.triangles);
+  ASSIGN_OR_RETURN(const Rational volume, exact_volume(welded.points, welded.triangles, cancel));
+  // What is not closed has no volume, and is refused below whichever way it is turned.
+  const bool is_inside_out = volume.sign() < 0;
+  if (is_inside_out)
+    for (auto& [a, b, c] : welded.triangles) std::swap(b, c);
+  const std::vector<std::uint32_t> order = spatial_order(welded.points.approx(), welded.triangles);
+  welded = reordered(welded, order);
+  TriangleMesh mesh(std::move(welded.points), welded.triangles);
+  ASSIGN_OR_RETURN(ValidityReport validity, prove_volume(mesh, {.cancel = cancel}));
+  result.report.was_turned = is_inside_out && validity.is_valid();
+  if (validity.is_valid())
+    result.mesh = std::move(mesh);
+  else
+    result.report.validity = in_facets(std::move(validity), order);
+  return result;
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,110 @@
+#include "algebra3d/repair/spatial_order.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "algebra3d/base/box3.h"
+
+namespace algebra3d {
+namespace {
+
+constexpr unsigned kBitsPerAxis = 21;
+
+/// `value`, of kBitsPerAxis bits, with two zeros before each bit.
+std::uint64_t spread(std::uint64_t value) {
+  value = (value | value << 32U) & 0x001F00000000FFFFU;
+  value = (value | value << 16U) & 0x001F0000FF0000FFU;
+  value = (value | value << 8U) & 0x100F00F00F00F00FU;
+  value = (value | value << 4U) & 0x10C30C30C30C30C3U;
+  value = (value | value << 2U) & 0x1249249249249249U;
+  return value;
+}
+
+/// The Morton code of a triangle's centre. All numbers are scaled down first, so that nothing overflows.
+class CentreCode {
+ public:
+  explicit CentreCode(std::span<const Vec3> points) {
+    Box3 box;
+    for (const Vec3& p : points) box.extend(p);
+    if (box.is_empty()) return;
+    origin_ = 0.25 * box.min;
+    const Vec3 extent = 0.25 * box.max - origin_;
+    const double largest = std::max({extent.x, extent.y, extent.z});
+    if (largest > 0) scale_ = static_cast<double>((1U << kBitsPerAxis) - 1) / largest;
+  }
+
+  std::uint64_t operator()(const Vec3& a, const Vec3& b, const Vec3& c) const {
+    std::uint64_t code = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double centre = (0.25 * a[axis] + 0.25 * b[axis] + 0.25 * c[axis]) / 3;
+      // A subnormal extent can make the scale infinite, and the product NaN: then all triangles are in one place.
+      const double place = (centre - origin_[axis]) * scale_;
+      const bool is_inside = place >= 0 && place < static_cast<double>(1U << kBitsPerAxis);
+      code |= spread(is_inside ? static_cast<std::uint64_t>(place) : 0) << axis;
+    }
+    return code;
+  }
+
+ private:
+  Vec3 origin_;
+  double scale_ = 0;
+};
+
+struct CodedTriangle {
+  std::uint64_t code;
+  std::uint32_t triangle;
+};
+
+/// Stable sort by code, 11 bits at a time.
+void radix_sort(std::vector<CodedTriangle>& coded) {
+  constexpr unsigned kDigitBits = 11;
+  constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
+  std::vector<CodedTriangle> sorted(coded.size());
+  for (unsigned shift = 0; shift < 3 * kBitsPerAxis; shift += kDigitBits) {
+    const auto digit = [shift](const CodedTriangle& t) { return (t.code >> shift) & (kDigits - 1); };
+    std::vector<std::size_t> places(kDigits + 1);
+    for (const CodedTriangle& t : coded) ++places[digit(t) + 1];
+    for (std::size_t d = 0; d < kDigits; ++d) places[d + 1] += places[d];
+    for (const CodedTriangle& t : coded) sorted[places[digit(t)]++] = t;
+    std::swap(coded, sorted);
+  }
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> spatial_order(std::span<const Vec3> points,
+                                         std::span<const TriangleMesh::Triangle> triangles) {
+  const CentreCode code_of(points);
+  std::vector<CodedTriangle> coded(triangles.size());
+  for (std::uint32_t i = 0; i < coded.size(); ++i) {
+    const auto& [a, b, c] = triangles[i];
+    coded[i] = {code_of(points[a], points[b], points[c]), i};
+  }
+  radix_sort(coded);
+  std::vector<std::uint32_t> order(coded.size());
+  std::ranges::transform(coded, order.begin(), &CodedTriangle::triangle);
+  return order;
+}
+
+WeldedTriangles reordered(const WeldedTriangles& welded, std::span<const std::uint32_t> order) {
+  constexpr std::uint32_t kUnused = 0xFFFFFFFF;
+  std::vector<std::uint32_t> numbers(welded.points.size(), kUnused);
+  WeldedTriangles result;
+  result.points.reserve(welded.points.size());
+  result.triangles.reserve(order.size());
+  for (const std::uint32_t triangle : order) {
+    TriangleMesh::Triangle& corners = result.triangles.emplace_back(welded.triangles[triangle]);
+    for (std::uint32_t& corner : corners) {
+      std::uint32_t& number = numbers[corner];
+      if (number == kUnused) {
+        number = static_cast<std::uint32_t>(result.points.size());
+        result.points.push_back(welded.points.point(corner));
+      }
+      corner = number;
+    }
+  }
+  return result;
+}
+
+}  // namespace algebra3d
