@@ -20,7 +20,7 @@ struct CatalogueEntry {
   // A relation with a value:
   std::int64_t table_number = 0;
   std::int64_t tuple_count = 0;
-  std::int64_t next_tuple = 1;   ///< the id of the next tuple
+  std::int64_t next_tuple = 1;  ///< the id of the next tuple
   std::uint64_t tuple_sum = 0;  ///< sum of the checksums of all rows: tells whether rows were lost
   // An index definition:
   std::string index_relation;

@@ -6,6 +6,7 @@ void ChangeLog::clear() {
   now_ = 0;
   tuples_.clear();
   dropped_.clear();
+  created_.clear();
 }
 
 void ChangeLog::note_tuple(std::int64_t table_number, std::int64_t tuple) {
@@ -15,22 +16,18 @@ void ChangeLog::note_tuple(std::int64_t table_number, std::int64_t tuple) {
 }
 
 void ChangeLog::note_dropped(std::int64_t table_number) {
-  dropped_.emplace(table_number, ++now_);
+  ++now_;
+  dropped_.insert(table_number);
 }
 
 ChangeLog::Whereabouts ChangeLog::where(std::int64_t table_number, std::int64_t tuple, ChangeTime time) const {
-  bool is_changed = false;
-  const auto table = tuples_.find(table_number);
-  if (table != tuples_.end()) {
-    const auto span = table->second.find(tuple);
-    if (span != table->second.end() && span->second.last > time) {
-      if (span->second.first <= time) return Whereabouts::lost;
-      is_changed = true;
-    }
-    // A tuple that was changed before `time` cannot be found any more once its table is gone.
-    if (span != table->second.end() && span->second.last <= time && is_dropped(table_number)) return Whereabouts::lost;
-  }
-  return is_changed || is_dropped(table_number) ? Whereabouts::original : Whereabouts::current;
+  const Span* span = nullptr;
+  if (const auto table = tuples_.find(table_number); table != tuples_.end())
+    if (const auto found = table->second.find(tuple); found != table->second.end()) span = &found->second;
+  const bool is_changed = span != nullptr && span->last > time;
+  if (!is_changed && !is_dropped(table_number)) return Whereabouts::current;
+  const bool was_original = (span == nullptr || span->first > time) && !created_.contains(table_number);
+  return was_original ? Whereabouts::original : Whereabouts::lost;
 }
 
 std::vector<std::int64_t> ChangeLog::changed_tuples(std::int64_t table_number, std::int64_t after, std::int64_t last,

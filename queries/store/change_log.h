@@ -2,7 +2,7 @@
 
 #include <cstdint>
 #include <map>
-#include <optional>
+#include <set>
 #include <vector>
 
 namespace queries {
@@ -23,8 +23,8 @@ class ChangeLog {
   ChangeTime now() const { return now_; }
   void clear();
   void note_tuple(std::int64_t table_number, std::int64_t tuple);
+  void note_created(std::int64_t table_number) { created_.insert(table_number); }
   void note_dropped(std::int64_t table_number);
-  bool empty() const { return now_ == 0; }
 
   /// Where a tuple is found as it was at `time`.
   Whereabouts where(std::int64_t table_number, std::int64_t tuple, ChangeTime time) const;
@@ -41,7 +41,8 @@ class ChangeLog {
 
   ChangeTime now_ = 0;
   std::map<std::int64_t, std::map<std::int64_t, Span>> tuples_;
-  std::map<std::int64_t, ChangeTime> dropped_;
+  std::set<std::int64_t> dropped_;
+  std::set<std::int64_t> created_;
 };
 
 }  // namespace queries

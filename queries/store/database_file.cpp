@@ -89,8 +89,7 @@ Status check_missing(const fs::path& file, OpenMode mode) {
   if (!fs::is_directory(folder, error))
     return Error{may_create(mode) ? ErrorCode::file_missing : ErrorCode::database_missing,
                  "{}: there is no folder '{}'", file.string(), folder.string()};
-  if (!may_create(mode))
-    return Error{ErrorCode::database_missing, "{}: there is no such file", file.string()};
+  if (!may_create(mode)) return Error{ErrorCode::database_missing, "{}: there is no such file", file.string()};
   return {};
 }
 
@@ -110,8 +109,7 @@ Result<Found> inspect(const fs::path& file, OpenMode mode) {
   const std::uintmax_t size = fs::file_size(file, error);
   if (error) return unusable(file, error.value());
   if (size == 0 && may_create(mode)) return Found::empty;
-  if (mode == OpenMode::create)
-    return Error{ErrorCode::database_exists, "{}: the file exists already", file.string()};
+  if (mode == OpenMode::create) return Error{ErrorCode::database_exists, "{}: the file exists already", file.string()};
   RETURN_IF_ERROR(check_header(file));
   return Found::database;
 }

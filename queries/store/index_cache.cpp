@@ -20,8 +20,8 @@ bool IndexCache::has_trees(std::int64_t table_number) const {
 
 template <typename Change>
 void IndexCache::change(std::int64_t table_number, std::span<const algebra3d::Box3> boxes, Change apply) {
-  for (auto entry = trees_.lower_bound({table_number, 0});
-       entry != trees_.end() && entry->first.first == table_number; ++entry) {
+  for (auto entry = trees_.lower_bound({table_number, 0}); entry != trees_.end() && entry->first.first == table_number;
+       ++entry) {
     const algebra3d::Box3& box = boxes[entry->first.second];
     if (box.is_empty()) continue;
     if (entry->second.use_count() > 1) entry->second = std::make_shared<Tree>(*entry->second);

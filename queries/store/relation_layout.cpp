@@ -73,8 +73,12 @@ Result<std::shared_ptr<const RelationLayout>> RelationLayout::make(const Registr
   }
   layout->add_columns();
   if (layout->columns_.size() > kMaxColumns)
-    return Error{ErrorCode::limit_exceeded, "{}: the {} attributes need {} columns, a table has at most {}", relation,
-                 tuple.attributes().size(), layout->columns_.size(), kMaxColumns};
+    return Error{ErrorCode::limit_exceeded,
+                 "{}: the {} attributes need {} columns, a table has at most {}",
+                 relation,
+                 tuple.attributes().size(),
+                 layout->columns_.size(),
+                 kMaxColumns};
   layout->add_statements();
   return std::shared_ptr<const RelationLayout>(std::move(layout));
 }
@@ -94,8 +98,8 @@ void RelationLayout::add_columns() {
   add_column("checksum", "INTEGER");
   for (auto& attribute : attributes_)
     if (is_number(attribute.form))
-      attribute.value =
-          add_column(name_of(attribute), attribute.form == AttributeForm::real ? kAsBound : std::string_view("INTEGER"));
+      attribute.value = add_column(name_of(attribute),
+                                   attribute.form == AttributeForm::real ? kAsBound : std::string_view("INTEGER"));
   for (auto& attribute : attributes_) {
     if (!attribute.has_box()) continue;
     attribute.box = columns_.size();
@@ -128,7 +132,8 @@ void RelationLayout::add_statements() {
 std::string RelationLayout::create_sql() const {
   std::string sql = fmt::format("CREATE TABLE {}(", table_);
   for (std::size_t i = 0; i < columns_.size(); ++i)
-    sql += fmt::format("{}{}{}{}", i == 0 ? "" : ", ", columns_[i], column_types_[i].empty() ? "" : " ", column_types_[i]);
+    sql +=
+        fmt::format("{}{}{}{}", i == 0 ? "" : ", ", columns_[i], column_types_[i].empty() ? "" : " ", column_types_[i]);
   return sql + ")";
 }
 

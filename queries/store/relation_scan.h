@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "queries/store/stored_rows.h"
+
+namespace queries {
+
+/// The tuples of a stored relation in the order of ids, as they are at the first `next`: what the statement changes
+/// afterwards is not seen. Reads page by page and keeps no SQLite statement open in between, so that any number of
+/// scans and changes may alternate. At the end it proves that every tuple was there.
+class RelationScan final : public TupleStream {
+ public:
+  RelationScan(std::shared_ptr<Database> database, std::shared_ptr<const RelationLayout> layout);
+
+  Result<TuplePtr> next() override;
+
+ private:
+  struct Row {
+    TuplePtr tuple;
+    std::uint64_t checksum = 0;
+  };
+
+  Status start();
+  Status read_page();
+  Status read_rows();
+  Status restore_changed();
+  Result<Row> row_at_start(TupleId id);
+  Status check_end() const;
+
+  std::shared_ptr<Database> database_;
+  std::shared_ptr<const RelationLayout> layout_;
+  const std::uint64_t statement_;
+  bool is_started_ = false;
+  bool is_at_end_ = false;
+  ChangeTime time_ = 0;
+  TupleId after_ = 0;     // ids up to this one have been read
+  TupleId page_end_ = 0;  // and those of the page that is being read up to this one
+  TupleId last_ = 0;      // greatest id at the start
+  std::uint64_t sum_ = 0, expected_sum_ = 0;
+  std::vector<Row> page_;
+  std::size_t position_ = 0;
+};
+
+}  // namespace queries

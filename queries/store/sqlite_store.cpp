@@ -1,0 +1,228 @@
+#include "queries/store/sqlite_store.h"
+
+#include "algebra3d/types/codec.h"
+#include "queries/store/chunks.h"
+#include "queries/store/stored_relation.h"
+
+namespace queries {
+namespace {
+
+ObjectInfo info_of(const CatalogueEntry& entry) {
+  return {entry.name, entry.type, entry.has_value, entry.function_text};
+}
+
+/// Begins a statement if none is running, and ends it.
+class ReadScope {
+ public:
+  explicit ReadScope(Database& database) : database_(database), is_own_(!database.is_in_transaction()) {
+    if (is_own_) status_ = database_.begin(false);
+  }
+  ~ReadScope() {
+    if (is_own_) database_.rollback();
+  }
+  ReadScope(const ReadScope&) = delete;
+  ReadScope& operator=(const ReadScope&) = delete;
+  const Status& status() const { return status_; }
+
+ private:
+  Database& database_;
+  bool is_own_;
+  Status status_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Store>> open_store(const std::filesystem::path& file, OpenMode mode,
+                                          const algebra3d::Registry& registry, const StoreOptions& options) {
+  ASSIGN_OR_RETURN(auto database, Database::open(file, mode, registry, options));
+  return std::unique_ptr<Store>(std::make_unique<SqliteStore>(std::move(database)));
+}
+
+Result<std::unique_ptr<Store>> Store::open(const std::filesystem::path& file, OpenMode mode,
+                                           const algebra3d::Registry& registry) {
+  return open_store(file, mode, registry, {});
+}
+
+Result<std::vector<ObjectInfo>> SqliteStore::objects() {
+  const ReadScope scope(*database_);
+  RETURN_IF_ERROR(scope.status());
+  std::vector<ObjectInfo> result;
+  for (const auto& [name, entry] : database_->catalogue().entries()) result.push_back(info_of(entry));
+  return result;
+}
+
+Result<std::optional<ObjectInfo>> SqliteStore::find(const std::string& name) {
+  const ReadScope scope(*database_);
+  RETURN_IF_ERROR(scope.status());
+  const CatalogueEntry* const entry = database_->catalogue().find(name);
+  return entry != nullptr ? std::optional(info_of(*entry)) : std::nullopt;
+}
+
+Result<const CatalogueEntry*> SqliteStore::required(const std::string& name) {
+  RETURN_IF_ERROR(database_->check_reading());
+  const CatalogueEntry* const entry = database_->catalogue().find(name);
+  if (entry != nullptr) return entry;
+  return Error{ErrorCode::unknown_name, "there is no object '{}'", name};
+}
+
+Status SqliteStore::check_storable(const std::string& name, const TypeExpr& type) const {
+  if (type.is_relation()) {
+    RETURN_IF_ERROR(RelationLayout::make(database_->registry(), type.element(), name, 0));
+    return {};
+  }
+  if (type.is("rtree3")) return {};
+  if (type.arguments().empty() && database_->registry().find_type(type.name()) != nullptr) return {};
+  return Error{ErrorCode::type_error, "{}: a value of type {} cannot be stored", name, type.text()};
+}
+
+Status SqliteStore::add(CatalogueEntry entry) {
+  return database_->change([&]() -> Status {
+    Catalogue& catalogue = database_->catalogue();
+    entry.id = catalogue.take_number();
+    catalogue.add(std::move(entry));
+    return {};
+  });
+}
+
+Status SqliteStore::create(const std::string& name, const TypeExpr& type) {
+  RETURN_IF_ERROR(database_->check_reading());
+  if (database_->catalogue().find(name) != nullptr)
+    return Error{ErrorCode::name_exists, "there is an object '{}' already", name};
+  RETURN_IF_ERROR(check_storable(name, type));
+  CatalogueEntry entry;
+  entry.name = name;
+  entry.type = type;
+  return add(std::move(entry));
+}
+
+Status SqliteStore::create_function(const std::string& name, const TypeExpr& type, const std::string& text) {
+  RETURN_IF_ERROR(database_->check_reading());
+  if (database_->catalogue().find(name) != nullptr)
+    return Error{ErrorCode::name_exists, "there is an object '{}' already", name};
+  CatalogueEntry entry;
+  entry.name = name;
+  entry.type = type;
+  entry.has_value = true;
+  entry.function_text = text;
+  return add(std::move(entry));
+}
+
+Result<Datum> SqliteStore::read(const std::string& name) {
+  ASSIGN_OR_RETURN(const CatalogueEntry* entry, required(name));
+  if (entry->type.is_function())
+    return Error{ErrorCode::wrong_usage, "'{}' is a function; it has a text, not a value", name};
+  if (!entry->has_value)
+    return Error{ErrorCode::not_evaluable, "the object '{}' has no value yet; give it one with update", name};
+  if (entry->type.is_relation()) return read_relation(*entry);
+  if (entry->type.is("rtree3")) return read_index(*entry);
+  const algebra3d::Type* const type = database_->registry().find_type(entry->type.name());
+  if (type == nullptr)
+    return Error{ErrorCode::database_corrupt, "{}: the type {} is not known", name, entry->type.text()};
+  ASSIGN_OR_RETURN(const std::string bytes, read_bytes(*entry));
+  auto value = algebra3d::decode(*type, bytes, algebra3d::Origin::own_store);
+  if (!value) return Error{value.error().code, "{}: {}", name, value.error().message};
+  return Datum{*std::move(value)};
+}
+
+Result<Datum> SqliteStore::read_relation(const CatalogueEntry& entry) {
+  ASSIGN_OR_RETURN(auto layout, database_->layout_of(entry));
+  return Datum{RelationPtr(std::make_shared<StoredRelation>(database_, std::move(layout)))};
+}
+
+Result<std::string> SqliteStore::read_bytes(const CatalogueEntry& entry) {
+  SqliteConnection& connection = database_->connection();
+  ASSIGN_OR_RETURN(SqliteStatement statement, connection.use("SELECT value FROM object_values WHERE id = ?"));
+  statement.bind(1, entry.id);
+  ASSIGN_OR_RETURN(const bool has_row, statement.step());
+  std::string bytes;
+  if (has_row) {
+    const Cell cell = statement.column(0);
+    bytes = cell.bytes;
+    if (cell.is(Cell::Kind::integer)) {
+      ASSIGN_OR_RETURN(bytes, read_chunks(connection, {0, entry.id, 0}, cell.integer));
+    }
+  }
+  if (checksum_of(bytes) == entry.value_sum) return bytes;
+  return Error{ErrorCode::database_corrupt, "{}: the stored value is not what was written", entry.name};
+}
+
+Status SqliteStore::write_bytes(CatalogueEntry& entry, std::string_view bytes) {
+  SqliteConnection& connection = database_->connection();
+  RETURN_IF_ERROR(erase_chunks(connection, 0, entry.id));
+  const bool is_long = bytes.size() > database_->options().inline_bytes;
+  ASSIGN_OR_RETURN(SqliteStatement statement, connection.use("INSERT OR REPLACE INTO object_values VALUES(?, ?)"));
+  statement.bind(1, entry.id);
+  statement.bind(2, is_long ? Cell::of(static_cast<std::int64_t>(bytes.size())) : Cell::blob(bytes));
+  RETURN_IF_ERROR(statement.run());
+  if (is_long) RETURN_IF_ERROR(write_chunks(connection, {0, entry.id, 0}, bytes, database_->options().chunk_bytes));
+  entry.value_sum = checksum_of(bytes);
+  entry.has_value = true;
+  return {};
+}
+
+Status SqliteStore::assign(const std::string& name, const Datum& value, const algebra3d::Context& context) {
+  RETURN_IF_ERROR(required(name));
+  return database_->change([&]() -> Status {
+    CatalogueEntry& entry = *database_->catalogue().edit(name);
+    if (entry.type.is_relation()) return assign_relation(entry, value, context);
+    if (const auto* index = std::get_if<std::shared_ptr<SpatialIndex>>(&value.content))
+      return assign_index(entry, **index);
+    if (const auto* plain = std::get_if<Value>(&value.content)) return assign_value(entry, *plain);
+    return Error{ErrorCode::internal, "{}: no value of type {}", name, entry.type.text()};
+  });
+}
+
+Status SqliteStore::assign_value(CatalogueEntry& entry, const Value& value) {
+  if (!entry.type.is(value.type().name()))
+    return Error{ErrorCode::internal, "{}: a value of type {}, expected {}", entry.name, value.type().name(),
+                 entry.type.text()};
+  ASSIGN_OR_RETURN(const Value loaded, value.loaded());
+  return write_bytes(entry, algebra3d::encode(loaded));
+}
+
+Status SqliteStore::remove(const std::string& name) {
+  ASSIGN_OR_RETURN(const CatalogueEntry* entry, required(name));
+  return database_->change([&]() -> Status {
+    std::vector<const CatalogueEntry*> doomed{entry};
+    if (entry->type.is_relation())
+      for (const auto& [other_name, other] : database_->catalogue().entries())
+        if (other.index_relation == name) doomed.push_back(&other);
+    for (const CatalogueEntry* each : doomed) RETURN_IF_ERROR(remove_entry(*each));
+    return {};
+  });
+}
+
+Status SqliteStore::remove_entry(const CatalogueEntry& entry) {
+  SqliteConnection& connection = database_->connection();
+  RETURN_IF_ERROR(drop_table(entry));
+  RETURN_IF_ERROR(erase_chunks(connection, 0, entry.id));
+  for (const char* sql : {"DELETE FROM object_values WHERE id = ?", "DELETE FROM imported_files WHERE relation = ?"}) {
+    ASSIGN_OR_RETURN(SqliteStatement statement, connection.use(sql));
+    RETURN_IF_ERROR(statement.bind(1, entry.id).run());
+  }
+  database_->catalogue().remove(std::string(entry.name));
+  return {};
+}
+
+Result<bool> SqliteStore::is_imported(const std::string& relation, const ImportedFile& file) {
+  const ReadScope scope(*database_);
+  RETURN_IF_ERROR(scope.status());
+  ASSIGN_OR_RETURN(const CatalogueEntry* entry, required(relation));
+  ASSIGN_OR_RETURN(SqliteStatement statement,
+                   database_->connection().use("SELECT 1 FROM imported_files WHERE relation = ? AND path = ? AND size "
+                                               "= ? AND hash = ?"));
+  statement.bind(1, entry->id).bind(2, file.path).bind(3, as_signed(file.size)).bind(4, as_signed(file.hash));
+  return statement.step();
+}
+
+Status SqliteStore::remember_imported(const std::string& relation, const ImportedFile& file) {
+  ASSIGN_OR_RETURN(const CatalogueEntry* entry, required(relation));
+  return database_->change([&]() -> Status {
+    ASSIGN_OR_RETURN(SqliteStatement statement,
+                     database_->connection().use("INSERT OR IGNORE INTO imported_files VALUES(?, ?, ?, ?)"));
+    statement.bind(1, entry->id).bind(2, file.path).bind(3, as_signed(file.size)).bind(4, as_signed(file.hash));
+    return statement.run();
+  });
+}
+
+}  // namespace queries

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <memory>
+
+#include "queries/store/database.h"
+
+namespace queries {
+
+/// The store: what its interface promises, put together from the catalogue, the tables and the caches of a Database.
+class SqliteStore final : public Store {
+ public:
+  explicit SqliteStore(std::shared_ptr<Database> database) : database_(std::move(database)) {}
+  ~SqliteStore() override { database_->close(); }
+  SqliteStore(const SqliteStore&) = delete;
+  SqliteStore& operator=(const SqliteStore&) = delete;
+
+  const std::filesystem::path& file() const override { return database_->file(); }
+
+  Status begin(bool writes) override { return database_->begin(writes); }
+  Status commit() override { return database_->commit(); }
+  void rollback() override { database_->rollback(); }
+
+  Result<std::vector<ObjectInfo>> objects() override;
+  Result<std::optional<ObjectInfo>> find(const std::string& name) override;
+  Status create(const std::string& name, const TypeExpr& type) override;
+  Status create_function(const std::string& name, const TypeExpr& type, const std::string& text) override;
+  Status assign(const std::string& name, const Datum& value, const algebra3d::Context& context) override;
+  Result<Datum> read(const std::string& name) override;
+  Status remove(const std::string& name) override;
+
+  std::uint64_t geometry_loads() const override { return database_->geometry_loads(); }
+  Result<bool> is_imported(const std::string& relation, const ImportedFile& file) override;
+  Status remember_imported(const std::string& relation, const ImportedFile& file) override;
+
+ private:
+  Result<const CatalogueEntry*> required(const std::string& name);
+  Status add(CatalogueEntry entry);
+  Status check_storable(const std::string& name, const TypeExpr& type) const;
+
+  Result<Datum> read_relation(const CatalogueEntry& entry);
+  Result<Datum> read_index(const CatalogueEntry& entry);
+  Result<std::shared_ptr<SpatialIndex::Tree>> tree_of(const CatalogueEntry& relation, const std::string& attribute);
+  Result<std::string> read_bytes(const CatalogueEntry& entry);
+
+  Status assign_relation(CatalogueEntry& entry, const Datum& value, const algebra3d::Context& context);
+  Status assign_index(CatalogueEntry& entry, const SpatialIndex& index);
+  Status assign_value(CatalogueEntry& entry, const Value& value);
+  Status write_bytes(CatalogueEntry& entry, std::string_view bytes);
+  Status drop_table(const CatalogueEntry& entry);
+  Status remove_entry(const CatalogueEntry& entry);
+
+  std::shared_ptr<Database> database_;
+};
+
+}  // namespace queries

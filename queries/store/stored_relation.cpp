@@ -1,0 +1,107 @@
+#include "queries/store/stored_relation.h"
+
+#include "queries/store/chunks.h"
+#include "queries/store/relation_scan.h"
+
+namespace queries {
+
+// The relation may have been replaced or removed since the statement asked for it.
+Result<const CatalogueEntry*> StoredRelation::entry() const {
+  RETURN_IF_ERROR(database_->check_statement(statement_));
+  const CatalogueEntry* const entry = database_->catalogue().find(layout_->relation());
+  if (entry != nullptr && entry->table_number == layout_->table_number()) return entry;
+  return Error{ErrorCode::wrong_usage, "{}: the relation was replaced or deleted by the statement that still uses it",
+               layout_->relation()};
+}
+
+Result<std::int64_t> StoredRelation::count() const {
+  ASSIGN_OR_RETURN(const CatalogueEntry* own, entry());
+  return own->tuple_count;
+}
+
+Result<TupleStreamPtr> StoredRelation::scan() {
+  RETURN_IF_ERROR(entry());
+  return TupleStreamPtr(std::make_shared<RelationScan>(database_, layout_));
+}
+
+Result<TuplePtr> StoredRelation::fetch(TupleId id) {
+  RETURN_IF_ERROR(entry());
+  ASSIGN_OR_RETURN(SqliteStatement statement, database_->connection().use(layout_->fetch_sql()));
+  statement.bind(1, id);
+  ASSIGN_OR_RETURN(const bool has_row, statement.step());
+  if (!has_row) return TuplePtr();
+  RowReader reader(database_, layout_, database_->changes().now());
+  RETURN_IF_ERROR(reader.take(statement));
+  return reader.tuple();
+}
+
+Status StoredRelation::write(CatalogueEntry& entry, RowWriter& writer, TupleId id) {
+  RETURN_IF_ERROR(writer.write());
+  ++entry.tuple_count;
+  entry.tuple_sum += writer.row().checksum;
+  database_->indexes().insert(layout_->table_number(), id, writer.row().boxes);
+  return {};
+}
+
+Status StoredRelation::erase_row(CatalogueEntry& entry, TupleId id) {
+  SqliteConnection& connection = database_->connection();
+  {
+    ASSIGN_OR_RETURN(SqliteStatement statement, connection.use(layout_->fetch_sql()));
+    statement.bind(1, id);
+    ASSIGN_OR_RETURN(const bool has_row, statement.step());
+    if (!has_row) return Error{ErrorCode::unknown_name, "{}: there is no tuple {}", layout_->relation(), id};
+    RowReader reader(database_, layout_, database_->changes().now());
+    RETURN_IF_ERROR(reader.take(statement));
+    --entry.tuple_count;
+    entry.tuple_sum -= reader.checksum();
+    database_->indexes().erase(layout_->table_number(), id, reader.boxes());
+  }
+  database_->note_tuple(*layout_, id);
+  ASSIGN_OR_RETURN(SqliteStatement statement, connection.use(layout_->erase_sql()));
+  RETURN_IF_ERROR(statement.bind(1, id).run());
+  return erase_chunks(connection, layout_->table_number(), id);
+}
+
+Result<TupleId> StoredRelation::insert(const Tuple& tuple) {
+  ASSIGN_OR_RETURN(const CatalogueEntry* own, entry());
+  const TupleId id = own->next_tuple;
+  ASSIGN_OR_RETURN(const auto writer, RowWriter::make(*database_, *layout_, id, tuple));
+  RETURN_IF_ERROR(database_->change([&]() -> Status {
+    CatalogueEntry& edited = *database_->catalogue().edit(layout_->relation());
+    ++edited.next_tuple;
+    return write(edited, *writer, id);
+  }));
+  return id;
+}
+
+Status StoredRelation::erase(TupleId id) {
+  RETURN_IF_ERROR(entry());
+  return database_->change([&] { return erase_row(*database_->catalogue().edit(layout_->relation()), id); });
+}
+
+// The writer reads what the new tuple defers before the old one goes, which may be the same.
+Status StoredRelation::update(TupleId id, const Tuple& tuple) {
+  RETURN_IF_ERROR(entry());
+  ASSIGN_OR_RETURN(const auto writer, RowWriter::make(*database_, *layout_, id, tuple));
+  return database_->change([&]() -> Status {
+    CatalogueEntry& edited = *database_->catalogue().edit(layout_->relation());
+    RETURN_IF_ERROR(erase_row(edited, id));
+    return write(edited, *writer, id);
+  });
+}
+
+Status fill_relation(Database& database, const RelationLayout& layout, CatalogueEntry& entry, TupleStream& source,
+                     const algebra3d::Context& context) {
+  while (true) {
+    RETURN_IF_ERROR(context.check_cancelled());
+    ASSIGN_OR_RETURN(const TuplePtr tuple, source.next());
+    if (tuple == nullptr) return {};
+    ASSIGN_OR_RETURN(const auto writer, RowWriter::make(database, layout, entry.next_tuple, *tuple));
+    RETURN_IF_ERROR(writer->write());
+    ++entry.next_tuple;
+    ++entry.tuple_count;
+    entry.tuple_sum += writer->row().checksum;
+  }
+}
+
+}  // namespace queries
