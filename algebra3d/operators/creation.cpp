@@ -80,14 +80,21 @@ AffineMap placement(const Point3d& base, double radius, double height) {
       .then(AffineMap::translation(base.position.rational()));
 }
 
-/// Appends the corners of one circle of a cylinder, at height 0 or 1 before the placement.
-Status add_circle(Context& context, const AffineMap& place, double height, std::uint32_t count, Draft& draft) {
+/// The corners of a regular polygon. Each is asked for once: it takes microseconds, and solids use it many times.
+Result<std::vector<CirclePoint>> unit_circle(Context& context, std::uint32_t count) {
+  std::vector<CirclePoint> circle;
+  circle.reserve(count);
   for (std::uint32_t i = 0; i < count; ++i) {
     if (i % 8192 == 0) RETURN_IF_ERROR(context.check_cancelled());
-    const CirclePoint on_circle = circle_point(i, count);
-    draft.points.push_back(place.apply_rounded(Vec3{on_circle.cosine, on_circle.sine, height}));
+    circle.push_back(circle_point(i, count));
   }
-  return {};
+  return circle;
+}
+
+/// Appends the corners of one circle of a cylinder, at height 0 or 1 before the placement.
+void add_circle(const AffineMap& place, double height, const std::vector<CirclePoint>& circle, Draft& draft) {
+  for (const CirclePoint& corner : circle)
+    draft.points.push_back(place.apply_rounded(Vec3{corner.cosine, corner.sine, height}));
 }
 
 /// The convex polygon of points first .. first + count - 1, seen from above counter-clockwise, or turned over.
@@ -116,8 +123,9 @@ Result<Maybe<Volume3d>> make_cylinder(Context& context, const Point3d& base, dou
   const auto n = static_cast<std::uint32_t>(corners);
   const AffineMap place = placement(base, radius, height);
   Draft draft;
-  RETURN_IF_ERROR(add_circle(context, place, 0, n, draft));
-  RETURN_IF_ERROR(add_circle(context, place, 1, n, draft));
+  ASSIGN_OR_RETURN(const std::vector<CirclePoint> circle, unit_circle(context, n));
+  add_circle(place, 0, circle, draft);
+  add_circle(place, 1, circle, draft);
   add_disc(0, n, false, draft);
   for (std::uint32_t i = 0; i < n; ++i) {
     const std::uint32_t next = (i + 1) % n;
@@ -134,26 +142,22 @@ Result<Maybe<Volume3d>> make_cone(Context& context, const Point3d& base, double 
   const auto n = static_cast<std::uint32_t>(corners);
   const AffineMap place = placement(base, radius, height);
   Draft draft;
-  RETURN_IF_ERROR(add_circle(context, place, 0, n, draft));
+  ASSIGN_OR_RETURN(const std::vector<CirclePoint> circle, unit_circle(context, n));
+  add_circle(place, 0, circle, draft);
   draft.points.push_back(place.apply_rounded(Vec3{0, 0, 1}));
   add_disc(0, n, false, draft);
   for (std::uint32_t i = 0; i < n; ++i) draft.triangles.push_back({i, (i + 1) % n, n});
   return finish(context, std::move(draft));
 }
 
-/// A ring of the sphere is the circle of `steps` corners round the x axis, through corner `index` of the half circle.
-Status add_ring(Context& context, const Point3d& centre, double radius, std::uint32_t index, std::uint32_t steps,
-                Draft& draft) {
-  RETURN_IF_ERROR(context.check_cancelled());
-  const CirclePoint on_half_circle = circle_point(index, steps);
-  const Rational across = Rational(radius) * Rational(on_half_circle.sine);
+/// A ring of the sphere: the circle round the x axis through one corner of the half circle.
+void add_ring(const Point3d& centre, double radius, const CirclePoint& corner, const std::vector<CirclePoint>& circle,
+              Draft& draft) {
+  const Rational across = Rational(radius) * Rational(corner.sine);
   const AffineMap place = AffineMap::scaling(RationalVec3(), RationalVec3(Rational(radius), across, across))
                               .then(AffineMap::translation(centre.position.rational()));
-  for (std::uint32_t j = 0; j < steps; ++j) {
-    const CirclePoint on_ring = circle_point(j, steps);
-    draft.points.push_back(place.apply_rounded(Vec3{on_half_circle.cosine, on_ring.cosine, on_ring.sine}));
-  }
-  return {};
+  for (const CirclePoint& on_ring : circle)
+    draft.points.push_back(place.apply_rounded(Vec3{corner.cosine, on_ring.cosine, on_ring.sine}));
 }
 
 Result<Maybe<Volume3d>> make_sphere(Context& context, const Point3d& centre, double radius, std::int32_t corners) {
@@ -165,7 +169,11 @@ Result<Maybe<Volume3d>> make_sphere(Context& context, const Point3d& centre, dou
   const AffineMap place = placement(centre, radius, radius);
   const std::uint32_t rings = n / 2 - 1;
   Draft draft;
-  for (std::uint32_t i = 1; i <= rings; ++i) RETURN_IF_ERROR(add_ring(context, centre, radius, i, n, draft));
+  ASSIGN_OR_RETURN(const std::vector<CirclePoint> circle, unit_circle(context, n));
+  for (std::uint32_t i = 1; i <= rings; ++i) {
+    RETURN_IF_ERROR(context.check_cancelled());
+    add_ring(centre, radius, circle[i], circle, draft);
+  }
   const std::uint32_t first_pole = rings * n, last_pole = first_pole + 1;
   draft.points.push_back(place.apply_rounded(Vec3{1, 0, 0}));
   draft.points.push_back(place.apply_rounded(Vec3{-1, 0, 0}));
