@@ -25,6 +25,12 @@ int bind_cell(sqlite3_stmt* statement, int parameter, const Cell& cell) {
   return sqlite3_bind_null(statement, parameter);
 }
 
+/// For messages. To SQLite the end of a transaction is not a change.
+std::string_view doing(sqlite3_stmt* statement) {
+  if (std::string_view(sqlite3_sql(statement)) == "COMMIT") return "writing";
+  return sqlite3_stmt_readonly(statement) != 0 ? "reading" : "writing";
+}
+
 }  // namespace
 
 SqliteStatement::SqliteStatement(SqliteConnection& connection, sqlite3_stmt* statement, bool* in_use)
@@ -50,7 +56,7 @@ algebra3d::Result<bool> SqliteStatement::step() {
   const int code = bind_code_ == SQLITE_OK ? sqlite3_step(statement_) : bind_code_;
   if (code == SQLITE_ROW) return true;
   if (code == SQLITE_DONE) return false;
-  return connection_->error(code, sqlite3_stmt_readonly(statement_) != 0 ? "reading" : "writing");
+  return connection_->error(code, doing(statement_));
 }
 
 algebra3d::Status SqliteStatement::run() {

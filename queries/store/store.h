@@ -35,7 +35,8 @@ enum class OpenMode : std::uint8_t {
 class Store {
  public:
   /// Errors: database_missing, database_exists, database_foreign (no algebra3d database), database_version (newer),
-  /// database_corrupt, database_read_only, io_error. A missing folder and permissions are named.
+  /// database_corrupt, database_read_only, database_busy, file_missing (no folder to create it in, no permission to
+  /// read it), io_error. `create` and `open_or_create` also take an empty file.
   static Result<std::unique_ptr<Store>> open(const std::filesystem::path& file, OpenMode mode,
                                              const algebra3d::Registry& registry);
   virtual ~Store() = default;
@@ -44,12 +45,16 @@ class Store {
 
   virtual const std::filesystem::path& file() const = 0;
 
-  // One transaction at a time; every change lies within one. Errors: database_busy, database_read_only, disk_full.
+  // One transaction at a time; every change lies within one, and so does every `read`: relations and large values that
+  // come out of it live until its end and give the error `internal` afterwards. A transaction begun without `writes`
+  // becomes a writing one with its first change. Once a change has failed, it can only be rolled back. A failed
+  // `commit` has rolled back; `rollback` does no harm at any time.
+  // Errors: database_busy, database_read_only, disk_full.
   virtual Status begin(bool writes) = 0;
   virtual Status commit() = 0;
   virtual void rollback() = 0;
 
-  // The catalogue. Names are case-sensitive.
+  // The catalogue. Names are case-sensitive. `objects`, `find` and `is_imported` may stand outside a transaction.
   virtual Result<std::vector<ObjectInfo>> objects() = 0;
   virtual Result<std::optional<ObjectInfo>> find(const std::string& name) = 0;
   /// A new object without a value. Errors: name_exists, type_error for a type that cannot be stored.

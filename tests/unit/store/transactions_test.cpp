@@ -1,0 +1,155 @@
+// All or nothing: rollback, two processes, a full disk, a process that ends in the middle.
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "tests/unit/store/store_fixture.h"
+
+namespace queries {
+namespace {
+
+class StoreTransactions : public StoreTest {
+ protected:
+  StoreTransactions() { reopen(); }
+
+  Value number(int value) { return Value::of(std::int32_t{value}); }
+  void let_number(const std::string& name, int value) {
+    ok(store_->create(name, "int"));
+    ok(store_->assign(name, Datum{number(value)}, context_));
+  }
+};
+
+TEST_F(StoreTransactions, a_rollback_restores_objects_tuples_and_ids) {
+  write([&] {
+    let_number("x", 1);
+    let_parts(3);
+  });
+  ok(store_->begin(true));
+  ok(store_->assign("x", Datum{number(2)}, context_));
+  let_number("y", 3);
+  ok(relation("Parts")->erase(1));
+  EXPECT_EQ(*relation("Parts")->insert(part(9)), 4);
+  ok(store_->remove("x"));
+  store_->rollback();
+  store_->rollback();
+  read([&] {
+    EXPECT_EQ(text(store_->read("x")->value()), "1");
+    EXPECT_FALSE(store_->find("y")->has_value());
+    EXPECT_EQ(rows("Parts"), (std::vector<std::string>{text(part(0)), text(part(1)), text(part(2))}));
+    EXPECT_EQ(*relation("Parts")->insert(part(5)), 4);
+  });
+}
+
+TEST_F(StoreTransactions, changes_outside_a_transaction_are_refused) {
+  EXPECT_EQ(store_->create("x", "int").error().code, ErrorCode::internal);
+  EXPECT_EQ(store_->read("x").error().code, ErrorCode::internal);
+  EXPECT_EQ(store_->commit().error().code, ErrorCode::internal);
+  ok(store_->begin(false));
+  EXPECT_EQ(store_->begin(false).error().code, ErrorCode::internal);
+  ok(store_->commit());
+}
+
+TEST_F(StoreTransactions, two_connections_see_what_the_other_has_committed) {
+  write([&] { let_parts(2); });
+  const auto other = opened(OpenMode::read_write);
+  ok(other->begin(false));
+  EXPECT_EQ(*other->read("Parts")->relation()->count(), 2);
+  write([&] { ok(relation("Parts")->update(1, part(5))); });
+  // Still the state in which its statement began.
+  EXPECT_EQ(text(**other->read("Parts")->relation()->fetch(1)), text(part(0)));
+  ok(other->commit());
+  ok(other->begin(false));
+  EXPECT_EQ(text(**other->read("Parts")->relation()->fetch(1)), text(part(5)));
+  ok(other->commit());
+}
+
+TEST_F(StoreTransactions, one_writes_and_the_other_is_told_to_wait) {
+  write([&] { let_number("x", 1); });
+  const auto other = opened(OpenMode::read_write, {.busy_milliseconds = 10});
+  ok(store_->begin(true));
+  const auto status = other->begin(true);
+  ASSERT_FALSE(status.ok());
+  EXPECT_EQ(status.error().code, ErrorCode::database_busy);
+  EXPECT_EQ(status.error().message, path().string() +
+                                        ": writing: another process is writing to the database; try again when it has "
+                                        "finished");
+  store_->rollback();
+  ok(other->begin(true));
+  other->rollback();
+}
+
+TEST_F(StoreTransactions, a_reader_that_turns_writer_too_late_is_told_to_run_again) {
+  write([&] { let_parts(1); });
+  const auto other = opened(OpenMode::read_write, {.busy_milliseconds = 10});
+  ok(other->begin(false));
+  write([&] { ok(relation("Parts")->erase(1)); });
+  const auto inserted = other->read("Parts")->relation()->insert(part(2));
+  ASSERT_FALSE(inserted.ok());
+  EXPECT_EQ(inserted.error().code, ErrorCode::database_busy);
+  EXPECT_NE(inserted.error().message.find("run it again"), std::string::npos) << inserted.error().message;
+  EXPECT_FALSE(other->commit().ok());
+  ok(other->begin(false));
+  EXPECT_EQ(*other->read("Parts")->relation()->count(), 0);
+  ok(other->commit());
+}
+
+TEST_F(StoreTransactions, a_full_disk_changes_nothing) {
+  write([&] { let_parts(3); });
+  const std::int64_t pages = std::stoll(sql("PRAGMA page_count"));
+  reopen(OpenMode::read_write, {.max_pages = pages + 5});
+  ok(store_->begin(true));
+  Status status;
+  for (int i = 0; i < 10'000 && status; ++i) {
+    const auto inserted = relation("Parts")->insert(part(i));
+    if (!inserted) status = inserted.error();
+  }
+  ASSERT_FALSE(status.ok());
+  EXPECT_EQ(status.error().code, ErrorCode::disk_full);
+  EXPECT_EQ(status.error().message, path().string() + ": writing: the disk is full");
+  EXPECT_FALSE(store_->create("x", "int").ok());
+  EXPECT_EQ(store_->commit().error().code, ErrorCode::disk_full);
+  read([&] { EXPECT_EQ(rows("Parts").size(), 3U); });
+  reopen(OpenMode::read_write);
+  read([&] { EXPECT_EQ(rows("Parts").size(), 3U); });
+  EXPECT_EQ(sql("PRAGMA integrity_check"), "ok");
+}
+
+TEST_F(StoreTransactions, a_process_that_ends_in_the_middle_leaves_the_last_commit) {
+  write([&] { let_parts(2); });
+  store_.reset();
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    auto store = Store::open(path(), OpenMode::read_write, registry_);
+    if (!store || !(*store)->begin(true)) ::_exit(1);
+    auto parts = (*store)->read("Parts")->relation();
+    for (int i = 0; i < 200; ++i)
+      if (!parts->insert(part(i))) ::_exit(2);
+    if (!parts->erase(1) || !(*store)->commit() || !(*store)->begin(true)) ::_exit(3);
+    if (!parts->erase(2)) ::kill(::getpid(), SIGKILL);
+    ::kill(::getpid(), SIGKILL);
+  }
+  int outcome = 0;
+  ASSERT_EQ(::waitpid(child, &outcome, 0), child);
+  ASSERT_TRUE(WIFSIGNALED(outcome));
+  reopen(OpenMode::read_write);
+  read([&] {
+    const auto stored = rows("Parts");
+    ASSERT_EQ(stored.size(), 201U);
+    EXPECT_EQ(stored[0], text(part(1)));
+  });
+}
+
+TEST_F(StoreTransactions, an_interrupted_assignment_changes_nothing) {
+  write([&] { let_parts(2); });
+  std::atomic<bool> cancel = true;
+  const Context cancelled{diagnostics_, &cancel, {}};
+  ok(store_->begin(true));
+  const auto status = store_->assign("Parts", store_->read("Parts").value(), cancelled);
+  ASSERT_FALSE(status.ok());
+  EXPECT_EQ(status.error().code, ErrorCode::interrupted);
+  store_->rollback();
+  read([&] { EXPECT_EQ(rows("Parts").size(), 2U); });
+}
+
+}  // namespace
+}  // namespace queries
