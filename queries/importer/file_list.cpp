@@ -1,0 +1,164 @@
+#include "queries/importer/file_list.h"
+
+#include <glob.h>
+
+#include <algorithm>
+#include <cctype>
+#include <memory>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "algebra3d/types/utf8.h"
+
+namespace queries {
+namespace {
+
+namespace fs = std::filesystem;
+using algebra3d::Error;
+using algebra3d::ErrorCode;
+using algebra3d::Result;
+using algebra3d::Status;
+
+bool has_stl_extension(const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return extension == ".stl";
+}
+
+Result<fs::path> normal_path(const fs::path& path) {
+  std::error_code error;
+  const fs::path absolute = fs::absolute(path, error);
+  if (error) return Error{ErrorCode::io_error, "{}: {}", path_text(path), error.message()};
+  return absolute.lexically_normal();
+}
+
+/// What the pattern matches, in no particular order; empty if nothing.
+std::vector<fs::path> matches_of(const std::string& pattern) {
+  glob_t found{};
+  const std::unique_ptr<glob_t, decltype(&globfree)> owner(&found, &globfree);
+  std::vector<fs::path> paths;
+  if (glob(pattern.c_str(), GLOB_NOSORT, nullptr, &found) != 0) return paths;
+  for (std::size_t i = 0; i < found.gl_pathc; ++i) paths.emplace_back(found.gl_pathv[i]);
+  return paths;
+}
+
+class FileLister {
+ public:
+  Status add(const std::string& given);
+  FileList finish() &&;
+
+ private:
+  Status add_existing(const fs::path& path, fs::file_status status);
+  Status add_matches(const std::string& pattern);
+  Status add_file(const fs::path& path);
+  Status add_folder(const fs::path& folder);
+  void add_entries(const fs::path& folder, std::vector<fs::path>& waiting);
+
+  FileList list_;
+};
+
+Status FileLister::add(const std::string& given) {
+  std::error_code error;
+  const fs::file_status status = fs::status(given, error);
+  if (fs::exists(status)) return add_existing(given, status);
+  // An error other than "not found", such as a folder on the way that may not be entered, is the user's answer.
+  if (status.type() != fs::file_type::not_found)
+    return Error{ErrorCode::io_error, "{}: {}", path_text(given), error.message()};
+  if (given.find_first_of("*?[") != std::string::npos) return add_matches(given);
+  return Error{ErrorCode::file_missing, "{}: no such file or folder", path_text(given)};
+}
+
+Status FileLister::add_existing(const fs::path& path, fs::file_status status) {
+  if (fs::is_directory(status)) return add_folder(path);
+  if (fs::is_regular_file(status)) return add_file(path);
+  return Error{ErrorCode::wrong_usage, "{}: is neither a file nor a folder", path_text(path)};
+}
+
+Status FileLister::add_matches(const std::string& pattern) {
+  bool any = false;
+  for (const fs::path& path : matches_of(pattern)) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (!fs::is_directory(status) && !fs::is_regular_file(status)) continue;
+    any = true;
+    RETURN_IF_ERROR(add_existing(path, status));
+  }
+  if (!any)
+    return Error{ErrorCode::file_missing, "{}: no such file, and no file matches this pattern", path_text(pattern)};
+  return {};
+}
+
+Status FileLister::add_file(const fs::path& path) {
+  ASSIGN_OR_RETURN(fs::path normal, normal_path(path));
+  std::error_code error;
+  const std::uintmax_t size = fs::file_size(normal, error);
+  list_.files.push_back({std::move(normal), error ? 0 : std::uint64_t{size}});
+  return {};
+}
+
+Status FileLister::add_folder(const fs::path& folder) {
+  ASSIGN_OR_RETURN(fs::path normal, normal_path(folder));
+  std::vector<fs::path> waiting{std::move(normal)};
+  while (!waiting.empty()) {
+    const fs::path next = std::move(waiting.back());
+    waiting.pop_back();
+    add_entries(next, waiting);
+  }
+  return {};
+}
+
+void FileLister::add_entries(const fs::path& folder, std::vector<fs::path>& waiting) {
+  std::error_code error;
+  fs::directory_iterator entry(folder, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    std::error_code unknown;  // a file whose kind or size cannot be found out is listed: loading it gives the reason
+    const bool is_link = entry->is_symlink(unknown);
+    if (entry->is_directory(unknown)) {
+      if (!is_link) waiting.push_back(entry->path());
+    } else if (has_stl_extension(entry->path())) {
+      const std::uintmax_t size = entry->file_size(unknown);
+      list_.files.push_back({entry->path(), unknown ? 0 : std::uint64_t{size}});
+    }
+  }
+  if (error) list_.unread_folders.push_back(fmt::format("{}: {}", path_text(folder), error.message()));
+}
+
+FileList FileLister::finish() && {
+  const auto before = [](const ListedFile& a, const ListedFile& b) { return a.path.native() < b.path.native(); };
+  const auto same = [](const ListedFile& a, const ListedFile& b) { return a.path.native() == b.path.native(); };
+  std::sort(list_.files.begin(), list_.files.end(), before);
+  list_.files.erase(std::unique(list_.files.begin(), list_.files.end(), same), list_.files.end());
+  auto& folders = list_.unread_folders;
+  std::sort(folders.begin(), folders.end());
+  folders.erase(std::unique(folders.begin(), folders.end()), folders.end());
+  return std::move(list_);
+}
+
+}  // namespace
+
+Result<FileList> list_files(std::span<const std::string> paths) {
+  FileLister lister;
+  for (const std::string& path : paths) RETURN_IF_ERROR(lister.add(path));
+  FileList list = std::move(lister).finish();
+  if (!list.files.empty()) return list;
+  if (!list.unread_folders.empty())
+    return Error{ErrorCode::io_error, "{}, and there is no other file to import", list.unread_folders.front()};
+  return Error{ErrorCode::file_missing, "there is no file to import: no file below {} ends in .stl",
+               paths.size() == 1 ? path_text(paths.front()) : "the given folders"};
+}
+
+std::string path_text(const std::filesystem::path& path) {
+  std::string_view rest = path.native();
+  std::string text;
+  for (;;) {
+    const std::size_t invalid = algebra3d::first_invalid_utf8(rest);
+    text += rest.substr(0, invalid);
+    if (invalid == std::string_view::npos) return text;
+    text += fmt::format("\\x{:02x}", static_cast<unsigned char>(rest[invalid]));
+    rest.remove_prefix(invalid + 1);
+  }
+}
+
+}  // namespace queries

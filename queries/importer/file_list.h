@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "algebra3d/base/error.h"
+
+namespace queries {
+
+/// One file to be imported.
+struct ListedFile {
+  std::filesystem::path path;  ///< absolute and lexically normal; symbolic links stay as they were written
+  std::uint64_t size = 0;      ///< when it was listed, 0 if unknown: for the progress only
+};
+
+struct FileList {
+  std::vector<ListedFile> files;            ///< sorted by the bytes of the path, each once
+  std::vector<std::string> unread_folders;  ///< "FOLDER: reason", sorted
+};
+
+/// The files that `paths` mean. A folder means all files below it whose names end in .stl (upper or lower case);
+/// symbolic links to folders are not entered there. A file given by name or by a pattern is taken whatever its name. A
+/// path that exists is never read as a pattern. Changes nothing.
+/// Errors: file_missing for a path that does not exist, a pattern that nothing matches, or if all paths together
+/// mean no file; wrong_usage for a path that is neither file nor folder.
+algebra3d::Result<FileList> list_files(std::span<const std::string> paths);
+
+/// The path as UTF-8 text: bytes that are none become \xNN, so that different paths stay different in practice.
+std::string path_text(const std::filesystem::path& path);
+
+}  // namespace queries

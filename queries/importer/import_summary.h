@@ -1,0 +1,55 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "queries/importer/file_list.h"
+#include "queries/importer/file_loader.h"
+#include "queries/importer/relation_writer.h"
+
+namespace queries {
+
+/// What an import has done so far.
+struct ImportSummary {
+  using Clock = std::chrono::steady_clock;
+
+  std::uint64_t file_count = 0;  ///< files to be looked at, with
+  std::uint64_t byte_count = 0;  ///< that many bytes when they were listed
+  Clock::time_point start = Clock::now();
+
+  std::uint64_t known_count = 0;  ///< imported before and unchanged
+  std::uint64_t inserted_count = 0;
+  std::uint64_t replaced_count = 0;
+  std::uint64_t kept_count = 0;       ///< could not be read; their tuples are those of an earlier import
+  std::uint64_t solid_count = 0;      ///< of those inserted or replaced
+  std::uint64_t undefined_count = 0;  ///< the others of those
+  std::uint64_t triangle_count = 0;
+  std::uint64_t done_bytes = 0;
+  std::map<std::string, std::uint64_t> reasons;  ///< files by kind of reason; a file may have several
+
+  ImportSummary() = default;
+  explicit ImportSummary(const FileList& list);
+
+  /// Counts a file. `written` says what became of it.
+  void count(const LoadedFile& file, RelationWriter::Written written);
+  std::uint64_t done_count() const { return known_count + inserted_count + replaced_count + kept_count; }
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start).count(); }
+  double megabytes_per_second() const;
+};
+
+/// The kinds of reason in the status of a file without a solid: without file name, places and numbers, so that files
+/// with the same trouble share them. "no valid solid: 12 boundary edges (facet 3, near (0 0 1)), 1 intersecting pair
+/// (...)" gives "boundary edges" and "intersecting pairs".
+std::vector<std::string> reason_kinds(const LoadedFile& file);
+
+/// The table at the end of an import, for people.
+std::string summary_table(const ImportSummary& summary, std::string_view relation, std::uint64_t batch_count);
+
+/// "1,234,567"
+std::string grouped(std::uint64_t number);
+
+}  // namespace queries

@@ -1,0 +1,168 @@
+#include "queries/importer/importer.h"
+
+#include <unistd.h>
+
+#include <exception>
+#include <iostream>
+#include <new>
+
+#include <fmt/format.h>
+#include <tbb/info.h>
+
+#include "algebra3d/operators/import_solid.h"
+#include "queries/importer/file_list.h"
+#include "queries/importer/import_summary.h"
+#include "queries/importer/progress_display.h"
+#include "queries/importer/relation_writer.h"
+#include "queries/language/parser.h"
+#include "queries/language/scanner.h"
+#include "queries/store/store.h"
+
+namespace queries {
+namespace {
+
+constexpr int kOk = 0;
+constexpr int kFailed = 1;
+constexpr int kWrongUsage = 2;
+constexpr int kInterrupted = 130;
+
+// How often the calling thread looks at the clock while it waits for a file: for the progress, and for the end of a
+// batch whose time is up.
+constexpr std::chrono::milliseconds kPatience{100};
+
+Result<SolidOrReason> read_solid(const std::filesystem::path& file, const std::atomic<bool>* cancel) {
+  ASSIGN_OR_RETURN(algebra3d::ImportedSolid imported, algebra3d::import_solid(file, cancel));
+  return SolidOrReason{std::move(imported.solid), std::move(imported.status)};
+}
+
+Status check_relation_name(const std::string& name, const algebra3d::Registry& registry) {
+  Scanner scanner(name);
+  const Token word = scanner.take();
+  if (word.kind != Token::Kind::word || word.text != name)
+    return Error{ErrorCode::wrong_usage,
+                 "'{}' cannot name a relation: a name is a letter, followed by letters, digits and _", name};
+  if (is_reserved(name, registry))
+    return Error{ErrorCode::reserved_name, "'{}' is a word of the language and cannot name a relation", name};
+  return {};
+}
+
+class Import {
+ public:
+  Import(const ImportOptions& options, const ImportHost& host)
+      : options_(options), host_(host), progress_(host.err, progress_style(options, host)) {}
+
+  int run();
+
+ private:
+  static ProgressDisplay::Style progress_style(const ImportOptions& options, const ImportHost& host);
+  Status take_in(const FileList& list);
+  Status pump(FileLoader& loader, RelationWriter& writer);
+  int fail(const Error& error, int status);
+  int conclude(const FileList& list);
+
+  const ImportOptions& options_;
+  const ImportHost& host_;
+  ProgressDisplay progress_;
+  ImportSummary summary_;
+  std::uint64_t committed_count_ = 0;
+  std::uint64_t batch_count_ = 0;
+  bool was_interrupted_ = false;
+};
+
+ProgressDisplay::Style Import::progress_style(const ImportOptions& options, const ImportHost& host) {
+  if (options.quiet) return ProgressDisplay::Style::none;
+  return host.err_is_terminal ? ProgressDisplay::Style::bar : ProgressDisplay::Style::lines;
+}
+
+int Import::run() {
+  if (const Status named = check_relation_name(options_.relation, host_.registry); !named)
+    return fail(named.error(), kWrongUsage);
+  const auto list = list_files(options_.paths);
+  if (!list) return fail(list.error(), kFailed);
+  summary_ = ImportSummary(*list);
+  if (const Status taken = take_in(*list); !taken) return fail(taken.error(), kFailed);
+  return conclude(*list);
+}
+
+Status Import::take_in(const FileList& list) {
+  ASSIGN_OR_RETURN(const auto store, Store::open(options_.database, OpenMode::open_or_create, host_.registry));
+  RelationWriter writer(*store, options_.relation,
+                        {std::chrono::duration<double>(options_.batch_seconds), options_.batch_megabytes * 1e6});
+  RETURN_IF_ERROR(writer.prepare());
+  const int jobs = options_.jobs > 0 ? options_.jobs : tbb::info::default_concurrency();
+  FileLoader loader(list.files, host_.reader ? host_.reader : SolidReader(read_solid),
+                    [&](const Store::ImportedFile& file) { return writer.is_known(file); },
+                    {.jobs = jobs, .cancel = host_.cancel});
+  Status status = pump(loader, writer);
+  if (status) status = writer.commit();
+  committed_count_ = writer.committed_count();
+  batch_count_ = writer.batch_count();
+  return status;
+}
+
+Status Import::pump(FileLoader& loader, RelationWriter& writer) {
+  for (;;) {
+    ASSIGN_OR_RETURN(const FileLoader::Next next, loader.next(kPatience));
+    if (next.state == FileLoader::State::finished) return {};
+    if (next.state == FileLoader::State::interrupted) {
+      was_interrupted_ = true;
+      return {};
+    }
+    if (next.state == FileLoader::State::loaded) {
+      auto written = RelationWriter::Written::known;
+      if (!next.file.is_known) {
+        ASSIGN_OR_RETURN(written, writer.write(next.file));
+      }
+      summary_.count(next.file, written);
+    }
+    RETURN_IF_ERROR(writer.commit_if_due());
+    progress_.update(summary_, writer.pending_count());
+  }
+}
+
+int Import::fail(const Error& error, int status) {
+  progress_.clear();
+  host_.err << "error: import: " << error.message << "\n";
+  if (committed_count_ > 0)
+    host_.err << fmt::format("{} of {} files are in '{}'; run the same import again to go on from there\n",
+                             grouped(committed_count_ + summary_.known_count), grouped(summary_.file_count),
+                             options_.relation);
+  return status;
+}
+
+int Import::conclude(const FileList& list) {
+  progress_.clear();
+  if (!options_.quiet) host_.out << summary_table(summary_, options_.relation, batch_count_) << std::flush;
+  for (const std::string& folder : list.unread_folders)
+    host_.err << "error: import: the folder was left out: " << folder << "\n";
+  if (was_interrupted_) {
+    host_.err << fmt::format("interrupted: {} of {} files are in '{}'; run the same import again to go on from there\n",
+                             grouped(summary_.done_count()), grouped(summary_.file_count), options_.relation);
+    return kInterrupted;
+  }
+  return list.unread_folders.empty() ? kOk : kFailed;
+}
+
+}  // namespace
+
+int run_import(const ImportOptions& options, const ImportHost& host) {
+  try {
+    return Import(options, host).run();
+  } catch (const std::bad_alloc&) {
+    host.err << "error: import: memory is exhausted; the database is as after the last committed batch\n";
+  } catch (const std::exception& exception) {
+    host.err << "error: import: " << exception.what() << "; the database is as after the last committed batch\n";
+  }
+  return kFailed;
+}
+
+int run_import(const ImportOptions& options, const algebra3d::Registry& registry, const std::atomic<bool>* cancel) {
+  return run_import(options, {.registry = registry,
+                              .out = std::cout,
+                              .err = std::cerr,
+                              .err_is_terminal = isatty(STDERR_FILENO) != 0,
+                              .cancel = cancel,
+                              .reader = {}});
+}
+
+}  // namespace queries

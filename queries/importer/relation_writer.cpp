@@ -1,0 +1,147 @@
+#include "queries/importer/relation_writer.h"
+
+#include "algebra3d/types/scalars.h"
+#include "queries/streams/relation.h"
+
+namespace queries {
+namespace {
+
+using algebra3d::Text;
+using algebra3d::Volume3d;
+
+constexpr std::size_t kFileAttribute = 1;
+
+Tuple tuple_of(const LoadedFile& file) {
+  Value solid = file.solid ? Value::of(*file.solid) : Value(algebra3d::TypeOf<Volume3d>::type());
+  return {{Value::of(file.name), Value::of(Text{file.path}), std::move(solid), Value::of(Text{file.status})}, 0};
+}
+
+}  // namespace
+
+TypeExpr import_relation_type() {
+  return TypeExpr::rel(
+      TypeExpr::tuple({{"Name", "string"}, {"File", "text"}, {"Solid", "volume3d"}, {"Status", "text"}}));
+}
+
+RelationWriter::~RelationWriter() {
+  leave();
+}
+
+Status RelationWriter::prepare() {
+  RETURN_IF_ERROR(enter(Mode::reading));
+  ASSIGN_OR_RETURN(const auto existing, store_.find(relation_name_));
+  leave();
+  const TypeExpr type = import_relation_type();
+  if (existing && !(existing->type == type))
+    return Error{ErrorCode::type_error, "'{}' is of type {}; an import needs {}", relation_name_, existing->type.text(),
+                 type.text()};
+  if (existing && existing->has_value) return {};
+  RETURN_IF_ERROR(store_.begin(true));
+  mode_ = Mode::writing;
+  if (!existing) RETURN_IF_ERROR(store_.create(relation_name_, type));
+  return create_relation();
+}
+
+// An object without a value cannot be written to, so the relation begins as an empty one.
+Status RelationWriter::create_relation() {
+  algebra3d::Diagnostics diagnostics;
+  const algebra3d::Context context{.diagnostics = diagnostics, .folder = {}};
+  const auto empty = std::make_shared<MemoryRelation>(import_relation_type().element(), std::vector<TuplePtr>());
+  RETURN_IF_ERROR(store_.assign(relation_name_, Datum{std::shared_ptr<Relation>(empty)}, context));
+  RETURN_IF_ERROR(store_.commit());
+  mode_ = Mode::none;
+  return {};
+}
+
+// A transaction that has only read cannot always become one that writes (another process may have written meanwhile),
+// and it holds nothing that would be lost: it is ended, and a new one begun.
+Status RelationWriter::enter(Mode mode) {
+  if (mode_ == mode || mode_ == Mode::writing) return {};
+  leave();
+  RETURN_IF_ERROR(store_.begin(mode == Mode::writing));
+  mode_ = mode;
+  if (mode == Mode::reading) return {};
+  batch_start_ = Clock::now();
+  ASSIGN_OR_RETURN(const Datum datum, store_.read(relation_name_));
+  relation_ = datum.relation();
+  return {};
+}
+
+void RelationWriter::leave() {
+  if (mode_ == Mode::none) return;
+  relation_.reset();
+  store_.rollback();
+  mode_ = Mode::none;
+}
+
+Result<bool> RelationWriter::is_known(const Store::ImportedFile& file) {
+  RETURN_IF_ERROR(enter(Mode::reading));
+  return store_.is_imported(relation_name_, file);
+}
+
+Result<RelationWriter::Written> RelationWriter::write(const LoadedFile& file) {
+  RETURN_IF_ERROR(enter(Mode::writing));
+  if (file.identity) {
+    // Asked again where nobody else can write: two imports at the same time take no file twice.
+    ASSIGN_OR_RETURN(const bool known, store_.is_imported(relation_name_, *file.identity));
+    if (known) return Written::known;
+  }
+  ASSIGN_OR_RETURN(const Written written, put(file));
+  if (file.identity) RETURN_IF_ERROR(store_.remember_imported(relation_name_, *file.identity));
+  ++pending_count_;
+  batch_bytes_ += static_cast<double>(file.size);
+  return written;
+}
+
+Result<RelationWriter::Written> RelationWriter::put(const LoadedFile& file) {
+  RETURN_IF_ERROR(find_earlier_tuples());
+  const auto earlier = earlier_tuples_.find(file.path);
+  if (earlier == earlier_tuples_.end()) {
+    RETURN_IF_ERROR(relation_->insert(tuple_of(file)));
+    return Written::inserted;
+  }
+  // A disk that cannot be read today must not cost the solids that were imported yesterday.
+  if (!file.identity) return Written::kept;
+  const std::vector<TupleId>& ids = earlier->second;
+  RETURN_IF_ERROR(relation_->update(ids.front(), tuple_of(file)));
+  for (std::size_t i = 1; i < ids.size(); ++i) RETURN_IF_ERROR(relation_->erase(ids[i]));
+  return Written::replaced;
+}
+
+// One pass before the first file is written, which reads no geometry: so a changed file finds its tuple without an
+// index on the attribute. Each file is written once, so that what is written later need not be entered.
+Status RelationWriter::find_earlier_tuples() {
+  if (earlier_tuples_found_) return {};
+  ASSIGN_OR_RETURN(const TupleStreamPtr tuples, relation_->scan());
+  for (;;) {
+    ASSIGN_OR_RETURN(const TuplePtr tuple, tuples->next());
+    if (tuple == nullptr) break;
+    ASSIGN_OR_RETURN(const Value file, tuple->attributes[kFileAttribute].loaded());
+    if (file.is_defined()) earlier_tuples_[file.get<Text>().content].push_back(tuple->id);
+  }
+  earlier_tuples_found_ = true;
+  return {};
+}
+
+Status RelationWriter::commit_if_due() {
+  if (mode_ != Mode::writing) return {};
+  if (batch_bytes_ < limits_.bytes && Clock::now() - batch_start_ < limits_.time) return {};
+  return commit();
+}
+
+Status RelationWriter::commit() {
+  if (mode_ != Mode::writing) {
+    leave();
+    return {};
+  }
+  relation_.reset();
+  RETURN_IF_ERROR(store_.commit());
+  mode_ = Mode::none;
+  if (pending_count_ > 0) ++batch_count_;
+  committed_count_ += pending_count_;
+  pending_count_ = 0;
+  batch_bytes_ = 0;
+  return {};
+}
+
+}  // namespace queries

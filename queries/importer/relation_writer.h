@@ -1,0 +1,82 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "queries/importer/file_loader.h"
+#include "queries/store/store.h"
+
+namespace queries {
+
+/// The type of a relation of imported solids: Name: string, File: text, Solid: volume3d, Status: text.
+TypeExpr import_relation_type();
+
+/// Writes imported files into a relation, in batches: each is one transaction and holds whole files, so that after a
+/// crash the database is as after some batch. A file whose path is in the relation already takes the place of that
+/// tuple, which keeps its id; but one that could not be read never does. Used by one thread; the store outlives the
+/// writer, which has it alone for that time. A writer that ends without `commit` leaves no trace of its last batch.
+class RelationWriter {
+ public:
+  struct Limits {
+    std::chrono::duration<double> time{5};
+    double bytes = 256e6;
+  };
+  enum class Written : std::uint8_t {
+    inserted,
+    replaced,
+    known,  ///< another import was faster; nothing was changed
+    kept,   ///< the file could not be read, and the tuple of an earlier import was left as it is
+  };
+
+  RelationWriter(Store& store, std::string relation, Limits limits)
+      : store_(store), relation_name_(std::move(relation)), limits_(limits) {}
+  ~RelationWriter();
+  RelationWriter(const RelationWriter&) = delete;
+  RelationWriter& operator=(const RelationWriter&) = delete;
+
+  /// Creates the relation if it is not there; the first call. Errors: type_error if there is another object of that
+  /// name; those of the store.
+  Status prepare();
+  /// Whether this very content of that path was imported into the relation.
+  Result<bool> is_known(const Store::ImportedFile& file);
+  /// Takes the file into the current batch.
+  Result<Written> write(const LoadedFile& file);
+  /// Commits the current batch if it has reached a limit.
+  Status commit_if_due();
+  /// Commits the current batch. The files written so far are durable then.
+  Status commit();
+
+  std::uint64_t batch_count() const { return batch_count_; }          ///< committed ones that held files
+  std::uint64_t committed_count() const { return committed_count_; }  ///< files in them
+  std::uint64_t pending_count() const { return pending_count_; }      ///< files in the current batch
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  enum class Mode : std::uint8_t { none, reading, writing };
+
+  Status create_relation();
+  Status enter(Mode mode);
+  void leave();
+  Status find_earlier_tuples();
+  Result<Written> put(const LoadedFile& file);
+
+  Store& store_;
+  std::string relation_name_;
+  Limits limits_;
+
+  Mode mode_ = Mode::none;
+  std::shared_ptr<Relation> relation_;  // while writing
+  Clock::time_point batch_start_;
+  double batch_bytes_ = 0;
+  std::uint64_t pending_count_ = 0;
+  std::uint64_t committed_count_ = 0;
+  std::uint64_t batch_count_ = 0;
+
+  bool earlier_tuples_found_ = false;
+  std::unordered_map<std::string, std::vector<TupleId>> earlier_tuples_;  // by the value of File
+};
+
+}  // namespace queries

@@ -1,0 +1,81 @@
+#include "queries/importer/import_summary.h"
+
+#include <gtest/gtest.h>
+
+#include "queries/importer/progress_display.h"
+
+namespace queries {
+namespace {
+
+std::vector<std::string> kinds_of(const std::string& status) {
+  LoadedFile file;
+  file.path = "/some/folder/part7.stl";
+  file.status = status;
+  return reason_kinds(file);
+}
+
+TEST(ImportSummary, files_with_the_same_trouble_share_a_kind) {
+  EXPECT_EQ(kinds_of("no valid solid: 12 boundary edges (facet 17, near (0 0.5 1))"),
+            std::vector<std::string>{"boundary edges"});
+  EXPECT_EQ(
+      kinds_of("no valid solid: 1 boundary edge (facet 17, near (0 0.5 1)), at least 3 intersecting pairs (facets "
+               "4 and 9, near (2 0 0)), 1 shell with a wrong winding number (facet 1, near (0 0 0))"),
+      (std::vector<std::string>{"boundary edges", "intersecting pairs", "shells with a wrong winding number"}));
+  EXPECT_EQ(kinds_of("read_stl: part7.stl byte 84: header announces 12 triangles"),
+            std::vector<std::string>{"read_stl: FILE byte N: header announces N triangles"});
+  EXPECT_EQ(kinds_of("/some/folder/part7.stl: Permission denied"), std::vector<std::string>{"FILE: Permission denied"});
+}
+
+TEST(ImportSummary, a_long_reason_is_cut_between_characters) {
+  std::string reason(71, 'x');
+  reason += "\xC3\xA9 and more";
+  EXPECT_EQ(kinds_of(reason), std::vector<std::string>{std::string(71, 'x') + "..."});
+}
+
+TEST(ImportSummary, numbers_are_grouped) {
+  EXPECT_EQ(grouped(0), "0");
+  EXPECT_EQ(grouped(999), "999");
+  EXPECT_EQ(grouped(1000), "1,000");
+  EXPECT_EQ(grouped(1234567), "1,234,567");
+}
+
+TEST(ImportSummary, the_table_counts_what_was_counted) {
+  ImportSummary summary;
+  summary.file_count = 4;
+  LoadedFile solid;
+  solid.solid = algebra3d::Volume3d();
+  LoadedFile bad;
+  bad.status = "no valid solid: 2 boundary edges (facet 1, near (0 0 0))";
+  summary.count(solid, RelationWriter::Written::inserted);
+  summary.count(bad, RelationWriter::Written::replaced);
+  summary.count(solid, RelationWriter::Written::known);
+  const std::string table = summary_table(summary, "Parts", 1);
+  EXPECT_NE(table.find("import into Parts\n"), std::string::npos) << table;
+  for (const char* row :
+       {"files                                    3\n", "  not reached                            1\n",
+        "  imported before                        1\n", "  solids                                 1\n",
+        "  undefined                              1\n", "  of these replaced                      1\n",
+        "         1  boundary edges\n"})
+    EXPECT_NE(table.find(row), std::string::npos) << row << table;
+}
+
+TEST(ProgressLine, shows_the_share_of_bytes) {
+  ImportSummary summary;
+  summary.file_count = 2;
+  summary.byte_count = 100;
+  EXPECT_TRUE(progress_line(summary, 0).starts_with("[                ] 0/2 files")) << progress_line(summary, 0);
+  summary.done_bytes = 50;
+  summary.inserted_count = 1;
+  EXPECT_TRUE(progress_line(summary, 1).starts_with("[########        ] 1/2 files")) << progress_line(summary, 1);
+  summary.done_bytes = 120;  // a file has grown since it was listed
+  EXPECT_TRUE(progress_line(summary, 1).starts_with("[################] ")) << progress_line(summary, 1);
+}
+
+TEST(ProgressLine, fits_into_a_terminal_of_eighty_columns) {
+  ImportSummary summary;
+  summary.file_count = summary.inserted_count = summary.undefined_count = 10000;
+  EXPECT_LE(progress_line(summary, 10000).size(), 80);
+}
+
+}  // namespace
+}  // namespace queries

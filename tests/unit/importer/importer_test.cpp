@@ -1,0 +1,304 @@
+#include "queries/importer/importer.h"
+
+#include <unistd.h>
+
+#include <new>
+
+#include "import_folder.h"
+
+namespace queries {
+namespace {
+
+using Importer = ImportFolder;
+
+TEST_F(Importer, takes_every_file_of_a_folder_and_says_what_is_wrong_with_bad_ones) {
+  write("box.stl", box_stl(1, 2, 3));
+  write("sub/deeper/BOX2.STL", box_stl(2, 2, 2));
+  write("open.stl", open_box_stl());
+  write("empty.stl", "");
+  write("picture.stl", std::string("\x89PNG\r\n\x1a\n") + std::string(200, '\0'));
+  write("readme.txt", "no mesh");
+  EXPECT_EQ(import(options()), 0) << err_;
+
+  const auto found = rows();
+  ASSERT_EQ(found.size(), 5);
+  EXPECT_EQ(found.at("box.stl").name, "box");
+  EXPECT_EQ(found.at("box.stl").status, "ok");
+  EXPECT_EQ(found.at("box.stl").size, 12);
+  EXPECT_EQ(found.at("sub/deeper/BOX2.STL").name, "BOX2");
+  EXPECT_TRUE(found.at("sub/deeper/BOX2.STL").is_defined);
+  EXPECT_FALSE(found.at("open.stl").is_defined);
+  EXPECT_NE(found.at("open.stl").status.find("3 boundary edges"), std::string::npos) << found.at("open.stl").status;
+  EXPECT_FALSE(found.at("empty.stl").is_defined);
+  EXPECT_NE(found.at("empty.stl").status, "");
+  EXPECT_FALSE(found.at("picture.stl").is_defined);
+  EXPECT_NE(out_.find("why undefined"), std::string::npos) << out_;
+  EXPECT_EQ(err_, "");
+}
+
+TEST_F(Importer, takes_a_named_file_whatever_its_extension_and_each_file_once) {
+  write("box.mesh", box_stl(1, 1, 1));
+  write("other.stl", box_stl(1, 1, 1));
+  ImportOptions twice = options();
+  const std::string file = (parts() / "box.mesh").string();
+  twice.paths = {file, parts().string(), (parts() / "." / "sub" / ".." / "box.mesh").string(), file};
+  std::filesystem::create_directory(parts() / "sub");
+  EXPECT_EQ(import(twice), 0) << err_;
+  EXPECT_EQ(rows().size(), 2);
+}
+
+TEST_F(Importer, takes_what_a_pattern_matches) {
+  write("a1.stl", box_stl(1, 1, 1));
+  write("a2.stl", box_stl(1, 1, 1));
+  write("b1.stl", box_stl(1, 1, 1));
+  ImportOptions pattern = options();
+  pattern.paths = {(parts() / "a*.stl").string()};
+  EXPECT_EQ(import(pattern), 0) << err_;
+  EXPECT_EQ(rows().size(), 2);
+}
+
+TEST_F(Importer, refuses_a_path_that_does_not_exist_and_makes_no_database) {
+  write("box.stl", box_stl(1, 1, 1));
+  ImportOptions missing = options();
+  missing.paths.push_back((parts() / "nothing").string());
+  EXPECT_EQ(import(missing), 1);
+  EXPECT_EQ(err_, "error: import: " + (parts() / "nothing").string() + ": no such file or folder\n");
+  EXPECT_FALSE(std::filesystem::exists(database()));
+  missing.paths.back() = (parts() / "q*").string();
+  EXPECT_EQ(import(missing), 1);
+  EXPECT_NE(err_.find("no file matches this pattern"), std::string::npos) << err_;
+  EXPECT_FALSE(std::filesystem::exists(database()));
+}
+
+TEST_F(Importer, says_that_a_folder_has_no_files_to_import) {
+  write("readme.txt", "no mesh");
+  EXPECT_EQ(import(options()), 1);
+  EXPECT_NE(err_.find("there is no file to import"), std::string::npos) << err_;
+  EXPECT_FALSE(std::filesystem::exists(database()));
+}
+
+TEST_F(Importer, refuses_what_cannot_name_a_relation) {
+  write("box.stl", box_stl(1, 1, 1));
+  ImportOptions wrong = options();
+  for (const std::string name : {"two words", "1st", "", "a;b"}) {
+    wrong.relation = name;
+    EXPECT_EQ(import(wrong), 2) << name;
+    EXPECT_NE(err_.find("'" + name + "' cannot name a relation"), std::string::npos) << err_;
+  }
+  wrong.relation = "query";
+  EXPECT_EQ(import(wrong), 2);
+  EXPECT_NE(err_.find("'query' is a word of the language"), std::string::npos) << err_;
+}
+
+TEST_F(Importer, refuses_an_object_of_another_type) {
+  write("box.stl", box_stl(1, 1, 1));
+  {
+    auto store = Store::open(database(), OpenMode::create, registry());
+    ASSERT_TRUE(store);
+    ASSERT_TRUE((*store)->begin(true));
+    ASSERT_TRUE((*store)->create("Parts", "int"));
+    ASSERT_TRUE((*store)->commit());
+  }
+  EXPECT_EQ(import(options()), 1);
+  EXPECT_EQ(err_,
+            "error: import: 'Parts' is of type int; an import needs (rel (tuple ((Name string) (File text) "
+            "(Solid volume3d) (Status text))))\n");
+}
+
+TEST_F(Importer, takes_over_a_relation_that_was_created_without_a_value) {
+  write("box.stl", box_stl(1, 1, 1));
+  {
+    auto store = Store::open(database(), OpenMode::create, registry());
+    ASSERT_TRUE(store);
+    ASSERT_TRUE((*store)->begin(true));
+    ASSERT_TRUE((*store)->create(
+        "Parts", TypeExpr::rel(TypeExpr::tuple(
+                     {{"Name", "string"}, {"File", "text"}, {"Solid", "volume3d"}, {"Status", "text"}}))));
+    ASSERT_TRUE((*store)->commit());
+  }
+  EXPECT_EQ(import(options()), 0) << err_;
+  EXPECT_EQ(rows().size(), 1);
+}
+
+TEST_F(Importer, says_that_the_database_file_is_foreign) {
+  write("box.stl", box_stl(1, 1, 1));
+  std::ofstream(database()) << "this is a letter, and it is longer than the header of a database file would be.";
+  EXPECT_EQ(import(options()), 1);
+  EXPECT_NE(err_.find("test.db"), std::string::npos) << err_;
+}
+
+TEST_F(Importer, passes_over_unchanged_files_and_replaces_changed_ones_in_place) {
+  write("a.stl", box_stl(1, 1, 1));
+  write("b.stl", box_stl(2, 2, 2));
+  write("c.stl", open_box_stl());
+  ASSERT_EQ(import(options()), 0) << err_;
+  const auto before = rows();
+
+  ASSERT_EQ(import(options()), 0) << err_;
+  EXPECT_NE(out_.find("imported before"), std::string::npos) << out_;
+  EXPECT_EQ(rows().size(), 3);
+
+  write("b.stl", open_box_stl());
+  write("c.stl", box_stl(3, 3, 3));
+  write("d.stl", box_stl(4, 4, 4));
+  ASSERT_EQ(import(options()), 0) << err_;
+  const auto after = rows();
+  ASSERT_EQ(after.size(), 4);
+  EXPECT_EQ(after.at("a.stl").id, before.at("a.stl").id);
+  EXPECT_EQ(after.at("b.stl").id, before.at("b.stl").id);
+  EXPECT_FALSE(after.at("b.stl").is_defined);
+  EXPECT_EQ(after.at("c.stl").id, before.at("c.stl").id);
+  EXPECT_EQ(after.at("c.stl").status, "ok");
+}
+
+TEST_F(Importer, imports_into_a_second_relation_of_the_same_database) {
+  write("a.stl", box_stl(1, 1, 1));
+  ASSERT_EQ(import(options()), 0) << err_;
+  ImportOptions second = options();
+  second.relation = "More";
+  ASSERT_EQ(import(second), 0) << err_;
+  EXPECT_EQ(rows("More").size(), 1);
+}
+
+TEST_F(Importer, imports_again_after_the_relation_was_deleted) {
+  write("a.stl", box_stl(1, 1, 1));
+  ASSERT_EQ(import(options()), 0) << err_;
+  {
+    auto store = Store::open(database(), OpenMode::read_write, registry());
+    ASSERT_TRUE(store);
+    ASSERT_TRUE((*store)->begin(true));
+    ASSERT_TRUE((*store)->remove("Parts"));
+    ASSERT_TRUE((*store)->commit());
+  }
+  ASSERT_EQ(import(options()), 0) << err_;
+  EXPECT_EQ(rows().size(), 1);
+}
+
+TEST_F(Importer, a_file_that_may_not_be_read_has_a_reason_and_is_tried_again) {
+  if (geteuid() == 0) GTEST_SKIP() << "root may read every file";
+  write("a.stl", box_stl(1, 1, 1));
+  std::filesystem::permissions(parts() / "a.stl", std::filesystem::perms::none);
+  ASSERT_EQ(import(options()), 0) << err_;
+  EXPECT_NE(rows().at("a.stl").status.find("Permission denied"), std::string::npos);
+  std::filesystem::permissions(parts() / "a.stl", std::filesystem::perms::owner_all);
+  ASSERT_EQ(import(options()), 0) << err_;
+  EXPECT_EQ(rows().at("a.stl").status, "ok");
+}
+
+TEST_F(Importer, a_link_to_nowhere_has_a_reason_and_is_tried_again) {
+  std::filesystem::create_symlink(parts() / "nowhere", parts() / "a.stl");
+  ASSERT_EQ(import(options()), 0) << err_;
+  EXPECT_NE(rows().at("a.stl").status.find("No such file"), std::string::npos) << rows().at("a.stl").status;
+  write("nowhere", box_stl(1, 1, 1));
+  ASSERT_EQ(import(options()), 0) << err_;
+  EXPECT_EQ(rows().at("a.stl").status, "ok");
+}
+
+TEST_F(Importer, a_file_that_cannot_be_read_any_more_does_not_cost_its_solid) {
+  write("a.stl", box_stl(1, 1, 1));
+  ASSERT_EQ(import(options()), 0) << err_;
+  std::filesystem::remove(parts() / "a.stl");
+  std::filesystem::create_symlink(parts() / "nowhere", parts() / "a.stl");
+  ASSERT_EQ(import(options()), 0) << err_;
+  EXPECT_NE(out_.find("unreadable, left as before"), std::string::npos) << out_;
+  EXPECT_EQ(rows().at("a.stl").status, "ok");
+}
+
+TEST_F(Importer, a_file_that_is_changed_back_is_imported_again) {
+  write("a.stl", box_stl(1, 1, 1));
+  ASSERT_EQ(import(options()), 0) << err_;
+  write("a.stl", open_box_stl());
+  ASSERT_EQ(import(options()), 0) << err_;
+  ASSERT_FALSE(rows().at("a.stl").is_defined);
+  write("a.stl", box_stl(1, 1, 1));
+  ASSERT_EQ(import(options()), 0) << err_;
+  EXPECT_TRUE(rows().at("a.stl").is_defined);
+}
+
+TEST_F(Importer, a_file_whose_loading_throws_or_fails_stops_no_other_and_is_tried_again) {
+  for (const char* name : {"a.stl", "b.stl", "c.stl"}) write(name, box_stl(1, 1, 1));
+  const SolidReader reader = [](const std::filesystem::path& file, const std::atomic<bool>*) -> Result<SolidOrReason> {
+    if (file.stem() == "a") throw std::bad_alloc();
+    if (file.stem() == "b") return Error{ErrorCode::internal, "the disk is on fire"};
+    return SolidOrReason{algebra3d::Volume3d(), "ok"};
+  };
+  ASSERT_EQ(import(options(), reader), 0) << err_;
+  auto found = rows();
+  EXPECT_EQ(found.at("a.stl").status, "memory is exhausted");
+  EXPECT_EQ(found.at("b.stl").status, "the disk is on fire");
+  EXPECT_TRUE(found.at("c.stl").is_defined);
+  ASSERT_EQ(import(options()), 0) << err_;
+  found = rows();
+  EXPECT_EQ(found.at("a.stl").status, "ok");
+  EXPECT_EQ(found.at("b.stl").status, "ok");
+  EXPECT_EQ(found.at("c.stl").size, 0) << "it was imported before";
+}
+
+TEST_F(Importer, the_relation_does_not_depend_on_the_number_of_threads) {
+  for (int i = 0; i < 60; ++i) write(std::to_string(i) + ".stl", i % 7 == 0 ? open_box_stl() : box_stl(i, 1, 1));
+  ImportOptions one = options();
+  one.jobs = 1;
+  one.relation = "One";
+  ASSERT_EQ(import(one), 0) << err_;
+  ImportOptions many = options();
+  many.jobs = 8;
+  many.relation = "Many";
+  many.batch_megabytes = 0;  // every file is a batch
+  ASSERT_EQ(import(many), 0) << err_;
+  const auto a = rows("One");
+  const auto b = rows("Many");
+  ASSERT_EQ(a.size(), 60);
+  ASSERT_EQ(b.size(), 60);
+  for (const auto& [file, row] : a) {
+    EXPECT_EQ(row.id, b.at(file).id) << file;
+    EXPECT_EQ(row.status, b.at(file).status);
+    EXPECT_EQ(row.size, b.at(file).size);
+  }
+}
+
+TEST_F(Importer, a_cancel_flag_that_is_set_imports_nothing_and_a_second_run_completes_it) {
+  write("a.stl", box_stl(1, 1, 1));
+  const std::atomic<bool> cancel = true;
+  EXPECT_EQ(import(options(), {}, &cancel), 130);
+  EXPECT_EQ(err_, "interrupted: 0 of 1 files are in 'Parts'; run the same import again to go on from there\n");
+  ASSERT_EQ(import(options()), 0) << err_;
+  EXPECT_EQ(rows().size(), 1);
+}
+
+TEST_F(Importer, an_interrupted_import_keeps_what_is_complete) {
+  for (const char* name : {"a.stl", "b.stl", "c.stl", "d.stl"}) write(name, box_stl(1, 1, 1));
+  std::atomic<bool> cancel = false;
+  ImportOptions single = options();
+  single.jobs = 1;
+  const SolidReader reader = [&](const std::filesystem::path& file,
+                                 const std::atomic<bool>* stop) -> Result<SolidOrReason> {
+    if (file.stem() == "c") cancel.store(true);
+    while (file.stem() == "c" && !stop->load()) usleep(1000);
+    if (stop->load()) return Error{ErrorCode::interrupted, "interrupted"};
+    return SolidOrReason{algebra3d::Volume3d(), "ok"};
+  };
+  EXPECT_EQ(import(single, reader, &cancel), 130);
+  EXPECT_EQ(err_, "interrupted: 2 of 4 files are in 'Parts'; run the same import again to go on from there\n");
+  const auto found = rows();
+  ASSERT_EQ(found.size(), 2);
+  EXPECT_TRUE(found.contains("a.stl") && found.contains("b.stl"));
+  ASSERT_EQ(import(single), 0) << err_;
+  EXPECT_EQ(rows().size(), 4);
+}
+
+TEST_F(Importer, quiet_means_no_output) {
+  write("a.stl", box_stl(1, 1, 1));
+  ImportOptions quiet = options();
+  quiet.quiet = true;
+  EXPECT_EQ(import(quiet), 0);
+  EXPECT_EQ(out_ + err_, "");
+}
+
+TEST_F(Importer, a_file_name_that_is_no_utf8_is_written_so_that_it_is) {
+  write("p\xE9.stl", box_stl(1, 1, 1));
+  ASSERT_EQ(import(options()), 0) << err_;
+  EXPECT_EQ(rows().begin()->first, "p\\xe9.stl");
+}
+
+}  // namespace
+}  // namespace queries
