@@ -124,7 +124,8 @@ void RelationLayout::add_statements() {
   for (std::size_t i = 1; i < columns_.size(); ++i) parameters += ", ?";
   insert_sql_ = fmt::format("INSERT INTO {} VALUES({})", table_, parameters);
   erase_sql_ = fmt::format("DELETE FROM {} WHERE id = ?", table_);
-  const auto small = fmt::join(columns_.begin(), columns_.begin() + static_cast<std::ptrdiff_t>(small_count_), ", ");
+  std::string small = columns_[0];
+  for (std::size_t i = 1; i < small_count_; ++i) small += ", " + columns_[i];
   page_sql_ = fmt::format("SELECT {} FROM {} WHERE id > ? AND id <= ? ORDER BY id LIMIT ?", small, table_);
   fetch_sql_ = fmt::format("SELECT {} FROM {} WHERE id = ?", small, table_);
 }

@@ -144,7 +144,7 @@ class StoreTest : public testing::Test {
   void let_index(const std::string& name, const std::string& relation_name, const std::string& attribute,
                  const std::string& attribute_type) {
     const TypeExpr tuple_expr = relation(relation_name)->tuple_type();
-    ok(store_->create(name, TypeExpr("rtree3", {tuple_expr, attribute_type, "FALSE"})));
+    ok(store_->create(name, TypeExpr("rtree3", {tuple_expr, TypeExpr(attribute_type), "FALSE"})));
     ok(store_->assign(
         name, Datum{std::make_shared<SpatialIndex>(relation_name, attribute, std::make_shared<SpatialIndex::Tree>())},
         context_));

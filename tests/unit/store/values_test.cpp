@@ -53,7 +53,7 @@ TEST_F(StoredValues, objects_of_every_type_come_back_after_reopening) {
     for (std::size_t i = 0; i < kValues.size(); ++i) {
       const auto& [type_name, list] = kValues[i];
       const std::string name = "o" + std::to_string(i);
-      ok(store_->create(name, type_name));
+      ok(store_->create(name, TypeExpr(type_name)));
       ok(store_->assign(name, Datum{value(type_name, list)}, context_));
     }
   });
