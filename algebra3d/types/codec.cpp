@@ -26,6 +26,7 @@ constexpr std::uint16_t kCompressed = 2;
 constexpr std::size_t kTypeBytes = 12;
 constexpr std::size_t kChecksumOffset = 88;
 constexpr std::size_t kCompressFrom = 64;
+constexpr std::size_t kSkippableHead = 8;  // of a Zstandard frame that holds nothing
 constexpr std::uint64_t kMaxRatio = 1024;
 constexpr int kCompressionLevel = 3;
 
@@ -144,10 +145,9 @@ ZSTD_CCtx* compression_context() {
 }
 
 void append_padding(std::string& compressed, std::size_t body_bytes) {
-  constexpr std::size_t kFrameHead = 8;
   const std::size_t least = (body_bytes + kMaxRatio - 1) / kMaxRatio;
   if (compressed.size() >= least) return;
-  const std::size_t padding = least - std::min(least, compressed.size() + kFrameHead);
+  const std::size_t padding = least - std::min(least, compressed.size() + kSkippableHead);
   ByteWriter writer(compressed);
   writer.u32(ZSTD_MAGIC_SKIPPABLE_START);
   writer.u32(static_cast<std::uint32_t>(padding));

@@ -18,7 +18,7 @@ std::int64_t ordered(double value) {
 
 double from_ordered(std::int64_t value) {
   const auto magnitude = static_cast<std::uint64_t>(value < 0 ? -value : value);
-  const double absolute = std::bit_cast<double>(magnitude);
+  const auto absolute = std::bit_cast<double>(magnitude);
   return value < 0 ? -absolute : absolute;
 }
 
@@ -232,7 +232,7 @@ ExactPoint read_point(ByteReader& reader) {
   for (std::size_t axis = 0; axis < 3; ++axis) approx[axis] = reader.f64();
   reader.require(is_finite(approx), "finite coordinates");
   if (!reader.ok()) return {};
-  if (form == 0) return ExactPoint(approx);
+  if (form == 0) return approx;
   RationalVec3 exact = read_exact(reader, approx);
   return reader.ok() ? ExactPoint(std::move(exact)) : ExactPoint();
 }

@@ -37,7 +37,7 @@ RankedPoints rank_points(const PointArray& points) {
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
   std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
     const auto by_place = compare(points[a], points[b]);
-    return by_place != 0 ? by_place < 0 : a < b;
+    return std::is_eq(by_place) ? a < b : std::is_lt(by_place);
   });
   RankedPoints result;
   result.ranks.resize(points.size());
@@ -71,7 +71,7 @@ std::vector<Triangle> canonical_triangles(const TriangleMesh& mesh) {
 std::strong_ordering compare_boxes(const Box3& a, const Box3& b) {
   for (const auto& [p, q] : {std::pair{a.min, b.min}, std::pair{a.max, b.max}})
     for (std::size_t axis = 0; axis < 3; ++axis)
-      if (const auto order = compare_reals(p[axis], q[axis]); order != 0) return order;
+      if (const auto order = compare_reals(p[axis], q[axis]); std::is_neq(order)) return order;
   return std::strong_ordering::equal;
 }
 
@@ -120,15 +120,15 @@ NestedList mesh_to_nested(const TriangleMesh& mesh) {
 
 std::strong_ordering compare_triangles(const Geometry& a, const Geometry& b) {
   if (&a == &b) return std::strong_ordering::equal;
-  if (const auto order = a.mesh.face_count() <=> b.mesh.face_count(); order != 0) return order;
-  if (const auto order = compare_boxes(a.box, b.box); order != 0) return order;
+  if (const auto order = a.mesh.face_count() <=> b.mesh.face_count(); std::is_neq(order)) return order;
+  if (const auto order = compare_boxes(a.box, b.box); std::is_neq(order)) return order;
   const std::vector<Triangle> triangles_a = canonical_triangles(a.mesh);
   const std::vector<Triangle> triangles_b = canonical_triangles(b.mesh);
   for (std::size_t f = 0; f < triangles_a.size(); ++f)
     for (std::size_t i = 0; i < 3; ++i) {
       const PointRef p = a.mesh.points()[triangles_a[f][i]];
       const PointRef q = b.mesh.points()[triangles_b[f][i]];
-      if (const auto order = compare(p, q); order != 0) return order;
+      if (const auto order = compare(p, q); std::is_neq(order)) return order;
     }
   return std::strong_ordering::equal;
 }
