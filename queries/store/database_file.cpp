@@ -23,7 +23,7 @@ constexpr std::size_t kApplicationIdOffset = 68;
 constexpr std::array kTables = {
     "CREATE TABLE meta(id INTEGER PRIMARY KEY, next_number INTEGER NOT NULL, object_count INTEGER NOT NULL, "
     "object_sum INTEGER NOT NULL)",
-    "INSERT INTO meta VALUES(1, 1, 0, 0)",
+    "INSERT INTO meta VALUES(1, 1, 0, 1)",
     "CREATE TABLE catalogue(id INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE COLLATE BINARY, type TEXT NOT NULL, "
     "has_value INTEGER NOT NULL, function_text TEXT NOT NULL, table_number INTEGER NOT NULL, tuple_count INTEGER NOT "
     "NULL, next_tuple INTEGER NOT NULL, tuple_sum INTEGER NOT NULL, index_relation TEXT NOT NULL, index_attribute TEXT "
