@@ -38,7 +38,7 @@ class LengthSum {
   }
   /// Half the sum.
   Rational area() const {
-    return detail::scaled_rational(sum_, 2L * range_.exponent() - static_cast<long>(kFractionBits) - 1, 1);
+    return detail::scaled_rational(sum_, 2L * long{range_.exponent()} - static_cast<long>(kFractionBits) - 1, 1);
   }
 
  private:
@@ -70,9 +70,9 @@ Rational long_root(const Rational& square) {
   const auto numerator_bits = static_cast<long>(mpz_sizeinbase(view.numerator(), 2));
   const auto denominator_bits = static_cast<long>(mpz_sizeinbase(view.denominator(), 2));
   // Half the bits of the quotient's scale, so that the root has a whole scale; large enough for any dyadic square.
-  const long half_scale = std::max(0L, (2 * 130 + denominator_bits - numerator_bits) / 2 + 1) + denominator_bits;
+  const long half_scale = std::max(0L, (260L + denominator_bits - numerator_bits) / 2 + 1) + denominator_bits;
   BigInteger quotient;
-  mpz_mul_2exp(quotient, view.numerator(), static_cast<mp_bitcnt_t>(2 * half_scale));
+  mpz_mul_2exp(quotient, view.numerator(), 2 * static_cast<mp_bitcnt_t>(half_scale));
   mpz_tdiv_q(quotient, quotient, view.denominator());
   mpz_sqrt(quotient, quotient);
   return detail::scaled_rational(quotient, -half_scale, 1);

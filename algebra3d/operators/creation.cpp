@@ -48,6 +48,10 @@ Result<Maybe<Volume3d>> finish(Context& context, Draft draft) {
   return undefined("the shape collapses when its corners are rounded to doubles");
 }
 
+/// Corner i has the bits of i as the ends that it takes in x, y and z.
+constexpr std::array<std::array<std::uint32_t, 4>, 6> kSides{
+    {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
+
 Result<Maybe<Volume3d>> make_cube(const Point3d& p, const Point3d& q) {
   std::array<RationalVec3, 2> ends{p.position.rational(), q.position.rational()};
   const auto order = [](Rational& low, Rational& high) {
@@ -60,8 +64,6 @@ Result<Maybe<Volume3d>> make_cube(const Point3d& p, const Point3d& q) {
   for (std::size_t i = 0; i < 8; ++i)
     points.push_back(ExactPoint(RationalVec3(ends[i & 1U].x, ends[(i >> 1U) & 1U].y, ends[(i >> 2U) & 1U].z)));
   Draft draft;
-  constexpr std::array<std::array<std::uint32_t, 4>, 6> kSides{
-      {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
   for (const auto& [a, b, c, d] : kSides) draft.quad(a, b, c, d);
   return Volume3d::prove(TriangleMesh(std::move(points), draft.triangles));
 }

@@ -11,7 +11,7 @@
 namespace algebra3d {
 namespace {
 
-Result<std::vector<std::vector<FaceId>>> component_faces(Context&, const Surface3d& surface) {
+Result<std::vector<std::vector<FaceId>>> component_faces(Context& /*context*/, const Surface3d& surface) {
   return connected_components(surface.mesh()).faces();
 }
 Result<std::vector<std::vector<FaceId>>> component_faces(Context& context, const Volume3d& solid) {

@@ -8,28 +8,19 @@
 namespace algebra3d {
 namespace {
 
-/// The file's fault, or that of the statement?
-bool is_of_file(const Error& error) {
-  return error.code != ErrorCode::interrupted && error.code != ErrorCode::out_of_memory;
-}
-
-ImportedSolid refused(std::string reason) {
-  return {.solid = std::nullopt, .status = std::move(reason), .remarks = {}};
+/// What is the file's fault is an outcome; what is the statement's stays an error.
+Result<ImportedSolid> refused_or_failed(Error error) {
+  if (error.code == ErrorCode::interrupted || error.code == ErrorCode::out_of_memory) return error;
+  return ImportedSolid{.solid = std::nullopt, .status = std::move(error.message), .remarks = {}};
 }
 
 }  // namespace
 
 Result<ImportedSolid> import_solid(const std::filesystem::path& path, const std::atomic<bool>* cancel) {
   auto read = stl::read_stl_file(path, cancel);
-  if (!read) {
-    if (!is_of_file(read.error())) return std::move(read).error();
-    return refused(read.error().message);
-  }
+  if (!read.ok()) return refused_or_failed(std::move(read).error());
   auto made = solid_from_soup(read->soup, cancel);
-  if (!made) {
-    if (!is_of_file(made.error())) return std::move(made).error();
-    return refused(made.error().message);
-  }
+  if (!made.ok()) return refused_or_failed(std::move(made).error());
   ImportedSolid result;
   result.remarks = std::move(read->remarks);
   for (std::string& remark : made->report.remarks()) result.remarks.push_back(std::move(remark));

@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* kOutOfRange = "a coordinate of the image is beyond the range of doubles";
 
-Result<Maybe<Point3d>> image_of(Context&, const AffineMap& map, const Point3d& point) {
+Result<Maybe<Point3d>> image_of(Context& /*context*/, const AffineMap& map, const Point3d& point) {
   const Vec3 image = map.apply_rounded(point.position);
   if (!is_finite(image)) return Maybe<Point3d>(Undefined{kOutOfRange});
   return Maybe<Point3d>(Point3d{ExactPoint(image)});

@@ -10,6 +10,7 @@ namespace algebra3d {
 namespace {
 
 constexpr unsigned kBitsPerAxis = 21;
+constexpr std::uint32_t kUnused = 0xFFFFFFFF;  // no number yet
 
 /// `value`, of kBitsPerAxis bits, with two zeros before each bit.
 std::uint64_t spread(std::uint64_t value) {
@@ -56,10 +57,11 @@ struct CodedTriangle {
   std::uint32_t triangle;
 };
 
-/// Stable sort by code, 11 bits at a time.
+constexpr unsigned kDigitBits = 11;
+constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
+
+/// Stable sort by code, one digit after the other from the lowest.
 void radix_sort(std::vector<CodedTriangle>& coded) {
-  constexpr unsigned kDigitBits = 11;
-  constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
   std::vector<CodedTriangle> sorted(coded.size());
   for (unsigned shift = 0; shift < 3 * kBitsPerAxis; shift += kDigitBits) {
     const auto digit = [shift](const CodedTriangle& t) { return (t.code >> shift) & (kDigits - 1); };
@@ -88,7 +90,6 @@ std::vector<std::uint32_t> spatial_order(std::span<const Vec3> points,
 }
 
 WeldedTriangles reordered(const WeldedTriangles& welded, std::span<const std::uint32_t> order) {
-  constexpr std::uint32_t kUnused = 0xFFFFFFFF;
   std::vector<std::uint32_t> numbers(welded.points.size(), kUnused);
   WeldedTriangles result;
   result.points.reserve(welded.points.size());
