@@ -1,9 +1,11 @@
 #include "algebra3d/exact/exact_sum.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "algebra3d/exact/exact_sum_integers.h"
+#include "algebra3d/exact/exact_sum_wide.h"
 
 namespace algebra3d {
 namespace {
@@ -15,110 +17,44 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// Per axis, the bits of the coordinates.
 using AxisRanges = std::array<BitRange, 3>;
 
-/// Sum of signed numbers as two's complement; `Limbs` has to be chosen so that it cannot overflow.
+/// Sums over triangles whose coordinates are integers of at most 64 * Limbs - 4 bits on each axis.
 template <std::size_t Limbs>
-class WideSum {
+class FixedSums {
  public:
-  template <std::size_t N>
-  void add(const std::array<std::uint64_t, N>& number, bool is_negative) {
-    static_assert(N <= Limbs);
-    // Subtracting is adding the complement and one.
-    const std::uint64_t flip = is_negative ? ~std::uint64_t{0} : 0;
-    UInt128 carried = is_negative ? 1 : 0;
-    for (std::size_t i = 0; i < Limbs; ++i) {
-      carried += UInt128{limbs_[i]} + ((i < N ? number[i] : 0) ^ flip);
-      limbs_[i] = static_cast<std::uint64_t>(carried);
-      carried >>= 64U;
-    }
-  }
-
-  void get(mpz_ptr result) const {
-    const bool is_negative = (limbs_[Limbs - 1] >> 63U) != 0;
-    WideSum positive = *this;
-    if (is_negative) {
-      positive = {};
-      positive.add(limbs_, true);
-    }
-    mpz_import(result, Limbs, -1, sizeof(std::uint64_t), 0, 0, positive.limbs_.data());
-    if (is_negative) mpz_neg(result, result);
-  }
-
- private:
-  std::array<std::uint64_t, Limbs> limbs_{};
-};
-
-/// A determinant as sign and magnitude.
-struct WideProduct {
-  std::array<std::uint64_t, 3> limbs{};
-  bool is_negative = false;
-};
-
-using ShortPoint = std::array<std::int64_t, 3>;  // entries below 2^60
-
-WideProduct determinant(const ShortPoint& a, const ShortPoint& b, const ShortPoint& c) {
-  const auto minor = [&](std::size_t i, std::size_t j) { return Int128{b[i]} * c[j] - Int128{b[j]} * c[i]; };
-  const std::array<Int128, 3> minors{minor(1, 2), minor(2, 0), minor(0, 1)};  // below 2^121
-  // The sum has up to 183 bits: high * 2^64 + low, neither of which overflows.
-  Int128 high = 0, low = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    high += (minors[axis] >> 64) * a[axis];
-    low += static_cast<Int128>(static_cast<std::uint64_t>(minors[axis])) * a[axis];
-  }
-  high += low >> 64;
-  auto lowest = static_cast<std::uint64_t>(low);
-  WideProduct result;
-  result.is_negative = high < 0;
-  if (result.is_negative) {
-    high = ~high + (lowest == 0 ? 1 : 0);
-    lowest = ~lowest + 1;
-  }
-  result.limbs = {lowest, static_cast<std::uint64_t>(high), static_cast<std::uint64_t>(high >> 64)};
-  return result;
-}
-
-std::array<std::uint64_t, 4> times(const std::array<std::uint64_t, 3>& number, std::uint64_t factor) {
-  std::array<std::uint64_t, 4> result{};
-  UInt128 carried = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    carried += UInt128{number[i]} * factor;
-    result[i] = static_cast<std::uint64_t>(carried);
-    carried >>= 64U;
-  }
-  result[3] = static_cast<std::uint64_t>(carried);
-  return result;
-}
-
-/// Sums over triangles whose coordinates are short integers on each axis: all in registers.
-class ShortSums {
- public:
-  ShortSums(const PointArray& points, const AxisRanges& ranges) {
+  FixedSums(const PointArray& points, const AxisRanges& ranges) {
     points_.reserve(points.size());
     for (const Vec3& p : points.approx())
-      points_.push_back({detail::short_integer(p.x, ranges[0].exponent()),
-                         detail::short_integer(p.y, ranges[1].exponent()),
-                         detail::short_integer(p.z, ranges[2].exponent())});
+      points_.push_back({detail::wide_integer<Limbs>(p.x, ranges[0].exponent()),
+                         detail::wide_integer<Limbs>(p.y, ranges[1].exponent()),
+                         detail::wide_integer<Limbs>(p.z, ranges[2].exponent())});
   }
 
   template <bool kMoments>
   void add(const Triangle& t) {
-    const ShortPoint &a = points_[t[0]], &b = points_[t[1]], &c = points_[t[2]];
-    const WideProduct product = determinant(a, b, c);
-    volume_.add(product.limbs, product.is_negative);
+    const Point &a = points_[t[0]], &b = points_[t[1]], &c = points_[t[2]];
+    // With k = 64 * Limbs - 4 bits per coordinate, a minor has 2k + 1 and the determinant 3k + 3.
+    detail::WideSum<3 * Limbs> determinant;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      determinant.add(a[i] * detail::WideSum<2 * Limbs>().add(b[j] * c[k]).subtract(b[k] * c[j]).total());
+    }
+    const detail::WideInteger<3 * Limbs> product = determinant.total();
+    volume_.add(product);
     if constexpr (kMoments) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::int64_t sum = a[axis] + b[axis] + c[axis];
-        moments_[axis].add(times(product.limbs, magnitude(sum)), product.is_negative != (sum < 0));
-      }
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        moments_[axis].add(product * detail::WideSum<Limbs>().add(a[axis]).add(b[axis]).add(c[axis]).total());
     }
   }
-  void get_volume(mpz_ptr result) const { volume_.get(result); }
-  void get_moment(std::size_t axis, mpz_ptr result) const { moments_[axis].get(result); }
+  void get_volume(mpz_ptr result) const { detail::set_integer(result, volume_.total()); }
+  void get_moment(std::size_t axis, mpz_ptr result) const { detail::set_integer(result, moments_[axis].total()); }
 
  private:
-  std::vector<ShortPoint> points_;
-  // 183 bits per determinant, 62 per sum of coordinates, and 31 for the number of triangles.
-  WideSum<4> volume_;
-  std::array<WideSum<5>, 3> moments_;
+  using Point = std::array<detail::WideInteger<Limbs>, 3>;
+
+  std::vector<Point> points_;
+  // One limb more for the number of triangles.
+  detail::WideSum<3 * Limbs + 1> volume_;
+  std::array<detail::WideSum<4 * Limbs + 1>, 3> moments_;
 };
 
 /// The same for integers of any size.
@@ -251,8 +187,9 @@ Result<SolidMoments> sum_with(const PointArray& points, const AxisRanges& ranges
 template <bool kMoments>
 Result<SolidMoments> sum(const PointArray& points, IndexTriangles triangles, const std::atomic<bool>* cancel) {
   const AxisRanges ranges = ranges_of(points);
-  if (ranges[0].is_short() && ranges[1].is_short() && ranges[2].is_short())
-    return sum_with<kMoments, ShortSums>(points, ranges, triangles, cancel);
+  const int bits = std::max({ranges[0].bit_count(), ranges[1].bit_count(), ranges[2].bit_count()});
+  if (bits <= 60) return sum_with<kMoments, FixedSums<1>>(points, ranges, triangles, cancel);
+  if (bits <= 124) return sum_with<kMoments, FixedSums<2>>(points, ranges, triangles, cancel);
   return sum_with<kMoments, LongSums>(points, ranges, triangles, cancel);
 }
 

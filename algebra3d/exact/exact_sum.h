@@ -17,8 +17,8 @@ using IndexTriangles = std::span<const std::array<std::uint32_t, 3>>;
 /// Volume enclosed by a closed oriented mesh (negative if it is inside out): a sixth of the sum of the determinants of
 /// all triangles. Units: cubed coordinate units. Domain: any triangles; what is not closed has a volume that depends on
 /// the origin. Exactness: exact. Errors: interrupted, once `*cancel` is set (null: never).
-/// Cost: linear; per triangle some 20 nanoseconds where the coordinates of each axis are multiples of a power of two,
-/// 60 bits apart at most, some 300 for other doubles, microseconds at corners that are no doubles.
+/// Cost: linear; per triangle tens of nanoseconds where the coordinates of each axis are less than 60 bits apart (as
+/// floats mostly are), about a hundred up to 124 bits, more beyond, microseconds at corners that are no doubles.
 /// Source: [lien1984].
 Result<Rational> exact_volume(const PointArray& points, IndexTriangles triangles,
                               const std::atomic<bool>* cancel = nullptr);

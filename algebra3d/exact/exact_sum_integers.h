@@ -66,18 +66,10 @@ struct BitRange {
     lowest = std::min(lowest, other.lowest);
     highest = std::max(highest, other.highest);
   }
-  /// True if all are integers below 2^60 once divided by 2^lowest.
-  bool is_short() const { return is_empty() || highest - lowest <= 60; }
+  /// All are integers below 2^bit_count once divided by 2^exponent.
+  int bit_count() const { return is_empty() ? 0 : highest - lowest; }
   int exponent() const { return is_empty() ? 0 : lowest; }
 };
-
-/// value / 2^exponent, which is an integer below 2^63.
-inline std::int64_t short_integer(double value, int exponent) {
-  const IntegerDouble integer(value);
-  const int shift = integer.exponent - exponent;
-  if (shift >= 0) return shift > 62 ? 0 : integer.mantissa * (std::int64_t{1} << shift);  // beyond 62 only for zero
-  return shift < -62 ? 0 : integer.mantissa / (std::int64_t{1} << -shift);
-}
 
 /// value / 2^exponent, which is an integer.
 inline void set_integer(mpz_ptr result, double value, int exponent) {

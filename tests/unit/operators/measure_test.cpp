@@ -76,6 +76,10 @@ TEST(Volume, integers_at_the_limit_of_the_fast_sum_do_not_overflow) {
   expect_moments_as_by_rationals(mesh);
   const TriangleMesh mixed = samples::MeshMaker().box({-big, 1, -big}, {1, big, 3}).mesh();
   expect_moments_as_by_rationals(mixed);
+  // 124 bits from the lowest to the highest.
+  const double tiny = 0x1p-64;
+  expect_moments_as_by_rationals(samples::MeshMaker().box({-big, tiny, -big}, {tiny, big, big}).mesh());
+  expect_moments_as_by_rationals(samples::MeshMaker().box({-big, tiny / 2, -big}, {tiny / 2, big, big}).mesh());
 }
 
 TEST(Volume, box_has_the_product_of_its_sides_to_the_last_bit) {
