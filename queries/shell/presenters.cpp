@@ -35,12 +35,14 @@ Status ListPresenter::present_inquiry(const NestedList& result) {
 
 Status TablePresenter::present(const TypeExpr& type, const Datum& value, Context& context) {
   if (type.is_relation()) return present_relation(type.element(), *value.relation(), context);
-  if (const auto* single = std::get_if<Value>(&value.content)) {
+  // A value alone is shown with all its digits, unless it is geometry.
+  if (const auto* single = std::get_if<Value>(&value.content); single != nullptr && is_large(*single)) {
     out_ << display_text(*single) << "\n";
     return {};
   }
   ASSIGN_OR_RETURN(const NestedList result, value_list(type, value, context));
-  out_ << type.text() << "\n" << result.print() << "\n";
+  if (type.is_function() || type.is("rtree3")) out_ << type.text() << "\n";
+  out_ << result.print() << "\n";
   return {};
 }
 

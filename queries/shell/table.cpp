@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "algebra3d/types/scalars.h"
+#include "algebra3d/types/spatial.h"
 
 namespace queries {
 namespace {
@@ -37,11 +38,6 @@ std::string box_text(const Box3& box) {
                      box.min.z, box.max.z);
 }
 
-bool is_large(const Value& value) {
-  const std::string_view name = value.type().name();
-  return name == "surface3d" || name == "volume3d" || name == "points3d";
-}
-
 std::string summary(const Value& value) {
   const auto header = value.header();
   if (header.box.is_empty()) return fmt::format("{}: empty", value.type().name());
@@ -54,6 +50,11 @@ constexpr std::size_t kSmallestColumn = 6;
 
 }  // namespace
 
+bool is_large(const Value& value) {
+  const std::string_view name = value.type().name();
+  return name == "surface3d" || name == "volume3d" || name == "points3d";
+}
+
 std::string display_text(const Value& value) {
   if (!value.is_defined()) return "undefined";
   if (is_large(value)) return summary(value);
@@ -61,6 +62,7 @@ std::string display_text(const Value& value) {
   if (type == &TypeOf<std::string>::type()) return one_line(value.get<std::string>());
   if (type == &TypeOf<algebra3d::Text>::type()) return one_line(value.get<algebra3d::Text>().content);
   if (type == &TypeOf<double>::type()) return fmt::format("{:.6g}", value.get<double>());
+  if (type == &TypeOf<Box3>::type()) return box_text(value.get<Box3>());
   return one_line(value.to_nested().print_short(120));
 }
 

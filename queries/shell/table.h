@@ -8,6 +8,9 @@
 
 namespace queries {
 
+/// True for values whose text may be very long: geometry of any size.
+bool is_large(const Value& value);
+
 /// A value as people read it in a table: one line, reals with six significant digits, large values as a summary
 /// (`volume3d: 12 triangles, box (0 1) (0 1) (0 1)`). Reads no geometry.
 std::string display_text(const Value& value);
