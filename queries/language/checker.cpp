@@ -222,7 +222,7 @@ Result<TypedPtr> Checker::make_checked_function(Scope scope, const Expression& b
   scopes_.pop_back();
   if (!checked) return std::move(checked).error();
   TypeExpr type = TypeExpr::map(std::move(parameters), (*checked)->type());
-  return make_function(std::move(type), std::move(checked).value(), NestedList(std::move(written)), place);
+  return make_function(std::move(type), std::move(checked).value(), NestedList(std::move(written)), body.height, place);
 }
 
 Result<TypedPtr> Checker::check(const FunctionLiteral& function, const SourcePlace& place) {

@@ -17,7 +17,7 @@ using algebra3d::SyntaxPattern;
 using Kind = Token::Kind;
 using Shape = SyntaxPattern::Shape;
 
-constexpr std::array<std::pair<std::string_view, int>, 11> kPrecedences = {{
+constexpr std::array<std::pair<std::string_view, int>, 10> kPrecedences = {{
     {"or", 1},
     {"and", 2},
     {"+", 4},
@@ -28,7 +28,6 @@ constexpr std::array<std::pair<std::string_view, int>, 11> kPrecedences = {{
     {"/", 5},
     {"div", 5},
     {"mod", 5},
-    {"concat", 4},
 }};
 
 // Every infix operator that the table leaves out is a predicate and stands with the comparisons.
@@ -46,8 +45,18 @@ Argument value_argument(ExpressionPtr value) {
 
 }  // namespace
 
-ExpressionPtr ExpressionParser::make(SourcePlace place, decltype(Expression::node) node) const {
-  return std::make_shared<const Expression>(Expression{std::move(place), std::move(node)});
+ExpressionPtr ExpressionParser::make(SourcePlace place, ExpressionNode node) const {
+  const int height = 1 + height_below(node);
+  return std::make_shared<const Expression>(Expression{std::move(place), std::move(node), height});
+}
+
+// Operators in a row make deep trees without nesting, and whatever walks a tree recurses on its height.
+Status ExpressionParser::check_height(const Expression& expression) const {
+  if (expression.height <= kMaxExpressionDepth) return {};
+  return Error(ErrorCode::limit_exceeded,
+               "the expression is more than {} levels high (brackets, or operators in a row); split it with let",
+               kMaxExpressionDepth)
+      .at(expression.place);
 }
 
 bool ExpressionParser::accept(std::string_view spelling) {
@@ -64,7 +73,7 @@ Error ExpressionParser::unexpected(std::string_view what) {
 
 Status ExpressionParser::expect(std::string_view spelling, std::string_view context) {
   if (accept(spelling)) return {};
-  return unexpected("'" + std::string(spelling) + "' " + std::string(context));
+  return unexpected(fmt::format("'{}' {}", spelling, context));
 }
 
 Status ExpressionParser::expect_end() {
@@ -95,12 +104,14 @@ Result<ExpressionPtr> ExpressionParser::binary(int lowest_precedence) {
   RETURN_IF_ERROR(deeper());
   ++depth_;
   ASSIGN_OR_RETURN(ExpressionPtr left, chain());
+  RETURN_IF_ERROR(check_height(*left));
   for (const Operator* op = operator_at(Shape::infix); op != nullptr; op = operator_at(Shape::infix)) {
     const int precedence = precedence_of(op->name);
     if (precedence < lowest_precedence) break;
     const SourcePlace place = scanner_.take().place;
     ASSIGN_OR_RETURN(ExpressionPtr right, binary(precedence + 1));
     left = make(place, Application{op->name, {value_argument(std::move(left)), value_argument(std::move(right))}});
+    RETURN_IF_ERROR(check_height(*left));
   }
   --depth_;
   return left;
@@ -222,8 +233,8 @@ Result<ExpressionPtr> ExpressionParser::word_primary() {
   if (is_reserved(token.text, registry_)) return unexpected("an operand");
   scanner_.take();
   if (at("(")) return function_call(token.text);
-  const bool known_later = !at("[");
-  if (known_later) return make(token.place, NameUse{token.text});
+  const bool is_operand = !at("[") || scanner_.peek(1).is("const");
+  if (is_operand) return make(token.place, NameUse{token.text});
   // `feeed[...]`: a bracket after a name is the argument list of an operator that there is not.
   return not_an_operator(make(token.place, NameUse{token.text}));
 }
@@ -266,7 +277,7 @@ Status ExpressionParser::postfix_application(const Operator& op, std::vector<Exp
     RETURN_IF_ERROR(places(pattern, "]", application.arguments));
   }
   operands.push_back(make(place, std::move(application)));
-  return {};
+  return check_height(*operands.back());
 }
 
 // `E {x}` renames, `E {5}`, `E {0.01, 2.5}` and `E {memory 64}` are hints that change no result.
@@ -416,12 +427,12 @@ Result<ExpressionPtr> ExpressionParser::typed_literal() {
   TypedLiteral literal;
   ASSIGN_OR_RETURN(literal.type, type());
   RETURN_IF_ERROR(expect("value", "after the type of a constant"));
-  const std::size_t begin = scanner_.peek().begin;
-  const SourcePlace list_place = scanner_.place_of(begin);
+  const SourcePlace list_place = scanner_.peek().place;
   const auto raw = scanner_.take_raw_until(']');
+  if (scanner_.error()) return *scanner_.error();
   if (!raw) return Error(ErrorCode::syntax_error, "expected ']' after the value of a constant").at(place);
-  auto list = NestedList::parse(*raw);
-  if (!list) return std::move(list).error().at(list_place);
+  auto list = NestedList::parse(*raw, list_place);
+  if (!list) return std::move(list).error();
   literal.list = std::move(list).value();
   RETURN_IF_ERROR(expect("]", "after the value of a constant"));
   return make(place, std::move(literal));

@@ -61,8 +61,9 @@ class ExpressionParser {
   bool starts_operand();
   const algebra3d::Operator* operator_at(algebra3d::SyntaxPattern::Shape shape);
   algebra3d::Error not_an_operator(const ExpressionPtr& second);
-  ExpressionPtr make(SourcePlace place, decltype(Expression::node) node) const;
+  ExpressionPtr make(SourcePlace place, ExpressionNode node) const;
   Status deeper();
+  Status check_height(const Expression& expression) const;
 
   Scanner& scanner_;
   const algebra3d::Registry& registry_;

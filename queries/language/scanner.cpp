@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "algebra3d/base/number_text.h"
+#include "algebra3d/types/utf8.h"
 
 namespace queries {
 namespace {
@@ -33,32 +34,36 @@ std::string Token::shown() const {
     case Kind::end:
       return "the end of the command";
     case Kind::integer:
-      return "'" + std::to_string(integer) + "'";
+      return fmt::format("'{}'", integer);
     case Kind::real:
-      return "'" + algebra3d::real_text(real) + "'";
+      return fmt::format("'{}'", algebra3d::real_text(real));
     case Kind::string:
-      return "the string \"" + text + "\"";
+      return fmt::format("the string \"{}\"", text);
     case Kind::text:
-      return "the text '" + (text.size() > 40 ? text.substr(0, 40) + "..." : text) + "'";
+      return fmt::format("the text '{}{}'", algebra3d::utf8_prefix(text, 40), text.size() > 40 ? "..." : "");
     case Kind::attribute:
-      return "'." + text + "'";
+      return fmt::format("'{}{}'", parameter == 2 ? ".." : ".", text);
     case Kind::parameter:
-      return parameter == 1 ? "'.'" : parameter == 2 ? "'..'" : "'$" + std::to_string(parameter) + "'";
+      return parameter == 1 ? "'.'" : parameter == 2 ? "'..'" : fmt::format("'${}'", parameter);
     default:
-      return "'" + text + "'";
+      return fmt::format("'{}'", text);
   }
 }
 
-Scanner::Scanner(std::string_view source, SourcePlace start) : source_(source), start_(std::move(start)) {}
+Scanner::Scanner(std::string_view source, SourcePlace start) : source_(source), place_(std::move(start)) {}
 
-SourcePlace Scanner::place_of(std::size_t offset) const {
-  SourcePlace place = start_;
-  const std::string_view before = source_.substr(0, offset);
-  const auto lines = std::ranges::count(before, '\n');
-  place.line += static_cast<int>(lines);
-  const std::size_t line_begin = before.rfind('\n');
-  place.column = lines == 0 ? start_.column + static_cast<int>(offset) : static_cast<int>(offset - line_begin);
-  return place;
+// Offsets are asked for in ascending order, from where the scanner was set back to.
+SourcePlace Scanner::place_of(std::size_t offset) {
+  for (; known_offset_ < offset; ++known_offset_) {
+    const char c = source_[known_offset_];
+    if (c == '\n') {
+      ++place_.line;
+      place_.column = 1;
+    } else if (!algebra3d::is_utf8_continuation(c)) {
+      ++place_.column;
+    }
+  }
+  return place_;
 }
 
 const Token& Scanner::peek(std::size_t ahead) {
@@ -214,6 +219,9 @@ Token Scanner::scan_special(Token token) {
            (position_ == token.begin || (at(position_) != '-' && at(position_) != '+')))
       ++position_;
   }
+  // The message shows a character that is no ASCII whole.
+  if (static_cast<unsigned char>(source_[token.begin]) >= 0x80)
+    while (position_ < source_.size() && algebra3d::is_utf8_continuation(source_[position_])) ++position_;
   token.text = source_.substr(token.begin, position_ - token.begin);
   if (std::string_view("()[]{},;").find(token.text.front()) == std::string_view::npos &&
       !is_operator_character(token.text.front()))
@@ -224,7 +232,18 @@ Token Scanner::scan_special(Token token) {
 void Scanner::rewind_to_next() {
   if (buffer_.empty()) return;
   position_ = buffer_.front().begin;
+  known_offset_ = position_;
+  place_ = buffer_.front().place;
   buffer_.clear();
+  // What was no token may well be part of a nested list.
+  error_.reset();
+}
+
+Token Scanner::literal_at(std::size_t offset) {
+  Token token;
+  token.begin = offset;
+  token.place = place_of(offset);
+  return token;
 }
 
 std::optional<std::string_view> Scanner::take_raw_until(char closing) {
@@ -235,11 +254,11 @@ std::optional<std::string_view> Scanner::take_raw_until(char closing) {
     const char c = source_[position_];
     if (depth == 0 && c == closing) return source_.substr(begin, position_ - begin);
     if (c == '"' || c == '\'') {
-      scan_quoted(Token{}, c);
+      scan_quoted(literal_at(position_), c);
       continue;
     }
     if (starts_with("<text>")) {
-      scan_tagged(Token{}, "<text>", "</text--->");
+      scan_tagged(literal_at(position_), "<text>", "</text--->");
       continue;
     }
     if (starts_with("_!")) {

@@ -9,7 +9,7 @@
 namespace queries {
 
 /// Cuts the text of one command into tokens, on demand, so that the parser may take raw text in between.
-/// The text outlives the scanner. Places count from `start`.
+/// The text outlives the scanner. Places count from `start`; columns count characters, not bytes. Cost: linear.
 class Scanner {
  public:
   explicit Scanner(std::string_view source, SourcePlace start = {"", 1, 1});
@@ -28,7 +28,6 @@ class Scanner {
   std::optional<std::string_view> take_raw_list();
 
   std::string_view source() const { return source_; }
-  SourcePlace place_of(std::size_t offset) const;
 
  private:
   Token scan();
@@ -39,13 +38,16 @@ class Scanner {
   Token scan_dots(Token token);
   Token scan_dollar(Token token);
   Token scan_special(Token token);
+  SourcePlace place_of(std::size_t offset);
+  Token literal_at(std::size_t offset);
   void fail(const Token& token, std::string message);
   void rewind_to_next();
   bool starts_with(std::string_view text) const { return source_.substr(position_).starts_with(text); }
   char at(std::size_t offset) const { return offset < source_.size() ? source_[offset] : '\0'; }
 
   std::string_view source_;
-  SourcePlace start_;
+  SourcePlace place_;             // of known_offset_
+  std::size_t known_offset_ = 0;  // places are counted from here on, so that long commands cost linear time
   std::size_t position_ = 0;
   std::deque<Token> buffer_;
   std::optional<algebra3d::Error> error_;

@@ -95,13 +95,18 @@ struct FunctionReference {
   std::string name;
 };
 
+using ExpressionNode = std::variant<Literal, TypedLiteral, NameUse, AttributeUse, ParameterUse, Application,
+                                    FunctionCall, ListExpression, FunctionLiteral, FunctionReference>;
+
 /// A parsed expression; nothing is known of types and objects yet. Immutable.
 struct Expression {
   SourcePlace place;
-  std::variant<Literal, TypedLiteral, NameUse, AttributeUse, ParameterUse, Application, FunctionCall, ListExpression,
-               FunctionLiteral, FunctionReference>
-      node;
+  ExpressionNode node;
+  int height = 1;  ///< levels of the tree from here down
 };
+
+/// Height of the highest expression directly below a node; 0 if there is none.
+int height_below(const ExpressionNode& node);
 
 /// The nested-list form of an expression (language.md 3.3), `(op a b)`.
 NestedList to_nested(const Expression& expression);

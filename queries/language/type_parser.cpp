@@ -51,12 +51,15 @@ Result<TypeSyntax> ExpressionParser::bracketed_type() {
   TypeSyntax syntax;
   syntax.name = "tuple";
   syntax.place = scanner_.take().place;
+  ++depth_;
+  RETURN_IF_ERROR(deeper());
   do {
     ASSIGN_OR_RETURN(std::string attribute, name("an attribute name"));
     RETURN_IF_ERROR(expect(":", "after the attribute '" + attribute + "'"));
     ASSIGN_OR_RETURN(TypeSyntax attribute_type, type());
     syntax.attributes.emplace_back(std::move(attribute), std::move(attribute_type));
   } while (accept(","));
+  --depth_;
   RETURN_IF_ERROR(expect("]", "to close the attributes"));
   return syntax;
 }
@@ -64,9 +67,10 @@ Result<TypeSyntax> ExpressionParser::bracketed_type() {
 Result<TypeSyntax> ExpressionParser::nested_type() {
   const SourcePlace place = scanner_.peek().place;
   const auto raw = scanner_.take_raw_list();
+  if (scanner_.error()) return *scanner_.error();
   if (!raw) return Error(ErrorCode::syntax_error, "expected ')' to close the type").at(place);
-  auto list = NestedList::parse(*raw);
-  if (!list) return std::move(list).error().at(place);
+  auto list = NestedList::parse(*raw, place);
+  if (!list) return std::move(list).error();
   auto parsed = TypeExpr::from_nested(*list);
   if (!parsed) return std::move(parsed).error().at(place);
   return syntax_of(*parsed, place);

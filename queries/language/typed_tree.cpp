@@ -141,16 +141,36 @@ class ListNode final : public TypedNode {
 
 class FunctionNode final : public TypedNode {
  public:
-  FunctionNode(TypeExpr type, TypedPtr body, NestedList written, SourcePlace place)
-      : TypedNode(std::move(type), std::move(place)), body_(std::move(body)), written_(std::move(written)) {}
+  FunctionNode(TypeExpr type, TypedPtr body, NestedList written, int height, SourcePlace place)
+      : TypedNode(std::move(type), std::move(place)),
+        body_(std::move(body)),
+        written_(std::move(written)),
+        height_(height) {}
   Result<Datum> evaluate(const Frame* frame, Context& context) const override;
   const TypedNode& body() const { return *body_; }
   const NestedList& written() const { return written_; }
+  int height() const { return height_; }
 
  private:
   TypedPtr body_;
   NestedList written_;
+  int height_;
 };
+
+// A function that calls itself, perhaps through others, must end in an error and not at the end of the stack.
+class CallLevels {
+ public:
+  explicit CallLevels(int levels) : levels_(levels) { used_ += levels_; }
+  ~CallLevels() { used_ -= levels_; }
+  CallLevels(const CallLevels&) = delete;
+  CallLevels& operator=(const CallLevels&) = delete;
+  static bool are_used_up() { return used_ > kMaxCallLevels; }
+
+ private:
+  int levels_;
+  static thread_local int used_;
+};
+thread_local int CallLevels::used_ = 0;
 
 // A function with a copy of the frames around it, so that it may be called after the outer calls have returned.
 class Closure final : public Function {
@@ -163,6 +183,12 @@ class Closure final : public Function {
       frames_.push_back({*copy, frames_.empty() ? nullptr : &frames_.back()});
   }
   Result<Datum> call(std::span<const Datum> arguments) const override {
+    const CallLevels levels(node_->height());
+    if (CallLevels::are_used_up())
+      return algebra3d::Error(algebra3d::ErrorCode::limit_exceeded,
+                              "functions call each other more than {} levels deep; does one call itself?",
+                              kMaxCallLevels)
+          .at(node_->place());
     const Frame frame{arguments, frames_.empty() ? nullptr : &frames_.back()};
     return node_->body().evaluate(&frame, context_);
   }
@@ -241,8 +267,8 @@ TypedPtr make_list(std::vector<TypedPtr> elements, SourcePlace place) {
   return std::make_shared<ListNode>(std::move(elements), std::move(place));
 }
 
-TypedPtr make_function(TypeExpr type, TypedPtr body, NestedList written, SourcePlace place) {
-  return std::make_shared<FunctionNode>(std::move(type), std::move(body), std::move(written), std::move(place));
+TypedPtr make_function(TypeExpr type, TypedPtr body, NestedList written, int height, SourcePlace place) {
+  return std::make_shared<FunctionNode>(std::move(type), std::move(body), std::move(written), height, std::move(place));
 }
 
 TypedPtr make_function_call(TypedPtr function, std::vector<TypedPtr> arguments, SourcePlace place) {

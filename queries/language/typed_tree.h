@@ -69,8 +69,10 @@ TypedPtr make_value_call(algebra3d::ResolvedCall call, std::vector<TypedPtr> arg
 /// `arguments` holds one node per place; a list of functions is a list node.
 TypedPtr make_stream_call(Plan plan, std::vector<TypedPtr> arguments, SourcePlace place);
 TypedPtr make_list(std::vector<TypedPtr> elements, SourcePlace place);
-/// `type` is `(map P... R)`; `written` its nested-list form.
-TypedPtr make_function(TypeExpr type, TypedPtr body, NestedList written, SourcePlace place);
+/// Levels of evaluation that function calls within function calls may take together; beyond: error limit_exceeded.
+inline constexpr int kMaxCallLevels = 5000;
+/// `type` is `(map P... R)`; `written` its nested-list form; `height` the levels that one call takes.
+TypedPtr make_function(TypeExpr type, TypedPtr body, NestedList written, int height, SourcePlace place);
 TypedPtr make_function_call(TypedPtr function, std::vector<TypedPtr> arguments, SourcePlace place);
 /// An int where a real is expected.
 TypedPtr make_promotion(TypedPtr argument);
