@@ -28,9 +28,13 @@ NestedList databases(const std::filesystem::path& folder) {
 Result<NestedList> objects(Store& store) {
   ASSIGN_OR_RETURN(const auto infos, store.objects());
   NestedList::List list = {symbol("OBJECTS")};
-  for (const ObjectInfo& info : infos)
+  for (const ObjectInfo& info : infos) {
+    // A type without arguments stands in parentheses too, so that every type here is a list.
+    NestedList type = info.type.to_nested();
+    if (!type.is_list()) type = NestedList::list(std::move(type));
     list.push_back(
-        NestedList::list(symbol("OBJECT"), symbol(info.name), NestedList(), NestedList::list(info.type.to_nested())));
+        NestedList::list(symbol("OBJECT"), symbol(info.name), NestedList(), NestedList::list(std::move(type))));
+  }
   return NestedList(std::move(list));
 }
 
