@@ -66,7 +66,7 @@ class ResultCollector final : public Presenter {
 /// What the next command is to give. A kind persists; a value, an error text and an expression are used up by a
 /// command.
 struct Expectation {
-  enum class Kind : std::uint8_t { value, set, equal, success, error };
+  enum class Kind : std::uint8_t { value, set, equal, undefined, success, error };
   Kind kind = Kind::value;
   NestedList value;
   std::string text;
@@ -76,7 +76,7 @@ struct Expectation {
     value = NestedList();
     text.clear();
     problem.clear();
-    if (kind == Kind::set || kind == Kind::equal) kind = Kind::value;
+    if (kind == Kind::set || kind == Kind::equal || kind == Kind::undefined) kind = Kind::value;
   }
 };
 
@@ -165,7 +165,10 @@ class TestRun {
       expectation_.kind = Kind::success;
     } else if (text.starts_with("error")) {
       expectation_.kind = Kind::error;
-      if (text != "error") set_error_text(text.substr(5));
+      if (text != "error") set_quoted_text(text.substr(5));
+    } else if (text.starts_with("undefined")) {
+      expectation_.kind = Kind::undefined;
+      set_quoted_text(text.substr(9));
     } else if (text.starts_with("equal ")) {
       expectation_.kind = Kind::equal;
       expectation_.text = text.substr(6);
@@ -187,9 +190,9 @@ class TestRun {
 
   void set_problem(std::string problem) { expectation_.problem = std::move(problem); }
 
-  void set_error_text(const std::string& quoted) {
+  void set_quoted_text(const std::string& quoted) {
     auto parsed = NestedList::parse(quoted);
-    if (!parsed || !parsed->is_string()) return set_problem("#yields error: expected a string, got " + quoted);
+    if (!parsed || !parsed->is_string()) return set_problem("#yields: expected a string, got " + quoted);
     expectation_.text = parsed->as_string();
   }
 
@@ -263,9 +266,19 @@ class TestRun {
     }
     if (!result) return "expected no error";
     if (expectation_.kind == Kind::success) return "";
+    if (expectation_.kind == Kind::undefined) return undefined_verdict(*result);
     if (expectation_.kind == Kind::set)
       return first_difference(with_sorted_tuples(expectation_.value), with_sorted_tuples(*result), tolerance_);
     return first_difference(expectation_.value, *result, tolerance_);
+  }
+
+  /// The value is undefined, and a note says why.
+  std::string undefined_verdict(const NestedList& result) const {
+    const bool is_undefined = result.is_list() && result.elements().size() == 2 && result.elements()[1].is_undefined();
+    if (!is_undefined) return "expected an undefined value, found " + result.print_short(200);
+    for (const std::string& note : diagnostics_.summary())
+      if (note.find(expectation_.text) != std::string::npos) return "";
+    return "expected a note that contains \"" + expectation_.text + "\"";
   }
 
   fs::path folder_;
