@@ -63,12 +63,12 @@ TEST(ProgressLine, shows_the_share_of_bytes) {
   ImportSummary summary;
   summary.file_count = 2;
   summary.byte_count = 100;
-  EXPECT_TRUE(progress_line(summary, 0).starts_with("[                ] 0/2 files")) << progress_line(summary, 0);
+  EXPECT_TRUE(progress_line(summary, 0).starts_with("[          ] 0/2 files")) << progress_line(summary, 0);
   summary.done_bytes = 50;
   summary.inserted_count = 1;
-  EXPECT_TRUE(progress_line(summary, 1).starts_with("[########        ] 1/2 files")) << progress_line(summary, 1);
+  EXPECT_TRUE(progress_line(summary, 1).starts_with("[#####     ] 1/2 files")) << progress_line(summary, 1);
   summary.done_bytes = 120;  // a file has grown since it was listed
-  EXPECT_TRUE(progress_line(summary, 1).starts_with("[################] ")) << progress_line(summary, 1);
+  EXPECT_TRUE(progress_line(summary, 1).starts_with("[##########] ")) << progress_line(summary, 1);
 }
 
 TEST(ProgressLine, fits_into_a_terminal_of_eighty_columns) {
