@@ -34,8 +34,8 @@ Result<SolidMoments> exact_moments(const PointArray& points, IndexTriangles tria
 
 /// Sum of the areas of the triangles, in squared coordinate units; infinite beyond the range of doubles.
 /// Exactness: rounded once if the area of each triangle is a double (or any other multiple of a power of two).
-/// Otherwise the sum has a relative error below 2^-90 before it is rounded. Errors: interrupted. Cost: linear; per
-/// triangle some 20 nanoseconds if it is parallel to two axes, below a microsecond for other triangles of doubles.
+/// Otherwise the sum has a relative error below 2^-90 before it is rounded. Errors: interrupted. Cost: linear, some
+/// 400 nanoseconds per triangle of doubles.
 Result<double> nearest_area(const PointArray& points, IndexTriangles triangles,
                             const std::atomic<bool>* cancel = nullptr);
 
