@@ -90,9 +90,9 @@ class [[nodiscard]] Result {
   bool ok() const { return content_.index() == 0; }
   explicit operator bool() const { return ok(); }
 
-  T& value() & { return assert(ok()), *std::get_if<0>(&content_); }
-  const T& value() const& { return assert(ok()), *std::get_if<0>(&content_); }
-  T&& value() && { return assert(ok()), std::move(*std::get_if<0>(&content_)); }
+  T& value() & { return assert(ok()), std::get<0>(content_); }
+  const T& value() const& { return assert(ok()), std::get<0>(content_); }
+  T&& value() && { return assert(ok()), std::move(std::get<0>(content_)); }
 
   T& operator*() & { return value(); }
   const T& operator*() const& { return value(); }
@@ -100,9 +100,9 @@ class [[nodiscard]] Result {
   T* operator->() { return &value(); }
   const T* operator->() const { return &value(); }
 
-  Error& error() & { return assert(!ok()), *std::get_if<1>(&content_); }
-  const Error& error() const& { return assert(!ok()), *std::get_if<1>(&content_); }
-  Error&& error() && { return assert(!ok()), std::move(*std::get_if<1>(&content_)); }
+  Error& error() & { return assert(!ok()), std::get<1>(content_); }
+  const Error& error() const& { return assert(!ok()), std::get<1>(content_); }
+  Error&& error() && { return assert(!ok()), std::move(std::get<1>(content_)); }
 
  private:
   std::variant<T, Error> content_;
@@ -147,16 +147,16 @@ class [[nodiscard]] Maybe {
   bool is_defined() const { return content_.index() == 0; }
   explicit operator bool() const { return is_defined(); }
 
-  T& value() & { return assert(is_defined()), *std::get_if<0>(&content_); }
-  const T& value() const& { return assert(is_defined()), *std::get_if<0>(&content_); }
-  T&& value() && { return assert(is_defined()), std::move(*std::get_if<0>(&content_)); }
+  T& value() & { return assert(is_defined()), std::get<0>(content_); }
+  const T& value() const& { return assert(is_defined()), std::get<0>(content_); }
+  T&& value() && { return assert(is_defined()), std::move(std::get<0>(content_)); }
   T& operator*() & { return value(); }
   const T& operator*() const& { return value(); }
   T&& operator*() && { return std::move(*this).value(); }
   T* operator->() { return &value(); }
   const T* operator->() const { return &value(); }
 
-  const std::string& reason() const { return assert(!is_defined()), std::get_if<1>(&content_)->reason; }
+  const std::string& reason() const { return assert(!is_defined()), std::get<1>(content_).reason; }
 
  private:
   std::variant<T, Undefined> content_;

@@ -85,7 +85,9 @@ TEST_P(EveryOperator, sources_are_in_the_references) {
 
 std::string test_name(const testing::TestParamInfo<const Operator*>& info) {
   std::string name;
-  for (const char c : info.param->name) name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? std::string(1, c) : "x" + std::to_string(static_cast<int>(c));
+  for (const char c : info.param->name)
+    name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? std::string(1, c)
+                                                             : "x" + std::to_string(static_cast<int>(c));
   return name;
 }
 

@@ -1,0 +1,35 @@
+#include "algebra3d/base/box3.h"
+
+#include <gtest/gtest.h>
+
+namespace algebra3d {
+namespace {
+
+const Box3 kUnit{{0, 0, 0}, {1, 1, 1}};
+
+TEST(Box3, default_is_empty_and_neutral) {
+  EXPECT_TRUE(Box3{}.is_empty());
+  EXPECT_EQ(unite(Box3{}, kUnit), kUnit);
+  EXPECT_TRUE(kUnit.contains(Box3{}));
+  EXPECT_FALSE(Box3{}.intersects(kUnit));
+}
+
+TEST(Box3, touching_boxes_meet) {
+  const Box3 corner{{1, 1, 1}, {2, 2, 2}};
+  EXPECT_TRUE(kUnit.intersects(corner));
+  EXPECT_EQ(intersect(kUnit, corner), Box3::of({1, 1, 1}));
+  EXPECT_EQ(distance(kUnit, corner), 0);
+}
+
+TEST(Box3, distance_is_that_of_the_nearest_points) {
+  EXPECT_EQ(distance(kUnit, {{4, 5, 0}, {5, 6, 1}}), 5);
+  EXPECT_EQ(squared_distance(kUnit, {{4, 5, 0}, {5, 6, 1}}), 25);
+  EXPECT_EQ(distance(kUnit, Box3::of({0.5, 0.5, 1e300})), 1e300);
+}
+
+TEST(Box3, separate_boxes_have_no_common_part) {
+  EXPECT_TRUE(intersect(kUnit, {{2, 0, 0}, {3, 1, 1}}).is_empty());
+}
+
+}  // namespace
+}  // namespace algebra3d
