@@ -23,6 +23,7 @@ void run_interactive(Session& session, StatementRunner& runner) {
   print_banner(session, session.store() != nullptr);
   CommandReader reader;
   while (true) {
+    std::cout.flush();  // the prompt goes through the C library, behind the back of cout
     using Line = std::unique_ptr<char, decltype(&std::free)>;
     const Line line(readline(reader.is_pending() ? "      ...> " : "algebra3d> "), &std::free);
     if (Interruption::flag().exchange(false)) {
