@@ -52,10 +52,10 @@ ExpressionPtr ExpressionParser::make(SourcePlace place, ExpressionNode node) con
 
 // Operators in a row make deep trees without nesting, and whatever walks a tree recurses on its height.
 Status ExpressionParser::check_height(const Expression& expression) const {
-  if (expression.height <= kMaxExpressionDepth) return {};
+  if (expression.height <= kMaxExpressionHeight) return {};
   return Error(ErrorCode::limit_exceeded,
                "the expression is more than {} levels high (brackets, or operators in a row); split it with let",
-               kMaxExpressionDepth)
+               kMaxExpressionHeight)
       .at(expression.place);
 }
 
@@ -232,7 +232,7 @@ Result<ExpressionPtr> ExpressionParser::word_primary() {
   if (const Operator* op = operator_at(Shape::prefix); op != nullptr) return prefix_application(*op);
   if (is_reserved(token.text, registry_)) return unexpected("an operand");
   scanner_.take();
-  if (at("(")) return function_call(token.text);
+  if (at("(")) return function_call(token.text, token.place);
   const bool is_operand = !at("[") || scanner_.peek(1).is("const");
   if (is_operand) return make(token.place, NameUse{token.text});
   // `feeed[...]`: a bracket after a name is the argument list of an operator that there is not.
@@ -247,8 +247,8 @@ Result<ExpressionPtr> ExpressionParser::prefix_application(const Operator& op) {
   return make(place, std::move(application));
 }
 
-Result<ExpressionPtr> ExpressionParser::function_call(std::string function) {
-  const SourcePlace place = scanner_.take().place;
+Result<ExpressionPtr> ExpressionParser::function_call(std::string function, SourcePlace place) {
+  scanner_.take();
   FunctionCall call{std::move(function), {}};
   while (!at(")")) {
     ASSIGN_OR_RETURN(ExpressionPtr argument, expression());
@@ -256,7 +256,7 @@ Result<ExpressionPtr> ExpressionParser::function_call(std::string function) {
     if (!accept(",")) break;
   }
   RETURN_IF_ERROR(expect(")", "to close the arguments of '" + call.name + "'"));
-  return make(place, std::move(call));
+  return make(std::move(place), std::move(call));
 }
 
 Status ExpressionParser::postfix_application(const Operator& op, std::vector<ExpressionPtr>& operands) {
@@ -290,6 +290,7 @@ Status ExpressionParser::annotation(ExpressionPtr& operand) {
     argument.names = {first.text};
     argument.place = first.place;
     operand = make(place, Application{"rename", {value_argument(operand), std::move(argument)}});
+    RETURN_IF_ERROR(check_height(*operand));
   } else if (first.kind == Kind::word) {
     scanner_.take();
   } else if (first.kind != Kind::integer && first.kind != Kind::real) {
@@ -314,7 +315,9 @@ Status ExpressionParser::places(const SyntaxPattern& pattern, std::string_view c
     ASSIGN_OR_RETURN(Argument next, argument(place));
     arguments.push_back(std::move(next));
     ++index;
-    if (!at(close) && !at(",") && !at(";")) break;
+    if (at(close) || at(",") || at(";")) continue;
+    const bool is_incomplete = index < pattern.places.size() && pattern.places[index].before == ';';
+    return expect(is_incomplete ? ";" : close, context);
   }
   return expect(close, context);
 }

@@ -46,7 +46,7 @@ class ExpressionParser {
   Result<ExpressionPtr> typed_literal();
   Result<ExpressionPtr> function_literal();
   Result<ExpressionPtr> prefix_application(const algebra3d::Operator& op);
-  Result<ExpressionPtr> function_call(std::string function);
+  Result<ExpressionPtr> function_call(std::string function, SourcePlace place);
   Status postfix_application(const algebra3d::Operator& op, std::vector<ExpressionPtr>& operands);
   Status annotation(ExpressionPtr& operand);
 

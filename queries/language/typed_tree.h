@@ -70,7 +70,7 @@ TypedPtr make_value_call(algebra3d::ResolvedCall call, std::vector<TypedPtr> arg
 TypedPtr make_stream_call(Plan plan, std::vector<TypedPtr> arguments, SourcePlace place);
 TypedPtr make_list(std::vector<TypedPtr> elements, SourcePlace place);
 /// Levels of evaluation that function calls within function calls may take together; beyond: error limit_exceeded.
-inline constexpr int kMaxCallLevels = 5000;
+inline constexpr int kMaxCallLevels = 2000;
 /// `type` is `(map P... R)`; `written` its nested-list form; `height` the levels that one call takes.
 TypedPtr make_function(TypeExpr type, TypedPtr body, NestedList written, int height, SourcePlace place);
 TypedPtr make_function_call(TypedPtr function, std::vector<TypedPtr> arguments, SourcePlace place);

@@ -1,0 +1,228 @@
+#include "queries/language/parser.h"
+
+#include <gtest/gtest.h>
+
+#include "unit/language/language_samples.h"
+
+namespace queries {
+namespace {
+
+std::string command_error(const std::string& text) {
+  const auto command = parse_command(text, full_registry());
+  if (command) return "no error";
+  const algebra3d::Error& error = command.error();
+  return fmt::format("{}:{} {}", error.place.line, error.place.column, error.message);
+}
+
+template <typename Content>
+Content content_of(const std::string& text) {
+  auto command = parse_command(text, full_registry());
+  EXPECT_TRUE(command.ok()) << (command ? "" : command.error().message);
+  return std::get<Content>(command->content);
+}
+
+TEST(Precedence, product_before_sum_before_comparison_before_and_before_or) {
+  EXPECT_EQ(parsed("1 + 2 * 3"), "(+ 1 (* 2 3))");
+  EXPECT_EQ(parsed("1 * 2 + 3"), "(+ (* 1 2) 3)");
+  EXPECT_EQ(parsed("a + b < c - d"), "(< (+ a b) (- c d))");
+  EXPECT_EQ(parsed("a < b and c > d or e"), "(or (and (< a b) (> c d)) e)");
+  EXPECT_EQ(parsed("a or b and c"), "(or a (and b c))");
+}
+
+TEST(Precedence, operators_of_one_rank_group_to_the_left) {
+  EXPECT_EQ(parsed("1 - 2 - 3"), "(- (- 1 2) 3)");
+  EXPECT_EQ(parsed("8 / 4 * 2 div 3 mod 5"), "(mod (div (* (/ 8 4) 2) 3) 5)");
+  EXPECT_EQ(parsed("a union b + c"), "(+ (union a b) c)");
+}
+
+TEST(Precedence, predicates_stand_with_the_comparisons) {
+  for (const std::string op : {"=", "#", "<", "<=", ">", ">=", "intersects", "inside", "contains", "startsWith"})
+    EXPECT_EQ(parsed("a + b " + op + " c and d"), "(and (" + op + " (+ a b) c) d)");
+}
+
+TEST(Precedence, parentheses_and_postfix_bind_closest) {
+  EXPECT_EQ(parsed("(1 + 2) * 3"), "(* (+ 1 2) 3)");
+  EXPECT_EQ(parsed("1 + r count"), "(+ 1 (count r))");
+  EXPECT_EQ(parsed("r count + 1"), "(+ (count r) 1)");
+  EXPECT_EQ(parsed("not(a) and b"), "(and (not a) b)");
+}
+
+TEST(Patterns, prefix) {
+  EXPECT_EQ(parsed("size(x)"), "(size x)");
+  EXPECT_EQ(parsed("makePoint3D(1, 2, 3)"), "(makePoint3D 1 2 3)");
+  EXPECT_EQ(parsed("size()"), "(size)");
+}
+
+TEST(Patterns, postfix_takes_its_operands_from_the_left) {
+  EXPECT_EQ(parsed("r feed"), "(feed r)");
+  EXPECT_EQ(parsed("a feed b feed product"), "(product (feed a) (feed b))");
+  EXPECT_EQ(parsed("a feed b feed c feed product product"), "(product (feed a) (product (feed b) (feed c)))");
+}
+
+TEST(Patterns, brackets_with_values) {
+  EXPECT_EQ(parsed("p rotate[c, v, 90.0]"), "(rotate p c v 90.0)");
+  EXPECT_EQ(parsed("v translate[w]"), "(translate v w)");
+  EXPECT_EQ(parsed("v translate[[const vector3d value (1 0 0)]]"), "(translate v (vector3d (1 0 0)))");
+}
+
+TEST(Patterns, brackets_with_names) {
+  EXPECT_EQ(parsed("s project[A, size]"), "(project s (A size))");
+  EXPECT_EQ(parsed("s sortby[A, B desc, C asc]"), "(sortby s ((A asc) (B desc) (C asc)))");
+  EXPECT_EQ(parsed("s sum[A]"), "(sum s A)");
+  EXPECT_EQ(parsed("a b hashjoin[A, B]"), "(hashjoin a b A B)");
+  EXPECT_EQ(parsed("a b hashjoin[A, B, 97]"), "(hashjoin a b A B 97)");
+}
+
+TEST(Patterns, brackets_with_functions) {
+  EXPECT_EQ(parsed("s filter[.A > 3]"), "(filter s (> (attr tuple1 A) 3))");
+  EXPECT_EQ(parsed("s extend[X: .A * 2, Y: 1]"), "(extend s ((X (* (attr tuple1 A) 2)) (Y 1)))");
+  EXPECT_EQ(parsed("s t symmjoin[.A = ..B]"), "(symmjoin s t (= (attr tuple1 A) (attr tuple2 B)))");
+  EXPECT_EQ(parsed("s filter[fun(t: TUPLE) attr(t, A)]"), "(filter s (fun (t TUPLE) (attr t A)))");
+}
+
+TEST(Patterns, brackets_with_a_semicolon) {
+  EXPECT_EQ(parsed("s groupby[A; N: group count]"), "(groupby s (A) ((N (count tuple1))))");
+  EXPECT_EQ(parsed("s projectextend[; A: 1]"), "(projectextend s () ((A 1)))");
+  EXPECT_EQ(parsed("s projectextend[A, B; C: .A]"), "(projectextend s (A B) ((C (attr tuple1 A))))");
+}
+
+TEST(Patterns, braces_rename_or_change_nothing) {
+  EXPECT_EQ(parsed("r feed {x} count"), "(count (rename (feed r) x))");
+  EXPECT_EQ(parsed("r feed {5} {0.1, 2} {memory 64} count"), "(count (feed r))");
+}
+
+TEST(Expressions, literals) {
+  EXPECT_EQ(parsed("-12"), "-12");
+  EXPECT_EQ(parsed("- 12"), "-12");
+  EXPECT_EQ(parsed("+5"), "5.0");
+  EXPECT_EQ(parsed("-2147483648"), "-2147483648");
+  EXPECT_EQ(parsed("\"a\""), "\"a\"");
+  EXPECT_EQ(parsed("'a'"), "'a'");
+  EXPECT_EQ(parsed("TRUE"), "TRUE");
+}
+
+TEST(Expressions, minus_after_an_operand_subtracts) {
+  EXPECT_EQ(parsed("a -3"), "(- a 3)");
+  EXPECT_EQ(parsed("a - -3"), "(- a -3)");
+  EXPECT_EQ(parsed("a*-3"), "(* a -3)");
+}
+
+TEST(Expressions, parameters_and_attributes) {
+  EXPECT_EQ(parsed("[., .., $2, .A, ..B, $1.C, tuple, group]"),
+            "(tuple1 tuple2 tuple2 (attr tuple1 A) (attr tuple2 B) (attr tuple1 C) tuple1 tuple1)");
+}
+
+TEST(Expressions, lists) {
+  EXPECT_EQ(parsed("[]"), "()");
+  EXPECT_EQ(parsed("[1, A desc, N: 2]"), "(1 (A desc) (N 2))");
+}
+
+TEST(Expressions, functions) {
+  EXPECT_EQ(parsed("fun(a: int, b: rel(tuple([A: int]))) a"), "(fun (a int) (b (rel (tuple ((A int))))) a)");
+  EXPECT_EQ(parsed("fun() 1"), "(fun 1)");
+  EXPECT_EQ(parsed("fun f"), "f");
+  EXPECT_EQ(parsed("f(1, g(2), h())"), "(f 1 (g 2) (h))");
+}
+
+TEST(Expressions, a_name_before_a_constant_is_an_operand) {
+  EXPECT_EQ(parsed("r [const int value 1] product"), "(product r (int 1))");
+}
+
+TEST(Types, every_form) {
+  EXPECT_EQ(parsed("[const rel(tuple([N: string, V: volume3d])) value ()]"),
+            "((rel (tuple ((N string) (V volume3d)))) ())");
+  EXPECT_EQ(parsed("[const (rel (tuple ((N string)))) value ()]"), "((rel (tuple ((N string)))) ())");
+  EXPECT_EQ(parsed("[const rel([N: string]) value ()]"), "((rel (tuple ((N string)))) ())");
+  EXPECT_EQ(parsed("[const typeOf(1 + 2) value 3]"), "((typeOf (+ 1 2)) 3)");
+  EXPECT_EQ(parsed("fun(f: map(int, bool), s: stream(int)) 1"), "(fun (f (map int bool)) (s (stream int)) 1)");
+}
+
+TEST(SyntaxErrors, say_where_what_was_found_and_what_is_possible) {
+  EXPECT_EQ(parsed("1 +"), "error 1:4 expected an operand, found the end of the command");
+  EXPECT_EQ(parsed("1 + )"), "error 1:5 expected an operand, found ')'");
+  EXPECT_EQ(parsed("(1\n + 2"), "error 2:5 expected ')' to close the bracket, found the end of the command");
+  EXPECT_EQ(parsed("1 2"), "error 1:3 expected an operator between two operands");
+  EXPECT_EQ(parsed("size x"), "error 1:6 expected '(' after the operator 'size', found 'x'");
+  EXPECT_EQ(parsed("s filter(.A)"), "error 1:9 expected '[' after 'filter' (syntax: _ filter[fun(TUPLE)]), found '('");
+  EXPECT_EQ(parsed("s extend[A 1]"), "error 1:12 expected ':' after the name of the new attribute 'A', found '1'");
+  EXPECT_EQ(parsed("s groupby[A, N: 1]"), "error 1:15 expected ';' in the arguments of 'groupby', found ':'");
+  EXPECT_EQ(parsed("s project[1]"), "error 1:11 expected an attribute name, found '1'");
+  EXPECT_EQ(parsed("r feed {+}"), "error 1:9 expected a name or a number after '{', found '+'");
+  EXPECT_EQ(parsed("fun(a int) a"), "error 1:7 expected ':' after the parameter 'a', found 'int'");
+  EXPECT_EQ(parsed("[1, 2"), "error 1:6 expected ']' to close the list, found the end of the command");
+  EXPECT_EQ(parsed("let"), "error 1:1 expected an operand, found 'let'");
+  EXPECT_EQ(parsed("- x"), "error 1:3 expected a number after the sign, found 'x'");
+  EXPECT_EQ(parsed("+2147483648 - 2147483648"),
+            "error 1:15 the integer 2147483648 is beyond the range of ints (-2147483648 to 2147483647)");
+}
+
+TEST(SyntaxErrors, suggest_the_operator_that_was_meant) {
+  EXPECT_EQ(parsed("r feed cont"), "error 1:8 unknown operator 'cont', did you mean 'count'?");
+  EXPECT_EQ(parsed("r fed[1]"), "error 1:3 unknown operator 'fed', did you mean 'feed'?");
+  EXPECT_EQ(parsed("r feed xyzzy"), "error 1:8 unknown operator 'xyzzy'");
+}
+
+TEST(SyntaxErrors, operands_that_are_missing) {
+  EXPECT_EQ(parsed("feed"), "error 1:1 feed: expected 1 operand before it, found 0 (syntax: _ feed)");
+  EXPECT_EQ(parsed("a product"), "error 1:3 product: expected 2 operands before it, found 1 (syntax: _ _ product)");
+}
+
+TEST(SyntaxErrors, constants_name_the_place_inside_of_the_list) {
+  EXPECT_EQ(parsed("[const point3d value (1 2"), "error 1:2 expected ']' after the value of a constant");
+  EXPECT_EQ(parsed("[const point3d value\n  (1 2 12abc)]").substr(0, 10), "error 2:8 ");
+  EXPECT_EQ(parsed("[const string value \"abc]"), "error 1:21 a string is not closed: expected \"");
+  EXPECT_EQ(parsed("[const (rel\n (tuple (A 1x))) value ()]").substr(0, 11), "error 2:12 ");
+  EXPECT_EQ(parsed("[const point3d (1 2 3)]").substr(0, 11), "error 1:17 ");
+}
+
+TEST(SyntaxErrors, characters_that_do_not_belong_to_the_language) {
+  EXPECT_EQ(parsed("a \u00a7 b"), "error 1:3 the character '\u00a7' does not belong to the language");
+  EXPECT_EQ(parsed("1 + \"abc"), "error 1:5 a string is not closed: expected \"");
+  EXPECT_EQ(parsed("12abc"), "error 1:1 a number ends with 'a' after '12'");
+}
+
+TEST(Commands, all_forms) {
+  EXPECT_EQ(content_of<CreateDatabase>("create database d").name, "d");
+  EXPECT_EQ(content_of<DeleteDatabase>("delete database d").name, "d");
+  EXPECT_EQ(content_of<OpenDatabase>("open database d").name, "d");
+  content_of<CloseDatabase>("close database");
+  EXPECT_EQ(content_of<CreateObject>("create n : int").name, "n");
+  EXPECT_FALSE(content_of<LetObject>("let n = 1").replaces);
+  EXPECT_TRUE(content_of<LetObject>("let_ n = 1").replaces);
+  EXPECT_EQ(content_of<UpdateObject>("update n := 1").name, "n");
+  EXPECT_EQ(content_of<DeleteObject>("delete n").name, "n");
+  EXPECT_EQ(to_nested(*content_of<Query>("query 1 + 2").value).print(), "(+ 1 2)");
+  EXPECT_EQ(content_of<Inquiry>("list databases").subject, Inquiry::Subject::databases);
+  EXPECT_EQ(content_of<Inquiry>("list objects").subject, Inquiry::Subject::objects);
+  EXPECT_EQ(content_of<Inquiry>("list operators").subject, Inquiry::Subject::operators);
+  EXPECT_EQ(content_of<Inquiry>("list type constructors").subject, Inquiry::Subject::type_constructors);
+}
+
+TEST(Commands, functions_keep_their_text) {
+  EXPECT_EQ(content_of<LetObject>("let f =  fun(n: int)\n n * 2  ").source, "fun(n: int)\n n * 2  ");
+}
+
+TEST(Commands, errors) {
+  EXPECT_EQ(command_error("qery 1"),
+            "1:1 expected a command (query, let, let_, update, create, delete, open, close or list), found 'qery'; did "
+            "you mean 'query'?");
+  EXPECT_EQ(command_error(""),
+            "1:1 expected a command (query, let, let_, update, create, delete, open, close or list), found the end of "
+            "the command");
+  EXPECT_EQ(command_error("let a 1"), "1:7 expected '=' after the name 'a', found '1'");
+  EXPECT_EQ(command_error("update a = 1"), "1:10 expected ':=' after the name 'a', found '='");
+  EXPECT_EQ(command_error("open d"), "1:6 expected 'database' after the command, found 'd'");
+  EXPECT_EQ(command_error("create a int"), "1:10 expected ':' after the name 'a', found 'int'");
+  EXPECT_EQ(command_error("query 1 )"), "1:9 expected the end of the command, found ')'");
+  EXPECT_EQ(command_error("let 5 = 1"), "1:5 expected the name of an object, found '5'");
+}
+
+TEST(ReservedWords, words_of_the_language_and_operators) {
+  for (const char* word : {"let", "tuple", "group", "value", "TRUE", "size", "feed", "count", "union", "mod"})
+    EXPECT_TRUE(is_reserved(word, full_registry())) << word;
+  for (const char* word : {"Parts", "sizes", "Let", "int", "volume3d", "x"})
+    EXPECT_FALSE(is_reserved(word, full_registry())) << word;
+}
+
+}  // namespace
+}  // namespace queries
