@@ -35,17 +35,19 @@ std::string reason_of(const Error& error) {
   return error.message.empty() ? std::string(algebra3d::describe(error.code).meaning) : error.message;
 }
 
-/// Size and hash of the content. The hash is taken before the file is loaded: if it is changed in between, the next
-/// import sees another hash and imports it again.
-void identify(const std::filesystem::path& path, LoadedFile& file) {
-  auto mapped = stl::MappedFile::open(path);
+/// Finds size and hash of the content. The hash is taken before the file is loaded: if it is changed in between, the
+/// next import sees another hash and imports it again.
+Slot::Stage hash(Slot& slot) {
+  LoadedFile& file = slot.file;
+  auto mapped = stl::MappedFile::open(slot.listed->path);
   if (!mapped) {
     file.status = reason_of(mapped.error());
-    return;
+    return Slot::Stage::hashed;
   }
   const std::string_view bytes = mapped->bytes();
   file.size = bytes.size();
   file.identity = Store::ImportedFile{file.path, bytes.size(), XXH3_64bits(bytes.data(), bytes.size())};
+  return Slot::Stage::hashed;
 }
 
 }  // namespace
@@ -79,7 +81,6 @@ class FileLoader::Work {
   std::optional<Next> take_first();
   bool has_event() const;
   void run(Slot& slot, Slot::Stage stage);
-  Slot::Stage hash(Slot& slot);
   Slot::Stage load(Slot& slot);
   bool is_cancelled() const { return options_.cancel != nullptr && options_.cancel->load(); }
 
@@ -183,11 +184,6 @@ void FileLoader::Work::run(Slot& slot, Slot::Stage stage) {
     --running_;
     changed_.notify_all();
   });
-}
-
-Slot::Stage FileLoader::Work::hash(Slot& slot) {
-  identify(slot.listed->path, slot.file);
-  return Slot::Stage::hashed;
 }
 
 // The threads of an arena end the program when an exception leaves them, so none may.

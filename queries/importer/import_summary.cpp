@@ -14,6 +14,10 @@ namespace {
 constexpr std::size_t kReasonsShown = 8;
 constexpr std::size_t kLongestReason = 72;
 
+// How import_solid words what is wrong with a solid.
+constexpr std::string_view kDefects = "no valid solid: ";
+constexpr std::string_view kAtLeast = "at least ";
+
 bool is_digit(char letter) {
   return letter >= '0' && letter <= '9';
 }
@@ -42,7 +46,6 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
 
 /// "12 boundary edges" and "1 boundary edge" give "boundary edges".
 std::string defect_kind(std::string_view text) {
-  constexpr std::string_view kAtLeast = "at least ";
   if (text.starts_with(kAtLeast)) text.remove_prefix(kAtLeast.size());
   const bool is_one = text.starts_with("1 ");
   while (!text.empty() && (is_digit(text.front()) || text.front() == ' ')) text.remove_prefix(1);
@@ -108,7 +111,6 @@ double ImportSummary::megabytes_per_second() const {
 }
 
 std::vector<std::string> reason_kinds(const LoadedFile& file) {
-  constexpr std::string_view kDefects = "no valid solid: ";
   if (file.status.starts_with(kDefects)) return defect_kinds(std::string_view(file.status).substr(kDefects.size()));
   std::string kind = file.status;
   const std::string file_name = file.path.substr(file.path.find_last_of('/') + 1);

@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kBarInterval{100};
 constexpr std::chrono::seconds kLineInterval{10};
+constexpr std::uint64_t kBarWidth = 10;
 
 std::string figures(const ImportSummary& summary, std::uint64_t pending_count) {
   return fmt::format("{}/{} files, {:.1f} MB/s, {} undefined, {} in this batch", summary.done_count(),
@@ -19,7 +20,6 @@ std::string figures(const ImportSummary& summary, std::uint64_t pending_count) {
 }  // namespace
 
 std::string progress_line(const ImportSummary& summary, std::uint64_t pending_count) {
-  constexpr std::uint64_t kBarWidth = 10;
   // By bytes, which is what takes the time, and by files if all of them are empty.
   const std::uint64_t total = summary.byte_count > 0 ? summary.byte_count : summary.file_count;
   const std::uint64_t done = std::min(summary.byte_count > 0 ? summary.done_bytes : summary.done_count(), total);
