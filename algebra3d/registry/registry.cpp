@@ -149,6 +149,7 @@ std::string nearest_name(std::string_view word, std::span<const std::string> can
   // Of a word of one letter nothing would be left.
   std::size_t best_distance = std::min(std::max<std::size_t>(1, word.size() / 3) + 1, word.size());
   for (const std::string& candidate : candidates) {
+    if (word.size() >= candidate.size() + best_distance) continue;
     const std::size_t distance = edit_distance(word, candidate);
     if (distance >= best_distance) continue;
     best = candidate;

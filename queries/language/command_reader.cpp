@@ -17,6 +17,8 @@ constexpr std::string_view kTextBegin = "<text>";
 
 std::vector<CommandText> CommandReader::add_line(std::string_view line) {
   ++line_;
+  // Editors on Windows begin a file with this mark of UTF-8.
+  if (line_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
   while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
   std::vector<CommandText> complete;
   if (line.starts_with('#')) return complete;

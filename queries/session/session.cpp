@@ -142,17 +142,24 @@ Status Session::run(const DeleteObject& command, Presenter&, Context&) {
   });
 }
 
-// A query may write (inserttuple, deletesearch); the transaction becomes a writing one when it does.
+// A query may write (inserttuple, deletesearch); the transaction becomes a writing one when it does. SQLite waits for
+// other writers only at the beginning of a transaction, so a query that met one begins once more, as a writing one.
 Status Session::run(const Query& command, Presenter& presenter, Context& context) {
-  return in_transaction(false, [&]() -> Status {
+  bool has_shown = false;
+  const auto work = [&]() -> Status {
     Objects objects(registry_, store_.get(), context);
     ASSIGN_OR_RETURN(const TypedPtr node, Checker(registry_, objects, context).check(*command.value));
     if (node->type().is_stream() || node->type().is_tuple())
       return Error{ErrorCode::not_evaluable, "a result of type {} cannot be shown; end a stream with consume or count",
                    node->type().text()};
     ASSIGN_OR_RETURN(const Datum value, node->evaluate(nullptr, context));
+    has_shown = true;
     return presenter.present(node->type(), value, context);
-  });
+  };
+  Status status = in_transaction(false, work);
+  if (!status && status.error().code == ErrorCode::database_busy && !has_shown && !options_.read_only)
+    status = in_transaction(true, work);
+  return status;
 }
 
 Status Session::run(const Inquiry& command, Presenter& presenter, Context&) {

@@ -20,6 +20,9 @@ Interruption::Interruption() {
   action.sa_handler = on_signal;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  // A file beyond the limit of ulimit is an error of the statement that writes it, not the end of the program.
+  action.sa_handler = SIG_IGN;
+  sigaction(SIGXFSZ, &action, nullptr);
 }
 
 std::atomic<bool>& Interruption::flag() {

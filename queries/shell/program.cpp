@@ -156,10 +156,15 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("SCRIPT", options.scripts, "Scripts to run; without any, and on a terminal: the interactive shell");
 }
 
-}  // namespace
+// What was asked for and could not be written is a failure: a full disk, a closed device.
+int status_after_output(int status) {
+  std::cout.flush();
+  if (std::cout) return status;
+  std::cerr << "error: the output could not be written (is the disk full?)\n";
+  return status == kOk ? kFailed : status;
+}
 
-int run_program(int argc, char** argv) {
-  const Interruption interruption;
+int run_arguments(int argc, char** argv) {
   std::ios::sync_with_stdio(false);
   Options options;
   ImportOptions import_options;
@@ -185,6 +190,13 @@ int run_program(int argc, char** argv) {
   if (test->parsed()) return run_tests(options, registry);
   if (help->parsed()) return run_help(options, registry);
   return run_session(options, registry);
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv) {
+  const Interruption interruption;
+  return status_after_output(run_arguments(argc, argv));
 }
 
 }  // namespace queries

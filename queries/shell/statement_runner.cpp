@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "algebra3d/registry/documentation.h"
+#include "algebra3d/types/utf8.h"
 #include "queries/shell/interruption.h"
 
 namespace queries {
@@ -24,6 +25,23 @@ std::string place_text(const SourcePlace& place) {
   return fmt::format("{}:{}:{}: ", place.file.empty() ? "input" : place.file, place.line, place.column);
 }
 
+// Messages repeat what was typed or stands in a file: control characters must not reach the terminal, nor megabytes.
+std::string shown(std::string_view message) {
+  constexpr std::size_t kLongest = 4000;
+  std::size_t end = std::min(message.size(), kLongest);
+  while (end < message.size() && end > 0 && algebra3d::is_utf8_continuation(message[end])) --end;
+  std::string text;
+  for (const char c : message.substr(0, end)) {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte < ' ' && c != '\n' && c != '\t') || byte == 0x7F)
+      text += fmt::format("\\x{:02x}", byte);
+    else
+      text += c;
+  }
+  if (end < message.size()) text += fmt::format("... ({} bytes)", message.size());
+  return text;
+}
+
 }  // namespace
 
 RunResult StatementRunner::run(const CommandText& command) {
@@ -34,9 +52,9 @@ RunResult StatementRunner::run(const CommandText& command) {
   Context context{diagnostics, &Interruption::flag(), {}};
   const Status status = session_.execute(command.text, command.start, presenter_, context);
   std::cout.flush();
-  for (const std::string& line : diagnostics.summary()) errors_ << "note: " << line << "\n";
+  for (const std::string& line : diagnostics.summary()) errors_ << "note: " << shown(line) << "\n";
   if (status) return RunResult::ok;
-  errors_ << place_text(status.error().place) << "error: " << status.error().message << "\n";
+  errors_ << place_text(status.error().place) << "error: " << shown(status.error().message) << "\n";
   errors_.flush();
   if (status.error().code == ErrorCode::interrupted) {
     Interruption::reset();
