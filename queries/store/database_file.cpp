@@ -114,10 +114,12 @@ Result<Found> inspect(const fs::path& file, OpenMode mode) {
   return Found::database;
 }
 
-// Without the right to make lock files next to it, a database can still be read if nobody is writing: then all of it
-// lies in the one file.
+// A process that was killed may have left work for the next one that opens the file, and SQLite does it only on a
+// connection that may write. Without the right to make lock files next to it, a database can still be read if nobody is
+// writing: then all of it lies in the one file.
 Access read_access(const fs::path& file) {
   const fs::path folder = fs::absolute(file).parent_path();
+  if (::access(folder.c_str(), W_OK) == 0 && ::access(file.c_str(), W_OK) == 0) return Access::recovering;
   std::error_code error;
   const auto log_bytes = fs::file_size(file.string() + "-wal", error);
   const bool has_log = !error && log_bytes > 0;

@@ -34,6 +34,7 @@ int flags_of(SqliteConnection::Access access) {
     case SqliteConnection::Access::create:
       return kCommon | SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
     case SqliteConnection::Access::read_write:
+    case SqliteConnection::Access::recovering:
       return kCommon | SQLITE_OPEN_READWRITE;
     case SqliteConnection::Access::read_only:
       return kCommon | SQLITE_OPEN_READONLY;
@@ -66,6 +67,7 @@ Result<std::unique_ptr<SqliteConnection>> SqliteConnection::open(const std::file
   auto connection = std::unique_ptr<SqliteConnection>(new SqliteConnection(handle, file.string()));
   sqlite3_busy_timeout(handle, busy_milliseconds);
   harden(handle);
+  if (access == Access::recovering) RETURN_IF_ERROR(connection->execute("PRAGMA query_only = ON"));
   return connection;
 }
 

@@ -20,9 +20,10 @@ class SqliteConnection {
  public:
   enum class Access : std::uint8_t {
     read_write,
-    create,     ///< read and write, makes the file
-    read_only,  ///< with the lock files of other processes
-    immutable,  ///< reads the file alone, trusting that nobody changes it
+    create,      ///< read and write, makes the file
+    recovering,  ///< changes nothing but what recovery after a crash needs: reads as read_only otherwise
+    read_only,   ///< with the lock files of other processes
+    immutable,   ///< reads the file alone, trusting that nobody changes it
   };
 
   static algebra3d::Result<std::unique_ptr<SqliteConnection>> open(const std::filesystem::path& file, Access access,
