@@ -163,12 +163,32 @@ Status prepare_for_writing(SqliteConnection& connection) {
   return use_write_ahead_log(connection);
 }
 
-// The tables are made with a rollback journal, so that the header is in the file itself before anything lies in a log.
-Result<std::unique_ptr<SqliteConnection>> create_file(const fs::path& file, const StoreOptions& options) {
-  ASSIGN_OR_RETURN(auto connection, SqliteConnection::open(file, Access::create, options.busy_milliseconds));
-  RETURN_IF_ERROR(connection->execute("PRAGMA synchronous = FULL"));
-  RETURN_IF_ERROR(make_tables(*connection));
-  return connection;
+Status move_into_place(const fs::path& made, const fs::path& file, Found found) {
+  // A link does not replace a database that another process has made meanwhile; that one is then used.
+  const bool is_empty_file = found == Found::empty;
+  const int code = is_empty_file ? ::rename(made.c_str(), file.c_str()) : ::link(made.c_str(), file.c_str());
+  const int problem = code == 0 ? 0 : errno;
+  std::error_code ignored;
+  fs::remove(made, ignored);
+  if (problem == 0 || problem == EEXIST) return {};
+  return unusable(file, problem);
+}
+
+// A database appears under its name only when it is complete, so that a process which is killed meanwhile leaves no
+// half of one. The tables are made with a rollback journal, so that the header is in the file itself and not in a log.
+Status create_file(const fs::path& file, Found found, const StoreOptions& options) {
+  const fs::path draft = file.string() + ".new-" + std::to_string(::getpid());
+  Status status;
+  {
+    auto connection = SqliteConnection::open(draft, Access::create, options.busy_milliseconds);
+    if (!connection) return std::move(connection).error();
+    status = (*connection)->execute("PRAGMA synchronous = FULL");
+    if (status) status = make_tables(**connection);
+  }
+  if (status) return move_into_place(draft, file, found);
+  std::error_code ignored;
+  fs::remove(draft, ignored);
+  return status;
 }
 
 }  // namespace
@@ -177,16 +197,9 @@ Result<std::unique_ptr<SqliteConnection>> open_database_file(const fs::path& fil
                                                              const StoreOptions& options) {
   ASSIGN_OR_RETURN(const Found found, inspect(file, mode));
   const bool writes = mode != OpenMode::read_only;
-  std::unique_ptr<SqliteConnection> connection;
-  if (found == Found::database) {
-    const Access access = writes ? Access::read_write : read_access(file);
-    ASSIGN_OR_RETURN(connection, SqliteConnection::open(file, access, options.busy_milliseconds));
-  } else {
-    auto created = create_file(file, options);
-    std::error_code ignored;
-    if (!created && found == Found::nothing && fs::file_size(file, ignored) == 0) fs::remove(file, ignored);
-    ASSIGN_OR_RETURN(connection, std::move(created));
-  }
+  if (found != Found::database) RETURN_IF_ERROR(create_file(file, found, options));
+  const Access access = writes ? Access::read_write : read_access(file);
+  ASSIGN_OR_RETURN(auto connection, SqliteConnection::open(file, access, options.busy_milliseconds));
   if (writes && connection->is_read_only())
     return Error{ErrorCode::database_read_only, "{}: the file cannot be written; open it with --read-only",
                  file.string()};
