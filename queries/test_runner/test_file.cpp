@@ -49,6 +49,8 @@ std::vector<TestStep> read_test_steps(std::string_view content, const std::strin
     while (directive->argument.ends_with('\\') && !content.empty()) {
       directive->argument.pop_back();
       const std::string_view continued = next_line(content);
+      // A blank keeps apart what stood on two lines.
+      directive->argument += ' ';
       directive->argument += trimmed(continued);
       reader.add_line("#");  // keeps the line count
       ++number;
