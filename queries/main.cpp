@@ -1,3 +1,5 @@
 #include "queries/shell/program.h"
 
-int main(int argc, char** argv) { return queries::run_program(argc, argv); }
+int main(int argc, char** argv) {
+  return queries::run_program(argc, argv);
+}

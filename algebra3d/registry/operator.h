@@ -76,11 +76,11 @@ struct Operator {
   std::string doc = {};     ///< one sentence: what it gives, in which unit
   std::string detail = {};  ///< domain, special cases, what is undefined; may be empty
   Exactness exactness = Exactness::not_numeric;
-  std::vector<std::string> sources = {};                              ///< keys of docs/references.md
-  std::vector<Overload> overloads = {};                               ///< of a value operator
+  std::vector<std::string> sources = {};                         ///< keys of docs/references.md
+  std::vector<Overload> overloads = {};                          ///< of a value operator
   std::shared_ptr<const StreamImplementation> stream = nullptr;  ///< of a stream operator
   std::vector<std::string> signatures = {};  ///< of a stream operator, for people; value operators deduce theirs
-  bool handles_undefined = false;       ///< of a stream operator; value operators deduce it from their parameters
+  bool handles_undefined = false;            ///< of a stream operator; value operators deduce it from their parameters
   std::vector<Example> examples = {};
   std::vector<ErrorExample> errors = {};
 

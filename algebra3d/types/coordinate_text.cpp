@@ -84,7 +84,15 @@ Result<ExactPoint> point_from_nested(const NestedList& list, std::string_view wh
 
 Result<double> double_from_nested(const NestedList& atom, std::string_view what) {
   if (const auto number = double_of(atom)) return *number;
+  if (const auto whole = whole_number_from_nested(atom)) return *whole;
   return expected(what, "an int or a real", atom);
+}
+
+std::optional<double> whole_number_from_nested(const NestedList& atom) {
+  if (!atom.is_symbol() || !atom.as_symbol().ends_with("/1")) return std::nullopt;
+  const auto number = Rational::parse(atom.as_symbol());
+  if (!number || !is_in_range(*number)) return std::nullopt;
+  return number->nearest_double();
 }
 
 }  // namespace algebra3d

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "algebra3d/base/error.h"
@@ -26,6 +27,9 @@ NestedList triple_to_nested(const RationalVec3& triple);
 Result<RationalVec3> triple_from_nested(const NestedList& list, std::string_view what);
 /// The same within the range of doubles. Cost: no rational is made if all coordinates are ints or reals.
 Result<ExactPoint> point_from_nested(const NestedList& list, std::string_view what);
+
+/// The double nearest to a whole number that is none, which the parser gives as `p/1`; nothing for any other atom.
+std::optional<double> whole_number_from_nested(const NestedList& atom);
 
 /// Reads an int or a real; a fraction is an error. Errors: invalid_value; `what` begins the message.
 Result<double> double_from_nested(const NestedList& atom, std::string_view what);

@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <iterator>
 
 #include "algebra3d/base/number_text.h"
+#include "algebra3d/exact/rational.h"
 #include "algebra3d/types/nested_list.h"
 #include "algebra3d/types/utf8.h"
 
@@ -36,6 +38,16 @@ CharClass class_of(char character) {
 
 bool is_digit(char character) {
   return class_of(character) == CharClass::digit;
+}
+
+// Fifteen digits always fit a double.
+bool is_inexact_integer(std::string_view token) {
+  constexpr std::size_t kDigitsOfEveryDouble = 15;
+  const std::string_view digits = token.substr(token.starts_with('-') ? 1 : 0);
+  if (digits.size() <= kDigitsOfEveryDouble || digits.find_first_not_of("0123456789") != std::string_view::npos)
+    return false;
+  const auto exact = Rational::parse(token);
+  return exact && std::isfinite(exact->nearest_double()) && !exact->is_double();
 }
 
 bool starts_number(std::string_view token) {
@@ -275,6 +287,9 @@ class Parser {
     const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), integer);
     if (error == std::errc{} && end == token.data() + token.size()) {
       complete_.emplace_back(integer);
+    } else if (is_inexact_integer(token)) {
+      // Literals are exact: what no double holds becomes the fraction that coordinates may be.
+      complete_.push_back(NestedList::symbol(std::string(token) + "/1"));
     } else if (const auto real = parse_real(token)) {
       complete_.emplace_back(*real);
     } else if (is_fraction(token)) {

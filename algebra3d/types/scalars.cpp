@@ -1,4 +1,5 @@
 #include "algebra3d/types/scalars.h"
+#include "algebra3d/types/coordinate_text.h"
 
 #include <cmath>
 
@@ -58,6 +59,7 @@ class RealType final : public DescribedType {
 
   Result<Value> from_nested(const NestedList& list, Context& /*context*/) const override {
     if (list.is_int()) return Value::of(static_cast<double>(list.as_int()));
+    if (const auto whole = whole_number_from_nested(list)) return Value::of(*whole);
     if (!list.is_real() || !std::isfinite(list.as_real())) return expected("an int or a real", list);
     return Value::of(list.as_real());
   }

@@ -247,9 +247,11 @@ Result<TypedPtr> Checker::fitted(TypedPtr argument, const TypeExpr& wanted, cons
 Result<TypedPtr> Checker::check(const FunctionCall& call, const SourcePlace& place) {
   auto function = check(NameUse{call.name}, place);
   if (!function) {
+    if (function.error().code != ErrorCode::unknown_name) return std::move(function).error();
     const std::string suggestion = registry_.suggestion(call.name);
-    if (suggestion.empty() || function.error().code != ErrorCode::unknown_name) return std::move(function).error();
-    return Error(ErrorCode::unknown_name, "unknown operator '{}', did you mean '{}'?", call.name, suggestion).at(place);
+    return Error(ErrorCode::unknown_name, "unknown operator '{}'{}", call.name,
+                 suggestion.empty() ? "" : ", did you mean '" + suggestion + "'?")
+        .at(place);
   }
   const TypeExpr& type = (*function)->type();
   if (!type.is_function())

@@ -33,7 +33,7 @@ constexpr std::array kTables = {
     "NULL, bytes BLOB NOT NULL)",
     "CREATE UNIQUE INDEX chunks_by_place ON chunks(owner, tuple, attribute, part)",
     "CREATE TABLE imported_files(relation INTEGER NOT NULL, path TEXT NOT NULL, size INTEGER NOT NULL, hash INTEGER "
-    "NOT NULL, PRIMARY KEY(relation, path, size, hash))",
+    "NOT NULL, PRIMARY KEY(relation, path))",
 };
 
 Error foreign(const fs::path& file, std::string_view found) {

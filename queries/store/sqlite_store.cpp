@@ -219,7 +219,7 @@ Status SqliteStore::remember_imported(const std::string& relation, const Importe
   ASSIGN_OR_RETURN(const CatalogueEntry* entry, required(relation));
   return database_->change([&]() -> Status {
     ASSIGN_OR_RETURN(SqliteStatement statement,
-                     database_->connection().use("INSERT OR IGNORE INTO imported_files VALUES(?, ?, ?, ?)"));
+                     database_->connection().use("INSERT OR REPLACE INTO imported_files VALUES(?, ?, ?, ?)"));
     statement.bind(1, entry->id).bind(2, file.path).bind(3, as_signed(file.size)).bind(4, as_signed(file.hash));
     return statement.run();
   });
