@@ -35,7 +35,7 @@ class RegistryTest : public testing::Test {
  protected:
   Registry registry;
   Diagnostics diagnostics;
-  Context context{diagnostics};
+  Context context{diagnostics, nullptr, {}};
 
   void add(const std::string& name, std::vector<Overload> overloads) {
     registry.add({.name = name, .syntax = name + "(_ ...)", .overloads = std::move(overloads)});

@@ -1,7 +1,7 @@
 // Damaged files: an error or the right answer, never wrong data and never a crash.
 #include <random>
 
-#include "tests/unit/store/store_fixture.h"
+#include "unit/store/store_fixture.h"
 
 namespace queries {
 namespace {

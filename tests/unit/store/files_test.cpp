@@ -2,7 +2,7 @@
 #include <unistd.h>
 
 #include "queries/store/database_file.h"
-#include "tests/unit/store/store_fixture.h"
+#include "unit/store/store_fixture.h"
 
 namespace queries {
 namespace {

@@ -2,7 +2,7 @@
 #include <random>
 #include <set>
 
-#include "tests/unit/store/store_fixture.h"
+#include "unit/store/store_fixture.h"
 
 namespace queries {
 namespace {

@@ -1,5 +1,5 @@
 // Stored relations: changes, ids, scans that alternate with changes, lazy geometry.
-#include "tests/unit/store/store_fixture.h"
+#include "unit/store/store_fixture.h"
 
 namespace queries {
 namespace {

@@ -2,7 +2,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "tests/unit/store/store_fixture.h"
+#include "unit/store/store_fixture.h"
 
 namespace queries {
 namespace {

@@ -2,7 +2,7 @@
 #include <bit>
 #include <limits>
 
-#include "tests/unit/store/store_fixture.h"
+#include "unit/store/store_fixture.h"
 
 namespace queries {
 namespace {
