@@ -197,7 +197,7 @@ std::string read_file(const std::string& name) {
 
 /// The bytes of the page's dump: "offset  bytes  | comment" between the fences. Offsets are checked.
 std::string bytes_of_dump() {
-  std::istringstream page(read_file(ALGEBRA3D_TEST_DATA "/../../docs/file_format.md"));
+  std::istringstream page(read_file(ALGEBRA3D_SOURCE "/docs/file_format.md"));
   std::string bytes;
   std::string line;
   bool inside = false;

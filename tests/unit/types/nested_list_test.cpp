@@ -51,7 +51,12 @@ TEST(nested_list, integers_beyond_32_bits_are_reals) {
   EXPECT_EQ(parsed("2147483647"), List(std::numeric_limits<std::int32_t>::max()));
   EXPECT_EQ(parsed("-2147483648"), List(std::numeric_limits<std::int32_t>::min()));
   EXPECT_EQ(parsed("2147483648"), List(2147483648.0));
-  EXPECT_EQ(parsed("-99999999999999999999"), List(-1e20));
+  EXPECT_EQ(parsed("-100000000000000000000"), List(-1e20));
+}
+
+TEST(nested_list, integers_that_are_no_doubles_stay_exact) {
+  EXPECT_EQ(parsed("9007199254740993"), List::symbol("9007199254740993/1"));
+  EXPECT_EQ(parsed("-99999999999999999999"), List::symbol("-99999999999999999999/1"));
 }
 
 TEST(nested_list, symbols_may_be_runs_of_special_characters) {
