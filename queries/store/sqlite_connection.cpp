@@ -64,7 +64,7 @@ Result<std::unique_ptr<SqliteConnection>> SqliteConnection::open(const std::file
     sqlite3_close(handle);
     return error;
   }
-  auto connection = std::unique_ptr<SqliteConnection>(new SqliteConnection(handle, file.string()));
+  auto connection = std::unique_ptr<SqliteConnection>(new SqliteConnection(handle, file.string(), access));
   sqlite3_busy_timeout(handle, busy_milliseconds);
   harden(handle);
   if (access == Access::recovering) RETURN_IF_ERROR(connection->execute("PRAGMA query_only = ON"));

@@ -33,8 +33,8 @@ class SqliteConnection {
   SqliteConnection& operator=(const SqliteConnection&) = delete;
 
   const std::string& file() const { return file_; }
-  /// The system lets nobody write through this connection.
-  bool is_read_only() const { return sqlite3_db_readonly(handle_, "main") == 1; }
+  /// Nobody writes through this connection: the system does not let it, or it was opened for reading.
+  bool is_read_only() const { return access_ == Access::recovering || sqlite3_db_readonly(handle_, "main") == 1; }
   bool in_transaction() const { return sqlite3_get_autocommit(handle_) == 0; }
 
   /// Runs a statement whose rows are of no interest.
@@ -54,12 +54,14 @@ class SqliteConnection {
     bool in_use = false;
   };
 
-  SqliteConnection(sqlite3* handle, std::string file) : handle_(handle), file_(std::move(file)) {}
+  SqliteConnection(sqlite3* handle, std::string file, Access access)
+      : handle_(handle), file_(std::move(file)), access_(access) {}
   algebra3d::Result<sqlite3_stmt*> prepare(std::string_view sql);
   void forget_unused();
 
   sqlite3* handle_;
   std::string file_;
+  Access access_;
   std::mutex mutex_;  // guards prepared_
   std::unordered_map<std::string, std::unique_ptr<Prepared>> prepared_;
 };
