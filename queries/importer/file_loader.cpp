@@ -80,6 +80,7 @@ class FileLoader::Work {
   Status answer_questions();
   std::optional<Next> take_first();
   bool has_event() const;
+  bool first_is_running();
   void run(Slot& slot, Slot::Stage stage);
   Slot::Stage load(Slot& slot);
   bool is_cancelled() const { return options_.cancel != nullptr && options_.cancel->load(); }
@@ -109,7 +110,7 @@ Result<FileLoader::Next> FileLoader::Work::next(milliseconds patience) {
     if (!stop_.load()) start_files();
     RETURN_IF_ERROR(answer_questions());
     if (auto first = take_first()) return std::move(*first);
-    if (stop_.load()) return Next{State::interrupted, {}};
+    if (stop_.load() && !first_is_running()) return Next{State::interrupted, {}};
     const auto now = Clock::now();
     if (now >= deadline) return Next{State::not_yet, {}};
     std::unique_lock lock(mutex_);
@@ -167,6 +168,14 @@ bool FileLoader::Work::has_event() const {
   if (!window_.empty() && window_.front()->stage == Slot::Stage::ready) return true;
   return std::any_of(window_.begin(), window_.end(),
                      [](const auto& slot) { return slot->stage == Slot::Stage::hashed; });
+}
+
+// Whether a thread is at work on the first file. After a stop it soon ends, and the file may still be complete.
+bool FileLoader::Work::first_is_running() {
+  if (window_.empty()) return false;
+  const std::lock_guard lock(mutex_);
+  const Slot::Stage stage = window_.front()->stage;
+  return stage == Slot::Stage::hashing || stage == Slot::Stage::loading;
 }
 
 void FileLoader::Work::run(Slot& slot, Slot::Stage stage) {

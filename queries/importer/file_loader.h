@@ -58,7 +58,7 @@ class FileLoader {
     loaded,       ///< `file` is the next one
     not_yet,      ///< the time is up
     finished,     ///< there is no further file
-    interrupted,  ///< `cancel` is set, and the next file is not ready; there will be no further file
+    interrupted,  ///< `cancel` was set before the next file was loaded; there will be no further file
   };
   struct Next {
     State state;

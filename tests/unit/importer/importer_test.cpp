@@ -268,21 +268,26 @@ TEST_F(Importer, a_cancel_flag_that_is_set_imports_nothing_and_a_second_run_comp
 TEST_F(Importer, an_interrupted_import_keeps_what_is_complete) {
   for (const char* name : {"a.stl", "b.stl", "c.stl", "d.stl"}) write(name, box_stl(1, 1, 1));
   std::atomic<bool> cancel = false;
-  ImportOptions single = options();
-  single.jobs = 1;
+  std::atomic<int> before_c = 2;
+  ImportOptions all_at_once = options();
+  all_at_once.jobs = 4;
   const SolidReader reader = [&](const std::filesystem::path& file,
                                  const std::atomic<bool>* stop) -> Result<SolidOrReason> {
-    if (file.stem() == "c") cancel.store(true);
-    while (file.stem() == "c" && !stop->load()) usleep(1000);
-    if (stop->load()) return Error{ErrorCode::interrupted, "interrupted"};
+    if (file.stem() == "c") {
+      while (before_c.load() > 0) usleep(1000);
+      cancel.store(true);
+      while (!stop->load()) usleep(1000);
+      return Error{ErrorCode::interrupted, "interrupted"};
+    }
+    if (file.stem() < "c") --before_c;
     return SolidOrReason{algebra3d::Volume3d(), "ok"};
   };
-  EXPECT_EQ(import(single, reader, &cancel), 130);
+  EXPECT_EQ(import(all_at_once, reader, &cancel), 130);
   EXPECT_EQ(err_, "interrupted: 2 of 4 files are in 'Parts'; run the same import again to go on from there\n");
   const auto found = rows();
   ASSERT_EQ(found.size(), 2);
   EXPECT_TRUE(found.contains("a.stl") && found.contains("b.stl"));
-  ASSERT_EQ(import(single), 0) << err_;
+  ASSERT_EQ(import(all_at_once), 0) << err_;
   EXPECT_EQ(rows().size(), 4);
 }
 
