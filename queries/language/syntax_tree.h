@@ -21,13 +21,21 @@ using algebra3d::TypeExpr;
 struct Expression;
 using ExpressionPtr = std::shared_ptr<const Expression>;
 
+struct NamedType;
+
 /// A type as written: a term whose leaves are names, or the type of an expression.
 struct TypeSyntax {
   std::string name;
   std::vector<TypeSyntax> arguments;
-  std::vector<std::pair<std::string, TypeSyntax>> attributes;  ///< of a tuple
-  ExpressionPtr type_of;                                       ///< typeOf(E); then nothing else is set
+  std::vector<NamedType> attributes;  ///< of a tuple
+  ExpressionPtr type_of;              ///< typeOf(E); then nothing else is set
   SourcePlace place;
+};
+
+/// `Name: T`
+struct NamedType {
+  std::string name;
+  TypeSyntax type;
 };
 
 /// `12`, `1.5`, `TRUE`, "string", 'text'.
@@ -87,7 +95,7 @@ struct ListExpression {
 };
 /// `fun(p1: T1, p2: T2) E`
 struct FunctionLiteral {
-  std::vector<std::pair<std::string, TypeSyntax>> parameters;
+  std::vector<NamedType> parameters;
   ExpressionPtr body;
 };
 /// `fun Name`

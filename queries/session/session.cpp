@@ -34,7 +34,7 @@ Status Session::open_file(const std::filesystem::path& file) {
   return {};
 }
 
-Status Session::execute(std::string_view text, SourcePlace start, Presenter& presenter, Context& context) {
+Status Session::execute(std::string_view text, const SourcePlace& start, Presenter& presenter, Context& context) {
   try {
     ASSIGN_OR_RETURN(const Command command, parse_command(text, registry_, start));
     auto status = run(command, presenter, context);

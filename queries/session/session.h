@@ -45,7 +45,7 @@ class Session {
   Status open_file(const std::filesystem::path& file);
   /// Runs one command. Reasons of undefined values and remarks go to `context.diagnostics`. Never throws: exhausted
   /// memory becomes error out_of_memory. After an error the database is as before the command.
-  Status execute(std::string_view text, SourcePlace start, Presenter& presenter, Context& context);
+  Status execute(std::string_view text, const SourcePlace& start, Presenter& presenter, Context& context);
 
   /// Null while no database is open.
   Store* store() { return store_.get(); }

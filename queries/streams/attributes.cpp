@@ -7,6 +7,7 @@ namespace {
 
 TypeExpr projected(const TypeExpr& tuple, const std::vector<std::size_t>& indices) {
   std::vector<TypeExpr::Attribute> attributes;
+  attributes.reserve(indices.size());
   for (const std::size_t index : indices) attributes.push_back(tuple.attributes()[index]);
   return TypeExpr::tuple(std::move(attributes));
 }

@@ -16,8 +16,8 @@ Value undefined_of(const TypeExpr& type) {
   return Value(**std::ranges::find_if(types, [&](const algebra3d::Type* known) { return type.is(known->name()); }));
 }
 
-Error MappingCheck::error(std::string text) const {
-  return {ErrorCode::type_error, op_ + ": " + text};
+Error MappingCheck::error(std::string_view text) const {
+  return {ErrorCode::type_error, "{}: {}", op_, text};
 }
 
 Error MappingCheck::expected(std::string_view what, const TypeExpr& got) const {

@@ -36,7 +36,7 @@ class MappingCheck {
   Status argument_count(std::size_t least, std::size_t most) const;
 
   Error expected(std::string_view what, const TypeExpr& got) const;
-  Error error(std::string text) const;
+  Error error(std::string_view text) const;
   std::size_t count() const { return arguments_.size(); }
   const ArgumentType& operator[](std::size_t position) const { return arguments_[position]; }
 

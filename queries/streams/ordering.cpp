@@ -43,6 +43,7 @@ bool is_before(const std::vector<SortKey>& order, const KeyedTuple& a, const Key
 // Stable, so that the same stream always comes out in the same order.
 Result<std::vector<TuplePtr>> sorted(TupleStream& tuples, const std::vector<SortKey>& order, Context& context) {
   std::vector<std::size_t> attributes;
+  attributes.reserve(order.size());
   for (const SortKey& key : order) attributes.push_back(key.attribute);
   std::vector<KeyedTuple> keyed;
   RETURN_IF_ERROR(for_each_tuple(tuples, context, [&](const TuplePtr& tuple) -> Status {
@@ -116,6 +117,7 @@ Result<Plan> map_groupby(std::span<const ArgumentType> arguments) {
   ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
   ASSIGN_OR_RETURN(const auto keys, check.attributes(1, tuple));
   std::vector<TypeExpr::Attribute> key_types;
+  key_types.reserve(keys.size());
   for (const std::size_t key : keys) key_types.push_back(tuple.attributes()[key]);
   ASSIGN_OR_RETURN(const TypeExpr result, check.extended(TypeExpr::tuple(std::move(key_types)), 2));
   return Plan{TypeExpr::stream(result), [tuple, keys](std::vector<Datum> given, Context& context) -> Result<Datum> {
