@@ -14,7 +14,7 @@ void append_real(std::string& text, double value) {
     return;
   }
   std::array<char, 32> buffer;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+  const char* const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
   const std::string_view digits(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
   text += digits;
   if (digits.find_first_of(".ein") == std::string_view::npos) text += ".0";

@@ -69,7 +69,7 @@ void register_arithmetic(Registry& registry) {
                     overload<&concatenate_texts>("a", "b")},
       .examples = {{"1 + 2", "3"},
                    {"1 + 0.5", "1.5"},
-                   {"\"ab\" + \"c\"", "\"abc\""},
+                   {R"("ab" + "c")", R"("abc")"},
                    {"'ab' + 'c'", "'abc'"},
                    {"2147483647 + 1", "undefined"},
                    {"1 + [const int value undefined]", "undefined"}},
@@ -84,7 +84,7 @@ void register_arithmetic(Registry& registry) {
       .exactness = Exactness::rounded_once,
       .overloads = {overload<&subtract_ints>("a", "b"), overload<&subtract>("a", "b")},
       .examples = {{"10 - 4 - 3", "3"}, {"1.5 - 1", "0.5"}, {"1 - [const real value undefined]", "undefined"}},
-      .errors = {{"query 1 - \"a\"", "-: expected (int int) or (real real), got (int string)"}},
+      .errors = {{R"(query 1 - "a")", "-: expected (int int) or (real real), got (int string)"}},
   });
   registry.add({
       .name = "*",
@@ -97,7 +97,7 @@ void register_arithmetic(Registry& registry) {
                    {"0.5 * 4", "2.0"},
                    {"65536 * 65536", "undefined"},
                    {"2 * [const int value undefined]", "undefined"}},
-      .errors = {{"query 1 * \"a\"", "*: expected (int int) or (real real), got (int string)"}},
+      .errors = {{R"(query 1 * "a")", "*: expected (int int) or (real real), got (int string)"}},
   });
   registry.add({
       .name = "/",
@@ -107,7 +107,7 @@ void register_arithmetic(Registry& registry) {
       .exactness = Exactness::rounded_once,
       .overloads = {overload<&divide>("a", "b")},
       .examples = {{"1 / 4", "0.25"}, {"1 / 0", "undefined"}, {"[const real value undefined] / 2", "undefined"}},
-      .errors = {{"query 1 / \"a\"", "/: expected (real real), got (int string)"}},
+      .errors = {{R"(query 1 / "a")", "/: expected (real real), got (int string)"}},
   });
   registry.add({
       .name = "div",

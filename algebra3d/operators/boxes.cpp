@@ -113,8 +113,8 @@ void register_box_predicates(Registry& registry) {
       .overloads = {overload<&box_contains>("outer", "inner"), overload<&string_contains>("whole", "part"),
                     overload<&text_contains>("whole", "part"), overload<&text_contains_string>("whole", "part")},
       .examples = {{infix("rectangle3(0, 2, 0, 2, 0, 2)", "contains", kUnit), "TRUE"},
-                   {"\"gearbox\" contains \"box\"", "TRUE"},
-                   {"'gearbox.stl' contains \"cog\"", "FALSE"},
+                   {R"("gearbox" contains "box")", "TRUE"},
+                   {R"('gearbox.stl' contains "cog")", "FALSE"},
                    {infix(kUnit, "contains", kUndefined), "undefined"}},
       .errors = {{"query " + infix(kUnit, "contains", "1"), "contains: expected (rect3 rect3)"}},
   });

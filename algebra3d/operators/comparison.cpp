@@ -75,12 +75,12 @@ struct Comparison {
 constexpr std::array kComparisons = {
     Comparison{"=", "True if both values are equal.", [](std::strong_ordering o) { return o == 0; }, "1 = 1.0",
                "1 = 2"},
-    Comparison{"#", "True if the values differ.", [](std::strong_ordering o) { return o != 0; }, "\"a\" # \"b\"",
+    Comparison{"#", "True if the values differ.", [](std::strong_ordering o) { return o != 0; }, R"("a" # "b")",
                "1 # 1"},
     Comparison{"<", "True if the first value comes before the second in the order of their type.",
                [](std::strong_ordering o) { return o < 0; }, "1 < 1.5", "2 < 1"},
     Comparison{"<=", "True if the first value does not come after the second.",
-               [](std::strong_ordering o) { return o <= 0; }, "1 <= 1", "\"b\" <= \"a\""},
+               [](std::strong_ordering o) { return o <= 0; }, "1 <= 1", R"("b" <= "a")"},
     Comparison{">", "True if the first value comes after the second.", [](std::strong_ordering o) { return o > 0; },
                "TRUE > FALSE", "1 > 1"},
     Comparison{">=", "True if the first value does not come before the second.",
@@ -103,7 +103,7 @@ void register_comparison(Registry& registry) {
         .examples = {{row.yes, "TRUE"},
                      {row.no, "FALSE"},
                      {std::string("1 ") + row.name + " [const int value undefined]", "undefined"}},
-        .errors = {{std::string("query 1 ") + row.name + " \"a\"", std::string(row.name) + ": expected (int int)"}},
+        .errors = {{std::string("query 1 ") + row.name + R"( "a")", std::string(row.name) + ": expected (int int)"}},
     });
   registry.add({
       .name = "between",
@@ -114,7 +114,7 @@ void register_comparison(Registry& registry) {
       .examples = {{"2 between[1, 3]", "TRUE"},
                    {"0.5 between[1, 3]", "FALSE"},
                    {"2 between[1, [const int value undefined]]", "undefined"}},
-      .errors = {{"query 2 between[1, \"a\"]", "between: expected (int int int)"}},
+      .errors = {{R"(query 2 between[1, "a"])", "between: expected (int int int)"}},
   });
   registry.add({
       .name = "isdefined",
@@ -131,10 +131,10 @@ void register_comparison(Registry& registry) {
       .doc = "The second argument if the condition is TRUE, the third if it is FALSE.",
       .detail = "Undefined if the condition is. Both branches are evaluated.",
       .overloads = for_all_types(registry, choice),
-      .examples = {{"ifthenelse(1 < 2, \"yes\", \"no\")", "\"yes\""},
+      .examples = {{R"(ifthenelse(1 < 2, "yes", "no"))", R"("yes")"},
                    {"ifthenelse(TRUE, 1, [const int value undefined])", "1"},
                    {"ifthenelse([const bool value undefined], 1, 2)", "undefined"}},
-      .errors = {{"query ifthenelse(TRUE, 1, \"a\")", "ifthenelse: expected (bool int int)"}},
+      .errors = {{R"(query ifthenelse(TRUE, 1, "a"))", "ifthenelse: expected (bool int int)"}},
   });
 }
 

@@ -101,7 +101,7 @@ void register_files(Registry& registry) {
       .examples = {{"isEmpty(importSTL('no such file.stl'))", "TRUE"},
                    {"importSTL('no such file.stl')", "undefined"},
                    {"importSTL([const text value undefined])", "undefined"}},
-      .errors = {{"query importSTL(\"part.stl\")", "importSTL: expected (text), got (string)"}},
+      .errors = {{R"(query importSTL("part.stl"))", "importSTL: expected (text), got (string)"}},
   });
   registry.add({
       .name = "exportSTL",
@@ -113,9 +113,9 @@ void register_files(Registry& registry) {
           "be written; a file that was there before is then left as it was.",
       .exactness = Exactness::rounded_once,
       .overloads = {overload<&export_stl>("solid", "name", "file", "binary")},
-      .examples = {{kCube + " exportSTL[\"cube\", 'no such folder/cube.stl', TRUE]", "FALSE"},
-                   {"[const volume3d value undefined] exportSTL[\"cube\", 'cube.stl', TRUE]", "FALSE"}},
-      .errors = {{"query " + kCube + " exportSTL[\"cube\", 'cube.stl']",
+      .examples = {{kCube + R"( exportSTL["cube", 'no such folder/cube.stl', TRUE])", "FALSE"},
+                   {R"([const volume3d value undefined] exportSTL["cube", 'cube.stl', TRUE])", "FALSE"}},
+      .errors = {{"query " + kCube + R"( exportSTL["cube", 'cube.stl'])",
                   "exportSTL: expected (volume3d string text bool), got (volume3d string text)"}},
   });
 }

@@ -26,10 +26,10 @@ void register_strings(Registry& registry) {
       .exactness = Exactness::exact,
       .overloads = {overload<&string_starts>("whole", "start"), overload<&text_starts>("whole", "start"),
                     overload<&text_starts_string>("whole", "start")},
-      .examples = {{"\"gear.stl\" startsWith \"gear\"", "TRUE"},
-                   {"'gear.stl' startsWith \"cog\"", "FALSE"},
-                   {"\"a\" startsWith [const string value undefined]", "undefined"}},
-      .errors = {{"query \"a\" startsWith 1",
+      .examples = {{R"("gear.stl" startsWith "gear")", "TRUE"},
+                   {R"('gear.stl' startsWith "cog")", "FALSE"},
+                   {R"("a" startsWith [const string value undefined])", "undefined"}},
+      .errors = {{R"(query "a" startsWith 1)",
                   "startsWith: expected (string string), (text text) or (text string), got (string int)"}},
   });
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 namespace algebra3d {
 namespace {
 
@@ -73,9 +75,9 @@ std::string help_text(const Operator& op) {
   for (const std::string& signature : shown_signatures(op)) text += "  " + signature + "\n";
   text += "\nExactness\n  " + std::string(describe(op.exactness)) + "\n";
   if (!op.examples.empty()) text += "\nExamples\n";
-  for (const auto& [query, result] : op.examples) text += "  " + without_query(query) + "\n      " + result + "\n";
+  for (const auto& [query, result] : op.examples) text += fmt::format("  {}\n      {}\n", without_query(query), result);
   if (!op.errors.empty()) text += "\nErrors\n";
-  for (const auto& [query, message] : op.errors) text += "  " + query + "\n      " + message + "\n";
+  for (const auto& [query, message] : op.errors) text += fmt::format("  {}\n      {}\n", query, message);
   if (!op.sources.empty()) text += "\nSources\n  " + joined(op.sources, ", ") + " (see docs/references.md)\n";
   return text;
 }

@@ -96,8 +96,8 @@ class Printer {
 }  // namespace
 
 bool NestedList::is_undefined() const {
-  constexpr std::array<std::string_view, 6> spellings{"undefined", "undef", "UNDEFINED", "UNDEF", "null", "NULL"};
-  return is_symbol() && std::find(spellings.begin(), spellings.end(), as_symbol()) != spellings.end();
+  constexpr std::array<std::string_view, 6> kSpellings{"undefined", "undef", "UNDEFINED", "UNDEF", "null", "NULL"};
+  return is_symbol() && std::find(kSpellings.begin(), kSpellings.end(), as_symbol()) != kSpellings.end();
 }
 
 std::string NestedList::print() const {

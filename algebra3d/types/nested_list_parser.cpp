@@ -23,7 +23,7 @@ constexpr std::array<CharClass, 256> make_char_classes() {
   set(" \t\n\r\v\f", CharClass::blank);
   set("(", CharClass::open);
   set(")", CharClass::close);
-  set("\"'", CharClass::quote);
+  set(R"("')", CharClass::quote);
   set("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_", CharClass::letter);
   set("0123456789", CharClass::digit);
   set("!#$%&*+,-./:;<=>?@[\\]^`{|}~", CharClass::special);

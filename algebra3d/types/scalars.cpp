@@ -179,7 +179,7 @@ const Type& TypeOf<std::string>::type() {
   static const CharactersType<std::string> the_type({.name = "string",
                                                      .doc = "A short text: names and labels.",
                                                      .notation = "characters in double quotes",
-                                                     .example = "\"steel\"",
+                                                     .example = R"("steel")",
                                                      .kinds = {Type::Kind::data},
                                                      .storage = Type::Storage::text});
   return the_type;

@@ -120,7 +120,7 @@ Result<TypedPtr> Checker::stream_application(const Operator& op, const Applicati
                                              const SourcePlace& place) {
   RETURN_IF_ERROR(check_place_count(op, application, place));
   const SyntaxPattern& pattern = registry_.syntax(op);
-  static const std::vector<std::string> kNone;
+  static const std::vector<std::string> none;
   std::vector<TypedPtr> nodes;
   std::vector<ArgumentType> types;
   std::vector<TypeExpr> operands;
@@ -128,7 +128,7 @@ Result<TypedPtr> Checker::stream_application(const Operator& op, const Applicati
     const bool is_operand = index < pattern.operand_count;
     const std::size_t bracket = index - pattern.operand_count;
     const bool is_declared = !is_operand && bracket < pattern.places.size();
-    const FunctionPlace functions{is_declared ? pattern.places[bracket].parameters : kNone, operands};
+    const FunctionPlace functions{is_declared ? pattern.places[bracket].parameters : none, operands};
     ArgumentType type;
     auto node = checked_argument(application.arguments[index], functions, type);
     if (!node) {

@@ -32,7 +32,7 @@ constexpr std::array<std::pair<std::string_view, int>, 10> kPrecedences = {{
 
 // Every infix operator that the table leaves out is a predicate and stands with the comparisons.
 int precedence_of(std::string_view name) {
-  const auto row = std::ranges::find(kPrecedences, name, [](const auto& entry) { return entry.first; });
+  const auto* const row = std::ranges::find(kPrecedences, name, [](const auto& entry) { return entry.first; });
   return row == kPrecedences.end() ? 3 : row->second;
 }
 
@@ -291,13 +291,12 @@ Status ExpressionParser::annotation(ExpressionPtr& operand) {
     argument.place = first.place;
     operand = make(place, Application{"rename", {value_argument(operand), std::move(argument)}});
     RETURN_IF_ERROR(check_height(*operand));
-  } else if (first.kind == Kind::word) {
-    scanner_.take();
-  } else if (first.kind != Kind::integer && first.kind != Kind::real) {
-    return Error(ErrorCode::syntax_error, "expected a name or a number after '{{', found {}", first.shown())
-        .at(first.place);
-  } else if (accept(",")) {
-    scanner_.take();
+  } else {
+    const bool is_memory = first.kind == Kind::word;
+    if (!is_memory && first.kind != Kind::integer && first.kind != Kind::real)
+      return Error(ErrorCode::syntax_error, "expected a name or a number after '{{', found {}", first.shown())
+          .at(first.place);
+    if (is_memory || accept(",")) scanner_.take();
   }
   return expect("}", "to close the bracket");
 }
@@ -450,7 +449,7 @@ Result<ExpressionPtr> ExpressionParser::function_literal() {
     ASSIGN_OR_RETURN(std::string parameter, name("a parameter name"));
     RETURN_IF_ERROR(expect(":", "after the parameter '" + parameter + "'"));
     ASSIGN_OR_RETURN(TypeSyntax parameter_type, type());
-    function.parameters.emplace_back(std::move(parameter), std::move(parameter_type));
+    function.parameters.push_back({std::move(parameter), std::move(parameter_type)});
     if (!accept(",")) break;
   }
   RETURN_IF_ERROR(expect(")", "to close the parameters"));

@@ -10,7 +10,6 @@ namespace queries {
 namespace {
 
 using algebra3d::Error;
-using algebra3d::ErrorCode;
 using algebra3d::Registry;
 
 constexpr std::array<std::string_view, 53> kReservedWords = {
@@ -57,10 +56,10 @@ class CommandParser {
   }
 
   Error unknown_command(std::string_view word) {
-    static const std::vector<std::string> kCommands = {"query",  "let",  "let_",  "update", "create",
+    static const std::vector<std::string> commands = {"query",  "let",  "let_",  "update", "create",
                                                        "delete", "open", "close", "list"};
-    std::string expected = "a command (" + algebra3d::enumerate(kCommands, kCommands.size()) + ")";
-    const std::string suggestion = algebra3d::nearest_name(word, kCommands);
+    std::string expected = "a command (" + algebra3d::enumerate(commands, commands.size()) + ")";
+    const std::string suggestion = algebra3d::nearest_name(word, commands);
     Error error = parser_.unexpected(expected);
     if (!suggestion.empty()) error.message += "; did you mean '" + suggestion + "'?";
     return error;

@@ -38,7 +38,7 @@ std::string Token::shown() const {
     case Kind::real:
       return fmt::format("'{}'", algebra3d::real_text(real));
     case Kind::string:
-      return fmt::format("the string \"{}\"", text);
+      return fmt::format(R"(the string "{}")", text);
     case Kind::text:
       return fmt::format("the text '{}{}'", algebra3d::utf8_prefix(text, 40), text.size() > 40 ? "..." : "");
     case Kind::attribute:

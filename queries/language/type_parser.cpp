@@ -13,7 +13,7 @@ TypeSyntax syntax_of(const TypeExpr& type, const SourcePlace& place) {
   syntax.place = place;
   for (const TypeExpr& argument : type.arguments()) syntax.arguments.push_back(syntax_of(argument, place));
   for (const auto& [name, attribute] : type.attributes())
-    syntax.attributes.emplace_back(name, syntax_of(attribute, place));
+    syntax.attributes.push_back({name, syntax_of(attribute, place)});
   return syntax;
 }
 
@@ -57,7 +57,7 @@ Result<TypeSyntax> ExpressionParser::bracketed_type() {
     ASSIGN_OR_RETURN(std::string attribute, name("an attribute name"));
     RETURN_IF_ERROR(expect(":", "after the attribute '" + attribute + "'"));
     ASSIGN_OR_RETURN(TypeSyntax attribute_type, type());
-    syntax.attributes.emplace_back(std::move(attribute), std::move(attribute_type));
+    syntax.attributes.push_back({std::move(attribute), std::move(attribute_type)});
   } while (accept(","));
   --depth_;
   RETURN_IF_ERROR(expect("]", "to close the attributes"));

@@ -157,20 +157,20 @@ class FunctionNode final : public TypedNode {
   int height_;
 };
 
+thread_local int used_call_levels = 0;
+
 // A function that calls itself, perhaps through others, must end in an error and not at the end of the stack.
 class CallLevels {
  public:
-  explicit CallLevels(int levels) : levels_(levels) { used_ += levels_; }
-  ~CallLevels() { used_ -= levels_; }
+  explicit CallLevels(int levels) : levels_(levels) { used_call_levels += levels_; }
+  ~CallLevels() { used_call_levels -= levels_; }
   CallLevels(const CallLevels&) = delete;
   CallLevels& operator=(const CallLevels&) = delete;
-  static bool are_used_up() { return used_ > kMaxCallLevels; }
+  static bool are_used_up() { return used_call_levels > kMaxCallLevels; }
 
  private:
   int levels_;
-  static thread_local int used_;
 };
-thread_local int CallLevels::used_ = 0;
 
 // A function with a copy of the frames around it, so that it may be called after the outer calls have returned.
 class Closure final : public Function {
@@ -179,8 +179,8 @@ class Closure final : public Function {
       : node_(std::move(node)), context_(context) {
     for (const Frame* frame = outer; frame != nullptr; frame = frame->outer)
       copies_.emplace_back(frame->arguments.begin(), frame->arguments.end());
-    for (auto copy = copies_.rbegin(); copy != copies_.rend(); ++copy)
-      frames_.push_back({*copy, frames_.empty() ? nullptr : &frames_.back()});
+    for (std::size_t level = copies_.size(); level-- > 0;)
+      frames_.push_back({copies_[level], frames_.empty() ? nullptr : &frames_.back()});
   }
   Result<Datum> call(std::span<const Datum> arguments) const override {
     const CallLevels levels(node_->height());

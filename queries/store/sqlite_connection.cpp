@@ -16,7 +16,7 @@ constexpr std::size_t kPreparedKept = 500;
 
 /// The name of the file as SQLite takes it: absolute, so that neither "file:x" nor ":memory:" means something else.
 std::string name_for_sqlite(const std::filesystem::path& file, SqliteConnection::Access access) {
-  const std::string path = std::filesystem::absolute(file).string();
+  std::string path = std::filesystem::absolute(file).string();
   if (access != SqliteConnection::Access::immutable) return path;
   std::string uri = "file:";
   for (const char c : path) {
@@ -136,7 +136,7 @@ Result<std::int64_t> SqliteConnection::integer(std::string_view sql) {
   ASSIGN_OR_RETURN(SqliteStatement statement, use(sql));
   ASSIGN_OR_RETURN(const bool has_row, statement.step());
   if (!has_row || !statement.column(0).is(Cell::Kind::integer))
-    return Error{algebra3d::ErrorCode::database_corrupt, "{}: expected a number for \"{}\"", file_, sql};
+    return Error{algebra3d::ErrorCode::database_corrupt, R"({}: expected a number for "{}")", file_, sql};
   return statement.column(0).integer;
 }
 

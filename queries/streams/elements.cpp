@@ -84,7 +84,7 @@ Result<Plan> map_get_directory(std::span<const ArgumentType> arguments) {
   RETURN_IF_ERROR(check.argument_count(1, 2));
   for (std::size_t place = 0; place < check.count(); ++place) RETURN_IF_ERROR(check.type(place, "text"));
   return Plan{
-      TypeExpr::stream("text"), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+      TypeExpr::stream("text"), [](const std::vector<Datum>& given, Context& context) -> Result<Datum> {
         std::vector<std::string> words;
         for (const Datum& word : given)
           if (word.value().is_defined()) words.push_back(word.value().get<algebra3d::Text>().content);

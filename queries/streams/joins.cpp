@@ -91,7 +91,9 @@ class HashTable {
   Status fill(TupleStream& tuples, std::size_t key, Context& context) {
     return for_each_tuple(tuples, context, [&](const TuplePtr& tuple) -> Status {
       ASSIGN_OR_RETURN(Value value, tuple->attributes[key].loaded());
-      if (value.is_defined()) buckets_[hash(value)].push_back({std::move(value), tuple});
+      if (!value.is_defined()) return {};
+      auto& bucket = buckets_[hash(value)];
+      bucket.push_back({std::move(value), tuple});
       return {};
     });
   }

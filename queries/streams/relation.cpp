@@ -1,7 +1,5 @@
 #include "queries/streams/relation.h"
 
-#include <algorithm>
-
 namespace queries {
 namespace {
 
@@ -42,8 +40,11 @@ Result<TupleStreamPtr> MemoryRelation::scan() {
 }
 
 Result<TuplePtr> MemoryRelation::fetch(TupleId id) {
-  const auto found = std::ranges::find(*tuples_, id, &Tuple::id);
-  return found == tuples_->end() ? TuplePtr() : *found;
+  if (position_of_.empty())
+    for (std::size_t position = 0; position < tuples_->size(); ++position)
+      position_of_.try_emplace((*tuples_)[position]->id, position);
+  const auto found = position_of_.find(id);
+  return found == position_of_.end() ? TuplePtr() : (*tuples_)[found->second];
 }
 
 Result<std::vector<TuplePtr>> materialise(TupleStream& stream, const algebra3d::Context& context) {

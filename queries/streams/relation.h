@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "queries/streams/datum.h"
@@ -46,6 +47,7 @@ class MemoryRelation final : public Relation {
  private:
   TypeExpr tuple_type_;
   std::shared_ptr<const std::vector<TuplePtr>> tuples_;
+  std::unordered_map<TupleId, std::size_t> position_of_;  // filled by the first fetch
 };
 
 /// Pulls everything out of a stream. Errors: those of the stream, interrupted.

@@ -103,11 +103,11 @@ std::string with_variables(const std::string& text) {
 
 class TestRun {
  public:
-  TestRun(const fs::path& file, const fs::path& scratch, const Registry& registry, const TestOptions& options)
+  TestRun(const fs::path& file, fs::path scratch, const Registry& registry, const TestOptions& options)
       : folder_(fs::absolute(file).parent_path()),
-        scratch_(scratch),
+        scratch_(std::move(scratch)),
         options_(options),
-        session_(registry, {.folder = scratch, .read_only = false}) {}
+        session_(registry, {.folder = scratch_, .read_only = false}) {}
 
   Result<TestOutcome> run(const std::vector<TestStep>& steps) {
     for (const TestStep& step : steps) {
@@ -125,7 +125,7 @@ class TestRun {
  private:
   enum class Section : std::uint8_t { start, setup, cases, broken, teardown };
 
-  void print(const std::string& line) { options_.print(line); }
+  void print(const std::string& line) const { options_.print(line); }
 
   void fail(int line, const std::string& why) {
     ++outcome_.failed;
@@ -262,7 +262,7 @@ class TestRun {
     if (expectation_.kind == Kind::error) {
       if (result) return "expected an error, found " + result->print_short(200);
       if (result.error().message.find(expectation_.text) != std::string::npos) return "";
-      return "expected an error that contains \"" + expectation_.text + "\"";
+      return R"(expected an error that contains ")" + expectation_.text + R"(")";
     }
     if (!result) return "expected no error";
     if (expectation_.kind == Kind::success) return "";
@@ -278,7 +278,7 @@ class TestRun {
     if (!is_undefined) return "expected an undefined value, found " + result.print_short(200);
     for (const std::string& note : diagnostics_.summary())
       if (note.find(expectation_.text) != std::string::npos) return "";
-    return "expected a note that contains \"" + expectation_.text + "\"";
+    return R"(expected a note that contains ")" + expectation_.text + R"(")";
   }
 
   fs::path folder_;
