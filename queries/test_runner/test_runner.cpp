@@ -103,10 +103,10 @@ std::string with_variables(const std::string& text) {
 
 class TestRun {
  public:
-  TestRun(const fs::path& file, fs::path scratch, const Registry& registry, const TestOptions& options)
+  TestRun(const fs::path& file, fs::path scratch, const Registry& registry, TestOptions options)
       : folder_(fs::absolute(file).parent_path()),
         scratch_(std::move(scratch)),
-        options_(options),
+        options_(std::move(options)),
         session_(registry, {.folder = scratch_, .read_only = false}) {}
 
   Result<TestOutcome> run(const std::vector<TestStep>& steps) {
