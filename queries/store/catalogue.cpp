@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "queries/store/tables.h"
+
 namespace queries {
 namespace {
 
@@ -11,23 +13,27 @@ using algebra3d::Result;
 using algebra3d::Status;
 using algebra3d::TypeExpr;
 
-constexpr std::size_t kColumns = 12;  // without the checksum
-using Row = std::array<Cell, kColumns>;
+// Without the checksum. Version 1 has no derived objects and with them not the last column.
+constexpr std::size_t kColumns = 13;
+constexpr std::size_t kColumnsOfVersion1 = 12;
 
 // The cells refer to `type`, the text of the entry's type.
-Row row_of(const CatalogueEntry& entry, const std::string& type) {
-  return {Cell::of(entry.id),
-          Cell::text(entry.name),
-          Cell::text(type),
-          Cell::of(std::int64_t{entry.has_value}),
-          Cell::text(entry.function_text),
-          Cell::of(entry.table_number),
-          Cell::of(entry.tuple_count),
-          Cell::of(entry.next_tuple),
-          Cell::of(as_signed(entry.tuple_sum)),
-          Cell::text(entry.index_relation),
-          Cell::text(entry.index_attribute),
-          Cell::of(as_signed(entry.value_sum))};
+std::vector<Cell> row_of(const CatalogueEntry& entry, const std::string& type, std::int64_t version) {
+  std::vector<Cell> row = {Cell::of(entry.id),
+                           Cell::text(entry.name),
+                           Cell::text(type),
+                           Cell::of(std::int64_t{entry.has_value}),
+                           Cell::text(entry.function_text),
+                           Cell::of(entry.table_number),
+                           Cell::of(entry.tuple_count),
+                           Cell::of(entry.next_tuple),
+                           Cell::of(as_signed(entry.tuple_sum)),
+                           Cell::text(entry.index_relation),
+                           Cell::text(entry.index_attribute),
+                           Cell::of(as_signed(entry.value_sum)),
+                           Cell::text(entry.derived_text)};
+  if (version == 1) row.resize(kColumnsOfVersion1);
+  return row;
 }
 
 Error corrupt(const SqliteConnection& connection, std::string_view what) {
@@ -39,11 +45,12 @@ Result<TypeExpr> type_from(std::string_view text) {
   return TypeExpr::from_nested(list);
 }
 
-Result<CatalogueEntry> entry_from(const SqliteConnection& connection, const SqliteStatement& statement) {
-  Row row;
-  for (std::size_t i = 0; i < kColumns; ++i) row[i] = statement.column(static_cast<int>(i));
+Result<CatalogueEntry> entry_from(const SqliteConnection& connection, const SqliteStatement& statement,
+                                  std::size_t column_count) {
+  std::vector<Cell> row(column_count);
+  for (std::size_t i = 0; i < column_count; ++i) row[i] = statement.column(static_cast<int>(i));
   const std::string name(row[1].bytes);
-  const Cell checksum = statement.column(kColumns);
+  const Cell checksum = statement.column(static_cast<int>(column_count));
   if (!checksum.is(Cell::Kind::integer) || as_unsigned(checksum.integer) != checksum_of(row))
     return corrupt(connection, "the catalogue's row of the object '" + name + "' is not what was written");
   auto type = type_from(row[2].bytes);
@@ -59,12 +66,18 @@ Result<CatalogueEntry> entry_from(const SqliteConnection& connection, const Sqli
                         as_unsigned(row[8].integer),
                         std::string(row[9].bytes),
                         std::string(row[10].bytes),
-                        as_unsigned(row[11].integer)};
+                        as_unsigned(row[11].integer),
+                        column_count == kColumns ? std::string(row[12].bytes) : std::string()};
 }
 
-std::uint64_t checksum_of(const CatalogueEntry& entry) {
+std::uint64_t checksum_of(const CatalogueEntry& entry, std::int64_t version) {
   const std::string type = entry.type.text();
-  return checksum_of(row_of(entry, type));
+  return checksum_of(row_of(entry, type, version));
+}
+
+std::uint64_t type_checksum(std::string_view name, std::string_view type) {
+  const std::array cells = {Cell::text(name), Cell::text(type)};
+  return checksum_of(cells);
 }
 
 }  // namespace
@@ -72,46 +85,95 @@ std::uint64_t checksum_of(const CatalogueEntry& entry) {
 Status Catalogue::load() {
   if (is_loaded_) return {};
   forget();
-  Status status = read_entries();
+  Status status = read_all();
   if (!status) forget();
   is_loaded_ = status.ok();
   return status;
 }
 
+// Another process may have upgraded the file since it was opened, also one with a newer program.
+Status Catalogue::read_all() {
+  ASSIGN_OR_RETURN(version_, connection_.integer("PRAGMA user_version"));
+  if (version_ < 1) return corrupt(connection_, fmt::format("there is no version {} of databases", version_));
+  if (version_ > kDatabaseVersion)
+    return Error{ErrorCode::database_version,
+                 "{}: the database has version {}, this program reads versions up to {}; use a newer algebra3d",
+                 connection_.file(), version_, kDatabaseVersion};
+  RETURN_IF_ERROR(read_entries());
+  if (version_ > 1) RETURN_IF_ERROR(read_types());
+  return check_sum();
+}
+
 Status Catalogue::read_entries() {
+  const std::size_t column_count = version_ == 1 ? kColumnsOfVersion1 : kColumns;
   ASSIGN_OR_RETURN(SqliteStatement rows,
-                   connection_.use("SELECT id, name, type, has_value, function_text, table_number, tuple_count, "
-                                   "next_tuple, tuple_sum, index_relation, index_attribute, value_sum, checksum FROM "
-                                   "catalogue NOT INDEXED"));
+                   connection_.use(fmt::format("SELECT id, name, type, has_value, function_text, table_number, "
+                                               "tuple_count, next_tuple, tuple_sum, index_relation, index_attribute, "
+                                               "value_sum, {}checksum FROM catalogue NOT INDEXED",
+                                               version_ == 1 ? "" : "derived_text, ")));
   while (true) {
     ASSIGN_OR_RETURN(const bool has_row, rows.step());
-    if (!has_row) break;
-    ASSIGN_OR_RETURN(CatalogueEntry entry, entry_from(connection_, rows));
+    if (!has_row) return {};
+    ASSIGN_OR_RETURN(CatalogueEntry entry, entry_from(connection_, rows, column_count));
     std::string name = entry.name;
     entries_.emplace(std::move(name), std::move(entry));
   }
+}
+
+Status Catalogue::read_types() {
+  ASSIGN_OR_RETURN(SqliteStatement rows, connection_.use("SELECT name, type, checksum FROM named_types NOT INDEXED"));
+  while (true) {
+    ASSIGN_OR_RETURN(const bool has_row, rows.step());
+    if (!has_row) return {};
+    const Cell name = rows.column(0);
+    const Cell text = rows.column(1);
+    const Cell checksum = rows.column(2);
+    if (!checksum.is(Cell::Kind::integer) || as_unsigned(checksum.integer) != type_checksum(name.bytes, text.bytes))
+      return corrupt(connection_, fmt::format("the row of the type '{}' is not what was written", name.bytes));
+    auto type = type_from(text.bytes);
+    if (!type) return corrupt(connection_, fmt::format("the type '{}': {}", name.bytes, type.error().message));
+    types_.insert_or_assign(std::string(name.bytes), *std::move(type));
+  }
+}
+
+Status Catalogue::check_sum() {
   ASSIGN_OR_RETURN(SqliteStatement meta,
                    connection_.use("SELECT next_number, object_count, object_sum FROM meta WHERE id = 1"));
   ASSIGN_OR_RETURN(const bool has_meta, meta.step());
   if (!has_meta) return corrupt(connection_, "the table meta is empty");
   next_number_ = meta.column(0).integer;
-  const std::uint64_t expected = as_unsigned(meta.column(2).integer);
-  if (as_unsigned(meta.column(1).integer) != entries_.size() || expected != sum())
-    return corrupt(connection_, "the catalogue is not what was written: objects are missing or there are too many");
-  return {};
+  const std::uint64_t count = as_unsigned(meta.column(1).integer);
+  if (count == entries_.size() + types_.size() && as_unsigned(meta.column(2).integer) == sum()) return {};
+  return corrupt(connection_, "the catalogue is not what was written: objects are missing or there are too many");
 }
 
 // The next number is part of the sum, so that a wrong one does not give a number twice.
 std::uint64_t Catalogue::sum() const {
   std::uint64_t total = as_unsigned(next_number_);
-  for (const auto& [name, entry] : entries_) total += checksum_of(entry);
+  for (const auto& [name, entry] : entries_) total += checksum_of(entry, version_);
+  for (const auto& [name, type] : types_) total += type_checksum(name, type.text());
   return total;
+}
+
+Status Catalogue::upgrade() {
+  RETURN_IF_ERROR(load());
+  if (version_ == kDatabaseVersion) return {};
+  RETURN_IF_ERROR(connection_.execute("DROP TABLE catalogue"));
+  for (const char* sql : {kCreateCatalogue, kCreateNamedTypes, kCreateAbandoned})
+    RETURN_IF_ERROR(connection_.execute(sql));
+  RETURN_IF_ERROR(connection_.execute(fmt::format("PRAGMA user_version = {}", kDatabaseVersion)));
+  version_ = kDatabaseVersion;
+  for (const auto& [name, entry] : entries_) edited_.insert(name);
+  is_changed_ = true;
+  return flush();
 }
 
 void Catalogue::forget() {
   entries_.clear();
+  types_.clear();
   edited_.clear();
   removed_.clear();
+  edited_types_.clear();
   next_number_ = 1;
   is_loaded_ = is_changed_ = false;
 }
@@ -136,6 +198,16 @@ CatalogueEntry* Catalogue::edit(const std::string& name) {
   return &found->second;
 }
 
+CatalogueEntry& Catalogue::rename(const std::string& from, const std::string& to) {
+  is_changed_ = true;
+  auto node = entries_.extract(from);
+  edited_.erase(from);
+  edited_.insert(to);
+  node.key() = to;
+  node.mapped().name = to;
+  return entries_.insert(std::move(node)).position->second;
+}
+
 void Catalogue::remove(const std::string& name) {
   const auto found = entries_.find(name);
   if (found == entries_.end()) return;
@@ -145,16 +217,48 @@ void Catalogue::remove(const std::string& name) {
   entries_.erase(found);
 }
 
+void Catalogue::set_type(const std::string& name, TypeExpr type) {
+  is_changed_ = true;
+  edited_types_.insert(name);
+  types_.insert_or_assign(name, std::move(type));
+}
+
+void Catalogue::remove_type(const std::string& name) {
+  is_changed_ = true;
+  edited_types_.insert(name);
+  types_.erase(name);
+}
+
 Status Catalogue::write(const CatalogueEntry& entry) {
-  ASSIGN_OR_RETURN(SqliteStatement statement,
-                   connection_.use("INSERT OR REPLACE INTO catalogue VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"));
+  ASSIGN_OR_RETURN(
+      SqliteStatement statement,
+      connection_.use("INSERT OR REPLACE INTO catalogue VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"));
   const std::string type = entry.type.text();
-  const Row row = row_of(entry, type);
-  for (std::size_t i = 0; i < kColumns; ++i) statement.bind(static_cast<int>(i) + 1, row[i]);
-  statement.bind(static_cast<int>(kColumns) + 1, as_signed(checksum_of(row)));
+  const std::vector<Cell> row = row_of(entry, type, version_);
+  for (std::size_t i = 0; i < row.size(); ++i) statement.bind(static_cast<int>(i) + 1, row[i]);
+  statement.bind(static_cast<int>(row.size()) + 1, as_signed(checksum_of(row)));
   return statement.run();
 }
 
+Status Catalogue::write_type(const std::string& name) {
+  const auto found = types_.find(name);
+  if (found == types_.end()) {
+    ASSIGN_OR_RETURN(SqliteStatement statement, connection_.use("DELETE FROM named_types WHERE name = ?"));
+    return statement.bind(1, std::string_view(name)).run();
+  }
+  ASSIGN_OR_RETURN(SqliteStatement statement, connection_.use("INSERT OR REPLACE INTO named_types VALUES(?, ?, ?)"));
+  const std::string text = found->second.text();
+  statement.bind(1, std::string_view(name)).bind(2, std::string_view(text));
+  return statement.bind(3, as_signed(type_checksum(name, text))).run();
+}
+
+Status Catalogue::write_meta() {
+  ASSIGN_OR_RETURN(SqliteStatement statement, connection_.use("INSERT OR REPLACE INTO meta VALUES(1, ?, ?, ?)"));
+  const auto count = static_cast<std::int64_t>(entries_.size() + types_.size());
+  return statement.bind(1, next_number_).bind(2, count).bind(3, as_signed(sum())).run();
+}
+
+// Two objects may have exchanged their names: a row that gives way to another one's name is written again itself.
 Status Catalogue::flush() {
   if (!is_changed_) return {};
   for (const std::int64_t id : removed_) {
@@ -162,11 +266,11 @@ Status Catalogue::flush() {
     RETURN_IF_ERROR(statement.bind(1, id).run());
   }
   for (const std::string& name : edited_) RETURN_IF_ERROR(write(entries_.at(name)));
-  ASSIGN_OR_RETURN(SqliteStatement statement, connection_.use("INSERT OR REPLACE INTO meta VALUES(1, ?, ?, ?)"));
-  statement.bind(1, next_number_).bind(2, static_cast<std::int64_t>(entries_.size())).bind(3, as_signed(sum()));
-  RETURN_IF_ERROR(statement.run());
+  for (const std::string& name : edited_types_) RETURN_IF_ERROR(write_type(name));
+  RETURN_IF_ERROR(write_meta());
   removed_.clear();
   edited_.clear();
+  edited_types_.clear();
   is_changed_ = false;
   return {};
 }

@@ -11,6 +11,7 @@ Result<std::shared_ptr<Database>> Database::open(const std::filesystem::path& fi
   ASSIGN_OR_RETURN(auto connection, open_database_file(file, mode, options));
   std::shared_ptr<Database> database(new Database(std::move(connection), file, registry, options));
   // A damaged catalogue is found now, not in the middle of somebody's work.
+  RETURN_IF_ERROR(database->upgrade());
   RETURN_IF_ERROR(database->begin(false));
   RETURN_IF_ERROR(database->commit());
   return database;
@@ -28,92 +29,6 @@ Database::Database(std::unique_ptr<SqliteConnection> connection, std::filesystem
 
 Database::~Database() = default;
 
-void Database::close() {
-  rollback();
-  forget_everything();
-  original_.reset();
-  connection_.reset();
-}
-
-Status Database::begin(bool writes) {
-  if (is_in_transaction()) return Error{ErrorCode::internal, "{}: a statement is running already", file_.string()};
-  if (writes && is_read_only_)
-    return Error{ErrorCode::database_read_only, "{}: the database was opened for reading only", file_.string()};
-  RETURN_IF_ERROR(connection_->execute(writes ? "BEGIN IMMEDIATE" : "BEGIN"));
-  ++statement_;
-  Status status = notice_other_processes();
-  if (status) status = catalogue_.load();
-  if (!status) rollback();
-  return status;
-}
-
-// The number changes exactly when another connection has committed; reading it fixes what this transaction sees.
-Status Database::notice_other_processes() {
-  ASSIGN_OR_RETURN(const std::int64_t version, connection_->integer("PRAGMA data_version"));
-  if (version != data_version_) forget_everything();
-  data_version_ = version;
-  return {};
-}
-
-void Database::forget_everything() {
-  const std::lock_guard lock(mutex_);
-  catalogue_.forget();
-  indexes_.clear();
-  layouts_.clear();
-  cache_.clear();
-}
-
-Status Database::commit() {
-  Status status = failure_ ? Status(*failure_) : check_reading();
-  if (status && has_written_) status = catalogue_.flush();
-  if (status) status = connection_->execute("COMMIT");
-  if (!status) {
-    rollback();
-    return status;
-  }
-  end_statement();
-  return {};
-}
-
-void Database::rollback() {
-  if (connection_ == nullptr) return;
-  // SQLite may have rolled back by itself. If the statement fails, closing the file does the same.
-  if (connection_->in_transaction()) static_cast<void>(connection_->execute("ROLLBACK"));
-  if (has_written_) forget_everything();
-  end_statement();
-}
-
-void Database::end_statement() {
-  const std::lock_guard lock(mutex_);
-  ++statement_;
-  has_written_ = false;
-  failure_.reset();
-  changes_.clear();
-  if (original_ != nullptr && original_->in_transaction() && !original_->execute("COMMIT")) original_.reset();
-}
-
-Status Database::check_statement(std::uint64_t statement) const {
-  if (is_in_transaction() && statement == statement_) return {};
-  return Error{ErrorCode::internal, "{}: stored data was used after the end of its statement", file_.string()};
-}
-
-Status Database::check_reading() const {
-  if (is_in_transaction()) return {};
-  if (failure_) return *failure_;
-  return Error{ErrorCode::internal, "{}: no statement is running", file_.string()};
-}
-
-Status Database::change(const std::function<Status()>& work) {
-  RETURN_IF_ERROR(check_reading());
-  if (is_read_only_)
-    return Error{ErrorCode::database_read_only, "{}: the database was opened for reading only", file_.string()};
-  if (failure_) return *failure_;
-  has_written_ = true;
-  Status status = work();
-  if (!status) failure_ = status.error();
-  return status;
-}
-
 Result<std::shared_ptr<const RelationLayout>> Database::layout_of(const CatalogueEntry& relation) {
   const auto known = layouts_.find(relation.table_number);
   if (known != layouts_.end()) return known->second;
@@ -123,10 +38,19 @@ Result<std::shared_ptr<const RelationLayout>> Database::layout_of(const Catalogu
   return layout;
 }
 
-void Database::note_tuple(const RelationLayout& layout, TupleId tuple) {
+// Until now the row can be read through one connection or the other.
+Status Database::note_tuple(const RelationLayout& layout, TupleId tuple) {
   const std::lock_guard lock(mutex_);
+  if (is_outdated(layout, tuple) && changes_.is_untouched(layout.table_number(), tuple))
+    RETURN_IF_ERROR(kept_.keep(*connection_, layout, tuple));
   changes_.note_tuple(layout.table_number(), tuple);
   cache_.erase(layout.table_number(), tuple);
+  return {};
+}
+
+// The other connection sees what was there before the transaction, and not what its statements have made of it.
+bool Database::is_outdated(const RelationLayout& layout, TupleId tuple) const {
+  return is_explicit_ && !earlier_.is_original(layout.table_number(), tuple);
 }
 
 void Database::note_created(std::int64_t table_number) {
@@ -134,11 +58,18 @@ void Database::note_created(std::int64_t table_number) {
   changes_.note_created(table_number);
 }
 
-void Database::note_dropped(std::int64_t table_number) {
+void Database::drop_at_end(const std::shared_ptr<const RelationLayout>& layout) {
   const std::lock_guard lock(mutex_);
-  changes_.note_dropped(table_number);
-  cache_.erase_table(table_number);
-  indexes_.drop_table(table_number);
+  dropped_.push_back(layout);
+  changes_.note_dropped(layout->table_number());
+  cache_.erase_table(layout->table_number());
+  indexes_.drop_table(layout->table_number());
+  layouts_.erase(layout->table_number());
+}
+
+void Database::note_renamed(std::int64_t table_number) {
+  const std::lock_guard lock(mutex_);
+  changes_.note_renamed(table_number);
   layouts_.erase(table_number);
 }
 
@@ -153,6 +84,7 @@ Result<SqliteConnection*> Database::source_of(const RelationLayout& layout, Tupl
     case ChangeLog::Whereabouts::current:
       return connection_.get();
     case ChangeLog::Whereabouts::original:
+      if (is_outdated(layout, tuple)) return kept_.connection();
       return original();
     case ChangeLog::Whereabouts::lost:
       break;
@@ -160,8 +92,8 @@ Result<SqliteConnection*> Database::source_of(const RelationLayout& layout, Tupl
   return lost(layout, tuple);
 }
 
-// This statement has written, so it holds the only lock for writing: nobody has committed since its beginning, and what
-// another connection sees now is what was there then.
+// This transaction has written, so it holds the only lock for writing: nobody has committed since its beginning, and
+// what another connection sees now is what was there then.
 Result<SqliteConnection*> Database::original() {
   if (original_ == nullptr) {
     ASSIGN_OR_RETURN(original_,

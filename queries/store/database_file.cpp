@@ -8,6 +8,8 @@
 
 #include <unistd.h>
 
+#include "queries/store/tables.h"
+
 namespace queries {
 namespace {
 
@@ -19,22 +21,6 @@ constexpr std::string_view kSqliteMagic = "SQLite format 3";
 constexpr std::size_t kHeaderBytes = 100;
 constexpr std::size_t kUserVersionOffset = 60;
 constexpr std::size_t kApplicationIdOffset = 68;
-
-constexpr std::array kTables = {
-    "CREATE TABLE meta(id INTEGER PRIMARY KEY, next_number INTEGER NOT NULL, object_count INTEGER NOT NULL, "
-    "object_sum INTEGER NOT NULL)",
-    "INSERT INTO meta VALUES(1, 1, 0, 1)",
-    "CREATE TABLE catalogue(id INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE COLLATE BINARY, type TEXT NOT NULL, "
-    "has_value INTEGER NOT NULL, function_text TEXT NOT NULL, table_number INTEGER NOT NULL, tuple_count INTEGER NOT "
-    "NULL, next_tuple INTEGER NOT NULL, tuple_sum INTEGER NOT NULL, index_relation TEXT NOT NULL, index_attribute TEXT "
-    "NOT NULL, value_sum INTEGER NOT NULL, checksum INTEGER NOT NULL)",
-    "CREATE TABLE object_values(id INTEGER PRIMARY KEY, value BLOB)",
-    "CREATE TABLE chunks(owner INTEGER NOT NULL, tuple INTEGER NOT NULL, attribute INTEGER NOT NULL, part INTEGER NOT "
-    "NULL, bytes BLOB NOT NULL)",
-    "CREATE UNIQUE INDEX chunks_by_place ON chunks(owner, tuple, attribute, part)",
-    "CREATE TABLE imported_files(relation INTEGER NOT NULL, path TEXT NOT NULL, size INTEGER NOT NULL, hash INTEGER "
-    "NOT NULL, PRIMARY KEY(relation, path))",
-};
 
 Error foreign(const fs::path& file, std::string_view found) {
   return {ErrorCode::database_foreign, "{}: expected an algebra3d database, found {}", file.string(), found};
@@ -133,7 +119,7 @@ Status make_tables(SqliteConnection& connection) {
   if (application != kApplicationId) {
     RETURN_IF_ERROR(connection.execute(fmt::format("PRAGMA application_id = {}", kApplicationId)));
     RETURN_IF_ERROR(connection.execute(fmt::format("PRAGMA user_version = {}", kDatabaseVersion)));
-    for (const char* table : kTables) RETURN_IF_ERROR(connection.execute(table));
+    for (const char* table : kCreateTables) RETURN_IF_ERROR(connection.execute(table));
   }
   return connection.execute("COMMIT");
 }

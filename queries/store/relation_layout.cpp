@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <sqlite3.h>
 
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
@@ -136,6 +137,12 @@ std::string RelationLayout::create_sql() const {
     sql +=
         fmt::format("{}{}{}{}", i == 0 ? "" : ", ", columns_[i], column_types_[i].empty() ? "" : " ", column_types_[i]);
   return sql + ")";
+}
+
+// SQLite's names know no case.
+std::string RelationLayout::rename_sql(const RelationLayout& renamed) const {
+  if (sqlite3_stricmp(table_.c_str(), renamed.table_.c_str()) == 0) return {};
+  return fmt::format("ALTER TABLE {} RENAME TO {}", table_, renamed.table_);
 }
 
 std::string RelationLayout::bytes_sql(std::size_t attribute) const {

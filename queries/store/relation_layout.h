@@ -61,11 +61,15 @@ class RelationLayout {
   // Statements.
   std::string create_sql() const;
   std::string drop_sql() const { return "DROP TABLE " + table_; }
+  /// Gives the table the name that `renamed`, the same relation under another name, expects. Empty if it has it.
+  std::string rename_sql(const RelationLayout& renamed) const;
+  const std::string& table() const { return table_; }
   const std::string& insert_sql() const { return insert_sql_; }  ///< all columns
   const std::string& erase_sql() const { return erase_sql_; }    ///< id
   const std::string& page_sql() const { return page_sql_; }      ///< after this id, up to that one, at most so many
   const std::string& fetch_sql() const { return fetch_sql_; }    ///< id
   std::string bytes_sql(std::size_t attribute) const;            ///< id
+  std::string row_sql() const { return "SELECT * FROM " + table_ + " WHERE id = ?"; }  ///< id; all columns
 
  private:
   RelationLayout() = default;

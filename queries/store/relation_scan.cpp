@@ -40,7 +40,7 @@ Status RelationScan::read_page() {
   RETURN_IF_ERROR(database_->check_statement(statement_));
   page_.clear();
   position_ = 0;
-  if (database_->changes().is_dropped(layout_->table_number()))
+  if (database_->changes().is_gone(layout_->table_number(), time_))
     return Error{ErrorCode::wrong_usage, "{}: the relation was replaced or deleted while it was read",
                  layout_->relation()};
   RETURN_IF_ERROR(read_rows());

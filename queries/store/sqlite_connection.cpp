@@ -71,6 +71,16 @@ Result<std::unique_ptr<SqliteConnection>> SqliteConnection::open(const std::file
   return connection;
 }
 
+Result<std::unique_ptr<SqliteConnection>> SqliteConnection::open_temporary() {
+  sqlite3* handle = nullptr;
+  const int code = sqlite3_open_v2("", &handle, flags_of(Access::create), nullptr);
+  if (code == SQLITE_OK)
+    return std::unique_ptr<SqliteConnection>(new SqliteConnection(handle, "temporary file", Access::create));
+  Error error = sqlite_error(handle, code, "temporary file", "making it");
+  sqlite3_close(handle);
+  return error;
+}
+
 SqliteConnection::~SqliteConnection() {
   for (const auto& [sql, prepared] : prepared_) sqlite3_finalize(prepared->statement);
   sqlite3_close_v2(handle_);

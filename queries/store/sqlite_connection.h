@@ -28,6 +28,8 @@ class SqliteConnection {
 
   static algebra3d::Result<std::unique_ptr<SqliteConnection>> open(const std::filesystem::path& file, Access access,
                                                                    int busy_milliseconds);
+  /// A new database that is gone with its connection: in memory, or in a temporary file once it is large.
+  static algebra3d::Result<std::unique_ptr<SqliteConnection>> open_temporary();
   ~SqliteConnection();
   SqliteConnection(const SqliteConnection&) = delete;
   SqliteConnection& operator=(const SqliteConnection&) = delete;

@@ -27,7 +27,8 @@ int bind_cell(sqlite3_stmt* statement, int parameter, const Cell& cell) {
 
 /// For messages. To SQLite the end of a transaction is not a change.
 std::string_view doing(sqlite3_stmt* statement) {
-  if (std::string_view(sqlite3_sql(statement)) == "COMMIT") return "writing";
+  const std::string_view text = sqlite3_sql(statement);
+  if (text == "COMMIT" || text.starts_with("RELEASE")) return "writing";
   return sqlite3_stmt_readonly(statement) != 0 ? "reading" : "writing";
 }
 

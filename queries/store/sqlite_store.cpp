@@ -2,33 +2,15 @@
 
 #include "algebra3d/types/codec.h"
 #include "queries/store/chunks.h"
+#include "queries/store/read_scope.h"
 #include "queries/store/stored_relation.h"
 
 namespace queries {
 namespace {
 
 ObjectInfo info_of(const CatalogueEntry& entry) {
-  return {entry.name, entry.type, entry.has_value, entry.function_text};
+  return {entry.name, entry.type, entry.has_value, entry.function_text, entry.derived_text};
 }
-
-/// Begins a statement if none is running, and ends it.
-class ReadScope {
- public:
-  explicit ReadScope(Database& database) : database_(database), is_own_(!database.is_in_transaction()) {
-    if (is_own_) status_ = database_.begin(false);
-  }
-  ~ReadScope() {
-    if (is_own_) database_.rollback();
-  }
-  ReadScope(const ReadScope&) = delete;
-  ReadScope& operator=(const ReadScope&) = delete;
-  const Status& status() const { return status_; }
-
- private:
-  Database& database_;
-  bool is_own_;
-  Status status_;
-};
 
 }  // namespace
 
@@ -84,21 +66,29 @@ Status SqliteStore::add(CatalogueEntry entry) {
   });
 }
 
+Status SqliteStore::check_free(const std::string& name) const {
+  if (database_->catalogue().find(name) == nullptr) return {};
+  return Error{ErrorCode::name_exists, "there is an object '{}' already", name};
+}
+
 Status SqliteStore::create(const std::string& name, const TypeExpr& type) {
+  return create_derived(name, type, {});
+}
+
+Status SqliteStore::create_derived(const std::string& name, const TypeExpr& type, const std::string& text) {
   RETURN_IF_ERROR(database_->check_reading());
-  if (database_->catalogue().find(name) != nullptr)
-    return Error{ErrorCode::name_exists, "there is an object '{}' already", name};
+  RETURN_IF_ERROR(check_free(name));
   RETURN_IF_ERROR(check_storable(name, type));
   CatalogueEntry entry;
   entry.name = name;
   entry.type = type;
+  entry.derived_text = text;
   return add(std::move(entry));
 }
 
 Status SqliteStore::create_function(const std::string& name, const TypeExpr& type, const std::string& text) {
   RETURN_IF_ERROR(database_->check_reading());
-  if (database_->catalogue().find(name) != nullptr)
-    return Error{ErrorCode::name_exists, "there is an object '{}' already", name};
+  RETURN_IF_ERROR(check_free(name));
   CatalogueEntry entry;
   entry.name = name;
   entry.type = type;
@@ -178,30 +168,6 @@ Status SqliteStore::assign_value(CatalogueEntry& entry, const Value& value) {
                  entry.type.text()};
   ASSIGN_OR_RETURN(const Value loaded, value.loaded());
   return write_bytes(entry, algebra3d::encode(loaded));
-}
-
-Status SqliteStore::remove(const std::string& name) {
-  ASSIGN_OR_RETURN(const CatalogueEntry* entry, required(name));
-  return database_->change([&]() -> Status {
-    std::vector<const CatalogueEntry*> doomed{entry};
-    if (entry->type.is_relation())
-      for (const auto& [other_name, other] : database_->catalogue().entries())
-        if (other.index_relation == name) doomed.push_back(&other);
-    for (const CatalogueEntry* each : doomed) RETURN_IF_ERROR(remove_entry(*each));
-    return {};
-  });
-}
-
-Status SqliteStore::remove_entry(const CatalogueEntry& entry) {
-  SqliteConnection& connection = database_->connection();
-  RETURN_IF_ERROR(drop_table(entry));
-  RETURN_IF_ERROR(erase_chunks(connection, 0, entry.id));
-  for (const char* sql : {"DELETE FROM object_values WHERE id = ?", "DELETE FROM imported_files WHERE relation = ?"}) {
-    ASSIGN_OR_RETURN(SqliteStatement statement, connection.use(sql));
-    RETURN_IF_ERROR(statement.bind(1, entry.id).run());
-  }
-  database_->catalogue().remove(std::string(entry.name));
-  return {};
 }
 
 Result<bool> SqliteStore::is_imported(const std::string& relation, const ImportedFile& file) {

@@ -16,6 +16,12 @@ class SqliteStore final : public Store {
 
   const std::filesystem::path& file() const override { return database_->file(); }
 
+  const std::string& opening_notice() const override { return database_->opening_notice(); }
+
+  Status begin_transaction() override { return database_->begin_transaction(); }
+  Status commit_transaction() override { return database_->commit_transaction(); }
+  Status abort_transaction() override { return database_->abort_transaction(); }
+  bool is_in_explicit_transaction() const override { return database_->is_in_explicit_transaction(); }
   Status begin(bool writes) override { return database_->begin(writes); }
   Status commit() override { return database_->commit(); }
   void rollback() override { database_->rollback(); }
@@ -23,10 +29,17 @@ class SqliteStore final : public Store {
   Result<std::vector<ObjectInfo>> objects() override;
   Result<std::optional<ObjectInfo>> find(const std::string& name) override;
   Status create(const std::string& name, const TypeExpr& type) override;
+  Status create_derived(const std::string& name, const TypeExpr& type, const std::string& text) override;
   Status create_function(const std::string& name, const TypeExpr& type, const std::string& text) override;
   Status assign(const std::string& name, const Datum& value, const algebra3d::Context& context) override;
   Result<Datum> read(const std::string& name) override;
   Status remove(const std::string& name) override;
+  Status kill(const std::string& name) override;
+  Status rename(const std::string& from, const std::string& to) override;
+  Result<std::vector<NamedType>> types() override;
+  Result<std::optional<TypeExpr>> find_type(const std::string& name) override;
+  Status create_type(const std::string& name, const TypeExpr& type) override;
+  Status remove_type(const std::string& name) override;
 
   std::uint64_t geometry_loads() const override { return database_->geometry_loads(); }
   Result<bool> is_imported(const std::string& relation, const ImportedFile& file) override;
@@ -34,6 +47,7 @@ class SqliteStore final : public Store {
 
  private:
   Result<const CatalogueEntry*> required(const std::string& name);
+  Status check_free(const std::string& name) const;
   Status add(CatalogueEntry entry);
   Status check_storable(const std::string& name, const TypeExpr& type) const;
 
@@ -48,6 +62,9 @@ class SqliteStore final : public Store {
   Status write_bytes(CatalogueEntry& entry, std::string_view bytes);
   Status drop_table(const CatalogueEntry& entry);
   Status remove_entry(const CatalogueEntry& entry);
+  Result<bool> is_sound(const CatalogueEntry& entry);
+  Status abandon(const CatalogueEntry& entry);
+  std::vector<std::string> with_indexes(const CatalogueEntry& entry) const;
 
   std::shared_ptr<Database> database_;
 };

@@ -1,7 +1,6 @@
 // The parts of the store that deal with relations and the indexes on them.
 #include <vector>
 
-#include "queries/store/chunks.h"
 #include "queries/store/frozen_index.h"
 #include "queries/store/relation_scan.h"
 #include "queries/store/sqlite_store.h"
@@ -37,9 +36,8 @@ Status SqliteStore::assign_relation(CatalogueEntry& entry, const Datum& value, c
 Status SqliteStore::drop_table(const CatalogueEntry& entry) {
   if (!entry.type.is_relation() || entry.table_number == 0) return {};
   ASSIGN_OR_RETURN(const auto layout, database_->layout_of(entry));
-  database_->note_dropped(entry.table_number);
-  RETURN_IF_ERROR(database_->connection().execute(layout->drop_sql()));
-  return erase_all_chunks(database_->connection(), entry.table_number);
+  database_->drop_at_end(layout);
+  return {};
 }
 
 Status SqliteStore::assign_index(CatalogueEntry& entry, const SpatialIndex& index) {

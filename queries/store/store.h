@@ -20,6 +20,13 @@ struct ObjectInfo {
   TypeExpr type;
   bool has_value = true;      ///< false after `create N : T` until the first `update`
   std::string function_text;  ///< of a function: the text that it was written as; else empty
+  std::string derived_text;   ///< of a derived object: the expression that its value comes from; else empty
+};
+
+/// A name for a type.
+struct NamedType {
+  std::string name;
+  TypeExpr type;
 };
 
 enum class OpenMode : std::uint8_t {
@@ -30,8 +37,9 @@ enum class OpenMode : std::uint8_t {
 };
 
 /// One open database: a SQLite file in WAL mode (design.md §8, docs/file_format.md). Relations are tables, everything
-/// else lies in the catalogue or beside it. Used by one thread; several processes may have the file open. All changes
-/// between `begin` and `commit` happen together or, after `rollback` or a crash, not at all.
+/// else lies in the catalogue or beside it. Used by one thread; several processes may have the file open: readers never
+/// wait, a second writer waits for the first one. All changes between `begin` and `commit`, and all those between
+/// `begin_transaction` and `commit_transaction`, happen together or, after going back or a crash, not at all.
 class Store {
  public:
   /// Errors: database_missing, database_exists, database_foreign (no algebra3d database), database_version (newer),
@@ -44,11 +52,25 @@ class Store {
   Store& operator=(const Store&) = delete;
 
   virtual const std::filesystem::path& file() const = 0;
+  /// What opening has done to the file that its user should know, such as an upgrade to the present format; else empty.
+  virtual const std::string& opening_notice() const = 0;
 
-  // One transaction at a time; every change lies within one, and so does every `read`: relations and large values that
-  // come out of it live until its end and give the error `internal` afterwards. A transaction begun without `writes`
-  // becomes a writing one with its first change. Once a change has failed, it can only be rolled back. A failed
-  // `commit` has rolled back; `rollback` does no harm at any time.
+  // A transaction over several statements. From its beginning it holds the right to write, unless the store was opened
+  // for reading only, so that no other process makes a statement within it fail; it sees what its statements have
+  // committed, others see it after `commit_transaction`. `abort_transaction` goes back to the state before it. A failed
+  // `commit_transaction` has done the same. Some failures (a full disk) make SQLite undo it in the middle: then every
+  // `begin` and `commit_transaction` gives an error until the transaction has ended.
+  // Errors: wrong_usage (there is one already, or none), database_busy, disk_full, io_error.
+  virtual Status begin_transaction() = 0;
+  virtual Status commit_transaction() = 0;
+  virtual Status abort_transaction() = 0;
+  virtual bool is_in_explicit_transaction() const = 0;
+
+  // A statement: a transaction of its own, or a part of the one above that can fail for itself. One at a time; every
+  // change lies within one, and so does every `read`: relations and large values that come out of it live until its end
+  // and give the error `internal` afterwards. A statement begun without `writes` becomes a writing one with its first
+  // change. Once a change has failed, it can only be rolled back. A failed `commit` has rolled back; `rollback` does no
+  // harm at any time and leaves the transaction over several statements, if there is one.
   // Errors: database_busy, database_read_only, disk_full.
   virtual Status begin(bool writes) = 0;
   virtual Status commit() = 0;
@@ -59,6 +81,8 @@ class Store {
   virtual Result<std::optional<ObjectInfo>> find(const std::string& name) = 0;
   /// A new object without a value. Errors: name_exists, type_error for a type that cannot be stored.
   virtual Status create(const std::string& name, const TypeExpr& type) = 0;
+  /// The same for an object whose value is that of the expression `text`: to be assigned as any value.
+  virtual Status create_derived(const std::string& name, const TypeExpr& type, const std::string& text) = 0;
   /// A new function object.
   virtual Status create_function(const std::string& name, const TypeExpr& type, const std::string& text) = 0;
   /// Gives an existing object (not a function) a value of exactly its type, replacing what it had. A relation takes the
@@ -70,6 +94,20 @@ class Store {
   virtual Result<Datum> read(const std::string& name) = 0;
   /// Removes an object; with a relation go the index definitions on it.
   virtual Status remove(const std::string& name) = 0;
+  /// The same for an object whose value may be damaged: its rows and bytes go too if they are sound, and else stay in
+  /// the file unseen.
+  virtual Status kill(const std::string& name) = 0;
+  /// Gives an object another name; index definitions on a relation follow it, texts of functions and of derived objects
+  /// do not. Errors: unknown_name, name_exists.
+  virtual Status rename(const std::string& from, const std::string& to) = 0;
+
+  // Named types. Their names are apart from those of objects. Reading may stand outside a transaction.
+  virtual Result<std::vector<NamedType>> types() = 0;
+  virtual Result<std::optional<TypeExpr>> find_type(const std::string& name) = 0;
+  /// Errors: name_exists.
+  virtual Status create_type(const std::string& name, const TypeExpr& type) = 0;
+  /// Errors: unknown_name.
+  virtual Status remove_type(const std::string& name) = 0;
 
   /// Geometry blobs read and decoded since the store was opened: for tests that filters read none.
   virtual std::uint64_t geometry_loads() const = 0;

@@ -56,7 +56,7 @@ Status StoredRelation::erase_row(CatalogueEntry& entry, TupleId id) {
     entry.tuple_sum -= reader.checksum();
     database_->indexes().erase(layout_->table_number(), id, reader.boxes());
   }
-  database_->note_tuple(*layout_, id);
+  RETURN_IF_ERROR(database_->note_tuple(*layout_, id));
   ASSIGN_OR_RETURN(SqliteStatement statement, connection.use(layout_->erase_sql()));
   RETURN_IF_ERROR(statement.bind(1, id).run());
   return erase_chunks(connection, layout_->table_number(), id);
@@ -69,6 +69,7 @@ Result<TupleId> StoredRelation::insert(const Tuple& tuple) {
   RETURN_IF_ERROR(database_->change([&]() -> Status {
     CatalogueEntry& edited = *database_->catalogue().edit(layout_->relation());
     ++edited.next_tuple;
+    database_->note_inserted(layout_->table_number(), id);
     return write(edited, *writer, id);
   }));
   return id;

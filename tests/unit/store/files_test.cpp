@@ -1,7 +1,8 @@
 // Opening: which files are databases of ours, and what is said of the others.
 #include <unistd.h>
 
-#include "queries/store/database_file.h"
+#include "queries/store/sqlite_connection.h"
+#include "queries/store/tables.h"
 #include "unit/store/store_fixture.h"
 
 namespace queries {
@@ -66,9 +67,9 @@ TEST_F(StoreFiles, an_empty_file_becomes_a_database_only_when_one_may_be_made) {
 TEST_F(StoreFiles, a_newer_version_is_refused) {
   reopen();
   store_.reset();
-  sql("PRAGMA user_version = 2");
+  sql("PRAGMA user_version = 3");
   expect_error(open_error(path(), OpenMode::read_write), ErrorCode::database_version,
-               name() + ": the database has version 2, this program reads versions up to 1; use a newer algebra3d");
+               name() + ": the database has version 3, this program reads versions up to 2; use a newer algebra3d");
 }
 
 TEST_F(StoreFiles, the_file_has_a_log_and_the_mark_of_algebra3d) {
