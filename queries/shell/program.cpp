@@ -31,6 +31,10 @@ struct Options {
   std::string format = "auto";
   std::vector<std::string> scripts;
   std::vector<std::string> test_files;
+  std::string test_filter;
+  std::size_t test_jobs = 1;
+  bool tests_keep_scratch = false;
+  bool tests_vary = false;
   std::string help_operator;
   bool help_as_markdown = false;
   bool is_read_only = false;
@@ -101,25 +105,11 @@ int run_session(const Options& options, const algebra3d::Registry& registry) {
 }
 
 int run_tests(const Options& options, const algebra3d::Registry& registry) {
-  std::size_t passed = 0;
-  std::size_t failed = 0;
-  for (const std::string& file : options.test_files) {
-    std::cout << "== " << file << "\n";
-    const auto outcome = run_test_file(
-        file, registry, {[](const std::string& line) { std::cout << line << "\n"; }, &Interruption::flag()});
-    if (!outcome) {
-      std::cerr << "error: " << outcome.error().message << "\n";
-      if (outcome.error().code == ErrorCode::interrupted) return kInterrupted;
-      ++failed;
-      continue;
-    }
-    if (!outcome->skipped.empty()) std::cout << "left out: " << outcome->skipped << "\n";
-    passed += outcome->passed;
-    failed += outcome->failed;
-    for (const std::string& failure : outcome->failures) std::cout << "failed " << failure << "\n";
-  }
-  std::cout << passed << " passed, " << failed << " failed\n";
-  return failed == 0 ? kOk : kFailed;
+  const TestOptions test_options{[](const std::string& line) { std::cout << line << "\n"; }, &Interruption::flag(),
+                                 options.test_filter, options.tests_keep_scratch, options.tests_vary};
+  const TestSummary summary = run_test_files(options.test_files, options.test_jobs, registry, test_options);
+  if (summary.is_interrupted) return kInterrupted;
+  return summary.failed == 0 ? kOk : kFailed;
 }
 
 int run_help(const Options& options, const algebra3d::Registry& registry) {
@@ -156,6 +146,19 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("SCRIPT", options.scripts, "Scripts to run; without any, and on a terminal: the interactive shell");
 }
 
+const CLI::App* add_test_command(CLI::App& app, Options& options) {
+  CLI::App* test = app.add_subcommand("test", "Run files of regression tests; the last line is 'N passed, N failed'");
+  test->add_option("FILES", options.test_files, "Files that end in .test or .examples")->required();
+  test->add_option("--filter", options.test_filter,
+                   "Judge only the test cases whose name contains this; * and ? stand for any characters")
+      ->type_name("PATTERN");
+  test->add_flag("--keep", options.tests_keep_scratch, "Keep the folder of each run, and say where it is");
+  test->add_option("--jobs", options.test_jobs, "Files to run at once")->check(CLI::Range(1, 256))->type_name("N");
+  test->add_flag("--vary", options.tests_vary,
+                 "Repeat every case far from the origin, with the axes exchanged, and with operands swapped");
+  return test;
+}
+
 // What was asked for and could not be written is a failure: a full disk, a closed device.
 int status_after_output(int status) {
   std::cout.flush();
@@ -173,8 +176,7 @@ int run_arguments(int argc, char** argv) {
   app.set_version_flag("--version", "algebra3d 0.1.0");
   add_options(app, options);
   const CLI::App* import = add_import_command(app, import_options);
-  CLI::App* test = app.add_subcommand("test", "Run files of regression tests; the last line is 'N passed, N failed'");
-  test->add_option("FILES", options.test_files, "Test files")->required();
+  const CLI::App* test = add_test_command(app, options);
   CLI::App* help = app.add_subcommand("help", "Explain an operator, or list all of them");
   help->add_option("OPERATOR", options.help_operator, "Name of an operator, such as volume");
   help->add_flag("--markdown", options.help_as_markdown, "The whole reference page");

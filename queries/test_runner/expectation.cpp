@@ -1,54 +1,99 @@
 #include "queries/test_runner/expectation.h"
 
 #include <algorithm>
-#include <cmath>
-
-#include <fmt/core.h>
 
 namespace queries {
 namespace {
 
-using algebra3d::NestedList;
+using Kind = Expectation::Kind;
 
-std::string difference(const std::string& path, const NestedList& expected, const NestedList& found) {
-  return fmt::format("{}expected {}, found {}", path.empty() ? "" : "at " + path + ": ", expected.print_short(200),
-                     found.print_short(200));
+Verdict wrong(std::string why, Difference difference = {}) {
+  return {.is_right = false, .why = std::move(why), .difference = std::move(difference)};
 }
 
-// Depth is that of the expected list, which the parser limits.
-std::string compare_at(const std::string& path, const NestedList& expected, const NestedList& found,
-                       Tolerance tolerance) {
-  if (expected.is_real() && found.is_real())
-    return tolerance.accepts(expected.as_real(), found.as_real()) ? "" : difference(path, expected, found);
-  if (!expected.is_list() || !found.is_list()) return expected == found ? "" : difference(path, expected, found);
-  const auto& wanted = expected.elements();
-  const auto& given = found.elements();
-  for (std::size_t i = 0; i < std::min(wanted.size(), given.size()); ++i) {
-    std::string result = compare_at(fmt::format("{}/{}", path, i + 1), wanted[i], given[i], tolerance);
-    if (!result.empty()) return result;
-  }
-  if (wanted.size() == given.size()) return "";
-  return fmt::format("{}expected {} elements, found {}", path.empty() ? "" : "at " + path + ": ", wanted.size(),
-                     given.size());
+std::string quoted(const std::string& text) {
+  return '"' + text + '"';
+}
+
+Verdict compare(const NestedList& expected, const NestedList& found, Tolerance tolerance) {
+  auto difference = first_difference(expected, found, tolerance);
+  if (!difference) return {};
+  std::string why = difference->text();
+  return wrong(std::move(why), std::move(*difference));
+}
+
+// The value is undefined, and a note says why.
+Verdict judge_undefined(const std::string& text, const NestedList& result, const std::vector<std::string>& notes) {
+  const bool is_undefined = result.is_list() && result.elements().size() == 2 && result.elements()[1].is_undefined();
+  if (!is_undefined) return wrong("expected an undefined value, found " + result.print_short(200));
+  const auto contains = [&](const std::string& note) { return note.find(text) != std::string::npos; };
+  if (std::ranges::any_of(notes, contains)) return {};
+  return wrong("expected a note that contains " + quoted(text));
+}
+
+Expectation with_quoted_text(Kind kind, const std::string& written) {
+  auto parsed = NestedList::parse(written);
+  if (!parsed || !parsed->is_string()) return Expectation::with_problem("#yields: expected a string, got " + written);
+  return {.kind = kind, .text = parsed->as_string()};
+}
+
+Expectation with_value(Kind kind, const std::string& written) {
+  auto parsed = NestedList::parse(written);
+  if (!parsed) return Expectation::with_problem("#yields: " + parsed.error().message);
+  return {.kind = kind, .value = std::move(parsed).value()};
 }
 
 }  // namespace
 
-bool Tolerance::accepts(double expected, double found) const {
-  if (expected == found) return true;
-  const double difference = std::abs(expected - found);
-  if (!is_relative) return difference < value;
-  return value > 0 && difference < std::max(value, 1e-15) * std::abs(expected);
+Expectation Expectation::parse(const std::string& text) {
+  if (text == "success") return {.kind = Kind::success};
+  if (text == "error") return {.kind = Kind::error};
+  if (text.starts_with("error ")) return with_quoted_text(Kind::error, text.substr(6));
+  if (text.starts_with("undefined ")) return with_quoted_text(Kind::undefined, text.substr(10));
+  if (text.starts_with("equal ")) return {.kind = Kind::equal, .text = text.substr(6)};
+  if (text.starts_with("set ")) return with_value(Kind::set, text.substr(4));
+  if (text.starts_with('(')) return with_value(Kind::value, text);
+  return with_problem("unknown yields value: " + text);
 }
 
-std::string first_difference(const NestedList& expected, const NestedList& found, Tolerance tolerance) {
-  return compare_at("", expected, found, tolerance);
+void Expectation::use_up() {
+  value = NestedList();
+  text.clear();
+  problem.clear();
+  if (kind != Kind::success && kind != Kind::error) kind = Kind::value;
 }
 
-NestedList with_sorted_tuples(NestedList result) {
-  if (!result.is_list() || result.elements().size() != 2 || !result.elements()[1].is_list()) return result;
-  std::ranges::sort(result.elements()[1].elements(), {}, [](const NestedList& tuple) { return tuple.print(); });
-  return result;
+std::string Expectation::shown(const Difference& difference) const {
+  switch (kind) {
+    case Kind::success:
+      return "no error";
+    case Kind::error:
+      return text.empty() ? "an error" : "an error that contains " + quoted(text);
+    case Kind::undefined:
+      return "an undefined value, and a note that contains " + quoted(text);
+    case Kind::equal:
+      return "the value of " + text;
+    case Kind::set:
+    case Kind::value:
+      break;
+  }
+  return excerpt(value, difference.path);
+}
+
+Verdict judge(const Expectation& expectation, const algebra3d::Result<NestedList>& result,
+              const std::vector<std::string>& notes, Tolerance tolerance) {
+  if (!expectation.problem.empty()) return wrong(expectation.problem);
+  if (expectation.kind == Kind::error) {
+    if (result) return wrong("expected an error, found " + result->print_short(200));
+    if (result.error().message.find(expectation.text) != std::string::npos) return {};
+    return wrong("expected an error that contains " + quoted(expectation.text));
+  }
+  if (!result) return wrong("expected no error");
+  if (expectation.kind == Kind::success) return {};
+  if (expectation.kind == Kind::undefined) return judge_undefined(expectation.text, *result, notes);
+  if (expectation.kind == Kind::set)
+    return compare(with_sorted_tuples(expectation.value), with_sorted_tuples(*result), tolerance);
+  return compare(expectation.value, *result, tolerance);
 }
 
 }  // namespace queries

@@ -1,24 +1,44 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "algebra3d/base/error.h"
 #include "algebra3d/types/nested_list.h"
+#include "queries/test_runner/comparison.h"
 
 namespace queries {
 
-/// How far two reals may differ to count as equal.
-struct Tolerance {
-  double value = 0;          ///< 0: exact
-  bool is_relative = false;  ///< of the expected magnitude; `value` is then a fraction, with a floor of 1e-15
+/// What the next command is to give (language.md 5.1, 5.2): the state that `#yields` sets. The kinds success and error
+/// persist; a value, an error text and an expression are used up by a command.
+struct Expectation {
+  enum class Kind : std::uint8_t { value, set, equal, undefined, success, error };
+  Kind kind = Kind::value;
+  NestedList value = {};     ///< kinds value and set; () if none was given
+  std::string text = {};     ///< a part of the error message or of the note; the expression of kind equal
+  std::string problem = {};  ///< why the directive could not be understood; empty if it could
 
-  bool accepts(double expected, double found) const;
+  /// Reads what `#yields` says, but for `@FILE` and `*NAME`, which need a session.
+  static Expectation parse(const std::string& text);
+  static Expectation of_value(NestedList expected) { return {.kind = Kind::value, .value = std::move(expected)}; }
+  static Expectation with_problem(std::string why) { return {.problem = std::move(why)}; }
+
+  /// After a command, and at the beginning of a test case.
+  void use_up();
+  /// For the report of a failure: "an error that contains "x"". A list is cut to the neighbourhood of `difference`.
+  std::string shown(const Difference& difference) const;
 };
 
-/// The first place where two nested lists differ, in words; empty if they agree. Atoms of different kinds never agree.
-std::string first_difference(const algebra3d::NestedList& expected, const algebra3d::NestedList& found,
-                             Tolerance tolerance);
+/// Whether a command gave what was expected.
+struct Verdict {
+  bool is_right = true;
+  std::string why = {};  ///< one line: the first difference
+  Difference difference = {};
+};
 
-/// A relation `(T (t1 t2 ...))` with its tuples sorted by their text; other results as they are.
-algebra3d::NestedList with_sorted_tuples(algebra3d::NestedList result);
+/// Judges a result, or the error of the command. `notes` are the diagnostics. The kind is not `equal`: that is asked as
+/// a query of its own.
+Verdict judge(const Expectation& expectation, const algebra3d::Result<NestedList>& result,
+              const std::vector<std::string>& notes, Tolerance tolerance);
 
 }  // namespace queries

@@ -21,4 +21,14 @@ struct Directive {
 using TestStep = std::variant<Directive, CommandText>;
 std::vector<TestStep> read_test_steps(std::string_view content, const std::string& file);
 
+/// The same of an `.examples` file (language.md 5.5): a block becomes a test case, its result what the case yields.
+/// Beside the directives of test files: `unjudged REASON`, the commands of the case are run and may do anything.
+/// Errors: file_format with the line, what was found and what was expected.
+algebra3d::Result<std::vector<TestStep>> read_example_steps(std::string_view content, const std::string& file);
+
+/// Without the white space on both sides.
+std::string_view trimmed(std::string_view text);
+/// Takes the first line off `content`; gives it without its line end.
+std::string_view take_line(std::string_view& content);
+
 }  // namespace queries

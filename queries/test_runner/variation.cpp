@@ -1,0 +1,189 @@
+// How a test is asked in another way. Let M be an exact motion of space. An operator that knows nothing of coordinates
+// gives M(f(a)) for M(a): that is what is tested, for every operator that is not named below. So a whole session runs
+// in the moved space, objects and indexes included, and only what enters or leaves it as numbers is translated:
+//
+//   - literals `[const T value L]`: the nested list L is moved by its type T, in the text of the command;
+//   - operators that make geometry from numbers, names of files or flat regions (makePoint3D, rectangle3, importSTL):
+//     their result is moved. They are recognised by their signature;
+//   - operators that read coordinates, or speak of axes (getx, minD, createCylinder): their arguments are moved back,
+//     and their result forth;
+//   - results, which are moved back by their type before they are compared.
+//
+// Nothing is rounded on the way, since coordinates may be fractions; bounds of a rect3 may not. What an operator
+// rounds itself, it rounds elsewhere: where a file's numbers show that, the case says `#variation`.
+#include "queries/test_runner/variation.h"
+
+#include <algorithm>
+
+#include "queries/language/expression_parser.h"
+
+namespace queries {
+namespace {
+
+using algebra3d::Context;
+using algebra3d::Operator;
+using algebra3d::Outcome;
+using algebra3d::Overload;
+using algebra3d::Registry;
+using algebra3d::Result;
+using algebra3d::Value;
+
+struct NamedKind {
+  VariationKind kind;
+  std::string_view name;
+};
+constexpr std::array kNames = {NamedKind{VariationKind::offset, "offset"}, NamedKind{VariationKind::axes, "axes"},
+                               NamedKind{VariationKind::operands, "operands"}};
+
+// Powers of two, so that coordinates with up to 32 binary places stay doubles; different on every axis, so that no two
+// axes are confused.
+constexpr algebra3d::Vec3 kOffset = {1048576.0, -524288.0, 262144.0};
+
+// Numbers come out that are coordinates, or a file is written that has some.
+constexpr std::array<std::string_view, 6> kReaders = {"getx", "gety", "getz", "minD", "maxD", "exportSTL"};
+// Numbers go in that belong to certain axes, or the shape stands along an axis.
+constexpr std::array<std::string_view, 4> kAxisBound = {"createCylinder", "createCone", "createSphere", "enlargeRect"};
+// f(a, b) = f(b, a), for operands of one type that is no text.
+constexpr std::array<std::string_view, 12> kSymmetric = {
+    "=", "#", "+", "*", "and", "or", "dot", "union", "intersects", "intersection", "touches", "createCube"};
+
+template <typename Names>
+bool has(const Names& names, std::string_view name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+Motion motion_of(VariationKind kind) {
+  if (kind == VariationKind::offset) return Motion::translation(kOffset);
+  return kind == VariationKind::axes ? Motion::turned_axes() : Motion();
+}
+
+bool makes_geometry_from_numbers(const Overload& overload) {
+  const auto is_spatial = [](const auto& parameter) { return Motion::moves(parameter.type->name()); };
+  return Motion::moves(overload.result->name()) && std::ranges::none_of(overload.parameters, is_spatial);
+}
+
+bool is_bound_to_the_frame(const Operator& op, const Overload& overload, VariationKind kind) {
+  if (makes_geometry_from_numbers(overload) || has(kReaders, op.name)) return true;
+  // A translation keeps the directions of the axes.
+  return kind == VariationKind::axes && has(kAxisBound, op.name);
+}
+
+bool is_symmetric(const Operator& op, const Overload& overload) {
+  if (!has(kSymmetric, op.name) || overload.parameters.size() != 2) return false;
+  const algebra3d::Type* const type = overload.parameters[0].type;
+  const bool is_text = type->name() == "string" || type->name() == "text";
+  return type == overload.parameters[1].type && (!is_text || op.name == "=" || op.name == "#");
+}
+
+Result<Value> image(const Value& value, const Motion& motion, Context& context) {
+  if (!value.is_defined() || !Motion::moves(value.type().name())) return value;
+  ASSIGN_OR_RETURN(const Value loaded, value.loaded());
+  const TypeExpr type(value.type().name());
+  return algebra3d::value_from_nested(value.type(), motion.image(type, loaded.to_nested()), context);
+}
+
+// M f(M^-1 a)
+Overload carried(Overload overload, const Motion& motion) {
+  overload.function = [plain = std::move(overload.function), motion](std::span<const Value> values,
+                                                                     Context& context) -> Result<Outcome> {
+    std::vector<Value> original;
+    for (const Value& value : values) {
+      ASSIGN_OR_RETURN(Value moved, image(value, motion.inverse(), context));
+      original.push_back(std::move(moved));
+    }
+    ASSIGN_OR_RETURN(Outcome outcome, plain(original, context));
+    const Value* const result = std::get_if<Value>(&outcome);
+    if (result == nullptr) return outcome;
+    ASSIGN_OR_RETURN(Value moved, image(*result, motion, context));
+    return Outcome(std::move(moved));
+  };
+  return overload;
+}
+
+Overload swapped(Overload overload) {
+  overload.function = [plain = std::move(overload.function)](std::span<const Value> values, Context& context) {
+    const std::array<Value, 2> turned = {values[1], values[0]};
+    return plain(turned, context);
+  };
+  return overload;
+}
+
+Registry varied(const Registry& plain, VariationKind kind, const Motion& motion) {
+  Registry registry;
+  for (const algebra3d::Type* type : plain.types()) registry.add(*type);
+  for (const Operator* op : plain.operators()) {
+    Operator changed = *op;
+    for (Overload& overload : changed.overloads) {
+      if (kind == VariationKind::operands) {
+        if (is_symmetric(*op, overload)) overload = swapped(std::move(overload));
+      } else if (is_bound_to_the_frame(*op, overload, kind)) {
+        overload = carried(std::move(overload), motion);
+      }
+    }
+    registry.add(std::move(changed));
+  }
+  return registry;
+}
+
+/// A piece of the text, and what is to stand there.
+struct Replacement {
+  std::size_t begin = 0;
+  std::size_t length = 0;
+  std::string text;
+};
+
+// Steps over `[const T value L`; nothing if it is no value of a type that is known.
+std::optional<Replacement> moved_literal(Scanner& scanner, const Registry& registry, const Motion& motion) {
+  scanner.take();
+  scanner.take();
+  ExpressionParser parser(scanner, registry);
+  const auto syntax = parser.type();
+  if (!syntax || !parser.accept("value")) return std::nullopt;
+  const auto raw = scanner.take_raw_until(']');
+  if (!raw) return std::nullopt;
+  const auto type = TypeExpr::from_nested(to_nested(*syntax));
+  const auto list = NestedList::parse(*raw);
+  if (!type || !list) return std::nullopt;
+  const auto begin = static_cast<std::size_t>(raw->data() - scanner.source().data());
+  return Replacement{begin, raw->size(), " " + motion.image(*type, *list).print()};
+}
+
+}  // namespace
+
+std::string_view name_of(VariationKind kind) {
+  return std::ranges::find(kNames, kind, &NamedKind::kind)->name;
+}
+
+std::optional<VariationKind> variation_named(std::string_view name) {
+  const auto* const found = std::ranges::find(kNames, name, &NamedKind::name);
+  return found == kNames.end() ? std::nullopt : std::optional(found->kind);
+}
+
+Variation::Variation(VariationKind kind, const Registry& plain)
+    : kind_(kind), motion_(motion_of(kind)), registry_(varied(plain, kind, motion_)) {}
+
+std::string Variation::moved_command(const std::string& text) const {
+  if (kind_ == VariationKind::operands || text.starts_with('(')) return text;
+  Scanner scanner(text);
+  std::string moved;
+  std::size_t done = 0;
+  while (scanner.peek().kind != Token::Kind::end && !scanner.error()) {
+    if (!scanner.peek().is("[") || !scanner.peek(1).is("const")) {
+      scanner.take();
+      continue;
+    }
+    const auto literal = moved_literal(scanner, registry_, motion_);
+    if (!literal) continue;
+    moved += text.substr(done, literal->begin - done) + literal->text;
+    done = literal->begin + literal->length;
+  }
+  return moved + text.substr(done);
+}
+
+NestedList Variation::original_result(const NestedList& result) const {
+  const Motion back = motion_.inverse();
+  return with_changed_value(result,
+                            [&](const TypeExpr& type, const NestedList& list) { return back.image(type, list); });
+}
+
+}  // namespace queries

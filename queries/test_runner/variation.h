@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "algebra3d/registry/registry.h"
+#include "queries/test_runner/motion.h"
+
+namespace queries {
+
+enum class VariationKind : std::uint8_t {
+  offset,    ///< geometry lies far from the origin
+  axes,      ///< x, y and z change places, in a circle
+  operands,  ///< operators that do not mind get their operands in the other order
+};
+inline constexpr std::array kVariationKinds = {VariationKind::offset, VariationKind::axes, VariationKind::operands};
+std::string_view name_of(VariationKind kind);
+std::optional<VariationKind> variation_named(std::string_view name);
+
+/// Asks the question of a test case in another way, and turns the answer back (style.md rule 6). Commands run in a
+/// moved space: the literals of their text are moved, `registry()` moves what else comes from numbers, and results are
+/// moved back before they are compared with what the file expects. Immutable; owned by one run of a file.
+class Variation {
+ public:
+  /// `plain` outlives the variation.
+  Variation(VariationKind kind, const algebra3d::Registry& plain);
+
+  VariationKind kind() const { return kind_; }
+  /// The operators of the moved space.
+  const algebra3d::Registry& registry() const { return registry_; }
+  /// The command with its spatial literals moved. A text that does not parse so far, and a command that is written as a
+  /// nested list, stay as they are.
+  std::string moved_command(const std::string& text) const;
+  /// The result list `(T V)` as it would be in the space of the file.
+  NestedList original_result(const NestedList& result) const;
+
+ private:
+  VariationKind kind_;
+  Motion motion_;
+  algebra3d::Registry registry_;
+};
+
+}  // namespace queries
