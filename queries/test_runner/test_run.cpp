@@ -214,7 +214,7 @@ void TestRun::run_command(const CommandText& command) {
   if (section_ == Section::broken) return;
   if (section_ == Section::cases) {
     if (is_judged()) return expectation_.kind == Expectation::Kind::equal ? check_equal(command) : check(command);
-    if (variation_ != nullptr && !case_is_left_out_) ++outcome_.left_out;
+    if (variation_ != nullptr && !case_is_left_out_ && !case_is_unjudged_) ++outcome_.left_out;
     (void)execute(command);  // whatever it gives
     return expectation_.use_up();
   }

@@ -29,7 +29,7 @@ struct TestOutcome {
 
 struct TestOptions {
   /// Takes the report line by line; nothing else is printed.
-  std::function<void(const std::string&)> print;
+  std::function<void(const std::string&)> print = {};
   const std::atomic<bool>* cancel = nullptr;
   /// Only test cases whose name contains this are judged; `*` and `?` stand for any characters and any character. The
   /// commands of the others are run as well, because later ones may need what they make.

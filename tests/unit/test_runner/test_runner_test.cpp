@@ -4,33 +4,15 @@
 
 #include <fstream>
 
-#include "unit/session/example_session.h"
+#include "unit/test_runner/sample_run.h"
 
 namespace queries {
 namespace {
 
-struct SampleRun {
-  TestOutcome outcome;
-  std::string report;
-};
-
-/// Runs a test file with this content.
 SampleRun run(const std::string& content) {
-  const TestFolder folder;
-  const auto file = folder.path() / "sample.test";
-  std::ofstream(file) << content;
-  std::ofstream(folder.path() / "expected.txt") << "(int 3)\n";
-  SampleRun result;
-  auto outcome = run_test_file(file, test_registry(), {[&](const std::string& line) { result.report += line + "\n"; }});
-  EXPECT_TRUE(outcome.ok());
-  if (outcome) result.outcome = std::move(outcome).value();
+  SampleRun result = run_sample(content);
+  EXPECT_EQ(result.error, "");
   return result;
-}
-
-/// `PASSED/FAILED` of the cases below `#setup`.
-std::string verdict(const std::string& cases) {
-  const SampleRun result = run("#setup sample\n" + cases);
-  return fmt::format("{}/{}", result.outcome.passed, result.outcome.failed);
 }
 
 TEST(TestRunner, a_value_is_compared_with_its_type) {
@@ -163,6 +145,166 @@ TEST(TestRunner, a_missing_file_is_an_error) {
   const auto outcome = run_test_file("/no/such.test", test_registry(), {[](const std::string&) {}});
   ASSERT_FALSE(outcome.ok());
   EXPECT_EQ(outcome.error().code, algebra3d::ErrorCode::file_missing);
+}
+
+TEST(TestRunner, an_error_without_a_text_takes_any) {
+  EXPECT_EQ(verdict("#testcase a\n#yields error\nquery;\nquery 1 +;\nclose database;"), "3/0");
+}
+
+TEST(TestRunner, the_text_of_an_error_is_used_up) {
+  EXPECT_EQ(verdict("#testcase a\n#yields error \"unknown name 'x'\"\nquery x;\nquery 1 +;"), "2/0");
+}
+
+TEST(TestRunner, a_let_between_testcase_and_yields_is_a_check_of_its_own) {
+  EXPECT_EQ(verdict("create database d;\nopen database d;\n#testcase a\n#yields (int 1)\nquery 1;\n"
+                    "#testcase b\nlet x = 1;\n#yields (int 1)\nquery x;"),
+            "3/0");
+  EXPECT_EQ(verdict("create database d;\nopen database d;\n#testcase a\n#yields error\nquery y;\n"
+                    "#testcase b\nlet x = 1;\n#yields (int 1)\nquery x;"),
+            "2/1");
+}
+
+TEST(TestRunner, words_that_only_begin_like_an_expectation_are_unknown) {
+  for (const char* word : {"errors", "successful", "undefinedness", "sets (a b)", "5", ""}) {
+    const SampleRun result = run(std::string("#setup s\n#testcase a\n#yields ") + word + "\nquery 1;");
+    EXPECT_EQ(result.outcome.failed, 1U) << word;
+    EXPECT_NE(result.report.find(std::string("unknown yields value: ") + word), std::string::npos) << result.report;
+  }
+}
+
+TEST(TestRunner, expected_values_from_files_take_variables) {
+  ASSERT_EQ(setenv("ALGEBRA3D_TEST_EXPECTED", "expected", 1), 0);  // NOLINT(concurrency-mt-unsafe)
+  EXPECT_EQ(verdict("#testcase a\n#yields @$(ALGEBRA3D_TEST_EXPECTED).txt\nquery 3;"), "1/0");
+  EXPECT_EQ(verdict("#testcase a\n#yields @$(ALGEBRA3D_TEST_NO_SUCH).txt\nquery 3;"), "0/1");
+  EXPECT_EQ(verdict("#testcase a\n#yields @$(unclosed.txt\nquery 3;"), "0/1");
+}
+
+TEST(TestRunner, a_tolerance_that_is_no_number_fails) {
+  EXPECT_EQ(verdict("#testcase a\n#tolerance_real much\n#yields (int 1)\nquery 1;"), "1/1");
+}
+
+TEST(TestRunner, directives_of_a_case_mean_nothing_before_it) {
+  const SampleRun result =
+      run("#setup s\n#tolerance_real 5\n#yields (int 1)\n#testcase a\n#yields (real 1.0)\nquery 2.0;");
+  EXPECT_EQ(result.outcome.failed, 1U);
+  EXPECT_NE(result.report.find("line 2: #tolerance_real before a test case"), std::string::npos) << result.report;
+}
+
+TEST(TestRunner, blanks_may_stand_after_the_number_sign) {
+  EXPECT_EQ(verdict("#  testcase a\n# yields (int 1)\nquery 1;"), "1/0");
+}
+
+TEST(TestRunner, the_mark_of_utf8_and_line_ends_of_windows_do_not_matter) {
+  const SampleRun result = run("\xEF\xBB\xBF#setup s\r\n#testcase a\r\n#yields (int\\\r\n 1)\r\nquery 1;\r\n");
+  EXPECT_EQ(result.outcome.passed, 1U) << result.report;
+  EXPECT_EQ(result.outcome.failed, 0U) << result.report;
+}
+
+TEST(TestRunner, a_second_setup_fails) {
+  EXPECT_EQ(run("#setup s\n#testcase a\n#yields (int 1)\nquery 1;\n#setup t\n").outcome.failed, 1U);
+}
+
+TEST(TestRunner, the_failure_of_a_setup_says_which_command) {
+  const SampleRun result = run("#setup s\nlet a = 1;\n#testcase a\nquery 1;\n#teardown\nquery z;");
+  EXPECT_EQ(result.outcome.failures, std::vector<std::string>{"0@2"});
+  EXPECT_NE(result.report.find("the setup failed: no database is open"), std::string::npos) << result.report;
+  EXPECT_NE(result.report.find("command: let a = 1"), std::string::npos) << result.report;
+  EXPECT_NE(result.report.find("unknown name 'z'"), std::string::npos) << result.report;
+}
+
+TEST(TestRunner, a_file_that_needs_an_unknown_algebra_is_left_out) {
+  const SampleRun result = run("#setup s Standard-C++ NoSuchAlgebra\n#testcase a\nquery x;");
+  EXPECT_EQ(result.outcome.skipped, "there is no algebra 'NoSuchAlgebra'");
+  EXPECT_EQ(result.outcome.failed, 0U);
+}
+
+TEST(TestRunner, algebras_may_be_written_with_and_without_their_endings) {
+  EXPECT_EQ(run("#setup s Spatial3D ExtRelation-C++ RTreeAlgebra FTextAlgebra\n#testcase a\n#yields (int 1)\nquery 1;")
+                .outcome.passed,
+            1U);
+}
+
+TEST(TestRunner, description_and_coverage_change_nothing) {
+  const SampleRun result =
+      run("#setup s\n#description what it is about\n#testcase a\n#yields (int 1)\n"
+          "#coverage Spatial3D\nquery 1;");
+  EXPECT_EQ(result.outcome.passed, 1U);
+  EXPECT_NE(result.report.find("what it is about"), std::string::npos);
+}
+
+TEST(TestRunner, a_failure_shows_command_expected_and_found) {
+  const SampleRun result =
+      run("#setup s\n#testcase a\n#yields error \"one\"\nquery two;\n"
+          "#testcase b\n#yields equal 2 + 2\nquery 5;\n#testcase c\n#yields success\nquery x;");
+  EXPECT_EQ(result.outcome.failed, 3U);
+  for (const char* part :
+       {"FAILED 1@4 a: expected an error that contains \"one\"", "command: query two",
+        "found: error: unknown name 'two'", "FAILED 2@7 b: expected an equal value, but at /2: expected 4, found 5",
+        "expected: the value of 2 + 2", "found: (int 5)", "expected: no error"})
+    EXPECT_NE(result.report.find(part), std::string::npos) << part << "\n" << result.report;
+}
+
+TEST(TestRunner, of_a_long_result_the_neighbourhood_is_shown) {
+  std::string expected = "((rel (tuple ((Elem int)))) (";
+  for (int i = 1; i <= 500; ++i) expected += fmt::format("({}) ", i == 300 ? 7 : i);
+  const SampleRun result =
+      run("#setup s\n#testcase a\n#yields " + expected + "))\nquery intstream(1, 500) transformstream consume;");
+  EXPECT_NE(result.report.find("at /2/300/1: expected 7, found 300"), std::string::npos) << result.report;
+  EXPECT_NE(result.report.find("found: at /2/300: (300)"), std::string::npos) << result.report;
+  EXPECT_LT(result.report.size(), 1000U);
+}
+
+TEST(TestRunner, a_filter_judges_some_cases_and_runs_all) {
+  const std::string cases =
+      "create database d;\nopen database d;\n#testcase make_x\nlet x = 5;\n"
+      "#testcase use_x\n#yields (int 5)\nquery x;\n#testcase wrong\n#yields (int 6)\nquery x;";
+  EXPECT_EQ(verdict(cases, {.filter = "use"}), "1/0");
+  EXPECT_EQ(verdict(cases, {.filter = "*_x"}), "2/0");
+  EXPECT_EQ(verdict(cases, {.filter = "wr?ng"}), "0/1");
+  EXPECT_EQ(verdict(cases, {.filter = "nothing"}), "0/0");
+}
+
+TEST(TestRunner, the_scratch_folder_may_be_kept) {
+  const SampleRun result = run_sample("#setup s\ncreate database kept;\n", {.keeps_scratch = true});
+  const std::size_t begin = result.report.find("kept: ");
+  ASSERT_NE(begin, std::string::npos) << result.report;
+  const std::filesystem::path folder = result.report.substr(begin + 6, result.report.find('\n', begin) - begin - 6);
+  EXPECT_TRUE(std::filesystem::exists(folder / "kept.db")) << folder;
+  std::filesystem::remove_all(folder);
+}
+
+TEST(TestRunner, several_files_at_once_are_reported_in_their_order) {
+  const TestFolder folder;
+  std::vector<std::string> files;
+  for (const char* name : {"a", "b", "c", "d", "e"}) {
+    files.push_back((folder.path() / (std::string(name) + ".test")).string());
+    std::ofstream(files.back()) << "#setup s\n#description about " << name
+                                << "\n#testcase a\n#yields (int 1)\nquery 1;\nquery 2;\n";
+  }
+  files.push_back("/no/such.test");
+  const auto report_of = [&](std::size_t jobs) {
+    std::string report;
+    const auto summary = run_test_files(files, jobs, test_registry(),
+                                        {.print = [&](const std::string& line) { report += line + "\n"; }});
+    EXPECT_EQ(summary.passed, 5U);
+    EXPECT_EQ(summary.failed, 6U);
+    return report;
+  };
+  const std::string report = report_of(1);
+  EXPECT_EQ(report, report_of(3));
+  EXPECT_LT(report.find("about a"), report.find("about e"));
+  EXPECT_NE(report.find("failed 1@6\n"), std::string::npos) << report;
+  EXPECT_NE(report.find("error: cannot read '/no/such.test'"), std::string::npos) << report;
+  EXPECT_TRUE(report.ends_with("5 passed, 6 failed\n")) << report;
+}
+
+TEST(TestRunner, an_interrupted_run_says_so) {
+  const TestFolder folder;
+  const auto file = folder.path() / "sample.test";
+  std::ofstream(file) << "#setup s\n#testcase a\n#yields (int 1)\nquery 1;\n";
+  const std::atomic<bool> cancel = true;
+  const auto summary = run_test_files({file.string()}, 1, test_registry(), {[](const std::string&) {}, &cancel});
+  EXPECT_TRUE(summary.is_interrupted);
 }
 
 }  // namespace
