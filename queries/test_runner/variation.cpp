@@ -148,6 +148,29 @@ std::optional<Replacement> moved_literal(Scanner& scanner, const Registry& regis
   return Replacement{begin, raw->size(), " " + motion.image(*type, *list).print()};
 }
 
+bool is_type_with_geometry(const NestedList& list) {
+  if (list.is_symbol()) return Motion::moves(list.as_symbol());
+  const auto type = TypeExpr::from_nested(list);
+  return type && type->is_relation();
+}
+
+// A command or function in its nested-list form, with its constants `(T L)` and `(const T value L)` moved. Its depth is
+// limited by the reader of nested lists. NOLINTNEXTLINE(misc-no-recursion)
+NestedList with_moved_constants(const NestedList& form, const Motion& motion) {
+  if (!form.is_list()) return form;
+  NestedList moved = form;
+  auto& items = moved.elements();
+  const bool is_short = items.size() == 2 && is_type_with_geometry(items[0]);
+  const bool is_long = items.size() == 4 && items[0].is_symbol("const") && items[2].is_symbol("value");
+  if (is_short || is_long) {
+    if (const auto type = TypeExpr::from_nested(items[is_short ? 0 : 1]))
+      items.back() = motion.image(*type, items.back());
+    return moved;
+  }
+  for (NestedList& item : items) item = with_moved_constants(item, motion);
+  return moved;
+}
+
 }  // namespace
 
 std::string_view name_of(VariationKind kind) {
@@ -163,7 +186,11 @@ Variation::Variation(VariationKind kind, const Registry& plain)
     : kind_(kind), motion_(motion_of(kind)), registry_(varied(plain, kind, motion_)) {}
 
 std::string Variation::moved_command(const std::string& text) const {
-  if (kind_ == VariationKind::operands || text.starts_with('(')) return text;
+  if (kind_ == VariationKind::operands) return text;
+  if (text.starts_with('(')) {
+    const auto form = NestedList::parse(text);
+    return form ? with_moved_constants(*form, motion_).print() : text;
+  }
   Scanner scanner(text);
   std::string moved;
   std::size_t done = 0;
@@ -182,8 +209,9 @@ std::string Variation::moved_command(const std::string& text) const {
 
 NestedList Variation::original_result(const NestedList& result) const {
   const Motion back = motion_.inverse();
-  return with_changed_value(result,
-                            [&](const TypeExpr& type, const NestedList& list) { return back.image(type, list); });
+  return with_changed_value(result, [&](const TypeExpr& type, const NestedList& list) {
+    return type.is_function() ? with_moved_constants(list, back) : back.image(type, list);
+  });
 }
 
 }  // namespace queries

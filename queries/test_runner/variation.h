@@ -30,8 +30,7 @@ class Variation {
   VariationKind kind() const { return kind_; }
   /// The operators of the moved space.
   const algebra3d::Registry& registry() const { return registry_; }
-  /// The command with its spatial literals moved. A text that does not parse so far, and a command that is written as a
-  /// nested list, stay as they are.
+  /// The command, in text or as a nested list, with its spatial literals moved. What does not parse stays as it is.
   std::string moved_command(const std::string& text) const;
   /// The result list `(T V)` as it would be in the space of the file.
   NestedList original_result(const NestedList& result) const;

@@ -89,6 +89,21 @@ TEST(Motion, order_that_follows_the_axes_is_taken_away) {
   EXPECT_EQ(free("point3d", "(2 1 0)"), "(2 1 0)");
 }
 
+/// `PASSED FAILED LEFT_OUT` per variation.
+std::string varied(const std::string& cases, const Registry& registry = test_registry()) {
+  const SampleRun result = run_sample("#setup s\n" + cases, {.varies = true}, registry);
+  std::string text;
+  for (const VariedChecks& checks : result.outcome.varied)
+    text += fmt::format("{} {} {} {}, ", checks.name, checks.passed, checks.failed, checks.left_out);
+  return text;
+}
+
+std::string varied_function() {
+  return varied(
+      "#testcase a\n#yields ((map point3d bool) (fun (p point3d) (= p (point3d (1.0 2.0 3.0)))))\n"
+      "query fun(p: point3d) p = [const point3d value (1.0 2.0 3.0)];\n");
+}
+
 TEST(Variation, literals_are_moved_in_the_text) {
   const Variation axes(VariationKind::axes, test_registry());
   EXPECT_EQ(axes.moved_command("query [const point3d value (1 2 3)]"), "query [const point3d value (3.0 1.0 2.0)]");
@@ -100,13 +115,26 @@ TEST(Variation, literals_are_moved_in_the_text) {
             "query [const (rel (tuple ((P point3d)))) value (((3.0 1.0 2.0)))]");
 }
 
+TEST(Variation, constants_in_nested_lists_are_moved) {
+  const Variation axes(VariationKind::axes, test_registry());
+  EXPECT_EQ(axes.moved_command("(query (bbox (point3d (1 2 3))))"), "(query (bbox (point3d (3.0 1.0 2.0))))");
+  EXPECT_EQ(axes.moved_command("(let p = (const point3d value (1 2 3)))"),
+            "(let p = (const point3d value (3.0 1.0 2.0)))");
+  EXPECT_EQ(axes.moved_command("(query (count ((rel (tuple ((P point3d)))) (((1 2 3))))))"),
+            "(query (count ((rel (tuple ((P point3d)))) (((3.0 1.0 2.0))))))");
+  EXPECT_EQ(axes.moved_command("(query (+ 1 2))"), "(query (+ 1 2))");
+}
+
+TEST(Variation, constants_in_functions_are_moved_back) {
+  EXPECT_EQ(varied_function(), "offset 1 0 0, axes 1 0 0, operands 1 0 0, ");
+}
+
 TEST(Variation, text_that_is_no_literal_stays) {
   const Variation offset(VariationKind::offset, test_registry());
   for (const char* text :
        {"query 1 + 2", "query \"[const point3d value (1 2 3)]\"", "query '[const point3d value (1 2 3)]'",
         "query [const point3d value (1 2)]", "query [const point3d value (1 2 3)", "query [const", "query [const 5 6]",
-        "query \xC2\xA7 [const point3d value (1 2 3)]", "(query (point3d (1 2 3)))",
-        "query [const point3d value (1 2]"})
+        "query \xC2\xA7 [const point3d value (1 2 3)]", "(query (point3d (1 2 3))", "query [const point3d value (1 2]"})
     EXPECT_EQ(offset.moved_command(text), text);
 }
 
@@ -115,15 +143,6 @@ TEST(Variation, results_are_moved_back) {
   EXPECT_EQ(axes.original_result(list("(point3d (3.0 1.0 2.0))")).print(), "(point3d (1.0 2.0 3.0))");
   EXPECT_EQ(axes.original_result(list("(inquiry (objects ()))")).print(), "(inquiry (objects ()))");
   EXPECT_EQ(axes.original_result(list("()")).print(), "()");
-}
-
-/// `PASSED FAILED LEFT_OUT` per variation.
-std::string varied(const std::string& cases, const Registry& registry = test_registry()) {
-  const SampleRun result = run_sample("#setup s\n" + cases, {.varies = true}, registry);
-  std::string text;
-  for (const VariedChecks& checks : result.outcome.varied)
-    text += fmt::format("{} {} {} {}, ", checks.name, checks.passed, checks.failed, checks.left_out);
-  return text;
 }
 
 TEST(Variation, every_case_is_asked_in_every_way) {
