@@ -13,6 +13,8 @@ using algebra3d::Status;
 
 /// Statements that are kept prepared; each relation needs about ten.
 constexpr std::size_t kPreparedKept = 500;
+/// Of SQLite's machine, between two looks at the wish to end: well below a millisecond.
+constexpr int kStepsBetweenQuestions = 1000;
 
 /// The name of the file as SQLite takes it: absolute, so that neither "file:x" nor ":memory:" means something else.
 std::string name_for_sqlite(const std::filesystem::path& file, SqliteConnection::Access access) {
@@ -84,6 +86,14 @@ Result<std::unique_ptr<SqliteConnection>> SqliteConnection::open_temporary() {
 SqliteConnection::~SqliteConnection() {
   for (const auto& [sql, prepared] : prepared_) sqlite3_finalize(prepared->statement);
   sqlite3_close_v2(handle_);
+}
+
+void SqliteConnection::end_when(const std::atomic<bool>* cancel) {
+  const auto is_cancelled = [](void* flag) {
+    return static_cast<const std::atomic<bool>*>(flag)->load(std::memory_order_relaxed) ? 1 : 0;
+  };
+  sqlite3_progress_handler(handle_, cancel != nullptr ? kStepsBetweenQuestions : 0, is_cancelled,
+                           const_cast<std::atomic<bool>*>(cancel));  // NOLINT(cppcoreguidelines-pro-type-const-cast)
 }
 
 Error SqliteConnection::error(int code, std::string_view doing) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -45,6 +46,9 @@ class SqliteConnection {
   algebra3d::Result<SqliteStatement> use(std::string_view sql);
   /// The first column of the first row, an integer. Error if there is no row.
   algebra3d::Result<std::int64_t> integer(std::string_view sql);
+
+  /// While `cancel` is true, what runs ends with the error `interrupted`; null: nothing ends it.
+  void end_when(const std::atomic<bool>* cancel);
 
   algebra3d::Error error(int code, std::string_view doing) const;
   /// For SqliteStatement alone.

@@ -1,8 +1,9 @@
 #include "queries/store/sqlite_store.h"
 
 #include "algebra3d/types/codec.h"
-#include "queries/store/chunks.h"
+#include "queries/store/integrity_check.h"
 #include "queries/store/read_scope.h"
+#include "queries/store/stored_object.h"
 #include "queries/store/stored_relation.h"
 
 namespace queries {
@@ -108,7 +109,7 @@ Result<Datum> SqliteStore::read(const std::string& name) {
   const algebra3d::Type* const type = database_->registry().find_type(entry->type.name());
   if (type == nullptr)
     return Error{ErrorCode::database_corrupt, "{}: the type {} is not known", name, entry->type.text()};
-  ASSIGN_OR_RETURN(const std::string bytes, read_bytes(*entry));
+  ASSIGN_OR_RETURN(const std::string bytes, read_object_bytes(*database_, *entry));
   auto value = algebra3d::decode(*type, bytes, algebra3d::Origin::own_store);
   if (!value) return Error{value.error().code, "{}: {}", name, value.error().message};
   return Datum{*std::move(value)};
@@ -117,37 +118,6 @@ Result<Datum> SqliteStore::read(const std::string& name) {
 Result<Datum> SqliteStore::read_relation(const CatalogueEntry& entry) {
   ASSIGN_OR_RETURN(auto layout, database_->layout_of(entry));
   return Datum{RelationPtr(std::make_shared<StoredRelation>(database_, std::move(layout)))};
-}
-
-Result<std::string> SqliteStore::read_bytes(const CatalogueEntry& entry) {
-  SqliteConnection& connection = database_->connection();
-  ASSIGN_OR_RETURN(SqliteStatement statement, connection.use("SELECT value FROM object_values WHERE id = ?"));
-  statement.bind(1, entry.id);
-  ASSIGN_OR_RETURN(const bool has_row, statement.step());
-  std::string bytes;
-  if (has_row) {
-    const Cell cell = statement.column(0);
-    bytes = cell.bytes;
-    if (cell.is(Cell::Kind::integer)) {
-      ASSIGN_OR_RETURN(bytes, read_chunks(connection, {0, entry.id, 0}, cell.integer));
-    }
-  }
-  if (checksum_of(bytes) == entry.value_sum) return bytes;
-  return Error{ErrorCode::database_corrupt, "{}: the stored value is not what was written", entry.name};
-}
-
-Status SqliteStore::write_bytes(CatalogueEntry& entry, std::string_view bytes) {
-  SqliteConnection& connection = database_->connection();
-  RETURN_IF_ERROR(erase_chunks(connection, 0, entry.id));
-  const bool is_long = bytes.size() > database_->options().inline_bytes;
-  ASSIGN_OR_RETURN(SqliteStatement statement, connection.use("INSERT OR REPLACE INTO object_values VALUES(?, ?)"));
-  statement.bind(1, entry.id);
-  statement.bind(2, is_long ? Cell::of(static_cast<std::int64_t>(bytes.size())) : Cell::blob(bytes));
-  RETURN_IF_ERROR(statement.run());
-  if (is_long) RETURN_IF_ERROR(write_chunks(connection, {0, entry.id, 0}, bytes, database_->options().chunk_bytes));
-  entry.value_sum = checksum_of(bytes);
-  entry.has_value = true;
-  return {};
 }
 
 Status SqliteStore::assign(const std::string& name, const Datum& value, const algebra3d::Context& context) {
@@ -167,7 +137,12 @@ Status SqliteStore::assign_value(CatalogueEntry& entry, const Value& value) {
     return Error{ErrorCode::internal, "{}: a value of type {}, expected {}", entry.name, value.type().name(),
                  entry.type.text()};
   ASSIGN_OR_RETURN(const Value loaded, value.loaded());
-  return write_bytes(entry, algebra3d::encode(loaded));
+  return write_object_bytes(*database_, entry, algebra3d::encode(loaded));
+}
+
+Result<std::vector<Finding>> SqliteStore::check(const algebra3d::Context& context,
+                                                const std::function<void(const CheckProgress&)>& progress) {
+  return IntegrityCheck(database_, context, progress).run();
 }
 
 Result<bool> SqliteStore::is_imported(const std::string& relation, const ImportedFile& file) {

@@ -40,6 +40,8 @@ class SqliteStore final : public Store {
   Result<std::optional<TypeExpr>> find_type(const std::string& name) override;
   Status create_type(const std::string& name, const TypeExpr& type) override;
   Status remove_type(const std::string& name) override;
+  Result<std::vector<Finding>> check(const algebra3d::Context& context,
+                                     const std::function<void(const CheckProgress&)>& progress) override;
 
   std::uint64_t geometry_loads() const override { return database_->geometry_loads(); }
   Result<bool> is_imported(const std::string& relation, const ImportedFile& file) override;
@@ -54,12 +56,10 @@ class SqliteStore final : public Store {
   Result<Datum> read_relation(const CatalogueEntry& entry);
   Result<Datum> read_index(const CatalogueEntry& entry);
   Result<std::shared_ptr<SpatialIndex::Tree>> tree_of(const CatalogueEntry& relation, const std::string& attribute);
-  Result<std::string> read_bytes(const CatalogueEntry& entry);
 
   Status assign_relation(CatalogueEntry& entry, const Datum& value, const algebra3d::Context& context);
   Status assign_index(CatalogueEntry& entry, const SpatialIndex& index);
   Status assign_value(CatalogueEntry& entry, const Value& value);
-  Status write_bytes(CatalogueEntry& entry, std::string_view bytes);
   Status drop_table(const CatalogueEntry& entry);
   Status remove_entry(const CatalogueEntry& entry);
   Result<bool> is_sound(const CatalogueEntry& entry);

@@ -2,6 +2,7 @@
 #include "queries/store/chunks.h"
 #include "queries/store/read_scope.h"
 #include "queries/store/sqlite_store.h"
+#include "queries/store/stored_object.h"
 
 namespace queries {
 
@@ -55,7 +56,7 @@ Result<bool> SqliteStore::is_sound(const CatalogueEntry& entry) {
     return error;
   };
   if (!entry.type.is_relation()) {
-    const auto bytes = read_bytes(entry);
+    const auto bytes = read_object_bytes(*database_, entry);
     return bytes ? Result<bool>(true) : unless_damaged(bytes.error());
   }
   const auto layout = database_->layout_of(entry);

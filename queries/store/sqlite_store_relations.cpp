@@ -4,6 +4,7 @@
 #include "queries/store/frozen_index.h"
 #include "queries/store/relation_scan.h"
 #include "queries/store/sqlite_store.h"
+#include "queries/store/stored_object.h"
 #include "queries/store/stored_relation.h"
 
 namespace queries {
@@ -43,7 +44,7 @@ Status SqliteStore::drop_table(const CatalogueEntry& entry) {
 Status SqliteStore::assign_index(CatalogueEntry& entry, const SpatialIndex& index) {
   entry.index_relation.clear();
   entry.index_attribute.clear();
-  if (!index.is_definition()) return write_bytes(entry, encode_tree(index.tree()));
+  if (!index.is_definition()) return write_object_bytes(*database_, entry, encode_tree(index.tree()));
   const CatalogueEntry* const relation = database_->catalogue().find(index.relation());
   if (relation == nullptr || !relation->type.is_relation())
     return Error{ErrorCode::unknown_name, "{}: there is no relation '{}' for the index", entry.name, index.relation()};
@@ -55,7 +56,7 @@ Status SqliteStore::assign_index(CatalogueEntry& entry, const SpatialIndex& inde
 
 Result<Datum> SqliteStore::read_index(const CatalogueEntry& entry) {
   if (entry.index_relation.empty()) {
-    ASSIGN_OR_RETURN(const std::string bytes, read_bytes(entry));
+    ASSIGN_OR_RETURN(const std::string bytes, read_object_bytes(*database_, entry));
     auto tree = decode_tree(bytes);
     if (!tree) return Error{tree.error().code, "{}: {}", entry.name, tree.error().message};
     return Datum{std::make_shared<SpatialIndex>("", "", *std::move(tree))};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,6 +35,24 @@ enum class OpenMode : std::uint8_t {
   read_write,  ///< error database_missing if it is not
   open_or_create,
   read_only,
+};
+
+/// One thing that is wrong with a database.
+struct Finding {
+  std::string object = {};     ///< name of the object; empty if it is about none
+  TupleId tuple = 0;           ///< of a relation; 0 if it is about none
+  std::string attribute = {};  ///< empty if it is about none
+  std::string message = {};    ///< what is wrong, without these three
+
+  /// As one line: `Parts: tuple 3: 'Solid': the bytes are not what was written`.
+  std::string text() const;
+};
+
+/// What an integrity check has done so far.
+struct CheckProgress {
+  std::string object;       ///< what it is looking at
+  std::uint64_t done = 0;   ///< tuples and values
+  std::uint64_t total = 0;  ///< as many as the catalogue says
 };
 
 /// One open database: a SQLite file in WAL mode (design.md §8, docs/file_format.md). Relations are tables, everything
@@ -108,6 +127,13 @@ class Store {
   virtual Status create_type(const std::string& name, const TypeExpr& type) = 0;
   /// Errors: unknown_name.
   virtual Status remove_type(const std::string& name) = 0;
+
+  /// Reads everything and proves it: SQLite's own structures, the checksum of each row and value, each geometry as if
+  /// it came from elsewhere, box and size columns against the geometry, the indexes in memory against their relations,
+  /// and that nothing lies in the file that belongs to no object. An empty list: all is well. Within a statement. It
+  /// holds one value at a time. Cost: linear in the file. Errors: interrupted, io_error.
+  virtual Result<std::vector<Finding>> check(const algebra3d::Context& context,
+                                             const std::function<void(const CheckProgress&)>& progress) = 0;
 
   /// Geometry blobs read and decoded since the store was opened: for tests that filters read none.
   virtual std::uint64_t geometry_loads() const = 0;

@@ -67,6 +67,10 @@ Box3 RowReader::box(std::size_t attribute) const {
   return box;
 }
 
+std::uint32_t RowReader::size(std::size_t attribute) const {
+  return static_cast<std::uint32_t>(cells_[layout_->attributes()[attribute].box + kSizeAfterBox].integer);
+}
+
 std::vector<Box3> RowReader::boxes() const {
   std::vector<Box3> result;
   for (std::size_t i = 0; i < layout_->attributes().size(); ++i) result.push_back(box(i));

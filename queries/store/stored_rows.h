@@ -25,10 +25,13 @@ class RowReader {
   algebra3d::Box3 box(std::size_t attribute) const;
   /// One per attribute, empty ones for those that are not spatial.
   std::vector<algebra3d::Box3> boxes() const;
+  /// Points or triangles of a defined spatial attribute.
+  std::uint32_t size(std::size_t attribute) const;
   Result<TuplePtr> tuple() const;
+  /// One value of the tuple; large ones are deferred. Errors: database_corrupt.
+  Result<Value> value(std::size_t attribute) const;
 
  private:
-  Result<Value> value(std::size_t attribute) const;
   Result<Value> large_value(std::size_t attribute) const;
   Error corrupt(const AttributeColumns& attribute) const;
 

@@ -1,0 +1,217 @@
+#include "queries/store/integrity_check.h"
+
+#include <array>
+
+#include "algebra3d/types/codec.h"
+#include "queries/store/frozen_index.h"
+#include "queries/store/stored_object.h"
+
+namespace queries {
+namespace {
+
+/// Of one object; what comes after these is counted.
+constexpr std::size_t kFindingsPerObject = 100;
+constexpr std::uint64_t kStepsPerReport = 64;
+
+bool is_damage(ErrorCode code) {
+  return code == ErrorCode::database_corrupt || code == ErrorCode::database_version ||
+         code == ErrorCode::invalid_value || code == ErrorCode::type_error;
+}
+
+}  // namespace
+
+std::string Finding::text() const {
+  std::string result;
+  if (!object.empty()) result += object + ": ";
+  if (tuple != 0) result += fmt::format("tuple {}: ", tuple);
+  if (!attribute.empty()) result += fmt::format("'{}': ", attribute);
+  return result + message;
+}
+
+Result<std::vector<Finding>> IntegrityCheck::run() {
+  RETURN_IF_ERROR(database_->check_reading());
+  const auto& entries = database_->catalogue().entries();
+  for (const auto& [name, entry] : entries)
+    done_.total += 1 + (entry.type.is_relation() ? static_cast<std::uint64_t>(entry.tuple_count) : 0);
+  RETURN_IF_ERROR(check_sqlite());
+  RETURN_IF_ERROR(check_catalogue());
+  for (const auto& [name, entry] : entries) RETURN_IF_ERROR(check_object(entry));
+  RETURN_IF_ERROR(check_schema());
+  RETURN_IF_ERROR(check_numbers("object_values", "id"));
+  RETURN_IF_ERROR(check_numbers("imported_files", "relation"));
+  RETURN_IF_ERROR(check_chunks());
+  for (const auto& [name, count] : finding_counts_)
+    if (count > kFindingsPerObject)
+      findings_.push_back({name, 0, "", fmt::format("{} more findings", count - kFindingsPerObject)});
+  return std::move(findings_);
+}
+
+void IntegrityCheck::add(Finding finding) {
+  if (++finding_counts_[finding.object] <= kFindingsPerObject) findings_.push_back(std::move(finding));
+}
+
+// Errors of the store say where they are; a finding does so itself.
+Status IntegrityCheck::add(Finding finding, const Error& error) {
+  if (!is_damage(error.code)) return error;
+  std::string_view message = error.message;
+  for (const std::string& prefix :
+       {finding.object + ": ", database_->file().string() + ": ", fmt::format("tuple {}: ", finding.tuple)})
+    if (prefix != ": " && message.starts_with(prefix)) message.remove_prefix(prefix.size());
+  finding.message += message;
+  add(std::move(finding));
+  return {};
+}
+
+Status IntegrityCheck::advance(const std::string& object) {
+  RETURN_IF_ERROR(context_.check_cancelled());
+  const bool is_new = object != done_.object;
+  done_.object = object;
+  ++done_.done;
+  if (progress_ && (is_new || done_.done % kStepsPerReport == 0)) progress_(done_);
+  return {};
+}
+
+Status IntegrityCheck::check_sqlite() {
+  SqliteConnection& connection = database_->connection();
+  ASSIGN_OR_RETURN(SqliteStatement statement, connection.use("PRAGMA integrity_check"));
+  connection.end_when(context_.cancel);
+  Status status;
+  while (true) {
+    const auto has_row = statement.step();
+    if (!has_row) status = add({.message = "SQLite: "}, has_row.error());
+    if (!has_row || !*has_row) break;
+    if (const auto text = statement.column(0).bytes; text != "ok") add({.message = fmt::format("SQLite: {}", text)});
+  }
+  connection.end_when(nullptr);
+  return status;
+}
+
+// What is in memory was proved when it was read, which may be long ago.
+Status IntegrityCheck::check_catalogue() {
+  Catalogue fresh(database_->connection());
+  if (const Status status = fresh.load(); !status) RETURN_IF_ERROR(add({}, status.error()));
+  auto statement = database_->connection().use("SELECT number FROM abandoned");
+  if (!statement) return {};  // version 1
+  while (true) {
+    const auto has_row = statement->step();
+    if (!has_row) return add({}, has_row.error());
+    if (!*has_row) return {};
+    abandoned_.insert(statement->column(0).integer);
+  }
+}
+
+Status IntegrityCheck::check_object(const CatalogueEntry& entry) {
+  RETURN_IF_ERROR(advance(entry.name));
+  if (!entry.has_value || entry.type.is_function()) return {};
+  if (entry.type.is_relation()) return check_relation(entry);
+  return entry.index_relation.empty() ? check_value(entry) : check_definition(entry);
+}
+
+Status IntegrityCheck::check_value(const CatalogueEntry& entry) {
+  const auto bytes = read_object_bytes(*database_, entry);
+  if (!bytes) return add({.object = entry.name}, bytes.error());
+  if (entry.type.is("rtree3")) {
+    const auto tree = decode_tree(*bytes);
+    return tree ? Status() : add({.object = entry.name}, tree.error());
+  }
+  const algebra3d::Type* const type = database_->registry().find_type(entry.type.name());
+  if (type == nullptr) {
+    add({.object = entry.name, .message = fmt::format("the type {} is not known", entry.type.text())});
+    return {};
+  }
+  const auto value = algebra3d::decode(*type, *bytes, algebra3d::Origin::elsewhere);
+  return value ? Status() : add({.object = entry.name}, value.error());
+}
+
+// The tree itself is compared when its relation is read.
+Status IntegrityCheck::check_definition(const CatalogueEntry& entry) {
+  const CatalogueEntry* const relation = database_->catalogue().find(entry.index_relation);
+  if (relation == nullptr || !relation->type.is_relation()) {
+    add({.object = entry.name,
+         .message = fmt::format("the index is on the relation '{}', which is not there", entry.index_relation)});
+    return {};
+  }
+  const auto layout = database_->layout_of(*relation);
+  if (!layout) return add({.object = entry.name}, layout.error());
+  const std::size_t position = (*layout)->find(entry.index_attribute);
+  if (position == (*layout)->attributes().size() || !(*layout)->attributes()[position].has_box())
+    add({.object = entry.name,
+         .message = fmt::format("the relation '{}' has no spatial attribute '{}' for the index", entry.index_relation,
+                                entry.index_attribute)});
+  return {};
+}
+
+Status IntegrityCheck::check_schema() {
+  std::set<std::string> known = {"meta",           "catalogue",   "object_values", "chunks",
+                                 "imported_files", "named_types", "abandoned",     "chunks_by_place"};
+  for (const auto& [number, layout] : layouts_) known.insert(layout->table());
+  ASSIGN_OR_RETURN(SqliteStatement rows,
+                   database_->connection().use("SELECT type, name FROM sqlite_schema WHERE name NOT LIKE 'sqlite_%'"));
+  while (true) {
+    const auto has_row = rows.step();
+    if (!has_row) return add({}, has_row.error());
+    if (!*has_row) return {};
+    const std::string name(rows.column(1).bytes);
+    constexpr std::size_t kAfterPrefix = 4;
+    const bool is_relation = name.starts_with("rel_") && rows.column(0).bytes == "table";
+    const std::int64_t number = is_relation ? std::atoll(name.c_str() + kAfterPrefix) : 0;
+    if (known.contains(name) || abandoned_.contains(number)) continue;
+    // To SQLite a table has the same name in another case.
+    const auto layout = layouts_.find(number);
+    if (layout != layouts_.end() && sqlite3_stricmp(layout->second->table().c_str(), name.c_str()) == 0) continue;
+    add({.message = fmt::format("the {} {} belongs to no object", rows.column(0).bytes, name)});
+  }
+}
+
+Status IntegrityCheck::check_numbers(std::string_view table, std::string_view column) {
+  std::set<std::int64_t> known = abandoned_;
+  for (const auto& [name, entry] : database_->catalogue().entries()) known.insert(entry.id);
+  ASSIGN_OR_RETURN(SqliteStatement rows,
+                   database_->connection().use(fmt::format("SELECT DISTINCT {} FROM {} NOT INDEXED", column, table)));
+  while (true) {
+    RETURN_IF_ERROR(context_.check_cancelled());
+    const auto has_row = rows.step();
+    if (!has_row) return add({}, has_row.error());
+    if (!*has_row) return {};
+    const std::int64_t number = rows.column(0).integer;
+    if (!known.contains(number))
+      add({.message = fmt::format("the table {} has rows of the object number {}, which is not there", table, number)});
+  }
+}
+
+Status IntegrityCheck::check_chunks() {
+  ASSIGN_OR_RETURN(SqliteStatement rows,
+                   database_->connection().use("SELECT DISTINCT owner, tuple, attribute FROM chunks"));
+  while (true) {
+    RETURN_IF_ERROR(context_.check_cancelled());
+    const auto has_row = rows.step();
+    if (!has_row) return add({}, has_row.error());
+    if (!*has_row) return {};
+    const std::array place = {rows.column(0).integer, rows.column(1).integer, rows.column(2).integer};
+    if (abandoned_.contains(place[0] != 0 ? place[0] : place[1])) continue;
+    const auto wanted = has_chunks(place[0], place[1], place[2]);
+    if (!wanted) RETURN_IF_ERROR(add({}, wanted.error()));
+    if (wanted && !*wanted)
+      add({.message = fmt::format("there are chunks of a value that is not there: owner {}, tuple {}, attribute {}",
+                                  place[0], place[1], place[2])});
+  }
+}
+
+// The place of a value that lies in chunks holds its length.
+Result<bool> IntegrityCheck::has_chunks(std::int64_t owner, std::int64_t tuple, std::int64_t attribute) {
+  std::string sql = "SELECT value FROM object_values WHERE id = ?";
+  if (owner != 0) {
+    const auto layout = layouts_.find(owner);
+    if (layout == layouts_.end() || attribute < 0) return false;
+    const auto position = static_cast<std::size_t>(attribute);
+    const auto& attributes = layout->second->attributes();
+    if (position >= attributes.size() || attributes[position].form != AttributeForm::large) return false;
+    sql = layout->second->bytes_sql(position);
+  }
+  ASSIGN_OR_RETURN(SqliteStatement statement, database_->connection().use(sql));
+  statement.bind(1, tuple);
+  ASSIGN_OR_RETURN(const bool has_row, statement.step());
+  return has_row && statement.column(0).is(Cell::Kind::integer);
+}
+
+}  // namespace queries

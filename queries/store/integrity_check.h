@@ -1,0 +1,63 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "queries/store/stored_rows.h"
+
+namespace queries {
+
+/// Reads all of a database within a statement and lists what is wrong: what Store::check promises. For one run.
+/// What is damaged is a finding; an error is only what keeps the check from going on.
+class IntegrityCheck {
+ public:
+  using Progress = std::function<void(const CheckProgress&)>;
+
+  IntegrityCheck(std::shared_ptr<Database> database, const algebra3d::Context& context, Progress progress)
+      : database_(std::move(database)), context_(context), progress_(std::move(progress)) {}
+
+  Result<std::vector<Finding>> run();
+
+ private:
+  using Entries = std::vector<rtree::Entry<std::uint64_t>>;
+  struct Walk;  // one relation that is being read
+
+  Status check_sqlite();
+  Status check_catalogue();
+  Status check_object(const CatalogueEntry& entry);
+  Status check_value(const CatalogueEntry& entry);
+  Status check_definition(const CatalogueEntry& entry);
+
+  Status check_relation(const CatalogueEntry& entry);
+  Status check_rows(Walk& walk);
+  Status check_row(Walk& walk, const SqliteStatement& row);
+  Status check_attribute(Walk& walk, const RowReader& reader, std::size_t attribute);
+  Result<Value> proved(const Value& value);
+  void check_totals(const Walk& walk);
+  void check_trees(const Walk& walk);
+
+  Status check_schema();
+  Status check_numbers(std::string_view table, std::string_view column);
+  Status check_chunks();
+  Result<bool> has_chunks(std::int64_t owner, std::int64_t tuple, std::int64_t attribute);
+
+  void add(Finding finding);
+  /// A finding if the error says that data are damaged, else the error.
+  Status add(Finding finding, const Error& error);
+  Status advance(const std::string& object);
+
+  std::shared_ptr<Database> database_;
+  const algebra3d::Context& context_;
+  Progress progress_;
+  CheckProgress done_;
+  std::vector<Finding> findings_;
+  std::map<std::string, std::size_t> finding_counts_;  // by object
+  std::set<std::int64_t> abandoned_;
+  std::map<std::int64_t, std::shared_ptr<const RelationLayout>> layouts_;  // by table number
+};
+
+}  // namespace queries
