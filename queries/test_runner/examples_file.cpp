@@ -104,6 +104,8 @@ class ExamplesReader {
         line = entry.line;
       } else if (entry.key == "Restore") {
         restores = entry.value == "YES" || entry.value == "yes";
+        if (!restores && entry.value != "NO" && entry.value != "no")
+          return error(entry.line, "expected `Restore : YES` or `Restore : no`, found '" + entry.value + "'");
       } else if (entry.key != "Sequential") {
         return error(entry.line, "'" + entry.key + "' stands before the first Operator");
       }

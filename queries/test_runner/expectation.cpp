@@ -91,8 +91,6 @@ Verdict judge(const Expectation& expectation, const algebra3d::Result<NestedList
   if (!result) return wrong("expected no error");
   if (expectation.kind == Kind::success) return {};
   if (expectation.kind == Kind::undefined) return judge_undefined(expectation.text, *result, notes);
-  if (expectation.kind == Kind::set)
-    return compare(with_sorted_tuples(expectation.value), with_sorted_tuples(*result), tolerance);
   return compare(expectation.value, *result, tolerance);
 }
 

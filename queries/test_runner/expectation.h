@@ -36,8 +36,8 @@ struct Verdict {
   Difference difference = {};
 };
 
-/// Judges a result, or the error of the command. `notes` are the diagnostics. The kind is not `equal`: that is asked as
-/// a query of its own.
+/// Judges a result, or the error of the command. `notes` are the diagnostics. Of the kind `set` both lists are sorted
+/// already; of the kind `equal` there is nothing to judge, since that is asked as a query of its own.
 Verdict judge(const Expectation& expectation, const algebra3d::Result<NestedList>& result,
               const std::vector<std::string>& notes, Tolerance tolerance);
 

@@ -99,7 +99,7 @@ NestedList value_without_frame(const TypeExpr& type, const NestedList& list) {
     if (!has_triangles || !triangle.is_list()) continue;
     auto& corners = triangle.elements();
     const auto first = std::ranges::min_element(corners, {}, [](const NestedList& corner) { return corner.print(); });
-    std::ranges::rotate(corners, first);
+    std::rotate(corners.begin(), first, corners.end());
   }
   sort_by_text(result.elements());
   return result;
@@ -133,10 +133,11 @@ bool Motion::moves(std::string_view type) {
 }
 
 NestedList Motion::image(const TypeExpr& type, const NestedList& list) const {
-  return each_value(type, list, [this](const TypeExpr& value_type, const NestedList& value) {
+  return each_value(type, list, [this](const TypeExpr& value_type, const NestedList& value) -> NestedList {
     if (value.is_undefined() || !moves(value_type.name())) return value;
     auto moved = spatial(value_type, value);
-    return moved ? std::move(*moved) : value;
+    if (!moved) return value;
+    return std::move(*moved);
   });
 }
 

@@ -65,6 +65,14 @@ bool is_known_algebra(std::string name) {
   return std::ranges::find(kAlgebras, name) != kAlgebras.end();
 }
 
+// What stands behind `query` or `querynt`; nothing for other commands.
+std::optional<std::string> queried_expression(std::string_view command) {
+  const auto end = std::ranges::find_if(command, [](unsigned char c) { return std::isalnum(c) == 0 && c != '_'; });
+  const std::string_view word(command.begin(), end);
+  if (word != "query" && word != "querynt") return std::nullopt;
+  return std::string(end, command.end());
+}
+
 std::vector<std::string> words_of(std::string_view text) {
   std::vector<std::string> words;
   for (text = trimmed(text); !text.empty();) {
@@ -234,19 +242,27 @@ bool TestRun::is_judged() const {
 }
 
 void TestRun::check(const CommandText& command) {
-  const auto result = execute(command);
+  auto result = execute(command);
   const std::vector<std::string> notes = diagnostics_.summary();
-  if (variation_ == nullptr || !result)
-    return conclude(command, result, judge(expectation_, result, notes, tolerance_));
-  Expectation expected = expectation_;
-  expected.value = with_changed_value(expected.value, frame_free);
-  conclude(command, result, judge(expected, with_changed_value(*result, frame_free), notes, tolerance_));
+  expectation_.value = comparable(std::move(expectation_.value));
+  if (result) result = comparable(std::move(result).value());
+  conclude(command, result, judge(expectation_, result, notes, tolerance_));
+}
+
+// Without the order that does not count, so that the place of a difference is one in what is shown.
+NestedList TestRun::comparable(NestedList list) const {
+  if (variation_ != nullptr) list = with_changed_value(list, frame_free);
+  return expectation_.kind == Expectation::Kind::set ? with_sorted_tuples(std::move(list)) : list;
 }
 
 // The type's own equality is asked for by a query; what both sides are is asked only after a failure.
 void TestRun::check_equal(const CommandText& command) {
-  const std::string expression = command.text.starts_with("query") ? command.text.substr(5) : "";
-  const CommandText comparison{"query (" + expression + ") = (" + expectation_.text + ")", command.start};
+  const auto expression = queried_expression(command.text);
+  if (!expression) {
+    expectation_ = Expectation::with_problem("#yields equal: expected a query");
+    return check(command);
+  }
+  const CommandText comparison{"query (" + *expression + ") = (" + expectation_.text + ")", command.start};
   const auto answer = execute(comparison);
   const NestedList yes = NestedList::list(NestedList::symbol("bool"), NestedList(true));
   if (answer && *answer == yes) return conclude(command, answer, {});

@@ -52,6 +52,7 @@ class TestRun {
   void run_command(const CommandText& command);
   void check(const CommandText& command);
   void check_equal(const CommandText& command);
+  NestedList comparable(NestedList list) const;
   void conclude(const CommandText& command, const Result<NestedList>& result, const Verdict& verdict);
   /// Whether the commands of this case count; they are run anyway, since later cases may need what they make.
   bool is_judged() const;

@@ -155,7 +155,7 @@ bool is_type_with_geometry(const NestedList& list) {
 }
 
 // A command or function in its nested-list form, with its constants `(T L)` and `(const T value L)` moved. Its depth is
-// limited by the reader of nested lists. NOLINTNEXTLINE(misc-no-recursion)
+// limited by the reader of nested lists.
 NestedList with_moved_constants(const NestedList& form, const Motion& motion) {
   if (!form.is_list()) return form;
   NestedList moved = form;

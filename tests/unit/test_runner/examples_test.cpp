@@ -104,6 +104,7 @@ TEST(Examples, what_is_malformed_is_named_with_its_line) {
   const auto error_of = [](const std::string& content) { return run_examples(content).error; };
   EXPECT_NE(error_of("hello\n").find("sample.examples:1: expected `Database: NAME` or `Operator : NAME`"),
             std::string::npos);
+  EXPECT_NE(error_of("Restore : maybe\n").find(":1: expected `Restore : YES` or `Restore : no`"), std::string::npos);
   EXPECT_NE(error_of("Number : 1\n").find(":1: 'Number' stands before the first Operator"), std::string::npos);
   EXPECT_NE(error_of("Operator : x\nNumber : 1\n").find(":1: operator x: 'Signature' is missing"), std::string::npos);
   EXPECT_NE(error_of(block("query 1", "1", "Number : 3\n")).find(":6: 'Number' stands twice"), std::string::npos);

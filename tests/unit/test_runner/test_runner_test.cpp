@@ -72,6 +72,20 @@ TEST(TestRunner, values_are_compared_by_the_equality_of_their_type) {
   EXPECT_EQ(verdict("#testcase a\n#yields equal 4\nquery 3;"), "0/1");
 }
 
+TEST(TestRunner, equality_is_asked_of_queries_only) {
+  EXPECT_EQ(verdict("#testcase a\n#yields equal 4\nquery(4);"), "1/0");
+  const SampleRun result = run("#setup s\n#testcase a\n#yields equal 4\nlist databases;");
+  EXPECT_NE(result.report.find("#yields equal: expected a query"), std::string::npos) << result.report;
+}
+
+TEST(TestRunner, a_difference_of_sets_is_shown_in_sorted_order) {
+  const SampleRun result =
+      run("#setup s\n#testcase a\n#yields set ((rel (tuple ((Elem int)))) ((2) (9)))\n"
+          "query intstream(1, 2) transformstream consume;");
+  EXPECT_NE(result.report.find("at /2/1/1: expected 2, found 1"), std::string::npos) << result.report;
+  EXPECT_NE(result.report.find("expected: ((rel (tuple ((Elem int)))) ((2) (9)))"), std::string::npos) << result.report;
+}
+
 TEST(TestRunner, tolerances_hold_until_they_are_changed) {
   EXPECT_EQ(verdict("#testcase a\n#yields (real 1.0)\nquery 1.1;"), "0/1");
   EXPECT_EQ(verdict("#testcase a\n#tolerance_real 0.2\n#yields (real 1.0)\nquery 1.1;\n"
