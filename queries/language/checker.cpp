@@ -90,13 +90,21 @@ Result<TypedPtr> Checker::check(const ParameterUse& use, const SourcePlace& plac
 
 Result<TypedPtr> Checker::check(const Application& application, const SourcePlace& place) {
   const Operator& op = *registry_.find_operator(application.name);
-  return op.stream != nullptr ? stream_application(op, application, place) : value_application(op, application, place);
+  const auto checked = [&](std::vector<TypeExpr>& types) {
+    return op.stream != nullptr ? stream_application(op, application, place, types)
+                                : value_application(op, application, place, types);
+  };
+  std::vector<TypeExpr> types;
+  if (recorder_ == nullptr) return checked(types);
+  const std::size_t step = recorder_->begin(op.name);
+  ASSIGN_OR_RETURN(TypedPtr node, checked(types));
+  std::string signature = algebra3d::argument_list_text(types) + " -> " + node->type().text();
+  return recorder_->finish(step, std::move(signature), std::move(node));
 }
 
 Result<TypedPtr> Checker::value_application(const Operator& op, const Application& application,
-                                            const SourcePlace& place) {
+                                            const SourcePlace& place, std::vector<TypeExpr>& types) {
   std::vector<TypedPtr> arguments;
-  std::vector<TypeExpr> types;
   for (const Argument& argument : application.arguments) {
     ASSIGN_OR_RETURN(TypedPtr node, check(*argument.value));
     types.push_back(node->type());
@@ -117,7 +125,7 @@ Status Checker::check_place_count(const Operator& op, const Application& applica
 }
 
 Result<TypedPtr> Checker::stream_application(const Operator& op, const Application& application,
-                                             const SourcePlace& place) {
+                                             const SourcePlace& place, std::vector<TypeExpr>& shown_types) {
   RETURN_IF_ERROR(check_place_count(op, application, place));
   const SyntaxPattern& pattern = registry_.syntax(op);
   static const std::vector<std::string> none;
@@ -140,6 +148,7 @@ Result<TypedPtr> Checker::stream_application(const Operator& op, const Applicati
     // In prefix form the first arguments are the operands of later function places.
     if (pattern.operand_count == 0 && application.arguments[index].kind == PlaceKind::value)
       operands.push_back(type.type);
+    if (!type.type.name().empty()) shown_types.push_back(type.type);
     nodes.push_back(std::move(node).value());
     types.push_back(std::move(type));
   }
@@ -183,6 +192,11 @@ Result<TypedPtr> Checker::function_argument(const Expression& expression, const 
   if (const auto* literal = std::get_if<FunctionLiteral>(&expression.node))
     return explicit_function(*literal, place, expression.place);
   if (std::holds_alternative<FunctionReference>(expression.node)) return check(expression);
+  if (std::holds_alternative<NameUse>(expression.node)) {
+    // The name of a function stands for it, with or without `fun`; any other is a constant of all tuples.
+    auto named = check(expression);
+    if (!named || (*named)->type().is_function()) return named;
+  }
   Scope scope;
   scope.is_implicit = true;
   for (const std::string& pseudo : place.pseudo_types) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "algebra3d/registry/registry.h"
+#include "queries/language/plan_recorder.h"
 #include "queries/language/typed_tree.h"
 
 namespace queries {
@@ -12,8 +13,10 @@ namespace queries {
 /// The source, the registry and `context` outlive the typed nodes. Diagnostics of constants go to `context`.
 class Checker {
  public:
-  Checker(const algebra3d::Registry& registry, ObjectSource& objects, Context& context)
-      : registry_(registry), objects_(objects), context_(context) {}
+  /// With a recorder the operators of the expression are counted and timed when it runs; it outlives the nodes.
+  Checker(const algebra3d::Registry& registry, ObjectSource& objects, Context& context,
+          PlanRecorder* recorder = nullptr)
+      : registry_(registry), objects_(objects), context_(context), recorder_(recorder) {}
 
   /// Errors: type_error, unknown_name and invalid_value, each with line and column.
   Result<TypedPtr> check(const Expression& expression);
@@ -47,9 +50,9 @@ class Checker {
   Result<TypedPtr> check(const FunctionReference& reference, const SourcePlace& place);
 
   Result<TypedPtr> value_application(const algebra3d::Operator& op, const Application& application,
-                                     const SourcePlace& place);
+                                     const SourcePlace& place, std::vector<TypeExpr>& types);
   Result<TypedPtr> stream_application(const algebra3d::Operator& op, const Application& application,
-                                      const SourcePlace& place);
+                                      const SourcePlace& place, std::vector<TypeExpr>& shown_types);
   Result<TypedPtr> checked_argument(const Argument& argument, const FunctionPlace& function_place, ArgumentType& type);
   Result<TypedPtr> function_argument(const Expression& expression, const FunctionPlace& place);
   Result<TypedPtr> explicit_function(const FunctionLiteral& function, const FunctionPlace& functions,
@@ -66,6 +69,7 @@ class Checker {
   const algebra3d::Registry& registry_;
   ObjectSource& objects_;
   Context& context_;
+  PlanRecorder* recorder_;
   std::vector<Scope> scopes_;  // innermost last
 };
 

@@ -76,6 +76,10 @@ Result<TypeExpr> Checker::resolve(const TypeSyntax& syntax) {
     arguments.push_back(std::move(type));
   }
   TypeExpr type(syntax.name, std::move(arguments));
+  if (type.arguments().empty() && registry_.find_type(type.name()) == nullptr) {
+    ASSIGN_OR_RETURN(const auto named, objects_.named_type(type.name()));
+    if (named) return *named;
+  }
   RETURN_IF_ERROR(check_type_name(type, syntax.place));
   return type;
 }

@@ -1,11 +1,16 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "queries/language/syntax_tree.h"
 
 namespace queries {
+
+struct Command;
+using CommandPtr = std::shared_ptr<const Command>;
 
 struct CreateDatabase {
   std::string name;
@@ -17,6 +22,18 @@ struct OpenDatabase {
   std::string name;
 };
 struct CloseDatabase {};
+/// `save database to F`
+struct SaveDatabase {
+  std::string file;
+};
+/// `restore database N from F`
+struct RestoreDatabase {
+  std::string name;
+  std::string file;
+};
+/// `check database`
+struct CheckDatabase {};
+
 /// `create N : T`
 struct CreateObject {
   std::string name;
@@ -27,34 +44,98 @@ struct LetObject {
   std::string name;
   ExpressionPtr value;
   bool replaces = false;
-  std::string source;  ///< the text of E, from which a function is made again
+};
+/// `derive N = E`: the expression is remembered and evaluated again when the database is restored.
+struct DeriveObject {
+  std::string name;
+  ExpressionPtr value;
 };
 /// `update N := E`
 struct UpdateObject {
   std::string name;
   ExpressionPtr value;
-  std::string source;
 };
-/// `delete N`
+/// `delete N`, or `kill N`, which does not look at the value.
 struct DeleteObject {
   std::string name;
+  bool kills = false;
 };
+/// `changename A to B`
+struct RenameObject {
+  std::string old_name;
+  std::string new_name;
+};
+/// `save N to F`
+struct SaveObject {
+  std::string name;
+  std::string file;
+};
+/// `restore N from F`
+struct RestoreObject {
+  std::string name;
+  std::string file;
+};
+/// `type N = T`
+struct DefineType {
+  std::string name;
+  TypeSyntax type;
+};
+/// `delete type N`
+struct DeleteType {
+  std::string name;
+};
+
 /// `query E`
 struct Query {
   ExpressionPtr value;
 };
+/// `explain E`: the checked tree, and after running it tuples and time per operator.
+struct Explain {
+  ExpressionPtr value;
+};
 /// `list objects` and its like
 struct Inquiry {
-  enum class Subject : std::uint8_t { databases, objects, operators, type_constructors };
+  enum class Subject : std::uint8_t { databases, objects, types, operators, type_constructors, algebras, counters };
   Subject subject = Subject::objects;
 };
+
+/// `begin transaction`, `commit transaction`, `abort transaction`
+struct TransactionStep {
+  enum class Step : std::uint8_t { begin, commit, abort };
+  Step step = Step::begin;
+};
+/// `set "name" = value`
+struct SetOption {
+  std::string name;
+  ExpressionPtr value;
+};
+
+/// `if E then C [else C] endif`
+struct Conditional {
+  ExpressionPtr condition;
+  CommandPtr then_branch;
+  CommandPtr else_branch;  ///< may be null
+};
+/// `while E do C endwhile`
+struct Loop {
+  ExpressionPtr condition;
+  CommandPtr body;
+};
+/// `{ C | C }` ends at the first error; `{{ C | C }}` goes on, and gives the first error at the end.
+struct Sequence {
+  std::vector<CommandPtr> commands;
+  bool goes_on_after_errors = false;
+};
+
+using CommandContent = std::variant<CreateDatabase, DeleteDatabase, OpenDatabase, CloseDatabase, SaveDatabase,
+                                    RestoreDatabase, CheckDatabase, CreateObject, LetObject, DeriveObject, UpdateObject,
+                                    DeleteObject, RenameObject, SaveObject, RestoreObject, DefineType, DeleteType,
+                                    Query, Explain, Inquiry, TransactionStep, SetOption, Conditional, Loop, Sequence>;
 
 /// One parsed command.
 struct Command {
   SourcePlace place;
-  std::variant<CreateDatabase, DeleteDatabase, OpenDatabase, CloseDatabase, CreateObject, LetObject, UpdateObject,
-               DeleteObject, Query, Inquiry>
-      content;
+  CommandContent content;
 };
 
 }  // namespace queries

@@ -15,13 +15,20 @@ constexpr std::string_view kTextBegin = "<text>";
 
 }  // namespace
 
+bool is_shell_command(std::string_view text) {
+  if (text.starts_with('@') || text.starts_with('?')) return true;
+  std::string word(text.substr(0, text.find_first_of(" \t\n;")));
+  std::ranges::transform(word, word.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return word == "help" || word == "q" || word == "quit" || word == "debug" || word == "repeat";
+}
+
 std::vector<CommandText> CommandReader::add_line(std::string_view line) {
   ++line_;
   // Editors on Windows begin a file with this mark of UTF-8.
   if (line_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
   while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
   std::vector<CommandText> complete;
-  if (line.starts_with('#')) return complete;
+  if (is_skipped(line)) return complete;
   if (line.empty()) {
     if (auto command = take()) complete.push_back(std::move(*command));
     return complete;
@@ -29,6 +36,18 @@ std::vector<CommandText> CommandReader::add_line(std::string_view line) {
   if (!text_.empty()) text_ += '\n';
   for (std::size_t position = 0; position < line.size();) add_character(line, position, complete);
   return complete;
+}
+
+bool CommandReader::is_skipped(std::string_view line) {
+  if (skipping_ == Skipping::marked_blocks) {
+    if (is_in_block_) {
+      is_in_block_ = !line.starts_with("*/");
+      return true;
+    }
+    is_in_block_ = line.starts_with("/*");
+    if (is_in_block_ || line.starts_with("//")) return true;
+  }
+  return line.starts_with('#');
 }
 
 std::optional<CommandText> CommandReader::finish() {
@@ -53,6 +72,13 @@ void CommandReader::add_character(std::string_view line, std::size_t& position, 
       return;
     }
     start_ = {file_, line_, static_cast<int>(position) + 1};
+    if (const std::string_view rest = line.substr(position); is_shell_command(rest)) {
+      const std::string_view whole = rest.substr(0, rest.find(';'));
+      text_ = whole;
+      position += whole.size();
+      if (auto command = take()) complete.push_back(std::move(*command));
+      return;
+    }
   }
   open_literal(line.substr(position));
   if (c == '(' || c == '[' || c == '{') ++depth_;

@@ -16,10 +16,17 @@ struct CommandText {
 };
 
 /// Assembles commands from lines (language.md 1.1): a line that begins with `#` is skipped, `;` outside of brackets and
-/// literals ends a command, and so does an empty line. Works for scripts, test files and terminals alike.
+/// literals ends a command, and so does an empty line. The commands of 1.2 (`help`, `quit`, `@FILE`, ...) need no `;`
+/// and end with their line. Works for scripts, test files and terminals alike.
 class CommandReader {
  public:
-  explicit CommandReader(std::string file = {}) : file_(std::move(file)) {}
+  /// Lines that are skipped besides those that begin with `#`.
+  enum class Skipping : std::uint8_t {
+    comments,
+    marked_blocks,  ///< also lines that begin with `//`, and from a line that begins with `/*` to one with `*/`
+  };
+  explicit CommandReader(std::string file = {}, Skipping skipping = Skipping::comments)
+      : file_(std::move(file)), skipping_(skipping) {}
 
   /// Takes the next line (without its line end) and gives the commands that it completes.
   std::vector<CommandText> add_line(std::string_view line);
@@ -32,17 +39,24 @@ class CommandReader {
  private:
   enum class Literal : std::uint8_t { none, string, text, tagged_text, comment };
 
+  bool is_skipped(std::string_view line);
   void add_character(std::string_view line, std::size_t& position, std::vector<CommandText>& complete);
   bool step_literal(std::string_view line, std::size_t& position);
   void open_literal(std::string_view rest);
   std::optional<CommandText> take();
 
   std::string file_;
+  Skipping skipping_;
+  bool is_in_block_ = false;
   int line_ = 0;
   std::string text_;
   algebra3d::SourcePlace start_;
   Literal literal_ = Literal::none;
   int depth_ = 0;
 };
+
+/// Whether a command is one of language.md 1.2, which the shell carries out itself: `?`, `help`, `q`, `quit`, `debug`,
+/// `repeat` in any case, and whatever begins with `@`.
+bool is_shell_command(std::string_view text);
 
 }  // namespace queries

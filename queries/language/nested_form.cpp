@@ -18,7 +18,7 @@ NestedList nested(const Literal& literal) {
   return literal.atom;
 }
 NestedList nested(const TypedLiteral& literal) {
-  return NestedList::list(to_nested(literal.type), literal.list);
+  return NestedList::list(symbol("const"), to_nested(literal.type), symbol("value"), literal.list);
 }
 NestedList nested(const NameUse& use) {
   return symbol(use.name);

@@ -15,13 +15,14 @@ inline constexpr int kMaxExpressionDepth = 200;
 inline constexpr int kMaxExpressionHeight = 400;
 
 /// Reads one command (without the `;` that ends it). Operators are recognised by the syntax patterns of `registry`.
+/// A text that begins with `(` is a command as a nested list, `(query (+ 1 2))`.
 /// Errors: syntax_error and unknown_name with line and column, what was found and what is possible.
 algebra3d::Result<Command> parse_command(std::string_view text, const algebra3d::Registry& registry,
-                                         SourcePlace start = {"", 1, 1});
+                                         const SourcePlace& start = {"", 1, 1});
 
 /// Reads one expression that is all of `text`.
 algebra3d::Result<ExpressionPtr> parse_expression(std::string_view text, const algebra3d::Registry& registry,
-                                                  SourcePlace start = {"", 1, 1});
+                                                  const SourcePlace& start = {"", 1, 1});
 
 /// True for words that cannot name an object: those of the language and every operator with a pattern.
 bool is_reserved(std::string_view word, const algebra3d::Registry& registry);

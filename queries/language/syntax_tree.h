@@ -21,19 +21,19 @@ using algebra3d::TypeExpr;
 struct Expression;
 using ExpressionPtr = std::shared_ptr<const Expression>;
 
-struct NamedType;
+struct TypedName;
 
 /// A type as written: a term whose leaves are names, or the type of an expression.
 struct TypeSyntax {
   std::string name;
   std::vector<TypeSyntax> arguments;
-  std::vector<NamedType> attributes;  ///< of a tuple
+  std::vector<TypedName> attributes;  ///< of a tuple
   ExpressionPtr type_of;              ///< typeOf(E); then nothing else is set
   SourcePlace place;
 };
 
 /// `Name: T`
-struct NamedType {
+struct TypedName {
   std::string name;
   TypeSyntax type;
 };
@@ -95,7 +95,7 @@ struct ListExpression {
 };
 /// `fun(p1: T1, p2: T2) E`
 struct FunctionLiteral {
-  std::vector<NamedType> parameters;
+  std::vector<TypedName> parameters;
   ExpressionPtr body;
 };
 /// `fun Name`

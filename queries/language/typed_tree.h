@@ -53,6 +53,8 @@ class ObjectSource {
   virtual Result<std::optional<TypeExpr>> type_of(const std::string& name) = 0;
   /// The value of an existing object. Errors: not_evaluable for one that was created and never given a value.
   virtual Result<Datum> value_of(const std::string& name) = 0;
+  /// The type that a name stands for, or nothing.
+  virtual Result<std::optional<TypeExpr>> named_type(const std::string& name) = 0;
   /// Names of all objects, for suggestions.
   virtual std::vector<std::string> names() = 0;
 };

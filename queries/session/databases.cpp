@@ -1,6 +1,5 @@
 // The commands of a session that create, open, close and delete databases.
-#include <system_error>
-
+#include "queries/session/database_files.h"
 #include "queries/session/session.h"
 
 namespace queries {
@@ -23,11 +22,12 @@ Status Session::run(const CreateDatabase& command, Presenter&, Context&) {
   return {};
 }
 
-Status Session::run(const OpenDatabase& command, Presenter&, Context&) {
+Status Session::run(const OpenDatabase& command, Presenter&, Context& context) {
   RETURN_IF_ERROR(require_closed());
   ASSIGN_OR_RETURN(const auto file, database_file(command.name));
   ASSIGN_OR_RETURN(store_,
                    Store::open(file, options_.read_only ? OpenMode::read_only : OpenMode::read_write, registry_));
+  if (!store_->opening_notice().empty()) context.diagnostics.report(store_->opening_notice());
   return {};
 }
 
@@ -43,12 +43,40 @@ Status Session::run(const DeleteDatabase& command, Presenter&, Context&) {
   if (options_.read_only) return Error{ErrorCode::database_read_only, "delete database: the session is read-only"};
   ASSIGN_OR_RETURN(const auto file, database_file(command.name));
   RETURN_IF_ERROR(Store::open(file, OpenMode::read_write, registry_));
-  for (const char* suffix : {"-wal", "-shm", ""}) {
-    std::error_code error;
-    std::filesystem::remove(file.string() + suffix, error);
-    if (error) return Error{ErrorCode::io_error, "delete database: {}{}: {}", file.string(), suffix, error.message()};
+  return remove_database_files(file);
+}
+
+Status Session::run(const TransactionStep& command, Presenter&, Context&) {
+  ASSIGN_OR_RETURN(Store * store, required_store());
+  switch (command.step) {
+    case TransactionStep::Step::begin:
+      return store->begin_transaction();
+    case TransactionStep::Step::commit:
+      return store->commit_transaction();
+    case TransactionStep::Step::abort:
+      return store->abort_transaction();
   }
   return {};
+}
+
+// (inquiry (findings ((object tuple attribute 'what is wrong') ...))); a database with findings is an error.
+Status Session::run(const CheckDatabase&, Presenter& presenter, Context& context) {
+  ASSIGN_OR_RETURN(Store * store, required_store());
+  std::vector<Finding> findings;
+  RETURN_IF_ERROR(in_transaction(false, [&]() -> Status {
+    ASSIGN_OR_RETURN(findings, store->check(context, [](const CheckProgress&) {}));
+    return {};
+  }));
+  NestedList::List rows;
+  for (const Finding& finding : findings)
+    rows.push_back(NestedList::list(NestedList(finding.object), NestedList(static_cast<double>(finding.tuple)),
+                                    NestedList(finding.attribute), NestedList::text(finding.message)));
+  const std::size_t count = rows.size();
+  RETURN_IF_ERROR(presenter.present_inquiry(NestedList::list(
+      NestedList::symbol("inquiry"), NestedList::list(NestedList::symbol("findings"), NestedList(std::move(rows))))));
+  if (count == 0) return {};
+  return Error{ErrorCode::database_corrupt, "check database: {} finding{}; they are listed above", count,
+               count == 1 ? "" : "s"};
 }
 
 }  // namespace queries

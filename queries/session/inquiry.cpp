@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <system_error>
 
+#include "algebra3d/exact/counters.h"
+
 namespace queries {
 namespace {
 
@@ -36,6 +38,24 @@ Result<NestedList> objects(Store& store) {
         NestedList::list(symbol("OBJECT"), symbol(info.name), NestedList(), NestedList::list(std::move(type))));
   }
   return NestedList(std::move(list));
+}
+
+Result<NestedList> types(Store& store) {
+  ASSIGN_OR_RETURN(const auto named, store.types());
+  NestedList::List list = {symbol("TYPES")};
+  for (const NamedType& type : named)
+    list.push_back(NestedList::list(symbol("TYPE"), symbol(type.name), type.type.to_nested()));
+  return NestedList(std::move(list));
+}
+
+// How often decisions needed more than floating point, and what else is counted in this process.
+NestedList counters() {
+  const algebra3d::ExactCounters counts = algebra3d::exact_counters();
+  const auto row = [](std::string_view name, std::uint64_t count) {
+    return NestedList::list(symbol(name), NestedList(static_cast<double>(count)));
+  };
+  return NestedList::list(row("predicate_calls", counts.calls), row("filter_failures", counts.filter_failures),
+                          row("exact_fallbacks", counts.big_fallbacks), row("heap_rationals", counts.heap_rationals));
 }
 
 NestedList operators(const algebra3d::Registry& registry) {
@@ -75,6 +95,14 @@ Result<NestedList> inquire(Inquiry::Subject subject, const algebra3d::Registry& 
       ASSIGN_OR_RETURN(NestedList list, objects(*store));
       return inquiry("objects", std::move(list));
     }
+    case Inquiry::Subject::types: {
+      ASSIGN_OR_RETURN(NestedList list, types(*store));
+      return inquiry("types", std::move(list));
+    }
+    case Inquiry::Subject::algebras:
+      return inquiry("algebras", NestedList::list(symbol("Algebra3D")));
+    case Inquiry::Subject::counters:
+      return inquiry("counters", counters());
     case Inquiry::Subject::operators:
       return inquiry("operators", operators(registry));
     case Inquiry::Subject::type_constructors:

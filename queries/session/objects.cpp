@@ -1,6 +1,7 @@
 #include "queries/session/objects.h"
 
 #include "queries/language/checker.h"
+#include "queries/language/nested_reader.h"
 #include "queries/language/parser.h"
 
 namespace queries {
@@ -9,6 +10,11 @@ Result<std::optional<TypeExpr>> Session::Objects::type_of(const std::string& nam
   if (store_ == nullptr) return std::optional<TypeExpr>();
   ASSIGN_OR_RETURN(const auto info, store_->find(name));
   return info ? std::optional(info->type) : std::nullopt;
+}
+
+Result<std::optional<TypeExpr>> Session::Objects::named_type(const std::string& name) {
+  if (store_ == nullptr) return std::optional<TypeExpr>();
+  return store_->find_type(name);
 }
 
 Result<Datum> Session::Objects::value_of(const std::string& name) {
@@ -20,12 +26,20 @@ Result<Datum> Session::Objects::value_of(const std::string& name) {
 }
 
 Result<Datum> Session::Objects::function_of(const ObjectInfo& info) {
-  ASSIGN_OR_RETURN(const ExpressionPtr expression, parse_expression(info.function_text, registry_, {info.name, 1, 1}));
+  ASSIGN_OR_RETURN(const ExpressionPtr expression, written_function(info));
   ASSIGN_OR_RETURN(const TypedPtr function, Checker(registry_, *this, context_).check(*expression));
   if (!(function->type() == info.type))
     return Error{ErrorCode::type_error, "{}: the function was {} when it was defined and is {} now", info.name,
                  info.type.text(), function->type().text()};
   return function->evaluate(nullptr, context_);
+}
+
+// As a nested list; databases of the first format hold it as it was typed.
+Result<ExpressionPtr> Session::Objects::written_function(const ObjectInfo& info) const {
+  const SourcePlace place{info.name, 1, 1};
+  if (!info.function_text.starts_with("(")) return parse_expression(info.function_text, registry_, place);
+  ASSIGN_OR_RETURN(const NestedList list, NestedList::parse(info.function_text, place));
+  return NestedReader(registry_, place).expression(list);
 }
 
 std::vector<std::string> Session::Objects::names() {

@@ -18,10 +18,12 @@ class Session::Objects final : public ObjectSource {
 
   Result<std::optional<TypeExpr>> type_of(const std::string& name) override;
   Result<Datum> value_of(const std::string& name) override;
+  Result<std::optional<TypeExpr>> named_type(const std::string& name) override;
   std::vector<std::string> names() override;
 
  private:
   Result<Datum> function_of(const ObjectInfo& info);
+  Result<ExpressionPtr> written_function(const ObjectInfo& info) const;
 
   const algebra3d::Registry& registry_;
   Store* store_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -30,6 +31,8 @@ struct SessionOptions {
   /// Folder of the databases that `create`, `open` and `delete database N` mean.
   std::filesystem::path folder = ".";
   bool read_only = false;
+  /// What operators that sort, group, hash or materialise may keep in memory; 0: a quarter of the machine's.
+  std::int32_t memory_megabytes = 0;
 };
 
 /// One user's state: the open database, if any. Runs statements from text to result; each is one transaction, which
@@ -53,27 +56,56 @@ class Session {
 
  private:
   class Objects;
+  class Restorer;
 
   Status run(const Command& command, Presenter& presenter, Context& context);
+
+  // databases.cpp
   Status run(const CreateDatabase& command, Presenter& presenter, Context& context);
   Status run(const DeleteDatabase& command, Presenter& presenter, Context& context);
   Status run(const OpenDatabase& command, Presenter& presenter, Context& context);
   Status run(const CloseDatabase& command, Presenter& presenter, Context& context);
+  Status run(const TransactionStep& command, Presenter& presenter, Context& context);
+  Status run(const CheckDatabase& command, Presenter& presenter, Context& context);
+
+  // saving.cpp, restoring.cpp
+  Status run(const SaveDatabase& command, Presenter& presenter, Context& context);
+  Status run(const SaveObject& command, Presenter& presenter, Context& context);
+  Status run(const RestoreDatabase& command, Presenter& presenter, Context& context);
+  Status run(const RestoreObject& command, Presenter& presenter, Context& context);
+
+  // object_commands.cpp
   Status run(const CreateObject& command, Presenter& presenter, Context& context);
   Status run(const LetObject& command, Presenter& presenter, Context& context);
   Status run(const UpdateObject& command, Presenter& presenter, Context& context);
+  Status run(const DeriveObject& command, Presenter& presenter, Context& context);
   Status run(const DeleteObject& command, Presenter& presenter, Context& context);
+  Status run(const RenameObject& command, Presenter& presenter, Context& context);
+  Status run(const DefineType& command, Presenter& presenter, Context& context);
+  Status run(const DeleteType& command, Presenter& presenter, Context& context);
+
+  // control.cpp
+  Status run(const Conditional& command, Presenter& presenter, Context& context);
+  Status run(const Loop& command, Presenter& presenter, Context& context);
+  Status run(const Sequence& command, Presenter& presenter, Context& context);
+  Status run(const SetOption& command, Presenter& presenter, Context& context);
+
   Status run(const Query& command, Presenter& presenter, Context& context);
+  Status run(const Explain& command, Presenter& presenter, Context& context);
   Status run(const Inquiry& command, Presenter& presenter, Context& context);
 
-  /// Runs `work` as one transaction of the open database, or without one if none is open.
-  template <typename Work>
-  Status in_transaction(bool writes, Work work);
+  /// Runs `work` as one statement of the open database, or without one if none is open.
+  Status in_transaction(bool writes, const std::function<Status()>& work);
+  /// Evaluates an expression whose value is no stream, as a statement of its own.
+  Result<Value> evaluate_alone(const Expression& expression, Context& context);
+  Result<bool> holds(const Expression& condition, std::string_view command, Context& context);
   Result<Store*> required_store();
   Status check_new_name(const std::string& name);
   Status require_closed();
   Result<std::filesystem::path> database_file(const std::string& name) const;
-  Status define(const LetObject& command, Context& context);
+  Status restore_into(const std::filesystem::path& file, bool is_new, std::string_view text, const std::string& name,
+                      Context& context);
+  Status define(const std::string& name, const Expression& value, bool is_derived, Context& context);
 
   const algebra3d::Registry& registry_;
   SessionOptions options_;

@@ -33,10 +33,7 @@ void run_interactive(Session& session, StatementRunner& runner) {
     }
     if (line == nullptr) break;
     if (*line != '\0') add_history(line.get());
-    std::string text = line.get();
-    // Words of the shell itself need no semicolon.
-    if (!reader.is_pending() && (text == "quit" || text == "q" || text == "?" || text.starts_with("help"))) text += ";";
-    for (const CommandText& command : reader.add_line(text))
+    for (const CommandText& command : reader.add_line(line.get()))
       if (runner.run(command) == RunResult::quit) return;
   }
   std::cout << "\n";

@@ -67,14 +67,7 @@ std::filesystem::path database_folder(const Options& options) {
 int run_scripts(const Options& options, StatementRunner& runner) {
   int worst = kOk;
   for (const std::string& name : options.scripts) {
-    std::ifstream script(name);
-    if (!script || std::filesystem::is_directory(name)) {
-      std::cerr << "error: cannot read the script '" << name << "'\n";
-      worst = kFailed;
-      if (options.stops_on_error) return worst;
-      continue;
-    }
-    const RunResult result = runner.run_script(script, name);
+    const RunResult result = runner.run_file(name);
     if (result == RunResult::interrupted) return kInterrupted;
     if (result == RunResult::failed) worst = kFailed;
     if (result == RunResult::failed && options.stops_on_error) return worst;

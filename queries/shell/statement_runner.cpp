@@ -1,12 +1,10 @@
 #include "queries/shell/statement_runner.h"
 
 #include <algorithm>
-#include <cctype>
 #include <iostream>
 
 #include <fmt/format.h>
 
-#include "algebra3d/registry/documentation.h"
 #include "algebra3d/types/utf8.h"
 #include "queries/shell/interruption.h"
 
@@ -14,11 +12,6 @@ namespace queries {
 namespace {
 
 using algebra3d::Diagnostics;
-
-std::string lower_case(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 std::string place_text(const SourcePlace& place) {
   if (!place.is_known()) return "";
@@ -45,9 +38,7 @@ std::string shown(std::string_view message) {
 }  // namespace
 
 RunResult StatementRunner::run(const CommandText& command) {
-  const std::string word = lower_case(command.text.substr(0, command.text.find_first_of(" \t\n")));
-  if (word == "q" || word == "quit") return RunResult::quit;
-  if ((word == "help" || word == "?") && run_help(command.text.substr(word.size()))) return RunResult::ok;
+  if (is_shell_command(command.text)) return run_shell_command(command.text);
   Diagnostics diagnostics;
   Context context{diagnostics, &Interruption::flag(), {}};
   const Status status = session_.execute(command.text, command.start, presenter_, context);
@@ -63,26 +54,8 @@ RunResult StatementRunner::run(const CommandText& command) {
   return RunResult::failed;
 }
 
-bool StatementRunner::run_help(const std::string& text) {
-  const auto begin = text.find_first_not_of(" \t\n");
-  if (begin == std::string::npos) {
-    std::cout << algebra3d::help_overview(session_.registry());
-    return true;
-  }
-  const std::string name = text.substr(begin);
-  const algebra3d::Operator* op = session_.registry().find_operator(name);
-  if (op == nullptr) {
-    const std::string suggestion = session_.registry().suggestion(name);
-    errors_ << "error: there is no operator '" << name << "'"
-            << (suggestion.empty() ? "" : ", did you mean '" + suggestion + "'?") << "\n";
-    return true;
-  }
-  std::cout << algebra3d::help_text(*op);
-  return true;
-}
-
-RunResult StatementRunner::run_script(std::istream& script, const std::string& name) {
-  CommandReader reader(name);
+RunResult StatementRunner::run_script(std::istream& script, const std::string& name, CommandReader::Skipping skipping) {
+  CommandReader reader(name, skipping);
   RunResult worst = RunResult::ok;
   const auto run_all = [&](const std::vector<CommandText>& commands) {
     for (const CommandText& command : commands) {

@@ -1,0 +1,251 @@
+#include "queries/language/command_parser.h"
+
+#include <array>
+
+#include "algebra3d/registry/registry.h"
+
+namespace queries {
+
+using algebra3d::Error;
+using algebra3d::ErrorCode;
+using algebra3d::Result;
+using algebra3d::Status;
+
+Result<Command> CommandParser::parse() {
+  ASSIGN_OR_RETURN(Command result, command());
+  if (!input_.is_at_end()) return input_.unexpected("the end of the command");
+  return result;
+}
+
+Result<Command> CommandParser::command() {
+  SourcePlace place = input_.place();
+  auto read = content();
+  if (!read) return std::move(read).error();
+  return Command{std::move(place), std::move(read).value()};
+}
+
+Result<CommandPtr> CommandParser::part() {
+  if (depth_ == kMaxCommandDepth)
+    return Error(ErrorCode::limit_exceeded, "commands are nested deeper than {} levels", kMaxCommandDepth)
+        .at(input_.place());
+  ASSIGN_OR_RETURN(const std::unique_ptr<CommandInput> own, input_.part());
+  ++depth_;
+  auto read = own != nullptr ? CommandParser(*own, depth_).parse() : command();
+  --depth_;
+  if (!read) return std::move(read).error();
+  return std::make_shared<const Command>(std::move(read).value());
+}
+
+CommandParser::Content CommandParser::content() {
+  if (input_.accept("query") || input_.accept("querynt")) {
+    ASSIGN_OR_RETURN(ExpressionPtr value, input_.expression());
+    return CommandContent(Query{std::move(value)});
+  }
+  if (input_.accept("explain")) {
+    ASSIGN_OR_RETURN(ExpressionPtr value, input_.expression());
+    return CommandContent(Explain{std::move(value)});
+  }
+  if (input_.accept("let"))
+    return named_value("=", [](auto name, auto value) { return LetObject{name, value, false}; });
+  if (input_.accept("let_"))
+    return named_value("=", [](auto name, auto value) { return LetObject{name, value, true}; });
+  if (input_.accept("derive")) return named_value("=", [](auto name, auto value) { return DeriveObject{name, value}; });
+  if (input_.accept("update"))
+    return named_value(":=", [](auto name, auto value) { return UpdateObject{name, value}; });
+  if (input_.accept("create")) return create();
+  if (input_.accept("delete")) return remove();
+  if (input_.accept("kill")) {
+    ASSIGN_OR_RETURN(std::string name, object_name());
+    return CommandContent(DeleteObject{std::move(name), true});
+  }
+  if (input_.accept("changename")) return rename();
+  if (input_.accept("type")) return define_type();
+  if (input_.accept("open")) {
+    ASSIGN_OR_RETURN(std::string name, database_name());
+    return CommandContent(OpenDatabase{std::move(name)});
+  }
+  if (input_.accept("close")) {
+    RETURN_IF_ERROR(input_.expect("database", "after 'close'"));
+    return CommandContent(CloseDatabase{});
+  }
+  if (input_.accept("check")) {
+    RETURN_IF_ERROR(input_.expect("database", "after 'check'"));
+    return CommandContent(CheckDatabase{});
+  }
+  if (input_.accept("save")) return save();
+  if (input_.accept("restore")) return restore();
+  if (input_.accept("list")) return list();
+  if (input_.accept("begin")) return transaction(TransactionStep::Step::begin);
+  if (input_.accept("commit")) return transaction(TransactionStep::Step::commit);
+  if (input_.accept("abort")) return transaction(TransactionStep::Step::abort);
+  if (input_.accept("set")) return set_option();
+  if (input_.accept("if")) return conditional();
+  if (input_.accept("while")) return loop();
+  if (input_.accept("{{")) return sequence("}}", true);
+  if (input_.accept("{")) return sequence("}", false);
+  return unknown_command();
+}
+
+Error CommandParser::unknown_command() {
+  static const std::vector<std::string> commands = {"query",   "let",  "let_",       "derive", "update",  "create",
+                                                    "delete",  "kill", "changename", "type",   "open",    "close",
+                                                    "restore", "save", "list",       "begin",  "commit",  "abort",
+                                                    "set",     "if",   "while",      "{",      "explain", "check"};
+  std::string expected = "a command (" + algebra3d::enumerate(commands, commands.size()) + ")";
+  const std::string suggestion = algebra3d::nearest_name(input_.shown_word(), commands);
+  Error error = input_.unexpected(expected);
+  if (!suggestion.empty()) error.message += "; did you mean '" + suggestion + "'?";
+  return error;
+}
+
+Result<std::string> CommandParser::database_name() {
+  RETURN_IF_ERROR(input_.expect("database", "after the command"));
+  return input_.name("the name of a database");
+}
+
+Result<std::string> CommandParser::object_name() {
+  return input_.name("the name of an object");
+}
+
+Result<std::string> CommandParser::file_after(std::string_view word) {
+  RETURN_IF_ERROR(input_.expect(word, "and the file"));
+  return input_.word_or_text("the name of a file, or 'a path' in quotes");
+}
+
+template <typename Make>
+CommandParser::Content CommandParser::named_value(std::string_view separator, Make make) {
+  ASSIGN_OR_RETURN(std::string name, object_name());
+  RETURN_IF_ERROR(input_.expect(separator, "after the name '" + name + "'"));
+  ASSIGN_OR_RETURN(ExpressionPtr value, input_.expression());
+  return CommandContent(make(std::move(name), std::move(value)));
+}
+
+CommandParser::Content CommandParser::create() {
+  if (input_.at("database")) {
+    ASSIGN_OR_RETURN(std::string name, database_name());
+    return CommandContent(CreateDatabase{std::move(name)});
+  }
+  ASSIGN_OR_RETURN(std::string name, input_.name("'database' or the name of an object"));
+  RETURN_IF_ERROR(input_.expect(":", "after the name '" + name + "'"));
+  ASSIGN_OR_RETURN(TypeSyntax type, input_.type());
+  return CommandContent(CreateObject{std::move(name), std::move(type)});
+}
+
+CommandParser::Content CommandParser::remove() {
+  if (input_.at("database")) {
+    ASSIGN_OR_RETURN(std::string name, database_name());
+    return CommandContent(DeleteDatabase{std::move(name)});
+  }
+  if (input_.accept("type")) {
+    ASSIGN_OR_RETURN(std::string name, input_.name("the name of a type"));
+    return CommandContent(DeleteType{std::move(name)});
+  }
+  ASSIGN_OR_RETURN(std::string name, input_.name("'database', 'type' or the name of an object"));
+  return CommandContent(DeleteObject{std::move(name), false});
+}
+
+CommandParser::Content CommandParser::rename() {
+  ASSIGN_OR_RETURN(std::string old_name, object_name());
+  RETURN_IF_ERROR(input_.expect("to", "and the new name"));
+  ASSIGN_OR_RETURN(std::string new_name, input_.name("the new name"));
+  return CommandContent(RenameObject{std::move(old_name), std::move(new_name)});
+}
+
+CommandParser::Content CommandParser::define_type() {
+  ASSIGN_OR_RETURN(std::string name, input_.name("the name of a type"));
+  RETURN_IF_ERROR(input_.expect("=", "after the name '" + name + "'"));
+  ASSIGN_OR_RETURN(TypeSyntax type, input_.type());
+  return CommandContent(DefineType{std::move(name), std::move(type)});
+}
+
+CommandParser::Content CommandParser::save() {
+  if (input_.accept("database")) {
+    ASSIGN_OR_RETURN(std::string file, file_after("to"));
+    return CommandContent(SaveDatabase{std::move(file)});
+  }
+  ASSIGN_OR_RETURN(std::string name, input_.name("'database' or the name of an object"));
+  ASSIGN_OR_RETURN(std::string file, file_after("to"));
+  return CommandContent(SaveObject{std::move(name), std::move(file)});
+}
+
+CommandParser::Content CommandParser::restore() {
+  if (input_.at("database")) {
+    ASSIGN_OR_RETURN(std::string name, database_name());
+    ASSIGN_OR_RETURN(std::string file, file_after("from"));
+    return CommandContent(RestoreDatabase{std::move(name), std::move(file)});
+  }
+  ASSIGN_OR_RETURN(std::string name, input_.name("'database' or the name of an object"));
+  ASSIGN_OR_RETURN(std::string file, file_after("from"));
+  return CommandContent(RestoreObject{std::move(name), std::move(file)});
+}
+
+CommandParser::Content CommandParser::list() {
+  using Subject = Inquiry::Subject;
+  static constexpr std::array<std::pair<std::string_view, Subject>, 6> kSubjects = {{
+      {"databases", Subject::databases},
+      {"objects", Subject::objects},
+      {"types", Subject::types},
+      {"operators", Subject::operators},
+      {"algebras", Subject::algebras},
+      {"counters", Subject::counters},
+  }};
+  for (const auto& [word, subject] : kSubjects)
+    if (input_.accept(word)) return CommandContent(Inquiry{subject});
+  if (input_.accept("type")) {
+    RETURN_IF_ERROR(input_.expect("constructors", "after 'list type'"));
+    return CommandContent(Inquiry{Subject::type_constructors});
+  }
+  // There is one algebra, whatever its name.
+  if (input_.accept("algebra")) {
+    RETURN_IF_ERROR(input_.name("the name of an algebra"));
+    return CommandContent(Inquiry{Subject::operators});
+  }
+  return input_.unexpected(
+      "databases, objects, types, type constructors, operators, algebras, algebra NAME or counters after 'list'");
+}
+
+CommandParser::Content CommandParser::transaction(TransactionStep::Step step) {
+  RETURN_IF_ERROR(input_.expect("transaction", "after the command"));
+  return CommandContent(TransactionStep{step});
+}
+
+CommandParser::Content CommandParser::set_option() {
+  ASSIGN_OR_RETURN(std::string name, input_.word_or_text("the name of an option, as in set \"memory\" = 256"));
+  RETURN_IF_ERROR(input_.expect("=", "after the name '" + name + "'"));
+  ASSIGN_OR_RETURN(ExpressionPtr value, input_.expression());
+  return CommandContent(SetOption{std::move(name), std::move(value)});
+}
+
+CommandParser::Content CommandParser::conditional() {
+  Conditional result;
+  ASSIGN_OR_RETURN(result.condition, input_.expression());
+  RETURN_IF_ERROR(input_.expect("then", "after the condition"));
+  ASSIGN_OR_RETURN(result.then_branch, part());
+  if (input_.accept("else")) {
+    ASSIGN_OR_RETURN(result.else_branch, part());
+  }
+  RETURN_IF_ERROR(input_.expect("endif", "to end the command"));
+  return CommandContent(std::move(result));
+}
+
+CommandParser::Content CommandParser::loop() {
+  Loop result;
+  ASSIGN_OR_RETURN(result.condition, input_.expression());
+  RETURN_IF_ERROR(input_.expect("do", "after the condition"));
+  ASSIGN_OR_RETURN(result.body, part());
+  RETURN_IF_ERROR(input_.expect("endwhile", "to end the command"));
+  return CommandContent(std::move(result));
+}
+
+CommandParser::Content CommandParser::sequence(std::string_view close, bool goes_on) {
+  Sequence result;
+  result.goes_on_after_errors = goes_on;
+  do {
+    ASSIGN_OR_RETURN(CommandPtr next, part());
+    result.commands.push_back(std::move(next));
+  } while (input_.accept("|"));
+  RETURN_IF_ERROR(input_.expect(close, "or '|' after the command"));
+  return CommandContent(std::move(result));
+}
+
+}  // namespace queries

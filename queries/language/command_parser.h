@@ -1,0 +1,49 @@
+#pragma once
+
+#include "queries/language/command.h"
+#include "queries/language/command_input.h"
+
+namespace queries {
+
+/// Deepest nesting of control commands (`if`, `while`, `{ | }`); beyond it: error limit_exceeded.
+inline constexpr int kMaxCommandDepth = 50;
+
+/// The grammar of commands (language.md 3.1) over either notation. A control command in a nested list holds its parts
+/// as sublists, in a text they stand in line.
+class CommandParser {
+ public:
+  explicit CommandParser(CommandInput& input, int depth = 0) : input_(input), depth_(depth) {}
+
+  /// One command and nothing after it. Errors: syntax_error, unknown_name with the commands that there are.
+  algebra3d::Result<Command> parse();
+
+ private:
+  using Content = algebra3d::Result<CommandContent>;
+
+  algebra3d::Result<Command> command();
+  algebra3d::Result<CommandPtr> part();
+  Content content();
+  Content create();
+  Content remove();
+  Content save();
+  Content restore();
+  Content list();
+  Content transaction(TransactionStep::Step step);
+  Content conditional();
+  Content loop();
+  Content sequence(std::string_view close, bool goes_on);
+  Content set_option();
+  Content rename();
+  Content define_type();
+  template <typename Make>
+  Content named_value(std::string_view separator, Make make);
+  algebra3d::Result<std::string> database_name();
+  algebra3d::Result<std::string> object_name();
+  algebra3d::Result<std::string> file_after(std::string_view word);
+  algebra3d::Error unknown_command();
+
+  CommandInput& input_;
+  int depth_;
+};
+
+}  // namespace queries

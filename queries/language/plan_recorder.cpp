@@ -1,0 +1,77 @@
+#include "queries/language/plan_recorder.h"
+
+#include <chrono>
+
+#include "queries/streams/mapping.h"
+
+namespace queries {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Adds the time of its life to a step.
+class Stopwatch {
+ public:
+  explicit Stopwatch(PlanStep& step) : step_(step), begin_(Clock::now()) {}
+  ~Stopwatch() { step_.seconds += std::chrono::duration<double>(Clock::now() - begin_).count(); }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  PlanStep& step_;
+  Clock::time_point begin_;
+};
+
+// The streams keep the node, and with it the steps, alive only through the caller: the recorder outlives both.
+Datum measured(Datum result, PlanStep& step) {
+  if (const auto* tuples = std::get_if<TupleStreamPtr>(&result.content))
+    return Datum{make_stream([stream = *tuples, &step]() -> Result<TuplePtr> {
+      const Stopwatch watch(step);
+      auto next = stream->next();
+      if (next && *next != nullptr) ++step.tuples;
+      return next;
+    })};
+  if (const auto* values = std::get_if<ValueStreamPtr>(&result.content))
+    return Datum{make_value_stream([stream = *values, &step]() -> Result<std::optional<Value>> {
+      const Stopwatch watch(step);
+      auto next = stream->next();
+      if (next && *next) ++step.tuples;
+      return next;
+    })};
+  return result;
+}
+
+class MeasuredNode final : public TypedNode {
+ public:
+  MeasuredNode(TypedPtr node, PlanStep& step)
+      : TypedNode(node->type(), node->place()), node_(std::move(node)), step_(step) {}
+  Result<Datum> evaluate(const Frame* frame, Context& context) const override {
+    ++step_.calls;
+    const Stopwatch watch(step_);
+    auto result = node_->evaluate(frame, context);
+    if (!result) return result;
+    return measured(std::move(result).value(), step_);
+  }
+
+ private:
+  TypedPtr node_;
+  PlanStep& step_;
+};
+
+}  // namespace
+
+std::size_t PlanRecorder::begin(const std::string& name) {
+  PlanStep step;
+  step.name = name;
+  step.depth = depth_++;
+  steps_.push_back(std::move(step));
+  return steps_.size() - 1;
+}
+
+TypedPtr PlanRecorder::finish(std::size_t step, std::string signature, TypedPtr node) {
+  --depth_;
+  steps_[step].signature = std::move(signature);
+  return std::make_shared<MeasuredNode>(std::move(node), steps_[step]);
+}
+
+}  // namespace queries

@@ -1,0 +1,78 @@
+// The commands of a session that hold other commands, and those that set options.
+#include "queries/language/checker.h"
+#include "queries/session/objects.h"
+#include "queries/session/session.h"
+
+namespace queries {
+
+Result<Value> Session::evaluate_alone(const Expression& expression, Context& context) {
+  std::optional<Value> result;
+  RETURN_IF_ERROR(in_transaction(false, [&]() -> Status {
+    Objects objects(registry_, store_.get(), context);
+    ASSIGN_OR_RETURN(const TypedPtr node, Checker(registry_, objects, context).check(expression));
+    ASSIGN_OR_RETURN(const Datum datum, node->evaluate(nullptr, context));
+    const auto* value = std::get_if<Value>(&datum.content);
+    if (value == nullptr)
+      return Error(ErrorCode::type_error, "expected a value, got {}", node->type().text()).at(expression.place);
+    ASSIGN_OR_RETURN(result, value->loaded());
+    return {};
+  }));
+  return *std::move(result);
+}
+
+Result<bool> Session::holds(const Expression& condition, std::string_view command, Context& context) {
+  ASSIGN_OR_RETURN(const Value value, evaluate_alone(condition, context));
+  if (value.type().name() != "bool")
+    return Error(ErrorCode::type_error, "{}: expected a condition of type bool, got {}", command, value.type().name())
+        .at(condition.place);
+  if (!value.is_defined())
+    return Error(ErrorCode::not_evaluable, "{}: the condition is undefined", command).at(condition.place);
+  return value.get<bool>();
+}
+
+Status Session::run(const Conditional& command, Presenter& presenter, Context& context) {
+  ASSIGN_OR_RETURN(const bool is_true, holds(*command.condition, "if", context));
+  if (is_true) return run(*command.then_branch, presenter, context);
+  if (command.else_branch != nullptr) return run(*command.else_branch, presenter, context);
+  return {};
+}
+
+Status Session::run(const Loop& command, Presenter& presenter, Context& context) {
+  while (true) {
+    RETURN_IF_ERROR(context.check_cancelled());
+    ASSIGN_OR_RETURN(const bool is_true, holds(*command.condition, "while", context));
+    if (!is_true) return {};
+    RETURN_IF_ERROR(run(*command.body, presenter, context));
+  }
+}
+
+Status Session::run(const Sequence& command, Presenter& presenter, Context& context) {
+  Status first;
+  for (const CommandPtr& each : command.commands) {
+    Status status = run(*each, presenter, context);
+    if (status) continue;
+    if (!command.goes_on_after_errors || status.error().code == ErrorCode::interrupted) return status;
+    if (first)
+      first = std::move(status);
+    else
+      context.diagnostics.report("a further command of the sequence failed: " + status.error().message);
+  }
+  return first;
+}
+
+Status Session::run(const SetOption& command, Presenter&, Context& context) {
+  ASSIGN_OR_RETURN(const Value value, evaluate_alone(*command.value, context));
+  if (command.name != "memory") {
+    context.diagnostics.report("set: there is no option '" + command.name + "'; the command has no effect");
+    return {};
+  }
+  const bool is_int = value.type().name() == "int";
+  if (!value.is_defined() || !is_int || value.get<std::int32_t>() < 1)
+    return Error(ErrorCode::type_error, "set \"memory\": expected the limit in megabytes, an int from 1, got {}",
+                 value.to_nested().print_short())
+        .at(command.value->place);
+  options_.memory_megabytes = value.get<std::int32_t>();
+  return {};
+}
+
+}  // namespace queries

@@ -1,0 +1,147 @@
+// The commands of a session that make, change, rename and remove objects and named types.
+#include "queries/language/checker.h"
+#include "queries/language/parser.h"
+#include "queries/session/objects.h"
+#include "queries/session/session.h"
+
+namespace queries {
+namespace {
+
+bool can_be_stored(const TypeExpr& type, const algebra3d::Registry& registry) {
+  if (type.is_relation() || type.is_function() || type.is("rtree3")) return true;
+  return type.arguments().empty() && registry.find_type(type.name()) != nullptr;
+}
+
+Error cannot_be_stored(std::string_view command, const TypeExpr& type) {
+  const std::string_view hint = type.is_stream() ? "; end the stream with consume" : "";
+  return {ErrorCode::not_evaluable, "{}: a value of type {} cannot be stored{}", command, type.text(), hint};
+}
+
+Error no_object(const std::string& name) {
+  return {ErrorCode::unknown_name, "there is no object '{}'", name};
+}
+
+}  // namespace
+
+Status Session::check_new_name(const std::string& name) {
+  if (is_reserved(name, registry_))
+    return Error{ErrorCode::reserved_name, "'{}' is {} and cannot name an object", name,
+                 registry_.find_operator(name) != nullptr ? "an operator" : "a word of the language"};
+  return {};
+}
+
+Status Session::run(const CreateObject& command, Presenter&, Context& context) {
+  ASSIGN_OR_RETURN(Store * store, required_store());
+  RETURN_IF_ERROR(check_new_name(command.name));
+  return in_transaction(true, [&]() -> Status {
+    Objects objects(registry_, store, context);
+    ASSIGN_OR_RETURN(const TypeExpr type, Checker(registry_, objects, context).resolve(command.type));
+    if (!can_be_stored(type, registry_) || type.is_function() || type.is("rtree3"))
+      return cannot_be_stored("create", type);
+    return store->create(command.name, type);
+  });
+}
+
+Status Session::run(const LetObject& command, Presenter&, Context& context) {
+  ASSIGN_OR_RETURN(Store * store, required_store());
+  RETURN_IF_ERROR(check_new_name(command.name));
+  return in_transaction(true, [&]() -> Status {
+    ASSIGN_OR_RETURN(const auto existing, store->find(command.name));
+    if (!existing) return define(command.name, *command.value, false, context);
+    if (!command.replaces)
+      return Error{ErrorCode::name_exists, "there is an object '{}' already; delete it first, or use let_",
+                   command.name};
+    // The new value may come out of the old one, so it is made under another name before the old one goes.
+    const std::string interim = " " + command.name;
+    RETURN_IF_ERROR(define(interim, *command.value, false, context));
+    RETURN_IF_ERROR(store->remove(command.name));
+    return store->rename(interim, command.name);
+  });
+}
+
+Status Session::run(const DeriveObject& command, Presenter&, Context& context) {
+  ASSIGN_OR_RETURN(Store * store, required_store());
+  RETURN_IF_ERROR(check_new_name(command.name));
+  return in_transaction(true, [&]() -> Status {
+    ASSIGN_OR_RETURN(const auto existing, store->find(command.name));
+    if (existing)
+      return Error{ErrorCode::name_exists, "there is an object '{}' already; delete it first", command.name};
+    return define(command.name, *command.value, true, context);
+  });
+}
+
+// Functions and derived objects keep the nested-list form of what was written: it is read back whatever notation the
+// command was in.
+Status Session::define(const std::string& name, const Expression& value, bool is_derived, Context& context) {
+  Objects objects(registry_, store_.get(), context);
+  ASSIGN_OR_RETURN(const TypedPtr node, Checker(registry_, objects, context).check(value));
+  const TypeExpr& type = node->type();
+  if (!can_be_stored(type, registry_)) return cannot_be_stored(is_derived ? "derive" : "let", type);
+  if (type.is_function()) return store_->create_function(name, type, to_nested(value).print());
+  ASSIGN_OR_RETURN(const Datum datum, node->evaluate(nullptr, context));
+  RETURN_IF_ERROR(is_derived ? store_->create_derived(name, type, to_nested(value).print())
+                             : store_->create(name, type));
+  return store_->assign(name, datum, context);
+}
+
+Status Session::run(const UpdateObject& command, Presenter&, Context& context) {
+  ASSIGN_OR_RETURN(Store * store, required_store());
+  return in_transaction(true, [&]() -> Status {
+    Objects objects(registry_, store, context);
+    ASSIGN_OR_RETURN(const auto existing, store->find(command.name));
+    if (!existing)
+      return Error{ErrorCode::unknown_name, "there is no object '{}'; use let to create one", command.name};
+    if (!existing->derived_text.empty())
+      return Error{ErrorCode::wrong_usage,
+                   "update: '{}' is derived from other objects; delete it and use let for a value of its own",
+                   command.name};
+    ASSIGN_OR_RETURN(const TypedPtr node, Checker(registry_, objects, context).check(*command.value));
+    if (!(node->type() == existing->type))
+      return Error{ErrorCode::type_error, "update: '{}' is of type {}, the new value of type {}", command.name,
+                   existing->type.text(), node->type().text()};
+    if (existing->type.is_function()) {
+      RETURN_IF_ERROR(store->remove(command.name));
+      return store->create_function(command.name, existing->type, to_nested(*command.value).print());
+    }
+    ASSIGN_OR_RETURN(const Datum value, node->evaluate(nullptr, context));
+    return store->assign(command.name, value, context);
+  });
+}
+
+Status Session::run(const DeleteObject& command, Presenter&, Context&) {
+  ASSIGN_OR_RETURN(Store * store, required_store());
+  return in_transaction(true, [&]() -> Status {
+    ASSIGN_OR_RETURN(const auto existing, store->find(command.name));
+    if (!existing) return no_object(command.name);
+    return command.kills ? store->kill(command.name) : store->remove(command.name);
+  });
+}
+
+Status Session::run(const RenameObject& command, Presenter&, Context&) {
+  ASSIGN_OR_RETURN(Store * store, required_store());
+  RETURN_IF_ERROR(check_new_name(command.new_name));
+  return in_transaction(true, [&]() -> Status {
+    ASSIGN_OR_RETURN(const auto existing, store->find(command.old_name));
+    if (!existing) return no_object(command.old_name);
+    return store->rename(command.old_name, command.new_name);
+  });
+}
+
+Status Session::run(const DefineType& command, Presenter&, Context& context) {
+  ASSIGN_OR_RETURN(Store * store, required_store());
+  RETURN_IF_ERROR(check_new_name(command.name));
+  if (registry_.find_type(command.name) != nullptr)
+    return Error{ErrorCode::name_exists, "there is a type '{}' already", command.name};
+  return in_transaction(true, [&]() -> Status {
+    Objects objects(registry_, store, context);
+    ASSIGN_OR_RETURN(const TypeExpr type, Checker(registry_, objects, context).resolve(command.type));
+    return store->create_type(command.name, type);
+  });
+}
+
+Status Session::run(const DeleteType& command, Presenter&, Context&) {
+  ASSIGN_OR_RETURN(Store * store, required_store());
+  return in_transaction(true, [&] { return store->remove_type(command.name); });
+}
+
+}  // namespace queries

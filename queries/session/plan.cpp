@@ -1,0 +1,32 @@
+#include "queries/session/plan.h"
+
+#include "queries/streams/mapping.h"
+#include "queries/streams/relation.h"
+
+namespace queries {
+
+Status exhaust(const Datum& value, const Context& context) {
+  if (const auto* tuples = std::get_if<TupleStreamPtr>(&value.content))
+    return for_each_tuple(**tuples, context, [](const TuplePtr&) { return Status(); });
+  const auto* values = std::get_if<ValueStreamPtr>(&value.content);
+  while (values != nullptr) {
+    RETURN_IF_ERROR(context.check_cancelled());
+    ASSIGN_OR_RETURN(const auto next, (*values)->next());
+    if (!next) break;
+  }
+  return {};
+}
+
+NestedList plan_list(const PlanRecorder& recorder) {
+  constexpr double kMillisecondsPerSecond = 1000;
+  NestedList::List rows;
+  for (const PlanStep& step : recorder.steps())
+    rows.push_back(NestedList::list(NestedList(step.depth), NestedList::symbol(step.name),
+                                    NestedList::text(step.signature), NestedList(static_cast<double>(step.calls)),
+                                    NestedList(static_cast<double>(step.tuples)),
+                                    NestedList(step.seconds * kMillisecondsPerSecond)));
+  return NestedList::list(NestedList::symbol("inquiry"),
+                          NestedList::list(NestedList::symbol("plan"), NestedList(std::move(rows))));
+}
+
+}  // namespace queries

@@ -1,0 +1,339 @@
+// The commands of a session that restore a database or an object from a nested list. It is read object by object and
+// tuple by tuple; everything happens in one transaction.
+#include <unistd.h>
+
+#include <cstdlib>
+
+#include "queries/language/checker.h"
+#include "queries/language/nested_reader.h"
+#include "queries/language/parser.h"
+#include "queries/session/database_files.h"
+#include "queries/session/list_pieces.h"
+#include "queries/session/objects.h"
+#include "queries/session/saved_list.h"
+#include "queries/session/session.h"
+#include "queries/streams/mapping.h"
+#include "stl/mapped_file.h"
+
+namespace queries {
+namespace {
+
+// `$(NAME)` stands for the environment variable, and for nothing if there is none.
+std::string with_variables(std::string_view text) {
+  std::string result;
+  std::size_t position = 0;
+  while (position < text.size()) {
+    const std::size_t begin = text.find("$(", position);
+    const std::size_t end = begin == std::string_view::npos ? begin : text.find(')', begin);
+    result += text.substr(position, begin == std::string_view::npos ? begin : begin - position);
+    if (end == std::string_view::npos) {
+      if (begin != std::string_view::npos) result += text.substr(begin);
+      break;
+    }
+    const std::string name(text.substr(begin + 2, end - begin - 2));
+    if (const char* value = std::getenv(name.c_str())) result += value;  // NOLINT(concurrency-mt-unsafe)
+    position = end + 1;
+  }
+  return result;
+}
+
+/// The text of a saved list: mapped, or copied where variables had to be replaced.
+class SavedText {
+ public:
+  static Result<SavedText> open(const std::filesystem::path& file) {
+    auto mapped = stl::MappedFile::open(file);
+    if (!mapped) return std::move(mapped).error();
+    return SavedText(std::move(mapped).value());
+  }
+  std::string_view text() const { return is_copied_ ? std::string_view(copy_) : file_.bytes(); }
+
+ private:
+  explicit SavedText(stl::MappedFile file) : file_(std::move(file)) {
+    const std::string_view bytes = file_.bytes();
+    is_copied_ = !bytes.starts_with(kSavedHere) && bytes.find("$(") != std::string_view::npos;
+    if (is_copied_) copy_ = with_variables(bytes);
+  }
+
+  stl::MappedFile file_;
+  std::string copy_;
+  bool is_copied_ = false;
+};
+
+}  // namespace
+
+/// Reads objects out of a saved list into the store. Lives for one statement.
+class Session::Restorer {
+ public:
+  Restorer(const algebra3d::Registry& registry, Store& store, ListPieces& pieces, Context& context)
+      : registry_(registry), store_(store), pieces_(pieces), context_(context), objects_(registry, &store, context) {}
+
+  /// `(DATABASE name (DESCRIPTIVE ALGEBRA) (TYPES ...) (OBJECTS ...))`
+  Status database();
+  /// `(OBJECT name () type value ())`, under another name if one is given.
+  Status object(const std::string& new_name);
+  /// Objects that depend on others, once those are there.
+  Status dependent_objects();
+
+ private:
+  struct Dependent {
+    std::string name;
+    NestedList expression;
+    std::optional<TypeExpr> index_type;  // of an index, which is an object as any other; none: derived
+    SourcePlace place;
+  };
+
+  Status section();
+  Status named_type();
+  Status object_content(std::string name);
+  Status value_of(const std::string& name, const TypeExpr& type);
+  Status relation_value(const std::string& name, const TypeExpr& type);
+  Status rest_of_object();
+  Status define(const Dependent& dependent);
+  Result<TypeExpr> type();
+  Result<std::string> symbol(std::string_view what);
+
+  const algebra3d::Registry& registry_;
+  Store& store_;
+  ListPieces& pieces_;
+  Context& context_;
+  Objects objects_;
+  std::vector<Dependent> dependents_;
+};
+
+Result<std::string> Session::Restorer::symbol(std::string_view what) {
+  const SourcePlace place = pieces_.place();
+  ASSIGN_OR_RETURN(const NestedList list, pieces_.read(what));
+  if (list.is_symbol()) return list.as_symbol();
+  return Error(ErrorCode::invalid_value, "expected {}, found {}", what, list.print_short()).at(place);
+}
+
+Result<TypeExpr> Session::Restorer::type() {
+  const SourcePlace place = pieces_.place();
+  ASSIGN_OR_RETURN(NestedList list, pieces_.read("a type"));
+  // Types without arguments may stand in parentheses.
+  if (list.is_list() && list.elements().size() == 1) list = NestedList(list.elements().front());
+  // Types of indexes are made by operators and never written, so that the checker knows none.
+  if (list.is_list() && !list.elements().empty() && list.elements().front().is_symbol("rtree3"))
+    return TypeExpr::from_nested(list);
+  ASSIGN_OR_RETURN(const TypeSyntax syntax, NestedReader(registry_, place).type(list));
+  return Checker(registry_, objects_, context_).resolve(syntax);
+}
+
+Status Session::Restorer::database() {
+  RETURN_IF_ERROR(pieces_.enter());
+  ASSIGN_OR_RETURN(const std::string head, symbol("DATABASE"));
+  if (head != "DATABASE")
+    return Error{ErrorCode::invalid_value, "restore: expected a list (DATABASE ...), found ({} ...)", head};
+  RETURN_IF_ERROR(symbol("the name of the database"));
+  RETURN_IF_ERROR(pieces_.read("(DESCRIPTIVE ALGEBRA)"));
+  RETURN_IF_ERROR(section());
+  RETURN_IF_ERROR(section());
+  RETURN_IF_ERROR(pieces_.leave());
+  return dependent_objects();
+}
+
+// `(TYPES (TYPE name type)...)` or `(OBJECTS (OBJECT ...)...)`
+Status Session::Restorer::section() {
+  RETURN_IF_ERROR(pieces_.enter());
+  ASSIGN_OR_RETURN(const std::string head, symbol("TYPES or OBJECTS"));
+  if (head != "TYPES" && head != "OBJECTS")
+    return Error{ErrorCode::invalid_value, "restore: expected TYPES or OBJECTS, found {}", head};
+  while (pieces_.enter()) {
+    RETURN_IF_ERROR(context_.check_cancelled());
+    RETURN_IF_ERROR(head == "TYPES" ? named_type() : object_content({}));
+  }
+  return pieces_.leave();
+}
+
+Status Session::Restorer::named_type() {
+  RETURN_IF_ERROR(symbol("TYPE"));
+  ASSIGN_OR_RETURN(const std::string name, symbol("the name of a type"));
+  ASSIGN_OR_RETURN(const TypeExpr named, type());
+  RETURN_IF_ERROR(store_.create_type(name, named));
+  return pieces_.leave();
+}
+
+Status Session::Restorer::object(const std::string& new_name) {
+  RETURN_IF_ERROR(pieces_.enter());
+  RETURN_IF_ERROR(object_content(new_name));
+  return dependent_objects();
+}
+
+// What stands between the parentheses of an object, and the closing one.
+Status Session::Restorer::object_content(std::string name) {
+  const SourcePlace place = pieces_.place();
+  ASSIGN_OR_RETURN(const std::string head, symbol("OBJECT or DERIVED"));
+  if (head != "OBJECT" && head != "DERIVED")
+    return Error(ErrorCode::invalid_value, "expected OBJECT or DERIVED, found {}", head).at(place);
+  ASSIGN_OR_RETURN(const std::string saved_name, symbol("the name of an object"));
+  if (name.empty()) name = saved_name;
+  if (is_reserved(name, registry_))
+    return Error(ErrorCode::reserved_name, "'{}' is a word of the language and cannot name an object", name).at(place);
+  if (head == "DERIVED") {
+    ASSIGN_OR_RETURN(NestedList expression, pieces_.read("an expression"));
+    dependents_.push_back({name, std::move(expression), std::nullopt, place});
+    return rest_of_object();
+  }
+  RETURN_IF_ERROR(pieces_.read("the name of the type, or ()"));
+  ASSIGN_OR_RETURN(const TypeExpr object_type, type());
+  auto status = value_of(name, object_type);
+  if (!status) {
+    Error error = std::move(status).error();
+    error.message = "object '" + name + "': " + error.message;
+    return std::move(error).at(place);
+  }
+  return rest_of_object();
+}
+
+// Further elements say how the object was stored elsewhere.
+Status Session::Restorer::rest_of_object() {
+  while (true) {
+    ASSIGN_OR_RETURN(const auto piece, pieces_.next());
+    if (!piece) return pieces_.leave();
+  }
+}
+
+Status Session::Restorer::value_of(const std::string& name, const TypeExpr& type) {
+  if (type.is_relation()) return relation_value(name, type);
+  const SourcePlace place = pieces_.place();
+  ASSIGN_OR_RETURN(const auto piece, pieces_.next());
+  if (!piece) return type.is("rtree3") ? Status() : store_.create(name, type);
+  ASSIGN_OR_RETURN(NestedList list, NestedList::parse(*piece));
+  if (type.is("rtree3")) {
+    dependents_.push_back({name, std::move(list), type, place});
+    return {};
+  }
+  if (type.is_function()) {
+    RETURN_IF_ERROR(NestedReader(registry_, place).expression(list));
+    return store_.create_function(name, type, list.print());
+  }
+  RETURN_IF_ERROR(store_.create(name, type));
+  const algebra3d::Type* value_type = registry_.find_type(type.name());
+  if (value_type == nullptr) return Error{ErrorCode::unknown_name, "unknown type {}", type.text()};
+  ASSIGN_OR_RETURN(Value value, algebra3d::value_from_nested(*value_type, list, context_));
+  return store_.assign(name, Datum{std::move(value)}, context_);
+}
+
+Status Session::Restorer::relation_value(const std::string& name, const TypeExpr& type) {
+  RETURN_IF_ERROR(store_.create(name, type));
+  if (!pieces_.enter()) {
+    ASSIGN_OR_RETURN(const auto piece, pieces_.next());
+    if (!piece) return {};  // created and never given a value
+    return Error{ErrorCode::invalid_value, "expected a list of tuples, found {}", piece->substr(0, 40)};
+  }
+  std::vector<const algebra3d::Type*> types;
+  for (const auto& attribute : type.element().attributes()) types.push_back(registry_.find_type(attribute.type.name()));
+  std::size_t number = 0;
+  const auto tuples = make_stream([&]() -> Result<TuplePtr> {
+    ASSIGN_OR_RETURN(const auto piece, pieces_.next());
+    if (!piece) return TuplePtr();
+    ++number;
+    ASSIGN_OR_RETURN(const NestedList row, NestedList::parse(*piece));
+    if (!row.is_list() || row.elements().size() != types.size())
+      return Error{ErrorCode::invalid_value, "tuple {}: expected a list of {} values, got {}", number, types.size(),
+                   row.print_short()};
+    auto tuple = std::make_shared<Tuple>();
+    for (std::size_t index = 0; index < types.size(); ++index) {
+      auto value = algebra3d::value_from_nested(*types[index], row.elements()[index], context_);
+      if (!value)
+        return Error{ErrorCode::invalid_value, "tuple {}, attribute {}: {}", number,
+                     type.element().attributes()[index].name, value.error().message};
+      tuple->attributes.push_back(std::move(value).value());
+    }
+    return TuplePtr(std::move(tuple));
+  });
+  RETURN_IF_ERROR(store_.assign(name, Datum{tuples}, context_));
+  return pieces_.leave();
+}
+
+// They may depend on each other in any order: those that can be made are made, until none is left or none can. One that
+// was broken already when it was saved, since something that it uses was renamed, must not keep the rest away.
+Status Session::Restorer::dependent_objects() {
+  while (!dependents_.empty()) {
+    std::vector<Dependent> later;
+    std::vector<std::string> reasons;
+    for (Dependent& dependent : dependents_) {
+      const Status status = define(dependent);
+      if (status) continue;
+      const ErrorCode code = status.error().code;
+      if (code != ErrorCode::unknown_name && code != ErrorCode::syntax_error && code != ErrorCode::type_error)
+        return Error(status.error()).at(dependent.place);
+      reasons.push_back("restore: '" + dependent.name +
+                        "' is left out, it cannot be derived again: " + status.error().message);
+      later.push_back(std::move(dependent));
+    }
+    if (later.size() == dependents_.size()) {
+      for (const std::string& reason : reasons) context_.diagnostics.report(reason);
+      return {};
+    }
+    dependents_ = std::move(later);
+  }
+  return {};
+}
+
+Status Session::Restorer::define(const Dependent& dependent) {
+  Objects objects(registry_, &store_, context_);
+  ASSIGN_OR_RETURN(const ExpressionPtr expression,
+                   NestedReader(registry_, dependent.place).expression(dependent.expression));
+  ASSIGN_OR_RETURN(const TypedPtr node, Checker(registry_, objects, context_).check(*expression));
+  ASSIGN_OR_RETURN(const Datum value, node->evaluate(nullptr, context_));
+  if (dependent.index_type) {
+    RETURN_IF_ERROR(store_.create(dependent.name, node->type()));
+  } else {
+    RETURN_IF_ERROR(store_.create_derived(dependent.name, node->type(), dependent.expression.print()));
+  }
+  return store_.assign(dependent.name, value, context_);
+}
+
+Status Session::run(const RestoreObject& command, Presenter&, Context& context) {
+  ASSIGN_OR_RETURN(Store * store, required_store());
+  RETURN_IF_ERROR(check_new_name(command.name));
+  ASSIGN_OR_RETURN(const SavedText saved, SavedText::open(context.resolve(command.file)));
+  return in_transaction(true, [&]() -> Status {
+    ASSIGN_OR_RETURN(const auto existing, store->find(command.name));
+    if (existing)
+      return Error{ErrorCode::name_exists, "there is an object '{}' already; delete it first", command.name};
+    ListPieces pieces(saved.text(), command.file);
+    return Restorer(registry_, *store, pieces, context).object(command.name);
+  });
+}
+
+// A new database is made beside its place and appears when it is complete; an existing one is emptied and filled in one
+// transaction. Either way it is open afterwards.
+Status Session::run(const RestoreDatabase& command, Presenter&, Context& context) {
+  RETURN_IF_ERROR(require_closed());
+  if (options_.read_only) return Error{ErrorCode::database_read_only, "restore database: the session is read-only"};
+  ASSIGN_OR_RETURN(const SavedText saved, SavedText::open(context.resolve(command.file)));
+  ASSIGN_OR_RETURN(const auto file, database_file(command.name));
+  const bool is_new = !std::filesystem::exists(file);
+  const std::filesystem::path interim = file.string() + ".restore-" + std::to_string(getpid());
+  auto status = restore_into(is_new ? interim : file, is_new, saved.text(), command.file, context);
+  if (is_new && status) status = put_in_place(interim, file);
+  if (!status) {
+    const Status removed = is_new ? remove_database_files(interim) : Status();
+    if (!removed) context.diagnostics.report(removed.error().message);
+    return status;
+  }
+  ASSIGN_OR_RETURN(store_, Store::open(file, OpenMode::read_write, registry_));
+  return {};
+}
+
+Status Session::restore_into(const std::filesystem::path& file, bool is_new, std::string_view text,
+                             const std::string& name, Context& context) {
+  ASSIGN_OR_RETURN(store_, Store::open(file, is_new ? OpenMode::create : OpenMode::read_write, registry_));
+  Status status = in_transaction(true, [&]() -> Status {
+    ASSIGN_OR_RETURN(const auto objects, store_->objects());
+    for (const ObjectInfo& info : objects) {
+      ASSIGN_OR_RETURN(const auto present, store_->find(info.name));  // indexes go with their relation
+      if (present) RETURN_IF_ERROR(store_->kill(info.name));
+    }
+    ASSIGN_OR_RETURN(const auto types, store_->types());
+    for (const NamedType& type : types) RETURN_IF_ERROR(store_->remove_type(type.name));
+    ListPieces pieces(text, name);
+    return Restorer(registry_, *store_, pieces, context).database();
+  });
+  store_.reset();
+  return status;
+}
+
+}  // namespace queries

@@ -1,0 +1,108 @@
+// The commands that the shell carries out itself (language.md 1.2).
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <fstream>
+#include <iostream>
+
+#include "algebra3d/registry/documentation.h"
+#include "queries/shell/statement_runner.h"
+
+namespace queries {
+namespace {
+
+constexpr std::size_t kMaxScriptDepth = 32;
+
+std::string lower_case(std::string text) {
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+std::string trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r\n";
+  const auto begin = text.find_first_not_of(blanks);
+  if (begin == std::string_view::npos) return {};
+  return std::string(text.substr(begin, text.find_last_not_of(blanks) - begin + 1));
+}
+
+}  // namespace
+
+RunResult StatementRunner::run_shell_command(const std::string& text) {
+  if (text.starts_with('@')) return include(text);
+  if (text.starts_with('?')) return help(trimmed(text.substr(1)));
+  const std::size_t word_end = std::min(text.find_first_of(" \t\n"), text.size());
+  const std::string word = lower_case(text.substr(0, word_end));
+  const std::string rest = trimmed(text.substr(word_end));
+  if (word == "help") return help(rest);
+  if (word == "repeat") return repeat(rest);
+  if (word == "debug") {
+    errors_ << "note: debug: there are no debug levels here; see `explain` and `list counters`\n";
+    return RunResult::ok;
+  }
+  return rest.empty() ? RunResult::quit : complain(word + ": expected nothing after it, found '" + rest + "'");
+}
+
+RunResult StatementRunner::complain(const std::string& message) {
+  errors_ << "error: " << message << "\n";
+  errors_.flush();
+  return RunResult::failed;
+}
+
+RunResult StatementRunner::help(const std::string& name) {
+  if (name.empty()) {
+    std::cout << algebra3d::help_overview(session_.registry());
+    return RunResult::ok;
+  }
+  const algebra3d::Operator* op = session_.registry().find_operator(name);
+  if (op != nullptr) {
+    std::cout << algebra3d::help_text(*op);
+    return RunResult::ok;
+  }
+  const std::string suggestion = session_.registry().suggestion(name);
+  return complain("there is no operator '" + name + "'" +
+                  (suggestion.empty() ? "" : ", did you mean '" + suggestion + "'?"));
+}
+
+// `@FILE`, `@@FILE` (stops at the first error), `@%FILE` and `@&FILE` (the same two, skipping marked comments).
+RunResult StatementRunner::include(const std::string& text) {
+  const char mode = text.size() > 1 ? text[1] : '\0';
+  const bool has_mode = mode == '@' || mode == '%' || mode == '&';
+  const std::string file = trimmed(text.substr(has_mode ? 2 : 1));
+  if (file.empty()) return complain("@: expected the name of a script after it");
+  const bool skips = mode == '%' || mode == '&';
+  const bool stopped_before = stops_on_error_;
+  stops_on_error_ = stopped_before || mode == '@' || mode == '&';
+  const RunResult result =
+      run_file(file, skips ? CommandReader::Skipping::marked_blocks : CommandReader::Skipping::comments);
+  stops_on_error_ = stopped_before;
+  return result;
+}
+
+RunResult StatementRunner::run_file(const std::string& file, CommandReader::Skipping skipping) {
+  std::ifstream script(file);
+  if (!script || std::filesystem::is_directory(file)) return complain("cannot read the script '" + file + "'");
+  std::error_code ignored;
+  const auto path = std::filesystem::weakly_canonical(file, ignored);
+  if (std::ranges::find(scripts_, path) != scripts_.end()) return complain("the script '" + file + "' includes itself");
+  if (scripts_.size() == kMaxScriptDepth)
+    return complain("scripts include each other more than " + std::to_string(kMaxScriptDepth) + " levels deep");
+  scripts_.push_back(path);
+  const RunResult result = run_script(script, file, skipping);
+  scripts_.pop_back();
+  return result;
+}
+
+// `REPEAT n command`
+RunResult StatementRunner::repeat(const std::string& text) {
+  int count = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+  if (error != std::errc() || count < 0)
+    return complain("repeat: expected a number of times and a command, found '" + text + "'");
+  const std::string command = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
+  if (command.empty()) return complain("repeat: expected a command after the number");
+  for (int turn = 0; turn < count; ++turn)
+    if (const RunResult result = run({command, {"", 1, 1}}); result != RunResult::ok) return result;
+  return RunResult::ok;
+}
+
+}  // namespace queries
