@@ -79,6 +79,10 @@ Error Database::lost(const RelationLayout& layout, TupleId tuple) {
           layout.relation(), tuple};
 }
 
+Error Database::missing(const RelationLayout& layout, TupleId tuple) {
+  return {ErrorCode::database_corrupt, "{}: the row of tuple {} is not where it was written", layout.relation(), tuple};
+}
+
 Result<SqliteConnection*> Database::source_of(const RelationLayout& layout, TupleId tuple, ChangeTime time) {
   switch (changes_.where(layout.table_number(), tuple, time)) {
     case ChangeLog::Whereabouts::current:
@@ -112,7 +116,7 @@ Status Database::with_bytes(const LargeValue& value, const std::function<Status(
   ASSIGN_OR_RETURN(SqliteStatement statement, source->use(layout.bytes_sql(value.attribute)));
   statement.bind(1, value.tuple);
   ASSIGN_OR_RETURN(const bool has_row, statement.step());
-  if (!has_row) return lost(layout, value.tuple);
+  if (!has_row) return missing(layout, value.tuple);
   const Cell cell = statement.column(0);
   std::string joined;
   if (cell.is(Cell::Kind::integer)) {

@@ -84,8 +84,8 @@ class Database : public std::enable_shared_from_this<Database> {
   /// was when the statement began.
   Result<SqliteConnection*> source_of(const RelationLayout& layout, TupleId tuple, ChangeTime time);
 
-  /// The error of `source_of`.
-  static Error lost(const RelationLayout& layout, TupleId tuple);
+  /// The error of a tuple that is not where `source_of` says.
+  static Error missing(const RelationLayout& layout, TupleId tuple);
 
   // Large values. Errors: database_corrupt, internal after the end of the statement.
   Result<Value> load(const LargeValue& value);
@@ -107,6 +107,7 @@ class Database : public std::enable_shared_from_this<Database> {
   void forget_everything();
   void end_statement();
   Result<SqliteConnection*> original();
+  static Error lost(const RelationLayout& layout, TupleId tuple);
   Result<Value> decode(const LargeValue& value, std::uint64_t& byte_count);
 
   const std::filesystem::path file_;

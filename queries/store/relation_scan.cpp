@@ -92,7 +92,7 @@ Result<RelationScan::Row> RelationScan::row_at_start(TupleId id) {
   ASSIGN_OR_RETURN(SqliteStatement statement, source->use(layout_->fetch_sql()));
   statement.bind(1, id);
   ASSIGN_OR_RETURN(const bool has_row, statement.step());
-  if (!has_row) return database_->lost(*layout_, id);
+  if (!has_row) return Database::missing(*layout_, id);
   RowReader reader(database_, layout_, time_);
   RETURN_IF_ERROR(reader.take(statement));
   ASSIGN_OR_RETURN(TuplePtr tuple, reader.tuple());

@@ -9,10 +9,14 @@ namespace {
 using algebra3d::Error;
 using algebra3d::ErrorCode;
 
-// A quota and a limit on the size of files are to the user what a full disk is; SQLite itself knows only ENOSPC.
+// A quota and a limit on the size of files are to the user what a full disk is; SQLite itself knows only ENOSPC. At the
+// end of a transaction it does not keep the system's reason, which still stands in errno: nothing that went well since
+// has changed it.
 ErrorCode io_error_code(sqlite3* connection, int code) {
+  const int last_reason = errno;
   if (code == SQLITE_IOERR_NOMEM) return ErrorCode::out_of_memory;
-  const int reason = connection != nullptr ? sqlite3_system_errno(connection) : 0;
+  const int kept_reason = connection != nullptr ? sqlite3_system_errno(connection) : 0;
+  const int reason = kept_reason != 0 ? kept_reason : last_reason;
   const bool is_write = code == SQLITE_IOERR_WRITE || code == SQLITE_IOERR_TRUNCATE || code == SQLITE_IOERR_SHMSIZE;
   if (is_write && (reason == ENOSPC || reason == EDQUOT || reason == EFBIG)) return ErrorCode::disk_full;
   return ErrorCode::io_error;
