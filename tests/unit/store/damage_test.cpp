@@ -10,10 +10,11 @@ class StoreDamage : public StoreTest {
  protected:
   /// Everything that is stored, as text, or the error.
   Result<std::string> contents() {
-    auto opened = Store::open(path(), OpenMode::read_write, registry_);
-    if (!opened) return opened.error();
-    Store& store = **opened;
-    RETURN_IF_ERROR(store.begin(false));
+    ASSIGN_OR_RETURN(const auto store, Store::open(path(), OpenMode::read_write, registry_));
+    RETURN_IF_ERROR(store->begin(false));
+    return contents(*store);
+  }
+  Result<std::string> contents(Store& store) {
     ASSIGN_OR_RETURN(const auto objects, store.objects());
     ASSIGN_OR_RETURN(const auto types, store.types());
     std::string result;
@@ -44,12 +45,6 @@ class StoreDamage : public StoreTest {
         result += loaded.to_nested().print() + "\n";
       }
     }
-  }
-  /// What an integrity check finds.
-  Result<std::vector<Finding>> findings() {
-    ASSIGN_OR_RETURN(const auto store, Store::open(path(), OpenMode::read_only, registry_));
-    RETURN_IF_ERROR(store->begin(false));
-    return store->check(context_, {});
   }
   /// Makes the file `content`, without a log.
   void put(std::string_view content) {
@@ -90,7 +85,6 @@ TEST_F(StoreDamage, a_thousand_random_bits_and_truncations_give_an_error_or_the_
   ASSERT_TRUE(expected.ok()) << expected.error().message;
   std::mt19937 random(11);
   int errors = 0;
-  int unnoticed = 0;
   for (int round = 0; round < 1000; ++round) {
     std::string damaged = whole;
     const std::size_t byte = random() % damaged.size();
@@ -101,20 +95,19 @@ TEST_F(StoreDamage, a_thousand_random_bits_and_truncations_give_an_error_or_the_
       damaged[byte] = static_cast<char>(damaged[byte] ^ (1 << random() % 8));
     const std::string where = fmt::format("{} byte {}", is_cut ? "cut at" : "changed", byte);
     put(damaged);
-    const auto found = contents();
+    const auto store = Store::open(path(), round % 2 == 0 ? OpenMode::read_write : OpenMode::read_only, registry_);
+    Status status = store ? (*store)->begin(false) : Status(store.error());
+    const auto found = status ? contents(**store) : Result<std::string>(status.error());
+    const auto checked = status ? (*store)->check(context_, {}) : Result<std::vector<Finding>>(status.error());
     EXPECT_TRUE(found ? *found == *expected : is_fair(found.error().code))
         << where << ": " << (found ? *found : found.error().message);
-    errors += found ? 0 : 1;
-    put(damaged);
-    const auto checked = findings();
     EXPECT_TRUE(checked || is_fair(checked.error().code)) << where << ": " << checked.error().message;
     EXPECT_TRUE(found || !checked || !checked->empty()) << where << " is damage that the check does not see";
-    unnoticed += checked && checked->empty() ? 1 : 0;
+    errors += found ? 0 : 1;
     if (HasFailure()) return;
   }
   // Most of the file is data that no change leaves as it is; the rest is free space, which nobody misses.
   EXPECT_GT(errors, 250);
-  EXPECT_LT(unnoticed, 1000 - errors + 1);
 }
 
 TEST_F(StoreDamage, a_changed_value_is_named) {
