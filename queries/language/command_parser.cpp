@@ -91,9 +91,8 @@ Error CommandParser::unknown_command() {
                                                     "delete",  "kill", "changename", "type",   "open",    "close",
                                                     "restore", "save", "list",       "begin",  "commit",  "abort",
                                                     "set",     "if",   "while",      "{",      "explain", "check"};
-  std::string expected = "a command (" + algebra3d::enumerate(commands, commands.size()) + ")";
   const std::string suggestion = algebra3d::nearest_name(input_.shown_word(), commands);
-  Error error = input_.unexpected(expected);
+  Error error = input_.unexpected("a command (query, let, update, create, delete, open, list, ... see `help`)");
   if (!suggestion.empty()) error.message += "; did you mean '" + suggestion + "'?";
   return error;
 }

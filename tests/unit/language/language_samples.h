@@ -36,6 +36,9 @@ class TypesOnly final : public ObjectSource {
     const auto found = types_.find(name);
     return found == types_.end() ? std::optional<TypeExpr>() : std::optional(found->second);
   }
+  Result<std::optional<TypeExpr>> named_type(const std::string& name) override {
+    return name == "parts" ? std::optional(TypeExpr::rel(TypeExpr::tuple({{"A", "int"}}))) : std::nullopt;
+  }
   Result<Datum> value_of(const std::string& name) override {
     return algebra3d::Error{algebra3d::ErrorCode::internal, "{} has no value", name};
   }

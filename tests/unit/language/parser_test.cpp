@@ -62,7 +62,7 @@ TEST(Patterns, postfix_takes_its_operands_from_the_left) {
 TEST(Patterns, brackets_with_values) {
   EXPECT_EQ(parsed("p rotate[c, v, 90.0]"), "(rotate p c v 90.0)");
   EXPECT_EQ(parsed("v translate[w]"), "(translate v w)");
-  EXPECT_EQ(parsed("v translate[[const vector3d value (1 0 0)]]"), "(translate v (vector3d (1 0 0)))");
+  EXPECT_EQ(parsed("v translate[[const vector3d value (1 0 0)]]"), "(translate v (const vector3d value (1 0 0)))");
 }
 
 TEST(Patterns, brackets_with_names) {
@@ -125,15 +125,15 @@ TEST(Expressions, functions) {
 }
 
 TEST(Expressions, a_name_before_a_constant_is_an_operand) {
-  EXPECT_EQ(parsed("r [const int value 1] product"), "(product r (int 1))");
+  EXPECT_EQ(parsed("r [const int value 1] product"), "(product r (const int value 1))");
 }
 
 TEST(Types, every_form) {
   EXPECT_EQ(parsed("[const rel(tuple([N: string, V: volume3d])) value ()]"),
-            "((rel (tuple ((N string) (V volume3d)))) ())");
-  EXPECT_EQ(parsed("[const (rel (tuple ((N string)))) value ()]"), "((rel (tuple ((N string)))) ())");
-  EXPECT_EQ(parsed("[const rel([N: string]) value ()]"), "((rel (tuple ((N string)))) ())");
-  EXPECT_EQ(parsed("[const typeOf(1 + 2) value 3]"), "((typeOf (+ 1 2)) 3)");
+            "(const (rel (tuple ((N string) (V volume3d)))) value ())");
+  EXPECT_EQ(parsed("[const (rel (tuple ((N string)))) value ()]"), "(const (rel (tuple ((N string)))) value ())");
+  EXPECT_EQ(parsed("[const rel([N: string]) value ()]"), "(const (rel (tuple ((N string)))) value ())");
+  EXPECT_EQ(parsed("[const typeOf(1 + 2) value 3]"), "(const (typeOf (+ 1 2)) value 3)");
   EXPECT_EQ(parsed("fun(f: map(int, bool), s: stream(int)) 1"), "(fun (f (map int bool)) (s (stream int)) 1)");
 }
 
@@ -198,16 +198,48 @@ TEST(Commands, all_forms) {
   EXPECT_EQ(content_of<Inquiry>("list type constructors").subject, Inquiry::Subject::type_constructors);
 }
 
-TEST(Commands, functions_keep_their_text) {
-  EXPECT_EQ(content_of<LetObject>("let f =  fun(n: int)\n n * 2  ").source, "fun(n: int)\n n * 2  ");
+TEST(Commands, forms_that_manage_objects_and_files) {
+  EXPECT_EQ(content_of<DeriveObject>("derive n = 1").name, "n");
+  EXPECT_TRUE(content_of<DeleteObject>("kill n").kills);
+  EXPECT_EQ(content_of<RenameObject>("changename a to b").new_name, "b");
+  EXPECT_EQ(content_of<DefineType>("type t = rel(tuple([A: int]))").type.name, "rel");
+  EXPECT_EQ(content_of<DeleteType>("delete type t").name, "t");
+  EXPECT_EQ(content_of<SaveDatabase>("save database to 'a b.txt'").file, "a b.txt");
+  EXPECT_EQ(content_of<SaveObject>("save a to f").file, "f");
+  EXPECT_EQ(content_of<RestoreDatabase>("restore database d from \"f\"").file, "f");
+  EXPECT_EQ(content_of<RestoreObject>("restore a from f").name, "a");
+  EXPECT_EQ(content_of<TransactionStep>("abort transaction").step, TransactionStep::Step::abort);
+  EXPECT_EQ(content_of<SetOption>("set \"memory\" = 64").name, "memory");
+  EXPECT_EQ(to_nested(*content_of<Query>("querynt 1").value).print(), "1");
+}
+
+TEST(Commands, control_commands_hold_commands) {
+  const auto conditional = content_of<Conditional>("if TRUE then query 1 else { query 2 | query 3 } endif");
+  EXPECT_TRUE(std::holds_alternative<Query>(conditional.then_branch->content));
+  EXPECT_EQ(std::get<Sequence>(conditional.else_branch->content).commands.size(), 2);
+  const auto loop = content_of<Loop>("while x > 0 do update x := x - 1 endwhile");
+  EXPECT_TRUE(std::holds_alternative<UpdateObject>(loop.body->content));
+  EXPECT_TRUE(content_of<Sequence>("{{ query 1 | query 2 }}").goes_on_after_errors);
+}
+
+TEST(Commands, nested_lists_are_the_words_of_the_text) {
+  EXPECT_EQ(to_nested(*content_of<Query>("(query (+ 1 2))").value).print(), "(+ 1 2)");
+  EXPECT_EQ(content_of<LetObject>("(let n = (* 2 3))").name, "n");
+  EXPECT_EQ(content_of<UpdateObject>("(update n := 4)").name, "n");
+  EXPECT_EQ(content_of<CreateObject>("(create n : (rel (tuple ((A int)))))").type.name, "rel");
+  EXPECT_EQ(content_of<OpenDatabase>("(open database d)").name, "d");
+  EXPECT_EQ(content_of<Inquiry>("(list objects)").subject, Inquiry::Subject::objects);
+  EXPECT_EQ(content_of<Sequence>("({ (query 1) | (query 2) })").commands.size(), 2);
+  EXPECT_TRUE(content_of<Conditional>("(if TRUE then (query 1) endif)").else_branch == nullptr);
 }
 
 TEST(Commands, errors) {
-  EXPECT_EQ(command_error("qery 1"),
-            "1:1 expected a command (query, let, let_, update, create, delete, open, close or list), found 'qery'; did "
-            "you mean 'query'?");
+  EXPECT_EQ(
+      command_error("qery 1"),
+      "1:1 expected a command (query, let, update, create, delete, open, list, ... see `help`), found 'qery'; did "
+      "you mean 'query'?");
   EXPECT_EQ(command_error(""),
-            "1:1 expected a command (query, let, let_, update, create, delete, open, close or list), found the end of "
+            "1:1 expected a command (query, let, update, create, delete, open, list, ... see `help`), found the end of "
             "the command");
   EXPECT_EQ(command_error("let a 1"), "1:7 expected '=' after the name 'a', found '1'");
   EXPECT_EQ(command_error("update a = 1"), "1:10 expected ':=' after the name 'a', found '='");
