@@ -105,6 +105,24 @@ NestedList value_without_frame(const TypeExpr& type, const NestedList& list) {
   return result;
 }
 
+bool is_type_with_geometry(const NestedList& list) {
+  if (list.is_symbol()) return Motion::moves(list.as_symbol());
+  const auto type = TypeExpr::from_nested(list);
+  return type && type->is_relation();
+}
+
+/// Where in a list the type and the value of a constant stand.
+struct ConstantPlaces {
+  std::size_t type, value;
+};
+
+std::optional<ConstantPlaces> constant_places(const NestedList::List& items) {
+  if (items.size() == 2 && is_type_with_geometry(items[0])) return ConstantPlaces{0, 1};
+  if (items.size() == 4 && items[0].is_symbol("const") && items[2].is_symbol("value")) return ConstantPlaces{1, 3};
+  if (items.size() >= 5 && items[0].is_symbol("OBJECT")) return ConstantPlaces{3, 4};
+  return std::nullopt;
+}
+
 }  // namespace
 
 Motion Motion::translation(const Vec3& offset) {
@@ -139,6 +157,21 @@ NestedList Motion::image(const TypeExpr& type, const NestedList& list) const {
     if (!moved) return value;
     return std::move(*moved);
   });
+}
+
+// Its depth is limited by the reader of nested lists.
+NestedList Motion::image_of_constants(const NestedList& form) const {
+  if (!form.is_list()) return form;
+  NestedList moved = form;
+  auto& items = moved.elements();
+  if (const auto places = constant_places(items)) {
+    const auto type = TypeExpr::from_nested(items[places->type]);
+    NestedList& value = items[places->value];
+    if (type) value = type->is_function() ? image_of_constants(value) : image(*type, value);
+    return moved;
+  }
+  for (NestedList& item : items) item = image_of_constants(item);
+  return moved;
 }
 
 Motion::Moved Motion::spatial(const TypeExpr& type, const NestedList& list) const {

@@ -31,6 +31,10 @@ class Motion {
   /// doubles and are rounded to nearest.
   NestedList image(const TypeExpr& type, const NestedList& list) const;
 
+  /// A command, a function or a saved object in its nested-list form, with its constants moved: `(T L)`,
+  /// `(const T value L)` and `(OBJECT name (type) T L ...)`.
+  NestedList image_of_constants(const NestedList& form) const;
+
   /// True for the types whose values the motion changes.
   static bool moves(std::string_view type);
 

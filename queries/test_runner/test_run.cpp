@@ -211,7 +211,9 @@ Result<NestedList> TestRun::execute(const CommandText& command) {
   diagnostics_.clear();
   Context context{diagnostics_, options_.cancel, folders_.file};
   std::string text = replaced(command.text, "$(SCRATCH)", folders_.scratch.string());
-  if (variation_ != nullptr) text = variation_->moved_command(text);
+  if (variation_ != nullptr) {
+    ASSIGN_OR_RETURN(text, variation_->moved_command(text, folders_));
+  }
   ResultCollector collector;
   RETURN_IF_ERROR(session_.execute(text, command.start, collector, context));
   NestedList result = collector.take();

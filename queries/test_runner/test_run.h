@@ -14,12 +14,6 @@
 
 namespace queries {
 
-/// Where a run finds its files.
-struct TestFolders {
-  std::filesystem::path file;     ///< that of the test file
-  std::filesystem::path scratch;  ///< empty, for databases and what commands write
-};
-
 /// One run through the steps of a test file: a session, the section that has been reached, what is expected next.
 /// Everything that it refers to outlives it. Used once.
 class TestRun {

@@ -3,6 +3,7 @@
 // in the moved space, objects and indexes included, and only what enters or leaves it as numbers is translated:
 //
 //   - literals `[const T value L]`: the nested list L is moved by its type T, in the text of the command;
+//   - files that are restored, if they do not come from this very run: a moved copy is read instead;
 //   - operators that make geometry from numbers, names of files or flat regions (makePoint3D, rectangle3, importSTL):
 //     their result is moved. They are recognised by their signature;
 //   - operators that read coordinates, or speak of axes (getx, minD, createCylinder): their arguments are moved back,
@@ -16,6 +17,7 @@
 #include <algorithm>
 
 #include "queries/language/expression_parser.h"
+#include "queries/test_runner/restored_source.h"
 
 namespace queries {
 namespace {
@@ -148,29 +150,6 @@ std::optional<Replacement> moved_literal(Scanner& scanner, const Registry& regis
   return Replacement{begin, raw->size(), " " + motion.image(*type, *list).print()};
 }
 
-bool is_type_with_geometry(const NestedList& list) {
-  if (list.is_symbol()) return Motion::moves(list.as_symbol());
-  const auto type = TypeExpr::from_nested(list);
-  return type && type->is_relation();
-}
-
-// A command or function in its nested-list form, with its constants `(T L)` and `(const T value L)` moved. Its depth is
-// limited by the reader of nested lists.
-NestedList with_moved_constants(const NestedList& form, const Motion& motion) {
-  if (!form.is_list()) return form;
-  NestedList moved = form;
-  auto& items = moved.elements();
-  const bool is_short = items.size() == 2 && is_type_with_geometry(items[0]);
-  const bool is_long = items.size() == 4 && items[0].is_symbol("const") && items[2].is_symbol("value");
-  if (is_short || is_long) {
-    if (const auto type = TypeExpr::from_nested(items[is_short ? 0 : 1]))
-      items.back() = motion.image(*type, items.back());
-    return moved;
-  }
-  for (NestedList& item : items) item = with_moved_constants(item, motion);
-  return moved;
-}
-
 }  // namespace
 
 std::string_view name_of(VariationKind kind) {
@@ -185,11 +164,16 @@ std::optional<VariationKind> variation_named(std::string_view name) {
 Variation::Variation(VariationKind kind, const Registry& plain)
     : kind_(kind), motion_(motion_of(kind)), registry_(varied(plain, kind, motion_)) {}
 
-std::string Variation::moved_command(const std::string& text) const {
+Result<std::string> Variation::moved_command(const std::string& text, const TestFolders& folders) const {
   if (kind_ == VariationKind::operands) return text;
+  if (const auto source = restored_source(text)) return with_moved_source(*source, motion_, folders);
+  return moved_literals(text);
+}
+
+std::string Variation::moved_literals(const std::string& text) const {
   if (text.starts_with('(')) {
     const auto form = NestedList::parse(text);
-    return form ? with_moved_constants(*form, motion_).print() : text;
+    return form ? motion_.image_of_constants(*form).print() : text;
   }
   Scanner scanner(text);
   std::string moved;
@@ -210,7 +194,7 @@ std::string Variation::moved_command(const std::string& text) const {
 NestedList Variation::original_result(const NestedList& result) const {
   const Motion back = motion_.inverse();
   return with_changed_value(result, [&](const TypeExpr& type, const NestedList& list) {
-    return type.is_function() ? with_moved_constants(list, back) : back.image(type, list);
+    return type.is_function() ? back.image_of_constants(list) : back.image(type, list);
   });
 }
 

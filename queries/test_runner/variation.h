@@ -7,6 +7,7 @@
 
 #include "algebra3d/registry/registry.h"
 #include "queries/test_runner/motion.h"
+#include "queries/test_runner/test_folders.h"
 
 namespace queries {
 
@@ -30,12 +31,15 @@ class Variation {
   VariationKind kind() const { return kind_; }
   /// The operators of the moved space.
   const algebra3d::Registry& registry() const { return registry_; }
-  /// The command, in text or as a nested list, with its spatial literals moved. What does not parse stays as it is.
-  std::string moved_command(const std::string& text) const;
+  /// The command, in text or as a nested list, with its spatial literals moved; what does not parse stays as it is. Of
+  /// a file that it restores a moved copy is made in the scratch folder. Errors: io_error.
+  algebra3d::Result<std::string> moved_command(const std::string& text, const TestFolders& folders) const;
   /// The result list `(T V)` as it would be in the space of the file.
   NestedList original_result(const NestedList& result) const;
 
  private:
+  std::string moved_literals(const std::string& text) const;
+
   VariationKind kind_;
   Motion motion_;
   algebra3d::Registry registry_;

@@ -100,29 +100,33 @@ std::string varied(const std::string& cases, const Registry& registry = test_reg
 
 std::string varied_function() {
   return varied(
-      "#testcase a\n#yields ((map point3d bool) (fun (p point3d) (= p (point3d (1.0 2.0 3.0)))))\n"
+      "#testcase a\n#yields ((map point3d bool) (fun (p point3d) (= p (const point3d value (1.0 2.0 3.0)))))\n"
       "query fun(p: point3d) p = [const point3d value (1.0 2.0 3.0)];\n");
+}
+
+std::string moved(const Variation& variation, const std::string& command) {
+  auto result = variation.moved_command(command, {"/no/such/folder", "/no/such/scratch"});
+  return result ? std::move(result).value() : "error: " + result.error().message;
 }
 
 TEST(Variation, literals_are_moved_in_the_text) {
   const Variation axes(VariationKind::axes, test_registry());
-  EXPECT_EQ(axes.moved_command("query [const point3d value (1 2 3)]"), "query [const point3d value (3.0 1.0 2.0)]");
-  EXPECT_EQ(axes.moved_command("query f([const vector3d value (1 2 3)], 'a ]', [const int value 5]) + 1"),
+  EXPECT_EQ(moved(axes, "query [const point3d value (1 2 3)]"), "query [const point3d value (3.0 1.0 2.0)]");
+  EXPECT_EQ(moved(axes, "query f([const vector3d value (1 2 3)], 'a ]', [const int value 5]) + 1"),
             "query f([const vector3d value (3.0 1.0 2.0)], 'a ]', [const int value 5]) + 1");
-  EXPECT_EQ(axes.moved_command("let R = [const rel(tuple([P: point3d])) value (((1 2 3)))] feed"),
+  EXPECT_EQ(moved(axes, "let R = [const rel(tuple([P: point3d])) value (((1 2 3)))] feed"),
             "let R = [const rel(tuple([P: point3d])) value (((3.0 1.0 2.0)))] feed");
-  EXPECT_EQ(axes.moved_command("query [const (rel (tuple ((P point3d)))) value (((1 2 3)))]"),
+  EXPECT_EQ(moved(axes, "query [const (rel (tuple ((P point3d)))) value (((1 2 3)))]"),
             "query [const (rel (tuple ((P point3d)))) value (((3.0 1.0 2.0)))]");
 }
 
 TEST(Variation, constants_in_nested_lists_are_moved) {
   const Variation axes(VariationKind::axes, test_registry());
-  EXPECT_EQ(axes.moved_command("(query (bbox (point3d (1 2 3))))"), "(query (bbox (point3d (3.0 1.0 2.0))))");
-  EXPECT_EQ(axes.moved_command("(let p = (const point3d value (1 2 3)))"),
-            "(let p = (const point3d value (3.0 1.0 2.0)))");
-  EXPECT_EQ(axes.moved_command("(query (count ((rel (tuple ((P point3d)))) (((1 2 3))))))"),
+  EXPECT_EQ(moved(axes, "(query (bbox (point3d (1 2 3))))"), "(query (bbox (point3d (3.0 1.0 2.0))))");
+  EXPECT_EQ(moved(axes, "(let p = (const point3d value (1 2 3)))"), "(let p = (const point3d value (3.0 1.0 2.0)))");
+  EXPECT_EQ(moved(axes, "(query (count ((rel (tuple ((P point3d)))) (((1 2 3))))))"),
             "(query (count ((rel (tuple ((P point3d)))) (((3.0 1.0 2.0))))))");
-  EXPECT_EQ(axes.moved_command("(query (+ 1 2))"), "(query (+ 1 2))");
+  EXPECT_EQ(moved(axes, "(query (+ 1 2))"), "(query (+ 1 2))");
 }
 
 TEST(Variation, constants_in_functions_are_moved_back) {
@@ -135,7 +139,7 @@ TEST(Variation, text_that_is_no_literal_stays) {
        {"query 1 + 2", "query \"[const point3d value (1 2 3)]\"", "query '[const point3d value (1 2 3)]'",
         "query [const point3d value (1 2)]", "query [const point3d value (1 2 3)", "query [const", "query [const 5 6]",
         "query \xC2\xA7 [const point3d value (1 2 3)]", "(query (point3d (1 2 3))", "query [const point3d value (1 2]"})
-    EXPECT_EQ(offset.moved_command(text), text);
+    EXPECT_EQ(moved(offset, text), text);
 }
 
 TEST(Variation, results_are_moved_back) {
@@ -184,6 +188,28 @@ bool lies_near_the_origin(const algebra3d::Point3d& p) {
 }
 bool leans_to_x(const algebra3d::Point3d& p) {
   return p.position.approx().x > p.position.approx().y;
+}
+
+TEST(Variation, saved_objects_are_moved_when_they_are_restored) {
+  const TestFolder folder;
+  std::ofstream(folder.path() / "saved") << "(DATABASE saved (DESCRIPTIVE ALGEBRA) (TYPES) (OBJECTS\n"
+                                            "(OBJECT P () point3d (1.0 2.0 3.0) ())\n"
+                                            "(OBJECT N () int 5 ())\n"
+                                            "(DERIVED Q (bbox (point3d (1.0 2.0 3.0))))))\n";
+  std::ofstream(folder.path() / "restores.test")
+      << "#setup s\nrestore database saved from saved;\n"
+         "#testcase a\n#yields (point3d (1.0 2.0 3.0))\nquery P;\n"
+         "#testcase b\n#yields (bool TRUE)\nquery P = makePoint3D(1, 2, 3);\n"
+         "#testcase c\n#yields (rect3 (1.0 1.0 2.0 2.0 3.0 3.0))\nquery Q;\n"
+         "#testcase d\nsave P to '$(SCRATCH)/p';\ndelete P;\nrestore P from '$(SCRATCH)/p';\n"
+         "#yields (point3d (1.0 2.0 3.0))\nquery P;\n";
+  std::string report;
+  const auto outcome =
+      run_test_file(folder.path() / "restores.test", test_registry(),
+                    {.print = [&](const std::string& line) { report += line + "\n"; }, .varies = true});
+  ASSERT_TRUE(outcome.ok());
+  EXPECT_EQ(outcome->passed, 28U) << report;
+  EXPECT_EQ(outcome->failed, 0U) << report;
 }
 
 TEST(Variation, an_operator_that_depends_on_coordinates_is_found_out) {
