@@ -1,0 +1,101 @@
+// The commands of language.md 1.2, which the shell carries out itself, in scripts.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "algebra3d/operators/all.h"
+#include "queries/shell/presenters.h"
+#include "queries/shell/statement_runner.h"
+#include "queries/streams/all.h"
+
+namespace queries {
+namespace {
+
+const algebra3d::Registry& registry() {
+  static const algebra3d::Registry& all = *[] {
+    auto* made = new algebra3d::Registry(algebra3d::make_registry());
+    register_stream_operators(*made);
+    return made;
+  }();
+  return all;
+}
+
+class ScriptCommands : public testing::Test {
+ protected:
+  ScriptCommands() { std::filesystem::create_directories(folder_); }
+  ~ScriptCommands() override { std::filesystem::remove_all(folder_); }
+
+  void write(const std::string& name, const std::string& text) { std::ofstream(folder_ / name) << text; }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  RunResult run(const std::string& text) {
+    Session session(registry(), {.folder = folder_, .read_only = false});
+    ListPresenter presenter(out_);
+    StatementRunner runner(session, presenter, errors_, false);
+    std::istringstream script(text);
+    return runner.run_script(script, "script");
+  }
+
+  std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("algebra3d-scripts-" + std::to_string(getpid()));
+  std::ostringstream out_;
+  std::ostringstream errors_;
+};
+
+TEST_F(ScriptCommands, a_script_runs_another) {
+  write("inner.q", "query 1 + 1;\nquery 3\n");
+  EXPECT_EQ(run("@" + path("inner.q") + "\nquery 4;"), RunResult::ok);
+  EXPECT_EQ(out_.str(), "(int 2)\n(int 3)\n(int 4)\n");
+}
+
+TEST_F(ScriptCommands, a_script_may_end_at_its_first_error) {
+  write("inner.q", "query nope;\nquery 3;\n");
+  EXPECT_EQ(run("@" + path("inner.q")), RunResult::failed);
+  EXPECT_EQ(out_.str(), "(int 3)\n");
+  EXPECT_EQ(run("@@" + path("inner.q") + "\nquery 5;"), RunResult::failed);
+  EXPECT_EQ(out_.str(), "(int 3)\n(int 5)\n");
+  EXPECT_NE(errors_.str().find("inner.q:1:7: error: unknown name 'nope'"), std::string::npos) << errors_.str();
+}
+
+TEST_F(ScriptCommands, marked_comments_are_skipped_on_demand) {
+  write("inner.q", "// a line\n/* a block\nquery 1;\n*/\nquery nope;\nquery 2;\n");
+  EXPECT_EQ(run("@%" + path("inner.q")), RunResult::failed);
+  EXPECT_EQ(out_.str(), "(int 2)\n");
+  EXPECT_EQ(run("@&" + path("inner.q")), RunResult::failed);
+  EXPECT_EQ(out_.str(), "(int 2)\n");
+}
+
+TEST_F(ScriptCommands, a_script_that_includes_itself_is_an_error) {
+  write("a.q", "@" + path("b.q") + "\nquery 1;\n");
+  write("b.q", "@" + path("a.q") + "\nquery 2;\n");
+  EXPECT_EQ(run("@" + path("a.q")), RunResult::failed);
+  EXPECT_EQ(errors_.str(), "error: the script '" + path("a.q") + "' includes itself\n");
+  EXPECT_EQ(out_.str(), "(int 2)\n(int 1)\n");
+}
+
+TEST_F(ScriptCommands, a_script_that_is_not_there) {
+  EXPECT_EQ(run("@" + path("none.q")), RunResult::failed);
+  EXPECT_EQ(errors_.str(), "error: cannot read the script '" + path("none.q") + "'\n");
+  EXPECT_EQ(run("@"), RunResult::failed);
+}
+
+TEST_F(ScriptCommands, repeat_runs_a_command_several_times) {
+  EXPECT_EQ(run("REPEAT 3 query 7"), RunResult::ok);
+  EXPECT_EQ(out_.str(), "(int 7)\n(int 7)\n(int 7)\n");
+  EXPECT_EQ(run("repeat many query 7"), RunResult::failed);
+  EXPECT_EQ(errors_.str(), "error: repeat: expected a number of times and a command, found 'many query 7'\n");
+}
+
+TEST_F(ScriptCommands, words_of_the_shell_need_no_semicolon) {
+  EXPECT_EQ(run("Query 1;\nDEBUG 1\nquery 2;\nQUIT\nquery 3;"), RunResult::failed);
+  EXPECT_EQ(out_.str(), "(int 2)\n");
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(run("? volume\nHELP nothing\n"), RunResult::failed);
+  EXPECT_NE(testing::internal::GetCapturedStdout().find("The enclosed volume "), std::string::npos);
+}
+
+}  // namespace
+}  // namespace queries
