@@ -67,10 +67,11 @@ bool is_known_algebra(std::string name) {
 
 // What stands behind `query` or `querynt`; nothing for other commands.
 std::optional<std::string> queried_expression(std::string_view command) {
-  const auto end = std::ranges::find_if(command, [](unsigned char c) { return std::isalnum(c) == 0 && c != '_'; });
-  const std::string_view word(command.begin(), end);
+  std::size_t end = 0;
+  while (end < command.size() && (std::isalnum(static_cast<unsigned char>(command[end])) != 0)) ++end;
+  const std::string_view word = command.substr(0, end);
   if (word != "query" && word != "querynt") return std::nullopt;
-  return std::string(end, command.end());
+  return std::string(command.substr(end));
 }
 
 std::vector<std::string> words_of(std::string_view text) {
