@@ -36,65 +36,91 @@ Result<CommandPtr> CommandParser::part() {
   return std::make_shared<const Command>(std::move(read).value());
 }
 
+/// The first word of a command, and what reads the rest.
+struct CommandParser::Form {
+  std::string_view word;
+  Content (CommandParser::*rest)();
+};
+
+std::span<const CommandParser::Form> CommandParser::forms() {
+  static constexpr std::array<Form, 25> kForms = {{
+      {"query", &CommandParser::query},       {"querynt", &CommandParser::query},
+      {"let", &CommandParser::let},           {"let_", &CommandParser::let_again},
+      {"update", &CommandParser::update},     {"create", &CommandParser::create},
+      {"delete", &CommandParser::remove},     {"open", &CommandParser::open},
+      {"list", &CommandParser::list},         {"close", &CommandParser::close},
+      {"derive", &CommandParser::derive},     {"explain", &CommandParser::explain},
+      {"save", &CommandParser::save},         {"restore", &CommandParser::restore},
+      {"begin", &CommandParser::begin},       {"commit", &CommandParser::commit},
+      {"abort", &CommandParser::abort},       {"kill", &CommandParser::kill},
+      {"changename", &CommandParser::rename}, {"type", &CommandParser::define_type},
+      {"if", &CommandParser::conditional},    {"while", &CommandParser::loop},
+      {"set", &CommandParser::set_option},    {"check", &CommandParser::check},
+      {"{", &CommandParser::sequence},
+  }};
+  return kForms;
+}
+
 CommandParser::Content CommandParser::content() {
-  if (input_.accept("query") || input_.accept("querynt")) {
-    ASSIGN_OR_RETURN(ExpressionPtr value, input_.expression());
-    return CommandContent(Query{std::move(value)});
-  }
-  if (input_.accept("explain")) {
-    ASSIGN_OR_RETURN(ExpressionPtr value, input_.expression());
-    return CommandContent(Explain{std::move(value)});
-  }
-  if (input_.accept("let"))
-    return named_value("=", [](auto name, auto value) { return LetObject{name, value, false}; });
-  if (input_.accept("let_"))
-    return named_value("=", [](auto name, auto value) { return LetObject{name, value, true}; });
-  if (input_.accept("derive")) return named_value("=", [](auto name, auto value) { return DeriveObject{name, value}; });
-  if (input_.accept("update"))
-    return named_value(":=", [](auto name, auto value) { return UpdateObject{name, value}; });
-  if (input_.accept("create")) return create();
-  if (input_.accept("delete")) return remove();
-  if (input_.accept("kill")) {
-    ASSIGN_OR_RETURN(std::string name, object_name());
-    return CommandContent(DeleteObject{std::move(name), true});
-  }
-  if (input_.accept("changename")) return rename();
-  if (input_.accept("type")) return define_type();
-  if (input_.accept("open")) {
-    ASSIGN_OR_RETURN(std::string name, database_name());
-    return CommandContent(OpenDatabase{std::move(name)});
-  }
-  if (input_.accept("close")) {
-    RETURN_IF_ERROR(input_.expect("database", "after 'close'"));
-    return CommandContent(CloseDatabase{});
-  }
-  if (input_.accept("check")) {
-    RETURN_IF_ERROR(input_.expect("database", "after 'check'"));
-    return CommandContent(CheckDatabase{});
-  }
-  if (input_.accept("save")) return save();
-  if (input_.accept("restore")) return restore();
-  if (input_.accept("list")) return list();
-  if (input_.accept("begin")) return transaction(TransactionStep::Step::begin);
-  if (input_.accept("commit")) return transaction(TransactionStep::Step::commit);
-  if (input_.accept("abort")) return transaction(TransactionStep::Step::abort);
-  if (input_.accept("set")) return set_option();
-  if (input_.accept("if")) return conditional();
-  if (input_.accept("while")) return loop();
-  if (input_.accept("{{")) return sequence("}}", true);
-  if (input_.accept("{")) return sequence("}", false);
+  for (const Form& form : forms())
+    if (input_.accept(form.word)) return (this->*form.rest)();
+  if (input_.accept("{{")) return patient_sequence();
   return unknown_command();
 }
 
 Error CommandParser::unknown_command() {
-  static const std::vector<std::string> commands = {"query",   "let",  "let_",       "derive", "update",  "create",
-                                                    "delete",  "kill", "changename", "type",   "open",    "close",
-                                                    "restore", "save", "list",       "begin",  "commit",  "abort",
-                                                    "set",     "if",   "while",      "{",      "explain", "check"};
-  const std::string suggestion = algebra3d::nearest_name(input_.shown_word(), commands);
+  std::vector<std::string> words;
+  for (const Form& form : forms()) words.emplace_back(form.word);
+  const std::string suggestion = algebra3d::nearest_name(input_.shown_word(), words);
   Error error = input_.unexpected("a command (query, let, update, create, delete, open, list, ... see `help`)");
   if (!suggestion.empty()) error.message += "; did you mean '" + suggestion + "'?";
   return error;
+}
+
+CommandParser::Content CommandParser::query() {
+  ASSIGN_OR_RETURN(ExpressionPtr value, input_.expression());
+  return CommandContent(Query{std::move(value)});
+}
+
+CommandParser::Content CommandParser::explain() {
+  ASSIGN_OR_RETURN(ExpressionPtr value, input_.expression());
+  return CommandContent(Explain{std::move(value)});
+}
+
+CommandParser::Content CommandParser::let() {
+  return named_value("=", [](auto name, auto value) { return LetObject{std::move(name), std::move(value), false}; });
+}
+
+CommandParser::Content CommandParser::let_again() {
+  return named_value("=", [](auto name, auto value) { return LetObject{std::move(name), std::move(value), true}; });
+}
+
+CommandParser::Content CommandParser::derive() {
+  return named_value("=", [](auto name, auto value) { return DeriveObject{std::move(name), std::move(value)}; });
+}
+
+CommandParser::Content CommandParser::update() {
+  return named_value(":=", [](auto name, auto value) { return UpdateObject{std::move(name), std::move(value)}; });
+}
+
+CommandParser::Content CommandParser::kill() {
+  ASSIGN_OR_RETURN(std::string name, object_name());
+  return CommandContent(DeleteObject{std::move(name), true});
+}
+
+CommandParser::Content CommandParser::open() {
+  ASSIGN_OR_RETURN(std::string name, database_name());
+  return CommandContent(OpenDatabase{std::move(name)});
+}
+
+CommandParser::Content CommandParser::close() {
+  RETURN_IF_ERROR(input_.expect("database", "after 'close'"));
+  return CommandContent(CloseDatabase{});
+}
+
+CommandParser::Content CommandParser::check() {
+  RETURN_IF_ERROR(input_.expect("database", "after 'check'"));
+  return CommandContent(CheckDatabase{});
 }
 
 Result<std::string> CommandParser::database_name() {
@@ -203,6 +229,18 @@ CommandParser::Content CommandParser::list() {
       "databases, objects, types, type constructors, operators, algebras, algebra NAME or counters after 'list'");
 }
 
+CommandParser::Content CommandParser::begin() {
+  return transaction(TransactionStep::Step::begin);
+}
+
+CommandParser::Content CommandParser::commit() {
+  return transaction(TransactionStep::Step::commit);
+}
+
+CommandParser::Content CommandParser::abort() {
+  return transaction(TransactionStep::Step::abort);
+}
+
 CommandParser::Content CommandParser::transaction(TransactionStep::Step step) {
   RETURN_IF_ERROR(input_.expect("transaction", "after the command"));
   return CommandContent(TransactionStep{step});
@@ -236,7 +274,15 @@ CommandParser::Content CommandParser::loop() {
   return CommandContent(std::move(result));
 }
 
-CommandParser::Content CommandParser::sequence(std::string_view close, bool goes_on) {
+CommandParser::Content CommandParser::sequence() {
+  return commands_until("}", false);
+}
+
+CommandParser::Content CommandParser::patient_sequence() {
+  return commands_until("}}", true);
+}
+
+CommandParser::Content CommandParser::commands_until(std::string_view close, bool goes_on) {
   Sequence result;
   result.goes_on_after_errors = goes_on;
   do {

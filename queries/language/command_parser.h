@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "queries/language/command.h"
 #include "queries/language/command_input.h"
 
@@ -19,22 +21,42 @@ class CommandParser {
 
  private:
   using Content = algebra3d::Result<CommandContent>;
+  struct Form;
 
   algebra3d::Result<Command> command();
   algebra3d::Result<CommandPtr> part();
   Content content();
+  static std::span<const Form> forms();
+
+  // What follows the first word.
+  Content query();
+  Content explain();
+  Content let();
+  Content let_again();
+  Content derive();
+  Content update();
   Content create();
   Content remove();
+  Content kill();
+  Content rename();
+  Content define_type();
+  Content open();
+  Content close();
+  Content check();
   Content save();
   Content restore();
   Content list();
-  Content transaction(TransactionStep::Step step);
+  Content begin();
+  Content commit();
+  Content abort();
+  Content set_option();
   Content conditional();
   Content loop();
-  Content sequence(std::string_view close, bool goes_on);
-  Content set_option();
-  Content rename();
-  Content define_type();
+  Content sequence();
+  Content patient_sequence();
+
+  Content transaction(TransactionStep::Step step);
+  Content commands_until(std::string_view close, bool goes_on);
   template <typename Make>
   Content named_value(std::string_view separator, Make make);
   algebra3d::Result<std::string> database_name();
