@@ -2,6 +2,7 @@
 
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
+#include "algebra3d/types/tuple_number.h"
 
 namespace algebra3d {
 
@@ -9,7 +10,8 @@ std::vector<const Type*> all_types() {
   return {&TypeOf<std::int32_t>::type(), &TypeOf<double>::type(),    &TypeOf<bool>::type(),
           &TypeOf<std::string>::type(),  &TypeOf<Text>::type(),      &TypeOf<Point3d>::type(),
           &TypeOf<Points3d>::type(),     &TypeOf<Vector3d>::type(),  &TypeOf<Plane3d>::type(),
-          &TypeOf<Box3>::type(),         &TypeOf<Surface3d>::type(), &TypeOf<Volume3d>::type()};
+          &TypeOf<Box3>::type(),         &TypeOf<Surface3d>::type(), &TypeOf<Volume3d>::type(),
+          &TypeOf<TupleNumber>::type()};
 }
 
 }  // namespace algebra3d

@@ -18,11 +18,25 @@ std::vector<std::string> example_objects();
 void register_feeding(algebra3d::Registry& registry);
 void register_selection(algebra3d::Registry& registry);
 void register_attributes(algebra3d::Registry& registry);
+void register_extending(algebra3d::Registry& registry);
+void register_extending_streams(algebra3d::Registry& registry);
 void register_ordering(algebra3d::Registry& registry);
+void register_grouping(algebra3d::Registry& registry);
 void register_aggregates(algebra3d::Registry& registry);
+void register_folding(algebra3d::Registry& registry);
 void register_joins(algebra3d::Registry& registry);
+void register_equi_joins(algebra3d::Registry& registry);
+void register_outer_join(algebra3d::Registry& registry);
+void register_merging(algebra3d::Registry& registry);
 void register_elements(algebra3d::Registry& registry);
+void register_using(algebra3d::Registry& registry);
+void register_collections(algebra3d::Registry& registry);
+void register_directories(algebra3d::Registry& registry);
+void register_ids(algebra3d::Registry& registry);
 void register_changes(algebra3d::Registry& registry);
+void register_updates(algebra3d::Registry& registry);
 void register_indexes(algebra3d::Registry& registry);
+void register_spatial_join(algebra3d::Registry& registry);
+void register_ordered_indexes(algebra3d::Registry& registry);
 
 }  // namespace queries

@@ -1,37 +1,12 @@
-// attr, project, extend, projectextend, rename: what a tuple consists of.
+// attr, project, remove, rename, renameAttr: which attributes a tuple has, and their names.
+#include <algorithm>
+
 #include "queries/streams/all.h"
+#include "queries/streams/changed_tuples.h"
 #include "queries/streams/mapping.h"
 
 namespace queries {
 namespace {
-
-TypeExpr projected(const TypeExpr& tuple, const std::vector<std::size_t>& indices) {
-  std::vector<TypeExpr::Attribute> attributes;
-  attributes.reserve(indices.size());
-  for (const std::size_t index : indices) attributes.push_back(tuple.attributes()[index]);
-  return TypeExpr::tuple(std::move(attributes));
-}
-
-Result<std::vector<std::size_t>> distinct_attributes(const MappingCheck& check, std::size_t position,
-                                                     const TypeExpr& tuple) {
-  ASSIGN_OR_RETURN(auto indices, check.attributes(position, tuple));
-  for (std::size_t i = 0; i < indices.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (indices[i] == indices[j]) return check.error("the attribute '" + check[position].names[i] + "' stands twice");
-  return indices;
-}
-
-// The stream of the tuples that `change` makes of those of the operand.
-template <typename Change>
-Datum changed(const TupleStreamPtr& tuples, Change change) {
-  return Datum{make_stream([tuples, change = std::move(change)]() mutable -> Result<TuplePtr> {
-    ASSIGN_OR_RETURN(const TuplePtr tuple, tuples->next());
-    if (tuple == nullptr) return TuplePtr();
-    Tuple result;
-    RETURN_IF_ERROR(change(tuple, result.attributes));
-    return TuplePtr(std::make_shared<const Tuple>(std::move(result)));
-  })};
-}
 
 Result<Plan> map_attr(std::span<const ArgumentType> arguments) {
   const MappingCheck check("attr", arguments);
@@ -42,56 +17,61 @@ Result<Plan> map_attr(std::span<const ArgumentType> arguments) {
               }};
 }
 
+Plan projection(const TypeExpr& tuple, const std::vector<std::size_t>& indices) {
+  return {TypeExpr::stream(projected(tuple, indices)), [indices](std::vector<Datum> given, Context&) -> Result<Datum> {
+            return changed_tuples(given[0].tuples(), [indices](const TuplePtr& from, std::vector<Value>& to) {
+              return append_attributes(*from, indices, to);
+            });
+          }};
+}
+
 Result<Plan> map_project(std::span<const ArgumentType> arguments) {
   const MappingCheck check("project", arguments);
   ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ASSIGN_OR_RETURN(const auto indices, distinct_attributes(check, 1, tuple));
-  if (indices.empty()) return check.error("expected at least one attribute");
-  return Plan{TypeExpr::stream(projected(tuple, indices)),
-              [indices](std::vector<Datum> given, Context&) -> Result<Datum> {
-                return changed(given[0].tuples(), [indices](const TuplePtr& from, std::vector<Value>& to) -> Status {
-                  for (const std::size_t index : indices) to.push_back(from->attributes[index]);
-                  return {};
-                });
-              }};
+  ASSIGN_OR_RETURN(const auto indices, check.distinct_attributes(1, tuple));
+  return projection(tuple, indices);
 }
 
-Result<Plan> map_extend(std::span<const ArgumentType> arguments) {
-  const MappingCheck check("extend", arguments);
+Result<Plan> map_remove(std::span<const ArgumentType> arguments) {
+  const MappingCheck check("remove", arguments);
   ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ASSIGN_OR_RETURN(const TypeExpr result, check.extended(tuple, 1));
-  return Plan{TypeExpr::stream(result), [](std::vector<Datum> given, Context&) -> Result<Datum> {
-                return changed(given[0].tuples(),
-                               [functions = given[1].list()](const TuplePtr& from, std::vector<Value>& to) -> Status {
-                                 to = from->attributes;
-                                 return append_results(functions, Datum{from}, to);
-                               });
-              }};
+  ASSIGN_OR_RETURN(const auto removed, check.distinct_attributes(1, tuple));
+  std::vector<std::size_t> kept;
+  for (std::size_t index = 0; index < tuple.attributes().size(); ++index)
+    if (std::ranges::find(removed, index) == removed.end()) kept.push_back(index);
+  if (kept.empty()) return check.error("no attribute would be left");
+  return projection(tuple, kept);
 }
 
-Result<Plan> map_projectextend(std::span<const ArgumentType> arguments) {
-  const MappingCheck check("projectextend", arguments);
-  ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ASSIGN_OR_RETURN(const auto indices, distinct_attributes(check, 1, tuple));
-  ASSIGN_OR_RETURN(const TypeExpr result, check.extended(projected(tuple, indices), 2));
-  return Plan{TypeExpr::stream(result), [indices](std::vector<Datum> given, Context&) -> Result<Datum> {
-                return changed(
-                    given[0].tuples(),
-                    [indices, functions = given[2].list()](const TuplePtr& from, std::vector<Value>& to) -> Status {
-                      for (const std::size_t index : indices) to.push_back(from->attributes[index]);
-                      return append_results(functions, Datum{from}, to);
-                    });
-              }};
+Plan same_tuples(std::vector<TypeExpr::Attribute> attributes) {
+  return {TypeExpr::stream(TypeExpr::tuple(std::move(attributes))),
+          [](std::vector<Datum> given, Context&) -> Result<Datum> { return given[0]; }};
 }
 
-// Only the type changes.
 Result<Plan> map_rename(std::span<const ArgumentType> arguments) {
   const MappingCheck check("rename", arguments);
   ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
   std::vector<TypeExpr::Attribute> attributes = tuple.attributes();
   for (auto& attribute : attributes) attribute.name += "_" + check[1].names[0];
-  return Plan{TypeExpr::stream(TypeExpr::tuple(std::move(attributes))),
-              [](std::vector<Datum> given, Context&) -> Result<Datum> { return given[0]; }};
+  return same_tuples(std::move(attributes));
+}
+
+Result<Plan> map_rename_attributes(std::span<const ArgumentType> arguments) {
+  const MappingCheck check("renameAttr", arguments);
+  ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
+  std::vector<TypeExpr::Attribute> attributes = tuple.attributes();
+  std::vector<bool> is_renamed(attributes.size());
+  for (std::size_t i = 0; i < check[1].names.size(); ++i) {
+    ASSIGN_OR_RETURN(const std::size_t index, check.attribute_named(check[1].modifiers[i], tuple));
+    if (is_renamed[index]) return check.error("the attribute '" + check[1].modifiers[i] + "' is renamed twice");
+    is_renamed[index] = true;
+    attributes[index].name = check[1].names[i];
+  }
+  for (std::size_t i = 0; i < attributes.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (attributes[i].name == attributes[j].name)
+        return check.error("the attribute '" + attributes[i].name + "' would stand twice");
+  return same_tuples(std::move(attributes));
 }
 
 }  // namespace
@@ -122,31 +102,18 @@ void register_attributes(algebra3d::Registry& registry) {
                   "project: unknown attribute 'Elm', did you mean 'Elem'?"}},
   });
   registry.add({
-      .name = "extend",
-      .syntax = "_ extend[functions(TUPLE)]",
-      .doc = "The tuples with new attributes appended; all functions see the input tuple only.",
-      .stream = stream_operator(map_extend),
-      .signatures = {"(stream(tuple) ((NAME (map tuple DATA)) ...)) -> stream(tuple)"},
+      .name = "remove",
+      .syntax = "_ remove[attributes]",
+      .doc = "The tuples without the named attributes.",
+      .stream = stream_operator(map_remove),
+      .signatures = {"(stream(tuple) NAMES) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{"intstream(1, 2) transformstream extend[B: .Elem * 2, C: TRUE] consume", "((1 2 TRUE) (2 4 TRUE))"},
-                   {"intstream(1, 1) transformstream extend[B: [const int value undefined]] consume",
-                    "((1 undefined))"}},
-      .errors = {{"query intstream(1, 2) transformstream extend[Elem: 1] count",
-                  "extend: the attribute 'Elem' would stand twice"}},
-  });
-  registry.add({
-      .name = "projectextend",
-      .syntax = "_ projectextend[attributes; functions(TUPLE)]",
-      .doc =
-          "The tuples with the named attributes, and new ones appended; a new name may be that of a dropped attribute.",
-      .stream = stream_operator(map_projectextend),
-      .signatures = {"(stream(tuple) NAMES ((NAME (map tuple DATA)) ...)) -> stream(tuple)"},
-      .handles_undefined = true,
-      .examples = {{"intstream(1, 2) transformstream projectextend[; Elem: .Elem + 1] consume", "((2) (3))"},
-                   {"intstream(1, 1) transformstream projectextend[Elem; B: [const real value undefined]] consume",
-                    "((1 undefined))"}},
-      .errors = {{"query intstream(1, 2) transformstream projectextend[Elem; Elem: 1] count",
-                  "projectextend: the attribute 'Elem' would stand twice"}},
+      .examples = {{"intstream(1, 2) transformstream extend[B: .Elem * 2] remove[Elem] consume", "((2) (4))"},
+                   {"[const rel(tuple([A: int, B: int])) value ((1 undefined))] feed remove[A] consume",
+                    "((undefined))"}},
+      .errors = {{"query intstream(1, 2) transformstream remove[Elem] count", "remove: no attribute would be left"},
+                 {"query intstream(1, 2) transformstream remove[Elm] count",
+                  "remove: unknown attribute 'Elm', did you mean 'Elem'?"}},
   });
   registry.add({
       .name = "rename",
@@ -158,6 +125,22 @@ void register_attributes(algebra3d::Registry& registry) {
       .examples = {{"intstream(1, 2) transformstream rename[x] filter[.Elem_x = 2] consume", "((2))"},
                    {"[const int value undefined] feed transformstream {a} consume", "((undefined))"}},
       .errors = {{"query 5 rename[x]", "rename: expected a stream of tuples, got int"}},
+  });
+  registry.add({
+      .name = "renameAttr",
+      .syntax = "_ renameAttr[renames]",
+      .doc = "The same tuples with new names for single attributes: the new name, a colon, the old name.",
+      .detail = "The old name may stand in double quotes. Names may be swapped in one go.",
+      .stream = stream_operator(map_rename_attributes),
+      .signatures = {"(stream(tuple) ((NAME NAME) ...)) -> stream(tuple)"},
+      .handles_undefined = true,
+      .examples = {{"intstream(1, 2) transformstream renameAttr[No: Elem] filter[.No = 2] consume", "((2))"},
+                   {"[const int value undefined] feed transformstream renameAttr[A: \"Elem\"] consume",
+                    "((undefined))"}},
+      .errors = {{"query intstream(1, 2) transformstream extend[B: 1] renameAttr[B: Elem] count",
+                  "renameAttr: the attribute 'B' would stand twice"},
+                 {"query intstream(1, 2) transformstream renameAttr[A: Elm] count",
+                  "renameAttr: unknown attribute 'Elm', did you mean 'Elem'?"}},
   });
 }
 

@@ -1,37 +1,11 @@
-// inserttuple, deletesearch: changes of stored relations.
-#include <limits>
+// inserttuple, insert, deletesearch, deletedirect, deletebyid: tuples come into stored relations and go.
 #include <unordered_map>
 
-#include "algebra3d/types/scalars.h"
 #include "queries/streams/all.h"
-#include "queries/streams/mapping.h"
-#include "queries/streams/relation.h"
+#include "queries/streams/relation_changes.h"
 
 namespace queries {
 namespace {
-
-TypeExpr with_id(const TypeExpr& tuple) {
-  auto attributes = tuple.attributes();
-  attributes.push_back({"TID", "int"});
-  return TypeExpr::tuple(std::move(attributes));
-}
-
-Value id_value(TupleId id) {
-  if (id > std::numeric_limits<std::int32_t>::max()) return Value(algebra3d::TypeOf<std::int32_t>::type());
-  return Value::of<std::int32_t>(static_cast<std::int32_t>(id));
-}
-
-TuplePtr tuple_with_id(const Tuple& tuple, TupleId id) {
-  Tuple result = tuple;
-  result.attributes.push_back(id_value(id));
-  return std::make_shared<const Tuple>(std::move(result));
-}
-
-Value promoted(const Value& value, bool to_real) {
-  if (!to_real) return value;
-  if (!value.is_defined()) return Value(algebra3d::TypeOf<double>::type());
-  return Value::of<double>(value.get<std::int32_t>());
-}
 
 Result<Plan> map_inserttuple(std::span<const ArgumentType> arguments) {
   const MappingCheck check("inserttuple", arguments);
@@ -47,7 +21,8 @@ Result<Plan> map_inserttuple(std::span<const ArgumentType> arguments) {
     if (!to_real.back() && !(given == attributes[i].type))
       return check.expected(attributes[i].type.text() + " for the attribute '" + attributes[i].name + "'", given);
   }
-  return Plan{TypeExpr::stream(with_id(tuple)), [to_real](std::vector<Datum> given, Context&) -> Result<Datum> {
+  ASSIGN_OR_RETURN(const TypeExpr result, check.with_id(tuple));
+  return Plan{TypeExpr::stream(result), [to_real](std::vector<Datum> given, Context&) -> Result<Datum> {
                 Tuple row;
                 for (std::size_t i = 0; i < to_real.size(); ++i)
                   row.attributes.push_back(promoted(given[i + 1].value(), to_real[i]));
@@ -61,51 +36,47 @@ Result<Plan> map_inserttuple(std::span<const ArgumentType> arguments) {
               }};
 }
 
-// For spatial values box and count, so that unequal tuples are told apart without reading geometry.
-std::size_t quick_hash(const Tuple& tuple) {
-  std::size_t result = 0;
-  for (const Value& value : tuple.attributes) {
-    std::size_t own = 0;
-    if (value.is_defined() && value.type().is_spatial()) {
-      const auto header = value.header();
-      own = std::hash<double>()(header.box.min.x) ^ (std::hash<double>()(header.box.max.y) << 1) ^ header.size;
-    } else {
-      own = hash(value);
-    }
-    result = result * 1'000'003 + own;
-  }
-  return result;
+/// The type of the result of an operator whose operands are a stream and a relation of the same tuples.
+Result<TypeExpr> changed_type(const MappingCheck& check) {
+  ASSIGN_OR_RETURN(const TypeExpr given, check.stream(0));
+  ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(1));
+  if (!(given == tuple)) return check.expected("a stream of " + tuple.text(), given);
+  return check.with_id(tuple);
 }
 
-Result<bool> are_equal(const Tuple& a, const Tuple& b) {
-  for (std::size_t i = 0; i < a.attributes.size(); ++i) {
-    if (a.attributes[i].is_defined() != b.attributes[i].is_defined()) return false;
-    ASSIGN_OR_RETURN(const Value left, a.attributes[i].loaded());
-    ASSIGN_OR_RETURN(const Value right, b.attributes[i].loaded());
-    if (compare(left, right) != 0) return false;
-  }
-  return true;
+// Tuples come out with the ids that they have in the relation now.
+Result<TupleStreamPtr> insert_all(TupleStream& tuples, Relation& relation, const Context& context) {
+  ASSIGN_OR_RETURN(const TupleBuffer input, buffered(tuples, context));
+  std::vector<TupleId> ids;
+  RETURN_IF_ERROR(for_each_tuple(*input.scan(), context, [&](const TuplePtr& tuple) -> Status {
+    ASSIGN_OR_RETURN(const TupleId id, relation.insert(*tuple));
+    ids.push_back(id);
+    return {};
+  }));
+  return make_stream(
+      [scan = input.scan(), ids = std::move(ids), position = std::size_t{0}]() mutable -> Result<TuplePtr> {
+        ASSIGN_OR_RETURN(const TuplePtr next, scan->next());
+        return next == nullptr ? next : tuple_with_id(*next, ids[position++]);
+      });
 }
 
-Result<Tuple> loaded_tuple(const Tuple& tuple) {
-  Tuple result;
-  result.id = tuple.id;
-  for (const Value& value : tuple.attributes) {
-    ASSIGN_OR_RETURN(Value loaded, value.loaded());
-    result.attributes.push_back(std::move(loaded));
-  }
-  return result;
+Result<Plan> map_insert(std::span<const ArgumentType> arguments) {
+  ASSIGN_OR_RETURN(const TypeExpr result, changed_type(MappingCheck("insert", arguments)));
+  return Plan{TypeExpr::stream(result), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                return Datum{made_when_asked([tuples = given[0].tuples(), relation = given[1].relation(), &context]() {
+                  return insert_all(*tuples, *relation, context);
+                })};
+              }};
 }
 
-// Finds first and deletes then: the relation must not change while it is being read. The tuples that are passed on are
-// loaded before their geometry goes.
-Result<std::vector<TuplePtr>> delete_equal(TupleStream& wanted, Relation& relation, Context& context) {
+/// The tuples of the relation that equal one of the stream, loaded.
+Result<TupleBuffer> equal_tuples(TupleStream& wanted, Relation& relation, const Context& context) {
   std::unordered_map<std::size_t, std::vector<TuplePtr>> by_hash;
   RETURN_IF_ERROR(for_each_tuple(wanted, context, [&](const TuplePtr& tuple) -> Status {
     by_hash[quick_hash(*tuple)].push_back(tuple);
     return {};
   }));
-  std::vector<TuplePtr> doomed;
+  TupleBuffer found;
   ASSIGN_OR_RETURN(const TupleStreamPtr all, relation.scan());
   RETURN_IF_ERROR(for_each_tuple(*all, context, [&](const TuplePtr& tuple) -> Status {
     const auto candidates = by_hash.find(quick_hash(*tuple));
@@ -113,32 +84,54 @@ Result<std::vector<TuplePtr>> delete_equal(TupleStream& wanted, Relation& relati
     for (const TuplePtr& candidate : candidates->second) {
       ASSIGN_OR_RETURN(const bool equal, are_equal(*candidate, *tuple));
       if (!equal) continue;
-      ASSIGN_OR_RETURN(Tuple loaded, loaded_tuple(*tuple));
-      doomed.push_back(std::make_shared<const Tuple>(std::move(loaded)));
-      break;
+      ASSIGN_OR_RETURN(TuplePtr loaded, loaded_tuple(*tuple));
+      return found.add(std::move(loaded));
     }
     return {};
   }));
-  for (const TuplePtr& tuple : doomed) RETURN_IF_ERROR(relation.erase(tuple->id));
-  return doomed;
+  return found;
+}
+
+/// Erases the tuples, and passes them on with their ids.
+Result<TupleStreamPtr> erase_all(const TupleBuffer& doomed, Relation& relation, const Context& context) {
+  RETURN_IF_ERROR(
+      for_each_tuple(*doomed.scan(), context, [&](const TuplePtr& tuple) { return relation.erase(tuple->id); }));
+  return tuples_with_ids(doomed);
 }
 
 Result<Plan> map_deletesearch(std::span<const ArgumentType> arguments) {
-  const MappingCheck check("deletesearch", arguments);
-  ASSIGN_OR_RETURN(const TypeExpr wanted, check.stream(0));
-  ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(1));
-  if (!(wanted == tuple)) return check.expected("a stream of " + tuple.text(), wanted);
-  return Plan{TypeExpr::stream(with_id(tuple)), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                return Datum{make_stream([stream = given[0].tuples(), relation = given[1].relation(), &context,
-                                          deleted = std::optional<std::vector<TuplePtr>>(),
-                                          position = std::size_t{0}]() mutable -> Result<TuplePtr> {
-                  if (!deleted) {
-                    ASSIGN_OR_RETURN(deleted, delete_equal(*stream, *relation, context));
-                  }
-                  if (position == deleted->size()) return TuplePtr();
-                  const TuplePtr& next = (*deleted)[position++];
-                  return tuple_with_id(*next, next->id);
+  ASSIGN_OR_RETURN(const TypeExpr result, changed_type(MappingCheck("deletesearch", arguments)));
+  return Plan{TypeExpr::stream(result), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                return Datum{made_when_asked(
+                    [tuples = given[0].tuples(), relation = given[1].relation(), &context]() -> Result<TupleStreamPtr> {
+                      ASSIGN_OR_RETURN(const TupleBuffer doomed, equal_tuples(*tuples, *relation, context));
+                      return erase_all(doomed, *relation, context);
+                    })};
+              }};
+}
+
+Result<Plan> map_deletedirect(std::span<const ArgumentType> arguments) {
+  ASSIGN_OR_RETURN(const TypeExpr result, changed_type(MappingCheck("deletedirect", arguments)));
+  return Plan{TypeExpr::stream(result), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                return Datum{made_when_asked([tuples = given[0].tuples(), relation = given[1].relation(),
+                                              &context]() -> Result<TupleStreamPtr> {
+                  ASSIGN_OR_RETURN(const TupleBuffer doomed, own_tuples(*tuples, *relation, "deletedirect", context));
+                  return erase_all(doomed, *relation, context);
                 })};
+              }};
+}
+
+Result<Plan> map_deletebyid(std::span<const ArgumentType> arguments) {
+  const MappingCheck check("deletebyid", arguments);
+  ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(0));
+  RETURN_IF_ERROR(check.id_argument(1));
+  ASSIGN_OR_RETURN(const TypeExpr result, check.with_id(tuple));
+  return Plan{TypeExpr::stream(result), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                return Datum{made_when_asked(
+                    [relation = given[0].relation(), id = given[1].value(), &context]() -> Result<TupleStreamPtr> {
+                      ASSIGN_OR_RETURN(const TupleBuffer doomed, tuple_by_id(id, *relation));
+                      return erase_all(doomed, *relation, context);
+                    })};
               }};
 }
 
@@ -164,6 +157,23 @@ void register_changes(algebra3d::Registry& registry) {
                   "only a relation that is stored as an object can be changed"}},
   });
   registry.add({
+      .name = "insert",
+      .syntax = "_ _ insert",
+      .doc = "Inserts all tuples of a stream into a stored relation and gives them with their new ids as TID; takes "
+             "effect "
+             "when consumed or counted.",
+      .detail = "The stream is read to its end first. Indexes on the relation follow.",
+      .stream = stream_operator(map_insert),
+      .signatures = {"(stream(tuple) rel(tuple)) -> stream(tuple)"},
+      .handles_undefined = true,
+      .examples = {{"Boxes feed head[2] Boxes insert project[No, TID] consume", "((1 4) (2 5))"},
+                   {"Boxes feed filter[not(isdefined(.B))] Boxes insert count", "1"}},
+      .errors = {{"query intstream(1, 2) transformstream [const rel(tuple([A: int])) value ()] insert count",
+                  "insert: expected a stream of (tuple ((A int))), got (tuple ((Elem int)))"},
+                 {"query intstream(1, 2) transformstream [const rel(tuple([Elem: int])) value ()] insert count",
+                  "only a relation that is stored as an object can be changed"}},
+  });
+  registry.add({
       .name = "deletesearch",
       .syntax = "_ _ deletesearch",
       .doc = "Deletes every tuple of a stored relation that equals one of the stream, and gives the deleted ones with "
@@ -176,6 +186,38 @@ void register_changes(algebra3d::Registry& registry) {
                    {"Boxes feed filter[not(isdefined(.B))] Boxes deletesearch count", "1"}},
       .errors = {{"query intstream(1, 2) transformstream [const rel(tuple([A: int])) value ()] deletesearch count",
                   "deletesearch: expected a stream of (tuple ((A int))), got (tuple ((Elem int)))"}},
+  });
+  registry.add({
+      .name = "deletedirect",
+      .syntax = "_ _ deletedirect",
+      .doc =
+          "Deletes the tuples of a stream from the stored relation that they come from, and gives them with their ids.",
+      .detail =
+          "The stream is read to its end first. Its tuples come straight from the relation: filters, sortby and the "
+          "like may stand between. Indexes on the relation follow.",
+      .stream = stream_operator(map_deletedirect),
+      .signatures = {"(stream(tuple) rel(tuple)) -> stream(tuple)"},
+      .handles_undefined = true,
+      .examples = {{"Boxes feed filter[.No > 1] Boxes deletedirect project[No, TID] consume", "((2 2) (3 3))"},
+                   {"Boxes feed filter[not(isdefined(.B))] Boxes deletedirect count", "1"}},
+      .errors = {{"query Boxes feed project[B, No] project[No, B] Boxes deletedirect count",
+                  "deletedirect: a tuple does not come straight from a stored relation"},
+                 {"query Boxes feed project[No] Boxes deletedirect count",
+                  "deletedirect: expected a stream of (tuple ((No int) (B rect3))), got (tuple ((No int)))"}},
+  });
+  registry.add({
+      .name = "deletebyid",
+      .syntax = "_ deletebyid[_]",
+      .doc = "Deletes the tuple with that id from a stored relation, and gives it with its id.",
+      .detail = "Nothing if there is no such tuple. An int is accepted as an id. Indexes on the relation follow.",
+      .stream = stream_operator(map_deletebyid),
+      .signatures = {"(rel(tuple) tid) -> stream(tuple)", "(rel(tuple) int) -> stream(tuple)"},
+      .handles_undefined = true,
+      .examples = {{"Boxes deletebyid[[const tid value 2]] project[No, TID] consume", "((2 2))"},
+                   {"Boxes deletebyid[77] count", "0"},
+                   {"Boxes deletebyid[[const tid value undefined]] count", "0"}},
+      .errors = {{"query Boxes deletebyid[1.5] count", "deletebyid: expected tid or int, got real"},
+                 {"query Boxes feed deletebyid[1] count", "deletebyid: expected a relation, got (stream (tuple"}},
   });
 }
 

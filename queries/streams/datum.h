@@ -58,6 +58,7 @@ using ValueStreamPtr = std::shared_ptr<ValueStream>;
 
 class Relation;      // relation.h
 class SpatialIndex;  // spatial_index.h
+class OrderedIndex;  // ordered_index.h
 class Function;      // below
 
 /// What an expression evaluates to: a value, or one of the things that only live while a statement runs.
@@ -66,7 +67,7 @@ struct Datum;
 using DatumList = std::vector<Datum>;
 struct Datum {
   std::variant<Value, TuplePtr, TupleStreamPtr, ValueStreamPtr, std::shared_ptr<Relation>,
-               std::shared_ptr<SpatialIndex>, std::shared_ptr<const Function>, DatumList>
+               std::shared_ptr<SpatialIndex>, std::shared_ptr<OrderedIndex>, std::shared_ptr<const Function>, DatumList>
       content;
 
   const Value& value() const { return std::get<Value>(content); }
@@ -75,6 +76,9 @@ struct Datum {
   const ValueStreamPtr& values() const { return std::get<ValueStreamPtr>(content); }
   const std::shared_ptr<Relation>& relation() const { return std::get<std::shared_ptr<Relation>>(content); }
   const std::shared_ptr<SpatialIndex>& index() const { return std::get<std::shared_ptr<SpatialIndex>>(content); }
+  const std::shared_ptr<OrderedIndex>& ordered_index() const {
+    return std::get<std::shared_ptr<OrderedIndex>>(content);
+  }
   const Function& function() const { return *std::get<std::shared_ptr<const Function>>(content); }
   const std::shared_ptr<const Function>& function_ptr() const {
     return std::get<std::shared_ptr<const Function>>(content);

@@ -1,9 +1,4 @@
-// intstream, transformstream, getDirectory: streams of values.
-#include <fnmatch.h>
-
-#include <algorithm>
-#include <system_error>
-
+// intstream, transformstream and its relatives: streams of values and how they become tuples.
 #include "algebra3d/types/scalars.h"
 #include "queries/streams/all.h"
 #include "queries/streams/mapping.h"
@@ -37,10 +32,10 @@ Datum values_as_tuples(const ValueStreamPtr& values) {
   })};
 }
 
-Datum tuples_as_values(const TupleStreamPtr& tuples) {
-  return Datum{make_value_stream([tuples]() -> Result<std::optional<Value>> {
+Datum tuples_as_values(const TupleStreamPtr& tuples, std::size_t attribute) {
+  return Datum{make_value_stream([tuples, attribute]() -> Result<std::optional<Value>> {
     ASSIGN_OR_RETURN(const TuplePtr tuple, tuples->next());
-    return tuple == nullptr ? std::optional<Value>() : std::optional(tuple->attributes[0]);
+    return tuple == nullptr ? std::optional<Value>() : std::optional(tuple->attributes[attribute]);
   })};
 }
 
@@ -50,54 +45,29 @@ Result<Plan> map_transformstream(std::span<const ArgumentType> arguments) {
   if (type.is_tuple_stream() && type.element().attributes().size() == 1)
     return Plan{
         TypeExpr::stream(type.element().attributes()[0].type),
-        [](std::vector<Datum> given, Context&) -> Result<Datum> { return tuples_as_values(given[0].tuples()); }};
+        [](std::vector<Datum> given, Context&) -> Result<Datum> { return tuples_as_values(given[0].tuples(), 0); }};
   if (!type.is_stream() || type.is_tuple_stream())
     return check.expected("a stream of values, or of tuples with one attribute", type);
   return Plan{TypeExpr::stream(TypeExpr::tuple({{"Elem", type.element()}})),
               [](std::vector<Datum> given, Context&) -> Result<Datum> { return values_as_tuples(given[0].values()); }};
 }
 
-// Every regular file in the folder and below whose name fits the pattern, as `folder/...`, sorted.
-Result<std::vector<std::string>> files_below(const std::filesystem::path& folder, const std::string& shown,
-                                             const std::string& pattern, const Context& context) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  std::vector<std::string> files;
-  auto entry = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, error);
-  if (error)
-    return Error{ErrorCode::file_missing, "getDirectory: '{}': {}, expected a folder that can be read", shown,
-                 error.message()};
-  for (; entry != fs::recursive_directory_iterator(); entry.increment(error)) {
-    if (error) return Error{ErrorCode::io_error, "getDirectory: '{}': {}", shown, error.message()};
-    RETURN_IF_ERROR(context.check_cancelled());
-    std::error_code ignored;  // a file that has gone meanwhile, or a dangling link, is no file
-    if (!entry->is_regular_file(ignored)) continue;
-    if (fnmatch(pattern.c_str(), entry->path().filename().c_str(), 0) != 0) continue;
-    files.push_back((fs::path(shown) / entry->path().lexically_relative(folder)).string());
-  }
-  std::ranges::sort(files);
-  return files;
+Result<Plan> map_namedtransformstream(std::span<const ArgumentType> arguments) {
+  const MappingCheck check("namedtransformstream", arguments);
+  const TypeExpr& type = check[0].type;
+  if (!type.is_stream() || !is_value_type(type.element())) return check.expected("a stream of values", type);
+  return Plan{TypeExpr::stream(TypeExpr::tuple({{check[1].names[0], type.element()}})),
+              [](std::vector<Datum> given, Context&) -> Result<Datum> { return values_as_tuples(given[0].values()); }};
 }
 
-Result<Plan> map_get_directory(std::span<const ArgumentType> arguments) {
-  const MappingCheck check("getDirectory", arguments);
-  RETURN_IF_ERROR(check.argument_count(1, 2));
-  for (std::size_t place = 0; place < check.count(); ++place) RETURN_IF_ERROR(check.type(place, "text"));
-  return Plan{
-      TypeExpr::stream("text"), [](const std::vector<Datum>& given, Context& context) -> Result<Datum> {
-        std::vector<std::string> words;
-        for (const Datum& word : given)
-          if (word.value().is_defined()) words.push_back(word.value().get<algebra3d::Text>().content);
-        std::vector<std::string> files;
-        if (words.size() == given.size()) {
-          const std::string pattern = words.size() == 2 ? words[1] : "*";
-          ASSIGN_OR_RETURN(files, files_below(context.resolve(words[0]), words[0], pattern, context));
-        }
-        return Datum{make_value_stream([files, position = std::size_t{0}]() mutable -> Result<std::optional<Value>> {
-          if (position == files.size()) return std::optional<Value>();
-          return std::optional(Value::of<algebra3d::Text>({files[position++]}));
-        })};
-      }};
+Result<Plan> map_projecttransformstream(std::span<const ArgumentType> arguments) {
+  const MappingCheck check("projecttransformstream", arguments);
+  ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
+  ASSIGN_OR_RETURN(const std::size_t attribute, check.attribute(1, tuple));
+  return Plan{TypeExpr::stream(tuple.attributes()[attribute].type),
+              [attribute](std::vector<Datum> given, Context&) -> Result<Datum> {
+                return tuples_as_values(given[0].tuples(), attribute);
+              }};
 }
 
 }  // namespace
@@ -130,20 +100,32 @@ void register_elements(algebra3d::Registry& registry) {
                   "transformstream: expected a stream of values, or of tuples with one attribute, got int"}},
   });
   registry.add({
-      .name = "getDirectory",
-      .syntax = "getDirectory(_ ...)",
-      .doc = "The names of the files in a folder and below, sorted; with a pattern (such as '*.stl') only those that "
-             "fit it.",
-      .detail =
-          "The pattern is matched against the file's own name: `*` any characters, `?` one, `[...]` one of a set.",
-      .stream = stream_operator(map_get_directory),
-      .signatures = {"(text) -> stream(text)", "(text text) -> stream(text)"},
+      .name = "namedtransformstream",
+      .syntax = "_ namedtransformstream[name]",
+      .doc = "A stream of values as tuples with a single attribute of that name.",
+      .stream = stream_operator(map_namedtransformstream),
+      .signatures = {"(stream(DATA) NAME) -> stream(tuple((NAME DATA)))"},
       .handles_undefined = true,
-      .examples = {{"getDirectory('.', 'no such file*') count", "0"},
-                   {"getDirectory([const text value undefined]) count", "0"}},
-      .errors = {{"query getDirectory('/no/such/folder') count",
-                  "getDirectory: '/no/such/folder': No such file or directory, expected a folder that can be read"},
-                 {"query getDirectory(5) count", "getDirectory: expected text, got int"}},
+      .examples = {{"intstream(1, 2) namedtransformstream[No] filter[.No > 1] consume", "((2))"},
+                   {"[const int value undefined] feed namedtransformstream[No] consume", "((undefined))"}},
+      .errors = {{"query 5 namedtransformstream[No]", "namedtransformstream: expected a stream of values, got int"},
+                 {"query intstream(1, 2) transformstream namedtransformstream[No] count",
+                  "namedtransformstream: expected a stream of values, got (stream (tuple"}},
+  });
+  registry.add({
+      .name = "projecttransformstream",
+      .syntax = "_ projecttransformstream[attribute]",
+      .doc = "The stream of the values of an attribute.",
+      .stream = stream_operator(map_projecttransformstream),
+      .signatures = {"(stream(tuple) NAME) -> stream(DATA)"},
+      .handles_undefined = true,
+      .examples = {{"intstream(1, 3) transformstream extend[B: .Elem * 2] projecttransformstream[B] collect_vector",
+                    "(2 4 6)"},
+                   {"[const rel(tuple([A: int])) value ((1) (undefined))] feed projecttransformstream[A] count", "2"}},
+      .errors = {{"query intstream(1, 3) transformstream projecttransformstream[B] count",
+                  "projecttransformstream: unknown attribute 'B'"},
+                 {"query intstream(1, 3) projecttransformstream[B] count",
+                  "projecttransformstream: expected a stream of tuples (write `transformstream`"}},
   });
 }
 

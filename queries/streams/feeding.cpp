@@ -4,8 +4,9 @@
 
 #include "algebra3d/types/scalars.h"
 #include "queries/streams/all.h"
+#include "queries/streams/collection.h"
 #include "queries/streams/mapping.h"
-#include "queries/streams/relation.h"
+#include "queries/streams/tuple_buffer.h"
 
 namespace queries {
 namespace {
@@ -26,6 +27,10 @@ Result<Plan> map_feed(std::span<const ArgumentType> arguments) {
                   ASSIGN_OR_RETURN(TupleStreamPtr tuples, given[0].relation()->scan());
                   return Datum{interruptible(std::move(tuples), context)};
                 }};
+  if (is_collection(check[0].type))
+    return Plan{TypeExpr::stream(check[0].type.element()), [](std::vector<Datum> given, Context&) -> Result<Datum> {
+                  return Datum{elements_of(given[0].value())};
+                }};
   if (!is_value_type(check[0].type)) return check.expected("a relation or a value", check[0].type);
   return Plan{TypeExpr::stream(check[0].type), [](std::vector<Datum> given, Context&) -> Result<Datum> {
                 return Datum{make_value_stream([value = std::optional(given[0].value())]() mutable {
@@ -34,11 +39,12 @@ Result<Plan> map_feed(std::span<const ArgumentType> arguments) {
               }};
 }
 
-Result<Plan> map_consume(std::span<const ArgumentType> arguments) {
-  ASSIGN_OR_RETURN(const TypeExpr tuple, MappingCheck("consume", arguments).stream(0));
+// consume and tconsume are two names of one operator: what is consumed stays in memory until it is stored.
+Result<Plan> map_consume(const char* op, std::span<const ArgumentType> arguments) {
+  ASSIGN_OR_RETURN(const TypeExpr tuple, MappingCheck(op, arguments).stream(0));
   return Plan{TypeExpr::rel(tuple), [tuple](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                ASSIGN_OR_RETURN(auto tuples, materialise(*given[0].tuples(), context));
-                return Datum{RelationPtr(std::make_shared<MemoryRelation>(tuple, std::move(tuples)))};
+                ASSIGN_OR_RETURN(const TupleBuffer tuples, buffered(*given[0].tuples(), context));
+                return Datum{tuples.relation(tuple)};
               }};
 }
 
@@ -66,7 +72,8 @@ Result<Datum> count_tuples(TupleStream& tuples, Context& context) {
 Result<Plan> map_count(std::span<const ArgumentType> arguments) {
   const MappingCheck check("count", arguments);
   const TypeExpr& type = check[0].type;
-  if (!type.is_relation() && !type.is_stream()) return check.expected("a relation or a stream", type);
+  if (!type.is_relation() && !type.is_stream() && !is_collection(type))
+    return check.expected("a relation or a stream", type);
   return Plan{"int", [](std::vector<Datum> given, Context& context) -> Result<Datum> {
                 if (const auto* relation = std::get_if<RelationPtr>(&given[0].content)) {
                   ASSIGN_OR_RETURN(const std::int64_t count, (*relation)->count());
@@ -74,6 +81,8 @@ Result<Plan> map_count(std::span<const ArgumentType> arguments) {
                 }
                 if (const auto* values = std::get_if<ValueStreamPtr>(&given[0].content))
                   return count_values(**values, context);
+                if (const auto* collection = std::get_if<Value>(&given[0].content))
+                  return counted(static_cast<std::int64_t>(collection->get<Collection>().elements.size()), context);
                 return count_tuples(*given[0].tuples(), context);
               }};
 }
@@ -84,10 +93,12 @@ void register_feeding(algebra3d::Registry& registry) {
   registry.add({
       .name = "feed",
       .syntax = "_ feed",
-      .doc =
-          "The tuples of a relation as a stream, in storage order; of a single value the stream of that one element.",
+      .doc = "The tuples of a relation as a stream, in storage order; of a single value the stream of that one "
+             "element; of a "
+             "collection its elements.",
       .stream = stream_operator(map_feed),
-      .signatures = {"(rel(tuple)) -> stream(tuple)", "(DATA) -> stream(DATA)"},
+      .signatures = {"(rel(tuple)) -> stream(tuple)", "(DATA) -> stream(DATA)", "(set(DATA)) -> stream(DATA)",
+                     "(multiset(DATA)) -> stream(DATA)", "(vector(DATA)) -> stream(DATA)"},
       .handles_undefined = true,
       .examples = {{"[const rel(tuple([A: int])) value ((1) (2))] feed consume", "((1) (2))"},
                    {"5 feed count", "1"},
@@ -98,7 +109,7 @@ void register_feeding(algebra3d::Registry& registry) {
       .name = "consume",
       .syntax = "_ consume",
       .doc = "The relation of all tuples of a stream.",
-      .stream = stream_operator(map_consume),
+      .stream = stream_operator([](auto arguments) { return map_consume("consume", arguments); }),
       .signatures = {"(stream(tuple)) -> rel(tuple)"},
       .handles_undefined = true,
       .examples = {{"intstream(1, 3) transformstream consume", "((1) (2) (3))"},
@@ -106,11 +117,23 @@ void register_feeding(algebra3d::Registry& registry) {
       .errors = {{"query 5 consume", "consume: expected a stream of tuples, got int"}},
   });
   registry.add({
+      .name = "tconsume",
+      .syntax = "_ tconsume",
+      .doc = "The relation of all tuples of a stream, in memory: another name of consume.",
+      .stream = stream_operator([](auto arguments) { return map_consume("tconsume", arguments); }),
+      .signatures = {"(stream(tuple)) -> rel(tuple)"},
+      .handles_undefined = true,
+      .examples = {{"intstream(1, 3) transformstream tconsume feed filter[.Elem > 1] tconsume", "((2) (3))"},
+                   {"[const int value undefined] feed transformstream tconsume", "((undefined))"}},
+      .errors = {{"query 5 tconsume", "tconsume: expected a stream of tuples, got int"}},
+  });
+  registry.add({
       .name = "count",
       .syntax = "_ count",
-      .doc = "The number of tuples of a relation, or of elements of a stream.",
+      .doc = "The number of tuples of a relation, or of elements of a stream or collection.",
       .stream = stream_operator(map_count),
-      .signatures = {"(rel(tuple)) -> int", "(stream(tuple)) -> int", "(stream(DATA)) -> int"},
+      .signatures = {"(rel(tuple)) -> int", "(stream(tuple)) -> int", "(stream(DATA)) -> int", "(set(DATA)) -> int",
+                     "(multiset(DATA)) -> int", "(vector(DATA)) -> int"},
       .handles_undefined = true,
       .examples = {{"intstream(1, 10) count", "10"},
                    {"[const rel(tuple([A: int])) value ()] count", "0"},

@@ -1,11 +1,12 @@
-// creatertree, windowintersects, distancescan, itSpatialJoin: what boxes make fast.
+// creatertree, bulkloadrtree, windowintersects, windowintersectsS, distancescan: R-trees on relations.
 #include <algorithm>
 #include <limits>
 
 #include "algebra3d/types/scalars.h"
 #include "queries/streams/all.h"
+#include "queries/streams/index_operands.h"
 #include "queries/streams/mapping.h"
-#include "queries/streams/relation.h"
+#include "queries/streams/spatial_attribute.h"
 #include "queries/streams/spatial_index.h"
 
 namespace queries {
@@ -19,19 +20,6 @@ TypeExpr index_type(const TypeExpr& tuple, const TypeExpr& key) {
   return {"rtree3", {tuple, key, "FALSE"}};
 }
 
-bool is_spatial(const algebra3d::Registry& registry, const TypeExpr& type) {
-  const algebra3d::Type* known = registry.find_type(type.name());
-  return known != nullptr && known->is_spatial();
-}
-
-Result<std::size_t> spatial_attribute(const algebra3d::Registry& registry, const MappingCheck& check,
-                                      std::size_t position, const TypeExpr& tuple) {
-  ASSIGN_OR_RETURN(const std::size_t index, check.attribute(position, tuple));
-  const TypeExpr& type = tuple.attributes()[index].type;
-  if (!is_spatial(registry, type)) return check.expected("an attribute of kind SPATIAL3D", type);
-  return index;
-}
-
 /// The tuple type that an index is for.
 Result<TypeExpr> index_operand(const MappingCheck& check, std::size_t position) {
   const TypeExpr& type = check[position].type;
@@ -39,103 +27,82 @@ Result<TypeExpr> index_operand(const MappingCheck& check, std::size_t position) 
   return check.expected("an R-tree", type);
 }
 
-std::vector<Entry> entries_of(const std::vector<TuplePtr>& tuples, std::size_t attribute, bool by_position) {
+Result<Datum> create_index(const Datum& source, const IndexSource& from, std::size_t attribute, std::string_view op,
+                           const Context& context) {
   std::vector<Entry> entries;
-  entries.reserve(tuples.size());
-  for (std::size_t position = 0; position < tuples.size(); ++position) {
-    const Value& value = tuples[position]->attributes[attribute];
-    if (!value.is_defined()) continue;
-    const std::uint64_t payload = by_position ? position : static_cast<std::uint64_t>(tuples[position]->id);
-    if (const Box3 box = value.header().box; !box.is_empty()) entries.push_back({box, payload});
-  }
-  return entries;
+  RETURN_IF_ERROR(
+      for_each_indexed(source, from.id_attribute, op, context, [&](const Tuple& tuple, TupleId id) -> Status {
+        if (const Box3 box = window_of(tuple.attributes[attribute]); !box.is_empty())
+          entries.push_back({box, static_cast<std::uint64_t>(id)});
+        return {};
+      }));
+  auto tree = std::make_shared<Tree>(Tree::bulk_load(entries));
+  return Datum{
+      std::make_shared<SpatialIndex>(stored_name(source), from.given.attributes()[attribute].name, std::move(tree))};
 }
 
-Result<Datum> create_index(const Datum& source, std::size_t attribute, const std::string& attribute_name,
-                           Context& context) {
-  std::string relation;
-  if (const auto* stored = std::get_if<RelationPtr>(&source.content)) relation = (*stored)->name();
-  ASSIGN_OR_RETURN(const TupleStreamPtr stream, tuples_of(source));
-  ASSIGN_OR_RETURN(const auto tuples, materialise(*stream, context));
-  if (std::ranges::any_of(tuples, [](const TuplePtr& tuple) { return tuple->id == 0; }))
-    return Error{
-        ErrorCode::wrong_usage,
-        "creatertree: the tuples have no ids; build the index on a stored relation, or on a filtered scan of one"};
-  auto tree = std::make_shared<Tree>(Tree::bulk_load(entries_of(tuples, attribute, false)));
-  return Datum{std::make_shared<SpatialIndex>(std::move(relation), attribute_name, std::move(tree))};
-}
-
-TypeMapping map_creatertree(const algebra3d::Registry& registry) {
-  return [&registry](std::span<const ArgumentType> arguments) -> Result<Plan> {
-    const MappingCheck check("creatertree", arguments);
-    ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream_or_relation(0));
-    ASSIGN_OR_RETURN(const std::size_t attribute, spatial_attribute(registry, check, 1, tuple));
-    const auto& [name, type] = tuple.attributes()[attribute];
-    return Plan{index_type(tuple, type), [attribute, key = name](std::vector<Datum> given, Context& context) {
-                  return create_index(given[0], attribute, key, context);
+TypeMapping map_creatertree(const algebra3d::Registry& registry, const char* op) {
+  return [&registry, op](std::span<const ArgumentType> arguments) -> Result<Plan> {
+    const MappingCheck check(op, arguments);
+    ASSIGN_OR_RETURN(const IndexSource from, index_source(check));
+    ASSIGN_OR_RETURN(const std::size_t attribute, spatial_attribute(registry, check, 1, from.given));
+    return Plan{index_type(from.indexed, from.given.attributes()[attribute].type),
+                [=](std::vector<Datum> given, Context& context) {
+                  return create_index(given[0], from, attribute, op, context);
                 }};
   };
 }
 
-/// The index fits the relation: made for its tuples and, if it follows a stored relation, for this one.
-Status check_fits(const SpatialIndex& index, const Relation& relation, std::string_view op) {
-  if (!index.is_definition() || index.relation() == relation.name()) return {};
-  return Error{ErrorCode::wrong_usage, "{}: the index is on the relation '{}', not on '{}'", op, index.relation(),
-               relation.name()};
+TypeMapping map_bulkloadrtree(const algebra3d::Registry& registry) {
+  return
+      [create = map_creatertree(registry, "bulkloadrtree")](std::span<const ArgumentType> arguments) -> Result<Plan> {
+        RETURN_IF_ERROR(MappingCheck("bulkloadrtree", arguments).stream(0));
+        return create(arguments);
+      };
 }
 
 Result<TypeExpr> indexed_relation(const MappingCheck& check) {
   ASSIGN_OR_RETURN(const TypeExpr indexed, index_operand(check, 0));
   ASSIGN_OR_RETURN(TypeExpr tuple, check.relation(1));
   if (!(indexed == tuple))
-    return check.error("expected an index on the relation's tuples, got " + check[0].type.text());
+    return check.error("expected an index on the relation's tuples, got " + check[0].type.text() +
+                       "; to get the tuples of another relation by their ids use windowintersectsS and gettuples");
   return tuple;
 }
 
-Status check_window(const algebra3d::Registry& registry, const MappingCheck& check) {
-  if (is_spatial(registry, check[2].type)) return {};
-  return check.expected("a rect3 or another value of kind SPATIAL3D", check[2].type);
-}
-
-Box3 window_of(const Value& value) {
-  return value.is_defined() ? value.header().box : Box3{};
-}
-
-/// Fetches tuples by id, skipping ids that a frozen index still holds and the relation does not.
-template <typename NextId>
-TupleStreamPtr fetched(RelationPtr relation, NextId next_id) {
-  return make_stream([relation = std::move(relation), next_id = std::move(next_id)]() mutable -> Result<TuplePtr> {
-    while (const auto id = next_id()) {
-      ASSIGN_OR_RETURN(TuplePtr tuple, relation->fetch(static_cast<TupleId>(*id)));
-      if (tuple != nullptr) return tuple;
-    }
-    return TuplePtr();
-  });
-}
-
-// Ids in ascending order, so that the result does not depend on how the tree grew, and pages are read in order.
-std::vector<std::uint64_t> ids_in_window(const Tree& tree, const Box3& window) {
-  std::vector<std::uint64_t> ids;
-  if (window.is_empty()) return ids;
-  for (const std::uint64_t id : tree.window(window)) ids.push_back(id);
-  std::ranges::sort(ids);
-  return ids;
+Status check_window(const algebra3d::Registry& registry, const MappingCheck& check, std::size_t position) {
+  if (is_spatial(registry, check[position].type)) return {};
+  return check.expected("a rect3 or another value of kind SPATIAL3D", check[position].type);
 }
 
 TypeMapping map_windowintersects(const algebra3d::Registry& registry) {
   return [&registry](std::span<const ArgumentType> arguments) -> Result<Plan> {
     const MappingCheck check("windowintersects", arguments);
     ASSIGN_OR_RETURN(const TypeExpr tuple, indexed_relation(check));
-    RETURN_IF_ERROR(check_window(registry, check));
-    return Plan{
-        TypeExpr::stream(tuple), [](std::vector<Datum> given, Context&) -> Result<Datum> {
-          const auto& index = given[0].index();
-          RETURN_IF_ERROR(check_fits(*index, *given[1].relation(), "windowintersects"));
-          auto ids = ids_in_window(index->tree(), window_of(given[2].value()));
-          return Datum{fetched(given[1].relation(), [ids = std::move(ids), position = std::size_t{0}]() mutable {
-            return position == ids.size() ? std::nullopt : std::optional(ids[position++]);
-          })};
-        }};
+    RETURN_IF_ERROR(check_window(registry, check, 2));
+    return Plan{TypeExpr::stream(tuple), [](std::vector<Datum> given, Context&) -> Result<Datum> {
+                  const auto& index = given[0].index();
+                  RETURN_IF_ERROR(check_fits(*index, *given[1].relation(), "windowintersects"));
+                  return Datum{fetched(given[1].relation(),
+                                       one_by_one(ids_in_window(index->tree(), window_of(given[2].value()))))};
+                }};
+  };
+}
+
+TypeMapping map_window_ids(const algebra3d::Registry& registry) {
+  return [&registry](std::span<const ArgumentType> arguments) -> Result<Plan> {
+    const MappingCheck check("windowintersectsS", arguments);
+    RETURN_IF_ERROR(index_operand(check, 0));
+    RETURN_IF_ERROR(check_window(registry, check, 1));
+    return Plan{TypeExpr::stream(TypeExpr::tuple({{"Id", TypeExpr("tid")}})),
+                [](std::vector<Datum> given, Context&) -> Result<Datum> {
+                  auto ids = one_by_one(ids_in_window(given[0].index()->tree(), window_of(given[1].value())));
+                  return Datum{make_stream([ids = std::move(ids)]() mutable -> Result<TuplePtr> {
+                    const auto id = ids();
+                    if (!id) return TuplePtr();
+                    return TuplePtr(std::make_shared<const Tuple>(Tuple{{id_value(static_cast<TupleId>(*id))}}));
+                  })};
+                }};
   };
 }
 
@@ -144,7 +111,7 @@ TypeMapping map_distancescan(const algebra3d::Registry& registry) {
     const MappingCheck check("distancescan", arguments);
     ASSIGN_OR_RETURN(const TypeExpr tuple, indexed_relation(check));
     RETURN_IF_ERROR(check.argument_count(3, 4));
-    RETURN_IF_ERROR(check_window(registry, check));
+    RETURN_IF_ERROR(check_window(registry, check, 2));
     if (check.count() == 4) RETURN_IF_ERROR(check.type(3, "int"));
     return Plan{TypeExpr::stream(tuple), [](std::vector<Datum> given, Context&) -> Result<Datum> {
                   const auto index = given[0].index();
@@ -165,55 +132,6 @@ TypeMapping map_distancescan(const algebra3d::Registry& registry) {
   };
 }
 
-// The tree is built on the first stream; the second one passes by, each tuple asking for its partners.
-class SpatialJoin {
- public:
-  SpatialJoin(std::vector<TuplePtr> first, std::size_t first_key, TupleStreamPtr second, std::size_t second_key)
-      : first_(std::move(first)),
-        tree_(Tree::bulk_load(entries_of(first_, first_key, true))),
-        second_(std::move(second)),
-        second_key_(second_key) {}
-
-  Result<TuplePtr> next(const Context& context) {
-    while (position_ == partners_.size()) {
-      if (++steps_ % 256 == 0) RETURN_IF_ERROR(context.check_cancelled());
-      ASSIGN_OR_RETURN(current_, second_->next());
-      if (current_ == nullptr) return TuplePtr();
-      partners_ = ids_in_window(tree_, window_of(current_->attributes[second_key_]));
-      position_ = 0;
-    }
-    return concatenated(*first_[partners_[position_++]], *current_);
-  }
-
- private:
-  std::vector<TuplePtr> first_;
-  Tree tree_;
-  TupleStreamPtr second_;
-  std::size_t second_key_;
-  TuplePtr current_;
-  std::vector<std::uint64_t> partners_;
-  std::size_t position_ = 0;
-  std::uint32_t steps_ = 0;
-};
-
-TypeMapping map_spatial_join(const algebra3d::Registry& registry) {
-  return [&registry](std::span<const ArgumentType> arguments) -> Result<Plan> {
-    const MappingCheck check("itSpatialJoin", arguments);
-    ASSIGN_OR_RETURN(const TypeExpr left, check.stream(0));
-    ASSIGN_OR_RETURN(const TypeExpr right, check.stream(1));
-    RETURN_IF_ERROR(check.argument_count(4, 7));
-    for (std::size_t place = 4; place < check.count(); ++place) RETURN_IF_ERROR(check.type(place, "int"));
-    ASSIGN_OR_RETURN(const std::size_t left_key, spatial_attribute(registry, check, 2, left));
-    ASSIGN_OR_RETURN(const std::size_t right_key, spatial_attribute(registry, check, 3, right));
-    ASSIGN_OR_RETURN(const TypeExpr joined, check.concatenated(left, right));
-    return Plan{TypeExpr::stream(joined), [=](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                  ASSIGN_OR_RETURN(auto first, materialise(*given[0].tuples(), context));
-                  auto join = std::make_shared<SpatialJoin>(std::move(first), left_key, given[1].tuples(), right_key);
-                  return Datum{make_stream([join, &context]() { return join->next(context); })};
-                }};
-  };
-}
-
 constexpr std::string_view kTwoBoxes =
     "[const rel(tuple([No: int, B: rect3])) value ((1 (0 1 0 1 0 1)) (2 (5 6 0 1 0 1)) (3 undefined))] feed ";
 
@@ -227,15 +145,47 @@ void register_indexes(algebra3d::Registry& registry) {
       .doc = "An R-tree over the boxes of a spatial attribute.",
       .detail =
           "Stored with `let`, an index on a stored relation is remembered as a definition and follows the relation's "
-          "changes; one on a stream is a frozen copy. Undefined and empty values have no box and are left out.",
-      .stream = stream_operator(map_creatertree(registry)),
+          "changes; one on a stream is a frozen copy. A stream carries the ids in an attribute of type tid, or its "
+          "tuples "
+          "come straight from a stored relation. Undefined and empty values have no box and are left out.",
+      .stream = stream_operator(map_creatertree(registry, "creatertree")),
       .signatures = {"(rel(tuple) NAME) -> rtree3(tuple SPATIAL3D)", "(stream(tuple) NAME) -> rtree3(tuple SPATIAL3D)"},
       .handles_undefined = true,
       .examples = {{"Boxes creatertree[B]", "(Boxes B 2)"},
-                   {"Boxes feed filter[isdefined(.B)] creatertree[B]", "(frozen B 2)"}},
+                   {"Boxes feed filter[isdefined(.B)] creatertree[B]", "(frozen B 2)"},
+                   {"Boxes feed extend[Id: tupleid(.)] creatertree[B] Boxes windowintersects[makePoint3D(5, 0, 0)] "
+                    "count",
+                    "1"}},
       .errors = {{"query " + boxes + "creatertree[No]",
                   "creatertree: expected an attribute of kind SPATIAL3D, got int"},
                  {"query " + boxes + "creatertree[B]", "creatertree: the tuples have no ids"}},
+  });
+  registry.add({
+      .name = "bulkloadrtree",
+      .syntax = "_ bulkloadrtree[attribute]",
+      .doc = "An R-tree over the boxes of a spatial attribute of a stream, as creatertree makes it.",
+      .detail = "The order of the stream does not matter here.",
+      .stream = stream_operator(map_bulkloadrtree(registry)),
+      .signatures = {"(stream(tuple) NAME) -> rtree3(tuple SPATIAL3D)"},
+      .handles_undefined = true,
+      .examples = {{"Boxes feed addid bulkloadrtree[B]", "(frozen B 2)"}},
+      .errors = {{"query Boxes bulkloadrtree[B]",
+                  "bulkloadrtree: expected a stream of tuples (write `feed` after the relation)"},
+                 {"query " + boxes + "bulkloadrtree[B]", "bulkloadrtree: the tuples have no ids"}},
+  });
+  registry.add({
+      .name = "windowintersectsS",
+      .syntax = "_ windowintersectsS[_]",
+      .doc = "The ids of the tuples whose indexed box meets the window, ascending, as tuples with the attribute Id.",
+      .detail = "Gettuples fetches the tuples. The window is a rect3 or any spatial value, which stands for its box.",
+      .stream = stream_operator(map_window_ids(registry)),
+      .signatures = {"(rtree3(tuple SPATIAL3D) SPATIAL3D) -> stream(tuple((Id tid)))"},
+      .handles_undefined = true,
+      .examples = {{"Boxes_B windowintersectsS[rectangle3(0, 9, 0, 9, 0, 9)] consume", "((1) (2))"},
+                   {"Boxes_B windowintersectsS[[const rect3 value undefined]] count", "0"}},
+      .errors = {{"query 5 windowintersectsS[6]", "windowintersectsS: expected an R-tree, got int"},
+                 {"query Boxes_B windowintersectsS[6] count",
+                  "windowintersectsS: expected a rect3 or another value of kind SPATIAL3D, got int"}},
   });
   registry.add({
       .name = "windowintersects",
@@ -266,23 +216,6 @@ void register_indexes(algebra3d::Registry& registry) {
                    {"Boxes_B Boxes distancescan[makePoint3D(0, 0, 0)] project[No] consume", "((1) (2))"},
                    {"Boxes_B Boxes distancescan[[const point3d value undefined]] count", "0"}},
       .errors = {{"query 5 6 distancescan[7]", "distancescan: expected an R-tree, got int"}},
-  });
-  registry.add({
-      .name = "itSpatialJoin",
-      .syntax = "_ _ itSpatialJoin[attribute, attribute ...]",
-      .doc = "The pairs of tuples of both streams whose boxes meet, in the order of the second stream.",
-      .detail = "The first stream is held in memory with an R-tree over it. Touching counts. Up to three ints (node "
-                "sizes and "
-                "memory) are accepted and not needed.",
-      .stream = stream_operator(map_spatial_join(registry)),
-      .signatures = {"(stream(tuple) stream(tuple) NAME NAME) -> stream(tuple)"},
-      .handles_undefined = true,
-      .examples = {{boxes + "{a} " + boxes + "{b} itSpatialJoin[B_a, B_b] project[No_a, No_b] consume",
-                    "((1 1) (2 2))"}},
-      .errors = {{"query " + boxes + boxes + "itSpatialJoin[B, B] count",
-                  "itSpatialJoin: the attribute 'No' would stand twice"},
-                 {"query " + boxes + "{a} " + boxes + "{b} itSpatialJoin[No_a, B_b] count",
-                  "itSpatialJoin: expected an attribute of kind SPATIAL3D, got int"}},
   });
 }
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 
 #include "algebra3d/types/all.h"
+#include "algebra3d/types/scalars.h"
+#include "algebra3d/types/tuple_number.h"
+#include "queries/streams/any_stream.h"
 #include "queries/streams/relation.h"
 
 namespace queries {
@@ -28,7 +31,16 @@ Result<TypeExpr> MappingCheck::stream(std::size_t position) const {
   const TypeExpr& type = arguments_[position].type;
   if (type.is_tuple_stream()) return type.element();
   if (type.is_relation()) return expected("a stream of tuples (write `feed` after the relation)", type);
+  if (type.is_stream())
+    return expected("a stream of tuples (write `transformstream` after the stream of values)", type);
   return expected("a stream of tuples", type);
+}
+
+Result<TypeExpr> MappingCheck::any_stream(std::size_t position) const {
+  const TypeExpr& type = arguments_[position].type;
+  if (type.is_stream()) return type.element();
+  if (type.is_relation()) return expected("a stream of tuples (write `feed` after the relation)", type);
+  return expected("a stream", type);
 }
 
 Result<TypeExpr> MappingCheck::relation(std::size_t position) const {
@@ -43,11 +55,19 @@ Result<TypeExpr> MappingCheck::stream_or_relation(std::size_t position) const {
   return expected("a relation or a stream of tuples", type);
 }
 
-Status MappingCheck::function(std::size_t position, std::string_view result) const {
+Status MappingCheck::takes(const TypeExpr& function, const std::vector<TypeExpr>& parameters) const {
+  const std::vector<TypeExpr> given = function.function_parameters();
+  if (given == parameters) return {};
+  return error("expected a function of " + algebra3d::argument_list_text(parameters) + ", got one of " +
+               algebra3d::argument_list_text(given));
+}
+
+Status MappingCheck::function(std::size_t position, const std::vector<TypeExpr>& parameters,
+                              std::string_view result) const {
   const TypeExpr& type = arguments_[position].type;
-  const TypeExpr& given = type.is_function() ? type.function_result() : type;
-  if (result.empty() ? is_value_type(given) : given.is(result)) return {};
-  return expected("a function that gives " + (result.empty() ? "a value" : std::string(result)), given);
+  RETURN_IF_ERROR(takes(type, parameters));
+  if (type.function_result().is(result)) return {};
+  return expected("a function that gives " + std::string(result), type.function_result());
 }
 
 Status MappingCheck::type(std::size_t position, std::string_view wanted) const {
@@ -56,7 +76,10 @@ Status MappingCheck::type(std::size_t position, std::string_view wanted) const {
 }
 
 Result<std::size_t> MappingCheck::attribute(std::size_t position, const TypeExpr& tuple, std::size_t which) const {
-  const std::string& name = arguments_[position].names[which];
+  return attribute_named(arguments_[position].names[which], tuple);
+}
+
+Result<std::size_t> MappingCheck::attribute_named(const std::string& name, const TypeExpr& tuple) const {
   std::vector<std::string> names;
   for (const auto& attribute : tuple.attributes()) names.push_back(attribute.name);
   const auto found = std::ranges::find(names, name);
@@ -79,6 +102,41 @@ Result<std::vector<std::size_t>> MappingCheck::attributes(std::size_t position, 
   return indices;
 }
 
+Result<std::vector<std::size_t>> MappingCheck::distinct_attributes(std::size_t position, const TypeExpr& tuple) const {
+  if (arguments_[position].names.empty()) return error("expected at least one attribute");
+  return distinct_or_no_attributes(position, tuple);
+}
+
+Result<std::vector<std::size_t>> MappingCheck::distinct_or_no_attributes(std::size_t position,
+                                                                         const TypeExpr& tuple) const {
+  ASSIGN_OR_RETURN(auto indices, attributes(position, tuple));
+  for (std::size_t i = 0; i < indices.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (indices[i] == indices[j]) return error("the attribute '" + arguments_[position].names[i] + "' stands twice");
+  return indices;
+}
+
+Result<std::size_t> MappingCheck::id_attribute(const TypeExpr& tuple) const {
+  const auto& attributes = tuple.attributes();
+  const auto is_id = [](const TypeExpr::Attribute& attribute) { return attribute.type.is("tid"); };
+  if (std::ranges::count_if(attributes, is_id) != 1)
+    return expected("tuples with one attribute of type tid (see addid and tupleid)", tuple);
+  return static_cast<std::size_t>(std::ranges::find_if(attributes, is_id) - attributes.begin());
+}
+
+Status MappingCheck::id_argument(std::size_t position) const {
+  const TypeExpr& given = arguments_[position].type;
+  if (given.is("tid") || given.is("int")) return {};
+  return expected("tid or int", given);
+}
+
+Result<bool> MappingCheck::promotion(std::size_t position, const TypeExpr& wanted) const {
+  const TypeExpr& given = arguments_[position].type;
+  if (given == wanted) return false;
+  if (wanted.is("real") && given.is("int")) return true;
+  return expected(wanted.text(), given);
+}
+
 Result<TypeExpr> MappingCheck::concatenated(const TypeExpr& left, const TypeExpr& right) const {
   std::vector<TypeExpr::Attribute> all = left.attributes();
   for (const auto& attribute : right.attributes()) {
@@ -89,10 +147,15 @@ Result<TypeExpr> MappingCheck::concatenated(const TypeExpr& left, const TypeExpr
   return TypeExpr::tuple(std::move(all));
 }
 
-Result<TypeExpr> MappingCheck::extended(const TypeExpr& tuple, std::size_t position) const {
+Result<TypeExpr> MappingCheck::with_id(const TypeExpr& tuple) const {
+  return concatenated(tuple, TypeExpr::tuple({{"TID", TypeExpr("tid")}}));
+}
+
+Result<TypeExpr> MappingCheck::extended(const TypeExpr& tuple, std::size_t position, const TypeExpr& parameter) const {
   const ArgumentType& argument = arguments_[position];
   std::vector<TypeExpr::Attribute> made;
   for (std::size_t i = 0; i < argument.names.size(); ++i) {
+    RETURN_IF_ERROR(takes(argument.types[i], {parameter}));
     const TypeExpr& result = argument.types[i].function_result();
     if (!is_value_type(result)) return expected("a value for the attribute '" + argument.names[i] + "'", result);
     if (std::ranges::find(made, argument.names[i], &TypeExpr::Attribute::name) != made.end())
@@ -118,6 +181,44 @@ TuplePtr concatenated(const Tuple& left, const Tuple& right) {
   joined.attributes.insert(joined.attributes.end(), left.attributes.begin(), left.attributes.end());
   joined.attributes.insert(joined.attributes.end(), right.attributes.begin(), right.attributes.end());
   return std::make_shared<const Tuple>(std::move(joined));
+}
+
+Value promoted(const Value& value, bool to_real) {
+  if (!to_real) return value;
+  if (!value.is_defined()) return Value(algebra3d::TypeOf<double>::type());
+  return Value::of<double>(value.get<std::int32_t>());
+}
+
+Value id_value(TupleId id) {
+  return Value::of(algebra3d::TupleNumber{id});
+}
+
+TupleId id_of(const Value& value) {
+  if (&value.type() == &algebra3d::TypeOf<algebra3d::TupleNumber>::type())
+    return value.get<algebra3d::TupleNumber>().number;
+  return std::max(value.get<std::int32_t>(), 0);
+}
+
+TypeExpr projected(const TypeExpr& tuple, const std::vector<std::size_t>& indices) {
+  std::vector<TypeExpr::Attribute> attributes;
+  attributes.reserve(indices.size());
+  for (const std::size_t index : indices) attributes.push_back(tuple.attributes()[index]);
+  return TypeExpr::tuple(std::move(attributes));
+}
+
+Result<std::vector<Value>> loaded_values(const TuplePtr& tuple) {
+  std::vector<Value> values;
+  values.reserve(tuple->attributes.size());
+  for (const Value& attribute : tuple->attributes) {
+    ASSIGN_OR_RETURN(Value loaded, attribute.loaded());
+    values.push_back(std::move(loaded));
+  }
+  return values;
+}
+
+Result<std::vector<Value>> loaded_values(const std::optional<Value>& value) {
+  ASSIGN_OR_RETURN(Value loaded, value->loaded());
+  return std::vector<Value>{std::move(loaded)};
 }
 
 Result<Value> call_on(const Function& function, const TuplePtr& tuple) {

@@ -22,17 +22,34 @@ class MappingCheck {
   Result<TypeExpr> relation(std::size_t position) const;
   /// The tuple type of a stream of tuples or of a relation.
   Result<TypeExpr> stream_or_relation(std::size_t position) const;
-  /// The function at `position` gives that type; a value type of any kind if `result` is empty.
-  Status function(std::size_t position, std::string_view result = {}) const;
+  /// The element type of a stream of tuples or of values.
+  Result<TypeExpr> any_stream(std::size_t position) const;
+  /// A function of exactly these parameters. Implicit functions are; explicit ones and objects may be others.
+  Status takes(const TypeExpr& function, const std::vector<TypeExpr>& parameters) const;
+  /// The function at `position` takes these parameters and gives that type.
+  Status function(std::size_t position, const std::vector<TypeExpr>& parameters, std::string_view result) const;
   Status type(std::size_t position, std::string_view wanted) const;
   /// Index of the attribute that `names[which]` of the argument names.
   Result<std::size_t> attribute(std::size_t position, const TypeExpr& tuple, std::size_t which = 0) const;
+  Result<std::size_t> attribute_named(const std::string& name, const TypeExpr& tuple) const;
   /// Indices of all the attributes that the argument names.
   Result<std::vector<std::size_t>> attributes(std::size_t position, const TypeExpr& tuple) const;
+  /// The same, each of them once.
+  Result<std::vector<std::size_t>> distinct_or_no_attributes(std::size_t position, const TypeExpr& tuple) const;
+  /// The same, and at least one.
+  Result<std::vector<std::size_t>> distinct_attributes(std::size_t position, const TypeExpr& tuple) const;
+  /// Index of the only attribute of type tid.
+  Result<std::size_t> id_attribute(const TypeExpr& tuple) const;
+  /// The value at `position` is an id of a tuple: a tid, or an int that stands for one.
+  Status id_argument(std::size_t position) const;
+  /// The value at `position` is of that type, or an int where it is real: then it is to be promoted.
+  Result<bool> promotion(std::size_t position, const TypeExpr& wanted) const;
   /// Both tuples side by side. Error if a name occurs twice.
   Result<TypeExpr> concatenated(const TypeExpr& left, const TypeExpr& right) const;
-  /// `tuple` with the attributes that the function list at `position` makes.
-  Result<TypeExpr> extended(const TypeExpr& tuple, std::size_t position) const;
+  /// `tuple` with an attribute TID of type tid at its end.
+  Result<TypeExpr> with_id(const TypeExpr& tuple) const;
+  /// `tuple` with the attributes that the function list at `position` makes, each of one `parameter`.
+  Result<TypeExpr> extended(const TypeExpr& tuple, std::size_t position, const TypeExpr& parameter) const;
   Status argument_count(std::size_t least, std::size_t most) const;
 
   Error expected(std::string_view what, const TypeExpr& got) const;
@@ -47,6 +64,9 @@ class MappingCheck {
 
 /// A type whose instances are values: neither stream, relation, tuple nor function.
 bool is_value_type(const TypeExpr& type);
+
+/// The attributes at these positions.
+TypeExpr projected(const TypeExpr& tuple, const std::vector<std::size_t>& indices);
 
 /// The undefined value of a value type.
 Value undefined_of(const TypeExpr& type);
@@ -91,6 +111,12 @@ Status for_each_tuple(TupleStream& stream, const Context& context, Visit visit) 
 }
 /// The attributes of both, without an id.
 TuplePtr concatenated(const Tuple& left, const Tuple& right);
+/// The value, as a real if it is an int that was accepted for one.
+Value promoted(const Value& value, bool to_real);
+/// The value of type tid.
+Value id_value(TupleId id);
+/// The id that a defined value of type tid or int holds; 0 for none.
+TupleId id_of(const Value& value);
 /// Calls a function of one tuple that gives a value.
 Result<Value> call_on(const Function& function, const TuplePtr& tuple);
 /// True if the predicate gives a defined TRUE.

@@ -1,61 +1,18 @@
-// sortby, groupby: order, and what is equal within it.
-#include <algorithm>
-
+// sortby, sort, rdup, krdup, krduph: order, and what is equal.
 #include "queries/streams/all.h"
-#include "queries/streams/mapping.h"
-#include "queries/streams/relation.h"
+#include "queries/streams/any_stream.h"
+#include "queries/streams/hash_table.h"
+#include "queries/streams/sorting.h"
 
 namespace queries {
 namespace {
 
-struct SortKey {
-  std::size_t attribute;
-  bool is_descending;
-};
-
-/// A tuple with its key values at hand, loaded.
-struct KeyedTuple {
-  std::vector<Value> keys;
-  TuplePtr tuple;
-};
-
-Result<std::vector<Value>> loaded_keys(const Tuple& tuple, const std::vector<std::size_t>& attributes) {
-  std::vector<Value> keys;
-  for (const std::size_t attribute : attributes) {
-    ASSIGN_OR_RETURN(Value key, tuple.attributes[attribute].loaded());
-    keys.push_back(std::move(key));
-  }
-  return keys;
-}
-
-std::strong_ordering compare_keys(const std::vector<Value>& a, const std::vector<Value>& b) {
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (const auto order = compare(a[i], b[i]); order != 0) return order;
-  return std::strong_ordering::equal;
-}
-
-bool is_before(const std::vector<SortKey>& order, const KeyedTuple& a, const KeyedTuple& b) {
-  for (std::size_t i = 0; i < order.size(); ++i)
-    if (const auto result = compare(a.keys[i], b.keys[i]); result != 0) return (result < 0) != order[i].is_descending;
-  return false;
-}
-
-// Stable, so that the same stream always comes out in the same order.
-Result<std::vector<TuplePtr>> sorted(TupleStream& tuples, const std::vector<SortKey>& order, Context& context) {
-  std::vector<std::size_t> attributes;
-  attributes.reserve(order.size());
-  for (const SortKey& key : order) attributes.push_back(key.attribute);
-  std::vector<KeyedTuple> keyed;
-  RETURN_IF_ERROR(for_each_tuple(tuples, context, [&](const TuplePtr& tuple) -> Status {
-    ASSIGN_OR_RETURN(auto keys, loaded_keys(*tuple, attributes));
-    keyed.push_back({std::move(keys), tuple});
-    return {};
-  }));
-  std::ranges::stable_sort(keyed, [&](const auto& a, const auto& b) { return is_before(order, a, b); });
-  std::vector<TuplePtr> result;
-  result.reserve(keyed.size());
-  for (KeyedTuple& entry : keyed) result.push_back(std::move(entry.tuple));
-  return result;
+Plan sorting(const TypeExpr& tuple, std::vector<SortKey> order) {
+  return {TypeExpr::stream(tuple),
+          [order = std::move(order)](std::vector<Datum> given, Context& context) -> Result<Datum> {
+            ASSIGN_OR_RETURN(TupleStreamPtr stream, sorted(*given[0].tuples(), order, context));
+            return Datum{std::move(stream)};
+          }};
 }
 
 Result<Plan> map_sortby(std::span<const ArgumentType> arguments) {
@@ -65,77 +22,79 @@ Result<Plan> map_sortby(std::span<const ArgumentType> arguments) {
   if (attributes.empty()) return check.error("expected at least one attribute");
   std::vector<SortKey> order;
   for (std::size_t i = 0; i < attributes.size(); ++i) order.push_back({attributes[i], check[1].modifiers[i] == "desc"});
-  return Plan{TypeExpr::stream(tuple), [tuple, order](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                ASSIGN_OR_RETURN(auto tuples, sorted(*given[0].tuples(), order, context));
-                MemoryRelation relation(tuple, std::move(tuples));
-                ASSIGN_OR_RETURN(TupleStreamPtr stream, relation.scan());
-                return Datum{std::move(stream)};
-              }};
+  return sorting(tuple, std::move(order));
 }
 
-/// Groups of adjacent tuples with equal keys, one after the other.
-class Groups {
+Result<Plan> map_sort(std::span<const ArgumentType> arguments) {
+  ASSIGN_OR_RETURN(const TypeExpr tuple, MappingCheck("sort", arguments).stream(0));
+  return sorting(tuple, ascending(all_attributes(tuple)));
+}
+
+/// The elements whose keys `is_new` takes for new. `keys_of(element)` gives a Result of loaded values.
+template <typename Stream, typename KeysOf, typename IsNew>
+Datum without_duplicates(const std::shared_ptr<Stream>& stream, KeysOf keys_of, IsNew is_new, const Context& context) {
+  return Datum{make_stream_of<Stream>(
+      [stream, keys_of, is_new = std::move(is_new), &context, step = 0U]() mutable -> Result<ElementOf<Stream>> {
+        while (true) {
+          if (++step % 1024 == 0) RETURN_IF_ERROR(context.check_cancelled());
+          ASSIGN_OR_RETURN(ElementOf<Stream> next, stream->next());
+          if (!next) return next;
+          ASSIGN_OR_RETURN(std::vector<Value> keys, keys_of(next));
+          if (is_new(std::move(keys))) return next;
+        }
+      })};
+}
+
+/// Takes what differs from the one before for new.
+class DiffersFromLast {
  public:
-  Groups(TupleStreamPtr tuples, std::vector<std::size_t> keys) : tuples_(std::move(tuples)), keys_(std::move(keys)) {}
-
-  struct Group {
-    std::vector<Value> keys;
-    std::vector<TuplePtr> tuples;
-  };
-
-  /// The next group; empty at the end.
-  Result<Group> next(const Context& context) {
-    if (!has_begun_) RETURN_IF_ERROR(advance());
-    has_begun_ = true;
-    Group group;
-    if (pending_.tuple == nullptr) return group;
-    group.keys = pending_.keys;
-    while (pending_.tuple != nullptr && compare_keys(pending_.keys, group.keys) == 0) {
-      group.tuples.push_back(std::move(pending_.tuple));
-      if (group.tuples.size() % 1024 == 0) RETURN_IF_ERROR(context.check_cancelled());
-      RETURN_IF_ERROR(advance());
-    }
-    return group;
+  bool operator()(std::vector<Value> keys) {
+    const bool is_new = !last_ || compare_keys(*last_, keys) != 0;
+    if (is_new) last_ = std::move(keys);
+    return is_new;
   }
 
  private:
-  Status advance() {
-    ASSIGN_OR_RETURN(pending_.tuple, tuples_->next());
-    if (pending_.tuple == nullptr) return {};
-    ASSIGN_OR_RETURN(pending_.keys, loaded_keys(*pending_.tuple, keys_));
-    return {};
-  }
-
-  TupleStreamPtr tuples_;
-  std::vector<std::size_t> keys_;
-  KeyedTuple pending_;
-  bool has_begun_ = false;
+  std::optional<std::vector<Value>> last_;
 };
 
-Result<Plan> map_groupby(std::span<const ArgumentType> arguments) {
-  const MappingCheck check("groupby", arguments);
+Result<Plan> map_rdup(std::span<const ArgumentType> arguments) {
+  ASSIGN_OR_RETURN(const TypeExpr element, MappingCheck("rdup", arguments).any_stream(0));
+  return Plan{TypeExpr::stream(element), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                return visit_stream(given[0], [&](const auto& stream) {
+                  const auto keys_of = [](const auto& next) { return loaded_values(next); };
+                  return Result<Datum>(without_duplicates(stream, keys_of, DiffersFromLast(), context));
+                });
+              }};
+}
+
+Result<Plan> map_krdup(std::span<const ArgumentType> arguments) {
+  const MappingCheck check("krdup", arguments);
   ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ASSIGN_OR_RETURN(const auto keys, check.attributes(1, tuple));
-  std::vector<TypeExpr::Attribute> key_types;
-  key_types.reserve(keys.size());
-  for (const std::size_t key : keys) key_types.push_back(tuple.attributes()[key]);
-  ASSIGN_OR_RETURN(const TypeExpr result, check.extended(TypeExpr::tuple(std::move(key_types)), 2));
-  return Plan{TypeExpr::stream(result), [tuple, keys](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                return Datum{make_stream([groups = Groups(given[0].tuples(), keys), functions = given[2].list(), tuple,
-                                          &context]() mutable -> Result<TuplePtr> {
-                  ASSIGN_OR_RETURN(auto group, groups.next(context));
-                  if (group.tuples.empty()) return TuplePtr();
-                  Tuple row{std::move(group.keys)};
-                  const Datum relation{RelationPtr(std::make_shared<MemoryRelation>(tuple, std::move(group.tuples)))};
-                  RETURN_IF_ERROR(append_results(functions, relation, row.attributes));
-                  return TuplePtr(std::make_shared<const Tuple>(std::move(row)));
-                })};
+  ASSIGN_OR_RETURN(const auto keys, check.distinct_attributes(1, tuple));
+  return Plan{TypeExpr::stream(tuple), [keys](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                const auto keys_of = [keys](const TuplePtr& next) { return loaded_keys(*next, keys); };
+                return without_duplicates(given[0].tuples(), keys_of, DiffersFromLast(), context);
+              }};
+}
+
+Result<Plan> map_krduph(std::span<const ArgumentType> arguments) {
+  const MappingCheck check("krduph", arguments);
+  ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
+  ASSIGN_OR_RETURN(const auto keys, check.distinct_attributes(1, tuple));
+  return Plan{TypeExpr::stream(tuple), [keys](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                const auto keys_of = [keys](const TuplePtr& next) { return loaded_keys(*next, keys); };
+                const auto is_new = [seen = std::make_shared<SeenKeys>()](std::vector<Value> values) {
+                  return seen->add(std::move(values));
+                };
+                return without_duplicates(given[0].tuples(), keys_of, is_new, context);
               }};
 }
 
 }  // namespace
 
 void register_ordering(algebra3d::Registry& registry) {
+  const std::string pairs = "[const rel(tuple([A: int, B: int])) value ((2 1) (undefined 5) (2 1) (1 7) (2 0))] feed ";
   registry.add({
       .name = "sortby",
       .syntax = "_ sortby[keys]",
@@ -150,22 +109,52 @@ void register_ordering(algebra3d::Registry& registry) {
       .errors = {{"query intstream(1, 3) transformstream sortby[Name] count", "sortby: unknown attribute 'Name'"}},
   });
   registry.add({
-      .name = "groupby",
-      .syntax = "_ groupby[attributes; functions(GROUP)]",
-      .doc =
-          "One tuple per run of adjacent tuples with equal keys: the keys, then what the functions make of the group.",
-      .detail = "`group` is the relation of the run. Sort first. Without keys all tuples are one group.",
-      .stream = stream_operator(map_groupby),
-      .signatures = {"(stream(tuple) NAMES ((NAME (map rel(tuple) DATA)) ...)) -> stream(tuple)"},
+      .name = "sort",
+      .syntax = "_ sort",
+      .doc = "The tuples in the order of all their attributes, from the first to the last; undefined comes first.",
+      .stream = stream_operator(map_sort),
+      .signatures = {"(stream(tuple)) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples =
-          {{"intstream(1, 5) transformstream extend[K: .Elem div 3] groupby[K; N: group count] consume",
-            "((0 2) (1 3))"},
-           {"intstream(1, 5) transformstream groupby[; S: group feed sum[Elem]] consume", "((15))"},
-           {"[const rel(tuple([A: int])) value ((undefined) (undefined))] feed groupby[A; N: group count] consume",
-            "((undefined 2))"}},
-      .errors = {{"query intstream(1, 5) transformstream groupby[K; N: group count] count",
-                  "groupby: unknown attribute 'K'"}},
+      .examples = {{pairs + "sort consume", "((undefined 5) (1 7) (2 0) (2 1) (2 1))"}},
+      .errors = {{"query 5 sort", "sort: expected a stream of tuples, got int"},
+                 {"query intstream(1, 3) sort count",
+                  "sort: expected a stream of tuples (write `transformstream` after the stream of values)"}},
+  });
+  registry.add({
+      .name = "rdup",
+      .syntax = "_ rdup",
+      .doc = "The elements of a stream without those that equal the one before.",
+      .detail = "After `sort` no element comes twice. Undefined equals undefined.",
+      .stream = stream_operator(map_rdup),
+      .signatures = {"(stream(tuple)) -> stream(tuple)", "(stream(DATA)) -> stream(DATA)"},
+      .handles_undefined = true,
+      .examples = {{pairs + "sort rdup consume", "((undefined 5) (1 7) (2 0) (2 1))"},
+                   {pairs + "projecttransformstream[A] rdup count", "5"}},
+      .errors = {{"query 5 rdup", "rdup: expected a stream, got int"}},
+  });
+  registry.add({
+      .name = "krdup",
+      .syntax = "_ krdup[attributes]",
+      .doc = "The tuples without those whose named attributes equal those of the tuple before.",
+      .detail = "The first tuple of each run stays. Undefined equals undefined.",
+      .stream = stream_operator(map_krdup),
+      .signatures = {"(stream(tuple) NAMES) -> stream(tuple)"},
+      .handles_undefined = true,
+      .examples = {{pairs + "sortby[A] krdup[A] consume", "((undefined 5) (1 7) (2 1))"},
+                   {pairs + "krdup[A] count", "5"}},
+      .errors = {{"query " + pairs + "krdup[C] count", "krdup: unknown attribute 'C'"},
+                 {"query " + pairs + "krdup[A, A] count", "krdup: the attribute 'A' stands twice"}},
+  });
+  registry.add({
+      .name = "krduph",
+      .syntax = "_ krduph[attributes]",
+      .doc = "The tuples without those whose named attributes equal those of any tuple before; needs no order.",
+      .detail = "The first tuple of each key stays. Undefined equals undefined. The keys are held in memory.",
+      .stream = stream_operator(map_krduph),
+      .signatures = {"(stream(tuple) NAMES) -> stream(tuple)"},
+      .handles_undefined = true,
+      .examples = {{pairs + "krduph[A] consume", "((2 1) (undefined 5) (1 7))"}, {pairs + "krduph[A, B] count", "4"}},
+      .errors = {{"query " + pairs + "krduph[C] count", "krduph: unknown attribute 'C'"}},
   });
 }
 

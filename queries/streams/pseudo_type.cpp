@@ -8,7 +8,8 @@ Result<TypeExpr> pseudo_type(const std::string& name, std::span<const TypeExpr> 
     return Error{ErrorCode::type_error, "{} has no meaning here: there is no operand {}", name, number};
   const TypeExpr& operand = operands[number - 1];
   if (name == "STREAMELEM") {
-    if (operand.is_stream()) return operand.element();
+    // Of a relation too, so that the type mapping says what is missing.
+    if (operand.is_stream() || operand.is_relation()) return operand.element();
     return Error{ErrorCode::type_error, "expected a stream as operand {}, got {}", number, operand.text()};
   }
   if (!operand.is_tuple_stream() && !operand.is_relation())

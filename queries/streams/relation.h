@@ -37,6 +37,9 @@ using RelationPtr = std::shared_ptr<Relation>;
 class MemoryRelation final : public Relation {
  public:
   MemoryRelation(TypeExpr tuple_type, std::vector<TuplePtr> tuples);
+  /// Shares the tuples, which nobody changes any more.
+  MemoryRelation(TypeExpr tuple_type, std::shared_ptr<const std::vector<TuplePtr>> tuples)
+      : tuple_type_(std::move(tuple_type)), tuples_(std::move(tuples)) {}
 
   const TypeExpr& tuple_type() const override { return tuple_type_; }
   Result<std::int64_t> count() const override { return static_cast<std::int64_t>(tuples_->size()); }

@@ -1,0 +1,63 @@
+#include "algebra3d/types/tuple_number.h"
+
+#include <cmath>
+#include <limits>
+
+#include "algebra3d/types/binary_io.h"
+#include "algebra3d/types/described_type.h"
+
+namespace algebra3d {
+namespace {
+
+/// Beyond it a double may stand for several numbers.
+constexpr double kLargestNumber = 9007199254740992.0;
+
+class TupleNumberType final : public DescribedType {
+ public:
+  TupleNumberType()
+      : DescribedType({.name = "tid",
+                       .doc = "The number of a tuple within its relation.",
+                       .notation = "digits",
+                       .example = "17",
+                       .kinds = {Kind::data}}) {}
+
+  Result<Value> from_nested(const NestedList& list, Context& /*context*/) const override {
+    const double number = list.is_int() ? list.as_int() : list.is_real() ? list.as_real() : 0.0;
+    if (number < 1 || number > kLargestNumber || number != std::floor(number))
+      return expected("a positive integer", list);
+    return Value::of(TupleNumber{static_cast<std::int64_t>(number)});
+  }
+  // Numbers beyond the range of ints are read as reals, and so are printed as such.
+  NestedList to_nested(const Value& value) const override {
+    const std::int64_t number = value.get<TupleNumber>().number;
+    if (number <= std::numeric_limits<std::int32_t>::max()) return NestedList(static_cast<std::int32_t>(number));
+    return NestedList(static_cast<double>(number));
+  }
+
+  std::strong_ordering compare(const Value& a, const Value& b) const override {
+    return a.get<TupleNumber>().number <=> b.get<TupleNumber>().number;
+  }
+  std::size_t hash(const Value& value) const override {
+    return hash_word(static_cast<std::uint64_t>(value.get<TupleNumber>().number));
+  }
+
+  void encode(const Value& value, std::string& bytes) const override {
+    ByteWriter(bytes).u64(static_cast<std::uint64_t>(value.get<TupleNumber>().number));
+  }
+  Result<Value> decode(std::string_view bytes, bool /*trusted*/) const override {
+    ByteReader reader(bytes, name());
+    const std::uint64_t number = reader.u64();
+    reader.require(0 < number && number <= static_cast<std::uint64_t>(kLargestNumber), "a positive number");
+    RETURN_IF_ERROR(reader.finish());
+    return Value::of(TupleNumber{static_cast<std::int64_t>(number)});
+  }
+};
+
+}  // namespace
+
+const Type& TypeOf<TupleNumber>::type() {
+  static const TupleNumberType the_type;
+  return the_type;
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,26 @@
+#include "queries/streams/adjacent_groups.h"
+
+namespace queries {
+
+Status AdjacentGroups::advance() {
+  ASSIGN_OR_RETURN(pending_, tuples_->next());
+  if (pending_ == nullptr) return {};
+  ASSIGN_OR_RETURN(pending_keys_, loaded_keys(*pending_, keys_));
+  return {};
+}
+
+Result<std::optional<AdjacentGroups::Group>> AdjacentGroups::next(const Context& context) {
+  if (!has_begun_) RETURN_IF_ERROR(advance());
+  has_begun_ = true;
+  if (pending_ == nullptr) return std::optional<Group>();
+  Group group;
+  group.keys = pending_keys_;
+  while (pending_ != nullptr && compare_keys(pending_keys_, group.keys) == 0) {
+    RETURN_IF_ERROR(group.tuples.add(std::move(pending_)));
+    if (group.tuples.size() % 1024 == 0) RETURN_IF_ERROR(context.check_cancelled());
+    RETURN_IF_ERROR(advance());
+  }
+  return std::optional(std::move(group));
+}
+
+}  // namespace queries

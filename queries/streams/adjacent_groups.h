@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+
+#include "queries/streams/sorting.h"
+#include "queries/streams/tuple_buffer.h"
+
+namespace queries {
+
+/// Runs of adjacent tuples with equal values of the key attributes, one after the other. Undefined equals undefined.
+/// Without keys all tuples are one run.
+class AdjacentGroups {
+ public:
+  struct Group {
+    std::vector<Value> keys;
+    TupleBuffer tuples;
+  };
+
+  AdjacentGroups(TupleStreamPtr tuples, std::vector<std::size_t> keys)
+      : tuples_(std::move(tuples)), keys_(std::move(keys)) {}
+
+  /// The next run, or nothing at the end.
+  Result<std::optional<Group>> next(const Context& context);
+
+ private:
+  Status advance();
+
+  TupleStreamPtr tuples_;
+  std::vector<std::size_t> keys_;
+  TuplePtr pending_;  // the first tuple of the next run
+  std::vector<Value> pending_keys_;
+  bool has_begun_ = false;
+};
+
+}  // namespace queries

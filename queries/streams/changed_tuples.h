@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "queries/streams/mapping.h"
+
+namespace queries {
+
+/// The stream of the tuples that `change(from, attributes)` makes of those of the operand. They have no id.
+template <typename Change>
+Datum changed_tuples(const TupleStreamPtr& tuples, Change change) {
+  return Datum{make_stream([tuples, change = std::move(change)]() mutable -> Result<TuplePtr> {
+    ASSIGN_OR_RETURN(const TuplePtr tuple, tuples->next());
+    if (tuple == nullptr) return TuplePtr();
+    Tuple result;
+    RETURN_IF_ERROR(change(tuple, result.attributes));
+    return TuplePtr(std::make_shared<const Tuple>(std::move(result)));
+  })};
+}
+
+/// Appends those attributes of a tuple.
+inline Status append_attributes(const Tuple& from, const std::vector<std::size_t>& indices, std::vector<Value>& to) {
+  for (const std::size_t index : indices) to.push_back(from.attributes[index]);
+  return {};
+}
+
+}  // namespace queries

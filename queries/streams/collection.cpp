@@ -1,0 +1,145 @@
+// collect_set, collect_multiset, collect_vector: all values of a stream as one value.
+#include "queries/streams/collection.h"
+
+#include <algorithm>
+
+#include "algebra3d/types/described_type.h"
+#include "queries/streams/all.h"
+#include "queries/streams/any_stream.h"
+
+namespace queries {
+namespace {
+
+using algebra3d::NestedList;
+
+class CollectionType final : public algebra3d::DescribedType {
+ public:
+  CollectionType()
+      : DescribedType({.name = "collection",
+                       .doc = "A set, multiset or vector of values of one type.",
+                       .notation = "(element*)",
+                       .example = "()",
+                       .kinds = {}}) {}
+
+  Result<Value> from_nested(const NestedList& list, Context& /*context*/) const override {
+    return expected("a stream that is collected; a collection has no constants", list);
+  }
+  NestedList to_nested(const Value& value) const override {
+    NestedList::List list;
+    for (const Value& element : value.get<Collection>().elements) list.push_back(element.to_nested());
+    return NestedList(std::move(list));
+  }
+  std::strong_ordering compare(const Value& a, const Value& b) const override {
+    const auto is_less = [](const Value& x, const Value& y) { return algebra3d::compare(x, y) < 0; };
+    const auto& first = a.get<Collection>().elements;
+    const auto& second = b.get<Collection>().elements;
+    if (std::ranges::lexicographical_compare(first, second, is_less)) return std::strong_ordering::less;
+    if (std::ranges::lexicographical_compare(second, first, is_less)) return std::strong_ordering::greater;
+    return std::strong_ordering::equal;
+  }
+  std::size_t hash(const Value& value) const override {
+    std::size_t code = 0;
+    for (const Value& element : value.get<Collection>().elements)
+      code = algebra3d::combine_hashes(code, algebra3d::hash(element));
+    return code;
+  }
+  void encode(const Value& /*value*/, std::string& /*bytes*/) const override {}
+  Result<Value> decode(std::string_view /*bytes*/, bool /*trusted*/) const override {
+    return corrupt("collections are not stored");
+  }
+};
+
+bool is_before(const Value& a, const Value& b) {
+  return compare(a, b) < 0;
+}
+bool is_equal(const Value& a, const Value& b) {
+  return compare(a, b) == 0;
+}
+
+enum class CollectionKind : std::uint8_t { set, multiset, vector };
+
+Result<Value> collected(ValueStream& values, CollectionKind kind, const Context& context) {
+  Collection collection;
+  RETURN_IF_ERROR(for_each_element(values, context, [&](const std::optional<Value>& value) -> Status {
+    ASSIGN_OR_RETURN(Value loaded, value->loaded());
+    collection.elements.push_back(std::move(loaded));
+    return {};
+  }));
+  if (kind != CollectionKind::vector) std::ranges::stable_sort(collection.elements, is_before);
+  if (kind == CollectionKind::set) {
+    const auto rest = std::ranges::unique(collection.elements, is_equal);
+    collection.elements.erase(rest.begin(), rest.end());
+  }
+  return Value::of(std::move(collection));
+}
+
+struct CollectionTexts {
+  CollectionKind kind;
+  const char* type;
+  const char* doc;
+  const char* example;  ///< result for (3 1 3)
+};
+
+constexpr CollectionTexts kCollections[] = {
+    {CollectionKind::set, "set", "The set of the values of a stream: ascending, each once.", "(1 3)"},
+    {CollectionKind::multiset, "multiset",
+     "The multiset of the values of a stream: ascending, each as often as it comes.", "(1 3 3)"},
+    {CollectionKind::vector, "vector", "The vector of the values of a stream, in their order.", "(3 1 3)"}};
+
+TypeMapping map_collect(const CollectionTexts& texts) {
+  return [texts](std::span<const ArgumentType> arguments) -> Result<Plan> {
+    const MappingCheck check(std::string("collect_") + texts.type, arguments);
+    const TypeExpr& type = check[0].type;
+    if (!type.is_stream() || !is_value_type(type.element()))
+      return check.expected("a stream of values (see projecttransformstream)", type);
+    return Plan{TypeExpr(texts.type, {type.element()}),
+                [kind = texts.kind](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                  ASSIGN_OR_RETURN(Value value, collected(*given[0].values(), kind, context));
+                  return Datum{std::move(value)};
+                }};
+  };
+}
+
+}  // namespace
+
+bool is_collection(const TypeExpr& type) {
+  return type.arguments().size() == 1 && (type.is("set") || type.is("multiset") || type.is("vector"));
+}
+
+ValueStreamPtr elements_of(const Value& collection) {
+  return make_value_stream([collection, position = std::size_t{0}]() mutable -> Result<std::optional<Value>> {
+    const auto& elements = collection.get<Collection>().elements;
+    return position == elements.size() ? std::optional<Value>() : std::optional(elements[position++]);
+  });
+}
+
+void register_collections(algebra3d::Registry& registry) {
+  for (const CollectionTexts& texts : kCollections) {
+    const std::string name = std::string("collect_") + texts.type;
+    registry.add({
+        .name = name,
+        .syntax = "_ " + name,
+        .doc = texts.doc,
+        .detail = "It can be shown, counted and fed into a stream again, and not be stored. Undefined values count as "
+                  "values; they come first and are equal.",
+        .stream = stream_operator(map_collect(texts)),
+        .signatures = {std::string("(stream(DATA)) -> ") + texts.type + "(DATA)"},
+        .handles_undefined = true,
+        .examples = {{"[const rel(tuple([A: int])) value ((3) (1) (3))] feed projecttransformstream[A] " + name,
+                      texts.example},
+                     {"[const int value undefined] feed " + name, "(undefined)"},
+                     {"intstream(1, 0) " + name, "()"},
+                     {"intstream(1, 4) " + name + " count", "4"},
+                     {"intstream(1, 4) " + name + " feed transformstream sum[Elem]", "10"}},
+        .errors = {{"query intstream(1, 3) transformstream " + name,
+                    name + ": expected a stream of values (see projecttransformstream), got (stream (tuple"}},
+    });
+  }
+}
+
+}  // namespace queries
+
+const algebra3d::Type& algebra3d::TypeOf<queries::Collection>::type() {
+  static const queries::CollectionType the_type;
+  return the_type;
+}

@@ -1,0 +1,116 @@
+#include "queries/streams/merge_join.h"
+
+namespace queries {
+namespace {
+
+/// The groups of one side, proved to come in ascending order.
+class Side {
+ public:
+  Side(TupleStreamPtr tuples, std::size_t key, std::string unsorted)
+      : groups_(std::move(tuples), {key}), unsorted_(std::move(unsorted)) {}
+
+  Status advance(const Context& context) {
+    std::vector<Value> last = group_ ? std::move(group_->keys) : std::vector<Value>();
+    ASSIGN_OR_RETURN(group_, groups_.next(context));
+    if (group_ && !last.empty() && compare_keys(last, group_->keys) > 0)
+      return Error{ErrorCode::wrong_usage, unsorted_};
+    return {};
+  }
+  bool is_at_end() const { return !group_; }
+  const Value& key() const { return group_->keys.front(); }
+  const TupleBuffer& tuples() const { return group_->tuples; }
+
+ private:
+  AdjacentGroups groups_;
+  std::string unsorted_;
+  std::optional<AdjacentGroups::Group> group_;
+};
+
+std::string unsorted(const MergeJoinPlan& plan, const char* which, const TypeExpr& tuple, std::size_t key) {
+  return fmt::format("{}: the {} stream is not sorted by {}; write `sortby[{}]`, or use sortmergejoin", plan.name,
+                     which, tuple.attributes()[key].name, tuple.attributes()[key].name);
+}
+
+/// Each tuple beside the padding, which stands on the left or on the right.
+TupleStreamPtr beside(const TuplePtr& padding, TupleStreamPtr tuples, bool is_on_the_left) {
+  return make_stream([padding, tuples = std::move(tuples), is_on_the_left]() -> Result<TuplePtr> {
+    ASSIGN_OR_RETURN(const TuplePtr tuple, tuples->next());
+    if (tuple == nullptr) return TuplePtr();
+    return is_on_the_left ? concatenated(*padding, *tuple) : concatenated(*tuple, *padding);
+  });
+}
+
+class MergeJoin final : public TupleStream {
+ public:
+  MergeJoin(TupleStreamPtr left, TupleStreamPtr right, const MergeJoinPlan& plan, const Context& context)
+      : left_(std::move(left), plan.keys.left, unsorted(plan, "first", plan.types.left, plan.keys.left)),
+        right_(std::move(right), plan.keys.right, unsorted(plan, "second", plan.types.right, plan.keys.right)),
+        left_padding_(undefined_tuple(plan.types.left)),
+        right_padding_(undefined_tuple(plan.types.right)),
+        is_outer_(plan.is_outer),
+        context_(context) {}
+
+  Result<TuplePtr> next() override {
+    if (!has_begun_) {
+      has_begun_ = true;
+      RETURN_IF_ERROR(left_.advance(context_));
+      RETURN_IF_ERROR(right_.advance(context_));
+    }
+    while (true) {
+      if (output_ != nullptr) {
+        ASSIGN_OR_RETURN(TuplePtr next, output_->next());
+        if (next != nullptr) return next;
+        output_ = nullptr;
+      }
+      if (is_at_end()) return read_to_the_end();
+      RETURN_IF_ERROR(step());
+    }
+  }
+
+ private:
+  bool is_at_end() const {
+    return is_outer_ ? left_.is_at_end() && right_.is_at_end() : left_.is_at_end() || right_.is_at_end();
+  }
+
+  // What comes after the last possible match still has to be sorted: else a match may have been missed.
+  Result<TuplePtr> read_to_the_end() {
+    while (!left_.is_at_end()) RETURN_IF_ERROR(left_.advance(context_));
+    while (!right_.is_at_end()) RETURN_IF_ERROR(right_.advance(context_));
+    return TuplePtr();
+  }
+
+  // Undefined keys come first on either side and have no partners.
+  Status step() {
+    const bool takes_left = !left_.is_at_end() && (right_.is_at_end() || !left_.key().is_defined() ||
+                                                   compare(left_.key(), right_.key()) <= 0);
+    if (!takes_left) {
+      if (is_outer_) output_ = beside(left_padding_, right_.tuples().scan(), true);
+      return right_.advance(context_);
+    }
+    const bool is_match = !right_.is_at_end() && left_.key().is_defined() && compare(left_.key(), right_.key()) == 0;
+    if (is_match)
+      output_ = all_pairs(left_.tuples().scan(), right_.tuples(), context_);
+    else if (is_outer_)
+      output_ = beside(right_padding_, left_.tuples().scan(), false);
+    RETURN_IF_ERROR(left_.advance(context_));
+    return is_match ? right_.advance(context_) : Status();
+  }
+
+  Side left_;
+  Side right_;
+  TuplePtr left_padding_;
+  TuplePtr right_padding_;
+  bool is_outer_;
+  const Context& context_;
+  TupleStreamPtr output_;
+  bool has_begun_ = false;
+};
+
+}  // namespace
+
+TupleStreamPtr merge_join(TupleStreamPtr left, TupleStreamPtr right, const MergeJoinPlan& plan,
+                          const Context& context) {
+  return std::make_shared<MergeJoin>(std::move(left), std::move(right), plan, context);
+}
+
+}  // namespace queries

@@ -1,0 +1,195 @@
+// concat, mergesec, mergediff, mergeunion: two streams of one type become one.
+#include "queries/streams/all.h"
+#include "queries/streams/any_stream.h"
+#include "queries/streams/sorting.h"
+
+namespace queries {
+namespace {
+
+/// Element type of both streams; of tuples the names of the first.
+Result<TypeExpr> common_type(const MappingCheck& check) {
+  ASSIGN_OR_RETURN(TypeExpr first, check.any_stream(0));
+  ASSIGN_OR_RETURN(const TypeExpr second, check.any_stream(1));
+  bool is_same = first == second;
+  if (first.is_tuple() && second.is_tuple() && first.attributes().size() == second.attributes().size()) {
+    is_same = true;
+    for (std::size_t i = 0; i < first.attributes().size(); ++i)
+      is_same = is_same && first.attributes()[i].type == second.attributes()[i].type;
+  }
+  if (is_same) return first;
+  return check.error("expected two streams with elements of the same types, got " + first.text() + " and " +
+                     second.text());
+}
+
+// A mapping in which `merge(first, second, context)` gives the stream for two of the same kind.
+template <typename Merge>
+TypeMapping merging(const char* op, Merge merge) {
+  return [op, merge](std::span<const ArgumentType> arguments) -> Result<Plan> {
+    const MappingCheck check(op, arguments);
+    ASSIGN_OR_RETURN(const TypeExpr element, common_type(check));
+    return Plan{TypeExpr::stream(element), [merge](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                  return visit_stream(given[0], [&]<typename Stream>(const std::shared_ptr<Stream>& first) {
+                    const auto& second = std::get<std::shared_ptr<Stream>>(given[1].content);
+                    return Result<Datum>(Datum{merge(first, second, context)});
+                  });
+                }};
+  };
+}
+
+struct Concatenation {
+  template <typename Stream>
+  std::shared_ptr<Stream> operator()(const std::shared_ptr<Stream>& first, const std::shared_ptr<Stream>& second,
+                                     const Context&) const {
+    return make_stream_of<Stream>([first, second, is_first = true]() mutable -> Result<ElementOf<Stream>> {
+      if (is_first) {
+        ASSIGN_OR_RETURN(ElementOf<Stream> next, first->next());
+        if (next) return next;
+        is_first = false;
+      }
+      return second->next();
+    });
+  }
+};
+
+/// One of the streams, proved to be sorted and free of duplicates.
+template <typename Stream>
+class AscendingStream {
+ public:
+  AscendingStream(std::shared_ptr<Stream> stream, std::string unsorted)
+      : stream_(std::move(stream)), unsorted_(std::move(unsorted)) {}
+
+  Status advance() {
+    std::vector<Value> last = std::move(keys_);
+    keys_.clear();
+    const bool has_last = static_cast<bool>(current_);
+    ASSIGN_OR_RETURN(current_, stream_->next());
+    if (!current_) return {};
+    ASSIGN_OR_RETURN(keys_, loaded_values(current_));
+    if (has_last && compare_keys(last, keys_) >= 0) return Error{ErrorCode::wrong_usage, unsorted_};
+    return {};
+  }
+  const ElementOf<Stream>& current() const { return current_; }
+  const std::vector<Value>& keys() const { return keys_; }
+
+ private:
+  std::shared_ptr<Stream> stream_;
+  std::string unsorted_;
+  ElementOf<Stream> current_;
+  std::vector<Value> keys_;
+};
+
+/// Which elements a set operation keeps.
+struct MergeRule {
+  const char* name;
+  bool keeps_first;   ///< what only the first stream has
+  bool keeps_both;    ///< what both have
+  bool keeps_second;  ///< what only the second has
+};
+
+std::string unsorted(const MergeRule& rule, const char* which) {
+  return fmt::format("{}: the {} stream is not sorted and free of duplicates; write `sort rdup`", rule.name, which);
+}
+
+template <typename Stream>
+class Merge {
+ public:
+  Merge(const std::shared_ptr<Stream>& first, const std::shared_ptr<Stream>& second, MergeRule rule,
+        const Context& context)
+      : first_(first, unsorted(rule, "first")),
+        second_(second, unsorted(rule, "second")),
+        rule_(rule),
+        context_(context) {}
+
+  Result<ElementOf<Stream>> next() {
+    if (!has_begun_) {
+      has_begun_ = true;
+      RETURN_IF_ERROR(first_.advance());
+      RETURN_IF_ERROR(second_.advance());
+    }
+    while (first_.current() || second_.current()) {
+      if (++steps_ % 1024 == 0) RETURN_IF_ERROR(context_.check_cancelled());
+      const auto order = !second_.current()  ? std::strong_ordering::less
+                         : !first_.current() ? std::strong_ordering::greater
+                                             : compare_keys(first_.keys(), second_.keys());
+      const ElementOf<Stream> element = order <= 0 ? first_.current() : second_.current();
+      if (order <= 0) RETURN_IF_ERROR(first_.advance());
+      if (order >= 0) RETURN_IF_ERROR(second_.advance());
+      if (order < 0 ? rule_.keeps_first : order > 0 ? rule_.keeps_second : rule_.keeps_both) return element;
+    }
+    return ElementOf<Stream>();
+  }
+
+ private:
+  AscendingStream<Stream> first_;
+  AscendingStream<Stream> second_;
+  MergeRule rule_;
+  const Context& context_;
+  bool has_begun_ = false;
+  std::uint32_t steps_ = 0;
+};
+
+TypeMapping map_merge(MergeRule rule) {
+  return merging(rule.name, [rule]<typename Stream>(const std::shared_ptr<Stream>& first,
+                                                    const std::shared_ptr<Stream>& second, const Context& context) {
+    return make_stream_of<Stream>(
+        [merge = Merge<Stream>(first, second, rule, context)]() mutable { return merge.next(); });
+  });
+}
+
+struct MergeTexts {
+  MergeRule rule;
+  const char* doc;
+  const char* example;  ///< result for (1 2 3) and (2 3 4)
+};
+
+constexpr MergeTexts kMerges[] = {
+    {{"mergesec", false, true, false}, "The elements that two sorted streams without duplicates share.", "((2) (3))"},
+    {{"mergediff", true, false, false},
+     "The elements of the first of two sorted streams without duplicates that the second has not.",
+     "((1))"},
+    {{"mergeunion", true, true, true},
+     "The elements of two sorted streams without duplicates, each once.",
+     "((1) (2) (3) (4))"}};
+
+}  // namespace
+
+void register_merging(algebra3d::Registry& registry) {
+  const std::string ints = "intstream(1, 3) transformstream intstream(2, 4) transformstream ";
+  registry.add({
+      .name = "concat",
+      .syntax = "_ _ concat",
+      .doc = "The elements of the first stream, then those of the second.",
+      .detail = "Both have elements of the same types; the attributes have the names of the first.",
+      .stream = stream_operator(merging("concat", Concatenation())),
+      .signatures = {"(stream(tuple) stream(tuple)) -> stream(tuple)", "(stream(DATA) stream(DATA)) -> stream(DATA)"},
+      .handles_undefined = true,
+      .examples = {{"intstream(1, 2) transformstream [const int value undefined] feed namedtransformstream[B] "
+                    "concat consume",
+                    "((1) (2) (undefined))"},
+                   {"intstream(1, 2) intstream(1, 3) concat count", "5"}},
+      .errors = {{"query intstream(1, 2) \"a\" feed concat count",
+                  "concat: expected two streams with elements of the same types, got int and string"},
+                 {"query 5 intstream(1, 2) concat count", "concat: expected a stream, got int"}},
+  });
+  for (const MergeTexts& texts : kMerges) {
+    const std::string name = texts.rule.name;
+    registry.add({
+        .name = name,
+        .syntax = "_ _ " + name,
+        .doc = texts.doc,
+        .detail = "Sorted ascending by all attributes, as `sort rdup` does it; anything else is an error. Undefined "
+                  "equals undefined. The attributes have the names of the first.",
+        .stream = stream_operator(map_merge(texts.rule)),
+        .signatures = {"(stream(tuple) stream(tuple)) -> stream(tuple)", "(stream(DATA) stream(DATA)) -> stream(DATA)"},
+        .handles_undefined = true,
+        .examples = {{ints + name + " consume", texts.example}},
+        .errors = {{"query intstream(1, 2) transformstream sortby[Elem desc] intstream(1, 2) transformstream " + name +
+                        " count",
+                    name + ": the first stream is not sorted and free of duplicates; write `sort rdup`"},
+                   {"query intstream(1, 2) \"a\" feed " + name + " count",
+                    name + ": expected two streams with elements of the same types, got int and string"}},
+    });
+  }
+}
+
+}  // namespace queries

@@ -1,0 +1,158 @@
+// createbtree, exactmatch, range, leftrange, rightrange: ordered indexes on relations.
+#include "queries/streams/all.h"
+#include "queries/streams/index_operands.h"
+#include "queries/streams/ordered_index.h"
+
+namespace queries {
+namespace {
+
+Result<Datum> create_index(const Datum& source, const IndexSource& from, std::size_t attribute,
+                           const Context& context) {
+  std::vector<OrderedTree::Entry> entries;
+  RETURN_IF_ERROR(for_each_indexed(source, from.id_attribute, "createbtree", context,
+                                   [&](const Tuple& tuple, TupleId id) -> Status {
+                                     ASSIGN_OR_RETURN(Value key, tuple.attributes[attribute].loaded());
+                                     if (key.is_defined()) entries.push_back({std::move(key), id});
+                                     return {};
+                                   }));
+  auto tree = std::make_shared<OrderedTree>(OrderedTree::bulk_load(std::move(entries)));
+  return Datum{
+      std::make_shared<OrderedIndex>(stored_name(source), from.given.attributes()[attribute].name, std::move(tree))};
+}
+
+Result<Plan> map_createbtree(std::span<const ArgumentType> arguments) {
+  const MappingCheck check("createbtree", arguments);
+  ASSIGN_OR_RETURN(const IndexSource from, index_source(check));
+  ASSIGN_OR_RETURN(const std::size_t attribute, check.attribute(1, from.given));
+  return Plan{
+      TypeExpr("btree", {from.indexed, from.given.attributes()[attribute].type}),
+      [=](std::vector<Datum> given, Context& context) { return create_index(given[0], from, attribute, context); }};
+}
+
+/// Which of the arguments are the bounds of a search; the position of none is 0.
+struct Bounds {
+  const char* op;
+  std::size_t low;
+  std::size_t high;
+};
+
+/// The key that an argument stands for; nothing if there is no such bound.
+std::optional<Value> bound(const std::vector<Datum>& given, std::size_t position, bool to_real) {
+  return position == 0 ? std::optional<Value>() : promoted(given[position].value(), to_real);
+}
+
+Result<Datum> found(const std::vector<Datum>& given, const Bounds& bounds, const std::vector<bool>& to_real) {
+  const auto& index = given[0].ordered_index();
+  RETURN_IF_ERROR(check_fits(*index, *given[1].relation(), bounds.op));
+  std::optional<Value> low = bound(given, bounds.low, to_real[bounds.low]);
+  std::optional<Value> high = bound(given, bounds.high, to_real[bounds.high]);
+  // Nothing lies beside an undefined bound.
+  for (std::optional<Value>* each : {&low, &high}) {
+    if (!*each) continue;
+    if (!(*each)->is_defined()) return Datum{fetched(given[1].relation(), one_by_one(std::vector<TupleId>()))};
+    ASSIGN_OR_RETURN(*each, (*each)->loaded());
+  }
+  return Datum{fetched(given[1].relation(), one_by_one(index->tree().range(low, high)))};
+}
+
+TypeMapping map_search(Bounds bounds) {
+  return [bounds](std::span<const ArgumentType> arguments) -> Result<Plan> {
+    const MappingCheck check(bounds.op, arguments);
+    const TypeExpr& index = check[0].type;
+    if (!index.is("btree") || index.arguments().size() != 2) return check.expected("a B-tree", index);
+    ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(1));
+    if (!(index.arguments()[0] == tuple))
+      return check.error("expected an index on the relation's tuples, got " + index.text());
+    std::vector<bool> to_real(check.count());
+    for (std::size_t position = 2; position < check.count(); ++position) {
+      ASSIGN_OR_RETURN(to_real[position], check.promotion(position, index.arguments()[1]));
+    }
+    return Plan{TypeExpr::stream(tuple),
+                [bounds, to_real](std::vector<Datum> given, Context&) { return found(given, bounds, to_real); }};
+  };
+}
+
+struct SearchTexts {
+  Bounds bounds;
+  const char* places;
+  const char* signature;
+  const char* doc;
+  const char* arguments;  ///< of the example on the numbers 1, 2 and 3
+  const char* example;
+  const char* undefined;
+};
+
+constexpr SearchTexts kSearches[] = {
+    {{"exactmatch", 2, 2},
+     "_",
+     "DATA",
+     "The tuples of a relation whose indexed value equals the given one.",
+     "2",
+     "((2))",
+     "[const int value undefined]"},
+    {{"range", 2, 3},
+     "_, _",
+     "DATA DATA",
+     "The tuples of a relation whose indexed value lies between the bounds, or is one of them.",
+     "2, 9",
+     "((2) (3))",
+     "1, [const int value undefined]"},
+    {{"leftrange", 0, 2},
+     "_",
+     "DATA",
+     "The tuples of a relation whose indexed value is not greater than the given one.",
+     "2",
+     "((1) (2))",
+     "[const int value undefined]"},
+    {{"rightrange", 2, 0},
+     "_",
+     "DATA",
+     "The tuples of a relation whose indexed value is not less than the given one.",
+     "2",
+     "((2) (3))",
+     "[const int value undefined]"}};
+
+}  // namespace
+
+void register_ordered_indexes(algebra3d::Registry& registry) {
+  registry.add({
+      .name = "createbtree",
+      .syntax = "_ createbtree[attribute]",
+      .doc = "An ordered index over the values of an attribute.",
+      .detail =
+          "One on a stream is a frozen copy. A stream carries the ids in an attribute of type tid, or its tuples come "
+          "straight from a stored relation. Undefined values are left out.",
+      .stream = stream_operator(map_createbtree),
+      .signatures = {"(rel(tuple) NAME) -> btree(tuple DATA)", "(stream(tuple) NAME) -> btree(tuple DATA)"},
+      .handles_undefined = true,
+      .examples = {{"Boxes createbtree[No] Boxes exactmatch[2] project[No] consume", "((2))"},
+                   {"Boxes feed addid createbtree[No] Boxes rightrange[2] count", "2"}},
+      .errors = {{"query Boxes createbtree[Nr] Boxes exactmatch[2] count",
+                  "createbtree: unknown attribute 'Nr', did you mean 'No'?"},
+                 {"query Boxes feed extend[X: 1] createbtree[No] Boxes feed extend[X: 1] consume exactmatch[2] count",
+                  "createbtree: the tuples have no ids"}},
+  });
+  for (const SearchTexts& texts : kSearches) {
+    const std::string name = texts.bounds.op;
+    const std::string start = "Boxes createbtree[No] Boxes " + name + "[";
+    registry.add({
+        .name = name,
+        .syntax = "_ _ " + name + "[" + texts.places + "]",
+        .doc = texts.doc,
+        .detail =
+            "In the order of the indexed values, then of the tuples. An int is accepted where the values are real. "
+            "An undefined argument gives nothing.",
+        .stream = stream_operator(map_search(texts.bounds)),
+        .signatures = {std::string("(btree(tuple DATA) rel(tuple) ") + texts.signature + ") -> stream(tuple)"},
+        .handles_undefined = true,
+        .examples = {{start + texts.arguments + "] project[No] consume", texts.example},
+                     {start + texts.undefined + "] count", "0"}},
+        .errors = {{"query 5 Boxes " + name + "[" + texts.arguments + "]", name + ": expected a B-tree, got int"},
+                   {"query " + start + texts.undefined + "] {x} Boxes createbtree[B] Boxes " + name + "[" +
+                        texts.arguments + "] product count",
+                    name + ": expected rect3, got int"}},
+    });
+  }
+}
+
+}  // namespace queries

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "algebra3d/registry/registry.h"
+#include "queries/streams/mapping.h"
+#include "queries/streams/spatial_index.h"
+
+namespace queries {
+
+/// True for types of kind SPATIAL3D.
+bool is_spatial(const algebra3d::Registry& registry, const TypeExpr& type);
+/// Index of the attribute of kind SPATIAL3D that the argument names.
+Result<std::size_t> spatial_attribute(const algebra3d::Registry& registry, const MappingCheck& check,
+                                      std::size_t position, const TypeExpr& tuple);
+
+/// The box that a spatial value stands for; empty for an undefined or empty value.
+algebra3d::Box3 window_of(const Value& value);
+
+/// Payloads of the entries that meet a window, ascending, so that the result does not depend on how the tree grew.
+std::vector<std::uint64_t> ids_in_window(const SpatialIndex::Tree& tree, const algebra3d::Box3& window);
+
+}  // namespace queries
