@@ -133,7 +133,7 @@ Status use_write_ahead_log(SqliteConnection& connection) {
 
 Status configure(SqliteConnection& connection, const StoreOptions& options) {
   RETURN_IF_ERROR(connection.execute("PRAGMA cell_size_check = ON"));
-  RETURN_IF_ERROR(connection.execute("PRAGMA cache_size = -32768"));
+  RETURN_IF_ERROR(connection.execute(fmt::format("PRAGMA cache_size = -{}", options.page_cache_kilobytes)));
   ASSIGN_OR_RETURN(const std::int64_t application, connection.integer("PRAGMA application_id"));
   if (application != kApplicationId) return foreign(connection.file(), "a SQLite database of another program");
   ASSIGN_OR_RETURN(const std::int64_t version, connection.integer("PRAGMA user_version"));

@@ -25,14 +25,14 @@ Status Database::upgrade() {
   ASSIGN_OR_RETURN(const std::int64_t version, connection_->integer("PRAGMA user_version"));
   if (version == kDatabaseVersion) return {};
   RETURN_IF_ERROR(connection_->execute("BEGIN IMMEDIATE"));
-  Status status = catalogue_.upgrade();
+  // Another process may have been faster.
+  const auto found = connection_->integer("PRAGMA user_version");
+  Status status = found ? catalogue_.upgrade() : Status(found.error());
   if (status) status = connection_->execute("COMMIT");
-  if (status) {
+  if (status && *found != kDatabaseVersion)
     opening_notice_ = fmt::format("{}: the database was upgraded from version {} to {}; older programs cannot open it",
-                                  file_.string(), version, kDatabaseVersion);
-  } else if (connection_->in_transaction()) {
-    static_cast<void>(connection_->execute("ROLLBACK"));
-  }
+                                  file_.string(), *found, kDatabaseVersion);
+  if (!status && connection_->in_transaction()) static_cast<void>(connection_->execute("ROLLBACK"));
   catalogue_.forget();
   return status;
 }

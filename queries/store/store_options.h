@@ -15,6 +15,8 @@ struct StoreOptions {
   std::uint64_t chunk_bytes = std::uint64_t{64} << 20;
   /// Estimated bytes of loaded geometry that are kept from statement to statement.
   std::uint64_t cache_bytes = std::uint64_t{256} << 20;
+  /// Kilobytes of the file's pages that SQLite keeps. Changes beyond it are written before their statement ends.
+  int page_cache_kilobytes = 32768;
   /// How long a statement waits for another process that writes.
   int busy_milliseconds = 5000;
   /// Pages that the file may have; 0: no limit.

@@ -267,6 +267,42 @@ TEST_F(FullDisk, a_transaction_that_cannot_be_committed_is_wholly_absent) {
   expect_sound();
 }
 
+// What does not fit into SQLite's cache is written in the middle of a statement. If that fails, SQLite undoes all of
+// the transaction: nothing may then run as if the statements before had happened.
+TEST_F(FullDisk, a_transaction_that_is_undone_in_the_middle_says_so_until_it_ends) {
+  reopen(OpenMode::open_or_create, {.page_cache_kilobytes = 40});
+  write([&] { let_parts(3); });
+  const std::string before = contents();
+  for (const bool ends_with_commit : {false, true}) {
+    ok(store_->begin_transaction());
+    write([&] { ok(relation("Parts")->erase(1)); });
+    ok(store_->begin(true));
+    fill_disk(log_bytes() + 20'000);
+    Status status;
+    for (int i = 0; i < 10'000 && status; ++i)
+      if (const auto inserted = relation("Parts")->insert(part(i)); !inserted) status = inserted.error();
+    make_room();
+    ASSERT_FALSE(status.ok());
+    EXPECT_EQ(status.error().code, ErrorCode::disk_full) << status.error().message;
+    store_->rollback();
+    const std::string undone = path().string() +
+                               ": the transaction was undone when a statement in it failed; use abort "
+                               "transaction, then begin again";
+    for (int round = 0; round < 2; ++round) {
+      EXPECT_EQ(store_->begin(true).error().message, undone);
+      EXPECT_EQ(store_->objects().error().message, undone);
+    }
+    EXPECT_TRUE(store_->is_in_explicit_transaction());
+    if (ends_with_commit)
+      EXPECT_EQ(store_->commit_transaction().error().message, undone);
+    else
+      ok(store_->abort_transaction());
+    EXPECT_FALSE(store_->is_in_explicit_transaction());
+    EXPECT_EQ(contents(), before);
+    expect_sound();
+  }
+}
+
 TEST_F(FullDisk, a_database_that_cannot_be_made_leaves_nothing) {
   fill_disk(5000);
   const auto store = Store::open(path(), OpenMode::create, registry_);
