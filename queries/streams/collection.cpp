@@ -67,8 +67,8 @@ Result<Value> collected(ValueStream& values, CollectionKind kind, const Context&
   }));
   if (kind != CollectionKind::vector) std::ranges::stable_sort(collection.elements, is_before);
   if (kind == CollectionKind::set) {
-    const auto rest = std::ranges::unique(collection.elements, is_equal);
-    collection.elements.erase(rest.begin(), rest.end());
+    const auto rest = std::unique(collection.elements.begin(), collection.elements.end(), is_equal);
+    collection.elements.erase(rest, collection.elements.end());
   }
   return Value::of(std::move(collection));
 }
