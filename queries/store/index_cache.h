@@ -4,7 +4,9 @@
 #include <memory>
 #include <span>
 #include <utility>
+#include <vector>
 
+#include "queries/streams/ordered_index.h"
 #include "queries/streams/spatial_index.h"
 
 namespace queries {
@@ -24,16 +26,25 @@ class IndexCache {
   void insert(std::int64_t table_number, std::int64_t tuple, std::span<const algebra3d::Box3> boxes);
   void erase(std::int64_t table_number, std::int64_t tuple, std::span<const algebra3d::Box3> boxes);
 
+  // The same for ordered trees, which need the values of the attributes: those that `ordered_attributes` names.
+  std::shared_ptr<OrderedTree> find_ordered(std::int64_t table_number, std::size_t attribute) const;
+  void add_ordered(std::int64_t table_number, std::size_t attribute, std::shared_ptr<OrderedTree> tree);
+  std::vector<std::size_t> ordered_attributes(std::int64_t table_number) const;
+  /// `key` is defined and loaded.
+  void insert_key(std::int64_t table_number, std::size_t attribute, const Value& key, TupleId tuple);
+  void erase_key(std::int64_t table_number, std::size_t attribute, const Value& key, TupleId tuple);
+
   void drop_table(std::int64_t table_number);
-  void clear() { trees_.clear(); }
-  bool has_trees(std::int64_t table_number) const;
+  void clear();
 
  private:
   using Key = std::pair<std::int64_t, std::size_t>;
   template <typename Change>
   void change(std::int64_t table_number, std::span<const algebra3d::Box3> boxes, Change apply);
+  OrderedTree& own(std::int64_t table_number, std::size_t attribute);
 
   std::map<Key, std::shared_ptr<Tree>> trees_;
+  std::map<Key, std::shared_ptr<OrderedTree>> ordered_;
 };
 
 }  // namespace queries

@@ -4,6 +4,7 @@
 
 #include "algebra3d/types/codec.h"
 #include "queries/store/frozen_index.h"
+#include "queries/store/frozen_order.h"
 #include "queries/store/stored_object.h"
 
 namespace queries {
@@ -114,10 +115,16 @@ Status IntegrityCheck::check_value(const CatalogueEntry& entry) {
     const auto tree = decode_tree(*bytes);
     return tree ? Status() : add({.object = entry.name}, tree.error());
   }
-  const algebra3d::Type* const type = database_->registry().find_type(entry.type.name());
+  const bool is_ordered = entry.type.is("btree");
+  const algebra3d::Type* const type = is_ordered ? ordered_key_type(database_->registry(), entry.type)
+                                                 : database_->registry().find_type(entry.type.name());
   if (type == nullptr) {
     add({.object = entry.name, .message = fmt::format("the type {} is not known", entry.type.text())});
     return {};
+  }
+  if (is_ordered) {
+    const auto tree = decode_order(*type, *bytes);
+    return tree ? Status() : add({.object = entry.name}, tree.error());
   }
   const auto value = algebra3d::decode(*type, *bytes, algebra3d::Origin::elsewhere);
   return value ? Status() : add({.object = entry.name}, value.error());
@@ -134,9 +141,10 @@ Status IntegrityCheck::check_definition(const CatalogueEntry& entry) {
   const auto layout = database_->layout_of(*relation);
   if (!layout) return add({.object = entry.name}, layout.error());
   const std::size_t position = (*layout)->find(entry.index_attribute);
-  if (position == (*layout)->attributes().size() || !(*layout)->attributes()[position].has_box())
+  const bool is_there = position < (*layout)->attributes().size();
+  if (!is_there || (entry.type.is("rtree3") && !(*layout)->attributes()[position].has_box()))
     add({.object = entry.name,
-         .message = fmt::format("the relation '{}' has no spatial attribute '{}' for the index", entry.index_relation,
+         .message = fmt::format("the relation '{}' has no attribute '{}' for the index", entry.index_relation,
                                 entry.index_attribute)});
   return {};
 }

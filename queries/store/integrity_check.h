@@ -38,7 +38,7 @@ class IntegrityCheck {
   Status check_attribute(Walk& walk, const RowReader& reader, std::size_t attribute);
   Result<Value> proved(const Value& value);
   void check_totals(const Walk& walk);
-  void check_trees(const Walk& walk);
+  void check_trees(Walk& walk);
 
   Status check_schema();
   Status check_numbers(std::string_view table, std::string_view column);

@@ -1,6 +1,7 @@
 // The part of the integrity check that reads relations.
 #include "algebra3d/types/codec.h"
 #include "queries/store/frozen_index.h"
+#include "queries/store/frozen_order.h"
 #include "queries/store/integrity_check.h"
 #include "queries/store/stored_value.h"
 
@@ -12,8 +13,10 @@ struct IntegrityCheck::Walk {
   std::int64_t count = 0;
   std::uint64_t sum = 0;
   TupleId last = 0;
-  bool is_complete = false;                   ///< all rows could be read
-  std::map<std::size_t, Entries> boxes = {};  ///< by attribute, of those that have a tree in memory
+  bool is_complete = false;  ///< all rows could be read
+  // By attribute, of those that have a tree in memory.
+  std::map<std::size_t, Entries> boxes = {};
+  std::map<std::size_t, std::vector<OrderedTree::Entry>> keys = {};
 };
 
 Status IntegrityCheck::check_relation(const CatalogueEntry& entry) {
@@ -23,6 +26,8 @@ Status IntegrityCheck::check_relation(const CatalogueEntry& entry) {
   Walk walk{entry, *layout};
   for (std::size_t i = 0; i < (*layout)->attributes().size(); ++i)
     if (database_->indexes().find(entry.table_number, i) != nullptr) walk.boxes[i] = {};
+  for (const std::size_t attribute : database_->indexes().ordered_attributes(entry.table_number))
+    walk.keys[attribute] = {};
   RETURN_IF_ERROR(check_rows(walk));
   if (!walk.is_complete) return {};
   check_totals(walk);
@@ -81,6 +86,8 @@ Status IntegrityCheck::check_attribute(Walk& walk, const RowReader& reader, std:
   auto value = reader.value(attribute);
   if (value && value->is_defined()) value = proved(*value);
   if (!value) return add(place, value.error());
+  if (const auto keys = walk.keys.find(attribute); keys != walk.keys.end() && value->is_defined())
+    keys->second.push_back({*value, reader.id()});
   if (!columns.has_box() || !value->is_defined()) return {};
   const auto header = value->header();
   Finding wrong = place;
@@ -116,7 +123,7 @@ void IntegrityCheck::check_totals(const Walk& walk) {
 }
 
 // The same entries give the same bytes.
-void IntegrityCheck::check_trees(const Walk& walk) {
+void IntegrityCheck::check_trees(Walk& walk) {
   for (const auto& [attribute, boxes] : walk.boxes) {
     const auto tree = database_->indexes().find(walk.entry.table_number, attribute);
     const std::string& name = walk.layout->attributes()[attribute].name;
@@ -127,6 +134,13 @@ void IntegrityCheck::check_trees(const Walk& walk) {
       add({.object = walk.entry.name,
            .attribute = name,
            .message = "the index in memory does not have the boxes of the relation"});
+  }
+  for (auto& [attribute, keys] : walk.keys) {
+    const auto tree = database_->indexes().find_ordered(walk.entry.table_number, attribute);
+    if (encode_order(*tree) != encode_order(OrderedTree::bulk_load(std::move(keys))))
+      add({.object = walk.entry.name,
+           .attribute = walk.layout->attributes()[attribute].name,
+           .message = "the ordered index in memory does not have the values of the relation"});
   }
 }
 

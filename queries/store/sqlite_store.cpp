@@ -1,6 +1,7 @@
 #include "queries/store/sqlite_store.h"
 
 #include "algebra3d/types/codec.h"
+#include "queries/store/frozen_order.h"
 #include "queries/store/integrity_check.h"
 #include "queries/store/read_scope.h"
 #include "queries/store/stored_object.h"
@@ -53,7 +54,7 @@ Status SqliteStore::check_storable(const std::string& name, const TypeExpr& type
     RETURN_IF_ERROR(RelationLayout::make(database_->registry(), type.element(), name, 0));
     return {};
   }
-  if (type.is("rtree3")) return {};
+  if (is_index(type)) return {};
   if (type.arguments().empty() && database_->registry().find_type(type.name()) != nullptr) return {};
   return Error{ErrorCode::type_error, "{}: a value of type {} cannot be stored", name, type.text()};
 }
@@ -106,6 +107,7 @@ Result<Datum> SqliteStore::read(const std::string& name) {
     return Error{ErrorCode::not_evaluable, "the object '{}' has no value yet; give it one with update", name};
   if (entry->type.is_relation()) return read_relation(*entry);
   if (entry->type.is("rtree3")) return read_index(*entry);
+  if (entry->type.is("btree")) return read_ordered_index(*entry);
   const algebra3d::Type* const type = database_->registry().find_type(entry->type.name());
   if (type == nullptr)
     return Error{ErrorCode::database_corrupt, "{}: the type {} is not known", name, entry->type.text()};
@@ -126,6 +128,8 @@ Status SqliteStore::assign(const std::string& name, const Datum& value, const al
     CatalogueEntry& entry = *database_->catalogue().edit(name);
     if (entry.type.is_relation()) return assign_relation(entry, value, context);
     if (const auto* index = std::get_if<std::shared_ptr<SpatialIndex>>(&value.content))
+      return assign_index(entry, **index);
+    if (const auto* index = std::get_if<std::shared_ptr<OrderedIndex>>(&value.content))
       return assign_index(entry, **index);
     if (const auto* plain = std::get_if<Value>(&value.content)) return assign_value(entry, *plain);
     return Error{ErrorCode::internal, "{}: no value of type {}", name, entry.type.text()};

@@ -55,10 +55,14 @@ class SqliteStore final : public Store {
 
   Result<Datum> read_relation(const CatalogueEntry& entry);
   Result<Datum> read_index(const CatalogueEntry& entry);
+  Result<Datum> read_ordered_index(const CatalogueEntry& entry);
+  Result<const CatalogueEntry*> indexed_relation(const CatalogueEntry& index);
   Result<std::shared_ptr<SpatialIndex::Tree>> tree_of(const CatalogueEntry& relation, const std::string& attribute);
 
   Status assign_relation(CatalogueEntry& entry, const Datum& value, const algebra3d::Context& context);
-  Status assign_index(CatalogueEntry& entry, const SpatialIndex& index);
+  Result<std::shared_ptr<OrderedTree>> ordered_tree_of(const CatalogueEntry& relation, const std::string& attribute);
+  template <typename Index>
+  Status assign_index(CatalogueEntry& entry, const Index& index);
   Status assign_value(CatalogueEntry& entry, const Value& value);
   Status drop_table(const CatalogueEntry& entry);
   Status remove_entry(const CatalogueEntry& entry);

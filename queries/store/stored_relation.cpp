@@ -35,8 +35,24 @@ Result<TuplePtr> StoredRelation::fetch(TupleId id) {
   return reader.tuple();
 }
 
+// The values that ordered indexes have of the tuple.
+Result<StoredRelation::Keys> StoredRelation::keys(const std::function<Result<Value>(std::size_t)>& value_of) const {
+  Keys keys;
+  for (const std::size_t attribute : database_->indexes().ordered_attributes(layout_->table_number())) {
+    ASSIGN_OR_RETURN(const Value value, value_of(attribute));
+    if (!value.is_defined()) continue;
+    ASSIGN_OR_RETURN(Value key, value.loaded());
+    keys.emplace_back(attribute, std::move(key));
+  }
+  return keys;
+}
+
 Status StoredRelation::write(CatalogueEntry& entry, RowWriter& writer, TupleId id) {
+  const auto value_of = [&](std::size_t attribute) -> Result<Value> { return writer.value(attribute); };
+  ASSIGN_OR_RETURN(const Keys new_keys, keys(value_of));
   RETURN_IF_ERROR(writer.write());
+  for (const auto& [attribute, key] : new_keys)
+    database_->indexes().insert_key(layout_->table_number(), attribute, key, id);
   ++entry.tuple_count;
   entry.tuple_sum += writer.row().checksum;
   database_->indexes().insert(layout_->table_number(), id, writer.row().boxes);
@@ -52,6 +68,9 @@ Status StoredRelation::erase_row(CatalogueEntry& entry, TupleId id) {
     if (!has_row) return Error{ErrorCode::unknown_name, "{}: there is no tuple {}", layout_->relation(), id};
     RowReader reader(database_, layout_, database_->changes().now());
     RETURN_IF_ERROR(reader.take(statement));
+    ASSIGN_OR_RETURN(const Keys old_keys, keys([&](std::size_t attribute) { return reader.value(attribute); }));
+    for (const auto& [attribute, key] : old_keys)
+      database_->indexes().erase_key(layout_->table_number(), attribute, key, id);
     --entry.tuple_count;
     entry.tuple_sum -= reader.checksum();
     database_->indexes().erase(layout_->table_number(), id, reader.boxes());

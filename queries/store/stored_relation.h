@@ -1,6 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "queries/store/stored_rows.h"
 #include "queries/streams/relation.h"
@@ -25,7 +28,10 @@ class StoredRelation final : public Relation {
   Status update(TupleId id, const Tuple& tuple) override;
 
  private:
+  using Keys = std::vector<std::pair<std::size_t, Value>>;  // by attribute
+
   Result<const CatalogueEntry*> entry() const;
+  Result<Keys> keys(const std::function<Result<Value>(std::size_t)>& value_of) const;
   Status write(CatalogueEntry& entry, RowWriter& writer, TupleId id);
   Status erase_row(CatalogueEntry& entry, TupleId id);
 

@@ -56,6 +56,7 @@ class RowWriter {
                                                  const Tuple& tuple);
   Status write();
   const WrittenRow& row() const { return row_; }
+  const Value& value(std::size_t attribute) const { return values_[attribute]; }
 
  private:
   struct Long {
