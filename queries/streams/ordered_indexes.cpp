@@ -68,7 +68,7 @@ TypeMapping map_search(Bounds bounds) {
       ASSIGN_OR_RETURN(to_real[position], check.promotion(position, index.arguments()[1]));
     }
     return Plan{TypeExpr::stream(tuple),
-                [bounds, to_real](std::vector<Datum> given, Context&) { return found(given, bounds, to_real); }};
+                [bounds, to_real](const std::vector<Datum>& given, Context&) { return found(given, bounds, to_real); }};
   };
 }
 
@@ -148,8 +148,7 @@ void register_ordered_indexes(algebra3d::Registry& registry) {
         .examples = {{start + texts.arguments + "] project[No] consume", texts.example},
                      {start + texts.undefined + "] count", "0"}},
         .errors = {{"query 5 Boxes " + name + "[" + texts.arguments + "]", name + ": expected a B-tree, got int"},
-                   {"query " + start + texts.undefined + "] {x} Boxes createbtree[B] Boxes " + name + "[" +
-                        texts.arguments + "] product count",
+                   {fmt::format("query Boxes createbtree[B] Boxes {}[{}] count", name, texts.arguments),
                     name + ": expected rect3, got int"}},
     });
   }
