@@ -1,4 +1,6 @@
 // The commands of a session that hold other commands, and those that set options.
+#include <map>
+
 #include "queries/language/checker.h"
 #include "queries/session/objects.h"
 #include "queries/session/session.h"
@@ -60,18 +62,31 @@ Status Session::run(const Sequence& command, Presenter& presenter, Context& cont
   return first;
 }
 
-Status Session::run(const SetOption& command, Presenter&, Context& context) {
-  ASSIGN_OR_RETURN(const Value value, evaluate_alone(*command.value, context));
-  if (command.name != "memory") {
-    context.diagnostics.report("set: there is no option '" + command.name + "'; the command has no effect");
-    return {};
-  }
+Status Session::set_memory(const Value& value, const SourcePlace& place) {
   const bool is_int = value.type().name() == "int";
   if (!value.is_defined() || !is_int || value.get<std::int32_t>() < 1)
     return Error(ErrorCode::type_error, "set \"memory\": expected the limit in megabytes, an int from 1, got {}",
                  value.to_nested().print_short())
-        .at(command.value->place);
+        .at(place);
   options_.memory_megabytes = value.get<std::int32_t>();
+  return {};
+}
+
+Status Session::run(const SetOption& command, Presenter&, Context& context) {
+  static const std::map<std::string, bool SessionOptions::*, std::less<>> switches = {
+      {"timing", &SessionOptions::shows_timing}, {"paging", &SessionOptions::uses_pager}};
+  ASSIGN_OR_RETURN(const Value value, evaluate_alone(*command.value, context));
+  if (command.name == "memory") return set_memory(value, command.value->place);
+  const auto found = switches.find(command.name);
+  if (found == switches.end()) {
+    context.diagnostics.report("set: there is no option '" + command.name + "'; the command has no effect");
+    return {};
+  }
+  if (!value.is_defined() || value.type().name() != "bool")
+    return Error(ErrorCode::type_error, "set \"{}\": expected TRUE or FALSE, got {}", command.name,
+                 value.to_nested().print_short())
+        .at(command.value->place);
+  options_.*found->second = value.get<bool>();
   return {};
 }
 

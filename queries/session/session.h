@@ -33,6 +33,10 @@ struct SessionOptions {
   bool read_only = false;
   /// What operators that sort, group, hash or materialise may keep in memory; 0: a quarter of the machine's.
   std::int32_t memory_megabytes = 0;
+  /// What the face of a session does with results, as `set` says: tell how long each statement took, and page long
+  /// ones.
+  bool shows_timing = false;
+  bool uses_pager = true;
 };
 
 /// One user's state: the open database, if any. Runs statements from text to result; each is one transaction, which
@@ -53,6 +57,8 @@ class Session {
   /// Null while no database is open.
   Store* store() { return store_.get(); }
   const algebra3d::Registry& registry() const { return registry_; }
+  /// As they are now: `set` changes some of them.
+  const SessionOptions& options() const { return options_; }
 
  private:
   class Objects;
@@ -98,6 +104,7 @@ class Session {
   Status in_transaction(bool writes, const std::function<Status()>& work);
   /// Evaluates an expression whose value is no stream, as a statement of its own.
   Result<Value> evaluate_alone(const Expression& expression, Context& context);
+  Status set_memory(const Value& value, const SourcePlace& place);
   Result<bool> holds(const Expression& condition, std::string_view command, Context& context);
   Result<Store*> required_store();
   Status check_new_name(const std::string& name);

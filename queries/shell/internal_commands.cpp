@@ -3,9 +3,8 @@
 #include <cctype>
 #include <charconv>
 #include <fstream>
-#include <iostream>
 
-#include "algebra3d/registry/documentation.h"
+#include "queries/shell/command_table.h"
 #include "queries/shell/statement_runner.h"
 
 namespace queries {
@@ -36,31 +35,38 @@ RunResult StatementRunner::run_shell_command(const std::string& text) {
   if (word == "help") return help(rest);
   if (word == "repeat") return repeat(rest);
   if (word == "debug") {
-    errors_ << "note: debug: there are no debug levels here; see `explain` and `list counters`\n";
+    console_.errors << "note: debug: there are no debug levels here; see `explain` and `list counters`\n";
     return RunResult::ok;
   }
   return rest.empty() ? RunResult::quit : complain(word + ": expected nothing after it, found '" + rest + "'");
 }
 
 RunResult StatementRunner::complain(const std::string& message) {
-  errors_ << "error: " << message << "\n";
-  errors_.flush();
+  console_.errors << "error: " << message << "\n";
+  console_.errors.flush();
   return RunResult::failed;
+}
+
+// Help is longer than most screens.
+void StatementRunner::show_help(const std::string& text) {
+  if (console_.terminal != nullptr) console_.terminal->begin_statement("help", session_.options().uses_pager);
+  console_.out << text;
+  if (console_.terminal != nullptr) {
+    console_.terminal->end_statement();
+    console_.out.clear();
+  }
+  console_.out.flush();
 }
 
 RunResult StatementRunner::help(const std::string& name) {
   if (name.empty()) {
-    std::cout << algebra3d::help_overview(session_.registry());
+    show_help(shell_help(session_.registry()));
     return RunResult::ok;
   }
-  const algebra3d::Operator* op = session_.registry().find_operator(name);
-  if (op != nullptr) {
-    std::cout << algebra3d::help_text(*op);
-    return RunResult::ok;
-  }
-  const std::string suggestion = session_.registry().suggestion(name);
-  return complain("there is no operator '" + name + "'" +
-                  (suggestion.empty() ? "" : ", did you mean '" + suggestion + "'?"));
+  const auto text = shell_help(name, session_.registry());
+  if (!text) return complain(text.error().message);
+  show_help(*text);
+  return RunResult::ok;
 }
 
 // `@FILE`, `@@FILE` (stops at the first error), `@%FILE` and `@&FILE` (the same two, skipping marked comments).

@@ -11,6 +11,8 @@ class Interruption {
   Interruption();
   /// True once a signal has come, until `reset`.
   static std::atomic<bool>& flag();
+  /// True once SIGTERM has come: then a prompt ends too.
+  static bool is_terminated();
   static void reset() { flag().store(false); }
 };
 

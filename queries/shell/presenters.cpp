@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "queries/shell/inquiry_text.h"
+#include "queries/shell/screen.h"
 #include "queries/shell/table.h"
 
 namespace queries {
@@ -42,12 +44,13 @@ Status TablePresenter::present(const TypeExpr& type, const Datum& value, Context
   }
   ASSIGN_OR_RETURN(const NestedList result, value_list(type, value, context));
   if (type.is_function() || type.is("rtree3")) out_ << type.text() << "\n";
-  out_ << result.print() << "\n";
+  out_ << printable(result.print()) << "\n";
   return {};
 }
 
 Status TablePresenter::present_relation(const TypeExpr& tuple, Relation& relation, Context& context) {
   ASSIGN_OR_RETURN(const TupleStreamPtr tuples, relation.scan());
+  const std::size_t width = columns_();
   std::size_t count = 0;
   TextTable table = empty_table(tuple);
   while (true) {
@@ -59,19 +62,16 @@ Status TablePresenter::present_relation(const TypeExpr& tuple, Relation& relatio
       table.add(std::move(row));
       if (++count % kRowsPerPiece != 0) continue;
     }
-    if (count == 0 || next != nullptr || count % kRowsPerPiece != 0) out_ << table.print(width_);
-    if (next == nullptr) break;
+    if (count == 0 || next != nullptr || count % kRowsPerPiece != 0) out_ << table.print(width);
+    if (next == nullptr || !out_) break;
     table = empty_table(tuple);
   }
   out_ << fmt::format("({} {})\n", count, count == 1 ? "tuple" : "tuples");
   return {};
 }
 
-// (inquiry (what (item ...))): an item per line.
 Status TablePresenter::present_inquiry(const NestedList& result) {
-  const NestedList& content = result.elements()[1].elements()[1];
-  for (const NestedList& item : content.elements())
-    if (!item.is_symbol("OBJECTS")) out_ << item.print() << "\n";
+  out_ << inquiry_text(result, columns_());
   return {};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <ostream>
 
 #include "queries/session/session.h"
@@ -17,10 +18,12 @@ class ListPresenter final : public Presenter {
   std::ostream& out_;
 };
 
-/// Results for people: relations as tables that fit the terminal, a long one in pieces of some hundred rows.
+/// Results for people: relations as tables that fit the terminal, a long one in pieces of some hundred rows; inquiries
+/// as tables of their own. Once the stream fails (the user has left the pager) the rest is not read. `columns` is asked
+/// for each result.
 class TablePresenter final : public Presenter {
  public:
-  TablePresenter(std::ostream& out, std::size_t width) : out_(out), width_(width) {}
+  TablePresenter(std::ostream& out, std::function<std::size_t()> columns) : out_(out), columns_(std::move(columns)) {}
   Status present(const TypeExpr& type, const Datum& value, Context& context) override;
   Status present_inquiry(const NestedList& result) override;
 
@@ -28,7 +31,7 @@ class TablePresenter final : public Presenter {
   Status present_relation(const TypeExpr& tuple, Relation& relation, Context& context);
 
   std::ostream& out_;
-  std::size_t width_;
+  std::function<std::size_t()> columns_;
 };
 
 }  // namespace queries

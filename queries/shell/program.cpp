@@ -1,6 +1,5 @@
 #include "queries/shell/program.h"
 
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -10,9 +9,11 @@
 #include "algebra3d/operators/all.h"
 #include "algebra3d/registry/documentation.h"
 #include "queries/importer/import_command.h"
+#include "queries/shell/command_table.h"
 #include "queries/shell/interactive.h"
 #include "queries/shell/interruption.h"
 #include "queries/shell/presenters.h"
+#include "queries/shell/screen.h"
 #include "queries/streams/all.h"
 #include "queries/test_runner/test_runner.h"
 
@@ -46,16 +47,18 @@ int exit_status(RunResult result) {
   return result == RunResult::interrupted ? kInterrupted : kOk;
 }
 
-std::size_t terminal_width() {
-  winsize size{};
-  constexpr std::size_t kUsual = 100;
-  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : kUsual;
+std::unique_ptr<Presenter> make_presenter(const Options& options, std::ostream& out) {
+  const bool as_table = options.format == "table" || (options.format == "auto" && isatty(STDOUT_FILENO) != 0);
+  if (as_table) return std::make_unique<TablePresenter>(out, [] { return screen_size().columns; });
+  return std::make_unique<ListPresenter>(out);
 }
 
-std::unique_ptr<Presenter> make_presenter(const Options& options) {
-  const bool as_table = options.format == "table" || (options.format == "auto" && isatty(STDOUT_FILENO) != 0);
-  if (as_table) return std::make_unique<TablePresenter>(std::cout, terminal_width());
-  return std::make_unique<ListPresenter>(std::cout);
+// A pager and a line that comes and goes are for people.
+TerminalOutput::Settings terminal_settings() {
+  TerminalOutput::Settings settings;
+  if (isatty(STDIN_FILENO) != 0) settings.pager = usual_pager();
+  if (isatty(STDERR_FILENO) != 0) settings.progress = &std::cerr;
+  return settings;
 }
 
 std::filesystem::path database_folder(const Options& options) {
@@ -76,7 +79,7 @@ int run_scripts(const Options& options, StatementRunner& runner) {
 }
 
 int run_session(const Options& options, const algebra3d::Registry& registry) {
-  Session session(registry, {database_folder(options), options.is_read_only});
+  Session session(registry, {.folder = database_folder(options), .read_only = options.is_read_only});
   if (!options.database.empty()) {
     const Status opened = session.open_file(options.database);
     if (!opened) {
@@ -84,8 +87,13 @@ int run_session(const Options& options, const algebra3d::Registry& registry) {
       return kFailed;
     }
   }
-  const auto presenter = make_presenter(options);
-  StatementRunner runner(session, *presenter, std::cerr, options.stops_on_error);
+  TerminalOutput terminal(std::cout, terminal_settings());
+  std::ostream terminal_stream(&terminal);
+  const bool is_terminal = isatty(STDOUT_FILENO) != 0;
+  std::ostream& out = is_terminal ? terminal_stream : std::cout;
+  const auto presenter = make_presenter(options, out);
+  StatementRunner runner(session, *presenter, {out, std::cerr, is_terminal ? &terminal : nullptr},
+                         options.stops_on_error);
   if (!options.commands.empty()) {
     std::istringstream commands(options.commands);
     const int status = exit_status(runner.run_script(commands, "-c"));
@@ -93,8 +101,7 @@ int run_session(const Options& options, const algebra3d::Registry& registry) {
   }
   if (!options.scripts.empty()) return run_scripts(options, runner);
   if (isatty(STDIN_FILENO) == 0) return exit_status(runner.run_script(std::cin, "stdin"));
-  run_interactive(session, runner);
-  return kOk;
+  return run_interactive(session, runner, out) ? kOk : kInterrupted;
 }
 
 int run_tests(const Options& options, const algebra3d::Registry& registry) {
@@ -111,17 +118,15 @@ int run_help(const Options& options, const algebra3d::Registry& registry) {
     return kOk;
   }
   if (options.help_operator.empty()) {
-    std::cout << algebra3d::help_overview(registry);
+    std::cout << shell_help(registry);
     return kOk;
   }
-  const algebra3d::Operator* op = registry.find_operator(options.help_operator);
-  if (op != nullptr) {
-    std::cout << algebra3d::help_text(*op);
+  const auto text = shell_help(options.help_operator, registry);
+  if (text) {
+    std::cout << *text;
     return kOk;
   }
-  const std::string suggestion = registry.suggestion(options.help_operator);
-  std::cerr << "error: there is no operator '" << options.help_operator << "'"
-            << (suggestion.empty() ? "" : ", did you mean '" + suggestion + "'?") << "\n";
+  std::cerr << "error: " << text.error().message << "\n";
   return kWrongUsage;
 }
 
@@ -165,13 +170,16 @@ int run_arguments(int argc, char** argv) {
   Options options;
   ImportOptions import_options;
   CLI::App app{"algebra3d: solids and surfaces as values in a database, with exact geometry"};
-  app.footer("Exit status: 0 all went well, 1 a command failed, 2 wrong usage, 130 interrupted.");
+  app.footer(
+      "The interactive shell completes with Tab, keeps its history in ~/.local/state/algebra3d (or $XDG_STATE_HOME),\n"
+      "sends long results through $PAGER, and ends a statement with Ctrl-C; `help` there tells the rest.\n"
+      "Exit status: 0 all went well, 1 a command failed, 2 wrong usage, 130 interrupted.");
   app.set_version_flag("--version", "algebra3d 0.1.0");
   add_options(app, options);
   const CLI::App* import = add_import_command(app, import_options);
   const CLI::App* test = add_test_command(app, options);
-  CLI::App* help = app.add_subcommand("help", "Explain an operator, or list all of them");
-  help->add_option("OPERATOR", options.help_operator, "Name of an operator, such as volume");
+  CLI::App* help = app.add_subcommand("help", "Explain an operator or a command, or list all of them");
+  help->add_option("OPERATOR", options.help_operator, "Name of an operator or a command, such as volume or let");
   help->add_flag("--markdown", options.help_as_markdown, "The whole reference page");
   try {
     app.parse(argc, argv);

@@ -1,12 +1,13 @@
 #include "queries/shell/statement_runner.h"
 
 #include <algorithm>
-#include <iostream>
+#include <chrono>
 
 #include <fmt/format.h>
 
 #include "algebra3d/types/utf8.h"
 #include "queries/shell/interruption.h"
+#include "queries/shell/screen.h"
 
 namespace queries {
 namespace {
@@ -18,35 +19,47 @@ std::string place_text(const SourcePlace& place) {
   return fmt::format("{}:{}:{}: ", place.file.empty() ? "input" : place.file, place.line, place.column);
 }
 
-// Messages repeat what was typed or stands in a file: control characters must not reach the terminal, nor megabytes.
+// Messages repeat what was typed or stands in a file: neither control characters must reach the terminal, nor
+// megabytes.
 std::string shown(std::string_view message) {
   constexpr std::size_t kLongest = 4000;
-  std::size_t end = std::min(message.size(), kLongest);
-  while (end < message.size() && end > 0 && algebra3d::is_utf8_continuation(message[end])) --end;
-  std::string text;
-  for (const char c : message.substr(0, end)) {
-    const auto byte = static_cast<unsigned char>(c);
-    if ((byte < ' ' && c != '\n' && c != '\t') || byte == 0x7F)
-      text += fmt::format("\\x{:02x}", byte);
-    else
-      text += c;
-  }
-  if (end < message.size()) text += fmt::format("... ({} bytes)", message.size());
-  return text;
+  const std::string_view kept = algebra3d::utf8_prefix(message, kLongest);
+  const std::string text = printable(kept);
+  return kept.size() < message.size() ? text + fmt::format("... ({} bytes)", message.size()) : text;
+}
+
+std::string time_text(std::chrono::steady_clock::duration elapsed) {
+  constexpr double kLongestInMilliseconds = 10000;
+  const double milliseconds = std::chrono::duration<double, std::milli>(elapsed).count();
+  return milliseconds < kLongestInMilliseconds ? fmt::format("{:.1f} ms", milliseconds)
+                                               : fmt::format("{:.1f} s", milliseconds / 1000);
 }
 
 }  // namespace
+
+Status StatementRunner::execute(const CommandText& command, Context& context) {
+  const auto start = std::chrono::steady_clock::now();
+  if (console_.terminal != nullptr) console_.terminal->begin_statement(command.text, session_.options().uses_pager);
+  Status status = session_.execute(command.text, command.start, presenter_, context);
+  const auto end = std::chrono::steady_clock::now();
+  if (console_.terminal != nullptr) {
+    console_.terminal->end_statement();
+    console_.out.clear();  // it has failed if the user has left the pager
+  }
+  console_.out.flush();
+  if (session_.options().shows_timing) console_.errors << time_text(end - start) << "\n";
+  return status;
+}
 
 RunResult StatementRunner::run(const CommandText& command) {
   if (is_shell_command(command.text)) return run_shell_command(command.text);
   Diagnostics diagnostics;
   Context context{diagnostics, &Interruption::flag(), {}};
-  const Status status = session_.execute(command.text, command.start, presenter_, context);
-  std::cout.flush();
-  for (const std::string& line : diagnostics.summary()) errors_ << "note: " << shown(line) << "\n";
+  const Status status = execute(command, context);
+  for (const std::string& line : diagnostics.summary()) console_.errors << "note: " << shown(line) << "\n";
   if (status) return RunResult::ok;
-  errors_ << place_text(status.error().place) << "error: " << shown(status.error().message) << "\n";
-  errors_.flush();
+  console_.errors << place_text(status.error().place) << "error: " << shown(status.error().message) << "\n";
+  console_.errors.flush();
   if (status.error().code == ErrorCode::interrupted) {
     Interruption::reset();
     return RunResult::interrupted;

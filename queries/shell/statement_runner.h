@@ -8,17 +8,25 @@
 
 #include "queries/language/command_reader.h"
 #include "queries/session/session.h"
+#include "queries/shell/terminal_output.h"
 
 namespace queries {
 
 /// What happened to a list of commands.
 enum class RunResult : std::uint8_t { ok, failed, interrupted, quit };
 
+/// Where a runner says what it has to say.
+struct Console {
+  std::ostream& out;                   ///< what the presenter writes to, and `help`
+  std::ostream& errors;                ///< errors, notes, times
+  TerminalOutput* terminal = nullptr;  ///< what `out` writes to if it is a terminal
+};
+
 /// Runs commands one after the other: results to the presenter, errors and notes to `errors` with file, line, column.
 class StatementRunner {
  public:
-  StatementRunner(Session& session, Presenter& presenter, std::ostream& errors, bool stops_on_error)
-      : session_(session), presenter_(presenter), errors_(errors), stops_on_error_(stops_on_error) {}
+  StatementRunner(Session& session, Presenter& presenter, Console console, bool stops_on_error)
+      : session_(session), presenter_(presenter), console_(console), stops_on_error_(stops_on_error) {}
 
   /// One command, `help` and `quit` included.
   RunResult run(const CommandText& command);
@@ -29,16 +37,18 @@ class StatementRunner {
   RunResult run_file(const std::string& file, CommandReader::Skipping skipping = CommandReader::Skipping::comments);
 
  private:
+  Status execute(const CommandText& command, Context& context);
   // internal_commands.cpp
   RunResult run_shell_command(const std::string& text);
   RunResult help(const std::string& name);
+  void show_help(const std::string& text);
   RunResult include(const std::string& text);
   RunResult repeat(const std::string& text);
   RunResult complain(const std::string& message);
 
   Session& session_;
   Presenter& presenter_;
-  std::ostream& errors_;
+  Console console_;
   bool stops_on_error_;
   std::vector<std::filesystem::path> scripts_;  // that run at the moment, the innermost last
 };

@@ -6,17 +6,14 @@
 
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
+#include "algebra3d/types/utf8.h"
+#include "queries/shell/screen.h"
 
 namespace queries {
 namespace {
 
 using algebra3d::Box3;
 using algebra3d::TypeOf;
-
-// Characters as a terminal shows them: continuation bytes of UTF-8 take no column.
-std::size_t display_width(std::string_view text) {
-  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
-}
 
 std::string cut(std::string_view text, std::size_t width) {
   if (display_width(text) <= width) return std::string(text);
@@ -25,12 +22,6 @@ std::string cut(std::string_view text, std::size_t width) {
       ++end;
     while (end < text.size() && (text[end] & 0xC0) == 0x80);
   return std::string(text.substr(0, end)) + "…";
-}
-
-std::string one_line(std::string text) {
-  std::ranges::replace_if(
-      text, [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
-  return text;
 }
 
 std::string box_text(const Box3& box) {
@@ -49,6 +40,15 @@ std::string summary(const Value& value) {
 constexpr std::size_t kSmallestColumn = 6;
 
 }  // namespace
+
+std::string one_line(std::string_view text) {
+  constexpr std::size_t kLongest = 1000;
+  const std::string_view kept = algebra3d::utf8_prefix(text, kLongest);
+  std::string line = printable(kept);
+  std::ranges::replace_if(
+      line, [](char c) { return c == '\n' || c == '\t'; }, ' ');
+  return kept.size() < text.size() ? line + "…" : line;
+}
 
 bool is_large(const Value& value) {
   const std::string_view name = value.type().name();

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "queries/session/session.h"
@@ -14,6 +15,10 @@ bool is_large(const Value& value);
 /// A value as people read it in a table: one line, reals with six significant digits, large values as a summary
 /// (`volume3d: 12 triangles, box (0 1) (0 1) (0 1)`). Reads no geometry.
 std::string display_text(const Value& value);
+
+/// Text in one line of a table: line ends are blanks, control characters are made visible, and what is too long for any
+/// terminal is cut and marked with `…`.
+std::string one_line(std::string_view text);
 
 /// Rows of cells as an aligned table of at most `width` columns of a terminal: long cells are cut and marked with `…`.
 /// Numbers stand to the right.

@@ -34,7 +34,7 @@ class ScriptCommands : public testing::Test {
   RunResult run(const std::string& text) {
     Session session(registry(), {.folder = folder_, .read_only = false});
     ListPresenter presenter(out_);
-    StatementRunner runner(session, presenter, errors_, false);
+    StatementRunner runner(session, presenter, {out_, errors_}, false);
     std::istringstream script(text);
     return runner.run_script(script, "script");
   }

@@ -1,0 +1,100 @@
+#include "queries/shell/command_table.h"
+
+#include <array>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "algebra3d/registry/documentation.h"
+
+namespace queries {
+namespace {
+
+constexpr auto kCommands = std::to_array<CommandDescription>({
+    {"query EXPRESSION", "Show the value of an expression"},
+    {"explain EXPRESSION", "Run it, and show its operators with calls, tuples and times"},
+    {"let NAME = EXPRESSION", "Make an object"},
+    {"let_ NAME = EXPRESSION", "The same, replacing an object of that name"},
+    {"derive NAME = EXPRESSION", "Make an object that is computed again when the database is restored"},
+    {"create NAME : TYPE", "Make an object without a value"},
+    {"update OBJECT := EXPRESSION", "Give an object a new value"},
+    {"delete OBJECT", "Remove an object"},
+    {"kill OBJECT", "Remove an object whose value may be damaged"},
+    {"changename OBJECT to NAME", "Give an object another name"},
+    {"type NAME = TYPE", "Give a type a name"},
+    {"delete type TYPE", "Remove the name of a type"},
+    {"save OBJECT to FILE", "Write an object to a file"},
+    {"restore NAME from FILE", "Make an object from such a file"},
+    {"create database NAME", "Make a database: the file NAME.db"},
+    {"open database DATABASE", "Open a database"},
+    {"close database", "Close the open one"},
+    {"delete database DATABASE", "Remove a database and its file"},
+    {"save database to FILE", "Write the whole database to a file"},
+    {"restore database NAME from FILE", "Make a database from such a file"},
+    {"check database", "Read and prove everything in the database, and name what is wrong"},
+    {"begin transaction", "Begin a transaction over several commands"},
+    {"commit transaction", "Keep what it has done"},
+    {"abort transaction", "Undo what it has done"},
+    {"list databases", "What there is: databases in the folder"},
+    {"list objects", "objects of the open database with their types"},
+    {"list types", "named types of the open database"},
+    {"list type constructors", "types of the language"},
+    {"list operators", "operators"},
+    {"list counters", "how often exact arithmetic was needed"},
+    {"list algebras", "algebras"},
+    {"if EXPRESSION then COMMAND else COMMAND endif", "Run one command or the other"},
+    {"while EXPRESSION do COMMAND endwhile", "Run a command as long as the condition holds"},
+    {"{ COMMAND | COMMAND }", "Run commands up to the first error; {{ ... }} goes on after errors"},
+    {"set \"timing\" = BOOL", "TRUE: tell how long each statement took"},
+    {"set \"paging\" = BOOL", "FALSE: never send long results through the pager"},
+    {"set \"memory\" = INT", "Limit in megabytes for sorting, grouping and hashing"},
+    {"@FILE", "Run a script; @@FILE stops at its first error"},
+    {"repeat INT COMMAND", "Run a command several times"},
+    {"help OPERATOR", "Explain an operator or a command (also `? NAME`)"},
+    {"quit", "Leave (also `q`, or Ctrl-D on an empty line)"},
+});
+
+constexpr std::string_view kPromptHelp =
+    "  Tab completes commands, operators, objects, types, attributes after a dot, and files in 'quotes'.\n"
+    "  Up, Down and Ctrl-R find earlier commands. A command may take several lines, up to its ';' or an empty line.\n"
+    "  Ctrl-C drops the command that is being typed, or ends the one that runs.\n";
+
+std::string first_word(std::string_view syntax) {
+  return std::string(syntax.substr(0, syntax.find(' ')));
+}
+
+std::string command_lines(std::string_view word) {
+  constexpr std::size_t kWidth = 32;
+  std::string text;
+  for (const auto& [syntax, meaning] : kCommands)
+    if (word.empty() || first_word(syntax) == word)
+      text += syntax.size() > kWidth ? fmt::format("  {}\n  {:{}}  {}\n", syntax, "", kWidth, meaning)
+                                     : fmt::format("  {:{}}  {}\n", syntax, kWidth, meaning);
+  return text;
+}
+
+}  // namespace
+
+std::span<const CommandDescription> command_table() {
+  return kCommands;
+}
+
+std::string shell_help(const algebra3d::Registry& registry) {
+  return fmt::format("Commands (`help NAME` explains a command or an operator)\n{}\nThe prompt\n{}\nOperators\n{}",
+                     command_lines(""), kPromptHelp, algebra3d::help_overview(registry));
+}
+
+algebra3d::Result<std::string> shell_help(const std::string& name, const algebra3d::Registry& registry) {
+  std::string text = command_lines(name);
+  const algebra3d::Operator* op = registry.find_operator(name);
+  if (op != nullptr) text += (text.empty() ? "" : "\n") + algebra3d::help_text(*op);
+  if (!text.empty()) return text;
+  std::vector<std::string> names;
+  for (const algebra3d::Operator* each : registry.operators()) names.push_back(each->name);
+  for (const auto& [syntax, meaning] : kCommands) names.push_back(first_word(syntax));
+  const std::string nearest = algebra3d::nearest_name(name, names);
+  return algebra3d::Error{algebra3d::ErrorCode::unknown_name, "there is no operator or command '{}'{}", name,
+                          nearest.empty() ? "" : ", did you mean '" + nearest + "'?"};
+}
+
+}  // namespace queries

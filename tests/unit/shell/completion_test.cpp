@@ -1,0 +1,132 @@
+#include "queries/shell/completion.h"
+
+#include <gtest/gtest.h>
+
+#include "algebra3d/operators/all.h"
+#include "queries/language/command_reader.h"
+#include "queries/language/parser.h"
+#include "queries/shell/command_table.h"
+
+namespace queries {
+namespace {
+
+CompletionNames names() {
+  CompletionNames names;
+  names.operators = {{"createCube", "("}, {"count", " "}, {"volume", "("}};
+  names.objects = {"Cubes", "Parts", "Über"};
+  names.types = {"volume3d", "int"};
+  names.attributes = {"Colour", "Solid"};
+  names.databases = {"garage", "gears"};
+  names.files = [](const std::string& beginning) {
+    EXPECT_EQ(beginning, "parts/c");
+    return std::vector<std::string>{"parts/cube.stl", "parts/cones/"};
+  };
+  return names;
+}
+
+/// The candidates at the end of `text`.
+std::vector<std::string> ways(const std::string& text) {
+  std::vector<std::string> result;
+  for (const Candidate& candidate : complete(text, text.size(), names()).candidates) result.push_back(candidate.text);
+  return result;
+}
+
+using Words = std::vector<std::string>;
+
+TEST(Completion, first_words_are_commands) {
+  EXPECT_EQ(ways("qu"), (Words{"query", "quit"}));
+  EXPECT_EQ(ways("  let"), (Words{"let", "let_"}));
+  EXPECT_EQ(ways("let A = 1; che"), (Words{"check"}));
+  EXPECT_EQ(ways("zzz"), Words{});
+}
+
+TEST(Completion, further_words_of_commands_come_from_their_table) {
+  EXPECT_EQ(ways("list o"), (Words{"objects", "operators"}));
+  EXPECT_EQ(ways("open "), (Words{"database"}));
+  EXPECT_EQ(ways("open database g"), (Words{"garage", "gears"}));
+  EXPECT_EQ(ways("create database "), Words{});
+  EXPECT_EQ(ways("begin t"), (Words{"transaction"}));
+  EXPECT_EQ(ways("delete P"), (Words{"Parts"}));
+  EXPECT_EQ(ways("changename Parts t"), (Words{"to"}));
+  EXPECT_EQ(ways("set \"t"), (Words{"\"timing\""}));
+}
+
+TEST(Completion, after_help_come_operators_and_commands) {
+  EXPECT_EQ(ways("help vol"), (Words{"volume"}));
+  EXPECT_EQ(ways("help c"), (Words{"changename", "check", "close", "commit", "count", "create", "createCube"}));
+}
+
+TEST(Completion, expressions_hold_operators_objects_types_and_attributes) {
+  EXPECT_EQ(ways("query vol"), (Words{"volume", "volume3d"}));
+  EXPECT_EQ(ways("query Parts feed filter[C"), (Words{"Colour", "Cubes"}));
+  EXPECT_EQ(ways("let X=cr"), (Words{"createCube"}));
+  EXPECT_EQ(ways("update Parts := c"), (Words{"count", "createCube"}));
+  EXPECT_EQ(ways("create P : vo"), (Words{"volume", "volume3d"}));
+  EXPECT_EQ(ways("query "), (Words{"Cubes", "Parts", "Über"}));
+  EXPECT_EQ(ways("query\nPar"), (Words{"Parts"}));
+}
+
+TEST(Completion, after_a_dot_come_attributes) {
+  EXPECT_EQ(ways("query Parts feed filter[."), (Words{"Colour", "Solid"}));
+  EXPECT_EQ(ways("query Parts feed filter[.C"), (Words{"Colour"}));
+}
+
+TEST(Completion, between_quotes_come_files_and_between_double_quotes_nothing) {
+  EXPECT_EQ(ways("query importSTL('parts/c"), (Words{"parts/cones/", "parts/cube.stl"}));
+  EXPECT_EQ(ways("@@parts/c"), (Words{"parts/cones/", "parts/cube.stl"}));
+  EXPECT_EQ(ways("query \"vol"), Words{});
+  EXPECT_EQ(ways("query \"it's\" + vol"), (Words{"volume", "volume3d"}));
+}
+
+TEST(Completion, after_then_and_do_come_commands_too) {
+  EXPECT_EQ(ways("if TRUE then que"), (Words{"query"}));
+  EXPECT_EQ(ways("while TRUE do upd"), (Words{"update"}));
+}
+
+TEST(Completion, a_single_way_brings_what_follows_it) {
+  const auto suffix = [](const std::string& text) {
+    const Completion completion = complete(text, text.size(), names());
+    return completion.candidates.size() == 1 ? completion.candidates[0].suffix : "several";
+  };
+  EXPECT_EQ(suffix("quer"), " ");
+  EXPECT_EQ(suffix("quit"), "");
+  EXPECT_EQ(suffix("query createC"), "(");
+  EXPECT_EQ(suffix("query Parts feed filter[.S"), "");
+}
+
+TEST(Completion, only_what_stands_before_the_cursor_counts) {
+  const Completion completion = complete("query Pa feed", 8, names());
+  EXPECT_EQ(completion.begin, 6U);
+  EXPECT_EQ(completion.candidates, (std::vector<Candidate>{{"Parts", " "}}));
+}
+
+TEST(Completion, common_beginning_is_that_of_all) {
+  EXPECT_EQ(common_beginning({{"query"}, {"quit"}}), "qu");
+  EXPECT_EQ(common_beginning({{"query"}}), "query");
+  EXPECT_EQ(common_beginning({{"a"}, {"b"}}), "");
+  EXPECT_EQ(common_beginning({}), "");
+}
+
+// The table is what people see; the parser is what there is.
+TEST(CommandTable, the_parser_or_the_shell_knows_every_command) {
+  const algebra3d::Registry registry = algebra3d::make_registry();
+  for (const CommandDescription& command : command_table()) {
+    const std::string word(command.syntax.substr(0, command.syntax.find(' ')));
+    if (is_shell_command(word) || word == "{") continue;  // { holds commands of its own
+    const auto parsed = parse_command(word + " ?", registry);
+    ASSERT_FALSE(parsed) << word;
+    EXPECT_EQ(parsed.error().message.find("expected a command"), std::string::npos) << parsed.error().message;
+  }
+}
+
+TEST(CommandTable, help_finds_operators_and_commands_and_suggests_the_nearest) {
+  const algebra3d::Registry registry = algebra3d::make_registry();
+  EXPECT_NE(shell_help("volume", registry).value().find("volume(_)"), std::string::npos);
+  EXPECT_NE(shell_help("let", registry).value().find("let NAME = EXPRESSION"), std::string::npos);
+  const auto unknown = shell_help("volum", registry);
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.error().message, "there is no operator or command 'volum', did you mean 'volume'?");
+}
+
+}  // namespace
+}  // namespace queries
