@@ -106,8 +106,13 @@ struct LineEditor::Callbacks {
       const ssize_t count = ::read(STDIN_FILENO, &byte, 1);
       if (count < 0 && errno == EINTR) continue;
       if (count <= 0) return 0;
-      const std::size_t length = std::mbrtowc(character, &byte, 1, &state);
-      if (length == static_cast<std::size_t>(-1)) state = {};
+      std::size_t length = std::mbrtowc(character, &byte, 1, &state);
+      if (length == static_cast<std::size_t>(-1)) {
+        // The byte does not go on with a character that was begun; it may begin another one.
+        state = {};
+        length = std::mbrtowc(character, &byte, 1, &state);
+        if (length == static_cast<std::size_t>(-1)) state = {};
+      }
       if (length <= 1) return 1;
     }
   }
@@ -142,7 +147,8 @@ LineEditor::LineEditor(Completer completer) : completer_(std::move(completer)) {
   el_set(editor, EL_SIGNAL, 0);
   el_set(editor, EL_HIST, ::history, history_.get());
   el_wset(editor, EL_GETCFN, &Callbacks::read_character);
-  el_set(editor, EL_ADDFN, "complete-word", "Complete the word before the cursor", &Callbacks::complete);
+  // Of narrow names libedit makes copies that it never frees.
+  el_wset(editor, EL_ADDFN, L"complete-word", L"Complete the word before the cursor", &Callbacks::complete);
   el_set(editor, EL_BIND, "^I", "complete-word", nullptr);
   // What people are used to elsewhere and libedit leaves unbound.
   el_set(editor, EL_BIND, "^R", "em-inc-search-prev", nullptr);
