@@ -171,12 +171,13 @@ TEST_F(Terminal, tab_completes_commands_operators_objects_attributes_and_files) 
   std::ofstream(folder_ / "answers.q") << "query 60000 + 61;\n";
   Shell shell(folder_, {"--db", "parts.db"});
   shell.type("let Bolts = intstream(1, 3) transformstream extend[Weight: 20000 + .Elem] consume;\n");
-  shell.type("que\tBol\tfe\textr\t.Wei\t];\n");  // `extract[` brings its bracket
+  // The operators bring their brackets.
+  shell.type("que\tBol\tfe\tfilt\t.Wei\t > 0] extr\tWei\t];\n");
   shell.wait_for("\n20001\r\n");
   shell.type("@ans\t\n");
   shell.wait_for("\n60061\r\n");
-  shell.type("help createCu\t\n");
-  shell.wait_for("two opposite corners");
+  shell.type("help changen\t\n");
+  shell.wait_for("Give an object another name");
   shell.type("list o\t\t");
   shell.wait_for("objects");
   shell.wait_for("operators");
