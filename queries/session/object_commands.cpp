@@ -8,7 +8,7 @@ namespace queries {
 namespace {
 
 bool can_be_stored(const TypeExpr& type, const algebra3d::Registry& registry) {
-  if (type.is_relation() || type.is_function() || type.is("rtree3")) return true;
+  if (type.is_relation() || type.is_function() || is_index(type)) return true;
   return type.arguments().empty() && registry.find_type(type.name()) != nullptr;
 }
 
@@ -36,7 +36,7 @@ Status Session::run(const CreateObject& command, Presenter&, Context& context) {
   return in_transaction(true, [&]() -> Status {
     Objects objects(registry_, store, context);
     ASSIGN_OR_RETURN(const TypeExpr type, Checker(registry_, objects, context).resolve(command.type));
-    if (!can_be_stored(type, registry_) || type.is_function() || type.is("rtree3"))
+    if (!can_be_stored(type, registry_) || type.is_function() || is_index(type))
       return cannot_be_stored("create", type);
     return store->create(command.name, type);
   });

@@ -113,8 +113,7 @@ Result<TypeExpr> Session::Restorer::type() {
   // Types without arguments may stand in parentheses.
   if (list.is_list() && list.elements().size() == 1) list = NestedList(list.elements().front());
   // Types of indexes are made by operators and never written, so that the checker knows none.
-  if (list.is_list() && !list.elements().empty() && list.elements().front().is_symbol("rtree3"))
-    return TypeExpr::from_nested(list);
+  if (auto index = TypeExpr::from_nested(list); index && is_index(*index)) return index;
   ASSIGN_OR_RETURN(const TypeSyntax syntax, NestedReader(registry_, place).type(list));
   return Checker(registry_, objects_, context_).resolve(syntax);
 }
@@ -197,9 +196,9 @@ Status Session::Restorer::value_of(const std::string& name, const TypeExpr& type
   if (type.is_relation()) return relation_value(name, type);
   const SourcePlace place = pieces_.place();
   ASSIGN_OR_RETURN(const auto piece, pieces_.next());
-  if (!piece) return type.is("rtree3") ? Status() : store_.create(name, type);
+  if (!piece) return is_index(type) ? Status() : store_.create(name, type);
   ASSIGN_OR_RETURN(NestedList list, NestedList::parse(*piece));
-  if (type.is("rtree3")) {
+  if (is_index(type)) {
     dependents_.push_back({name, std::move(list), type, place});
     return {};
   }

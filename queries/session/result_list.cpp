@@ -1,5 +1,6 @@
 // Results as nested lists (language.md 4).
 #include "queries/session/session.h"
+#include "queries/streams/ordered_index.h"
 
 namespace queries {
 namespace {
@@ -12,6 +13,13 @@ Result<NestedList> tuple_list(const Tuple& tuple) {
     values.push_back(loaded.to_nested());
   }
   return NestedList(std::move(values));
+}
+
+template <typename Index>
+NestedList index_list(const Index& index) {
+  return NestedList::list(NestedList::symbol(index.is_definition() ? index.relation() : "frozen"),
+                          NestedList::symbol(index.attribute()),
+                          NestedList(static_cast<std::int32_t>(index.tree().size())));
 }
 
 Result<NestedList> relation_list(Relation& relation, Context& context) {
@@ -28,15 +36,15 @@ Result<NestedList> relation_list(Relation& relation, Context& context) {
 
 }  // namespace
 
+bool is_index(const TypeExpr& type) {
+  return type.is("rtree3") || type.is("btree");
+}
+
 Result<NestedList> value_list(const TypeExpr& type, const Datum& value, Context& context) {
   if (type.is_relation()) return relation_list(*value.relation(), context);
   if (type.is_function()) return value.function().to_nested();
-  if (type.is("rtree3")) {
-    const SpatialIndex& index = *value.index();
-    return NestedList::list(NestedList::symbol(index.is_definition() ? index.relation() : "frozen"),
-                            NestedList::symbol(index.attribute()),
-                            NestedList(static_cast<std::int32_t>(index.tree().size())));
-  }
+  if (type.is("rtree3")) return index_list(*value.index());
+  if (type.is("btree")) return index_list(*value.ordered_index());
   if (!std::holds_alternative<Value>(value.content))
     return Error{ErrorCode::not_evaluable, "a result of type {} cannot be shown", type.text()};
   ASSIGN_OR_RETURN(const Value loaded, value.value().loaded());

@@ -8,6 +8,7 @@
 #include "queries/session/objects.h"
 #include "queries/session/saved_list.h"
 #include "queries/session/session.h"
+#include "queries/streams/ordered_index.h"
 
 namespace queries {
 namespace {
@@ -67,7 +68,8 @@ class ObjectWriter {
     }
     ASSIGN_OR_RETURN(const Datum value, store_.read(info.name));
     if (info.type.is_relation()) return write_relation(*value.relation());
-    if (info.type.is("rtree3")) return write_index(info, *value.index());
+    if (info.type.is("rtree3")) return write_index(info, *value.index(), "creatertree");
+    if (info.type.is("btree")) return write_index(info, *value.ordered_index(), "createbtree");
     ASSIGN_OR_RETURN(const Value loaded, value.value().loaded());
     file_.out() << " " << loaded.to_nested().print() << " ()";
     return {};
@@ -93,14 +95,15 @@ class ObjectWriter {
   }
 
   // An index is saved as the expression that makes it: its boxes lie in the relation.
-  Status write_index(const ObjectInfo& info, const SpatialIndex& index) {
+  template <typename Index>
+  Status write_index(const ObjectInfo& info, const Index& index, std::string_view maker) {
     if (index.is_definition()) {
-      file_.out() << " (creatertree " << index.relation() << " " << index.attribute() << ") ()";
+      file_.out() << " (" << maker << " " << index.relation() << " " << index.attribute() << ") ()";
       return {};
     }
     context_.diagnostics.report(
         "save: '" + info.name +
-        "' is a copy of a stream's boxes, with tuple numbers that mean nothing elsewhere; it is saved without a value");
+        "' is a copy of a stream, with tuple numbers that mean nothing elsewhere; it is saved without a value");
     return {};
   }
 

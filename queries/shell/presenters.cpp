@@ -43,7 +43,7 @@ Status TablePresenter::present(const TypeExpr& type, const Datum& value, Context
     return {};
   }
   ASSIGN_OR_RETURN(const NestedList result, value_list(type, value, context));
-  if (type.is_function() || type.is("rtree3")) out_ << type.text() << "\n";
+  if (type.is_function() || is_index(type)) out_ << type.text() << "\n";
   out_ << printable(result.print()) << "\n";
   return {};
 }
