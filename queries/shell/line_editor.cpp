@@ -168,6 +168,8 @@ LineEditor::~LineEditor() = default;
 LineEditor::Event LineEditor::read(const std::string& prompt, std::string& line) {
   prompt_ = prompt;
   el_resize(editor_.get());
+  // libedit itself does this after the prompt, and a key such as Ctrl-R that comes in between is lost.
+  el_set(editor_.get(), EL_PREP_TERM, 1);
   int count = 0;
   const char* typed = el_gets(editor_.get(), &count);
   if (Interruption::flag().load()) return Event::interrupted;

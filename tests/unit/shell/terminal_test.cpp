@@ -178,11 +178,12 @@ TEST_F(Terminal, tab_completes_commands_operators_objects_attributes_and_files) 
   shell.wait_for("\n60061\r\n");
   shell.type("help changen\t\n");
   shell.wait_for("Give an object another name");
-  shell.type("list o\t\t");
+  shell.type("list o\t");
   shell.wait_for("objects");
   shell.wait_for("operators");
   shell.wait_for("list o");
   shell.send(kCtrlC);
+  shell.wait_for("^C\r\n");
   shell.type("quit\n");
   EXPECT_EQ(shell.exit_status(), 0);
 }
@@ -192,9 +193,11 @@ TEST_F(Terminal, ctrl_c_drops_what_is_being_typed_and_not_the_shell) {
   shell.type("query 1 +");
   shell.wait_for("query 1 +");
   shell.send(kCtrlC);
+  shell.wait_for("^C\r\n");
   shell.type("query (\n");
   shell.wait_for(kContinuation);
   shell.send(kCtrlC);
+  shell.wait_for("^C\r\n");
   shell.type("query 41000 + 273;\n");
   shell.wait_for("\n41273\r\n");
   shell.type("quit\n");
