@@ -86,6 +86,7 @@ int Import::run() {
 
 Status Import::take_in(const FileList& list) {
   ASSIGN_OR_RETURN(const auto store, Store::open(options_.database, OpenMode::open_or_create, host_.registry));
+  if (!store->opening_notice().empty()) host_.err << "note: " << store->opening_notice() << "\n";
   RelationWriter writer(*store, options_.relation,
                         {std::chrono::duration<double>(options_.batch_seconds), options_.batch_megabytes * 1e6});
   RETURN_IF_ERROR(writer.prepare());

@@ -36,10 +36,6 @@ Result<NestedList> relation_list(Relation& relation, Context& context) {
 
 }  // namespace
 
-bool is_index(const TypeExpr& type) {
-  return type.is("rtree3") || type.is("btree");
-}
-
 Result<NestedList> value_list(const TypeExpr& type, const Datum& value, Context& context) {
   if (type.is_relation()) return relation_list(*value.relation(), context);
   if (type.is_function()) return value.function().to_nested();

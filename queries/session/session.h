@@ -119,9 +119,6 @@ class Session {
   std::unique_ptr<Store> store_;
 };
 
-/// Types of objects that find tuples of a relation: rtree3, btree.
-bool is_index(const TypeExpr& type);
-
 /// The result list `(T V)` of a query. Streams and tuples have none: error not_evaluable.
 Result<NestedList> result_list(const TypeExpr& type, const Datum& value, Context& context);
 /// The value list V alone.

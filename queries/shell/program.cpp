@@ -86,6 +86,8 @@ int run_session(const Options& options, const algebra3d::Registry& registry) {
       std::cerr << "error: " << opened.error().message << "\n";
       return kFailed;
     }
+    if (const std::string& notice = session.store()->opening_notice(); !notice.empty())
+      std::cerr << "note: " << notice << "\n";
   }
   TerminalOutput terminal(std::cout, terminal_settings());
   std::ostream terminal_stream(&terminal);

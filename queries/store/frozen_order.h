@@ -9,10 +9,6 @@
 
 namespace queries {
 
-/// Index objects: of boxes or of ordered values.
-inline bool is_index(const TypeExpr& type) {
-  return type.is("rtree3") || type.is("btree");
-}
 /// The type of the values in a btree object; null if it is none that is known.
 const algebra3d::Type* ordered_key_type(const algebra3d::Registry& registry, const TypeExpr& type);
 

@@ -15,6 +15,11 @@
 
 namespace queries {
 
+/// Index objects: of boxes or of ordered values.
+inline bool is_index(const TypeExpr& type) {
+  return type.is("rtree3") || type.is("btree");
+}
+
 /// What the catalogue says of one object.
 struct ObjectInfo {
   std::string name;
