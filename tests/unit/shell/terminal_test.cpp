@@ -88,8 +88,22 @@ class Shell {
     send(keys);
   }
   void terminate() const { kill(process_, SIGTERM); }
+  // What the shell still writes is read meanwhile, since its end waits until its output has gone.
   int exit_status() {
     int status = 0;
+    char bytes[4096];
+    const auto end = std::chrono::steady_clock::now() + kLimit;
+    for (pollfd ready{terminal_, POLLIN, 0}; poll(&ready, 1, 1000) >= 0;) {
+      if (std::chrono::steady_clock::now() > end) {
+        ADD_FAILURE() << "the shell did not end; unread: " << unread_;
+        kill(process_, SIGKILL);
+        break;
+      }
+      if (ready.revents == 0) continue;
+      const ssize_t count = read(terminal_, bytes, sizeof bytes);
+      if (count <= 0) break;
+      unread_.append(bytes, static_cast<std::size_t>(count));
+    }
     EXPECT_EQ(waitpid(process_, &status, 0), process_);
     process_ = 0;
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
