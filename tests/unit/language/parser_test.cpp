@@ -143,7 +143,8 @@ TEST(SyntaxErrors, say_where_what_was_found_and_what_is_possible) {
   EXPECT_EQ(parsed("(1\n + 2"), "error 2:5 expected ')' to close the bracket, found the end of the command");
   EXPECT_EQ(parsed("1 2"), "error 1:3 expected an operator between two operands");
   EXPECT_EQ(parsed("size x"), "error 1:6 expected '(' after the operator 'size', found 'x'");
-  EXPECT_EQ(parsed("s filter(.A)"), "error 1:9 expected '[' after 'filter' (syntax: _ filter[fun(TUPLE)]), found '('");
+  EXPECT_EQ(parsed("s filter(.A)"),
+            "error 1:9 expected '[' after 'filter' (syntax: _ filter[fun(STREAMELEM)]), found '('");
   EXPECT_EQ(parsed("s extend[A 1]"), "error 1:12 expected ':' after the name of the new attribute 'A', found '1'");
   EXPECT_EQ(parsed("s groupby[A, N: 1]"), "error 1:15 expected ';' in the arguments of 'groupby', found ':'");
   EXPECT_EQ(parsed("s project[1]"), "error 1:11 expected an attribute name, found '1'");
