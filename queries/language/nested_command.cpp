@@ -11,8 +11,8 @@ using algebra3d::Result;
 
 class ListInput final : public CommandInput {
  public:
-  ListInput(const NestedList& list, const algebra3d::Registry& registry, const SourcePlace& place)
-      : list_(list), registry_(registry), place_(place) {}
+  ListInput(const NestedList& list, const algebra3d::Registry& registry, SourcePlace place)
+      : list_(list), registry_(registry), place_(std::move(place)) {}
 
   bool at(std::string_view spelling) override {
     return !is_at_end() && next().is_symbol() && next().as_symbol() == spelling;
