@@ -2,8 +2,6 @@
 // tuple by tuple; everything happens in one transaction.
 #include <unistd.h>
 
-#include <cstdlib>
-
 #include "queries/language/checker.h"
 #include "queries/language/nested_reader.h"
 #include "queries/language/parser.h"
@@ -12,30 +10,12 @@
 #include "queries/session/objects.h"
 #include "queries/session/saved_list.h"
 #include "queries/session/session.h"
+#include "queries/session/variables.h"
 #include "queries/streams/mapping.h"
 #include "stl/mapped_file.h"
 
 namespace queries {
 namespace {
-
-// `$(NAME)` stands for the environment variable, and for nothing if there is none.
-std::string with_variables(std::string_view text) {
-  std::string result;
-  std::size_t position = 0;
-  while (position < text.size()) {
-    const std::size_t begin = text.find("$(", position);
-    const std::size_t end = begin == std::string_view::npos ? begin : text.find(')', begin);
-    result += text.substr(position, begin == std::string_view::npos ? begin : begin - position);
-    if (end == std::string_view::npos) {
-      if (begin != std::string_view::npos) result += text.substr(begin);
-      break;
-    }
-    const std::string name(text.substr(begin + 2, end - begin - 2));
-    if (const char* value = std::getenv(name.c_str())) result += value;  // NOLINT(concurrency-mt-unsafe)
-    position = end + 1;
-  }
-  return result;
-}
 
 /// The text of a saved list: mapped, or copied where variables had to be replaced.
 class SavedText {

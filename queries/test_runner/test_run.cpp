@@ -8,6 +8,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "queries/session/variables.h"
+
 namespace queries {
 namespace {
 
@@ -40,21 +42,6 @@ std::string replaced(std::string text, std::string_view from, const std::string&
   for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
     text.replace(at, from.size(), to);
   return text;
-}
-
-// `$(NAME)` stands for the environment variable, and for nothing if there is none.
-std::string with_variables(const std::string& text) {
-  std::string result;
-  for (std::size_t position = 0; position < text.size();) {
-    const std::size_t begin = text.find("$(", position);
-    const std::size_t end = begin == std::string::npos ? begin : text.find(')', begin);
-    result += text.substr(position, end == std::string::npos ? end : begin - position);
-    if (end == std::string::npos) break;
-    const char* value = std::getenv(text.substr(begin + 2, end - begin - 2).c_str());  // NOLINT(concurrency-mt-unsafe)
-    if (value != nullptr) result += value;
-    position = end + 1;
-  }
-  return result;
 }
 
 // `ExtRelation-C++` and `RTreeAlgebra` are written with and without their endings.
