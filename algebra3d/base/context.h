@@ -8,6 +8,8 @@
 
 namespace algebra3d {
 
+class WorkMemory;  // work_memory.h
+
 /// What a running operator may use of its surroundings, apart from its arguments.
 /// The host (shell, server, PostgreSQL) owns everything that is referred to, for longer than the call.
 struct Context {
@@ -16,6 +18,8 @@ struct Context {
   const std::atomic<bool>* cancel = nullptr;
   /// Relative file names in operators are taken from here; empty: the process's working directory.
   std::filesystem::path folder;
+  /// What operators that keep many values may keep in memory; null: without a limit.
+  WorkMemory* memory = nullptr;
 
   bool is_cancelled() const { return cancel != nullptr && cancel->load(std::memory_order_relaxed); }
 

@@ -5,19 +5,56 @@
 #include <fmt/format.h>
 
 namespace algebra3d {
+namespace {
+
+bool is_digit(char c) {
+  return '0' <= c && c <= '9';
+}
+
+/// The text with one sign for each number.
+std::string without_numbers(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    const bool goes_on = !result.empty() && result.back() == '#';
+    if (!is_digit(c) && !(goes_on && c == '.')) result.push_back(c);
+    if (!is_digit(c) || goes_on) continue;
+    if (!result.empty() && result.back() == '-') result.pop_back();
+    result.push_back('#');
+  }
+  return result;
+}
+
+}  // namespace
+
+/// The entry of `text`, made if there is room for it; null if not, with the report counted.
+Diagnostics::Entry* Diagnostics::entry_of(std::string&& text, Kind* kind) {
+  if (const auto found = position_of_.find(text); found != position_of_.end()) return &entries_[found->second];
+  if (kind != nullptr && kind->kept == kAlikeKept) {
+    ++entries_[kind->last].alike;
+    return nullptr;
+  }
+  if (entries_.size() == kTextsKept) {
+    ++dropped_count_;
+    return nullptr;
+  }
+  position_of_.emplace(text, entries_.size());
+  if (kind != nullptr) *kind = {kind->kept + 1, entries_.size()};
+  return &entries_.emplace_back(Entry{std::move(text), {}, 0});
+}
 
 void Diagnostics::report(std::string text, std::string place) {
   const std::scoped_lock lock(mutex_);
-  auto entry = std::ranges::find(entries_, text, &Entry::text);
-  if (entry == entries_.end()) {
-    if (entries_.size() == kTextsKept) {
-      ++dropped_count_;
-      return;
-    }
-    entry = entries_.insert(entries_.end(), Entry{std::move(text), {}, 0});
-  }
+  auto kind = kinds_.find(without_numbers(text));
+  if (kind == kinds_.end() && entries_.size() < kTextsKept) kind = kinds_.emplace(without_numbers(text), Kind()).first;
+  Entry* const entry = entry_of(std::move(text), kind == kinds_.end() ? nullptr : &kind->second);
+  if (entry == nullptr) return;
   ++entry->count;
   if (!place.empty() && entry->places.size() < kPlacesKept) entry->places.push_back(std::move(place));
+}
+
+void Diagnostics::show(std::string text) {
+  const std::scoped_lock lock(mutex_);
+  if (Entry* const entry = entry_of(std::move(text), nullptr)) ++entry->count;
 }
 
 std::vector<Diagnostics::Entry> Diagnostics::entries() const {
@@ -38,6 +75,8 @@ bool Diagnostics::empty() const {
 void Diagnostics::clear() {
   const std::scoped_lock lock(mutex_);
   entries_.clear();
+  position_of_.clear();
+  kinds_.clear();
   dropped_count_ = 0;
 }
 
@@ -49,6 +88,7 @@ std::vector<std::string> Diagnostics::summary() const {
     if (!entry.places.empty()) line += fmt::format(" ({})", fmt::join(entry.places, "; "));
     const std::uint64_t shown = std::max<std::uint64_t>(1, entry.places.size());
     if (entry.count > shown) line += fmt::format(" and {} more", entry.count - shown);
+    if (entry.alike > 0) line += fmt::format("; {} more differ only in numbers", entry.alike);
     lines.push_back(std::move(line));
   }
   if (dropped_count_ > 0) lines.push_back(fmt::format("{} further diagnostics of other kinds", dropped_count_));

@@ -3,28 +3,35 @@
 #include <cstdint>
 #include <mutex>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace algebra3d {
 
 /// Diagnostics of one statement: the reasons why values became undefined, and remarks that change no value.
 ///
-/// Equal texts are counted, not repeated: per text the first places are kept (`kPlacesKept`), and of different texts
-/// the first `kTextsKept`; all others are only counted. So memory stays bounded however long a statement runs. All
-/// members may be called by several threads at once; the order of texts is that of their first report.
+/// Equal texts are counted, not repeated: per text the first places are kept (`kPlacesKept`), of texts that differ only
+/// in their numbers the first `kAlikeKept`, of all others the first `kTextsKept`; the rest is only counted. So memory
+/// stays bounded however long a statement runs. All members may be called by several threads at once; the order of
+/// texts is that of their first report.
 class Diagnostics {
  public:
   static constexpr std::size_t kPlacesKept = 3;
+  static constexpr std::size_t kAlikeKept = 3;
   static constexpr std::size_t kTextsKept = 200;
 
   struct Entry {
     std::string text;                 ///< what happened, without the place
     std::vector<std::string> places;  ///< where: at most kPlacesKept, empty if no place was given
     std::uint64_t count = 0;
+    std::uint64_t alike = 0;  ///< reports that differed from this one only in numbers, and were not kept
   };
 
   /// Counts one occurrence of `text` at `place` (file, attribute, coordinate; may be empty).
   void report(std::string text, std::string place = {});
+  /// Keeps `text` as it is, whatever numbers others have: for what the user asked to see.
+  void show(std::string text);
 
   /// The entries so far, in order of first report.
   std::vector<Entry> entries() const;
@@ -37,8 +44,16 @@ class Diagnostics {
   std::vector<std::string> summary() const;
 
  private:
+  struct Kind {
+    std::size_t kept = 0;
+    std::size_t last = 0;  // the entry that was kept last
+  };
+  Entry* entry_of(std::string&& text, Kind* kind);
+
   mutable std::mutex mutex_;
   std::vector<Entry> entries_;
+  std::unordered_map<std::string, std::size_t> position_of_;
+  std::unordered_map<std::string, Kind> kinds_;  // by the text without its numbers
   std::uint64_t dropped_count_ = 0;
 };
 

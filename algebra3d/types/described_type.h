@@ -56,6 +56,13 @@ class DescribedType : public Type {
   Description description_;
 };
 
+/// What a value with an object of class T takes on the heap, besides what the object itself has there.
+template <typename T>
+constexpr std::size_t object_bytes() {
+  constexpr std::size_t kAllocation = 32;  // counters of references, the allocator's own
+  return sizeof(T) + kAllocation;
+}
+
 /// Order of defined reals: no NaN, and the two zeros are equal.
 inline std::strong_ordering compare_reals(double a, double b) {
   return a < b ? std::strong_ordering::less : a > b ? std::strong_ordering::greater : std::strong_ordering::equal;

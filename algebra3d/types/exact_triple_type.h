@@ -22,6 +22,9 @@ class ExactTripleType : public DescribedType {
 
   std::strong_ordering compare(const Value& a, const Value& b) const override { return triple_of(a) <=> triple_of(b); }
   std::size_t hash(const Value& value) const override { return triple_of(value).hash(); }
+  std::size_t heap_bytes(const Value& value) const override {
+    return object_bytes<T>() + (triple_of(value).is_double() ? 0 : object_bytes<RationalVec3>());
+  }
 
   void encode(const Value& value, std::string& bytes) const override {
     ByteWriter writer(bytes);

@@ -28,6 +28,10 @@ class GeometryType : public DescribedType {
   }
   std::size_t hash(const Value& value) const override { return hash_triangles(value.get<T>().mesh()); }
 
+  std::size_t heap_bytes(const Value& value) const override {
+    return object_bytes<T>() + object_bytes<Geometry>() + value.get<T>().mesh().heap_bytes();
+  }
+
   GeometryHeader header(const Value& value) const override {
     const T& content = value.get<T>();
     return {content.box(), static_cast<std::uint32_t>(content.mesh().face_count())};

@@ -77,6 +77,10 @@ class Plane3dType final : public DescribedType {
     return result;
   }
 
+  std::size_t heap_bytes(const Value& /*value*/) const override {
+    return object_bytes<Plane3d>() + object_bytes<Quadruple>();
+  }
+
   void encode(const Value& value, std::string& bytes) const override;
   Result<Value> decode(std::string_view bytes, bool trusted) const override;
 

@@ -52,6 +52,12 @@ class Points3dType final : public DescribedType {
     return result;
   }
 
+  std::size_t heap_bytes(const Value& value) const override {
+    std::size_t result = object_bytes<Points3d>() + points_of(value).size() * sizeof(ExactPoint);
+    for (const auto& point : points_of(value)) result += point.is_double() ? 0 : object_bytes<RationalVec3>();
+    return result;
+  }
+
   GeometryHeader header(const Value& value) const override {
     GeometryHeader result;
     for (const auto& point : points_of(value)) result.box.extend(box_of(point));

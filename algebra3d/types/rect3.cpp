@@ -65,6 +65,8 @@ class Rect3Type final : public DescribedType {
     return result;
   }
 
+  std::size_t heap_bytes(const Value& /*value*/) const override { return object_bytes<Box3>(); }
+
   GeometryHeader header(const Value& value) const override { return {value.get<Box3>(), 0}; }
 
   void encode(const Value& value, std::string& bytes) const override {

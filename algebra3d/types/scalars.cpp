@@ -35,6 +35,10 @@ class IntType final : public DescribedType {
   std::size_t hash(const Value& value) const override {
     return hash_word(static_cast<std::uint64_t>(value.get<std::int32_t>()));
   }
+  std::uint64_t order_prefix(const Value& value) const override {
+    return static_cast<std::uint64_t>(std::int64_t{value.get<std::int32_t>()} + (std::int64_t{1} << 31U));
+  }
+  std::size_t heap_bytes(const Value& /*value*/) const override { return 0; }
 
   void encode(const Value& value, std::string& bytes) const override {
     ByteWriter(bytes).u32(static_cast<std::uint32_t>(value.get<std::int32_t>()));
@@ -69,6 +73,14 @@ class RealType final : public DescribedType {
     return compare_reals(a.get<double>(), b.get<double>());
   }
   std::size_t hash(const Value& value) const override { return hash_real(value.get<double>()); }
+  // Doubles of one sign are in the order of their bits.
+  std::uint64_t order_prefix(const Value& value) const override {
+    const double number = value.get<double>();
+    constexpr std::uint64_t kSign = std::uint64_t{1} << 63U;
+    const auto bits = std::bit_cast<std::uint64_t>(number == 0 ? 0.0 : number);
+    return (bits & kSign) != 0 ? ~bits : bits | kSign;
+  }
+  std::size_t heap_bytes(const Value& /*value*/) const override { return 0; }
 
   void encode(const Value& value, std::string& bytes) const override { ByteWriter(bytes).f64(value.get<double>()); }
   Result<Value> decode(std::string_view bytes, bool /*trusted*/) const override {
@@ -100,6 +112,8 @@ class BoolType final : public DescribedType {
     return a.get<bool>() <=> b.get<bool>();
   }
   std::size_t hash(const Value& value) const override { return hash_word(value.get<bool>() ? 2 : 1); }
+  std::uint64_t order_prefix(const Value& value) const override { return value.get<bool>() ? 1 : 0; }
+  std::size_t heap_bytes(const Value& /*value*/) const override { return 0; }
 
   void encode(const Value& value, std::string& bytes) const override {
     ByteWriter(bytes).u8(value.get<bool>() ? 1 : 0);
@@ -139,6 +153,18 @@ class CharactersType final : public DescribedType {
   std::strong_ordering compare(const Value& a, const Value& b) const override { return content(a) <=> content(b); }
   std::size_t hash(const Value& value) const override {
     return XXH3_64bits(content(value).data(), content(value).size());
+  }
+  // The first eight bytes, filled up with zeros.
+  std::uint64_t order_prefix(const Value& value) const override {
+    std::uint64_t result = 0;
+    for (std::size_t i = 0; i < 8; ++i)
+      result = result << 8U | (i < content(value).size() ? static_cast<unsigned char>(content(value)[i]) : 0U);
+    return result;
+  }
+  std::size_t heap_bytes(const Value& value) const override {
+    constexpr std::size_t kWithinObject = 15;
+    const std::size_t capacity = content(value).capacity();
+    return object_bytes<T>() + (capacity > kWithinObject ? capacity + 1 : 0);
   }
 
   void encode(const Value& value, std::string& bytes) const override { bytes += content(value); }

@@ -41,6 +41,11 @@ class TupleNumberType final : public DescribedType {
     return hash_word(static_cast<std::uint64_t>(value.get<TupleNumber>().number));
   }
 
+  std::uint64_t order_prefix(const Value& value) const override {
+    return static_cast<std::uint64_t>(value.get<TupleNumber>().number);
+  }
+  std::size_t heap_bytes(const Value& /*value*/) const override { return object_bytes<TupleNumber>(); }
+
   void encode(const Value& value, std::string& bytes) const override {
     ByteWriter(bytes).u64(static_cast<std::uint64_t>(value.get<TupleNumber>().number));
   }

@@ -46,6 +46,12 @@ std::size_t hash(const Value& value) {
   return value.is_defined() ? value.type().hash(value) : 0;
 }
 
+std::size_t heap_bytes(const Value& value) {
+  constexpr std::size_t kDeferred = 192;  // where it lies and its header
+  if (value.is_deferred()) return kDeferred;
+  return value.is_defined() ? value.type().heap_bytes(value) : 0;
+}
+
 Result<Value> value_from_nested(const Type& type, const NestedList& list, Context& context) {
   if (list.is_undefined()) return Value(type);
   return type.from_nested(list, context);

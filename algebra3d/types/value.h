@@ -52,6 +52,11 @@ class Type {
   /// The canonical order: equality, order and hash agree with each other.
   virtual std::strong_ordering compare(const Value& a, const Value& b) const = 0;
   virtual std::size_t hash(const Value& value) const = 0;
+  /// The beginning of the value in its order: if a < b then order_prefix(a) <= order_prefix(b). 0 says nothing.
+  virtual std::uint64_t order_prefix(const Value& /*value*/) const { return 0; }
+
+  /// What the value takes on the heap, about; it may share it with others.
+  virtual std::size_t heap_bytes(const Value& value) const = 0;
 
   /// Box and count; only for spatial types.
   virtual GeometryHeader header(const Value& value) const = 0;
@@ -134,6 +139,12 @@ class Value {
 /// Order of two loaded values of one type; undefined comes first and equals undefined.
 std::strong_ordering compare(const Value& a, const Value& b);
 std::size_t hash(const Value& value);
+/// Of a loaded value: if a < b then order_prefix(a) <= order_prefix(b).
+inline std::uint64_t order_prefix(const Value& value) {
+  return value.is_defined() ? value.type().order_prefix(value) : 0;
+}
+/// What the value takes on the heap, about: that of a deferred one without what it will load.
+std::size_t heap_bytes(const Value& value);
 /// Reads a value list of `type`, `undefined` included.
 Result<Value> value_from_nested(const Type& type, const NestedList& list, Context& context);
 

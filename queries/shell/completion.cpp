@@ -183,8 +183,9 @@ Completion Completer::run() {
     if (surroundings_.quote == '\0') add_names();
   }
   std::ranges::sort(result_.candidates, {}, &Candidate::text);
-  const auto repeated = std::ranges::unique(result_.candidates, {}, &Candidate::text);
-  result_.candidates.erase(repeated.begin(), repeated.end());
+  const auto is_same = [](const Candidate& a, const Candidate& b) { return a.text == b.text; };
+  auto& candidates = result_.candidates;
+  candidates.erase(std::unique(candidates.begin(), candidates.end(), is_same), candidates.end());
   return std::move(result_);
 }
 

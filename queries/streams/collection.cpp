@@ -43,6 +43,12 @@ class CollectionType final : public algebra3d::DescribedType {
       code = algebra3d::combine_hashes(code, algebra3d::hash(element));
     return code;
   }
+  std::size_t heap_bytes(const Value& value) const override {
+    std::size_t result = algebra3d::object_bytes<Collection>();
+    for (const Value& element : value.get<Collection>().elements)
+      result += sizeof(Value) + algebra3d::heap_bytes(element);
+    return result;
+  }
   void encode(const Value& /*value*/, std::string& /*bytes*/) const override {}
   Result<Value> decode(std::string_view /*bytes*/, bool /*trusted*/) const override {
     return corrupt("collections are not stored");

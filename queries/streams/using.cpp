@@ -82,7 +82,7 @@ Result<Plan> map_printstream(std::span<const ArgumentType> arguments) {
                         ASSIGN_OR_RETURN(ElementOf<Stream> next, stream->next());
                         if (!next) return next;
                         ASSIGN_OR_RETURN(const std::string text, shown(next));
-                        context.diagnostics.report(fmt::format("printstream: {}: {}", ++number, text));
+                        context.diagnostics.show(fmt::format("printstream: {}: {}", ++number, text));
                         return next;
                       })});
                 });

@@ -19,10 +19,31 @@ TEST(Diagnostics, ten_thousand_equal_ones_are_one_line) {
 
 TEST(Diagnostics, different_ones_are_bounded) {
   Diagnostics diagnostics;
-  for (int i = 0; i < 10'000; ++i) diagnostics.report("reason " + std::to_string(i));
+  for (int i = 0; i < 10'000; ++i) diagnostics.show("reason " + std::to_string(i));
   EXPECT_EQ(diagnostics.entries().size(), Diagnostics::kTextsKept);
   EXPECT_EQ(diagnostics.dropped_count(), 10'000 - Diagnostics::kTextsKept);
   EXPECT_EQ(diagnostics.summary().back(), "9800 further diagnostics of other kinds");
+}
+
+TEST(Diagnostics, of_those_that_differ_only_in_numbers_three_are_kept) {
+  Diagnostics diagnostics;
+  for (int i = 1; i <= 10'000; ++i) {
+    diagnostics.report("the result " + std::to_string(-i) + " is beyond 7");
+    diagnostics.report("the value " + std::to_string(i * 0.5) + " is new");
+  }
+  EXPECT_EQ(diagnostics.summary(),
+            (std::vector<std::string>{"the result -1 is beyond 7", "the value 0.500000 is new",
+                                      "the result -2 is beyond 7", "the value 1.000000 is new",
+                                      "the result -3 is beyond 7; 9997 more differ only in numbers",
+                                      "the value 1.500000 is new; 9997 more differ only in numbers"}));
+}
+
+TEST(Diagnostics, an_equal_text_is_counted_however_many_are_alike) {
+  Diagnostics diagnostics;
+  for (int i = 0; i < 10; ++i) diagnostics.report("point " + std::to_string(i));
+  diagnostics.report("point 0", "here");
+  EXPECT_EQ(diagnostics.entries()[0].count, 2U);
+  EXPECT_EQ(diagnostics.entries()[2].alike, 7U);
 }
 
 TEST(Diagnostics, several_threads_may_report) {
