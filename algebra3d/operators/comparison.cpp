@@ -13,6 +13,7 @@ using Test = bool (*)(std::strong_ordering);
 // Compares loaded values of one type.
 Overload comparison(const Type& type, Test holds) {
   Overload overload;
+  overload.is_symmetric = holds(std::strong_ordering::less) == holds(std::strong_ordering::greater);
   overload.parameters = {{"a", &type}, {"b", &type}};
   overload.result = &TypeOf<bool>::type();
   overload.function = [holds](std::span<const Value> values, Context&) -> Result<Outcome> {

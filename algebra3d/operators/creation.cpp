@@ -204,6 +204,7 @@ void register_round_prism(Registry& registry) {
           "The base lies in the plane z = that of the centre, its first corner in direction +x; 4n - 4 triangles. " +
           kRoundNote,
       .exactness = Exactness::rounded_once,
+      .frame_use = FrameUse::axes,
       .overloads = {overload<&make_cylinder>("base", "radius", "height", "n")},
       .examples = {{"volume(createCylinder(" + kOrigin + ", 1, 3, 4))", "6.0"},
                    {"size(createCylinder(" + kOrigin + ", 1, 3, 12))", "44"},
@@ -218,6 +219,7 @@ void register_round_prism(Registry& registry) {
       .doc = "An upright pyramid over a regular polygon: centre of its base, radius, height and number of corners.",
       .detail = "The apex lies above the centre; 2n - 2 triangles. " + kRoundNote,
       .exactness = Exactness::rounded_once,
+      .frame_use = FrameUse::axes,
       .overloads = {overload<&make_cone>("base", "radius", "height", "n")},
       .examples = {{"volume(createCone(" + kOrigin + ", 1, 3, 4))", "2.0"},
                    {"size(createCone(" + kOrigin + ", 1, 3, 12))", "22"},
@@ -237,7 +239,7 @@ void register_creation(Registry& registry) {
       .doc = "The axis-parallel box between two corners, given in any order, as 12 triangles.",
       .detail = "Undefined if the box has no extent along an axis.",
       .exactness = Exactness::exact,
-      .overloads = {overload<&make_cube>("p", "q")},
+      .overloads = {symmetric(overload<&make_cube>("p", "q"))},
       .examples = {{"volume(createCube(makePoint3D(1, 1, 1), makePoint3D(0, -1, 4)))", "6.0"},
                    {"size(createCube(" + kOrigin + ", makePoint3D(1, 1, 1)))", "12"},
                    {"createCube(" + kOrigin + ", makePoint3D(1, 0, 1))", "undefined"},
@@ -255,6 +257,7 @@ void register_creation(Registry& registry) {
           "triangles, at most 40 million. " +
           kRoundNote,
       .exactness = Exactness::rounded_once,
+      .frame_use = FrameUse::axes,
       .overloads = {overload<&make_sphere>("centre", "radius", "n")},
       // With 4 corners, the octahedron: 4/3 r^3.
       .examples = {{"volume(createSphere(" + kOrigin + ", 3, 4))", "36.0"},

@@ -112,6 +112,7 @@ void register_files(Registry& registry) {
           "that, if a coordinate is beyond the range of floats, if an argument is undefined, or if the file cannot "
           "be written; a file that was there before is then left as it was.",
       .exactness = Exactness::rounded_once,
+      .frame_use = FrameUse::coordinates,
       .overloads = {overload<&export_stl>("solid", "name", "file", "binary")},
       .examples = {{kCube + R"( exportSTL["cube", 'no such folder/cube.stl', TRUE])", "FALSE"},
                    {R"([const volume3d value undefined] exportSTL["cube", 'cube.stl', TRUE])", "FALSE"}},

@@ -118,7 +118,7 @@ void register_information(Registry& registry) {
                     overload<&box_intersects<Points3d>>("points", "box"),
                     overload<&box_intersects<Surface3d>>("surface", "box"),
                     overload<&box_intersects<Volume3d>>("solid", "box"),
-                    overload<&box_intersects<Box3>>("other", "box")},
+                    symmetric(overload<&box_intersects<Box3>>("other", "box"))},
       .examples = {{"bboxIntersects(" + cube + ", rectangle3(1, 2, 1, 2, 1, 2))", "TRUE"},
                    {"bboxIntersects([const volume3d value ()], rectangle3(1, 2, 1, 2, 1, 2))", "FALSE"},
                    {"bboxIntersects([const volume3d value undefined], rectangle3(1, 2, 1, 2, 1, 2))", "undefined"}},

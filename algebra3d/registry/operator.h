@@ -24,6 +24,14 @@ enum class Exactness : std::uint8_t {
 };
 std::string_view describe(Exactness exactness);
 
+/// What an operator knows of the frame of coordinates. One that knows nothing of it gives the moved answer for moved
+/// arguments; tests ask every such operator again in another frame.
+enum class FrameUse : std::uint8_t {
+  none,         ///< moved arguments give the moved answer
+  axes,         ///< distances or a shape belong to certain axes; where the origin lies does not matter
+  coordinates,  ///< coordinates come out as numbers, or in a file
+};
+
 /// What an overload gives: a value, the elements of a stream, or undefined with its reason.
 using Outcome = std::variant<Value, std::vector<Value>, Undefined>;
 
@@ -39,6 +47,7 @@ struct Overload {
   std::vector<Parameter> parameters;
   const Type* result = nullptr;
   bool result_is_stream = false;  ///< a stream of `result`
+  bool is_symmetric = false;      ///< of two parameters of one type, which may change places without any difference
   /// Arguments have exactly the parameter types; undefined ones only where accepted. Loads what it needs.
   std::function<Result<Outcome>(std::span<const Value>, Context&)> function;
 
@@ -76,6 +85,7 @@ struct Operator {
   std::string doc = {};     ///< one sentence: what it gives, in which unit
   std::string detail = {};  ///< domain, special cases, what is undefined; may be empty
   Exactness exactness = Exactness::not_numeric;
+  FrameUse frame_use = FrameUse::none;
   std::vector<std::string> sources = {};                         ///< keys of docs/references.md
   std::vector<Overload> overloads = {};                          ///< of a value operator
   std::shared_ptr<const StreamImplementation> stream = nullptr;  ///< of a stream operator

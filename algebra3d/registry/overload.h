@@ -161,4 +161,10 @@ Overload overload(Names... names) {
   return Signature::make({std::string_view(names)...});
 }
 
+/// The same overload, said to be symmetric in its two operands.
+inline Overload symmetric(Overload overload) {
+  overload.is_symmetric = true;
+  return overload;
+}
+
 }  // namespace algebra3d

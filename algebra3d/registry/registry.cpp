@@ -55,6 +55,12 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+// Operands can change places only if both have one type.
+[[maybe_unused]] bool can_be_as_symmetric_as_it_says(const Overload& overload) {
+  return !overload.is_symmetric ||
+         (overload.parameters.size() == 2 && overload.parameters[0].type == overload.parameters[1].type);
+}
+
 }  // namespace
 
 void Registry::add(const Type& type) {
@@ -65,6 +71,7 @@ void Registry::add(const Type& type) {
 void Registry::add(Operator op) {
   auto syntax = SyntaxPattern::parse(op.syntax);
   assert(syntax.ok() && syntax->name == op.name);
+  assert(std::ranges::all_of(op.overloads, can_be_as_symmetric_as_it_says));
   std::string name = op.name;
   [[maybe_unused]] const bool is_new =
       operators_.emplace(std::move(name), Entry{std::move(op), std::move(syntax).value()}).second;

@@ -1,13 +1,13 @@
 // How a test is asked in another way. Let M be an exact motion of space. An operator that knows nothing of coordinates
-// gives M(f(a)) for M(a): that is what is tested, for every operator that is not named below. So a whole session runs
-// in the moved space, objects and indexes included, and only what enters or leaves it as numbers is translated:
+// gives M(f(a)) for M(a): that is what is tested, for every operator whose description says no more. So a whole session
+// runs in the moved space, objects and indexes included, and only what enters or leaves it as numbers is translated:
 //
 //   - literals `[const T value L]`: the nested list L is moved by its type T, in the text of the command;
 //   - files that are restored, if they do not come from this very run: a moved copy is read instead;
 //   - operators that make geometry from numbers, names of files or flat regions (makePoint3D, rectangle3, importSTL):
 //     their result is moved. They are recognised by their signature;
-//   - operators that read coordinates, or speak of axes (getx, minD, createCylinder): their arguments are moved back,
-//     and their result forth;
+//   - operators that read coordinates, or speak of axes (FrameUse in their description): their arguments are moved
+//     back, and their result forth;
 //   - results, which are moved back by their type before they are compared.
 //
 // Nothing is rounded on the way, since coordinates may be fractions; bounds of a rect3 may not. What an operator
@@ -23,6 +23,7 @@ namespace queries {
 namespace {
 
 using algebra3d::Context;
+using algebra3d::FrameUse;
 using algebra3d::Operator;
 using algebra3d::Outcome;
 using algebra3d::Overload;
@@ -41,19 +42,6 @@ constexpr std::array kNames = {NamedKind{VariationKind::offset, "offset"}, Named
 // axes are confused.
 constexpr algebra3d::Vec3 kOffset = {1048576.0, -524288.0, 262144.0};
 
-// Numbers come out that are coordinates, or a file is written that has some.
-constexpr std::array<std::string_view, 6> kReaders = {"getx", "gety", "getz", "minD", "maxD", "exportSTL"};
-// Numbers go in that belong to certain axes, or the shape stands along an axis.
-constexpr std::array<std::string_view, 4> kAxisBound = {"createCylinder", "createCone", "createSphere", "enlargeRect"};
-// f(a, b) = f(b, a), for operands of one type that is no text.
-constexpr std::array<std::string_view, 12> kSymmetric = {
-    "=", "#", "+", "*", "and", "or", "dot", "union", "intersects", "intersection", "touches", "createCube"};
-
-template <typename Names>
-bool has(const Names& names, std::string_view name) {
-  return std::ranges::find(names, name) != names.end();
-}
-
 Motion motion_of(VariationKind kind) {
   if (kind == VariationKind::offset) return Motion::translation(kOffset);
   return kind == VariationKind::axes ? Motion::turned_axes() : Motion();
@@ -65,16 +53,9 @@ bool makes_geometry_from_numbers(const Overload& overload) {
 }
 
 bool is_bound_to_the_frame(const Operator& op, const Overload& overload, VariationKind kind) {
-  if (makes_geometry_from_numbers(overload) || has(kReaders, op.name)) return true;
+  if (makes_geometry_from_numbers(overload) || op.frame_use == FrameUse::coordinates) return true;
   // A translation keeps the directions of the axes.
-  return kind == VariationKind::axes && has(kAxisBound, op.name);
-}
-
-bool is_symmetric(const Operator& op, const Overload& overload) {
-  if (!has(kSymmetric, op.name) || overload.parameters.size() != 2) return false;
-  const algebra3d::Type* const type = overload.parameters[0].type;
-  const bool is_text = type->name() == "string" || type->name() == "text";
-  return type == overload.parameters[1].type && (!is_text || op.name == "=" || op.name == "#");
+  return kind == VariationKind::axes && op.frame_use == FrameUse::axes;
 }
 
 Result<Value> image(const Value& value, const Motion& motion, Context& context) {
@@ -117,7 +98,7 @@ Registry varied(const Registry& plain, VariationKind kind, const Motion& motion)
     Operator changed = *op;
     for (Overload& overload : changed.overloads) {
       if (kind == VariationKind::operands) {
-        if (is_symmetric(*op, overload)) overload = swapped(std::move(overload));
+        if (overload.is_symmetric) overload = swapped(std::move(overload));
       } else if (is_bound_to_the_frame(*op, overload, kind)) {
         overload = carried(std::move(overload), motion);
       }
