@@ -446,7 +446,12 @@ Result<ExpressionPtr> ExpressionParser::function_literal() {
   RETURN_IF_ERROR(expect("(", "or the name of a function object after 'fun'"));
   FunctionLiteral function;
   while (!at(")")) {
+    const SourcePlace parameter_place = scanner_.peek().place;
     ASSIGN_OR_RETURN(std::string parameter, name("a parameter name"));
+    if (means_implicit_parameter(parameter))
+      return Error(ErrorCode::reserved_name, "'{}' stands for an implicit parameter and cannot name another one",
+                   parameter)
+          .at(parameter_place);
     RETURN_IF_ERROR(expect(":", "after the parameter '" + parameter + "'"));
     ASSIGN_OR_RETURN(TypeSyntax parameter_type, type());
     function.parameters.push_back({std::move(parameter), std::move(parameter_type)});

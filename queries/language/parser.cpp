@@ -74,8 +74,14 @@ Result<ExpressionPtr> parse_expression(std::string_view text, const Registry& re
   return expression;
 }
 
+bool means_implicit_parameter(std::string_view word) {
+  if (word == "tuple" || word == "group") return true;
+  return word.size() == 6 && word.starts_with("tuple") && word.back() >= '1' && word.back() <= '9';
+}
+
 bool is_reserved(std::string_view word, const Registry& registry) {
-  return std::ranges::find(kReservedWords, word) != kReservedWords.end() || registry.find_operator(word) != nullptr;
+  return std::ranges::find(kReservedWords, word) != kReservedWords.end() || means_implicit_parameter(word) ||
+         registry.find_operator(word) != nullptr;
 }
 
 }  // namespace queries

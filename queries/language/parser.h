@@ -24,6 +24,10 @@ algebra3d::Result<Command> parse_command(std::string_view text, const algebra3d:
 algebra3d::Result<ExpressionPtr> parse_expression(std::string_view text, const algebra3d::Registry& registry,
                                                   const SourcePlace& start = {"", 1, 1});
 
+/// True for the words that stand for implicit parameters in nested lists: `tuple1` to `tuple9`, `tuple`, `group`. A
+/// parameter or an object of that name would capture what is written `.A` in a text.
+bool means_implicit_parameter(std::string_view word);
+
 /// True for words that cannot name an object: those of the language and every operator with a pattern.
 bool is_reserved(std::string_view word, const algebra3d::Registry& registry);
 
