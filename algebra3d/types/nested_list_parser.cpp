@@ -6,6 +6,7 @@
 
 #include "algebra3d/base/number_text.h"
 #include "algebra3d/exact/rational.h"
+#include "algebra3d/types/file_atom.h"
 #include "algebra3d/types/nested_list.h"
 #include "algebra3d/types/utf8.h"
 
@@ -109,17 +110,8 @@ class Parser {
   bool at_end() const { return position_ == source_.size(); }
   std::string_view rest() const { return source_.substr(position_); }
 
-  // The part of the source up to `end`, as a place: columns count characters, not bytes.
   Error error_at(std::size_t end, ErrorCode code, std::string message) const {
-    const auto before = source_.substr(0, end);
-    const auto line_begin = before.rfind('\n') + 1;  // 0 if there is none
-    const auto line = before.substr(line_begin);
-    auto place = start_;
-    place.line += static_cast<int>(std::count(before.begin(), before.end(), '\n'));
-    place.column = (line_begin == 0 ? start_.column : 1) +
-                   static_cast<int>(
-                       std::count_if(line.begin(), line.end(), [](char byte) { return !is_utf8_continuation(byte); }));
-    return Error(code, std::move(message)).at(std::move(place));
+    return Error(code, std::move(message)).at(place_behind(source_.substr(0, end), start_));
   }
 
   Error expected(std::string_view what, std::size_t position) const {
@@ -167,7 +159,7 @@ class Parser {
       case CharClass::other:
         return expected("a list or an atom", position_);
       default:
-        RETURN_IF_ERROR(rest().starts_with(kTextBegin) ? read_tagged_text() : read_bare());
+        RETURN_IF_ERROR(read_unquoted());
     }
     return check_separated();
   }
@@ -221,7 +213,7 @@ class Parser {
       if (source_[stop] == quote) break;
       content += escaped(quote);
     }
-    RETURN_IF_ERROR(check_utf8(begin, position_));
+    RETURN_IF_ERROR(check_text(begin, position_));
     if (quote == '"') {
       complete_.emplace_back(std::move(content));
     } else {
@@ -236,24 +228,34 @@ class Parser {
     return '\\';
   }
 
-  Status read_tagged_text() {
-    const auto begin = position_ + kTextBegin.size();
-    const auto end = source_.find(kTextEnd, begin);
-    if (end == kNone) {
-      return error_at(position_, ErrorCode::invalid_value, fmt::format("this text is not closed by {}", kTextEnd));
+  Status read_unquoted() {
+    if (rest().starts_with(kTextBegin)) {
+      ASSIGN_OR_RETURN(const std::string_view content, read_tagged(kTextBegin, kTextEnd, "text"));
+      complete_.emplace_back(NestedList::Text{std::string(content)});
+      return {};
     }
-    RETURN_IF_ERROR(check_utf8(begin, end));
-    complete_.emplace_back(NestedList::Text{std::string(source_.substr(begin, end - begin))});
-    position_ = end + kTextEnd.size();
-    return {};
+    if (rest().starts_with(kFileAtomBegin)) {
+      ASSIGN_OR_RETURN(const std::string_view path, read_tagged(kFileAtomBegin, kFileAtomEnd, "file atom"));
+      complete_.push_back(file_atom(path));
+      return {};
+    }
+    return read_bare();
   }
 
-  Status check_utf8(std::size_t begin, std::size_t end) const {
-    const auto invalid = first_invalid_utf8(source_.substr(begin, end - begin));
-    if (invalid == kNone) return {};
-    const auto byte = static_cast<unsigned char>(source_[begin + invalid]);
-    return error_at(begin + invalid, ErrorCode::invalid_value,
-                    fmt::format("expected UTF-8, found the byte 0x{:02x}", static_cast<unsigned>(byte)));
+  Result<std::string_view> read_tagged(std::string_view open, std::string_view close, std::string_view what) {
+    const auto begin = position_ + open.size();
+    const auto end = source_.find(close, begin);
+    if (end == kNone)
+      return error_at(position_, ErrorCode::invalid_value, fmt::format("this {} is not closed by {}", what, close));
+    RETURN_IF_ERROR(check_text(begin, end));
+    position_ = end + close.size();
+    return source_.substr(begin, end - begin);
+  }
+
+  Status check_text(std::size_t begin, std::size_t end) const {
+    const auto wrong = first_no_text(source_.substr(begin, end - begin));
+    if (wrong == kNone) return {};
+    return error_at(begin + wrong, ErrorCode::invalid_value, no_text_message(source_[begin + wrong]));
   }
 
   // End of the number or symbol that begins at `begin`.

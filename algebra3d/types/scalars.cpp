@@ -7,6 +7,7 @@
 
 #include "algebra3d/types/binary_io.h"
 #include "algebra3d/types/described_type.h"
+#include "algebra3d/types/file_atom.h"
 #include "algebra3d/types/utf8.h"
 
 namespace algebra3d {
@@ -133,8 +134,12 @@ class CharactersType final : public DescribedType {
  public:
   explicit CharactersType(Description description) : DescribedType(std::move(description)) {}
 
-  Result<Value> from_nested(const NestedList& list, Context& /*context*/) const override {
+  Result<Value> from_nested(const NestedList& list, [[maybe_unused]] Context& context) const override {
     if constexpr (std::is_same_v<T, Text>) {
+      if (is_file_atom(list)) {
+        ASSIGN_OR_RETURN(std::string content, file_atom_content(list, context));
+        return Value::of(Text{std::move(content)});
+      }
       if (!list.is_text()) return expected("a text in single quotes", list);
       return Value::of(Text{list.as_text()});
     } else {
@@ -169,8 +174,9 @@ class CharactersType final : public DescribedType {
 
   void encode(const Value& value, std::string& bytes) const override { bytes += content(value); }
   Result<Value> decode(std::string_view bytes, bool trusted) const override {
-    const auto invalid = trusted ? std::string_view::npos : first_invalid_utf8(bytes);
-    if (invalid != std::string_view::npos) return corrupt(fmt::format("byte {} of the body is not UTF-8", invalid));
+    const auto wrong = trusted ? std::string_view::npos : first_no_text(bytes);
+    if (wrong != std::string_view::npos)
+      return corrupt(fmt::format("byte {} of the body is {}", wrong, bytes[wrong] == '\0' ? "zero" : "not UTF-8"));
     return Value::of(T{std::string(bytes)});
   }
 

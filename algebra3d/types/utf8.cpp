@@ -1,5 +1,6 @@
 #include "algebra3d/types/utf8.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 
@@ -61,6 +62,36 @@ std::size_t first_invalid_utf8(std::string_view text) {
     position += length;
   }
   return std::string_view::npos;
+}
+
+std::size_t first_no_text(std::string_view text) {
+  return std::min(first_invalid_utf8(text), text.find('\0'));
+}
+
+std::string no_text_message(char byte) {
+  if (byte == '\0') return "expected text, found a zero byte";
+  return fmt::format("expected UTF-8, found the byte 0x{:02x}", static_cast<unsigned char>(byte));
+}
+
+std::string shown_as_text(std::string_view bytes) {
+  std::string text;
+  while (true) {
+    const std::size_t wrong = first_no_text(bytes);
+    text += bytes.substr(0, wrong);
+    if (wrong == std::string_view::npos) return text;
+    text += fmt::format("\\x{:02x}", static_cast<unsigned char>(bytes[wrong]));
+    bytes.remove_prefix(wrong + 1);
+  }
+}
+
+SourcePlace place_behind(std::string_view text, SourcePlace start) {
+  const auto line_begin = text.rfind('\n') + 1;  // 0 if there is none
+  const auto line = text.substr(line_begin);
+  start.line += static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+  if (line_begin != 0) start.column = 1;
+  start.column +=
+      static_cast<int>(std::count_if(line.begin(), line.end(), [](char byte) { return !is_utf8_continuation(byte); }));
+  return start;
 }
 
 std::string_view utf8_prefix(std::string_view text, std::size_t limit) {

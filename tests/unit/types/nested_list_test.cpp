@@ -168,6 +168,23 @@ TEST(nested_list, places_begin_where_the_source_begins) {
   EXPECT_EQ(second_line.error().place.column, 1);
 }
 
+TEST(nested_list, a_file_atom_is_a_symbol_until_it_becomes_a_value) {
+  const auto list = parsed("(a <file>it's (1; \"x\")</file---> 'b')");
+  EXPECT_EQ(list.elements()[1], List::symbol("<file>it's (1; \"x\")</file--->"));
+  EXPECT_EQ(parsed(list.print()), list);
+  EXPECT_EQ(error_of("(<file>ab)"), "1:2 invalid_value: this file atom is not closed by </file--->");
+  EXPECT_EQ(error_of("(1\n <file>a\xFF</file--->)"), "2:9 invalid_value: expected UTF-8, found the byte 0xff");
+}
+
+TEST(nested_list, a_zero_byte_is_an_error_everywhere) {
+  using std::string_literals::operator""s;
+  for (const auto& text : {"(\"\0\")"s, "('\0')"s})
+    EXPECT_EQ(error_of(text), "1:3 invalid_value: expected text, found a zero byte");
+  EXPECT_EQ(error_of("(1\n<text>ab\0</text--->)"s), "2:9 invalid_value: expected text, found a zero byte");
+  EXPECT_FALSE(List::parse("(a\0b)"s).ok());
+  EXPECT_FALSE(List::parse("(\0)"s).ok());
+}
+
 TEST(nested_list, ill_formed_utf8_is_an_error_everywhere) {
   // A continuation alone, an overlong slash, a surrogate, beyond U+10FFFF, a sequence cut short.
   for (const char* bytes :

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "algebra3d/base/context.h"
+#include "algebra3d/types/nested_list.h"
+
+namespace algebra3d {
+
+// `<file>path</file--->` stands for the content of a file. In a nested list it is a symbol of this spelling, so that
+// reading a list needs no files; the file is read where the atom becomes a value of type text.
+
+inline constexpr std::string_view kFileAtomBegin = "<file>";
+inline constexpr std::string_view kFileAtomEnd = "</file--->";
+/// Largest file that an atom may stand for.
+inline constexpr std::uintmax_t kMaxFileAtomBytes = std::uintmax_t{64} << 20U;
+
+NestedList file_atom(std::string_view path);
+bool is_file_atom(const NestedList& list);
+bool is_file_atom(std::string_view symbol);
+
+/// The bytes of the file in base64, without line breaks; `atom` is a file atom. Relative paths are resolved by the
+/// context. Errors: file_missing; limit_exceeded; io_error for what is no regular file or cannot be read.
+Result<std::string> file_atom_content(const NestedList& atom, const Context& context);
+
+/// Source: [rfc4648], section 4, with padding.
+std::string base64(std::string_view bytes);
+
+}  // namespace algebra3d
