@@ -26,14 +26,56 @@ const std::vector<std::string> kNumbers = {"0",    "1",   "-1",  "2",     "3",  
 const std::vector<std::string> kIntegers = {"0", "1", "2", "3", "5", "-1", "10", "64", "2147483647", "-2147483648"};
 const std::vector<std::string> kReals = {"0.0", "0.5", "1.0", "-1.5", "1e300", "0.1", "1e-300", "3.0"};
 const std::vector<std::string> kStrings = {"\"a\"", "\"\"", "\"b\\\"c\"", "\"abc\"", "\"é\""};
-const std::vector<std::string> kTexts = {"'a'", "''", "'some text'", "'it\\'s'", "'cube.stl'"};
+const std::vector<std::string> kTexts = {"'a'", "''", "'some text'", "'it\\'s'", "'cube.stl'", "<text>a 'b'</text--->"};
 const std::vector<std::string> kFiles = {"'all.txt'", "'one.txt'", "'function.txt'", "'new.txt'", "saved", "'.'"};
 const std::vector<std::string> kNewNames = {"A", "B", "K", "V", "Elem", "A_old", "TID", "Id", "Name"};
-const std::vector<std::string> kLanguageWords = {
-    "fun",    "const", "value", "type", "typeOf", "TRUE",   "FALSE", "undefined", "tuple", "group", "attr", "rel",
-    "stream", "map",   "asc",   "desc", "query",  "let",    "if",    "then",      "else",  "endif", ".",    "..",
-    ".K",     "..K",   "$1",    "$2.K", "tuple1", "tuple2", "(",     ")",         "[",     "]",     "{",    "}",
-    "{{",     "}}",    "|",     ",",    ":",      ":=",     "=",     "::",        "memory"};
+const std::vector<std::string> kLanguageWords = {"fun",
+                                                 "const",
+                                                 "value",
+                                                 "type",
+                                                 "typeOf",
+                                                 "TRUE",
+                                                 "FALSE",
+                                                 "undefined",
+                                                 "tuple",
+                                                 "group",
+                                                 "attr",
+                                                 "rel",
+                                                 "stream",
+                                                 "map",
+                                                 "asc",
+                                                 "desc",
+                                                 "query",
+                                                 "let",
+                                                 "if",
+                                                 "then",
+                                                 "else",
+                                                 "endif",
+                                                 ".",
+                                                 "..",
+                                                 ".K",
+                                                 "..K",
+                                                 "$1",
+                                                 "$2.K",
+                                                 "tuple1",
+                                                 "tuple2",
+                                                 "(",
+                                                 ")",
+                                                 "[",
+                                                 "]",
+                                                 "{",
+                                                 "}",
+                                                 "{{",
+                                                 "}}",
+                                                 "|",
+                                                 ",",
+                                                 ":",
+                                                 ":=",
+                                                 "=",
+                                                 "::",
+                                                 "memory",
+                                                 "<file>cube.stl</file--->",
+                                                 "_! comment !_"};
 const std::vector<std::string> kInquiries = {
     "databases", "objects", "types", "type constructors", "operators", "algebras", "algebra Standard", "counters"};
 

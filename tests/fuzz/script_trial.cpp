@@ -23,7 +23,7 @@ bool is_one_of(const Command& command) {
 class ScriptTrial {
  public:
   ScriptTrial(const ScriptWorld& world, const Deadline& deadline)
-      : world_(world), deadline_(deadline), session_(fuzz_registry(), world.folder(), &deadline.flag()) {}
+      : deadline_(deadline), session_(fuzz_registry(), world.folder(), &deadline.flag()) {}
 
   void run(const std::vector<std::string>& commands) {
     session_.run("open database w");
@@ -157,7 +157,6 @@ class ScriptTrial {
     return " " + loaded->to_nested().print();
   }
 
-  const ScriptWorld& world_;
   const Deadline& deadline_;
   SilentSession session_;
   std::string history_;

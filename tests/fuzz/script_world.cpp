@@ -96,8 +96,7 @@ const Registry& fuzz_registry() {
   return registry;
 }
 
-ScriptWorld::ScriptWorld() : root_(scratch_root()), original_(root_ / "original"), folder_(root_ / "folder") {
-  create_directories(original_);
+ScriptWorld::ScriptWorld() : root_(scratch_root()), original_(scratch_root()), folder_(root_ / "folder") {
   SilentSession session(fuzz_registry(), original_, nullptr);
   for (const char* command : kScript) {
     const std::string answer = session.run(command);
@@ -115,6 +114,7 @@ ScriptWorld::ScriptWorld() : root_(scratch_root()), original_(root_ / "original"
 ScriptWorld::~ScriptWorld() {
   std::error_code ignored;
   remove_all(root_, ignored);
+  remove_all(original_, ignored);
 }
 
 void ScriptWorld::reset() const {
@@ -128,8 +128,10 @@ bool is_confined(std::string_view script) {
     const auto c = static_cast<unsigned char>(script[position]);
     return std::isdigit(c) != 0 || c == ' ';
   };
-  for (std::size_t i = script.find('/'); i != std::string_view::npos; i = script.find('/', i + 1))
-    if (i == 0 || !is_harmless(i - 1) || !is_harmless(i + 1)) return false;
+  for (std::size_t i = script.find('/'); i != std::string_view::npos; i = script.find('/', i + 1)) {
+    const bool is_closing_tag = i > 0 && script[i - 1] == '<';
+    if (!is_closing_tag && (i == 0 || !is_harmless(i - 1) || !is_harmless(i + 1))) return false;
+  }
   return script.find("$(") == std::string_view::npos;
 }
 

@@ -34,14 +34,14 @@ class ScriptWorld {
   const std::map<std::string, TypeExpr>& objects() const { return objects_; }
 
  private:
-  std::filesystem::path root_;      // holds the folder and what it is made from
+  std::filesystem::path root_;      // holds the folder and nothing else, so that `..` may be looked at
   std::filesystem::path original_;  // the first state
   std::filesystem::path folder_;
   std::map<std::string, TypeExpr> objects_;
 };
 
-/// False if a file name within the script might lead out of its folder. A slash stands between digits or blanks only,
-/// so that no path is absolute and no `..` is the folder above.
+/// False if a file name within the script might lead out of its folder. A slash stands between digits or blanks, or in
+/// `</text--->` behind `<`, so that no path is absolute and no `..` is the folder above.
 bool is_confined(std::string_view script);
 
 /// Sets a flag when the time for one input is over; statements then end with the error `interrupted`.
