@@ -99,15 +99,23 @@ struct OverloadMaker {
   using Argument = ArgumentOf<std::remove_cvref_t<P>>;
 
   template <std::size_t... Index>
-  static Result<Outcome> call(std::span<const Value> given, Context& context, std::index_sequence<Index...>) {
+  static Result<Outcome> call(std::span<const Value> given, Context& context, std::index_sequence<Index...> places) {
+    if (((Argument<Parameters>::kNeedsContent && given[Index].is_deferred()) || ...))
+      return call_loaded(given, context, places);
+    if constexpr (kTakesContext)
+      return Results::outcome(Function(context, Argument<Parameters>::take(given[Index])...));
+    else
+      return Results::outcome(Function(Argument<Parameters>::take(given[Index])...));
+  }
+
+  template <std::size_t... Index>
+  static Result<Outcome> call_loaded(std::span<const Value> given, Context& context,
+                                     std::index_sequence<Index...> places) {
     std::vector<Value> values(given.begin(), given.end());
     Status loading;
     ((loading.ok() && Argument<Parameters>::kNeedsContent ? load(values[Index], loading) : void()), ...);
     if (!loading) return std::move(loading).error();
-    if constexpr (kTakesContext)
-      return Results::outcome(Function(context, Argument<Parameters>::take(values[Index])...));
-    else
-      return Results::outcome(Function(Argument<Parameters>::take(values[Index])...));
+    return call(values, context, places);
   }
 
   static void load(Value& value, Status& status) {

@@ -33,11 +33,16 @@ std::vector<std::string> expected_arguments(const Operator& op) {
   return lists;
 }
 
-// Int to real where the overload wants it. Undefined stays undefined.
-Value promoted(const Value& value, const Type& wanted) {
-  if (&value.type() == &wanted) return value;
-  if (!value.is_defined()) return Value(wanted);
-  return Value::of<double>(value.get<std::int32_t>());
+// Makes the arguments what the overload takes: reals of ints. False if an undefined one decides the result.
+bool prepare(const Overload& overload, std::span<Value> arguments) {
+  for (std::size_t place = 0; place < arguments.size(); ++place) {
+    Value& argument = arguments[place];
+    const Parameter& parameter = overload.parameters[place];
+    if (!argument.is_defined() && !parameter.accepts_undefined) return false;
+    if (&argument.type() == parameter.type) continue;
+    argument = argument.is_defined() ? Value::of<double>(argument.get<std::int32_t>()) : Value(*parameter.type);
+  }
+  return true;
 }
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -117,21 +122,26 @@ Result<std::variant<Value, std::vector<Value>>> Registry::call(const ResolvedCal
                                                                std::span<const Value> arguments, Context& context) {
   using Returned = std::variant<Value, std::vector<Value>>;
   const Overload& overload = *call.overload;
-  const auto undefined = [&] {
-    return overload.result_is_stream ? Returned(std::vector<Value>()) : Returned(Value(*overload.result));
-  };
-  std::vector<Value> values;
-  values.reserve(arguments.size());
-  for (std::size_t place = 0; place < arguments.size(); ++place) {
-    const Parameter& parameter = overload.parameters[place];
-    if (!arguments[place].is_defined() && !parameter.accepts_undefined) return undefined();
-    values.push_back(promoted(arguments[place], *parameter.type));
+  std::vector<Value> values(arguments.begin(), arguments.end());
+  if (!overload.result_is_stream) {
+    ASSIGN_OR_RETURN(Value value, call_for_value(call, values, context));
+    return Returned(std::move(value));
   }
+  if (!prepare(overload, values)) return Returned(std::vector<Value>());
   ASSIGN_OR_RETURN(Outcome outcome, overload.function(values, context));
-  if (auto* value = std::get_if<Value>(&outcome)) return Returned(std::move(*value));
   if (auto* elements = std::get_if<std::vector<Value>>(&outcome)) return Returned(std::move(*elements));
   context.diagnostics.report(call.op->name + ": " + std::get<Undefined>(outcome).reason);
-  return undefined();
+  return Returned(std::vector<Value>());
+}
+
+Result<Value> Registry::call_for_value(const ResolvedCall& call, std::span<Value> arguments, Context& context) {
+  const Overload& overload = *call.overload;
+  if (!prepare(overload, arguments)) return Value(*overload.result);
+  auto outcome = overload.function(arguments, context);
+  if (!outcome) return std::move(outcome).error();
+  if (auto* value = std::get_if<Value>(&*outcome)) return std::move(*value);
+  context.diagnostics.report(call.op->name + ": " + std::get<Undefined>(*outcome).reason);
+  return Value(*overload.result);
 }
 
 std::string Registry::suggestion(std::string_view word) const {

@@ -43,6 +43,8 @@ class Registry {
   /// where the overload does not ask for it, and reports the reason of a new undefined as "NAME: reason".
   static Result<std::variant<Value, std::vector<Value>>> call(const ResolvedCall& call,
                                                               std::span<const Value> arguments, Context& context);
+  /// The same for an overload that gives no stream; the arguments are used up.
+  static Result<Value> call_for_value(const ResolvedCall& call, std::span<Value> arguments, Context& context);
 
   /// The known operator name nearest to a misspelt one, or empty if none is near.
   std::string suggestion(std::string_view word) const;

@@ -10,24 +10,18 @@ bool Type::is_spatial() const {
   return std::find(all.begin(), all.end(), Kind::spatial3d) != all.end();
 }
 
-// Not in the header: GCC 12 with AddressSanitizer takes the unused part of the variant for an uninitialised read.
-Value::Value(const Type& type) : type_(&type) {}
-
 std::shared_ptr<const DeferredValue> Value::deferred() const {
-  const auto* const deferred = std::get_if<std::shared_ptr<const DeferredValue>>(&content_);
-  return deferred != nullptr ? *deferred : nullptr;
+  return is_deferred() ? deferred_content() : nullptr;
 }
 
 Result<Value> Value::loaded() const {
-  const auto* const deferred = std::get_if<std::shared_ptr<const DeferredValue>>(&content_);
-  if (deferred == nullptr) return *this;
-  return (*deferred)->load();
+  if (!is_deferred()) return *this;
+  return deferred_content()->load();
 }
 
 GeometryHeader Value::header() const {
   assert(is_defined());
-  const auto* const deferred = std::get_if<std::shared_ptr<const DeferredValue>>(&content_);
-  return deferred != nullptr ? (*deferred)->header() : type_->header(*this);
+  return is_deferred() ? deferred_content()->header() : type_->header(*this);
 }
 
 NestedList Value::to_nested() const {

@@ -1,12 +1,13 @@
 #pragma once
 
+#include <atomic>
+#include <cassert>
 #include <compare>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "algebra3d/base/box3.h"
@@ -86,39 +87,87 @@ class DeferredValue {
 template <typename T>
 struct TypeOf;
 
-/// A value of some database type: defined, undefined, or defined and not yet loaded. Immutable, cheap to copy.
+/// What values share: an object, and the number of values that refer to it.
+struct SharedObject {
+  SharedObject() = default;
+  virtual ~SharedObject() = default;
+  SharedObject(const SharedObject&) = delete;
+  SharedObject& operator=(const SharedObject&) = delete;
+
+  mutable std::atomic<std::uint64_t> owner_count = 1;
+};
+template <typename T>
+struct SharedObjectOf final : SharedObject {
+  explicit SharedObjectOf(T object) : content(std::move(object)) {}
+
+  const T content;
+};
+
+/// A value of some database type: defined, undefined, or defined and not yet loaded. Immutable, cheap to copy: three
+/// words; bool, int and real lie in it, everything else is shared. A value that was moved from is undefined.
 class Value {
  public:
   /// Undefined of a type.
-  explicit Value(const Type& type);
-  Value(const Type& type, std::shared_ptr<const DeferredValue> deferred)
-      : type_(&type), content_(std::move(deferred)) {}
+  explicit Value(const Type& type) noexcept : type_(&type) {}
+  Value(const Type& type, std::shared_ptr<const DeferredValue> deferred) : type_(&type), form_(Form::deferred) {
+    content_.shared = new SharedObjectOf<std::shared_ptr<const DeferredValue>>(std::move(deferred));
+  }
+  Value(const Value& other) noexcept : type_(other.type_), form_(other.form_), content_(other.content_) {
+    if (is_shared()) content_.shared->owner_count.fetch_add(1, std::memory_order_relaxed);
+  }
+  Value(Value&& other) noexcept
+      : type_(other.type_), form_(std::exchange(other.form_, Form::undefined)), content_(other.content_) {}
+  Value& operator=(const Value& other) noexcept { return *this = Value(other); }
+  Value& operator=(Value&& other) noexcept {
+    Value taken(std::move(other));
+    std::swap(type_, taken.type_);
+    std::swap(form_, taken.form_);
+    std::swap(content_, taken.content_);
+    return *this;
+  }
+  ~Value() {
+    if (is_shared()) leave();
+  }
 
   template <typename T>
   static Value of(T content) {
     Value value(TypeOf<T>::type());
-    if constexpr (std::is_same_v<T, bool> || std::is_same_v<T, std::int32_t> || std::is_same_v<T, double>)
-      value.content_ = content;
-    else
-      value.content_ = std::shared_ptr<const void>(std::make_shared<const T>(std::move(content)));
+    if constexpr (std::is_same_v<T, bool>) {
+      value.form_ = Form::boolean;
+      value.content_.boolean = content;
+    } else if constexpr (std::is_same_v<T, std::int32_t>) {
+      value.form_ = Form::integer;
+      value.content_.integer = content;
+    } else if constexpr (std::is_same_v<T, double>) {
+      value.form_ = Form::real;
+      value.content_.real = content;
+    } else {
+      value.content_.shared = new SharedObjectOf<T>(std::move(content));
+      value.form_ = Form::object;
+    }
     return value;
   }
   template <typename T>
   static Value of(Maybe<T> content) = delete;
 
   const Type& type() const { return *type_; }
-  bool is_defined() const { return !std::holds_alternative<std::monostate>(content_); }
-  bool is_deferred() const { return std::holds_alternative<std::shared_ptr<const DeferredValue>>(content_); }
+  bool is_defined() const { return form_ != Form::undefined; }
+  bool is_deferred() const { return form_ == Form::deferred; }
   /// The deferred content, or null.
   std::shared_ptr<const DeferredValue> deferred() const;
 
   /// The C++ object of a defined, loaded value of that very type (asserted).
   template <typename T>
   const T& get() const {
-    if constexpr (std::is_same_v<T, bool> || std::is_same_v<T, std::int32_t> || std::is_same_v<T, double>)
-      return std::get<T>(content_);
-    else
-      return *static_cast<const T*>(std::get<std::shared_ptr<const void>>(content_).get());
+    if constexpr (std::is_same_v<T, bool>) {
+      return assert(form_ == Form::boolean), content_.boolean;
+    } else if constexpr (std::is_same_v<T, std::int32_t>) {
+      return assert(form_ == Form::integer), content_.integer;
+    } else if constexpr (std::is_same_v<T, double>) {
+      return assert(form_ == Form::real), content_.real;
+    } else {
+      return assert(form_ == Form::object), static_cast<const SharedObjectOf<T>*>(content_.shared)->content;
+    }
   }
 
   /// This value with its content at hand. Errors: those of the store.
@@ -130,10 +179,26 @@ class Value {
   NestedList to_nested() const;
 
  private:
+  enum class Form : std::uint8_t { undefined, boolean, integer, real, object, deferred };
+  union Content {
+    std::uint64_t nothing = 0;
+    bool boolean;
+    std::int32_t integer;
+    double real;
+    const SharedObject* shared;
+  };
+
+  bool is_shared() const { return form_ >= Form::object; }
+  void leave() noexcept {
+    if (content_.shared->owner_count.fetch_sub(1, std::memory_order_acq_rel) == 1) delete content_.shared;
+  }
+  const std::shared_ptr<const DeferredValue>& deferred_content() const {
+    return static_cast<const SharedObjectOf<std::shared_ptr<const DeferredValue>>*>(content_.shared)->content;
+  }
+
   const Type* type_;
-  std::variant<std::monostate, bool, std::int32_t, double, std::shared_ptr<const void>,
-               std::shared_ptr<const DeferredValue>>
-      content_;
+  Form form_ = Form::undefined;
+  Content content_;
 };
 
 /// Order of two loaded values of one type; undefined comes first and equals undefined.

@@ -1,7 +1,10 @@
 #include "queries/language/typed_tree.h"
 
+#include <array>
 #include <cassert>
+#include <cstddef>
 #include <deque>
+#include <memory_resource>
 #include <utility>
 
 #include "algebra3d/types/scalars.h"
@@ -22,11 +25,24 @@ Result<std::vector<Datum>> evaluate_all(const std::vector<TypedPtr>& nodes, cons
   return values;
 }
 
+/// A node that gives a value, and makes a Datum of it only for those who ask for one.
+class ValueNode : public TypedNode {
+ public:
+  using TypedNode::TypedNode;
+  Result<Datum> evaluate(const Frame* frame, Context& context) const final {
+    ASSIGN_OR_RETURN(Value value, evaluate_value(frame, context));
+    return Datum{std::move(value)};
+  }
+  Result<Value> evaluate_value(const Frame* frame, Context& context) const override = 0;
+};
+
 class ConstantNode final : public TypedNode {
  public:
   ConstantNode(TypeExpr type, Datum value, SourcePlace place)
       : TypedNode(std::move(type), std::move(place)), value_(std::move(value)) {}
   Result<Datum> evaluate(const Frame*, Context&) const override { return value_; }
+  Result<Value> evaluate_value(const Frame*, Context&) const override { return value_.value(); }
+  const Datum* find(const Frame*) const override { return &value_; }
 
  private:
   Datum value_;
@@ -51,9 +67,11 @@ class ParameterNode final : public TypedNode {
  public:
   ParameterNode(TypeExpr type, std::size_t level, std::size_t index, SourcePlace place)
       : TypedNode(std::move(type), std::move(place)), level_(level), index_(index) {}
-  Result<Datum> evaluate(const Frame* frame, Context&) const override {
+  Result<Datum> evaluate(const Frame* frame, Context&) const override { return *find(frame); }
+  Result<Value> evaluate_value(const Frame* frame, Context&) const override { return find(frame)->value(); }
+  const Datum* find(const Frame* frame) const override {
     for (std::size_t level = 0; level < level_; ++level) frame = frame->outer;
-    return frame->arguments[index_];
+    return &frame->arguments[index_];
   }
 
  private:
@@ -61,13 +79,14 @@ class ParameterNode final : public TypedNode {
   std::size_t index_;
 };
 
-class AttributeNode final : public TypedNode {
+class AttributeNode final : public ValueNode {
  public:
   AttributeNode(TypeExpr type, TypedPtr tuple, std::size_t index, SourcePlace place)
-      : TypedNode(std::move(type), std::move(place)), tuple_(std::move(tuple)), index_(index) {}
-  Result<Datum> evaluate(const Frame* frame, Context& context) const override {
+      : ValueNode(std::move(type), std::move(place)), tuple_(std::move(tuple)), index_(index) {}
+  Result<Value> evaluate_value(const Frame* frame, Context& context) const override {
+    if (const Datum* const tuple = tuple_->find(frame)) return tuple->tuple()->attributes[index_];
     ASSIGN_OR_RETURN(const Datum tuple, tuple_->evaluate(frame, context));
-    return Datum{tuple.tuple()->attributes[index_]};
+    return tuple.tuple()->attributes[index_];
   }
 
  private:
@@ -88,20 +107,53 @@ class VectorStream final : public ValueStream {
   std::size_t position_ = 0;
 };
 
-class ValueCallNode final : public TypedNode {
+/// The evaluated arguments of a call, on the stack if they are few: calls are made once per tuple.
+class Arguments {
+ public:
+  Result<std::span<Value>> evaluate(const std::vector<TypedPtr>& nodes, const Frame* frame, Context& context) {
+    values_.reserve(nodes.size());
+    for (const TypedPtr& node : nodes) {
+      ASSIGN_OR_RETURN(Value value, node->evaluate_value(frame, context));
+      values_.push_back(std::move(value));
+    }
+    return std::span<Value>(values_);
+  }
+
+ private:
+  static constexpr std::size_t kOnStack = 4;
+
+  alignas(Value) std::array<std::byte, kOnStack * sizeof(Value)> memory_;
+  std::pmr::monotonic_buffer_resource resource_{memory_.data(), memory_.size()};
+  std::pmr::vector<Value> values_{&resource_};
+};
+
+class ValueCallNode final : public ValueNode {
  public:
   ValueCallNode(ResolvedCall call, std::vector<TypedPtr> arguments, SourcePlace place)
+      : ValueNode(call.overload->result_type(), std::move(place)), call_(call), arguments_(std::move(arguments)) {}
+  Result<Value> evaluate_value(const Frame* frame, Context& context) const override {
+    Arguments arguments;
+    ASSIGN_OR_RETURN(const std::span<Value> values, arguments.evaluate(arguments_, frame, context));
+    auto value = Registry::call_for_value(call_, values, context);
+    if (!value) return std::move(value).error().at(place());
+    return value;
+  }
+
+ private:
+  ResolvedCall call_;
+  std::vector<TypedPtr> arguments_;
+};
+
+/// A call of a value operator that gives several values.
+class ValueStreamCallNode final : public TypedNode {
+ public:
+  ValueStreamCallNode(ResolvedCall call, std::vector<TypedPtr> arguments, SourcePlace place)
       : TypedNode(call.overload->result_type(), std::move(place)), call_(call), arguments_(std::move(arguments)) {}
   Result<Datum> evaluate(const Frame* frame, Context& context) const override {
-    std::vector<Value> values;
-    values.reserve(arguments_.size());
-    for (const TypedPtr& argument : arguments_) {
-      ASSIGN_OR_RETURN(Datum datum, argument->evaluate(frame, context));
-      values.push_back(std::get<Value>(std::move(datum.content)));
-    }
+    Arguments arguments;
+    ASSIGN_OR_RETURN(const std::span<Value> values, arguments.evaluate(arguments_, frame, context));
     auto returned = Registry::call(call_, values, context);
     if (!returned) return std::move(returned).error().at(place());
-    if (auto* value = std::get_if<Value>(&*returned)) return Datum{std::move(*value)};
     return Datum{ValueStreamPtr(std::make_shared<VectorStream>(std::get<std::vector<Value>>(std::move(*returned))))};
   }
 
@@ -184,17 +236,28 @@ class Closure final : public Function {
   }
   Result<Datum> call(std::span<const Datum> arguments) const override {
     const CallLevels levels(node_->height());
-    if (CallLevels::are_used_up())
-      return algebra3d::Error(algebra3d::ErrorCode::limit_exceeded,
-                              "functions call each other more than {} levels deep; does one call itself?",
-                              kMaxCallLevels)
-          .at(node_->place());
-    const Frame frame{arguments, frames_.empty() ? nullptr : &frames_.back()};
+    if (CallLevels::are_used_up()) return too_deep();
+    const Frame frame = frame_of(arguments);
     return node_->body().evaluate(&frame, context_);
+  }
+  Result<Value> call_for_value(std::span<const Datum> arguments) const override {
+    const CallLevels levels(node_->height());
+    if (CallLevels::are_used_up()) return too_deep();
+    const Frame frame = frame_of(arguments);
+    return node_->body().evaluate_value(&frame, context_);
   }
   NestedList to_nested() const override { return node_->written(); }
 
  private:
+  Frame frame_of(std::span<const Datum> arguments) const {
+    return {arguments, frames_.empty() ? nullptr : &frames_.back()};
+  }
+  Error too_deep() const {
+    return Error(ErrorCode::limit_exceeded, "functions call each other more than {} levels deep; does one call itself?",
+                 kMaxCallLevels)
+        .at(node_->place());
+  }
+
   std::shared_ptr<const FunctionNode> node_;
   std::vector<std::vector<Datum>> copies_;
   std::deque<Frame> frames_;  // a deque: frames point to each other
@@ -223,14 +286,13 @@ class FunctionCallNode final : public TypedNode {
   std::vector<TypedPtr> arguments_;
 };
 
-class PromotionNode final : public TypedNode {
+class PromotionNode final : public ValueNode {
  public:
-  explicit PromotionNode(TypedPtr argument) : TypedNode("real", argument->place()), argument_(std::move(argument)) {}
-  Result<Datum> evaluate(const Frame* frame, Context& context) const override {
-    ASSIGN_OR_RETURN(const Datum argument, argument_->evaluate(frame, context));
-    const Value& value = argument.value();
-    if (!value.is_defined()) return Datum{Value(algebra3d::TypeOf<double>::type())};
-    return Datum{Value::of<double>(value.get<std::int32_t>())};
+  explicit PromotionNode(TypedPtr argument) : ValueNode("real", argument->place()), argument_(std::move(argument)) {}
+  Result<Value> evaluate_value(const Frame* frame, Context& context) const override {
+    ASSIGN_OR_RETURN(const Value value, argument_->evaluate_value(frame, context));
+    if (!value.is_defined()) return Value(algebra3d::TypeOf<double>::type());
+    return Value::of<double>(value.get<std::int32_t>());
   }
 
  private:
@@ -238,6 +300,11 @@ class PromotionNode final : public TypedNode {
 };
 
 }  // namespace
+
+Result<Value> TypedNode::evaluate_value(const Frame* frame, Context& context) const {
+  ASSIGN_OR_RETURN(Datum datum, evaluate(frame, context));
+  return std::get<Value>(std::move(datum.content));
+}
 
 TypedPtr make_constant(TypeExpr type, Datum value, SourcePlace place) {
   return std::make_shared<ConstantNode>(std::move(type), std::move(value), std::move(place));
@@ -256,6 +323,8 @@ TypedPtr make_attribute(TypeExpr type, TypedPtr tuple, std::size_t index, Source
 }
 
 TypedPtr make_value_call(ResolvedCall call, std::vector<TypedPtr> arguments, SourcePlace place) {
+  if (call.overload->result_is_stream)
+    return std::make_shared<ValueStreamCallNode>(call, std::move(arguments), std::move(place));
   return std::make_shared<ValueCallNode>(call, std::move(arguments), std::move(place));
 }
 

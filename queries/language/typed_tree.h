@@ -32,6 +32,10 @@ class TypedNode : public std::enable_shared_from_this<TypedNode> {
   const TypeExpr& type() const { return type_; }
   const SourcePlace& place() const { return place_; }
   virtual Result<Datum> evaluate(const Frame* frame, Context& context) const = 0;
+  /// The same for an expression that gives a value: most do, once per tuple, and so without the Datum around it.
+  virtual Result<Value> evaluate_value(const Frame* frame, Context& context) const;
+  /// What it evaluates to, if that lies there already, else null. Valid as long as the frame.
+  virtual const Datum* find(const Frame* /*frame*/) const { return nullptr; }
 
  protected:
   TypedNode(TypeExpr type, SourcePlace place) : type_(std::move(type)), place_(std::move(place)) {}

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace queries {
@@ -24,7 +25,12 @@ struct Cell {
   bool is(Kind wanted) const { return kind == wanted; }
 };
 
-/// Checksum of cells in their order, kinds included: docs/file_format.md. Cost: linear in the bytes.
+/// Appends the bytes of cells in their order, kinds included, over which their checksum goes: docs/file_format.md.
+void append_cells(std::span<const Cell> cells, std::string& bytes);
+/// The cells that `append_cells` has written at the beginning of these bytes, to which they refer.
+void take_cells(std::string_view bytes, std::span<Cell> cells);
+
+/// Checksum of the bytes of cells. Cost: linear in the bytes.
 std::uint64_t checksum_of(std::span<const Cell> cells);
 /// Checksum of the bytes of a stored value.
 std::uint64_t checksum_of(std::string_view bytes);

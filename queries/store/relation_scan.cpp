@@ -1,26 +1,22 @@
 #include "queries/store/relation_scan.h"
 
-#include <algorithm>
+#include <limits>
+#include <vector>
 
 namespace queries {
-namespace {
-
-constexpr std::int64_t kPageRows = 256;
-/// A page ends early when texts and small values fill it.
-constexpr std::size_t kPageBytes = std::size_t{4} << 20;
-
-}  // namespace
 
 RelationScan::RelationScan(std::shared_ptr<Database> database, std::shared_ptr<const RelationLayout> layout)
-    : database_(std::move(database)), layout_(std::move(layout)), statement_(database_->statement()) {}
+    : database_(std::move(database)), layout_(std::move(layout)), statement_(database_->statement()), page_(layout_) {}
 
 Result<TuplePtr> RelationScan::next() {
   if (!is_started_) RETURN_IF_ERROR(start());
-  while (position_ == page_.size()) {
+  while (position_ == page_.rows().size()) {
     if (is_at_end_) return TuplePtr();
     RETURN_IF_ERROR(read_page());
   }
-  return page_[position_++].tuple;
+  const RowPage::Row& row = page_.rows()[position_++];
+  reader_->take(page_.bytes(row), row.checksum);
+  return reader_->tuple();
 }
 
 Status RelationScan::start() {
@@ -30,6 +26,7 @@ Status RelationScan::start() {
     return Error{ErrorCode::wrong_usage, "{}: the relation was replaced or deleted before it was read",
                  layout_->relation()};
   time_ = database_->changes().now();
+  reader_.emplace(database_, layout_, time_);
   last_ = entry->next_tuple - 1;
   expected_sum_ = entry->tuple_sum;
   is_started_ = true;
@@ -38,39 +35,45 @@ Status RelationScan::start() {
 
 Status RelationScan::read_page() {
   RETURN_IF_ERROR(database_->check_statement(statement_));
-  page_.clear();
+  page_.clear(after_);
   position_ = 0;
   if (database_->changes().is_gone(layout_->table_number(), time_))
     return Error{ErrorCode::wrong_usage, "{}: the relation was replaced or deleted while it was read",
                  layout_->relation()};
   RETURN_IF_ERROR(read_rows());
   RETURN_IF_ERROR(restore_changed());
-  for (const Row& row : page_) sum_ += row.checksum;
+  for (const RowPage::Row& row : page_.rows()) sum_ += row.checksum;
   after_ = page_end_;
   is_at_end_ = after_ >= last_;
   return is_at_end_ ? check_end() : Status();
 }
 
 Status RelationScan::read_rows() {
+  if (layout_->taken_sql().empty()) return read_wide_rows();
+  ASSIGN_OR_RETURN(SqliteStatement statement, database_->connection().use(layout_->taken_sql()));
+  statement.bind(1, after_).bind(2, last_).bind(3, page_);
+  ASSIGN_OR_RETURN(const bool has_more, statement.step());
+  RETURN_IF_ERROR(page_.status());
+  page_end_ = has_more ? page_.rows().back().id : last_;
+  return {};
+}
+
+// Of more columns than a function of SQLite may have arguments.
+Status RelationScan::read_wide_rows() {
   ASSIGN_OR_RETURN(SqliteStatement statement, database_->connection().use(layout_->page_sql()));
-  statement.bind(1, after_).bind(2, last_).bind(3, kPageRows);
-  RowReader reader(database_, layout_, time_);
-  std::size_t bytes = 0;
-  while (bytes < kPageBytes && page_.size() < kPageRows) {
+  statement.bind(1, after_).bind(2, last_).bind(3, std::numeric_limits<std::int64_t>::max());
+  std::vector<Cell> row(layout_->small_column_count());
+  while (!page_.is_full()) {
     ASSIGN_OR_RETURN(const bool has_row, statement.step());
     if (!has_row) {
       page_end_ = last_;
       return {};
     }
-    RETURN_IF_ERROR(reader.take(statement));
-    ASSIGN_OR_RETURN(TuplePtr tuple, reader.tuple());
-    // A damaged tree could lead round in circles.
-    if (reader.id() <= (page_.empty() ? after_ : page_.back().tuple->id))
-      return Error{ErrorCode::database_corrupt, "{}: the tuples are not in order", layout_->relation()};
-    page_.push_back({std::move(tuple), reader.checksum()});
-    bytes += reader.byte_count();
+    statement.read_columns(row);
+    page_.take(row);
+    RETURN_IF_ERROR(page_.status());
   }
-  page_end_ = page_.back().tuple->id;
+  page_end_ = page_.rows().back().id;
   return {};
 }
 
@@ -78,25 +81,18 @@ Status RelationScan::read_rows() {
 Status RelationScan::restore_changed() {
   const auto changed = database_->changes().changed_tuples(layout_->table_number(), after_, page_end_, time_);
   if (changed.empty()) return {};
-  std::erase_if(page_, [&](const Row& row) { return std::ranges::binary_search(changed, row.tuple->id); });
+  page_.erase(changed);
+  std::vector<Cell> row(layout_->small_column_count());
   for (const TupleId id : changed) {
-    ASSIGN_OR_RETURN(Row row, row_at_start(id));
-    page_.push_back(std::move(row));
+    ASSIGN_OR_RETURN(SqliteConnection * source, database_->source_of(*layout_, id, time_));
+    ASSIGN_OR_RETURN(SqliteStatement statement, source->use(layout_->fetch_sql()));
+    statement.bind(1, id);
+    ASSIGN_OR_RETURN(const bool has_row, statement.step());
+    if (!has_row) return Database::missing(*layout_, id);
+    statement.read_columns(row);
+    RETURN_IF_ERROR(page_.add(row));
   }
-  std::ranges::sort(page_, {}, [](const Row& row) { return row.tuple->id; });
   return {};
-}
-
-Result<RelationScan::Row> RelationScan::row_at_start(TupleId id) {
-  ASSIGN_OR_RETURN(SqliteConnection * source, database_->source_of(*layout_, id, time_));
-  ASSIGN_OR_RETURN(SqliteStatement statement, source->use(layout_->fetch_sql()));
-  statement.bind(1, id);
-  ASSIGN_OR_RETURN(const bool has_row, statement.step());
-  if (!has_row) return Database::missing(*layout_, id);
-  RowReader reader(database_, layout_, time_);
-  RETURN_IF_ERROR(reader.take(statement));
-  ASSIGN_OR_RETURN(TuplePtr tuple, reader.tuple());
-  return Row{std::move(tuple), reader.checksum()};
 }
 
 Status RelationScan::check_end() const {

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <memory>
-#include <vector>
+#include <optional>
 
-#include "queries/store/stored_rows.h"
+#include "queries/store/row_page.h"
 
 namespace queries {
 
@@ -17,16 +17,11 @@ class RelationScan final : public TupleStream {
   Result<TuplePtr> next() override;
 
  private:
-  struct Row {
-    TuplePtr tuple;
-    std::uint64_t checksum = 0;
-  };
-
   Status start();
   Status read_page();
   Status read_rows();
+  Status read_wide_rows();
   Status restore_changed();
-  Result<Row> row_at_start(TupleId id);
   Status check_end() const;
 
   std::shared_ptr<Database> database_;
@@ -39,8 +34,9 @@ class RelationScan final : public TupleStream {
   TupleId page_end_ = 0;  // and those of the page that is being read up to this one
   TupleId last_ = 0;      // greatest id at the start
   std::uint64_t sum_ = 0, expected_sum_ = 0;
-  std::vector<Row> page_;
-  std::size_t position_ = 0;
+  RowPage page_;
+  std::size_t position_ = 0;  // in the page
+  std::optional<RowReader> reader_;
 };
 
 }  // namespace queries

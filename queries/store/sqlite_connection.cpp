@@ -69,13 +69,16 @@ Result<std::unique_ptr<SqliteConnection>> SqliteConnection::open(const std::file
   auto connection = std::unique_ptr<SqliteConnection>(new SqliteConnection(handle, file.string(), access));
   sqlite3_busy_timeout(handle, busy_milliseconds);
   harden(handle);
+  if (const int added = SqliteStatement::add_row_function(handle); added != SQLITE_OK)
+    return connection->error(added, "opening the database");
   if (access == Access::recovering) RETURN_IF_ERROR(connection->execute("PRAGMA query_only = ON"));
   return connection;
 }
 
 Result<std::unique_ptr<SqliteConnection>> SqliteConnection::open_temporary() {
   sqlite3* handle = nullptr;
-  const int code = sqlite3_open_v2("", &handle, flags_of(Access::create), nullptr);
+  int code = sqlite3_open_v2("", &handle, flags_of(Access::create), nullptr);
+  if (code == SQLITE_OK) code = SqliteStatement::add_row_function(handle);
   if (code == SQLITE_OK)
     return std::unique_ptr<SqliteConnection>(new SqliteConnection(handle, "temporary file", Access::create));
   Error error = sqlite_error(handle, code, "temporary file", "making it");

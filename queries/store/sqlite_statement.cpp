@@ -1,5 +1,6 @@
 #include "queries/store/sqlite_statement.h"
 
+#include <new>
 #include <utility>
 
 #include "queries/store/sqlite_connection.h"
@@ -25,6 +26,30 @@ int bind_cell(sqlite3_stmt* statement, int parameter, const Cell& cell) {
   return sqlite3_bind_null(statement, parameter);
 }
 
+/// What a protected value of SQLite holds. Bytes of texts are taken as blobs: as they are stored.
+Cell cell_of(sqlite3_value* value) {
+  const auto bytes = [&] {
+    const void* const start = sqlite3_value_blob(value);
+    const auto size = static_cast<std::size_t>(sqlite3_value_bytes(value));
+    return start == nullptr ? std::string_view() : std::string_view(static_cast<const char*>(start), size);
+  };
+  switch (sqlite3_value_type(value)) {
+    case SQLITE_INTEGER:
+      return Cell::of(static_cast<std::int64_t>(sqlite3_value_int64(value)));
+    case SQLITE_FLOAT:
+      return Cell::of(sqlite3_value_double(value));
+    case SQLITE_TEXT:
+      return Cell::text(bytes());
+    case SQLITE_BLOB:
+      return Cell::blob(bytes());
+    default:
+      return {};
+  }
+}
+
+/// Tells a bound taker from other pointers.
+constexpr const char* kTakerType = "queries::RowTaker";
+
 /// For messages. To SQLite the end of a transaction is not a change.
 std::string_view doing(sqlite3_stmt* statement) {
   const std::string_view text = sqlite3_sql(statement);
@@ -33,6 +58,27 @@ std::string_view doing(sqlite3_stmt* statement) {
 }
 
 }  // namespace
+
+/// The function as SQLite calls it: no exception may pass through its frames.
+class SqliteRowFunction {
+ public:
+  static void call(sqlite3_context* context, int count, sqlite3_value** values) {
+    auto* const taker = static_cast<RowTaker*>(sqlite3_value_pointer(values[0], kTakerType));
+    if (taker == nullptr) return sqlite3_result_error(context, "take_row: expected a taker", -1);
+    try {
+      taker->row_.resize(static_cast<std::size_t>(count - 1));
+      for (int i = 1; i < count; ++i) taker->row_[static_cast<std::size_t>(i - 1)] = cell_of(values[i]);
+      sqlite3_result_int(context, taker->take(taker->row_) ? 1 : 0);
+    } catch (const std::bad_alloc&) {
+      sqlite3_result_error_nomem(context);
+    }
+  }
+};
+
+int SqliteStatement::add_row_function(sqlite3* handle) {
+  return sqlite3_create_function_v2(handle, "take_row", -1, SQLITE_UTF8 | SQLITE_DIRECTONLY, nullptr,
+                                    SqliteRowFunction::call, nullptr, nullptr, nullptr);
+}
 
 SqliteStatement::SqliteStatement(SqliteConnection& connection, sqlite3_stmt* statement, bool* in_use)
     : connection_(&connection), statement_(statement), in_use_(in_use) {}
@@ -53,6 +99,12 @@ SqliteStatement& SqliteStatement::bind(int parameter, const Cell& cell) {
   return *this;
 }
 
+SqliteStatement& SqliteStatement::bind(int parameter, RowTaker& taker) {
+  const int code = sqlite3_bind_pointer(statement_, parameter, &taker, kTakerType, nullptr);
+  if (bind_code_ == SQLITE_OK) bind_code_ = code;
+  return *this;
+}
+
 algebra3d::Result<bool> SqliteStatement::step() {
   const int code = bind_code_ == SQLITE_OK ? sqlite3_step(statement_) : bind_code_;
   if (code == SQLITE_ROW) return true;
@@ -68,23 +120,20 @@ algebra3d::Status SqliteStatement::run() {
 }
 
 Cell SqliteStatement::column(int index) const {
-  const auto bytes = [&](const void* start) {
-    const int size = sqlite3_column_bytes(statement_, index);
-    return start == nullptr ? std::string_view()
-                            : std::string_view(static_cast<const char*>(start), static_cast<std::size_t>(size));
-  };
-  switch (sqlite3_column_type(statement_, index)) {
-    case SQLITE_INTEGER:
-      return Cell::of(static_cast<std::int64_t>(sqlite3_column_int64(statement_, index)));
-    case SQLITE_FLOAT:
-      return Cell::of(sqlite3_column_double(statement_, index));
-    case SQLITE_TEXT:
-      return Cell::text(bytes(sqlite3_column_text(statement_, index)));
-    case SQLITE_BLOB:
-      return Cell::blob(bytes(sqlite3_column_blob(statement_, index)));
-    default:
-      return {};
-  }
+  sqlite3_mutex* const mutex = sqlite3_db_mutex(sqlite3_db_handle(statement_));
+  sqlite3_mutex_enter(mutex);
+  const Cell cell = cell_of(sqlite3_column_value(statement_, index));
+  sqlite3_mutex_leave(mutex);
+  return cell;
+}
+
+// One lock for all of them: each value is protected by it, and the functions that ask a statement would lock for each.
+void SqliteStatement::read_columns(std::span<Cell> columns) const {
+  sqlite3_mutex* const mutex = sqlite3_db_mutex(sqlite3_db_handle(statement_));
+  sqlite3_mutex_enter(mutex);
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    columns[i] = cell_of(sqlite3_column_value(statement_, static_cast<int>(i)));
+  sqlite3_mutex_leave(mutex);
 }
 
 }  // namespace queries

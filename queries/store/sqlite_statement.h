@@ -7,6 +7,7 @@
 
 #include "algebra3d/base/error.h"
 #include "queries/store/cell.h"
+#include "queries/store/row_taker.h"
 
 namespace queries {
 
@@ -17,6 +18,9 @@ class SqliteConnection;
 /// Used by one thread; several statements of one connection may be used by several.
 class SqliteStatement {
  public:
+  /// Gives a connection the SQL function `take_row` of RowTaker; SQLite's result code.
+  static int add_row_function(sqlite3* handle);
+
   /// A statement that SqliteConnection::use has prepared. `in_use` is set to false at the end; null: it is finalised.
   SqliteStatement(SqliteConnection& connection, sqlite3_stmt* statement, bool* in_use);
   ~SqliteStatement();
@@ -29,6 +33,8 @@ class SqliteStatement {
   SqliteStatement& bind(int parameter, const Cell& cell);
   SqliteStatement& bind(int parameter, std::int64_t value) { return bind(parameter, Cell::of(value)); }
   SqliteStatement& bind(int parameter, std::string_view text) { return bind(parameter, Cell::text(text)); }
+  /// The first argument of the SQL function `take_row`; lives until the statement is given back.
+  SqliteStatement& bind(int parameter, RowTaker& taker);
 
   /// True if there is a row. Errors of `bind` come out here.
   algebra3d::Result<bool> step();
@@ -37,6 +43,8 @@ class SqliteStatement {
 
   /// Columns count from 0.
   Cell column(int index) const;
+  /// The first columns of the row.
+  void read_columns(std::span<Cell> columns) const;
 
  private:
   SqliteConnection* connection_;

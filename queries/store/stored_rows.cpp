@@ -42,18 +42,33 @@ Error RowReader::corrupt(const AttributeColumns& attribute) const {
           attribute.type->name()};
 }
 
-Status RowReader::take(const SqliteStatement& statement) {
-  cells_.resize(layout_->small_column_count());
-  for (std::size_t i = 0; i < cells_.size(); ++i) cells_[i] = statement.column(static_cast<int>(i));
-  if (cells_[kChecksumColumn].is(Kind::integer) && row_checksum(*layout_, cells_) == checksum()) return {};
-  return Error{ErrorCode::database_corrupt, "{}: the row of tuple {} is not what was written", layout_->relation(),
-               id()};
+Error damaged_row(const RelationLayout& layout, TupleId id) {
+  return {ErrorCode::database_corrupt, "{}: the row of tuple {} is not what was written", layout.relation(), id};
 }
 
-std::size_t RowReader::byte_count() const {
-  std::size_t count = 0;
-  for (const Cell& cell : cells_) count += cell.bytes.size();
-  return count;
+bool append_proved(std::span<Cell> cells, std::string& bytes) {
+  const Cell checksum = std::exchange(cells[kChecksumColumn], Cell());
+  const std::size_t begin = bytes.size();
+  append_cells(cells, bytes);
+  cells[kChecksumColumn] = checksum;
+  if (checksum.is(Kind::integer) && checksum_of(std::string_view(bytes).substr(begin)) == as_unsigned(checksum.integer))
+    return true;
+  bytes.resize(begin);
+  return false;
+}
+
+Status RowReader::take(const SqliteStatement& statement) {
+  cells_.resize(layout_->small_column_count());
+  statement.read_columns(cells_);
+  checked_.clear();
+  if (append_proved(cells_, checked_)) return {};
+  return damaged_row(*layout_, id());
+}
+
+void RowReader::take(std::string_view row, std::uint64_t checksum) {
+  cells_.resize(layout_->small_column_count());
+  take_cells(row, cells_);
+  cells_[kChecksumColumn] = Cell::of(as_signed(checksum));
 }
 
 Box3 RowReader::box(std::size_t attribute) const {

@@ -1,11 +1,18 @@
 #pragma once
 
 #include <memory>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "queries/store/database.h"
 
 namespace queries {
+
+/// The row that `cells` hold, of which the checksum counts as NULL, appended to `bytes`. False if the checksum is
+/// wrong; then nothing is appended.
+bool append_proved(std::span<Cell> cells, std::string& bytes);
+Error damaged_row(const RelationLayout& layout, TupleId id);
 
 /// Reads the rows of one relation's table: proves each by its checksum, then gives boxes or a tuple.
 class RowReader {
@@ -17,10 +24,10 @@ class RowReader {
   /// Takes the row that `statement` stands on, with the small columns; valid until its next step.
   /// Errors: database_corrupt.
   Status take(const SqliteStatement& statement);
+  /// Takes a row that was proved before, as `append_cells` has written it; valid while these bytes are.
+  void take(std::string_view row, std::uint64_t checksum);
   TupleId id() const { return cells_[0].integer; }
   std::uint64_t checksum() const { return as_unsigned(cells_[1].integer); }
-  /// Bytes of texts and small encoded values.
-  std::size_t byte_count() const;
   /// Box of a spatial attribute; empty if it is undefined or empty.
   algebra3d::Box3 box(std::size_t attribute) const;
   /// One per attribute, empty ones for those that are not spatial.
@@ -39,6 +46,7 @@ class RowReader {
   std::shared_ptr<const RelationLayout> layout_;
   ChangeTime time_;
   std::vector<Cell> cells_;
+  std::string checked_;  // kept, so that no row needs a new one
 };
 
 /// What is known of a row once it is written.

@@ -36,6 +36,7 @@ Status for_each_defined(const Datum& stream, std::size_t attribute, Context& con
   return for_each_tuple(*stream.tuples(), context, [&](const TuplePtr& tuple) -> Status {
     const Value& value = tuple->attributes[attribute];
     if (!value.is_defined()) return {};
+    if (!value.is_deferred()) return visit(value), Status();
     // Not moved out of the result: GCC 12 then takes the unused part of the value for an uninitialised read.
     const auto loaded = value.loaded();
     if (!loaded) return loaded.error();

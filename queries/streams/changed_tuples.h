@@ -20,8 +20,16 @@ Datum changed_tuples(const TupleStreamPtr& tuples, Change change) {
   })};
 }
 
+/// All attributes of a tuple, with room for as many more.
+inline std::vector<Value> extended_attributes(const Tuple& from, std::size_t more) {
+  std::vector<Value> attributes;
+  attributes.reserve(from.attributes.size() + more);
+  attributes.insert(attributes.end(), from.attributes.begin(), from.attributes.end());
+  return attributes;
+}
 /// Appends those attributes of a tuple.
 inline Status append_attributes(const Tuple& from, const std::vector<std::size_t>& indices, std::vector<Value>& to) {
+  to.reserve(to.size() + indices.size());
   for (const std::size_t index : indices) to.push_back(from.attributes[index]);
   return {};
 }

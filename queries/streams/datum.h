@@ -94,6 +94,12 @@ class Function {
   Function(const Function&) = delete;
   Function& operator=(const Function&) = delete;
   virtual Result<Datum> call(std::span<const Datum> arguments) const = 0;
+  /// The same for a function whose result is a value.
+  virtual Result<Value> call_for_value(std::span<const Datum> arguments) const {
+    auto result = call(arguments);
+    if (!result) return std::move(result).error();
+    return std::get<Value>(std::move(result->content));
+  }
   /// The nested-list form `(fun (p T) ... body)`, from which the function can be made again.
   virtual algebra3d::NestedList to_nested() const = 0;
 };

@@ -17,7 +17,7 @@ Result<Plan> map_extend(std::span<const ArgumentType> arguments) {
                 return changed_tuples(
                     given[0].tuples(),
                     [functions = given[1].list()](const TuplePtr& from, std::vector<Value>& to) -> Status {
-                      to = from->attributes;
+                      to = extended_attributes(*from, functions.size());
                       return append_results(functions, Datum{from}, to);
                     });
               }};
@@ -32,6 +32,7 @@ Result<Plan> map_projectextend(std::span<const ArgumentType> arguments) {
                 return changed_tuples(
                     given[0].tuples(),
                     [indices, functions = given[2].list()](const TuplePtr& from, std::vector<Value>& to) -> Status {
+                      to.reserve(indices.size() + functions.size());
                       RETURN_IF_ERROR(append_attributes(*from, indices, to));
                       return append_results(functions, Datum{from}, to);
                     });
@@ -81,7 +82,7 @@ Result<Plan> map_addcounter(std::span<const ArgumentType> arguments) {
         const std::int64_t start = given.size() < 3 || !is_started ? 1 : given[2].value().get<std::int32_t>();
         return changed_tuples(given[0].tuples(), [is_started, &context, counter = start](
                                                      const TuplePtr& from, std::vector<Value>& to) mutable {
-          to = from->attributes;
+          to = extended_attributes(*from, 1);
           to.push_back(is_started ? counter_value(counter++, context) : Value(algebra3d::TypeOf<std::int32_t>::type()));
           return Status();
         });

@@ -223,8 +223,7 @@ Result<std::vector<Value>> loaded_values(const std::optional<Value>& value) {
 
 Result<Value> call_on(const Function& function, const TuplePtr& tuple) {
   const Datum argument{tuple};
-  ASSIGN_OR_RETURN(Datum result, function.call({&argument, 1}));
-  return std::get<Value>(std::move(result.content));
+  return function.call_for_value({&argument, 1});
 }
 
 bool is_true(const Value& value) {
@@ -233,8 +232,8 @@ bool is_true(const Value& value) {
 
 Status append_results(const DatumList& functions, const Datum& argument, std::vector<Value>& attributes) {
   for (const Datum& function : functions) {
-    ASSIGN_OR_RETURN(Datum result, function.function().call({&argument, 1}));
-    attributes.push_back(std::get<Value>(std::move(result.content)));
+    ASSIGN_OR_RETURN(Value result, function.function().call_for_value({&argument, 1}));
+    attributes.push_back(std::move(result));
   }
   return {};
 }

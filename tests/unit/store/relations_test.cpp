@@ -88,6 +88,25 @@ TEST_F(StoredRelations, several_scans_run_side_by_side) {
   });
 }
 
+// A function of SQLite takes 126 columns; a point has eight.
+TEST_F(StoredRelations, rows_of_any_number_of_columns_are_scanned) {
+  for (const int count : {15, 16, 40}) {
+    const std::string name = "Wide" + std::to_string(count);
+    std::string type = "(tuple (";
+    for (int i = 0; i < count; ++i) type += fmt::format("(P{} point3d)", i);
+    std::vector<Tuple> content;
+    for (int row = 0; row < 600; ++row)
+      content.push_back(tuple(std::vector<std::pair<std::string, std::string>>(
+          static_cast<std::size_t>(count), {"point3d", fmt::format("({}.5 0.0 0.0)", row)})));
+    write([&] { let_relation(name, type + "))", content); });
+    read([&] {
+      const auto stored = rows(name);
+      ASSERT_EQ(stored.size(), 600U);
+      for (std::size_t row = 0; row < stored.size(); ++row) EXPECT_EQ(stored[row], text(content[row]));
+    });
+  }
+}
+
 TEST_F(StoredRelations, a_relation_can_be_assigned_from_itself) {
   write([&] { let_parts(4); });
   write([&] { ok(store_->assign("Parts", store_->read("Parts").value(), context_)); });
