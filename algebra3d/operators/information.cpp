@@ -105,6 +105,7 @@ void register_information(Registry& registry) {
                     overload<&box_distance<Volume3d>>("solid", "box"), overload<&box_distance<Box3>>("other", "box")},
       .examples = {{"bboxDistance(" + cube + ", rectangle3(4, 5, 5, 6, 0, 1))", "5.0"},
                    {"bboxDistance([const volume3d value undefined], rectangle3(4, 5, 5, 6, 0, 1))", "-1.0"},
+                   {"bboxDistance([const rect3 value undefined], rectangle3(4, 5, 5, 6, 0, 1))", "-1.0"},
                    {"bboxDistance(" + cube + ", [const rect3 value undefined])", "undefined"}},
       .errors = {{"query bboxDistance(" + cube + ", 1)", "bboxDistance: expected (point3d rect3)"}},
   });
@@ -120,6 +121,7 @@ void register_information(Registry& registry) {
                     overload<&box_intersects<Volume3d>>("solid", "box"),
                     symmetric(overload<&box_intersects<Box3>>("other", "box"))},
       .examples = {{"bboxIntersects(" + cube + ", rectangle3(1, 2, 1, 2, 1, 2))", "TRUE"},
+                   {"bboxIntersects(rectangle3(0, 1, 0, 1, 0, 1), rectangle3(2, 3, 0, 1, 0, 1))", "FALSE"},
                    {"bboxIntersects([const volume3d value ()], rectangle3(1, 2, 1, 2, 1, 2))", "FALSE"},
                    {"bboxIntersects([const volume3d value undefined], rectangle3(1, 2, 1, 2, 1, 2))", "undefined"}},
       .errors = {{"query bboxIntersects(" + cube + ", 1)", "bboxIntersects: expected (point3d rect3)"}},

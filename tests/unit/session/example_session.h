@@ -44,8 +44,8 @@ inline const algebra3d::Registry& test_registry() {
 /// Runs commands and gives what they print: the value list, `error: MESSAGE`, or nothing.
 class TestSession : public Presenter {
  public:
-  explicit TestSession(const std::filesystem::path& folder)
-      : session_(test_registry(), {folder, false}), folder_(folder) {}
+  explicit TestSession(const std::filesystem::path& folder, const algebra3d::Registry& registry = test_registry())
+      : session_(registry, {folder, false}), folder_(folder) {}
 
   std::string run(const std::string& command) {
     answer_.clear();

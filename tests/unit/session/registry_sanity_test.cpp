@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <iterator>
 #include <regex>
@@ -77,6 +78,61 @@ TEST_P(EveryOperator, no_two_overloads_accept_the_same_arguments) {
     const std::string signature = overload.signature();
     EXPECT_TRUE(seen.insert(signature.substr(0, signature.find(" ->"))).second) << signature;
   }
+}
+
+// A function may be called with undefined for one of its operands alone; then they are not alike.
+bool has_alike_operands(const Overload& overload) {
+  const auto& parameters = overload.parameters;
+  return parameters.size() == 2 && parameters[0].type == parameters[1].type &&
+         parameters[0].accepts_undefined == parameters[1].accepts_undefined;
+}
+
+/// What became of the calls with two operands of one type in the examples of an operator.
+struct Exchanges {
+  int of_symmetric = 0;      ///< calls of overloads that say that they are symmetric
+  int differing = 0;         ///< of these: another answer to exchanged operands
+  int differing_others = 0;  ///< of the other overloads
+};
+
+/// The operator as it is, but every call with two operands of one type is made with exchanged operands as well.
+Operator exchanging(Operator op, Exchanges& exchanges) {
+  for (Overload& overload : op.overloads) {
+    if (!has_alike_operands(overload)) continue;
+    overload.function = [plain = overload.function, &exchanges, is_symmetric = overload.is_symmetric](
+                            std::span<const algebra3d::Value> values, algebra3d::Context& context) {
+      auto answer = plain(values, context);
+      const std::array exchanged = {values[1], values[0]};
+      const auto other = plain(exchanged, context);
+      const auto* const a = std::get_if<algebra3d::Value>(&*answer);
+      const auto* const b = std::get_if<algebra3d::Value>(&*other);
+      const bool differs = (a == nullptr) != (b == nullptr) || (a != nullptr && compare(*a, *b) != 0);
+      exchanges.of_symmetric += is_symmetric ? 1 : 0;
+      (is_symmetric ? exchanges.differing : exchanges.differing_others) += differs ? 1 : 0;
+      return answer;
+    };
+  }
+  return op;
+}
+
+TEST_P(EveryOperator, is_symmetric_where_it_says_so_and_nowhere_else) {
+  const Operator& tested = *GetParam();
+  Exchanges exchanges;
+  algebra3d::Registry registry;
+  for (const algebra3d::Type* type : test_registry().types()) registry.add(*type);
+  for (const Operator* op : test_registry().operators()) registry.add(op == &tested ? exchanging(*op, exchanges) : *op);
+  const TestFolder folder;
+  TestSession session(folder.path(), registry);
+  for (const auto& [query, result] : tested.examples) session.run("query " + query);
+
+  bool has_symmetric = false;
+  bool has_others = false;
+  for (const Overload& overload : tested.overloads) {
+    if (!has_alike_operands(overload)) continue;
+    (overload.is_symmetric ? has_symmetric : has_others) = true;
+  }
+  EXPECT_EQ(exchanges.differing, 0);
+  EXPECT_TRUE(!has_symmetric || exchanges.of_symmetric > 0) << "no example calls the symmetric overload";
+  EXPECT_TRUE(!has_others || exchanges.differing_others > 0) << "no example would notice exchanged operands";
 }
 
 TEST_P(EveryOperator, sources_are_in_the_references) {
