@@ -150,15 +150,7 @@ Result<FileList> list_files(std::span<const std::string> paths) {
 }
 
 std::string path_text(const std::filesystem::path& path) {
-  std::string_view rest = path.native();
-  std::string text;
-  for (;;) {
-    const std::size_t invalid = algebra3d::first_invalid_utf8(rest);
-    text += rest.substr(0, invalid);
-    if (invalid == std::string_view::npos) return text;
-    text += fmt::format("\\x{:02x}", static_cast<unsigned char>(rest[invalid]));
-    rest.remove_prefix(invalid + 1);
-  }
+  return algebra3d::shown_as_text(path.native());
 }
 
 }  // namespace queries

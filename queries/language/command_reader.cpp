@@ -12,6 +12,8 @@ bool is_blank(char c) {
 
 constexpr std::string_view kTextEnd = "</text--->";
 constexpr std::string_view kTextBegin = "<text>";
+constexpr std::string_view kFileBegin = "<file>";
+constexpr std::string_view kFileEnd = "</file--->";
 
 }  // namespace
 
@@ -92,6 +94,7 @@ void CommandReader::open_literal(std::string_view rest) {
   if (rest.front() == '"') literal_ = Literal::string;
   if (rest.front() == '\'') literal_ = Literal::text;
   if (rest.starts_with(kTextBegin)) literal_ = Literal::tagged_text;
+  if (rest.starts_with(kFileBegin)) literal_ = Literal::file;
   if (rest.starts_with("_!")) literal_ = Literal::comment;
 }
 
@@ -100,8 +103,9 @@ bool CommandReader::step_literal(std::string_view line, std::size_t& position) {
   const std::string_view rest = line.substr(position);
   const char quote = literal_ == Literal::string ? '"' : '\'';
   std::size_t length = 0;
-  if (literal_ == Literal::tagged_text) {
-    if (rest.starts_with(kTextEnd)) length = kTextEnd.size();
+  if (literal_ == Literal::tagged_text || literal_ == Literal::file) {
+    const std::string_view end = literal_ == Literal::file ? kFileEnd : kTextEnd;
+    if (rest.starts_with(end)) length = end.size();
   } else if (literal_ == Literal::comment) {
     if (rest.starts_with("!_")) length = 2;
   } else if (rest.size() > 1 && rest[0] == '\\' && (rest[1] == quote || rest[1] == '\\')) {

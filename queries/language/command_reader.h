@@ -37,7 +37,7 @@ class CommandReader {
   int line() const { return line_; }
 
  private:
-  enum class Literal : std::uint8_t { none, string, text, tagged_text, comment };
+  enum class Literal : std::uint8_t { none, string, text, tagged_text, file, comment };
 
   bool is_skipped(std::string_view line);
   void add_character(std::string_view line, std::size_t& position, std::vector<CommandText>& complete);

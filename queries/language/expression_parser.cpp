@@ -1,4 +1,5 @@
 #include "queries/language/expression_parser.h"
+#include "algebra3d/types/file_atom.h"
 
 #include <algorithm>
 #include <array>
@@ -183,6 +184,8 @@ Result<ExpressionPtr> ExpressionParser::primary() {
       return make(place, Literal{NestedList(scanner_.take().text)});
     case Kind::text:
       return make(place, Literal{NestedList::text(scanner_.take().text)});
+    case Kind::file:
+      return make(place, file_literal(algebra3d::file_atom(scanner_.take().text), place));
     case Kind::attribute: {
       const Token use = scanner_.take();
       return make(place, AttributeUse{use.parameter, use.text});

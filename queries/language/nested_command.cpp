@@ -1,6 +1,7 @@
 // Commands as nested lists: the words of the text as a list (language.md 1.3).
 #include "queries/language/command_parser.h"
 #include "queries/language/nested_reader.h"
+#include "queries/language/scanner.h"
 
 namespace queries {
 namespace {
@@ -19,7 +20,7 @@ class ListInput final : public CommandInput {
   }
   void skip() override { ++position_; }
   Result<std::string> name(std::string_view what) override {
-    if (is_at_end() || !next().is_symbol()) return unexpected(what);
+    if (is_at_end() || !next().is_symbol() || !is_identifier(next().as_symbol())) return unexpected(what);
     return list_.elements()[position_++].as_symbol();
   }
   Result<std::string> word_or_text(std::string_view what) override {

@@ -90,6 +90,14 @@ NestedList nested(const FunctionLiteral& function) {
 
 }  // namespace
 
+TypedLiteral file_literal(NestedList atom, SourcePlace place) {
+  TypedLiteral literal;
+  literal.type.name = "text";
+  literal.type.place = std::move(place);
+  literal.list = std::move(atom);
+  return literal;
+}
+
 NestedList to_nested(const Expression& expression) {
   return std::visit([](const auto& node) { return nested(node); }, expression.node);
 }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "algebra3d/types/file_atom.h"
 #include "queries/language/parser.h"
+#include "queries/language/scanner.h"
 
 namespace queries {
 
@@ -24,10 +26,14 @@ bool is_pair(const NestedList& list) {
   return list.is_list() && list.elements().size() == 2;
 }
 
+std::string_view symbol_in(const NestedList& list) {
+  return list.is_symbol() ? std::string_view(list.as_symbol()) : "";
+}
+
 // The names in lists of attributes may also be written as strings.
 std::string name_in(const NestedList& list) {
-  if (list.is_symbol()) return list.as_symbol();
-  return list.is_string() ? list.as_string() : "";
+  const std::string name = list.is_symbol() ? list.as_symbol() : list.is_string() ? list.as_string() : "";
+  return is_identifier(name) ? name : "";
 }
 
 }  // namespace
@@ -89,6 +95,7 @@ Result<ExpressionPtr> NestedReader::list_expression(const NestedList& list) {
 
 Result<ExpressionPtr> NestedReader::symbol(const std::string& name) {
   if (const int parameter = implicit_parameter(name); parameter > 0) return make(ParameterUse{parameter});
+  if (algebra3d::is_file_atom(name)) return make(file_literal(NestedList::symbol(name), place_));
   const bool is_bound = std::ranges::find(bound_, name) != bound_.end();
   if (!is_bound && is_reserved(name, registry_))
     return Error(ErrorCode::syntax_error, "expected an operand, found '{}'", name).at(place_);
@@ -220,7 +227,7 @@ Result<ExpressionPtr> NestedReader::function(const List& items) {
   FunctionLiteral result;
   const std::size_t bound_before = bound_.size();
   for (std::size_t index = 1; index + 1 < items.size(); ++index) {
-    if (!is_pair(items[index]) || !items[index].elements()[0].is_symbol())
+    if (!is_pair(items[index]) || !is_identifier(symbol_in(items[index].elements()[0])))
       return error("(parameter type)", items[index]);
     ASSIGN_OR_RETURN(TypeSyntax parameter_type, type(items[index].elements()[1]));
     bound_.push_back(items[index].elements()[0].as_symbol());
@@ -262,7 +269,7 @@ Result<TypeSyntax> NestedReader::type(const NestedList& list) {
   if (syntax.name == "tuple") {
     if (items.size() != 2 || !items[1].is_list()) return error("(tuple ((Name type) ...))", list);
     for (const NestedList& element : items[1].elements()) {
-      if (!is_pair(element) || !element.elements()[0].is_symbol()) return error("(Name type)", element);
+      if (!is_pair(element) || !is_identifier(symbol_in(element.elements()[0]))) return error("(Name type)", element);
       ASSIGN_OR_RETURN(TypeSyntax attribute, type(element.elements()[1]));
       syntax.attributes.push_back({element.elements()[0].as_symbol(), std::move(attribute)});
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "algebra3d/types/utf8.h"
 #include "queries/language/command_parser.h"
 #include "queries/language/expression_parser.h"
 #include "queries/language/nested_reader.h"
@@ -11,6 +12,7 @@ namespace queries {
 namespace {
 
 using algebra3d::Error;
+using algebra3d::ErrorCode;
 using algebra3d::Registry;
 
 constexpr std::array<std::string_view, 53> kReservedWords = {
@@ -53,10 +55,19 @@ bool is_nested_list(std::string_view text) {
   return first != std::string_view::npos && text[first] == '(';
 }
 
+// Asked once for all, so that nothing that a command holds can be anything but text.
+algebra3d::Status check_text(std::string_view text, const SourcePlace& start) {
+  const std::size_t wrong = algebra3d::first_no_text(text);
+  if (wrong == std::string_view::npos) return {};
+  return Error(ErrorCode::syntax_error, algebra3d::no_text_message(text[wrong]))
+      .at(algebra3d::place_behind(text.substr(0, wrong), start));
+}
+
 }  // namespace
 
 // A command never begins with a parenthesis, so one that does is a nested list.
 Result<Command> parse_command(std::string_view text, const Registry& registry, const SourcePlace& start) {
+  RETURN_IF_ERROR(check_text(text, start));
   if (is_nested_list(text)) {
     ASSIGN_OR_RETURN(const NestedList list, NestedList::parse(text, start));
     return command_of(list, registry, start);
@@ -67,6 +78,7 @@ Result<Command> parse_command(std::string_view text, const Registry& registry, c
 }
 
 Result<ExpressionPtr> parse_expression(std::string_view text, const Registry& registry, const SourcePlace& start) {
+  RETURN_IF_ERROR(check_text(text, start));
   Scanner scanner(text, start);
   ExpressionParser parser(scanner, registry);
   ASSIGN_OR_RETURN(ExpressionPtr expression, parser.expression());

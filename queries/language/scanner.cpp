@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "algebra3d/base/number_text.h"
+#include "algebra3d/types/file_atom.h"
 #include "algebra3d/types/utf8.h"
 
 namespace queries {
@@ -29,6 +30,10 @@ bool is_operator_character(char c) {
 
 }  // namespace
 
+bool is_identifier(std::string_view text) {
+  return !text.empty() && is_letter(text.front()) && std::all_of(text.begin(), text.end(), is_word);
+}
+
 std::string Token::shown() const {
   switch (kind) {
     case Kind::end:
@@ -41,6 +46,8 @@ std::string Token::shown() const {
       return fmt::format(R"(the string "{}")", text);
     case Kind::text:
       return fmt::format("the text '{}{}'", algebra3d::utf8_prefix(text, 40), text.size() > 40 ? "..." : "");
+    case Kind::file:
+      return fmt::format("the file atom '{}'", text);
     case Kind::attribute:
       return fmt::format("'{}{}'", parameter == 2 ? ".." : ".", text);
     case Kind::parameter:
@@ -103,7 +110,9 @@ Token Scanner::scan() {
   else if (c == '"' || c == '\'')
     token = scan_quoted(std::move(token), c);
   else if (starts_with("<text>"))
-    token = scan_tagged(std::move(token), "<text>", "</text--->");
+    token = scan_tagged(std::move(token), Kind::text);
+  else if (starts_with(algebra3d::kFileAtomBegin))
+    token = scan_tagged(std::move(token), Kind::file);
   else if (c == '.')
     token = scan_dots(std::move(token));
   else if (c == '$' && is_digit(at(position_ + 1)))
@@ -170,12 +179,15 @@ Token Scanner::scan_quoted(Token token, char quote) {
   return token;
 }
 
-Token Scanner::scan_tagged(Token token, std::string_view open, std::string_view close) {
-  token.kind = Kind::text;
-  const std::size_t begin = position_ + open.size();
+Token Scanner::scan_tagged(Token token, Token::Kind kind) {
+  const bool is_file = kind == Kind::file;
+  const std::string_view close = is_file ? algebra3d::kFileAtomEnd : "</text--->";
+  const std::size_t begin =
+      position_ + (is_file ? algebra3d::kFileAtomBegin.size() : std::string_view("<text>").size());
+  token.kind = kind;
   const std::size_t end = source_.find(close, begin);
   if (end == std::string_view::npos) {
-    fail(token, "a text is not closed: expected " + std::string(close));
+    fail(token, std::string(is_file ? "a file atom" : "a text") + " is not closed: expected " + std::string(close));
     return token;
   }
   token.text = source_.substr(begin, end - begin);
@@ -257,8 +269,8 @@ std::optional<std::string_view> Scanner::take_raw_until(char closing) {
       scan_quoted(literal_at(position_), c);
       continue;
     }
-    if (starts_with("<text>")) {
-      scan_tagged(literal_at(position_), "<text>", "</text--->");
+    if (starts_with("<text>") || starts_with(algebra3d::kFileAtomBegin)) {
+      scan_tagged(literal_at(position_), starts_with("<text>") ? Kind::text : Kind::file);
       continue;
     }
     if (starts_with("_!")) {

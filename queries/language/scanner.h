@@ -8,6 +8,10 @@
 
 namespace queries {
 
+/// True for a letter with letters, digits and `_` behind it: what names objects and attributes. Symbols of nested lists
+/// may be anything.
+bool is_identifier(std::string_view text);
+
 /// Cuts the text of one command into tokens, on demand, so that the parser may take raw text in between.
 /// The text outlives the scanner. Places count from `start`; columns count characters, not bytes. Cost: linear.
 class Scanner {
@@ -34,7 +38,7 @@ class Scanner {
   void skip_blanks();
   Token scan_number(Token token);
   Token scan_quoted(Token token, char quote);
-  Token scan_tagged(Token token, std::string_view open, std::string_view close);
+  Token scan_tagged(Token token, Token::Kind kind);
   Token scan_dots(Token token);
   Token scan_dollar(Token token);
   Token scan_special(Token token);

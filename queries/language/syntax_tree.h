@@ -47,6 +47,8 @@ struct TypedLiteral {
   TypeSyntax type;
   NestedList list;
 };
+/// The text that a file atom (file_atom.h) stands for; the file is read when the literal is checked.
+TypedLiteral file_literal(NestedList atom, SourcePlace place);
 /// An object, or a parameter of an explicit function.
 struct NameUse {
   std::string name;

@@ -20,6 +20,7 @@ struct Token {
     boolean,    ///< `text` is TRUE or FALSE
     string,     ///< `text` is the decoded content
     text,       ///< the same for 'texts'
+    file,       ///< a file atom; `text` is the path
     attribute,  ///< .Name, ..Name, $2.Name: `parameter` and `text`
     parameter,  ///< ., .., $2: `parameter`
     special,    ///< brackets, separators, and runs of special characters

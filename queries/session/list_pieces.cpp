@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "algebra3d/types/file_atom.h"
+#include "algebra3d/types/utf8.h"
+
 namespace queries {
 namespace {
 
@@ -17,6 +20,13 @@ constexpr std::string_view kCommentBegin = "_!";
 constexpr std::string_view kCommentEnd = "!_";
 constexpr std::string_view kTextBegin = "<text>";
 constexpr std::string_view kTextEnd = "</text--->";
+
+// What closes a text in tags, a file atom or a comment that begins here; empty if none does.
+std::string_view closing_of(std::string_view rest) {
+  if (rest.starts_with(kTextBegin)) return kTextEnd;
+  if (rest.starts_with(algebra3d::kFileAtomBegin)) return algebra3d::kFileAtomEnd;
+  return rest.starts_with(kCommentBegin) ? kCommentEnd : "";
+}
 
 }  // namespace
 
@@ -46,13 +56,16 @@ Result<std::optional<std::string_view>> ListPieces::next() {
 }
 
 Result<NestedList> ListPieces::read(std::string_view what) {
-  skip_blanks();
-  const std::size_t begin = position_;
   ASSIGN_OR_RETURN(const auto piece, next());
   if (!piece) return error(what);
-  auto list = NestedList::parse(*piece);
+  return parse(*piece);
+}
+
+Result<NestedList> ListPieces::parse(std::string_view piece) const {
+  auto list = NestedList::parse(piece);
+  if (list) return list;
   // Places are counted from the beginning of the text, so only where one is needed.
-  return list ? std::move(list) : NestedList::parse(*piece, place_of(begin));
+  return NestedList::parse(piece, place_of(static_cast<std::size_t>(piece.data() - text_.data())));
 }
 
 bool ListPieces::is_at_end() {
@@ -88,8 +101,7 @@ std::size_t ListPieces::end_of_element(std::size_t begin) const {
     const std::string_view rest = text_.substr(position);
     if (c == '"' || c == '\'') {
       position = end_of_quoted(position);
-    } else if (rest.starts_with(kTextBegin) || rest.starts_with(kCommentBegin)) {
-      const std::string_view close = c == '<' ? kTextEnd : kCommentEnd;
+    } else if (const std::string_view close = closing_of(rest); !close.empty()) {
       const std::size_t end = text_.find(close, position + 2);
       position = end == std::string_view::npos ? end : end + close.size();
     } else if (c == '(' || c == ')') {
@@ -116,10 +128,7 @@ std::size_t ListPieces::end_of_quoted(std::size_t begin) const {
 
 // Counted only for messages.
 SourcePlace ListPieces::place_of(std::size_t offset) const {
-  const std::string_view before = text_.substr(0, offset);
-  const auto line = 1 + static_cast<int>(std::ranges::count(before, '\n'));
-  const std::size_t line_begin = before.rfind('\n') + 1;  // npos + 1 is 0
-  return {file_, line, static_cast<int>(offset - line_begin) + 1};
+  return algebra3d::place_behind(text_.substr(0, offset), {file_, 1, 1});
 }
 
 Error ListPieces::error(std::string_view expected) {

@@ -24,6 +24,8 @@ class ListPieces {
   /// Steps over the next element, a list or an atom, and gives its text; nothing before `)`.
   /// Errors: invalid_value at the end of the text.
   algebra3d::Result<std::optional<std::string_view>> next();
+  /// An element that `next` gave, read as a nested list. Errors have their place in the whole text.
+  algebra3d::Result<algebra3d::NestedList> parse(std::string_view piece) const;
   /// `next`, which must be there, read as a nested list.
   algebra3d::Result<algebra3d::NestedList> read(std::string_view what);
   /// Whether nothing but blanks and comments follows.

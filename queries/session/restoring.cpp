@@ -159,7 +159,7 @@ Status Session::Restorer::object_content(std::string name) {
   if (!status) {
     Error error = std::move(status).error();
     error.message = "object '" + name + "': " + error.message;
-    return std::move(error).at(place);
+    return error.place.is_known() ? std::move(error) : std::move(error).at(place);
   }
   return rest_of_object();
 }
@@ -177,7 +177,7 @@ Status Session::Restorer::value_of(const std::string& name, const TypeExpr& type
   const SourcePlace place = pieces_.place();
   ASSIGN_OR_RETURN(const auto piece, pieces_.next());
   if (!piece) return is_index(type) ? Status() : store_.create(name, type);
-  ASSIGN_OR_RETURN(NestedList list, NestedList::parse(*piece));
+  ASSIGN_OR_RETURN(NestedList list, pieces_.parse(*piece));
   if (is_index(type)) {
     dependents_.push_back({name, std::move(list), type, place});
     return {};
@@ -207,7 +207,7 @@ Status Session::Restorer::relation_value(const std::string& name, const TypeExpr
     ASSIGN_OR_RETURN(const auto piece, pieces_.next());
     if (!piece) return TuplePtr();
     ++number;
-    ASSIGN_OR_RETURN(const NestedList row, NestedList::parse(*piece));
+    ASSIGN_OR_RETURN(const NestedList row, pieces_.parse(*piece));
     if (!row.is_list() || row.elements().size() != types.size())
       return Error{ErrorCode::invalid_value, "tuple {}: expected a list of {} values, got {}", number, types.size(),
                    row.print_short()};

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "algebra3d/types/scalars.h"
+#include "algebra3d/types/utf8.h"
 #include "queries/streams/all.h"
 #include "queries/streams/mapping.h"
 
@@ -28,7 +29,12 @@ Result<std::vector<std::string>> files_below(const std::filesystem::path& folder
     std::error_code ignored;  // a file that has gone meanwhile, or a dangling link, is no file
     if (!entry->is_regular_file(ignored)) continue;
     if (fnmatch(pattern.c_str(), entry->path().filename().c_str(), 0) != 0) continue;
-    files.push_back((fs::path(shown) / entry->path().lexically_relative(folder)).string());
+    const std::string name = (fs::path(shown) / entry->path().lexically_relative(folder)).string();
+    files.push_back(algebra3d::shown_as_text(name));
+    if (files.back() != name)
+      context.diagnostics.report(
+          "getDirectory: the name of a file is no UTF-8; its bytes are given as \\xff, and it cannot be opened by them",
+          files.back());
   }
   std::ranges::sort(files);
   return files;

@@ -56,6 +56,8 @@ TEST(CommandReader, no_semicolon_ends_a_command_inside_brackets) {
 TEST(CommandReader, no_semicolon_ends_a_command_inside_literals) {
   EXPECT_EQ(commands(R"(query "a;(" + 'b;\';' + <text>;'"</text---> _! ;" !_; query 2)"),
             (Commands{R"(1:1 query "a;(" + 'b;\';' + <text>;'"</text---> _! ;" !_)", "1:55 query 2"}));
+  EXPECT_EQ(commands(R"(query <file>it's; (1</file--->; query 2)"),
+            (Commands{R"(1:1 query <file>it's; (1</file--->)", "1:33 query 2"}));
 }
 
 TEST(CommandReader, escaped_backslash_does_not_escape_the_quote) {

@@ -182,6 +182,29 @@ TEST(SyntaxErrors, characters_that_do_not_belong_to_the_language) {
   EXPECT_EQ(parsed("12abc"), "error 1:1 a number ends with 'a' after '12'");
 }
 
+TEST(SyntaxErrors, bytes_that_are_no_text_have_their_place_wherever_they_stand) {
+  using std::string_literals::operator""s;
+  const std::string utf8 = "expected UTF-8, found the byte 0x";
+  EXPECT_EQ(parsed("1 +\n\"\xC3\xBC\xFF\""), "error 2:3 " + utf8 + "ff");
+  EXPECT_EQ(parsed("'a\xE2\x82'"), "error 1:3 " + utf8 + "e2");
+  EXPECT_EQ(parsed("<text>\x80</text--->"), "error 1:7 " + utf8 + "80");
+  EXPECT_EQ(parsed("[const text value '\xC0\xAF']"), "error 1:20 " + utf8 + "c0");
+  EXPECT_EQ(parsed("a\xFF"), "error 1:2 " + utf8 + "ff");
+  EXPECT_EQ(parsed("\"a\0b\""s), "error 1:3 expected text, found a zero byte");
+  EXPECT_EQ(parsed("1 \0 + 2"s), "error 1:3 expected text, found a zero byte");
+  const auto nested = parse_command("(query \"\0\")"s, full_registry(), {"f", 7, 4});
+  ASSERT_FALSE(nested.ok());
+  EXPECT_EQ(nested.error().message, "expected text, found a zero byte");
+  EXPECT_EQ(nested.error().place.line, 7);
+  EXPECT_EQ(nested.error().place.column, 12);
+}
+
+TEST(Expressions, a_file_atom_is_a_constant_of_type_text) {
+  EXPECT_EQ(parsed("<file>it's; \"x\".q</file---> + 'b'"), "(+ (const text value <file>it's; \"x\".q</file--->) 'b')");
+  EXPECT_EQ(parsed("[const text value <file>a]b</file--->]"), "(const text value <file>a]b</file--->)");
+  EXPECT_EQ(parsed("1 + <file>a"), "error 1:5 a file atom is not closed: expected </file--->");
+}
+
 TEST(Commands, all_forms) {
   EXPECT_EQ(content_of<CreateDatabase>("create database d").name, "d");
   EXPECT_EQ(content_of<DeleteDatabase>("delete database d").name, "d");
@@ -232,6 +255,23 @@ TEST(Commands, nested_lists_are_the_words_of_the_text) {
   EXPECT_EQ(content_of<Inquiry>("(list objects)").subject, Inquiry::Subject::objects);
   EXPECT_EQ(content_of<Sequence>("({ (query 1) | (query 2) })").commands.size(), 2);
   EXPECT_TRUE(content_of<Conditional>("(if TRUE then (query 1) endif)").else_branch == nullptr);
+}
+
+// What a text cannot name could neither be asked for there nor be restored once it was saved.
+TEST(Commands, names_in_nested_lists_are_names) {
+  const auto refused = [](const std::string& command) {
+    const auto parsed_command = parse_command(command, full_registry());
+    return parsed_command ? std::string("accepted") : parsed_command.error().message;
+  };
+  EXPECT_EQ(refused("(let abc = 1)"), "accepted");
+  for (const char* name : {"%%", "1/3", "<file>a</file--->"}) {
+    EXPECT_NE(refused(fmt::format("(create {} : int)", name)), "accepted");
+    EXPECT_NE(refused(fmt::format("(let a = ((rel (tuple (({} int)))) ()))", name)), "accepted");
+    EXPECT_NE(refused(fmt::format("(let a = (fun ({} int) 1))", name)), "accepted");
+    EXPECT_NE(refused(fmt::format("(query (extend (feed r) (({} 1))))", name)), "accepted");
+  }
+  EXPECT_NE(refused("(query (extend (feed r) ((\"a b\" 1))))"), "accepted");
+  EXPECT_EQ(refused("(query (extend (feed r) ((\"ab\" 1))))"), "accepted");
 }
 
 TEST(Commands, errors) {

@@ -9,8 +9,8 @@ using Kind = Token::Kind;
 
 /// Every token as `kind:text`, one after the other.
 std::string scanned(std::string_view text) {
-  static constexpr std::array<const char*, 10> kNames = {"end",    "word", "int",       "real",      "bool",
-                                                         "string", "text", "attribute", "parameter", "special"};
+  static constexpr std::array<const char*, 11> kNames = {"end",  "word", "int",       "real",      "bool",   "string",
+                                                         "text", "file", "attribute", "parameter", "special"};
   Scanner scanner(text);
   std::string result;
   while (scanner.peek().kind != Kind::end) {
@@ -53,6 +53,11 @@ TEST(Scanner, numbers_out_of_range_are_errors) {
 TEST(Scanner, strings_and_texts_with_escapes) {
   EXPECT_EQ(scanned(R"("a\"b\\c\d" 'it\'s')"), R"(string:a"b\c\d text:it's)");
   EXPECT_EQ(scanned("<text>it's \"raw\"\n</text--->"), "text:it's \"raw\"\n");
+}
+
+TEST(Scanner, a_file_atom_is_one_token) {
+  EXPECT_EQ(scanned("<file>it's; (1</file---> x"), "file:it's; (1 word:x");
+  EXPECT_NE(scanned("<file>a").find("error:a file atom is not closed: expected </file--->"), std::string::npos);
 }
 
 TEST(Scanner, attributes_and_parameters) {
