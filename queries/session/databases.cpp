@@ -1,8 +1,21 @@
 // The commands of a session that create, open, close and delete databases.
+#include <algorithm>
+
 #include "queries/session/database_files.h"
+#include "queries/session/progress_listener.h"
 #include "queries/session/session.h"
 
 namespace queries {
+namespace {
+
+// The catalogue, which says how many there are, may be wrong itself.
+std::string how_far(const CheckProgress& progress) {
+  constexpr std::uint64_t kAll = 100;
+  return fmt::format("{} % ({})", std::min(kAll, kAll * progress.done / std::max<std::uint64_t>(progress.total, 1)),
+                     progress.object);
+}
+
+}  // namespace
 
 Status Session::require_closed() {
   if (store_ == nullptr) return {};
@@ -62,9 +75,13 @@ Status Session::run(const TransactionStep& command, Presenter&, Context&) {
 // (inquiry (findings ((object tuple attribute 'what is wrong') ...))); a database with findings is an error.
 Status Session::run(const CheckDatabase&, Presenter& presenter, Context& context) {
   ASSIGN_OR_RETURN(Store * store, required_store());
+  auto* const listener = dynamic_cast<ProgressListener*>(&presenter);
+  const auto report = [listener](const CheckProgress& progress) {
+    if (listener != nullptr) listener->advance(how_far(progress));
+  };
   std::vector<Finding> findings;
   RETURN_IF_ERROR(in_transaction(false, [&]() -> Status {
-    ASSIGN_OR_RETURN(findings, store->check(context, [](const CheckProgress&) {}));
+    ASSIGN_OR_RETURN(findings, store->check(context, report));
     return {};
   }));
   NestedList::List rows;
