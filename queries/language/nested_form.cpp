@@ -70,7 +70,10 @@ NestedList nested(const FunctionCall& call) {
   return NestedList(std::move(items));
 }
 
+// A list of one expression is that expression, and `(x)` would be a call.
 NestedList nested(const ListExpression& list) {
+  if (list.items.size() == 1 && list.items[0].name.empty() && list.items[0].modifier == nullptr)
+    return to_nested(*list.items[0].value);
   NestedList::List items;
   for (const ListExpression::Item& item : list.items) {
     NestedList element = to_nested(*item.value);

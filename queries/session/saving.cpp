@@ -13,10 +13,21 @@ Error cannot_write(const Error& reason) {
   return {reason.code, "save: the file cannot be written: {}", reason.message};
 }
 
+/// Whether SQLite keeps the open database in this file, or in the files beside it.
+bool is_part_of(const Store& store, const std::filesystem::path& file) {
+  for (const char* ending : {"", "-wal", "-shm", "-journal"}) {
+    std::error_code none_there;
+    if (equivalent(store.file().string() + ending, file, none_there)) return true;
+  }
+  return false;
+}
+
 /// The file being saved, with the error that is told of it.
 class ListFile {
  public:
-  static Result<ListFile> create(const std::filesystem::path& path) {
+  static Result<ListFile> create(const std::filesystem::path& path, const Store& store) {
+    if (is_part_of(store, path))
+      return Error{ErrorCode::wrong_usage, "save: '{}' holds the open database; save to another file", path.string()};
     auto file = stl::AtomicFile::create(path);
     if (!file) return cannot_write(file.error());
     return ListFile(std::move(file).value());
@@ -98,7 +109,7 @@ class ObjectWriter {
 
 Status Session::run(const SaveDatabase& command, Presenter&, Context& context) {
   ASSIGN_OR_RETURN(Store * store, required_store());
-  ASSIGN_OR_RETURN(ListFile file, ListFile::create(context.resolve(command.file)));
+  ASSIGN_OR_RETURN(ListFile file, ListFile::create(context.resolve(command.file), *store));
   Status status = in_transaction(false, [&]() -> Status {
     RETURN_IF_ERROR(
         file.write(kSavedHere, "\n(DATABASE ", store->file().stem().string(), "\n  (DESCRIPTIVE ALGEBRA)\n  (TYPES"));
@@ -116,7 +127,7 @@ Status Session::run(const SaveDatabase& command, Presenter&, Context& context) {
 
 Status Session::run(const SaveObject& command, Presenter&, Context& context) {
   ASSIGN_OR_RETURN(Store * store, required_store());
-  ASSIGN_OR_RETURN(ListFile file, ListFile::create(context.resolve(command.file)));
+  ASSIGN_OR_RETURN(ListFile file, ListFile::create(context.resolve(command.file), *store));
   Status status = in_transaction(false, [&]() -> Status {
     ASSIGN_OR_RETURN(const auto info, store->find(command.name));
     if (!info) return Error{ErrorCode::unknown_name, "there is no object '{}'", command.name};

@@ -35,13 +35,12 @@ Status for_each_tuple(const std::shared_ptr<Database>& database, const std::shar
 template <typename Index>
 Status SqliteStore::assign_index(CatalogueEntry& entry, const Index& index) {
   entry.index_relation.clear();
-  entry.index_attribute.clear();
+  entry.index_attribute = index.attribute();
   if (!index.is_definition()) return write_object_bytes(*database_, entry, frozen(index));
   const CatalogueEntry* const relation = database_->catalogue().find(index.relation());
   if (relation == nullptr || !relation->type.is_relation())
     return Error{ErrorCode::unknown_name, "{}: there is no relation '{}' for the index", entry.name, index.relation()};
   entry.index_relation = index.relation();
-  entry.index_attribute = index.attribute();
   entry.has_value = true;
   return {};
 }
@@ -61,7 +60,7 @@ Result<Datum> SqliteStore::read_index(const CatalogueEntry& entry) {
     ASSIGN_OR_RETURN(const std::string bytes, read_object_bytes(*database_, entry));
     auto tree = decode_tree(bytes);
     if (!tree) return Error{tree.error().code, "{}: {}", entry.name, tree.error().message};
-    return Datum{std::make_shared<SpatialIndex>("", "", *std::move(tree))};
+    return Datum{std::make_shared<SpatialIndex>("", entry.index_attribute, *std::move(tree))};
   }
   ASSIGN_OR_RETURN(const CatalogueEntry* relation, indexed_relation(entry));
   ASSIGN_OR_RETURN(auto tree, tree_of(*relation, entry.index_attribute));
@@ -76,7 +75,7 @@ Result<Datum> SqliteStore::read_ordered_index(const CatalogueEntry& entry) {
     ASSIGN_OR_RETURN(const std::string bytes, read_object_bytes(*database_, entry));
     auto tree = decode_order(*key_type, bytes);
     if (!tree) return Error{tree.error().code, "{}: {}", entry.name, tree.error().message};
-    return Datum{std::make_shared<OrderedIndex>("", "", *std::move(tree))};
+    return Datum{std::make_shared<OrderedIndex>("", entry.index_attribute, *std::move(tree))};
   }
   ASSIGN_OR_RETURN(const CatalogueEntry* relation, indexed_relation(entry));
   ASSIGN_OR_RETURN(auto tree, ordered_tree_of(*relation, entry.index_attribute));

@@ -162,6 +162,8 @@ Result<TypeExpr> MappingCheck::extended(const TypeExpr& tuple, std::size_t posit
       return error("the attribute '" + argument.names[i] + "' would stand twice");
     made.push_back({argument.names[i], result});
   }
+  // No relation is without attributes: it could neither be written down nor be restored.
+  if (made.empty() && tuple.attributes().empty()) return error("no attribute would be left");
   return concatenated(tuple, TypeExpr::tuple(std::move(made)));
 }
 

@@ -27,7 +27,8 @@ const std::vector<std::string> kIntegers = {"0", "1", "2", "3", "5", "-1", "10",
 const std::vector<std::string> kReals = {"0.0", "0.5", "1.0", "-1.5", "1e300", "0.1", "1e-300", "3.0"};
 const std::vector<std::string> kStrings = {"\"a\"", "\"\"", "\"b\\\"c\"", "\"abc\"", "\"é\""};
 const std::vector<std::string> kTexts = {"'a'", "''", "'some text'", "'it\\'s'", "'cube.stl'", "<text>a 'b'</text--->"};
-const std::vector<std::string> kFiles = {"'all.txt'", "'one.txt'", "'function.txt'", "'new.txt'", "saved", "'.'"};
+const std::vector<std::string> kFiles = {"'all.txt'", "'one.txt'", "'function.txt'", "'new.txt'",
+                                         "saved",     "'.'",       "'w.db'"};
 const std::vector<std::string> kNewNames = {"A", "B", "K", "V", "Elem", "A_old", "TID", "Id", "Name"};
 const std::vector<std::string> kLanguageWords = {"fun",
                                                  "const",

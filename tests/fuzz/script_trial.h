@@ -19,7 +19,8 @@ std::vector<std::string> commands_of(std::string_view script);
 ///   `abort transaction` brings back what was there at its beginning;
 ///   a query that changes nothing gives the same answer when it is asked again;
 ///   the nested form of a query, printed and read back, is the same, and gives the same answer;
-///   at the end `check database` finds nothing, and the file holds what the session saw.
+///   at the end `check database` finds nothing, and the file holds what the session saw;
+///   the database, saved and restored under another name, has the same values (of every fourth script).
 /// What takes longer than the deadline is interrupted and then ends the script.
 void try_script(std::string_view script, const ScriptWorld& world, Deadline& deadline);
 
