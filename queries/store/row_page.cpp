@@ -12,6 +12,8 @@ constexpr std::size_t kPageBytes = std::size_t{4} << 20;
 }  // namespace
 
 void RowPage::clear(TupleId after) {
+  // One long text must not keep its memory until the scan ends.
+  if (bytes_.capacity() > 2 * kPageBytes) bytes_ = std::string();
   bytes_.clear();
   rows_.clear();
   last_ = after;
