@@ -33,12 +33,19 @@ NestedList nested(const FunctionReference& reference) {
   return symbol(reference.name);
 }
 
+// In brackets `(vec)` is read as `vec`, so a call that looks like it is written `((now))`.
+bool is_call_without_arguments(const Expression& expression) {
+  const auto* call = std::get_if<FunctionCall>(&expression.node);
+  return call != nullptr && call->arguments.empty();
+}
+
 NestedList nested(const Argument& argument) {
   NestedList::List items;
   switch (argument.kind) {
     case PlaceKind::value:
     case PlaceKind::function:
-      return to_nested(*argument.value);
+      return is_call_without_arguments(*argument.value) ? NestedList::list(to_nested(*argument.value))
+                                                        : to_nested(*argument.value);
     case PlaceKind::attribute:
     case PlaceKind::name:
       return symbol(argument.names.front());

@@ -82,6 +82,7 @@ Result<ExpressionPtr> NestedReader::list_expression(const NestedList& list) {
   const List& items = list.elements();
   if (items.empty()) return error("an expression", list);
   const NestedList& head = items.front();
+  if (head.is_list() && items.size() == 1) return expression(head);
   if (head.is_symbol()) {
     if (is_symbol(head, "fun")) return function(items);
     if (is_symbol(head, "const") && items.size() == 4 && is_symbol(items[2], "value"))
