@@ -53,7 +53,7 @@ class MemoryAccount {
   void clear();
   std::size_t used() const { return used_; }
 
-  static constexpr std::size_t kLeast = 64 * 1024;
+  static constexpr std::size_t kLeast = std::size_t{64} * 1024;
 
  private:
   WorkMemory* memory_;

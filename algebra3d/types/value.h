@@ -72,14 +72,26 @@ class Type {
   Type() = default;
 };
 
+/// What deferred values can be made from again, as long as their statement runs.
+class DeferredSource {
+ public:
+  virtual ~DeferredSource() = default;
+  virtual bool is_same_as(const DeferredSource& other) const = 0;
+  /// The deferred value whose `append_reference` wrote these bytes.
+  virtual Value value(std::string_view reference) const = 0;
+};
+
 /// A value that lies elsewhere: its header is at hand, the rest is loaded when first needed.
 /// Safe to share between threads. Owned by the values that refer to it.
 class DeferredValue {
  public:
   virtual ~DeferredValue() = default;
   virtual GeometryHeader header() const = 0;
-  /// The value, loaded now or remembered from an earlier call.
+  /// The value, read now or taken from a cache.
   virtual Result<Value> load() const = 0;
+  /// How to put the value aside without loading it: `source()->value(reference)` is this value again.
+  virtual std::shared_ptr<const DeferredSource> source() const = 0;
+  virtual void append_reference(std::string& bytes) const = 0;
 };
 
 /// The C++ class T of a database type, and the database type of a C++ class: specialised next to each class with

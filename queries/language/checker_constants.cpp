@@ -47,7 +47,8 @@ Result<Datum> Checker::relation_constant(const TypeExpr& type, const NestedList&
     }
     tuples.push_back(std::make_shared<const Tuple>(std::move(tuple)));
   }
-  return Datum{std::shared_ptr<Relation>(std::make_shared<MemoryRelation>(type.element(), std::move(tuples)))};
+  return Datum{
+      std::shared_ptr<Relation>(std::make_shared<MemoryRelation>(type.element(), TupleBuffer(std::move(tuples))))};
 }
 
 Result<TypeExpr> Checker::resolve(const TypeSyntax& syntax) {

@@ -68,7 +68,7 @@ Status Session::set_memory(const Value& value, const SourcePlace& place) {
     return Error(ErrorCode::type_error, "set \"memory\": expected the limit in megabytes, an int from 1, got {}",
                  value.to_nested().print_short())
         .at(place);
-  options_.memory_megabytes = value.get<std::int32_t>();
+  memory_.set_limit(static_cast<std::size_t>(value.get<std::int32_t>()) << 20U);
   return {};
 }
 

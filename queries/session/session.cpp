@@ -10,7 +10,9 @@
 
 namespace queries {
 Session::Session(const algebra3d::Registry& registry, SessionOptions options)
-    : registry_(registry), options_(std::move(options)) {}
+    : registry_(registry),
+      options_(std::move(options)),
+      memory_(options_.memory_bytes, algebra3d::WorkMemory::default_folder()) {}
 
 Session::~Session() = default;
 
@@ -24,7 +26,9 @@ Status Session::open_file(const std::filesystem::path& file) {
 Status Session::execute(std::string_view text, const SourcePlace& start, Presenter& presenter, Context& context) {
   try {
     ASSIGN_OR_RETURN(const Command command, parse_command(text, registry_, start));
-    return run(command, presenter, context);
+    Context own = context;
+    own.memory = &memory_;
+    return run(command, presenter, own);
   } catch (const std::bad_alloc&) {
     if (store_ != nullptr) store_->rollback();
     return Error(ErrorCode::out_of_memory, "memory is exhausted").at(start);

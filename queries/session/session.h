@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "algebra3d/base/context.h"
+#include "algebra3d/base/work_memory.h"
 #include "algebra3d/registry/registry.h"
 #include "queries/language/command.h"
 #include "queries/language/typed_tree.h"
@@ -31,8 +32,9 @@ struct SessionOptions {
   /// Folder of the databases that `create`, `open` and `delete database N` mean.
   std::filesystem::path folder = ".";
   bool read_only = false;
-  /// What operators that sort, group, hash or materialise may keep in memory; 0: a quarter of the machine's.
-  std::int32_t memory_megabytes = 0;
+  /// What operators that sort, group, hash or materialise may keep in memory, as long as `set "memory"` says nothing
+  /// else.
+  std::size_t memory_bytes = algebra3d::WorkMemory::default_limit();
   /// What the face of a session does with results, as `set` says: tell how long each statement took, and page long
   /// ones.
   bool shows_timing = false;
@@ -116,6 +118,7 @@ class Session {
 
   const algebra3d::Registry& registry_;
   SessionOptions options_;
+  algebra3d::WorkMemory memory_;
   std::unique_ptr<Store> store_;
 };
 

@@ -1,21 +1,23 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
-#include <optional>
+#include <string>
 
 #include "queries/store/database.h"
 
 namespace queries {
 
-/// A large attribute of a stored tuple that is read when it is asked for, once, while its statement runs.
+/// A large attribute of a stored tuple that is read when it is asked for, while its statement runs. It does not keep
+/// what it reads: the database's cache does, within its limit.
 class StoredValue final : public algebra3d::DeferredValue {
  public:
   StoredValue(std::shared_ptr<Database> database, LargeValue value)
       : database_(std::move(database)), value_(std::move(value)) {}
 
   algebra3d::GeometryHeader header() const override { return value_.header; }
-  Result<Value> load() const override;
+  Result<Value> load() const override { return database_->load(value_); }
+  std::shared_ptr<const algebra3d::DeferredSource> source() const override;
+  void append_reference(std::string& bytes) const override;
 
   const Database* database() const { return database_.get(); }
   /// The bytes as they are stored, for a copy that nobody decodes.
@@ -24,8 +26,6 @@ class StoredValue final : public algebra3d::DeferredValue {
  private:
   std::shared_ptr<Database> database_;
   LargeValue value_;
-  mutable std::mutex mutex_;
-  mutable std::optional<Value> loaded_;
 };
 
 }  // namespace queries

@@ -10,11 +10,11 @@ std::optional<algebra3d::Value> ValueCache::find(const ValuePlace& place) {
 }
 
 void ValueCache::add(const ValuePlace& place, const algebra3d::Value& value, std::uint64_t bytes) {
-  if (bytes > limit_ || places_.contains(place)) return;
+  if (places_.contains(place)) return;
   order_.push_front({place, value, bytes});
   places_.emplace(place, order_.begin());
   bytes_ += bytes;
-  while (bytes_ > limit_) {
+  while (bytes_ > limit_ && order_.size() > 1) {
     const auto oldest = places_.find(order_.back().place);
     erase(oldest, std::next(oldest));
   }

@@ -26,7 +26,7 @@ class ValueCache {
   explicit ValueCache(std::uint64_t limit) : limit_(limit) {}
 
   std::optional<algebra3d::Value> find(const ValuePlace& place);
-  /// Keeps `value`, unless it is larger than all of the cache. `bytes` is an estimate.
+  /// Keeps `value`; the latest one is kept even if it is larger than all of the cache. `bytes` is an estimate.
   void add(const ValuePlace& place, const algebra3d::Value& value, std::uint64_t bytes);
   /// Forgets the values of a tuple.
   void erase(std::int64_t table_number, std::int64_t tuple);

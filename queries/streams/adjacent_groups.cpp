@@ -13,8 +13,7 @@ Result<std::optional<AdjacentGroups::Group>> AdjacentGroups::next(const Context&
   if (!has_begun_) RETURN_IF_ERROR(advance());
   has_begun_ = true;
   if (pending_ == nullptr) return std::optional<Group>();
-  Group group;
-  group.keys = pending_keys_;
+  Group group(pending_keys_, context);
   while (pending_ != nullptr && compare_keys(pending_keys_, group.keys) == 0) {
     RETURN_IF_ERROR(group.tuples.add(std::move(pending_)));
     if (group.tuples.size() % 1024 == 0) RETURN_IF_ERROR(context.check_cancelled());

@@ -12,6 +12,7 @@ namespace queries {
 class AdjacentGroups {
  public:
   struct Group {
+    Group(std::vector<Value> its_keys, const Context& context) : keys(std::move(its_keys)), tuples(context) {}
     std::vector<Value> keys;
     TupleBuffer tuples;
   };

@@ -1,7 +1,9 @@
 // inserttuple, insert, deletesearch, deletedirect, deletebyid: tuples come into stored relations and go.
 #include <unordered_map>
+#include <unordered_set>
 
 #include "queries/streams/all.h"
+#include "queries/streams/partwise_join.h"
 #include "queries/streams/relation_changes.h"
 
 namespace queries {
@@ -69,27 +71,54 @@ Result<Plan> map_insert(std::span<const ArgumentType> arguments) {
               }};
 }
 
-/// The tuples of the relation that equal one of the stream, loaded.
-Result<TupleBuffer> equal_tuples(TupleStream& wanted, Relation& relation, const Context& context) {
-  std::unordered_map<std::size_t, std::vector<TuplePtr>> by_hash;
-  RETURN_IF_ERROR(for_each_tuple(wanted, context, [&](const TuplePtr& tuple) -> Status {
-    by_hash[quick_hash(*tuple)].push_back(tuple);
-    return {};
-  }));
-  TupleBuffer found;
-  ASSIGN_OR_RETURN(const TupleStreamPtr all, relation.scan());
-  RETURN_IF_ERROR(for_each_tuple(*all, context, [&](const TuplePtr& tuple) -> Status {
-    const auto candidates = by_hash.find(quick_hash(*tuple));
-    if (candidates == by_hash.end()) return {};
-    for (const TuplePtr& candidate : candidates->second) {
-      ASSIGN_OR_RETURN(const bool equal, are_equal(*candidate, *tuple));
-      if (!equal) continue;
+/// Tuples by their quick hash, as many as the work memory takes: the table of StreamParts.
+class WantedTuples {
+ public:
+  explicit WantedTuples(const Context& context) : account_(context.memory) {}
+
+  Result<bool> add(const TuplePtr& tuple) {
+    if (!account_.take(heap_bytes(*tuple) + kBytesToFind) && !tuples_.empty()) return false;
+    tuples_.emplace(quick_hash(*tuple), tuple);
+    return true;
+  }
+  Result<bool> contains(const Tuple& tuple) const {
+    const auto [first, last] = tuples_.equal_range(quick_hash(tuple));
+    for (auto candidate = first; candidate != last; ++candidate) {
+      ASSIGN_OR_RETURN(const bool equal, are_equal(*candidate->second, tuple));
+      if (equal) return true;
+    }
+    return false;
+  }
+  void clear() {
+    tuples_.clear();
+    account_.clear();
+  }
+
+ private:
+  static constexpr std::size_t kBytesToFind = 64;
+  algebra3d::MemoryAccount account_;
+  std::unordered_multimap<std::size_t, TuplePtr> tuples_;
+};
+
+/// The tuples of the relation that equal one of the stream, loaded, each once. The relation is read once for each part
+/// of the stream that fits into memory.
+Result<TupleBuffer> equal_tuples(const TupleStreamPtr& wanted, Relation& relation, const Context& context) {
+  TupleBuffer found(context);
+  std::unordered_set<TupleId> known;
+  StreamParts parts(wanted);
+  WantedTuples part(context);
+  while (true) {
+    ASSIGN_OR_RETURN(const bool is_last, parts.fill(part, context));
+    ASSIGN_OR_RETURN(const TupleStreamPtr all, relation.scan());
+    RETURN_IF_ERROR(for_each_tuple(*all, context, [&](const TuplePtr& tuple) -> Status {
+      ASSIGN_OR_RETURN(const bool is_wanted, part.contains(*tuple));
+      if (!is_wanted || !known.insert(tuple->id).second) return {};
       ASSIGN_OR_RETURN(TuplePtr loaded, loaded_tuple(*tuple));
       return found.add(std::move(loaded));
-    }
-    return {};
-  }));
-  return found;
+    }));
+    if (is_last) return found;
+    part.clear();
+  }
 }
 
 /// Erases the tuples, and passes them on with their ids.
@@ -104,7 +133,7 @@ Result<Plan> map_deletesearch(std::span<const ArgumentType> arguments) {
   return Plan{TypeExpr::stream(result), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
                 return Datum{made_when_asked(
                     [tuples = given[0].tuples(), relation = given[1].relation(), &context]() -> Result<TupleStreamPtr> {
-                      ASSIGN_OR_RETURN(const TupleBuffer doomed, equal_tuples(*tuples, *relation, context));
+                      ASSIGN_OR_RETURN(const TupleBuffer doomed, equal_tuples(tuples, *relation, context));
                       return erase_all(doomed, *relation, context);
                     })};
               }};

@@ -6,6 +6,7 @@
 #include "algebra3d/types/described_type.h"
 #include "queries/streams/all.h"
 #include "queries/streams/any_stream.h"
+#include "queries/streams/kept_elements.h"
 
 namespace queries {
 namespace {
@@ -64,13 +65,15 @@ bool is_equal(const Value& a, const Value& b) {
 
 enum class CollectionKind : std::uint8_t { set, multiset, vector };
 
-Result<Value> collected(ValueStream& values, CollectionKind kind, const Context& context) {
-  Collection collection;
+// A collection is a value, which stands in memory as long as the statement needs it; while it is made it is bounded.
+Result<Value> collected(ValueStream& values, CollectionKind kind, const std::string& op, const Context& context) {
+  KeptElements<ValueStream> kept(op, context);
   RETURN_IF_ERROR(for_each_element(values, context, [&](const std::optional<Value>& value) -> Status {
     ASSIGN_OR_RETURN(Value loaded, value->loaded());
-    collection.elements.push_back(std::move(loaded));
-    return {};
+    return kept.add(std::move(loaded));
   }));
+  Collection collection;
+  for (auto& element : kept.elements()) collection.elements.push_back(*std::move(element));
   if (kind != CollectionKind::vector) std::ranges::stable_sort(collection.elements, is_before);
   if (kind == CollectionKind::set) {
     const auto rest = std::unique(collection.elements.begin(), collection.elements.end(), is_equal);
@@ -99,8 +102,9 @@ TypeMapping map_collect(const CollectionTexts& texts) {
     if (!type.is_stream() || !is_value_type(type.element()))
       return check.expected("a stream of values (see projecttransformstream)", type);
     return Plan{TypeExpr(texts.type, {type.element()}),
-                [kind = texts.kind](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                  ASSIGN_OR_RETURN(Value value, collected(*given[0].values(), kind, context));
+                [texts](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                  const std::string op = std::string("collect_") + texts.type;
+                  ASSIGN_OR_RETURN(Value value, collected(*given[0].values(), texts.kind, op, context));
                   return Datum{std::move(value)};
                 }};
   };

@@ -2,24 +2,10 @@
 #include "queries/streams/all.h"
 #include "queries/streams/hash_table.h"
 #include "queries/streams/merge_join.h"
+#include "queries/streams/partwise_join.h"
 
 namespace queries {
 namespace {
-
-/// For each tuple of a stream its partners, as `find` gives them: (left, right) in the order of the left stream.
-template <typename Find>
-TupleStreamPtr partners(TupleStreamPtr left, Find find) {
-  return make_stream([left = std::move(left), find = std::move(find), current = TuplePtr(),
-                      found = std::vector<TuplePtr>(), position = std::size_t{0}]() mutable -> Result<TuplePtr> {
-    while (position == found.size()) {
-      ASSIGN_OR_RETURN(current, left->next());
-      if (current == nullptr) return TuplePtr();
-      ASSIGN_OR_RETURN(found, find(*current));
-      position = 0;
-    }
-    return concatenated(*current, *found[position++]);
-  });
-}
 
 // hashjoin and itHashJoin are two names of one operator: the original's differ in what they do when memory is short.
 Result<Plan> map_hashjoin(const char* op, std::span<const ArgumentType> arguments) {
@@ -29,13 +15,11 @@ Result<Plan> map_hashjoin(const char* op, std::span<const ArgumentType> argument
   ASSIGN_OR_RETURN(const JoinKeys keys, join_keys(check, types));
   if (check.count() == 5) RETURN_IF_ERROR(check.type(4, "int"));
   return Plan{TypeExpr::stream(types.joined), [keys](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                auto table = std::make_shared<HashTable>();
-                RETURN_IF_ERROR(table->fill(*given[1].tuples(), keys.right, context));
-                return Datum{partners(given[0].tuples(), [=](const Tuple& tuple) -> Result<std::vector<TuplePtr>> {
-                  ASSIGN_OR_RETURN(const Value key, tuple.attributes[keys.left].loaded());
-                  if (!key.is_defined()) return std::vector<TuplePtr>();
-                  return table->matches(key);
-                })};
+                const auto combine = [](const Tuple& held, const Tuple& passing) {
+                  return concatenated(passing, held);
+                };
+                return Datum{partwise_join(given[1].tuples(), given[0].tuples(),
+                                           HashTable(keys.right, keys.left, context), combine, context)};
               }};
 }
 
@@ -74,7 +58,8 @@ void register_hash_joins(algebra3d::Registry& registry, const std::string& left,
       .name = "hashjoin",
       .syntax = "_ _ hashjoin[attribute, attribute ...]",
       .doc = "The pairs of tuples of both streams with equal, defined values of the two attributes.",
-      .detail = "The second stream is held in memory. A bucket count as a third argument is accepted and not needed.",
+      .detail = "In the order of the first stream, if the second one fits into the memory of `set \"memory\"`; if not, "
+                "it is held part by part. A bucket count as a third argument is accepted and not needed.",
       .stream = stream_operator([](auto arguments) { return map_hashjoin("hashjoin", arguments); }),
       .signatures = {"(stream(tuple) stream(tuple) NAME NAME) -> stream(tuple)",
                      "(stream(tuple) stream(tuple) NAME NAME int) -> stream(tuple)"},

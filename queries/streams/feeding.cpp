@@ -6,7 +6,7 @@
 #include "queries/streams/all.h"
 #include "queries/streams/collection.h"
 #include "queries/streams/mapping.h"
-#include "queries/streams/tuple_buffer.h"
+#include "queries/streams/relation.h"
 
 namespace queries {
 namespace {
@@ -39,12 +39,12 @@ Result<Plan> map_feed(std::span<const ArgumentType> arguments) {
               }};
 }
 
-// consume and tconsume are two names of one operator: what is consumed stays in memory until it is stored.
+// consume and tconsume are two names of one operator: what is consumed lives as long as the statement, or is stored.
 Result<Plan> map_consume(const char* op, std::span<const ArgumentType> arguments) {
   ASSIGN_OR_RETURN(const TypeExpr tuple, MappingCheck(op, arguments).stream(0));
   return Plan{TypeExpr::rel(tuple), [tuple](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                ASSIGN_OR_RETURN(const TupleBuffer tuples, buffered(*given[0].tuples(), context));
-                return Datum{tuples.relation(tuple)};
+                ASSIGN_OR_RETURN(TupleBuffer tuples, buffered(*given[0].tuples(), context));
+                return Datum{RelationPtr(std::make_shared<MemoryRelation>(tuple, std::move(tuples)))};
               }};
 }
 

@@ -2,9 +2,14 @@
 #include "queries/streams/adjacent_groups.h"
 #include "queries/streams/all.h"
 #include "queries/streams/mapping.h"
+#include "queries/streams/relation.h"
 
 namespace queries {
 namespace {
+
+RelationPtr group_relation(const TypeExpr& tuple, TupleBuffer tuples) {
+  return std::make_shared<MemoryRelation>(tuple, std::move(tuples));
+}
 
 Result<Plan> map_groupby(std::span<const ArgumentType> arguments) {
   const MappingCheck check("groupby", arguments);
@@ -17,7 +22,8 @@ Result<Plan> map_groupby(std::span<const ArgumentType> arguments) {
                   ASSIGN_OR_RETURN(auto group, groups.next(context));
                   if (!group) return TuplePtr();
                   Tuple row{std::move(group->keys)};
-                  RETURN_IF_ERROR(append_results(functions, Datum{group->tuples.relation(tuple)}, row.attributes));
+                  RETURN_IF_ERROR(append_results(functions, Datum{group_relation(tuple, std::move(group->tuples))},
+                                                 row.attributes));
                   return TuplePtr(std::make_shared<const Tuple>(std::move(row)));
                 })};
               }};

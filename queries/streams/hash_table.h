@@ -3,31 +3,56 @@
 #include <unordered_map>
 #include <vector>
 
+#include "algebra3d/base/work_memory.h"
+#include "queries/streams/keyed_tuple.h"
 #include "queries/streams/mapping.h"
 
 namespace queries {
 
-/// Tuples of a stream by the value of one attribute. Tuples whose key is undefined are left out; those of one key keep
-/// the order of the stream.
+/// Tuples by the value of one attribute, as many as the work memory takes. Tuples whose key is undefined are left out;
+/// those of one key keep the order in which they came. First filled, then asked. A part of a PartwiseJoin.
 class HashTable {
  public:
-  /// Reads the stream to its end. Errors: those of the stream, interrupted.
-  Status fill(TupleStream& tuples, std::size_t key, const Context& context);
-  /// The tuples with that key, which is loaded and defined.
-  std::vector<TuplePtr> matches(const Value& key) const;
+  /// `key` of the tuples that are held, `probe` of those that ask.
+  HashTable(std::size_t key, std::size_t probe, const Context& context)
+      : key_({key}), probe_({probe}), account_(context.memory) {}
+
+  /// Keeps the tuple; false if there is no room for it. An empty table takes any tuple. Errors: those of loading.
+  Result<bool> add(const TuplePtr& tuple);
+  /// Makes it ready to be asked.
+  void finish();
+  /// Appends the tuples whose key equals the one of `probe`.
+  Status find(const Tuple& probe, std::vector<TuplePtr>& found) const;
+  void clear();
 
  private:
-  std::unordered_map<std::size_t, std::vector<std::pair<Value, TuplePtr>>> buckets_;
+  struct Entry {
+    std::size_t hash = 0;
+    std::uint32_t next = 0;  // of the same bucket; kNone: the last one
+    KeyedTuple tuple;
+  };
+  static constexpr std::uint32_t kNone = 0xFFFFFFFF;
+
+  std::vector<std::size_t> key_;
+  std::vector<std::size_t> probe_;
+  algebra3d::MemoryAccount account_;
+  std::vector<Entry> entries_;
+  std::vector<std::uint32_t> buckets_;  // the first entry of each; their number is a power of two
 };
 
-/// Lists of values that were seen before. Undefined equals undefined.
+/// Lists of values that were seen before, as many as the work memory takes. Undefined equals undefined.
 class SeenKeys {
  public:
-  /// True if these loaded values are new.
-  bool add(std::vector<Value> keys);
+  enum class Answer : std::uint8_t { is_new, was_seen, no_room };
+
+  explicit SeenKeys(const Context& context) : account_(context.memory) {}
+  /// Remembers these loaded values if they are new and there is room. An empty set takes anything.
+  Answer add(std::vector<Value> keys);
+  void clear();
 
  private:
-  std::unordered_map<std::size_t, std::vector<std::vector<Value>>> buckets_;
+  algebra3d::MemoryAccount account_;
+  std::unordered_multimap<std::size_t, std::vector<Value>> lists_;  // by hash
 };
 
 }  // namespace queries

@@ -95,7 +95,8 @@ void register_joins(algebra3d::Registry& registry) {
       .name = "product",
       .syntax = "_ _ product",
       .doc = "Every tuple of the first stream joined with every tuple of the second.",
-      .detail = "The second stream is held in memory. Attribute names must be disjoint.",
+      .detail = "The second stream is held, beyond the memory of `set \"memory\"` in a temporary file. Attribute names "
+                "must be disjoint.",
       .stream = stream_operator(map_product),
       .signatures = {"(stream(tuple) stream(tuple)) -> stream(tuple)"},
       .handles_undefined = true,
@@ -108,7 +109,8 @@ void register_joins(algebra3d::Registry& registry) {
       .name = "symmjoin",
       .syntax = "_ _ symmjoin[fun(TUPLE, TUPLE2)]",
       .doc = "The pairs of tuples of both streams for which the predicate is a defined TRUE.",
-      .detail = "`.A` is an attribute of the first, `..B` of the second tuple. The second stream is held in memory.",
+      .detail = "`.A` is an attribute of the first, `..B` of the second tuple. The second stream is held, beyond "
+                "the memory of `set \"memory\"` in a temporary file.",
       .stream = stream_operator(map_symmjoin),
       .signatures = {"(stream(tuple) stream(tuple) (map tuple tuple bool)) -> stream(tuple)"},
       .handles_undefined = true,

@@ -1,8 +1,11 @@
 // sortby, sort, rdup, krdup, krduph: order, and what is equal.
+#include <utility>
+
 #include "queries/streams/all.h"
 #include "queries/streams/any_stream.h"
 #include "queries/streams/hash_table.h"
 #include "queries/streams/sorting.h"
+#include "queries/streams/tuple_buffer.h"
 
 namespace queries {
 namespace {
@@ -78,16 +81,45 @@ Result<Plan> map_krdup(std::span<const ArgumentType> arguments) {
               }};
 }
 
+// Once the memory is full of keys, tuples with other keys are put aside, and are looked at again when the stream has
+// ended, with an empty memory. So every tuple comes out in its order, however often that takes.
+class FirstOfEachKey final : public TupleStream {
+ public:
+  FirstOfEachKey(TupleStreamPtr tuples, std::vector<std::size_t> keys, const Context& context)
+      : tuples_(std::move(tuples)), keys_(std::move(keys)), context_(context), seen_(context), put_aside_(context) {}
+
+  Result<TuplePtr> next() override {
+    while (true) {
+      if (++steps_ % 1024 == 0) RETURN_IF_ERROR(context_.check_cancelled());
+      ASSIGN_OR_RETURN(TuplePtr next, tuples_->next());
+      if (next == nullptr) {
+        if (put_aside_.is_empty()) return next;
+        tuples_ = std::exchange(put_aside_, TupleBuffer(context_)).scan();
+        seen_.clear();
+        continue;
+      }
+      ASSIGN_OR_RETURN(std::vector<Value> keys, loaded_keys(*next, keys_));
+      const SeenKeys::Answer answer = seen_.add(std::move(keys));
+      if (answer == SeenKeys::Answer::is_new) return next;
+      if (answer == SeenKeys::Answer::no_room) RETURN_IF_ERROR(put_aside_.add(std::move(next)));
+    }
+  }
+
+ private:
+  TupleStreamPtr tuples_;
+  std::vector<std::size_t> keys_;
+  const Context& context_;
+  SeenKeys seen_;
+  TupleBuffer put_aside_;
+  std::uint32_t steps_ = 0;
+};
+
 Result<Plan> map_krduph(std::span<const ArgumentType> arguments) {
   const MappingCheck check("krduph", arguments);
   ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
   ASSIGN_OR_RETURN(const auto keys, check.distinct_attributes(1, tuple));
   return Plan{TypeExpr::stream(tuple), [keys](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                const auto keys_of = [keys](const TuplePtr& next) { return loaded_keys(*next, keys); };
-                const auto is_new = [seen = std::make_shared<SeenKeys>()](std::vector<Value> values) {
-                  return seen->add(std::move(values));
-                };
-                return without_duplicates(given[0].tuples(), keys_of, is_new, context);
+                return Datum{TupleStreamPtr(std::make_shared<FirstOfEachKey>(given[0].tuples(), keys, context))};
               }};
 }
 
@@ -149,7 +181,7 @@ void register_ordering(algebra3d::Registry& registry) {
       .name = "krduph",
       .syntax = "_ krduph[attributes]",
       .doc = "The tuples without those whose named attributes equal those of any tuple before; needs no order.",
-      .detail = "The first tuple of each key stays. Undefined equals undefined. The keys are held in memory.",
+      .detail = "The first tuple of each key stays. Undefined equals undefined.",
       .stream = stream_operator(map_krduph),
       .signatures = {"(stream(tuple) NAMES) -> stream(tuple)"},
       .handles_undefined = true,

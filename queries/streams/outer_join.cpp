@@ -108,7 +108,8 @@ void register_outer_join(algebra3d::Registry& registry) {
           "The full outer join: the pairs for which the predicate is a defined TRUE, and every tuple without a partner "
           "beside undefined values.",
       .detail = "`.A` is an attribute of the first, `..B` of the second tuple. In the order of the first stream; then "
-                "come the tuples of the second that have no partner. The second stream is held in memory.",
+                "come the tuples of the second that have no partner. The second stream is held, "
+                "beyond the memory of `set \"memory\"` in a temporary file.",
       .stream = stream_operator(map_symmouterjoin),
       .signatures = {"(stream(tuple) stream(tuple) (map tuple tuple bool)) -> stream(tuple)"},
       .handles_undefined = true,

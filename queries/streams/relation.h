@@ -2,10 +2,10 @@
 
 #include <memory>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "queries/streams/datum.h"
+#include "queries/streams/tuple_buffer.h"
 
 namespace queries {
 
@@ -33,27 +33,21 @@ class Relation {
 };
 using RelationPtr = std::shared_ptr<Relation>;
 
-/// A relation in memory; its tuples keep the ids that they came with.
+/// A relation that lives as long as its statement; its tuples keep the ids that they came with.
 class MemoryRelation final : public Relation {
  public:
-  MemoryRelation(TypeExpr tuple_type, std::vector<TuplePtr> tuples);
-  /// Shares the tuples, which nobody changes any more.
-  MemoryRelation(TypeExpr tuple_type, std::shared_ptr<const std::vector<TuplePtr>> tuples)
+  /// Of tuples that nobody adds to any more.
+  MemoryRelation(TypeExpr tuple_type, TupleBuffer tuples)
       : tuple_type_(std::move(tuple_type)), tuples_(std::move(tuples)) {}
 
   const TypeExpr& tuple_type() const override { return tuple_type_; }
-  Result<std::int64_t> count() const override { return static_cast<std::int64_t>(tuples_->size()); }
-  Result<TupleStreamPtr> scan() override;
-  Result<TuplePtr> fetch(TupleId id) override;
-  const std::vector<TuplePtr>& tuples() const { return *tuples_; }
+  Result<std::int64_t> count() const override { return static_cast<std::int64_t>(tuples_.size()); }
+  Result<TupleStreamPtr> scan() override { return tuples_.scan(); }
+  Result<TuplePtr> fetch(TupleId id) override { return tuples_.find(id); }
 
  private:
   TypeExpr tuple_type_;
-  std::shared_ptr<const std::vector<TuplePtr>> tuples_;
-  std::unordered_map<TupleId, std::size_t> position_of_;  // filled by the first fetch
+  TupleBuffer tuples_;
 };
-
-/// Pulls everything out of a stream. Errors: those of the stream, interrupted.
-Result<std::vector<TuplePtr>> materialise(TupleStream& stream, const algebra3d::Context& context);
 
 }  // namespace queries

@@ -53,7 +53,7 @@ Result<bool> are_equal(const Tuple& a, const Tuple& b) {
 }
 
 Result<TupleBuffer> own_tuples(TupleStream& tuples, Relation& relation, std::string_view op, const Context& context) {
-  TupleBuffer result;
+  TupleBuffer result(context);
   std::unordered_set<TupleId> seen;
   RETURN_IF_ERROR(for_each_tuple(tuples, context, [&](const TuplePtr& tuple) -> Status {
     if (tuple->id == 0)
@@ -73,13 +73,13 @@ Result<TupleBuffer> own_tuples(TupleStream& tuples, Relation& relation, std::str
 }
 
 Result<TupleBuffer> tuple_by_id(const Value& id, Relation& relation) {
-  TupleBuffer result;
-  if (!id.is_defined()) return result;
+  std::vector<TuplePtr> found;
+  if (!id.is_defined()) return TupleBuffer(found);
   ASSIGN_OR_RETURN(const TuplePtr stored, relation.fetch(id_of(id)));
-  if (stored == nullptr) return result;
+  if (stored == nullptr) return TupleBuffer(found);
   ASSIGN_OR_RETURN(TuplePtr loaded, loaded_tuple(*stored));
-  RETURN_IF_ERROR(result.add(std::move(loaded)));
-  return result;
+  found.push_back(std::move(loaded));
+  return TupleBuffer(std::move(found));
 }
 
 }  // namespace queries

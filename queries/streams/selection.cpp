@@ -1,11 +1,13 @@
 // filter, head, tail, nth, some, exist: which elements of a stream go on.
 #include <algorithm>
-#include <deque>
 #include <random>
+#include <utility>
 
 #include "algebra3d/types/scalars.h"
 #include "queries/streams/all.h"
 #include "queries/streams/any_stream.h"
+#include "queries/streams/element_buffer.h"
+#include "queries/streams/kept_elements.h"
 
 namespace queries {
 namespace {
@@ -54,28 +56,39 @@ Result<Plan> map_head(std::span<const ArgumentType> arguments) {
               }};
 }
 
-/// The stream of elements that lie in a container.
+// Two buffers: when the newer one holds as many as are wanted, the older one goes.
 template <typename Stream>
-Datum given_out(std::deque<ElementOf<Stream>> elements) {
-  return Datum{make_stream_of<Stream>([elements = std::move(elements)]() mutable -> Result<ElementOf<Stream>> {
-    if (elements.empty()) return ElementOf<Stream>();
-    ElementOf<Stream> next = std::move(elements.front());
-    elements.pop_front();
-    return next;
-  })};
+Result<std::shared_ptr<Stream>> last_elements(Stream& stream, std::size_t count, const Context& context) {
+  ElementBuffer<Stream> older(context);
+  ElementBuffer<Stream> newer(context);
+  RETURN_IF_ERROR(for_each_element(stream, context, [&](const auto& element) -> Status {
+    if (count == 0) return {};
+    if (newer.size() == count) older = std::exchange(newer, ElementBuffer<Stream>(context));
+    return newer.add(element);
+  }));
+  const std::size_t wanted_of_older = std::min(count - newer.size(), older.size());
+  return make_stream_of<Stream>([first = older.scan(older.size() - wanted_of_older), second = newer.scan(),
+                                 is_first = true]() mutable -> Result<ElementOf<Stream>> {
+    if (is_first) {
+      ASSIGN_OR_RETURN(ElementOf<Stream> next, first->next());
+      if (next) return next;
+      is_first = false;
+    }
+    return second->next();
+  });
 }
 
-// Keeps no more than the elements that it will give.
+/// The elements of a stream, the last one first. They stand in memory; error if they are too many for it.
 template <typename Stream>
-Result<Datum> last_elements(Stream& stream, std::size_t count, bool keep_order, const Context& context) {
-  std::deque<ElementOf<Stream>> last;
-  RETURN_IF_ERROR(for_each_element(stream, context, [&](const auto& element) -> Status {
-    last.push_back(element);
-    if (last.size() > count) last.pop_front();
-    return {};
-  }));
-  if (!keep_order) std::ranges::reverse(last);
-  return given_out<Stream>(std::move(last));
+Result<std::shared_ptr<Stream>> reversed(Stream& stream, const Context& context) {
+  KeptElements<Stream> kept("tail", context);
+  RETURN_IF_ERROR(for_each_element(stream, context, [&](const auto& element) { return kept.add(element); }));
+  return make_stream_of<Stream>([kept = std::move(kept)]() mutable -> Result<ElementOf<Stream>> {
+    if (kept.elements().empty()) return ElementOf<Stream>();
+    ElementOf<Stream> next = std::move(kept.elements().back());
+    kept.elements().pop_back();
+    return next;
+  });
 }
 
 Result<Plan> map_tail(std::span<const ArgumentType> arguments) {
@@ -87,8 +100,11 @@ Result<Plan> map_tail(std::span<const ArgumentType> arguments) {
   return Plan{TypeExpr::stream(element), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
                 const bool keep_order =
                     given.size() < 3 || !given[2].value().is_defined() || given[2].value().get<bool>();
-                return visit_stream(given[0], [&](const auto& stream) {
-                  return last_elements(*stream, element_count(given[1]), keep_order, context);
+                return visit_stream(given[0], [&](const auto& stream) -> Result<Datum> {
+                  ASSIGN_OR_RETURN(auto last, last_elements(*stream, element_count(given[1]), context));
+                  if (keep_order) return Datum{std::move(last)};
+                  ASSIGN_OR_RETURN(auto backwards, reversed(*last, context));
+                  return Datum{std::move(backwards)};
                 });
               }};
 }
@@ -126,25 +142,35 @@ Result<Plan> map_nth(std::span<const ArgumentType> arguments) {
 
 // Reservoir sampling, with a generator of its own whose numbers are the same everywhere, so that the same stream gives
 // the same elements. Source: [vitter1985], algorithm R. The remainder of a 64-bit number is as good as uniform here.
+// The reservoir holds the numbers of elements; every element that ever had a place in it is put aside.
 template <typename Stream>
 Result<Datum> drawn(Stream& stream, std::size_t count, const Context& context) {
-  using Numbered = std::pair<std::uint64_t, ElementOf<Stream>>;
   std::mt19937_64 generator;  // NOLINT(cert-msc32-c,cert-msc51-cpp): the fixed seed is the point
-  std::vector<Numbered> sample;
+  std::vector<std::uint64_t> sample;
+  ElementBuffer<Stream> put_aside(context);
+  std::vector<std::uint64_t> numbers;  // of what was put aside
   std::uint64_t seen = 0;
   RETURN_IF_ERROR(for_each_element(stream, context, [&](const auto& element) -> Status {
-    if (sample.size() < count) {
-      sample.emplace_back(seen, element);
-    } else if (const std::uint64_t place = generator() % (seen + 1); place < count) {
-      sample[place] = {seen, element};
-    }
-    ++seen;
-    return {};
+    const std::uint64_t number = seen++;
+    const std::uint64_t place = number < count ? number : generator() % seen;
+    if (place >= count) return {};
+    if (place == sample.size()) sample.emplace_back();
+    sample[place] = number;
+    numbers.push_back(number);
+    return put_aside.add(element);
   }));
-  std::ranges::sort(sample, {}, &Numbered::first);
-  std::deque<ElementOf<Stream>> elements;
-  for (Numbered& entry : sample) elements.push_back(std::move(entry.second));
-  return given_out<Stream>(std::move(elements));
+  std::ranges::sort(sample);
+  return Datum{make_stream_of<Stream>([sample = std::move(sample), numbers = std::move(numbers),
+                                       scan = put_aside.scan(), wanted = std::size_t{0},
+                                       position = std::size_t{0}]() mutable -> Result<ElementOf<Stream>> {
+    while (wanted < sample.size()) {
+      ASSIGN_OR_RETURN(ElementOf<Stream> next, scan->next());
+      if (numbers[position++] != sample[wanted]) continue;
+      ++wanted;
+      return next;
+    }
+    return ElementOf<Stream>();
+  })};
 }
 
 Result<Plan> map_some(std::span<const ArgumentType> arguments) {

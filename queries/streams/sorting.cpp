@@ -1,24 +1,136 @@
 #include "queries/streams/sorting.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
-#include "queries/streams/tuple_buffer.h"
+#include "algebra3d/base/work_memory.h"
+#include "queries/streams/run_merge.h"
+#include "queries/streams/sort_order.h"
 
 namespace queries {
 namespace {
 
-/// A tuple with its key values at hand, loaded.
-struct KeyedTuple {
-  std::vector<Value> keys;
-  TuplePtr tuple;
+/// Where a tuple stands among those that are kept, with the beginning of its first key.
+struct Position {
+  std::uint64_t prefix;
+  std::uint32_t index;
 };
 
-bool is_before(const std::vector<SortKey>& order, const KeyedTuple& a, const KeyedTuple& b) {
-  for (std::size_t i = 0; i < order.size(); ++i)
-    if (const auto result = compare(a.keys[i], b.keys[i]); result != 0) return (result < 0) != order[i].is_descending;
-  return false;
-}
+/// What one tuple takes besides itself while it is sorted.
+constexpr std::size_t kBytesToSort = sizeof(Position);
+
+/// Tuples that are sorted in memory.
+class SortedTuples final : public TupleStream {
+ public:
+  SortedTuples(std::vector<KeyedTuple> tuples, std::vector<Position> positions, algebra3d::MemoryAccount account)
+      : tuples_(std::move(tuples)), positions_(std::move(positions)), account_(std::move(account)) {}
+
+  Result<TuplePtr> next() override {
+    if (next_ == positions_.size()) {
+      tuples_.clear();
+      account_.clear();
+      return TuplePtr();
+    }
+    KeyedTuple& kept = tuples_[positions_[next_++].index];
+    return std::move(kept.tuple());
+  }
+
+ private:
+  std::vector<KeyedTuple> tuples_;
+  std::vector<Position> positions_;
+  algebra3d::MemoryAccount account_;
+  std::size_t next_ = 0;
+};
+
+class Sorter {
+ public:
+  Sorter(const std::vector<SortKey>& keys, const Context& context)
+      : order_(keys), context_(context), account_(context.memory) {}
+
+  Status add(TuplePtr tuple) {
+    ASSIGN_OR_RETURN(KeyedTuple keyed, order_.keyed(std::move(tuple)));
+    const std::size_t bytes = keyed.bytes() + kBytesToSort;
+    if (!account_.take(bytes) || tuples_.size() == std::numeric_limits<std::uint32_t>::max()) {
+      RETURN_IF_ERROR(write_run());
+      // A single tuple is kept however large it is.
+      static_cast<void>(account_.take(bytes));
+    }
+    tuples_.push_back(std::move(keyed));
+    return {};
+  }
+
+  Result<TupleStreamPtr> finish() {
+    if (runs_.empty()) {
+      std::vector<Position> positions = sorted_positions();
+      return TupleStreamPtr(
+          std::make_shared<SortedTuples>(std::move(tuples_), std::move(positions), std::move(account_)));
+    }
+    RETURN_IF_ERROR(write_run());
+    while (runs_.size() > merge_width()) RETURN_IF_ERROR(merge_once());
+    return TupleStreamPtr(std::make_shared<RunMerge>(file_, runs_, order_, context_));
+  }
+
+ private:
+  /// The positions make the order total, so that equal tuples keep theirs.
+  std::vector<Position> sorted_positions() const {
+    std::vector<Position> positions(tuples_.size());
+    for (std::uint32_t i = 0; i < positions.size(); ++i) positions[i] = {order_.prefix(tuples_[i]), i};
+    std::sort(positions.begin(), positions.end(), [this](const Position& a, const Position& b) {
+      if (a.prefix != b.prefix) return a.prefix < b.prefix;
+      const auto order = order_.compare(tuples_[a.index], tuples_[b.index]);
+      return order != 0 ? order < 0 : a.index < b.index;
+    });
+    return positions;
+  }
+
+  Status write_run() {
+    if (tuples_.empty()) return {};
+    if (file_ == nullptr) {
+      ASSIGN_OR_RETURN(file_, TupleFile::make(context_));
+    }
+    const std::uint64_t begin = file_->end();
+    std::uint32_t steps = 0;
+    for (const Position& position : sorted_positions()) {
+      if (++steps % 1024 == 0) RETURN_IF_ERROR(context_.check_cancelled());
+      RETURN_IF_ERROR(file_->append(*tuples_[position.index].tuple()));
+    }
+    runs_.push_back({begin, file_->end()});
+    tuples_.clear();
+    account_.clear();
+    return {};
+  }
+
+  /// How many runs are merged at once: their buffers take a quarter of the memory.
+  std::size_t merge_width() const {
+    constexpr std::size_t kLeast = 4, kMost = 256;
+    const std::size_t limit = context_.memory != nullptr ? context_.memory->limit() : std::size_t{1} << 30U;
+    return std::clamp(limit / 4 / TupleFile::kBufferBytes, kLeast, kMost);
+  }
+
+  /// Makes one run of each `merge_width` of them, in a new file.
+  Status merge_once() {
+    ASSIGN_OR_RETURN(const auto target, TupleFile::make(context_));
+    std::vector<SortedRun> merged;
+    for (std::size_t first = 0; first < runs_.size(); first += merge_width()) {
+      const std::size_t last = std::min(first + merge_width(), runs_.size());
+      RunMerge source(file_, {runs_.begin() + first, runs_.begin() + last}, order_, context_);
+      const std::uint64_t begin = target->end();
+      RETURN_IF_ERROR(for_each_tuple(source, context_, [&](const TuplePtr& tuple) { return target->append(*tuple); }));
+      merged.push_back({begin, target->end()});
+    }
+    file_ = target;
+    runs_ = std::move(merged);
+    return {};
+  }
+
+  SortOrder order_;
+  const Context& context_;
+  algebra3d::MemoryAccount account_;
+  std::vector<KeyedTuple> tuples_;
+  std::shared_ptr<TupleFile> file_;
+  std::vector<SortedRun> runs_;
+};
 
 }  // namespace
 
@@ -52,19 +164,9 @@ std::strong_ordering compare_keys(const std::vector<Value>& a, const std::vector
 }
 
 Result<TupleStreamPtr> sorted(TupleStream& tuples, const std::vector<SortKey>& order, const Context& context) {
-  std::vector<std::size_t> attributes;
-  attributes.reserve(order.size());
-  for (const SortKey& key : order) attributes.push_back(key.attribute);
-  std::vector<KeyedTuple> keyed;
-  RETURN_IF_ERROR(for_each_tuple(tuples, context, [&](const TuplePtr& tuple) -> Status {
-    ASSIGN_OR_RETURN(auto keys, loaded_keys(*tuple, attributes));
-    keyed.push_back({std::move(keys), tuple});
-    return {};
-  }));
-  std::ranges::stable_sort(keyed, [&](const auto& a, const auto& b) { return is_before(order, a, b); });
-  TupleBuffer result;
-  for (KeyedTuple& entry : keyed) RETURN_IF_ERROR(result.add(std::move(entry.tuple)));
-  return result.scan();
+  Sorter sorter(order, context);
+  RETURN_IF_ERROR(for_each_tuple(tuples, context, [&](const TuplePtr& tuple) { return sorter.add(tuple); }));
+  return sorter.finish();
 }
 
 }  // namespace queries

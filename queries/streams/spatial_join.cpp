@@ -2,7 +2,7 @@
 #include "algebra3d/types/scalars.h"
 #include "queries/streams/all.h"
 #include "queries/streams/mapping.h"
-#include "queries/streams/relation.h"
+#include "queries/streams/partwise_join.h"
 #include "queries/streams/spatial_attribute.h"
 
 namespace queries {
@@ -12,46 +12,41 @@ using algebra3d::Box3;
 using Tree = SpatialIndex::Tree;
 using Entry = rtree::Entry<std::uint64_t>;
 
-/// The boxes of an attribute, with the positions of their tuples.
-std::vector<Entry> entries_of(const std::vector<TuplePtr>& tuples, std::size_t attribute) {
-  std::vector<Entry> entries;
-  entries.reserve(tuples.size());
-  for (std::size_t position = 0; position < tuples.size(); ++position) {
-    const Box3 box = window_of(tuples[position]->attributes[attribute]);
-    if (!box.is_empty()) entries.push_back({box, position});
-  }
-  return entries;
-}
-
-// The tree is built on the first stream; the second one passes by, each tuple asking for its partners.
-class SpatialJoin {
+/// Tuples with an R-tree over the boxes of one attribute: the table of a PartwiseJoin.
+class BoxTable {
  public:
-  SpatialJoin(std::vector<TuplePtr> first, std::size_t first_key, TupleStreamPtr second, std::size_t second_key)
-      : first_(std::move(first)),
-        tree_(Tree::bulk_load(entries_of(first_, first_key))),
-        second_(std::move(second)),
-        second_key_(second_key) {}
+  /// `key` of the tuples that are held, `probe` of those that ask.
+  BoxTable(std::size_t key, std::size_t probe, const Context& context)
+      : key_(key), probe_(probe), account_(context.memory) {}
 
-  Result<TuplePtr> next(const Context& context) {
-    while (position_ == partners_.size()) {
-      if (++steps_ % 256 == 0) RETURN_IF_ERROR(context.check_cancelled());
-      ASSIGN_OR_RETURN(current_, second_->next());
-      if (current_ == nullptr) return TuplePtr();
-      partners_ = ids_in_window(tree_, window_of(current_->attributes[second_key_]));
-      position_ = 0;
-    }
-    return concatenated(*first_[partners_[position_++]], *current_);
+  Result<bool> add(const TuplePtr& tuple) {
+    const Box3 box = window_of(tuple->attributes[key_]);
+    if (box.is_empty()) return true;
+    // An entry stands once in the list and once, or nearly so, in the tree.
+    if (!account_.take(heap_bytes(*tuple) + sizeof(TuplePtr) + 3 * sizeof(Entry)) && !tuples_.empty()) return false;
+    entries_.push_back({box, tuples_.size()});
+    tuples_.push_back(tuple);
+    return true;
+  }
+  void finish() { tree_ = Tree::bulk_load(std::exchange(entries_, {})); }
+  Status find(const Tuple& probe, std::vector<TuplePtr>& found) const {
+    for (const std::uint64_t position : ids_in_window(tree_, window_of(probe.attributes[probe_])))
+      found.push_back(tuples_[position]);
+    return {};
+  }
+  void clear() {
+    tuples_.clear();
+    tree_ = Tree();
+    account_.clear();
   }
 
  private:
-  std::vector<TuplePtr> first_;
+  std::size_t key_;
+  std::size_t probe_;
+  algebra3d::MemoryAccount account_;
+  std::vector<TuplePtr> tuples_;
+  std::vector<Entry> entries_;
   Tree tree_;
-  TupleStreamPtr second_;
-  std::size_t second_key_;
-  TuplePtr current_;
-  std::vector<std::uint64_t> partners_;
-  std::size_t position_ = 0;
-  std::uint32_t steps_ = 0;
 };
 
 TypeMapping map_spatial_join(const algebra3d::Registry& registry) {
@@ -65,9 +60,11 @@ TypeMapping map_spatial_join(const algebra3d::Registry& registry) {
     ASSIGN_OR_RETURN(const std::size_t right_key, spatial_attribute(registry, check, 3, right));
     ASSIGN_OR_RETURN(const TypeExpr joined, check.concatenated(left, right));
     return Plan{TypeExpr::stream(joined), [=](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                  ASSIGN_OR_RETURN(auto first, materialise(*given[0].tuples(), context));
-                  auto join = std::make_shared<SpatialJoin>(std::move(first), left_key, given[1].tuples(), right_key);
-                  return Datum{make_stream([join, &context]() { return join->next(context); })};
+                  const auto combine = [](const Tuple& held, const Tuple& passing) {
+                    return concatenated(held, passing);
+                  };
+                  return Datum{partwise_join(given[0].tuples(), given[1].tuples(),
+                                             BoxTable(left_key, right_key, context), combine, context)};
                 }};
   };
 }
@@ -83,9 +80,10 @@ void register_spatial_join(algebra3d::Registry& registry) {
       .name = "itSpatialJoin",
       .syntax = "_ _ itSpatialJoin[attribute, attribute ...]",
       .doc = "The pairs of tuples of both streams whose boxes meet, in the order of the second stream.",
-      .detail = "The first stream is held in memory with an R-tree over it. Touching counts. Up to three ints (node "
-                "sizes and "
-                "memory) are accepted and not needed.",
+      .detail =
+          "The first stream is held in memory with an R-tree over it, part by part if it does not fit into the "
+          "memory of `set \"memory\"`. Touching counts. Up to three ints (node sizes and memory) are accepted and "
+          "not needed.",
       .stream = stream_operator(map_spatial_join(registry)),
       .signatures = {"(stream(tuple) stream(tuple) NAME NAME) -> stream(tuple)"},
       .handles_undefined = true,

@@ -1,27 +1,78 @@
 #include "queries/streams/tuple_buffer.h"
 
+#include "algebra3d/types/described_type.h"
 #include "queries/streams/mapping.h"
 
 namespace queries {
 
-Status TupleBuffer::add(TuplePtr tuple) {
-  tuples_->push_back(std::move(tuple));
-  return {};
+std::size_t heap_bytes(const Tuple& tuple) {
+  std::size_t result = algebra3d::object_bytes<Tuple>() + tuple.attributes.size() * sizeof(Value);
+  for (const Value& value : tuple.attributes) result += algebra3d::heap_bytes(value);
+  return result;
 }
+
+TupleBuffer::TupleBuffer(std::vector<TuplePtr> tuples) : content_(std::make_shared<Content>(nullptr)) {
+  content_->first = std::move(tuples);
+  content_->size = content_->first.size();
+}
+
+Status TupleBuffer::add(TuplePtr tuple) {
+  Content& content = *content_;
+  ++content.size;
+  if (content.rest == nullptr && content.account.take(heap_bytes(*tuple) + sizeof(TuplePtr))) {
+    content.first.push_back(std::move(tuple));
+    return {};
+  }
+  if (content.rest == nullptr) {
+    ASSIGN_OR_RETURN(content.rest, TupleFile::make(*content.context));
+  }
+  return content.rest->append(*tuple);
+}
+
+class TupleBuffer::Scan final : public TupleStream {
+ public:
+  explicit Scan(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
+
+  Result<TuplePtr> next() override {
+    if (position_ < content_->first.size()) return content_->first[position_++];
+    if (content_->rest == nullptr) return TuplePtr();
+    if (rest_ == nullptr) rest_ = content_->rest->scan(0, content_->rest->end());
+    return rest_->next();
+  }
+
+ private:
+  std::shared_ptr<const Content> content_;
+  std::size_t position_ = 0;
+  std::shared_ptr<TupleFile::Scan> rest_;
+};
 
 TupleStreamPtr TupleBuffer::scan() const {
-  return make_stream([tuples = tuples_, position = std::size_t{0}]() mutable -> Result<TuplePtr> {
-    if (position == tuples->size()) return TuplePtr();
-    return (*tuples)[position++];
-  });
+  return std::make_shared<Scan>(content_);
 }
 
-RelationPtr TupleBuffer::relation(TypeExpr tuple_type) const {
-  return std::make_shared<MemoryRelation>(std::move(tuple_type), tuples_);
+Result<TuplePtr> TupleBuffer::find(TupleId id) const {
+  if (content_->places.empty()) RETURN_IF_ERROR(find_places(*content_));
+  const auto found = content_->places.find(id);
+  if (found == content_->places.end()) return TuplePtr();
+  const std::size_t in_memory = content_->first.size();
+  if (found->second < in_memory) return content_->first[found->second];
+  return content_->rest->scan(found->second - in_memory, content_->rest->end())->next();
+}
+
+Status TupleBuffer::find_places(Content& content) {
+  for (std::size_t i = 0; i < content.first.size(); ++i) content.places.try_emplace(content.first[i]->id, i);
+  if (content.rest == nullptr) return {};
+  const auto scan = content.rest->scan(0, content.rest->end());
+  while (true) {
+    const std::uint64_t place = content.first.size() + scan->position();
+    ASSIGN_OR_RETURN(const TuplePtr tuple, scan->next());
+    if (tuple == nullptr) return {};
+    content.places.try_emplace(tuple->id, place);
+  }
 }
 
 Result<TupleBuffer> buffered(TupleStream& stream, const Context& context) {
-  TupleBuffer buffer;
+  TupleBuffer buffer(context);
   RETURN_IF_ERROR(for_each_tuple(stream, context, [&](const TuplePtr& tuple) { return buffer.add(tuple); }));
   return buffer;
 }

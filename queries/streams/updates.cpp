@@ -36,7 +36,7 @@ Result<TypeExpr> updated_type(const MappingCheck& check, const TypeExpr& tuple) 
 // The functions may ask for the relation, so that all of them are called before anything is written.
 Result<TupleStreamPtr> update_all(const TupleBuffer& old_tuples, Relation& relation, const Assignments& assignments,
                                   const DatumList& functions, const Context& context) {
-  TupleBuffer new_tuples;
+  TupleBuffer new_tuples(context);
   const auto make_new = [&](const TuplePtr& old) -> Status {
     std::vector<Value> values;
     RETURN_IF_ERROR(append_results(functions, Datum{old}, values));

@@ -93,7 +93,7 @@ TEST_F(StoredIndexes, a_definition_follows_an_update_of_the_whole_relation) {
   write([&] {
     std::vector<TuplePtr> content;
     for (int i = 0; i < 20; ++i) content.push_back(std::make_shared<const Tuple>(box_tuple(random_box())));
-    const auto made = std::make_shared<MemoryRelation>(relation("R")->tuple_type(), content);
+    const auto made = std::make_shared<MemoryRelation>(relation("R")->tuple_type(), TupleBuffer(content));
     ok(store_->assign("R", Datum{RelationPtr(made)}, context_));
     expect_index_equals_scan(*store_);
   });

@@ -120,7 +120,7 @@ TEST_F(StoredRelations, removed_and_made_again_from_its_own_tuples_nothing_is_lo
   write([&] { let_parts(3); });
   write([&] {
     const TypeExpr tuple_type = relation("Parts")->tuple_type();
-    const auto kept = std::make_shared<MemoryRelation>(tuple_type, tuples(*relation("Parts")));
+    const auto kept = std::make_shared<MemoryRelation>(tuple_type, TupleBuffer(tuples(*relation("Parts"))));
     ok(store_->remove("Parts"));
     ok(store_->create("Parts", TypeExpr::rel(tuple_type)));
     ok(store_->assign("Parts", Datum{RelationPtr(kept)}, context_));

@@ -138,7 +138,8 @@ class StoreTest : public testing::Test {
     for (const Tuple& each : content) shared.push_back(std::make_shared<const Tuple>(each));
     const TypeExpr tuple_expr = type(tuple_type);
     ok(store_->create(name, TypeExpr::rel(tuple_expr)));
-    ok(store_->assign(name, Datum{RelationPtr(std::make_shared<MemoryRelation>(tuple_expr, std::move(shared)))},
+    ok(store_->assign(name,
+                      Datum{RelationPtr(std::make_shared<MemoryRelation>(tuple_expr, TupleBuffer(std::move(shared))))},
                       context_));
   }
   void let_index(const std::string& name, const std::string& relation_name, const std::string& attribute,

@@ -5,6 +5,7 @@
 #include "queries/streams/adjacent_groups.h"
 #include "queries/streams/hash_table.h"
 #include "queries/streams/merge_join.h"
+#include "queries/streams/partwise_join.h"
 #include "queries/streams/sorting.h"
 #include "unit/streams/stream_fixture.h"
 
@@ -60,25 +61,31 @@ TEST_F(Buffering, sorting_descends_where_it_is_asked_to) {
 
 TEST_F(Buffering, a_hash_table_finds_what_a_loop_finds) {
   const Rows table = random_rows(300);
-  HashTable hash_table;
-  ASSERT_TRUE(hash_table.fill(*stream(table), 0, context).ok());
+  HashTable hash_table(0, 0, context);
+  StreamParts parts(stream(table));
+  const auto is_last = parts.fill(hash_table, context);
+  ASSERT_TRUE(is_last.ok() && *is_last);
+  hash_table.finish();
   for (std::int32_t number = 0; number < 14; ++number) {
     Rows expected;
     for (const Row& each : table)
       if (each[0] == number) expected.push_back(each);
+    std::vector<TuplePtr> partners;
+    ASSERT_TRUE(hash_table.find(Tuple{{Value::of(number)}}, partners).ok());
     Rows found;
-    for (const TuplePtr& tuple : hash_table.matches(Value::of(number))) found.push_back(row(*tuple));
+    for (const TuplePtr& tuple : partners) found.push_back(row(*tuple));
     EXPECT_EQ(found, expected);
   }
 }
 
 TEST_F(Buffering, keys_are_new_once) {
-  SeenKeys seen;
+  using Answer = SeenKeys::Answer;
+  SeenKeys seen(context);
   const Value undefined(algebra3d::TypeOf<std::int32_t>::type());
-  EXPECT_TRUE(seen.add({Value::of(1), undefined}));
-  EXPECT_FALSE(seen.add({Value::of(1), undefined}));
-  EXPECT_TRUE(seen.add({undefined, Value::of(1)}));
-  EXPECT_TRUE(seen.add({Value::of(1), Value::of(1)}));
+  EXPECT_EQ(seen.add({Value::of(1), undefined}), Answer::is_new);
+  EXPECT_EQ(seen.add({Value::of(1), undefined}), Answer::was_seen);
+  EXPECT_EQ(seen.add({undefined, Value::of(1)}), Answer::is_new);
+  EXPECT_EQ(seen.add({Value::of(1), Value::of(1)}), Answer::is_new);
 }
 
 TEST_F(Buffering, groups_are_runs_of_equal_keys) {

@@ -441,6 +441,8 @@ class DeferredPoint final : public DeferredValue {
     if (fails) return Error{ErrorCode::database_corrupt, "gone"};
     return Value::of(Point3d{ExactPoint(Vec3{1, 2, 3})});
   }
+  std::shared_ptr<const DeferredSource> source() const override { return nullptr; }
+  void append_reference(std::string& /*bytes*/) const override {}
   bool fails = false;
 };
 

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "queries/streams/sort_order.h"
+#include "queries/streams/tuple_file.h"
+
+namespace queries {
+
+/// A sorted part of a file of tuples.
+struct SortedRun {
+  std::uint64_t begin = 0;
+  std::uint64_t end = 0;
+};
+
+/// The tuples of several sorted runs as one sorted stream; of equal tuples those of the earlier run come first.
+/// Interruptible. Memory: a buffer and a tuple for each run.
+class RunMerge final : public TupleStream {
+ public:
+  RunMerge(std::shared_ptr<TupleFile> file, const std::vector<SortedRun>& runs, const SortOrder& order,
+           const algebra3d::Context& context);
+  Result<TuplePtr> next() override;
+
+ private:
+  /// A run with its next tuple.
+  struct Head {
+    std::shared_ptr<TupleFile::Scan> scan;
+    std::size_t number = 0;
+    KeyedTuple tuple;
+    std::uint64_t prefix = 0;
+  };
+
+  Status start();
+  Result<bool> advance(Head& head) const;
+  bool is_after(const Head& a, const Head& b) const;
+
+  SortOrder order_;
+  const algebra3d::Context& context_;
+  std::vector<Head> heads_;  // a heap, once it has begun: the least one first
+  bool has_begun_ = false;
+  std::uint32_t steps_ = 0;
+};
+
+}  // namespace queries

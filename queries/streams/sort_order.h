@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "queries/streams/keyed_tuple.h"
+#include "queries/streams/sorting.h"
+
+namespace queries {
+
+/// An order by several keys, made ready for many comparisons.
+class SortOrder {
+ public:
+  explicit SortOrder(const std::vector<SortKey>& keys);
+
+  Result<KeyedTuple> keyed(TuplePtr tuple) const { return KeyedTuple::make(std::move(tuple), attributes_); }
+  /// A number that is less only if the tuple comes before, from the beginning of the first key.
+  std::uint64_t prefix(const KeyedTuple& tuple) const {
+    if (attributes_.empty()) return 0;
+    const std::uint64_t result = order_prefix(tuple.key(attributes_, 0));
+    return is_descending_.front() ? ~result : result;
+  }
+  /// Compares all keys.
+  std::strong_ordering compare(const KeyedTuple& a, const KeyedTuple& b) const;
+
+ private:
+  std::vector<std::size_t> attributes_;
+  std::vector<bool> is_descending_;
+};
+
+}  // namespace queries
