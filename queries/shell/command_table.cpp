@@ -11,7 +11,7 @@ namespace queries {
 namespace {
 
 constexpr auto kCommands = std::to_array<CommandDescription>({
-    {"query EXPRESSION", "Show the value of an expression"},
+    {"query EXPRESSION", "Show the value of an expression (also `querynt`)"},
     {"explain EXPRESSION", "Run it, and show its operators with calls, tuples and times"},
     {"let NAME = EXPRESSION", "Make an object"},
     {"let_ NAME = EXPRESSION", "The same, replacing an object of that name"},
@@ -48,7 +48,7 @@ constexpr auto kCommands = std::to_array<CommandDescription>({
     {"set \"timing\" = BOOL", "TRUE: tell how long each statement took"},
     {"set \"paging\" = BOOL", "FALSE: never send long results through the pager"},
     {"set \"memory\" = INT", "Limit in megabytes for sorting, grouping and hashing"},
-    {"@FILE", "Run a script; @@FILE stops at its first error"},
+    {"@FILE", "Run a script; @@FILE stops at its first error; @%FILE, @&FILE: the same, without // and /* */"},
     {"repeat INT COMMAND", "Run a command several times"},
     {"help OPERATOR", "Explain an operator or a command (also `? NAME`)"},
     {"quit", "Leave (also `q`, or Ctrl-D on an empty line)"},

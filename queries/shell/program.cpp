@@ -114,7 +114,7 @@ int run_tests(const Options& options, const algebra3d::Registry& registry) {
   return summary.failed == 0 ? kOk : kFailed;
 }
 
-int run_help(const Options& options, const algebra3d::Registry& registry) {
+int run_help(const CLI::App& app, const Options& options, const algebra3d::Registry& registry) {
   if (options.help_as_markdown) {
     std::cout << algebra3d::reference_page(registry);
     return kOk;
@@ -123,6 +123,11 @@ int run_help(const Options& options, const algebra3d::Registry& registry) {
     std::cout << shell_help(registry);
     return kOk;
   }
+  for (const CLI::App* command : app.get_subcommands({}))
+    if (command->get_name() == options.help_operator) {
+      std::cout << command->help();
+      return kOk;
+    }
   const auto text = shell_help(options.help_operator, registry);
   if (text) {
     std::cout << *text;
@@ -177,11 +182,13 @@ int run_arguments(int argc, char** argv) {
       "sends long results through $PAGER, and ends a statement with Ctrl-C; `help` there tells the rest.\n"
       "Exit status: 0 all went well, 1 a command failed, 2 wrong usage, 130 interrupted.");
   app.set_version_flag("--version", "algebra3d 0.1.0");
+  app.require_subcommand(0, 1);  // so that `help test` asks for help
   add_options(app, options);
   const CLI::App* import = add_import_command(app, import_options);
   const CLI::App* test = add_test_command(app, options);
   CLI::App* help = app.add_subcommand("help", "Explain an operator or a command, or list all of them");
-  help->add_option("OPERATOR", options.help_operator, "Name of an operator or a command, such as volume or let");
+  help->add_option("OPERATOR", options.help_operator,
+                   "Name of an operator or a command, such as volume, let or import");
   help->add_flag("--markdown", options.help_as_markdown, "The whole reference page");
   try {
     app.parse(argc, argv);
@@ -193,7 +200,7 @@ int run_arguments(int argc, char** argv) {
   register_stream_operators(registry);
   if (import->parsed()) return run_import(import_options, registry, &Interruption::flag());
   if (test->parsed()) return run_tests(options, registry);
-  if (help->parsed()) return run_help(options, registry);
+  if (help->parsed()) return run_help(app, options, registry);
   return run_session(options, registry);
 }
 

@@ -24,9 +24,13 @@ std::string duration_text(std::chrono::seconds elapsed) {
 
 }  // namespace
 
-std::string progress_text(std::string_view what, std::chrono::seconds elapsed, std::size_t columns) {
-  const std::string rest = fmt::format(": running for {}, Ctrl-C ends it", duration_text(elapsed));
+std::string progress_text(std::string_view what, std::string_view how_far, std::chrono::seconds elapsed,
+                          std::size_t columns) {
   constexpr std::size_t kLongest = 50;
+  std::string rest = fmt::format("running for {}, Ctrl-C ends it", duration_text(elapsed));
+  const std::string between = printable(how_far);
+  const bool has_room = between.size() <= kLongest && between.size() + rest.size() + kLongest / 2 <= columns;
+  rest = between.empty() || !has_room ? ": " + rest : fmt::format(": {}, {}", between, rest);
   const std::size_t room = std::min(kLongest, columns > rest.size() ? columns - rest.size() - 1 : 0);
   std::string shown = printable(what.substr(0, what.find('\n')));
   if (shown.size() < what.size() || shown.size() > room)
@@ -43,6 +47,11 @@ ProgressLine::ProgressLine(std::ostream& stream, std::string what, std::chrono::
   pthread_sigmask(SIG_SETMASK, &all, &before);
   thread_ = std::thread([this] { run(); });
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
+}
+
+void ProgressLine::advance(const std::string& how_far) {
+  const std::lock_guard lock(mutex_);
+  how_far_ = how_far;
 }
 
 void ProgressLine::stop() {
@@ -62,7 +71,8 @@ void ProgressLine::run() {
   do {
     const auto elapsed = std::chrono::steady_clock::now() - start;
     stream_ << '\r'
-            << progress_text(what_, std::chrono::duration_cast<std::chrono::seconds>(elapsed), screen_size().columns)
+            << progress_text(what_, how_far_, std::chrono::duration_cast<std::chrono::seconds>(elapsed),
+                             screen_size().columns)
             << "\x1b[K" << std::flush;
   } while (!stopped_.wait_for(lock, kInterval, [this] { return is_stopped_; }));
   stream_ << "\r\x1b[K" << std::flush;

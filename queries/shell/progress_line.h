@@ -21,6 +21,8 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
+  /// How far the statement has come; shown when the line is next renewed.
+  void advance(const std::string& how_far);
   /// Makes room for other text. May be called again.
   void stop();
 
@@ -30,13 +32,16 @@ class ProgressLine {
   std::ostream& stream_;
   std::string what_;
   std::chrono::milliseconds delay_;
-  std::mutex mutex_;
+  std::mutex mutex_;  // of what stands between here and the thread
+  std::string how_far_;
   std::condition_variable stopped_;
   bool is_stopped_ = false;
   std::thread thread_;  // last: it uses the others
 };
 
-/// `query Parts feed ...: running for 12 s, Ctrl-C ends it`, in at most `columns` columns.
-std::string progress_text(std::string_view what, std::chrono::seconds elapsed, std::size_t columns);
+/// `query Parts feed ...: running for 12 s, Ctrl-C ends it`, in at most `columns` columns; `how_far`, if it is not
+/// empty and there is room, stands in between.
+std::string progress_text(std::string_view what, std::string_view how_far, std::chrono::seconds elapsed,
+                          std::size_t columns);
 
 }  // namespace queries

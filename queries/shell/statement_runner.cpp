@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "algebra3d/types/utf8.h"
+#include "queries/session/progress_listener.h"
 #include "queries/shell/interruption.h"
 #include "queries/shell/screen.h"
 
@@ -35,12 +36,30 @@ std::string time_text(std::chrono::steady_clock::duration elapsed) {
                                                : fmt::format("{:.1f} s", milliseconds / 1000);
 }
 
+/// Results as the user wants them, and how far a statement has come to the terminal.
+class TerminalPresenter final : public Presenter, public ProgressListener {
+ public:
+  TerminalPresenter(Presenter& results, TerminalOutput* terminal) : results_(results), terminal_(terminal) {}
+  Status present(const TypeExpr& type, const Datum& value, Context& context) override {
+    return results_.present(type, value, context);
+  }
+  Status present_inquiry(const NestedList& result) override { return results_.present_inquiry(result); }
+  void advance(const std::string& how_far) override {
+    if (terminal_ != nullptr) terminal_->advance(how_far);
+  }
+
+ private:
+  Presenter& results_;
+  TerminalOutput* terminal_;
+};
+
 }  // namespace
 
 Status StatementRunner::execute(const CommandText& command, Context& context) {
   const auto start = std::chrono::steady_clock::now();
   if (console_.terminal != nullptr) console_.terminal->begin_statement(command.text, session_.options().uses_pager);
-  Status status = session_.execute(command.text, command.start, presenter_, context);
+  TerminalPresenter presenter(presenter_, console_.terminal);
+  Status status = session_.execute(command.text, command.start, presenter, context);
   const auto end = std::chrono::steady_clock::now();
   if (console_.terminal != nullptr) {
     console_.terminal->end_statement();

@@ -80,6 +80,10 @@ void TerminalOutput::begin_statement(const std::string& what, bool uses_pager) {
   if (settings_.progress != nullptr) progress_ = std::make_unique<ProgressLine>(*settings_.progress, what);
 }
 
+void TerminalOutput::advance(const std::string& how_far) {
+  if (progress_ != nullptr) progress_->advance(how_far);
+}
+
 void TerminalOutput::end_statement() {
   progress_.reset();
   if (is_holding_ && !held_.empty()) pass(held_);

@@ -32,6 +32,8 @@ class TerminalOutput final : public std::streambuf {
 
   /// `what` is the text of the statement.
   void begin_statement(const std::string& what, bool uses_pager);
+  /// How far the statement has come, for the line that says that it still runs.
+  void advance(const std::string& how_far);
   /// Shows what is held back, and waits until the user has left the pager.
   void end_statement();
 

@@ -118,10 +118,20 @@ TEST(ProgressLine, nothing_is_written_before_the_delay) {
 
 TEST(ProgressText, fits_the_columns_and_shows_minutes_and_hours) {
   using std::chrono::seconds;
-  EXPECT_EQ(progress_text("query 1", seconds(75), 80), "query 1: running for 1:15 min, Ctrl-C ends it");
-  EXPECT_EQ(progress_text("query 1", seconds(3661), 80), "query 1: running for 1:01:01 h, Ctrl-C ends it");
-  EXPECT_EQ(progress_text("query\n1", seconds(2), 80), "query...: running for 2 s, Ctrl-C ends it");
-  EXPECT_LT(progress_text(std::string(100, 'x'), seconds(2), 60).size(), 60U);
+  EXPECT_EQ(progress_text("query 1", "", seconds(75), 80), "query 1: running for 1:15 min, Ctrl-C ends it");
+  EXPECT_EQ(progress_text("query 1", "", seconds(3661), 80), "query 1: running for 1:01:01 h, Ctrl-C ends it");
+  EXPECT_EQ(progress_text("query\n1", "", seconds(2), 80), "query...: running for 2 s, Ctrl-C ends it");
+  EXPECT_LT(progress_text(std::string(100, 'x'), "", seconds(2), 60).size(), 60U);
+}
+
+TEST(ProgressText, says_how_far_the_statement_is_if_there_is_room) {
+  using std::chrono::seconds;
+  EXPECT_EQ(progress_text("check database", "42 % (Parts)", seconds(12), 80),
+            "check database: 42 % (Parts), running for 12 s, Ctrl-C ends it");
+  EXPECT_EQ(progress_text("check database", "42 % (Parts)", seconds(12), 60),
+            "check database: running for 12 s, Ctrl-C ends it");
+  EXPECT_EQ(progress_text("check database", "42 % (" + std::string(60, 'P') + ")", seconds(12), 200),
+            "check database: running for 12 s, Ctrl-C ends it");
 }
 
 TEST(Printable, control_characters_are_made_visible) {

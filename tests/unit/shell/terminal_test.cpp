@@ -80,6 +80,8 @@ class Shell {
       unread_.append(bytes, static_cast<std::size_t>(count));
     }
     ADD_FAILURE() << "expected '" << text << "', found: " << unread_;
+    // What comes after would wait in vain, each time up to the limit.
+    if (process_ > 0) kill(process_, SIGKILL);
     return {};
   }
   /// Types a line at the prompt.
@@ -139,6 +141,17 @@ TEST_F(Terminal, banner_tells_the_next_step_and_quit_leaves) {
   shell.wait_for("\n41273\r\n");
   shell.type("quit\n");
   EXPECT_EQ(shell.exit_status(), 0);
+}
+
+TEST_F(Terminal, help_also_explains_the_commands_of_the_command_line) {
+  for (const std::string command : {"import", "test", "help"}) {
+    Shell shell(folder_, {"help", command});
+    shell.wait_for("Usage: ");
+    EXPECT_EQ(shell.exit_status(), 0);
+  }
+  Shell shell(folder_, {"help", "no_such_thing"});
+  shell.wait_for("error: there is no operator or command 'no_such_thing'");
+  EXPECT_EQ(shell.exit_status(), 2);
 }
 
 TEST_F(Terminal, banner_counts_the_objects_of_the_database) {
