@@ -232,13 +232,13 @@ double first_operand(double a, double /*b*/) {
   return a;
 }
 
-TEST(Variation, an_operator_that_is_not_symmetric_is_found_out) {
+TEST(Variation, an_operator_that_wrongly_says_that_it_is_symmetric_is_found_out) {
   Registry registry;
   for (const algebra3d::Type* known : test_registry().types()) registry.add(*known);
   registry.add({.name = "+",
                 .syntax = "_ + _",
                 .doc = "The first of two.",
-                .overloads = {algebra3d::overload<&first_operand>("a", "b")}});
+                .overloads = {algebra3d::symmetric(algebra3d::overload<&first_operand>("a", "b"))}});
   EXPECT_EQ(varied("#testcase a\n#yields (real 1.0)\nquery 1.0 + 2.0;\n", registry),
             "offset 1 0 0, axes 1 0 0, operands 0 1 0, ");
 }
