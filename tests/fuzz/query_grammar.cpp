@@ -364,6 +364,7 @@ std::string QueryGrammar::bracket_value(Dice& dice, const std::vector<TypeExpr>&
   const auto& attributes = attributes_of(operands.back());
   if (!attributes.empty() && dice.one_in(3)) return value(dice, dice.of(attributes).type, scope, depth);
   if (dice.one_in(4)) return any_value(dice, scope, depth);
+  if (dice.one_in(15)) return "three()";
   return dice.one_in(2) ? dice.of(kIntegers) : value(dice, dice.one_in(2) ? "rect3" : "int", scope, depth);
 }
 

@@ -46,6 +46,7 @@ constexpr const char* kScript[] = {
     "let G_Shape = G creatertree[Shape]",
     "let Copy = G feed addid creatertree[Box]",
     "let inc = fun(a: int) a + 1",
+    "let three = fun() 3",
     "let big = fun(r: tuple([K: int, V: int])) attr(r, V) > 15",
     "derive D = R feed filter[.K > 1] consume",
     "create U : int",
