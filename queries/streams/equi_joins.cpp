@@ -1,8 +1,7 @@
 // hashjoin, itHashJoin, mergejoin, sortmergejoin, smouterjoin: pairs of tuples with equal keys.
 #include "queries/streams/all.h"
-#include "queries/streams/hash_table.h"
+#include "queries/streams/hash_join.h"
 #include "queries/streams/merge_join.h"
-#include "queries/streams/partwise_join.h"
 
 namespace queries {
 namespace {
@@ -15,11 +14,8 @@ Result<Plan> map_hashjoin(const char* op, std::span<const ArgumentType> argument
   ASSIGN_OR_RETURN(const JoinKeys keys, join_keys(check, types));
   if (check.count() == 5) RETURN_IF_ERROR(check.type(4, "int"));
   return Plan{TypeExpr::stream(types.joined), [keys](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                const auto combine = [](const Tuple& held, const Tuple& passing) {
-                  return concatenated(passing, held);
-                };
-                return Datum{partwise_join(given[1].tuples(), given[0].tuples(),
-                                           HashTable(keys.right, keys.left, context), combine, context)};
+                return Datum{TupleStreamPtr(
+                    std::make_shared<HashJoin>(given[0].tuples(), given[1].tuples(), keys.left, keys.right, context))};
               }};
 }
 
@@ -58,8 +54,8 @@ void register_hash_joins(algebra3d::Registry& registry, const std::string& left,
       .name = "hashjoin",
       .syntax = "_ _ hashjoin[attribute, attribute ...]",
       .doc = "The pairs of tuples of both streams with equal, defined values of the two attributes.",
-      .detail = "In the order of the first stream, if the second one fits into the memory of `set \"memory\"`; if not, "
-                "it is held part by part. A bucket count as a third argument is accepted and not needed.",
+      .detail = "In the order of the first stream if the second one fits into the memory of `set \"memory\"`, else in "
+                "no particular order. A bucket count as a third argument is accepted and not needed.",
       .stream = stream_operator([](auto arguments) { return map_hashjoin("hashjoin", arguments); }),
       .signatures = {"(stream(tuple) stream(tuple) NAME NAME) -> stream(tuple)",
                      "(stream(tuple) stream(tuple) NAME NAME int) -> stream(tuple)"},

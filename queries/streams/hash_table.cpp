@@ -44,6 +44,13 @@ Status HashTable::find(const Tuple& probe, std::vector<TuplePtr>& found) const {
   return {};
 }
 
+std::vector<TuplePtr> HashTable::tuples() const {
+  std::vector<TuplePtr> result;
+  result.reserve(entries_.size());
+  for (const Entry& entry : entries_) result.push_back(entry.tuple.tuple());
+  return result;
+}
+
 void HashTable::clear() {
   entries_.clear();
   account_.clear();
@@ -59,7 +66,8 @@ SeenKeys::Answer SeenKeys::add(std::vector<Value> keys) {
   const auto [first, last] = lists_.equal_range(code);
   for (auto known = first; known != last; ++known)
     if (compare_keys(known->second, keys) == 0) return Answer::was_seen;
-  if (!lists_.empty() && !account_.take(bytes)) return Answer::no_room;
+  is_full_ = is_full_ || (!account_.take(bytes) && !lists_.empty());
+  if (is_full_) return Answer::no_room;
   lists_.emplace(code, std::move(keys));
   return Answer::is_new;
 }
@@ -67,6 +75,7 @@ SeenKeys::Answer SeenKeys::add(std::vector<Value> keys) {
 void SeenKeys::clear() {
   lists_.clear();
   account_.clear();
+  is_full_ = false;
 }
 
 }  // namespace queries

@@ -23,6 +23,8 @@ class HashTable {
   void finish();
   /// Appends the tuples whose key equals the one of `probe`.
   Status find(const Tuple& probe, std::vector<TuplePtr>& found) const;
+  /// All that it holds, in the order in which they came.
+  std::vector<TuplePtr> tuples() const;
   void clear();
 
  private:
@@ -46,13 +48,15 @@ class SeenKeys {
   enum class Answer : std::uint8_t { is_new, was_seen, no_room };
 
   explicit SeenKeys(const Context& context) : account_(context.memory) {}
-  /// Remembers these loaded values if they are new and there is room. An empty set takes anything.
+  /// Remembers these loaded values if they are new and there is room. An empty set takes anything; one that once had no
+  /// room takes nothing more, so that what is new stays in order.
   Answer add(std::vector<Value> keys);
   void clear();
 
  private:
   algebra3d::MemoryAccount account_;
   std::unordered_multimap<std::size_t, std::vector<Value>> lists_;  // by hash
+  bool is_full_ = false;
 };
 
 }  // namespace queries

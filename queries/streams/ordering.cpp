@@ -81,28 +81,63 @@ Result<Plan> map_krdup(std::span<const ArgumentType> arguments) {
               }};
 }
 
-// Once the memory is full of keys, tuples with other keys are put aside, and are looked at again when the stream has
-// ended, with an empty memory. So every tuple comes out in its order, however often that takes.
+/// The tuples of a buffer, numbered from 1 by a further attribute.
+TupleStreamPtr numbered(const TupleBuffer& tuples) {
+  return make_stream([scan = tuples.scan(), number = TupleId{0}]() mutable -> Result<TuplePtr> {
+    ASSIGN_OR_RETURN(const TuplePtr next, scan->next());
+    if (next == nullptr) return next;
+    Tuple result = *next;
+    result.attributes.push_back(id_value(++number));
+    return TuplePtr(std::make_shared<const Tuple>(std::move(result)));
+  });
+}
+
+/// Without the last attribute.
+TupleStreamPtr without_number(TupleStreamPtr tuples) {
+  return make_stream([tuples = std::move(tuples)]() -> Result<TuplePtr> {
+    ASSIGN_OR_RETURN(const TuplePtr next, tuples->next());
+    if (next == nullptr) return next;
+    Tuple result = *next;
+    result.attributes.pop_back();
+    return TuplePtr(std::make_shared<const Tuple>(std::move(result)));
+  });
+}
+
+/// The first tuple of each key, in the order of the buffer: sorted by the keys, thinned out, and sorted back.
+Result<TupleStreamPtr> first_by_sorting(const TupleBuffer& tuples, const std::vector<std::size_t>& keys,
+                                        const Context& context) {
+  if (tuples.is_empty()) return tuples.scan();
+  ASSIGN_OR_RETURN(const TuplePtr any, tuples.scan()->next());
+  ASSIGN_OR_RETURN(const TupleStreamPtr by_keys, sorted(*numbered(tuples), ascending(keys), context));
+  const auto keys_of = [keys](const TuplePtr& next) { return loaded_keys(*next, keys); };
+  const Datum first = without_duplicates(by_keys, keys_of, DiffersFromLast(), context);
+  ASSIGN_OR_RETURN(TupleStreamPtr result, sorted(*first.tuples(), ascending({any->attributes.size()}), context));
+  return without_number(std::move(result));
+}
+
+// Once the memory is full of keys, tuples with other keys are put aside until the stream has ended: all of them come
+// after those that went out, so that every tuple keeps its place in the order.
 class FirstOfEachKey final : public TupleStream {
  public:
   FirstOfEachKey(TupleStreamPtr tuples, std::vector<std::size_t> keys, const Context& context)
       : tuples_(std::move(tuples)), keys_(std::move(keys)), context_(context), seen_(context), put_aside_(context) {}
 
   Result<TuplePtr> next() override {
-    while (true) {
+    while (!has_ended_) {
       if (++steps_ % 1024 == 0) RETURN_IF_ERROR(context_.check_cancelled());
       ASSIGN_OR_RETURN(TuplePtr next, tuples_->next());
       if (next == nullptr) {
-        if (put_aside_.is_empty()) return next;
-        tuples_ = std::exchange(put_aside_, TupleBuffer(context_)).scan();
+        has_ended_ = true;
         seen_.clear();
-        continue;
+        ASSIGN_OR_RETURN(tuples_, first_by_sorting(put_aside_, keys_, context_));
+        break;
       }
       ASSIGN_OR_RETURN(std::vector<Value> keys, loaded_keys(*next, keys_));
       const SeenKeys::Answer answer = seen_.add(std::move(keys));
       if (answer == SeenKeys::Answer::is_new) return next;
       if (answer == SeenKeys::Answer::no_room) RETURN_IF_ERROR(put_aside_.add(std::move(next)));
     }
+    return tuples_->next();
   }
 
  private:
@@ -111,6 +146,7 @@ class FirstOfEachKey final : public TupleStream {
   const Context& context_;
   SeenKeys seen_;
   TupleBuffer put_aside_;
+  bool has_ended_ = false;
   std::uint32_t steps_ = 0;
 };
 

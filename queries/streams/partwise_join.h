@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "queries/streams/mapping.h"
@@ -9,23 +10,28 @@
 namespace queries {
 
 /// A stream that is read part by part, each as large as some table in memory can take.
-class StreamParts {
+class StreamParts final : public TupleStream {
  public:
   explicit StreamParts(TupleStreamPtr source) : source_(std::move(source)) {}
+
+  /// The next tuple that is in no part yet.
+  Result<TuplePtr> next() override {
+    if (pending_ != nullptr) return std::exchange(pending_, nullptr);
+    return source_->next();
+  }
 
   /// Fills an empty table with the next part. True if it was the last one. Errors: those of the stream and of
   /// `table.add`, interrupted.
   template <typename Table>
   Result<bool> fill(Table& table, const Context& context) {
     for (std::uint32_t step = 1;; ++step) {
-      if (pending_ == nullptr) {
-        ASSIGN_OR_RETURN(pending_, source_->next());
-        if (pending_ == nullptr) return true;
-      }
+      ASSIGN_OR_RETURN(TuplePtr tuple, next());
+      if (tuple == nullptr) return true;
       if (step % 1024 == 0) RETURN_IF_ERROR(context.check_cancelled());
-      ASSIGN_OR_RETURN(const bool has_room, table.add(pending_));
-      if (!has_room) return false;
-      pending_ = nullptr;
+      ASSIGN_OR_RETURN(const bool has_room, table.add(tuple));
+      if (has_room) continue;
+      pending_ = std::move(tuple);
+      return false;
     }
   }
 
@@ -41,16 +47,24 @@ class StreamParts {
 /// `Table` has `add(tuple)`, false if it has no room, `finish()`, `find(tuple, found)` and `clear()`, as HashTable.
 /// `Combine` makes the resulting tuple of the one that is held and the one that passes. Interruptible.
 template <typename Table, typename Combine>
-class PartwiseJoin {
+class PartwiseJoin final : public TupleStream {
  public:
+  /// `table` is empty.
   PartwiseJoin(TupleStreamPtr held, TupleStreamPtr passing, Table table, Combine combine, const Context& context)
       : held_(std::move(held)),
         passing_(std::move(passing)),
         table_(std::move(table)),
         combine_(std::move(combine)),
         context_(context) {}
+  /// `table` has been filled with all that is held.
+  PartwiseJoin(Table table, TupleStreamPtr passing, Combine combine, const Context& context)
+      : PartwiseJoin(nullptr, std::move(passing), std::move(table), std::move(combine), context) {
+    table_.finish();
+    has_part_ = true;
+    is_last_ = true;
+  }
 
-  Result<TuplePtr> next() {
+  Result<TuplePtr> next() override {
     while (position_ == found_.size()) {
       if (++steps_ % 256 == 0) RETURN_IF_ERROR(context_.check_cancelled());
       if (!has_part_) {
@@ -103,9 +117,13 @@ class PartwiseJoin {
 template <typename Table, typename Combine>
 TupleStreamPtr partwise_join(TupleStreamPtr held, TupleStreamPtr passing, Table table, Combine combine,
                              const Context& context) {
-  return make_stream(
-      [join = PartwiseJoin<Table, Combine>(std::move(held), std::move(passing), std::move(table), std::move(combine),
-                                           context)]() mutable { return join.next(); });
+  return std::make_shared<PartwiseJoin<Table, Combine>>(std::move(held), std::move(passing), std::move(table),
+                                                        std::move(combine), context);
+}
+template <typename Table, typename Combine>
+TupleStreamPtr partwise_join(Table table, TupleStreamPtr passing, Combine combine, const Context& context) {
+  return std::make_shared<PartwiseJoin<Table, Combine>>(std::move(table), std::move(passing), std::move(combine),
+                                                        context);
 }
 
 }  // namespace queries

@@ -10,6 +10,7 @@
 #include "algebra3d/types/spatial.h"
 #include "queries/streams/adjacent_groups.h"
 #include "queries/streams/element_buffer.h"
+#include "queries/streams/hash_join.h"
 #include "queries/streams/hash_table.h"
 #include "queries/streams/partwise_join.h"
 #include "queries/streams/relation.h"
@@ -104,6 +105,33 @@ TEST_F(Spilling, a_partwise_join_finds_every_pair_once) {
     std::ranges::sort(expected);
     EXPECT_EQ(found, expected) << held_count;
   }
+}
+
+TEST_F(Spilling, a_hash_join_finds_every_pair_once) {
+  // 20 keys: files that do not fit into memory either.
+  for (const std::int32_t keys : {20, 3000}) {
+    const Rows held = random_rows(3000, keys);
+    const Rows passing = random_rows(1000, keys);
+    HashJoin join(stream(passing), stream(held), 0, 0, context);
+    Rows found = rows(join);
+    Rows expected;
+    for (const Row& a : passing)
+      for (const Row& b : held)
+        if (a[0] && a[0] == b[0]) expected.push_back({a[0], a[1], b[0], b[1]});
+    std::ranges::sort(found);
+    std::ranges::sort(expected);
+    EXPECT_EQ(found, expected) << keys;
+  }
+}
+
+TEST_F(Spilling, a_set_of_keys_that_was_full_takes_no_smaller_ones) {
+  SeenKeys seen(context);
+  EXPECT_EQ(seen.add({Value::of(std::string(60'000, 'x'))}), SeenKeys::Answer::is_new);
+  EXPECT_EQ(seen.add({Value::of(std::string(60'000, 'y'))}), SeenKeys::Answer::no_room);
+  EXPECT_EQ(seen.add({Value::of(std::string("y"))}), SeenKeys::Answer::no_room);
+  EXPECT_EQ(seen.add({Value::of(std::string(60'000, 'x'))}), SeenKeys::Answer::was_seen);
+  seen.clear();
+  EXPECT_EQ(seen.add({Value::of(std::string("y"))}), SeenKeys::Answer::is_new);
 }
 
 TEST_F(Spilling, groups_larger_than_the_memory_are_whole) {
