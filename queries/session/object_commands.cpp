@@ -17,6 +17,15 @@ Error cannot_be_stored(std::string_view command, const TypeExpr& type) {
   return {ErrorCode::not_evaluable, "{}: a value of type {} cannot be stored{}", command, type.text(), hint};
 }
 
+// What a function object keeps. Another one's name stands for what that one keeps, so that it may be deleted.
+Result<std::string> function_text(const Expression& value, Store& store) {
+  if (const auto* use = std::get_if<NameUse>(&value.node)) {
+    ASSIGN_OR_RETURN(const auto named, store.find(use->name));
+    if (named && !named->function_text.empty()) return named->function_text;
+  }
+  return to_nested(value).print();
+}
+
 Error no_object(const std::string& name) {
   return {ErrorCode::unknown_name, "there is no object '{}'", name};
 }
@@ -77,7 +86,10 @@ Status Session::define(const std::string& name, const Expression& value, bool is
   ASSIGN_OR_RETURN(const TypedPtr node, Checker(registry_, objects, context).check(value));
   const TypeExpr& type = node->type();
   if (!can_be_stored(type, registry_)) return cannot_be_stored(is_derived ? "derive" : "let", type);
-  if (type.is_function()) return store_->create_function(name, type, to_nested(value).print());
+  if (type.is_function()) {
+    ASSIGN_OR_RETURN(const std::string text, function_text(value, *store_));
+    return store_->create_function(name, type, text);
+  }
   ASSIGN_OR_RETURN(const Datum datum, node->evaluate(nullptr, context));
   RETURN_IF_ERROR(is_derived ? store_->create_derived(name, type, to_nested(value).print())
                              : store_->create(name, type));
@@ -100,8 +112,9 @@ Status Session::run(const UpdateObject& command, Presenter&, Context& context) {
       return Error{ErrorCode::type_error, "update: '{}' is of type {}, the new value of type {}", command.name,
                    existing->type.text(), node->type().text()};
     if (existing->type.is_function()) {
+      ASSIGN_OR_RETURN(const std::string text, function_text(*command.value, *store));
       RETURN_IF_ERROR(store->remove(command.name));
-      return store->create_function(command.name, existing->type, to_nested(*command.value).print());
+      return store->create_function(command.name, existing->type, text);
     }
     ASSIGN_OR_RETURN(const Datum value, node->evaluate(nullptr, context));
     return store->assign(command.name, value, context);

@@ -1,10 +1,17 @@
 #include "queries/session/objects.h"
 
+#include <algorithm>
+
 #include "queries/language/checker.h"
 #include "queries/language/nested_reader.h"
 #include "queries/language/parser.h"
 
 namespace queries {
+namespace {
+
+constexpr std::size_t kMaxFunctionsInMaking = 100;
+
+}  // namespace
 
 Result<std::optional<TypeExpr>> Session::Objects::type_of(const std::string& name) {
   if (store_ == nullptr) return std::optional<TypeExpr>();
@@ -25,7 +32,20 @@ Result<Datum> Session::Objects::value_of(const std::string& name) {
   return values_.emplace(name, std::move(value)).first->second;
 }
 
+// A function may be defined by others, `let g = [f]`, and after an update even by itself. Its body does not count: what
+// stands there is looked at when the function is called.
 Result<Datum> Session::Objects::function_of(const ObjectInfo& info) {
+  if (std::ranges::find(functions_in_making_, info.name) != functions_in_making_.end())
+    return Error{ErrorCode::not_evaluable, "the function '{}' is defined by itself", info.name};
+  if (functions_in_making_.size() == kMaxFunctionsInMaking)
+    return Error{ErrorCode::limit_exceeded, "more than {} functions are defined by each other", kMaxFunctionsInMaking};
+  functions_in_making_.push_back(info.name);
+  Result<Datum> function = checked_function(info);
+  functions_in_making_.pop_back();
+  return function;
+}
+
+Result<Datum> Session::Objects::checked_function(const ObjectInfo& info) {
   ASSIGN_OR_RETURN(const ExpressionPtr expression, written_function(info));
   ASSIGN_OR_RETURN(const TypedPtr function, Checker(registry_, *this, context_).check(*expression));
   if (!(function->type() == info.type))

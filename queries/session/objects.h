@@ -23,12 +23,14 @@ class Session::Objects final : public ObjectSource {
 
  private:
   Result<Datum> function_of(const ObjectInfo& info);
+  Result<Datum> checked_function(const ObjectInfo& info);
   Result<ExpressionPtr> written_function(const ObjectInfo& info) const;
 
   const algebra3d::Registry& registry_;
   Store* store_;
   Context& context_;
   std::map<std::string, Datum> values_;
+  std::vector<std::string> functions_in_making_;  // each is what the one before is defined by
 };
 
 }  // namespace queries
