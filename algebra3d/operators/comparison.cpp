@@ -17,6 +17,8 @@ Overload comparison(const Type& type, Test holds) {
   overload.parameters = {{"a", &type}, {"b", &type}};
   overload.result = &TypeOf<bool>::type();
   overload.function = [holds](std::span<const Value> values, Context&) -> Result<Outcome> {
+    if (!values[0].is_deferred() && !values[1].is_deferred())
+      return Outcome(Value::of<bool>(holds(compare(values[0], values[1]))));
     ASSIGN_OR_RETURN(const Value a, values[0].loaded());
     ASSIGN_OR_RETURN(const Value b, values[1].loaded());
     return Outcome(Value::of<bool>(holds(compare(a, b))));

@@ -201,7 +201,7 @@ class Value {
   };
 
   bool is_shared() const { return form_ >= Form::object; }
-  void leave() noexcept {
+  void leave() const noexcept {
     if (content_.shared->owner_count.fetch_sub(1, std::memory_order_acq_rel) == 1) delete content_.shared;
   }
   const std::shared_ptr<const DeferredValue>& deferred_content() const {

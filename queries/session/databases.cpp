@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "queries/session/database_files.h"
-#include "queries/session/progress_listener.h"
 #include "queries/session/session.h"
 
 namespace queries {
@@ -75,10 +74,7 @@ Status Session::run(const TransactionStep& command, Presenter&, Context&) {
 // (inquiry (findings ((object tuple attribute 'what is wrong') ...))); a database with findings is an error.
 Status Session::run(const CheckDatabase&, Presenter& presenter, Context& context) {
   ASSIGN_OR_RETURN(Store * store, required_store());
-  auto* const listener = dynamic_cast<ProgressListener*>(&presenter);
-  const auto report = [listener](const CheckProgress& progress) {
-    if (listener != nullptr) listener->advance(how_far(progress));
-  };
+  const auto report = [&presenter](const CheckProgress& progress) { presenter.advance(how_far(progress)); };
   std::vector<Finding> findings;
   RETURN_IF_ERROR(in_transaction(false, [&]() -> Status {
     ASSIGN_OR_RETURN(findings, store->check(context, report));

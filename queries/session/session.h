@@ -26,6 +26,8 @@ class Presenter {
   virtual Status present(const TypeExpr& type, const Datum& value, Context& context) = 0;
   /// The result list of an inquiry, `(inquiry (...))`.
   virtual Status present_inquiry(const NestedList& result) = 0;
+  /// How far a long statement has come, for people: "42 % (Parts)". Comes many times a second.
+  virtual void advance(const std::string& /*how_far*/) {}
 };
 
 struct SessionOptions {

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "algebra3d/types/utf8.h"
-#include "queries/session/progress_listener.h"
 #include "queries/shell/interruption.h"
 #include "queries/shell/screen.h"
 
@@ -37,7 +36,7 @@ std::string time_text(std::chrono::steady_clock::duration elapsed) {
 }
 
 /// Results as the user wants them, and how far a statement has come to the terminal.
-class TerminalPresenter final : public Presenter, public ProgressListener {
+class TerminalPresenter final : public Presenter {
  public:
   TerminalPresenter(Presenter& results, TerminalOutput* terminal) : results_(results), terminal_(terminal) {}
   Status present(const TypeExpr& type, const Datum& value, Context& context) override {

@@ -28,8 +28,8 @@ Result<Plan> map_symmjoin(std::span<const ArgumentType> arguments) {
                     ASSIGN_OR_RETURN(auto pair, loop.next());
                     if (pair.first == nullptr) return TuplePtr();
                     const std::array<Datum, 2> both = {Datum{pair.first}, Datum{pair.second}};
-                    ASSIGN_OR_RETURN(const Datum holds, predicate->call(both));
-                    if (is_true(holds.value())) return concatenated(*pair.first, *pair.second);
+                    ASSIGN_OR_RETURN(const Value holds, predicate->call_for_value(both));
+                    if (is_true(holds)) return concatenated(*pair.first, *pair.second);
                   }
                 })};
               }};

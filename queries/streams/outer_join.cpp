@@ -61,8 +61,8 @@ class OuterJoin final : public TupleStream {
       ASSIGN_OR_RETURN(const TuplePtr right, next_right());
       if (right == nullptr) return TuplePtr();
       const std::array<Datum, 2> both = {Datum{current_}, Datum{right}};
-      ASSIGN_OR_RETURN(const Datum holds, predicate_->call(both));
-      if (!is_true(holds.value())) continue;
+      ASSIGN_OR_RETURN(const Value holds, predicate_->call_for_value(both));
+      if (!is_true(holds)) continue;
       is_matched_ = true;
       has_partner_[position_ - 1] = true;
       return concatenated(*current_, *right);

@@ -25,8 +25,8 @@ Result<Plan> map_filter(std::span<const ArgumentType> arguments) {
               ASSIGN_OR_RETURN(ElementOf<Stream> next, stream->next());
               if (!next) return next;
               const Datum argument = element_datum(next);
-              ASSIGN_OR_RETURN(const Datum holds, predicate->call({&argument, 1}));
-              if (is_true(holds.value())) return next;
+              ASSIGN_OR_RETURN(const Value holds, predicate->call_for_value({&argument, 1}));
+              if (is_true(holds)) return next;
               if (++step % 1024 == 0) RETURN_IF_ERROR(context.check_cancelled());
             }
           })});

@@ -15,8 +15,8 @@ Datum used(const std::shared_ptr<Stream>& stream, std::shared_ptr<const Function
     ASSIGN_OR_RETURN(const auto element, stream->next());
     if (!element) return std::optional<Value>();
     const Datum argument = element_datum(element);
-    ASSIGN_OR_RETURN(Datum result, function->call({&argument, 1}));
-    return std::optional(std::get<Value>(std::move(result.content)));
+    ASSIGN_OR_RETURN(Value result, function->call_for_value({&argument, 1}));
+    return std::optional(std::move(result));
   })};
 }
 

@@ -3,14 +3,13 @@
 
 #include <atomic>
 
-#include "queries/session/progress_listener.h"
 #include "unit/session/example_session.h"
 
 namespace queries {
 namespace {
 
 /// Remembers what a statement says of itself; ends it with the first word if it is told to.
-class Listener final : public Presenter, public ProgressListener {
+class Listener final : public Presenter {
  public:
   Status present(const TypeExpr&, const Datum&, Context&) override { return {}; }
   Status present_inquiry(const NestedList& result) override {
