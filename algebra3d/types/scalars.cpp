@@ -37,8 +37,9 @@ class IntType final : public DescribedType {
     return hash_word(static_cast<std::uint64_t>(value.get<std::int32_t>()));
   }
   std::uint64_t order_prefix(const Value& value) const override {
-    return static_cast<std::uint64_t>(std::int64_t{value.get<std::int32_t>()} + (std::int64_t{1} << 31U));
+    return static_cast<std::uint64_t>(std::int64_t{value.get<std::int32_t>()} + (std::int64_t{1} << 31U) + 1);
   }
+  bool is_whole_in_prefix() const override { return true; }
   std::size_t heap_bytes(const Value& /*value*/) const override { return 0; }
 
   void encode(const Value& value, std::string& bytes) const override {
@@ -81,6 +82,7 @@ class RealType final : public DescribedType {
     const auto bits = std::bit_cast<std::uint64_t>(number == 0 ? 0.0 : number);
     return (bits & kSign) != 0 ? ~bits : bits | kSign;
   }
+  bool is_whole_in_prefix() const override { return true; }
   std::size_t heap_bytes(const Value& /*value*/) const override { return 0; }
 
   void encode(const Value& value, std::string& bytes) const override { ByteWriter(bytes).f64(value.get<double>()); }
@@ -113,7 +115,8 @@ class BoolType final : public DescribedType {
     return a.get<bool>() <=> b.get<bool>();
   }
   std::size_t hash(const Value& value) const override { return hash_word(value.get<bool>() ? 2 : 1); }
-  std::uint64_t order_prefix(const Value& value) const override { return value.get<bool>() ? 1 : 0; }
+  std::uint64_t order_prefix(const Value& value) const override { return value.get<bool>() ? 2 : 1; }
+  bool is_whole_in_prefix() const override { return true; }
   std::size_t heap_bytes(const Value& /*value*/) const override { return 0; }
 
   void encode(const Value& value, std::string& bytes) const override {

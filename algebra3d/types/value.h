@@ -55,6 +55,8 @@ class Type {
   virtual std::size_t hash(const Value& value) const = 0;
   /// The beginning of the value in its order: if a < b then order_prefix(a) <= order_prefix(b). 0 says nothing.
   virtual std::uint64_t order_prefix(const Value& /*value*/) const { return 0; }
+  /// True if the prefix is the whole value: it is never 0, and equal prefixes mean equal values.
+  virtual bool is_whole_in_prefix() const { return false; }
 
   /// What the value takes on the heap, about; it may share it with others.
   virtual std::size_t heap_bytes(const Value& value) const = 0;
@@ -216,7 +218,7 @@ class Value {
 /// Order of two loaded values of one type; undefined comes first and equals undefined.
 std::strong_ordering compare(const Value& a, const Value& b);
 std::size_t hash(const Value& value);
-/// Of a loaded value: if a < b then order_prefix(a) <= order_prefix(b).
+/// Of a loaded value: if a < b then order_prefix(a) <= order_prefix(b). 0 if it is undefined.
 inline std::uint64_t order_prefix(const Value& value) {
   return value.is_defined() ? value.type().order_prefix(value) : 0;
 }

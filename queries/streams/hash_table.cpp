@@ -1,6 +1,8 @@
 #include "queries/streams/hash_table.h"
 
 #include <bit>
+#include <iterator>
+#include <utility>
 
 #include "algebra3d/types/described_type.h"
 #include "queries/streams/sorting.h"
@@ -56,24 +58,49 @@ void HashTable::clear() {
   account_.clear();
 }
 
+bool SeenKeys::is_seen(std::size_t hash, const std::vector<Value>& keys) const {
+  if (buckets_.empty()) return false;
+  const auto is_same = [&](std::size_t entry) {
+    for (std::size_t i = 0; i < keys.size(); ++i)
+      if (compare(values_[entry * keys.size() + i], keys[i]) != 0) return false;
+    return true;
+  };
+  for (std::uint32_t i = buckets_[hash & (buckets_.size() - 1)]; i != kNone; i = entries_[i].next)
+    if (entries_[i].hash == hash && is_same(i)) return true;
+  return false;
+}
+
+void SeenKeys::link(std::size_t entry) {
+  std::uint32_t& first = buckets_[entries_[entry].hash & (buckets_.size() - 1)];
+  entries_[entry].next = std::exchange(first, static_cast<std::uint32_t>(entry));
+}
+
 SeenKeys::Answer SeenKeys::add(std::vector<Value> keys) {
   std::size_t code = 0;
-  std::size_t bytes = sizeof(std::pair<std::size_t, std::vector<Value>>) + 4 * sizeof(void*);
+  // Vectors that grow leave as much unused as they use, at most.
+  std::size_t bytes = 2 * (sizeof(Entry) + sizeof(std::uint32_t) + keys.size() * sizeof(Value));
   for (const Value& key : keys) {
     code = algebra3d::combine_hashes(code, hash(key));
-    bytes += sizeof(Value) + algebra3d::heap_bytes(key);
+    bytes += algebra3d::heap_bytes(key);
   }
-  const auto [first, last] = lists_.equal_range(code);
-  for (auto known = first; known != last; ++known)
-    if (compare_keys(known->second, keys) == 0) return Answer::was_seen;
-  is_full_ = is_full_ || (!account_.take(bytes) && !lists_.empty());
+  if (is_seen(code, keys)) return Answer::was_seen;
+  is_full_ = is_full_ || entries_.size() + 1 == kNone || (!account_.take(bytes) && !entries_.empty());
   if (is_full_) return Answer::no_room;
-  lists_.emplace(code, std::move(keys));
+  entries_.push_back({code, kNone});
+  values_.insert(values_.end(), std::make_move_iterator(keys.begin()), std::make_move_iterator(keys.end()));
+  if (entries_.size() <= buckets_.size()) {
+    link(entries_.size() - 1);
+  } else {
+    buckets_.assign(std::bit_ceil(2 * entries_.size()), kNone);
+    for (std::size_t i = 0; i < entries_.size(); ++i) link(i);
+  }
   return Answer::is_new;
 }
 
 void SeenKeys::clear() {
-  lists_.clear();
+  entries_.clear();
+  values_.clear();
+  buckets_.clear();
   account_.clear();
   is_full_ = false;
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <unordered_map>
 #include <vector>
 
 #include "algebra3d/base/work_memory.h"
@@ -54,8 +53,19 @@ class SeenKeys {
   void clear();
 
  private:
+  struct Entry {
+    std::size_t hash = 0;
+    std::uint32_t next = 0;  // of the same bucket; kNone: the last one
+  };
+  static constexpr std::uint32_t kNone = 0xFFFFFFFF;
+
+  bool is_seen(std::size_t hash, const std::vector<Value>& keys) const;
+  void link(std::size_t entry);
+
   algebra3d::MemoryAccount account_;
-  std::unordered_multimap<std::size_t, std::vector<Value>> lists_;  // by hash
+  std::vector<Entry> entries_;
+  std::vector<Value> values_;           // of all entries, one list after the other
+  std::vector<std::uint32_t> buckets_;  // the first entry of each; their number is a power of two
   bool is_full_ = false;
 };
 

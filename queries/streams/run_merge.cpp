@@ -17,7 +17,7 @@ RunMerge::RunMerge(std::shared_ptr<TupleFile> file, const std::vector<SortedRun>
 
 bool RunMerge::is_after(const Head& a, const Head& b) const {
   if (a.prefix != b.prefix) return a.prefix > b.prefix;
-  const auto order = order_.compare(a.tuple, b.tuple);
+  const auto order = order_.compare_further(a.tuple, b.tuple);
   return order != 0 ? order > 0 : a.number > b.number;
 }
 

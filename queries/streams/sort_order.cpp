@@ -9,8 +9,9 @@ SortOrder::SortOrder(const std::vector<SortKey>& keys) {
   }
 }
 
-std::strong_ordering SortOrder::compare(const KeyedTuple& a, const KeyedTuple& b) const {
-  for (std::size_t i = 0; i < attributes_.size(); ++i) {
+std::strong_ordering SortOrder::compare_further(const KeyedTuple& a, const KeyedTuple& b) const {
+  const bool first_is_done = !attributes_.empty() && a.key(attributes_, 0).type().is_whole_in_prefix();
+  for (std::size_t i = first_is_done ? 1 : 0; i < attributes_.size(); ++i) {
     const auto order = algebra3d::compare(a.key(attributes_, i), b.key(attributes_, i));
     if (order != 0) return is_descending_[i] ? 0 <=> order : order;
   }

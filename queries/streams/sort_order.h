@@ -20,8 +20,8 @@ class SortOrder {
     const std::uint64_t result = order_prefix(tuple.key(attributes_, 0));
     return is_descending_.front() ? ~result : result;
   }
-  /// Compares all keys.
-  std::strong_ordering compare(const KeyedTuple& a, const KeyedTuple& b) const;
+  /// Compares two tuples of equal prefixes by all keys.
+  std::strong_ordering compare_further(const KeyedTuple& a, const KeyedTuple& b) const;
 
  private:
   std::vector<std::size_t> attributes_;

@@ -62,7 +62,7 @@ class Sorter {
 
   Result<TupleStreamPtr> finish() {
     if (runs_.empty()) {
-      std::vector<Position> positions = sorted_positions();
+      ASSIGN_OR_RETURN(std::vector<Position> positions, sorted_positions());
       return TupleStreamPtr(
           std::make_shared<SortedTuples>(std::move(tuples_), std::move(positions), std::move(account_)));
     }
@@ -72,15 +72,31 @@ class Sorter {
   }
 
  private:
-  /// The positions make the order total, so that equal tuples keep theirs.
-  std::vector<Position> sorted_positions() const {
+  bool is_before(const Position& a, const Position& b) const {
+    if (a.prefix != b.prefix) return a.prefix < b.prefix;
+    const auto order = order_.compare_further(tuples_[a.index], tuples_[b.index]);
+    // The positions make the order total, so that equal tuples keep theirs.
+    return order != 0 ? order < 0 : a.index < b.index;
+  }
+
+  /// Block by block, and then twice as large ones, so that a statement can be ended in between.
+  Result<std::vector<Position>> sorted_positions() const {
+    constexpr std::size_t kBlock = std::size_t{1} << 17U;
+    const auto before = [this](const Position& a, const Position& b) { return is_before(a, b); };
     std::vector<Position> positions(tuples_.size());
     for (std::uint32_t i = 0; i < positions.size(); ++i) positions[i] = {order_.prefix(tuples_[i]), i};
-    std::sort(positions.begin(), positions.end(), [this](const Position& a, const Position& b) {
-      if (a.prefix != b.prefix) return a.prefix < b.prefix;
-      const auto order = order_.compare(tuples_[a.index], tuples_[b.index]);
-      return order != 0 ? order < 0 : a.index < b.index;
-    });
+    const auto place = [&](std::size_t index) {
+      return positions.begin() + static_cast<std::ptrdiff_t>(std::min(index, positions.size()));
+    };
+    for (std::size_t begin = 0; begin < positions.size(); begin += kBlock) {
+      RETURN_IF_ERROR(context_.check_cancelled());
+      std::sort(place(begin), place(begin + kBlock), before);
+    }
+    for (std::size_t width = kBlock; width < positions.size(); width *= 2)
+      for (std::size_t begin = 0; begin + width < positions.size(); begin += 2 * width) {
+        RETURN_IF_ERROR(context_.check_cancelled());
+        std::inplace_merge(place(begin), place(begin + width), place(begin + 2 * width), before);
+      }
     return positions;
   }
 
@@ -91,7 +107,8 @@ class Sorter {
     }
     const std::uint64_t begin = file_->end();
     std::uint32_t steps = 0;
-    for (const Position& position : sorted_positions()) {
+    ASSIGN_OR_RETURN(const std::vector<Position> positions, sorted_positions());
+    for (const Position& position : positions) {
       if (++steps % 1024 == 0) RETURN_IF_ERROR(context_.check_cancelled());
       RETURN_IF_ERROR(file_->append(*tuples_[position.index].tuple()));
     }

@@ -1,5 +1,6 @@
 // What keeps tuples: buffers, sorting, hash tables, groups and merge joins, against loops over plain tables.
 #include <algorithm>
+#include <atomic>
 #include <random>
 
 #include "queries/streams/adjacent_groups.h"
@@ -49,6 +50,20 @@ TEST_F(Buffering, sorting_is_stable_and_puts_undefined_first) {
   // std::nullopt comes before every number, as undefined does.
   std::ranges::stable_sort(table, [](const Row& a, const Row& b) { return a[0] < b[0]; });
   EXPECT_EQ(rows(**result), table);
+}
+
+TEST_F(Buffering, sorting_many_blocks_is_stable) {
+  Rows table = random_rows(400'000);
+  const auto result = sorted(*stream(table), {{0, false}}, context);
+  ASSERT_TRUE(result.ok());
+  std::ranges::stable_sort(table, [](const Row& a, const Row& b) { return a[0] < b[0]; });
+  EXPECT_EQ(rows(**result), table);
+}
+
+TEST_F(Buffering, sorting_can_be_ended) {
+  const std::atomic<bool> cancel = true;
+  context.cancel = &cancel;
+  EXPECT_FALSE(sorted(*stream(random_rows(500)), {{0, false}}, context).ok());
 }
 
 TEST_F(Buffering, sorting_descends_where_it_is_asked_to) {

@@ -14,11 +14,15 @@ template <typename T>
 void expect_prefixes_in_order(const std::vector<T>& contents) {
   std::vector<Value> values;
   for (const T& content : contents) values.push_back(Value::of(content));
-  for (const Value& a : values)
+  for (const Value& a : values) {
+    EXPECT_TRUE(order_prefix(a) > 0 || !a.type().is_whole_in_prefix());
     for (const Value& b : values) {
       if (compare(a, b) >= 0) continue;
-      EXPECT_LE(order_prefix(a), order_prefix(b)) << a.to_nested().print() << " " << b.to_nested().print();
+      EXPECT_TRUE(order_prefix(a) < order_prefix(b) ||
+                  (order_prefix(a) == order_prefix(b) && !a.type().is_whole_in_prefix()))
+          << a.to_nested().print() << " " << b.to_nested().print();
     }
+  }
 }
 
 TEST(OrderPrefix, agrees_with_the_order_of_values) {
