@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -55,6 +56,14 @@ void sync_folder(const std::filesystem::path& folder) {
   ::close(descriptor);
 }
 
+// SQLite's databases begin like this, and so do ours.
+bool is_database(const std::filesystem::path& file) {
+  constexpr std::string_view kBeginning("SQLite format 3\0", 16);
+  std::string beginning(kBeginning.size(), '\0');
+  std::ifstream stream(file, std::ios::binary);
+  return stream.read(beginning.data(), static_cast<std::streamsize>(beginning.size())) && beginning == kBeginning;
+}
+
 std::filesystem::path folder_of(const std::filesystem::path& file) {
   return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }
@@ -75,6 +84,8 @@ Result<AtomicFile> AtomicFile::create(const std::filesystem::path& path) {
   if (exists && S_ISDIR(facts.st_mode)) return path_error(path, EISDIR);
   if (exists && !S_ISREG(facts.st_mode))
     return Error{ErrorCode::io_error, "{}: Not a regular file (but a pipe or device)", path.string()};
+  if (exists && is_database(file.target_))
+    return Error{ErrorCode::wrong_usage, "{}: this file is a database, which no other file replaces", path.string()};
   // Renaming needs no right to write the file that it replaces, but whoever protected a file means it.
   if (exists && ::access(file.target_.c_str(), W_OK) != 0) return path_error(path, errno);
   const std::filesystem::path temporary = temporary_name(folder_of(file.target_));

@@ -14,7 +14,7 @@ namespace stl {
 /// was at the path stays as it was. Not for use by several threads at once; several objects for one path are fine, the
 /// last to commit wins.
 /// Errors of all members: disk_full, file_missing (no such folder), io_error; all name the path and the system's
-/// reason.
+/// reason. `create` also: wrong_usage for a file that is a database, which is never replaced.
 class AtomicFile {
  public:
   /// Begins a file for `path`. Domain: a new file, or a regular file that may be written, also behind a symbolic link;

@@ -14,6 +14,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "stl/atomic_file.h"
 #include "stl/stl_reader.h"
 #include "stl/stl_writer.h"
 #include "unit/stl/scratch_folder.h"
@@ -287,6 +288,17 @@ TEST_F(StlWriter, a_write_that_fails_half_way_leaves_the_old_file_and_nothing_el
   ::setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, handler);
   EXPECT_EQ(folder_.bytes("out.stl"), "old");
+}
+
+TEST_F(StlWriter, a_database_is_never_replaced) {
+  std::string bytes("SQLite format 3");
+  bytes += std::string(100, '\0');
+  folder_.write("parts.db", bytes);
+  const auto file = stl::AtomicFile::create(folder_.path("parts.db"));
+  ASSERT_FALSE(file.ok());
+  EXPECT_EQ(file.error().message,
+            folder_.path("parts.db").string() + ": this file is a database, which no other file replaces");
+  EXPECT_EQ(folder_.bytes("parts.db"), bytes);
 }
 
 TEST_F(StlWriter, replaces_a_file_behind_a_link_and_keeps_its_permissions) {
