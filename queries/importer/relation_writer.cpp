@@ -46,7 +46,8 @@ Status RelationWriter::prepare() {
 Status RelationWriter::create_relation() {
   algebra3d::Diagnostics diagnostics;
   const algebra3d::Context context{.diagnostics = diagnostics, .folder = {}};
-  const auto empty = std::make_shared<MemoryRelation>(import_relation_type().element(), TupleBuffer(std::vector<TuplePtr>()));
+  const auto empty =
+      std::make_shared<MemoryRelation>(import_relation_type().element(), TupleBuffer(std::vector<TuplePtr>()));
   RETURN_IF_ERROR(store_.assign(relation_name_, Datum{std::shared_ptr<Relation>(empty)}, context));
   RETURN_IF_ERROR(store_.commit());
   mode_ = Mode::none;

@@ -150,6 +150,8 @@ TEST_F(StoreIntegrity, boxes_sizes_and_geometry_are_compared_behind_the_checksum
     struct Liar : algebra3d::DeferredValue {
       algebra3d::GeometryHeader header() const override { return {{{0, 0, 0}, {9, 9, 9}}, 5}; }
       Result<Value> load() const override { return truth; }
+      std::shared_ptr<const algebra3d::DeferredSource> source() const override { return nullptr; }
+      void append_reference(std::string& /*bytes*/) const override {}
       Value truth;
       explicit Liar(Value value) : truth(std::move(value)) {}
     };
