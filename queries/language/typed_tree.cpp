@@ -236,13 +236,13 @@ class Closure final : public Function {
   }
   Result<Datum> call(std::span<const Datum> arguments) const override {
     const CallLevels levels(node_->height());
-    if (CallLevels::are_used_up()) return too_deep();
+    RETURN_IF_ERROR(check_call());
     const Frame frame = frame_of(arguments);
     return node_->body().evaluate(&frame, context_);
   }
   Result<Value> call_for_value(std::span<const Datum> arguments) const override {
     const CallLevels levels(node_->height());
-    if (CallLevels::are_used_up()) return too_deep();
+    RETURN_IF_ERROR(check_call());
     const Frame frame = frame_of(arguments);
     return node_->body().evaluate_value(&frame, context_);
   }
@@ -252,7 +252,9 @@ class Closure final : public Function {
   Frame frame_of(std::span<const Datum> arguments) const {
     return {arguments, frames_.empty() ? nullptr : &frames_.back()};
   }
-  Error too_deep() const {
+  // Functions may call each other for ever without an operator that asks.
+  Status check_call() const {
+    if (!CallLevels::are_used_up()) return context_.check_cancelled();
     return Error(ErrorCode::limit_exceeded, "functions call each other more than {} levels deep; does one call itself?",
                  kMaxCallLevels)
         .at(node_->place());

@@ -44,7 +44,10 @@ Status Session::run(const OpenDatabase& command, Presenter&, Context& context) {
 }
 
 Status Session::run(const CloseDatabase&, Presenter&, Context&) {
-  RETURN_IF_ERROR(required_store());
+  ASSIGN_OR_RETURN(const Store* const store, required_store());
+  if (store->is_in_explicit_transaction())
+    return Error{ErrorCode::wrong_usage,
+                 "a transaction is running; end it with `commit transaction` or `abort transaction` first"};
   store_.reset();
   return {};
 }

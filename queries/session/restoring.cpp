@@ -176,7 +176,7 @@ Status Session::Restorer::value_of(const std::string& name, const TypeExpr& type
   if (type.is_relation()) return relation_value(name, type);
   const SourcePlace place = pieces_.place();
   ASSIGN_OR_RETURN(const auto piece, pieces_.next());
-  if (!piece) return is_index(type) ? Status() : store_.create(name, type);
+  if (!piece) return store_.create(name, type);
   ASSIGN_OR_RETURN(NestedList list, pieces_.parse(*piece));
   if (is_index(type)) {
     dependents_.push_back({name, std::move(list), type, place});

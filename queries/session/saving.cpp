@@ -66,11 +66,21 @@ class ObjectWriter {
   Status write_value(const ObjectInfo& info) {
     if (info.type.is_function()) return file_.write(" ", info.function_text, " ()");
     ASSIGN_OR_RETURN(const Datum value, store_.read(info.name));
-    if (info.type.is_relation()) return write_relation(*value.relation());
+    if (info.type.is_relation()) {
+      warn_of_tuple_numbers(info);
+      return write_relation(*value.relation());
+    }
     if (info.type.is("rtree3")) return write_index(info, *value.index(), "creatertree");
     if (info.type.is("btree")) return write_index(info, *value.ordered_index(), "createbtree");
     ASSIGN_OR_RETURN(const Value loaded, value.value().loaded());
     return file_.write(" ", loaded.to_nested().print(), " ()");
+  }
+
+  void warn_of_tuple_numbers(const ObjectInfo& info) {
+    for (const auto& attribute : info.type.element().attributes())
+      if (attribute.type.is("tid"))
+        context_.diagnostics.report("save: '" + info.name + "." + attribute.name +
+                                    "' holds numbers of tuples, which may be others after a restore");
   }
 
   Status write_relation(Relation& relation) {

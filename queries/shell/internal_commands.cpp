@@ -1,8 +1,10 @@
 // The commands that the shell carries out itself (language.md 1.2).
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <charconv>
 #include <fstream>
+#include <system_error>
 
 #include "queries/shell/command_table.h"
 #include "queries/shell/statement_runner.h"
@@ -24,27 +26,34 @@ std::string trimmed(std::string_view text) {
   return std::string(text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1));
 }
 
+/// Where the end of a command begins, which stands in it word for word.
+SourcePlace start_of(std::string_view end, const CommandText& command) {
+  SourcePlace place = command.start;
+  const std::string_view before = std::string_view(command.text).substr(0, command.text.rfind(end));
+  const auto last_line = before.rfind('\n');
+  place.line += static_cast<int>(std::ranges::count(before, '\n'));
+  place.column = last_line == std::string_view::npos ? place.column + static_cast<int>(before.size())
+                                                     : static_cast<int>(before.size() - last_line);
+  return place;
+}
+
 }  // namespace
 
-RunResult StatementRunner::run_shell_command(const std::string& text) {
-  if (text.starts_with('@')) return include(text);
+RunResult StatementRunner::run_shell_command(const CommandText& command) {
+  const std::string& text = command.text;
+  if (text.starts_with('@')) return include(command);
   if (text.starts_with('?')) return help(trimmed(text.substr(1)));
   const std::size_t word_end = std::min(text.find_first_of(" \t\n"), text.size());
   const std::string word = lower_case(text.substr(0, word_end));
   const std::string rest = trimmed(text.substr(word_end));
   if (word == "help") return help(rest);
-  if (word == "repeat") return repeat(rest);
+  if (word == "repeat") return repeat(command, rest);
   if (word == "debug") {
     console_.errors << "note: debug: there are no debug levels here; see `explain` and `list counters`\n";
     return RunResult::ok;
   }
-  return rest.empty() ? RunResult::quit : complain(word + ": expected nothing after it, found '" + rest + "'");
-}
-
-RunResult StatementRunner::complain(const std::string& message) {
-  console_.errors << "error: " << message << "\n";
-  console_.errors.flush();
-  return RunResult::failed;
+  return rest.empty() ? RunResult::quit
+                      : complain(word + ": expected nothing after it, found '" + rest + "'", command.start);
 }
 
 // Help is longer than most screens.
@@ -70,28 +79,34 @@ RunResult StatementRunner::help(const std::string& name) {
 }
 
 // `@FILE`, `@@FILE` (stops at the first error), `@%FILE` and `@&FILE` (the same two, skipping marked comments).
-RunResult StatementRunner::include(const std::string& text) {
+RunResult StatementRunner::include(const CommandText& command) {
+  const std::string& text = command.text;
   const char mode = text.size() > 1 ? text[1] : '\0';
   const bool has_mode = mode == '@' || mode == '%' || mode == '&';
   const std::string file = trimmed(text.substr(has_mode ? 2 : 1));
-  if (file.empty()) return complain("@: expected the name of a script after it");
+  if (file.empty()) return complain("@: expected the name of a script after it", command.start);
   const bool skips = mode == '%' || mode == '&';
   const bool stopped_before = stops_on_error_;
   stops_on_error_ = stopped_before || mode == '@' || mode == '&';
   const RunResult result =
-      run_file(file, skips ? CommandReader::Skipping::marked_blocks : CommandReader::Skipping::comments);
+      run_file(file, skips ? CommandReader::Skipping::marked_blocks : CommandReader::Skipping::comments, command.start);
   stops_on_error_ = stopped_before;
   return result;
 }
 
-RunResult StatementRunner::run_file(const std::string& file, CommandReader::Skipping skipping) {
+RunResult StatementRunner::run_file(const std::string& file, CommandReader::Skipping skipping,
+                                    const SourcePlace& place) {
+  const auto refuse = [&](const std::string& why) { return complain(why, place); };
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error))
+    return refuse("cannot read the script '" + file + "': it is a folder");
+  errno = 0;
   std::ifstream script(file);
-  if (!script || std::filesystem::is_directory(file)) return complain("cannot read the script '" + file + "'");
-  std::error_code ignored;
-  const auto path = std::filesystem::weakly_canonical(file, ignored);
-  if (std::ranges::find(scripts_, path) != scripts_.end()) return complain("the script '" + file + "' includes itself");
+  if (!script) return refuse("cannot read the script '" + file + "': " + std::generic_category().message(errno));
+  const auto path = std::filesystem::weakly_canonical(file, error);
+  if (std::ranges::find(scripts_, path) != scripts_.end()) return refuse("the script '" + file + "' includes itself");
   if (scripts_.size() == kMaxScriptDepth)
-    return complain("scripts include each other more than " + std::to_string(kMaxScriptDepth) + " levels deep");
+    return refuse("scripts include each other more than " + std::to_string(kMaxScriptDepth) + " levels deep");
   scripts_.push_back(path);
   const RunResult result = run_script(script, file, skipping);
   scripts_.pop_back();
@@ -99,15 +114,15 @@ RunResult StatementRunner::run_file(const std::string& file, CommandReader::Skip
 }
 
 // `REPEAT n command`
-RunResult StatementRunner::repeat(const std::string& text) {
+RunResult StatementRunner::repeat(const CommandText& command, const std::string& text) {
   int count = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
   if (error != std::errc() || count < 0)
-    return complain("repeat: expected a number of times and a command, found '" + text + "'");
-  const std::string command = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
-  if (command.empty()) return complain("repeat: expected a command after the number");
+    return complain("repeat: expected a number of times and a command, found '" + text + "'", command.start);
+  const std::string repeated = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
+  if (repeated.empty()) return complain("repeat: expected a command after the number", command.start);
   for (int turn = 0; turn < count; ++turn)
-    if (const RunResult result = run({command, {"", 1, 1}}); result != RunResult::ok) return result;
+    if (const RunResult result = run({repeated, start_of(repeated, command)}); result != RunResult::ok) return result;
   return RunResult::ok;
 }
 

@@ -78,6 +78,24 @@ int run_scripts(const Options& options, StatementRunner& runner) {
   return worst;
 }
 
+int run_statements(const Options& options, Session& session, StatementRunner& runner, std::ostream& out) {
+  if (!options.commands.empty()) {
+    std::istringstream commands(options.commands);
+    const int status = exit_status(runner.run_script(commands, "-c"));
+    if (status != kOk || options.scripts.empty()) return status;
+  }
+  if (!options.scripts.empty()) return run_scripts(options, runner);
+  if (isatty(STDIN_FILENO) == 0) return exit_status(runner.run_script(std::cin, "stdin"));
+  return run_interactive(session, runner, out) ? kOk : kInterrupted;
+}
+
+/// True, and told, if the session ends in the middle of a transaction.
+bool is_transaction_lost(Session& session) {
+  if (session.store() == nullptr || !session.store()->is_in_explicit_transaction()) return false;
+  std::cerr << "error: the transaction was not committed; what it changed is undone\n";
+  return true;
+}
+
 int run_session(const Options& options, const algebra3d::Registry& registry) {
   Session session(registry, {.folder = database_folder(options), .read_only = options.is_read_only});
   if (!options.database.empty()) {
@@ -96,14 +114,8 @@ int run_session(const Options& options, const algebra3d::Registry& registry) {
   const auto presenter = make_presenter(options, out);
   StatementRunner runner(session, *presenter, {out, std::cerr, is_terminal ? &terminal : nullptr},
                          options.stops_on_error);
-  if (!options.commands.empty()) {
-    std::istringstream commands(options.commands);
-    const int status = exit_status(runner.run_script(commands, "-c"));
-    if (status != kOk || options.scripts.empty()) return status;
-  }
-  if (!options.scripts.empty()) return run_scripts(options, runner);
-  if (isatty(STDIN_FILENO) == 0) return exit_status(runner.run_script(std::cin, "stdin"));
-  return run_interactive(session, runner, out) ? kOk : kInterrupted;
+  const int status = run_statements(options, session, runner, out);
+  return is_transaction_lost(session) && status == kOk ? kFailed : status;
 }
 
 int run_tests(const Options& options, const algebra3d::Registry& registry) {

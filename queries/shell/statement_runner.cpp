@@ -70,18 +70,28 @@ Status StatementRunner::execute(const CommandText& command, Context& context) {
 }
 
 RunResult StatementRunner::run(const CommandText& command) {
-  if (is_shell_command(command.text)) return run_shell_command(command.text);
+  if (is_shell_command(command.text)) return run_shell_command(command);
   Diagnostics diagnostics;
   Context context{diagnostics, &Interruption::flag(), {}};
   const Status status = execute(command, context);
   for (const std::string& line : diagnostics.summary()) console_.errors << "note: " << shown(line) << "\n";
-  if (status) return RunResult::ok;
-  console_.errors << place_text(status.error().place) << "error: " << shown(status.error().message) << "\n";
-  console_.errors.flush();
-  if (status.error().code == ErrorCode::interrupted) {
-    Interruption::reset();
-    return RunResult::interrupted;
+  if (!status) {
+    const bool is_interrupted = status.error().code == ErrorCode::interrupted;
+    complain(status.error().message, status.error().place);
+    if (!is_interrupted) return RunResult::failed;
+  } else if (Interruption::flag()) {
+    // The signal came when the statement was as good as done; those that follow are not to run.
+    complain("interrupted after this statement", command.start);
+  } else {
+    return RunResult::ok;
   }
+  Interruption::reset();
+  return RunResult::interrupted;
+}
+
+RunResult StatementRunner::complain(const std::string& message, const SourcePlace& place) {
+  console_.errors << place_text(place) << "error: " << shown(message) << "\n";
+  console_.errors.flush();
   return RunResult::failed;
 }
 

@@ -34,17 +34,18 @@ class StatementRunner {
   RunResult run_script(std::istream& script, const std::string& name,
                        CommandReader::Skipping skipping = CommandReader::Skipping::comments);
   /// The same for a file. Errors: one that cannot be read, one that runs already, one that lies too deep.
-  RunResult run_file(const std::string& file, CommandReader::Skipping skipping = CommandReader::Skipping::comments);
+  RunResult run_file(const std::string& file, CommandReader::Skipping skipping = CommandReader::Skipping::comments,
+                     const SourcePlace& place = {});
 
  private:
   Status execute(const CommandText& command, Context& context);
   // internal_commands.cpp
-  RunResult run_shell_command(const std::string& text);
+  RunResult run_shell_command(const CommandText& command);
   RunResult help(const std::string& name);
   void show_help(const std::string& text);
-  RunResult include(const std::string& text);
-  RunResult repeat(const std::string& text);
-  RunResult complain(const std::string& message);
+  RunResult include(const CommandText& command);
+  RunResult repeat(const CommandText& command, const std::string& text);
+  RunResult complain(const std::string& message, const SourcePlace& place = {});
 
   Session& session_;
   Presenter& presenter_;

@@ -181,11 +181,15 @@ inline void transaction(RandomDriver& driver) {
   driver.end(keeps);
 }
 
-// What is not committed is lost.
+// Not in the middle of a transaction.
 inline void reopen(RandomDriver& driver) {
   if (driver.below(4) != 0) return;
+  if (driver.is_in_transaction()) {
+    driver.expect("close database", "error");
+    driver.expect("abort transaction", "");
+    driver.end(false);
+  }
   driver.expect("close database", "");
-  if (driver.is_in_transaction()) driver.end(false);
   driver.expect("open database d", "");
   driver.expect("check database", "(inquiry (findings ()))");
 }

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "algebra3d/operators/all.h"
+#include "queries/shell/interruption.h"
 #include "queries/shell/presenters.h"
 #include "queries/shell/statement_runner.h"
 #include "queries/streams/all.h"
@@ -72,21 +73,46 @@ TEST_F(ScriptCommands, a_script_that_includes_itself_is_an_error) {
   write("a.q", "@" + path("b.q") + "\nquery 1;\n");
   write("b.q", "@" + path("a.q") + "\nquery 2;\n");
   EXPECT_EQ(run("@" + path("a.q")), RunResult::failed);
-  EXPECT_EQ(errors_.str(), "error: the script '" + path("a.q") + "' includes itself\n");
+  EXPECT_EQ(errors_.str(), path("b.q") + ":1:1: error: the script '" + path("a.q") + "' includes itself\n");
   EXPECT_EQ(out_.str(), "(int 2)\n(int 1)\n");
 }
 
 TEST_F(ScriptCommands, a_script_that_is_not_there) {
   EXPECT_EQ(run("@" + path("none.q")), RunResult::failed);
-  EXPECT_EQ(errors_.str(), "error: cannot read the script '" + path("none.q") + "'\n");
+  EXPECT_EQ(errors_.str(),
+            "script:1:1: error: cannot read the script '" + path("none.q") + "': No such file or directory\n");
   EXPECT_EQ(run("@"), RunResult::failed);
+}
+
+TEST_F(ScriptCommands, an_interruption_between_statements_ends_the_script) {
+  write("a.q", "query 1;\nquery 2;\n");
+  Interruption::flag() = true;
+  EXPECT_EQ(run("@" + path("a.q")), RunResult::interrupted);
+  EXPECT_EQ(out_.str(), "(int 1)\n");
+  EXPECT_EQ(errors_.str(), path("a.q") + ":1:1: error: interrupted after this statement\n");
+  EXPECT_FALSE(Interruption::flag());
+  Interruption::flag() = true;
+  EXPECT_EQ(run("REPEAT 1000000 query 3"), RunResult::interrupted);
+  EXPECT_EQ(out_.str(), "(int 1)\n(int 3)\n");
+}
+
+TEST_F(ScriptCommands, functions_that_call_each_other_can_be_interrupted) {
+  const std::string open = "create database d; open database d; let f = fun(x: int) x + 1; query f(1); ";
+  Interruption::flag() = false;
+  run(open);
+  EXPECT_EQ(out_.str(), "(int 2)\n");
+  out_.str("");
+  Interruption::flag() = true;
+  EXPECT_EQ(run("open database d; query f(1)"), RunResult::interrupted);
+  EXPECT_EQ(out_.str(), "");
 }
 
 TEST_F(ScriptCommands, repeat_runs_a_command_several_times) {
   EXPECT_EQ(run("REPEAT 3 query 7"), RunResult::ok);
   EXPECT_EQ(out_.str(), "(int 7)\n(int 7)\n(int 7)\n");
   EXPECT_EQ(run("repeat many query 7"), RunResult::failed);
-  EXPECT_EQ(errors_.str(), "error: repeat: expected a number of times and a command, found 'many query 7'\n");
+  EXPECT_EQ(errors_.str(),
+            "script:1:1: error: repeat: expected a number of times and a command, found 'many query 7'\n");
 }
 
 TEST_F(ScriptCommands, words_of_the_shell_need_no_semicolon) {
