@@ -57,6 +57,7 @@ class Database : public std::enable_shared_from_this<Database> {
   Status commit();
   void rollback();
   bool is_in_statement() const { return is_in_statement_ && connection_ != nullptr && connection_->in_transaction(); }
+  bool has_written() const { return has_written_; }
   /// Its number; another one before and after.
   std::uint64_t statement() const { return statement_; }
   /// Error if it is not the running one.

@@ -25,6 +25,7 @@ class SqliteStore final : public Store {
   Status begin(bool writes) override { return database_->begin(writes); }
   Status commit() override { return database_->commit(); }
   void rollback() override { database_->rollback(); }
+  bool has_written() const override { return database_->has_written(); }
 
   Result<std::vector<ObjectInfo>> objects() override;
   Result<std::optional<ObjectInfo>> find(const std::string& name) override;

@@ -99,6 +99,8 @@ class Store {
   virtual Status begin(bool writes) = 0;
   virtual Status commit() = 0;
   virtual void rollback() = 0;
+  /// True if the running statement has changed something.
+  virtual bool has_written() const = 0;
 
   // The catalogue. Names are case-sensitive. `objects`, `find` and `is_imported` may stand outside a transaction.
   virtual Result<std::vector<ObjectInfo>> objects() = 0;
