@@ -34,7 +34,7 @@ class StoredValues final : public algebra3d::DeferredSource {
     std::memcpy(&own, reference.data(), sizeof own);
     const algebra3d::Type& type = *layout_->attributes()[own.attribute].type;
     const LargeValue large{layout_, own.tuple, own.attribute, own.header, own.checksum, statement_, own.time};
-    return Value(type, std::make_shared<StoredValue>(database_, large));
+    return {type, std::make_shared<StoredValue>(database_, large)};
   }
 
  private:
