@@ -6,18 +6,17 @@
 #include <vector>
 
 #include "algebra3d/types/binary_io.h"
-#include "queries/store/cell.h"
+#include "queries/store/index_frame.h"
 
 namespace queries {
 namespace {
 
 using Entry = rtree::Entry<std::uint64_t>;
 
-constexpr std::string_view kMagic =
+constexpr IndexFrame kFrame = {
     "\x89"
-    "A3I";
-constexpr std::uint32_t kVersion = 1;
-constexpr std::size_t kHeaderBytes = 24;
+    "A3I",
+    1};
 constexpr std::size_t kEntryBytes = 56;
 
 std::vector<Entry> entries_of(const SpatialIndex::Tree& tree) {
@@ -43,10 +42,6 @@ std::vector<Entry> entries_of(const SpatialIndex::Tree& tree) {
   return entries;
 }
 
-Error corrupt(std::string_view expectation) {
-  return {ErrorCode::database_corrupt, "stored index: expected {}", expectation};
-}
-
 }  // namespace
 
 std::string encode_tree(const SpatialIndex::Tree& tree) {
@@ -59,34 +54,19 @@ std::string encode_tree(const SpatialIndex::Tree& tree) {
     for (std::size_t axis = 0; axis < 3; ++axis) writer.f64(entry.box.max[axis]);
     writer.u64(entry.payload);
   }
-  std::string bytes;
-  bytes.reserve(kHeaderBytes + body.size());
-  algebra3d::ByteWriter header(bytes);
-  header.raw(kMagic);
-  header.u32(kVersion);
-  header.u64(entries.size());
-  header.u64(checksum_of(body));
-  header.raw(body);
-  return bytes;
+  return framed(kFrame, entries.size(), body);
 }
 
 Result<std::shared_ptr<SpatialIndex::Tree>> decode_tree(std::string_view bytes) {
-  algebra3d::ByteReader reader(bytes, "stored index");
-  if (bytes.size() < kHeaderBytes || reader.raw(kMagic.size()) != kMagic) return corrupt("the bytes 89 41 33 49");
-  if (const std::uint32_t version = reader.u32(); version != kVersion)
-    return Error{version > kVersion ? ErrorCode::database_version : ErrorCode::database_corrupt,
-                 "stored index: format version {}, this program reads version {}", version, kVersion};
-  const std::uint64_t count = reader.u64();
-  const std::uint64_t checksum = reader.u64();
-  const std::string_view body = bytes.substr(kHeaderBytes);
-  if (body.size() % kEntryBytes != 0 || body.size() / kEntryBytes != count || checksum_of(body) != checksum)
-    return corrupt("the checksum of these bytes; they were changed");
-  std::vector<Entry> entries(static_cast<std::size_t>(count));
+  ASSIGN_OR_RETURN(const FramedEntries framed, unframed(kFrame, bytes));
+  if (framed.body.size() % kEntryBytes != 0 || framed.body.size() / kEntryBytes != framed.count) return changed_index();
+  algebra3d::ByteReader reader(framed.body, "stored index");
+  std::vector<Entry> entries(static_cast<std::size_t>(framed.count));
   for (Entry& entry : entries) {
     for (std::size_t axis = 0; axis < 3; ++axis) entry.box.min[axis] = reader.f64();
     for (std::size_t axis = 0; axis < 3; ++axis) entry.box.max[axis] = reader.f64();
     entry.payload = reader.u64();
-    if (entry.box.is_empty()) return corrupt("boxes that are not empty");
+    if (entry.box.is_empty()) return corrupt_index("boxes that are not empty");
   }
   return std::make_shared<SpatialIndex::Tree>(SpatialIndex::Tree::bulk_load(entries));
 }

@@ -30,6 +30,20 @@ auto visit_stream(const Datum& operand, Visit visit) {
   return visit(operand.tuples());
 }
 
+/// The elements of the first stream, then those of the second.
+template <typename Stream>
+std::shared_ptr<Stream> one_after_the_other(std::shared_ptr<Stream> first, std::shared_ptr<Stream> second) {
+  return make_stream_of<Stream>(
+      [first = std::move(first), second = std::move(second), is_first = true]() mutable -> Result<ElementOf<Stream>> {
+        if (is_first) {
+          ASSIGN_OR_RETURN(ElementOf<Stream> next, first->next());
+          if (next) return next;
+          is_first = false;
+        }
+        return second->next();
+      });
+}
+
 /// An element as the argument of a function.
 inline Datum element_datum(const TuplePtr& tuple) {
   return Datum{tuple};

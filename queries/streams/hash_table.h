@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "algebra3d/base/work_memory.h"
+#include "queries/streams/hash_chains.h"
 #include "queries/streams/keyed_tuple.h"
 #include "queries/streams/mapping.h"
 
@@ -18,8 +19,8 @@ class HashTable {
 
   /// Keeps the tuple; false if there is no room for it. An empty table takes any tuple. Errors: those of loading.
   Result<bool> add(const TuplePtr& tuple);
-  /// Makes it ready to be asked.
-  void finish();
+  /// Nothing is left to be done once it is filled.
+  void finish() {}
   /// Appends the tuples whose key equals the one of `probe`.
   Status find(const Tuple& probe, std::vector<TuplePtr>& found) const;
   /// All that it holds, in the order in which they came.
@@ -27,18 +28,11 @@ class HashTable {
   void clear();
 
  private:
-  struct Entry {
-    std::size_t hash = 0;
-    std::uint32_t next = 0;  // of the same bucket; kNone: the last one
-    KeyedTuple tuple;
-  };
-  static constexpr std::uint32_t kNone = 0xFFFFFFFF;
-
   std::vector<std::size_t> key_;
   std::vector<std::size_t> probe_;
   algebra3d::MemoryAccount account_;
-  std::vector<Entry> entries_;
-  std::vector<std::uint32_t> buckets_;  // the first entry of each; their number is a power of two
+  std::vector<KeyedTuple> held_;
+  HashChains chains_;  // by the key
 };
 
 /// Lists of values that were seen before, as many as the work memory takes. Undefined equals undefined.
@@ -53,19 +47,11 @@ class SeenKeys {
   void clear();
 
  private:
-  struct Entry {
-    std::size_t hash = 0;
-    std::uint32_t next = 0;  // of the same bucket; kNone: the last one
-  };
-  static constexpr std::uint32_t kNone = 0xFFFFFFFF;
-
   bool is_seen(std::size_t hash, const std::vector<Value>& keys) const;
-  void link(std::size_t entry);
 
   algebra3d::MemoryAccount account_;
-  std::vector<Entry> entries_;
-  std::vector<Value> values_;           // of all entries, one list after the other
-  std::vector<std::uint32_t> buckets_;  // the first entry of each; their number is a power of two
+  std::vector<Value> values_;  // of all lists, one after the other
+  HashChains chains_;
   bool is_full_ = false;
 };
 

@@ -40,14 +40,7 @@ struct Concatenation {
   template <typename Stream>
   std::shared_ptr<Stream> operator()(const std::shared_ptr<Stream>& first, const std::shared_ptr<Stream>& second,
                                      const Context&) const {
-    return make_stream_of<Stream>([first, second, is_first = true]() mutable -> Result<ElementOf<Stream>> {
-      if (is_first) {
-        ASSIGN_OR_RETURN(ElementOf<Stream> next, first->next());
-        if (next) return next;
-        is_first = false;
-      }
-      return second->next();
-    });
+    return one_after_the_other(first, second);
   }
 };
 

@@ -67,15 +67,7 @@ Result<std::shared_ptr<Stream>> last_elements(Stream& stream, std::size_t count,
     return newer.add(element);
   }));
   const std::size_t wanted_of_older = std::min(count - newer.size(), older.size());
-  return make_stream_of<Stream>([first = older.scan(older.size() - wanted_of_older), second = newer.scan(),
-                                 is_first = true]() mutable -> Result<ElementOf<Stream>> {
-    if (is_first) {
-      ASSIGN_OR_RETURN(ElementOf<Stream> next, first->next());
-      if (next) return next;
-      is_first = false;
-    }
-    return second->next();
-  });
+  return one_after_the_other(older.scan(older.size() - wanted_of_older), newer.scan());
 }
 
 /// The elements of a stream, the last one first. They stand in memory; error if they are too many for it.
