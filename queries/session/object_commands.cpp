@@ -92,8 +92,9 @@ Status Session::define(const std::string& name, const Expression& value, bool is
   }
   ASSIGN_OR_RETURN(const Datum datum, node->evaluate(nullptr, context));
   if (is_derived && store_->has_written())
-    return Error{ErrorCode::wrong_usage,
-                 "derive: the expression changes a relation, which it would do again whenever it is evaluated; use let"};
+    return Error{
+        ErrorCode::wrong_usage,
+        "derive: the expression changes a relation, which it would do again whenever it is evaluated; use let"};
   RETURN_IF_ERROR(is_derived ? store_->create_derived(name, type, to_nested(value).print())
                              : store_->create(name, type));
   return store_->assign(name, datum, context);
