@@ -6,6 +6,7 @@
 
 #include "algebra3d/base/number_text.h"
 #include "algebra3d/exact/rational.h"
+#include "algebra3d/types/expression_list.h"
 #include "algebra3d/types/file_atom.h"
 #include "algebra3d/types/nested_list.h"
 #include "algebra3d/types/utf8.h"
@@ -41,12 +42,15 @@ bool is_digit(char character) {
   return class_of(character) == CharClass::digit;
 }
 
-// Fifteen digits always fit a double.
+bool is_integer(std::string_view token) {
+  if (token.starts_with('-')) token.remove_prefix(1);
+  return !token.empty() && std::all_of(token.begin(), token.end(), is_digit);
+}
+
+// Fifteen digits, and a sign, always fit a double.
 bool is_inexact_integer(std::string_view token) {
   constexpr std::size_t kDigitsOfEveryDouble = 15;
-  const std::string_view digits = token.substr(token.starts_with('-') ? 1 : 0);
-  if (digits.size() <= kDigitsOfEveryDouble || digits.find_first_not_of("0123456789") != std::string_view::npos)
-    return false;
+  if (token.size() <= kDigitsOfEveryDouble || !is_integer(token)) return false;
   const auto exact = Rational::parse(token);
   return exact && std::isfinite(exact->nearest_double()) && !exact->is_double();
 }
@@ -79,6 +83,7 @@ bool is_special_run(std::string_view token) {
                      [](char character) { return class_of(character) == CharClass::special; });
 }
 
+constexpr std::string_view kOverOne = "/1";
 constexpr std::string_view kCommentBegin = "_!";
 constexpr std::string_view kCommentEnd = "!_";
 constexpr std::string_view kTextBegin = "<text>";
@@ -89,7 +94,10 @@ constexpr auto kNone = std::string_view::npos;
 // lowest; a closing parenthesis moves the elements above its opening one into a list of exactly the right size.
 class Parser {
  public:
-  Parser(std::string_view source, const SourcePlace& start) : source_(source), start_(start) {}
+  enum class LargeIntegers : std::uint8_t { become_reals, are_kept };
+
+  Parser(std::string_view source, const SourcePlace& start, LargeIntegers large_integers)
+      : source_(source), start_(start), large_integers_(large_integers) {}
 
   Result<NestedList> run() {
     do {
@@ -289,13 +297,15 @@ class Parser {
     const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), integer);
     if (error == std::errc{} && end == token.data() + token.size()) {
       complete_.emplace_back(integer);
-    } else if (is_inexact_integer(token)) {
+    } else if (large_integers_ == LargeIntegers::are_kept ? is_integer(token) : is_inexact_integer(token)) {
       // Literals are exact: what no double holds becomes the fraction that coordinates may be.
-      complete_.push_back(NestedList::symbol(std::string(token) + "/1"));
+      complete_.push_back(NestedList::symbol(std::string(token).append(kOverOne)));
     } else if (const auto real = parse_real(token)) {
       complete_.emplace_back(*real);
     } else if (is_fraction(token)) {
       complete_.push_back(NestedList::symbol(std::string(token)));
+    } else if (token.find('/') != kNone) {
+      return expected("a fraction p/q of two integers, with a sign in front only", position_ - token.size());
     } else {
       return expected("a number within the range of real", position_ - token.size());
     }
@@ -306,6 +316,7 @@ class Parser {
 
   std::string_view source_;
   const SourcePlace& start_;
+  const LargeIntegers large_integers_;
   std::size_t position_ = 0;
   std::vector<NestedList> complete_;
   std::vector<OpenList> open_;
@@ -314,7 +325,28 @@ class Parser {
 }  // namespace
 
 Result<NestedList> NestedList::parse(std::string_view source, const SourcePlace& start) {
-  return Parser(source, start).run();
+  return Parser(source, start, Parser::LargeIntegers::become_reals).run();
+}
+
+Result<NestedList> parse_expression_list(std::string_view source, const SourcePlace& start) {
+  return Parser(source, start, Parser::LargeIntegers::are_kept).run();
+}
+
+void read_large_integers_as_reals(NestedList& list) {
+  std::vector<NestedList*> open = {&list};
+  while (!open.empty()) {
+    NestedList& each = *open.back();
+    open.pop_back();
+    if (each.is_list()) {
+      for (NestedList& element : each.elements()) open.push_back(&element);
+    } else if (each.is_symbol() && each.as_symbol().ends_with(kOverOne)) {
+      std::string_view integer = each.as_symbol();
+      integer.remove_suffix(kOverOne.size());
+      if (!is_integer(integer) || is_inexact_integer(integer)) continue;
+      // One that is beyond the doubles, too, is for its type to refuse.
+      if (const auto real = parse_real(integer)) each = NestedList(*real);
+    }
+  }
 }
 
 }  // namespace algebra3d

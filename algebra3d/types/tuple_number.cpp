@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 
+#include "algebra3d/base/number_text.h"
 #include "algebra3d/types/binary_io.h"
 #include "algebra3d/types/described_type.h"
 
@@ -22,16 +24,19 @@ class TupleNumberType final : public DescribedType {
                        .kinds = {Kind::data}}) {}
 
   Result<Value> from_nested(const NestedList& list, Context& /*context*/) const override {
-    const double number = list.is_int() ? list.as_int() : list.is_real() ? list.as_real() : 0.0;
+    const double number = list.is_int()      ? list.as_int()
+                          : list.is_real()   ? list.as_real()
+                          : list.is_symbol() ? parse_real(list.as_symbol()).value_or(0)
+                                             : 0.0;
     if (number < 1 || number > kLargestNumber || number != std::floor(number))
       return expected("a positive integer", list);
     return Value::of(TupleNumber{static_cast<std::int64_t>(number)});
   }
-  // Numbers beyond the range of ints are read as reals, and so are printed as such.
+  // Beyond the range of ints the list has no atom that prints as digits alone but a symbol.
   NestedList to_nested(const Value& value) const override {
     const std::int64_t number = value.get<TupleNumber>().number;
     if (number <= std::numeric_limits<std::int32_t>::max()) return NestedList(static_cast<std::int32_t>(number));
-    return NestedList(static_cast<double>(number));
+    return NestedList::symbol(std::to_string(number));
   }
 
   std::strong_ordering compare(const Value& a, const Value& b) const override {

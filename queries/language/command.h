@@ -97,6 +97,7 @@ struct Explain {
 struct Inquiry {
   enum class Subject : std::uint8_t { databases, objects, types, operators, type_constructors, algebras, counters };
   Subject subject = Subject::objects;
+  std::string algebra = {};  ///< of `list algebra N`
 };
 
 /// `begin transaction`, `commit transaction`, `abort transaction`

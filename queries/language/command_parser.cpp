@@ -215,15 +215,14 @@ CommandParser::Content CommandParser::list() {
       {"counters", Subject::counters},
   }};
   for (const auto& [word, subject] : kSubjects)
-    if (input_.accept(word)) return CommandContent(Inquiry{subject});
+    if (input_.accept(word)) return CommandContent(Inquiry{.subject = subject});
   if (input_.accept("type")) {
     RETURN_IF_ERROR(input_.expect("constructors", "after 'list type'"));
-    return CommandContent(Inquiry{Subject::type_constructors});
+    return CommandContent(Inquiry{.subject = Subject::type_constructors});
   }
-  // There is one algebra, whatever its name.
   if (input_.accept("algebra")) {
-    RETURN_IF_ERROR(input_.name("the name of an algebra"));
-    return CommandContent(Inquiry{Subject::operators});
+    ASSIGN_OR_RETURN(std::string name, input_.name("the name of an algebra"));
+    return CommandContent(Inquiry{.subject = Subject::operators, .algebra = std::move(name)});
   }
   return input_.unexpected(
       "databases, objects, types, type constructors, operators, algebras, algebra NAME or counters after 'list'");

@@ -47,9 +47,15 @@ bool CommandReader::is_skipped(std::string_view line) {
       return true;
     }
     is_in_block_ = line.starts_with("/*");
+    if (is_in_block_) block_line_ = line_;
     if (is_in_block_ || line.starts_with("//")) return true;
   }
   return line.starts_with('#');
+}
+
+std::optional<algebra3d::SourcePlace> CommandReader::open_block() const {
+  if (!is_in_block_) return std::nullopt;
+  return algebra3d::SourcePlace{file_, block_line_, 1};
 }
 
 std::optional<CommandText> CommandReader::finish() {

@@ -34,7 +34,12 @@ class CommandReader {
   std::optional<CommandText> finish();
   /// True while a command is begun: a terminal then shows that more is expected.
   bool is_pending() const { return !text_.empty(); }
+  /// Bytes of that command so far.
+  std::size_t pending_size() const { return text_.size(); }
+  /// Where the marked block began that is not closed yet, and in which everything is skipped.
+  std::optional<algebra3d::SourcePlace> open_block() const;
   int line() const { return line_; }
+  const std::string& file() const { return file_; }
 
  private:
   enum class Literal : std::uint8_t { none, string, text, tagged_text, file, comment };
@@ -48,6 +53,7 @@ class CommandReader {
   std::string file_;
   Skipping skipping_;
   bool is_in_block_ = false;
+  int block_line_ = 0;
   int line_ = 0;
   std::string text_;
   algebra3d::SourcePlace start_;

@@ -164,6 +164,8 @@ Error ExpressionParser::not_an_operator(const ExpressionPtr& second) {
   std::string word;
   if (const auto* use = std::get_if<NameUse>(&second->node)) word = use->name;
   if (const auto* call = std::get_if<FunctionCall>(&second->node)) word = call->name;
+  if (std::holds_alternative<ListExpression>(second->node))
+    message = "expected an operator before '[': brackets hold the arguments of an operator that takes some";
   if (word.empty()) return Error(ErrorCode::syntax_error, message).at(second->place);
   message = "unknown operator '" + word + "'";
   const std::string suggestion = registry_.suggestion(word);
@@ -215,13 +217,12 @@ Result<ExpressionPtr> ExpressionParser::signed_number() {
   if (scanner_.peek().kind != Kind::integer && scanner_.peek().kind != Kind::real)
     return unexpected("a number after the sign");
   const Token number = scanner_.take();
+  if (scanner_.error()) return *scanner_.error();
   const double value = is_negative ? -number.real : number.real;
   // `+5` is a real by the rules of the language.
   if (number.kind == Kind::real || (is_signed && !is_negative)) return make(place, Literal{NestedList(value)});
   if (value > std::numeric_limits<std::int32_t>::max())
-    return Error(ErrorCode::syntax_error, "the integer {:.0f} is beyond the range of ints (-2147483648 to 2147483647)",
-                 value)
-        .at(place);
+    return Error(ErrorCode::syntax_error, "{}", int_range_text(fmt::format("{:.0f}", value))).at(place);
   return make(place, Literal{NestedList(static_cast<std::int32_t>(value))});
 }
 
@@ -233,7 +234,8 @@ Result<ExpressionPtr> ExpressionParser::word_primary() {
     return make(token.place, ParameterUse{1});
   }
   if (const Operator* op = operator_at(Shape::prefix); op != nullptr) return prefix_application(*op);
-  if (is_reserved(token.text, registry_)) return unexpected("an operand");
+  if (is_reserved(token.text, registry_))
+    return Error(ErrorCode::syntax_error, "{}", no_operand_text(token.text, registry_)).at(token.place);
   scanner_.take();
   if (at("(")) return function_call(token.text, token.place);
   const bool is_operand = !at("[") || scanner_.peek(1).is("const");
@@ -454,6 +456,10 @@ Result<ExpressionPtr> ExpressionParser::function_literal() {
     if (means_implicit_parameter(parameter))
       return Error(ErrorCode::reserved_name, "'{}' stands for an implicit parameter and cannot name another one",
                    parameter)
+          .at(parameter_place);
+    if (is_reserved(parameter, registry_))
+      return Error(ErrorCode::reserved_name, "'{}' is {} and cannot name a parameter", parameter,
+                   why_reserved(parameter, registry_))
           .at(parameter_place);
     RETURN_IF_ERROR(expect(":", "after the parameter '" + parameter + "'"));
     ASSIGN_OR_RETURN(TypeSyntax parameter_type, type());

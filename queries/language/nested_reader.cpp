@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "algebra3d/base/number_text.h"
+#include "algebra3d/types/expression_list.h"
 #include "algebra3d/types/file_atom.h"
 #include "queries/language/parser.h"
 #include "queries/language/scanner.h"
@@ -34,6 +36,10 @@ std::string_view symbol_in(const NestedList& list) {
 std::string name_in(const NestedList& list) {
   const std::string name = list.is_symbol() ? list.as_symbol() : list.is_string() ? list.as_string() : "";
   return is_identifier(name) ? name : "";
+}
+
+bool is_fraction(std::string_view symbol) {
+  return symbol.find('/') != std::string_view::npos && symbol.find_first_of("0123456789") <= 1;
 }
 
 }  // namespace
@@ -97,10 +103,21 @@ Result<ExpressionPtr> NestedReader::list_expression(const NestedList& list) {
 Result<ExpressionPtr> NestedReader::symbol(const std::string& name) {
   if (const int parameter = implicit_parameter(name); parameter > 0) return make(ParameterUse{parameter});
   if (algebra3d::is_file_atom(name)) return make(file_literal(NestedList::symbol(name), place_));
+  if (is_fraction(name)) return no_operand(name);
   const bool is_bound = std::ranges::find(bound_, name) != bound_.end();
   if (!is_bound && is_reserved(name, registry_))
-    return Error(ErrorCode::syntax_error, "expected an operand, found '{}'", name).at(place_);
+    return Error(ErrorCode::syntax_error, "{}", no_operand_text(name, registry_)).at(place_);
   return make(NameUse{name});
+}
+
+// `N/1` may be how an integer beyond 32 bits is read (expression_list.h).
+Error NestedReader::no_operand(const std::string& fraction) const {
+  const std::string integer = fraction.substr(0, fraction.find('/'));
+  const bool is_integer = fraction.ends_with("/1") && !algebra3d::parse_int(integer);
+  return Error(ErrorCode::syntax_error, "{}",
+               is_integer ? int_range_text(integer)
+                          : "the fraction " + fraction + " may only stand for a coordinate of a constant")
+      .at(place_);
 }
 
 int NestedReader::implicit_parameter(std::string_view name) const {
@@ -120,6 +137,7 @@ Result<ExpressionPtr> NestedReader::constant(const NestedList& type_list, const 
   TypedLiteral literal;
   ASSIGN_OR_RETURN(literal.type, type(type_list));
   literal.list = value;
+  algebra3d::read_large_integers_as_reals(literal.list);
   return make(std::move(literal));
 }
 

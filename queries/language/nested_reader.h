@@ -42,6 +42,7 @@ class NestedReader {
   bool is_type_head(const NestedList& head) const;
   algebra3d::Result<ExpressionPtr> make(ExpressionNode node) const;
   algebra3d::Error error(std::string_view expected, const NestedList& found) const;
+  algebra3d::Error no_operand(const std::string& fraction) const;
 
   const algebra3d::Registry& registry_;
   const SourcePlace place_;

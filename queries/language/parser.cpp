@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "algebra3d/types/expression_list.h"
 #include "algebra3d/types/utf8.h"
 #include "queries/language/command_parser.h"
 #include "queries/language/expression_parser.h"
@@ -69,7 +70,7 @@ algebra3d::Status check_text(std::string_view text, const SourcePlace& start) {
 Result<Command> parse_command(std::string_view text, const Registry& registry, const SourcePlace& start) {
   RETURN_IF_ERROR(check_text(text, start));
   if (is_nested_list(text)) {
-    ASSIGN_OR_RETURN(const NestedList list, NestedList::parse(text, start));
+    ASSIGN_OR_RETURN(const NestedList list, algebra3d::parse_expression_list(text, start));
     return command_of(list, registry, start);
   }
   Scanner scanner(text, start);
@@ -92,8 +93,19 @@ bool means_implicit_parameter(std::string_view word) {
 }
 
 bool is_reserved(std::string_view word, const Registry& registry) {
-  return std::ranges::find(kReservedWords, word) != kReservedWords.end() || means_implicit_parameter(word) ||
-         registry.find_operator(word) != nullptr;
+  return !why_reserved(word, registry).empty();
+}
+
+std::string_view why_reserved(std::string_view word, const Registry& registry) {
+  if (registry.find_operator(word) != nullptr) return "an operator";
+  const bool is_of_language = std::ranges::find(kReservedWords, word) != kReservedWords.end();
+  return is_of_language || means_implicit_parameter(word) ? "a word of the language" : "";
+}
+
+std::string no_operand_text(std::string_view word, const Registry& registry) {
+  const std::string_view what =
+      word == "typeOf" ? "which stands for a type, as in [const typeOf(E) value L]" : why_reserved(word, registry);
+  return fmt::format("expected an operand, found '{}', {}", word, what);
 }
 
 }  // namespace queries

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "algebra3d/registry/registry.h"
@@ -9,7 +10,7 @@
 namespace queries {
 
 /// Deepest nesting of brackets in an expression or type; beyond it: error limit_exceeded. With it the parser needs some
-/// 3 MB of stack in the sanitizer build, and a tenth of that otherwise.
+/// 3 MB of stack in the sanitizer build, and a tenth of that otherwise. The program has a stack of its own for this.
 inline constexpr int kMaxExpressionDepth = 200;
 /// Highest expression tree, to which operators in a row contribute; beyond it: error limit_exceeded.
 inline constexpr int kMaxExpressionHeight = 400;
@@ -30,5 +31,9 @@ bool means_implicit_parameter(std::string_view word);
 
 /// True for words that cannot name an object: those of the language and every operator with a pattern.
 bool is_reserved(std::string_view word, const algebra3d::Registry& registry);
+/// What such a word is: "an operator" or "a word of the language"; empty for any other.
+std::string_view why_reserved(std::string_view word, const algebra3d::Registry& registry);
+/// The message where a reserved word stands for an operand.
+std::string no_operand_text(std::string_view word, const algebra3d::Registry& registry);
 
 }  // namespace queries

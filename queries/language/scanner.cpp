@@ -34,6 +34,13 @@ bool is_identifier(std::string_view text) {
   return !text.empty() && is_letter(text.front()) && std::all_of(text.begin(), text.end(), is_word);
 }
 
+std::string int_range_text(std::string_view digits) {
+  constexpr std::size_t kShown = 40;
+  return fmt::format(
+      "the integer {}{} is beyond the range of ints (-2147483648 to 2147483647); write it with a point for a real",
+      digits.substr(0, kShown), digits.size() > kShown ? "..." : "");
+}
+
 std::string Token::shown() const {
   switch (kind) {
     case Kind::end:
@@ -156,9 +163,7 @@ Token Scanner::scan_number(Token token) {
   }
   // The magnitude of the smallest int is one more than that of the largest; the parser puts the sign in front.
   const auto value = algebra3d::parse_real(spelling);
-  if (!value || *value > 2147483648.0)
-    fail(token, "the integer " + std::string(spelling.substr(0, 40)) +
-                    " is beyond the range of ints (-2147483648 to 2147483647); write it with a point for a real");
+  if (!value || *value > 2147483648.0) fail(token, int_range_text(spelling));
   token.kind = Kind::integer;
   token.real = value.value_or(0);
   token.integer = static_cast<std::int32_t>(std::min(token.real, 2147483647.0));

@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "queries/language/token.h"
@@ -11,6 +12,9 @@ namespace queries {
 /// True for a letter with letters, digits and `_` behind it: what names objects and attributes. Symbols of nested lists
 /// may be anything.
 bool is_identifier(std::string_view text);
+
+/// The message for an integer that is no int.
+std::string int_range_text(std::string_view digits);
 
 /// Cuts the text of one command into tokens, on demand, so that the parser may take raw text in between.
 /// The text outlives the scanner. Places count from `start`; columns count characters, not bytes. Cost: linear.

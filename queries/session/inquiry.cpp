@@ -100,7 +100,7 @@ Result<NestedList> inquire(Inquiry::Subject subject, const algebra3d::Registry& 
       return inquiry("types", std::move(list));
     }
     case Inquiry::Subject::algebras:
-      return inquiry("algebras", NestedList::list(symbol("Algebra3D")));
+      return inquiry("algebras", NestedList::list(symbol(kAlgebra)));
     case Inquiry::Subject::counters:
       return inquiry("counters", counters());
     case Inquiry::Subject::operators:

@@ -1,12 +1,16 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
 #include "algebra3d/registry/registry.h"
 #include "queries/language/command.h"
 #include "queries/store/store.h"
 
 namespace queries {
+
+/// The name of all operators and types together; SECONDO has many such modules.
+inline constexpr std::string_view kAlgebra = "Algebra3D";
 
 /// The result list of a `list` command, `(inquiry (what (...)))`. `store` is null while no database is open; then
 /// `objects` must not be asked for.

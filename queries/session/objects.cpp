@@ -3,8 +3,7 @@
 #include <algorithm>
 
 #include "queries/language/checker.h"
-#include "queries/language/nested_reader.h"
-#include "queries/language/parser.h"
+#include "queries/session/definitions.h"
 
 namespace queries {
 namespace {
@@ -46,20 +45,12 @@ Result<Datum> Session::Objects::function_of(const ObjectInfo& info) {
 }
 
 Result<Datum> Session::Objects::checked_function(const ObjectInfo& info) {
-  ASSIGN_OR_RETURN(const ExpressionPtr expression, written_function(info));
+  ASSIGN_OR_RETURN(const ExpressionPtr expression, kept_expression(info, registry_));
   ASSIGN_OR_RETURN(const TypedPtr function, Checker(registry_, *this, context_).check(*expression));
   if (!(function->type() == info.type))
     return Error{ErrorCode::type_error, "{}: the function was {} when it was defined and is {} now", info.name,
                  info.type.text(), function->type().text()};
   return function->evaluate(nullptr, context_);
-}
-
-// As a nested list; databases of the first format hold it as it was typed.
-Result<ExpressionPtr> Session::Objects::written_function(const ObjectInfo& info) const {
-  const SourcePlace place{info.name, 1, 1};
-  if (!info.function_text.starts_with("(")) return parse_expression(info.function_text, registry_, place);
-  ASSIGN_OR_RETURN(const NestedList list, NestedList::parse(info.function_text, place));
-  return NestedReader(registry_, place).expression(list);
 }
 
 std::vector<std::string> Session::Objects::names() {

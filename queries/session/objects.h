@@ -24,7 +24,6 @@ class Session::Objects final : public ObjectSource {
  private:
   Result<Datum> function_of(const ObjectInfo& info);
   Result<Datum> checked_function(const ObjectInfo& info);
-  Result<ExpressionPtr> written_function(const ObjectInfo& info) const;
 
   const algebra3d::Registry& registry_;
   Store* store_;

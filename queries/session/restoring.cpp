@@ -147,7 +147,8 @@ Status Session::Restorer::object_content(std::string name) {
   ASSIGN_OR_RETURN(const std::string saved_name, symbol("the name of an object"));
   if (name.empty()) name = saved_name;
   if (is_reserved(name, registry_))
-    return Error(ErrorCode::reserved_name, "'{}' is a word of the language and cannot name an object", name).at(place);
+    return Error(ErrorCode::reserved_name, "'{}' is {} and cannot name an object", name, why_reserved(name, registry_))
+        .at(place);
   if (head == "DERIVED") {
     ASSIGN_OR_RETURN(NestedList expression, pieces_.read("an expression"));
     dependents_.push_back({name, std::move(expression), std::nullopt, place});

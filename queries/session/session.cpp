@@ -95,6 +95,8 @@ Status Session::run(const Explain& command, Presenter& presenter, Context& conte
 Status Session::run(const Inquiry& command, Presenter& presenter, Context&) {
   if (command.subject == Inquiry::Subject::objects || command.subject == Inquiry::Subject::types)
     RETURN_IF_ERROR(required_store());
+  if (!command.algebra.empty() && command.algebra != kAlgebra)
+    return Error{ErrorCode::unknown_name, "there is no algebra '{}'; the only one is {}", command.algebra, kAlgebra};
   NestedList result;
   RETURN_IF_ERROR(in_transaction(false, [&]() -> Status {
     ASSIGN_OR_RETURN(result, inquire(command.subject, registry_, store_.get(), options_.folder));

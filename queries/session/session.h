@@ -111,12 +111,16 @@ class Session {
   Status set_memory(const Value& value, const SourcePlace& place);
   Result<bool> holds(const Expression& condition, std::string_view command, Context& context);
   Result<Store*> required_store();
-  Status check_new_name(const std::string& name);
+  Status check_new_name(const std::string& name, std::string_view what = "an object");
   Status require_closed();
   Result<std::filesystem::path> database_file(const std::string& name) const;
   Status restore_into(const std::filesystem::path& file, bool is_new, std::string_view text, const std::string& name,
                       Context& context);
-  Status define(const std::string& name, const Expression& value, bool is_derived, Context& context);
+  /// The value is made under the name `interim`, if there is one.
+  Status define(const std::string& name, const Expression& value, bool is_derived, Context& context,
+                const std::string& interim = {});
+  /// Removes an object and notes what goes with it.
+  Status remove(const std::string& name, bool kills, std::string_view command, Context& context);
 
   const algebra3d::Registry& registry_;
   SessionOptions options_;

@@ -1,4 +1,7 @@
 // The commands that the shell carries out itself (language.md 1.2).
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
@@ -24,6 +27,19 @@ std::string trimmed(std::string_view text) {
   const auto begin = text.find_first_not_of(kBlanks);
   if (begin == std::string_view::npos) return {};
   return std::string(text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1));
+}
+
+// Pipes may be scripts, and so may terminals; other devices have no end.
+bool is_device(const std::string& file) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (std::filesystem::is_block_file(status)) return true;
+  if (!std::filesystem::is_character_file(status) || std::filesystem::equivalent(file, "/dev/null", error))
+    return false;
+  const int handle = open(file.c_str(), O_RDONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+  const bool is_terminal = handle >= 0 && isatty(handle) != 0;
+  if (handle >= 0) close(handle);
+  return !is_terminal;
 }
 
 /// Where the end of a command begins, which stands in it word for word.
@@ -100,6 +116,7 @@ RunResult StatementRunner::run_file(const std::string& file, CommandReader::Skip
   std::error_code error;
   if (std::filesystem::is_directory(file, error))
     return refuse("cannot read the script '" + file + "': it is a folder");
+  if (is_device(file)) return refuse("cannot read the script '" + file + "': it is a device");
   errno = 0;
   std::ifstream script(file);
   if (!script) return refuse("cannot read the script '" + file + "': " + std::generic_category().message(errno));

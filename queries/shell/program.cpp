@@ -1,10 +1,15 @@
 #include "queries/shell/program.h"
 
+#include <pthread.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <fstream>
+#include <functional>
 #include <iostream>
+#include <system_error>
+#include <thread>
 
 #include "algebra3d/operators/all.h"
 #include "algebra3d/registry/documentation.h"
@@ -216,11 +221,39 @@ int run_arguments(int argc, char** argv) {
   return run_session(options, registry);
 }
 
+// How deep expressions and calls may be nested is fixed, and must not depend on the user's `ulimit -s`: the work is
+// done on a thread with a stack of its own, and so is that of all further threads.
+int on_own_stack(const std::function<int()>& work) {
+  constexpr std::size_t kStackBytes = std::size_t{64} << 20U;
+  pthread_attr_t attributes;
+  pthread_attr_init(&attributes);
+  pthread_attr_setstacksize(&attributes, kStackBytes);
+  pthread_setattr_default_np(&attributes);
+  pthread_attr_destroy(&attributes);
+  // Signals are for that thread: they end its waiting for a key.
+  sigset_t all;
+  sigset_t before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
+  int status = kFailed;
+  const auto work_with_signals = [&] {
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    status = work();
+  };
+  try {
+    std::thread(work_with_signals).join();
+  } catch (const std::system_error&) {
+    work_with_signals();  // no room for the stack
+  }
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  return status;
+}
+
 }  // namespace
 
 int run_program(int argc, char** argv) {
   const Interruption interruption;
-  return status_after_output(run_arguments(argc, argv));
+  return status_after_output(on_own_stack([&] { return run_arguments(argc, argv); }));
 }
 
 }  // namespace queries

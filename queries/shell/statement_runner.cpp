@@ -1,11 +1,13 @@
 #include "queries/shell/statement_runner.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 
 #include <fmt/format.h>
 
 #include "algebra3d/types/utf8.h"
+#include "queries/language/parser.h"
 #include "queries/shell/interruption.h"
 #include "queries/shell/screen.h"
 
@@ -33,6 +35,32 @@ std::string time_text(std::chrono::steady_clock::duration elapsed) {
   const double milliseconds = std::chrono::duration<double, std::milli>(elapsed).count();
   return milliseconds < kLongestInMilliseconds ? fmt::format("{:.1f} ms", milliseconds)
                                                : fmt::format("{:.1f} s", milliseconds / 1000);
+}
+
+/// A line or command that is longer than any that was meant: a device that never ends, or a file that is no script.
+constexpr std::size_t kLongestCommand = std::size_t{1} << 30U;
+
+// As std::getline, but stops reading behind the limit.
+bool read_line(std::istream& script, std::string& line) {
+  constexpr std::size_t kPiece = 4096;
+  std::array<char, kPiece> piece{};
+  line.clear();
+  while (line.size() <= kLongestCommand) {
+    script.getline(piece.data(), piece.size());
+    const auto count = static_cast<std::size_t>(script.gcount());
+    const bool ends_here = script.good();
+    line.append(piece.data(), ends_here ? count - 1 : count);  // the line end counts
+    if (ends_here) return true;
+    if (script.eof() || script.bad()) return !line.empty();
+    script.clear();
+  }
+  return true;
+}
+
+std::optional<TransactionStep::Step> transaction_step(const CommandText& command, const algebra3d::Registry& registry) {
+  const auto parsed = parse_command(command.text, registry, command.start);
+  const auto* step = parsed ? std::get_if<TransactionStep>(&parsed->content) : nullptr;
+  return step != nullptr ? std::optional(step->step) : std::nullopt;
 }
 
 /// Results as the user wants them, and how far a statement has come to the terminal.
@@ -71,15 +99,26 @@ Status StatementRunner::execute(const CommandText& command, Context& context) {
 
 RunResult StatementRunner::run(const CommandText& command) {
   if (is_shell_command(command.text)) return run_shell_command(command);
+  if (failed_begin_) return refuse(command);
   Diagnostics diagnostics;
   Context context{diagnostics, &Interruption::flag(), {}};
   const Status status = execute(command, context);
   for (const std::string& line : diagnostics.summary()) console_.errors << "note: " << shown(line) << "\n";
+  return conclude(command, status);
+}
+
+RunResult StatementRunner::conclude(const CommandText& command, const Status& status) {
+  const bool is_interrupted = status ? Interruption::flag().load() : status.error().code == ErrorCode::interrupted;
+  // The terminal has written ^C where the cursor stood.
+  if (is_interrupted && console_.terminal != nullptr) console_.errors << "\n";
   if (!status) {
-    const bool is_interrupted = status.error().code == ErrorCode::interrupted;
     complain(status.error().message, status.error().place);
+    const bool has_begun = session_.store() != nullptr && session_.store()->is_in_explicit_transaction();
+    if (script_depth_ > 0 && !has_begun &&
+        transaction_step(command, session_.registry()) == TransactionStep::Step::begin)
+      failed_begin_ = FailedBegin{command.start, 0};
     if (!is_interrupted) return RunResult::failed;
-  } else if (Interruption::flag()) {
+  } else if (is_interrupted) {
     // The signal came when the statement was as good as done; those that follow are not to run.
     complain("interrupted after this statement", command.start);
   } else {
@@ -87,6 +126,31 @@ RunResult StatementRunner::run(const CommandText& command) {
   }
   Interruption::reset();
   return RunResult::interrupted;
+}
+
+// A statement of a transaction that could not begin would be committed at once, and no abort would undo it. Of many
+// only the first is told of, and then how many they were.
+RunResult StatementRunner::refuse(const CommandText& command) {
+  const auto step = transaction_step(command, session_.registry());
+  if (!step) {
+    if (failed_begin_->refused_count++ > 0) return RunResult::failed;
+    return complain(fmt::format("not run, and so is all up to `commit transaction` or `abort transaction`: the "
+                                "transaction of line {} could not begin",
+                                failed_begin_->place.line),
+                    command.start);
+  }
+  end_failed_transaction(command.start);
+  if (*step == TransactionStep::Step::begin) return run(command);
+  return *step == TransactionStep::Step::commit ? RunResult::failed : RunResult::ok;
+}
+
+void StatementRunner::end_failed_transaction(const SourcePlace& place) {
+  if (!failed_begin_) return;
+  complain(fmt::format("the transaction of line {} could not begin; of its statements {} {} not run",
+                       failed_begin_->place.line, failed_begin_->refused_count,
+                       failed_begin_->refused_count == 1 ? "was" : "were"),
+           place);
+  failed_begin_.reset();
 }
 
 RunResult StatementRunner::complain(const std::string& message, const SourcePlace& place) {
@@ -97,24 +161,42 @@ RunResult StatementRunner::complain(const std::string& message, const SourcePlac
 
 RunResult StatementRunner::run_script(std::istream& script, const std::string& name, CommandReader::Skipping skipping) {
   CommandReader reader(name, skipping);
-  RunResult worst = RunResult::ok;
-  const auto run_all = [&](const std::vector<CommandText>& commands) {
-    for (const CommandText& command : commands) {
-      const RunResult result = run(command);
-      if (result != RunResult::ok) worst = result;
-      if (result == RunResult::quit || result == RunResult::interrupted) return false;
-      if (result == RunResult::failed && stops_on_error_) return false;
-    }
-    return true;
-  };
+  ++script_depth_;
+  const RunResult result = run_lines(script, reader);
+  --script_depth_;
+  if (script_depth_ == 0) end_failed_transaction({name, reader.line(), 1});
+  return result;
+}
+
+// What has failed stays failed, whatever follows, unless the user interrupts.
+RunResult StatementRunner::run_lines(std::istream& script, CommandReader& reader) {
   bool has_failed = false;
-  for (std::string line; std::getline(script, line);) {
-    const bool goes_on = run_all(reader.add_line(line));
-    has_failed = has_failed || worst == RunResult::failed;
-    if (!goes_on) return worst == RunResult::quit && has_failed ? RunResult::failed : worst;
+  for (std::string line; read_line(script, line);) {
+    if (line.size() + reader.pending_size() > kLongestCommand)
+      return complain("a command of more than 1 GB; is this a script?", {reader.file(), reader.line() + 1, 1});
+    const RunResult result = run_all(reader.add_line(line), has_failed);
+    if (result == RunResult::quit && has_failed) return RunResult::failed;
+    if (result != RunResult::ok) return result;
   }
-  if (auto last = reader.finish()) run_all({std::move(*last)});
-  return has_failed && worst == RunResult::ok ? RunResult::failed : worst;
+  if (script.bad()) return complain("the script cannot be read to its end", {reader.file(), reader.line(), 1});
+  if (auto last = reader.finish()) {
+    const RunResult result = run_all({std::move(*last)}, has_failed);
+    if (result != RunResult::ok) return result;
+  }
+  if (const auto block = reader.open_block())
+    return complain("this comment is not closed by a line that begins with */; what follows was not run", *block);
+  return has_failed ? RunResult::failed : RunResult::ok;
+}
+
+// `ok` if the script goes on.
+RunResult StatementRunner::run_all(const std::vector<CommandText>& commands, bool& has_failed) {
+  for (const CommandText& command : commands) {
+    const RunResult result = run(command);
+    has_failed = has_failed || result == RunResult::failed;
+    if (result == RunResult::quit || result == RunResult::interrupted) return result;
+    if (result == RunResult::failed && stops_on_error_) return result;
+  }
+  return RunResult::ok;
 }
 
 }  // namespace queries

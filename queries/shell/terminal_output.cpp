@@ -18,6 +18,10 @@
 namespace queries {
 namespace {
 
+// A pager that there is not has read nothing, so that cat shows everything. Ctrl-C is for the pager and not for the
+// shell that waits for it.
+constexpr std::string_view kWithFallback = "trap : INT; sh -c \"$1\"; case $? in 126|127) exec cat;; esac";
+
 // The pager begins with the usual answers to signals, whatever this program does with them.
 int spawn(const std::string& command, int input) {
   posix_spawn_file_actions_t actions{};
@@ -32,8 +36,10 @@ int spawn(const std::string& command, int input) {
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
   std::string shell = "sh";
   std::string option = "-c";
+  std::string script(kWithFallback);
   std::string text = command;
-  const std::array<char*, 4> arguments = {shell.data(), option.data(), text.data(), nullptr};
+  const std::array<char*, 6> arguments = {shell.data(), option.data(), script.data(),
+                                          shell.data(), text.data(),   nullptr};
   pid_t process = -1;
   if (posix_spawn(&process, "/bin/sh", &actions, &attributes, arguments.data(), environ) != 0) process = -1;
   posix_spawn_file_actions_destroy(&actions);

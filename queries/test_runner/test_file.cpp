@@ -50,6 +50,9 @@ std::vector<TestStep> read_test_steps(std::string_view content, const std::strin
   for (int number = 1; !content.empty(); ++number) {
     const std::string_view line = take_line(content);
     auto directive = directive_of(line, number);
+    // A literal or bracket that is not closed must not take the commands of the next case with it.
+    if (directive && (directive->word == "testcase" || directive->word == "teardown"))
+      if (auto open = reader.finish()) steps.emplace_back(std::move(*open));
     add_commands(reader.add_line(line));
     if (!directive) continue;
     while (directive->argument.ends_with('\\') && !content.empty()) {

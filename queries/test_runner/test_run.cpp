@@ -105,6 +105,12 @@ void TestRun::fail(int line, const std::string& why) {
   print(fmt::format("  FAILED {}@{}{} {}: {}", case_number_, line, varied, case_name_, why));
 }
 
+void TestRun::misuse(const Directive& directive, const std::string& why) {
+  const std::string text = "#" + directive.word + ": " + why;
+  if (case_is_left_out_) return note(directive.line, text);
+  fail(directive.line, text);
+}
+
 void TestRun::obey(const Directive& directive) {
   const std::string& word = directive.word;
   if (word == "teardown") section_ = Section::teardown;
@@ -146,8 +152,7 @@ void TestRun::begin_case(const Directive& directive) {
 
 void TestRun::set_tolerance(const Directive& directive) {
   const auto tolerance = Tolerance::parse(directive.argument);
-  if (!tolerance)
-    return fail(directive.line, "#tolerance_real: expected a number, or % and a number, got " + directive.argument);
+  if (!tolerance) return misuse(directive, "expected a number, or % and a number, got " + directive.argument);
   tolerance_ = *tolerance;
 }
 
@@ -163,8 +168,7 @@ void TestRun::set_variations(const Directive& directive) {
     if (kind) kinds.insert(*kind);
     is_understood = is_understood && (kind || name == "none");
   }
-  if (!is_understood)
-    return fail(directive.line, "#variation: expected none, or some of offset,axes,operands, and a reason");
+  if (!is_understood) return misuse(directive, "expected none, or some of offset,axes,operands, and a reason");
   (section_ == Section::cases ? case_variations_ : file_variations_) = std::move(kinds);
 }
 

@@ -32,6 +32,8 @@ class TestRun {
   /// Prints what is of no use twice: not when the file is repeated.
   void note(int line, const std::string& text) const;
   void fail(int line, const std::string& why);
+  /// A failure, unless the case is left out.
+  void misuse(const Directive& directive, const std::string& why);
 
   void obey(const Directive& directive);
   void begin_setup(const Directive& directive);

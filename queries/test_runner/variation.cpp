@@ -16,6 +16,7 @@
 
 #include <algorithm>
 
+#include "algebra3d/types/expression_list.h"
 #include "queries/language/expression_parser.h"
 #include "queries/test_runner/restored_source.h"
 
@@ -153,7 +154,7 @@ Result<std::string> Variation::moved_command(const std::string& text, const Test
 
 std::string Variation::moved_literals(const std::string& text) const {
   if (text.starts_with('(')) {
-    const auto form = NestedList::parse(text);
+    const auto form = algebra3d::parse_expression_list(text);
     return form ? motion_.image_of_constants(*form).print() : text;
   }
   Scanner scanner(text);

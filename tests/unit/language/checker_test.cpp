@@ -74,8 +74,9 @@ TEST(CheckerErrors, types_that_do_not_fit) {
 }
 
 TEST(CheckerErrors, counts_of_arguments) {
-  EXPECT_EQ(type_of("Parts feed head[]"), "error 1:12 head: expected 2 arguments, got 1 (syntax: _ head[_])");
-  EXPECT_EQ(type_of("Parts feed head[1, 2]"), "error 1:12 head: expected 2 arguments, got 3 (syntax: _ head[_])");
+  EXPECT_EQ(type_of("Parts feed head[]"), "error 1:12 head: expected something in the brackets (syntax: _ head[_])");
+  EXPECT_EQ(type_of("Parts feed head[1, 2]"),
+            "error 1:12 head: expected 1 argument in the brackets, got 2 (syntax: _ head[_])");
   EXPECT_EQ(type_of("volume()"), "error 1:1 volume: expected (volume3d), got ()");
 }
 

@@ -27,6 +27,15 @@ TEST(CommandReader, a_semicolon_ends_a_command) {
   EXPECT_EQ(commands("query 1;\nquery 2;\n"), (Commands{"1:1 query 1", "2:1 query 2"}));
 }
 
+TEST(CommandReader, a_marked_block_that_is_not_closed_is_known_by_its_first_line) {
+  CommandReader reader("script", CommandReader::Skipping::marked_blocks);
+  for (const char* line : {"query 1;", "/* one", "*/", "/* two", "query 2;"}) reader.add_line(line);
+  ASSERT_TRUE(reader.open_block().has_value());
+  EXPECT_EQ(reader.open_block()->line, 4);
+  reader.add_line("*/");
+  EXPECT_FALSE(reader.open_block().has_value());
+}
+
 TEST(CommandReader, a_semicolon_inside_a_line_ends_a_command) {
   EXPECT_EQ(commands("query 1;  query 2; query 3"), (Commands{"1:1 query 1", "1:11 query 2", "1:20 query 3"}));
 }

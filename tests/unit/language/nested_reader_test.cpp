@@ -64,7 +64,7 @@ TEST(NestedReader, errors_say_what_was_expected) {
             "error expected an operator, a function or a type as the first element of a list, found (1 2)");
   EXPECT_EQ(read_and_written("(project s A)"), "error expected project: a list of attribute names, found A");
   EXPECT_EQ(read_and_written("(fun (x) x)"), "error expected (parameter type), found (x)");
-  EXPECT_EQ(read_and_written("(+ let 1)"), "error expected an operand, found 'let'");
+  EXPECT_EQ(read_and_written("(+ let 1)"), "error expected an operand, found 'let', a word of the language");
   std::string deep = "1";
   for (int level = 0; level < 300; ++level) deep = "(+ 1 " + deep + ")";
   EXPECT_EQ(read_and_written(deep), "error the expression is nested deeper than 200 levels");

@@ -151,7 +151,7 @@ TEST(SyntaxErrors, say_where_what_was_found_and_what_is_possible) {
   EXPECT_EQ(parsed("r feed {+}"), "error 1:9 expected a name or a number after '{', found '+'");
   EXPECT_EQ(parsed("fun(a int) a"), "error 1:7 expected ':' after the parameter 'a', found 'int'");
   EXPECT_EQ(parsed("[1, 2"), "error 1:6 expected ']' to close the list, found the end of the command");
-  EXPECT_EQ(parsed("let"), "error 1:1 expected an operand, found 'let'");
+  EXPECT_EQ(parsed("let"), "error 1:1 expected an operand, found 'let', a word of the language");
   EXPECT_EQ(parsed("- x"), "error 1:3 expected a number after the sign, found 'x'");
   EXPECT_EQ(parsed("+2147483648 - 2147483648"),
             "error 1:15 the integer 2147483648 is beyond the range of ints (-2147483648 to 2147483647)");

@@ -69,6 +69,73 @@ TEST_F(ScriptCommands, marked_comments_are_skipped_on_demand) {
   EXPECT_EQ(out_.str(), "(int 2)\n");
 }
 
+TEST_F(ScriptCommands, a_marked_comment_that_is_not_closed_is_an_error) {
+  write("inner.q", "query 1;\n/* a block\nquery 2;\n");
+  EXPECT_EQ(run("@%" + path("inner.q") + "\nquery 3;"), RunResult::failed);
+  EXPECT_EQ(out_.str(), "(int 1)\n(int 3)\n");
+  EXPECT_EQ(errors_.str(), path("inner.q") +
+                               ":2:1: error: this comment is not closed by a line that begins with */; what follows "
+                               "was not run\n");
+}
+
+TEST_F(ScriptCommands, a_device_is_no_script) {
+  EXPECT_EQ(run("@/dev/zero"), RunResult::failed);
+  EXPECT_EQ(errors_.str(), "script:1:1: error: cannot read the script '/dev/zero': it is a device\n");
+  EXPECT_EQ(run("@/dev/null"), RunResult::ok);
+}
+
+TEST_F(ScriptCommands, long_lines_are_read_whole) {
+  const std::string text(100000, 'x');
+  for (const std::size_t length : {std::size_t{4083}, std::size_t{4084}, std::size_t{4085}, std::size_t{100000}}) {
+    out_.str("");
+    EXPECT_EQ(run("query \"" + text.substr(0, length) + "\"\n\nquery 2"), RunResult::ok);
+    EXPECT_EQ(out_.str(), "(string \"" + text.substr(0, length) + "\")\n(int 2)\n");
+  }
+}
+
+/// A database with an int `a` of 1 that another session writes to, so that no transaction can begin.
+class LockedDatabase : public ScriptCommands {
+ protected:
+  LockedDatabase() : other_(registry(), {.folder = folder_, .read_only = false}) {
+    run("create database d; open database d; let a = 1;");
+    ListPresenter presenter(out_);
+    for (const char* command : {"open database d", "begin transaction"}) {
+      Context context{diagnostics_, nullptr, {}};
+      EXPECT_TRUE(other_.execute(command, {}, presenter, context));
+    }
+  }
+
+  algebra3d::Diagnostics diagnostics_;
+  Session other_;
+};
+
+TEST_F(LockedDatabase, nothing_of_a_transaction_that_cannot_begin_is_run) {
+  EXPECT_EQ(run("open database d;\nbegin transaction;\nquery 1;\nquery 2;\ncommit transaction;\nquery 3;"),
+            RunResult::failed);
+  EXPECT_EQ(out_.str(), "(int 3)\n");
+  const std::string errors = errors_.str();
+  EXPECT_NE(errors.find("script:3:1: error: not run, and so is all up to `commit transaction` or `abort transaction`: "
+                        "the transaction of line 2 could not begin\n"
+                        "script:5:1: error: the transaction of line 2 could not begin; of its statements 2 were not "
+                        "run\n"),
+            std::string::npos)
+      << errors;
+}
+
+TEST_F(LockedDatabase, a_transaction_that_cannot_begin_lasts_to_the_end_of_the_script) {
+  write("inner.q", "begin transaction;\nquery 1;\n");
+  EXPECT_EQ(run("open database d;\n@" + path("inner.q") + "\nquery 2;"), RunResult::failed);
+  EXPECT_EQ(out_.str(), "");
+  EXPECT_NE(errors_.str().find("of its statements 2 were not run\n"), std::string::npos) << errors_.str();
+}
+
+TEST_F(ScriptCommands, a_second_begin_leaves_the_transaction_as_it_is) {
+  EXPECT_EQ(run("create database d; open database d; begin transaction; let a = 1; begin transaction; query a; "
+                "commit transaction; query a"),
+            RunResult::failed);
+  EXPECT_EQ(out_.str(), "(int 1)\n(int 1)\n");
+}
+
 TEST_F(ScriptCommands, a_script_that_includes_itself_is_an_error) {
   write("a.q", "@" + path("b.q") + "\nquery 1;\n");
   write("b.q", "@" + path("a.q") + "\nquery 2;\n");

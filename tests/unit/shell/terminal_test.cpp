@@ -5,6 +5,7 @@
 #include <pty.h>
 #include <signal.h>
 #include <stdlib.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <termios.h>
 #include <unistd.h>
@@ -30,7 +31,8 @@ const std::string kContinuation = "      ...> ";
 /// A shell that runs in a process of its own on a terminal of 24 rows and 100 columns, with `folder` as its home.
 class Shell {
  public:
-  Shell(const std::filesystem::path& folder, std::vector<std::string> arguments) {
+  Shell(const std::filesystem::path& folder, std::vector<std::string> arguments, const std::string& pager = {},
+        rlim_t stack_bytes = 0) {
     arguments.insert(arguments.begin(), "algebra3d");
     winsize size{24, 100, 0, 0};
     process_ = forkpty(&terminal_, nullptr, nullptr, &size);
@@ -42,8 +44,10 @@ class Shell {
     tcsetattr(STDIN_FILENO, TCSANOW, &modes);
     setenv("HOME", folder.c_str(), 1);
     setenv("TERM", "xterm", 1);
-    setenv("PAGER", ("cat > '" + (folder / "paged").string() + "'").c_str(), 1);
+    setenv("PAGER", pager.empty() ? ("cat > '" + (folder / "paged").string() + "'").c_str() : pager.c_str(), 1);
     unsetenv("XDG_STATE_HOME");
+    const rlimit stack{stack_bytes, stack_bytes};
+    if (stack_bytes > 0) setrlimit(RLIMIT_STACK, &stack);
     std::vector<char*> pointers;
     for (std::string& argument : arguments) pointers.push_back(argument.data());
     const int status =
@@ -236,7 +240,8 @@ TEST_F(Terminal, ctrl_c_ends_a_long_statement_and_not_the_shell) {
   shell.type("query intstream(1, 2000000000) count;\n");
   shell.wait_for("query intstream(1, 2000000000) count: running for ");
   shell.send(kCtrlC);
-  shell.wait_for("error: interrupted");
+  shell.wait_for("\r\n");  // behind ^C
+  EXPECT_TRUE(shell.wait_for("error: interrupted").ends_with(":1: ")) << "the message begins a line";
   shell.type("query 41000 + 273;\n");
   shell.wait_for("\n41273\r\n");
   shell.type("quit\n");
@@ -268,6 +273,24 @@ TEST_F(Terminal, a_long_result_goes_through_the_pager_unless_paging_is_off) {
   shell.send("set \"paging\" = FALSE;\n");
   shell.type(query);
   shell.wait_for("(31 tuples)");
+  shell.type("quit\n");
+  EXPECT_EQ(shell.exit_status(), 0);
+}
+
+TEST_F(Terminal, a_pager_that_there_is_not_loses_no_result) {
+  Shell shell(folder_, {}, "no_such_pager -x");
+  shell.type("query intstream(100, 30000) transformstream consume;\n");
+  shell.wait_for("no_such_pager: not found");
+  shell.wait_for("Elem");
+  shell.wait_for("(29901 tuples)");
+  shell.type("quit\n");
+  EXPECT_EQ(shell.exit_status(), 0);
+}
+
+TEST_F(Terminal, deep_calls_need_no_large_stack_of_the_user) {
+  Shell shell(folder_, {}, {}, 1U << 20U);
+  shell.type("create database d; open database d; let f = fun(x: int) x; update f := fun(x: int) f(x); query f(1);\n");
+  shell.wait_for("error: functions call each other more than 2000 levels deep");
   shell.type("quit\n");
   EXPECT_EQ(shell.exit_status(), 0);
 }

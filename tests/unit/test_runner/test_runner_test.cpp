@@ -94,6 +94,30 @@ TEST(TestRunner, tolerances_hold_until_they_are_changed) {
             "2/1");
 }
 
+TEST(TestRunner, what_is_wrong_in_a_case_that_is_left_out_does_not_count) {
+  const std::string cases =
+      "#testcase first\n#tolerance_real much\n#variation some\n#yields (int 1)\nquery 1;\n"
+      "#testcase second\n#yields (int 1)\nquery 1;\n";
+  TestOptions options;
+  options.filter = "second";
+  EXPECT_EQ(verdict(cases, options), "1/0");
+  options.filter = "first";
+  EXPECT_EQ(verdict(cases, options), "1/2");
+}
+
+TEST(TestRunner, a_literal_that_is_not_closed_ends_with_its_case) {
+  const SampleRun result =
+      run("#setup s\n#testcase open\n#yields (int 1)\nquery \"1;\n#testcase next\n#yields (int 1)\nquery 1;\n"
+          "#testcase last\n#yields (int 1)\nquery (1;\n#teardown\nquery 1;");
+  EXPECT_EQ(result.outcome.failures, (std::vector<std::string>{"1@4", "3@9"})) << result.report;
+  EXPECT_EQ(result.outcome.passed, 1U);
+}
+
+TEST(TestRunner, a_tuple_number_beyond_ints_is_the_one_of_the_file) {
+  EXPECT_EQ(verdict("#testcase a\n#yields (tid 3000000000)\nquery [const tid value 3000000000];"), "1/0");
+  EXPECT_EQ(verdict("#testcase a\n#yields (tid 3000000001)\nquery [const tid value 3000000000];"), "0/1");
+}
+
 TEST(TestRunner, relative_tolerances_are_in_percent) {
   EXPECT_EQ(verdict("#testcase a\n#tolerance_real %1\n#yields (real 100.0)\nquery 100.9;"), "1/0");
   EXPECT_EQ(verdict("#testcase a\n#tolerance_real %1\n#yields (real 100.0)\nquery 101.1;"), "0/1");
