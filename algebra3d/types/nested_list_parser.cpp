@@ -305,7 +305,7 @@ class Parser {
     } else if (is_fraction(token)) {
       complete_.push_back(NestedList::symbol(std::string(token)));
     } else if (token.find('/') != kNone) {
-      return expected("a fraction p/q of two integers, with a sign in front only", position_ - token.size());
+      return expected("a fraction p/q of two integers, with at most a minus in front", position_ - token.size());
     } else {
       return expected("a number within the range of real", position_ - token.size());
     }

@@ -34,8 +34,8 @@ bool is_device(const std::string& file) {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
   if (std::filesystem::is_block_file(status)) return true;
-  if (!std::filesystem::is_character_file(status) || std::filesystem::equivalent(file, "/dev/null", error))
-    return false;
+  if (!std::filesystem::is_character_file(status)) return false;
+  if (std::filesystem::weakly_canonical(file, error) == "/dev/null") return false;
   const int handle = open(file.c_str(), O_RDONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
   const bool is_terminal = handle >= 0 && isatty(handle) != 0;
   if (handle >= 0) close(handle);

@@ -154,7 +154,8 @@ TEST(SyntaxErrors, say_where_what_was_found_and_what_is_possible) {
   EXPECT_EQ(parsed("let"), "error 1:1 expected an operand, found 'let', a word of the language");
   EXPECT_EQ(parsed("- x"), "error 1:3 expected a number after the sign, found 'x'");
   EXPECT_EQ(parsed("+2147483648 - 2147483648"),
-            "error 1:15 the integer 2147483648 is beyond the range of ints (-2147483648 to 2147483647)");
+            "error 1:15 the integer 2147483648 is beyond the range of ints (-2147483648 to 2147483647); "
+            "write it with a point for a real");
 }
 
 TEST(SyntaxErrors, suggest_the_operator_that_was_meant) {

@@ -241,7 +241,7 @@ TEST_F(Terminal, ctrl_c_ends_a_long_statement_and_not_the_shell) {
   shell.wait_for("query intstream(1, 2000000000) count: running for ");
   shell.send(kCtrlC);
   shell.wait_for("\r\n");  // behind ^C
-  EXPECT_TRUE(shell.wait_for("error: interrupted").ends_with(":1: ")) << "the message begins a line";
+  EXPECT_TRUE(shell.wait_for("error: interrupted").starts_with("input:1:"));
   shell.type("query 41000 + 273;\n");
   shell.wait_for("\n41273\r\n");
   shell.type("quit\n");

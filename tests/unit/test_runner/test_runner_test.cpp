@@ -109,7 +109,7 @@ TEST(TestRunner, a_literal_that_is_not_closed_ends_with_its_case) {
   const SampleRun result =
       run("#setup s\n#testcase open\n#yields (int 1)\nquery \"1;\n#testcase next\n#yields (int 1)\nquery 1;\n"
           "#testcase last\n#yields (int 1)\nquery (1;\n#teardown\nquery 1;");
-  EXPECT_EQ(result.outcome.failures, (std::vector<std::string>{"1@4", "3@9"})) << result.report;
+  EXPECT_EQ(result.outcome.failures, (std::vector<std::string>{"1@4", "3@10"})) << result.report;
   EXPECT_EQ(result.outcome.passed, 1U);
 }
 

@@ -138,8 +138,10 @@ TEST(nested_list, errors_say_where_what_was_found_and_what_was_expected) {
   EXPECT_EQ(error_of("(a 12abc)"), "1:4 invalid_value: expected a number within the range of real, found 12abc");
   EXPECT_EQ(error_of("1e999"), "1:1 invalid_value: expected a number within the range of real, found 1e999");
   EXPECT_EQ(error_of("-1e999"), "1:1 invalid_value: expected a number within the range of real, found -1e999");
-  EXPECT_EQ(error_of("1/-3"), "1:1 invalid_value: expected a number within the range of real, found 1/-3");
-  EXPECT_EQ(error_of("+1/3"), "1:1 invalid_value: expected a number within the range of real, found +1/3");
+  EXPECT_EQ(error_of("1/-3"),
+            "1:1 invalid_value: expected a fraction p/q of two integers, with at most a minus in front, found 1/-3");
+  EXPECT_EQ(error_of("+1/3"),
+            "1:1 invalid_value: expected a fraction p/q of two integers, with at most a minus in front, found +1/3");
   EXPECT_EQ(error_of("(a b-c)"),
             "1:4 invalid_value: expected a word, a number or a run of special characters, found b-c");
   EXPECT_EQ(error_of("(1 2, 3)"), "1:4 invalid_value: expected a number within the range of real, found 2,");
