@@ -116,7 +116,7 @@ RunResult StatementRunner::conclude(const CommandText& command, const Status& st
     const bool has_begun = session_.store() != nullptr && session_.store()->is_in_explicit_transaction();
     if (script_depth_ > 0 && !has_begun &&
         transaction_step(command, session_.registry()) == TransactionStep::Step::begin)
-      failed_begin_ = FailedBegin{command.start, 0};
+      failed_begin_ = command.start;
     if (!is_interrupted) return RunResult::failed;
   } else if (is_interrupted) {
     // The signal came when the statement was as good as done; those that follow are not to run.
@@ -128,29 +128,16 @@ RunResult StatementRunner::conclude(const CommandText& command, const Status& st
   return RunResult::interrupted;
 }
 
-// A statement of a transaction that could not begin would be committed at once, and no abort would undo it. Of many
-// only the first is told of, and then how many they were.
+// A statement of a transaction that could not begin would be committed at once, and no abort would undo it.
 RunResult StatementRunner::refuse(const CommandText& command) {
+  using Step = TransactionStep::Step;
   const auto step = transaction_step(command, session_.registry());
-  if (!step) {
-    if (failed_begin_->refused_count++ > 0) return RunResult::failed;
-    return complain(fmt::format("not run, and so is all up to `commit transaction` or `abort transaction`: the "
-                                "transaction of line {} could not begin",
-                                failed_begin_->place.line),
-                    command.start);
-  }
-  end_failed_transaction(command.start);
-  if (*step == TransactionStep::Step::begin) return run(command);
-  return *step == TransactionStep::Step::commit ? RunResult::failed : RunResult::ok;
-}
-
-void StatementRunner::end_failed_transaction(const SourcePlace& place) {
-  if (!failed_begin_) return;
-  complain(fmt::format("the transaction of line {} could not begin; of its statements {} {} not run",
-                       failed_begin_->place.line, failed_begin_->refused_count,
-                       failed_begin_->refused_count == 1 ? "was" : "were"),
-           place);
+  const std::string why =
+      fmt::format("the transaction of {}:{} could not begin", failed_begin_->file, failed_begin_->line);
+  if (!step) return complain("not run, since " + why, command.start);
   failed_begin_.reset();
+  if (*step == Step::begin) return run(command);
+  return *step == Step::abort ? RunResult::ok : complain("nothing is committed, since " + why, command.start);
 }
 
 RunResult StatementRunner::complain(const std::string& message, const SourcePlace& place) {
@@ -164,7 +151,7 @@ RunResult StatementRunner::run_script(std::istream& script, const std::string& n
   ++script_depth_;
   const RunResult result = run_lines(script, reader);
   --script_depth_;
-  if (script_depth_ == 0) end_failed_transaction({name, reader.line(), 1});
+  if (script_depth_ == 0) failed_begin_.reset();
   return result;
 }
 

@@ -39,18 +39,11 @@ class StatementRunner {
                      const SourcePlace& place = {});
 
  private:
-  /// A `begin transaction` of a script that failed: what follows up to its end is not to be run on its own.
-  struct FailedBegin {
-    SourcePlace place;
-    std::size_t refused_count = 0;
-  };
-
   Status execute(const CommandText& command, Context& context);
   RunResult conclude(const CommandText& command, const Status& status);
   RunResult run_lines(std::istream& script, CommandReader& reader);
   RunResult run_all(const std::vector<CommandText>& commands, bool& has_failed);
   RunResult refuse(const CommandText& command);
-  void end_failed_transaction(const SourcePlace& place);
   // internal_commands.cpp
   RunResult run_shell_command(const CommandText& command);
   RunResult help(const std::string& name);
@@ -65,7 +58,7 @@ class StatementRunner {
   bool stops_on_error_;
   std::vector<std::filesystem::path> scripts_;  // that run at the moment, the innermost last
   int script_depth_ = 0;                        // the same with those that are no files
-  std::optional<FailedBegin> failed_begin_;
+  std::optional<SourcePlace> failed_begin_;     // what follows in the script, up to its end, is not run on its own
 };
 
 }  // namespace queries

@@ -114,19 +114,26 @@ TEST_F(LockedDatabase, nothing_of_a_transaction_that_cannot_begin_is_run) {
             RunResult::failed);
   EXPECT_EQ(out_.str(), "(int 3)\n");
   const std::string errors = errors_.str();
-  EXPECT_NE(errors.find("script:3:1: error: not run, and so is all up to `commit transaction` or `abort transaction`: "
-                        "the transaction of line 2 could not begin\n"
-                        "script:5:1: error: the transaction of line 2 could not begin; of its statements 2 were not "
-                        "run\n"),
+  EXPECT_NE(errors.find("script:3:1: error: not run, since the transaction of script:2 could not begin\n"
+                        "script:4:1: error: not run, since the transaction of script:2 could not begin\n"
+                        "script:5:1: error: nothing is committed, since the transaction of script:2 could not begin\n"),
             std::string::npos)
       << errors;
+}
+
+TEST_F(LockedDatabase, nor_in_a_sequence_that_goes_on_after_errors) {
+  EXPECT_EQ(run("open database d; {{ query 1 | begin transaction | query 2 | commit transaction }}"),
+            RunResult::failed);
+  EXPECT_EQ(out_.str(), "(int 1)\n");
 }
 
 TEST_F(LockedDatabase, a_transaction_that_cannot_begin_lasts_to_the_end_of_the_script) {
   write("inner.q", "begin transaction;\nquery 1;\n");
   EXPECT_EQ(run("open database d;\n@" + path("inner.q") + "\nquery 2;"), RunResult::failed);
   EXPECT_EQ(out_.str(), "");
-  EXPECT_NE(errors_.str().find("of its statements 2 were not run\n"), std::string::npos) << errors_.str();
+  EXPECT_NE(errors_.str().find("script:3:1: error: not run, since the transaction of " + path("inner.q") + ":1 could"),
+            std::string::npos)
+      << errors_.str();
 }
 
 TEST_F(ScriptCommands, a_second_begin_leaves_the_transaction_as_it_is) {

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "algebra3d/types/expression_list.h"
+
 namespace algebra3d {
 namespace {
 
@@ -125,6 +127,15 @@ TEST(nested_list, print_short_cuts_and_says_so) {
   EXPECT_EQ(parsed("(1 2 3)").print_short(2), "(1...");
   EXPECT_EQ(List(std::string(1000, 'x')).print_short(4), "\"xxx...");
   EXPECT_EQ(parsed("\"\xC3\xA4\xC3\xB6\"").print_short(4), "\"\xC3\xA4...");
+}
+
+TEST(nested_list, of_expressions_keeps_integers_beyond_ints) {
+  const auto list = parse_expression_list("(2147483647 -2147483648 2147483648 -9007199254740993 3e9 +3000000000)");
+  ASSERT_TRUE(list);
+  EXPECT_EQ(list->print(), "(2147483647 -2147483648 2147483648/1 -9007199254740993/1 3e+09 3e+09)");
+  auto constant = *list;
+  read_large_integers_as_reals(constant);
+  EXPECT_EQ(constant, *NestedList::parse("(2147483647 -2147483648 2147483648 -9007199254740993 3e9 +3000000000)"));
 }
 
 TEST(nested_list, errors_say_where_what_was_found_and_what_was_expected) {
