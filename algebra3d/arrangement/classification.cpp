@@ -1,0 +1,242 @@
+#include "algebra3d/arrangement/classification.h"
+
+#include <algorithm>
+#include <cassert>
+#include <map>
+
+#include "algebra3d/arrangement/point_location.h"
+#include "algebra3d/arrangement/radial_order.h"
+#include "algebra3d/arrangement/wedges.h"
+#include "algebra3d/arrangement/winding_sets.h"
+
+namespace algebra3d::arrangement {
+namespace {
+
+class Classifier {
+ public:
+  Classifier(const Skeleton& skeleton, const Pieces& pieces, const Patches& patches)
+      : skeleton_(skeleton),
+        operands_(skeleton.operands()),
+        facets_(skeleton.facets()),
+        pieces_(pieces),
+        patches_(patches),
+        sets_(2 * pieces.pieces.size() + patches.patches.size()),
+        location_(operands_) {}
+
+  Result<Classification> run(const std::atomic<bool>* cancel);
+
+ private:
+  /// A place at which the windings of a set can be told: a half-plane at a line, or a patch.
+  struct Seed {
+    std::size_t operand_count = 0;    ///< operands with a face there
+    std::size_t first = 0, last = 0;  ///< pieces along the line
+    HalfPlane half_plane{kNone, 0};
+  };
+
+  /// Windings of a room: those of a member, and by how much they exceed these.
+  struct Front {
+    std::uint32_t member;
+    Windings excess;
+  };
+
+  std::uint32_t member_of_patch(std::uint32_t patch) const {
+    return 2 * static_cast<std::uint32_t>(pieces_.pieces.size()) + patch;
+  }
+  const Windings& step(const HalfPlane& h) const { return pieces_.pieces[h.piece].steps[h.side]; }
+  /// What the windings in the room that follows the half-plane counter-clockwise, or comes before it, exceed those in
+  /// front of its cell by.
+  Windings after(const HalfPlane& h) const { return h.side == 0 ? Windings{} : step(h); }
+  Windings before(const HalfPlane& h) const { return h.side == 0 ? step(h) : Windings{}; }
+
+  void join_lines();
+  void join_line(std::size_t first, std::size_t last);
+  void join_clean_edges();
+  Front front_of(const Segment& segment, std::uint32_t face) const;
+  HalfPlane cell_of(const Segment& segment, std::uint32_t facet) const;
+  std::vector<HalfPlane> half_planes(std::size_t first, std::size_t last, bool only_steps) const;
+  std::size_t count_operands(std::size_t first, std::size_t last) const;
+  Windings windings_at(const Seed& seed);
+  Windings windings_at_patch(std::uint32_t patch);
+  /// Adds what operands other than `known` (ascending) contribute at the point.
+  void add_others(const PointRef& point, const std::vector<std::uint32_t>& known, Windings& windings);
+
+  const Skeleton& skeleton_;
+  const Operands& operands_;
+  const Facets& facets_;
+  const Pieces& pieces_;
+  const Patches& patches_;
+  WindingSets sets_;
+  PointLocation location_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> clean_lines_;  // u, v of clean edges, ascending
+  std::vector<Seed> line_seeds_;                                      // candidates, at most one per line
+};
+
+std::vector<HalfPlane> Classifier::half_planes(std::size_t first, std::size_t last, bool only_steps) const {
+  std::vector<HalfPlane> result;
+  for (auto p = static_cast<std::uint32_t>(first); p < last; ++p)
+    for (std::uint32_t side = 0; side < 2; ++side) {
+      const bool is_covered = std::ranges::any_of(pieces_.covers_of(pieces_.pieces[p]), [&](const Cover& cover) {
+        return cover.is_on(side == 0 ? Side::left : Side::right);
+      });
+      if (is_covered && (!only_steps || pieces_.pieces[p].steps[side] != Windings{})) result.push_back({p, side});
+    }
+  return result;
+}
+
+std::size_t Classifier::count_operands(std::size_t first, std::size_t last) const {
+  std::vector<std::uint32_t> operands;
+  for (std::size_t p = first; p < last; ++p)
+    for (const Cover& cover : pieces_.covers_of(pieces_.pieces[p])) operands.push_back(facets_[cover.facet].operand);
+  std::ranges::sort(operands);
+  return static_cast<std::size_t>(std::unique(operands.begin(), operands.end()) - operands.begin());
+}
+
+void Classifier::join_line(std::size_t first, std::size_t last) {
+  std::vector<HalfPlane> around = half_planes(first, last, true);
+  if (around.empty()) return;
+  sort_around_line(skeleton_, pieces_, around);
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    const HalfPlane &h = around[i], &next = around[i + 1 == around.size() ? 0 : i + 1];
+    // front(h) + after(h) are the windings between the two, and so are front(next) + before(next).
+    sets_.unite(h.cell_side(), next.cell_side(), after(h) - before(next));
+  }
+  line_seeds_.push_back({count_operands(first, last), first, last, around.front()});
+}
+
+void Classifier::join_lines() {
+  const auto& pieces = pieces_.pieces;
+  for (std::size_t first = 0, last = 0; first < pieces.size(); first = last) {
+    while (last < pieces.size() && pieces[last].u == pieces[first].u && pieces[last].v == pieces[first].v) ++last;
+    if (!std::ranges::binary_search(clean_lines_, std::pair(pieces[first].u, pieces[first].v))) join_line(first, last);
+  }
+}
+
+/// An edge with a face that touches nothing is clean: no other operand is there, it is one piece, and the windings in
+/// front of all faces along it are the same. What is between the faces is not looked at, for not all of them are cells.
+void Classifier::join_clean_edges() {
+  std::vector<std::uint32_t> along;
+  for (const Segment& segment : skeleton_.segments()) {
+    if (segment.edge == kNone) continue;
+    operands_.halfedges_along(segment.edge, along);
+    if (std::ranges::none_of(along, [&](auto h) { return patches_.of_face[h / 3] != kNone; })) continue;
+    clean_lines_.emplace_back(std::minmax(segment.from, segment.to));
+    const auto in_facet = std::ranges::find_if(along, [&](auto h) { return facets_.of_face(h / 3) != kNone; });
+    const Front first = front_of(segment, *in_facet / 3);
+    for (const std::uint32_t h : along) {
+      const Front other = front_of(segment, h / 3);
+      sets_.unite(first.member, other.member, first.excess - other.excess);
+    }
+  }
+  std::ranges::sort(clean_lines_);
+}
+
+/// What stands for the room in front of a face at a clean edge.
+Classifier::Front Classifier::front_of(const Segment& segment, std::uint32_t face) const {
+  const std::uint32_t facet = facets_.of_face(face);
+  if (facet == kNone) return {member_of_patch(patches_.of_face[face]), {}};
+  const HalfPlane cell = cell_of(segment, facet);
+  return {cell.cell_side(), facets_[facet].orientation > 0 ? Windings{} : step(cell)};
+}
+
+/// The cell of a facet at an edge that is one piece.
+HalfPlane Classifier::cell_of(const Segment& segment, std::uint32_t facet) const {
+  const std::tuple key(std::min(segment.from, segment.to), std::max(segment.from, segment.to), facets_[facet].plane);
+  const auto piece =
+      std::ranges::lower_bound(pieces_.pieces, key, {}, [](const Piece& p) { return std::tuple(p.u, p.v, p.plane); });
+  const auto covers = pieces_.covers_of(*piece);
+  const auto cover = std::ranges::find(covers, facet, &Cover::facet);
+  return {static_cast<std::uint32_t>(piece - pieces_.pieces.begin()), cover->side == Side::right ? 1U : 0U};
+}
+
+void Classifier::add_others(const PointRef& point, const std::vector<std::uint32_t>& known, Windings& windings) {
+  for (const std::uint32_t operand : location_.near(point))
+    if (!std::ranges::binary_search(known, operand))
+      windings[operands_.group(operand)] += location_.winding(operand, point);
+}
+
+Windings Classifier::windings_at(const Seed& seed) {
+  // From the room after the half-plane on, the first face of an operand that is met says on which side of it this is.
+  std::vector<HalfPlane> around = half_planes(seed.first, seed.last, false);
+  const auto start = std::ranges::find_if(
+      around, [&](const HalfPlane& h) { return h.piece == seed.half_plane.piece && h.side == seed.half_plane.side; });
+  std::swap(around.front(), *start);
+  sort_around_line(skeleton_, pieces_, around);
+  std::rotate(around.begin(), around.begin() + 1, around.end());
+
+  Windings windings{};
+  std::vector<std::uint32_t> known;
+  for (const HalfPlane& h : around)
+    for (const Cover& cover : pieces_.covers_of(pieces_.pieces[h.piece])) {
+      if (!cover.is_on(h.side == 0 ? Side::left : Side::right)) continue;
+      const Facet& facet = facets_[cover.facet];
+      if (std::ranges::find(known, facet.operand) != known.end()) continue;
+      known.push_back(facet.operand);
+      // A left half-plane is met from behind.
+      const bool is_inside = (h.side == 0) == (facet.orientation > 0);
+      if (is_inside) ++windings[operands_.group(facet.operand)];
+    }
+  std::ranges::sort(known);
+  if (known.size() == operands_.count()) return windings;
+  const Piece& piece = pieces_.pieces[seed.half_plane.piece];
+  const RationalVec3 u = skeleton_.vertices()[piece.u].rational(), v = skeleton_.vertices()[piece.v].rational();
+  const ExactPoint middle(Rational(1, 2) * (u + v));
+  add_others(middle, known, windings);
+  return windings;
+}
+
+Windings Classifier::windings_at_patch(std::uint32_t patch) {
+  const Patch& at = patches_.patches[patch];
+  Windings windings{};
+  add_others(operands_.point_of(3 * at.first_face), {at.operand}, windings);
+  return windings;
+}
+
+Result<Classification> Classifier::run(const std::atomic<bool>* cancel) {
+  join_cells(skeleton_, pieces_, sets_);
+  join_clean_edges();
+  join_lines();
+
+  // What each set's name stands for, as soon as a seed tells; lines where many operands meet need the fewest rays.
+  std::map<std::uint32_t, Windings> names;
+  std::ranges::stable_sort(line_seeds_, std::ranges::greater{}, &Seed::operand_count);
+  const auto check = [&]() -> Status {
+    if (cancel != nullptr && cancel->load(std::memory_order_relaxed))
+      return Error{ErrorCode::interrupted, "interrupted"};
+    return {};
+  };
+  for (const Seed& seed : line_seeds_) {
+    const auto [set, difference] = sets_.find(seed.half_plane.cell_side());
+    const auto [entry, is_new] = names.try_emplace(set);
+    if (!is_new) continue;
+    RETURN_IF_ERROR(check());
+    entry->second = windings_at(seed) - after(seed.half_plane) - difference;
+  }
+  for (std::uint32_t patch = 0; patch < patches_.patches.size(); ++patch) {
+    const auto [set, difference] = sets_.find(member_of_patch(patch));
+    const auto [entry, is_new] = names.try_emplace(set);
+    if (!is_new) continue;
+    RETURN_IF_ERROR(check());
+    entry->second = windings_at_patch(patch) - difference;
+  }
+
+  Classification result;
+  const auto windings_of = [&](std::uint32_t member) {
+    const auto [set, difference] = sets_.find(member);
+    const auto name = names.find(set);
+    return name == names.end() ? Windings{} : name->second + difference;
+  };
+  for (std::uint32_t side = 0; side < 2 * pieces_.pieces.size(); ++side)
+    result.cell_fronts.push_back(windings_of(side));
+  for (std::uint32_t patch = 0; patch < patches_.patches.size(); ++patch)
+    result.patch_fronts.push_back(windings_of(member_of_patch(patch)));
+  return result;
+}
+
+}  // namespace
+
+Result<Classification> classify(const Skeleton& skeleton, const Pieces& pieces, const Patches& patches,
+                                const std::atomic<bool>* cancel) {
+  return Classifier(skeleton, pieces, patches).run(cancel);
+}
+
+}  // namespace algebra3d::arrangement

@@ -1,0 +1,102 @@
+#include "algebra3d/arrangement/contact.h"
+
+#include <cassert>
+#include <optional>
+
+namespace algebra3d::arrangement {
+namespace {
+
+using Signs = std::array<int, 3>;
+
+/// On which side of `plane` the corners lie.
+Signs sides_of(const TriangleRef& triangle, const TriangleRef& plane) {
+  Signs signs{};
+  for (std::size_t i = 0; i < 3; ++i) signs[i] = orient3d(plane[0], plane[1], plane[2], triangle[i]);
+  return signs;
+}
+
+bool are_all_on_one_side(const Signs& signs) {
+  return signs[0] != 0 && signs[0] == signs[1] && signs[0] == signs[2];
+}
+
+/// The place that three signs say, which are positive inside of the edges and zero on them.
+std::optional<Place> place_of(const Signs& inside) {
+  int zeros = 0;
+  std::uint8_t last_zero = 0, other = 0;
+  for (std::uint8_t j = 0; j < 3; ++j) {
+    if (inside[j] < 0) return std::nullopt;
+    if (inside[j] == 0) {
+      ++zeros;
+      last_zero = j;
+    } else {
+      other = j;
+    }
+  }
+  if (zeros == 0) return Place{};
+  if (zeros == 1) return Place{Place::Kind::edge, last_zero};
+  return Place{Place::Kind::corner, static_cast<std::uint8_t>((other + 2) % 3)};  // opposite to edge `other`
+}
+
+/// Place in `target` of a corner of another triangle that lies in its plane.
+std::optional<Place> locate_corner(const PointRef& p, const TriangleRef& target) {
+  const Projection plane = dominant_projection(target[0], target[1], target[2]);
+  const int turn = orient2d(plane, target[0], target[1], target[2]);
+  Signs inside{};
+  for (std::size_t j = 0; j < 3; ++j) inside[j] = turn * orient2d(plane, target[j], target[(j + 1) % 3], p);
+  return place_of(inside);
+}
+
+/// Place in `target` of the point in which an edge crosses its plane, coming from the side `side` of it.
+std::optional<Place> locate_crossing(const PointRef& a, const PointRef& b, int side, const TriangleRef& target) {
+  Signs inside{};
+  for (std::size_t j = 0; j < 3; ++j) {
+    inside[j] = -side * orient3d(a, b, target[j], target[(j + 1) % 3]);
+    if (inside[j] < 0) return std::nullopt;
+  }
+  return place_of(inside);
+}
+
+/// The ends of the part of `triangle` in the plane of `target`, as far as they lie in `target`. visit(end, place)
+template <typename Visit>
+void for_each_end(const TriangleRef& triangle, const Signs& signs, const TriangleRef& target, Visit visit) {
+  for (std::uint8_t i = 0; i < 3; ++i) {
+    const std::uint8_t j = i == 2 ? 0 : static_cast<std::uint8_t>(i + 1);
+    if (signs[i] == 0) {
+      if (const auto place = locate_corner(triangle[i], target)) visit(Place{Place::Kind::corner, i}, *place);
+    } else if (signs[i] * signs[j] < 0) {
+      if (const auto place = locate_crossing(triangle[i], triangle[j], signs[i], target))
+        visit(Place{Place::Kind::edge, i}, *place);
+    }
+  }
+}
+
+bool runs_along(const Place& place, const Signs& signs) {
+  return place.kind == Place::Kind::edge && signs[place.index] == 0 && signs[(place.index + 1) % 3] == 0;
+}
+
+}  // namespace
+
+TriangleContact contact_of(const TriangleRef& first, const TriangleRef& second) {
+  TriangleContact contact;
+  const Signs first_signs = sides_of(first, second);
+  if (are_all_on_one_side(first_signs)) return contact;
+  if (first_signs == Signs{}) {
+    contact.is_coplanar = true;
+    return contact;
+  }
+  const Signs second_signs = sides_of(second, first);
+  if (are_all_on_one_side(second_signs)) return contact;
+
+  const auto add = [&](const Place& in_first, const Place& in_second) {
+    for (std::size_t k = 0; k < contact.count; ++k)
+      if (contact.points[k].first == in_first && contact.points[k].second == in_second) return;
+    assert(contact.count < 2);
+    contact.points[contact.count++] = {in_first, in_second, runs_along(in_first, first_signs),
+                                       runs_along(in_second, second_signs)};
+  };
+  for_each_end(first, first_signs, second, add);
+  for_each_end(second, second_signs, first, [&](const Place& end, const Place& place) { add(place, end); });
+  return contact;
+}
+
+}  // namespace algebra3d::arrangement

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "algebra3d/exact/predicates.h"
+
+namespace algebra3d::arrangement {
+
+/// Where in a closed triangle a point lies: in its inside, inside an edge (i: from corner i to the next), or in a
+/// corner.
+struct Place {
+  enum class Kind : std::uint8_t { inside, edge, corner };
+  Kind kind = Kind::inside;
+  std::uint8_t index = 0;
+
+  friend bool operator==(const Place&, const Place&) = default;
+};
+
+/// An end of the common part of two triangles, by its place in each.
+struct ContactPoint {
+  Place first, second;
+  /// True if the place is an edge that lies in the plane of the other triangle: the common part runs along it.
+  bool first_runs_along = false, second_runs_along = false;
+};
+
+/// The common part of two triangles: nothing, a point, a segment with its two ends, or coplanar triangles, whose common
+/// part is not examined any further.
+struct TriangleContact {
+  bool is_coplanar = false;
+  std::uint8_t count = 0;  ///< of points: 0, 1 or 2
+  std::array<ContactPoint, 2> points{};
+};
+
+/// Neither triangle may be degenerate. Exact: signs of the corners alone, no point is constructed. Cost: three to six
+/// calls of orient3d for triangles that do not meet, up to eighteen for those that do.
+TriangleContact contact_of(const TriangleRef& first, const TriangleRef& second);
+
+}  // namespace algebra3d::arrangement

@@ -1,0 +1,223 @@
+#include "algebra3d/arrangement/facet_contacts.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+#include "algebra3d/arrangement/contact.h"
+
+namespace algebra3d::arrangement {
+namespace {
+
+/// The smallest part of a mesh that holds a point: a corner, an edge, or a face; by half-edges that start or stand for
+/// it, so that all faces round it name the same one.
+struct Feature {
+  Place::Kind kind;
+  std::uint32_t number;  ///< vertex of the operands, edge, or facet
+
+  friend auto operator<=>(const Feature&, const Feature&) = default;
+};
+
+/// A point of two facets, by the features of their meshes that it lies on: the same for all pairs of faces that have
+/// it.
+struct Meeting {
+  Feature first, second;
+
+  friend auto operator<=>(const Meeting&, const Meeting&) = default;
+};
+
+/// Where an end of a common part lies in one of the two faces.
+struct FaceEnd {
+  std::uint32_t
+      halfedge;     ///< that begins at the corner, or runs along the edge; some one of the face if it lies inside
+  bool runs_along;  ///< the edge is in the plane of the other face
+};
+
+/// What two faces have in common; a point if both ends are the same.
+struct FaceContact {
+  std::uint32_t first_facet, second_facet;
+  struct End {
+    Meeting meeting;
+    FaceEnd first, second;
+  };
+  std::array<End, 2> ends;
+
+  auto key() const { return std::tie(first_facet, second_facet, ends[0].meeting, ends[1].meeting); }
+  bool is_point() const { return ends[0].meeting == ends[1].meeting; }
+};
+
+class ContactFinder {
+ public:
+  ContactFinder(Facets& facets, Skeleton& skeleton)
+      : operands_(skeleton.operands()), facets_(facets), skeleton_(skeleton) {}
+
+  void examine(std::uint32_t first_face, std::uint32_t second_face);
+  void join_faces();
+
+ private:
+  Feature feature_of(std::uint32_t face, const Place& place) const;
+  static std::uint32_t halfedge_of(std::uint32_t face, const Place& place) { return 3 * face + place.index; }
+  bool is_end(const Feature& feature, const FaceEnd& end) const;
+  bool is_real(const FaceContact::End& end) const;
+  std::uint32_t vertex_of(const FaceContact& contact, std::size_t number);
+  void cut_edges(const FaceContact::End& end, std::uint32_t vertex);
+  void join_facets(std::span<const FaceContact> contacts);
+  void add_points(std::span<const FaceContact> contacts);
+  void add_segments(std::span<const FaceContact> contacts);
+
+  const Operands& operands_;
+  Facets& facets_;
+  Skeleton& skeleton_;
+  std::vector<FaceContact> contacts_;
+};
+
+void ContactFinder::examine(std::uint32_t first_face, std::uint32_t second_face) {
+  const TriangleRef first = operands_.corners(first_face), second = operands_.corners(second_face);
+  const TriangleContact contact = contact_of(first, second);
+  if (contact.is_coplanar ? intersect_triangles(first, second) == Contact::none : contact.count == 0) return;
+  const std::uint32_t first_facet = facets_.add(first_face), second_facet = facets_.add(second_face);
+  if (contact.is_coplanar) {
+    facets_.join_planes(first_facet, second_facet);
+    return;
+  }
+  FaceContact found{first_facet, second_facet, {}};
+  for (std::size_t end = 0; end < 2; ++end) {
+    const ContactPoint& point = contact.points[contact.count == 2 ? end : 0];
+    found.ends[end] = {{feature_of(first_face, point.first), feature_of(second_face, point.second)},
+                       {halfedge_of(first_face, point.first), point.first_runs_along},
+                       {halfedge_of(second_face, point.second), point.second_runs_along}};
+  }
+  if (found.ends[1].meeting < found.ends[0].meeting) std::swap(found.ends[0], found.ends[1]);
+  contacts_.push_back(found);
+}
+
+Feature ContactFinder::feature_of(std::uint32_t face, const Place& place) const {
+  const std::uint32_t halfedge = halfedge_of(face, place);
+  switch (place.kind) {
+    case Place::Kind::corner:
+      return {place.kind, operands_.vertex(halfedge)};
+    case Place::Kind::edge:
+      return {place.kind, operands_.edge(halfedge)};
+    default:
+      return {place.kind, facets_.of_face(face)};
+  }
+}
+
+/// True if common parts end at the feature, or at least everybody sees it, however the facet is triangulated.
+bool ContactFinder::is_end(const Feature& feature, const FaceEnd& end) const {
+  switch (feature.kind) {
+    case Place::Kind::corner:
+      return facets_.has_boundary_origin(end.halfedge);
+    case Place::Kind::edge:
+      return !end.runs_along && facets_.is_boundary(end.halfedge);
+    default:
+      return false;
+  }
+}
+
+bool ContactFinder::is_real(const FaceContact::End& end) const {
+  return is_end(end.meeting.first, end.first) || is_end(end.meeting.second, end.second);
+}
+
+/// The vertex of a real end.
+std::uint32_t ContactFinder::vertex_of(const FaceContact& contact, std::size_t number) {
+  const auto& [meeting, first, second] = contact.ends[number];
+  if (meeting.first.kind == Place::Kind::corner) return skeleton_.corner(first.halfedge);
+  if (meeting.second.kind == Place::Kind::corner) return skeleton_.corner(second.halfedge);
+  if (is_end(meeting.first, first)) return skeleton_.crossing(meeting.first.number, contact.second_facet);
+  return skeleton_.crossing(meeting.second.number, contact.first_facet);
+}
+
+void ContactFinder::cut_edges(const FaceContact::End& end, std::uint32_t vertex) {
+  const auto& [meeting, first, second] = end;
+  if (meeting.first.kind == Place::Kind::edge && facets_.is_boundary(first.halfedge))
+    skeleton_.cut(skeleton_.edge_segment(meeting.first.number), vertex);
+  if (meeting.second.kind == Place::Kind::edge && facets_.is_boundary(second.halfedge))
+    skeleton_.cut(skeleton_.edge_segment(meeting.second.number), vertex);
+}
+
+void ContactFinder::join_faces() {
+  std::ranges::sort(contacts_, [](const FaceContact& a, const FaceContact& b) { return a.key() < b.key(); });
+  for (std::size_t begin = 0, end = 0; begin < contacts_.size(); begin = end) {
+    while (end < contacts_.size() && contacts_[end].first_facet == contacts_[begin].first_facet &&
+           contacts_[end].second_facet == contacts_[begin].second_facet)
+      ++end;
+    join_facets(std::span(contacts_).subspan(begin, end - begin));
+  }
+}
+
+void ContactFinder::join_facets(std::span<const FaceContact> contacts) {
+  // Two faces at an artificial edge both report what lies along it; sorted, such reports are neighbours.
+  std::vector<FaceContact> distinct;
+  for (const FaceContact& contact : contacts)
+    if (distinct.empty() || distinct.back().key() != contact.key()) distinct.push_back(contact);
+  add_points(distinct);
+  add_segments(distinct);
+}
+
+void ContactFinder::add_points(std::span<const FaceContact> contacts) {
+  for (const FaceContact& contact : contacts) {
+    if (!contact.is_point() || !is_real(contact.ends[0])) continue;
+    const std::uint32_t vertex = vertex_of(contact, 0);
+    cut_edges(contact.ends[0], vertex);
+    // Also where it lies on a boundary: common parts with third facets may run along that.
+    skeleton_.add_touch(contact.first_facet, vertex);
+    skeleton_.add_touch(contact.second_facet, vertex);
+  }
+}
+
+void ContactFinder::add_segments(std::span<const FaceContact> contacts) {
+  struct End {
+    Meeting meeting;
+    std::uint32_t contact, end;
+  };
+  std::vector<End> artificial;  // each meeting twice
+  std::vector<End> real;
+  for (std::uint32_t c = 0; c < contacts.size(); ++c) {
+    if (contacts[c].is_point()) continue;
+    for (std::uint32_t end = 0; end < 2; ++end)
+      (is_real(contacts[c].ends[end]) ? real : artificial).push_back({contacts[c].ends[end].meeting, c, end});
+  }
+  std::ranges::sort(artificial, {}, &End::meeting);
+  // The part that goes on beyond an artificial end.
+  const auto beyond = [&](std::uint32_t contact, std::uint32_t end) {
+    auto [first, last] = std::ranges::equal_range(artificial, contacts[contact].ends[end].meeting, {}, &End::meeting);
+    assert(last - first == 2);
+    return first->contact == contact ? *std::next(first) : *first;
+  };
+  std::vector<bool> is_done(contacts.size());
+  for (const End& start : real) {
+    if (is_done[start.contact]) continue;
+    std::uint32_t contact = start.contact, end = 1 - start.end;
+    is_done[contact] = true;
+    while (!is_real(contacts[contact].ends[end])) {
+      const End continued = beyond(contact, end);
+      contact = continued.contact;
+      end = 1 - continued.end;
+      is_done[contact] = true;
+    }
+    const std::uint32_t from = vertex_of(contacts[start.contact], start.end), to = vertex_of(contacts[contact], end);
+    cut_edges(contacts[start.contact].ends[start.end], from);
+    cut_edges(contacts[contact].ends[end], to);
+    skeleton_.add_contact(from, to, contacts[contact].first_facet, contacts[contact].second_facet);
+  }
+}
+
+}  // namespace
+
+Status find_contacts(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs, Facets& facets, Skeleton& skeleton,
+                     const std::atomic<bool>* cancel) {
+  ContactFinder finder(facets, skeleton);
+  std::size_t steps = 0;
+  for (const auto& [first, second] : pairs) {
+    if (++steps % 1024 == 0 && cancel != nullptr && cancel->load(std::memory_order_relaxed))
+      return Error{ErrorCode::interrupted, "interrupted"};
+    finder.examine(first, second);
+  }
+  facets.number_planes();
+  finder.join_faces();
+  skeleton.add_boundaries();
+  return {};
+}
+
+}  // namespace algebra3d::arrangement

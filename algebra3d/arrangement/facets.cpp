@@ -1,0 +1,57 @@
+#include "algebra3d/arrangement/facets.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace algebra3d::arrangement {
+
+bool Facets::is_coplanar_across(std::uint32_t halfedge, std::uint32_t other) const {
+  const TriangleRef triangle = operands_.corners(halfedge / 3);
+  const PointRef apex = operands_.point_of(Operands::next(Operands::next(other)));
+  return orient3d(triangle[0], triangle[1], triangle[2], apex) == 0;
+}
+
+std::uint32_t Facets::add(std::uint32_t face) {
+  if (of_face_[face] != kNone) return of_face_[face];
+  const auto facet = static_cast<std::uint32_t>(facets_.size());
+  const auto first = static_cast<std::uint32_t>(faces_.size());
+  of_face_[face] = facet;
+  faces_.push_back(face);
+  for (std::size_t next = first; next < faces_.size(); ++next)
+    for (std::uint32_t h = 3 * faces_[next]; h < 3 * faces_[next] + 3; ++h) {
+      const std::uint32_t other = operands_.opposite(h);
+      if (other == kNone || of_face_[other / 3] != kNone || !is_coplanar_across(h, other)) continue;
+      of_face_[other / 3] = facet;
+      faces_.push_back(other / 3);
+    }
+  facets_.push_back({operands_.operand_of_face(face), kNone, 0, first, static_cast<std::uint32_t>(faces_.size())});
+  planes_of_facets_.add();
+  return facet;
+}
+
+void Facets::number_planes() {
+  for (std::uint32_t f = 0; f < facets_.size(); ++f) {
+    TriangleRef triangle = operands_.corners(faces_[facets_[f].first]);
+    const std::uint32_t first_of_plane = planes_of_facets_.find(f);
+    if (first_of_plane == f) {
+      facets_[f].plane = static_cast<std::uint32_t>(planes_.size());
+      const Projection projection = dominant_projection(triangle[0], triangle[1], triangle[2]);
+      facets_[f].orientation = static_cast<std::int8_t>(orient2d(projection, triangle[0], triangle[1], triangle[2]));
+      if (facets_[f].orientation < 0) std::swap(triangle[1], triangle[2]);
+      planes_.push_back({triangle, projection});
+    } else {
+      facets_[f].plane = facets_[first_of_plane].plane;
+      const Projection projection = planes_[facets_[f].plane].projection;
+      facets_[f].orientation = static_cast<std::int8_t>(orient2d(projection, triangle[0], triangle[1], triangle[2]));
+    }
+  }
+}
+
+bool Facets::has_boundary_origin(std::uint32_t halfedge) const {
+  const std::uint32_t facet = of_face_[halfedge / 3];
+  std::vector<std::uint32_t> faces;
+  operands_.faces_around_origin(halfedge, faces);
+  return std::ranges::any_of(faces, [&](std::uint32_t face) { return of_face_[face] != facet; });
+}
+
+}  // namespace algebra3d::arrangement

@@ -1,0 +1,78 @@
+#include "algebra3d/arrangement/operands.h"
+
+#include <algorithm>
+
+#include "algebra3d/halfedge/circulators.h"
+
+namespace algebra3d::arrangement {
+
+Operands::Operands(std::span<const Operand> operands) : operands_(operands) {
+  first_face_.push_back(0);
+  first_vertex_.push_back(0);
+  for (const Operand& operand : operands) {
+    first_face_.push_back(first_face_.back() + static_cast<std::uint32_t>(operand.mesh->face_count()));
+    first_vertex_.push_back(first_vertex_.back() + static_cast<std::uint32_t>(operand.mesh->vertex_count()));
+  }
+}
+
+std::uint32_t Operands::operand_of_face(std::uint32_t face) const {
+  const auto after = std::upper_bound(first_face_.begin(), first_face_.end(), face);
+  return static_cast<std::uint32_t>(after - first_face_.begin() - 1);
+}
+
+TriangleRef Operands::corners(std::uint32_t face) const {
+  const std::uint32_t operand = operand_of_face(face);
+  return mesh(operand).corners(FaceId(face - first_face_[operand]));
+}
+
+std::uint32_t Operands::vertex(std::uint32_t halfedge) const {
+  const std::uint32_t operand = operand_of_face(halfedge / 3);
+  return first_vertex_[operand] + mesh(operand).origin(HalfedgeId(halfedge - 3 * first_face_[operand])).index();
+}
+
+PointRef Operands::point_of(std::uint32_t halfedge) const {
+  const std::uint32_t operand = operand_of_face(halfedge / 3);
+  return mesh(operand).point(mesh(operand).origin(HalfedgeId(halfedge - 3 * first_face_[operand])));
+}
+
+std::uint32_t Operands::opposite(std::uint32_t halfedge) const {
+  const std::uint32_t operand = operand_of_face(halfedge / 3);
+  const std::uint32_t first = 3 * first_face_[operand];
+  const HalfedgeId other = mesh(operand).opposite(HalfedgeId(halfedge - first));
+  return other.is_valid() ? first + other.index() : kNone;
+}
+
+std::uint32_t Operands::edge(std::uint32_t halfedge) const {
+  const std::uint32_t operand = operand_of_face(halfedge / 3);
+  const std::uint32_t first = 3 * first_face_[operand];
+  const HalfedgeId local(halfedge - first);
+  if (const HalfedgeId other = mesh(operand).opposite(local); other.is_valid())
+    return first + std::min(local, other).index();
+  return mesh(operand).is_nonmanifold(local) ? first + mesh(operand).edge_halfedges(local).front().index() : halfedge;
+}
+
+void Operands::halfedges_along(std::uint32_t halfedge, std::vector<std::uint32_t>& result) const {
+  result.clear();
+  const std::uint32_t operand = operand_of_face(halfedge / 3);
+  const std::uint32_t first = 3 * first_face_[operand];
+  const HalfedgeId local(halfedge - first);
+  if (mesh(operand).is_nonmanifold(local)) {
+    for (const HalfedgeId h : mesh(operand).edge_halfedges(local)) result.push_back(first + h.index());
+    return;
+  }
+  result.push_back(halfedge);
+  if (const HalfedgeId other = mesh(operand).opposite(local); other.is_valid()) {
+    result.push_back(first + other.index());
+    std::ranges::sort(result);
+  }
+}
+
+void Operands::faces_around_origin(std::uint32_t halfedge, std::vector<std::uint32_t>& result) const {
+  result.clear();
+  const std::uint32_t operand = operand_of_face(halfedge / 3);
+  const std::uint32_t first = first_face_[operand];
+  for (const FaceId f : faces_around(mesh(operand), mesh(operand).origin(HalfedgeId(halfedge - 3 * first))))
+    result.push_back(first + f.index());
+}
+
+}  // namespace algebra3d::arrangement

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "algebra3d/arrangement/arrangement.h"
+#include "algebra3d/halfedge/triangle_mesh.h"
+
+namespace algebra3d::arrangement {
+
+inline constexpr std::uint32_t kNone = 0xFFFFFFFF;
+
+/// All operands as if they were one mesh: faces, half-edges and vertices are numbered through, those of the first
+/// operand first; half-edge 3f + i leaves corner i of face f as in every mesh.
+class Operands {
+ public:
+  /// The meshes must outlive this. Their faces together are at most TriangleMesh::kMaxFaces.
+  explicit Operands(std::span<const Operand> operands);
+
+  std::size_t count() const { return operands_.size(); }
+  std::uint32_t face_count() const { return first_face_.back(); }
+  std::uint32_t vertex_count() const { return first_vertex_.back(); }
+  const TriangleMesh& mesh(std::uint32_t operand) const { return *operands_[operand].mesh; }
+  std::uint32_t group(std::uint32_t operand) const { return operands_[operand].group; }
+  std::uint32_t first_face(std::uint32_t operand) const { return first_face_[operand]; }
+  std::uint32_t first_vertex(std::uint32_t operand) const { return first_vertex_[operand]; }
+  std::uint32_t operand_of_face(std::uint32_t face) const;
+
+  TriangleRef corners(std::uint32_t face) const;
+  std::uint32_t vertex(std::uint32_t halfedge) const;
+  PointRef point_of(std::uint32_t halfedge) const;
+  static std::uint32_t next(std::uint32_t halfedge) { return halfedge % 3 == 2 ? halfedge - 2 : halfedge + 1; }
+  /// The other half-edge of a manifold edge, else kNone.
+  std::uint32_t opposite(std::uint32_t halfedge) const;
+  /// One half-edge that stands for the edge: the lowest along it.
+  std::uint32_t edge(std::uint32_t halfedge) const;
+  /// All half-edges along the edge, ascending.
+  void halfedges_along(std::uint32_t halfedge, std::vector<std::uint32_t>& result) const;
+  /// All faces round the origin of the half-edge.
+  void faces_around_origin(std::uint32_t halfedge, std::vector<std::uint32_t>& result) const;
+
+ private:
+  std::span<const Operand> operands_;
+  std::vector<std::uint32_t> first_face_, first_vertex_;  // one more than operands
+};
+
+}  // namespace algebra3d::arrangement

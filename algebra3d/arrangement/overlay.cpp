@@ -1,0 +1,168 @@
+#include "algebra3d/arrangement/overlay.h"
+
+#include <algorithm>
+#include <span>
+
+#include "algebra3d/base/box3.h"
+#include "rtree/rtree.h"
+
+namespace algebra3d::arrangement {
+namespace {
+
+/// A segment or a touched vertex in one plane, with a facet that holds it.
+struct Element {
+  std::uint32_t plane;
+  std::uint32_t segment;  ///< kNone for a vertex
+  std::uint32_t from, to;
+  std::uint32_t facet;
+  bool is_boundary;
+
+  bool is_vertex() const { return segment == kNone; }
+};
+
+class PlaneOverlay {
+ public:
+  PlaneOverlay(Skeleton& skeleton, std::span<const Element> elements)
+      : skeleton_(skeleton),
+        elements_(elements),
+        plane_(elements.front().plane),
+        projection_(skeleton.facets().planes()[plane_].projection) {}
+
+  void run();
+
+ private:
+  /// More elements than this are paired by a tree of their boxes.
+  static constexpr std::size_t kFewElements = 24;
+
+  Box3 box_of(const Element& element) const;
+  void relate(const Element& a, const Element& b);
+  void relate_vertex(const Element& vertex, const Element& segment);
+  void relate_collinear(const Element& a, const Element& b);
+  void cross(const Element& a, const Element& b);
+  void cut_if_inside(const Element& segment, std::uint32_t vertex);
+  std::uint32_t plane_across(const Element& element) const;
+  int turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    if (a == b || b == c || a == c) return 0;
+    return orient2d(projection_, vertices()[a], vertices()[b], vertices()[c]);
+  }
+  const VertexPool& vertices() const { return skeleton_.vertices(); }
+
+  Skeleton& skeleton_;
+  std::span<const Element> elements_;
+  std::uint32_t plane_;
+  Projection projection_;
+};
+
+Box3 PlaneOverlay::box_of(const Element& element) const {
+  Box3 box;
+  for (const std::uint32_t vertex : {element.from, element.to}) {
+    const PointRef point = vertices()[vertex];
+    if (point.is_double())
+      box.extend(point.approx);
+    else
+      box.extend(algebra3d::box_of(point));
+  }
+  return box;
+}
+
+void PlaneOverlay::run() {
+  if (elements_.size() < 2) return;
+  std::vector<rtree::Entry<std::uint32_t>> boxes;
+  for (std::uint32_t e = 0; e < elements_.size(); ++e) boxes.push_back({box_of(elements_[e]), e});
+  if (elements_.size() <= kFewElements) {
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+      for (std::size_t j = i + 1; j < boxes.size(); ++j)
+        if (boxes[i].box.intersects(boxes[j].box)) relate(elements_[i], elements_[j]);
+    return;
+  }
+  const auto tree = rtree::RTree<std::uint32_t>::bulk_load(boxes);
+  auto pairs = tree.self_join();
+  while (const auto pair = pairs.next()) relate(elements_[pair->first], elements_[pair->second]);
+}
+
+void PlaneOverlay::relate(const Element& a, const Element& b) {
+  if (a.segment == b.segment) return;  // also two vertices
+  if (a.facet == b.facet && (a.is_boundary || b.is_boundary)) return;
+  if (a.is_vertex()) return relate_vertex(a, b);
+  if (b.is_vertex()) return relate_vertex(b, a);
+  const int b_from = turn(a.from, a.to, b.from), b_to = turn(a.from, a.to, b.to);
+  if (b_from == 0 && b_to == 0) return relate_collinear(a, b);
+  if (b_from * b_to > 0) return;
+  const int a_from = turn(b.from, b.to, a.from), a_to = turn(b.from, b.to, a.to);
+  if (a_from * a_to > 0) return;
+  if (b_from == 0) cut_if_inside(a, b.from);
+  if (b_to == 0) cut_if_inside(a, b.to);
+  if (a_from == 0) cut_if_inside(b, a.from);
+  if (a_to == 0) cut_if_inside(b, a.to);
+  if (b_from * b_to < 0 && a_from * a_to < 0) cross(a, b);
+}
+
+void PlaneOverlay::relate_vertex(const Element& vertex, const Element& segment) {
+  if (turn(segment.from, segment.to, vertex.from) == 0) cut_if_inside(segment, vertex.from);
+}
+
+void PlaneOverlay::relate_collinear(const Element& a, const Element& b) {
+  cut_if_inside(a, b.from);
+  cut_if_inside(a, b.to);
+  cut_if_inside(b, a.from);
+  cut_if_inside(b, a.to);
+}
+
+/// Requires that the vertex lies on the segment's line.
+void PlaneOverlay::cut_if_inside(const Element& segment, std::uint32_t vertex) {
+  if (vertex == segment.from || vertex == segment.to) return;
+  const PointRef point = vertices()[vertex];
+  const auto from_start = compare(vertices()[segment.from], point), to_end = compare(point, vertices()[segment.to]);
+  if (from_start == to_end) skeleton_.cut(segment.segment, vertex);
+}
+
+/// A plane through the segment other than this one; kNone if no facet tells one.
+std::uint32_t PlaneOverlay::plane_across(const Element& element) const {
+  if (element.is_boundary) return kNone;
+  // The incidences of a common part are two, one after the other, and this one is one of them.
+  return skeleton_.other_plane(element.segment, plane_);
+}
+
+void PlaneOverlay::cross(const Element& a, const Element& b) {
+  const std::uint32_t across_a = plane_across(a), across_b = plane_across(b);
+  std::uint32_t vertex = kNone;
+  if (across_a != kNone && across_b != kNone)
+    vertex = skeleton_.crossing_of_planes(plane_, across_a, across_b);
+  else if (across_a != kNone)
+    vertex = skeleton_.crossing_of_plane(skeleton_.segments()[b.segment].edge, across_a);
+  else if (across_b != kNone)
+    vertex = skeleton_.crossing_of_plane(skeleton_.segments()[a.segment].edge, across_b);
+  else
+    return;  // two boundaries: the facets across them have found it
+  skeleton_.cut(a.segment, vertex);
+  skeleton_.cut(b.segment, vertex);
+}
+
+std::vector<Element> collect_elements(const Skeleton& skeleton) {
+  std::vector<Element> elements;
+  const Facets& facets = skeleton.facets();
+  for (const Incidence& incidence : skeleton.incidences()) {
+    const Segment& segment = skeleton.segments()[incidence.segment];
+    elements.push_back({facets[incidence.facet].plane, incidence.segment, segment.from, segment.to, incidence.facet,
+                        incidence.side != Side::both});
+  }
+  for (const auto& [facet, vertex] : skeleton.touches())
+    elements.push_back({facets[facet].plane, kNone, vertex, vertex, facet, false});
+  std::ranges::stable_sort(elements, {}, &Element::plane);
+  return elements;
+}
+
+}  // namespace
+
+Status cut_segments(Skeleton& skeleton, const std::atomic<bool>* cancel) {
+  const std::vector<Element> elements = collect_elements(skeleton);
+  for (std::size_t begin = 0, end = 0; begin < elements.size(); begin = end) {
+    while (end < elements.size() && elements[end].plane == elements[begin].plane) ++end;
+    if (cancel != nullptr && cancel->load(std::memory_order_relaxed))
+      return Error{ErrorCode::interrupted, "interrupted"};
+    PlaneOverlay(skeleton, std::span(elements).subspan(begin, end - begin)).run();
+  }
+  return {};
+}
+
+}  // namespace algebra3d::arrangement

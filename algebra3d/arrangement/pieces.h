@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "algebra3d/arrangement/skeleton.h"
+
+namespace algebra3d::arrangement {
+
+/// Windings about a place, one number per group.
+using Windings = std::array<std::int32_t, 2>;
+
+inline Windings operator+(Windings a, const Windings& b) {
+  return {a[0] + b[0], a[1] + b[1]};
+}
+inline Windings operator-(Windings a, const Windings& b) {
+  return {a[0] - b[0], a[1] - b[1]};
+}
+
+/// A facet that holds a piece, on both sides of it or on one, seen from the front of the piece's plane.
+struct Cover {
+  std::uint32_t facet;
+  Side side;
+
+  bool is_on(Side one_side) const { return side == Side::both || side == one_side; }
+};
+
+/// One straight line of the subdivision of one plane, which no other one crosses: the ends are two vertices, u < v, and
+/// to its left and right lie two cells (parts of the plane that no piece divides). The sides are called as someone sees
+/// them who looks at the front of the plane and walks from u to v.
+struct Piece {
+  std::uint32_t u, v;
+  std::uint32_t plane;
+  std::uint32_t first_cover, last_cover;  ///< range of Pieces::covers
+  /// By how much the windings behind the plane exceed those in front of it, in the cell to the left and to the right.
+  std::array<Windings, 2> steps;
+};
+
+/// All pieces of all planes, by u and v, then by plane: so the pieces along one line in space are neighbours. A piece
+/// knows all facets of its plane that hold it: it lies where some boundary or common part runs, and whatever other
+/// facet of the plane is there has a common part with the same facet there.
+struct Pieces {
+  std::vector<Piece> pieces;
+  std::vector<Cover> covers;
+
+  std::span<const Cover> covers_of(const Piece& piece) const {
+    return std::span(covers).subspan(piece.first_cover, piece.last_cover - piece.first_cover);
+  }
+};
+
+/// Divides the segments at their cuts. Cost: n log n.
+Pieces divide(Skeleton& skeleton);
+
+}  // namespace algebra3d::arrangement

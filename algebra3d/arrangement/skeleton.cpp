@@ -1,0 +1,93 @@
+#include "algebra3d/arrangement/skeleton.h"
+
+#include <algorithm>
+
+namespace algebra3d::arrangement {
+
+std::uint32_t Skeleton::corner(std::uint32_t halfedge) {
+  const auto [entry, is_new] = corners_.try_emplace(operands_.vertex(halfedge), kNone);
+  if (is_new) entry->second = vertices_.intern(operands_.point_of(halfedge));
+  return entry->second;
+}
+
+std::uint32_t Skeleton::vertex_of_corner(std::uint32_t operand_vertex) const {
+  const auto found = corners_.find(operand_vertex);
+  return found == corners_.end() ? kNone : found->second;
+}
+
+const ExactPlane& Skeleton::exact_plane_of_facet(std::uint32_t facet) {
+  const auto [entry, is_new] = facet_planes_.try_emplace(facet);
+  if (is_new) entry->second = plane_through(operands_.corners(facets_.faces(facet).front()));
+  return entry->second;
+}
+
+const ExactPlane& Skeleton::exact_plane(std::uint32_t plane) {
+  const auto [entry, is_new] = planes_.try_emplace(plane);
+  if (is_new) entry->second = plane_through(facets_.planes()[plane].triangle);
+  return entry->second;
+}
+
+std::uint32_t Skeleton::crossing(std::uint32_t edge, std::uint32_t facet) {
+  const auto [entry, is_new] = crossings_.try_emplace((std::uint64_t{edge} << 32U) | facet, kNone);
+  if (is_new)
+    entry->second = vertices_.intern(intersect_line_plane(
+        operands_.point_of(edge), operands_.point_of(Operands::next(edge)), exact_plane_of_facet(facet)));
+  return entry->second;
+}
+
+std::uint32_t Skeleton::crossing_of_plane(std::uint32_t edge, std::uint32_t plane) {
+  return vertices_.intern(
+      intersect_line_plane(operands_.point_of(edge), operands_.point_of(Operands::next(edge)), exact_plane(plane)));
+}
+
+std::uint32_t Skeleton::crossing_of_planes(std::uint32_t p, std::uint32_t q, std::uint32_t r) {
+  std::array<std::uint32_t, 3> planes{p, q, r};
+  std::ranges::sort(planes);
+  const auto [entry, is_new] = plane_crossings_.try_emplace(planes, kNone);
+  if (is_new) entry->second = vertices_.intern(intersect_planes(exact_plane(p), exact_plane(q), exact_plane(r)));
+  return entry->second;
+}
+
+std::uint32_t Skeleton::edge_segment(std::uint32_t edge) {
+  const auto [entry, is_new] = edge_segments_.try_emplace(edge, static_cast<std::uint32_t>(segments_.size()));
+  if (is_new) {
+    segments_.push_back({corner(edge), corner(Operands::next(edge)), edge});
+    first_incidences_.push_back(kNone);
+  }
+  return entry->second;
+}
+
+std::uint32_t Skeleton::find_edge_segment(std::uint32_t edge) const {
+  const auto found = edge_segments_.find(edge);
+  return found == edge_segments_.end() ? kNone : found->second;
+}
+
+void Skeleton::add_contact(std::uint32_t from, std::uint32_t to, std::uint32_t facet, std::uint32_t other) {
+  const auto segment = static_cast<std::uint32_t>(segments_.size());
+  segments_.push_back({from, to, kNone});
+  first_incidences_.push_back(static_cast<std::uint32_t>(incidences_.size()));
+  incidences_.push_back({segment, facet, Side::both});
+  incidences_.push_back({segment, other, Side::both});
+}
+
+std::uint32_t Skeleton::other_plane(std::uint32_t segment, std::uint32_t plane) const {
+  const std::uint32_t incidence = first_incidences_[segment];
+  const std::uint32_t first = facets_[incidences_[incidence].facet].plane;
+  return first != plane ? first : facets_[incidences_[incidence + 1].facet].plane;
+}
+
+void Skeleton::add_boundaries() {
+  for (std::uint32_t f = 0; f < facets_.size(); ++f)
+    for (const std::uint32_t face : facets_.faces(f))
+      for (std::uint32_t h = 3 * face; h < 3 * face + 3; ++h) {
+        if (!facets_.is_boundary(h)) continue;
+        const std::uint32_t edge = operands_.edge(h);
+        const std::uint32_t segment = edge_segment(edge);
+        // The facet lies to the left of its half-edge, seen from its own front.
+        const bool runs_along = operands_.vertex(h) == operands_.vertex(edge);
+        const bool is_left = runs_along == (facets_[f].orientation > 0);
+        incidences_.push_back({segment, f, is_left ? Side::left : Side::right});
+      }
+}
+
+}  // namespace algebra3d::arrangement

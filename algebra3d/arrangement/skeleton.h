@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "algebra3d/arrangement/facets.h"
+#include "algebra3d/arrangement/vertex_pool.h"
+#include "algebra3d/exact/intersection_point.h"
+
+namespace algebra3d::arrangement {
+
+/// How a segment lies in a facet that holds it: the facet is on both sides, or only to the left or right, seen from the
+/// front of the facet's plane by someone who walks from the first end to the second.
+enum class Side : std::uint8_t { both, left, right };
+
+/// A facet that holds a segment.
+struct Incidence {
+  std::uint32_t segment;
+  std::uint32_t facet;
+  Side side;
+};
+
+/// A straight line between two vertices: an edge of an operand that bounds a facet, or a common part of two facets.
+struct Segment {
+  std::uint32_t from, to;  ///< vertices
+  std::uint32_t edge;      ///< half-edge that stands for the operand's edge; kNone for a common part of facets
+};
+
+/// All lines of an arrangement before they are cut at one another: segments, the facets that hold each, and the
+/// vertices at which each has to be cut. A segment is one object for all planes in which it lies, so a cut that one
+/// plane finds is there in all.
+class Skeleton {
+ public:
+  Skeleton(const Operands& operands, Facets& facets) : operands_(operands), facets_(facets) {}
+
+  /// The vertex at the origin of the half-edge.
+  std::uint32_t corner(std::uint32_t halfedge);
+  /// The vertex in which the edge of an operand meets the plane of the facet.
+  std::uint32_t crossing(std::uint32_t edge, std::uint32_t facet);
+  /// The vertex that three planes have in common.
+  std::uint32_t crossing_of_planes(std::uint32_t p, std::uint32_t q, std::uint32_t r);
+  /// The vertex in which the edge of an operand meets the plane.
+  std::uint32_t crossing_of_plane(std::uint32_t edge, std::uint32_t plane);
+
+  /// The segment of a boundary edge of some facet, which is added if it is new.
+  std::uint32_t edge_segment(std::uint32_t edge);
+  /// A common part of two facets.
+  void add_contact(std::uint32_t from, std::uint32_t to, std::uint32_t facet, std::uint32_t other);
+  /// A vertex of a facet in which some other facet touches it.
+  void add_touch(std::uint32_t facet, std::uint32_t vertex) { touches_.emplace_back(facet, vertex); }
+  void cut(std::uint32_t segment, std::uint32_t vertex) { cuts_.emplace_back(segment, vertex); }
+  /// Adds the boundaries of all facets. Their planes must be numbered.
+  void add_boundaries();
+
+  /// The plane of the facet that is on a common part of facets with the plane.
+  std::uint32_t other_plane(std::uint32_t segment, std::uint32_t plane) const;
+
+  const Operands& operands() const { return operands_; }
+  const Facets& facets() const { return facets_; }
+  const VertexPool& vertices() const { return vertices_; }
+  const std::vector<Segment>& segments() const { return segments_; }
+  const std::vector<Incidence>& incidences() const { return incidences_; }
+  /// Pairs (segment, vertex), in no order, repeated ones possible.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>>& cuts() { return cuts_; }
+  /// Pairs (facet, vertex).
+  const std::vector<std::pair<std::uint32_t, std::uint32_t>>& touches() const { return touches_; }
+  /// The vertex that a corner of an operand became, by number of the operands' vertices; kNone if none.
+  std::uint32_t vertex_of_corner(std::uint32_t operand_vertex) const;
+  /// kNone if the edge bounds no facet.
+  std::uint32_t find_edge_segment(std::uint32_t edge) const;
+  VertexPool& vertices() { return vertices_; }
+
+ private:
+  const ExactPlane& exact_plane_of_facet(std::uint32_t facet);
+  const ExactPlane& exact_plane(std::uint32_t plane);
+
+  const Operands& operands_;
+  Facets& facets_;
+  VertexPool vertices_;
+  std::vector<Segment> segments_;
+  std::vector<Incidence> incidences_;
+  std::vector<std::uint32_t> first_incidences_;  // of each segment that is a common part; else kNone
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> cuts_, touches_;
+  std::unordered_map<std::uint32_t, std::uint32_t> corners_;        // operand vertex -> vertex
+  std::unordered_map<std::uint32_t, std::uint32_t> edge_segments_;  // edge -> segment
+  std::unordered_map<std::uint64_t, std::uint32_t> crossings_;      // edge, facet -> vertex
+  std::map<std::array<std::uint32_t, 3>, std::uint32_t> plane_crossings_;
+  std::unordered_map<std::uint32_t, ExactPlane> facet_planes_, planes_;
+};
+
+}  // namespace algebra3d::arrangement

@@ -1,0 +1,227 @@
+#include "algebra3d/arrangement/triangulation.h"
+
+#include <algorithm>
+#include <cassert>
+#include <iterator>
+#include <set>
+
+#include "algebra3d/arrangement/operands.h"
+#include "algebra3d/exact/predicates.h"
+
+namespace algebra3d::arrangement {
+namespace {
+
+/// An edge as the sweep meets it, from the earlier end to the later one.
+struct SweepEdge {
+  std::uint32_t earlier, later;
+  bool has_inside_above;
+};
+
+class Sweep {
+ public:
+  Sweep(const VertexPool& points, Projection projection, std::vector<TriangleMesh::Triangle>& triangles)
+      : points_(points), projection_(projection), triangles_(triangles), active_(Below{this}) {}
+
+  void run(std::span<const DirectedEdge> edges);
+
+ private:
+  /// The frontier within one gap between neighbouring active edges: the vertices from the one below to the one above
+  /// that are seen from later ones. It turns left at each vertex, or goes straight on.
+  struct Link {
+    std::uint32_t vertex;
+    std::uint32_t below = kNone, above = kNone;  // links
+  };
+  struct Frontier {
+    std::uint32_t bottom = kNone, top = kNone, latest = kNone;  // links; latest: that of the latest vertex
+  };
+
+  struct Vertex {
+    std::uint32_t number;
+  };
+  struct Below {
+    using is_transparent = void;
+    const Sweep* sweep;
+    bool operator()(std::uint32_t a, std::uint32_t b) const { return sweep->is_below(a, b); }
+    /// An edge that ends in the vertex is not below it.
+    bool operator()(std::uint32_t edge, Vertex vertex) const { return sweep->is_below(edge, vertex); }
+  };
+  using Active = std::set<std::uint32_t, Below>;
+
+  int turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    return orient2d(projection_, points_[a], points_[b], points_[c]);
+  }
+  bool is_earlier(std::uint32_t a, std::uint32_t b) const;
+  bool is_below(std::uint32_t a, std::uint32_t b) const;
+  bool is_below(std::uint32_t edge, Vertex vertex) const {
+    const SweepEdge& e = edges_[edge];
+    return e.later != vertex.number && turn(e.earlier, e.later, vertex.number) > 0;
+  }
+
+  void visit(std::uint32_t vertex, std::span<const std::uint32_t> starting);
+
+  std::uint32_t new_link(std::uint32_t vertex);
+  void add_on_top(Frontier& frontier, std::uint32_t vertex);
+  void add_at_bottom(Frontier& frontier, std::uint32_t vertex);
+  void close(const Frontier& frontier, std::uint32_t vertex);
+  std::pair<Frontier, Frontier> split(const Frontier& frontier, std::uint32_t vertex);
+  Frontier join(const Frontier& lower, const Frontier& upper);
+  void emit(std::uint32_t a, std::uint32_t b, std::uint32_t c) { triangles_.push_back({a, b, c}); }
+
+  const VertexPool& points_;
+  Projection projection_;
+  std::vector<TriangleMesh::Triangle>& triangles_;
+  std::vector<SweepEdge> edges_;
+  std::vector<Frontier> frontiers_;  // of each edge with the inside above it, while it is active
+  std::vector<Link> links_;
+  Active active_;  // from below to above
+};
+
+bool Sweep::is_earlier(std::uint32_t a, std::uint32_t b) const {
+  auto order = compare(first_axis(projection_), points_[a], points_[b]);
+  if (std::is_eq(order)) order = compare(second_axis(projection_), points_[a], points_[b]);
+  return std::is_lt(order);
+}
+
+bool Sweep::is_below(std::uint32_t a, std::uint32_t b) const {
+  const SweepEdge &e = edges_[a], &f = edges_[b];
+  if (e.earlier == f.earlier) {
+    if (e.later == f.later) return !e.has_inside_above && f.has_inside_above;
+    return turn(e.earlier, e.later, f.later) > 0;
+  }
+  if (is_earlier(e.earlier, f.earlier)) return turn(e.earlier, e.later, f.earlier) > 0;
+  return turn(f.earlier, f.later, e.earlier) < 0;
+}
+
+std::uint32_t Sweep::new_link(std::uint32_t vertex) {
+  links_.push_back({vertex});
+  return static_cast<std::uint32_t>(links_.size() - 1);
+}
+
+void Sweep::add_on_top(Frontier& frontier, std::uint32_t vertex) {
+  std::uint32_t top = frontier.top;
+  while (top != frontier.bottom) {
+    const std::uint32_t second = links_[top].below;
+    if (turn(links_[second].vertex, links_[top].vertex, vertex) >= 0) break;
+    emit(links_[top].vertex, links_[second].vertex, vertex);
+    top = second;
+  }
+  const std::uint32_t added = new_link(vertex);
+  links_[added].below = top;
+  links_[top].above = added;
+  frontier.top = frontier.latest = added;
+}
+
+void Sweep::add_at_bottom(Frontier& frontier, std::uint32_t vertex) {
+  std::uint32_t bottom = frontier.bottom;
+  while (bottom != frontier.top) {
+    const std::uint32_t second = links_[bottom].above;
+    if (turn(vertex, links_[bottom].vertex, links_[second].vertex) >= 0) break;
+    emit(vertex, links_[second].vertex, links_[bottom].vertex);
+    bottom = second;
+  }
+  const std::uint32_t added = new_link(vertex);
+  links_[added].above = bottom;
+  links_[bottom].below = added;
+  frontier.bottom = frontier.latest = added;
+}
+
+void Sweep::close(const Frontier& frontier, std::uint32_t vertex) {
+  for (std::uint32_t link = frontier.bottom; link != frontier.top; link = links_[link].above)
+    emit(links_[link].vertex, vertex, links_[links_[link].above].vertex);
+}
+
+/// Connects the vertex with the latest one before it, which it sees, and parts the frontier there.
+std::pair<Sweep::Frontier, Sweep::Frontier> Sweep::split(const Frontier& frontier, std::uint32_t vertex) {
+  const std::uint32_t middle = frontier.latest;
+  const std::uint32_t copy = new_link(links_[middle].vertex);
+  links_[copy].above = links_[middle].above;
+  if (middle != frontier.top) links_[links_[middle].above].below = copy;
+  Frontier lower{frontier.bottom, middle, middle};
+  Frontier upper{copy, middle == frontier.top ? copy : frontier.top, copy};
+  add_on_top(lower, vertex);
+  add_at_bottom(upper, vertex);
+  return {lower, upper};
+}
+
+/// Both end in the same vertex, the latest.
+Sweep::Frontier Sweep::join(const Frontier& lower, const Frontier& upper) {
+  if (upper.bottom == upper.top) return lower;
+  links_[lower.top].above = links_[upper.bottom].above;
+  links_[links_[upper.bottom].above].below = lower.top;
+  return {lower.bottom, upper.top, lower.top};
+}
+
+void Sweep::visit(std::uint32_t vertex, std::span<const std::uint32_t> starting) {
+  auto at = active_.lower_bound(Vertex{vertex});
+  const bool inside_below = at != active_.begin() && edges_[*std::prev(at)].has_inside_above;
+  const auto under = at == active_.begin() ? active_.end() : std::prev(at);
+  Frontier lower, upper;  // of the gaps below and above the vertex, where they are inside
+  bool inside_above = inside_below;
+  if (inside_below) lower = frontiers_[*under];
+  if (at != active_.end() && edges_[*at].later == vertex) {
+    if (inside_below) add_on_top(lower, vertex);
+    while (at != active_.end() && edges_[*at].later == vertex) {
+      inside_above = edges_[*at].has_inside_above;
+      const bool is_last = std::next(at) == active_.end() || edges_[*std::next(at)].later != vertex;
+      if (inside_above && is_last) {
+        upper = frontiers_[*at];
+        add_at_bottom(upper, vertex);
+      } else if (inside_above) {
+        close(frontiers_[*at], vertex);
+      }
+      at = active_.erase(at);
+    }
+    if (starting.empty() && inside_below) lower = join(lower, upper);
+  } else if (inside_below) {
+    std::tie(lower, upper) = split(lower, vertex);
+  }
+  if (inside_below) frontiers_[*under] = lower;
+  for (std::size_t i = 0; i < starting.size(); ++i) {
+    active_.insert(at, starting[i]);
+    if (!edges_[starting[i]].has_inside_above) continue;
+    if (i + 1 == starting.size()) {
+      frontiers_[starting[i]] = upper;
+    } else {
+      const std::uint32_t link = new_link(vertex);
+      frontiers_[starting[i]] = {link, link, link};
+    }
+  }
+  assert(!inside_above || !starting.empty() || inside_below);
+}
+
+void Sweep::run(std::span<const DirectedEdge> edges) {
+  edges_.reserve(edges.size());
+  std::vector<std::uint32_t> vertices;
+  for (const auto& [from, to] : edges) {
+    const bool is_forward = is_earlier(from, to);
+    edges_.push_back(is_forward ? SweepEdge{from, to, true} : SweepEdge{to, from, false});
+    vertices.push_back(from);
+    vertices.push_back(to);
+  }
+  frontiers_.resize(edges_.size());
+  std::ranges::sort(vertices);
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  std::ranges::sort(vertices, [&](std::uint32_t a, std::uint32_t b) { return is_earlier(a, b); });
+
+  std::vector<std::uint32_t> order(edges_.size());
+  for (std::uint32_t e = 0; e < order.size(); ++e) order[e] = e;
+  std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
+    if (edges_[a].earlier != edges_[b].earlier) return is_earlier(edges_[a].earlier, edges_[b].earlier);
+    return is_below(a, b);
+  });
+  auto next = order.begin();
+  for (const std::uint32_t vertex : vertices) {
+    const auto first = next;
+    while (next != order.end() && edges_[*next].earlier == vertex) ++next;
+    visit(vertex, std::span(first, next));
+  }
+}
+
+}  // namespace
+
+void triangulate(const VertexPool& points, Projection projection, std::span<const DirectedEdge> edges,
+                 std::vector<TriangleMesh::Triangle>& triangles) {
+  Sweep(points, projection, triangles).run(edges);
+}
+
+}  // namespace algebra3d::arrangement
