@@ -5,9 +5,9 @@
 
 namespace queries {
 
-RunMerge::RunMerge(std::shared_ptr<TupleFile> file, const std::vector<SortedRun>& runs, const SortOrder& order,
+RunMerge::RunMerge(const std::shared_ptr<TupleFile>& file, std::span<const SortedRun> runs, SortOrder order,
                    const algebra3d::Context& context)
-    : order_(order), context_(context) {
+    : order_(std::move(order)), context_(context) {
   for (const SortedRun& run : runs) {
     Head& head = heads_.emplace_back();
     head.scan = file->scan(run.begin, run.end);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "queries/streams/sort_order.h"
@@ -19,7 +20,7 @@ struct SortedRun {
 /// Interruptible. Memory: a buffer and a tuple for each run.
 class RunMerge final : public TupleStream {
  public:
-  RunMerge(std::shared_ptr<TupleFile> file, const std::vector<SortedRun>& runs, const SortOrder& order,
+  RunMerge(const std::shared_ptr<TupleFile>& file, std::span<const SortedRun> runs, SortOrder order,
            const algebra3d::Context& context);
   Result<TuplePtr> next() override;
 

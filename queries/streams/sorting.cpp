@@ -131,7 +131,7 @@ class Sorter {
     std::vector<SortedRun> merged;
     for (std::size_t first = 0; first < runs_.size(); first += merge_width()) {
       const std::size_t last = std::min(first + merge_width(), runs_.size());
-      RunMerge source(file_, {runs_.begin() + first, runs_.begin() + last}, order_, context_);
+      RunMerge source(file_, std::span(runs_).subspan(first, last - first), order_, context_);
       const std::uint64_t begin = target->end();
       RETURN_IF_ERROR(for_each_tuple(source, context_, [&](const TuplePtr& tuple) { return target->append(*tuple); }));
       merged.push_back({begin, target->end()});
