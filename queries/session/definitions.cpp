@@ -45,7 +45,7 @@ struct Step {
 std::string way_text(const std::deque<Step>& steps, std::size_t last, const std::string& end) {
   std::string text = end;
   while (true) {
-    text = steps[last].definition.name + ", " + text;
+    text.insert(0, steps[last].definition.name + ", ");
     if (last == 0) return text;
     last = steps[last].before;
   }
