@@ -5,9 +5,11 @@
 
 namespace algebra3d::arrangement {
 
-/// Box of doubles around a triangle, rounded outward.
+/// A box of doubles around a point: not always the smallest one, but made from the rounded coordinates alone.
+Box3 box_of_point(const PointRef& point);
+/// The same around a triangle.
 Box3 box_of_triangle(const TriangleRef& corners);
-/// Box of doubles around all triangles of a mesh, rounded outward. Cost: linear.
+/// The same around all triangles of a mesh. Cost: linear.
 Box3 box_of_mesh(const TriangleMesh& mesh);
 
 }  // namespace algebra3d::arrangement

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "algebra3d/base/box3.h"
+#include "algebra3d/arrangement/boxes.h"
 #include "rtree/rtree.h"
 
 namespace algebra3d::arrangement {
@@ -54,14 +54,8 @@ class PlaneOverlay {
 };
 
 Box3 PlaneOverlay::box_of(const Element& element) const {
-  Box3 box;
-  for (const std::uint32_t vertex : {element.from, element.to}) {
-    const PointRef point = vertices()[vertex];
-    if (point.is_double())
-      box.extend(point.approx);
-    else
-      box.extend(algebra3d::box_of(point));
-  }
+  Box3 box = box_of_point(vertices()[element.from]);
+  box.extend(box_of_point(vertices()[element.to]));
   return box;
 }
 

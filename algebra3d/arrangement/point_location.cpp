@@ -18,7 +18,7 @@ int step_above(const PointRef& point, const TriangleRef& triangle) {
 int PointLocation::winding(std::uint32_t operand, const PointRef& point) {
   const TriangleMesh& mesh = operands_.mesh(operand);
   Tree& tree = trees_[operand];
-  Box3 above = algebra3d::box_of(point);
+  Box3 above = box_of_point(point);
   above.max.z = Box3::kInfinity;
   int winding = 0;
   if (tree.asked++ < kFewPoints) {
@@ -45,7 +45,7 @@ std::vector<std::uint32_t> PointLocation::near(const PointRef& point) {
     boxes_ = std::make_unique<rtree::RTree<std::uint32_t>>(rtree::RTree<std::uint32_t>::bulk_load(entries));
   }
   std::vector<std::uint32_t> result;
-  for (const std::uint32_t operand : boxes_->window(algebra3d::box_of(point))) result.push_back(operand);
+  for (const std::uint32_t operand : boxes_->window(box_of_point(point))) result.push_back(operand);
   std::ranges::sort(result);
   return result;
 }

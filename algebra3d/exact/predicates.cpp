@@ -4,6 +4,7 @@
 #include <array>
 
 #include "algebra3d/exact/expansion.h"
+#include "algebra3d/exact/homogeneous.h"
 #include "algebra3d/exact/interval.h"
 #include "algebra3d/exact/predicates_integers.h"
 
@@ -50,12 +51,12 @@ Rational rational_of(const PointRef& point, std::size_t axis) {
 
 int orient3d_by_rationals(const std::array<const PointRef*, 4>& points) {
   count_big_fallback();
-  return determinant3<Rational>(rational_of, points).sign();
+  return orient3d_by_integers(points);
 }
 
 int orient2d_by_rationals(Projection plane, const std::array<const PointRef*, 3>& points) {
   count_big_fallback();
-  return determinant2<Rational>(rational_of, plane, points).sign();
+  return orient2d_by_integers(plane, points);
 }
 
 // A difference of doubles is 0 only if they are equal, so these zeros are exact. They are what models with faces

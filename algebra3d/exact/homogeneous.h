@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+
+#include <gmp.h>
+
+#include "algebra3d/exact/predicates.h"
+
+namespace algebra3d::detail {
+
+/// A GMP integer that is initialised and cleared.
+class Integer {
+ public:
+  Integer() { mpz_init(value_); }
+  ~Integer() { mpz_clear(value_); }
+  Integer(const Integer&) = delete;
+  Integer(Integer&&) = delete;
+  Integer& operator=(const Integer&) = delete;
+  Integer& operator=(Integer&&) = delete;
+
+  int sign() const { return mpz_sgn(value_); }
+  operator mpz_ptr() { return value_; }           // NOLINT(google-explicit-constructor)
+  operator mpz_srcptr() const { return value_; }  // NOLINT(google-explicit-constructor)
+
+ private:
+  mpz_t value_;
+};
+
+/// Homogeneous coordinates of a point: x = X / W and so on, all integers, W > 0. Determinants of these need no
+/// fractions, and so no search for common divisors, which is what takes the time in arithmetic with rationals.
+struct HomogeneousPoint {
+  Integer x, y, z, w;
+
+  mpz_srcptr operator[](std::size_t axis) const { return axis == 0 ? x : axis == 1 ? y : axis == 2 ? z : w; }
+  void set(const PointRef& point);
+};
+
+/// Sign of orient3d and orient2d by homogeneous coordinates. Exact for all points. Thread-safe; keeps its numbers from
+/// call to call.
+int orient3d_by_integers(const std::array<const PointRef*, 4>& points);
+int orient2d_by_integers(Projection plane, const std::array<const PointRef*, 3>& points);
+
+}  // namespace algebra3d::detail
