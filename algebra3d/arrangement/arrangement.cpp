@@ -1,5 +1,8 @@
 #include "algebra3d/arrangement/arrangement.h"
 
+#include <utility>
+#include <vector>
+
 #include "algebra3d/arrangement/candidates.h"
 #include "algebra3d/arrangement/classification.h"
 #include "algebra3d/arrangement/facet_contacts.h"
@@ -8,25 +11,58 @@
 
 namespace algebra3d {
 
-Result<TriangleMesh> combine_solids(std::span<const Operand> operands, const KeepRule& rule,
-                                    const std::atomic<bool>* cancel) {
-  using namespace arrangement;
+using namespace arrangement;
+
+/// Each part is made from those before it, which it refers to.
+struct SolidArrangement::Parts {
+  explicit Parts(std::span<const Operand> given)
+      : list(given.begin(), given.end()), operands(list), facets(operands), skeleton(operands, facets) {}
+
+  std::vector<Operand> list;
+  Operands operands;
+  Facets facets;
+  Skeleton skeleton;
+  Pieces pieces;
+  Patches patches;
+  Classification classification;
+};
+
+SolidArrangement::SolidArrangement(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+SolidArrangement::SolidArrangement(SolidArrangement&& other) noexcept = default;
+SolidArrangement& SolidArrangement::operator=(SolidArrangement&& other) noexcept = default;
+SolidArrangement::~SolidArrangement() = default;
+
+Result<SolidArrangement> SolidArrangement::make(std::span<const Operand> operands, const std::atomic<bool>* cancel) {
   std::size_t face_count = 0;
   for (const Operand& operand : operands) face_count += operand.mesh->face_count();
   if (face_count > TriangleMesh::kMaxFaces)
     return Error{ErrorCode::limit_exceeded, "the operands have {} triangles together; expected at most {}", face_count,
                  TriangleMesh::kMaxFaces};
 
-  const Operands all(operands);
-  ASSIGN_OR_RETURN(const auto pairs, candidate_pairs(all, cancel));
-  Facets facets(all);
-  Skeleton skeleton(all, facets);
-  RETURN_IF_ERROR(find_contacts(pairs, facets, skeleton, cancel));
-  RETURN_IF_ERROR(cut_segments(skeleton, cancel));
-  const Pieces pieces = divide(skeleton);
-  const Patches patches = find_patches(all, facets);
-  ASSIGN_OR_RETURN(const Classification classification, classify(skeleton, pieces, patches, cancel));
-  return build_outcome(skeleton, pieces, patches, classification, rule);
+  auto parts = std::make_unique<Parts>(operands);
+  ASSIGN_OR_RETURN(const auto pairs, candidate_pairs(parts->operands, cancel));
+  RETURN_IF_ERROR(find_contacts(pairs, parts->facets, parts->skeleton, cancel));
+  RETURN_IF_ERROR(cut_segments(parts->skeleton, cancel));
+  parts->pieces = divide(parts->skeleton);
+  parts->patches = find_patches(parts->operands, parts->facets);
+  ASSIGN_OR_RETURN(parts->classification, classify(parts->skeleton, parts->pieces, parts->patches, cancel));
+  return SolidArrangement(std::move(parts));
+}
+
+TriangleMesh SolidArrangement::faces(const FaceRule& rule) const {
+  return build_outcome(parts_->skeleton, parts_->pieces, parts_->patches, parts_->classification, rule);
+}
+
+TriangleMesh SolidArrangement::solid(const KeepRule& rule) const {
+  return faces([&](const Holding& front, const Holding& back) {
+    return static_cast<int>(rule(back)) - static_cast<int>(rule(front));
+  });
+}
+
+Result<TriangleMesh> combine_solids(std::span<const Operand> operands, const KeepRule& rule,
+                                    const std::atomic<bool>* cancel) {
+  ASSIGN_OR_RETURN(const SolidArrangement arrangement, SolidArrangement::make(operands, cancel));
+  return arrangement.solid(rule);
 }
 
 }  // namespace algebra3d

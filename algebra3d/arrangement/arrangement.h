@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 
 #include "algebra3d/base/error.h"
@@ -18,20 +19,45 @@ struct Operand {
   std::uint32_t group = 0;
 };
 
-/// Says of a place off all boundaries whether the result holds it, by the number of operands of each group that do.
-/// False where no operand is.
-using KeepRule = std::function<bool(const std::array<std::int32_t, 2>& holding)>;
+/// How many operands of each group hold a place.
+using Holding = std::array<std::int32_t, 2>;
+/// Says of a place off all boundaries whether the result holds it. False where no operand does.
+using KeepRule = std::function<bool(const Holding& holding)>;
+/// Says of a face of the arrangement, by the operands that hold the room in front of it and behind it, whether the
+/// result has it: 1, or -1 for the face turned over, or 0.
+using FaceRule = std::function<int(const Holding& front, const Holding& back)>;
 
-/// The regularised set operation that `rule` says, on any number of solids at once: the closure of the inside of the
-/// set of places that the rule keeps.
-///
-/// The result is a valid volume: cavities, nested bodies and bodies that touch included; the empty mesh if nothing is
-/// kept. Its vertices are vertices of the operands, or the exact points in which three of their planes meet. Where
-/// operands touch, facets are merged and corners that nothing demands are left out; faces that touch no other operand
-/// are taken over as they are. The same operands give the same triangles.
-/// Exactness: exact, for all valid operands. Errors: interrupted; limit_exceeded beyond TriangleMesh::kMaxFaces.
-/// Cost: near-linear in the faces of operands whose boxes meet, linear in those of the others.
-/// Source: the whole is ours; see docs/set-operations.md for its parts.
+/// Any number of solids, divided at one another: all faces, cut where they meet, each with the operands that hold the
+/// room on both sides of it. Immutable.
+class SolidArrangement {
+ public:
+  /// The meshes must outlive the arrangement. Exactness: exact, for all valid operands. Errors: interrupted;
+  /// limit_exceeded beyond TriangleMesh::kMaxFaces faces.
+  /// Cost: near-linear in the faces of operands whose boxes meet, linear in those of the others.
+  static Result<SolidArrangement> make(std::span<const Operand> operands, const std::atomic<bool>* cancel = nullptr);
+  SolidArrangement(SolidArrangement&& other) noexcept;
+  SolidArrangement& operator=(SolidArrangement&& other) noexcept;
+  SolidArrangement(const SolidArrangement&) = delete;
+  SolidArrangement& operator=(const SolidArrangement&) = delete;
+  ~SolidArrangement();
+
+  /// The regularised set operation that the rule says: the closure of the inside of the set of places that it keeps. A
+  /// valid volume: cavities, nested bodies and bodies that touch included; the empty mesh if nothing is kept.
+  TriangleMesh solid(const KeepRule& rule) const;
+  /// The faces that the rule keeps: a valid surface.
+  ///
+  /// Vertices of this and of `solid` are vertices of the operands, or the exact points in which three of their planes
+  /// meet. Where operands touch, facets are merged and corners that nothing demands are left out; faces that touch no
+  /// other operand are taken over as they are. The same operands give the same triangles. Cost: as `make`, or less.
+  TriangleMesh faces(const FaceRule& rule) const;
+
+ private:
+  struct Parts;
+  explicit SolidArrangement(std::unique_ptr<Parts> parts);
+  std::unique_ptr<Parts> parts_;
+};
+
+/// SolidArrangement::solid of the operands, for one rule.
 Result<TriangleMesh> combine_solids(std::span<const Operand> operands, const KeepRule& rule,
                                     const std::atomic<bool>* cancel = nullptr);
 

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <span>
 #include <tuple>
+#include <utility>
 
 #include "algebra3d/arrangement/triangulation.h"
 #include "algebra3d/exact/predicates.h"
@@ -57,7 +58,7 @@ class CornerNumbers {
 class OutcomeBuilder {
  public:
   OutcomeBuilder(const Skeleton& skeleton, const Pieces& pieces, const Patches& patches,
-                 const Classification& classification, const KeepRule& rule)
+                 const Classification& classification, const FaceRule& rule)
       : skeleton_(skeleton),
         pieces_(pieces),
         patches_(patches),
@@ -69,11 +70,14 @@ class OutcomeBuilder {
   TriangleMesh run();
 
  private:
-  /// 1 if a face is kept whose front is that of the windings `front`, -1 if it is kept turned over, 0 if it is not
-  /// kept.
-  int keeps(const Windings& front, const Windings& back) const {
-    return static_cast<int>(rule_(back)) - static_cast<int>(rule_(front));
-  }
+  /// The other ends of the edges that a vertex ends.
+  struct Neighbours {
+    std::uint32_t count = 0;  ///< 3: more than two
+    std::array<std::uint32_t, 2> vertices{kNone, kNone};
+    bool are_on_a_line = false;  ///< two, with the vertex between them; it is no corner then
+  };
+
+  std::array<int, 2> kept_sides(std::uint32_t number) const;
   void take_patches();
   void collect_edges();
   void find_middles();
@@ -84,10 +88,10 @@ class OutcomeBuilder {
   const Pieces& pieces_;
   const Patches& patches_;
   const Classification& classification_;
-  const KeepRule& rule_;
+  const FaceRule& rule_;
   CornerNumbers corners_;
-  std::vector<bool> is_fixed_;   // per vertex: a corner of a patch's face
-  std::vector<bool> is_middle_;  // per vertex: in the middle of a straight edge, where nothing else ends
+  std::vector<bool> is_fixed_;          // per vertex: a corner of a patch's face
+  std::vector<Neighbours> neighbours_;  // per vertex
   std::vector<KeptEdge> edges_;
   std::vector<TriangleMesh::Triangle> triangles_;
 };
@@ -98,7 +102,7 @@ void OutcomeBuilder::take_patches() {
   for (std::size_t p = 0; p < kept.size(); ++p) {
     Windings step{};
     step[operands.group(patches_.patches[p].operand)] = 1;
-    kept[p] = keeps(classification_.patch_fronts[p], classification_.patch_fronts[p] + step);
+    kept[p] = rule_(classification_.patch_fronts[p], classification_.patch_fronts[p] + step);
   }
   for (std::uint32_t face = 0; face < patches_.of_face.size(); ++face) {
     const std::uint32_t patch = patches_.of_face[face];
@@ -114,30 +118,46 @@ void OutcomeBuilder::take_patches() {
   }
 }
 
+/// What is kept of the cells to the left and right of a piece.
+std::array<int, 2> OutcomeBuilder::kept_sides(std::uint32_t number) const {
+  const Piece& piece = pieces_.pieces[number];
+  std::array<int, 2> kept{};
+  for (std::uint32_t side = 0; side < 2; ++side) {
+    if (piece.steps[side] == Windings{}) continue;
+    const Windings& front = classification_.cell_fronts[2 * number + side];
+    kept[side] = rule_(front, front + piece.steps[side]);
+  }
+  return kept;
+}
+
+/// A line is an edge of the result unless all that is kept there is one plane on both sides of it.
 void OutcomeBuilder::collect_edges() {
-  for (std::uint32_t p = 0; p < pieces_.pieces.size(); ++p) {
-    const Piece& piece = pieces_.pieces[p];
-    std::array<int, 2> kept{};
-    for (std::uint32_t side = 0; side < 2; ++side) {
-      if (piece.steps[side] == Windings{}) continue;
-      const Windings& front = classification_.cell_fronts[2 * p + side];
-      kept[side] = keeps(front, front + piece.steps[side]);
+  const auto& pieces = pieces_.pieces;
+  std::vector<std::array<int, 2>> kept;
+  for (std::uint32_t first = 0, last = 0; first < pieces.size(); first = last) {
+    kept.clear();
+    std::size_t planes = 0;
+    bool is_parted = false;
+    for (; last < pieces.size() && pieces[last].u == pieces[first].u && pieces[last].v == pieces[first].v; ++last) {
+      kept.push_back(kept_sides(last));
+      const auto& [left, right] = kept.back();
+      if (left != 0 || right != 0) ++planes;
+      is_parted = is_parted || left != right;
     }
-    if (kept[0] == kept[1]) continue;
-    if (kept[0] != 0) edges_.push_back({piece.plane, kept[0] < 0, piece.u, piece.v});
-    if (kept[1] != 0) edges_.push_back({piece.plane, kept[1] < 0, piece.v, piece.u});
+    if (planes < 2 && !is_parted) continue;
+    for (std::uint32_t p = first; p < last; ++p) {
+      const auto& [left, right] = kept[p - first];
+      if (left != 0) edges_.push_back({pieces[p].plane, left < 0, pieces[p].u, pieces[p].v});
+      if (right != 0) edges_.push_back({pieces[p].plane, right < 0, pieces[p].v, pieces[p].u});
+    }
   }
 }
 
-/// A vertex is in the middle if all kept edges that it ends run to the same two other vertices, on one line with it.
+/// A vertex is in the middle if all edges that it ends run to the same two other vertices, on one line with it.
 void OutcomeBuilder::find_middles() {
-  struct Neighbours {
-    std::uint32_t count = 0;
-    std::array<std::uint32_t, 2> vertices{kNone, kNone};
-  };
-  std::vector<Neighbours> neighbours(skeleton_.vertices().size());
+  neighbours_.resize(skeleton_.vertices().size());
   const auto note = [&](std::uint32_t vertex, std::uint32_t other) {
-    Neighbours& at = neighbours[vertex];
+    Neighbours& at = neighbours_[vertex];
     if (at.count > 2 || at.vertices[0] == other || at.vertices[1] == other) return;
     if (at.count < 2) at.vertices[at.count] = other;
     ++at.count;
@@ -146,11 +166,12 @@ void OutcomeBuilder::find_middles() {
     note(edge.from, edge.to);
     note(edge.to, edge.from);
   }
-  is_middle_.resize(neighbours.size());
   const VertexPool& points = skeleton_.vertices();
-  for (std::uint32_t v = 0; v < neighbours.size(); ++v)
-    is_middle_[v] = neighbours[v].count == 2 && !is_fixed_[v] &&
-                    collinear(points[neighbours[v].vertices[0]], points[v], points[neighbours[v].vertices[1]]);
+  for (std::uint32_t v = 0; v < neighbours_.size(); ++v) {
+    Neighbours& at = neighbours_[v];
+    at.are_on_a_line =
+        at.count == 2 && !is_fixed_[v] && collinear(points[at.vertices[0]], points[v], points[at.vertices[1]]);
+  }
 }
 
 /// Replaces runs of edges through middles by one edge each.
@@ -158,11 +179,13 @@ void OutcomeBuilder::straighten() {
   std::ranges::sort(edges_);
   std::vector<KeptEdge> straight;
   for (const KeptEdge& edge : edges_) {
-    if (is_middle_[edge.from]) continue;
-    KeptEdge whole = edge;
-    while (is_middle_[whole.to])
-      whole.to = std::ranges::lower_bound(edges_, KeptEdge{edge.plane, edge.is_flipped, whole.to, 0})->to;
-    straight.push_back(whole);
+    if (neighbours_[edge.from].are_on_a_line) continue;
+    std::uint32_t before = edge.from, at = edge.to;
+    while (neighbours_[at].are_on_a_line) {
+      const auto& [one, other] = neighbours_[at].vertices;
+      before = std::exchange(at, before == one ? other : one);
+    }
+    straight.push_back({edge.plane, edge.is_flipped, edge.from, at});
   }
   edges_ = std::move(straight);
 }
@@ -196,7 +219,7 @@ TriangleMesh OutcomeBuilder::run() {
 }  // namespace
 
 TriangleMesh build_outcome(const Skeleton& skeleton, const Pieces& pieces, const Patches& patches,
-                           const Classification& classification, const KeepRule& rule) {
+                           const Classification& classification, const FaceRule& rule) {
   return OutcomeBuilder(skeleton, pieces, patches, classification, rule).run();
 }
 
