@@ -17,6 +17,8 @@ Registry make_registry() {
   register_measure(registry);
   register_creation(registry);
   register_transformation(registry);
+  register_set_operations(registry);
+  register_cuts(registry);
   register_decomposition(registry);
   register_files(registry);
   return registry;

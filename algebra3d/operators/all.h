@@ -18,6 +18,8 @@ void register_information(Registry& registry);
 void register_measure(Registry& registry);
 void register_creation(Registry& registry);
 void register_transformation(Registry& registry);
+void register_set_operations(Registry& registry);
+void register_cuts(Registry& registry);
 void register_decomposition(Registry& registry);
 void register_files(Registry& registry);
 

@@ -1,4 +1,4 @@
-// rect3: rectangle3, intersects, inside, contains, union, intersection, enlargeRect, minD, maxD.
+// rect3: rectangle3, intersects, inside, contains, enlargeRect, minD, maxD.
 #include <cmath>
 
 #include "algebra3d/operators/all.h"
@@ -32,16 +32,6 @@ bool text_contains(const Text& whole, const Text& part) {
 }
 bool text_contains_string(const Text& whole, const std::string& part) {
   return whole.content.find(part) != std::string::npos;
-}
-
-Box3 box_union(const Box3& a, const Box3& b) {
-  return unite(a, b);
-}
-
-Maybe<Box3> box_intersection(const Box3& a, const Box3& b) {
-  const Box3 common = intersect(a, b);
-  if (common.is_empty()) return Undefined{"the boxes do not meet"};
-  return common;
 }
 
 // Each bound rounded outward, so that the result holds every point within the distances.
@@ -120,32 +110,6 @@ void register_box_predicates(Registry& registry) {
   });
 }
 
-void register_box_sets(Registry& registry) {
-  registry.add({
-      .name = "union",
-      .syntax = "_ union _",
-      .doc = "The smallest box around both boxes.",
-      .exactness = Exactness::exact,
-      .overloads = {symmetric(overload<&box_union>("a", "b"))},
-      .examples = {{infix(kUnit, "union", kShifted), "(0.0 2.0 0.0 1.0 0.0 1.0)"},
-                   {infix(kUnit, "union", kUndefined), "undefined"}},
-      .errors = {{"query " + infix(kUnit, "union", "1"), "union: expected (rect3 rect3), got (rect3 int)"}},
-  });
-  registry.add({
-      .name = "intersection",
-      .syntax = "intersection(_, _)",
-      .doc = "The common part of both boxes.",
-      .detail = "Undefined if the boxes do not meet.",
-      .exactness = Exactness::exact,
-      .overloads = {symmetric(overload<&box_intersection>("a", "b"))},
-      .examples = {{call("intersection", kUnit, kShifted), "(1.0 1.0 0.0 1.0 0.0 1.0)"},
-                   {call("intersection", kUnit, "rectangle3(2, 3, 0, 1, 0, 1)"), "undefined"},
-                   {call("intersection", kUnit, kUndefined), "undefined"}},
-      .errors = {{"query " + call("intersection", kUnit, "1"),
-                  "intersection: expected (rect3 rect3), got (rect3 int)"}},
-  });
-}
-
 }  // namespace
 
 void register_boxes(Registry& registry) {
@@ -162,7 +126,6 @@ void register_boxes(Registry& registry) {
       .errors = {{"query rectangle3(0, 1)", "rectangle3: expected (real real real real real real), got (int int)"}},
   });
   register_box_predicates(registry);
-  register_box_sets(registry);
   registry.add({
       .name = "enlargeRect",
       .syntax = "enlargeRect(_, _, _, _)",

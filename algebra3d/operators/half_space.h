@@ -1,0 +1,21 @@
+#pragma once
+
+#include "algebra3d/base/box3.h"
+#include "algebra3d/base/error.h"
+#include "algebra3d/exact/plane.h"
+#include "algebra3d/halfedge/triangle_mesh.h"
+
+namespace algebra3d {
+
+/// On which side of the plane a box lies: 1 wholly in front (or touching), -1 wholly behind, 0 on both. Exact.
+int side_of(const Box3& box, const ExactPlane& plane);
+
+/// A solid that holds all of the box behind the plane and nothing in front of it: a prism with one face in the plane,
+/// whose front is that of the plane. The plane cuts the box (side_of is 0). Its corners are exact, so this face lies
+/// exactly in the plane. Undefined if a corner is beyond the range of doubles.
+Maybe<TriangleMesh> half_space_within(const Box3& box, const ExactPlane& plane);
+
+/// The box as a solid; it is not flat.
+TriangleMesh solid_of(const Box3& box);
+
+}  // namespace algebra3d

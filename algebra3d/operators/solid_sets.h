@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+#include <utility>
+
+#include "algebra3d/base/context.h"
+#include "algebra3d/base/error.h"
+#include "algebra3d/types/spatial.h"
+
+namespace algebra3d {
+
+// Regularised set operations on solids as values: language.md 7.3. All are exact for all operands; errors are
+// `interrupted` and `limit_exceeded`.
+
+/// Of any number of solids in one arrangement; the empty solid for none.
+Result<Volume3d> united(Context& context, std::span<const Volume3d> solids);
+/// Of at least one solid.
+Result<Volume3d> intersected(Context& context, std::span<const Volume3d> solids);
+Result<Volume3d> without(Context& context, const Volume3d& solid, const Volume3d& other);
+Result<Volume3d> in_either(Context& context, const Volume3d& solid, const Volume3d& other);
+
+/// The parts of the solid in front of the plane and behind it; either may be empty.
+Result<Maybe<std::pair<Volume3d, Volume3d>>> split(Context& context, const Volume3d& solid, const ExactPlane& plane);
+/// The part of the plane that lies in the solid, without lower-dimensional left-overs; its front is that of the plane.
+Result<Maybe<Surface3d>> section(Context& context, const Volume3d& solid, const ExactPlane& plane);
+/// The part of the solid in the box.
+Result<Volume3d> clipped(Context& context, const Volume3d& solid, const Box3& box);
+
+}  // namespace algebra3d
