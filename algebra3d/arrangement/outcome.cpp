@@ -93,6 +93,8 @@ class OutcomeBuilder {
   std::vector<bool> is_fixed_;          // per vertex: a corner of a patch's face
   std::vector<Neighbours> neighbours_;  // per vertex
   std::vector<KeptEdge> edges_;
+  /// Edges of kept patches along which more than two faces meet, by their vertices, ascending.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> shared_patch_edges_;
   std::vector<TriangleMesh::Triangle> triangles_;
 };
 
@@ -108,14 +110,18 @@ void OutcomeBuilder::take_patches() {
     const std::uint32_t patch = patches_.of_face[face];
     if (patch == kNone || kept[patch] == 0) continue;
     TriangleMesh::Triangle triangle{};
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      triangle[i] = corners_.of_operand_corner(3 * face + i);
-      const std::uint32_t vertex = skeleton_.vertex_of_corner(operands.vertex(3 * face + i));
-      if (vertex != kNone) is_fixed_[vertex] = true;
+    for (std::uint32_t h = 3 * face; h < 3 * face + 3; ++h) {
+      triangle[h % 3] = corners_.of_operand_corner(h);
+      const std::uint32_t vertex = skeleton_.vertex_of_corner(operands.vertex(h));
+      if (vertex == kNone) continue;
+      is_fixed_[vertex] = true;
+      const std::uint32_t next = skeleton_.vertex_of_corner(operands.vertex(Operands::next(h)));
+      if (next != kNone && operands.opposite(h) == kNone) shared_patch_edges_.emplace_back(std::minmax(vertex, next));
     }
     if (kept[patch] < 0) std::swap(triangle[1], triangle[2]);
     triangles_.push_back(triangle);
   }
+  std::ranges::sort(shared_patch_edges_);
 }
 
 /// What is kept of the cells to the left and right of a piece.
@@ -130,14 +136,15 @@ std::array<int, 2> OutcomeBuilder::kept_sides(std::uint32_t number) const {
   return kept;
 }
 
-/// A line is an edge of the result unless all that is kept there is one plane on both sides of it.
+/// A line is an edge of the result unless all that is kept there is one plane on both sides of it. Faces of patches are
+/// there only along edges of the operands, and with a plane on both sides only where these have more than two faces.
 void OutcomeBuilder::collect_edges() {
   const auto& pieces = pieces_.pieces;
   std::vector<std::array<int, 2>> kept;
   for (std::uint32_t first = 0, last = 0; first < pieces.size(); first = last) {
     kept.clear();
     std::size_t planes = 0;
-    bool is_parted = false;
+    bool is_parted = std::ranges::binary_search(shared_patch_edges_, std::pair(pieces[first].u, pieces[first].v));
     for (; last < pieces.size() && pieces[last].u == pieces[first].u && pieces[last].v == pieces[first].v; ++last) {
       kept.push_back(kept_sides(last));
       const auto& [left, right] = kept.back();

@@ -48,7 +48,7 @@ void register_half_spaces(Registry& registry) {
           "In front is the side to which the normal points. Either part may be empty. Corners of the cut are exact.",
       .exactness = Exactness::exact,
       .overloads = {overload<&split_solid>("solid", "plane")},
-      .examples = {{kCube + " split[" + kPlane + "] transformstream projectextend[; V: volume(.elem)] sum[V]", "8.0"},
+      .examples = {{kCube + " split[" + kPlane + "] transformstream projectextend[; V: volume(.Elem)] sum[V]", "8.0"},
                    {kCube + " split[" + kPlane + "] count", "2"},
                    {"[const volume3d value undefined] split[" + kPlane + "] count", "0"}},
       .errors = {{"query " + kCube + " split[1] count", "split: expected (volume3d plane3d), got (volume3d int)"}},

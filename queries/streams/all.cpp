@@ -11,6 +11,7 @@ void register_stream_operators(algebra3d::Registry& registry) {
   register_ordering(registry);
   register_grouping(registry);
   register_aggregates(registry);
+  register_set_aggregates(registry);
   register_folding(registry);
   register_joins(registry);
   register_equi_joins(registry);

@@ -23,6 +23,7 @@ void register_extending_streams(algebra3d::Registry& registry);
 void register_ordering(algebra3d::Registry& registry);
 void register_grouping(algebra3d::Registry& registry);
 void register_aggregates(algebra3d::Registry& registry);
+void register_set_aggregates(algebra3d::Registry& registry);
 void register_folding(algebra3d::Registry& registry);
 void register_joins(algebra3d::Registry& registry);
 void register_equi_joins(algebra3d::Registry& registry);
