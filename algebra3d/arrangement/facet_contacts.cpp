@@ -181,8 +181,8 @@ void ContactFinder::add_segments(std::span<const FaceContact> contacts) {
   std::ranges::sort(artificial, {}, &End::meeting);
   // The part that goes on beyond an artificial end.
   const auto beyond = [&](std::uint32_t contact, std::uint32_t end) {
-    auto [first, last] = std::ranges::equal_range(artificial, contacts[contact].ends[end].meeting, {}, &End::meeting);
-    assert(last - first == 2);
+    const auto first = std::ranges::lower_bound(artificial, contacts[contact].ends[end].meeting, {}, &End::meeting);
+    assert(std::next(first) < artificial.end() && std::next(first)->meeting == first->meeting);
     return first->contact == contact ? *std::next(first) : *first;
   };
   std::vector<bool> is_done(contacts.size());

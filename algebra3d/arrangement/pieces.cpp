@@ -36,8 +36,7 @@ class CutSegments {
 CutSegments::CutSegments(Skeleton& skeleton) {
   auto& cuts = skeleton.cuts();
   std::ranges::sort(cuts);
-  const auto repeated = std::ranges::unique(cuts);
-  cuts.erase(repeated.begin(), repeated.end());
+  cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
   const VertexPool& points = skeleton.vertices();
   auto cut = cuts.begin();
   for (std::uint32_t s = 0; s < skeleton.segments().size(); ++s) {
@@ -70,8 +69,7 @@ std::vector<FacetPiece> facet_pieces(Skeleton& skeleton) {
     }
   }
   std::ranges::sort(pieces);
-  const auto repeated = std::ranges::unique(pieces);
-  pieces.erase(repeated.begin(), repeated.end());
+  pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
   return pieces;
 }
 

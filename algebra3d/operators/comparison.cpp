@@ -98,9 +98,8 @@ void register_comparison(Registry& registry) {
         .name = row.name,
         .syntax = std::string("_ ") + row.name + " _",
         .doc = row.doc,
-        .detail =
-            "Both are of one type; an int beside a real counts as a real. Volumes and surfaces are equal here when "
-            "they have the same set of oriented triangles.",
+        .detail = "Both are of one type; an int beside a real counts as a real. Points, surfaces and "
+                  "volumes are equal when they are the same point set, however it is cut into triangles.",
         .exactness = Exactness::exact,
         .overloads = for_all_types(registry, [&](const Type& type) { return comparison(type, row.holds); }),
         .examples = {{row.yes, "TRUE"},

@@ -48,26 +48,6 @@ RankedPoints rank_points(const PointArray& points) {
   return result;
 }
 
-/// The rotation of three numbers that comes first.
-template <typename T>
-std::array<T, 3> first_rotation(const std::array<T, 3>& t) {
-  return std::min({t, {t[1], t[2], t[0]}, {t[2], t[0], t[1]}});
-}
-
-/// The triangles as points in canonical order.
-std::vector<Triangle> canonical_triangles(const TriangleMesh& mesh) {
-  const RankedPoints ranked = rank_points(mesh.points());
-  std::vector<Triangle> triangles(mesh.face_count());
-  for (std::size_t f = 0; f < triangles.size(); ++f) {
-    const Triangle t = mesh.triangle(FaceId(f));
-    triangles[f] = first_rotation(Triangle{ranked.ranks[t[0]], ranked.ranks[t[1]], ranked.ranks[t[2]]});
-  }
-  std::ranges::sort(triangles);
-  for (Triangle& t : triangles)
-    for (std::uint32_t& corner : t) corner = ranked.points[corner];
-  return triangles;
-}
-
 std::strong_ordering compare_boxes(const Box3& a, const Box3& b) {
   for (const auto& [p, q] : {std::pair{a.min, b.min}, std::pair{a.max, b.max}})
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -118,36 +98,35 @@ NestedList mesh_to_nested(const TriangleMesh& mesh) {
   return NestedList(std::move(triangles));
 }
 
-std::strong_ordering compare_triangles(const Geometry& a, const Geometry& b) {
+std::strong_ordering compare_point_sets(const Geometry& a, const Geometry& b, Orientation orientation) {
   if (&a == &b) return std::strong_ordering::equal;
-  if (const auto order = a.mesh.face_count() <=> b.mesh.face_count(); std::is_neq(order)) return order;
   if (const auto order = compare_boxes(a.box, b.box); std::is_neq(order)) return order;
-  const std::vector<Triangle> triangles_a = canonical_triangles(a.mesh);
-  const std::vector<Triangle> triangles_b = canonical_triangles(b.mesh);
-  for (std::size_t f = 0; f < triangles_a.size(); ++f)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const PointRef p = a.mesh.points()[triangles_a[f][i]];
-      const PointRef q = b.mesh.points()[triangles_b[f][i]];
-      if (const auto order = compare(p, q); std::is_neq(order)) return order;
-    }
+  const CanonicalFacets facets_a = canonical_facets(a.mesh, orientation);
+  const CanonicalFacets facets_b = canonical_facets(b.mesh, orientation);
+  const auto sizes = std::pair(facets_a.facet_count(), facets_a.segments.size()) <=>
+                     std::pair(facets_b.facet_count(), facets_b.segments.size());
+  if (std::is_neq(sizes)) return sizes;
+  if (const auto order = facets_a.first_of_facet <=> facets_b.first_of_facet; std::is_neq(order)) return order;
+  const PointArray &points_a = a.mesh.points(), &points_b = b.mesh.points();
+  for (std::size_t s = 0; s < facets_a.segments.size(); ++s) {
+    const auto& [from_a, to_a] = facets_a.segments[s], &[ from_b, to_b ] = facets_b.segments[s];
+    if (const auto order = compare(points_a[from_a], points_b[from_b]); std::is_neq(order)) return order;
+    if (const auto order = compare(points_a[to_a], points_b[to_b]); std::is_neq(order)) return order;
+  }
   return std::strong_ordering::equal;
 }
 
-std::size_t hash_triangles(const TriangleMesh& mesh) {
-  // The rounded coordinates do: equal points have equal ones. Of the three rotations that with the smallest hashes
-  // counts, and the sum of all triangles does not depend on their order.
-  std::vector<std::size_t> point_hashes;
-  point_hashes.reserve(mesh.vertex_count());
-  for (const Vec3& p : mesh.points().approx())
-    point_hashes.push_back(combine_hashes(combine_hashes(hash_real(p.x), hash_real(p.y)), hash_real(p.z)));
-  std::size_t sum = mesh.face_count();
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const Triangle t = mesh.triangle(FaceId(f));
-    const auto [h0, h1, h2] =
-        first_rotation(std::array<std::size_t, 3>{point_hashes[t[0]], point_hashes[t[1]], point_hashes[t[2]]});
-    sum += hash_word(combine_hashes(combine_hashes(h0, h1), h2));
-  }
-  return sum;
+std::size_t hash_point_set(const Geometry& geometry, Orientation orientation) {
+  const auto hash_of = [&](std::uint32_t point) {
+    // The rounded coordinates do: equal points have equal ones.
+    const Vec3& p = geometry.mesh.points().approx()[point];
+    return combine_hashes(combine_hashes(hash_real(p.x), hash_real(p.y)), hash_real(p.z));
+  };
+  const CanonicalFacets facets = canonical_facets(geometry.mesh, orientation);
+  std::size_t hash = facets.facet_count();
+  for (const auto& [from, to] : facets.segments)
+    hash = combine_hashes(combine_hashes(hash, hash_of(from)), hash_of(to));
+  return hash;
 }
 
 bool has_equal_points(const TriangleMesh& mesh) {

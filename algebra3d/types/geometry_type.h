@@ -24,9 +24,11 @@ class GeometryType : public DescribedType {
   NestedList to_nested(const Value& value) const override { return mesh_to_nested(value.get<T>().mesh()); }
 
   std::strong_ordering compare(const Value& a, const Value& b) const override {
-    return compare_triangles(a.get<T>().geometry(), b.get<T>().geometry());
+    return compare_point_sets(a.get<T>().geometry(), b.get<T>().geometry(), orientation_);
   }
-  std::size_t hash(const Value& value) const override { return hash_triangles(value.get<T>().mesh()); }
+  std::size_t hash(const Value& value) const override {
+    return hash_point_set(value.get<T>().geometry(), orientation_);
+  }
 
   std::size_t heap_bytes(const Value& value) const override {
     return object_bytes<T>() + object_bytes<Geometry>() + value.get<T>().mesh().heap_bytes();
@@ -54,7 +56,11 @@ class GeometryType : public DescribedType {
   }
 
  protected:
-  explicit GeometryType(Description description) : DescribedType(std::move(description)) {}
+  GeometryType(Description description, Orientation orientation)
+      : DescribedType(std::move(description)), orientation_(orientation) {}
+
+ private:
+  Orientation orientation_;
 };
 
 }  // namespace algebra3d

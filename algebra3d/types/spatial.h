@@ -51,7 +51,7 @@ struct Geometry {
 };
 
 /// surface3d: valid by construction (language.md 7.2). Cheap to copy. Triangles keep the order that they were given.
-/// Equal means: the same set of triangles, whatever their order and the corner they begin with; orientation counts.
+/// Equal means: the same points, whatever the triangles and their orientation.
 class Surface3d {
  public:
   Surface3d();  ///< the empty surface
@@ -70,7 +70,7 @@ class Surface3d {
 };
 
 /// volume3d: a solid, valid by construction (language.md 7.2), oriented outward, cavities and several bodies included.
-/// Equal means: the same set of oriented triangles (equality as point sets comes with the set operations).
+/// Equal means: the same points, whatever the triangles.
 class Volume3d {
  public:
   Volume3d();  ///< the empty volume

@@ -13,7 +13,8 @@ class Surface3dType final : public GeometryType<Surface3d> {
                              "exact coordinates.",
                       .notation = "(tri*), tri = (p1 p2 p3), p = (x y z)",
                       .example = "(((0 0 0) (1 0 0) (0 1 0)))",
-                      .kinds = {Kind::data, Kind::spatial3d}}) {}
+                      .kinds = {Kind::data, Kind::spatial3d}},
+                     Orientation::does_not_count) {}
 };
 
 }  // namespace

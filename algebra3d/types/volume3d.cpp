@@ -14,7 +14,8 @@ class Volume3dType final : public GeometryType<Volume3d> {
                       .notation = "(tri*), tri = (p1 p2 p3), p = (x y z)",
                       .example = "(((0 0 0) (0 1 0) (1 0 0)) ((0 0 0) (1 0 0) (0 0 1)) ((0 0 0) (0 0 1) (0 1 0)) ((1 0 "
                                  "0) (0 1 0) (0 0 1)))",
-                      .kinds = {Kind::data, Kind::spatial3d}}) {}
+                      .kinds = {Kind::data, Kind::spatial3d}},
+                     Orientation::counts) {}
 };
 
 }  // namespace

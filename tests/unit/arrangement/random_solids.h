@@ -65,6 +65,7 @@ class RandomSolids {
       : chance_(seed), engine_(engine), family_(static_cast<Family>(chance_.below(kFamilyCount))) {
     axis_ = chance_.direction();
     angle_ = 3 * chance_.unit();
+    has_short_coordinates_ = !chance_.one_in(3);
     for (Vec3& corner : corners_) corner = {3 * chance_.unit(), 3 * chance_.unit(), 3 * chance_.unit()};
     switch (chance_.below(6)) {
       case 0:
@@ -85,11 +86,18 @@ class RandomSolids {
   Family family() const { return family_; }
   Chance& chance() { return chance_; }
 
-  /// An operand: mostly a plain solid, else what one to three operations on such give.
+  /// In general position every pair of faces gives numbers of its own, so that a trial takes a hundred times as long as
+  /// one on a grid: it gets fewer and smaller operands, or most of the time would go into the cases that are rarely
+  /// wrong.
+  bool is_costly() const {
+    return family_ == Family::rotated_cubes || family_ == Family::rotated_grid_boxes || family_ == Family::spheres;
+  }
+
+  /// An operand: mostly a plain solid, else what a few operations on such give.
   TriangleMesh operand() {
     TriangleMesh result = plain();
-    if (!chance_.one_in(3)) return result;
-    for (int n = chance_.between(1, 3); n > 0; --n) {
+    if (!chance_.one_in(is_costly() ? 5 : 3)) return result;
+    for (int n = is_costly() ? 1 : chance_.between(1, 3); n > 0; --n) {
       const TriangleMesh other = plain();
       switch (chance_.below(4)) {
         case 0:
@@ -130,11 +138,11 @@ class RandomSolids {
       case Family::common_corners:
         return tetrahedron_over_common_corners();
       case Family::rotated_cubes:
-        return rotated_cube();
+        return shortened(rotated_cube());
       case Family::rotated_grid_boxes:
-        return rotated(grid_box(4), axis_, angle_);
+        return shortened(rotated(grid_box(4), axis_, angle_));
       case Family::spheres:
-        return any_sphere();
+        return shortened(any_sphere());
       case Family::extrusions:
         return extrusion();
       case Family::mixed:
@@ -168,9 +176,19 @@ class RandomSolids {
     }
   }
 
+  /// Coordinates of a few bits, in most trials: as exact, and the numbers that grow out of them are half as long.
+  TriangleMesh shortened(const TriangleMesh& mesh) const {
+    if (!has_short_coordinates_) return mesh;
+    const auto rounded = [](double x) { return std::round(x * 0x1p12) * 0x1p-12; };
+    return mapped(mesh, [&](const Vec3& p) { return Vec3{rounded(p.x), rounded(p.y), rounded(p.z)}; });
+  }
+
+  /// A cube, or the regular tetrahedron in one.
   TriangleMesh rotated_cube() {
     const Vec3 axis = chance_.direction();
-    const TriangleMesh turned = rotated(cube(-1, 1), axis, 3 * chance_.unit());
+    const TriangleMesh plain =
+        chance_.one_in(3) ? cube(-1, 1) : tetrahedron({1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1});
+    const TriangleMesh turned = rotated(plain, axis, 3 * chance_.unit());
     const double x = chance_.unit(), y = chance_.unit();
     return shifted(turned, {x, y, chance_.unit()});
   }
@@ -179,11 +197,11 @@ class RandomSolids {
     const Vec3 centre = chance_.one_in(2) ? chance_.grid_point(2) : Vec3{chance_.unit(), 0, 0};
     switch (chance_.below(3)) {
       case 0:
-        return shifted(sphere(chance_.between(2, 5), chance_.between(3, 7), 1), centre);
+        return shifted(sphere(chance_.between(2, 4), chance_.between(3, 5), 1), centre);
       case 1:
-        return shifted(geodesic_sphere(chance_.between(1, 3)), centre);
+        return shifted(geodesic_sphere(chance_.between(1, 2)), centre);
       default:
-        return shifted(rotated(geodesic_sphere(chance_.between(1, 3)), axis_, angle_), centre);
+        return shifted(rotated(geodesic_sphere(1), axis_, angle_), centre);
     }
   }
 
@@ -216,6 +234,7 @@ class RandomSolids {
   Frame frame_;
   Vec3 axis_;
   double angle_ = 0;
+  bool has_short_coordinates_ = false;
   std::array<Vec3, 7> corners_;
 };
 
