@@ -109,9 +109,9 @@ std::strong_ordering compare_point_sets(const Geometry& a, const Geometry& b, Or
   if (const auto order = facets_a.first_of_facet <=> facets_b.first_of_facet; std::is_neq(order)) return order;
   const PointArray &points_a = a.mesh.points(), &points_b = b.mesh.points();
   for (std::size_t s = 0; s < facets_a.segments.size(); ++s) {
-    const auto& [from_a, to_a] = facets_a.segments[s], &[ from_b, to_b ] = facets_b.segments[s];
-    if (const auto order = compare(points_a[from_a], points_b[from_b]); std::is_neq(order)) return order;
-    if (const auto order = compare(points_a[to_a], points_b[to_b]); std::is_neq(order)) return order;
+    const FacetSegment &p = facets_a.segments[s], &q = facets_b.segments[s];
+    if (const auto order = compare(points_a[p.first], points_b[q.first]); std::is_neq(order)) return order;
+    if (const auto order = compare(points_a[p.second], points_b[q.second]); std::is_neq(order)) return order;
   }
   return std::strong_ordering::equal;
 }
