@@ -8,6 +8,7 @@
 #include <span>
 
 #include "algebra3d/base/error.h"
+#include "algebra3d/halfedge/box_hierarchy.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
 
 namespace algebra3d {
@@ -17,6 +18,8 @@ struct Operand {
   const TriangleMesh* mesh = nullptr;  ///< a valid volume (validity.h)
   /// 0 or 1: what the rule does not tell apart is one group.
   std::uint32_t group = 0;
+  /// Over all faces of the mesh, if there is one already; null: one is made where it is needed.
+  const BoxHierarchy* hierarchy = nullptr;
 };
 
 /// How many operands of each group hold a place.

@@ -1,59 +1,62 @@
 #include "algebra3d/arrangement/candidates.h"
 
-#include <algorithm>
-
-#include "algebra3d/arrangement/boxes.h"
+#include "algebra3d/base/box3.h"
+#include "algebra3d/halfedge/boxes.h"
 #include "rtree/rtree.h"
 
 namespace algebra3d::arrangement {
 namespace {
 
-/// The places in which an operand meets boxes of others: one box for each such operand, or one around them all.
-std::vector<std::vector<Box3>> meeting_places(const Operands& operands) {
-  constexpr std::size_t kMostPlaces = 16;
-  std::vector<rtree::Entry<std::uint32_t>> boxes;
-  for (std::uint32_t i = 0; i < operands.count(); ++i) boxes.push_back({box_of_mesh(operands.mesh(i)), i});
-  std::vector<std::vector<Box3>> places(operands.count());
-  const auto add = [&](std::uint32_t operand, const Box3& place) {
-    if (places[operand].size() < kMostPlaces)
-      places[operand].push_back(place);
-    else
-      places[operand].back().extend(place);
-  };
-  const auto tree = rtree::RTree<std::uint32_t>::bulk_load(boxes);
-  auto meeting = tree.self_join();
-  while (const auto pair = meeting.next()) {
-    const Box3 common = intersect(boxes[pair->first].box, boxes[pair->second].box);
-    add(pair->first, common);
-    add(pair->second, common);
+using FacePairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+using Tree = rtree::RTree<std::uint32_t>;
+
+bool is_cancelled(const std::atomic<bool>* cancel) {
+  return cancel != nullptr && cancel->load(std::memory_order_relaxed);
+}
+
+/// Few operands: the hierarchy of each against that of each other one.
+void pair_operands(const Operands& operands, const std::atomic<bool>* cancel, FacePairs& pairs) {
+  for (std::uint32_t a = 0; a < operands.count(); ++a)
+    for (std::uint32_t b = a + 1; b < operands.count(); ++b)
+      operands.hierarchy(a).for_each_pair_with(
+          operands.hierarchy(b),
+          [&](std::uint32_t f, std::uint32_t g) {
+            pairs.emplace_back(operands.first_face(a) + f, operands.first_face(b) + g);
+            return true;
+          },
+          [&] { return !is_cancelled(cancel); });
+}
+
+/// Many operands: one tree over the faces of all whose boxes meet others.
+void pair_faces(const Operands& operands, const std::atomic<bool>* cancel, FacePairs& pairs) {
+  std::vector<rtree::Entry<std::uint32_t>> boxes, faces;
+  for (std::uint32_t i = 0; i < operands.count(); ++i) boxes.push_back({operands.hierarchy(i).bounds(), i});
+  const Tree operand_tree = Tree::bulk_load(boxes);
+  for (std::uint32_t i = 0; i < operands.count(); ++i) {
+    auto meeting = operand_tree.window(boxes[i].box);
+    const bool is_alone = !(meeting.next() && meeting.next());
+    for (std::uint32_t f = 0; !is_alone && f < operands.mesh(i).face_count(); ++f)
+      faces.push_back({box_of_triangle(operands.mesh(i).corners(FaceId(f))), operands.first_face(i) + f});
   }
-  return places;
+  const Tree face_tree = Tree::bulk_load(faces);
+  auto join = face_tree.self_join();
+  for (auto batch = join.next_batch(); !batch.empty() && !is_cancelled(cancel); batch = join.next_batch())
+    for (const auto& pair : batch)
+      if (operands.operand_of_face(pair.first) != operands.operand_of_face(pair.second))
+        pairs.emplace_back(pair.first, pair.second);
 }
 
 }  // namespace
 
 Result<std::vector<std::pair<std::uint32_t, std::uint32_t>>> candidate_pairs(const Operands& operands,
                                                                              const std::atomic<bool>* cancel) {
-  const std::vector<std::vector<Box3>> places = meeting_places(operands);
-  std::vector<rtree::Entry<std::uint32_t>> entries;
-  for (std::uint32_t i = 0; i < operands.count(); ++i) {
-    if (places[i].empty()) continue;
-    for (std::size_t f = 0; f < operands.mesh(i).face_count(); ++f) {
-      const Box3 box = box_of_triangle(operands.mesh(i).corners(FaceId(f)));
-      if (std::ranges::any_of(places[i], [&](const Box3& place) { return place.intersects(box); }))
-        entries.push_back({box, operands.first_face(i) + static_cast<std::uint32_t>(f)});
-    }
-  }
-  const auto tree = rtree::RTree<std::uint32_t>::bulk_load(entries);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  auto join = tree.self_join();
-  for (auto batch = join.next_batch(); !batch.empty(); batch = join.next_batch()) {
-    if (cancel != nullptr && cancel->load(std::memory_order_relaxed))
-      return Error{ErrorCode::interrupted, "interrupted"};
-    for (const auto& pair : batch)
-      if (operands.operand_of_face(pair.first) != operands.operand_of_face(pair.second))
-        pairs.emplace_back(pair.first, pair.second);
-  }
+  constexpr std::size_t kFewOperands = 8;
+  FacePairs pairs;
+  if (operands.count() <= kFewOperands)
+    pair_operands(operands, cancel, pairs);
+  else
+    pair_faces(operands, cancel, pairs);
+  if (is_cancelled(cancel)) return Error{ErrorCode::interrupted, "interrupted"};
   return pairs;
 }
 

@@ -1,6 +1,8 @@
 #include "algebra3d/arrangement/operands.h"
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 
 #include "algebra3d/halfedge/circulators.h"
 
@@ -12,6 +14,12 @@ Operands::Operands(std::span<const Operand> operands) : operands_(operands) {
   for (const Operand& operand : operands) {
     first_face_.push_back(first_face_.back() + static_cast<std::uint32_t>(operand.mesh->face_count()));
     first_vertex_.push_back(first_vertex_.back() + static_cast<std::uint32_t>(operand.mesh->vertex_count()));
+    if (operand.hierarchy == nullptr) {
+      std::vector<std::uint32_t> faces(operand.mesh->face_count());
+      std::iota(faces.begin(), faces.end(), 0U);
+      own_hierarchies_.push_back(std::make_unique<const BoxHierarchy>(*operand.mesh, std::move(faces)));
+    }
+    hierarchies_.push_back(operand.hierarchy != nullptr ? operand.hierarchy : own_hierarchies_.back().get());
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,7 @@ class Operands {
   std::uint32_t vertex_count() const { return first_vertex_.back(); }
   const TriangleMesh& mesh(std::uint32_t operand) const { return *operands_[operand].mesh; }
   std::uint32_t group(std::uint32_t operand) const { return operands_[operand].group; }
+  const BoxHierarchy& hierarchy(std::uint32_t operand) const { return *hierarchies_[operand]; }
   std::uint32_t first_face(std::uint32_t operand) const { return first_face_[operand]; }
   std::uint32_t first_vertex(std::uint32_t operand) const { return first_vertex_[operand]; }
   std::uint32_t operand_of_face(std::uint32_t face) const;
@@ -43,6 +45,8 @@ class Operands {
  private:
   std::span<const Operand> operands_;
   std::vector<std::uint32_t> first_face_, first_vertex_;  // one more than operands
+  std::vector<const BoxHierarchy*> hierarchies_;
+  std::vector<std::unique_ptr<const BoxHierarchy>> own_hierarchies_;
 };
 
 }  // namespace algebra3d::arrangement

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "algebra3d/arrangement/boxes.h"
+#include "algebra3d/halfedge/boxes.h"
 #include "rtree/rtree.h"
 
 namespace algebra3d::arrangement {

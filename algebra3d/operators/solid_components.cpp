@@ -18,8 +18,8 @@
 #include "algebra3d/exact/exact_sum.h"
 #include "algebra3d/exact/plane.h"
 #include "algebra3d/exact/vertical_line.h"
+#include "algebra3d/halfedge/box_hierarchy.h"
 #include "algebra3d/halfedge/topology.h"
-#include "algebra3d/validity/box_hierarchy.h"
 
 namespace algebra3d {
 namespace {

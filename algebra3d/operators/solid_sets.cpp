@@ -8,17 +8,21 @@
 namespace algebra3d {
 namespace {
 
+Operand operand_of(const Volume3d& solid, std::uint32_t group) {
+  return {&solid.mesh(), group, &solid.geometry().hierarchy()};
+}
+
 /// One set operation on two solids, that of the second group last.
 Result<Volume3d> combined(Context& context, const Volume3d& a, const Volume3d& b, const KeepRule& rule) {
   ASSIGN_OR_RETURN(TriangleMesh mesh,
-                   combine_solids(std::array<Operand, 2>{{{&a.mesh(), 0}, {&b.mesh(), 1}}}, rule, context.cancel));
+                   combine_solids(std::array<Operand, 2>{operand_of(a, 0), operand_of(b, 1)}, rule, context.cancel));
   return Volume3d::trusted(std::move(mesh));
 }
 
 /// One set operation on solids that count all the same.
 Result<Volume3d> combined(Context& context, std::span<const Volume3d> solids, const KeepRule& rule) {
   std::vector<Operand> operands;
-  for (const Volume3d& solid : solids) operands.push_back({&solid.mesh(), 0});
+  for (const Volume3d& solid : solids) operands.push_back(operand_of(solid, 0));
   ASSIGN_OR_RETURN(TriangleMesh mesh, combine_solids(operands, rule, context.cancel));
   return Volume3d::trusted(std::move(mesh));
 }
@@ -53,7 +57,7 @@ Result<Maybe<std::pair<Volume3d, Volume3d>>> split(Context& context, const Volum
   if (side < 0) return Maybe<Parts>(Parts{Volume3d(), solid});
   const auto behind = half_space_within(solid.box(), plane);
   if (!behind) return Maybe<Parts>(Undefined{behind.reason()});
-  const std::array<Operand, 2> operands{{{&solid.mesh(), 0}, {&*behind, 1}}};
+  const std::array<Operand, 2> operands{{operand_of(solid, 0), {&*behind, 1}}};
   ASSIGN_OR_RETURN(const SolidArrangement arrangement, SolidArrangement::make(operands, context.cancel));
   return Maybe<Parts>(
       Parts{Volume3d::trusted(arrangement.solid([](const Holding& h) { return h[0] > 0 && h[1] == 0; })),
@@ -72,7 +76,7 @@ Result<Maybe<Surface3d>> section(Context& context, const Volume3d& solid, const 
   if (side_of(room, plane) != 0) return Maybe<Surface3d>(Surface3d());
   const auto behind = half_space_within(room, plane);
   if (!behind) return Maybe<Surface3d>(Undefined{behind.reason()});
-  const std::array<Operand, 2> operands{{{&solid.mesh(), 0}, {&*behind, 1}}};
+  const std::array<Operand, 2> operands{{operand_of(solid, 0), {&*behind, 1}}};
   ASSIGN_OR_RETURN(const SolidArrangement arrangement, SolidArrangement::make(operands, context.cancel));
   return Maybe<Surface3d>(Surface3d::trusted(arrangement.faces(
       [](const Holding& front, const Holding& back) { return front[0] > 0 || back[0] > 0 ? back[1] - front[1] : 0; })));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -57,6 +58,15 @@ std::strong_ordering compare_boxes(const Box3& a, const Box3& b) {
 
 }  // namespace
 
+const BoxHierarchy& Geometry::hierarchy() const {
+  std::call_once(once_, [this] {
+    std::vector<std::uint32_t> faces(mesh.face_count());
+    std::iota(faces.begin(), faces.end(), 0U);
+    hierarchy_ = std::make_unique<const BoxHierarchy>(mesh, std::move(faces));
+  });
+  return *hierarchy_;
+}
+
 std::shared_ptr<const Geometry> make_geometry(TriangleMesh mesh) {
   Box3 box;
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
@@ -67,7 +77,7 @@ std::shared_ptr<const Geometry> make_geometry(TriangleMesh mesh) {
     else
       box.extend(box_of(point));
   }
-  return std::make_shared<const Geometry>(Geometry{std::move(mesh), box});
+  return std::make_shared<const Geometry>(std::move(mesh), box);
 }
 
 Result<TriangleMesh> mesh_from_nested(const NestedList& list, std::string_view type_name) {

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
+#include <utility>
 #include <vector>
 
 #include "algebra3d/base/box3.h"
 #include "algebra3d/exact/plane.h"
 #include "algebra3d/exact/point.h"
+#include "algebra3d/halfedge/box_hierarchy.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
 #include "algebra3d/types/value.h"
 #include "algebra3d/validity/validity.h"
@@ -48,6 +51,14 @@ class Points3d {
 struct Geometry {
   TriangleMesh mesh;
   Box3 box;  ///< outward-rounded; empty for the empty value
+
+  Geometry(TriangleMesh triangles, const Box3& bounds) : mesh(std::move(triangles)), box(bounds) {}
+  /// Over all triangles; made when it is first asked for, by any thread. Cost: linear, the first time.
+  const BoxHierarchy& hierarchy() const;
+
+ private:
+  mutable std::once_flag once_;
+  mutable std::unique_ptr<const BoxHierarchy> hierarchy_;
 };
 
 /// surface3d: valid by construction (language.md 7.2). Cheap to copy. Triangles keep the order that they were given.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "algebra3d/base/error.h"
-#include "algebra3d/validity/box_hierarchy.h"
+#include "algebra3d/halfedge/box_hierarchy.h"
 #include "algebra3d/validity/validity.h"
 #include "algebra3d/validity/vertex_stars.h"
 

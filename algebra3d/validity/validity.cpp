@@ -1,6 +1,6 @@
 #include "algebra3d/validity/validity.h"
 
-#include "algebra3d/validity/box_hierarchy.h"
+#include "algebra3d/halfedge/box_hierarchy.h"
 #include "algebra3d/validity/edges.h"
 #include "algebra3d/validity/intersections.h"
 #include "algebra3d/validity/triangles.h"

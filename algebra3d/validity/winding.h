@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "algebra3d/base/error.h"
+#include "algebra3d/halfedge/box_hierarchy.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
-#include "algebra3d/validity/box_hierarchy.h"
 
 namespace algebra3d {
 

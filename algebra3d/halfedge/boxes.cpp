@@ -1,8 +1,8 @@
-#include "algebra3d/arrangement/boxes.h"
+#include "algebra3d/halfedge/boxes.h"
 
 #include <cmath>
 
-namespace algebra3d::arrangement {
+namespace algebra3d {
 namespace {
 
 /// Around a point that is no double: each coordinate lies within half a step of its rounded one.
@@ -37,4 +37,4 @@ Box3 box_of_mesh(const TriangleMesh& mesh) {
   return box;
 }
 
-}  // namespace algebra3d::arrangement
+}  // namespace algebra3d

@@ -1,8 +1,10 @@
-#include "algebra3d/validity/box_hierarchy.h"
+#include "algebra3d/halfedge/box_hierarchy.h"
 
 #include <cassert>
 #include <cmath>
 #include <utility>
+
+#include "algebra3d/halfedge/boxes.h"
 
 namespace algebra3d {
 namespace {
@@ -67,7 +69,7 @@ BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> 
   std::vector<Box> corners;
   corners.reserve(points.size());
   for (const Vec3& point : points.approx()) corners.push_back(scaled(Box3::of(point)));
-  for (const auto& [index, exact] : points.exact_entries()) corners[index] = scaled(box_of(points[index]));
+  for (const auto& [index, exact] : points.exact_entries()) corners[index] = scaled(box_of_point(points[index]));
   std::vector<Box> boxes;
   boxes.reserve(faces_.size());
   for (const std::uint32_t face : faces_) {
@@ -83,7 +85,7 @@ BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> 
 void BoxHierarchy::choose_scale(const PointArray& points) {
   Box3 bounds;
   for (const Vec3& point : points.approx()) bounds.extend(point);
-  for (const auto& [index, exact] : points.exact_entries()) bounds.extend(box_of(points[index]));
+  for (const auto& [index, exact] : points.exact_entries()) bounds.extend(box_of_point(points[index]));
   origin_ = bounds.min;
   // Halved first, so that the extent of the largest doubles is finite. A power of two, so that few coordinates are
   // rounded; 2^20 units are what the codes can tell apart.
@@ -100,6 +102,38 @@ BoxHierarchy::Box BoxHierarchy::scaled(const Box3& box) const {
   };
   return {{map(box.min, 0), map(box.min, 1), map(box.min, 2), 0},
           {map(box.max, 0), map(box.max, 1), map(box.max, 2), 0}};
+}
+
+Box3 BoxHierarchy::unscaled(const Box& box) const {
+  constexpr float kFar = std::numeric_limits<float>::infinity();
+  Box3 result;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    // A step of float covers the rounding to float, and a step of double that of the sum.
+    const double min = (double{std::nextafter(box.min[axis], -kFar)} / scale_ + origin_[axis] / 2) * 2;
+    const double max = (double{std::nextafter(box.max[axis], kFar)} / scale_ + origin_[axis] / 2) * 2;
+    result.min[axis] = std::nextafter(min, -Box3::kInfinity);
+    result.max[axis] = std::nextafter(max, Box3::kInfinity);
+  }
+  return result;
+}
+
+Box3 BoxHierarchy::bounds() const {
+  return faces_.empty() ? Box3{} : unscaled(levels_.back().boxes[0]);
+}
+
+void BoxHierarchy::push_cross_children(const BoxHierarchy& other, const CrossPair& pair,
+                                       std::vector<CrossPair>& stack) const {
+  // The higher node is opened; of equals the other one, whose children have to be brought into this frame.
+  if (pair.own.level > pair.other.level) {
+    const auto count = static_cast<std::uint32_t>(levels_[pair.own.level - 1].boxes.size());
+    for (std::uint32_t child = 2 * pair.own.index; child < std::min(2 * pair.own.index + 2, count); ++child)
+      stack.push_back({{pair.own.level - 1, child}, pair.other, pair.box});
+    return;
+  }
+  const std::vector<Box>& below = other.levels_[pair.other.level - 1].boxes;
+  const auto count = static_cast<std::uint32_t>(below.size());
+  for (std::uint32_t child = 2 * pair.other.index; child < std::min(2 * pair.other.index + 2, count); ++child)
+    stack.push_back({pair.own, {pair.other.level - 1, child}, scaled(other.unscaled(below[child]))});
 }
 
 void BoxHierarchy::sort_faces(std::vector<Box>& boxes) {

@@ -47,6 +47,13 @@ class BoxHierarchy {
   template <typename Visit, typename Pause>
   void for_each_pair(Visit visit, Pause pause) const;
 
+  /// The same for each pair of a face of this hierarchy and a face of another one, whatever the groups.
+  template <typename Visit, typename Pause>
+  void for_each_pair_with(const BoxHierarchy& other, Visit visit, Pause pause) const;
+
+  /// A box around all faces, somewhat larger than the smallest one; empty if there are none.
+  Box3 bounds() const;
+
   /// Calls visit(f) for each face whose box meets the vertical ray from `where` (a box around a point in the mesh's
   /// box), upwards if `upward` is positive, else downwards; `where` itself belongs to the ray.
   template <typename Visit>
@@ -74,8 +81,17 @@ class BoxHierarchy {
     std::vector<std::uint32_t> groups;  // empty: none
   };
 
+  /// A node of this hierarchy and one of another, whose box is given in the frame of this one.
+  struct CrossPair {
+    Node own, other;
+    Box box;
+  };
+
   void choose_scale(const PointArray& points);
   Box scaled(const Box3& box) const;
+  /// A box around everything that `scaled` maps into the box.
+  Box3 unscaled(const Box& box) const;
+  void push_cross_children(const BoxHierarchy& other, const CrossPair& pair, std::vector<CrossPair>& stack) const;
   void sort_faces(std::vector<Box>& boxes);
   void build_levels();
   static bool is_one_group(const Level& level, std::uint32_t a, std::uint32_t b) {
@@ -163,6 +179,34 @@ void BoxHierarchy::for_each_pair(Visit visit, Pause pause) const {
       if (!visit_leaf(pair.first, visit)) return;
     } else {
       if (!visit_leaf_pair(pair.first, pair.second, visit)) return;
+    }
+  }
+}
+
+template <typename Visit, typename Pause>
+void BoxHierarchy::for_each_pair_with(const BoxHierarchy& other, Visit visit, Pause pause) const {
+  if (faces_.empty() || other.faces_.empty()) return;
+  const Box root = scaled(other.bounds());
+  std::vector<CrossPair> stack{{{static_cast<std::uint32_t>(levels_.size() - 1), 0},
+                                {static_cast<std::uint32_t>(other.levels_.size() - 1), 0},
+                                root}};
+  std::uint32_t steps = 0;
+  while (!stack.empty()) {
+    const CrossPair pair = stack.back();
+    stack.pop_back();
+    if (!levels_[pair.own.level].boxes[pair.own.index].meets(pair.box)) continue;
+    if (++steps % 4096 == 0 && !pause()) return;
+    if (pair.own.level > 0 || pair.other.level > 0) {
+      push_cross_children(other, pair, stack);
+      continue;
+    }
+    std::array<std::uint32_t, kLeafSize> positions{};
+    const std::span<const std::uint32_t> reached = reaching(pair.own.index, pair.box, positions);
+    const std::size_t begin = pair.other.index * kLeafSize, end = std::min(begin + kLeafSize, other.faces_.size());
+    for (std::size_t i = begin; i < end; ++i) {
+      const Box box = scaled(other.unscaled(other.face_boxes_[i]));
+      for (const std::uint32_t position : reached)
+        if (box.meets(face_boxes_[position]) && !visit(faces_[position], other.faces_[i])) return;
     }
   }
 }

@@ -3,7 +3,7 @@
 #include "algebra3d/base/box3.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
 
-namespace algebra3d::arrangement {
+namespace algebra3d {
 
 /// A box of doubles around a point: not always the smallest one, but made from the rounded coordinates alone.
 Box3 box_of_point(const PointRef& point);
@@ -12,4 +12,4 @@ Box3 box_of_triangle(const TriangleRef& corners);
 /// The same around all triangles of a mesh. Cost: linear.
 Box3 box_of_mesh(const TriangleMesh& mesh);
 
-}  // namespace algebra3d::arrangement
+}  // namespace algebra3d
