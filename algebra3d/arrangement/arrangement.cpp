@@ -50,7 +50,18 @@ Result<SolidArrangement> SolidArrangement::make(std::span<const Operand> operand
 }
 
 TriangleMesh SolidArrangement::faces(const FaceRule& rule) const {
-  return build_outcome(parts_->skeleton, parts_->pieces, parts_->patches, parts_->classification, rule);
+  const Classification& fronts = parts_->classification;
+  const Selection selection{[&](std::uint32_t cell_side) {
+                              const Windings& step = parts_->pieces.pieces[cell_side / 2].steps[cell_side % 2];
+                              const Windings& front = fronts.cell_fronts[cell_side];
+                              return step == Windings{} ? 0 : rule(front, front + step);
+                            },
+                            [&](std::uint32_t patch) {
+                              Windings step{};
+                              step[parts_->operands.group(parts_->patches.patches[patch].operand)] = 1;
+                              return rule(fronts.patch_fronts[patch], fronts.patch_fronts[patch] + step);
+                            }};
+  return build_outcome(parts_->skeleton, parts_->pieces, parts_->patches, selection);
 }
 
 TriangleMesh SolidArrangement::solid(const KeepRule& rule) const {

@@ -75,10 +75,8 @@ std::vector<HalfPlane> Classifier::half_planes(std::size_t first, std::size_t la
   std::vector<HalfPlane> result;
   for (auto p = static_cast<std::uint32_t>(first); p < last; ++p)
     for (std::uint32_t side = 0; side < 2; ++side) {
-      const bool is_covered = std::ranges::any_of(pieces_.covers_of(pieces_.pieces[p]), [&](const Cover& cover) {
-        return cover.is_on(side == 0 ? Side::left : Side::right);
-      });
-      if (is_covered && (!only_steps || pieces_.pieces[p].steps[side] != Windings{})) result.push_back({p, side});
+      if (pieces_.is_covered(2 * p + side) && (!only_steps || pieces_.pieces[p].steps[side] != Windings{}))
+        result.push_back({p, side});
     }
   return result;
 }

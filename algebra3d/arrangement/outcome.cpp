@@ -57,13 +57,11 @@ class CornerNumbers {
 
 class OutcomeBuilder {
  public:
-  OutcomeBuilder(const Skeleton& skeleton, const Pieces& pieces, const Patches& patches,
-                 const Classification& classification, const FaceRule& rule)
+  OutcomeBuilder(const Skeleton& skeleton, const Pieces& pieces, const Patches& patches, const Selection& selection)
       : skeleton_(skeleton),
         pieces_(pieces),
         patches_(patches),
-        classification_(classification),
-        rule_(rule),
+        selection_(selection),
         corners_(skeleton),
         is_fixed_(skeleton.vertices().size()) {}
 
@@ -87,8 +85,7 @@ class OutcomeBuilder {
   const Skeleton& skeleton_;
   const Pieces& pieces_;
   const Patches& patches_;
-  const Classification& classification_;
-  const FaceRule& rule_;
+  const Selection& selection_;
   CornerNumbers corners_;
   std::vector<bool> is_fixed_;          // per vertex: a corner of a patch's face
   std::vector<Neighbours> neighbours_;  // per vertex
@@ -101,11 +98,7 @@ class OutcomeBuilder {
 void OutcomeBuilder::take_patches() {
   const Operands& operands = skeleton_.operands();
   std::vector<int> kept(patches_.patches.size());
-  for (std::size_t p = 0; p < kept.size(); ++p) {
-    Windings step{};
-    step[operands.group(patches_.patches[p].operand)] = 1;
-    kept[p] = rule_(classification_.patch_fronts[p], classification_.patch_fronts[p] + step);
-  }
+  for (std::uint32_t p = 0; p < kept.size(); ++p) kept[p] = selection_.patch(p);
   for (std::uint32_t face = 0; face < patches_.of_face.size(); ++face) {
     const std::uint32_t patch = patches_.of_face[face];
     if (patch == kNone || kept[patch] == 0) continue;
@@ -126,14 +119,8 @@ void OutcomeBuilder::take_patches() {
 
 /// What is kept of the cells to the left and right of a piece.
 std::array<int, 2> OutcomeBuilder::kept_sides(std::uint32_t number) const {
-  const Piece& piece = pieces_.pieces[number];
-  std::array<int, 2> kept{};
-  for (std::uint32_t side = 0; side < 2; ++side) {
-    if (piece.steps[side] == Windings{}) continue;
-    const Windings& front = classification_.cell_fronts[2 * number + side];
-    kept[side] = rule_(front, front + piece.steps[side]);
-  }
-  return kept;
+  return {pieces_.is_covered(2 * number) ? selection_.cell(2 * number) : 0,
+          pieces_.is_covered(2 * number + 1) ? selection_.cell(2 * number + 1) : 0};
 }
 
 /// A line is an edge of the result unless all that is kept there is one plane on both sides of it. Faces of patches are
@@ -226,8 +213,8 @@ TriangleMesh OutcomeBuilder::run() {
 }  // namespace
 
 TriangleMesh build_outcome(const Skeleton& skeleton, const Pieces& pieces, const Patches& patches,
-                           const Classification& classification, const FaceRule& rule) {
-  return OutcomeBuilder(skeleton, pieces, patches, classification, rule).run();
+                           const Selection& selection) {
+  return OutcomeBuilder(skeleton, pieces, patches, selection).run();
 }
 
 }  // namespace algebra3d::arrangement

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -45,6 +46,11 @@ struct Pieces {
   std::vector<Piece> pieces;
   std::vector<Cover> covers;
 
+  /// True if a facet covers the cell on the side: twice the piece for the left one, one more for the right one.
+  bool is_covered(std::uint32_t cell_side) const {
+    const Side side = cell_side % 2 == 0 ? Side::left : Side::right;
+    return std::ranges::any_of(covers_of(pieces[cell_side / 2]), [side](const Cover& c) { return c.is_on(side); });
+  }
   std::span<const Cover> covers_of(const Piece& piece) const {
     return std::span(covers).subspan(piece.first_cover, piece.last_cover - piece.first_cover);
   }

@@ -46,17 +46,11 @@ class AngularOrder {
   std::uint32_t centre_;
 };
 
-bool is_covered(const Pieces& pieces, std::uint32_t cell_side) {
-  const Side side = cell_side % 2 == 0 ? Side::left : Side::right;
-  return std::ranges::any_of(pieces.covers_of(pieces.pieces[cell_side / 2]),
-                             [&](const Cover& cover) { return cover.is_on(side); });
-}
-
 void join_around(std::span<const Spoke> spokes, const Pieces& pieces, WindingSets& sides) {
   for (std::size_t i = 0; i < spokes.size(); ++i) {
     const std::uint32_t left = spokes[i].left(), right = spokes[i + 1 == spokes.size() ? 0 : i + 1].right();
-    assert(is_covered(pieces, left) == is_covered(pieces, right));
-    if (is_covered(pieces, left)) sides.unite(left, right, {});
+    assert(pieces.is_covered(left) == pieces.is_covered(right));
+    if (pieces.is_covered(left)) sides.unite(left, right, {});
   }
 }
 

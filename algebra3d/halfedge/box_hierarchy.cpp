@@ -121,7 +121,35 @@ Box3 BoxHierarchy::bounds() const {
   return faces_.empty() ? Box3{} : unscaled(levels_.back().boxes[0]);
 }
 
-void BoxHierarchy::push_cross_children(const BoxHierarchy& other, const CrossPair& pair,
+BoxHierarchy::FrameChange BoxHierarchy::change_from(const BoxHierarchy& other) const {
+  FrameChange change{scale_ / other.scale_, {}};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    change.shift[axis] = (other.origin_[axis] / 2 - origin_[axis] / 2) * scale_;
+  return change;
+}
+
+/// A box in this frame around what the other frame's box stands for. Both frames round to float, by 2^-24 of the
+/// number, the shift by 2^-53 of itself: the margin covers these and the roundings of the change. Frames that are too
+/// different for doubles give a box without bounds.
+BoxHierarchy::Box BoxHierarchy::changed(const FrameChange& change, const Box& box) {
+  Box result{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double shift = change.shift[axis];
+    if (!std::isfinite(shift) || !std::isfinite(change.factor)) {
+      result.min[axis] = -std::numeric_limits<float>::infinity();
+      result.max[axis] = std::numeric_limits<float>::infinity();
+      continue;
+    }
+    const double min = box.min[axis] * change.factor, max = box.max[axis] * change.factor;
+    const double min_margin = (std::abs(min) + std::abs(shift)) * 0x1p-21 + 0x1p-120;
+    const double max_margin = (std::abs(max) + std::abs(shift)) * 0x1p-21 + 0x1p-120;
+    result.min[axis] = static_cast<float>(min + shift - min_margin);
+    result.max[axis] = static_cast<float>(max + shift + max_margin);
+  }
+  return result;
+}
+
+void BoxHierarchy::push_cross_children(const BoxHierarchy& other, const FrameChange& change, const CrossPair& pair,
                                        std::vector<CrossPair>& stack) const {
   // The higher node is opened; of equals the other one, whose children have to be brought into this frame.
   if (pair.own.level > pair.other.level) {
@@ -133,7 +161,7 @@ void BoxHierarchy::push_cross_children(const BoxHierarchy& other, const CrossPai
   const std::vector<Box>& below = other.levels_[pair.other.level - 1].boxes;
   const auto count = static_cast<std::uint32_t>(below.size());
   for (std::uint32_t child = 2 * pair.other.index; child < std::min(2 * pair.other.index + 2, count); ++child)
-    stack.push_back({pair.own, {pair.other.level - 1, child}, scaled(other.unscaled(below[child]))});
+    stack.push_back({pair.own, {pair.other.level - 1, child}, changed(change, below[child])});
 }
 
 void BoxHierarchy::sort_faces(std::vector<Box>& boxes) {

@@ -91,7 +91,16 @@ class BoxHierarchy {
   Box scaled(const Box3& box) const;
   /// A box around everything that `scaled` maps into the box.
   Box3 unscaled(const Box& box) const;
-  void push_cross_children(const BoxHierarchy& other, const CrossPair& pair, std::vector<CrossPair>& stack) const;
+  /// From the frame of another hierarchy to this one's: a factor, and where the other's origin lies.
+  struct FrameChange {
+    double factor = 1;
+    Vec3 shift;
+  };
+
+  FrameChange change_from(const BoxHierarchy& other) const;
+  static Box changed(const FrameChange& change, const Box& box);
+  void push_cross_children(const BoxHierarchy& other, const FrameChange& change, const CrossPair& pair,
+                           std::vector<CrossPair>& stack) const;
   void sort_faces(std::vector<Box>& boxes);
   void build_levels();
   static bool is_one_group(const Level& level, std::uint32_t a, std::uint32_t b) {
@@ -186,10 +195,10 @@ void BoxHierarchy::for_each_pair(Visit visit, Pause pause) const {
 template <typename Visit, typename Pause>
 void BoxHierarchy::for_each_pair_with(const BoxHierarchy& other, Visit visit, Pause pause) const {
   if (faces_.empty() || other.faces_.empty()) return;
-  const Box root = scaled(other.bounds());
+  const FrameChange change = change_from(other);
   std::vector<CrossPair> stack{{{static_cast<std::uint32_t>(levels_.size() - 1), 0},
                                 {static_cast<std::uint32_t>(other.levels_.size() - 1), 0},
-                                root}};
+                                changed(change, other.levels_.back().boxes[0])}};
   std::uint32_t steps = 0;
   while (!stack.empty()) {
     const CrossPair pair = stack.back();
@@ -197,14 +206,14 @@ void BoxHierarchy::for_each_pair_with(const BoxHierarchy& other, Visit visit, Pa
     if (!levels_[pair.own.level].boxes[pair.own.index].meets(pair.box)) continue;
     if (++steps % 4096 == 0 && !pause()) return;
     if (pair.own.level > 0 || pair.other.level > 0) {
-      push_cross_children(other, pair, stack);
+      push_cross_children(other, change, pair, stack);
       continue;
     }
     std::array<std::uint32_t, kLeafSize> positions{};
     const std::span<const std::uint32_t> reached = reaching(pair.own.index, pair.box, positions);
     const std::size_t begin = pair.other.index * kLeafSize, end = std::min(begin + kLeafSize, other.faces_.size());
     for (std::size_t i = begin; i < end; ++i) {
-      const Box box = scaled(other.unscaled(other.face_boxes_[i]));
+      const Box box = changed(change, other.face_boxes_[i]);
       for (const std::uint32_t position : reached)
         if (box.meets(face_boxes_[position]) && !visit(faces_[position], other.faces_[i])) return;
     }
