@@ -114,8 +114,12 @@ class LawTrial {
       const double la = std::sqrt(dot(a, a)), lb = std::sqrt(dot(b, b)), lc = std::sqrt(dot(c, c));
       const double product = la * lb * lc, triple = dot(a, cross(b, c));
       const double below = product + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb;
-      // On the triangle, or nearly so.
-      if (std::abs(triple) <= 1e-5 * product && below <= 1e-5 * product) return std::nullopt;
+      // On the triangle, or nearly so: far from the origin coordinates are coarse, those of exact corners too.
+      const Vec3 normal = cross(b - a, c - a);
+      const double blur = 1e-14 * (std::abs(p.x) + std::abs(p.y) + std::abs(p.z));
+      const bool is_near_plane =
+          std::abs(triple) <= 1e-5 * product || std::abs(triple) <= blur * std::sqrt(dot(normal, normal));
+      if (is_near_plane && below <= 0.1 * product) return std::nullopt;
       sum += 2 * std::atan2(triple, below);
     }
     const double winding = sum / (4 * std::numbers::pi);
