@@ -37,15 +37,6 @@ std::optional<Place> place_of(const Signs& inside) {
   return Place{Place::Kind::corner, static_cast<std::uint8_t>((other + 2) % 3)};  // opposite to edge `other`
 }
 
-/// Place in `target` of a corner of another triangle that lies in its plane.
-std::optional<Place> locate_corner(const PointRef& p, const TriangleRef& target) {
-  const Projection plane = dominant_projection(target[0], target[1], target[2]);
-  const int turn = orient2d(plane, target[0], target[1], target[2]);
-  Signs inside{};
-  for (std::size_t j = 0; j < 3; ++j) inside[j] = turn * orient2d(plane, target[j], target[(j + 1) % 3], p);
-  return place_of(inside);
-}
-
 /// Place in `target` of the point in which an edge crosses its plane, coming from the side `side` of it.
 std::optional<Place> locate_crossing(const PointRef& a, const PointRef& b, int side, const TriangleRef& target) {
   Signs inside{};
@@ -62,7 +53,7 @@ void for_each_end(const TriangleRef& triangle, const Signs& signs, const Triangl
   for (std::uint8_t i = 0; i < 3; ++i) {
     const std::uint8_t j = i == 2 ? 0 : static_cast<std::uint8_t>(i + 1);
     if (signs[i] == 0) {
-      if (const auto place = locate_corner(triangle[i], target)) visit(Place{Place::Kind::corner, i}, *place);
+      if (const auto place = place_in(triangle[i], target)) visit(Place{Place::Kind::corner, i}, *place);
     } else if (signs[i] * signs[j] < 0) {
       if (const auto place = locate_crossing(triangle[i], triangle[j], signs[i], target))
         visit(Place{Place::Kind::edge, i}, *place);
@@ -75,6 +66,14 @@ bool runs_along(const Place& place, const Signs& signs) {
 }
 
 }  // namespace
+
+std::optional<Place> place_in(const PointRef& point, const TriangleRef& triangle) {
+  const Projection plane = dominant_projection(triangle[0], triangle[1], triangle[2]);
+  const int turn = orient2d(plane, triangle[0], triangle[1], triangle[2]);
+  Signs inside{};
+  for (std::size_t j = 0; j < 3; ++j) inside[j] = turn * orient2d(plane, triangle[j], triangle[(j + 1) % 3], point);
+  return place_of(inside);
+}
 
 TriangleContact contact_of(const TriangleRef& first, const TriangleRef& second) {
   TriangleContact contact;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "algebra3d/exact/predicates.h"
 
@@ -35,5 +36,8 @@ struct TriangleContact {
 /// Neither triangle may be degenerate. Exact: signs of the corners alone, no point is constructed. Cost: three to six
 /// calls of orient3d for triangles that do not meet, up to eighteen for those that do.
 TriangleContact contact_of(const TriangleRef& first, const TriangleRef& second);
+
+/// Place in the triangle of a point of its plane; nothing if it lies outside. Exact. Cost: three orient2d.
+std::optional<Place> place_in(const PointRef& point, const TriangleRef& triangle);
 
 }  // namespace algebra3d::arrangement

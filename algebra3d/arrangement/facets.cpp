@@ -7,7 +7,7 @@ namespace algebra3d::arrangement {
 
 bool Facets::is_coplanar_across(std::uint32_t halfedge, std::uint32_t other) const {
   const TriangleRef triangle = operands_.corners(halfedge / 3);
-  const PointRef apex = operands_.point_of(Operands::next(Operands::next(other)));
+  const PointRef apex = operands_.point_of(Operands::previous(other));
   return orient3d(triangle[0], triangle[1], triangle[2], apex) == 0;
 }
 
@@ -48,10 +48,11 @@ void Facets::number_planes() {
 }
 
 bool Facets::has_boundary_origin(std::uint32_t halfedge) const {
-  const std::uint32_t facet = of_face_[halfedge / 3];
-  std::vector<std::uint32_t> faces;
-  operands_.faces_around_origin(halfedge, faces);
-  return std::ranges::any_of(faces, [&](std::uint32_t face) { return of_face_[face] != facet; });
+  std::vector<std::uint32_t> outgoing;
+  operands_.halfedges_around_origin(halfedge, outgoing);
+  return std::ranges::any_of(outgoing, [&](std::uint32_t h) {
+    return of_face_[h / 3] != of_face_[halfedge / 3] || is_boundary(h) || is_boundary(Operands::previous(h));
+  });
 }
 
 }  // namespace algebra3d::arrangement

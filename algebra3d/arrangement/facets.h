@@ -51,7 +51,7 @@ class Facets {
     const std::uint32_t other = operands_.opposite(halfedge);
     return other == kNone || of_face_[other / 3] != of_face_[halfedge / 3];
   }
-  /// True unless all faces round the origin are of the facet of the half-edge's own face.
+  /// True unless the origin lies inside the facet of the half-edge's own face.
   bool has_boundary_origin(std::uint32_t halfedge) const;
 
  private:

@@ -75,12 +75,12 @@ void Operands::halfedges_along(std::uint32_t halfedge, std::vector<std::uint32_t
   }
 }
 
-void Operands::faces_around_origin(std::uint32_t halfedge, std::vector<std::uint32_t>& result) const {
+void Operands::halfedges_around_origin(std::uint32_t halfedge, std::vector<std::uint32_t>& result) const {
   result.clear();
   const std::uint32_t operand = operand_of_face(halfedge / 3);
-  const std::uint32_t first = first_face_[operand];
-  for (const FaceId f : faces_around(mesh(operand), mesh(operand).origin(HalfedgeId(halfedge - 3 * first))))
-    result.push_back(first + f.index());
+  const std::uint32_t first = 3 * first_face_[operand];
+  for (const HalfedgeId h : outgoing_halfedges(mesh(operand), mesh(operand).origin(HalfedgeId(halfedge - first))))
+    result.push_back(first + h.index());
 }
 
 }  // namespace algebra3d::arrangement

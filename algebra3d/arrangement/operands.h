@@ -33,14 +33,15 @@ class Operands {
   std::uint32_t vertex(std::uint32_t halfedge) const;
   PointRef point_of(std::uint32_t halfedge) const;
   static std::uint32_t next(std::uint32_t halfedge) { return halfedge % 3 == 2 ? halfedge - 2 : halfedge + 1; }
+  static std::uint32_t previous(std::uint32_t halfedge) { return halfedge % 3 == 0 ? halfedge + 2 : halfedge - 1; }
   /// The other half-edge of a manifold edge, else kNone.
   std::uint32_t opposite(std::uint32_t halfedge) const;
   /// One half-edge that stands for the edge: the lowest along it.
   std::uint32_t edge(std::uint32_t halfedge) const;
   /// All half-edges along the edge, ascending.
   void halfedges_along(std::uint32_t halfedge, std::vector<std::uint32_t>& result) const;
-  /// All faces round the origin of the half-edge.
-  void faces_around_origin(std::uint32_t halfedge, std::vector<std::uint32_t>& result) const;
+  /// All half-edges that leave the origin of the half-edge.
+  void halfedges_around_origin(std::uint32_t halfedge, std::vector<std::uint32_t>& result) const;
 
  private:
   std::span<const Operand> operands_;

@@ -127,7 +127,8 @@ void PlaneOverlay::cross(const Element& a, const Element& b) {
   else if (across_b != kNone)
     vertex = skeleton_.crossing_of_plane(skeleton_.segments()[a.segment].edge, across_b);
   else
-    return;  // two boundaries: the facets across them have found it
+    vertex = skeleton_.crossing_of_edges(skeleton_.segments()[a.segment].edge, skeleton_.segments()[b.segment].edge,
+                                         projection_);
   skeleton_.cut(a.segment, vertex);
   skeleton_.cut(b.segment, vertex);
 }

@@ -48,6 +48,17 @@ std::uint32_t Skeleton::crossing_of_planes(std::uint32_t p, std::uint32_t q, std
   return entry->second;
 }
 
+std::uint32_t Skeleton::crossing_of_edges(std::uint32_t edge, std::uint32_t other, Projection projection) {
+  // The plane through the other edge along the axis that the projection leaves out.
+  std::array<int, 3> axis{};
+  axis[static_cast<std::size_t>(projection)] = 1;
+  const RationalVec3 from = operands_.point_of(other).rational();
+  const RationalVec3 along = operands_.point_of(Operands::next(other)).rational() - from;
+  const auto plane = ExactPlane::spanned(from, along, RationalVec3(axis[0], axis[1], axis[2]));
+  return vertices_.intern(
+      intersect_line_plane(operands_.point_of(edge), operands_.point_of(Operands::next(edge)), *plane));
+}
+
 std::uint32_t Skeleton::edge_segment(std::uint32_t edge) {
   const auto [entry, is_new] = edge_segments_.try_emplace(edge, static_cast<std::uint32_t>(segments_.size()));
   if (is_new) {

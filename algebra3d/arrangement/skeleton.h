@@ -45,6 +45,9 @@ class Skeleton {
   /// The vertex in which the edge of an operand meets the plane.
   std::uint32_t crossing_of_plane(std::uint32_t edge, std::uint32_t plane);
 
+  /// The vertex in which two edges of operands cross that lie in one plane.
+  std::uint32_t crossing_of_edges(std::uint32_t edge, std::uint32_t other, Projection projection);
+
   /// The segment of a boundary edge of some facet, which is added if it is new.
   std::uint32_t edge_segment(std::uint32_t edge);
   /// A common part of two facets.

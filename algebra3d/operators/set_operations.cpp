@@ -66,6 +66,11 @@ Result<Volume3d> solid_symmetric_difference(Context& context, const Volume3d& a,
   return in_either(context, a, b);
 }
 
+template <SurfaceRule kRule>
+Result<Surface3d> surface_sets(Context& context, const Surface3d& a, const Surface3d& b) {
+  return combined(context, a, b, kRule);
+}
+
 /// The overloads of an operation on points: each side one point or many.
 #define POINT_OVERLOADS(operation)                                                                     \
   overload<&operation<Point3d, Point3d>>("a", "b"), overload<&operation<Point3d, Points3d>>("a", "b"), \
@@ -77,6 +82,8 @@ const std::string kPointsA = "[const points3d value ((0 0 0) (1 0 0))]";
 const std::string kPointB = "makePoint3D(1, 0, 0)";
 const std::string kCubeA = "createCube(makePoint3D(0, 0, 0), makePoint3D(2, 2, 2))";
 const std::string kCubeB = "createCube(makePoint3D(1, 1, 1), makePoint3D(3, 3, 3))";
+const std::string kSquareA = "[const surface3d value (((0 0 0) (2 0 0) (2 2 0)) ((0 0 0) (2 2 0) (0 2 0)))]";
+const std::string kSquareB = "[const surface3d value (((1 1 0) (3 1 0) (3 3 0)) ((1 1 0) (3 3 0) (1 3 0)))]";
 const std::string kUndefined = "[const volume3d value undefined]";
 
 constexpr const char* kSolids =
@@ -85,19 +92,24 @@ constexpr const char* kSolids =
     "result "
     "has no more corners and triangles there than it needs. Nothing is rounded: corners that are no doubles are kept "
     "as "
-    "fractions, and the laws of set algebra hold.";
+    "fractions, and the laws of set algebra hold. Surfaces: their triangles are divided at one another; pieces are "
+    "kept "
+    "that lie in either, in both (where they cover each other), or in the first alone.";
 
 void register_infix_sets(Registry& registry) {
   registry.add({
       .name = "union",
       .syntax = "_ union _",
-      .doc = "What lies in one of two sets of points or solids, or in both; the smallest box around two boxes.",
+      .doc =
+          "What lies in one of two sets of points, surfaces or solids, or in both; the smallest box around two boxes.",
       .detail = kSolids,
       .exactness = Exactness::exact,
       .overloads = {symmetric(overload<&box_union>("a", "b")), POINT_OVERLOADS(point_union),
+                    overload<&surface_sets<SurfaceRule::either>>("a", "b"),
                     symmetric(overload<&solid_union>("a", "b"))},
       .examples = {{"size(" + kCubeA + " union " + kCubeB + ")", "36"},
                    {"volume(" + kCubeA + " union " + kCubeB + ")", "15.0"},
+                   {"area(" + kSquareA + " union " + kSquareB + ")", "7.0"},
                    {kPointsA + " union " + kPointB, "((0.0 0.0 0.0) (1.0 0.0 0.0))"},
                    {kBoxA + " union " + kBoxB, "(0.0 2.0 0.0 1.0 0.0 1.0)"},
                    {kCubeA + " union " + kUndefined, "undefined"}},
@@ -106,12 +118,14 @@ void register_infix_sets(Registry& registry) {
   registry.add({
       .name = "minus",
       .syntax = "_ minus _",
-      .doc = "What lies in the first of two sets of points or solids and not in the second.",
+      .doc = "What lies in the first of two sets of points, surfaces or solids and not in the second.",
       .detail = kSolids,
       .exactness = Exactness::exact,
-      .overloads = {POINT_OVERLOADS(point_minus), overload<&solid_minus>("a", "b")},
+      .overloads = {POINT_OVERLOADS(point_minus), overload<&surface_sets<SurfaceRule::first_only>>("a", "b"),
+                    overload<&solid_minus>("a", "b")},
       .examples = {{"volume(" + kCubeA + " minus " + kCubeB + ")", "7.0"},
                    {"size(" + kCubeA + " minus " + kCubeA + ")", "0"},
+                   {"area(" + kSquareA + " minus " + kSquareB + ")", "3.0"},
                    {kPointsA + " minus " + kPointB, "((0.0 0.0 0.0))"},
                    {kCubeA + " minus " + kUndefined, "undefined"}},
       .errors = {{"query " + kCubeA + " minus 1", "minus: expected (point3d point3d)"}},
@@ -122,12 +136,14 @@ void register_prefix_sets(Registry& registry) {
   registry.add({
       .name = "intersection",
       .syntax = "intersection(_, _)",
-      .doc = "What lies in both of two sets of points, solids, or boxes.",
+      .doc = "What lies in both of two sets of points, surfaces or solids, or in two boxes.",
       .detail = std::string(kSolids) + " Boxes that do not meet have no common part: undefined.",
       .exactness = Exactness::exact,
       .overloads = {symmetric(overload<&box_intersection>("a", "b")), POINT_OVERLOADS(point_intersection),
+                    overload<&surface_sets<SurfaceRule::both>>("a", "b"),
                     symmetric(overload<&solid_intersection>("a", "b"))},
       .examples = {{"volume(intersection(" + kCubeA + ", " + kCubeB + "))", "1.0"},
+                   {"area(intersection(" + kSquareA + ", " + kSquareB + "))", "1.0"},
                    {"intersection(" + kPointsA + ", " + kPointB + ")", "((1.0 0.0 0.0))"},
                    {"intersection(" + kBoxA + ", " + kBoxB + ")", "(1.0 1.0 0.0 1.0 0.0 1.0)"},
                    {"intersection(" + kBoxA + ", rectangle3(2, 3, 0, 1, 0, 1))", "undefined"},
@@ -137,10 +153,11 @@ void register_prefix_sets(Registry& registry) {
   registry.add({
       .name = "symmetricDifference",
       .syntax = "symmetricDifference(_, _)",
-      .doc = "What lies in exactly one of two sets of points or solids.",
+      .doc = "What lies in exactly one of two sets of points, surfaces or solids.",
       .detail = kSolids,
       .exactness = Exactness::exact,
       .overloads = {POINT_OVERLOADS(point_symmetric_difference),
+                    overload<&surface_sets<SurfaceRule::exactly_one>>("a", "b"),
                     symmetric(overload<&solid_symmetric_difference>("a", "b"))},
       .examples = {{"volume(symmetricDifference(" + kCubeA + ", " + kCubeB + "))", "14.0"},
                    {"symmetricDifference(" + kPointsA + ", makePoint3D(2, 0, 0))",

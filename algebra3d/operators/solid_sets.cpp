@@ -50,6 +50,13 @@ Result<Volume3d> in_either(Context& context, const Volume3d& solid, const Volume
   return combined(context, solid, other, [](const Holding& holding) { return holding[0] != holding[1]; });
 }
 
+Result<Surface3d> combined(Context& context, const Surface3d& a, const Surface3d& b, SurfaceRule rule) {
+  ASSIGN_OR_RETURN(TriangleMesh mesh,
+                   combine_surfaces({&a.mesh(), 0, &a.geometry().hierarchy()},
+                                    {&b.mesh(), 0, &b.geometry().hierarchy()}, rule, context.cancel));
+  return Surface3d::trusted(std::move(mesh));
+}
+
 Result<Maybe<std::pair<Volume3d, Volume3d>>> split(Context& context, const Volume3d& solid, const ExactPlane& plane) {
   using Parts = std::pair<Volume3d, Volume3d>;
   const int side = solid.box().is_empty() ? 1 : side_of(solid.box(), plane);

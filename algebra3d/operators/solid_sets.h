@@ -3,14 +3,15 @@
 #include <span>
 #include <utility>
 
+#include "algebra3d/arrangement/surface_arrangement.h"
 #include "algebra3d/base/context.h"
 #include "algebra3d/base/error.h"
 #include "algebra3d/types/spatial.h"
 
 namespace algebra3d {
 
-// Regularised set operations on solids as values: language.md 7.3. All are exact for all operands; errors are
-// `interrupted` and `limit_exceeded`.
+// Set operations on solids (regularised) and surfaces as values: language.md 7.3. All are exact for all operands;
+// errors are `interrupted` and `limit_exceeded`.
 
 /// Of any number of solids in one arrangement; the empty solid for none.
 Result<Volume3d> united(Context& context, std::span<const Volume3d> solids);
@@ -18,6 +19,9 @@ Result<Volume3d> united(Context& context, std::span<const Volume3d> solids);
 Result<Volume3d> intersected(Context& context, std::span<const Volume3d> solids);
 Result<Volume3d> without(Context& context, const Volume3d& solid, const Volume3d& other);
 Result<Volume3d> in_either(Context& context, const Volume3d& solid, const Volume3d& other);
+
+/// On surfaces: triangles are divided at one another, and whole pieces are kept (language.md 7.3).
+Result<Surface3d> combined(Context& context, const Surface3d& a, const Surface3d& b, SurfaceRule rule);
 
 /// The parts of the solid in front of the plane and behind it; either may be empty.
 Result<Maybe<std::pair<Volume3d, Volume3d>>> split(Context& context, const Volume3d& solid, const ExactPlane& plane);

@@ -1,0 +1,58 @@
+#include "algebra3d/arrangement/surface_covers.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "algebra3d/arrangement/contact.h"
+#include "algebra3d/halfedge/boxes.h"
+#include "rtree/rtree.h"
+
+namespace algebra3d::arrangement {
+namespace {
+
+using Tree = rtree::RTree<std::uint32_t>;
+
+/// The faces of all facets of a plane.
+std::unordered_map<std::uint32_t, Tree> trees_of_planes(const Skeleton& skeleton, const Pieces& pieces) {
+  const Facets& facets = skeleton.facets();
+  std::unordered_map<std::uint32_t, std::vector<rtree::Entry<std::uint32_t>>> entries;
+  for (const Piece& piece : pieces.pieces) entries.try_emplace(piece.plane);
+  for (std::uint32_t f = 0; f < facets.size(); ++f)
+    for (const std::uint32_t face : facets.faces(f))
+      if (const auto of_plane = entries.find(facets[f].plane); of_plane != entries.end())
+        of_plane->second.push_back({box_of_triangle(skeleton.operands().corners(face)), face});
+  std::unordered_map<std::uint32_t, Tree> trees;
+  for (const auto& [plane, boxes] : entries) trees.emplace(plane, Tree::bulk_load(boxes));
+  return trees;
+}
+
+ExactPoint middle_of(const Skeleton& skeleton, const Piece& piece) {
+  const RationalVec3 u = skeleton.vertices()[piece.u].rational(), v = skeleton.vertices()[piece.v].rational();
+  return ExactPoint(Rational(1, 2) * (u + v));
+}
+
+}  // namespace
+
+void complete_covers(const Skeleton& skeleton, Pieces& pieces) {
+  const Facets& facets = skeleton.facets();
+  const auto trees = trees_of_planes(skeleton, pieces);
+  std::vector<Cover> covers;
+  for (Piece& piece : pieces.pieces) {
+    const auto given = pieces.covers_of(piece);
+    const auto first = static_cast<std::uint32_t>(covers.size());
+    covers.insert(covers.end(), given.begin(), given.end());
+    const ExactPoint middle = middle_of(skeleton, piece);
+    for (const std::uint32_t face : trees.at(piece.plane).window(box_of_point(middle))) {
+      const std::uint32_t facet = facets.of_face(face);
+      const auto own = std::span(covers).subspan(first);
+      if (std::ranges::find(own, facet, &Cover::facet) != own.end()) continue;
+      // Not on the facet's boundary, along which the piece would have its cover: inside.
+      if (place_in(middle, skeleton.operands().corners(face))) covers.push_back({facet, Side::both});
+    }
+    piece.first_cover = first;
+    piece.last_cover = static_cast<std::uint32_t>(covers.size());
+  }
+  pieces.covers = std::move(covers);
+}
+
+}  // namespace algebra3d::arrangement
