@@ -1,4 +1,4 @@
-// volume, area, centroid.
+// volume, volumeExact, area, centroid.
 #include "algebra3d/exact/exact_sum.h"
 #include "algebra3d/operators/all.h"
 #include "algebra3d/operators/mesh_triangles.h"
@@ -9,10 +9,18 @@
 namespace algebra3d {
 namespace {
 
+Result<Rational> rational_volume(Context& context, const Volume3d& solid) {
+  return exact_volume(solid.mesh().points(), triangles_of(solid.mesh()), context.cancel);
+}
+
 Result<double> volume_of(Context& context, const Volume3d& solid) {
-  ASSIGN_OR_RETURN(const Rational volume,
-                   exact_volume(solid.mesh().points(), triangles_of(solid.mesh()), context.cancel));
+  ASSIGN_OR_RETURN(const Rational volume, rational_volume(context, solid));
   return volume.nearest_double();
+}
+
+Result<Text> volume_text(Context& context, const Volume3d& solid) {
+  ASSIGN_OR_RETURN(const Rational volume, rational_volume(context, solid));
+  return Text{volume.text()};
 }
 
 template <typename T>
@@ -54,6 +62,18 @@ void register_measure(Registry& registry) {
                    {"volume([const volume3d value ()])", "0.0"},
                    {"volume(" + kUndefinedSolid + ")", "undefined"}},
       .errors = {{"query volume(" + kTriangle + ")", "volume: expected (volume3d), got (surface3d)"}},
+  });
+  registry.add({
+      .name = "volumeExact",
+      .syntax = "volumeExact(_)",
+      .doc = "The enclosed volume of a solid as a fraction in lowest terms, p or p/q, in cubed coordinate units.",
+      .exactness = Exactness::exact,
+      .sources = {"lien1984"},
+      .overloads = {overload<&volume_text>("solid")},
+      .examples = {{"volumeExact(" + kCube + ")", "'8'"},
+                   {"volumeExact(createCube(makePoint3D(0, 0, 0), makePoint3D(0.5, 0.5, 3)))", "'3/4'"},
+                   {"volumeExact(" + kUndefinedSolid + ")", "undefined"}},
+      .errors = {{"query volumeExact(" + kTriangle + ")", "volumeExact: expected (volume3d), got (surface3d)"}},
   });
   registry.add({
       .name = "area",
