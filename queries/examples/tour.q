@@ -1,7 +1,8 @@
 # The tour of the README: ten commands on solids that the program makes itself.
 let Cube = createCube(makePoint3D(0, 0, 0), makePoint3D(2, 2, 2));
-query volume(Cube rotate[makePoint3D(1, 1, 1), makeVector3D(1, 2, 3), 30.0]);
-query Cube translate[[const vector3d value (1/3 0 0)]] = Cube;
+let Turned = Cube rotate[makePoint3D(1, 1, 1), makeVector3D(1, 2, 3), 30.0];
+query volume(Turned);
+query ((Cube minus Turned) union intersection(Cube, Turned)) = Cube;
 query bbox(Cube mirror[makePlane3D(makePoint3D(0, 0, 0), makeVector3D(1, 1, 0))]);
 let Balls = intstream(1, 1000) transformstream extend[Ball: createSphere(makePoint3D(.Elem, .Elem mod 7, 0), 0.8, 16)] consume;
 let Balls_Ball = Balls creatertree[Ball];
