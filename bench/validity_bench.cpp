@@ -11,24 +11,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <random>
 
 #include "algebra3d/validity/validity.h"
+#include "shapes.h"
 
 namespace {
 
-using algebra3d::PointArray;
 using algebra3d::TriangleMesh;
 using algebra3d::Vec3;
+using bench::mesh_of;
+using bench::Shape;
+using bench::sphere;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using CgalMesh = CGAL::Surface_mesh<Kernel::Point_3>;
-
-struct Shape {
-  std::vector<Vec3> points;
-  std::vector<TriangleMesh::Triangle> triangles;
-};
 
 /// A surface over a grid that is closed in both directions.
 Shape torus(std::uint32_t rows, std::uint32_t columns) {
@@ -45,68 +42,6 @@ Shape torus(std::uint32_t rows, std::uint32_t columns) {
     }
   }
   return shape;
-}
-
-/// Welds points by the corners and weights that they are made of.
-class SphereMaker {
- public:
-  explicit SphereMaker(std::uint32_t frequency) : n_(frequency) {}
-
-  Shape make() {
-    const double g = std::numbers::phi;
-    corners_ = {{{-1, g, 0},
-                 {1, g, 0},
-                 {-1, -g, 0},
-                 {1, -g, 0},
-                 {0, -1, g},
-                 {0, 1, g},
-                 {0, -1, -g},
-                 {0, 1, -g},
-                 {g, 0, -1},
-                 {g, 0, 1},
-                 {-g, 0, -1},
-                 {-g, 0, 1}}};
-    constexpr std::array<TriangleMesh::Triangle, 20> kFaces{
-        {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-         {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
-         {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
-    for (const auto& face : kFaces) {
-      for (std::uint32_t i = 0; i < n_; ++i) {
-        for (std::uint32_t j = 0; i + j < n_; ++j) {
-          shape_.triangles.push_back({point(face, i, j), point(face, i + 1, j), point(face, i, j + 1)});
-          if (i + j + 1 < n_)
-            shape_.triangles.push_back({point(face, i + 1, j), point(face, i + 1, j + 1), point(face, i, j + 1)});
-        }
-      }
-    }
-    return std::move(shape_);
-  }
-
- private:
-  using Key = std::array<std::pair<std::uint32_t, std::uint32_t>, 3>;
-
-  std::uint32_t point(const TriangleMesh::Triangle& face, std::uint32_t i, std::uint32_t j) {
-    Key key{{{face[0], n_ - i - j}, {face[1], i}, {face[2], j}}};
-    for (auto& [corner, weight] : key)
-      if (weight == 0) corner = 0;
-    std::ranges::sort(key);
-    const auto [place, is_new] = numbers_.try_emplace(key, static_cast<std::uint32_t>(shape_.points.size()));
-    if (is_new) {
-      Vec3 sum;
-      for (const auto& [corner, weight] : key) sum = sum + static_cast<double>(weight) * corners_[corner];
-      shape_.points.push_back((1 / std::sqrt(dot(sum, sum))) * sum);
-    }
-    return place->second;
-  }
-
-  std::uint32_t n_;
-  std::array<Vec3, 12> corners_;
-  std::map<Key, std::uint32_t> numbers_;
-  Shape shape_;
-};
-
-Shape sphere(std::uint32_t frequency) {
-  return SphereMaker(frequency).make();
 }
 
 Shape shuffled(Shape shape) {
@@ -150,10 +85,6 @@ Shape cubes(std::uint32_t count) {
     for (const auto& face : kFaces) shape.triangles.push_back({8 * n + face[0], 8 * n + face[1], 8 * n + face[2]});
   }
   return shape;
-}
-
-TriangleMesh mesh_of(const Shape& shape) {
-  return {PointArray(shape.points), shape.triangles};
 }
 
 CgalMesh cgal_mesh_of(const Shape& shape) {

@@ -1,0 +1,286 @@
+// Set operations beside CGAL's corefinement (with inexact and with exact constructions) and its Nef polyhedra, on the
+// same solids in the same run. The operation alone is timed: our meshes come with the hierarchy of their boxes, as
+// stored values do; CGAL's meshes are copied outside of the time, since corefinement changes them. `hierarchy` says
+// what ours takes to make. Compare lines of the same arguments.
+#include <benchmark/benchmark.h>
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Nef_polyhedron_3.h>
+#include <CGAL/Polygon_mesh_processing/corefinement.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <random>
+
+#include "algebra3d/arrangement/arrangement.h"
+#include "shapes.h"
+
+namespace {
+
+using namespace bench;
+using algebra3d::BoxHierarchy;
+using algebra3d::Holding;
+using algebra3d::KeepRule;
+using algebra3d::Operand;
+namespace pmp = CGAL::Polygon_mesh_processing;
+using Inexact = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
+
+const double kRoot2 = std::sqrt(2.0), kRoot3 = std::sqrt(3.0);
+const Vec3 kAxis{1, kRoot2, kRoot3};
+
+// ---- ours -----------------------------------------------------------------------------------------------------------
+
+/// A mesh as a stored value has it.
+struct Solid {
+  TriangleMesh mesh;
+  std::unique_ptr<BoxHierarchy> hierarchy;
+
+  explicit Solid(TriangleMesh triangles) : mesh(std::move(triangles)) {
+    std::vector<std::uint32_t> faces(mesh.face_count());
+    std::iota(faces.begin(), faces.end(), 0U);
+    hierarchy = std::make_unique<BoxHierarchy>(mesh, std::move(faces));
+  }
+  explicit Solid(const Shape& shape) : Solid(mesh_of(shape)) {}
+  Operand operand(std::uint32_t group) const { return {&mesh, group, hierarchy.get()}; }
+};
+
+bool in_any(const Holding& h) {
+  return h[0] + h[1] > 0;
+}
+bool in_first_only(const Holding& h) {
+  return h[0] > 0 && h[1] == 0;
+}
+
+TriangleMesh combined(const Solid& a, const Solid& b, const KeepRule& rule) {
+  return algebra3d::combine_solids(std::array<Operand, 2>{a.operand(0), b.operand(1)}, rule).value();
+}
+
+TriangleMesh combined(const std::vector<Solid>& solids, const Solid* minuend, const KeepRule& rule) {
+  std::vector<Operand> operands;
+  if (minuend != nullptr) operands.push_back(minuend->operand(0));
+  for (const Solid& solid : solids) operands.push_back(solid.operand(minuend != nullptr ? 1 : 0));
+  return algebra3d::combine_solids(operands, rule).value();
+}
+
+/// One after the other; the result of each step is made ready for the next one within the time.
+TriangleMesh chained(const Shape& first, const std::vector<Solid>& others, const KeepRule& rule) {
+  auto sum = std::make_unique<Solid>(first);
+  for (const Solid& other : others) sum = std::make_unique<Solid>(combined(*sum, other, rule));
+  return std::move(sum->mesh);
+}
+
+// ---- CGAL -----------------------------------------------------------------------------------------------------------
+
+template <typename Kernel>
+using CgalMesh = CGAL::Surface_mesh<typename Kernel::Point_3>;
+
+template <typename Kernel>
+CgalMesh<Kernel> cgal_mesh_of(const Shape& shape) {
+  CgalMesh<Kernel> mesh;
+  for (const Vec3& p : shape.points) mesh.add_vertex({p.x, p.y, p.z});
+  using V = typename CgalMesh<Kernel>::Vertex_index;
+  for (const auto& t : shape.triangles) mesh.add_face(V(t[0]), V(t[1]), V(t[2]));
+  return mesh;
+}
+
+using NefKernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using Nef = CGAL::Nef_polyhedron_3<NefKernel>;
+
+Nef nef_of(const Shape& shape) {
+  CGAL::Polyhedron_3<NefKernel> polyhedron;
+  CGAL::copy_face_graph(cgal_mesh_of<NefKernel>(shape), polyhedron);
+  return Nef(polyhedron);
+}
+
+// ---- two spheres ----------------------------------------------------------------------------------------------------
+
+Shape other_sphere(std::uint32_t frequency) {
+  return moved(sphere(frequency), kAxis, kRoot2 / 7, {0.3, 0, 0});
+}
+
+void spheres_ours(benchmark::State& state) {
+  const auto n = static_cast<std::uint32_t>(state.range(0));
+  const Solid a(sphere(n)), b(other_sphere(n));
+  std::size_t faces = 0;
+  for (auto step : state) faces = combined(a, b, in_any).face_count();
+  state.counters["triangles_in"] = static_cast<double>(2 * a.mesh.face_count());
+  state.counters["triangles_out"] = static_cast<double>(faces);
+}
+void spheres_hierarchy(benchmark::State& state) {
+  const Shape shape = sphere(static_cast<std::uint32_t>(state.range(0)));
+  for (auto step : state) benchmark::DoNotOptimize(Solid(shape));
+}
+
+template <typename Kernel>
+void spheres_corefine(benchmark::State& state) {
+  const auto n = static_cast<std::uint32_t>(state.range(0));
+  const auto a = cgal_mesh_of<Kernel>(sphere(n)), b = cgal_mesh_of<Kernel>(other_sphere(n));
+  std::size_t faces = 0;
+  for (auto step : state) {
+    state.PauseTiming();
+    auto p = a, q = b;
+    CgalMesh<Kernel> result;
+    state.ResumeTiming();
+    if (!pmp::corefine_and_compute_union(p, q, result)) state.SkipWithError("no result");
+    faces = result.number_of_faces();
+  }
+  state.counters["triangles_out"] = static_cast<double>(faces);
+}
+
+void spheres_nef(benchmark::State& state) {
+  const auto n = static_cast<std::uint32_t>(state.range(0));
+  const Nef a = nef_of(sphere(n)), b = nef_of(other_sphere(n));
+  for (auto step : state) benchmark::DoNotOptimize((a + b).number_of_facets());
+}
+
+BENCHMARK(spheres_ours)->Arg(7)->Arg(22)->Arg(71)->Arg(158)->Unit(benchmark::kMillisecond);
+BENCHMARK(spheres_hierarchy)->Arg(71)->Arg(158)->Unit(benchmark::kMillisecond);
+BENCHMARK(spheres_corefine<Inexact>)->Arg(7)->Arg(22)->Arg(71)->Arg(158)->Unit(benchmark::kMillisecond);
+BENCHMARK(spheres_corefine<Exact>)->Arg(7)->Arg(22)->Arg(71)->Unit(benchmark::kMillisecond);
+BENCHMARK(spheres_nef)->Arg(7)->Unit(benchmark::kMillisecond)->Iterations(1);
+
+// ---- random cubes ---------------------------------------------------------------------------------------------------
+
+std::vector<Shape> random_cubes(std::size_t count) {
+  std::mt19937 random(1);  // NOLINT(cert-msc51-cpp): the same cubes in every run
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto vector = [&](double size) { return Vec3{size * unit(random), size * unit(random), size * unit(random)}; };
+  std::vector<Shape> cubes;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3 axis = vector(1);
+    cubes.push_back(moved(box({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}), axis, 3 * unit(random), vector(2.5)));
+  }
+  return cubes;
+}
+
+std::vector<Solid> solids_of(const std::vector<Shape>& shapes) {
+  std::vector<Solid> solids;
+  for (const Shape& shape : shapes) solids.emplace_back(shape);
+  return solids;
+}
+
+void cubes_chain_ours(benchmark::State& state) {
+  const auto shapes = random_cubes(static_cast<std::size_t>(state.range(0)));
+  const auto solids = solids_of(shapes);
+  for (auto step : state) benchmark::DoNotOptimize(chained(shapes[0], solids, in_any).face_count());
+}
+void cubes_aggregate_ours(benchmark::State& state) {
+  const auto solids = solids_of(random_cubes(static_cast<std::size_t>(state.range(0))));
+  for (auto step : state) benchmark::DoNotOptimize(combined(solids, nullptr, in_any).face_count());
+}
+
+template <typename Kernel>
+void cubes_chain_corefine(benchmark::State& state) {
+  const auto shapes = random_cubes(static_cast<std::size_t>(state.range(0)));
+  for (auto step : state) {
+    auto sum = cgal_mesh_of<Kernel>(shapes[0]);
+    for (std::size_t i = 1; i < shapes.size(); ++i) {
+      auto other = cgal_mesh_of<Kernel>(shapes[i]);
+      CgalMesh<Kernel> result;
+      if (!pmp::corefine_and_compute_union(sum, other, result)) return state.SkipWithError("refused");
+      sum = std::move(result);
+    }
+    benchmark::DoNotOptimize(sum.number_of_faces());
+  }
+}
+
+BENCHMARK(cubes_chain_ours)->Arg(200)->Unit(benchmark::kMillisecond);
+BENCHMARK(cubes_aggregate_ours)->Arg(200)->Unit(benchmark::kMillisecond);
+BENCHMARK(cubes_chain_corefine<Inexact>)->Arg(200)->Unit(benchmark::kMillisecond);
+
+// ---- Menger sponge --------------------------------------------------------------------------------------------------
+
+/// Square rods that leave a sponge of a cube of side 3^level, turned by `radians`.
+std::vector<Shape> rods(int level, double radians) {
+  std::vector<Shape> result;
+  const double side = std::pow(3, level);
+  for (int k = 1; k <= level; ++k) {
+    const auto count = static_cast<int>(std::pow(3, k - 1));
+    const double step = side / count, width = step / 3;
+    for (int i = 0; i < count; ++i)
+      for (int j = 0; j < count; ++j) {
+        bool is_hole = false;
+        for (int a = i, b = j; a > 0 || b > 0; a /= 3, b /= 3) is_hole = is_hole || (a % 3 == 1 && b % 3 == 1);
+        if (is_hole) continue;
+        const double p = i * step + width, q = j * step + width;
+        result.push_back(box({-1, p, q}, {side + 1, p + width, q + width}));
+        result.push_back(box({p, -1, q}, {p + width, side + 1, q + width}));
+        result.push_back(box({p, q, -1}, {p + width, q + width, side + 1}));
+      }
+  }
+  for (Shape& rod : result)
+    if (radians != 0) rod = moved(rod, kAxis, radians, {});
+  return result;
+}
+
+Shape sponge_cube(int level, double radians) {
+  const double side = std::pow(3, level);
+  const Shape cube = box({}, {side, side, side});
+  return radians != 0 ? moved(cube, kAxis, radians, {}) : cube;
+}
+
+/// Arguments: level, and 1 for the rotated one.
+void sponge_ours(benchmark::State& state) {
+  const auto level = static_cast<int>(state.range(0));
+  const double radians = state.range(1) != 0 ? kRoot2 / 2 : 0;
+  const auto solids = solids_of(rods(level, radians));
+  std::size_t faces = 0;
+  for (auto step : state) faces = chained(sponge_cube(level, radians), solids, in_first_only).face_count();
+  state.counters["triangles_out"] = static_cast<double>(faces);
+}
+
+template <typename Kernel>
+void sponge_corefine(benchmark::State& state) {
+  const auto level = static_cast<int>(state.range(0));
+  const double radians = state.range(1) != 0 ? kRoot2 / 2 : 0;
+  const auto shapes = rods(level, radians);
+  std::size_t faces = 0;
+  for (auto step : state) {
+    auto rest = cgal_mesh_of<Kernel>(sponge_cube(level, radians));
+    for (const Shape& shape : shapes) {
+      auto rod = cgal_mesh_of<Kernel>(shape);
+      CgalMesh<Kernel> result;
+      if (!pmp::corefine_and_compute_difference(rest, rod, result)) return state.SkipWithError("refused");
+      rest = std::move(result);
+    }
+    faces = rest.number_of_faces();
+  }
+  state.counters["triangles_out"] = static_cast<double>(faces);
+}
+
+BENCHMARK(sponge_ours)
+    ->Args({2, 0})
+    ->Args({3, 0})
+    ->Args({2, 1})
+    ->Args({3, 1})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
+BENCHMARK(sponge_corefine<Exact>)
+    ->Args({2, 0})
+    ->Args({3, 0})
+    ->Args({2, 1})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
+
+// ---- grid of touching cubes -----------------------------------------------------------------------------------------
+
+void grid_ours(benchmark::State& state) {
+  const auto n = static_cast<int>(state.range(0));
+  std::vector<Shape> shapes;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      for (int k = 0; k < n; ++k) shapes.push_back(box({double(i), double(j), double(k)}, {i + 1.0, j + 1.0, k + 1.0}));
+  const auto solids = solids_of(shapes);
+  std::size_t faces = 0;
+  for (auto step : state) faces = combined(solids, nullptr, in_any).face_count();
+  state.counters["triangles_out"] = static_cast<double>(faces);
+}
+BENCHMARK(grid_ours)->Arg(10)->Arg(20)->Unit(benchmark::kMillisecond)->Iterations(1);
+
+}  // namespace
