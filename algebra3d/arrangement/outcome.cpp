@@ -68,17 +68,26 @@ class OutcomeBuilder {
   TriangleMesh run();
 
  private:
-  /// The other ends of the edges that a vertex ends.
-  struct Neighbours {
-    std::uint32_t count = 0;  ///< 3: more than two
-    std::array<std::uint32_t, 2> vertices{kNone, kNone};
-    bool are_on_a_line = false;  ///< two, with the vertex between them; it is no corner then
+  /// A boundary edge of a region as one of its ends sees it.
+  struct Spoke {
+    std::uint32_t vertex, other;
+    std::tuple<std::uint32_t, bool> region;
+    bool is_outgoing;
+
+    friend auto operator<=>(const Spoke&, const Spoke&) = default;
+  };
+  /// A vertex in the middle of a straight edge between two others, of which it is no corner.
+  struct Passage {
+    std::uint32_t vertex, one, other;
   };
 
   std::array<int, 2> kept_sides(std::uint32_t number) const;
   void take_patches();
   void collect_edges();
-  void find_middles();
+  void find_passages();
+  void find_passages_at(std::span<const Spoke> spokes);
+  static bool continue_each_other(std::span<const Spoke> one, std::span<const Spoke> other, std::span<const Spoke> all);
+  std::uint32_t beyond(std::uint32_t from, std::uint32_t vertex) const;
   void straighten();
   void triangulate_regions();
 
@@ -87,8 +96,8 @@ class OutcomeBuilder {
   const Patches& patches_;
   const Selection& selection_;
   CornerNumbers corners_;
-  std::vector<bool> is_fixed_;          // per vertex: a corner of a patch's face
-  std::vector<Neighbours> neighbours_;  // per vertex
+  std::vector<bool> is_fixed_;     // per vertex: a corner of a patch's face
+  std::vector<Passage> passages_;  // ascending by vertex
   std::vector<KeptEdge> edges_;
   /// Edges of kept patches along which more than two faces meet, by their vertices, ascending.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> shared_patch_edges_;
@@ -147,41 +156,74 @@ void OutcomeBuilder::collect_edges() {
   }
 }
 
-/// A vertex is in the middle if all edges that it ends run to the same two other vertices, on one line with it.
-void OutcomeBuilder::find_middles() {
-  neighbours_.resize(skeleton_.vertices().size());
-  const auto note = [&](std::uint32_t vertex, std::uint32_t other) {
-    Neighbours& at = neighbours_[vertex];
-    if (at.count > 2 || at.vertices[0] == other || at.vertices[1] == other) return;
-    if (at.count < 2) at.vertices[at.count] = other;
-    ++at.count;
-  };
+void OutcomeBuilder::find_passages() {
+  std::vector<Spoke> spokes;
+  spokes.reserve(2 * edges_.size());
   for (const KeptEdge& edge : edges_) {
-    note(edge.from, edge.to);
-    note(edge.to, edge.from);
+    spokes.push_back({edge.from, edge.to, edge.region(), true});
+    spokes.push_back({edge.to, edge.from, edge.region(), false});
   }
-  const VertexPool& points = skeleton_.vertices();
-  for (std::uint32_t v = 0; v < neighbours_.size(); ++v) {
-    Neighbours& at = neighbours_[v];
-    at.are_on_a_line =
-        at.count == 2 && !is_fixed_[v] && collinear(points[at.vertices[0]], points[v], points[at.vertices[1]]);
+  std::ranges::sort(spokes);
+  for (std::size_t begin = 0, end = 0; begin < spokes.size(); begin = end) {
+    while (end < spokes.size() && spokes[end].vertex == spokes[begin].vertex) ++end;
+    if (!is_fixed_[spokes[begin].vertex]) find_passages_at(std::span(spokes).subspan(begin, end - begin));
   }
 }
 
-/// Replaces runs of edges through middles by one edge each.
+void OutcomeBuilder::find_passages_at(std::span<const Spoke> spokes) {
+  const VertexPool& points = skeleton_.vertices();
+  const PointRef here = points[spokes[0].vertex];
+  std::vector<std::span<const Spoke>> arms;  // the spokes to one other vertex
+  for (std::size_t begin = 0, end = 0; begin < spokes.size(); begin = end) {
+    while (end < spokes.size() && spokes[end].other == spokes[begin].other) ++end;
+    arms.push_back(spokes.subspan(begin, end - begin));
+  }
+  for (std::size_t i = 0; i < arms.size(); ++i)
+    for (std::size_t j = i + 1; j < arms.size(); ++j) {
+      if (!continue_each_other(arms[i], arms[j], spokes)) continue;
+      const PointRef one = points[arms[i][0].other], other = points[arms[j][0].other];
+      if (compare(one, here) == compare(here, other) && collinear(one, here, other))
+        passages_.push_back({spokes[0].vertex, arms[i][0].other, arms[j][0].other});
+    }
+}
+
+/// True if the boundaries of all regions that come along one arm leave along the other, and have nothing else to do
+/// with the vertex: then nobody needs it as a corner. What other regions have there may touch the straight edge in a
+/// point.
+bool OutcomeBuilder::continue_each_other(std::span<const Spoke> one, std::span<const Spoke> other,
+                                         std::span<const Spoke> all) {
+  if (one.size() != other.size()) return false;
+  for (const Spoke& spoke : one) {
+    const auto is_of_region = [&](const Spoke& s) { return s.region == spoke.region; };
+    const auto continues = [&](const Spoke& s) { return is_of_region(s) && s.is_outgoing != spoke.is_outgoing; };
+    if (std::ranges::count_if(other, continues) != 1) return false;
+    if (std::ranges::count_if(all, is_of_region) != 2 * std::ranges::count_if(one, is_of_region)) return false;
+  }
+  return true;
+}
+
+/// The vertex to which the straight edge goes on that comes from `from` through `vertex`; kNone if it ends there.
+std::uint32_t OutcomeBuilder::beyond(std::uint32_t from, std::uint32_t vertex) const {
+  for (auto p = std::ranges::lower_bound(passages_, vertex, {}, &Passage::vertex);
+       p != passages_.end() && p->vertex == vertex; ++p) {
+    if (p->one == from) return p->other;
+    if (p->other == from) return p->one;
+  }
+  return kNone;
+}
+
+/// Replaces runs of edges through passages by one edge each.
 void OutcomeBuilder::straighten() {
-  std::ranges::sort(edges_);
   std::vector<KeptEdge> straight;
   for (const KeptEdge& edge : edges_) {
-    if (neighbours_[edge.from].are_on_a_line) continue;
+    if (beyond(edge.to, edge.from) != kNone) continue;
     std::uint32_t before = edge.from, at = edge.to;
-    while (neighbours_[at].are_on_a_line) {
-      const auto& [one, other] = neighbours_[at].vertices;
-      before = std::exchange(at, before == one ? other : one);
-    }
+    for (std::uint32_t next = beyond(before, at); next != kNone; next = beyond(before, at))
+      before = std::exchange(at, next);
     straight.push_back({edge.plane, edge.is_flipped, edge.from, at});
   }
   edges_ = std::move(straight);
+  std::ranges::sort(edges_);
 }
 
 void OutcomeBuilder::triangulate_regions() {
@@ -204,7 +246,7 @@ void OutcomeBuilder::triangulate_regions() {
 TriangleMesh OutcomeBuilder::run() {
   take_patches();
   collect_edges();
-  find_middles();
+  find_passages();
   straighten();
   triangulate_regions();
   return TriangleMesh(corners_.take_points(), triangles_);

@@ -71,10 +71,10 @@ Result<Surface3d> surface_sets(Context& context, const Surface3d& a, const Surfa
   return combined(context, a, b, kRule);
 }
 
-/// The overloads of an operation on points: each side one point or many.
-#define POINT_OVERLOADS(operation)                                                                     \
-  overload<&operation<Point3d, Point3d>>("a", "b"), overload<&operation<Point3d, Points3d>>("a", "b"), \
-      overload<&operation<Points3d, Point3d>>("a", "b"), overload<&operation<Points3d, Points3d>>("a", "b")
+/// An operation on points, on each side one point or many; the operands may change places.
+#define SYMMETRIC_POINT_OVERLOADS(operation)                                                                      \
+  symmetric(overload<&operation<Point3d, Point3d>>("a", "b")), overload<&operation<Point3d, Points3d>>("a", "b"), \
+      overload<&operation<Points3d, Point3d>>("a", "b"), symmetric(overload<&operation<Points3d, Points3d>>("a", "b"))
 
 const std::string kBoxA = "rectangle3(0, 1, 0, 1, 0, 1)";
 const std::string kBoxB = "rectangle3(1, 2, 0, 1, 0, 1)";
@@ -104,8 +104,8 @@ void register_infix_sets(Registry& registry) {
           "What lies in one of two sets of points, surfaces or solids, or in both; the smallest box around two boxes.",
       .detail = kSolids,
       .exactness = Exactness::exact,
-      .overloads = {symmetric(overload<&box_union>("a", "b")), POINT_OVERLOADS(point_union),
-                    overload<&surface_sets<SurfaceRule::either>>("a", "b"),
+      .overloads = {symmetric(overload<&box_union>("a", "b")), SYMMETRIC_POINT_OVERLOADS(point_union),
+                    symmetric(overload<&surface_sets<SurfaceRule::either>>("a", "b")),
                     symmetric(overload<&solid_union>("a", "b"))},
       .examples = {{"size(" + kCubeA + " union " + kCubeB + ")", "36"},
                    {"volume(" + kCubeA + " union " + kCubeB + ")", "15.0"},
@@ -121,8 +121,11 @@ void register_infix_sets(Registry& registry) {
       .doc = "What lies in the first of two sets of points, surfaces or solids and not in the second.",
       .detail = kSolids,
       .exactness = Exactness::exact,
-      .overloads = {POINT_OVERLOADS(point_minus), overload<&surface_sets<SurfaceRule::first_only>>("a", "b"),
-                    overload<&solid_minus>("a", "b")},
+      .overloads = {overload<&point_minus<Point3d, Point3d>>("a", "b"),
+                    overload<&point_minus<Point3d, Points3d>>("a", "b"),
+                    overload<&point_minus<Points3d, Point3d>>("a", "b"),
+                    overload<&point_minus<Points3d, Points3d>>("a", "b"),
+                    overload<&surface_sets<SurfaceRule::first_only>>("a", "b"), overload<&solid_minus>("a", "b")},
       .examples = {{"volume(" + kCubeA + " minus " + kCubeB + ")", "7.0"},
                    {"size(" + kCubeA + " minus " + kCubeA + ")", "0"},
                    {"area(" + kSquareA + " minus " + kSquareB + ")", "3.0"},
@@ -139,8 +142,8 @@ void register_prefix_sets(Registry& registry) {
       .doc = "What lies in both of two sets of points, surfaces or solids, or in two boxes.",
       .detail = std::string(kSolids) + " Boxes that do not meet have no common part: undefined.",
       .exactness = Exactness::exact,
-      .overloads = {symmetric(overload<&box_intersection>("a", "b")), POINT_OVERLOADS(point_intersection),
-                    overload<&surface_sets<SurfaceRule::both>>("a", "b"),
+      .overloads = {symmetric(overload<&box_intersection>("a", "b")), SYMMETRIC_POINT_OVERLOADS(point_intersection),
+                    symmetric(overload<&surface_sets<SurfaceRule::both>>("a", "b")),
                     symmetric(overload<&solid_intersection>("a", "b"))},
       .examples = {{"volume(intersection(" + kCubeA + ", " + kCubeB + "))", "1.0"},
                    {"area(intersection(" + kSquareA + ", " + kSquareB + "))", "1.0"},
@@ -156,8 +159,8 @@ void register_prefix_sets(Registry& registry) {
       .doc = "What lies in exactly one of two sets of points, surfaces or solids.",
       .detail = kSolids,
       .exactness = Exactness::exact,
-      .overloads = {POINT_OVERLOADS(point_symmetric_difference),
-                    overload<&surface_sets<SurfaceRule::exactly_one>>("a", "b"),
+      .overloads = {SYMMETRIC_POINT_OVERLOADS(point_symmetric_difference),
+                    symmetric(overload<&surface_sets<SurfaceRule::exactly_one>>("a", "b")),
                     symmetric(overload<&solid_symmetric_difference>("a", "b"))},
       .examples = {{"volume(symmetricDifference(" + kCubeA + ", " + kCubeB + "))", "14.0"},
                    {"symmetricDifference(" + kPointsA + ", makePoint3D(2, 0, 0))",
@@ -167,7 +170,7 @@ void register_prefix_sets(Registry& registry) {
   });
 }
 
-#undef POINT_OVERLOADS
+#undef SYMMETRIC_POINT_OVERLOADS
 
 }  // namespace
 

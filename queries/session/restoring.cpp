@@ -227,7 +227,8 @@ Status Session::Restorer::relation_value(const std::string& name, const TypeExpr
 }
 
 // They may depend on each other in any order: those that can be made are made, until none is left or none can. One that
-// was broken already when it was saved, since something that it uses was renamed, must not keep the rest away.
+// was broken already when it was saved, since something that it uses was renamed or made anew without a value, must not
+// keep the rest away.
 Status Session::Restorer::dependent_objects() {
   while (!dependents_.empty()) {
     std::vector<Dependent> later;
@@ -236,7 +237,8 @@ Status Session::Restorer::dependent_objects() {
       const Status status = define(dependent);
       if (status) continue;
       const ErrorCode code = status.error().code;
-      if (code != ErrorCode::unknown_name && code != ErrorCode::syntax_error && code != ErrorCode::type_error)
+      if (code != ErrorCode::unknown_name && code != ErrorCode::syntax_error && code != ErrorCode::type_error &&
+          code != ErrorCode::not_evaluable)
         return Error(status.error()).at(dependent.place);
       reasons.push_back("restore: '" + dependent.name +
                         "' is left out, it cannot be derived again: " + status.error().message);

@@ -133,10 +133,60 @@ TEST(geometry, the_box_leaves_out_points_that_no_triangle_uses) {
   EXPECT_EQ(surface.box(), (Box3{{0, 0, 0}, {1, 1, 0}}));
 }
 
-/// Triangles over points as a list of corners: what a surface value is a set of.
+/// A solid of unit cubes: by number, cube x + 3 y + 9 z is there or not. What it is as a point set, nobody disputes.
+using Voxels = std::array<bool, 27>;
+
+bool holds(const Voxels& voxels, const std::array<int, 3>& cell) {
+  for (const int c : cell)
+    if (c < 0 || c > 2) return false;
+  return voxels[static_cast<std::size_t>(cell[0] + 3 * cell[1] + 9 * cell[2])];
+}
+
+/// Triangles over points of all coordinates, in any order.
 using Corners = std::vector<std::array<ExactPoint, 3>>;
 
-Value surface_of(const Corners& corners, std::mt19937& random) {
+/// A unit square, its corners counter-clockwise from outside, cut in one of three ways.
+void add_square(Corners& corners, const std::array<RationalVec3, 4>& q, std::size_t cut) {
+  const std::array<ExactPoint, 4> p{ExactPoint(q[0]), ExactPoint(q[1]), ExactPoint(q[2]), ExactPoint(q[3])};
+  if (cut == 2) {
+    const ExactPoint middle(Rational(1, 2) * (q[0] + q[2]));
+    for (std::size_t i = 0; i < 4; ++i) corners.push_back({p[i], p[(i + 1) % 4], middle});
+    return;
+  }
+  corners.push_back({p[cut], p[cut + 1], p[cut + 2]});
+  corners.push_back({p[cut], p[cut + 2], p[(cut + 3) % 4]});
+}
+
+/// The boundary of the cubes, each square cut at random, in coordinates of thirds: most corners are no doubles.
+Corners boundary_of(const Voxels& voxels, std::mt19937& random) {
+  Corners corners;
+  for (int n = 0; n < 27; ++n) {
+    const std::array<int, 3> cell{n % 3, n / 3 % 3, n / 9};
+    if (!holds(voxels, cell)) continue;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (const int direction : {0, 1}) {
+        std::array<int, 3> neighbour = cell;
+        neighbour[axis] += 2 * direction - 1;
+        if (holds(voxels, neighbour)) continue;
+        const auto corner = [&](int u, int v) {
+          std::array<int, 3> at = cell;
+          at[axis] += direction;
+          at[(axis + 1) % 3] += u;
+          at[(axis + 2) % 3] += v;
+          return RationalVec3(Rational(at[0], 3), Rational(at[1], 3), Rational(at[2], 3));
+        };
+        if (direction == 1)
+          add_square(corners, {corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)}, random() % 3);
+        else
+          add_square(corners, {corner(0, 0), corner(0, 1), corner(1, 1), corner(1, 0)}, random() % 3);
+      }
+  }
+  std::ranges::shuffle(corners, random);
+  return corners;
+}
+
+template <typename T>
+Value value_of(const Corners& corners, std::mt19937& random) {
   // Numbers of points are shuffled as well: they must not matter.
   std::vector<ExactPoint> points;
   for (const auto& t : corners) points.insert(points.end(), t.begin(), t.end());
@@ -150,83 +200,83 @@ Value surface_of(const Corners& corners, std::mt19937& random) {
     Triangle& triangle = triangles.emplace_back();
     for (std::size_t i = 0; i < 3; ++i)
       triangle[i] = static_cast<std::uint32_t>(std::ranges::find(points, t[i]) - points.begin());
+    std::rotate(triangle.begin(), triangle.begin() + static_cast<std::ptrdiff_t>(random() % 3), triangle.end());
   }
-  return Value::of(Surface3d::trusted(TriangleMesh(std::move(array), triangles)));
+  const auto proved = T::prove(TriangleMesh(std::move(array), triangles));
+  EXPECT_TRUE(proved.ok() && *proved);
+  return Value::of(**proved);
 }
 
-Corners random_corners(std::mt19937& random, std::size_t count) {
-  std::uniform_int_distribution<int> coordinate(-1, 1);
-  std::uniform_int_distribution<int> denominator(2, 3);
-  const auto number = [&] { return Rational(coordinate(random), denominator(random)); };
-  Corners corners(count);
-  for (auto& t : corners)
-    for (ExactPoint& p : t) p = ExactPoint(RationalVec3(number(), number(), number()));
-  return corners;
+Voxels random_voxels(std::mt19937& random, std::size_t one_in) {
+  Voxels voxels{};
+  for (bool& voxel : voxels) voxel = random() % one_in == 0;
+  return voxels;
 }
 
-/// The same set of triangles, written differently.
-Corners permuted(Corners corners, std::mt19937& random) {
-  std::ranges::shuffle(corners, random);
-  for (auto& t : corners) std::rotate(t.begin(), t.begin() + static_cast<std::ptrdiff_t>(random() % 3), t.end());
-  return corners;
-}
-
-TEST(geometry_order, equal_sets_of_triangles_are_equal_and_hash_alike) {
+TEST(geometry_order, solids_are_equal_if_they_are_the_same_points_however_they_are_triangulated) {
   std::mt19937 random(1);
-  for (int round = 0; round < 200; ++round) {
-    const Corners corners = random_corners(random, 1 + random() % 12);
-    const Value a = surface_of(corners, random);
-    const Value b = surface_of(permuted(corners, random), random);
+  for (int round = 0; round < 60; ++round) {
+    const Voxels voxels = random_voxels(random, 1 + random() % 4);
+    const Value a = value_of<Volume3d>(boundary_of(voxels, random), random);
+    const Value b = value_of<Volume3d>(boundary_of(voxels, random), random);
     EXPECT_EQ(compare(a, b), std::strong_ordering::equal);
     EXPECT_EQ(hash(a), hash(b));
   }
 }
 
-TEST(geometry_order, orientation_and_every_corner_count) {
-  const Value tetrahedron = volume_of(kTetrahedron);
-  const Value other = volume_of(kExactTetrahedron);
-  EXPECT_NE(compare(tetrahedron, other), std::strong_ordering::equal);
-  const Value front = *read(surface(), "(((0 0 0) (1 0 0) (0 1 0)))").value;
-  const Value turned = *read(surface(), "(((0 1 0) (0 0 0) (1 0 0)))").value;
-  const Value back = *read(surface(), "(((0 0 0) (0 1 0) (1 0 0)))").value;
-  EXPECT_EQ(compare(front, turned), std::strong_ordering::equal);
-  EXPECT_NE(compare(front, back), std::strong_ordering::equal);
-  EXPECT_NE(hash(front), hash(back));
+TEST(geometry_order, a_cube_more_or_less_makes_another_solid) {
+  std::mt19937 random(2);
+  for (int round = 0; round < 60; ++round) {
+    Voxels voxels = random_voxels(random, 2);
+    const Value a = value_of<Volume3d>(boundary_of(voxels, random), random);
+    bool& voxel = voxels[random() % voxels.size()];
+    voxel = !voxel;
+    const Value b = value_of<Volume3d>(boundary_of(voxels, random), random);
+    EXPECT_NE(compare(a, b), std::strong_ordering::equal);
+  }
 }
 
-TEST(geometry_order, it_is_a_total_order_by_the_definition) {
-  // The definition, as sorted lists of rationals.
-  const auto key = [](const Corners& corners) {
-    std::vector<std::vector<RationalVec3>> result;
-    for (const auto& t : corners) {
-      const std::vector<RationalVec3> r{t[0].rational(), t[1].rational(), t[2].rational()};
-      result.push_back(std::min({r, {r[1], r[2], r[0]}, {r[2], r[0], r[1]}}));
-    }
-    std::ranges::sort(result);
-    return result;
-  };
-  std::mt19937 random(2);
-  std::vector<Corners> all;
+TEST(geometry_order, orientation_of_surfaces_does_not_count_and_corners_do) {
+  EXPECT_NE(compare(volume_of(kTetrahedron), volume_of(kExactTetrahedron)), std::strong_ordering::equal);
+  const Value front = *read(surface(), "(((0 0 0) (1 0 0) (0 1 0)))").value;
+  const Value back = *read(surface(), "(((0 1 0) (1 0 0) (0 0 0)))").value;
+  EXPECT_EQ(compare(front, back), std::strong_ordering::equal);
+  EXPECT_EQ(hash(front), hash(back));
+}
+
+TEST(geometry_order, surfaces_are_equal_if_they_are_the_same_points_whatever_way_triangles_turn) {
+  std::mt19937 random(3);
+  for (int round = 0; round < 60; ++round) {
+    const Voxels voxels = random_voxels(random, 3);
+    Corners turned = boundary_of(voxels, random);
+    for (auto& t : turned)
+      if (random() % 2 == 0) std::swap(t[0], t[1]);
+    const Value a = value_of<Surface3d>(boundary_of(voxels, random), random);
+    const Value b = value_of<Surface3d>(turned, random);
+    EXPECT_EQ(compare(a, b), std::strong_ordering::equal);
+    EXPECT_EQ(hash(a), hash(b));
+  }
+}
+
+TEST(geometry_order, it_is_a_total_order) {
+  std::mt19937 random(4);
+  std::vector<Voxels> all;
   std::vector<Value> values;
-  for (int i = 0; i < 60; ++i) {
-    all.push_back(random_corners(random, 1 + random() % 3));
-    values.push_back(surface_of(all.back(), random));
+  for (int i = 0; i < 40; ++i) {
+    Voxels voxels{};
+    for (std::size_t n = 0; n < 4; ++n) voxels[n] = random() % 2 == 0;  // few different ones, so that many are equal
+    all.push_back(voxels);
+    values.push_back(value_of<Volume3d>(boundary_of(voxels, random), random));
   }
   for (std::size_t a = 0; a < all.size(); ++a)
     for (std::size_t b = 0; b < all.size(); ++b) {
       const auto order = compare(values[a], values[b]);
-      EXPECT_EQ(order == 0, key(all[a]) == key(all[b]));
+      EXPECT_EQ(order == 0, all[a] == all[b]);
       EXPECT_EQ(order<0, compare(values[b], values[a])> 0);
-      if (all[a].size() != all[b].size()) {
-        EXPECT_EQ(order < 0, all[a].size() < all[b].size());
-      } else if (values[a].header().box == values[b].header().box) {
-        EXPECT_EQ(order < 0, key(all[a]) < key(all[b]));
-      }
-      for (const Value& c : values) {
+      for (const Value& c : values)
         if (order < 0 && compare(values[b], c) < 0) {
           ASSERT_TRUE(compare(values[a], c) < 0);
         }
-      }
     }
 }
 
