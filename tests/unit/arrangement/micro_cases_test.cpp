@@ -124,7 +124,8 @@ TEST(SetOperations, touching_cubes_in_one_union_are_one_cube) {
   SetOperations engine;
   std::vector<TriangleMesh> cubes;
   for (int i = 0; i < 27; ++i) {
-    const Vec3 low{double(i % 3), double(i / 3 % 3), double(i / 9)};
+    const int row = i / 3, layer = i / 9;
+    const Vec3 low{double(i % 3), double(row % 3), double(layer)};
     cubes.push_back(box(low, low + Vec3{1, 1, 1}));
   }
   Solids all;
