@@ -61,8 +61,15 @@ void for_each_end(const TriangleRef& triangle, const Signs& signs, const Triangl
   }
 }
 
-bool runs_along(const Place& place, const Signs& signs) {
-  return place.kind == Place::Kind::edge && signs[place.index] == 0 && signs[(place.index + 1) % 3] == 0;
+/// The edge whose ends both lie in the plane; the third corner does not.
+std::uint8_t edge_in_plane(const Signs& signs) {
+  for (std::uint8_t i = 0; i < 3; ++i)
+    if (signs[i] == 0 && signs[(i + 1) % 3] == 0) return i;
+  return TriangleContact::kNoEdge;
+}
+
+bool is_edge(const Place& place, std::uint8_t edge) {
+  return place.kind == Place::Kind::edge && place.index == edge;
 }
 
 }  // namespace
@@ -86,12 +93,14 @@ TriangleContact contact_of(const TriangleRef& first, const TriangleRef& second) 
   const Signs second_signs = sides_of(second, first);
   if (are_all_on_one_side(second_signs)) return contact;
 
+  contact.first_edge = edge_in_plane(first_signs);
+  contact.second_edge = edge_in_plane(second_signs);
   const auto add = [&](const Place& in_first, const Place& in_second) {
     for (std::size_t k = 0; k < contact.count; ++k)
       if (contact.points[k].first == in_first && contact.points[k].second == in_second) return;
     assert(contact.count < 2);
-    contact.points[contact.count++] = {in_first, in_second, runs_along(in_first, first_signs),
-                                       runs_along(in_second, second_signs)};
+    contact.points[contact.count++] = {in_first, in_second, is_edge(in_first, contact.first_edge),
+                                       is_edge(in_second, contact.second_edge)};
   };
   for_each_end(first, first_signs, second, add);
   for_each_end(second, second_signs, first, [&](const Place& end, const Place& place) { add(place, end); });

@@ -28,7 +28,11 @@ struct ContactPoint {
 /// The common part of two triangles: nothing, a point, a segment with its two ends, or coplanar triangles, whose common
 /// part is not examined any further.
 struct TriangleContact {
+  static constexpr std::uint8_t kNoEdge = 3;
+
   bool is_coplanar = false;
+  /// The edge of each triangle that lies in the plane of the other one, so that the common part runs along it.
+  std::uint8_t first_edge = kNoEdge, second_edge = kNoEdge;
   std::uint8_t count = 0;  ///< of points: 0, 1 or 2
   std::array<ContactPoint, 2> points{};
 };

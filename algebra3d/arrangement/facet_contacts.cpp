@@ -41,6 +41,8 @@ struct FaceContact {
     FaceEnd first, second;
   };
   std::array<End, 2> ends;
+  /// The half-edge of each face along which the common part runs; kNone if it does not.
+  std::uint32_t first_edge, second_edge;
 
   auto key() const { return std::tie(first_facet, second_facet, ends[0].meeting, ends[1].meeting); }
   bool is_point() const { return ends[0].meeting == ends[1].meeting; }
@@ -80,7 +82,11 @@ void ContactFinder::examine(std::uint32_t first_face, std::uint32_t second_face)
     facets_.join_planes(first_facet, second_facet);
     return;
   }
-  FaceContact found{first_facet, second_facet, {}};
+  const auto along = [](std::uint32_t face, std::uint8_t edge) {
+    return edge == TriangleContact::kNoEdge ? kNone : 3 * face + edge;
+  };
+  FaceContact found{
+      first_facet, second_facet, {}, along(first_face, contact.first_edge), along(second_face, contact.second_edge)};
   for (std::size_t end = 0; end < 2; ++end) {
     const ContactPoint& point = contact.points[contact.count == 2 ? end : 0];
     found.ends[end] = {{feature_of(first_face, point.first), feature_of(second_face, point.second)},
@@ -199,7 +205,11 @@ void ContactFinder::add_segments(std::span<const FaceContact> contacts) {
     const std::uint32_t from = vertex_of(contacts[start.contact], start.end), to = vertex_of(contacts[contact], end);
     cut_edges(contacts[start.contact].ends[start.end], from);
     cut_edges(contacts[contact].ends[end], to);
-    skeleton_.add_contact(from, to, contacts[contact].first_facet, contacts[contact].second_facet);
+    const std::uint32_t segment =
+        skeleton_.add_contact(from, to, contacts[contact].first_facet, contacts[contact].second_facet);
+    for (const std::uint32_t edge : {contacts[contact].first_edge, contacts[contact].second_edge})
+      if (edge != kNone && facets_.is_boundary(edge))
+        skeleton_.note_one_line(segment, skeleton_.edge_segment(operands_.edge(edge)));
   }
 }
 

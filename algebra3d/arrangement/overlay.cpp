@@ -20,6 +20,15 @@ struct Element {
   bool is_vertex() const { return segment == kNone; }
 };
 
+/// Requires that the vertex lies on the segment's line.
+void cut_if_inside(Skeleton& skeleton, std::uint32_t number, std::uint32_t vertex) {
+  const Segment& segment = skeleton.segments()[number];
+  if (vertex == segment.from || vertex == segment.to) return;
+  const VertexPool& vertices = skeleton.vertices();
+  const auto from_start = compare(vertices[segment.from], vertices[vertex]);
+  if (from_start == compare(vertices[vertex], vertices[segment.to])) skeleton.cut(number, vertex);
+}
+
 class PlaneOverlay {
  public:
   PlaneOverlay(Skeleton& skeleton, std::span<const Element> elements)
@@ -37,9 +46,10 @@ class PlaneOverlay {
   Box3 box_of(const Element& element) const;
   void relate(const Element& a, const Element& b);
   void relate_vertex(const Element& vertex, const Element& segment);
-  void relate_collinear(const Element& a, const Element& b);
   void cross(const Element& a, const Element& b);
-  void cut_if_inside(const Element& segment, std::uint32_t vertex);
+  void cut_if_inside(const Element& element, std::uint32_t vertex) {
+    arrangement::cut_if_inside(skeleton_, element.segment, vertex);
+  }
   std::uint32_t plane_across(const Element& element) const;
   int turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     if (a == b || b == c || a == c) return 0;
@@ -80,7 +90,7 @@ void PlaneOverlay::relate(const Element& a, const Element& b) {
   if (a.is_vertex()) return relate_vertex(a, b);
   if (b.is_vertex()) return relate_vertex(b, a);
   const int b_from = turn(a.from, a.to, b.from), b_to = turn(a.from, a.to, b.to);
-  if (b_from == 0 && b_to == 0) return relate_collinear(a, b);
+  if (b_from == 0 && b_to == 0) return skeleton_.note_one_line(a.segment, b.segment);
   if (b_from * b_to > 0) return;
   const int a_from = turn(b.from, b.to, a.from), a_to = turn(b.from, b.to, a.to);
   if (a_from * a_to > 0) return;
@@ -93,21 +103,6 @@ void PlaneOverlay::relate(const Element& a, const Element& b) {
 
 void PlaneOverlay::relate_vertex(const Element& vertex, const Element& segment) {
   if (turn(segment.from, segment.to, vertex.from) == 0) cut_if_inside(segment, vertex.from);
-}
-
-void PlaneOverlay::relate_collinear(const Element& a, const Element& b) {
-  cut_if_inside(a, b.from);
-  cut_if_inside(a, b.to);
-  cut_if_inside(b, a.from);
-  cut_if_inside(b, a.to);
-}
-
-/// Requires that the vertex lies on the segment's line.
-void PlaneOverlay::cut_if_inside(const Element& segment, std::uint32_t vertex) {
-  if (vertex == segment.from || vertex == segment.to) return;
-  const PointRef point = vertices()[vertex];
-  const auto from_start = compare(vertices()[segment.from], point), to_end = compare(point, vertices()[segment.to]);
-  if (from_start == to_end) skeleton_.cut(segment.segment, vertex);
 }
 
 /// A plane through the segment other than this one; kNone if no facet tells one.
@@ -131,6 +126,32 @@ void PlaneOverlay::cross(const Element& a, const Element& b) {
                                          projection_);
   skeleton_.cut(a.segment, vertex);
   skeleton_.cut(b.segment, vertex);
+}
+
+/// Cuts segments of one line at each other's ends and cuts, whichever plane has found these.
+void share_cuts(Skeleton& skeleton) {
+  DisjointSets lines(skeleton.segments().size());
+  std::vector<bool> is_shared(skeleton.segments().size());
+  for (const auto& [a, b] : skeleton.one_line()) {
+    lines.unite(a, b);
+    is_shared[a] = is_shared[b] = true;
+  }
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> vertices;  // of each line: line, vertex
+  for (std::uint32_t s = 0; s < is_shared.size(); ++s) {
+    if (!is_shared[s]) continue;
+    vertices.emplace_back(lines.find(s), skeleton.segments()[s].from);
+    vertices.emplace_back(lines.find(s), skeleton.segments()[s].to);
+  }
+  for (const auto& [segment, vertex] : skeleton.cuts())
+    if (is_shared[segment]) vertices.emplace_back(lines.find(segment), vertex);
+  std::ranges::sort(vertices);
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  for (std::uint32_t s = 0; s < is_shared.size(); ++s) {
+    if (!is_shared[s]) continue;
+    const std::uint32_t line = lines.find(s);
+    for (auto v = std::ranges::lower_bound(vertices, std::pair(line, 0U)); v != vertices.end() && v->first == line; ++v)
+      cut_if_inside(skeleton, s, v->second);
+  }
 }
 
 std::vector<Element> collect_elements(const Skeleton& skeleton) {
@@ -157,6 +178,7 @@ Status cut_segments(Skeleton& skeleton, const std::atomic<bool>* cancel) {
       return Error{ErrorCode::interrupted, "interrupted"};
     PlaneOverlay(skeleton, std::span(elements).subspan(begin, end - begin)).run();
   }
+  share_cuts(skeleton);
   return {};
 }
 

@@ -73,12 +73,13 @@ std::uint32_t Skeleton::find_edge_segment(std::uint32_t edge) const {
   return found == edge_segments_.end() ? kNone : found->second;
 }
 
-void Skeleton::add_contact(std::uint32_t from, std::uint32_t to, std::uint32_t facet, std::uint32_t other) {
+std::uint32_t Skeleton::add_contact(std::uint32_t from, std::uint32_t to, std::uint32_t facet, std::uint32_t other) {
   const auto segment = static_cast<std::uint32_t>(segments_.size());
   segments_.push_back({from, to, kNone});
   first_incidences_.push_back(static_cast<std::uint32_t>(incidences_.size()));
   incidences_.push_back({segment, facet, Side::both});
   incidences_.push_back({segment, other, Side::both});
+  return segment;
 }
 
 std::uint32_t Skeleton::other_plane(std::uint32_t segment, std::uint32_t plane) const {

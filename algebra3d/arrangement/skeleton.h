@@ -50,11 +50,13 @@ class Skeleton {
 
   /// The segment of a boundary edge of some facet, which is added if it is new.
   std::uint32_t edge_segment(std::uint32_t edge);
-  /// A common part of two facets.
-  void add_contact(std::uint32_t from, std::uint32_t to, std::uint32_t facet, std::uint32_t other);
+  /// A common part of two facets. Gives the number of the new segment.
+  std::uint32_t add_contact(std::uint32_t from, std::uint32_t to, std::uint32_t facet, std::uint32_t other);
   /// A vertex of a facet in which some other facet touches it.
   void add_touch(std::uint32_t facet, std::uint32_t vertex) { touches_.emplace_back(facet, vertex); }
   void cut(std::uint32_t segment, std::uint32_t vertex) { cuts_.emplace_back(segment, vertex); }
+  /// The two segments lie on one line and may overlap: where one is cut, so is the other.
+  void note_one_line(std::uint32_t a, std::uint32_t b) { one_line_.emplace_back(a, b); }
   /// Adds the boundaries of all facets. Their planes must be numbered.
   void add_boundaries();
 
@@ -68,6 +70,7 @@ class Skeleton {
   const std::vector<Incidence>& incidences() const { return incidences_; }
   /// Pairs (segment, vertex), in no order, repeated ones possible.
   std::vector<std::pair<std::uint32_t, std::uint32_t>>& cuts() { return cuts_; }
+  const std::vector<std::pair<std::uint32_t, std::uint32_t>>& one_line() const { return one_line_; }
   /// Pairs (facet, vertex).
   const std::vector<std::pair<std::uint32_t, std::uint32_t>>& touches() const { return touches_; }
   /// The vertex that a corner of an operand became, by number of the operands' vertices; kNone if none.
@@ -86,7 +89,7 @@ class Skeleton {
   std::vector<Segment> segments_;
   std::vector<Incidence> incidences_;
   std::vector<std::uint32_t> first_incidences_;  // of each segment that is a common part; else kNone
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> cuts_, touches_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> cuts_, touches_, one_line_;
   std::unordered_map<std::uint32_t, std::uint32_t> corners_;        // operand vertex -> vertex
   std::unordered_map<std::uint32_t, std::uint32_t> edge_segments_;  // edge -> segment
   std::unordered_map<std::uint64_t, std::uint32_t> crossings_;      // edge, facet -> vertex
