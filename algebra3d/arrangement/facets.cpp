@@ -36,13 +36,13 @@ void Facets::number_planes() {
     if (first_of_plane == f) {
       facets_[f].plane = static_cast<std::uint32_t>(planes_.size());
       const Projection projection = dominant_projection(triangle[0], triangle[1], triangle[2]);
-      facets_[f].orientation = static_cast<std::int8_t>(orient2d(projection, triangle[0], triangle[1], triangle[2]));
+      facets_[f].orientation = orient2d(projection, triangle[0], triangle[1], triangle[2]);
       if (facets_[f].orientation < 0) std::swap(triangle[1], triangle[2]);
       planes_.push_back({triangle, projection});
     } else {
       facets_[f].plane = facets_[first_of_plane].plane;
       const Projection projection = planes_[facets_[f].plane].projection;
-      facets_[f].orientation = static_cast<std::int8_t>(orient2d(projection, triangle[0], triangle[1], triangle[2]));
+      facets_[f].orientation = orient2d(projection, triangle[0], triangle[1], triangle[2]);
     }
   }
 }

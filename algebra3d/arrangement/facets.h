@@ -14,7 +14,7 @@ namespace algebra3d::arrangement {
 struct Facet {
   std::uint32_t operand;
   std::uint32_t plane;        ///< facets of one plane number were found coplanar; see Planes
-  std::int8_t orientation;    ///< 1 if the facet's front is the front of its plane, else -1
+  int orientation;            ///< 1 if the facet's front is the front of its plane, else -1
   std::uint32_t first, last;  ///< its faces: a range of Facets::faces
 };
 

@@ -249,7 +249,7 @@ TriangleMesh OutcomeBuilder::run() {
   find_passages();
   straighten();
   triangulate_regions();
-  return TriangleMesh(corners_.take_points(), triangles_);
+  return {corners_.take_points(), triangles_};
 }
 
 }  // namespace
