@@ -66,23 +66,11 @@ Shape cone(std::uint32_t sides) {
 /// Cubes in a row, each a shell of its own.
 Shape cubes(std::uint32_t count) {
   Shape shape;
-  constexpr std::array<TriangleMesh::Triangle, 12> kFaces{{{0, 2, 3},
-                                                           {0, 3, 1},
-                                                           {4, 5, 7},
-                                                           {4, 7, 6},
-                                                           {0, 1, 5},
-                                                           {0, 5, 4},
-                                                           {2, 6, 7},
-                                                           {2, 7, 3},
-                                                           {0, 4, 6},
-                                                           {0, 6, 2},
-                                                           {1, 3, 7},
-                                                           {1, 7, 5}}};
   for (std::uint32_t n = 0; n < count; ++n) {
-    for (std::uint32_t i = 0; i < 8; ++i)
-      shape.points.push_back(
-          {2.0 * (n % 22) + (i & 1), 2.0 * (n / 22 % 22) + (i >> 1 & 1), 2.0 * (n / 484) + (i >> 2)});
-    for (const auto& face : kFaces) shape.triangles.push_back({8 * n + face[0], 8 * n + face[1], 8 * n + face[2]});
+    const Vec3 corner{2.0 * (n % 22), 2.0 * (n / 22 % 22), 2.0 * (n / 484)};
+    const Shape cube = bench::box(corner, corner + Vec3{1, 1, 1});
+    shape.points.insert(shape.points.end(), cube.points.begin(), cube.points.end());
+    for (const auto& [a, b, c] : cube.triangles) shape.triangles.push_back({8 * n + a, 8 * n + b, 8 * n + c});
   }
   return shape;
 }

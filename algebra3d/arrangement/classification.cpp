@@ -176,9 +176,7 @@ Windings Classifier::windings_at(const Seed& seed) {
   std::ranges::sort(known);
   if (known.size() == operands_.count()) return windings;
   const Piece& piece = pieces_.pieces[seed.half_plane.piece];
-  const RationalVec3 u = skeleton_.vertices()[piece.u].rational(), v = skeleton_.vertices()[piece.v].rational();
-  const ExactPoint middle(Rational(1, 2) * (u + v));
-  add_others(middle, known, windings);
+  add_others(skeleton_.middle(piece.u, piece.v), known, windings);
   return windings;
 }
 

@@ -68,11 +68,6 @@ std::uint32_t Skeleton::edge_segment(std::uint32_t edge) {
   return entry->second;
 }
 
-std::uint32_t Skeleton::find_edge_segment(std::uint32_t edge) const {
-  const auto found = edge_segments_.find(edge);
-  return found == edge_segments_.end() ? kNone : found->second;
-}
-
 std::uint32_t Skeleton::add_contact(std::uint32_t from, std::uint32_t to, std::uint32_t facet, std::uint32_t other) {
   const auto segment = static_cast<std::uint32_t>(segments_.size());
   segments_.push_back({from, to, kNone});

@@ -68,6 +68,10 @@ class Skeleton {
   const VertexPool& vertices() const { return vertices_; }
   const std::vector<Segment>& segments() const { return segments_; }
   const std::vector<Incidence>& incidences() const { return incidences_; }
+  /// The exact point half-way between two vertices.
+  ExactPoint middle(std::uint32_t u, std::uint32_t v) const {
+    return ExactPoint(Rational(1, 2) * (vertices_[u].rational() + vertices_[v].rational()));
+  }
   /// Pairs (segment, vertex), in no order, repeated ones possible.
   std::vector<std::pair<std::uint32_t, std::uint32_t>>& cuts() { return cuts_; }
   const std::vector<std::pair<std::uint32_t, std::uint32_t>>& one_line() const { return one_line_; }
@@ -75,8 +79,6 @@ class Skeleton {
   const std::vector<std::pair<std::uint32_t, std::uint32_t>>& touches() const { return touches_; }
   /// The vertex that a corner of an operand became, by number of the operands' vertices; kNone if none.
   std::uint32_t vertex_of_corner(std::uint32_t operand_vertex) const;
-  /// kNone if the edge bounds no facet.
-  std::uint32_t find_edge_segment(std::uint32_t edge) const;
   VertexPool& vertices() { return vertices_; }
 
  private:

@@ -26,11 +26,6 @@ std::unordered_map<std::uint32_t, Tree> trees_of_planes(const Skeleton& skeleton
   return trees;
 }
 
-ExactPoint middle_of(const Skeleton& skeleton, const Piece& piece) {
-  const RationalVec3 u = skeleton.vertices()[piece.u].rational(), v = skeleton.vertices()[piece.v].rational();
-  return ExactPoint(Rational(1, 2) * (u + v));
-}
-
 }  // namespace
 
 void complete_covers(const Skeleton& skeleton, Pieces& pieces) {
@@ -41,7 +36,7 @@ void complete_covers(const Skeleton& skeleton, Pieces& pieces) {
     const auto given = pieces.covers_of(piece);
     const auto first = static_cast<std::uint32_t>(covers.size());
     covers.insert(covers.end(), given.begin(), given.end());
-    const ExactPoint middle = middle_of(skeleton, piece);
+    const ExactPoint middle = skeleton.middle(piece.u, piece.v);
     for (const std::uint32_t face : trees.at(piece.plane).window(box_of_point(middle))) {
       const std::uint32_t facet = facets.of_face(face);
       const auto own = std::span(covers).subspan(first);

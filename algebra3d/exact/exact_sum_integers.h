@@ -8,34 +8,14 @@
 #include <cstdint>
 #include <limits>
 
-#include <gmp.h>
-
 #include "algebra3d/base/error.h"
+#include "algebra3d/exact/big_integer.h"
 #include "algebra3d/exact/exact_sum.h"
 #include "algebra3d/exact/rational_big.h"
 
 namespace algebra3d::detail {
 
 // What the sums of exact_sum.cpp and exact_sum_area.cpp share: doubles as integers times a common power of two.
-
-/// A GMP integer with an owner.
-class BigInteger {
- public:
-  BigInteger() { mpz_init(value_); }
-  ~BigInteger() { mpz_clear(value_); }
-  BigInteger(const BigInteger&) = delete;
-  BigInteger(BigInteger&&) = delete;
-  BigInteger& operator=(const BigInteger&) = delete;
-  BigInteger& operator=(BigInteger&&) = delete;
-
-  int sign() const { return mpz_sgn(value_); }
-
-  operator mpz_ptr() { return value_; }           // NOLINT(google-explicit-constructor)
-  operator mpz_srcptr() const { return value_; }  // NOLINT(google-explicit-constructor)
-
- private:
-  mpz_t value_;
-};
 
 /// value = mantissa * 2^exponent, exactly.
 struct IntegerDouble {

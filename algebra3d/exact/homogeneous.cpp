@@ -41,7 +41,7 @@ void HomogeneousPoint::set(const PointRef& point) {
 
 int orient3d_by_integers(const std::array<const PointRef*, 4>& points) {
   thread_local std::array<HomogeneousPoint, 4> p;
-  thread_local Integer upper, lower, sum;
+  thread_local BigInteger upper, lower, sum;
   for (std::size_t i = 0; i < 4; ++i) p[i].set(*points[i]);
   // Expansion of the 4 x 4 determinant by pairs of rows (Laplace): rows 0, 1 in two columns, rows 2, 3 in the others.
   constexpr std::array<std::array<std::size_t, 4>, 6> kColumns{
@@ -58,7 +58,7 @@ int orient3d_by_integers(const std::array<const PointRef*, 4>& points) {
 
 int orient2d_by_integers(Projection plane, const std::array<const PointRef*, 3>& points) {
   thread_local std::array<HomogeneousPoint, 3> p;
-  thread_local Integer part, sum;
+  thread_local BigInteger part, sum;
   for (std::size_t i = 0; i < 3; ++i) p[i].set(*points[i]);
   const std::size_t x = first_axis(plane), y = second_axis(plane), w = 3;
   mpz_set_ui(sum, 0);

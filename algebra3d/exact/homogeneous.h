@@ -2,34 +2,15 @@
 
 #include <array>
 
-#include <gmp.h>
-
+#include "algebra3d/exact/big_integer.h"
 #include "algebra3d/exact/predicates.h"
 
 namespace algebra3d::detail {
 
-/// A GMP integer that is initialised and cleared.
-class Integer {
- public:
-  Integer() { mpz_init(value_); }
-  ~Integer() { mpz_clear(value_); }
-  Integer(const Integer&) = delete;
-  Integer(Integer&&) = delete;
-  Integer& operator=(const Integer&) = delete;
-  Integer& operator=(Integer&&) = delete;
-
-  int sign() const { return mpz_sgn(value_); }
-  operator mpz_ptr() { return value_; }           // NOLINT(google-explicit-constructor)
-  operator mpz_srcptr() const { return value_; }  // NOLINT(google-explicit-constructor)
-
- private:
-  mpz_t value_;
-};
-
 /// Homogeneous coordinates of a point: x = X / W and so on, all integers, W > 0. Determinants of these need no
 /// fractions, and so no search for common divisors, which is what takes the time in arithmetic with rationals.
 struct HomogeneousPoint {
-  Integer x, y, z, w;
+  BigInteger x, y, z, w;
 
   mpz_srcptr operator[](std::size_t axis) const { return axis == 0 ? x : axis == 1 ? y : axis == 2 ? z : w; }
   void set(const PointRef& point);

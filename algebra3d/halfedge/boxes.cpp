@@ -31,10 +31,4 @@ Box3 box_of_triangle(const TriangleRef& corners) {
   return box;
 }
 
-Box3 box_of_mesh(const TriangleMesh& mesh) {
-  Box3 box;
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) box.extend(box_of_triangle(mesh.corners(FaceId(f))));
-  return box;
-}
-
 }  // namespace algebra3d

@@ -9,7 +9,5 @@ namespace algebra3d {
 Box3 box_of_point(const PointRef& point);
 /// The same around a triangle.
 Box3 box_of_triangle(const TriangleRef& corners);
-/// The same around all triangles of a mesh. Cost: linear.
-Box3 box_of_mesh(const TriangleMesh& mesh);
 
 }  // namespace algebra3d

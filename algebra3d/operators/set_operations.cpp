@@ -28,29 +28,29 @@ std::span<const ExactPoint> points_of(const Points3d& points) {
   return points.points();
 }
 
+/// Applies a merge of the standard library to two ordered sets of points.
+template <typename A, typename B, typename Merge>
+Points3d merged(const A& a, const B& b, Merge merge) {
+  std::vector<ExactPoint> result;
+  merge(points_of(a), points_of(b), std::back_inserter(result));
+  return Points3d(std::move(result));
+}
+
 template <typename A, typename B>
 Points3d point_union(const A& a, const B& b) {
-  std::vector<ExactPoint> result;
-  std::ranges::set_union(points_of(a), points_of(b), std::back_inserter(result));
-  return Points3d(std::move(result));
+  return merged(a, b, std::ranges::set_union);
 }
 template <typename A, typename B>
 Points3d point_intersection(const A& a, const B& b) {
-  std::vector<ExactPoint> result;
-  std::ranges::set_intersection(points_of(a), points_of(b), std::back_inserter(result));
-  return Points3d(std::move(result));
+  return merged(a, b, std::ranges::set_intersection);
 }
 template <typename A, typename B>
 Points3d point_minus(const A& a, const B& b) {
-  std::vector<ExactPoint> result;
-  std::ranges::set_difference(points_of(a), points_of(b), std::back_inserter(result));
-  return Points3d(std::move(result));
+  return merged(a, b, std::ranges::set_difference);
 }
 template <typename A, typename B>
 Points3d point_symmetric_difference(const A& a, const B& b) {
-  std::vector<ExactPoint> result;
-  std::ranges::set_symmetric_difference(points_of(a), points_of(b), std::back_inserter(result));
-  return Points3d(std::move(result));
+  return merged(a, b, std::ranges::set_symmetric_difference);
 }
 
 Result<Volume3d> solid_union(Context& context, const Volume3d& a, const Volume3d& b) {
