@@ -8,6 +8,7 @@
 #include "algebra3d/arrangement/facet_contacts.h"
 #include "algebra3d/arrangement/outcome.h"
 #include "algebra3d/arrangement/overlay.h"
+#include "algebra3d/arrangement/surface_covers.h"
 
 namespace algebra3d {
 
@@ -32,7 +33,8 @@ SolidArrangement::SolidArrangement(SolidArrangement&& other) noexcept = default;
 SolidArrangement& SolidArrangement::operator=(SolidArrangement&& other) noexcept = default;
 SolidArrangement::~SolidArrangement() = default;
 
-Result<SolidArrangement> SolidArrangement::make(std::span<const Operand> operands, const std::atomic<bool>* cancel) {
+Result<SolidArrangement> SolidArrangement::make(std::span<const Operand> operands, const std::atomic<bool>* cancel,
+                                                Closure closure) {
   std::size_t face_count = 0;
   for (const Operand& operand : operands) face_count += operand.mesh->face_count();
   if (face_count > TriangleMesh::kMaxFaces)
@@ -44,8 +46,10 @@ Result<SolidArrangement> SolidArrangement::make(std::span<const Operand> operand
   RETURN_IF_ERROR(find_contacts(pairs, parts->facets, parts->skeleton, cancel));
   RETURN_IF_ERROR(cut_segments(parts->skeleton, cancel));
   parts->pieces = divide(parts->skeleton);
+  if (closure == Closure::together) complete_covers(parts->skeleton, parts->pieces);
+  count_steps(parts->skeleton, parts->pieces);
   parts->patches = find_patches(parts->operands, parts->facets);
-  ASSIGN_OR_RETURN(parts->classification, classify(parts->skeleton, parts->pieces, parts->patches, cancel));
+  ASSIGN_OR_RETURN(parts->classification, classify(parts->skeleton, parts->pieces, parts->patches, closure, cancel));
   return SolidArrangement(std::move(parts));
 }
 

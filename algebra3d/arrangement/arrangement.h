@@ -13,16 +13,25 @@
 
 namespace algebra3d {
 
-/// One solid that takes part in a set operation.
+/// One solid, or part of a closed surface, that takes part in an arrangement.
 struct Operand {
-  const TriangleMesh* mesh = nullptr;  ///< a valid volume (validity.h)
+  const TriangleMesh* mesh = nullptr;  ///< see Closure
   /// 0 or 1: what the rule does not tell apart is one group.
   std::uint32_t group = 0;
   /// Over all faces of the mesh, if there is one already; null: one is made where it is needed.
   const BoxHierarchy* hierarchy = nullptr;
 };
 
-/// How many operands of each group hold a place.
+/// What bounds what holds a place.
+enum class Closure : std::uint8_t {
+  /// Every operand is a valid volume (validity.h).
+  each,
+  /// Every operand is a valid surface without non-manifold edges, and those of one group together are closed: along
+  /// every line they run as often one way as the other. They may pass through each other and lie upon each other.
+  together,
+};
+
+/// How many operands of each group hold a place; of operands that are closed together, their winding number about it.
 using Holding = std::array<std::int32_t, 2>;
 /// Says of a place off all boundaries whether the result holds it. False where no operand does.
 using KeepRule = std::function<bool(const Holding& holding)>;
@@ -37,7 +46,8 @@ class SolidArrangement {
   /// The meshes must outlive the arrangement. Exactness: exact, for all valid operands. Errors: interrupted;
   /// limit_exceeded beyond TriangleMesh::kMaxFaces faces.
   /// Cost: near-linear in the faces of operands whose boxes meet, linear in those of the others.
-  static Result<SolidArrangement> make(std::span<const Operand> operands, const std::atomic<bool>* cancel = nullptr);
+  static Result<SolidArrangement> make(std::span<const Operand> operands, const std::atomic<bool>* cancel = nullptr,
+                                       Closure closure = Closure::each);
   SolidArrangement(SolidArrangement&& other) noexcept;
   SolidArrangement& operator=(SolidArrangement&& other) noexcept;
   SolidArrangement(const SolidArrangement&) = delete;

@@ -6,6 +6,7 @@
 
 #include "algebra3d/arrangement/point_location.h"
 #include "algebra3d/arrangement/radial_order.h"
+#include "algebra3d/arrangement/room_above.h"
 #include "algebra3d/arrangement/wedges.h"
 #include "algebra3d/arrangement/winding_sets.h"
 
@@ -14,14 +15,16 @@ namespace {
 
 class Classifier {
  public:
-  Classifier(const Skeleton& skeleton, const Pieces& pieces, const Patches& patches)
-      : skeleton_(skeleton),
+  Classifier(const Skeleton& skeleton, const Pieces& pieces, const Patches& patches, Closure closure)
+      : closure_(closure),
+        skeleton_(skeleton),
         operands_(skeleton.operands()),
         facets_(skeleton.facets()),
         pieces_(pieces),
         patches_(patches),
         sets_(2 * pieces.pieces.size() + patches.patches.size()),
-        location_(operands_) {}
+        location_(operands_),
+        rooms_above_(operands_) {}
 
   Result<Classification> run(const std::atomic<bool>* cancel);
 
@@ -55,11 +58,16 @@ class Classifier {
   HalfPlane cell_of(const Segment& segment, std::uint32_t facet) const;
   std::vector<HalfPlane> half_planes(std::size_t first, std::size_t last, bool only_steps) const;
   std::size_t count_operands(std::size_t first, std::size_t last) const;
-  Windings windings_at(const Seed& seed);
-  Windings windings_at_patch(std::uint32_t patch);
+  /// Just in front of the cell of the seed's half-plane.
+  Windings front_at(const Seed& seed);
+  /// The same from what is above the middle of the line, for operands that are closed only together.
+  Windings front_from_above(const Seed& seed);
+  Windings front_at_patch(std::uint32_t patch);
+  Windings front_at_patch_from_above(std::uint32_t patch);
   /// Adds what operands other than `known` (ascending) contribute at the point.
   void add_others(const PointRef& point, const std::vector<std::uint32_t>& known, Windings& windings);
 
+  Closure closure_;
   const Skeleton& skeleton_;
   const Operands& operands_;
   const Facets& facets_;
@@ -67,6 +75,7 @@ class Classifier {
   const Patches& patches_;
   WindingSets sets_;
   PointLocation location_;
+  RoomsAbove rooms_above_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> clean_lines_;  // u, v of clean edges, ascending
   std::vector<Seed> line_seeds_;                                      // candidates, at most one per line
 };
@@ -152,7 +161,7 @@ void Classifier::add_others(const PointRef& point, const std::vector<std::uint32
       windings[operands_.group(operand)] += location_.winding(operand, point);
 }
 
-Windings Classifier::windings_at(const Seed& seed) {
+Windings Classifier::front_at(const Seed& seed) {
   // From the room after the half-plane on, the first face of an operand that is met says on which side of it this is.
   std::vector<HalfPlane> around = half_planes(seed.first, seed.last, false);
   const auto start = std::ranges::find_if(
@@ -174,13 +183,31 @@ Windings Classifier::windings_at(const Seed& seed) {
       if (is_inside) ++windings[operands_.group(facet.operand)];
     }
   std::ranges::sort(known);
-  if (known.size() == operands_.count()) return windings;
   const Piece& piece = pieces_.pieces[seed.half_plane.piece];
-  add_others(skeleton_.middle(piece.u, piece.v), known, windings);
-  return windings;
+  if (known.size() != operands_.count()) add_others(skeleton_.middle(piece.u, piece.v), known, windings);
+  return windings - after(seed.half_plane);
 }
 
-Windings Classifier::windings_at_patch(std::uint32_t patch) {
+Windings Classifier::front_from_above(const Seed& seed) {
+  std::vector<HalfPlane> around = half_planes(seed.first, seed.last, true);
+  sort_around_line(skeleton_, pieces_, around);
+  const HalfPlane& below = before_room_above(skeleton_, pieces_, around);
+  const Piece& piece = pieces_.pieces[below.piece];
+  const Windings front = rooms_above_.windings(skeleton_.middle(piece.u, piece.v)) - after(below);
+  const auto from = sets_.find(below.cell_side()), to = sets_.find(seed.half_plane.cell_side());
+  return front - from.difference + to.difference;
+}
+
+Windings Classifier::front_at_patch_from_above(std::uint32_t patch) {
+  const Patch& at = patches_.patches[patch];
+  const TriangleRef corners = operands_.corners(at.first_face);
+  const ExactPoint middle(Rational(1, 3) * (corners[0].rational() + corners[1].rational() + corners[2].rational()));
+  Windings step{};
+  if (!is_room_above_in_front(corners)) step[operands_.group(at.operand)] = 1;
+  return rooms_above_.windings(middle) - step;
+}
+
+Windings Classifier::front_at_patch(std::uint32_t patch) {
   const Patch& at = patches_.patches[patch];
   Windings windings{};
   add_others(operands_.point_of(3 * at.first_face), {at.operand}, windings);
@@ -205,14 +232,14 @@ Result<Classification> Classifier::run(const std::atomic<bool>* cancel) {
     const auto [entry, is_new] = names.try_emplace(set);
     if (!is_new) continue;
     RETURN_IF_ERROR(check());
-    entry->second = windings_at(seed) - after(seed.half_plane) - difference;
+    entry->second = (closure_ == Closure::each ? front_at(seed) : front_from_above(seed)) - difference;
   }
   for (std::uint32_t patch = 0; patch < patches_.patches.size(); ++patch) {
     const auto [set, difference] = sets_.find(member_of_patch(patch));
     const auto [entry, is_new] = names.try_emplace(set);
     if (!is_new) continue;
     RETURN_IF_ERROR(check());
-    entry->second = windings_at_patch(patch) - difference;
+    entry->second = (closure_ == Closure::each ? front_at_patch(patch) : front_at_patch_from_above(patch)) - difference;
   }
 
   Classification result;
@@ -230,9 +257,9 @@ Result<Classification> Classifier::run(const std::atomic<bool>* cancel) {
 
 }  // namespace
 
-Result<Classification> classify(const Skeleton& skeleton, const Pieces& pieces, const Patches& patches,
+Result<Classification> classify(const Skeleton& skeleton, const Pieces& pieces, const Patches& patches, Closure closure,
                                 const std::atomic<bool>* cancel) {
-  return Classifier(skeleton, pieces, patches).run(cancel);
+  return Classifier(skeleton, pieces, patches, closure).run(cancel);
 }
 
 }  // namespace algebra3d::arrangement

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <vector>
 
+#include "algebra3d/arrangement/arrangement.h"
 #include "algebra3d/arrangement/patches.h"
 #include "algebra3d/arrangement/pieces.h"
 #include "algebra3d/base/error.h"
@@ -21,8 +22,9 @@ struct Classification {
 /// Round each line the radial order says how windings change from cell to cell; round each vertex cells are the same
 /// from piece to piece; across clean edges they go on into patches. What hangs together so is known up to a constant,
 /// which one place gives: there the windings of operands that have a face are known from this face, and those of others
-/// from a vertical line. Errors: interrupted. Exact.
-Result<Classification> classify(const Skeleton& skeleton, const Pieces& pieces, const Patches& patches,
+/// from a vertical line; those of operands that are closed only together all come from the line.
+/// Errors: interrupted. Exact.
+Result<Classification> classify(const Skeleton& skeleton, const Pieces& pieces, const Patches& patches, Closure closure,
                                 const std::atomic<bool>* cancel);
 
 }  // namespace algebra3d::arrangement

@@ -97,9 +97,13 @@ Pieces divide(Skeleton& skeleton) {
     if (piece.side == Side::both && has_boundary) continue;
     result.covers.push_back({piece.facet, piece.side});
     ++result.pieces.back().last_cover;
-    add_step(result.pieces.back(), result.covers.back(), skeleton);
   }
   return result;
+}
+
+void count_steps(const Skeleton& skeleton, Pieces& pieces) {
+  for (Piece& piece : pieces.pieces)
+    for (const Cover& cover : pieces.covers_of(piece)) add_step(piece, cover, skeleton);
 }
 
 }  // namespace algebra3d::arrangement

@@ -35,13 +35,14 @@ struct Piece {
   std::uint32_t u, v;
   std::uint32_t plane;
   std::uint32_t first_cover, last_cover;  ///< range of Pieces::covers
-  /// By how much the windings behind the plane exceed those in front of it, in the cell to the left and to the right.
+  /// By how much the windings behind the plane exceed those in front of it, in the cell to the left and to the right;
+  /// set by count_steps.
   std::array<Windings, 2> steps;
 };
 
 /// All pieces of all planes, by u and v, then by plane: so the pieces along one line in space are neighbours. A piece
-/// knows all facets of its plane that hold it: it lies where some boundary or common part runs, and whatever other
-/// facet of the plane is there has a common part with the same facet there.
+/// of closed operands knows all facets of its plane that hold it: it lies where some boundary or common part runs, and
+/// whatever other facet of the plane is there has a common part with the same facet there.
 struct Pieces {
   std::vector<Piece> pieces;
   std::vector<Cover> covers;
@@ -58,5 +59,7 @@ struct Pieces {
 
 /// Divides the segments at their cuts. Cost: n log n.
 Pieces divide(Skeleton& skeleton);
+/// Sets the steps of all pieces, from their covers. Cost: linear.
+void count_steps(const Skeleton& skeleton, Pieces& pieces);
 
 }  // namespace algebra3d::arrangement

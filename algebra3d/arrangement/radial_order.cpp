@@ -56,4 +56,8 @@ void sort_around_line(const Skeleton& skeleton, const Pieces& pieces, std::span<
   for (std::size_t i = 0; i < turned.size(); ++i) half_planes[i + 1] = turned[i].half_plane;
 }
 
+int turn_around_line(const Skeleton& skeleton, const Pieces& pieces, const HalfPlane& a, const HalfPlane& b) {
+  return AroundLine(skeleton, pieces).turn(a, b);
+}
+
 }  // namespace algebra3d::arrangement

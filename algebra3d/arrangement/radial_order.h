@@ -22,4 +22,8 @@ struct HalfPlane {
 /// Exact; decided by corners of input triangles and the two vertices. Cost: n log n.
 void sort_around_line(const Skeleton& skeleton, const Pieces& pieces, std::span<HalfPlane> half_planes);
 
+/// Sign of the sine of the angle from a to b, counter-clockwise as above: 1 if b is met within half a turn, 0 if b is
+/// opposite to a or the same. Exact.
+int turn_around_line(const Skeleton& skeleton, const Pieces& pieces, const HalfPlane& a, const HalfPlane& b);
+
 }  // namespace algebra3d::arrangement

@@ -21,6 +21,7 @@ Registry make_registry() {
   register_cuts(registry);
   register_decomposition(registry);
   register_files(registry);
+  register_rounding(registry);
   return registry;
 }
 

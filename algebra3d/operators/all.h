@@ -22,5 +22,6 @@ void register_set_operations(Registry& registry);
 void register_cuts(Registry& registry);
 void register_decomposition(Registry& registry);
 void register_files(Registry& registry);
+void register_rounding(Registry& registry);
 
 }  // namespace algebra3d

@@ -1,13 +1,11 @@
 // importSTL, exportSTL.
-#include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
 #include "algebra3d/operators/all.h"
 #include "algebra3d/operators/import_solid.h"
 #include "algebra3d/registry/overload.h"
-#include "algebra3d/repair/weld.h"
+#include "algebra3d/repair/rounded_solid.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
 #include "stl/stl_writer.h"
@@ -24,40 +22,14 @@ Result<Maybe<Volume3d>> import_stl(Context& context, const Text& file) {
   return Maybe<Volume3d>(Undefined{names_file ? imported.status : file.content + ": " + imported.status});
 }
 
-/// The triangles with coordinates rounded to floats.
-struct FloatTriangles {
+TriangleSoup soup_of(const TriangleMesh& mesh) {
   TriangleSoup soup;
-  bool are_exact = true;
-};
-
-FloatTriangles round_to_float(const TriangleMesh& mesh) {
-  FloatTriangles result;
-  result.are_exact = mesh.points().exact_count() == 0;
-  std::vector<Vec3> points = mesh.points().approx();
-  for (Vec3& p : points) {
-    // Beyond the range of floats the writer refuses the number as it is; the cast would be undefined there.
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (std::abs(p[axis]) > std::numeric_limits<float>::max()) continue;
-      const double rounded = static_cast<float>(p[axis]);
-      result.are_exact = result.are_exact && rounded == p[axis];
-      p[axis] = rounded;
-    }
-  }
-  result.soup.triangles.reserve(mesh.face_count());
+  soup.triangles.reserve(mesh.face_count());
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const auto [a, b, c] = mesh.triangle(FaceId(f));
-    result.soup.triangles.push_back({points[a], points[b], points[c]});
+    const TriangleRef corners = mesh.corners(FaceId(f));
+    soup.triangles.push_back({corners[0].approx, corners[1].approx, corners[2].approx});
   }
-  return result;
-}
-
-/// What becomes of a solid whose rounded triangles are read back.
-Result<bool> is_solid(Context& context, const TriangleSoup& soup) {
-  WeldedTriangles welded = weld(soup.triangles);
-  const TriangleMesh mesh(std::move(welded.points), welded.triangles);
-  ASSIGN_OR_RETURN(const ValidityReport report,
-                   prove_volume(mesh, {.thoroughness = Thoroughness::first_defect, .cancel = context.cancel}));
-  return report.is_valid();
+  return soup;
 }
 
 bool refuse(Context& context, const std::string& reason) {
@@ -69,14 +41,11 @@ Result<bool> export_stl(Context& context, const std::optional<Volume3d>& solid, 
                         const std::optional<Text>& file, const std::optional<bool>& is_binary) {
   if (!solid) return refuse(context, "the solid is undefined");
   if (!name || !file || !is_binary) return refuse(context, "the name, the file or the format is undefined");
-  const FloatTriangles rounded = round_to_float(solid->mesh());
-  // A solid whose coordinates are floats has been proved as it is.
-  if (!rounded.are_exact) {
-    ASSIGN_OR_RETURN(const bool stays_solid, is_solid(context, rounded.soup));
-    if (!stays_solid)
-      return refuse(context, file->content + ": the solid cannot be kept closed when rounded to floats");
-  }
-  const Status written = stl::write_stl_file(context.resolve(file->content), rounded.soup, *name,
+  ASSIGN_OR_RETURN(const RoundedSolid rounded, rounded_solid(solid->mesh(), CoordinateGrid::floats(), context.cancel));
+  if (!rounded.mesh) return refuse(context, file->content + ": rounded to floats, " + rounded.reason);
+  if (rounded.self_crossings_mended > 0)
+    context.diagnostics.report("exportSTL: rounding to floats made triangles cross, which were divided", file->content);
+  const Status written = stl::write_stl_file(context.resolve(file->content), soup_of(*rounded.mesh), *name,
                                              *is_binary ? stl::Format::binary : stl::Format::ascii);
   if (!written) return refuse(context, written.error().message);
   return true;
@@ -108,9 +77,9 @@ void register_files(Registry& registry) {
       .syntax = "_ exportSTL[_, _, _]",
       .doc = "Writes a solid to an STL file with a name, in binary (TRUE) or ASCII; TRUE if the file was written.",
       .detail =
-          "Coordinates are rounded once, to floats. FALSE with a diagnostic if the solid would not stay valid by "
-          "that, if a coordinate is beyond the range of floats, if an argument is undefined, or if the file cannot "
-          "be written; a file that was there before is then left as it was.",
+          "Coordinates are rounded to floats, as roundCoordinates does it: what is written is a valid solid. FALSE "
+          "with a diagnostic if a coordinate is beyond the range of floats, if an argument is undefined, or if the "
+          "file cannot be written; a file that was there before is then left as it was.",
       .exactness = Exactness::rounded_once,
       .frame_use = FrameUse::coordinates,
       .overloads = {overload<&export_stl>("solid", "name", "file", "binary")},

@@ -122,28 +122,34 @@ Vec3 place_of(const TriangleMesh& mesh, FaceId f, FaceId g) {
 
 }  // namespace
 
-Status find_intersections(const TriangleMesh& mesh, const EmbeddedStars& stars, BoxHierarchy& hierarchy,
-                          const ProofOptions& options, ValidityReport& report) {
+Status for_each_intersection(const TriangleMesh& mesh, const EmbeddedStars& stars, BoxHierarchy& hierarchy,
+                             const std::atomic<bool>* cancel, const std::function<bool(FaceId, FaceId)>& visit) {
   group_by_common_corner(mesh, stars, hierarchy);
   const PairTest test(mesh, stars);
-  const std::uint64_t limit = options.thoroughness == Thoroughness::first_defect
-                                  ? 1
-                                  : std::max<std::uint64_t>(options.max_intersecting_pairs, 1);
   bool is_cancelled = false;
   hierarchy.for_each_pair(
       [&](std::uint32_t a, std::uint32_t b) {
         const FaceId first(std::min(a, b)), second(std::max(a, b));
-        if (!test.is_improper(first, second)) return true;
-        report.add({Defect::intersecting_triangles, first, second, place_of(mesh, first, second)});
-        report.is_cut_short = report.count(Defect::intersecting_triangles) == limit;
-        return !report.is_cut_short;
+        return !test.is_improper(first, second) || visit(first, second);
       },
       [&] {
-        is_cancelled = options.cancel != nullptr && options.cancel->load(std::memory_order_relaxed);
+        is_cancelled = cancel != nullptr && cancel->load(std::memory_order_relaxed);
         return !is_cancelled;
       });
   if (is_cancelled) return Error{ErrorCode::interrupted, "interrupted"};
   return {};
+}
+
+Status find_intersections(const TriangleMesh& mesh, const EmbeddedStars& stars, BoxHierarchy& hierarchy,
+                          const ProofOptions& options, ValidityReport& report) {
+  const std::uint64_t limit = options.thoroughness == Thoroughness::first_defect
+                                  ? 1
+                                  : std::max<std::uint64_t>(options.max_intersecting_pairs, 1);
+  return for_each_intersection(mesh, stars, hierarchy, options.cancel, [&](FaceId first, FaceId second) {
+    report.add({Defect::intersecting_triangles, first, second, place_of(mesh, first, second)});
+    report.is_cut_short = report.count(Defect::intersecting_triangles) == limit;
+    return !report.is_cut_short;
+  });
 }
 
 }  // namespace algebra3d

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <atomic>
+#include <functional>
+
 #include "algebra3d/base/error.h"
 #include "algebra3d/halfedge/box_hierarchy.h"
 #include "algebra3d/validity/validity.h"
@@ -7,10 +10,14 @@
 
 namespace algebra3d {
 
-/// Adds to `report` every pair of the hierarchy's faces whose common part is neither nothing, nor one point, nor a
-/// whole edge of both; after the first one it stops if that is all that `options` wants. None of the faces may be
-/// degenerate or repeat another. Gives the hierarchy its groups. Exact. Errors: interrupted.
-/// Cost: that of the pairs whose boxes meet; pairs at a common embedded corner cost a few nanoseconds.
+/// Calls visit(f, g), f < g, for every pair of the hierarchy's faces whose common part is neither nothing, nor one
+/// point, nor a whole edge of both; ends early when it returns false. None of the faces may be degenerate or repeat
+/// another. Gives the hierarchy its groups. Exact. Errors: interrupted. Cost: that of the pairs whose boxes meet; pairs
+/// at a common embedded corner cost a few nanoseconds.
+Status for_each_intersection(const TriangleMesh& mesh, const EmbeddedStars& stars, BoxHierarchy& hierarchy,
+                             const std::atomic<bool>* cancel, const std::function<bool(FaceId, FaceId)>& visit);
+
+/// Adds to `report` what for_each_intersection finds; after the first one it stops if that is all that `options` wants.
 Status find_intersections(const TriangleMesh& mesh, const EmbeddedStars& stars, BoxHierarchy& hierarchy,
                           const ProofOptions& options, ValidityReport& report);
 

@@ -56,6 +56,27 @@ Result<ValidityReport> prove(const TriangleMesh& mesh, Kind kind, const ProofOpt
 
 }  // namespace
 
+Result<std::vector<Entanglement>> disentangle(const TriangleMesh& mesh, const std::atomic<bool>* cancel) {
+  ValidityReport ignored;
+  const EmbeddedStars stars(mesh);
+  const SoundFaces sound = check_triangles(mesh, stars, ignored);
+  std::vector<Entanglement> result(mesh.face_count(), Entanglement::none);
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    const TriangleRef corners = mesh.corners(FaceId(f));
+    if (!sound[f])
+      result[f] = collinear(corners[0], corners[1], corners[2]) ? Entanglement::degenerate : Entanglement::entangled;
+    for (std::uint32_t corner = 0; corner < 3; ++corner)
+      if (sound[f] && !mesh.opposite(TriangleMesh::halfedge(FaceId(f), corner)).is_valid())
+        result[f] = Entanglement::entangled;
+  }
+  BoxHierarchy hierarchy = hierarchy_of(mesh, sound);
+  RETURN_IF_ERROR(for_each_intersection(mesh, stars, hierarchy, cancel, [&](FaceId first, FaceId second) {
+    if (result[first.index()] == Entanglement::none) result[second.index()] = Entanglement::entangled;
+    return true;
+  }));
+  return result;
+}
+
 Result<ValidityReport> prove_surface(const TriangleMesh& mesh, const ProofOptions& options) {
   return prove(mesh, Kind::surface, options);
 }

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <vector>
 
 #include "algebra3d/base/error.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
@@ -34,5 +35,17 @@ Result<ValidityReport> prove_surface(const TriangleMesh& mesh, const ProofOption
 /// touch in points and edges are valid. Winding numbers (winding.h) are asked only if nothing else is wrong.
 /// Errors: interrupted. Cost: that of prove_surface, and one vertical line per shell.
 Result<ValidityReport> prove_volume(const TriangleMesh& mesh, const ProofOptions& options = {});
+
+/// How the faces of a mesh stand to the others.
+enum class Entanglement : std::uint8_t {
+  none,        ///< no two such faces share more than a point or a whole edge
+  entangled,   ///< duplicates another face, passes through one, or has an edge that is not manifold
+  degenerate,  ///< has no area
+};
+
+/// Parts the faces of any mesh so that those with Entanglement::none are a valid surface by themselves. Of two faces
+/// that share too much the later one is called entangled, unless the earlier one is already.
+/// Errors: interrupted. Exact. Cost: that of prove_surface.
+Result<std::vector<Entanglement>> disentangle(const TriangleMesh& mesh, const std::atomic<bool>* cancel = nullptr);
 
 }  // namespace algebra3d

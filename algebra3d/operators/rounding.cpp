@@ -1,0 +1,60 @@
+// roundCoordinates.
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "algebra3d/base/number_text.h"
+#include "algebra3d/operators/all.h"
+#include "algebra3d/registry/overload.h"
+#include "algebra3d/repair/rounded_solid.h"
+#include "algebra3d/types/spatial.h"
+
+namespace algebra3d {
+namespace {
+
+Result<Maybe<Volume3d>> rounded_to(Context& context, const Volume3d& solid, const CoordinateGrid& grid) {
+  ASSIGN_OR_RETURN(RoundedSolid rounded, rounded_solid(solid.mesh(), grid, context.cancel));
+  if (!rounded.mesh) return Maybe<Volume3d>(Undefined{rounded.reason});
+  if (rounded.moved_vertices == 0) return Maybe<Volume3d>(solid);
+  context.diagnostics.report(fmt::format("roundCoordinates: {} of {} vertices moved, by at most {}",
+                                         rounded.moved_vertices, solid.mesh().vertex_count(),
+                                         real_text(rounded.largest_movement)));
+  if (rounded.mesh->is_empty()) context.diagnostics.report("roundCoordinates: nothing of the solid is left");
+  return Maybe<Volume3d>(Volume3d::trusted(*std::move(rounded.mesh)));
+}
+
+Result<Maybe<Volume3d>> rounded_to_doubles(Context& context, const Volume3d& solid) {
+  return rounded_to(context, solid, CoordinateGrid::doubles());
+}
+
+Result<Maybe<Volume3d>> rounded_to_multiples(Context& context, const Volume3d& solid, double step) {
+  if (!(step > 0) || !std::isfinite(step)) return Maybe<Volume3d>(Undefined{"the grid must be greater than 0"});
+  return rounded_to(context, solid, CoordinateGrid::multiples(step));
+}
+
+const std::string kCube = "createCube(makePoint3D(0, 0, 0), makePoint3D(1, 1, 1))";
+
+}  // namespace
+
+void register_rounding(Registry& registry) {
+  registry.add({
+      .name = "roundCoordinates",
+      .syntax = "roundCoordinates(_, _)",
+      .doc = "The solid with all coordinates rounded to doubles, or to the multiples of a grid width.",
+      .detail =
+          "A diagnostic says how many vertices moved, and by how much at most. The result is a valid solid: where "
+          "rounded triangles would pass through each other, they are divided and rounded again. What is thinner "
+          "than the grid vanishes. A solid whose coordinates fit is given back as it is. Undefined if a coordinate "
+          "would be out of range, or, which is not known to happen, if no such solid is found.",
+      .exactness = Exactness::rounded_once,
+      .overloads = {overload<&rounded_to_doubles>("solid"), overload<&rounded_to_multiples>("solid", "grid")},
+      .examples = {{"volume(roundCoordinates(" + kCube + "))", "1.0"},
+                   {"volume(roundCoordinates(" + kCube + ", 0.75))", "0.421875"},
+                   {"isEmpty(roundCoordinates(" + kCube + ", 3.0))", "TRUE"},
+                   {"roundCoordinates(" + kCube + ", 0.0)", "undefined"},
+                   {"roundCoordinates([const volume3d value undefined])", "undefined"}},
+      .errors = {{"query roundCoordinates(1)", "roundCoordinates: expected (volume3d), got (int)"}},
+  });
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <optional>
+
+#include "algebra3d/base/error.h"
+#include "algebra3d/halfedge/triangle_mesh.h"
+
+namespace algebra3d {
+
+/// The numbers to which coordinates are rounded. All are doubles.
+class CoordinateGrid {
+ public:
+  static CoordinateGrid doubles() { return {Kind::doubles, 0}; }
+  static CoordinateGrid floats() { return {Kind::floats, 0}; }
+  /// k * step for all integers k, each rounded once to a double. step > 0 and finite.
+  static CoordinateGrid multiples(double step) { return {Kind::multiples, step}; }
+
+  /// The nearest such number, up to an error of one rounding; infinite if that is beyond the range of the numbers.
+  /// A number of the grid is given back as it is.
+  double nearest(double coordinate) const;
+
+ private:
+  enum class Kind : std::uint8_t { doubles, floats, multiples };
+  CoordinateGrid(Kind kind, double step) : kind_(kind), step_(step) {}
+
+  Kind kind_;
+  double step_;
+};
+
+struct RoundedSolid {
+  /// A valid volume with all coordinates on the grid; nothing if none was found.
+  std::optional<TriangleMesh> mesh;
+  const char* reason = "";                ///< why there is none
+  std::size_t moved_vertices = 0;         ///< of the given ones
+  double largest_movement = 0;            ///< no point of the new boundary is farther from the given one
+  std::size_t self_crossings_mended = 0;  ///< rounds in which the rounded triangles passed through each other
+};
+
+/// The solid with its vertices moved to a grid, proved anew: iterative snap rounding. Rounded triangles that pass
+/// through each other are divided at one another, and the places with a positive winding number are kept; the corners
+/// that this makes are rounded in turn, until nothing crosses any more. What is thinner than the grid vanishes.
+/// Exactness: rounded; validity is exact. Errors: interrupted, limit_exceeded.
+/// Cost: that of a proof, for nearly all solids. Source: [halperin2002].
+Result<RoundedSolid> rounded_solid(const TriangleMesh& solid, const CoordinateGrid& grid,
+                                   const std::atomic<bool>* cancel = nullptr);
+
+}  // namespace algebra3d

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+
+#include "algebra3d/base/error.h"
+#include "algebra3d/halfedge/triangle_mesh.h"
+
+namespace algebra3d {
+
+/// Says whether a solid holds the places with a winding number; never those with 0.
+using WindingRule = std::function<bool(int winding)>;
+
+/// The solid of the places whose winding number about `mesh` the rule keeps, as a valid volume. The mesh may pass
+/// through itself, lie upon itself, repeat triangles and have degenerate ones, but it must be closed: along every line
+/// as many triangles run one way as the other, those counted apart in which an edge is divided.
+/// Vertices are those of the mesh, or the exact points in which three of its planes meet.
+/// Exactness: exact. Errors: interrupted, limit_exceeded. Deterministic. Cost: that of a proof, and of an arrangement
+/// of the triangles that touch others in more than an edge.
+Result<TriangleMesh> winding_solid(const TriangleMesh& mesh, const WindingRule& rule,
+                                   const std::atomic<bool>* cancel = nullptr);
+
+}  // namespace algebra3d

@@ -1,0 +1,110 @@
+#include "algebra3d/repair/rounded_solid.h"
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "algebra3d/exact/vertical_line.h"
+#include "unit/arrangement/random_solids.h"
+#include "unit/arrangement/set_operations.h"
+
+namespace algebra3d::solids {
+namespace {
+
+void expect_on_grid(const TriangleMesh& mesh, double step) {
+  EXPECT_EQ(mesh.points().exact_count(), 0U);
+  for (const Vec3& p : mesh.points().approx())
+    for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_EQ(p[axis], std::round(p[axis] / step) * step);
+}
+
+double area_of(const TriangleMesh& mesh) {
+  double area = 0;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const TriangleRef t = mesh.corners(FaceId(f));
+    const Vec3 normal = cross(t[1].approx - t[0].approx, t[2].approx - t[0].approx);
+    area += std::sqrt(dot(normal, normal)) / 2;
+  }
+  return area;
+}
+
+TEST(RoundedSolid, of_doubles_is_itself) {
+  const TriangleMesh solid = geodesic_sphere(3);
+  const auto rounded = rounded_solid(solid, CoordinateGrid::doubles());
+  ASSERT_TRUE(rounded.ok() && rounded->mesh);
+  EXPECT_EQ(triangles_of(*rounded->mesh), triangles_of(solid));
+  EXPECT_EQ(rounded->moved_vertices, 0U);
+  EXPECT_EQ(rounded->largest_movement, 0);
+}
+
+TEST(RoundedSolid, of_many_intersections_stays_a_solid_of_nearly_the_same_volume) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    SetOperations engine;
+    RandomSolids random(seed, engine);
+    const TriangleMesh a = random.operand(), b = random.operand(), c = random.operand();
+    const TriangleMesh solid = engine.subtract(engine.unite(a, b), c);
+    const auto rounded = rounded_solid(solid, CoordinateGrid::doubles());
+    ASSERT_TRUE(rounded.ok() && rounded->mesh) << rounded->reason;
+    EXPECT_EQ(prove_volume(*rounded->mesh)->text(), "");
+    EXPECT_EQ(rounded->mesh->points().exact_count(), 0U);
+    // The boundary sweeps over no more than its area times the movement, to first order.
+    EXPECT_LE((exact_volume_of(*rounded->mesh) - exact_volume_of(solid)).abs().nearest_double(),
+              2 * area_of(solid) * rounded->largest_movement);
+  }
+}
+
+// On a grid that is coarse for the solid nearly everything collides.
+TEST(RoundedSolid, to_a_coarse_grid_is_valid_and_near) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Chance chance(seed);
+    const TriangleMesh solid = mapped(geodesic_sphere(6), [&](const Vec3& p) { return (1 + 0.4 * chance.unit()) * p; });
+    if (!prove_volume(solid)->is_valid()) continue;
+    const double step = 0.05 + 0.05 * static_cast<double>(seed % 9);
+    const auto rounded = rounded_solid(solid, CoordinateGrid::multiples(step));
+    ASSERT_TRUE(rounded.ok() && rounded->mesh) << rounded->reason;
+    EXPECT_EQ(prove_volume(*rounded->mesh)->text(), "");
+    expect_on_grid(*rounded->mesh, step);
+    EXPECT_LE(rounded->largest_movement,
+              static_cast<double>(rounded->self_crossings_mended + 1) * step * std::sqrt(0.75) * 1.000001);
+    // Rounded again, nothing moves.
+    const auto again = rounded_solid(*rounded->mesh, CoordinateGrid::multiples(step));
+    EXPECT_EQ(again->moved_vertices, 0U);
+  }
+}
+
+TEST(RoundedSolid, thinner_than_the_grid_vanishes) {
+  const auto rounded = rounded_solid(box({0.1, 0.1, 0.1}, {0.4, 8, 9}), CoordinateGrid::multiples(1));
+  ASSERT_TRUE(rounded->mesh);
+  EXPECT_TRUE(rounded->mesh->is_empty());
+  // Two plates with a gap that closes, and a third one that stays apart.
+  const TriangleMesh plates = SetOperations().unite(box({0, 0, 0}, {1, 9, 9}), box({1.25, 0, 0}, {2, 9, 9}));
+  const auto joined = rounded_solid(plates, CoordinateGrid::multiples(1));
+  EXPECT_EQ(exact_volume_of(*joined->mesh), Rational(2 * 81));
+  EXPECT_EQ(joined->mesh->face_count(), 12U);
+}
+
+TEST(RoundedSolid, out_of_range_has_a_reason) {
+  const auto rounded = rounded_solid(cube(0, 1e300), CoordinateGrid::floats());
+  ASSERT_TRUE(rounded.ok());
+  EXPECT_FALSE(rounded->mesh);
+  EXPECT_STREQ(rounded->reason, "a rounded coordinate is out of range");
+}
+
+TEST(CoordinateGrid, keeps_its_own_numbers) {
+  for (const double step : {0.1, 1.0 / 3, 1e-300, 7e20, 1e308}) {
+    const CoordinateGrid grid = CoordinateGrid::multiples(step);
+    for (const double x : {0.0, 1.0, -2.7, 12345.678, 1e-9, 3e19, 5e-324, -1e300}) {
+      const double once = grid.nearest(x);
+      EXPECT_EQ(grid.nearest(once), once) << x << " to " << step;
+      EXPECT_LE(std::abs(once - x), 0.5 * step + std::abs(x) * 1e-15) << x << " to " << step;
+    }
+  }
+  EXPECT_EQ(CoordinateGrid::floats().nearest(0.1), static_cast<double>(0.1F));
+  EXPECT_EQ(CoordinateGrid::floats().nearest(-1e39), -std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+}  // namespace algebra3d::solids
