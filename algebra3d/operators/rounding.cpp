@@ -7,6 +7,7 @@
 #include "algebra3d/operators/all.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/repair/rounded_solid.h"
+#include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
 
 namespace algebra3d {
@@ -39,7 +40,7 @@ const std::string kCube = "createCube(makePoint3D(0, 0, 0), makePoint3D(1, 1, 1)
 void register_rounding(Registry& registry) {
   registry.add({
       .name = "roundCoordinates",
-      .syntax = "roundCoordinates(_, _)",
+      .syntax = "roundCoordinates(_ ...)",
       .doc = "The solid with all coordinates rounded to doubles, or to the multiples of a grid width.",
       .detail =
           "A diagnostic says how many vertices moved, and by how much at most. The result is a valid solid: where "
