@@ -43,6 +43,8 @@ Result<bool> export_stl(Context& context, const std::optional<Volume3d>& solid, 
   if (!name || !file || !is_binary) return refuse(context, "the name, the file or the format is undefined");
   ASSIGN_OR_RETURN(const RoundedSolid rounded, rounded_solid(solid->mesh(), CoordinateGrid::floats(), context.cancel));
   if (!rounded.mesh) return refuse(context, file->content + ": rounded to floats, " + rounded.reason);
+  if (rounded.mesh->is_empty() && !solid->mesh().is_empty())
+    return refuse(context, file->content + ": rounded to floats, nothing of the solid is left");
   if (rounded.self_crossings_mended > 0)
     context.diagnostics.report("exportSTL: rounding to floats made triangles cross, which were divided", file->content);
   const Status written = stl::write_stl_file(context.resolve(file->content), soup_of(*rounded.mesh), *name,
@@ -78,7 +80,8 @@ void register_files(Registry& registry) {
       .doc = "Writes a solid to an STL file with a name, in binary (TRUE) or ASCII; TRUE if the file was written.",
       .detail =
           "Coordinates are rounded to floats, as roundCoordinates does it: what is written is a valid solid. FALSE "
-          "with a diagnostic if a coordinate is beyond the range of floats, if an argument is undefined, or if the "
+          "with a diagnostic if a coordinate is beyond the range of floats, if nothing of the solid is left, if an "
+          "argument is undefined, or if the "
           "file cannot be written; a file that was there before is then left as it was.",
       .exactness = Exactness::rounded_once,
       .frame_use = FrameUse::coordinates,

@@ -48,6 +48,7 @@ void register_rounding(Registry& registry) {
           "than the grid vanishes. A solid whose coordinates fit is given back as it is. Undefined if a coordinate "
           "would be out of range, or, which is not known to happen, if no such solid is found.",
       .exactness = Exactness::rounded_once,
+      .frame_use = FrameUse::coordinates,
       .overloads = {overload<&rounded_to_doubles>("solid"), overload<&rounded_to_multiples>("solid", "grid")},
       .examples = {{"volume(roundCoordinates(" + kCube + "))", "1.0"},
                    {"volume(roundCoordinates(" + kCube + ", 0.75))", "0.421875"},

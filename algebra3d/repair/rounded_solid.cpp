@@ -88,7 +88,7 @@ Result<RoundedSolid> rounded_solid(const TriangleMesh& solid, const CoordinateGr
   for (std::size_t round = 0; round < kMaxRounds; ++round) {
     const RoundedPoints points = rounded(current.points(), grid);
     if (!points.are_finite) {
-      result.reason = "a rounded coordinate is out of range";
+      result.reason = "a coordinate is out of range";
       return result;
     }
     if (round == 0) {

@@ -152,9 +152,17 @@ TEST_F(Files, export_refuses_what_floats_would_break) {
   const Answer answer = export_to("part.stl", value(cube(point(1e9, 0, 0), point(1e9 + 1, 1, 1))));
   EXPECT_EQ(answer.text(), "FALSE");
   ASSERT_EQ(answer.diagnostics.size(), 1U);
-  EXPECT_NE(answer.diagnostics[0].find("part.stl: the solid cannot be kept closed when rounded to floats"),
-            std::string::npos);
+  EXPECT_NE(answer.diagnostics[0].find("part.stl: rounded to floats, nothing of the solid is left"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(folder_.path("part.stl")));
+}
+
+TEST_F(Files, export_divides_triangles_that_cross_when_rounded_to_floats) {
+  // At 1e9 floats are 64 apart.
+  const Answer answer = export_to("part.stl", call("createSphere", point(1e9, 0, 0), 100.0, 50).single());
+  EXPECT_EQ(answer.text(), "TRUE");
+  ASSERT_EQ(answer.diagnostics.size(), 1U);
+  EXPECT_NE(answer.diagnostics[0].find("made triangles cross"), std::string::npos) << answer.diagnostics[0];
+  EXPECT_TRUE(import("part.stl").is_defined());
 }
 
 TEST_F(Files, export_refuses_coordinates_beyond_floats_and_keeps_the_old_file) {
@@ -162,7 +170,7 @@ TEST_F(Files, export_refuses_coordinates_beyond_floats_and_keeps_the_old_file) {
   const Answer answer = export_to("part.stl", value(cube(point(0, 0, 0), point(1e39, 1, 1))));
   EXPECT_EQ(answer.text(), "FALSE");
   ASSERT_EQ(answer.diagnostics.size(), 1U);
-  EXPECT_NE(answer.diagnostics[0].find("range of float"), std::string::npos);
+  EXPECT_NE(answer.diagnostics[0].find("part.stl: rounded to floats, a coordinate is out of range"), std::string::npos);
   EXPECT_EQ(folder_.bytes("part.stl"), "old");
 }
 

@@ -90,7 +90,7 @@ TEST(RoundedSolid, out_of_range_has_a_reason) {
   const auto rounded = rounded_solid(cube(0, 1e300), CoordinateGrid::floats());
   ASSERT_TRUE(rounded.ok());
   EXPECT_FALSE(rounded->mesh);
-  EXPECT_STREQ(rounded->reason, "a rounded coordinate is out of range");
+  EXPECT_STREQ(rounded->reason, "a coordinate is out of range");
 }
 
 TEST(CoordinateGrid, keeps_its_own_numbers) {
