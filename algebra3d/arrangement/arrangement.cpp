@@ -9,6 +9,7 @@
 #include "algebra3d/arrangement/outcome.h"
 #include "algebra3d/arrangement/overlay.h"
 #include "algebra3d/arrangement/surface_covers.h"
+#include "algebra3d/base/parallel.h"
 
 namespace algebra3d {
 
@@ -19,6 +20,9 @@ struct SolidArrangement::Parts {
   explicit Parts(std::span<const Operand> given)
       : list(given.begin(), given.end()), operands(list), facets(operands), skeleton(operands, facets) {}
 
+  /// Pieces from contacts; patches from facets.
+  Status subdivide(Closure closure, const std::atomic<bool>* cancel);
+
   std::vector<Operand> list;
   Operands operands;
   Facets facets;
@@ -27,6 +31,25 @@ struct SolidArrangement::Parts {
   Patches patches;
   Classification classification;
 };
+
+Status SolidArrangement::Parts::subdivide(Closure closure, const std::atomic<bool>* cancel) {
+  Status status;
+  const auto find_pieces = [&] {
+    status = cut_segments(skeleton, cancel);
+    if (!status) return;
+    pieces = divide(skeleton);
+    if (closure == Closure::together) complete_covers(skeleton, pieces);
+    count_steps(skeleton, pieces);
+  };
+  const auto find_rest = [&] { patches = find_patches(operands, facets); };
+  if (operands.face_count() >= kWorthAThread) {
+    in_parallel(find_pieces, find_rest);
+  } else {
+    find_pieces();
+    find_rest();
+  }
+  return status;
+}
 
 SolidArrangement::SolidArrangement(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 SolidArrangement::SolidArrangement(SolidArrangement&& other) noexcept = default;
@@ -44,11 +67,7 @@ Result<SolidArrangement> SolidArrangement::make(std::span<const Operand> operand
   auto parts = std::make_unique<Parts>(operands);
   ASSIGN_OR_RETURN(const auto pairs, candidate_pairs(parts->operands, cancel));
   RETURN_IF_ERROR(find_contacts(pairs, parts->facets, parts->skeleton, cancel));
-  RETURN_IF_ERROR(cut_segments(parts->skeleton, cancel));
-  parts->pieces = divide(parts->skeleton);
-  if (closure == Closure::together) complete_covers(parts->skeleton, parts->pieces);
-  count_steps(parts->skeleton, parts->pieces);
-  parts->patches = find_patches(parts->operands, parts->facets);
+  RETURN_IF_ERROR(parts->subdivide(closure, cancel));
   ASSIGN_OR_RETURN(parts->classification, classify(parts->skeleton, parts->pieces, parts->patches, closure, cancel));
   return SolidArrangement(std::move(parts));
 }

@@ -1,6 +1,7 @@
 #include "algebra3d/arrangement/candidates.h"
 
 #include "algebra3d/base/box3.h"
+#include "algebra3d/base/parallel.h"
 #include "algebra3d/halfedge/boxes.h"
 #include "rtree/rtree.h"
 
@@ -14,17 +15,37 @@ bool is_cancelled(const std::atomic<bool>* cancel) {
   return cancel != nullptr && cancel->load(std::memory_order_relaxed);
 }
 
+void pair_two(const Operands& operands, std::uint32_t a, std::uint32_t b, BoxHierarchy::Share share,
+              const std::atomic<bool>* cancel, FacePairs& pairs) {
+  operands.hierarchy(a).for_each_pair_with(
+      operands.hierarchy(b),
+      [&](std::uint32_t f, std::uint32_t g) {
+        pairs.emplace_back(operands.first_face(a) + f, operands.first_face(b) + g);
+        return true;
+      },
+      [&] { return !is_cancelled(cancel); }, share);
+}
+
 /// Few operands: the hierarchy of each against that of each other one.
 void pair_operands(const Operands& operands, const std::atomic<bool>* cancel, FacePairs& pairs) {
+  const bool is_large = operands.face_count() >= kWorthAThread;
+  FacePairs others;
   for (std::uint32_t a = 0; a < operands.count(); ++a)
-    for (std::uint32_t b = a + 1; b < operands.count(); ++b)
-      operands.hierarchy(a).for_each_pair_with(
-          operands.hierarchy(b),
-          [&](std::uint32_t f, std::uint32_t g) {
-            pairs.emplace_back(operands.first_face(a) + f, operands.first_face(b) + g);
-            return true;
+    for (std::uint32_t b = a + 1; b < operands.count(); ++b) {
+      if (!is_large) {
+        pair_two(operands, a, b, {}, cancel, pairs);
+        continue;
+      }
+      in_parallel(
+          [&] {
+            pair_two(operands, a, b, {0, 2}, cancel, pairs);
           },
-          [&] { return !is_cancelled(cancel); });
+          [&] {
+            pair_two(operands, a, b, {1, 2}, cancel, others);
+          });
+      pairs.insert(pairs.end(), others.begin(), others.end());
+      others.clear();
+    }
 }
 
 /// Many operands: one tree over the faces of all whose boxes meet others.

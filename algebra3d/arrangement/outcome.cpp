@@ -27,21 +27,24 @@ class CornerNumbers {
  public:
   explicit CornerNumbers(const Skeleton& skeleton)
       : skeleton_(skeleton),
+        vertices_of_corners_(skeleton.vertices_of_corners()),
         of_vertex_(skeleton.vertices().size(), kNone),
-        of_operand_vertex_(skeleton.operands().vertex_count(), kNone) {}
+        of_corner_(skeleton.operands().vertex_count(), kNone) {}
 
   std::uint32_t of_vertex(std::uint32_t vertex) {
     if (of_vertex_[vertex] == kNone) of_vertex_[vertex] = add(skeleton_.vertices()[vertex]);
     return of_vertex_[vertex];
   }
-  std::uint32_t of_operand_corner(std::uint32_t halfedge) {
-    const std::uint32_t corner = skeleton_.operands().vertex(halfedge);
-    if (of_operand_vertex_[corner] == kNone) {
-      const std::uint32_t vertex = skeleton_.vertex_of_corner(corner);
-      of_operand_vertex_[corner] = vertex != kNone ? of_vertex(vertex) : add(skeleton_.operands().point_of(halfedge));
+  /// Of a corner of an operand, by its number among all, which lies at the point.
+  std::uint32_t of_corner(std::uint32_t corner, const PointRef& point) {
+    if (of_corner_[corner] == kNone) {
+      const std::uint32_t vertex = vertices_of_corners_[corner];
+      of_corner_[corner] = vertex != kNone ? of_vertex(vertex) : add(point);
     }
-    return of_operand_vertex_[corner];
+    return of_corner_[corner];
   }
+  /// The vertex of the arrangement at a corner of an operand; kNone if there is none.
+  std::uint32_t vertex_of_corner(std::uint32_t corner) const { return vertices_of_corners_[corner]; }
   PointArray take_points() { return std::move(points_); }
 
  private:
@@ -51,7 +54,7 @@ class CornerNumbers {
   }
 
   const Skeleton& skeleton_;
-  std::vector<std::uint32_t> of_vertex_, of_operand_vertex_;
+  std::vector<std::uint32_t> vertices_of_corners_, of_vertex_, of_corner_;
   PointArray points_;
 };
 
@@ -83,6 +86,7 @@ class OutcomeBuilder {
 
   std::array<int, 2> kept_sides(std::uint32_t number) const;
   void take_patches();
+  void take_face(std::uint32_t operand, FaceId face, bool is_flipped);
   void collect_edges();
   void find_passages();
   void find_passages_at(std::span<const Spoke> spokes);
@@ -108,22 +112,34 @@ void OutcomeBuilder::take_patches() {
   const Operands& operands = skeleton_.operands();
   std::vector<int> kept(patches_.patches.size());
   for (std::uint32_t p = 0; p < kept.size(); ++p) kept[p] = selection_.patch(p);
-  for (std::uint32_t face = 0; face < patches_.of_face.size(); ++face) {
-    const std::uint32_t patch = patches_.of_face[face];
-    if (patch == kNone || kept[patch] == 0) continue;
-    TriangleMesh::Triangle triangle{};
-    for (std::uint32_t h = 3 * face; h < 3 * face + 3; ++h) {
-      triangle[h % 3] = corners_.of_operand_corner(h);
-      const std::uint32_t vertex = skeleton_.vertex_of_corner(operands.vertex(h));
-      if (vertex == kNone) continue;
-      is_fixed_[vertex] = true;
-      const std::uint32_t next = skeleton_.vertex_of_corner(operands.vertex(Operands::next(h)));
-      if (next != kNone && operands.opposite(h) == kNone) shared_patch_edges_.emplace_back(std::minmax(vertex, next));
+  const auto is_kept = [&](std::uint32_t patch) { return patch != kNone && kept[patch] != 0; };
+  triangles_.reserve(static_cast<std::size_t>(std::ranges::count_if(patches_.of_face, is_kept)));
+  for (std::uint32_t operand = 0; operand < operands.count(); ++operand)
+    for (std::uint32_t f = 0; f < operands.mesh(operand).face_count(); ++f) {
+      const std::uint32_t patch = patches_.of_face[operands.first_face(operand) + f];
+      if (is_kept(patch)) take_face(operand, FaceId(f), kept[patch] < 0);
     }
-    if (kept[patch] < 0) std::swap(triangle[1], triangle[2]);
-    triangles_.push_back(triangle);
-  }
   std::ranges::sort(shared_patch_edges_);
+}
+
+void OutcomeBuilder::take_face(std::uint32_t operand, FaceId face, bool is_flipped) {
+  const TriangleMesh& mesh = skeleton_.operands().mesh(operand);
+  const std::uint32_t first_corner = skeleton_.operands().first_vertex(operand);
+  TriangleMesh::Triangle triangle = mesh.triangle(face);
+  std::array<std::uint32_t, 3> vertices{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::uint32_t corner = first_corner + triangle[i];
+    vertices[i] = corners_.vertex_of_corner(corner);
+    if (vertices[i] != kNone) is_fixed_[vertices[i]] = true;
+    triangle[i] = corners_.of_corner(corner, mesh.point(VertexId(triangle[i])));
+  }
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const std::uint32_t u = vertices[i], v = vertices[(i + 1) % 3];
+    if (u != kNone && v != kNone && !mesh.opposite(TriangleMesh::halfedge(face, i)).is_valid())
+      shared_patch_edges_.emplace_back(std::minmax(u, v));
+  }
+  if (is_flipped) std::swap(triangle[1], triangle[2]);
+  triangles_.push_back(triangle);
 }
 
 /// What is kept of the cells to the left and right of a piece.

@@ -10,9 +10,10 @@ std::uint32_t Skeleton::corner(std::uint32_t halfedge) {
   return entry->second;
 }
 
-std::uint32_t Skeleton::vertex_of_corner(std::uint32_t operand_vertex) const {
-  const auto found = corners_.find(operand_vertex);
-  return found == corners_.end() ? kNone : found->second;
+std::vector<std::uint32_t> Skeleton::vertices_of_corners() const {
+  std::vector<std::uint32_t> result(operands_.vertex_count(), kNone);
+  for (const auto& [corner, vertex] : corners_) result[corner] = vertex;
+  return result;
 }
 
 const ExactPlane& Skeleton::exact_plane_of_facet(std::uint32_t facet) {

@@ -77,8 +77,8 @@ class Skeleton {
   const std::vector<std::pair<std::uint32_t, std::uint32_t>>& one_line() const { return one_line_; }
   /// Pairs (facet, vertex).
   const std::vector<std::pair<std::uint32_t, std::uint32_t>>& touches() const { return touches_; }
-  /// The vertex that a corner of an operand became, by number of the operands' vertices; kNone if none.
-  std::uint32_t vertex_of_corner(std::uint32_t operand_vertex) const;
+  /// The vertices that corners of operands became, by number of the operands' vertices; kNone where none.
+  std::vector<std::uint32_t> vertices_of_corners() const;
   VertexPool& vertices() { return vertices_; }
 
  private:

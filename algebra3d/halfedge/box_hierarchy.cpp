@@ -149,6 +149,23 @@ BoxHierarchy::Box BoxHierarchy::changed(const FrameChange& change, const Box& bo
   return result;
 }
 
+std::vector<BoxHierarchy::CrossPair> BoxHierarchy::cross_roots(const BoxHierarchy& other,
+                                                               const FrameChange& change) const {
+  constexpr std::size_t kEnough = 48;
+  std::vector<CrossPair> pairs{{{static_cast<std::uint32_t>(levels_.size() - 1), 0},
+                                {static_cast<std::uint32_t>(other.levels_.size() - 1), 0},
+                                changed(change, other.levels_.back().boxes[0])}};
+  std::vector<CrossPair> below;
+  while (!pairs.empty() && pairs.size() < kEnough && pairs[0].own.level + pairs[0].other.level > 0) {
+    below.clear();
+    for (const CrossPair& pair : pairs)
+      if (levels_[pair.own.level].boxes[pair.own.index].meets(pair.box))
+        push_cross_children(other, change, pair, below);
+    pairs.swap(below);
+  }
+  return pairs;
+}
+
 void BoxHierarchy::push_cross_children(const BoxHierarchy& other, const FrameChange& change, const CrossPair& pair,
                                        std::vector<CrossPair>& stack) const {
   // The higher node is opened; of equals the other one, whose children have to be brought into this frame.

@@ -47,9 +47,15 @@ class BoxHierarchy {
   template <typename Visit, typename Pause>
   void for_each_pair(Visit visit, Pause pause) const;
 
-  /// The same for each pair of a face of this hierarchy and a face of another one, whatever the groups.
+  /// A part of a search, so that several threads can share it: the `index`-th of `count`.
+  struct Share {
+    std::uint32_t index = 0, count = 1;
+  };
+
+  /// The same for each pair of a face of this hierarchy and a face of another one, whatever the groups. Each pair is in
+  /// one share, which one depends on the meshes and the number of shares alone.
   template <typename Visit, typename Pause>
-  void for_each_pair_with(const BoxHierarchy& other, Visit visit, Pause pause) const;
+  void for_each_pair_with(const BoxHierarchy& other, Visit visit, Pause pause, Share share = {}) const;
 
   /// A box around all faces, somewhat larger than the smallest one; empty if there are none.
   Box3 bounds() const;
@@ -99,6 +105,8 @@ class BoxHierarchy {
 
   FrameChange change_from(const BoxHierarchy& other) const;
   static Box changed(const FrameChange& change, const Box& box);
+  /// Pairs of nodes that meet, some dozens if there are as many, which hold all pairs of faces that meet.
+  std::vector<CrossPair> cross_roots(const BoxHierarchy& other, const FrameChange& change) const;
   void push_cross_children(const BoxHierarchy& other, const FrameChange& change, const CrossPair& pair,
                            std::vector<CrossPair>& stack) const;
   void sort_faces(std::vector<Box>& boxes);
@@ -193,12 +201,12 @@ void BoxHierarchy::for_each_pair(Visit visit, Pause pause) const {
 }
 
 template <typename Visit, typename Pause>
-void BoxHierarchy::for_each_pair_with(const BoxHierarchy& other, Visit visit, Pause pause) const {
+void BoxHierarchy::for_each_pair_with(const BoxHierarchy& other, Visit visit, Pause pause, Share share) const {
   if (faces_.empty() || other.faces_.empty()) return;
   const FrameChange change = change_from(other);
-  std::vector<CrossPair> stack{{{static_cast<std::uint32_t>(levels_.size() - 1), 0},
-                                {static_cast<std::uint32_t>(other.levels_.size() - 1), 0},
-                                changed(change, other.levels_.back().boxes[0])}};
+  const std::vector<CrossPair> roots = cross_roots(other, change);
+  std::vector<CrossPair> stack;
+  for (std::size_t root = share.index; root < roots.size(); root += share.count) stack.push_back(roots[root]);
   std::uint32_t steps = 0;
   while (!stack.empty()) {
     const CrossPair pair = stack.back();
@@ -211,6 +219,7 @@ void BoxHierarchy::for_each_pair_with(const BoxHierarchy& other, Visit visit, Pa
     }
     std::array<std::uint32_t, kLeafSize> positions{};
     const std::span<const std::uint32_t> reached = reaching(pair.own.index, pair.box, positions);
+    if (reached.empty()) continue;
     const std::size_t begin = pair.other.index * kLeafSize, end = std::min(begin + kLeafSize, other.faces_.size());
     for (std::size_t i = begin; i < end; ++i) {
       const Box box = changed(change, other.face_boxes_[i]);
