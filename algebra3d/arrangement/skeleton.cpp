@@ -16,15 +16,15 @@ std::vector<std::uint32_t> Skeleton::vertices_of_corners() const {
   return result;
 }
 
-const ExactPlane& Skeleton::exact_plane_of_facet(std::uint32_t facet) {
+const IntegerPlane& Skeleton::exact_plane_of_facet(std::uint32_t facet) {
   const auto [entry, is_new] = facet_planes_.try_emplace(facet);
-  if (is_new) entry->second = plane_through(operands_.corners(facets_.faces(facet).front()));
+  if (is_new) entry->second = IntegerPlane::through(operands_.corners(facets_.faces(facet).front()));
   return entry->second;
 }
 
-const ExactPlane& Skeleton::exact_plane(std::uint32_t plane) {
+const IntegerPlane& Skeleton::exact_plane(std::uint32_t plane) {
   const auto [entry, is_new] = planes_.try_emplace(plane);
-  if (is_new) entry->second = plane_through(facets_.planes()[plane].triangle);
+  if (is_new) entry->second = IntegerPlane::through(facets_.planes()[plane].triangle);
   return entry->second;
 }
 
@@ -51,13 +51,10 @@ std::uint32_t Skeleton::crossing_of_planes(std::uint32_t p, std::uint32_t q, std
 
 std::uint32_t Skeleton::crossing_of_edges(std::uint32_t edge, std::uint32_t other, Projection projection) {
   // The plane through the other edge along the axis that the projection leaves out.
-  std::array<int, 3> axis{};
-  axis[static_cast<std::size_t>(projection)] = 1;
-  const RationalVec3 from = operands_.point_of(other).rational();
-  const RationalVec3 along = operands_.point_of(Operands::next(other)).rational() - from;
-  const auto plane = ExactPlane::spanned(from, along, RationalVec3(axis[0], axis[1], axis[2]));
+  const IntegerPlane plane = IntegerPlane::along_axis(
+      operands_.point_of(other), operands_.point_of(Operands::next(other)), static_cast<std::size_t>(projection));
   return vertices_.intern(
-      intersect_line_plane(operands_.point_of(edge), operands_.point_of(Operands::next(edge)), *plane));
+      intersect_line_plane(operands_.point_of(edge), operands_.point_of(Operands::next(edge)), plane));
 }
 
 std::uint32_t Skeleton::edge_segment(std::uint32_t edge) {

@@ -82,8 +82,8 @@ class Skeleton {
   VertexPool& vertices() { return vertices_; }
 
  private:
-  const ExactPlane& exact_plane_of_facet(std::uint32_t facet);
-  const ExactPlane& exact_plane(std::uint32_t plane);
+  const IntegerPlane& exact_plane_of_facet(std::uint32_t facet);
+  const IntegerPlane& exact_plane(std::uint32_t plane);
 
   const Operands& operands_;
   Facets& facets_;
@@ -96,7 +96,7 @@ class Skeleton {
   std::unordered_map<std::uint32_t, std::uint32_t> edge_segments_;  // edge -> segment
   std::unordered_map<std::uint64_t, std::uint32_t> crossings_;      // edge, facet -> vertex
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> plane_crossings_;
-  std::unordered_map<std::uint32_t, ExactPlane> facet_planes_, planes_;
+  std::unordered_map<std::uint32_t, IntegerPlane> facet_planes_, planes_;
 };
 
 }  // namespace algebra3d::arrangement

@@ -10,9 +10,12 @@ class BigInteger {
   BigInteger() { mpz_init(value_); }
   ~BigInteger() { mpz_clear(value_); }
   BigInteger(const BigInteger&) = delete;
-  BigInteger(BigInteger&&) = delete;
+  BigInteger(BigInteger&& other) noexcept : BigInteger() { mpz_swap(value_, other.value_); }
   BigInteger& operator=(const BigInteger&) = delete;
-  BigInteger& operator=(BigInteger&&) = delete;
+  BigInteger& operator=(BigInteger&& other) noexcept {
+    mpz_swap(value_, other.value_);
+    return *this;
+  }
 
   int sign() const { return mpz_sgn(value_); }
 

@@ -1,5 +1,8 @@
 #include "algebra3d/exact/homogeneous.h"
 
+#include <algorithm>
+
+#include "algebra3d/exact/exact_sum_integers.h"
 #include "algebra3d/exact/rational_big.h"
 
 namespace algebra3d::detail {
@@ -23,6 +26,16 @@ void set_from_fractions(HomogeneousPoint& point, const std::array<mpz_srcptr, 3>
   }
 }
 
+/// Doubles are integers times a power of two.
+void set_from_doubles(HomogeneousPoint& point, const Vec3& doubles) {
+  BitRange bits;
+  for (std::size_t axis = 0; axis < 3; ++axis) bits.extend(doubles[axis]);
+  const int exponent = std::min(bits.exponent(), 0);
+  for (std::size_t axis = 0; axis < 3; ++axis) set_integer(point[axis], doubles[axis], exponent);
+  mpz_set_ui(point.w, 1);
+  mpz_mul_2exp(point.w, point.w, static_cast<mp_bitcnt_t>(-exponent));
+}
+
 /// a d - b c.
 void minor(mpz_ptr result, mpz_srcptr a, mpz_srcptr b, mpz_srcptr c, mpz_srcptr d) {
   mpz_mul(result, a, d);
@@ -31,9 +44,27 @@ void minor(mpz_ptr result, mpz_srcptr a, mpz_srcptr b, mpz_srcptr c, mpz_srcptr 
 
 }  // namespace
 
+void join(HomogeneousPoint& result, const HomogeneousPoint& p, const HomogeneousPoint& q, const HomogeneousPoint& r) {
+  thread_local std::array<std::array<BigInteger, 4>, 4> minors;  // of q and r, by columns i < j
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = i + 1; j < 4; ++j) minor(minors[i][j], q[i], q[j], r[i], r[j]);
+  for (std::size_t left_out = 0; left_out < 4; ++left_out) {
+    std::array<std::size_t, 3> c{};
+    for (std::size_t i = 0; i < 3; ++i) c[i] = i < left_out ? i : i + 1;
+    mpz_ptr determinant = result[left_out];
+    mpz_mul(determinant, p[c[0]], minors[c[1]][c[2]]);
+    mpz_submul(determinant, p[c[1]], minors[c[0]][c[2]]);
+    mpz_addmul(determinant, p[c[2]], minors[c[0]][c[1]]);
+    if (left_out % 2 == 1) mpz_neg(determinant, determinant);
+  }
+}
+
 void HomogeneousPoint::set(const PointRef& point) {
-  const RationalVec3 doubles = point.is_double() ? RationalVec3(point.approx) : RationalVec3();
-  const RationalVec3& exact = point.is_double() ? doubles : *point.exact;
+  if (point.is_double()) {
+    set_from_doubles(*this, point.approx);
+    return;
+  }
+  const RationalVec3& exact = *point.exact;
   const RationalAccess::View vx(exact.x), vy(exact.y), vz(exact.z);
   set_from_fractions(*this, {vx.numerator(), vy.numerator(), vz.numerator()},
                      {vx.denominator(), vy.denominator(), vz.denominator()});

@@ -13,8 +13,13 @@ struct HomogeneousPoint {
   BigInteger x, y, z, w;
 
   mpz_srcptr operator[](std::size_t axis) const { return axis == 0 ? x : axis == 1 ? y : axis == 2 ? z : w; }
+  mpz_ptr operator[](std::size_t axis) { return axis == 0 ? x : axis == 1 ? y : axis == 2 ? z : w; }
   void set(const PointRef& point);
 };
+
+/// The four numbers that are orthogonal to the three given rows: the plane (a, b, c, -d) through three points, with
+/// the normal (q - p) x (r - p), or, since both are linear, the point that three planes have in common, up to its sign.
+void join(HomogeneousPoint& result, const HomogeneousPoint& p, const HomogeneousPoint& q, const HomogeneousPoint& r);
 
 /// Sign of orient3d and orient2d by homogeneous coordinates. Exact for all points. Thread-safe; keeps its numbers from
 /// call to call.

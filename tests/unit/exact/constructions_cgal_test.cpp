@@ -51,15 +51,15 @@ TEST_P(Constructions, plane_through_is_one_for_all_triangles_in_it_that_turn_the
       p[k] = TestPoint(p[0].oracle + integer(random, -3, 3) * u + integer(random, -3, 3) * v);
     const Plane s = oracle_plane(p, 0), t = oracle_plane(p, 3);
     if (s.is_degenerate() || t.is_degenerate()) continue;
-    const ExactPlane ours = plane_through(triangle(p, 0)), other = plane_through(triangle(p, 3));
+    const IntegerPlane ours = IntegerPlane::through(triangle(p, 0)), other = IntegerPlane::through(triangle(p, 3));
     for (const TestPoint& point : p)
-      ASSERT_EQ(ours.evaluate(point.ours.rational()).sign(), sign_of(s.oriented_side(point.oracle)));
+      ASSERT_EQ(ours.exact().evaluate(point.ours.rational()).sign(), sign_of(s.oriented_side(point.oracle)));
     const bool is_same = s == t;
     in_common_plane += is_same ? 1 : 0;
-    ASSERT_EQ(ours.normal == other.normal && ours.offset == other.offset, is_same);
-    const ExactPlane turned = plane_through({p[2].ours.ref(), p[1].ours.ref(), p[0].ours.ref()});
-    ASSERT_EQ(turned.normal, RationalVec3() - ours.normal);
-    ASSERT_EQ(turned.offset, -ours.offset);
+    ASSERT_EQ(ours == other, is_same);
+    const ExactPlane turned = IntegerPlane::through({p[2].ours.ref(), p[1].ours.ref(), p[0].ours.ref()}).exact();
+    ASSERT_EQ(turned.normal, RationalVec3() - ours.exact().normal);
+    ASSERT_EQ(turned.offset, -ours.exact().offset);
   }
   EXPECT_GT(in_common_plane, 200);
 }
@@ -75,9 +75,9 @@ TEST_P(Constructions, line_and_plane_meet_in_the_exact_point) {
     const auto common = CGAL::intersection(line, plane);
     const Oracle* expected = common ? boost::get<Oracle>(&*common) : nullptr;
     if (expected == nullptr || !is_in_range(*expected)) continue;
-    const ExactPoint met = intersect_line_plane(p[3].ours, p[4].ours, plane_through(triangle(p, 0)));
+    const ExactPoint met = intersect_line_plane(p[3].ours, p[4].ours, IntegerPlane::through(triangle(p, 0)));
     ASSERT_EQ(in_oracle(met.rational()), *expected);
-    ASSERT_EQ(met, intersect_line_plane(p[4].ours, p[3].ours, plane_through(triangle(p, 0))));
+    ASSERT_EQ(met, intersect_line_plane(p[4].ours, p[3].ours, IntegerPlane::through(triangle(p, 0))));
     ++count;
   }
   EXPECT_GT(count, 100);
@@ -93,8 +93,8 @@ TEST_P(Constructions, three_planes_meet_in_the_exact_point) {
     const auto common = CGAL::intersection(a, b, c);
     const Oracle* expected = common ? boost::get<Oracle>(&*common) : nullptr;
     if (expected == nullptr || !is_in_range(*expected)) continue;
-    const ExactPlane x = plane_through(triangle(p, 0)), y = plane_through(triangle(p, 3)),
-                     z = plane_through(triangle(p, 6));
+    const IntegerPlane x = IntegerPlane::through(triangle(p, 0)), y = IntegerPlane::through(triangle(p, 3)),
+                       z = IntegerPlane::through(triangle(p, 6));
     const ExactPoint met = intersect_planes(x, y, z);
     ASSERT_EQ(in_oracle(met.rational()), *expected);
     ASSERT_EQ(met, intersect_planes(z, x, y));
