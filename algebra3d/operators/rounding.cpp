@@ -55,7 +55,7 @@ void register_rounding(Registry& registry) {
                    {"isEmpty(roundCoordinates(" + kCube + ", 3.0))", "TRUE"},
                    {"roundCoordinates(" + kCube + ", 0.0)", "undefined"},
                    {"roundCoordinates([const volume3d value undefined])", "undefined"}},
-      .errors = {{"query roundCoordinates(1)", "roundCoordinates: expected (volume3d), got (int)"}},
+      .errors = {{"query roundCoordinates(1)", "roundCoordinates: expected (volume3d) or (volume3d real), got (int)"}},
   });
 }
 
