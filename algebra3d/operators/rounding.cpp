@@ -46,7 +46,8 @@ void register_rounding(Registry& registry) {
           "A diagnostic says how many vertices moved, and by how much at most. The result is a valid solid: where "
           "rounded triangles would pass through each other, they are divided and rounded again. What is thinner "
           "than the grid vanishes. A solid whose coordinates fit is given back as it is. Undefined if a coordinate "
-          "would be out of range, or, which is not known to happen, if no such solid is found.",
+          "would be out of range, or if no such solid is found: long and thin triangles may cross each other again "
+          "and again.",
       .exactness = Exactness::rounded_once,
       .frame_use = FrameUse::coordinates,
       .overloads = {overload<&rounded_to_doubles>("solid"), overload<&rounded_to_multiples>("solid", "grid")},

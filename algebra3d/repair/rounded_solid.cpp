@@ -13,7 +13,13 @@
 namespace algebra3d {
 namespace {
 
-constexpr std::size_t kMaxRounds = 64;
+constexpr std::size_t kMaxRounds = 8;
+
+/// Slivers that cross each other may do so ever more often from round to round; more triangles than this are no solid
+/// that anybody wants.
+std::size_t max_faces(const TriangleMesh& solid) {
+  return 2 * solid.face_count() + 1000;
+}
 
 /// Points on the grid, and how far they are from the given ones.
 struct RoundedPoints {
@@ -85,7 +91,7 @@ Result<RoundedSolid> rounded_solid(const TriangleMesh& solid, const CoordinateGr
                                    const std::atomic<bool>* cancel) {
   RoundedSolid result;
   TriangleMesh current = solid;
-  for (std::size_t round = 0; round < kMaxRounds; ++round) {
+  for (std::size_t round = 0; round < kMaxRounds && current.face_count() <= max_faces(solid); ++round) {
     const RoundedPoints points = rounded(current.points(), grid);
     if (!points.are_finite) {
       result.reason = "a coordinate is out of range";

@@ -30,7 +30,8 @@ class CoordinateGrid {
 };
 
 struct RoundedSolid {
-  /// A valid volume with all coordinates on the grid; nothing if none was found.
+  /// A valid volume with all coordinates on the grid; nothing if none was found, as it happens with large facets
+  /// whose triangles are long and thin.
   std::optional<TriangleMesh> mesh;
   const char* reason = "";                ///< why there is none
   std::size_t moved_vertices = 0;         ///< of the given ones
