@@ -49,13 +49,13 @@ class BoxHierarchy {
 
   /// A part of a search, so that several threads can share it: the `index`-th of `count`.
   struct Share {
-    std::uint32_t index = 0, count = 1;
+    std::uint32_t index, count;
   };
 
   /// The same for each pair of a face of this hierarchy and a face of another one, whatever the groups. Each pair is in
   /// one share, which one depends on the meshes and the number of shares alone.
   template <typename Visit, typename Pause>
-  void for_each_pair_with(const BoxHierarchy& other, Visit visit, Pause pause, Share share = {}) const;
+  void for_each_pair_with(const BoxHierarchy& other, Visit visit, Pause pause, Share share = {0, 1}) const;
 
   /// A box around all faces, somewhat larger than the smallest one; empty if there are none.
   Box3 bounds() const;

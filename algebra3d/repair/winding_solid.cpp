@@ -20,6 +20,7 @@ Result<TriangleMesh> winding_solid(const TriangleMesh& mesh, const WindingRule& 
   }
   if (!free.empty()) parts.push_back(submesh(mesh, free));
   std::vector<Operand> operands;
+  operands.reserve(parts.size());
   for (const TriangleMesh& part : parts) operands.push_back({&part, 0});
   ASSIGN_OR_RETURN(const SolidArrangement arrangement, SolidArrangement::make(operands, cancel, Closure::together));
   return arrangement.solid([&](const Holding& holding) { return holding[0] != 0 && rule(holding[0]); });
