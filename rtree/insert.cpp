@@ -2,6 +2,7 @@
 #include <array>
 #include <cassert>
 
+#include "rtree/box_size.h"
 #include "rtree/split.h"
 #include "rtree/storage.h"
 
@@ -21,14 +22,6 @@ struct Cost {
 
   auto operator<=>(const Cost&) const = default;
 };
-
-double volume(const Box3& box) {
-  return (box.max.x - box.min.x) * (box.max.y - box.min.y) * (box.max.z - box.min.z);
-}
-
-double margin(const Box3& box) {
-  return (box.max.x - box.min.x) + (box.max.y - box.min.y) + (box.max.z - box.min.z);
-}
 
 template <typename Payload>
 Cost cost_of(const Node<Payload>& node, std::size_t slot, const Box3& added) {

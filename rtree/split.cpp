@@ -3,16 +3,10 @@
 #include <algorithm>
 #include <cassert>
 
+#include "rtree/box_size.h"
+
 namespace rtree {
 namespace {
-
-double margin(const Box3& box) {
-  return (box.max.x - box.min.x) + (box.max.y - box.min.y) + (box.max.z - box.min.z);
-}
-
-double volume(const Box3& box) {
-  return (box.max.x - box.min.x) * (box.max.y - box.min.y) * (box.max.z - box.min.z);
-}
 
 double common_volume(const Box3& a, const Box3& b) {
   const Box3 common = intersect(a, b);

@@ -5,9 +5,6 @@ namespace stl {
 namespace {
 
 constexpr Keyword kEnd("end");
-constexpr Keyword kFacet("facet");
-constexpr Keyword kNormal("normal");
-constexpr Keyword kOuter("outer");
 
 // Comments are not skipped here: they reach to the end of the line, and looking past them for each word would make long
 // lines of them quadratic.

@@ -6,6 +6,9 @@ namespace stl {
 
 inline constexpr Keyword kSolid("solid");
 inline constexpr Keyword kEndsolid("endsolid");
+inline constexpr Keyword kFacet("facet");
+inline constexpr Keyword kNormal("normal");
+inline constexpr Keyword kOuter("outer");
 
 /// Goes behind `joined` (say `endloop`), or behind `end` and `second` (`loop`) in two words, if they are here.
 bool take_end(AsciiCursor& cursor, const Keyword& joined, const Keyword& second);

@@ -19,9 +19,6 @@ using algebra3d::Vec3;
 
 namespace {
 
-constexpr Keyword kFacet("facet");
-constexpr Keyword kNormal("normal");
-constexpr Keyword kOuter("outer");
 constexpr Keyword kLoop("loop");
 constexpr Keyword kVertex("vertex");
 constexpr Keyword kEndloop("endloop");

@@ -15,7 +15,7 @@ Vec3 without_negative_zero(const Vec3& v) {
   return {v.x + 0.0, v.y + 0.0, v.z + 0.0};
 }
 
-std::size_t mix(std::size_t hash, std::uint64_t value) {
+std::size_t combined(std::size_t hash, std::uint64_t value) {
   std::uint64_t x = hash ^ (value + 0x9e3779b97f4a7c15U + (static_cast<std::uint64_t>(hash) << 6U));
   x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
   x = (x ^ (x >> 27U)) * 0x94d049bb133111ebU;
@@ -45,9 +45,9 @@ std::strong_ordering operator<=>(const ExactPoint& a, const ExactPoint& b) {
 
 std::size_t ExactPoint::hash() const {
   std::size_t hash = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) hash = mix(hash, std::bit_cast<std::uint64_t>(approx_[axis]));
+  for (std::size_t axis = 0; axis < 3; ++axis) hash = combined(hash, std::bit_cast<std::uint64_t>(approx_[axis]));
   if (exact_)
-    for (std::size_t axis = 0; axis < 3; ++axis) hash = mix(hash, (*exact_)[axis].hash());
+    for (std::size_t axis = 0; axis < 3; ++axis) hash = combined(hash, (*exact_)[axis].hash());
   return hash;
 }
 

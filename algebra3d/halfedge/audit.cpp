@@ -39,8 +39,8 @@ bool are_list_starts(const std::vector<std::uint32_t>& starts, std::size_t size)
          std::ranges::adjacent_find(starts, std::ranges::greater_equal()) == starts.end();
 }
 
-std::vector<std::uint32_t> list(const std::vector<std::uint32_t>& starts, const std::vector<HalfedgeId>& values,
-                                std::size_t n) {
+std::vector<std::uint32_t> indices_in_list(const std::vector<std::uint32_t>& starts,
+                                           const std::vector<HalfedgeId>& values, std::size_t n) {
   std::vector<std::uint32_t> result;
   for (std::uint32_t i = starts[n]; i < starts[n + 1]; ++i) result.push_back(values[i].index());
   return result;
@@ -204,7 +204,7 @@ void TriangleMeshAuditor::check_edge_table(const TriangleMesh::NonManifold& tabl
   if (listed_count != nonmanifold_edges.size())
     report("table of non-manifold edges: {} listed, {} counted", listed_count, nonmanifold_edges.size());
   for (std::size_t n = 0; n < std::min(listed_count, nonmanifold_edges.size()); ++n) {
-    const Indices listed = list(tables.edge_starts, tables.edge_halfedges, n);
+    const Indices listed = indices_in_list(tables.edge_starts, tables.edge_halfedges, n);
     if (listed != nonmanifold_edges[n])
       report("non-manifold edge {}: half-edges {} listed, {} counted", n, indices(listed),
              indices(nonmanifold_edges[n]));
@@ -225,7 +225,7 @@ void TriangleMeshAuditor::check_vertex_table(const TriangleMesh::NonManifold& ta
       continue;
     }
     is_listed[v] = true;
-    const Indices listed = list(tables.fan_starts, tables.fans, n);
+    const Indices listed = indices_in_list(tables.fan_starts, tables.fans, n);
     if (fans[v].size() < 2) report("vertex {}: listed as non-manifold, but has {} fans", v, fans[v].size());
     if (listed != fans[v]) report("vertex {}: fans {} listed, {} counted", v, indices(listed), indices(fans[v]));
   }

@@ -61,7 +61,7 @@ Maybe<double> upper_bound(const Box3& box, std::int32_t dimension) {
   return bound(box.max, dimension);
 }
 
-constexpr std::string_view kUndefined = "[const rect3 value undefined]";
+constexpr std::string_view kUndefinedBox = "[const rect3 value undefined]";
 constexpr std::string_view kUnit = "rectangle3(0, 1, 0, 1, 0, 1)";
 constexpr std::string_view kShifted = "rectangle3(1, 2, 0, 1, 0, 1)";
 
@@ -81,7 +81,7 @@ void register_box_predicates(Registry& registry) {
       .overloads = {symmetric(overload<&boxes_intersect>("a", "b"))},
       .examples = {{infix(kUnit, "intersects", kShifted), "TRUE"},
                    {infix(kUnit, "intersects", "rectangle3(2, 3, 0, 1, 0, 1)"), "FALSE"},
-                   {infix(kUnit, "intersects", kUndefined), "undefined"}},
+                   {infix(kUnit, "intersects", kUndefinedBox), "undefined"}},
       .errors = {{"query " + infix(kUnit, "intersects", "1"), "intersects: expected (rect3 rect3), got (rect3 int)"}},
   });
   registry.add({
@@ -92,7 +92,7 @@ void register_box_predicates(Registry& registry) {
       .overloads = {overload<&box_inside>("inner", "outer")},
       .examples = {{infix(kUnit, "inside", "rectangle3(0, 2, 0, 2, 0, 2)"), "TRUE"},
                    {infix(kUnit, "inside", kShifted), "FALSE"},
-                   {infix(kUnit, "inside", kUndefined), "undefined"}},
+                   {infix(kUnit, "inside", kUndefinedBox), "undefined"}},
       .errors = {{"query " + infix(kUnit, "inside", "1"), "inside: expected (rect3 rect3), got (rect3 int)"}},
   });
   registry.add({
@@ -105,7 +105,7 @@ void register_box_predicates(Registry& registry) {
       .examples = {{infix("rectangle3(0, 2, 0, 2, 0, 2)", "contains", kUnit), "TRUE"},
                    {R"("gearbox" contains "box")", "TRUE"},
                    {R"('gearbox.stl' contains "cog")", "FALSE"},
-                   {infix(kUnit, "contains", kUndefined), "undefined"}},
+                   {infix(kUnit, "contains", kUndefinedBox), "undefined"}},
       .errors = {{"query " + infix(kUnit, "contains", "1"), "contains: expected (rect3 rect3)"}},
   });
 }
@@ -136,7 +136,7 @@ void register_boxes(Registry& registry) {
       .overloads = {overload<&enlarged>("box", "dx", "dy", "dz")},
       .examples = {{call("enlargeRect", kUnit, "1, 0, 0.5"), "(-1.0 2.0 0.0 1.0 -0.5 1.5)"},
                    {call("enlargeRect", kUnit, "-1, 0, 0"), "undefined"},
-                   {call("enlargeRect", kUndefined, "1, 1, 1"), "undefined"}},
+                   {call("enlargeRect", kUndefinedBox, "1, 1, 1"), "undefined"}},
       .errors = {{"query " + call("enlargeRect", kUnit, "1"),
                   "enlargeRect: expected (rect3 real real real), got (rect3 int)"}},
   });
@@ -149,7 +149,7 @@ void register_boxes(Registry& registry) {
       .overloads = {overload<&lower_bound>("box", "dimension")},
       .examples = {{call("minD", kShifted, "1"), "1.0"},
                    {call("minD", kShifted, "4"), "undefined"},
-                   {call("minD", kUndefined, "1"), "undefined"}},
+                   {call("minD", kUndefinedBox, "1"), "undefined"}},
       .errors = {{"query " + call("minD", kUnit, "1.5"), "minD: expected (rect3 int), got (rect3 real)"}},
   });
   registry.add({
@@ -161,7 +161,7 @@ void register_boxes(Registry& registry) {
       .overloads = {overload<&upper_bound>("box", "dimension")},
       .examples = {{call("maxD", kShifted, "1"), "2.0"},
                    {call("maxD", kShifted, "0"), "undefined"},
-                   {call("maxD", kUndefined, "1"), "undefined"}},
+                   {call("maxD", kUndefinedBox, "1"), "undefined"}},
       .errors = {{"query " + call("maxD", kUnit, "1.5"), "maxD: expected (rect3 int), got (rect3 real)"}},
   });
 }

@@ -7,6 +7,7 @@
 #include "algebra3d/exact/affine_map.h"
 #include "algebra3d/exact/trigonometry.h"
 #include "algebra3d/operators/all.h"
+#include "algebra3d/operators/sample_values.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/repair/weld.h"
 #include "algebra3d/types/scalars.h"
@@ -189,8 +190,6 @@ Result<Maybe<Volume3d>> make_sphere(Context& context, const Point3d& centre, dou
   return finish(context, std::move(draft));
 }
 
-const std::string kOrigin = "makePoint3D(0, 0, 0)";
-const std::string kUndefinedPoint = "[const point3d value undefined]";
 const std::string kRoundNote =
     "Each coordinate is rounded once. Undefined if the radius or height is not positive, with fewer than 3 corners or "
     "more than 10 million, and if the shape collapses when its corners are rounded to doubles.";

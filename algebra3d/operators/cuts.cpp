@@ -5,6 +5,7 @@
 
 #include "algebra3d/halfedge/topology.h"
 #include "algebra3d/operators/all.h"
+#include "algebra3d/operators/sample_values.h"
 #include "algebra3d/operators/solid_sets.h"
 #include "algebra3d/registry/overload.h"
 
@@ -35,7 +36,6 @@ Result<std::vector<Surface3d>> shells_of(Context& context, const std::optional<V
   return shells;
 }
 
-const std::string kCube = "createCube(makePoint3D(0, 0, 0), makePoint3D(2, 2, 2))";
 const std::string kInner = "createCube(makePoint3D(0.5, 0.5, 0.5), makePoint3D(1, 1, 1))";
 const std::string kPlane = "[const plane3d value (0.5 0 0 1)]";
 
@@ -48,10 +48,11 @@ void register_half_spaces(Registry& registry) {
           "In front is the side to which the normal points. Either part may be empty. Corners of the cut are exact.",
       .exactness = Exactness::exact,
       .overloads = {overload<&split_solid>("solid", "plane")},
-      .examples = {{kCube + " split[" + kPlane + "] transformstream projectextend[; V: volume(.Elem)] sum[V]", "8.0"},
-                   {kCube + " split[" + kPlane + "] count", "2"},
+      .examples = {{kCubeOfTwo + " split[" + kPlane + "] transformstream projectextend[; V: volume(.Elem)] sum[V]",
+                    "8.0"},
+                   {kCubeOfTwo + " split[" + kPlane + "] count", "2"},
                    {"[const volume3d value undefined] split[" + kPlane + "] count", "0"}},
-      .errors = {{"query " + kCube + " split[1] count", "split: expected (volume3d plane3d), got (volume3d int)"}},
+      .errors = {{"query " + kCubeOfTwo + " split[1] count", "split: expected (volume3d plane3d), got (volume3d int)"}},
   });
   registry.add({
       .name = "clip",
@@ -60,10 +61,10 @@ void register_half_spaces(Registry& registry) {
       .detail = "The intersection with the box as a solid; empty for a box without volume.",
       .exactness = Exactness::exact,
       .overloads = {overload<&clip_solid>("solid", "box")},
-      .examples = {{"volume(" + kCube + " clip[rectangle3(1, 5, 1, 5, 0, 5)])", "2.0"},
-                   {"size(" + kCube + " clip[rectangle3(3, 5, 1, 5, 0, 5)])", "0"},
-                   {kCube + " clip[[const rect3 value undefined]]", "undefined"}},
-      .errors = {{"query " + kCube + " clip[1]", "clip: expected (volume3d rect3), got (volume3d int)"}},
+      .examples = {{"volume(" + kCubeOfTwo + " clip[rectangle3(1, 5, 1, 5, 0, 5)])", "2.0"},
+                   {"size(" + kCubeOfTwo + " clip[rectangle3(3, 5, 1, 5, 0, 5)])", "0"},
+                   {kCubeOfTwo + " clip[[const rect3 value undefined]]", "undefined"}},
+      .errors = {{"query " + kCubeOfTwo + " clip[1]", "clip: expected (volume3d rect3), got (volume3d int)"}},
   });
 }
 
@@ -76,12 +77,13 @@ void register_surfaces_of_solids(Registry& registry) {
           "Faces of the solid in the plane belong to it; edges and corners in which the plane only touches do not.",
       .exactness = Exactness::exact,
       .overloads = {overload<&section_of>("solid", "plane")},
-      .examples = {{"area(section(" + kCube + ", " + kPlane + "))", "4.0"},
-                   {"area(section(" + kCube + " minus " + kInner + ", " + kPlane + "))", "4.0"},
-                   {"area(section(" + kCube + " minus " + kInner + ", [const plane3d value (0.75 0 0 1)]))", "3.75"},
-                   {"size(section(" + kCube + ", [const plane3d value (3 0 0 1)]))", "0"},
+      .examples = {{"area(section(" + kCubeOfTwo + ", " + kPlane + "))", "4.0"},
+                   {"area(section(" + kCubeOfTwo + " minus " + kInner + ", " + kPlane + "))", "4.0"},
+                   {"area(section(" + kCubeOfTwo + " minus " + kInner + ", [const plane3d value (0.75 0 0 1)]))",
+                    "3.75"},
+                   {"size(section(" + kCubeOfTwo + ", [const plane3d value (3 0 0 1)]))", "0"},
                    {"section([const volume3d value undefined], " + kPlane + ")", "undefined"}},
-      .errors = {{"query section(" + kCube + ", 1)", "section: expected (volume3d plane3d), got (volume3d int)"}},
+      .errors = {{"query section(" + kCubeOfTwo + ", 1)", "section: expected (volume3d plane3d), got (volume3d int)"}},
   });
   registry.add({
       .name = "shells",
@@ -91,8 +93,8 @@ void register_surfaces_of_solids(Registry& registry) {
                 "undefined or empty solid has none.",
       .exactness = Exactness::exact,
       .overloads = {overload<&shells_of>("solid")},
-      .examples = {{"shells(" + kCube + ") count", "1"},
-                   {"shells(" + kCube + " minus " + kInner + ") count", "2"},
+      .examples = {{"shells(" + kCubeOfTwo + ") count", "1"},
+                   {"shells(" + kCubeOfTwo + " minus " + kInner + ") count", "2"},
                    {"shells([const volume3d value undefined]) count", "0"}},
       .errors = {{"query shells(1) count", "shells: expected (volume3d), got (int)"}},
   });

@@ -4,6 +4,7 @@
 
 #include "algebra3d/operators/all.h"
 #include "algebra3d/operators/import_solid.h"
+#include "algebra3d/operators/sample_values.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/repair/rounded_solid.h"
 #include "algebra3d/types/scalars.h"
@@ -53,8 +54,6 @@ Result<bool> export_stl(Context& context, const std::optional<Volume3d>& solid, 
   return true;
 }
 
-const std::string kCube = "createCube(makePoint3D(0, 0, 0), makePoint3D(1, 1, 1))";
-
 }  // namespace
 
 void register_files(Registry& registry) {
@@ -86,9 +85,9 @@ void register_files(Registry& registry) {
       .exactness = Exactness::rounded_once,
       .frame_use = FrameUse::coordinates,
       .overloads = {overload<&export_stl>("solid", "name", "file", "binary")},
-      .examples = {{kCube + R"( exportSTL["cube", 'no such folder/cube.stl', TRUE])", "FALSE"},
+      .examples = {{kUnitCube + R"( exportSTL["cube", 'no such folder/cube.stl', TRUE])", "FALSE"},
                    {R"([const volume3d value undefined] exportSTL["cube", 'cube.stl', TRUE])", "FALSE"}},
-      .errors = {{"query " + kCube + R"( exportSTL["cube", 'cube.stl'])",
+      .errors = {{"query " + kUnitCube + R"( exportSTL["cube", 'cube.stl'])",
                   "exportSTL: expected (volume3d string text bool), got (volume3d string text)"}},
   });
 }

@@ -2,6 +2,7 @@
 #include "algebra3d/exact/exact_sum.h"
 #include "algebra3d/operators/all.h"
 #include "algebra3d/operators/mesh_triangles.h"
+#include "algebra3d/operators/sample_values.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
@@ -37,8 +38,6 @@ Result<Maybe<Point3d>> centroid_of(Context& context, const Volume3d& solid) {
   return Maybe<Point3d>(Point3d{ExactPoint(Vec3{coordinate(0), coordinate(1), coordinate(2)})});
 }
 
-const std::string kUndefinedSolid = "[const volume3d value undefined]";
-const std::string kCube = "createCube(makePoint3D(0, 0, 0), makePoint3D(2, 2, 2))";
 // Three and four long at the right angle, five high: 1/6 * 3 * 4 * 5.
 const std::string kCorner =
     "[const volume3d value (((0 0 0) (0 4 0) (3 0 0)) ((0 0 0) (3 0 0) (0 0 5)) ((0 0 0) (0 0 5) (0 4 0)) "
@@ -56,7 +55,7 @@ void register_measure(Registry& registry) {
       .exactness = Exactness::rounded_once,
       .sources = {"lien1984"},
       .overloads = {overload<&volume_of>("solid")},
-      .examples = {{"volume(" + kCube + ")", "8.0"},
+      .examples = {{"volume(" + kCubeOfTwo + ")", "8.0"},
                    {"volume(createCube(makePoint3D(1e9, 0, 0), makePoint3D(1000000002, 2, 2)))", "8.0"},
                    {"volume(" + kCorner + ")", "10.0"},
                    {"volume([const volume3d value ()])", "0.0"},
@@ -70,7 +69,7 @@ void register_measure(Registry& registry) {
       .exactness = Exactness::exact,
       .sources = {"lien1984"},
       .overloads = {overload<&volume_text>("solid")},
-      .examples = {{"volumeExact(" + kCube + ")", "'8'"},
+      .examples = {{"volumeExact(" + kCubeOfTwo + ")", "'8'"},
                    {"volumeExact(createCube(makePoint3D(0, 0, 0), makePoint3D(0.5, 0.5, 3)))", "'3/4'"},
                    {"volumeExact(" + kUndefinedSolid + ")", "undefined"}},
       .errors = {{"query volumeExact(" + kTriangle + ")", "volumeExact: expected (volume3d), got (surface3d)"}},
@@ -82,7 +81,7 @@ void register_measure(Registry& registry) {
       .detail = "Exact, rounded once, if the area of every triangle is a double. The walls of cavities count.",
       .exactness = Exactness::two_ulp,
       .overloads = {overload<&area_of<Surface3d>>("surface"), overload<&area_of<Volume3d>>("solid")},
-      .examples = {{"area(" + kCube + ")", "24.0"},
+      .examples = {{"area(" + kCubeOfTwo + ")", "24.0"},
                    {"area(" + kTriangle + ")", "6.0"},
                    {"area([const surface3d value ()])", "0.0"},
                    {"area(" + kUndefinedSolid + ")", "undefined"}},
@@ -96,7 +95,7 @@ void register_measure(Registry& registry) {
       .exactness = Exactness::rounded_once,
       .sources = {"lien1984"},
       .overloads = {overload<&centroid_of>("solid")},
-      .examples = {{"centroid(" + kCube + ")", "(1.0 1.0 1.0)"},
+      .examples = {{"centroid(" + kCubeOfTwo + ")", "(1.0 1.0 1.0)"},
                    {"centroid(" + kCorner + ")", "(0.75 1.0 1.25)"},
                    {"centroid([const volume3d value ()])", "undefined"},
                    {"centroid(" + kUndefinedSolid + ")", "undefined"}},

@@ -5,6 +5,7 @@
 
 #include "algebra3d/base/number_text.h"
 #include "algebra3d/operators/all.h"
+#include "algebra3d/operators/sample_values.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/repair/rounded_solid.h"
 #include "algebra3d/types/scalars.h"
@@ -33,8 +34,6 @@ Result<Maybe<Volume3d>> rounded_to_multiples(Context& context, const Volume3d& s
   return rounded_to(context, solid, CoordinateGrid::multiples(step));
 }
 
-const std::string kCube = "createCube(makePoint3D(0, 0, 0), makePoint3D(1, 1, 1))";
-
 }  // namespace
 
 void register_rounding(Registry& registry) {
@@ -51,10 +50,10 @@ void register_rounding(Registry& registry) {
       .exactness = Exactness::rounded_once,
       .frame_use = FrameUse::coordinates,
       .overloads = {overload<&rounded_to_doubles>("solid"), overload<&rounded_to_multiples>("solid", "grid")},
-      .examples = {{"volume(roundCoordinates(" + kCube + "))", "1.0"},
-                   {"volume(roundCoordinates(" + kCube + ", 0.75))", "0.421875"},
-                   {"isEmpty(roundCoordinates(" + kCube + ", 3.0))", "TRUE"},
-                   {"roundCoordinates(" + kCube + ", 0.0)", "undefined"},
+      .examples = {{"volume(roundCoordinates(" + kUnitCube + "))", "1.0"},
+                   {"volume(roundCoordinates(" + kUnitCube + ", 0.75))", "0.421875"},
+                   {"isEmpty(roundCoordinates(" + kUnitCube + ", 3.0))", "TRUE"},
+                   {"roundCoordinates(" + kUnitCube + ", 0.0)", "undefined"},
                    {"roundCoordinates([const volume3d value undefined])", "undefined"}},
       .errors = {{"query roundCoordinates(1)", "roundCoordinates: expected (volume3d) or (volume3d real), got (int)"}},
   });

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "algebra3d/operators/all.h"
+#include "algebra3d/operators/sample_values.h"
 #include "algebra3d/operators/solid_sets.h"
 #include "algebra3d/registry/overload.h"
 
@@ -84,7 +85,6 @@ const std::string kCubeA = "createCube(makePoint3D(0, 0, 0), makePoint3D(2, 2, 2
 const std::string kCubeB = "createCube(makePoint3D(1, 1, 1), makePoint3D(3, 3, 3))";
 const std::string kSquareA = "[const surface3d value (((0 0 0) (2 0 0) (2 2 0)) ((0 0 0) (2 2 0) (0 2 0)))]";
 const std::string kSquareB = "[const surface3d value (((1 1 0) (3 1 0) (3 3 0)) ((1 1 0) (3 3 0) (1 3 0)))]";
-const std::string kUndefined = "[const volume3d value undefined]";
 
 constexpr const char* kSolids =
     "Solids: the regularised operation on closed solids, without left-overs of lower dimension; containment, cavities "
@@ -112,7 +112,7 @@ void register_infix_sets(Registry& registry) {
                    {"area(" + kSquareA + " union " + kSquareB + ")", "7.0"},
                    {kPointsA + " union " + kPointB, "((0.0 0.0 0.0) (1.0 0.0 0.0))"},
                    {kBoxA + " union " + kBoxB, "(0.0 2.0 0.0 1.0 0.0 1.0)"},
-                   {kCubeA + " union " + kUndefined, "undefined"}},
+                   {kCubeA + " union " + kUndefinedSolid, "undefined"}},
       .errors = {{"query " + kBoxA + " union 1", "union: expected (rect3 rect3)"}},
   });
   registry.add({
@@ -130,7 +130,7 @@ void register_infix_sets(Registry& registry) {
                    {"size(" + kCubeA + " minus " + kCubeA + ")", "0"},
                    {"area(" + kSquareA + " minus " + kSquareB + ")", "3.0"},
                    {kPointsA + " minus " + kPointB, "((0.0 0.0 0.0))"},
-                   {kCubeA + " minus " + kUndefined, "undefined"}},
+                   {kCubeA + " minus " + kUndefinedSolid, "undefined"}},
       .errors = {{"query " + kCubeA + " minus 1", "minus: expected (point3d point3d)"}},
   });
 }
@@ -150,7 +150,7 @@ void register_prefix_sets(Registry& registry) {
                    {"intersection(" + kPointsA + ", " + kPointB + ")", "((1.0 0.0 0.0))"},
                    {"intersection(" + kBoxA + ", " + kBoxB + ")", "(1.0 1.0 0.0 1.0 0.0 1.0)"},
                    {"intersection(" + kBoxA + ", rectangle3(2, 3, 0, 1, 0, 1))", "undefined"},
-                   {"intersection(" + kCubeA + ", " + kUndefined + ")", "undefined"}},
+                   {"intersection(" + kCubeA + ", " + kUndefinedSolid + ")", "undefined"}},
       .errors = {{"query intersection(" + kBoxA + ", 1)", "intersection: expected (rect3 rect3)"}},
   });
   registry.add({
@@ -165,7 +165,7 @@ void register_prefix_sets(Registry& registry) {
       .examples = {{"volume(symmetricDifference(" + kCubeA + ", " + kCubeB + "))", "14.0"},
                    {"symmetricDifference(" + kPointsA + ", makePoint3D(2, 0, 0))",
                     "((0.0 0.0 0.0) (1.0 0.0 0.0) (2.0 0.0 0.0))"},
-                   {"symmetricDifference(" + kCubeA + ", " + kUndefined + ")", "undefined"}},
+                   {"symmetricDifference(" + kCubeA + ", " + kUndefinedSolid + ")", "undefined"}},
       .errors = {{"query symmetricDifference(" + kCubeA + ", 1)", "symmetricDifference: expected (point3d point3d)"}},
   });
 }

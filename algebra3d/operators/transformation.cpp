@@ -7,6 +7,7 @@
 #include "algebra3d/exact/affine_map.h"
 #include "algebra3d/operators/all.h"
 #include "algebra3d/operators/mesh_triangles.h"
+#include "algebra3d/operators/sample_values.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/repair/weld.h"
 #include "algebra3d/types/scalars.h"
@@ -129,10 +130,8 @@ Result<Maybe<T>> scaled_by_axis(Context& context, const T& geometry, const Point
   return image_of(context, AffineMap::scaling(centre.position.rational(), factors.components.rational()), geometry);
 }
 
+const std::string kCuboid = "createCube(makePoint3D(0, 0, 0), makePoint3D(1, 2, 3))";
 const std::string kPoint = "makePoint3D(1, 2, 3)";
-const std::string kOrigin = "makePoint3D(0, 0, 0)";
-const std::string kCube = "createCube(makePoint3D(0, 0, 0), makePoint3D(1, 2, 3))";
-const std::string kUndefinedPoint = "[const point3d value undefined]";
 const std::string kRounding =
     "Each coordinate is rounded once; where that would break a surface or solid, its exact image is kept and a "
     "diagnostic says so. Triangles keep their order.";
@@ -151,7 +150,7 @@ void register_motions(Registry& registry) {
                     overload<&rotated<Surface3d>>("surface", "centre", "axis", "degrees"),
                     overload<&rotated<Volume3d>>("solid", "centre", "axis", "degrees")},
       .examples = {{kPoint + " rotate[" + kOrigin + ", makeVector3D(0, 0, 1), 90]", "(-2.0 1.0 3.0)"},
-                   {"bbox(" + kCube + " rotate[" + kOrigin + ", makeVector3D(1, 0, 0), 180])",
+                   {"bbox(" + kCuboid + " rotate[" + kOrigin + ", makeVector3D(1, 0, 0), 180])",
                     "(0.0 1.0 -2.0 0.0 -3.0 0.0)"},
                    {kPoint + " rotate[" + kOrigin + ", makeVector3D(0, 0, 0), 90]", "undefined"},
                    {kUndefinedPoint + " rotate[" + kOrigin + ", makeVector3D(0, 0, 1), 90]", "undefined"}},
@@ -168,7 +167,7 @@ void register_motions(Registry& registry) {
                     overload<&mirrored<Surface3d>>("surface", "plane"),
                     overload<&mirrored<Volume3d>>("solid", "plane")},
       .examples = {{kPoint + " mirror[[const plane3d value (2 0 0 1)]]", "(1.0 2.0 1.0)"},
-                   {"volume(" + kCube + " mirror[[const plane3d value (0 1 1 0)]])", "6.0"},
+                   {"volume(" + kCuboid + " mirror[[const plane3d value (0 1 1 0)]])", "6.0"},
                    {kUndefinedPoint + " mirror[[const plane3d value (2 0 0 1)]]", "undefined"}},
       .errors = {{"query " + kPoint + " mirror[1]", "mirror: expected (point3d plane3d)"}},
   });
@@ -181,7 +180,7 @@ void register_motions(Registry& registry) {
       .overloads = {overload<&translated<Point3d>>("point", "by"), overload<&translated<Points3d>>("points", "by"),
                     overload<&translated<Surface3d>>("surface", "by"), overload<&translated<Volume3d>>("solid", "by")},
       .examples = {{kPoint + " translate[makeVector3D(1, 0, -3)]", "(2.0 2.0 0.0)"},
-                   {"bbox(" + kCube + " translate[[const vector3d value (10 0 0)]])", "(10.0 11.0 0.0 2.0 0.0 3.0)"},
+                   {"bbox(" + kCuboid + " translate[[const vector3d value (10 0 0)]])", "(10.0 11.0 0.0 2.0 0.0 3.0)"},
                    {kUndefinedPoint + " translate[makeVector3D(1, 0, -3)]", "undefined"}},
       .errors = {{"query " + kPoint + " translate[1]", "translate: expected (point3d vector3d)"}},
   });
@@ -204,8 +203,8 @@ void register_transformation(Registry& registry) {
                     overload<&scaled<Surface3d>>("surface", "centre", "factor"),
                     overload<&scaled<Volume3d>>("solid", "centre", "factor")},
       .examples = {{kPoint + " scale[makePoint3D(1, 1, 1), 2]", "(1.0 3.0 5.0)"},
-                   {"volume(" + kCube + " scale[" + kOrigin + ", -2])", "48.0"},
-                   {kCube + " scale[" + kOrigin + ", 0]", "undefined"},
+                   {"volume(" + kCuboid + " scale[" + kOrigin + ", -2])", "48.0"},
+                   {kCuboid + " scale[" + kOrigin + ", 0]", "undefined"},
                    {kUndefinedPoint + " scale[" + kOrigin + ", 2]", "undefined"}},
       .errors = {{"query " + kPoint + " scale[2]", "scale: expected (point3d point3d real)"}},
   });
@@ -222,9 +221,9 @@ void register_transformation(Registry& registry) {
                     overload<&scaled_by_axis<Surface3d>>("surface", "centre", "factors"),
                     overload<&scaled_by_axis<Volume3d>>("solid", "centre", "factors")},
       .examples = {{kPoint + " scaleDir[" + kOrigin + ", makeVector3D(1, 0, -1)]", "(1.0 0.0 -3.0)"},
-                   {"bbox(" + kCube + " scaleDir[" + kOrigin + ", makeVector3D(2, 1, -1)])",
+                   {"bbox(" + kCuboid + " scaleDir[" + kOrigin + ", makeVector3D(2, 1, -1)])",
                     "(0.0 2.0 0.0 2.0 -3.0 0.0)"},
-                   {kCube + " scaleDir[" + kOrigin + ", makeVector3D(2, 0, 1)]", "undefined"},
+                   {kCuboid + " scaleDir[" + kOrigin + ", makeVector3D(2, 0, 1)]", "undefined"},
                    {kUndefinedPoint + " scaleDir[" + kOrigin + ", makeVector3D(1, 1, 1)]", "undefined"}},
       .errors = {{"query " + kPoint + " scaleDir[2]", "scaleDir: expected (point3d point3d vector3d)"}},
   });

@@ -88,7 +88,7 @@ constexpr std::string_view kCommentBegin = "_!";
 constexpr std::string_view kCommentEnd = "!_";
 constexpr std::string_view kTextBegin = "<text>";
 constexpr std::string_view kTextEnd = "</text--->";
-constexpr auto kNone = std::string_view::npos;
+constexpr auto kNowhere = std::string_view::npos;
 
 // Reads one list without recursion. What is complete so far lies on one stack, the elements of the outermost open list
 // lowest; a closing parenthesis moves the elements above its opening one into a list of exactly the right size.
@@ -135,7 +135,7 @@ class Parser {
     }
     const auto token = source_.substr(position, bare_end(position) - position);
     const auto shown = token.empty() ? source_.substr(position, 1) : utf8_prefix(token, kShownLength);
-    if (first_invalid_utf8(shown) != kNone) return "bytes that are no text";
+    if (first_invalid_utf8(shown) != kNowhere) return "bytes that are no text";
     return fmt::format("{}{}", shown, shown.size() < token.size() ? "..." : "");
   }
 
@@ -145,7 +145,7 @@ class Parser {
         ++position_;
       } else if (rest().starts_with(kCommentBegin)) {
         const auto end = source_.find(kCommentEnd, position_ + kCommentBegin.size());
-        if (end == kNone) return error_at(position_, ErrorCode::invalid_value, "this comment is not closed by !_");
+        if (end == kNowhere) return error_at(position_, ErrorCode::invalid_value, "this comment is not closed by !_");
         position_ = end + kCommentEnd.size();
       } else {
         break;
@@ -212,7 +212,7 @@ class Parser {
     std::string content;
     while (true) {
       const auto stop = source_.find_first_of(std::string_view(special.data(), special.size()), position_);
-      if (stop == kNone) {
+      if (stop == kNowhere) {
         return error_at(begin, ErrorCode::invalid_value,
                         fmt::format("this {} is not closed by {}", quote == '"' ? "string" : "text", quote));
       }
@@ -253,7 +253,7 @@ class Parser {
   Result<std::string_view> read_tagged(std::string_view open, std::string_view close, std::string_view what) {
     const auto begin = position_ + open.size();
     const auto end = source_.find(close, begin);
-    if (end == kNone)
+    if (end == kNowhere)
       return error_at(position_, ErrorCode::invalid_value, fmt::format("this {} is not closed by {}", what, close));
     RETURN_IF_ERROR(check_text(begin, end));
     position_ = end + close.size();
@@ -262,7 +262,7 @@ class Parser {
 
   Status check_text(std::size_t begin, std::size_t end) const {
     const auto wrong = first_no_text(source_.substr(begin, end - begin));
-    if (wrong == kNone) return {};
+    if (wrong == kNowhere) return {};
     return error_at(begin + wrong, ErrorCode::invalid_value, no_text_message(source_[begin + wrong]));
   }
 
@@ -304,7 +304,7 @@ class Parser {
       complete_.emplace_back(*real);
     } else if (is_fraction(token)) {
       complete_.push_back(NestedList::symbol(std::string(token)));
-    } else if (token.find('/') != kNone) {
+    } else if (token.find('/') != kNowhere) {
       return expected("a fraction p/q of two integers, with at most a minus in front", position_ - token.size());
     } else {
       return expected("a number within the range of real", position_ - token.size());

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cctype>
 
+#include "queries/language/scanner.h"
+
 namespace queries {
 namespace {
-
-bool is_blank(char c) {
-  return std::isspace(static_cast<unsigned char>(c)) != 0;
-}
 
 constexpr std::string_view kTextEnd = "</text--->";
 constexpr std::string_view kTextBegin = "<text>";

@@ -21,14 +21,15 @@ bool is_digit(char c) {
 bool is_word(char c) {
   return is_letter(c) || is_digit(c);
 }
-bool is_blank(char c) {
-  return std::isspace(static_cast<unsigned char>(c)) != 0;
-}
 bool is_operator_character(char c) {
   return std::string_view("+-*/<>=#:!?%&^~|@\\").find(c) != std::string_view::npos;
 }
 
 }  // namespace
+
+bool is_blank(char c) {
+  return std::isspace(static_cast<unsigned char>(c)) != 0;
+}
 
 bool is_identifier(std::string_view text) {
   return !text.empty() && is_letter(text.front()) && std::all_of(text.begin(), text.end(), is_word);

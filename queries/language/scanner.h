@@ -13,6 +13,8 @@ namespace queries {
 /// may be anything.
 bool is_identifier(std::string_view text);
 
+bool is_blank(char c);
+
 /// The message for an integer that is no int.
 std::string int_range_text(std::string_view digits);
 

@@ -23,10 +23,10 @@ std::string lower_case(std::string text) {
 }
 
 std::string trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r\n";
-  const auto begin = text.find_first_not_of(kBlanks);
+  constexpr std::string_view kWhiteSpace = " \t\r\n";
+  const auto begin = text.find_first_not_of(kWhiteSpace);
   if (begin == std::string_view::npos) return {};
-  return std::string(text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1));
+  return std::string(text.substr(begin, text.find_last_not_of(kWhiteSpace) - begin + 1));
 }
 
 // Pipes may be scripts, and so may terminals; other devices have no end.

@@ -13,7 +13,7 @@ namespace {
 
 using Entry = rtree::Entry<std::uint64_t>;
 
-constexpr IndexFrame kFrame = {
+constexpr IndexFrame kTreeFrame = {
     "\x89"
     "A3I",
     1};
@@ -54,11 +54,11 @@ std::string encode_tree(const SpatialIndex::Tree& tree) {
     for (std::size_t axis = 0; axis < 3; ++axis) writer.f64(entry.box.max[axis]);
     writer.u64(entry.payload);
   }
-  return framed(kFrame, entries.size(), body);
+  return framed(kTreeFrame, entries.size(), body);
 }
 
 Result<std::shared_ptr<SpatialIndex::Tree>> decode_tree(std::string_view bytes) {
-  ASSIGN_OR_RETURN(const FramedEntries framed, unframed(kFrame, bytes));
+  ASSIGN_OR_RETURN(const FramedEntries framed, unframed(kTreeFrame, bytes));
   if (framed.body.size() % kEntryBytes != 0 || framed.body.size() / kEntryBytes != framed.count) return changed_index();
   algebra3d::ByteReader reader(framed.body, "stored index");
   std::vector<Entry> entries(static_cast<std::size_t>(framed.count));

@@ -7,7 +7,7 @@
 namespace queries {
 namespace {
 
-constexpr IndexFrame kFrame = {
+constexpr IndexFrame kOrderFrame = {
     "\x89"
     "A3O",
     1};
@@ -27,11 +27,11 @@ std::string encode_order(const OrderedTree& tree) {
     writer.u64(static_cast<std::uint64_t>(entry.id));
     writer.text(algebra3d::encode(entry.key));
   }
-  return framed(kFrame, tree.size(), body);
+  return framed(kOrderFrame, tree.size(), body);
 }
 
 Result<std::shared_ptr<OrderedTree>> decode_order(const algebra3d::Type& key_type, std::string_view bytes) {
-  ASSIGN_OR_RETURN(const FramedEntries framed, unframed(kFrame, bytes));
+  ASSIGN_OR_RETURN(const FramedEntries framed, unframed(kOrderFrame, bytes));
   if (framed.body.size() / kLeastEntryBytes < framed.count) return changed_index();
   algebra3d::ByteReader reader(framed.body, "stored index");
   std::vector<OrderedTree::Entry> entries;

@@ -11,7 +11,7 @@ using algebra3d::Result;
 
 namespace {
 
-constexpr std::size_t kHeaderBytes = 24;
+constexpr std::size_t kFrameBytes = 24;
 
 }  // namespace
 
@@ -25,7 +25,7 @@ Error changed_index() {
 
 std::string framed(const IndexFrame& frame, std::uint64_t count, std::string_view body) {
   std::string bytes;
-  bytes.reserve(kHeaderBytes + body.size());
+  bytes.reserve(kFrameBytes + body.size());
   algebra3d::ByteWriter header(bytes);
   header.raw(frame.magic);
   header.u32(frame.version);
@@ -37,7 +37,7 @@ std::string framed(const IndexFrame& frame, std::uint64_t count, std::string_vie
 
 Result<FramedEntries> unframed(const IndexFrame& frame, std::string_view bytes) {
   algebra3d::ByteReader reader(bytes, "stored index");
-  if (bytes.size() < kHeaderBytes || reader.raw(frame.magic.size()) != frame.magic) {
+  if (bytes.size() < kFrameBytes || reader.raw(frame.magic.size()) != frame.magic) {
     std::string expected = "the bytes";
     for (const char byte : frame.magic) expected += fmt::format(" {:02x}", static_cast<unsigned char>(byte));
     return corrupt_index(expected);
@@ -47,7 +47,7 @@ Result<FramedEntries> unframed(const IndexFrame& frame, std::string_view bytes) 
                  "stored index: format version {}, this program reads version {}", version, frame.version};
   const std::uint64_t count = reader.u64();
   const std::uint64_t checksum = reader.u64();
-  const std::string_view body = bytes.substr(kHeaderBytes);
+  const std::string_view body = bytes.substr(kFrameBytes);
   if (checksum_of(body) != checksum) return changed_index();
   return FramedEntries{count, body};
 }

@@ -69,13 +69,13 @@ TypeMapping map_spatial_join(const algebra3d::Registry& registry) {
   };
 }
 
-constexpr std::string_view kTwoBoxes =
+constexpr std::string_view kJoinedBoxes =
     "[const rel(tuple([No: int, B: rect3])) value ((1 (0 1 0 1 0 1)) (2 (5 6 0 1 0 1)) (3 undefined))] feed ";
 
 }  // namespace
 
 void register_spatial_join(algebra3d::Registry& registry) {
-  const std::string boxes(kTwoBoxes);
+  const std::string boxes(kJoinedBoxes);
   registry.add({
       .name = "itSpatialJoin",
       .syntax = "_ _ itSpatialJoin[attribute, attribute ...]",

@@ -74,7 +74,7 @@ AffineMap turn(const RationalVec3& axis, double angle) {
 }
 
 /// Random input of many magnitudes, short numbers and exact lattices among them.
-class Source {
+class MapSource {
  public:
   std::uint64_t below(std::uint64_t limit) { return random_() % limit; }
   double unit() { return std::uniform_real_distribution<double>(-1, 1)(random_); }
@@ -174,7 +174,7 @@ TEST(AffineMap, a_zero_axis_gives_no_rotation) {
 }
 
 TEST(AffineMap, rotations_are_orthogonal_fix_their_axis_and_turn_by_the_angle) {
-  Source source;
+  MapSource source;
   double worst = 0;
   for (int round = 0; round < 1'500; ++round) {
     const RationalVec3 centre = source.rational();
@@ -282,7 +282,7 @@ void expect_image_rounded(const AffineMap& map, const Vec3& point) {
 }
 
 TEST(AffineMap, apply_rounded_is_the_exact_image_rounded_and_rarely_needs_rationals) {
-  Source source;
+  MapSource source;
   std::uint64_t fallbacks = 0;
   std::uint64_t images = 0;
   for (int round = 0; round < 2'000; ++round) {
@@ -301,7 +301,7 @@ TEST(AffineMap, apply_rounded_is_the_exact_image_rounded_and_rarely_needs_ration
 }
 
 TEST(AffineMap, the_rounding_agrees_with_mpfr) {
-  Source source;
+  MapSource source;
   for (int round = 0; round < 300; ++round) {
     const AffineMap map = source.map();
     for (int i = 0; i < 5; ++i) {
@@ -314,7 +314,7 @@ TEST(AffineMap, the_rounding_agrees_with_mpfr) {
 }
 
 TEST(AffineMap, lossless_maps_never_need_rationals) {
-  Source source;
+  MapSource source;
   const std::vector<AffineMap> maps = {
       AffineMap::translation(RationalVec3(Vec3{0.1, 1e10, -3})),
       AffineMap::scaling({1, Rational(1, 2), -7}, {2, Rational(1, 4), 1024}),
@@ -332,7 +332,7 @@ TEST(AffineMap, lossless_maps_never_need_rationals) {
 }
 
 TEST(AffineMap, general_rotations_of_general_points_need_no_rationals) {
-  Source source;
+  MapSource source;
   const auto coordinate = [&] { return 1000 * source.unit(); };
   std::vector<AffineMap> maps;
   for (int i = 0; i < 50; ++i) {
@@ -359,7 +359,7 @@ TEST(AffineMap, ties_go_to_even) {
 }
 
 TEST(AffineMap, extreme_magnitudes_are_right) {
-  Source source;
+  MapSource source;
   const std::vector<double> extremes = {1e300,  -1e300,   1e-300,  5e-324,  -2.5e-310, 1.7976931348623157e308,
                                         1e-160, 0x1p-200, 0x1p300, 0x1p301, -1.0,      0.0};
   const std::vector<AffineMap> maps = {
@@ -396,7 +396,7 @@ TEST(AffineMap, points_that_are_no_doubles_are_mapped_exactly) {
 }
 
 TEST(AffineMap, composition_and_image_of_planes_agree_with_images_of_points) {
-  Source source;
+  MapSource source;
   for (int round = 0; round < 500; ++round) {
     const AffineMap first = source.map();
     const AffineMap second = source.map();

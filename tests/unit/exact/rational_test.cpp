@@ -66,7 +66,7 @@ class Oracle {
 };
 
 /// Random numbers of all sizes: around the 64-bit limits, beyond them, short ones, extremes of doubles.
-class Source {
+class NumberSource {
  public:
   std::uint64_t below(std::uint64_t limit) { return random_() % limit; }
 
@@ -172,7 +172,7 @@ TEST(Rational, moves_leave_zero_and_copies_are_independent) {
 }
 
 TEST(Rational, arithmetic_and_order_agree_with_gmp) {
-  Source source;
+  NumberSource source;
   for (int round = 0; round < 40'000; ++round) {
     const Rational a = source.number();
     const Rational b = source.number();
@@ -200,7 +200,7 @@ TEST(Rational, arithmetic_and_order_agree_with_gmp) {
 }
 
 TEST(Rational, field_laws_hold_and_equal_values_are_held_equally) {
-  Source source;
+  NumberSource source;
   for (int round = 0; round < 10'000; ++round) {
     const Rational a = source.number();
     const Rational b = source.number();
@@ -220,7 +220,7 @@ TEST(Rational, field_laws_hold_and_equal_values_are_held_equally) {
 }
 
 TEST(Rational, text_reads_back_to_the_same_number) {
-  Source source;
+  NumberSource source;
   for (int round = 0; round < 20'000; ++round) {
     const Rational a = source.number();
     const auto back = Rational::parse(a.text());
@@ -292,7 +292,7 @@ void expect_roundings_of(const Rational& number) {
 }
 
 TEST(Rational, roundings_agree_with_mpfr) {
-  Source source;
+  NumberSource source;
   for (int round = 0; round < 40'000; ++round) expect_roundings_of(source.number());
   for (int round = 0; round < 20'000; ++round) {
     const double value = source.any_double();

@@ -23,7 +23,7 @@ using stl_bytes::kCorner;
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-struct Accepted {
+struct AcceptedBytes {
   std::string label;
   std::string bytes;
   std::size_t triangle_count;
@@ -31,7 +31,7 @@ struct Accepted {
   std::vector<std::string> remarks;
 };
 
-std::vector<Accepted> accepted_files() {
+std::vector<AcceptedBytes> accepted_files() {
   Floats nan_normal = kCorner;
   nan_normal[1] = kNan;
   return {
@@ -102,7 +102,7 @@ std::vector<Accepted> accepted_files() {
 }
 
 TEST(StlBinaryReader, accepts_what_programs_write_and_says_what_it_tolerated) {
-  for (const Accepted& file : accepted_files()) {
+  for (const AcceptedBytes& file : accepted_files()) {
     SCOPED_TRACE(file.label);
     const auto read = read_stl(file.bytes, "a.stl");
     ASSERT_TRUE(read) << read.error().message;
@@ -115,7 +115,7 @@ TEST(StlBinaryReader, accepts_what_programs_write_and_says_what_it_tolerated) {
   }
 }
 
-struct Refused {
+struct RefusedBytes {
   std::string bytes;
   std::string message;
 };
@@ -127,7 +127,7 @@ std::string with_float(std::size_t index, float value) {
 }
 
 TEST(StlBinaryReader, refuses_with_the_byte_and_the_expectation) {
-  const std::vector<Refused> files = {
+  const std::vector<RefusedBytes> files = {
       {header("", 12) + std::string(516, '\0'),
        "read_stl: a.stl byte 84: header announces 12 triangles (684 bytes), file has 600 bytes"},
       {header("solid cube", 12) + std::string(516, '\0'),
@@ -146,7 +146,7 @@ TEST(StlBinaryReader, refuses_with_the_byte_and_the_expectation) {
       {"", "read_stl: a.stl: empty file; expected an STL file"},
       {" \r\n\t ", "read_stl: a.stl: empty file; expected an STL file"},
   };
-  for (const Refused& file : files) {
+  for (const RefusedBytes& file : files) {
     const auto read = read_stl(file.bytes, "a.stl");
     ASSERT_FALSE(read) << file.message;
     EXPECT_EQ(read.error().message, file.message);

@@ -2,14 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "unit/test_runner/nested_text.h"
+
 namespace queries {
 namespace {
-
-NestedList list(const std::string& text) {
-  auto parsed = NestedList::parse(text);
-  EXPECT_TRUE(parsed.ok()) << text;
-  return parsed ? std::move(parsed).value() : NestedList();
-}
 
 std::string difference(const std::string& expected, const std::string& found, Tolerance tolerance = {}) {
   const auto result = first_difference(list(expected), list(found), tolerance);

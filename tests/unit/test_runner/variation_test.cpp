@@ -5,18 +5,13 @@
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
+#include "unit/test_runner/nested_text.h"
 #include "unit/test_runner/sample_run.h"
 
 namespace queries {
 namespace {
 
 using algebra3d::Registry;
-
-NestedList list(const std::string& text) {
-  auto parsed = NestedList::parse(text);
-  EXPECT_TRUE(parsed.ok()) << text;
-  return parsed ? std::move(parsed).value() : NestedList();
-}
 
 TypeExpr type(const std::string& text) {
   return TypeExpr::from_nested(list(text)).value();

@@ -26,12 +26,12 @@ constexpr std::string_view kExactTetrahedron =
     "(((0.0 0.0 0.0) (0.0 1.0 0.0) (1/3 0.0 0.0)) ((0.0 0.0 0.0) (1/3 0.0 0.0) (0.0 0.0 1.0)) "
     "((0.0 0.0 0.0) (0.0 0.0 1.0) (0.0 1.0 0.0)) ((1/3 0.0 0.0) (0.0 1.0 0.0) (0.0 0.0 1.0)))";
 
-struct Reading {
+struct SolidReading {
   Result<Value> value;
   std::vector<Diagnostics::Entry> diagnostics;
 };
 
-Reading read(const Type& type, std::string_view text) {
+SolidReading reading_of(const Type& type, std::string_view text) {
   Diagnostics diagnostics;
   Context context{diagnostics, nullptr, {}};
   const auto list = NestedList::parse(text);
@@ -48,7 +48,7 @@ const Type& volume() {
 }
 
 Value volume_of(std::string_view text) {
-  Reading reading = read(volume(), text);
+  SolidReading reading = reading_of(volume(), text);
   EXPECT_TRUE(reading.value.ok() && reading.value->is_defined()) << text;
   return *reading.value;
 }
@@ -56,13 +56,13 @@ Value volume_of(std::string_view text) {
 TEST(geometry_text, what_is_printed_is_what_was_read) {
   EXPECT_EQ(volume_of(kTetrahedron).to_nested().print(), kTetrahedron);
   EXPECT_EQ(volume_of(kExactTetrahedron).to_nested().print(), kExactTetrahedron);
-  EXPECT_EQ(read(surface(), "(((0 0 0) (1 0 0) (0 1 0)))").value->to_nested().print(),
+  EXPECT_EQ(reading_of(surface(), "(((0 0 0) (1 0 0) (0 1 0)))").value->to_nested().print(),
             "(((0.0 0.0 0.0) (1.0 0.0 0.0) (0.0 1.0 0.0)))");
 }
 
 TEST(geometry_text, the_empty_list_is_the_defined_empty_value) {
   for (const Type* type : {&surface(), &volume()}) {
-    const Reading reading = read(*type, "()");
+    const SolidReading reading = reading_of(*type, "()");
     ASSERT_TRUE(reading.value.ok());
     EXPECT_TRUE(reading.value->is_defined());
     EXPECT_EQ(reading.value->header().size, 0U);
@@ -84,7 +84,7 @@ TEST(geometry_text, malformed_lists_are_errors_that_name_the_triangle) {
       {"(((0 0 0) (1 0 TRUE) (0 1 0)))", "volume3d: triangle 1: "},
   };
   for (const auto& [text, message] : cases) {
-    const Reading reading = read(volume(), text);
+    const SolidReading reading = reading_of(volume(), text);
     ASSERT_FALSE(reading.value.ok()) << text;
     EXPECT_EQ(reading.value.error().code, ErrorCode::invalid_value);
     EXPECT_TRUE(reading.value.error().message.starts_with(message)) << reading.value.error().message;
@@ -93,14 +93,14 @@ TEST(geometry_text, malformed_lists_are_errors_that_name_the_triangle) {
 }
 
 TEST(geometry_text, well_formed_lists_that_are_not_valid_are_undefined_with_a_reason) {
-  const Reading open = read(volume(), "(((0 0 0) (1 0 0) (0 1 0)))");
+  const SolidReading open = reading_of(volume(), "(((0 0 0) (1 0 0) (0 1 0)))");
   ASSERT_TRUE(open.value.ok());
   EXPECT_FALSE(open.value->is_defined());
   ASSERT_EQ(open.diagnostics.size(), 1U);
   EXPECT_TRUE(open.diagnostics[0].text.starts_with("volume3d: no valid solid: 3 boundary edges"))
       << open.diagnostics[0].text;
 
-  const Reading degenerate = read(surface(), "(((0 0 0) (1 0 0) (2 0 0)))");
+  const SolidReading degenerate = reading_of(surface(), "(((0 0 0) (1 0 0) (2 0 0)))");
   ASSERT_TRUE(degenerate.value.ok());
   EXPECT_FALSE(degenerate.value->is_defined());
   ASSERT_EQ(degenerate.diagnostics.size(), 1U);
@@ -114,7 +114,7 @@ TEST(geometry_text, corners_are_joined_by_exact_coordinates_not_by_their_doubles
   EXPECT_EQ(exact.get<Volume3d>().mesh().points().exact_count(), 1U);
   std::string mixed(kExactTetrahedron);
   mixed.replace(mixed.find("1/3"), 3, "0.3333333333333333");  // the double nearest to a third, in one triangle only
-  const Reading reading = read(volume(), mixed);
+  const SolidReading reading = reading_of(volume(), mixed);
   ASSERT_TRUE(reading.value.ok());
   EXPECT_FALSE(reading.value->is_defined());
 }
@@ -238,8 +238,8 @@ TEST(geometry_order, a_cube_more_or_less_makes_another_solid) {
 
 TEST(geometry_order, orientation_of_surfaces_does_not_count_and_corners_do) {
   EXPECT_NE(compare(volume_of(kTetrahedron), volume_of(kExactTetrahedron)), std::strong_ordering::equal);
-  const Value front = *read(surface(), "(((0 0 0) (1 0 0) (0 1 0)))").value;
-  const Value back = *read(surface(), "(((0 1 0) (1 0 0) (0 0 0)))").value;
+  const Value front = *reading_of(surface(), "(((0 0 0) (1 0 0) (0 1 0)))").value;
+  const Value back = *reading_of(surface(), "(((0 1 0) (1 0 0) (0 0 0)))").value;
   EXPECT_EQ(compare(front, back), std::strong_ordering::equal);
   EXPECT_EQ(hash(front), hash(back));
 }
