@@ -14,6 +14,11 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LES
   add_compile_options(-Wno-restrict -Wno-maybe-uninitialized)
 endif()
 
+# What a source keeps to itself looks like part of a header there.
+if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  add_compile_options(-Wno-subobject-linkage)
+endif()
+
 if(ALGEBRA3D_SANITIZE)
   # Left out are the checks that double the compile time and find nothing that AddressSanitizer does not stop as well.
   add_compile_options(-fsanitize=address,undefined -fno-sanitize=null,vptr,alignment,object-size
