@@ -250,7 +250,9 @@ void OutcomeBuilder::triangulate_regions() {
     triangles.clear();
     for (; end < edges_.size() && edges_[end].region() == edges_[begin].region(); ++end)
       region.emplace_back(edges_[end].from, edges_[end].to);
-    triangulate(skeleton_.vertices(), skeleton_.facets().planes()[edges_[begin].plane].projection, region, triangles);
+    const Projection projection = skeleton_.facets().planes()[edges_[begin].plane].projection;
+    [[maybe_unused]] const bool is_region = triangulate(skeleton_.vertices(), projection, region, triangles);
+    assert(is_region);
     for (TriangleMesh::Triangle triangle : triangles) {
       for (std::uint32_t& corner : triangle) corner = corners_.of_vertex(corner);
       if (edges_[begin].is_flipped) std::swap(triangle[1], triangle[2]);

@@ -1,9 +1,10 @@
 #include "algebra3d/arrangement/triangulation.h"
 
 #include <algorithm>
-#include <cassert>
 #include <iterator>
 #include <set>
+#include <tuple>
+#include <utility>
 
 #include "algebra3d/arrangement/operands.h"
 #include "algebra3d/exact/predicates.h"
@@ -22,7 +23,8 @@ class Sweep {
   Sweep(const VertexPool& points, Projection projection, std::vector<TriangleMesh::Triangle>& triangles)
       : points_(points), projection_(projection), triangles_(triangles), active_(Below{this}) {}
 
-  void run(std::span<const DirectedEdge> edges);
+  /// False, and some triangles, if the edges bound no region.
+  bool run(std::span<const DirectedEdge> edges);
 
  private:
   /// The frontier within one gap between neighbouring active edges: the vertices from the one below to the one above
@@ -57,7 +59,8 @@ class Sweep {
     return e.later != vertex.number && turn(e.earlier, e.later, vertex.number) > 0;
   }
 
-  void visit(std::uint32_t vertex, std::span<const std::uint32_t> starting);
+  bool visit(std::uint32_t vertex, std::span<const std::uint32_t> starting);
+  bool alternate(std::span<const std::uint32_t> edges, bool inside_below, bool inside_above) const;
 
   std::uint32_t new_link(std::uint32_t vertex);
   void add_on_top(Frontier& frontier, std::uint32_t vertex);
@@ -151,7 +154,15 @@ Sweep::Frontier Sweep::join(const Frontier& lower, const Frontier& upper) {
   return {lower.bottom, upper.top, lower.top};
 }
 
-void Sweep::visit(std::uint32_t vertex, std::span<const std::uint32_t> starting) {
+/// True if the inside ends at the next edge above it, and begins at one in the outside.
+bool Sweep::alternate(std::span<const std::uint32_t> edges, bool inside_below, bool inside_above) const {
+  for (const std::uint32_t edge : edges)
+    if (std::exchange(inside_below, edges_[edge].has_inside_above) == inside_below) return false;
+  return inside_below == inside_above;
+}
+
+/// False if the edges that start in the vertex do not fit there.
+bool Sweep::visit(std::uint32_t vertex, std::span<const std::uint32_t> starting) {
   auto at = active_.lower_bound(Vertex{vertex});
   const bool inside_below = at != active_.begin() && edges_[*std::prev(at)].has_inside_above;
   const auto under = at == active_.begin() ? active_.end() : std::prev(at);
@@ -175,6 +186,7 @@ void Sweep::visit(std::uint32_t vertex, std::span<const std::uint32_t> starting)
   } else if (inside_below) {
     std::tie(lower, upper) = split(lower, vertex);
   }
+  if (!alternate(starting, inside_below, inside_above)) return false;
   if (inside_below) frontiers_[*under] = lower;
   for (std::size_t i = 0; i < starting.size(); ++i) {
     active_.insert(at, starting[i]);
@@ -186,10 +198,10 @@ void Sweep::visit(std::uint32_t vertex, std::span<const std::uint32_t> starting)
       frontiers_[starting[i]] = {link, link, link};
     }
   }
-  assert(!inside_above || !starting.empty() || inside_below);
+  return true;
 }
 
-void Sweep::run(std::span<const DirectedEdge> edges) {
+bool Sweep::run(std::span<const DirectedEdge> edges) {
   edges_.reserve(edges.size());
   std::vector<std::uint32_t> vertices;
   for (const auto& [from, to] : edges) {
@@ -213,15 +225,16 @@ void Sweep::run(std::span<const DirectedEdge> edges) {
   for (const std::uint32_t vertex : vertices) {
     const auto first = next;
     while (next != order.end() && edges_[*next].earlier == vertex) ++next;
-    visit(vertex, std::span(first, next));
+    if (!visit(vertex, std::span(first, next))) return false;
   }
+  return true;
 }
 
 }  // namespace
 
-void triangulate(const VertexPool& points, Projection projection, std::span<const DirectedEdge> edges,
+bool triangulate(const VertexPool& points, Projection projection, std::span<const DirectedEdge> edges,
                  std::vector<TriangleMesh::Triangle>& triangles) {
-  Sweep(points, projection, triangles).run(edges);
+  return Sweep(points, projection, triangles).run(edges);
 }
 
 }  // namespace algebra3d::arrangement

@@ -19,9 +19,10 @@ using DirectedEdge = std::pair<std::uint32_t, std::uint32_t>;
 /// the triangles. Edges do not cross, and no vertex lies inside an edge. Every triangle turns counter-clockwise in the
 /// projection and has corners among the ends of edges alone, so that n corners and h holes in one region give
 /// n + 2h - 2 triangles, which is the fewest. The triangles depend on the edges and points alone, not on the order of
-/// the edges. Exact. Cost: n log n, no recursion.
+/// the edges. False, and some triangles, if the edges bound no region: the left of one must be the left or the outside
+/// of the next. Exact. Cost: n log n, no recursion.
 /// Source: [hertel1983]: a sweep that triangulates behind itself.
-void triangulate(const VertexPool& points, Projection projection, std::span<const DirectedEdge> edges,
-                 std::vector<TriangleMesh::Triangle>& triangles);
+[[nodiscard]] bool triangulate(const VertexPool& points, Projection projection, std::span<const DirectedEdge> edges,
+                               std::vector<TriangleMesh::Triangle>& triangles);
 
 }  // namespace algebra3d::arrangement

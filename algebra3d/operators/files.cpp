@@ -2,6 +2,9 @@
 #include <optional>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "algebra3d/base/number_text.h"
 #include "algebra3d/operators/all.h"
 #include "algebra3d/operators/import_solid.h"
 #include "algebra3d/operators/sample_values.h"
@@ -46,8 +49,11 @@ Result<bool> export_stl(Context& context, const std::optional<Volume3d>& solid, 
   if (!rounded.mesh) return refuse(context, file->content + ": rounded to floats, " + rounded.reason);
   if (rounded.mesh->is_empty() && !solid->mesh().is_empty())
     return refuse(context, file->content + ": rounded to floats, nothing of the solid is left");
-  if (rounded.self_crossings_mended > 0)
-    context.diagnostics.report("exportSTL: rounding to floats made triangles cross, which were divided", file->content);
+  if (rounded.attempts_failed > 0)
+    context.diagnostics.report(
+        fmt::format("exportSTL: rounded to floats, which moves the boundary by at most {} where it is crowded",
+                    real_text(rounded.largest_movement)),
+        file->content);
   const Status written = stl::write_stl_file(context.resolve(file->content), soup_of(*rounded.mesh), *name,
                                              *is_binary ? stl::Format::binary : stl::Format::ascii);
   if (!written) return refuse(context, written.error().message);

@@ -75,10 +75,7 @@ std::optional<PointArray> exact_images(const AffineMap& map, const PointArray& p
 
 /// Rounding may have made points equal; welded, such an image can still be valid (bodies may touch in points).
 TriangleMesh rounded_mesh(const std::vector<Vec3>& points, const std::vector<TriangleMesh::Triangle>& triangles) {
-  std::vector<TriangleSoup::Triangle> soup;
-  soup.reserve(triangles.size());
-  for (const auto& [a, b, c] : triangles) soup.push_back({points[a], points[b], points[c]});
-  WeldedTriangles welded = weld(soup);
+  WeldedTriangles welded = weld(points, triangles);
   return {std::move(welded.points), welded.triangles};
 }
 

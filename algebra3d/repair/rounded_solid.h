@@ -21,6 +21,9 @@ class CoordinateGrid {
   /// A number of the grid is given back as it is.
   double nearest(double coordinate) const;
 
+  /// The largest distance of neighbouring numbers among those up to `size` >= 0, and down to -size.
+  double spacing_up_to(double size) const;
+
  private:
   enum class Kind : std::uint8_t { doubles, floats, multiples };
   CoordinateGrid(Kind kind, double step) : kind_(kind), step_(step) {}
@@ -30,20 +33,22 @@ class CoordinateGrid {
 };
 
 struct RoundedSolid {
-  /// A valid volume with all coordinates on the grid; nothing if none was found, as it happens with large facets
-  /// whose triangles are long and thin.
+  /// A valid volume with all coordinates on the grid; nothing if none was found, as it may happen where much is
+  /// thinner than the grid.
   std::optional<TriangleMesh> mesh;
-  const char* reason = "";                ///< why there is none
-  std::size_t moved_vertices = 0;         ///< of the given ones
-  double largest_movement = 0;            ///< no point of the new boundary is farther from the given one
-  std::size_t self_crossings_mended = 0;  ///< rounds in which the rounded triangles passed through each other
+  const char* reason = "";          ///< why there is none
+  std::size_t moved_vertices = 0;   ///< of the given ones
+  double largest_movement = 0;      ///< no point of the new boundary is farther from the given one
+  std::size_t attempts_failed = 0;  ///< roundings in which triangles passed through each other
 };
 
-/// The solid with its vertices moved to a grid, proved anew: iterative snap rounding. Rounded triangles that pass
-/// through each other are divided at one another, and the places with a positive winding number are kept; the corners
-/// that this makes are rounded in turn, until nothing crosses any more. What is thinner than the grid vanishes.
+/// The solid with its vertices moved to a grid, proved anew. What is thinner than the grid vanishes.
+/// Vertices are rounded and facets triangulated anew (snapped_mesh.h). Where triangles of the result pass through each
+/// other, their vertices are rounded once more, to a grid twice as coarse, and so on. If that does not help, facets
+/// that nearly lie upon each other are made to do so exactly (pressed_sheets.h), or else the triangles are divided at
+/// one another and the places with a positive winding number kept; then all begins anew with that solid.
 /// Exactness: rounded; validity is exact. Errors: interrupted, limit_exceeded.
-/// Cost: that of a proof, for nearly all solids. Source: [halperin2002].
+/// Cost: that of a proof, for nearly all solids. Source: after [hobby1999] and [halperin2002].
 Result<RoundedSolid> rounded_solid(const TriangleMesh& solid, const CoordinateGrid& grid,
                                    const std::atomic<bool>* cancel = nullptr);
 

@@ -105,6 +105,13 @@ WeldedTriangles weld(std::span<const TriangleSoup::Triangle> triangles) {
   return result;
 }
 
+WeldedTriangles weld(std::span<const Vec3> points, std::span<const TriangleMesh::Triangle> triangles) {
+  std::vector<TriangleSoup::Triangle> soup;
+  soup.reserve(triangles.size());
+  for (const auto& [a, b, c] : triangles) soup.push_back({points[a], points[b], points[c]});
+  return weld(soup);
+}
+
 WeldedTriangles weld(std::span<const std::array<ExactPoint, 3>> triangles) {
   struct Hash {
     std::size_t operator()(const ExactPoint& p) const { return p.hash(); }

@@ -22,6 +22,9 @@ struct WeldedTriangles {
 /// Errors: none; at most TriangleMesh::kMaxFaces triangles (asserted). Cost: linear expected, no recursion.
 WeldedTriangles weld(std::span<const TriangleSoup::Triangle> triangles);
 
+/// The same for triangles over a list of points, of which some may be equal or not used.
+WeldedTriangles weld(std::span<const Vec3> points, std::span<const TriangleMesh::Triangle> triangles);
+
 /// The same for corners with exact coordinates: equal means equal as rationals.
 WeldedTriangles weld(std::span<const std::array<ExactPoint, 3>> triangles);
 

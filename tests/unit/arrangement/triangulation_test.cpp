@@ -39,7 +39,7 @@ class Plane {
 
   std::vector<Triangle> triangulated(const std::vector<DirectedEdge>& edges) const {
     std::vector<Triangle> triangles;
-    triangulate(pool_, projection_, edges, triangles);
+    EXPECT_TRUE(triangulate(pool_, projection_, edges, triangles));
     return triangles;
   }
 

@@ -1,11 +1,13 @@
 #include "algebra3d/repair/rounded_solid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "algebra3d/exact/affine_map.h"
 #include "algebra3d/exact/vertical_line.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/arrangement/set_operations.h"
@@ -27,6 +29,35 @@ double area_of(const TriangleMesh& mesh) {
     area += std::sqrt(dot(normal, normal)) / 2;
   }
   return area;
+}
+
+double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const double share = std::clamp(dot(p - a, b - a) / dot(b - a, b - a), 0.0, 1.0);
+  const Vec3 difference = (p - a) - share * (b - a);
+  return std::sqrt(dot(difference, difference));
+}
+
+double distance_to_triangle(const Vec3& p, const TriangleRef& t) {
+  const Vec3 a = t[0].approx, b = t[1].approx, c = t[2].approx;
+  const Vec3 normal = cross(b - a, c - a);
+  const auto is_left = [&](const Vec3& from, const Vec3& to) { return dot(cross(to - from, p - from), normal) >= 0; };
+  if (is_left(a, b) && is_left(b, c) && is_left(c, a))
+    return std::abs(dot(normal, p - a)) / std::sqrt(dot(normal, normal));
+  return std::min({distance_to_segment(p, a, b), distance_to_segment(p, b, c), distance_to_segment(p, c, a)});
+}
+
+/// Brute force, at corners and inner points of the rounded triangles.
+void expect_near(const TriangleMesh& rounded, const TriangleMesh& given, double distance) {
+  for (std::size_t f = 0; f < rounded.face_count(); ++f) {
+    const TriangleRef t = rounded.corners(FaceId(f));
+    for (const Vec3& weights : {Vec3{1, 0, 0}, Vec3{0.5, 0.5, 0}, Vec3{0.3, 0.3, 0.4}, Vec3{0.1, 0.8, 0.1}}) {
+      const Vec3 point = weights.x * t[0].approx + weights.y * t[1].approx + weights.z * t[2].approx;
+      double nearest = Box3::kInfinity;
+      for (std::size_t g = 0; g < given.face_count(); ++g)
+        nearest = std::min(nearest, distance_to_triangle(point, given.corners(FaceId(g))));
+      ASSERT_LE(nearest, distance + 1e-15 * (1 + std::abs(point.x) + std::abs(point.y) + std::abs(point.z)));
+    }
+  }
 }
 
 TEST(RoundedSolid, of_doubles_is_itself) {
@@ -55,6 +86,35 @@ TEST(RoundedSolid, of_many_intersections_stays_a_solid_of_nearly_the_same_volume
   }
 }
 
+/// Boxes on a small grid, turned: what was common is a hair apart, or overlaps by one.
+TriangleMesh boxes_that_nearly_touch(std::uint64_t seed) {
+  Chance chance(seed);
+  const RationalVec3 centre(chance.direction()), axis(chance.direction());
+  const AffineMap turn = *AffineMap::rotation(centre, axis, 10.0 * chance.below(36) + 0.7);
+  SetOperations engine;
+  TriangleMesh solid;
+  for (int i = chance.between(2, 5); i > 0; --i) {
+    const Vec3 corner = chance.grid_point(4), size = chance.grid_point(3) + Vec3{1, 1, 1};
+    const auto turned = [&](const Vec3& p) { return turn.apply_rounded(ExactPoint(p)); };
+    solid = engine.unite(solid, mapped(box(corner, corner + size), turned));
+  }
+  return solid;
+}
+
+TEST(RoundedSolid, of_boxes_that_nearly_touch_is_found) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const TriangleMesh solid = boxes_that_nearly_touch(seed);
+    for (const CoordinateGrid& grid : {CoordinateGrid::doubles(), CoordinateGrid::floats()}) {
+      const auto rounded = rounded_solid(solid, grid);
+      ASSERT_TRUE(rounded.ok() && rounded->mesh) << rounded->reason;
+      EXPECT_EQ(prove_volume(*rounded->mesh)->text(), "");
+      EXPECT_LE(rounded->largest_movement, 100 * grid.spacing_up_to(10));
+      expect_near(*rounded->mesh, solid, rounded->largest_movement);
+    }
+  }
+}
+
 // On a grid that is coarse for the solid nearly everything collides.
 TEST(RoundedSolid, to_a_coarse_grid_is_valid_and_near) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
@@ -67,8 +127,8 @@ TEST(RoundedSolid, to_a_coarse_grid_is_valid_and_near) {
     ASSERT_TRUE(rounded.ok() && rounded->mesh) << rounded->reason;
     EXPECT_EQ(prove_volume(*rounded->mesh)->text(), "");
     expect_on_grid(*rounded->mesh, step);
-    EXPECT_LE(rounded->largest_movement,
-              static_cast<double>(rounded->self_crossings_mended + 1) * step * std::sqrt(0.75) * 1.000001);
+    EXPECT_LE(rounded->largest_movement, (rounded->attempts_failed == 0 ? 4 : 20) * step);
+    expect_near(*rounded->mesh, solid, rounded->largest_movement);
     // Rounded again, nothing moves.
     const auto again = rounded_solid(*rounded->mesh, CoordinateGrid::multiples(step));
     EXPECT_EQ(again->moved_vertices, 0U);
@@ -83,7 +143,6 @@ TEST(RoundedSolid, thinner_than_the_grid_vanishes) {
   const TriangleMesh plates = SetOperations().unite(box({0, 0, 0}, {1, 9, 9}), box({1.25, 0, 0}, {2, 9, 9}));
   const auto joined = rounded_solid(plates, CoordinateGrid::multiples(1));
   EXPECT_EQ(exact_volume_of(*joined->mesh), Rational(2 * 81));
-  EXPECT_EQ(joined->mesh->face_count(), 12U);
 }
 
 TEST(RoundedSolid, out_of_range_has_a_reason) {
