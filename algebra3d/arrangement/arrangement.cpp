@@ -42,12 +42,7 @@ Status SolidArrangement::Parts::subdivide(Closure closure, const std::atomic<boo
     count_steps(skeleton, pieces);
   };
   const auto find_rest = [&] { patches = find_patches(operands, facets); };
-  if (operands.face_count() >= kWorthAThread) {
-    in_parallel(find_pieces, find_rest);
-  } else {
-    find_pieces();
-    find_rest();
-  }
+  in_parallel(operands.face_count() >= kWorthAThread, find_pieces, find_rest);
   return status;
 }
 

@@ -37,6 +37,7 @@ void pair_operands(const Operands& operands, const std::atomic<bool>* cancel, Fa
         continue;
       }
       in_parallel(
+          true,
           [&] {
             pair_two(operands, a, b, {0, 2}, cancel, pairs);
           },

@@ -7,13 +7,15 @@
 
 namespace algebra3d {
 
-/// Calls both, at the same time where the machine has two processors, else one after the other. Returns when both have
-/// ended; throws what the first throws, or else the second. They must not share anything that one of them changes.
+/// Calls both, at the same time where that is worth a thread and the machine has two processors, else one after the
+/// other. Returns when both have ended; throws what the first throws, or else the second. They must not share anything
+/// that one of them changes.
 template <typename First, typename Second>
-void in_parallel(First&& first, Second&& second) {
+void in_parallel(bool is_worth_a_thread, First&& first, Second&& second) {
   std::future<void> other;
   try {
-    if (std::thread::hardware_concurrency() > 1) other = std::async(std::launch::async, std::ref(second));
+    if (is_worth_a_thread && std::thread::hardware_concurrency() > 1)
+      other = std::async(std::launch::async, std::ref(second));
   } catch (const std::system_error&) {
     // No thread is to be had: one after the other gives the same.
   }

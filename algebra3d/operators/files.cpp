@@ -88,7 +88,7 @@ void register_files(Registry& registry) {
           "with a diagnostic if a coordinate is beyond the range of floats, if nothing of the solid is left, if an "
           "argument is undefined, or if the "
           "file cannot be written; a file that was there before is then left as it was.",
-      .exactness = Exactness::rounded_once,
+      .exactness = Exactness::reported,
       .frame_use = FrameUse::coordinates,
       .overloads = {overload<&export_stl>("solid", "name", "file", "binary")},
       .examples = {{kUnitCube + R"( exportSTL["cube", 'no such folder/cube.stl', TRUE])", "FALSE"},

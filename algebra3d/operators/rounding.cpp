@@ -18,7 +18,7 @@ Result<Maybe<Volume3d>> rounded_to(Context& context, const Volume3d& solid, cons
   ASSIGN_OR_RETURN(RoundedSolid rounded, rounded_solid(solid.mesh(), grid, context.cancel));
   if (!rounded.mesh) return Maybe<Volume3d>(Undefined{rounded.reason});
   if (rounded.moved_vertices == 0) return Maybe<Volume3d>(solid);
-  context.diagnostics.report(fmt::format("roundCoordinates: {} of {} vertices moved, by at most {}",
+  context.diagnostics.report(fmt::format("roundCoordinates: {} of {} vertices moved, and the boundary by at most {}",
                                          rounded.moved_vertices, solid.mesh().vertex_count(),
                                          real_text(rounded.largest_movement)));
   if (rounded.mesh->is_empty()) context.diagnostics.report("roundCoordinates: nothing of the solid is left");
@@ -42,12 +42,12 @@ void register_rounding(Registry& registry) {
       .syntax = "roundCoordinates(_ ...)",
       .doc = "The solid with all coordinates rounded to doubles, or to the multiples of a grid width.",
       .detail =
-          "A diagnostic says how many vertices moved, and by how much at most. The result is a valid solid: where "
-          "rounded triangles would pass through each other, they are divided and rounded again. What is thinner "
-          "than the grid vanishes. A solid whose coordinates fit is given back as it is. Undefined if a coordinate "
-          "would be out of range, or if no such solid is found: long and thin triangles may cross each other again "
-          "and again.",
-      .exactness = Exactness::rounded_once,
+          "A diagnostic says how many vertices moved, and how far the boundary did at most. The result is a valid "
+          "solid: facets are triangulated anew, and where triangles would pass through each other, vertices are "
+          "rounded to a coarser grid, or facets that nearly touch are made to touch. What is thinner than the grid "
+          "vanishes. A solid whose coordinates fit is given back as it is. Undefined if a coordinate would be out of "
+          "range, or if no such solid is found.",
+      .exactness = Exactness::reported,
       .frame_use = FrameUse::coordinates,
       .overloads = {overload<&rounded_to_doubles>("solid"), overload<&rounded_to_multiples>("solid", "grid")},
       .examples = {{"volume(roundCoordinates(" + kUnitCube + "))", "1.0"},

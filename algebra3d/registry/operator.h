@@ -20,6 +20,7 @@ enum class Exactness : std::uint8_t {
   rounded_once,  ///< the exact answer, rounded once to doubles
   two_ulp,       ///< within two units in the last place of the exact answer
   outward,       ///< a box that encloses the exact answer, each bound the nearest double outward
+  reported,      ///< off by no more than a diagnostic says
   not_numeric,   ///< nothing is computed that could be inexact
 };
 std::string_view describe(Exactness exactness);
