@@ -21,9 +21,13 @@ Operands::Operands(std::span<const Operand> operands) : operands_(operands) {
     }
     hierarchies_.push_back(operand.hierarchy != nullptr ? operand.hierarchy : own_hierarchies_.back().get());
   }
+  constexpr std::size_t kFew = 4;
+  if (count() > kFew)
+    for (std::uint32_t operand = 0; operand < count(); ++operand)
+      operands_of_faces_.resize(first_face_[operand + 1], operand);
 }
 
-std::uint32_t Operands::operand_of_face(std::uint32_t face) const {
+std::uint32_t Operands::find_operand(std::uint32_t face) const {
   const auto after = std::upper_bound(first_face_.begin(), first_face_.end(), face);
   return static_cast<std::uint32_t>(after - first_face_.begin() - 1);
 }

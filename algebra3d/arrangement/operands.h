@@ -29,7 +29,9 @@ class Operands {
   const BoxHierarchy& hierarchy(std::uint32_t operand) const { return *hierarchies_[operand]; }
   std::uint32_t first_face(std::uint32_t operand) const { return first_face_[operand]; }
   std::uint32_t first_vertex(std::uint32_t operand) const { return first_vertex_[operand]; }
-  std::uint32_t operand_of_face(std::uint32_t face) const;
+  std::uint32_t operand_of_face(std::uint32_t face) const {
+    return operands_of_faces_.empty() ? find_operand(face) : operands_of_faces_[face];
+  }
 
   TriangleRef corners(std::uint32_t face) const;
   std::uint32_t vertex(std::uint32_t halfedge) const;
@@ -46,8 +48,11 @@ class Operands {
   void halfedges_around_origin(std::uint32_t halfedge, std::vector<std::uint32_t>& result) const;
 
  private:
+  std::uint32_t find_operand(std::uint32_t face) const;
+
   std::span<const Operand> operands_;
   std::vector<std::uint32_t> first_face_, first_vertex_;  // one more than operands
+  std::vector<std::uint32_t> operands_of_faces_;  // empty if there are so few operands that they are soon searched
   std::vector<const BoxHierarchy*> hierarchies_;
   std::vector<std::unique_ptr<const BoxHierarchy>> own_hierarchies_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <tuple>
 
 #include "algebra3d/halfedge/boxes.h"
 #include "rtree/rtree.h"
@@ -9,13 +10,15 @@
 namespace algebra3d::arrangement {
 namespace {
 
-/// A segment or a touched vertex in one plane, with a facet that holds it.
+/// A segment or a touched vertex in one plane.
 struct Element {
   std::uint32_t plane;
   std::uint32_t segment;  ///< kNone for a vertex
   std::uint32_t from, to;
-  std::uint32_t facet;
-  bool is_boundary;
+  std::uint32_t facet;  ///< that holds it; kNone if there are several
+  bool is_boundary;     ///< of a facet
+
+  auto place() const { return std::tuple(plane, segment, from); }
 
   bool is_vertex() const { return segment == kNone; }
 };
@@ -86,7 +89,7 @@ void PlaneOverlay::run() {
 
 void PlaneOverlay::relate(const Element& a, const Element& b) {
   if (a.segment == b.segment) return;  // also two vertices
-  if (a.facet == b.facet && (a.is_boundary || b.is_boundary)) return;
+  if (a.facet == b.facet && a.facet != kNone && (a.is_boundary || b.is_boundary)) return;
   if (a.is_vertex()) return relate_vertex(a, b);
   if (b.is_vertex()) return relate_vertex(b, a);
   const int b_from = turn(a.from, a.to, b.from), b_to = turn(a.from, a.to, b.to);
@@ -105,10 +108,9 @@ void PlaneOverlay::relate_vertex(const Element& vertex, const Element& segment) 
   if (turn(segment.from, segment.to, vertex.from) == 0) cut_if_inside(segment, vertex.from);
 }
 
-/// A plane through the segment other than this one; kNone if no facet tells one.
+/// A plane through the segment other than this one; kNone if it is an edge of an operand.
 std::uint32_t PlaneOverlay::plane_across(const Element& element) const {
-  if (element.is_boundary) return kNone;
-  // The incidences of a common part are two, one after the other, and this one is one of them.
+  if (skeleton_.segments()[element.segment].edge != kNone) return kNone;
   return skeleton_.other_plane(element.segment, plane_);
 }
 
@@ -164,8 +166,18 @@ std::vector<Element> collect_elements(const Skeleton& skeleton) {
   }
   for (const auto& [facet, vertex] : skeleton.touches())
     elements.push_back({facets[facet].plane, kNone, vertex, vertex, facet, false});
-  std::ranges::stable_sort(elements, {}, &Element::plane);
-  return elements;
+  std::ranges::sort(elements, {}, [](const Element& e) { return std::tuple(e.place(), e.facet, e.is_boundary); });
+  // Each once, however many facets hold it.
+  std::vector<Element> distinct;
+  for (const Element& element : elements) {
+    if (distinct.empty() || distinct.back().place() != element.place()) {
+      distinct.push_back(element);
+      continue;
+    }
+    if (distinct.back().facet != element.facet) distinct.back().facet = kNone;
+    distinct.back().is_boundary |= element.is_boundary;
+  }
+  return distinct;
 }
 
 }  // namespace

@@ -57,19 +57,28 @@ std::uint32_t Skeleton::crossing_of_edges(std::uint32_t edge, std::uint32_t othe
       intersect_line_plane(operands_.point_of(edge), operands_.point_of(Operands::next(edge)), plane));
 }
 
-std::uint32_t Skeleton::edge_segment(std::uint32_t edge) {
-  const auto [entry, is_new] = edge_segments_.try_emplace(edge, static_cast<std::uint32_t>(segments_.size()));
+std::uint32_t Skeleton::segment_between(std::uint32_t from, std::uint32_t to) {
+  const std::uint64_t ends = (std::uint64_t{std::min(from, to)} << 32U) | std::max(from, to);
+  const auto [entry, is_new] = segments_between_.try_emplace(ends, static_cast<std::uint32_t>(segments_.size()));
   if (is_new) {
-    segments_.push_back({corner(edge), corner(Operands::next(edge)), edge});
+    segments_.push_back({from, to, kNone});
     first_incidences_.push_back(kNone);
   }
   return entry->second;
 }
 
+std::uint32_t Skeleton::edge_segment(std::uint32_t edge) {
+  const auto [entry, is_new] = edge_segments_.try_emplace(edge, kNone);
+  if (is_new) {
+    entry->second = segment_between(corner(edge), corner(Operands::next(edge)));
+    segments_[entry->second].edge = edge;
+  }
+  return entry->second;
+}
+
 std::uint32_t Skeleton::add_contact(std::uint32_t from, std::uint32_t to, std::uint32_t facet, std::uint32_t other) {
-  const auto segment = static_cast<std::uint32_t>(segments_.size());
-  segments_.push_back({from, to, kNone});
-  first_incidences_.push_back(static_cast<std::uint32_t>(incidences_.size()));
+  const std::uint32_t segment = segment_between(from, to);
+  if (first_incidences_[segment] == kNone) first_incidences_[segment] = static_cast<std::uint32_t>(incidences_.size());
   incidences_.push_back({segment, facet, Side::both});
   incidences_.push_back({segment, other, Side::both});
   return segment;
@@ -86,10 +95,9 @@ void Skeleton::add_boundaries() {
     for (const std::uint32_t face : facets_.faces(f))
       for (std::uint32_t h = 3 * face; h < 3 * face + 3; ++h) {
         if (!facets_.is_boundary(h)) continue;
-        const std::uint32_t edge = operands_.edge(h);
-        const std::uint32_t segment = edge_segment(edge);
+        const std::uint32_t segment = edge_segment(operands_.edge(h));
         // The facet lies to the left of its half-edge, seen from its own front.
-        const bool runs_along = operands_.vertex(h) == operands_.vertex(edge);
+        const bool runs_along = corner(h) == segments_[segment].from;
         const bool is_left = runs_along == (facets_[f].orientation > 0);
         incidences_.push_back({segment, f, is_left ? Side::left : Side::right});
       }

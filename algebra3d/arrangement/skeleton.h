@@ -24,9 +24,10 @@ struct Incidence {
 };
 
 /// A straight line between two vertices: an edge of an operand that bounds a facet, or a common part of two facets.
+/// There is one between the same two vertices, however many edges and common parts it is.
 struct Segment {
   std::uint32_t from, to;  ///< vertices
-  std::uint32_t edge;      ///< half-edge that stands for the operand's edge; kNone for a common part of facets
+  std::uint32_t edge;      ///< half-edge that stands for some operand's edge here; kNone if there is none
 };
 
 /// All lines of an arrangement before they are cut at one another: segments, the facets that hold each, and the
@@ -50,17 +51,19 @@ class Skeleton {
 
   /// The segment of a boundary edge of some facet, which is added if it is new.
   std::uint32_t edge_segment(std::uint32_t edge);
-  /// A common part of two facets. Gives the number of the new segment.
+  /// A common part of two facets. Gives the number of its segment, which is added if it is new.
   std::uint32_t add_contact(std::uint32_t from, std::uint32_t to, std::uint32_t facet, std::uint32_t other);
   /// A vertex of a facet in which some other facet touches it.
   void add_touch(std::uint32_t facet, std::uint32_t vertex) { touches_.emplace_back(facet, vertex); }
   void cut(std::uint32_t segment, std::uint32_t vertex) { cuts_.emplace_back(segment, vertex); }
   /// The two segments lie on one line and may overlap: where one is cut, so is the other.
-  void note_one_line(std::uint32_t a, std::uint32_t b) { one_line_.emplace_back(a, b); }
+  void note_one_line(std::uint32_t a, std::uint32_t b) {
+    if (a != b) one_line_.emplace_back(a, b);
+  }
   /// Adds the boundaries of all facets. Their planes must be numbered.
   void add_boundaries();
 
-  /// The plane of the facet that is on a common part of facets with the plane.
+  /// The plane of a facet that is on the segment, a common part of facets, with the plane.
   std::uint32_t other_plane(std::uint32_t segment, std::uint32_t plane) const;
 
   const Operands& operands() const { return operands_; }
@@ -82,6 +85,7 @@ class Skeleton {
   VertexPool& vertices() { return vertices_; }
 
  private:
+  std::uint32_t segment_between(std::uint32_t from, std::uint32_t to);
   const IntegerPlane& exact_plane_of_facet(std::uint32_t facet);
   const IntegerPlane& exact_plane(std::uint32_t plane);
 
@@ -90,11 +94,12 @@ class Skeleton {
   VertexPool vertices_;
   std::vector<Segment> segments_;
   std::vector<Incidence> incidences_;
-  std::vector<std::uint32_t> first_incidences_;  // of each segment that is a common part; else kNone
+  std::vector<std::uint32_t> first_incidences_;  // of each segment that was first a common part; else kNone
   std::vector<std::pair<std::uint32_t, std::uint32_t>> cuts_, touches_, one_line_;
-  std::unordered_map<std::uint32_t, std::uint32_t> corners_;        // operand vertex -> vertex
-  std::unordered_map<std::uint32_t, std::uint32_t> edge_segments_;  // edge -> segment
-  std::unordered_map<std::uint64_t, std::uint32_t> crossings_;      // edge, facet -> vertex
+  std::unordered_map<std::uint32_t, std::uint32_t> corners_;           // operand vertex -> vertex
+  std::unordered_map<std::uint32_t, std::uint32_t> edge_segments_;     // edge -> segment
+  std::unordered_map<std::uint64_t, std::uint32_t> segments_between_;  // lower end, higher end -> segment
+  std::unordered_map<std::uint64_t, std::uint32_t> crossings_;         // edge, facet -> vertex
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> plane_crossings_;
   std::unordered_map<std::uint32_t, IntegerPlane> facet_planes_, planes_;
 };

@@ -1,7 +1,8 @@
 #include "algebra3d/exact/predicates.h"
 
-#include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
 
 #include "algebra3d/exact/expansion.h"
 #include "algebra3d/exact/homogeneous.h"
@@ -153,12 +154,13 @@ bool collinear(PointRef a, PointRef b, PointRef c) {
 Projection dominant_projection(PointRef a, PointRef b, PointRef c) {
   const Vec3 normal = cross(b.approx - a.approx, c.approx - a.approx);
   std::array<Projection, 3> planes{Projection::yz, Projection::zx, Projection::xy};
-  // The rounded normal (NaN is sorted as 0) only says where to look first.
-  const auto size = [&](Projection plane) {
-    const double component = std::abs(normal[static_cast<std::size_t>(plane)]);
-    return component > 0 ? component : 0;
+  // The rounded normal only says where to look first; after NaN as well.
+  const auto put_larger_first = [&](Projection& p, Projection& q) {
+    if (std::abs(normal[static_cast<std::size_t>(p)]) < std::abs(normal[static_cast<std::size_t>(q)])) std::swap(p, q);
   };
-  std::stable_sort(planes.begin(), planes.end(), [&](Projection p, Projection q) { return size(p) > size(q); });
+  put_larger_first(planes[0], planes[1]);
+  put_larger_first(planes[1], planes[2]);
+  put_larger_first(planes[0], planes[1]);
   for (const Projection plane : {planes[0], planes[1]})
     if (orient2d(plane, a, b, c) != 0) return plane;
   return planes[2];

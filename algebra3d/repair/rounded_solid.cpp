@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@
 namespace algebra3d {
 namespace {
 
+constexpr int kMaxDivisions = 4;
 constexpr int kMaxStages = 12;
 constexpr int kAttemptsPerStage = 3;
 /// The radius of the ball about a corner of a cubic pixel's length, out to the middle.
@@ -22,7 +24,7 @@ constexpr double kHalfDiagonal = 0.8661;
 
 /// Slivers that cross each other may do so ever more often; more triangles than this are no solid that anybody wants.
 std::size_t max_faces(const TriangleMesh& solid) {
-  return 2 * solid.face_count() + 1000;
+  return solid.face_count() + solid.face_count() / 4 + 1000;
 }
 
 /// An upper bound of the distance between a point and the doubles to which it is rounded.
@@ -68,11 +70,16 @@ class Rounding {
   Result<RoundedSolid> run();
 
  private:
+  Result<bool> snap();
+  Result<bool> divide_at_itself();
+  Result<bool> snap_and_press();
+
+  void begin_anew();
   RoundedVertices rounded_vertices() const;
-  Result<Attempt> attempt(const RoundedVertices& vertices);
+  Result<Attempt> attempt(SnappedMesh rounded, const RoundedVertices& vertices);
   Status mark_crowded(const TriangleMesh& rounded, const PointArray& vertices);
   bool press(double reach);
-  Status untangle(Attempt rounded, int stage);
+  Status take_inside_of(TriangleMesh mesh);
 
   const TriangleMesh& solid_;
   CoordinateGrid grid_;
@@ -82,7 +89,14 @@ class Rounding {
   double moved_before_ = 0;  // how far it is from the given one, at most
   /// Per vertex of it: 0, or the pixels of the vertex are 2^(level - 1) spacings wide.
   std::vector<int> levels_;
+  RoundedSolid result_;
 };
+
+void Rounding::begin_anew() {
+  current_ = solid_;
+  moved_before_ = 0;
+  levels_.assign(solid_.vertex_count(), 0);
+}
 
 /// Vertices that have not found their place are rounded to a coarser grid, so that what is crowded there merges.
 RoundedVertices Rounding::rounded_vertices() const {
@@ -91,8 +105,10 @@ RoundedVertices Rounding::rounded_vertices() const {
   for (std::size_t i = 0; i < current_.vertex_count(); ++i) {
     const PointRef given = current_.points()[i];
     const double pixel = std::ldexp(spacing_, levels_[i] - 1);
-    const CoordinateGrid grid = levels_[i] > 0 ? CoordinateGrid::multiples(pixel) : grid_;
-    const Vec3 point{grid.nearest(given.approx.x), grid.nearest(given.approx.y), grid.nearest(given.approx.z)};
+    const CoordinateGrid wide = CoordinateGrid::multiples(pixel);
+    Vec3 point;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      point[axis] = grid_.nearest(levels_[i] > 0 ? wide.nearest(given.approx[axis]) : given.approx[axis]);
     result.are_finite = result.are_finite && is_finite(point);
     if (!result.are_finite) return result;
     const bool is_moved = !given.is_double() || given.approx != point;
@@ -106,12 +122,18 @@ RoundedVertices Rounding::rounded_vertices() const {
   return result;
 }
 
-Result<Attempt> Rounding::attempt(const RoundedVertices& vertices) {
-  SnappedMesh snapped = snapped_mesh(current_, vertices);
-  const double movement = rounded_up(vertices.largest_movement + snapped.largest_detour);
-  ASSIGN_OR_RETURN(const ValidityReport report,
-                   prove_volume(snapped.mesh, {.thoroughness = Thoroughness::first_defect, .cancel = cancel_}));
-  return Attempt{std::move(snapped.mesh), moved_before_ + movement, report.is_valid()};
+/// A valid result is kept.
+Result<Attempt> Rounding::attempt(SnappedMesh rounded, const RoundedVertices& vertices) {
+  const double movement = moved_before_ + rounded_up(vertices.largest_movement + rounded.largest_detour);
+  const ProofOptions options{.thoroughness = Thoroughness::first_defect, .cancel = cancel_};
+  ASSIGN_OR_RETURN(const ValidityReport report, prove_volume(rounded.mesh, options));
+  if (!report.is_valid()) {
+    ++result_.attempts_failed;
+    return Attempt{std::move(rounded.mesh), movement, false};
+  }
+  result_.mesh = std::move(rounded.mesh);
+  result_.largest_movement = movement;
+  return Attempt{{}, movement, true};
 }
 
 /// The corners of triangles that pass through others get wider pixels.
@@ -139,50 +161,74 @@ bool Rounding::press(double reach) {
   return true;
 }
 
-/// Another solid nearby that may be easier to round. Pressing makes coordinates with more digits, so it is not done
-/// twice running.
-Status Rounding::untangle(Attempt rounded, int stage) {
-  const bool may_press = stage % 2 == 0;
-  if (!may_press || !press(std::ldexp(spacing_, 1 + stage / 2))) {
-    moved_before_ = rounded.largest_movement;
-    current_ = std::move(rounded.mesh);
-  }
-  ASSIGN_OR_RETURN(current_, winding_solid(
-                                 current_, [](int winding) { return winding > 0; }, cancel_));
+Status Rounding::take_inside_of(TriangleMesh mesh) {
+  const auto is_inside = [](int winding) { return winding > 0; };
+  ASSIGN_OR_RETURN(current_, winding_solid(mesh, is_inside, cancel_));
+  levels_.assign(current_.vertex_count(), 0);
   return {};
 }
 
-Result<RoundedSolid> Rounding::run() {
-  RoundedSolid result;
-  current_ = solid_;
-  for (int stage = 0; stage < kMaxStages && current_.face_count() <= max_faces(solid_); ++stage) {
-    levels_.assign(current_.vertex_count(), 0);
-    Attempt first;
+Result<bool> Rounding::snap() {
+  begin_anew();
+  const RoundedVertices vertices = rounded_vertices();
+  ASSIGN_OR_RETURN(const Attempt snapped, attempt(snapped_mesh(current_, vertices), vertices));
+  return snapped.is_valid;
+}
+
+/// Moves vertices by half a pixel and nothing farther: best where the grid is coarse for the solid. Where triangles are
+/// long and thin, they multiply.
+Result<bool> Rounding::divide_at_itself() {
+  begin_anew();
+  for (int i = 0; i < kMaxDivisions && current_.face_count() <= max_faces(solid_); ++i) {
+    const RoundedVertices vertices = rounded_vertices();
+    ASSIGN_OR_RETURN(Attempt moved, attempt(moved_mesh(current_, vertices.points), vertices));
+    if (moved.is_valid) return true;
+    moved_before_ = moved.largest_movement;
+    RETURN_IF_ERROR(take_inside_of(std::move(moved.mesh)));
+  }
+  return false;
+}
+
+/// Pressing makes coordinates with more digits, so it is not done twice running.
+Result<bool> Rounding::snap_and_press() {
+  begin_anew();
+  for (int stage = 0; stage < kMaxStages && current_.face_count() <= 2 * max_faces(solid_); ++stage) {
+    std::optional<Attempt> first;
     for (int i = 0; i < kAttemptsPerStage; ++i) {
       const RoundedVertices vertices = rounded_vertices();
-      if (!vertices.are_finite) {
-        result.reason = "a coordinate is out of range";
-        return result;
-      }
-      if (stage == 0 && i == 0) result.moved_vertices = vertices.moved;
-      if (result.moved_vertices == 0) {
-        result.mesh = solid_;
-        return result;
-      }
-      ASSIGN_OR_RETURN(Attempt rounded, attempt(vertices));
-      if (rounded.is_valid) {
-        result.mesh = std::move(rounded.mesh);
-        result.largest_movement = rounded.largest_movement;
-        return result;
-      }
-      ++result.attempts_failed;
-      RETURN_IF_ERROR(mark_crowded(rounded.mesh, vertices.points));
-      if (i == 0) first = std::move(rounded);
+      if (!vertices.are_finite) return false;
+      ASSIGN_OR_RETURN(Attempt snapped, attempt(snapped_mesh(current_, vertices), vertices));
+      if (snapped.is_valid) return true;
+      RETURN_IF_ERROR(mark_crowded(snapped.mesh, vertices.points));
+      if (!first) first = std::move(snapped);
     }
-    RETURN_IF_ERROR(untangle(std::move(first), stage));
+    if (stage % 2 != 0 || !press(std::ldexp(spacing_, 1 + stage / 2))) {
+      moved_before_ = first->largest_movement;
+      current_ = std::move(first->mesh);
+    }
+    RETURN_IF_ERROR(take_inside_of(std::move(current_)));
   }
-  result.reason = "no rounding was found that keeps the solid free of self-intersections";
-  return result;
+  return false;
+}
+
+Result<RoundedSolid> Rounding::run() {
+  begin_anew();
+  const RoundedVertices vertices = rounded_vertices();
+  result_.moved_vertices = vertices.moved;
+  if (!vertices.are_finite) {
+    result_.reason = "a coordinate is out of range";
+    return result_;
+  }
+  if (vertices.moved == 0) {
+    result_.mesh = solid_;
+    return result_;
+  }
+  for (const auto way : {&Rounding::snap, &Rounding::divide_at_itself, &Rounding::snap_and_press}) {
+    ASSIGN_OR_RETURN(const bool is_found, (this->*way)());
+    if (is_found) return std::move(result_);
+  }
+  result_.reason = "no rounding was found that keeps the solid free of self-intersections";
+  return std::move(result_);
 }
 
 }  // namespace

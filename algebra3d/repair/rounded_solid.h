@@ -43,10 +43,10 @@ struct RoundedSolid {
 };
 
 /// The solid with its vertices moved to a grid, proved anew. What is thinner than the grid vanishes.
-/// Vertices are rounded and facets triangulated anew (snapped_mesh.h). Where triangles of the result pass through each
-/// other, their vertices are rounded once more, to a grid twice as coarse, and so on. If that does not help, facets
-/// that nearly lie upon each other are made to do so exactly (pressed_sheets.h), or else the triangles are divided at
-/// one another and the places with a positive winding number kept; then all begins anew with that solid.
+/// Vertices are rounded and facets triangulated anew (snapped_mesh.h). If triangles of the result pass through each
+/// other, the triangles are divided at one another, the places with a positive winding number kept, and the new corners
+/// rounded, a few times. If that does not help, crowded vertices are snapped to a grid twice as coarse, and so on, and
+/// facets that nearly lie upon each other are made to do so exactly (pressed_sheets.h).
 /// Exactness: rounded; validity is exact. Errors: interrupted, limit_exceeded.
 /// Cost: that of a proof, for nearly all solids. Source: after [hobby1999] and [halperin2002].
 Result<RoundedSolid> rounded_solid(const TriangleMesh& solid, const CoordinateGrid& grid,

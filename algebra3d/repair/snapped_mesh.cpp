@@ -21,9 +21,11 @@ using arrangement::DirectedEdge;
 using arrangement::VertexPool;
 
 /// Edges that still cross after so many rounds are left to who divides the mesh at itself.
-constexpr int kMaxRounds = 16;
+constexpr int kMaxRounds = 4;
+/// The outline of a facet that gets more links than so many times those at first is left, too.
+constexpr std::size_t kMostLinks = 3;
 /// No edge is led farther aside, to avoid a crossing, than by so many times the largest movement of a vertex.
-constexpr double kFarthestDetour = 4;
+constexpr double kFarthestDetour = 2;
 
 /// Points by numbers that equal points share.
 struct MovedPoints {
@@ -82,6 +84,7 @@ class Snapping {
   int turn(Projection plane, std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     return orient2d(plane, points_.pool[a], points_.pool[b], points_.pool[c]);
   }
+  std::size_t link_count(std::uint32_t facet) const;
   std::array<std::uint32_t, 3> triangle(std::uint32_t face) const;
   std::vector<DirectedEdge> outline(std::uint32_t facet) const;
   void add(const TriangleMesh::Triangle& triangle);
@@ -98,9 +101,10 @@ class Snapping {
   EdgeChains edges_;
   std::vector<BoundaryEdge> boundary_;  // facet by facet
   std::vector<std::uint32_t> first_of_facet_;
-  std::vector<bool> is_moved_;    // per facet: something of it is not where it was
-  std::vector<bool> is_tangled_;  // per facet: its outline may cross itself
-  std::vector<bool> to_check_;    // per facet
+  std::vector<bool> is_moved_;                  // per facet: something of it is not where it was
+  std::vector<bool> is_tangled_;                // per facet: its outline may cross itself
+  std::vector<bool> to_check_;                  // per facet
+  std::vector<std::size_t> first_link_counts_;  // per facet
   std::vector<TriangleMesh::Triangle> triangles_;
 };
 
@@ -108,6 +112,12 @@ std::array<std::uint32_t, 3> Snapping::triangle(std::uint32_t face) const {
   TriangleMesh::Triangle corners = mesh_.triangle(FaceId(face));
   for (std::uint32_t& corner : corners) corner = points_.numbers[corner];
   return corners;
+}
+
+std::size_t Snapping::link_count(std::uint32_t facet) const {
+  std::size_t count = 0;
+  for (const BoundaryEdge& side : boundary(facet)) count += edges_[side.edge].size() - 1;
+  return count;
 }
 
 void Snapping::find_facets(const MovedVertices& moved) {
@@ -241,7 +251,11 @@ bool Snapping::lead_around_crossings() {
   std::vector<Link> links;
   std::vector<rtree::Entry<std::uint32_t>> entries;
   for (std::uint32_t facet = 0; facet < facets_.count(); ++facet) {
-    if (!to_check_[facet] || is_tangled_[facet]) continue;
+    if (is_tangled_[facet] || !to_check_[facet]) continue;
+    if (link_count(facet) > kMostLinks * first_link_counts_[facet]) {
+      is_tangled_[facet] = true;
+      continue;
+    }
     const std::size_t across = 3 - first_axis(facets_.projection(facet)) - second_axis(facets_.projection(facet));
     for (const BoundaryEdge& side : boundary(facet))
       for (std::uint32_t index = 0; index + 1 < edges_[side.edge].size(); ++index) {
@@ -391,6 +405,7 @@ TriangleMesh Snapping::used_points_only() {
 
 SnappedMesh Snapping::run() {
   lead_through_passed_vertices();
+  for (std::uint32_t facet = 0; facet < facets_.count(); ++facet) first_link_counts_.push_back(link_count(facet));
   int round = 0;
   while (round < kMaxRounds && lead_around_crossings()) ++round;
   for (std::uint32_t facet = 0; facet < facets_.count(); ++facet) {
@@ -402,6 +417,12 @@ SnappedMesh Snapping::run() {
 }
 
 }  // namespace
+
+SnappedMesh moved_mesh(const TriangleMesh& mesh, PointArray points) {
+  const std::size_t count = points.size();
+  // What has not moved passes over nothing.
+  return snapped_mesh(mesh, {std::move(points), std::vector<double>(count)});
+}
 
 SnappedMesh snapped_mesh(const TriangleMesh& mesh, const MovedVertices& moved) {
   return Snapping(mesh, moved).run();

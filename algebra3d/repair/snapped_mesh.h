@@ -28,4 +28,8 @@ struct SnappedMesh {
 /// Source: the hot pixels of [hobby1999], here about segments in space.
 SnappedMesh snapped_mesh(const TriangleMesh& mesh, const MovedVertices& moved);
 
+/// The triangles with their corners moved, and no more; without those that lost a corner, and pairs that lie upon each
+/// other with opposite fronts.
+SnappedMesh moved_mesh(const TriangleMesh& mesh, PointArray points);
+
 }  // namespace algebra3d
