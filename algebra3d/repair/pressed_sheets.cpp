@@ -158,8 +158,8 @@ std::optional<RationalVec3> Pressing::moved_into(const ExactPlane& plane, std::u
   const RationalVec3 from = place(vertex);
   const Rational off = plane.evaluate(from);
   if (off.sign() == 0) return from;
-  static const std::vector<ExactPlane> kNone;
-  const RationalVec3 way = way_to(plane, travellers_[vertex] ? travellers_[vertex]->planes : kNone);
+  static const std::vector<ExactPlane> no_planes;
+  const RationalVec3 way = way_to(plane, travellers_[vertex] ? travellers_[vertex]->planes : no_planes);
   const Rational climb = dot(way, plane.normal);
   if (climb.sign() == 0) return std::nullopt;
   const RationalVec3 to = from - (off / climb) * way;

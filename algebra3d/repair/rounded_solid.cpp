@@ -79,7 +79,7 @@ class Rounding {
   Result<Attempt> attempt(SnappedMesh rounded, const RoundedVertices& vertices);
   Status mark_crowded(const TriangleMesh& rounded, const PointArray& vertices);
   bool press(double reach);
-  Status take_inside_of(TriangleMesh mesh);
+  Status take_inside_of(const TriangleMesh& mesh);
 
   const TriangleMesh& solid_;
   CoordinateGrid grid_;
@@ -161,7 +161,7 @@ bool Rounding::press(double reach) {
   return true;
 }
 
-Status Rounding::take_inside_of(TriangleMesh mesh) {
+Status Rounding::take_inside_of(const TriangleMesh& mesh) {
   const auto is_inside = [](int winding) { return winding > 0; };
   ASSIGN_OR_RETURN(current_, winding_solid(mesh, is_inside, cancel_));
   levels_.assign(current_.vertex_count(), 0);
@@ -184,7 +184,7 @@ Result<bool> Rounding::divide_at_itself() {
     ASSIGN_OR_RETURN(Attempt moved, attempt(moved_mesh(current_, vertices.points), vertices));
     if (moved.is_valid) return true;
     moved_before_ = moved.largest_movement;
-    RETURN_IF_ERROR(take_inside_of(std::move(moved.mesh)));
+    RETURN_IF_ERROR(take_inside_of(moved.mesh));
   }
   return false;
 }
@@ -206,7 +206,7 @@ Result<bool> Rounding::snap_and_press() {
       moved_before_ = first->largest_movement;
       current_ = std::move(first->mesh);
     }
-    RETURN_IF_ERROR(take_inside_of(std::move(current_)));
+    RETURN_IF_ERROR(take_inside_of(current_));
   }
   return false;
 }
