@@ -75,7 +75,7 @@ class Snapping {
   void lead_through_passed_vertices();
   bool lead_around_crossings();
   void lead(std::uint32_t facet, ChainLink link, std::uint32_t vertex);
-  bool lead_through_inner_end(std::uint32_t facet, ChainLink link, ChainLink other);
+  bool lead_through_inner_end(std::uint32_t facet, ChainLink link, ChainLink crossing);
   void resolve(std::uint32_t facet, ChainLink one, ChainLink other);
 
   std::span<const BoundaryEdge> boundary(std::uint32_t facet) const {
@@ -215,16 +215,16 @@ void Snapping::lead(std::uint32_t facet, ChainLink link, std::uint32_t vertex) {
 }
 
 /// Leads the first link through an end of the other that lies on it. True if there is one.
-bool Snapping::lead_through_inner_end(std::uint32_t facet, ChainLink link, ChainLink other) {
+bool Snapping::lead_through_inner_end(std::uint32_t facet, ChainLink link, ChainLink crossing) {
   const auto [from, to] = edges_.ends(link);
-  const auto [a, b] = edges_.ends(other);
-  for (const std::uint32_t end : {a, b}) {
-    if (end == from || end == to || turn(facets_.projection(facet), from, to, end) != 0) continue;
-    if (!std::isfinite(edges_.distance(link, end))) continue;
-    lead(facet, link, end);
-    return true;
-  }
-  return false;
+  const auto lies_inside = [&, from = from, to = to](std::uint32_t end) {
+    return end != from && end != to && turn(facets_.projection(facet), from, to, end) == 0 &&
+           std::isfinite(edges_.distance(link, end));
+  };
+  const auto [a, b] = edges_.ends(crossing);
+  if (!lies_inside(a) && !lies_inside(b)) return false;
+  lead(facet, link, lies_inside(a) ? a : b);
+  return true;
 }
 
 /// Where two links of the outline of a facet cross, the one is led through that end of the other that is nearest to it.
