@@ -32,12 +32,8 @@ void pair_operands(const Operands& operands, const std::atomic<bool>* cancel, Fa
   FacePairs others;
   for (std::uint32_t a = 0; a < operands.count(); ++a)
     for (std::uint32_t b = a + 1; b < operands.count(); ++b) {
-      if (!is_large) {
-        pair_two(operands, a, b, {0, 1}, cancel, pairs);
-        continue;
-      }
       in_parallel(
-          true,
+          is_large,
           [&] {
             pair_two(operands, a, b, {0, 2}, cancel, pairs);
           },

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -41,7 +42,7 @@ double length(const RationalVec3& v) {
 }
 
 /// The direction in which a point gets to a plane without leaving those that it lies in; zero if it cannot.
-RationalVec3 way_to(const ExactPlane& plane, const std::vector<ExactPlane>& kept) {
+RationalVec3 way_to(const ExactPlane& plane, std::span<const ExactPlane> kept) {
   switch (kept.size()) {
     case 0:
       return plane.normal;
@@ -158,8 +159,9 @@ std::optional<RationalVec3> Pressing::moved_into(const ExactPlane& plane, std::u
   const RationalVec3 from = place(vertex);
   const Rational off = plane.evaluate(from);
   if (off.sign() == 0) return from;
-  static const std::vector<ExactPlane> no_planes;
-  const RationalVec3 way = way_to(plane, travellers_[vertex] ? travellers_[vertex]->planes : no_planes);
+  std::span<const ExactPlane> kept;
+  if (travellers_[vertex]) kept = travellers_[vertex]->planes;
+  const RationalVec3 way = way_to(plane, kept);
   const Rational climb = dot(way, plane.normal);
   if (climb.sign() == 0) return std::nullopt;
   const RationalVec3 to = from - (off / climb) * way;

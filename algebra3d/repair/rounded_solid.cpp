@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "algebra3d/repair/opposite_triangles.h"
 #include "algebra3d/repair/pressed_sheets.h"
 #include "algebra3d/repair/snapped_mesh.h"
 #include "algebra3d/repair/winding_solid.h"
@@ -19,7 +20,7 @@ namespace {
 constexpr int kMaxDivisions = 4;
 constexpr int kMaxStages = 12;
 constexpr int kAttemptsPerStage = 3;
-/// The radius of the ball about a corner of a cubic pixel's length, out to the middle.
+/// Of a cube, in terms of its edge: no point of a pixel is farther from the middle.
 constexpr double kHalfDiagonal = 0.8661;
 
 /// Slivers that cross each other may do so ever more often; more triangles than this are no solid that anybody wants.
@@ -70,7 +71,6 @@ class Rounding {
   Result<RoundedSolid> run();
 
  private:
-  Result<bool> snap();
   Result<bool> divide_at_itself();
   Result<bool> snap_and_press();
 
@@ -168,17 +168,9 @@ Status Rounding::take_inside_of(const TriangleMesh& mesh) {
   return {};
 }
 
-Result<bool> Rounding::snap() {
-  begin_anew();
-  const RoundedVertices vertices = rounded_vertices();
-  ASSIGN_OR_RETURN(const Attempt snapped, attempt(snapped_mesh(current_, vertices), vertices));
-  return snapped.is_valid;
-}
-
 /// Moves vertices by half a pixel and nothing farther: best where the grid is coarse for the solid. Where triangles are
 /// long and thin, they multiply.
 Result<bool> Rounding::divide_at_itself() {
-  begin_anew();
   for (int i = 0; i < kMaxDivisions && current_.face_count() <= max_faces(solid_); ++i) {
     const RoundedVertices vertices = rounded_vertices();
     ASSIGN_OR_RETURN(Attempt moved, attempt(moved_mesh(current_, vertices.points), vertices));
@@ -191,13 +183,14 @@ Result<bool> Rounding::divide_at_itself() {
 
 /// Pressing makes coordinates with more digits, so it is not done twice running.
 Result<bool> Rounding::snap_and_press() {
-  begin_anew();
   for (int stage = 0; stage < kMaxStages && current_.face_count() <= 2 * max_faces(solid_); ++stage) {
     std::optional<Attempt> first;
     for (int i = 0; i < kAttemptsPerStage; ++i) {
       const RoundedVertices vertices = rounded_vertices();
       if (!vertices.are_finite) return false;
-      ASSIGN_OR_RETURN(Attempt snapped, attempt(snapped_mesh(current_, vertices), vertices));
+      SnappedMesh rounded = snapped_mesh(current_, vertices);
+      rounded.mesh = without_opposite_triangles(rounded.mesh);
+      ASSIGN_OR_RETURN(Attempt snapped, attempt(std::move(rounded), vertices));
       if (snapped.is_valid) return true;
       RETURN_IF_ERROR(mark_crowded(snapped.mesh, vertices.points));
       if (!first) first = std::move(snapped);
@@ -223,7 +216,10 @@ Result<RoundedSolid> Rounding::run() {
     result_.mesh = solid_;
     return result_;
   }
-  for (const auto way : {&Rounding::snap, &Rounding::divide_at_itself, &Rounding::snap_and_press}) {
+  ASSIGN_OR_RETURN(const Attempt snapped, attempt(snapped_mesh(current_, vertices), vertices));
+  if (snapped.is_valid) return std::move(result_);
+  for (const auto way : {&Rounding::divide_at_itself, &Rounding::snap_and_press}) {
+    begin_anew();
     ASSIGN_OR_RETURN(const bool is_found, (this->*way)());
     if (is_found) return std::move(result_);
   }
@@ -232,36 +228,6 @@ Result<RoundedSolid> Rounding::run() {
 }
 
 }  // namespace
-
-double CoordinateGrid::spacing_up_to(double size) const {
-  const int exponent = size > 0 ? std::ilogb(size) : 0;
-  switch (kind_) {
-    case Kind::doubles:
-      return std::ldexp(1, std::max(exponent - 52, -1074));
-    case Kind::floats:
-      return std::ldexp(1, std::max(exponent - 23, -149));
-    default:
-      return step_;
-  }
-}
-
-double CoordinateGrid::nearest(double coordinate) const {
-  switch (kind_) {
-    case Kind::doubles:
-      return coordinate;
-    case Kind::floats:
-      // Beyond the range the cast would be undefined.
-      if (std::abs(coordinate) > std::numeric_limits<float>::max())
-        return std::copysign(std::numeric_limits<double>::infinity(), coordinate);
-      return static_cast<float>(coordinate);
-    default: {
-      // Far out the multiples are as dense as the doubles, or denser.
-      constexpr double kFarOut = 4503599627370496;  // 2^52
-      const double multiple = coordinate / step_;
-      return std::abs(multiple) < kFarOut ? std::round(multiple) * step_ : coordinate;
-    }
-  }
-}
 
 Result<RoundedSolid> rounded_solid(const TriangleMesh& solid, const CoordinateGrid& grid,
                                    const std::atomic<bool>* cancel) {

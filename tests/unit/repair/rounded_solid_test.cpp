@@ -143,6 +143,7 @@ TEST(RoundedSolid, thinner_than_the_grid_vanishes) {
   const TriangleMesh plates = SetOperations().unite(box({0, 0, 0}, {1, 9, 9}), box({1.25, 0, 0}, {2, 9, 9}));
   const auto joined = rounded_solid(plates, CoordinateGrid::multiples(1));
   EXPECT_EQ(exact_volume_of(*joined->mesh), Rational(2 * 81));
+  EXPECT_EQ(joined->mesh->face_count(), 12U);
 }
 
 TEST(RoundedSolid, out_of_range_has_a_reason) {
