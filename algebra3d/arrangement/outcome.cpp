@@ -49,7 +49,7 @@ class CornerNumbers {
 
  private:
   std::uint32_t add(const PointRef& point) {
-    points_.push_back(point.is_double() ? ExactPoint(point.approx) : ExactPoint(*point.exact));
+    points_.push_back(point);
     return static_cast<std::uint32_t>(points_.size() - 1);
   }
 

@@ -67,8 +67,8 @@ class PlaneOverlay {
 };
 
 Box3 PlaneOverlay::box_of(const Element& element) const {
-  Box3 box = box_of_point(vertices()[element.from]);
-  box.extend(box_of_point(vertices()[element.to]));
+  Box3 box = algebra3d::box_of(vertices()[element.from]);
+  box.extend(algebra3d::box_of(vertices()[element.to]));
   return box;
 }
 

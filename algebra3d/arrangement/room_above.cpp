@@ -37,7 +37,7 @@ Windings RoomsAbove::windings(const PointRef& point) {
       entries.push_back({box_of_triangle(operands_.corners(f)), f});
     faces_ = std::make_unique<rtree::RTree<std::uint32_t>>(rtree::RTree<std::uint32_t>::bulk_load(entries));
   }
-  Box3 above = box_of_point(point);
+  Box3 above = box_of(point);
   above.max.z = std::numeric_limits<double>::max();
   Windings windings{};
   for (const std::uint32_t face : faces_->window(above)) {

@@ -37,7 +37,7 @@ void complete_covers(const Skeleton& skeleton, Pieces& pieces) {
     const auto first = static_cast<std::uint32_t>(covers.size());
     covers.insert(covers.end(), given.begin(), given.end());
     const ExactPoint middle = skeleton.middle(piece.u, piece.v);
-    for (const std::uint32_t face : trees.at(piece.plane).window(box_of_point(middle))) {
+    for (const std::uint32_t face : trees.at(piece.plane).window(box_of(middle))) {
       const std::uint32_t facet = facets.of_face(face);
       const auto own = std::span(covers).subspan(first);
       if (std::ranges::find(own, facet, &Cover::facet) != own.end()) continue;

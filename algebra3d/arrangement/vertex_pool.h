@@ -24,7 +24,7 @@ class VertexPool {
   void grow();
 
   std::vector<Vec3> approx_;
-  std::vector<const RationalVec3*> exact_;  // null for doubles
+  std::vector<const ExactCoordinates*> exact_;  // null for doubles
   std::vector<ExactPoint> owned_;
   std::vector<std::uint32_t> slots_;  // open addressing, a power of two
 };

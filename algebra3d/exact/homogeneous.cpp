@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "algebra3d/exact/exact_coordinates.h"
 #include "algebra3d/exact/exact_sum_integers.h"
 #include "algebra3d/exact/rational_big.h"
 
@@ -26,16 +27,6 @@ void set_from_fractions(HomogeneousPoint& point, const std::array<mpz_srcptr, 3>
   }
 }
 
-/// Doubles are integers times a power of two.
-void set_from_doubles(HomogeneousPoint& point, const Vec3& doubles) {
-  BitRange bits;
-  for (std::size_t axis = 0; axis < 3; ++axis) bits.extend(doubles[axis]);
-  const int exponent = std::min(bits.exponent(), 0);
-  for (std::size_t axis = 0; axis < 3; ++axis) set_integer(point[axis], doubles[axis], exponent);
-  mpz_set_ui(point.w, 1);
-  mpz_mul_2exp(point.w, point.w, static_cast<mp_bitcnt_t>(-exponent));
-}
-
 /// a d - b c.
 void minor(mpz_ptr result, mpz_srcptr a, mpz_srcptr b, mpz_srcptr c, mpz_srcptr d) {
   mpz_mul(result, a, d);
@@ -44,7 +35,7 @@ void minor(mpz_ptr result, mpz_srcptr a, mpz_srcptr b, mpz_srcptr c, mpz_srcptr 
 
 }  // namespace
 
-void join(HomogeneousPoint& result, const HomogeneousPoint& p, const HomogeneousPoint& q, const HomogeneousPoint& r) {
+void join(HomogeneousPoint& result, const HomogeneousView& p, const HomogeneousView& q, const HomogeneousView& r) {
   thread_local std::array<std::array<BigInteger, 4>, 4> minors;  // of q and r, by columns i < j
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = i + 1; j < 4; ++j) minor(minors[i][j], q[i], q[j], r[i], r[j]);
@@ -59,21 +50,54 @@ void join(HomogeneousPoint& result, const HomogeneousPoint& p, const Homogeneous
   }
 }
 
-void HomogeneousPoint::set(const PointRef& point) {
-  if (point.is_double()) {
-    set_from_doubles(*this, point.approx);
-    return;
-  }
-  const RationalVec3& exact = *point.exact;
-  const RationalAccess::View vx(exact.x), vy(exact.y), vz(exact.z);
+void HomogeneousPoint::set(const RationalVec3& point) {
+  const RationalAccess::View vx(point.x), vy(point.y), vz(point.z);
   set_from_fractions(*this, {vx.numerator(), vy.numerator(), vz.numerator()},
                      {vx.denominator(), vy.denominator(), vz.denominator()});
 }
 
+/// Doubles are integers times a power of two.
+void HomogeneousPoint::set(const Vec3& doubles) {
+  BitRange bits;
+  for (std::size_t axis = 0; axis < 3; ++axis) bits.extend(doubles[axis]);
+  const int exponent = std::min(bits.exponent(), 0);
+  for (std::size_t axis = 0; axis < 3; ++axis) set_integer((*this)[axis], doubles[axis], exponent);
+  mpz_set_ui(w, 1);
+  mpz_mul_2exp(w, w, static_cast<mp_bitcnt_t>(-exponent));
+}
+
+HomogeneousView::HomogeneousView(const PointRef& point, HomogeneousPoint& room) {
+  if (point.is_double()) room.set(point.approx);
+  for (std::size_t i = 0; i < 4; ++i) numbers_[i] = point.is_double() ? room[i] : (*point.exact)[i];
+}
+
+void divide_by_common_divisor(HomogeneousPoint& numbers) {
+  thread_local BigInteger divisor;
+  const auto is_one = [](mpz_srcptr number) { return mpz_cmp_ui(number, 1) == 0; };
+  mpz_gcd(divisor, numbers.x, numbers.y);
+  for (std::size_t i = 2; i < 4; ++i)
+    if (!is_one(divisor)) mpz_gcd(divisor, divisor, numbers[i]);
+  if (is_one(divisor)) return;
+  for (std::size_t i = 0; i < 4; ++i) mpz_divexact(numbers[i], numbers[i], divisor);
+}
+
+void dot(mpz_ptr result, const HomogeneousView& a, const HomogeneousView& b) {
+  mpz_mul(result, a[0], b[0]);
+  for (std::size_t i = 1; i < 4; ++i) mpz_addmul(result, a[i], b[i]);
+}
+
+std::strong_ordering compare_quotients(mpz_srcptr a, mpz_srcptr b, mpz_srcptr c, mpz_srcptr d) {
+  thread_local BigInteger one, other;
+  mpz_mul(one, a, d);
+  mpz_mul(other, c, b);
+  return mpz_cmp(one, other) <=> 0;
+}
+
 int orient3d_by_integers(const std::array<const PointRef*, 4>& points) {
-  thread_local std::array<HomogeneousPoint, 4> p;
+  thread_local std::array<HomogeneousPoint, 4> rooms;
   thread_local BigInteger upper, lower, sum;
-  for (std::size_t i = 0; i < 4; ++i) p[i].set(*points[i]);
+  const std::array<HomogeneousView, 4> p{
+      {{*points[0], rooms[0]}, {*points[1], rooms[1]}, {*points[2], rooms[2]}, {*points[3], rooms[3]}}};
   // Expansion of the 4 x 4 determinant by pairs of rows (Laplace): rows 0, 1 in two columns, rows 2, 3 in the others.
   constexpr std::array<std::array<std::size_t, 4>, 6> kColumns{
       {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}}};
@@ -88,13 +112,13 @@ int orient3d_by_integers(const std::array<const PointRef*, 4>& points) {
 }
 
 int orient2d_by_integers(Projection plane, const std::array<const PointRef*, 3>& points) {
-  thread_local std::array<HomogeneousPoint, 3> p;
+  thread_local std::array<HomogeneousPoint, 3> rooms;
   thread_local BigInteger part, sum;
-  for (std::size_t i = 0; i < 3; ++i) p[i].set(*points[i]);
+  const std::array<HomogeneousView, 3> p{{{*points[0], rooms[0]}, {*points[1], rooms[1]}, {*points[2], rooms[2]}}};
   const std::size_t x = first_axis(plane), y = second_axis(plane), w = 3;
   mpz_set_ui(sum, 0);
   for (std::size_t row = 0; row < 3; ++row) {
-    const HomogeneousPoint &a = p[row], &b = p[(row + 1) % 3], &c = p[(row + 2) % 3];
+    const HomogeneousView &a = p[row], &b = p[(row + 1) % 3], &c = p[(row + 2) % 3];
     minor(part, b[x], b[y], c[x], c[y]);
     mpz_addmul(sum, a[w], part);
   }

@@ -14,12 +14,35 @@ struct HomogeneousPoint {
 
   mpz_srcptr operator[](std::size_t axis) const { return axis == 0 ? x : axis == 1 ? y : axis == 2 ? z : w; }
   mpz_ptr operator[](std::size_t axis) { return axis == 0 ? x : axis == 1 ? y : axis == 2 ? z : w; }
-  void set(const PointRef& point);
+  /// In lowest terms.
+  void set(const RationalVec3& point);
+  void set(const Vec3& doubles);
 };
+
+/// Homogeneous coordinates to read: those that an exact point has, or numbers that are kept elsewhere.
+class HomogeneousView {
+ public:
+  /// Of a point of doubles the integers are made in `room`.
+  HomogeneousView(const PointRef& point, HomogeneousPoint& room);
+  HomogeneousView(const HomogeneousPoint& numbers)  // NOLINT(google-explicit-constructor)
+      : numbers_{numbers.x, numbers.y, numbers.z, numbers.w} {}
+
+  mpz_srcptr operator[](std::size_t i) const { return numbers_[i]; }
+
+ private:
+  std::array<mpz_srcptr, 4> numbers_;
+};
+
+void divide_by_common_divisor(HomogeneousPoint& numbers);
+/// The sum of the four products: of a plane and a point, the value of the plane's equation there times W.
+void dot(mpz_ptr result, const HomogeneousView& a, const HomogeneousView& b);
 
 /// The four numbers that are orthogonal to the three given rows: the plane (a, b, c, -d) through three points, with
 /// the normal (q - p) x (r - p), or, since both are linear, the point that three planes have in common, up to its sign.
-void join(HomogeneousPoint& result, const HomogeneousPoint& p, const HomogeneousPoint& q, const HomogeneousPoint& r);
+void join(HomogeneousPoint& result, const HomogeneousView& p, const HomogeneousView& q, const HomogeneousView& r);
+
+/// Compares a / b with c / d, where b and d are positive.
+std::strong_ordering compare_quotients(mpz_srcptr a, mpz_srcptr b, mpz_srcptr c, mpz_srcptr d);
 
 /// Sign of orient3d and orient2d by homogeneous coordinates. Exact for all points. Thread-safe; keeps its numbers from
 /// call to call.

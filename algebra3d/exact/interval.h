@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "algebra3d/exact/exact_coordinates.h"
 #include "algebra3d/exact/point.h"
 #include "algebra3d/exact/predicates_filter.h"
 
@@ -41,17 +42,10 @@ inline Interval operator*(const Interval& a, const Interval& b) {
   return widened(a.centre * b.centre, from_radii);
 }
 
-/// Interval of one coordinate of a point, as far as its rounding tells.
-inline Interval rounded_interval_of(const PointRef& point, std::size_t axis) {
-  const double rounded = point.approx[axis];
-  return point.is_double() ? Interval{rounded, 0} : widened(rounded, 0);
-}
-
-/// The same, of radius 0 also for a coordinate that is a double in a point that is none. Takes longer, but shows that
-/// points lie on a plane parallel to two axes.
+/// Interval of one coordinate of a point; of radius 0 for a coordinate that is a double.
 inline Interval interval_of(const PointRef& point, std::size_t axis) {
-  if (!point.is_double() && (*point.exact)[axis].is_double()) return {point.approx[axis], 0};
-  return rounded_interval_of(point, axis);
+  const double rounded = point.approx[axis];
+  return point.is_double() || point.exact->beyond(axis) == 0 ? Interval{rounded, 0} : widened(rounded, 0);
 }
 
 }  // namespace algebra3d::detail

@@ -1,9 +1,11 @@
 #include "algebra3d/exact/point.h"
 
-#include <algorithm>
 #include <bit>
 #include <cassert>
+#include <cmath>
 
+#include "algebra3d/exact/exact_coordinates.h"
+#include "algebra3d/exact/homogeneous.h"
 #include "algebra3d/exact/predicates.h"
 
 namespace algebra3d {
@@ -28,11 +30,11 @@ ExactPoint::ExactPoint(const Vec3& doubles) : approx_(without_negative_zero(doub
   assert(is_finite(doubles));
 }
 
-ExactPoint::ExactPoint(RationalVec3 exact)
-    : approx_(without_negative_zero({exact.x.nearest_double(), exact.y.nearest_double(), exact.z.nearest_double()})) {
+ExactPoint::ExactPoint(const RationalVec3& exact) {
+  thread_local detail::HomogeneousPoint numbers;
+  numbers.set(exact);
+  exact_ = ExactCoordinates::make(numbers, approx_);
   assert(is_finite(approx_));
-  if (!exact.x.is_double() || !exact.y.is_double() || !exact.z.is_double())
-    exact_ = std::make_shared<const RationalVec3>(std::move(exact));
 }
 
 bool operator==(const ExactPoint& a, const ExactPoint& b) {
@@ -46,61 +48,50 @@ std::strong_ordering operator<=>(const ExactPoint& a, const ExactPoint& b) {
 std::size_t ExactPoint::hash() const {
   std::size_t hash = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) hash = combined(hash, std::bit_cast<std::uint64_t>(approx_[axis]));
-  if (exact_)
-    for (std::size_t axis = 0; axis < 3; ++axis) hash = combined(hash, (*exact_)[axis].hash());
-  return hash;
+  return is_double() ? hash : combined(hash, exact_.get()->hash());
 }
 
 PointArray::PointArray(std::vector<Vec3> doubles) : approx_(std::move(doubles)) {
   for (Vec3& v : approx_) v = without_negative_zero(v);
 }
 
-PointArray::PointArray(const PointArray& other)
-    : approx_(other.approx_), exact_(other.exact_ ? std::make_unique<ExactTable>(*other.exact_) : nullptr) {}
-
-PointArray& PointArray::operator=(const PointArray& other) {
-  if (this != &other) *this = PointArray(other);
-  return *this;
-}
-
-void PointArray::push_back(const ExactPoint& point) {
-  if (!point.is_double()) {
-    if (!exact_) exact_ = std::make_unique<ExactTable>();
-    exact_->emplace_back(static_cast<std::uint32_t>(approx_.size()), *point.ref().exact);
+void PointArray::push_back(const PointRef& point) {
+  if (!point.is_double() && exact_.empty()) {
+    exact_.reserve(approx_.capacity());
+    exact_.resize(approx_.size());
   }
-  approx_.push_back(point.approx());
+  approx_.push_back(without_negative_zero(point.approx));
+  if (point.is_double() && exact_.empty()) return;
+  exact_.emplace_back(point.exact);
+  exact_count_ += point.is_double() ? 0 : 1;
 }
 
-PointRef PointArray::operator[](std::size_t index) const {
-  assert(index < approx_.size());
-  if (!exact_) return approx_[index];
-  const auto entry =
-      std::lower_bound(exact_->begin(), exact_->end(), index,
-                       [](const auto& candidate, std::size_t sought) { return candidate.first < sought; });
-  const bool found = entry != exact_->end() && entry->first == index;
-  return {approx_[index], found ? &entry->second : nullptr};
-}
-
-ExactPoint PointArray::point(std::size_t index) const {
-  const PointRef ref = (*this)[index];
-  return ref.is_double() ? ExactPoint(ref.approx) : ExactPoint(*ref.exact);
-}
-
-const std::vector<std::pair<std::uint32_t, RationalVec3>>& PointArray::exact_entries() const {
-  static const ExactTable none;
-  return exact_ ? *exact_ : none;
+bool operator==(const PointArray& a, const PointArray& b) {
+  if (a.approx_ != b.approx_ || a.exact_count_ != b.exact_count_) return false;
+  for (std::size_t i = 0; i < a.exact_.size(); ++i)
+    if (!equal(a[i], b[i])) return false;
+  return true;
 }
 
 std::size_t PointArray::heap_bytes() const {
-  const std::size_t table = exact_ ? sizeof(ExactTable) + exact_->capacity() * sizeof(ExactTable::value_type) : 0;
-  return approx_.capacity() * sizeof(Vec3) + table;
+  std::size_t bytes = approx_.capacity() * sizeof(Vec3) + exact_.capacity() * sizeof(SharedCoordinates);
+  for (const SharedCoordinates& exact : exact_)
+    if (exact.get() != nullptr) bytes += exact.get()->heap_bytes();
+  return bytes;
 }
 
-Box3 box_of(PointRef point) {
-  if (point.is_double()) return Box3::of(point.approx);
-  const RationalVec3& exact = *point.exact;
-  return {{exact.x.lower_double(), exact.y.lower_double(), exact.z.lower_double()},
-          {exact.x.upper_double(), exact.y.upper_double(), exact.z.upper_double()}};
+Rational PointRef::coordinate(std::size_t axis) const {
+  return is_double() ? Rational(approx[axis]) : exact->coordinate(axis);
+}
+
+Box3 detail::box_around(const PointRef& point) {
+  Box3 box = Box3::of(point.approx);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const int beyond = point.exact->beyond(axis);
+    double& bound = beyond < 0 ? box.min[axis] : box.max[axis];
+    if (beyond != 0) bound = std::nextafter(bound, beyond * Box3::kInfinity);
+  }
+  return box;
 }
 
 }  // namespace algebra3d

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <cassert>
 #include <compare>
-#include <cstdint>
-#include <memory>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -25,18 +25,49 @@ struct RationalVec3 {
   RationalVec3() = default;
 };
 
-/// A vertex as the predicates take it: a view that owns nothing, two words and a pointer to pass by value.
+class ExactCoordinates;
+
+/// An owner of exact coordinates, one of perhaps many; or of none. Copying counts, and copies nothing.
+class SharedCoordinates {
+ public:
+  SharedCoordinates() = default;
+  explicit SharedCoordinates(const ExactCoordinates* coordinates) : coordinates_(coordinates) { retain(); }
+  SharedCoordinates(const SharedCoordinates& other) : SharedCoordinates(other.coordinates_) {}
+  SharedCoordinates(SharedCoordinates&& other) noexcept : coordinates_(std::exchange(other.coordinates_, nullptr)) {}
+  SharedCoordinates& operator=(const SharedCoordinates& other) {
+    if (this != &other) *this = SharedCoordinates(other);
+    return *this;
+  }
+  SharedCoordinates& operator=(SharedCoordinates&& other) noexcept {
+    std::swap(coordinates_, other.coordinates_);
+    return *this;
+  }
+  ~SharedCoordinates() {
+    if (coordinates_ != nullptr) release();
+  }
+
+  const ExactCoordinates* get() const { return coordinates_; }
+
+ private:
+  void retain() const;
+  void release() noexcept;
+
+  const ExactCoordinates* coordinates_ = nullptr;
+};
+
+/// A vertex as the predicates take it: a view that owns nothing, three words and a pointer to pass by value.
 /// `approx` is the correctly rounded double triple; `exact` is null if that is the point itself.
 struct PointRef {
   Vec3 approx;
-  const RationalVec3* exact = nullptr;
+  const ExactCoordinates* exact = nullptr;
 
   PointRef(const Vec3& doubles) : approx(doubles) {}  // NOLINT(google-explicit-constructor)
-  PointRef(const Vec3& rounded, const RationalVec3* exact_value) : approx(rounded), exact(exact_value) {}
+  PointRef(const Vec3& rounded, const ExactCoordinates* coordinates) : approx(rounded), exact(coordinates) {}
 
   bool is_double() const { return exact == nullptr; }
-  /// The exact coordinates, made from the doubles if need be.
-  RationalVec3 rational() const { return exact != nullptr ? *exact : RationalVec3(approx); }
+  /// One exact coordinate. Cost: of a point that is no double, a search for a common divisor.
+  Rational coordinate(std::size_t axis) const;
+  RationalVec3 rational() const { return {coordinate(0), coordinate(1), coordinate(2)}; }
 };
 
 /// A point (or vector) with exact coordinates, as a value: what PointRef refers to, with ownership. Cheap to copy.
@@ -48,10 +79,14 @@ class ExactPoint {
   /// Exactly these doubles, which must be finite.
   ExactPoint(const Vec3& doubles);  // NOLINT(google-explicit-constructor)
   /// Exactly these rationals, which must lie within the range of doubles.
-  explicit ExactPoint(RationalVec3 exact);
+  explicit ExactPoint(const RationalVec3& exact);
+  /// The same point, whose coordinates it then owns as well.
+  explicit ExactPoint(const PointRef& point) : approx_(point.approx), exact_(point.exact) {}
+  /// Of coordinates that belong together, as ExactCoordinates::make gives them.
+  ExactPoint(const Vec3& approx, SharedCoordinates exact) : approx_(approx), exact_(std::move(exact)) {}
 
   const Vec3& approx() const { return approx_; }
-  bool is_double() const { return exact_ == nullptr; }
+  bool is_double() const { return exact_.get() == nullptr; }
   RationalVec3 rational() const { return ref().rational(); }
   PointRef ref() const { return {approx_, exact_.get()}; }
   operator PointRef() const { return ref(); }  // NOLINT(google-explicit-constructor)
@@ -63,42 +98,46 @@ class ExactPoint {
 
  private:
   Vec3 approx_;
-  std::shared_ptr<const RationalVec3> exact_;
+  SharedCoordinates exact_;
 };
 
-/// The points of a mesh: 24 bytes each, and exact triples only for those that are no doubles. Indexed from 0.
-/// Memory: no byte beyond the doubles if all are doubles (the side table is one null pointer then).
+/// The points of a mesh: 24 bytes each if all are doubles, else 8 more and the exact coordinates of those that are
+/// none, which copies share. Indexed from 0.
 class PointArray {
  public:
   PointArray() = default;
   /// Exactly these doubles, which must be finite; negative zeros become zeros.
   explicit PointArray(std::vector<Vec3> doubles);
-  PointArray(const PointArray& other);
-  PointArray(PointArray&&) noexcept = default;
-  PointArray& operator=(const PointArray& other);
-  PointArray& operator=(PointArray&&) noexcept = default;
-  ~PointArray() = default;
 
   std::size_t size() const { return approx_.size(); }
   void reserve(std::size_t count) { approx_.reserve(count); }
-  void push_back(const ExactPoint& point);
-  PointRef operator[](std::size_t index) const;
-  ExactPoint point(std::size_t index) const;
+  void push_back(const PointRef& point);
+  PointRef operator[](std::size_t index) const {
+    assert(index < approx_.size());
+    return {approx_[index], exact_.empty() ? nullptr : exact_[index].get()};
+  }
+  ExactPoint point(std::size_t index) const { return ExactPoint((*this)[index]); }
   const std::vector<Vec3>& approx() const { return approx_; }
   /// Number of points that are no doubles.
-  std::size_t exact_count() const { return exact_ ? exact_->size() : 0; }
-  /// Their indices, ascending, with their values.
-  const std::vector<std::pair<std::uint32_t, RationalVec3>>& exact_entries() const;
-  /// Bytes on the heap, without those of large rationals.
+  std::size_t exact_count() const { return exact_count_; }
+  /// Bytes on the heap, as if nothing were shared.
   std::size_t heap_bytes() const;
 
+  friend bool operator==(const PointArray& a, const PointArray& b);
+
  private:
-  using ExactTable = std::vector<std::pair<std::uint32_t, RationalVec3>>;  // ascending index
   std::vector<Vec3> approx_;
-  std::unique_ptr<ExactTable> exact_;
+  std::vector<SharedCoordinates> exact_;  // of each point; empty if all are doubles
+  std::size_t exact_count_ = 0;
 };
 
+namespace detail {
+Box3 box_around(const PointRef& point);
+}
+
 /// Smallest box of doubles that holds the exact point: outward-rounded where the point is no double.
-Box3 box_of(PointRef point);
+inline Box3 box_of(const PointRef& point) {
+  return point.is_double() ? Box3::of(point.approx) : detail::box_around(point);
+}
 
 }  // namespace algebra3d

@@ -46,10 +46,6 @@ Number determinant2(Coordinate coordinate, Projection plane, const std::array<co
          (coordinate(*points[1], j) - oj) * (coordinate(*points[2], i) - oi);
 }
 
-Rational rational_of(const PointRef& point, std::size_t axis) {
-  return point.is_double() ? Rational(point.approx[axis]) : (*point.exact)[axis];
-}
-
 int orient3d_by_rationals(const std::array<const PointRef*, 4>& points) {
   count_big_fallback();
   return orient3d_by_integers(points);
@@ -110,7 +106,7 @@ int decide_orient2d(Projection plane, const Vec3& a, const Vec3& b, const Vec3& 
 
 int orient3d_of_rationals(const PointRef& a, const PointRef& b, const PointRef& c, const PointRef& d) {
   const std::array<const PointRef*, 4> points{&a, &b, &c, &d};
-  int sign = determinant3<Interval>(rounded_interval_of, points).sign();
+  int sign = filter_rounded_orient3d(a.approx, b.approx, c.approx, d.approx);
   if (sign == kUndecided) sign = determinant3<Interval>(interval_of, points).sign();
   if (sign != kUndecided) return sign;
   count_filter_failure();
@@ -119,7 +115,7 @@ int orient3d_of_rationals(const PointRef& a, const PointRef& b, const PointRef& 
 
 int orient2d_of_rationals(Projection plane, const PointRef& a, const PointRef& b, const PointRef& c) {
   const std::array<const PointRef*, 3> points{&a, &b, &c};
-  int sign = determinant2<Interval>(rounded_interval_of, plane, points).sign();
+  int sign = filter_rounded_orient2d(plane, a.approx, b.approx, c.approx);
   if (sign == kUndecided) sign = determinant2<Interval>(interval_of, plane, points).sign();
   if (sign != kUndecided) return sign;
   count_filter_failure();
@@ -132,8 +128,10 @@ std::strong_ordering compare(std::size_t axis, PointRef a, PointRef b) {
   // Rounding keeps the order, so different roundings decide.
   if (a.approx[axis] < b.approx[axis]) return std::strong_ordering::less;
   if (a.approx[axis] > b.approx[axis]) return std::strong_ordering::greater;
-  if (a.is_double() && b.is_double()) return std::strong_ordering::equal;
-  return detail::rational_of(a, axis) <=> detail::rational_of(b, axis);
+  const auto beyond = [axis](const PointRef& p) { return p.is_double() ? 0 : p.exact->beyond(axis); };
+  const int beyond_a = beyond(a), beyond_b = beyond(b);
+  if (beyond_a != beyond_b || beyond_a == 0) return beyond_a <=> beyond_b;
+  return detail::compare_quotients((*a.exact)[axis], (*a.exact)[3], (*b.exact)[axis], (*b.exact)[3]);
 }
 
 std::strong_ordering compare(PointRef a, PointRef b) {
@@ -143,7 +141,8 @@ std::strong_ordering compare(PointRef a, PointRef b) {
 }
 
 bool equal(PointRef a, PointRef b) {
-  return std::is_eq(compare(a, b));
+  if (a.approx != b.approx || a.is_double() != b.is_double()) return false;
+  return a.is_double() || *a.exact == *b.exact;
 }
 
 bool collinear(PointRef a, PointRef b, PointRef c) {

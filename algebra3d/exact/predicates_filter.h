@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -73,6 +74,38 @@ inline int filter_orient2d(Projection plane, const Vec3& a, const Vec3& b, const
   const double right = (b[j] - a[j]) * (c[i] - a[i]);
   const double determinant = left - right;
   const double error = kOrient2dError * (std::abs(left) + std::abs(right)) + kUnderflowError;
+  if (determinant > error) return 1;
+  if (determinant < -error) return -1;
+  return kUndecided;
+}
+
+inline double largest(const Vec3& v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+/// The same for points of which the nearest doubles are given. A difference of two is off by four roundings of the
+/// largest coordinate m at most, d = 2^-51 m; so with differences up to A, B, C, each product of three is off by less
+/// than (A + d)(B + d)(C + d) - ABC, and six of them carry fewer than 40 roundings of ABC.
+inline int filter_rounded_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Vec3 u = b - a, v = c - a, w = d - a;
+  const double off = 0x1p-51 * std::max({largest(a), largest(b), largest(c), largest(d)});
+  const double size_u = largest(u) + off, size_v = largest(v) + off, size_w = largest(w) + off;
+  const double vw = size_v * size_w;
+  const double error = 7 * off * (size_u * (size_v + size_w) + vw) + 0x1p-47 * size_u * vw + kUnderflowError;
+  const double determinant = dot(u, cross(v, w));
+  if (determinant > error) return 1;
+  if (determinant < -error) return -1;
+  return kUndecided;
+}
+
+inline int filter_rounded_orient2d(Projection plane, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const std::size_t i = first_axis(plane), j = second_axis(plane);
+  const auto size = [&](const Vec3& v) { return std::max(std::abs(v[i]), std::abs(v[j])); };
+  const Vec3 u = b - a, v = c - a;
+  const double off = 0x1p-51 * std::max({size(a), size(b), size(c)});
+  const double size_u = size(u) + off, size_v = size(v) + off;
+  const double error = 3 * off * (size_u + size_v) + 0x1p-50 * size_u * size_v + kUnderflowError;
+  const double determinant = u[i] * v[j] - u[j] * v[i];
   if (determinant > error) return 1;
   if (determinant < -error) return -1;
   return kUndecided;

@@ -39,13 +39,17 @@ std::size_t mix(std::size_t seed, std::uint64_t word) {
   return z ^ (z >> 31);
 }
 
+}  // namespace
+
+namespace detail {
+
 std::size_t mix_limbs(std::size_t seed, mpz_srcptr number) {
   seed = mix(seed, static_cast<std::uint64_t>(mpz_sgn(number)));
   for (std::size_t i = 0; i < mpz_size(number); ++i) seed = mix(seed, mpz_getlimbn(number, static_cast<mp_size_t>(i)));
   return seed;
 }
 
-}  // namespace
+}  // namespace detail
 
 RationalAccess::View::View(const Rational& number) : value_(small_) {
   if (number.big_ != nullptr) {
@@ -70,6 +74,14 @@ Rational RationalAccess::take(Owner big) {
     result.big_ = big.release();
   }
   return result;
+}
+
+Rational RationalAccess::quotient(mpz_srcptr numerator, mpz_srcptr denominator) {
+  Owner result = make();
+  mpz_set(mpq_numref(result->value), numerator);
+  mpz_set(mpq_denref(result->value), denominator);
+  mpq_canonicalize(result->value);
+  return take(std::move(result));
 }
 
 Rational RationalAccess::from_terms(bool negative, UInt128 numerator, UInt128 denominator) {
@@ -243,7 +255,7 @@ std::strong_ordering operator<=>(const Rational& a, const Rational& b) {
 std::size_t Rational::hash() const {
   if (big_ == nullptr)
     return mix(mix(0, static_cast<std::uint64_t>(numerator_)), static_cast<std::uint64_t>(denominator_));
-  return mix_limbs(mix_limbs(1, mpq_numref(big_->value)), mpq_denref(big_->value));
+  return detail::mix_limbs(detail::mix_limbs(1, mpq_numref(big_->value)), mpq_denref(big_->value));
 }
 
 }  // namespace algebra3d

@@ -52,6 +52,8 @@ class RationalAccess {
   static Owner make() { return std::make_unique<Rational::Big>(); }
   /// The number in its proper place: back to 64 bits if it fits. `big` must be in lowest terms.
   static Rational take(Owner big);
+  /// The denominator is positive; the two may have divisors in common.
+  static Rational quotient(mpz_srcptr numerator, mpz_srcptr denominator);
   /// The quotient of magnitudes with a sign, in lowest terms already; the denominator is not zero.
   static Rational from_terms(bool negative, UInt128 numerator, UInt128 denominator);
 
@@ -59,10 +61,22 @@ class RationalAccess {
   static std::int64_t small_denominator(const Rational& number) { return number.denominator_; }
 };
 
+struct RoundedQuotient {
+  double value;  ///< nearest to the quotient, ties to even; never -0; infinite beyond the range of doubles
+  int beyond;    ///< sign of what the quotient is beyond it
+};
+/// The denominator is positive.
+RoundedQuotient round_quotient(mpz_srcptr numerator, mpz_srcptr denominator);
+
 /// Magnitude of any 64-bit integer, the smallest included.
 inline std::uint64_t magnitude(std::int64_t value) {
   const auto bits = static_cast<std::uint64_t>(value);
   return value < 0 ? 0 - bits : bits;
 }
+
+namespace detail {
+/// A hash of the seed and the number.
+std::size_t mix_limbs(std::size_t seed, mpz_srcptr number);
+}  // namespace detail
 
 }  // namespace algebra3d

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "algebra3d/exact/big_integer.h"
 #include "algebra3d/exact/rational.h"
 #include "algebra3d/exact/rational_big.h"
 
@@ -26,12 +27,12 @@ struct Leading {
 };
 
 /// Rounds once, to the precision that a double has at this magnitude; `leading` has at least kQuotientBits bits.
-double round_leading(const Leading& leading, Rounding rounding) {
+RoundedQuotient round_leading(const Leading& leading, Rounding rounding) {
   const long last_bit =
       std::max<long>(static_cast<long>(std::bit_width(leading.quotient)) - leading.scale - kMantissaBits, kLowestBit);
   if (last_bit > kHighestBit) {
-    return rounding == Rounding::toward_zero ? std::numeric_limits<double>::max()
-                                             : std::numeric_limits<double>::infinity();
+    return rounding == Rounding::toward_zero ? RoundedQuotient{std::numeric_limits<double>::max(), 1}
+                                             : RoundedQuotient{std::numeric_limits<double>::infinity(), -1};
   }
   const long dropped_bits = last_bit + leading.scale;  // at least 2
   // At 64 and beyond, all bits are dropped, and what is left is less than half of the lowest bit.
@@ -43,8 +44,9 @@ double round_leading(const Leading& leading, Rounding rounding) {
   if (rounding == Rounding::nearest) {
     up = dropped > half || (dropped == half && (!leading.exact || kept % 2 == 1));
   }
+  // Infinite if rounding up has carried beyond the largest double.
   const double result = std::ldexp(static_cast<double>(kept + (up ? 1 : 0)), static_cast<int>(last_bit));
-  return result;  // infinite if rounding up has carried beyond the largest double
+  return {result, up ? -1 : inexact ? 1 : 0};
 }
 
 Leading leading_of(std::uint64_t numerator, std::uint64_t denominator) {
@@ -56,24 +58,34 @@ Leading leading_of(std::uint64_t numerator, std::uint64_t denominator) {
   return {static_cast<std::uint64_t>(dividend / divisor), dividend % divisor == 0, scale};
 }
 
+/// The `count` <= 128 leading bits of a positive number of `bits` bits; zeros follow one that has fewer.
+UInt128 leading_bits(mpz_srcptr number, long bits, long count) {
+  thread_local detail::BigInteger shifted;
+  if (bits >= count)
+    mpz_tdiv_q_2exp(shifted, number, static_cast<mp_bitcnt_t>(bits - count));
+  else
+    mpz_mul_2exp(shifted, number, static_cast<mp_bitcnt_t>(count - bits));
+  return UInt128{mpz_getlimbn(shifted, 1)} << 64U | mpz_getlimbn(shifted, 0);
+}
+
+/// Of positive numbers. From their first bits alone, where these tell.
 Leading leading_of(mpz_srcptr numerator, mpz_srcptr denominator) {
   const auto numerator_bits = static_cast<long>(mpz_sizeinbase(numerator, 2));
   const auto denominator_bits = static_cast<long>(mpz_sizeinbase(denominator, 2));
+  constexpr long kDivisorBits = 64, kDividendBits = 127, kUnsureBits = 7;
+  const UInt128 first = leading_bits(numerator, numerator_bits, kDividendBits) /
+                        leading_bits(denominator, denominator_bits, kDivisorBits);
+  // What was cut off makes less than 2 of at least 2^62, up or down.
+  const auto quotient = static_cast<std::uint64_t>(first);
+  if ((quotient - 2) >> kUnsureBits == (quotient + 2) >> kUnsureBits && quotient < UINT64_MAX - 2)
+    return {quotient >> kUnsureBits, false,
+            kDividendBits - kDivisorBits - kUnsureBits - (numerator_bits - denominator_bits)};
   const long scale = kQuotientBits - (numerator_bits - denominator_bits);
-  RationalAccess::Owner work = RationalAccess::make();
-  mpz_ptr dividend = mpq_numref(work->value);
-  mpz_ptr divisor = mpq_denref(work->value);
-  mpz_abs(dividend, numerator);
-  mpz_set(divisor, denominator);
-  if (scale >= 0) {
-    mpz_mul_2exp(dividend, dividend, static_cast<mp_bitcnt_t>(scale));
-  } else {
-    mpz_mul_2exp(divisor, divisor, static_cast<mp_bitcnt_t>(-scale));
-  }
+  thread_local detail::BigInteger dividend, divisor;
+  mpz_mul_2exp(dividend, numerator, static_cast<mp_bitcnt_t>(std::max(scale, 0L)));
+  mpz_mul_2exp(divisor, denominator, static_cast<mp_bitcnt_t>(std::max(-scale, 0L)));
   mpz_tdiv_qr(dividend, divisor, dividend, divisor);
-  const Leading result{mpz_get_ui(dividend), mpz_sgn(divisor) == 0, scale};
-  mpz_set_ui(divisor, 1);
-  return result;
+  return {mpz_get_ui(dividend), divisor.sign() == 0, scale};
 }
 
 double round_magnitude(const Rational& number, Rounding rounding) {
@@ -81,13 +93,25 @@ double round_magnitude(const Rational& number, Rounding rounding) {
   if (number.is_small()) {
     return round_leading(leading_of(magnitude(RationalAccess::small_numerator(number)),
                                     magnitude(RationalAccess::small_denominator(number))),
-                         rounding);
+                         rounding)
+        .value;
   }
   const RationalAccess::View view(number);
-  return round_leading(leading_of(view.numerator(), view.denominator()), rounding);
+  thread_local detail::BigInteger numerator;
+  mpz_abs(numerator, view.numerator());
+  return round_leading(leading_of(numerator, view.denominator()), rounding).value;
 }
 
 }  // namespace
+
+RoundedQuotient round_quotient(mpz_srcptr numerator, mpz_srcptr denominator) {
+  const int sign = mpz_sgn(numerator);
+  if (sign == 0) return {0, 0};
+  thread_local detail::BigInteger magnitude;
+  mpz_abs(magnitude, numerator);
+  const RoundedQuotient rounded = round_leading(leading_of(magnitude, denominator), Rounding::nearest);
+  return {sign * rounded.value + 0.0, sign * rounded.beyond};
+}
 
 double Rational::nearest_double() const {
   const double rounded = round_magnitude(*this, Rounding::nearest);

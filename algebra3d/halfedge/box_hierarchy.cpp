@@ -68,8 +68,7 @@ BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> 
   choose_scale(points);
   std::vector<Box> corners;
   corners.reserve(points.size());
-  for (const Vec3& point : points.approx()) corners.push_back(scaled(Box3::of(point)));
-  for (const auto& [index, exact] : points.exact_entries()) corners[index] = scaled(box_of_point(points[index]));
+  for (std::size_t i = 0; i < points.size(); ++i) corners.push_back(scaled(box_of(points[i])));
   std::vector<Box> boxes;
   boxes.reserve(faces_.size());
   for (const std::uint32_t face : faces_) {
@@ -84,8 +83,7 @@ BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> 
 
 void BoxHierarchy::choose_scale(const PointArray& points) {
   Box3 bounds;
-  for (const Vec3& point : points.approx()) bounds.extend(point);
-  for (const auto& [index, exact] : points.exact_entries()) bounds.extend(box_of_point(points[index]));
+  for (std::size_t i = 0; i < points.size(); ++i) bounds.extend(box_of(points[i]));
   origin_ = bounds.min;
   // Halved first, so that the extent of the largest doubles is finite. A power of two, so that few coordinates are
   // rounded; 2^20 units are what the codes can tell apart.

@@ -5,9 +5,7 @@
 
 namespace algebra3d {
 
-/// A box of doubles around a point: not always the smallest one, but made from the rounded coordinates alone.
-Box3 box_of_point(const PointRef& point);
-/// The same around a triangle.
+/// The smallest box of doubles that holds a triangle.
 Box3 box_of_triangle(const TriangleRef& corners);
 
 }  // namespace algebra3d

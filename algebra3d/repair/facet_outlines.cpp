@@ -199,7 +199,7 @@ bool FacetOutlines::lead_around_crossings() {
     for (const BoundaryEdge& side : boundary(facet))
       for (std::uint32_t index = 0; index + 1 < edges_[side.edge].size(); ++index) {
         const auto [from, to] = edges_.ends({side.edge, index});
-        Box3 box = unite(box_of_point(points_.pool[from]), box_of_point(points_.pool[to]));
+        Box3 box = unite(box_of(points_.pool[from]), box_of(points_.pool[to]));
         // In place of the coordinate that the projection forgets, so that only links of one facet meet.
         box.min[across] = box.max[across] = facet;
         entries.push_back({box, static_cast<std::uint32_t>(links.size())});

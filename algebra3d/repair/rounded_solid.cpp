@@ -33,7 +33,7 @@ double distance(const PointRef& point, const Vec3& rounded) {
   Vec3 difference;
   for (std::size_t axis = 0; axis < 3; ++axis)
     difference[axis] = point.is_double() ? point.approx[axis] - rounded[axis]
-                                         : ((*point.exact)[axis] - Rational(rounded[axis])).nearest_double();
+                                         : (point.coordinate(axis) - Rational(rounded[axis])).nearest_double();
   // Three roundings in the length, one in each difference.
   return std::hypot(difference.x, difference.y, difference.z) * (1 + 8 * std::numeric_limits<double>::epsilon());
 }

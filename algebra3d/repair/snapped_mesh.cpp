@@ -83,8 +83,7 @@ TriangleMesh Snapping::used_points_only() {
     for (std::uint32_t& corner : triangle) {
       if (numbers[corner] == arrangement::kNone) {
         numbers[corner] = static_cast<std::uint32_t>(used.size());
-        const PointRef point = outlines_.points()[corner];
-        used.push_back(point.is_double() ? ExactPoint(point.approx) : ExactPoint(*point.exact));
+        used.push_back(outlines_.points()[corner]);
       }
       corner = numbers[corner];
     }

@@ -177,10 +177,11 @@ void write_exact_table(ByteWriter& writer, const PointArray& points) {
   writer.varint(points.exact_count());
   if (points.exact_count() == 0) return;
   std::uint64_t next = 0;
-  for (const auto& [index, exact] : points.exact_entries()) {
+  for (std::size_t index = 0; index < points.size(); ++index) {
+    if (points[index].is_double()) continue;
     writer.varint(index - next);
-    next = std::uint64_t{index} + 1;
-    write_exact(writer, exact);
+    next = index + 1;
+    write_exact(writer, points[index].rational());
   }
 }
 
@@ -196,12 +197,12 @@ PointArray read_exact_table(ByteReader& reader, std::vector<Vec3> approx) {
     reader.require(skipped < approx.size() - points.size(), "the index of a point");
     if (!reader.ok()) return {};
     for (const std::size_t end = points.size() + static_cast<std::size_t>(skipped); points.size() < end;)
-      points.push_back(ExactPoint(approx[points.size()]));
-    RationalVec3 exact = read_exact(reader, approx[points.size()]);
+      points.push_back(approx[points.size()]);
+    const RationalVec3 exact = read_exact(reader, approx[points.size()]);
     if (!reader.ok()) return {};
-    points.push_back(ExactPoint(std::move(exact)));
+    points.push_back(ExactPoint(exact));
   }
-  while (points.size() < approx.size()) points.push_back(ExactPoint(approx[points.size()]));
+  while (points.size() < approx.size()) points.push_back(approx[points.size()]);
   return points;
 }
 
@@ -234,7 +235,7 @@ ExactPoint read_point(ByteReader& reader) {
   if (!reader.ok()) return {};
   if (form == 0) return approx;
   RationalVec3 exact = read_exact(reader, approx);
-  return reader.ok() ? ExactPoint(std::move(exact)) : ExactPoint();
+  return reader.ok() ? ExactPoint(exact) : ExactPoint();
 }
 
 void write_points(ByteWriter& writer, const PointArray& points) {

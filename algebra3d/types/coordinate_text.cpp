@@ -54,7 +54,7 @@ Result<Rational> coordinate_from_nested(const NestedList& atom, std::string_view
 }
 
 NestedList point_to_nested(PointRef point) {
-  if (!point.is_double()) return triple_to_nested(*point.exact);
+  if (!point.is_double()) return triple_to_nested(point.rational());
   return NestedList::list(NestedList(point.approx.x), NestedList(point.approx.y), NestedList(point.approx.z));
 }
 

@@ -19,7 +19,7 @@ template <typename Kernel>
 typename Kernel::Point_3 to_cgal(PointRef point) {
   if (point.is_double()) return {point.approx.x, point.approx.y, point.approx.z};
   const auto number = [](const Rational& value) { return typename Kernel::FT(CGAL::Exact_rational(value.text())); };
-  return {number(point.exact->x), number(point.exact->y), number(point.exact->z)};
+  return {number(point.coordinate(0)), number(point.coordinate(1)), number(point.coordinate(2))};
 }
 
 /// Points and triangles, index for index: works for every mesh, non-manifold and degenerate ones included.

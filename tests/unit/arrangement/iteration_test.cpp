@@ -24,8 +24,9 @@ TriangleMesh random_cube(Chance& chance) {
 /// Digits of the longest coordinate, numerator and denominator together.
 std::size_t longest_coordinate(const TriangleMesh& mesh) {
   std::size_t longest = 0;
-  for (const auto& [index, p] : mesh.points().exact_entries())
-    for (const Rational* coordinate : {&p.x, &p.y, &p.z}) longest = std::max(longest, coordinate->text().size());
+  for (std::size_t i = 0; i < mesh.points().size(); ++i)
+    for (std::size_t axis = 0; axis < 3 && !mesh.points()[i].is_double(); ++axis)
+      longest = std::max(longest, mesh.points()[i].coordinate(axis).text().size());
   return longest;
 }
 

@@ -106,11 +106,11 @@ TEST_P(Constructions, three_planes_meet_in_the_exact_point) {
 
 TEST_P(Constructions, homogeneous_coordinates_are_the_point) {
   Random random(4);
-  detail::HomogeneousPoint homogeneous;
+  detail::HomogeneousPoint room;
   for (int i = 0; i < 500; ++i) {
     const auto p = make_points(GetParam(), random, 1);
-    homogeneous.set(p[0].ours);
-    ASSERT_EQ(homogeneous.w.sign(), 1);
+    const detail::HomogeneousView homogeneous(p[0].ours, room);
+    ASSERT_EQ(mpz_sgn(homogeneous[3]), 1);
     const auto coordinate = [&](std::size_t axis) {
       CGAL::Gmpq value;
       mpz_set(mpq_numref(value.mpq()), homogeneous[axis]);

@@ -62,11 +62,7 @@ TriangleMesh random_mesh(std::mt19937& random, std::size_t point_count, std::siz
 }
 
 void expect_same_mesh(const TriangleMesh& a, const TriangleMesh& b) {
-  ASSERT_EQ(a.points().approx(), b.points().approx());
-  ASSERT_EQ(a.points().exact_count(), b.points().exact_count());
-  if (a.points().exact_count() > 0) {
-    ASSERT_EQ(a.points().exact_entries(), b.points().exact_entries());
-  }
+  ASSERT_EQ(a.points(), b.points());
   ASSERT_EQ(a.face_count(), b.face_count());
   for (std::size_t f = 0; f < a.face_count(); ++f) {
     ASSERT_EQ(a.triangle(FaceId(f)), b.triangle(FaceId(f)));
@@ -174,8 +170,7 @@ TEST(codec, extreme_doubles_and_long_rationals_are_kept) {
   ByteReader reader(bytes, "points");
   const PointArray again = read_points(reader);
   ASSERT_TRUE(reader.finish().ok()) << reader.status().error().message;
-  EXPECT_EQ(again.approx(), points.approx());
-  EXPECT_EQ(again.exact_entries(), points.exact_entries());
+  EXPECT_EQ(again, points);
 }
 
 TEST(codec, content_that_compresses_without_end_keeps_its_ratio) {
