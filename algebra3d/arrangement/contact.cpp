@@ -8,10 +8,11 @@ namespace {
 
 using Signs = std::array<int, 3>;
 
-/// On which side of `plane` the corners lie.
-Signs sides_of(const TriangleRef& triangle, const TriangleRef& plane) {
+/// On which side of the other one's plane the corners lie.
+Signs sides_of(const TriangleRef& triangle, const PlaneTriangle& other) {
+  if (other.plane == nullptr) return sides_of_plane(other.corners, triangle);
   Signs signs{};
-  for (std::size_t i = 0; i < 3; ++i) signs[i] = orient3d(plane[0], plane[1], plane[2], triangle[i]);
+  for (std::size_t i = 0; i < 3; ++i) signs[i] = other.plane->side(triangle[i]);
   return signs;
 }
 
@@ -50,10 +51,12 @@ std::optional<Place> locate_crossing(const PointRef& a, const PointRef& b, int s
 /// The ends of the part of `triangle` in the plane of `target`, as far as they lie in `target`. visit(end, place)
 template <typename Visit>
 void for_each_end(const TriangleRef& triangle, const Signs& signs, const TriangleRef& target, Visit visit) {
+  std::optional<TriangleInPlane> in_plane;
   for (std::uint8_t i = 0; i < 3; ++i) {
     const std::uint8_t j = i == 2 ? 0 : static_cast<std::uint8_t>(i + 1);
     if (signs[i] == 0) {
-      if (const auto place = place_in(triangle[i], target)) visit(Place{Place::Kind::corner, i}, *place);
+      if (!in_plane) in_plane.emplace(target);
+      if (const auto place = in_plane->place(triangle[i])) visit(Place{Place::Kind::corner, i}, *place);
     } else if (signs[i] * signs[j] < 0) {
       if (const auto place = locate_crossing(triangle[i], triangle[j], signs[i], target))
         visit(Place{Place::Kind::edge, i}, *place);
@@ -74,23 +77,24 @@ bool is_edge(const Place& place, std::uint8_t edge) {
 
 }  // namespace
 
-std::optional<Place> place_in(const PointRef& point, const TriangleRef& triangle) {
-  const Projection plane = dominant_projection(triangle[0], triangle[1], triangle[2]);
-  const int turn = orient2d(plane, triangle[0], triangle[1], triangle[2]);
+std::optional<Place> TriangleInPlane::place(const PointRef& point) const {
   Signs inside{};
-  for (std::size_t j = 0; j < 3; ++j) inside[j] = turn * orient2d(plane, triangle[j], triangle[(j + 1) % 3], point);
+  for (std::size_t j = 0; j < 3; ++j) {
+    inside[j] = turn_.sign * orient2d(turn_.projection, triangle_[j], triangle_[(j + 1) % 3], point);
+    if (inside[j] < 0) return std::nullopt;
+  }
   return place_of(inside);
 }
 
-TriangleContact contact_of(const TriangleRef& first, const TriangleRef& second) {
+TriangleContact contact_of(const PlaneTriangle& first, const PlaneTriangle& second) {
   TriangleContact contact;
-  const Signs first_signs = sides_of(first, second);
+  const Signs first_signs = sides_of(first.corners, second);
   if (are_all_on_one_side(first_signs)) return contact;
   if (first_signs == Signs{}) {
     contact.is_coplanar = true;
     return contact;
   }
-  const Signs second_signs = sides_of(second, first);
+  const Signs second_signs = sides_of(second.corners, first);
   if (are_all_on_one_side(second_signs)) return contact;
 
   contact.first_edge = edge_in_plane(first_signs);
@@ -102,8 +106,9 @@ TriangleContact contact_of(const TriangleRef& first, const TriangleRef& second) 
     contact.points[contact.count++] = {in_first, in_second, is_edge(in_first, contact.first_edge),
                                        is_edge(in_second, contact.second_edge)};
   };
-  for_each_end(first, first_signs, second, add);
-  for_each_end(second, second_signs, first, [&](const Place& end, const Place& place) { add(place, end); });
+  for_each_end(first.corners, first_signs, second.corners, add);
+  for_each_end(second.corners, second_signs, first.corners,
+               [&](const Place& end, const Place& place) { add(place, end); });
   return contact;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "algebra3d/exact/integer_plane.h"
 #include "algebra3d/exact/predicates.h"
 
 namespace algebra3d::arrangement {
@@ -37,11 +38,28 @@ struct TriangleContact {
   std::array<ContactPoint, 2> points{};
 };
 
+/// A triangle with its plane, if that is known.
+struct PlaneTriangle {
+  TriangleRef corners;
+  const IntegerPlane* plane = nullptr;
+};
+
 /// Neither triangle may be degenerate. Exact: signs of the corners alone, no point is constructed. Cost: three to six
 /// calls of orient3d for triangles that do not meet, up to eighteen for those that do.
-TriangleContact contact_of(const TriangleRef& first, const TriangleRef& second);
+TriangleContact contact_of(const PlaneTriangle& first, const PlaneTriangle& second);
 
-/// Place in the triangle of a point of its plane; nothing if it lies outside. Exact. Cost: three orient2d.
-std::optional<Place> place_in(const PointRef& point, const TriangleRef& triangle);
+/// A triangle seen along an axis, so that points of its plane can be placed in it.
+class TriangleInPlane {
+ public:
+  /// It must not be degenerate.
+  explicit TriangleInPlane(const TriangleRef& triangle) : triangle_(triangle), turn_(dominant_turn(triangle)) {}
+
+  /// Nothing if the point of the plane lies outside. Exact. Cost: three orient2d.
+  std::optional<Place> place(const PointRef& point) const;
+
+ private:
+  TriangleRef triangle_;
+  ProjectedTurn turn_;
+};
 
 }  // namespace algebra3d::arrangement

@@ -4,7 +4,7 @@
 #include <array>
 #include <cassert>
 
-#include "algebra3d/arrangement/contact.h"
+#include "algebra3d/arrangement/pair_contacts.h"
 
 namespace algebra3d::arrangement {
 namespace {
@@ -53,14 +53,15 @@ class ContactFinder {
   ContactFinder(Facets& facets, Skeleton& skeleton)
       : operands_(skeleton.operands()), facets_(facets), skeleton_(skeleton) {}
 
-  void examine(std::uint32_t first_face, std::uint32_t second_face);
+  void add(const PairContact& pair);
   void join_faces();
 
  private:
+  bool is_corner_on_corner(const PairContact& pair);
   Feature feature_of(std::uint32_t face, const Place& place) const;
   static std::uint32_t halfedge_of(std::uint32_t face, const Place& place) { return 3 * face + place.index; }
-  bool is_end(const Feature& feature, const FaceEnd& end) const;
-  bool is_real(const FaceContact::End& end) const;
+  bool is_end(const Feature& feature, const FaceEnd& end);
+  bool is_real(const FaceContact::End& end);
   std::uint32_t vertex_of(const FaceContact& contact, std::size_t number);
   void cut_edges(const FaceContact::End& end, std::uint32_t vertex);
   void join_facets(std::span<const FaceContact> contacts);
@@ -73,15 +74,14 @@ class ContactFinder {
   std::vector<FaceContact> contacts_;
 };
 
-void ContactFinder::examine(std::uint32_t first_face, std::uint32_t second_face) {
-  const TriangleRef first = operands_.corners(first_face), second = operands_.corners(second_face);
-  const TriangleContact contact = contact_of(first, second);
-  if (contact.is_coplanar ? intersect_triangles(first, second) == Contact::none : contact.count == 0) return;
+void ContactFinder::add(const PairContact& pair) {
+  const auto& [first_face, second_face, contact] = pair;
   const std::uint32_t first_facet = facets_.add(first_face), second_facet = facets_.add(second_face);
   if (contact.is_coplanar) {
     facets_.join_planes(first_facet, second_facet);
     return;
   }
+  if (is_corner_on_corner(pair)) return;
   const auto along = [](std::uint32_t face, std::uint8_t edge) {
     return edge == TriangleContact::kNoEdge ? kNone : 3 * face + edge;
   };
@@ -97,6 +97,14 @@ void ContactFinder::examine(std::uint32_t first_face, std::uint32_t second_face)
   contacts_.push_back(found);
 }
 
+/// A point that bounds both facets anyhow: whatever runs through it in either of them ends there.
+bool ContactFinder::is_corner_on_corner(const PairContact& pair) {
+  const auto& [first, second, first_runs_along, second_runs_along] = pair.contact.points[0];
+  return pair.contact.count == 1 && first.kind == Place::Kind::corner && second.kind == Place::Kind::corner &&
+         facets_.has_boundary_origin(halfedge_of(pair.first_face, first)) &&
+         facets_.has_boundary_origin(halfedge_of(pair.second_face, second));
+}
+
 Feature ContactFinder::feature_of(std::uint32_t face, const Place& place) const {
   const std::uint32_t halfedge = halfedge_of(face, place);
   switch (place.kind) {
@@ -110,7 +118,7 @@ Feature ContactFinder::feature_of(std::uint32_t face, const Place& place) const 
 }
 
 /// True if common parts end at the feature, or at least everybody sees it, however the facet is triangulated.
-bool ContactFinder::is_end(const Feature& feature, const FaceEnd& end) const {
+bool ContactFinder::is_end(const Feature& feature, const FaceEnd& end) {
   switch (feature.kind) {
     case Place::Kind::corner:
       return facets_.has_boundary_origin(end.halfedge);
@@ -121,7 +129,7 @@ bool ContactFinder::is_end(const Feature& feature, const FaceEnd& end) const {
   }
 }
 
-bool ContactFinder::is_real(const FaceContact::End& end) const {
+bool ContactFinder::is_real(const FaceContact::End& end) {
   return is_end(end.meeting.first, end.first) || is_end(end.meeting.second, end.second);
 }
 
@@ -130,8 +138,9 @@ std::uint32_t ContactFinder::vertex_of(const FaceContact& contact, std::size_t n
   const auto& [meeting, first, second] = contact.ends[number];
   if (meeting.first.kind == Place::Kind::corner) return skeleton_.corner(first.halfedge);
   if (meeting.second.kind == Place::Kind::corner) return skeleton_.corner(second.halfedge);
-  if (is_end(meeting.first, first)) return skeleton_.crossing(meeting.first.number, contact.second_facet);
-  return skeleton_.crossing(meeting.second.number, contact.first_facet);
+  if (is_end(meeting.first, first))
+    return skeleton_.crossing_of_plane(meeting.first.number, facets_[contact.second_facet].plane);
+  return skeleton_.crossing_of_plane(meeting.second.number, facets_[contact.first_facet].plane);
 }
 
 void ContactFinder::cut_edges(const FaceContact::End& end, std::uint32_t vertex) {
@@ -218,12 +227,8 @@ void ContactFinder::add_segments(std::span<const FaceContact> contacts) {
 Status find_contacts(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs, Facets& facets, Skeleton& skeleton,
                      const std::atomic<bool>* cancel) {
   ContactFinder finder(facets, skeleton);
-  std::size_t steps = 0;
-  for (const auto& [first, second] : pairs) {
-    if (++steps % 1024 == 0 && cancel != nullptr && cancel->load(std::memory_order_relaxed))
-      return Error{ErrorCode::interrupted, "interrupted"};
-    finder.examine(first, second);
-  }
+  ASSIGN_OR_RETURN(const std::vector<PairContact> contacts, pair_contacts(pairs, skeleton.operands(), facets, cancel));
+  for (const PairContact& contact : contacts) finder.add(contact);
   facets.number_planes();
   finder.join_faces();
   skeleton.add_boundaries();

@@ -6,8 +6,12 @@
 namespace algebra3d::arrangement {
 
 bool Facets::is_coplanar_across(std::uint32_t halfedge, std::uint32_t other) const {
-  const TriangleRef triangle = operands_.corners(halfedge / 3);
+  const IntegerPlane *plane = planes_of_faces_.find(halfedge / 3), *beyond = planes_of_faces_.find(other / 3);
+  if (plane != nullptr && beyond != nullptr) return *plane == *beyond;
+  if (beyond != nullptr) return beyond->side(operands_.point_of(Operands::previous(halfedge))) == 0;
   const PointRef apex = operands_.point_of(Operands::previous(other));
+  if (plane != nullptr) return plane->side(apex) == 0;
+  const TriangleRef triangle = operands_.corners(halfedge / 3);
   return orient3d(triangle[0], triangle[1], triangle[2], apex) == 0;
 }
 
@@ -35,10 +39,12 @@ void Facets::number_planes() {
     const std::uint32_t first_of_plane = planes_of_facets_.find(f);
     if (first_of_plane == f) {
       facets_[f].plane = static_cast<std::uint32_t>(planes_.size());
-      const Projection projection = dominant_projection(triangle[0], triangle[1], triangle[2]);
-      facets_[f].orientation = orient2d(projection, triangle[0], triangle[1], triangle[2]);
+      const auto [projection, turn] = dominant_turn(triangle);
+      facets_[f].orientation = turn;
       if (facets_[f].orientation < 0) std::swap(triangle[1], triangle[2]);
-      planes_.push_back({triangle, projection});
+      planes_.push_back({triangle, projection, {}});
+      if (const IntegerPlane* known = planes_of_faces_.find(faces_[facets_[f].first]); known != nullptr)
+        planes_.back().exact = facets_[f].orientation > 0 ? *known : known->flipped();
     } else {
       facets_[f].plane = facets_[first_of_plane].plane;
       const Projection projection = planes_[facets_[f].plane].projection;
@@ -47,7 +53,13 @@ void Facets::number_planes() {
   }
 }
 
-bool Facets::has_boundary_origin(std::uint32_t halfedge) const {
+bool Facets::has_boundary_origin(std::uint32_t halfedge) {
+  std::uint8_t& known = has_boundary_origin_[halfedge];
+  if (known == kUnknown) known = finds_boundary_at_origin(halfedge) ? kYes : kNo;
+  return known == kYes;
+}
+
+bool Facets::finds_boundary_at_origin(std::uint32_t halfedge) const {
   std::vector<std::uint32_t> outgoing;
   operands_.halfedges_around_origin(halfedge, outgoing);
   return std::ranges::any_of(outgoing, [&](std::uint32_t h) {

@@ -6,6 +6,7 @@
 
 #include "algebra3d/arrangement/disjoint_sets.h"
 #include "algebra3d/arrangement/operands.h"
+#include "algebra3d/arrangement/planes_of_faces.h"
 
 namespace algebra3d::arrangement {
 
@@ -22,12 +23,17 @@ struct Facet {
 struct Plane {
   TriangleRef triangle;  ///< some input triangle in it, never a constructed one; counter-clockwise in the projection
   Projection projection;
+  IntegerPlane exact;  ///< null if nobody has asked for it so far
 };
 
 /// The facets that take part in an arrangement: those with a face that touches another operand.
 class Facets {
  public:
-  explicit Facets(const Operands& operands) : operands_(operands), of_face_(operands.face_count(), kNone) {}
+  explicit Facets(const Operands& operands)
+      : operands_(operands),
+        of_face_(operands.face_count(), kNone),
+        planes_of_faces_(operands),
+        has_boundary_origin_(3 * std::size_t{operands.face_count()}) {}
 
   /// Makes the face's facet, unless it is there. Cost: linear in the faces of a new facet.
   std::uint32_t add(std::uint32_t face);
@@ -42,6 +48,19 @@ class Facets {
     return std::span(faces_).subspan(facets_[facet].first, facets_[facet].last - facets_[facet].first);
   }
   const std::vector<Plane>& planes() const { return planes_; }
+  /// The plane by its numbers, which are kept.
+  const IntegerPlane& exact_plane(std::uint32_t plane) {
+    if (planes_[plane].exact.is_null()) planes_[plane].exact = IntegerPlane::through(planes_[plane].triangle);
+    return planes_[plane].exact;
+  }
+  /// The same, which are made anew if they are not there.
+  IntegerPlane exact_plane(std::uint32_t plane) const {
+    return planes_[plane].exact.is_null() ? IntegerPlane::through(planes_[plane].triangle) : planes_[plane].exact;
+  }
+  /// The plane of a face, which is made if it is new.
+  const IntegerPlane& plane_of_face(std::uint32_t face) { return planes_of_faces_.get(face); }
+  /// Null if it is not there.
+  const IntegerPlane* known_plane_of_face(std::uint32_t face) const { return planes_of_faces_.find(face); }
   /// kNone for a face that touches nothing.
   std::uint32_t of_face(std::uint32_t face) const { return of_face_[face]; }
   std::span<const std::uint32_t> of_all_faces() const { return of_face_; }
@@ -52,17 +71,23 @@ class Facets {
     return other == kNone || of_face_[other / 3] != of_face_[halfedge / 3];
   }
   /// True unless the origin lies inside the facet of the half-edge's own face.
-  bool has_boundary_origin(std::uint32_t halfedge) const;
+  /// The face must be in a facet.
+  bool has_boundary_origin(std::uint32_t halfedge);
 
  private:
+  enum : std::uint8_t { kUnknown, kNo, kYes };
+
+  bool finds_boundary_at_origin(std::uint32_t halfedge) const;
   bool is_coplanar_across(std::uint32_t halfedge, std::uint32_t other) const;
 
   const Operands& operands_;
   std::vector<std::uint32_t> of_face_;
+  PlanesOfFaces planes_of_faces_;
   std::vector<std::uint32_t> faces_;  // facet by facet
   std::vector<Facet> facets_;
   std::vector<Plane> planes_;
   DisjointSets planes_of_facets_{0};
+  std::vector<std::uint8_t> has_boundary_origin_;  // per half-edge, once it was asked for
 };
 
 }  // namespace algebra3d::arrangement

@@ -34,6 +34,11 @@ class Operands {
   }
 
   TriangleRef corners(std::uint32_t face) const;
+  /// Null if the mesh does not know it.
+  const IntegerPlane* plane(std::uint32_t face) const {
+    const std::uint32_t operand = operand_of_face(face);
+    return mesh(operand).planes().find(face - first_face_[operand]);
+  }
   std::uint32_t vertex(std::uint32_t halfedge) const;
   PointRef point_of(std::uint32_t halfedge) const;
   static std::uint32_t next(std::uint32_t halfedge) { return halfedge % 3 == 2 ? halfedge - 2 : halfedge + 1; }

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "algebra3d/arrangement/outcome_planes.h"
 #include "algebra3d/arrangement/triangulation.h"
 #include "algebra3d/exact/predicates.h"
 
@@ -66,7 +67,8 @@ class OutcomeBuilder {
         patches_(patches),
         selection_(selection),
         corners_(skeleton),
-        is_fixed_(skeleton.vertices().size()) {}
+        is_fixed_(skeleton.vertices().size()),
+        planes_(skeleton) {}
 
   TriangleMesh run();
 
@@ -106,6 +108,7 @@ class OutcomeBuilder {
   /// Edges of kept patches along which more than two faces meet, by their vertices, ascending.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> shared_patch_edges_;
   std::vector<TriangleMesh::Triangle> triangles_;
+  OutcomePlanes planes_;
 };
 
 void OutcomeBuilder::take_patches() {
@@ -139,6 +142,7 @@ void OutcomeBuilder::take_face(std::uint32_t operand, FaceId face, bool is_flipp
       shared_patch_edges_.emplace_back(std::minmax(u, v));
   }
   if (is_flipped) std::swap(triangle[1], triangle[2]);
+  planes_.take(static_cast<std::uint32_t>(triangles_.size()), operand, face, is_flipped);
   triangles_.push_back(triangle);
 }
 
@@ -253,11 +257,15 @@ void OutcomeBuilder::triangulate_regions() {
     const Projection projection = skeleton_.facets().planes()[edges_[begin].plane].projection;
     [[maybe_unused]] const bool is_region = triangulate(skeleton_.vertices(), projection, region, triangles);
     assert(is_region);
+    const auto first_triangle = static_cast<std::uint32_t>(triangles_.size());
     for (TriangleMesh::Triangle triangle : triangles) {
       for (std::uint32_t& corner : triangle) corner = corners_.of_vertex(corner);
       if (edges_[begin].is_flipped) std::swap(triangle[1], triangle[2]);
       triangles_.push_back(triangle);
     }
+    if (!std::ranges::all_of(region, [&](const DirectedEdge& e) { return skeleton_.vertices()[e.first].is_double(); }))
+      planes_.add(first_triangle, static_cast<std::uint32_t>(triangles_.size()), edges_[begin].plane,
+                  edges_[begin].is_flipped);
   }
 }
 
@@ -267,7 +275,7 @@ TriangleMesh OutcomeBuilder::run() {
   find_passages();
   straighten();
   triangulate_regions();
-  return {corners_.take_points(), triangles_};
+  return {corners_.take_points(), triangles_, planes_.take_planes()};
 }
 
 }  // namespace

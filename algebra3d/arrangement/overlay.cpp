@@ -18,7 +18,8 @@ struct Element {
   std::uint32_t facet;  ///< that holds it; kNone if there are several
   bool is_boundary;     ///< of a facet
 
-  auto place() const { return std::tuple(plane, segment, from); }
+  std::uint64_t line() const { return std::uint64_t{plane} << 32U | segment; }
+  auto place() const { return std::pair(line(), from); }
 
   bool is_vertex() const { return segment == kNone; }
 };
@@ -166,7 +167,11 @@ std::vector<Element> collect_elements(const Skeleton& skeleton) {
   }
   for (const auto& [facet, vertex] : skeleton.touches())
     elements.push_back({facets[facet].plane, kNone, vertex, vertex, facet, false});
-  std::ranges::sort(elements, {}, [](const Element& e) { return std::tuple(e.place(), e.facet, e.is_boundary); });
+  std::ranges::sort(elements, [](const Element& a, const Element& b) {
+    const std::uint64_t line_a = a.line(), line_b = b.line();
+    if (line_a != line_b) return line_a < line_b;
+    return std::tuple(a.from, a.facet, a.is_boundary) < std::tuple(b.from, b.facet, b.is_boundary);
+  });
   // Each once, however many facets hold it.
   std::vector<Element> distinct;
   for (const Element& element : elements) {

@@ -16,36 +16,21 @@ std::vector<std::uint32_t> Skeleton::vertices_of_corners() const {
   return result;
 }
 
-const IntegerPlane& Skeleton::exact_plane_of_facet(std::uint32_t facet) {
-  const auto [entry, is_new] = facet_planes_.try_emplace(facet);
-  if (is_new) entry->second = IntegerPlane::through(operands_.corners(facets_.faces(facet).front()));
-  return entry->second;
-}
-
-const IntegerPlane& Skeleton::exact_plane(std::uint32_t plane) {
-  const auto [entry, is_new] = planes_.try_emplace(plane);
-  if (is_new) entry->second = IntegerPlane::through(facets_.planes()[plane].triangle);
-  return entry->second;
-}
-
-std::uint32_t Skeleton::crossing(std::uint32_t edge, std::uint32_t facet) {
-  const auto [entry, is_new] = crossings_.try_emplace((std::uint64_t{edge} << 32U) | facet, kNone);
+std::uint32_t Skeleton::crossing_of_plane(std::uint32_t edge, std::uint32_t plane) {
+  const auto [entry, is_new] = crossings_.try_emplace((std::uint64_t{edge} << 32U) | plane, kNone);
   if (is_new)
     entry->second = vertices_.intern(intersect_line_plane(
-        operands_.point_of(edge), operands_.point_of(Operands::next(edge)), exact_plane_of_facet(facet)));
+        operands_.point_of(edge), operands_.point_of(Operands::next(edge)), facets_.exact_plane(plane)));
   return entry->second;
-}
-
-std::uint32_t Skeleton::crossing_of_plane(std::uint32_t edge, std::uint32_t plane) {
-  return vertices_.intern(
-      intersect_line_plane(operands_.point_of(edge), operands_.point_of(Operands::next(edge)), exact_plane(plane)));
 }
 
 std::uint32_t Skeleton::crossing_of_planes(std::uint32_t p, std::uint32_t q, std::uint32_t r) {
   std::array<std::uint32_t, 3> planes{p, q, r};
   std::ranges::sort(planes);
   const auto [entry, is_new] = plane_crossings_.try_emplace(planes, kNone);
-  if (is_new) entry->second = vertices_.intern(intersect_planes(exact_plane(p), exact_plane(q), exact_plane(r)));
+  if (is_new)
+    entry->second =
+        vertices_.intern(intersect_planes(facets_.exact_plane(p), facets_.exact_plane(q), facets_.exact_plane(r)));
   return entry->second;
 }
 

@@ -39,8 +39,6 @@ class Skeleton {
 
   /// The vertex at the origin of the half-edge.
   std::uint32_t corner(std::uint32_t halfedge);
-  /// The vertex in which the edge of an operand meets the plane of the facet.
-  std::uint32_t crossing(std::uint32_t edge, std::uint32_t facet);
   /// The vertex that three planes have in common.
   std::uint32_t crossing_of_planes(std::uint32_t p, std::uint32_t q, std::uint32_t r);
   /// The vertex in which the edge of an operand meets the plane.
@@ -86,8 +84,6 @@ class Skeleton {
 
  private:
   std::uint32_t segment_between(std::uint32_t from, std::uint32_t to);
-  const IntegerPlane& exact_plane_of_facet(std::uint32_t facet);
-  const IntegerPlane& exact_plane(std::uint32_t plane);
 
   const Operands& operands_;
   Facets& facets_;
@@ -99,9 +95,8 @@ class Skeleton {
   std::unordered_map<std::uint32_t, std::uint32_t> corners_;           // operand vertex -> vertex
   std::unordered_map<std::uint32_t, std::uint32_t> edge_segments_;     // edge -> segment
   std::unordered_map<std::uint64_t, std::uint32_t> segments_between_;  // lower end, higher end -> segment
-  std::unordered_map<std::uint64_t, std::uint32_t> crossings_;         // edge, facet -> vertex
+  std::unordered_map<std::uint64_t, std::uint32_t> crossings_;         // edge, plane -> vertex
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> plane_crossings_;
-  std::unordered_map<std::uint32_t, IntegerPlane> facet_planes_, planes_;
 };
 
 }  // namespace algebra3d::arrangement

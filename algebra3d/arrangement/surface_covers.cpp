@@ -42,7 +42,7 @@ void complete_covers(const Skeleton& skeleton, Pieces& pieces) {
       const auto own = std::span(covers).subspan(first);
       if (std::ranges::find(own, facet, &Cover::facet) != own.end()) continue;
       // Not on the facet's boundary, along which the piece would have its cover: inside.
-      if (place_in(middle, skeleton.operands().corners(face))) covers.push_back({facet, Side::both});
+      if (TriangleInPlane(skeleton.operands().corners(face)).place(middle)) covers.push_back({facet, Side::both});
     }
     piece.first_cover = first;
     piece.last_cover = static_cast<std::uint32_t>(covers.size());

@@ -24,6 +24,9 @@ class IntegerPlane {
   /// Through two different points, parallel to an axis (0: x, 1: y, 2: z) to which their line is not parallel.
   static IntegerPlane along_axis(PointRef p, PointRef q, std::size_t axis);
 
+  /// On the heap, of a plane whose numbers are not long.
+  static constexpr std::size_t kTypicalBytes = 256;
+
   bool is_null() const { return form_ == nullptr; }
   /// On which side the point lies: 1 in front, 0 in the plane, -1 behind. Exact: orient3d of three points in it. Cost:
   /// some nanoseconds if rounded numbers tell, else four products of integers.

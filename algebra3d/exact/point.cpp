@@ -66,6 +66,11 @@ void PointArray::push_back(const PointRef& point) {
   exact_count_ += point.is_double() ? 0 : 1;
 }
 
+void PointArray::shrink_to_fit() {
+  approx_.shrink_to_fit();
+  exact_.shrink_to_fit();
+}
+
 bool operator==(const PointArray& a, const PointArray& b) {
   if (a.approx_ != b.approx_ || a.exact_count_ != b.exact_count_) return false;
   for (std::size_t i = 0; i < a.exact_.size(); ++i)

@@ -1,6 +1,7 @@
 #include "algebra3d/exact/predicates.h"
 
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -150,7 +151,8 @@ bool collinear(PointRef a, PointRef b, PointRef c) {
          orient2d(Projection::zx, a, b, c) == 0;
 }
 
-Projection dominant_projection(PointRef a, PointRef b, PointRef c) {
+ProjectedTurn dominant_turn(const TriangleRef& triangle) {
+  const auto& [a, b, c] = triangle;
   const Vec3 normal = cross(b.approx - a.approx, c.approx - a.approx);
   std::array<Projection, 3> planes{Projection::yz, Projection::zx, Projection::xy};
   // The rounded normal only says where to look first; after NaN as well.
@@ -160,9 +162,14 @@ Projection dominant_projection(PointRef a, PointRef b, PointRef c) {
   put_larger_first(planes[0], planes[1]);
   put_larger_first(planes[1], planes[2]);
   put_larger_first(planes[0], planes[1]);
-  for (const Projection plane : {planes[0], planes[1]})
-    if (orient2d(plane, a, b, c) != 0) return plane;
-  return planes[2];
+  for (const Projection plane : planes)
+    if (const int sign = orient2d(plane, a, b, c); sign != 0) return {plane, sign};
+  assert(false && "a triangle on a line");
+  return {planes[2], 0};
+}
+
+Projection dominant_projection(const PointRef& a, const PointRef& b, const PointRef& c) {
+  return dominant_turn({a, b, c}).projection;
 }
 
 }  // namespace algebra3d

@@ -31,7 +31,7 @@ inline int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) 
   const int sign = detail::filter_orient3d(a, b, c, d);
   return sign != detail::kUndecided ? sign : detail::decide_orient3d(a, b, c, d);
 }
-inline int orient3d(PointRef a, PointRef b, PointRef c, PointRef d) {
+inline int orient3d(const PointRef& a, const PointRef& b, const PointRef& c, const PointRef& d) {
   if (a.is_double() && b.is_double() && c.is_double() && d.is_double()) [[likely]]
     return orient3d(a.approx, b.approx, c.approx, d.approx);
   detail::count_call();
@@ -44,12 +44,16 @@ inline int orient2d(Projection plane, const Vec3& a, const Vec3& b, const Vec3& 
   const int sign = detail::filter_orient2d(plane, a, b, c);
   return sign != detail::kUndecided ? sign : detail::decide_orient2d(plane, a, b, c);
 }
-inline int orient2d(Projection plane, PointRef a, PointRef b, PointRef c) {
+inline int orient2d(Projection plane, const PointRef& a, const PointRef& b, const PointRef& c) {
   if (a.is_double() && b.is_double() && c.is_double()) [[likely]]
     return orient2d(plane, a.approx, b.approx, c.approx);
   detail::count_call();
   return detail::orient2d_of_rationals(plane, a, b, c);
 }
+
+/// Sides of the plane of `base`, which is not degenerate, on which the corners of `triangle` lie: three times orient3d,
+/// with what belongs to the plane done once.
+std::array<int, 3> sides_of_plane(const TriangleRef& base, const TriangleRef& triangle);
 
 /// Compare one exact coordinate (axis 0, 1, 2), or all lexicographically.
 std::strong_ordering compare(std::size_t axis, PointRef a, PointRef b);
@@ -59,7 +63,13 @@ bool equal(PointRef a, PointRef b);
 bool collinear(PointRef a, PointRef b, PointRef c);
 /// A projection in which the triangle keeps a positive area: its area's sign there is exact and not 0. Requires that
 /// the three are not collinear.
-Projection dominant_projection(PointRef a, PointRef b, PointRef c);
+Projection dominant_projection(const PointRef& a, const PointRef& b, const PointRef& c);
+/// The same, and the sign of the area there.
+struct ProjectedTurn {
+  Projection projection;
+  int sign;
+};
+ProjectedTurn dominant_turn(const TriangleRef& triangle);
 
 /// What two closed sets have in common: nothing, one point, a segment, or a part of positive area.
 enum class Contact : std::uint8_t { none, point, segment, area };

@@ -30,25 +30,6 @@ int decide(const PointRef& a, const PointRef& b, const PointRef& c, const PointR
                        : detail::orient3d_of_rationals(a, b, c, d);
 }
 
-// Sides of the plane of `base` on which the corners of `triangle` lie: three times orient3d, and the filter's part that
-// belongs to the plane only once.
-Signs heights_over(const TriangleRef& base, const TriangleRef& triangle) {
-  const auto& [a, b, c] = base;
-  Signs heights{};
-  if (!a.is_double() || !b.is_double() || !c.is_double()) {
-    for (std::size_t i = 0; i < 3; ++i) heights[i] = orient3d(a, b, c, triangle[i]);
-    return heights;
-  }
-  detail::count_calls(3);
-  const detail::PlaneFilter filter(a.approx, b.approx, c.approx);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const PointRef& d = triangle[i];
-    heights[i] = d.is_double() ? filter.side(d.approx) : detail::kUndecided;
-    if (heights[i] == detail::kUndecided) heights[i] = decide(a, b, c, d);
-  }
-  return heights;
-}
-
 // ---- on one line, where lexicographic order is the order along the line
 
 Contact point_on_collinear_segment(const PointRef& p, const PointRef& a, const PointRef& b) {
@@ -204,6 +185,23 @@ int half_turn(const PointRef& e0, const PointRef& e1, const PointRef& origin, co
 
 }  // namespace
 
+std::array<int, 3> sides_of_plane(const TriangleRef& base, const TriangleRef& triangle) {
+  const auto& [a, b, c] = base;
+  Signs heights{};
+  if (!a.is_double() || !b.is_double() || !c.is_double()) {
+    for (std::size_t i = 0; i < 3; ++i) heights[i] = orient3d(a, b, c, triangle[i]);
+    return heights;
+  }
+  detail::count_calls(3);
+  const detail::PlaneFilter filter(a.approx, b.approx, c.approx);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const PointRef& d = triangle[i];
+    heights[i] = d.is_double() ? filter.side(d.approx) : detail::kUndecided;
+    if (heights[i] == detail::kUndecided) heights[i] = decide(a, b, c, d);
+  }
+  return heights;
+}
+
 Contact intersect_segments(PointRef a, PointRef b, PointRef c, PointRef d) {
   if (orient3d(a, b, c, d) != 0) return Contact::none;
   const bool c_on_line = collinear(a, b, c);
@@ -228,10 +226,10 @@ Contact intersect_segment_triangle(PointRef p, PointRef q, const TriangleRef& tr
 }
 
 Contact intersect_triangles(const TriangleRef& s, const TriangleRef& t) {
-  const Signs t_heights = heights_over(s, t);
+  const Signs t_heights = sides_of_plane(s, t);
   if (all_equal_and_not_zero(t_heights)) return Contact::none;
   if (all_zero(t_heights)) return coplanar_triangles(s, t);
-  const Signs s_heights = heights_over(t, s);
+  const Signs s_heights = sides_of_plane(t, s);
   if (all_equal_and_not_zero(s_heights)) return Contact::none;
   return intervals_on_common_line(s, s_heights, t, t_heights);
 }

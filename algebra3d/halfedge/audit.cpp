@@ -65,6 +65,7 @@ struct TriangleMeshAuditor {
     for (std::uint32_t h = 0; h < opposites.size(); ++h) check_opposite(h);
     for (std::uint32_t v = 0; v < fans.size(); ++v) check_outgoing(v);
     check_tables();
+    check_planes();
   }
 
  private:
@@ -86,9 +87,18 @@ struct TriangleMeshAuditor {
   void check_opposite(std::uint32_t h);
   void check_outgoing(std::uint32_t v);
   void check_tables();
+  void check_planes();
   void check_edge_table(const TriangleMesh::NonManifold& tables);
   void check_vertex_table(const TriangleMesh::NonManifold& tables);
 };
+
+void TriangleMeshAuditor::check_planes() {
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    const IntegerPlane* plane = mesh.planes().find(f);
+    if (plane != nullptr && !(*plane == IntegerPlane::through(mesh.corners(FaceId(f)))))
+      report("face {}: the plane that is known is not that of its corners", f);
+  }
+}
 
 bool TriangleMeshAuditor::check_sizes() {
   const std::size_t before = violations.size();

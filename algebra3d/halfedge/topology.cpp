@@ -190,6 +190,22 @@ TriangleMesh flipped(const TriangleMesh& mesh) {
   return {mesh.points(), triangles};
 }
 
+namespace {
+
+FacePlanes planes_of(const TriangleMesh& mesh, std::span<const FaceId> faces) {
+  FacePlanes result;
+  std::vector<std::uint32_t> new_numbers(mesh.planes().size(), FacePlanes::kUnknown);
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const std::uint32_t number = mesh.planes().number(faces[i].index());
+    if (number == FacePlanes::kUnknown) continue;
+    if (new_numbers[number] == FacePlanes::kUnknown) new_numbers[number] = result.add(mesh.planes()[number]);
+    result.set(i, new_numbers[number]);
+  }
+  return result;
+}
+
+}  // namespace
+
 TriangleMesh submesh(const TriangleMesh& mesh, std::span<const FaceId> faces) {
   std::vector<std::uint32_t> new_index(mesh.vertex_count(), kUnset);
   std::vector<TriangleMesh::Triangle> triangles;
@@ -200,13 +216,13 @@ TriangleMesh submesh(const TriangleMesh& mesh, std::span<const FaceId> faces) {
     for (std::uint32_t& corner : triangle) {
       if (new_index[corner] == kUnset) {
         new_index[corner] = static_cast<std::uint32_t>(points.size());
-        points.push_back(mesh.points().point(corner));
+        points.push_back(mesh.points()[corner]);
       }
       corner = new_index[corner];
     }
     triangles.push_back(triangle);
   }
-  return {std::move(points), triangles};
+  return {std::move(points), triangles, planes_of(mesh, faces)};
 }
 
 }  // namespace algebra3d

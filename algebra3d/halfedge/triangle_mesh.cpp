@@ -66,8 +66,8 @@ TriangleRef TriangleMesh::corners(FaceId f) const {
 }
 
 std::size_t TriangleMesh::heap_bytes() const {
-  std::size_t bytes =
-      points_.heap_bytes() + capacity_bytes(origins_) + capacity_bytes(opposites_) + capacity_bytes(outgoing_);
+  std::size_t bytes = points_.heap_bytes() + planes_.heap_bytes() + capacity_bytes(origins_) +
+                      capacity_bytes(opposites_) + capacity_bytes(outgoing_);
   if (nonmanifold_)
     bytes += sizeof(NonManifold) + capacity_bytes(nonmanifold_->edge_starts) +
              capacity_bytes(nonmanifold_->edge_halfedges) + capacity_bytes(nonmanifold_->vertices) +

@@ -8,6 +8,7 @@
 
 #include "algebra3d/exact/point.h"
 #include "algebra3d/exact/predicates.h"
+#include "algebra3d/halfedge/face_planes.h"
 #include "algebra3d/halfedge/handle.h"
 
 namespace algebra3d {
@@ -31,7 +32,8 @@ class TriangleMesh {
   TriangleMesh() = default;
   /// Links the triangles along common edges. Every index is below points.size() (asserted). Points that no triangle
   /// uses are kept as isolated vertices. Cost: linear expected (sorting per vertex), no recursion.
-  TriangleMesh(PointArray points, std::span<const Triangle> triangles);
+  /// Planes that are known must be those of the corners.
+  TriangleMesh(PointArray points, std::span<const Triangle> triangles, FacePlanes planes = {});
 
   std::size_t vertex_count() const { return points_.size(); }
   std::size_t face_count() const { return origins_.size() / 3; }
@@ -75,6 +77,9 @@ class TriangleMesh {
   Triangle triangle(FaceId f) const;
   TriangleRef corners(FaceId f) const;
 
+  /// Known planes of faces; none has to be. Volumes and surfaces are the same whether they are known or not.
+  const FacePlanes& planes() const { return planes_; }
+
   /// Bytes on the heap, as counted from the containers' capacities, without those of large rationals.
   std::size_t heap_bytes() const;
 
@@ -92,6 +97,7 @@ class TriangleMesh {
   std::vector<std::uint32_t> opposites_;  // per half-edge
   std::vector<HalfedgeId> outgoing_;      // per vertex; handles, so that `fans` can show one entry in place
   std::shared_ptr<const NonManifold> nonmanifold_;
+  FacePlanes planes_;
 };
 
 }  // namespace algebra3d

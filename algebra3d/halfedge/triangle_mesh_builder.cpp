@@ -210,10 +210,11 @@ void TriangleMeshBuilder::list_fans() {
     mesh.outgoing_[tables.vertices[i]] = tables.fans[tables.fan_starts[i]];
 }
 
-TriangleMesh::TriangleMesh(PointArray points, std::span<const Triangle> triangles) : points_(std::move(points)) {
+TriangleMesh::TriangleMesh(PointArray points, std::span<const Triangle> triangles, FacePlanes planes)
+    : points_(std::move(points)), planes_(std::move(planes)) {
   assert(triangles.size() <= kMaxFaces);
   // A mesh lives long: it keeps no spare capacity of the array that it was given.
-  if (points_.approx().capacity() > points_.size()) points_ = PointArray(std::as_const(points_));
+  points_.shrink_to_fit();
   origins_.reserve(3 * triangles.size());
   for (const Triangle& triangle : triangles) {
     for (const std::uint32_t corner : triangle) {

@@ -1,0 +1,69 @@
+#include "algebra3d/arrangement/pair_contacts.h"
+
+#include <algorithm>
+
+#include "algebra3d/base/parallel.h"
+
+namespace algebra3d::arrangement {
+namespace {
+
+using PairSpan = std::span<const std::pair<std::uint32_t, std::uint32_t>>;
+
+/// From so many pairs on, a second thread saves more than it costs.
+constexpr std::size_t kPairsWorthAThread = 2000;
+
+bool has_exact_corner(const TriangleRef& corners) {
+  return !std::ranges::all_of(corners, &PointRef::is_double);
+}
+
+/// Planes of faces with corners that are no doubles, and of those that are compared with such. Between doubles, planes
+/// would take longer.
+void make_planes(PairSpan pairs, const Operands& operands, Facets& facets) {
+  bool is_needed = false;
+  for (std::uint32_t operand = 0; operand < operands.count(); ++operand)
+    is_needed = is_needed || operands.mesh(operand).points().exact_count() > 0;
+  if (!is_needed) return;
+  for (const auto& [first, second] : pairs)
+    if (has_exact_corner(operands.corners(first)) || has_exact_corner(operands.corners(second))) {
+      facets.plane_of_face(first);
+      facets.plane_of_face(second);
+    }
+}
+
+bool touch(const TriangleContact& contact, const PlaneTriangle& first, const PlaneTriangle& second) {
+  if (contact.is_coplanar) return intersect_triangles(first.corners, second.corners) != Contact::none;
+  return contact.count > 0;
+}
+
+/// False if it was interrupted.
+bool add_contacts(PairSpan pairs, const Operands& operands, const Facets& facets, const std::atomic<bool>* cancel,
+                  std::vector<PairContact>& result) {
+  std::size_t steps = 0;
+  for (const auto& [first_face, second_face] : pairs) {
+    if (++steps % 1024 == 0 && cancel != nullptr && cancel->load(std::memory_order_relaxed)) return false;
+    const PlaneTriangle first{operands.corners(first_face), facets.known_plane_of_face(first_face)};
+    const PlaneTriangle second{operands.corners(second_face), facets.known_plane_of_face(second_face)};
+    const TriangleContact contact = contact_of(first, second);
+    if (touch(contact, first, second)) result.push_back({first_face, second_face, contact});
+  }
+  return true;
+}
+
+}  // namespace
+
+Result<std::vector<PairContact>> pair_contacts(PairSpan pairs, const Operands& operands, Facets& facets,
+                                               const std::atomic<bool>* cancel) {
+  make_planes(pairs, operands, facets);
+  std::vector<PairContact> result, others;
+  const std::size_t half = pairs.size() / 2;
+  bool is_done = false, are_others_done = false;
+  in_parallel(
+      pairs.size() >= kPairsWorthAThread,
+      [&] { is_done = add_contacts(pairs.first(half), operands, facets, cancel, result); },
+      [&] { are_others_done = add_contacts(pairs.subspan(half), operands, facets, cancel, others); });
+  if (!is_done || !are_others_done) return Error{ErrorCode::interrupted, "interrupted"};
+  result.insert(result.end(), others.begin(), others.end());
+  return result;
+}
+
+}  // namespace algebra3d::arrangement
