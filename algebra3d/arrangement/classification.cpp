@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cassert>
 #include <map>
+#include <optional>
+#include <utility>
 
+#include "algebra3d/arrangement/faces_above.h"
 #include "algebra3d/arrangement/point_location.h"
 #include "algebra3d/arrangement/radial_order.h"
 #include "algebra3d/arrangement/room_above.h"
@@ -12,6 +15,11 @@
 
 namespace algebra3d::arrangement {
 namespace {
+
+Status check_interrupt(const std::atomic<bool>* cancel) {
+  if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return Error{ErrorCode::interrupted, "interrupted"};
+  return {};
+}
 
 class Classifier {
  public:
@@ -24,7 +32,11 @@ class Classifier {
         patches_(patches),
         sets_(2 * pieces.pieces.size() + patches.patches.size()),
         location_(operands_),
-        rooms_above_(operands_) {}
+        rooms_above_(operands_),
+        faces_above_(operands_) {}
+
+  /// What each set's name stands for, as soon as a seed tells.
+  using Names = std::map<std::uint32_t, Windings>;
 
   Result<Classification> run(const std::atomic<bool>* cancel);
 
@@ -64,6 +76,17 @@ class Classifier {
   Windings front_from_above(const Seed& seed);
   Windings front_at_patch(std::uint32_t patch);
   Windings front_at_patch_from_above(std::uint32_t patch);
+  ExactPoint middle_of(std::uint32_t face) const;
+  /// Ties the sets of patches inside many operands to what is above them.
+  Status join_to_what_is_above(const std::atomic<bool>* cancel, Names& names);
+  /// Nothing if a face above is no patch's; else what stands for the room in which the way up ends: of the first other
+  /// set that is met, or of the last face below the open air.
+  struct Ascent {
+    Front below;                 ///< the room above the last face of the own set
+    std::optional<Front> above;  ///< the same room, as the other set knows it
+  };
+  std::optional<Ascent> ascend(std::uint32_t face);
+  std::vector<std::uint32_t> highest_faces();
   /// Adds what operands other than `known` (ascending) contribute at the point.
   void add_others(const PointRef& point, const std::vector<std::uint32_t>& known, Windings& windings);
 
@@ -76,6 +99,7 @@ class Classifier {
   WindingSets sets_;
   PointLocation location_;
   RoomsAbove rooms_above_;
+  FacesAbove faces_above_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> clean_lines_;  // u, v of clean edges, ascending
   std::vector<Seed> line_seeds_;                                      // candidates, at most one per line
 };
@@ -198,13 +222,90 @@ Windings Classifier::front_from_above(const Seed& seed) {
   return front - from.difference + to.difference;
 }
 
+ExactPoint Classifier::middle_of(std::uint32_t face) const {
+  const TriangleRef corners = operands_.corners(face);
+  return ExactPoint(Rational(1, 3) * (corners[0].rational() + corners[1].rational() + corners[2].rational()));
+}
+
 Windings Classifier::front_at_patch_from_above(std::uint32_t patch) {
   const Patch& at = patches_.patches[patch];
-  const TriangleRef corners = operands_.corners(at.first_face);
-  const ExactPoint middle(Rational(1, 3) * (corners[0].rational() + corners[1].rational() + corners[2].rational()));
   Windings step{};
-  if (!is_room_above_in_front(corners)) step[operands_.group(at.operand)] = 1;
-  return rooms_above_.windings(middle) - step;
+  if (!is_room_above_in_front(operands_.corners(at.first_face))) step[operands_.group(at.operand)] = 1;
+  return rooms_above_.windings(middle_of(at.first_face)) - step;
+}
+
+std::optional<Classifier::Ascent> Classifier::ascend(std::uint32_t start) {
+  const std::uint32_t patch = patches_.of_face[start];
+  const auto room = [&](std::uint32_t of, bool is_in_front) {
+    Front front{member_of_patch(of), {}};
+    if (!is_in_front) front.excess[operands_.group(patches_.patches[of].operand)] = 1;
+    return front;
+  };
+  const std::uint32_t own_set = sets_.find(member_of_patch(patch)).set;
+  Ascent ascent{room(patch, is_room_above_in_front(operands_.corners(start))), {}};
+  bool are_all_patches = true;
+  const bool is_ordered = faces_above_.for_each(middle_of(start), [&](std::uint32_t face, int sign) {
+    const std::uint32_t met = patches_.of_face[face];
+    are_all_patches = met != kNone;
+    if (!are_all_patches) return false;
+    if (sets_.find(member_of_patch(met)).set != own_set) {
+      ascent.above = room(met, sign < 0);
+      return false;
+    }
+    ascent.below = room(met, sign > 0);
+    return true;
+  });
+  if (!is_ordered || !are_all_patches) return std::nullopt;
+  return ascent;
+}
+
+/// Of each set with patches, the face in one of them whose middle is highest: from there the way up is shortest.
+std::vector<std::uint32_t> Classifier::highest_faces() {
+  struct Highest {
+    double height;
+    std::uint32_t face = kNone;
+  };
+  const auto raise = [](Highest& highest, const Highest& other) {
+    if (highest.face == kNone || highest.height < other.height) highest = other;
+  };
+  std::vector<Highest> of_patches(patches_.patches.size());
+  for (std::uint32_t face = 0; face < operands_.face_count(); ++face) {
+    const std::uint32_t patch = patches_.of_face[face];
+    if (patch == kNone) continue;
+    const TriangleRef corners = operands_.corners(face);
+    raise(of_patches[patch], {corners[0].approx.z / 3 + corners[1].approx.z / 3 + corners[2].approx.z / 3, face});
+  }
+  std::map<std::uint32_t, Highest> of_sets;
+  for (std::uint32_t patch = 0; patch < of_patches.size(); ++patch)
+    raise(of_sets[sets_.find(member_of_patch(patch)).set], of_patches[patch]);
+  std::vector<std::uint32_t> result;
+  for (const auto& [set, highest] : of_sets) result.push_back(highest.face);
+  std::ranges::sort(result);
+  return result;
+}
+
+/// From one face of each set the way leads up to another set, or to the open air. A set that is tied to others is one
+/// with them from then on; since each takes one step that ties two sets or ends in the open, one of those that are tied
+/// together has ended there. So no set needs more than the way to the next one, however many are around it.
+Status Classifier::join_to_what_is_above(const std::atomic<bool>* cancel, Names& names) {
+  constexpr std::size_t kMany = 8;
+  if (operands_.count() <= kMany) return {};
+  std::vector<Front> in_the_open;
+  for (const std::uint32_t face : highest_faces()) {
+    if (!location_.is_near_many(operands_.point_of(3 * face), kMany)) continue;
+    RETURN_IF_ERROR(check_interrupt(cancel));
+    const std::optional<Ascent> ascent = ascend(face);
+    if (!ascent) continue;
+    if (ascent->above)
+      sets_.unite(ascent->below.member, ascent->above->member, ascent->below.excess - ascent->above->excess);
+    else
+      in_the_open.push_back(ascent->below);
+  }
+  for (const Front& front : in_the_open) {
+    const auto [set, difference] = sets_.find(front.member);
+    names.try_emplace(set, Windings{} - front.excess - difference);
+  }
+  return {};
 }
 
 Windings Classifier::front_at_patch(std::uint32_t patch) {
@@ -219,26 +320,22 @@ Result<Classification> Classifier::run(const std::atomic<bool>* cancel) {
   join_clean_edges();
   join_lines();
 
-  // What each set's name stands for, as soon as a seed tells; lines where many operands meet need the fewest rays.
-  std::map<std::uint32_t, Windings> names;
+  Names names;
+  if (closure_ == Closure::each) RETURN_IF_ERROR(join_to_what_is_above(cancel, names));
+  // Lines where many operands meet need the fewest rays.
   std::ranges::stable_sort(line_seeds_, std::ranges::greater{}, &Seed::operand_count);
-  const auto check = [&]() -> Status {
-    if (cancel != nullptr && cancel->load(std::memory_order_relaxed))
-      return Error{ErrorCode::interrupted, "interrupted"};
-    return {};
-  };
   for (const Seed& seed : line_seeds_) {
     const auto [set, difference] = sets_.find(seed.half_plane.cell_side());
     const auto [entry, is_new] = names.try_emplace(set);
     if (!is_new) continue;
-    RETURN_IF_ERROR(check());
+    RETURN_IF_ERROR(check_interrupt(cancel));
     entry->second = (closure_ == Closure::each ? front_at(seed) : front_from_above(seed)) - difference;
   }
   for (std::uint32_t patch = 0; patch < patches_.patches.size(); ++patch) {
     const auto [set, difference] = sets_.find(member_of_patch(patch));
     const auto [entry, is_new] = names.try_emplace(set);
     if (!is_new) continue;
-    RETURN_IF_ERROR(check());
+    RETURN_IF_ERROR(check_interrupt(cancel));
     entry->second = (closure_ == Closure::each ? front_at_patch(patch) : front_at_patch_from_above(patch)) - difference;
   }
 

@@ -12,7 +12,7 @@ namespace algebra3d::arrangement {
 
 inline constexpr std::uint32_t kNone = 0xFFFFFFFF;
 /// From so many faces on, a second thread saves more than it costs.
-inline constexpr std::uint32_t kWorthAThread = 100000;
+inline constexpr std::uint32_t kWorthAThread = 20000;
 
 /// All operands as if they were one mesh: faces, half-edges and vertices are numbered through, those of the first
 /// operand first; half-edge 3f + i leaves corner i of face f as in every mesh.

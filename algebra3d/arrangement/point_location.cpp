@@ -16,16 +16,27 @@ int PointLocation::winding(std::uint32_t operand, const PointRef& point) const {
   return winding;
 }
 
-std::vector<std::uint32_t> PointLocation::near(const PointRef& point) {
+const rtree::RTree<std::uint32_t>& PointLocation::boxes() {
   if (!boxes_) {
     std::vector<rtree::Entry<std::uint32_t>> entries;
     for (std::uint32_t i = 0; i < operands_.count(); ++i) entries.push_back({operands_.hierarchy(i).bounds(), i});
     boxes_ = std::make_unique<rtree::RTree<std::uint32_t>>(rtree::RTree<std::uint32_t>::bulk_load(entries));
   }
+  return *boxes_;
+}
+
+std::vector<std::uint32_t> PointLocation::near(const PointRef& point) {
   std::vector<std::uint32_t> result;
-  for (const std::uint32_t operand : boxes_->window(box_of(point))) result.push_back(operand);
+  for (const std::uint32_t operand : boxes().window(box_of(point))) result.push_back(operand);
   std::ranges::sort(result);
   return result;
+}
+
+bool PointLocation::is_near_many(const PointRef& point, std::size_t many) {
+  auto found = boxes().window(box_of(point));
+  std::size_t count = 0;
+  while (count <= many && found.next()) ++count;
+  return count > many;
 }
 
 }  // namespace algebra3d::arrangement

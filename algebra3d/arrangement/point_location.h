@@ -19,8 +19,12 @@ class PointLocation {
   int winding(std::uint32_t operand, const PointRef& point) const;
   /// Operands whose boxes hold the point; others do not hold it. Ascending.
   std::vector<std::uint32_t> near(const PointRef& point);
+  /// True if there are more of them than so many. Cost: that of finding one more.
+  bool is_near_many(const PointRef& point, std::size_t many);
 
  private:
+  const rtree::RTree<std::uint32_t>& boxes();
+
   const Operands& operands_;
   std::unique_ptr<rtree::RTree<std::uint32_t>> boxes_;  // of the operands, once it was asked for
 };

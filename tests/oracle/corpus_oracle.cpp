@@ -120,7 +120,8 @@ int main(int count, char** arguments) {
   std::size_t passed = 0, failed = 0, left_out = 0;
   for (std::size_t i = 0; i + 1 < files.size(); ++i) {
     const auto first = solid_of(files[i]), given = solid_of(files[i + 1]);
-    if (!first || !given || first->face_count() + given->face_count() > largest) {
+    if (!first || !given || first->is_empty() || given->is_empty() ||
+        first->face_count() + given->face_count() > largest) {
       ++left_out;
       continue;
     }

@@ -52,8 +52,12 @@ TEST_P(Constructions, plane_through_is_one_for_all_triangles_in_it_that_turn_the
     const Plane s = oracle_plane(p, 0), t = oracle_plane(p, 3);
     if (s.is_degenerate() || t.is_degenerate()) continue;
     const IntegerPlane ours = IntegerPlane::through(triangle(p, 0)), other = IntegerPlane::through(triangle(p, 3));
-    for (const TestPoint& point : p)
-      ASSERT_EQ(ours.exact().evaluate(point.ours.rational()).sign(), sign_of(s.oriented_side(point.oracle)));
+    for (const TestPoint& point : p) {
+      const int side = sign_of(s.oriented_side(point.oracle));
+      ASSERT_EQ(ours.exact().evaluate(point.ours.rational()).sign(), side);
+      ASSERT_EQ(ours.side(point.ours), side);
+      ASSERT_EQ(ours.flipped().side(point.ours), -side);
+    }
     const bool is_same = s == t;
     in_common_plane += is_same ? 1 : 0;
     ASSERT_EQ(ours == other, is_same);
