@@ -21,7 +21,7 @@ struct SolidArrangement::Parts {
       : list(given.begin(), given.end()), operands(list), facets(operands), skeleton(operands, facets) {}
 
   /// Pieces from contacts; patches from facets.
-  Status subdivide(Closure closure, const std::atomic<bool>* cancel);
+  Status subdivide(Closure closure, const Monitor& monitor);
 
   std::vector<Operand> list;
   Operands operands;
@@ -32,10 +32,10 @@ struct SolidArrangement::Parts {
   Classification classification;
 };
 
-Status SolidArrangement::Parts::subdivide(Closure closure, const std::atomic<bool>* cancel) {
+Status SolidArrangement::Parts::subdivide(Closure closure, const Monitor& monitor) {
   Status status;
   const auto find_pieces = [&] {
-    status = cut_segments(skeleton, cancel);
+    status = cut_segments(skeleton, monitor);
     if (!status) return;
     pieces = divide(skeleton);
     if (closure == Closure::together) complete_covers(skeleton, pieces);
@@ -51,7 +51,7 @@ SolidArrangement::SolidArrangement(SolidArrangement&& other) noexcept = default;
 SolidArrangement& SolidArrangement::operator=(SolidArrangement&& other) noexcept = default;
 SolidArrangement::~SolidArrangement() = default;
 
-Result<SolidArrangement> SolidArrangement::make(std::span<const Operand> operands, const std::atomic<bool>* cancel,
+Result<SolidArrangement> SolidArrangement::make(std::span<const Operand> operands, const Monitor& monitor,
                                                 Closure closure) {
   std::size_t face_count = 0;
   for (const Operand& operand : operands) face_count += operand.mesh->face_count();
@@ -60,10 +60,11 @@ Result<SolidArrangement> SolidArrangement::make(std::span<const Operand> operand
                  TriangleMesh::kMaxFaces};
 
   auto parts = std::make_unique<Parts>(operands);
-  ASSIGN_OR_RETURN(const auto pairs, candidate_pairs(parts->operands, cancel));
-  RETURN_IF_ERROR(find_contacts(pairs, parts->facets, parts->skeleton, cancel));
-  RETURN_IF_ERROR(parts->subdivide(closure, cancel));
-  ASSIGN_OR_RETURN(parts->classification, classify(parts->skeleton, parts->pieces, parts->patches, closure, cancel));
+  ASSIGN_OR_RETURN(const auto pairs, candidate_pairs(parts->operands, monitor));
+  RETURN_IF_ERROR(find_contacts(pairs, parts->facets, parts->skeleton, monitor));
+  RETURN_IF_ERROR(parts->subdivide(closure, monitor));
+  ASSIGN_OR_RETURN(parts->classification, classify(parts->skeleton, parts->pieces, parts->patches, closure, monitor));
+  monitor.tell("building the result");
   return SolidArrangement(std::move(parts));
 }
 
@@ -88,9 +89,8 @@ TriangleMesh SolidArrangement::solid(const KeepRule& rule) const {
   });
 }
 
-Result<TriangleMesh> combine_solids(std::span<const Operand> operands, const KeepRule& rule,
-                                    const std::atomic<bool>* cancel) {
-  ASSIGN_OR_RETURN(const SolidArrangement arrangement, SolidArrangement::make(operands, cancel));
+Result<TriangleMesh> combine_solids(std::span<const Operand> operands, const KeepRule& rule, const Monitor& monitor) {
+  ASSIGN_OR_RETURN(const SolidArrangement arrangement, SolidArrangement::make(operands, monitor));
   return arrangement.solid(rule);
 }
 

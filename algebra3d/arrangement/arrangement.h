@@ -1,13 +1,13 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
 
 #include "algebra3d/base/error.h"
+#include "algebra3d/base/monitor.h"
 #include "algebra3d/halfedge/box_hierarchy.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
 
@@ -46,7 +46,7 @@ class SolidArrangement {
   /// The meshes must outlive the arrangement. Exactness: exact, for all valid operands. Errors: interrupted;
   /// limit_exceeded beyond TriangleMesh::kMaxFaces faces.
   /// Cost: near-linear in the faces of operands whose boxes meet, linear in those of the others.
-  static Result<SolidArrangement> make(std::span<const Operand> operands, const std::atomic<bool>* cancel = nullptr,
+  static Result<SolidArrangement> make(std::span<const Operand> operands, const Monitor& monitor = {},
                                        Closure closure = Closure::each);
   SolidArrangement(SolidArrangement&& other) noexcept;
   SolidArrangement& operator=(SolidArrangement&& other) noexcept;
@@ -72,6 +72,6 @@ class SolidArrangement {
 
 /// SolidArrangement::solid of the operands, for one rule.
 Result<TriangleMesh> combine_solids(std::span<const Operand> operands, const KeepRule& rule,
-                                    const std::atomic<bool>* cancel = nullptr);
+                                    const Monitor& monitor = {});
 
 }  // namespace algebra3d

@@ -11,23 +11,19 @@ namespace {
 using FacePairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 using Tree = rtree::RTree<std::uint32_t>;
 
-bool is_cancelled(const std::atomic<bool>* cancel) {
-  return cancel != nullptr && cancel->load(std::memory_order_relaxed);
-}
-
 void pair_two(const Operands& operands, std::uint32_t a, std::uint32_t b, BoxHierarchy::Share share,
-              const std::atomic<bool>* cancel, FacePairs& pairs) {
+              const Monitor& monitor, FacePairs& pairs) {
   operands.hierarchy(a).for_each_pair_with(
       operands.hierarchy(b),
       [&](std::uint32_t f, std::uint32_t g) {
         pairs.emplace_back(operands.first_face(a) + f, operands.first_face(b) + g);
         return true;
       },
-      [&] { return !is_cancelled(cancel); }, share);
+      [&] { return !monitor.is_cancelled(); }, share);
 }
 
 /// Few operands: the hierarchy of each against that of each other one.
-void pair_operands(const Operands& operands, const std::atomic<bool>* cancel, FacePairs& pairs) {
+void pair_operands(const Operands& operands, const Monitor& monitor, FacePairs& pairs) {
   const bool is_large = operands.face_count() >= kWorthAThread;
   FacePairs others;
   for (std::uint32_t a = 0; a < operands.count(); ++a)
@@ -35,10 +31,10 @@ void pair_operands(const Operands& operands, const std::atomic<bool>* cancel, Fa
       in_parallel(
           is_large,
           [&] {
-            pair_two(operands, a, b, {0, 2}, cancel, pairs);
+            pair_two(operands, a, b, {0, 2}, monitor, pairs);
           },
           [&] {
-            pair_two(operands, a, b, {1, 2}, cancel, others);
+            pair_two(operands, a, b, {1, 2}, monitor, others);
           });
       pairs.insert(pairs.end(), others.begin(), others.end());
       others.clear();
@@ -46,7 +42,7 @@ void pair_operands(const Operands& operands, const std::atomic<bool>* cancel, Fa
 }
 
 /// Many operands: one tree over the faces of all whose boxes meet others.
-void pair_faces(const Operands& operands, const std::atomic<bool>* cancel, FacePairs& pairs) {
+void pair_faces(const Operands& operands, const Monitor& monitor, FacePairs& pairs) {
   std::vector<rtree::Entry<std::uint32_t>> boxes, faces;
   for (std::uint32_t i = 0; i < operands.count(); ++i) boxes.push_back({operands.hierarchy(i).bounds(), i});
   const Tree operand_tree = Tree::bulk_load(boxes);
@@ -58,7 +54,7 @@ void pair_faces(const Operands& operands, const std::atomic<bool>* cancel, FaceP
   }
   const Tree face_tree = Tree::bulk_load(faces);
   auto join = face_tree.self_join();
-  for (auto batch = join.next_batch(); !batch.empty() && !is_cancelled(cancel); batch = join.next_batch())
+  for (auto batch = join.next_batch(); !batch.empty() && !monitor.is_cancelled(); batch = join.next_batch())
     for (const auto& pair : batch)
       if (operands.operand_of_face(pair.first) != operands.operand_of_face(pair.second))
         pairs.emplace_back(pair.first, pair.second);
@@ -67,14 +63,15 @@ void pair_faces(const Operands& operands, const std::atomic<bool>* cancel, FaceP
 }  // namespace
 
 Result<std::vector<std::pair<std::uint32_t, std::uint32_t>>> candidate_pairs(const Operands& operands,
-                                                                             const std::atomic<bool>* cancel) {
+                                                                             const Monitor& monitor) {
   constexpr std::size_t kFewOperands = 8;
   FacePairs pairs;
+  monitor.tell("finding what is near");
   if (operands.count() <= kFewOperands)
-    pair_operands(operands, cancel, pairs);
+    pair_operands(operands, monitor, pairs);
   else
-    pair_faces(operands, cancel, pairs);
-  if (is_cancelled(cancel)) return Error{ErrorCode::interrupted, "interrupted"};
+    pair_faces(operands, monitor, pairs);
+  RETURN_IF_ERROR(monitor.check());
   return pairs;
 }
 

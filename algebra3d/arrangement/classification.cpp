@@ -16,11 +16,6 @@
 namespace algebra3d::arrangement {
 namespace {
 
-Status check_interrupt(const std::atomic<bool>* cancel) {
-  if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return Error{ErrorCode::interrupted, "interrupted"};
-  return {};
-}
-
 class Classifier {
  public:
   Classifier(const Skeleton& skeleton, const Pieces& pieces, const Patches& patches, Closure closure)
@@ -38,7 +33,7 @@ class Classifier {
   /// What each set's name stands for, as soon as a seed tells.
   using Names = std::map<std::uint32_t, Windings>;
 
-  Result<Classification> run(const std::atomic<bool>* cancel);
+  Result<Classification> run(const Monitor& monitor);
 
  private:
   /// A place at which the windings of a set can be told: a half-plane at a line, or a patch.
@@ -78,7 +73,7 @@ class Classifier {
   Windings front_at_patch_from_above(std::uint32_t patch);
   ExactPoint middle_of(std::uint32_t face) const;
   /// Ties the sets of patches inside many operands to what is above them.
-  Status join_to_what_is_above(const std::atomic<bool>* cancel, Names& names);
+  Status join_to_what_is_above(const Monitor& monitor, Names& names);
   /// Nothing if a face above is no patch's; else what stands for the room in which the way up ends: of the first other
   /// set that is met, or of the last face below the open air.
   struct Ascent {
@@ -287,13 +282,13 @@ std::vector<std::uint32_t> Classifier::highest_faces() {
 /// From one face of each set the way leads up to another set, or to the open air. A set that is tied to others is one
 /// with them from then on; since each takes one step that ties two sets or ends in the open, one of those that are tied
 /// together has ended there. So no set needs more than the way to the next one, however many are around it.
-Status Classifier::join_to_what_is_above(const std::atomic<bool>* cancel, Names& names) {
+Status Classifier::join_to_what_is_above(const Monitor& monitor, Names& names) {
   constexpr std::size_t kMany = 8;
   if (operands_.count() <= kMany) return {};
   std::vector<Front> in_the_open;
   for (const std::uint32_t face : highest_faces()) {
     if (!location_.is_near_many(operands_.point_of(3 * face), kMany)) continue;
-    RETURN_IF_ERROR(check_interrupt(cancel));
+    RETURN_IF_ERROR(monitor.check());
     const std::optional<Ascent> ascent = ascend(face);
     if (!ascent) continue;
     if (ascent->above)
@@ -315,27 +310,28 @@ Windings Classifier::front_at_patch(std::uint32_t patch) {
   return windings;
 }
 
-Result<Classification> Classifier::run(const std::atomic<bool>* cancel) {
+Result<Classification> Classifier::run(const Monitor& monitor) {
+  monitor.tell("telling inside from outside");
   join_cells(skeleton_, pieces_, sets_);
   join_clean_edges();
   join_lines();
 
   Names names;
-  if (closure_ == Closure::each) RETURN_IF_ERROR(join_to_what_is_above(cancel, names));
+  if (closure_ == Closure::each) RETURN_IF_ERROR(join_to_what_is_above(monitor, names));
   // Lines where many operands meet need the fewest rays.
   std::ranges::stable_sort(line_seeds_, std::ranges::greater{}, &Seed::operand_count);
   for (const Seed& seed : line_seeds_) {
     const auto [set, difference] = sets_.find(seed.half_plane.cell_side());
     const auto [entry, is_new] = names.try_emplace(set);
     if (!is_new) continue;
-    RETURN_IF_ERROR(check_interrupt(cancel));
+    RETURN_IF_ERROR(monitor.check());
     entry->second = (closure_ == Closure::each ? front_at(seed) : front_from_above(seed)) - difference;
   }
   for (std::uint32_t patch = 0; patch < patches_.patches.size(); ++patch) {
     const auto [set, difference] = sets_.find(member_of_patch(patch));
     const auto [entry, is_new] = names.try_emplace(set);
     if (!is_new) continue;
-    RETURN_IF_ERROR(check_interrupt(cancel));
+    RETURN_IF_ERROR(monitor.check());
     entry->second = (closure_ == Closure::each ? front_at_patch(patch) : front_at_patch_from_above(patch)) - difference;
   }
 
@@ -355,8 +351,8 @@ Result<Classification> Classifier::run(const std::atomic<bool>* cancel) {
 }  // namespace
 
 Result<Classification> classify(const Skeleton& skeleton, const Pieces& pieces, const Patches& patches, Closure closure,
-                                const std::atomic<bool>* cancel) {
-  return Classifier(skeleton, pieces, patches, closure).run(cancel);
+                                const Monitor& monitor) {
+  return Classifier(skeleton, pieces, patches, closure).run(monitor);
 }
 
 }  // namespace algebra3d::arrangement

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <atomic>
 #include <vector>
 
 #include "algebra3d/arrangement/arrangement.h"
 #include "algebra3d/arrangement/patches.h"
 #include "algebra3d/arrangement/pieces.h"
 #include "algebra3d/base/error.h"
+#include "algebra3d/base/monitor.h"
 
 namespace algebra3d::arrangement {
 
@@ -25,6 +25,6 @@ struct Classification {
 /// from a vertical line; those of operands that are closed only together all come from the line.
 /// Errors: interrupted. Exact.
 Result<Classification> classify(const Skeleton& skeleton, const Pieces& pieces, const Patches& patches, Closure closure,
-                                const std::atomic<bool>* cancel);
+                                const Monitor& monitor);
 
 }  // namespace algebra3d::arrangement

@@ -225,9 +225,9 @@ void ContactFinder::add_segments(std::span<const FaceContact> contacts) {
 }  // namespace
 
 Status find_contacts(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs, Facets& facets, Skeleton& skeleton,
-                     const std::atomic<bool>* cancel) {
+                     const Monitor& monitor) {
   ContactFinder finder(facets, skeleton);
-  ASSIGN_OR_RETURN(const std::vector<PairContact> contacts, pair_contacts(pairs, skeleton.operands(), facets, cancel));
+  ASSIGN_OR_RETURN(const std::vector<PairContact> contacts, pair_contacts(pairs, skeleton.operands(), facets, monitor));
   for (const PairContact& contact : contacts) finder.add(contact);
   facets.number_planes();
   finder.join_faces();

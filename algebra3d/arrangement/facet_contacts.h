@@ -1,11 +1,11 @@
 #pragma once
 
-#include <atomic>
 #include <span>
 #include <utility>
 
 #include "algebra3d/arrangement/skeleton.h"
 #include "algebra3d/base/error.h"
+#include "algebra3d/base/monitor.h"
 
 namespace algebra3d::arrangement {
 
@@ -16,6 +16,6 @@ namespace algebra3d::arrangement {
 /// Faces are compared in pairs, but artificial edges leave no trace: where the common part of two faces ends on one, it
 /// goes on in the next face, and the two parts are one. No vertex is constructed from an artificial edge.
 Status find_contacts(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs, Facets& facets, Skeleton& skeleton,
-                     const std::atomic<bool>* cancel);
+                     const Monitor& monitor);
 
 }  // namespace algebra3d::arrangement

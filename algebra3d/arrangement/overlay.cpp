@@ -187,12 +187,12 @@ std::vector<Element> collect_elements(const Skeleton& skeleton) {
 
 }  // namespace
 
-Status cut_segments(Skeleton& skeleton, const std::atomic<bool>* cancel) {
+Status cut_segments(Skeleton& skeleton, const Monitor& monitor) {
+  monitor.tell("finding crossings");
   const std::vector<Element> elements = collect_elements(skeleton);
   for (std::size_t begin = 0, end = 0; begin < elements.size(); begin = end) {
     while (end < elements.size() && elements[end].plane == elements[begin].plane) ++end;
-    if (cancel != nullptr && cancel->load(std::memory_order_relaxed))
-      return Error{ErrorCode::interrupted, "interrupted"};
+    RETURN_IF_ERROR(monitor.check());
     PlaneOverlay(skeleton, std::span(elements).subspan(begin, end - begin)).run();
   }
   share_cuts(skeleton);

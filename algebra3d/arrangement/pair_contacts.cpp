@@ -36,11 +36,10 @@ bool touch(const TriangleContact& contact, const PlaneTriangle& first, const Pla
 }
 
 /// False if it was interrupted.
-bool add_contacts(PairSpan pairs, const Operands& operands, const Facets& facets, const std::atomic<bool>* cancel,
+bool add_contacts(PairSpan pairs, const Operands& operands, const Facets& facets, Stage stage,
                   std::vector<PairContact>& result) {
-  std::size_t steps = 0;
   for (const auto& [first_face, second_face] : pairs) {
-    if (++steps % 1024 == 0 && cancel != nullptr && cancel->load(std::memory_order_relaxed)) return false;
+    if (!stage.begin_step()) return false;
     const PlaneTriangle first{operands.corners(first_face), facets.known_plane_of_face(first_face)};
     const PlaneTriangle second{operands.corners(second_face), facets.known_plane_of_face(second_face)};
     const TriangleContact contact = contact_of(first, second);
@@ -52,16 +51,18 @@ bool add_contacts(PairSpan pairs, const Operands& operands, const Facets& facets
 }  // namespace
 
 Result<std::vector<PairContact>> pair_contacts(PairSpan pairs, const Operands& operands, Facets& facets,
-                                               const std::atomic<bool>* cancel) {
+                                               const Monitor& monitor) {
   make_planes(pairs, operands, facets);
   std::vector<PairContact> result, others;
   const std::size_t half = pairs.size() / 2;
+  // The two halves come along together; one tells for both.
+  const Stage told(monitor, "finding what touches", half), silent(monitor.silent(), {}, half);
   bool is_done = false, are_others_done = false;
   in_parallel(
       pairs.size() >= kPairsWorthAThread,
-      [&] { is_done = add_contacts(pairs.first(half), operands, facets, cancel, result); },
-      [&] { are_others_done = add_contacts(pairs.subspan(half), operands, facets, cancel, others); });
-  if (!is_done || !are_others_done) return Error{ErrorCode::interrupted, "interrupted"};
+      [&] { is_done = add_contacts(pairs.first(half), operands, facets, told, result); },
+      [&] { are_others_done = add_contacts(pairs.subspan(half), operands, facets, silent, others); });
+  if (!is_done || !are_others_done) RETURN_IF_ERROR(monitor.check());
   result.insert(result.end(), others.begin(), others.end());
   return result;
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -9,6 +8,7 @@
 #include "algebra3d/arrangement/contact.h"
 #include "algebra3d/arrangement/facets.h"
 #include "algebra3d/base/error.h"
+#include "algebra3d/base/monitor.h"
 
 namespace algebra3d::arrangement {
 
@@ -21,7 +21,6 @@ struct PairContact {
 /// What the faces of each pair have in common, for those that touch, in the order of the pairs. Planes that are asked
 /// for are made in `facets`. Errors: interrupted.
 Result<std::vector<PairContact>> pair_contacts(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs,
-                                               const Operands& operands, Facets& facets,
-                                               const std::atomic<bool>* cancel);
+                                               const Operands& operands, Facets& facets, const Monitor& monitor);
 
 }  // namespace algebra3d::arrangement

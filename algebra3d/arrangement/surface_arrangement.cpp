@@ -40,17 +40,17 @@ int selected(const Facets& facets, const Pieces& pieces, SurfaceRule rule, std::
 }  // namespace
 
 Result<TriangleMesh> combine_surfaces(const Operand& first, const Operand& second, SurfaceRule rule,
-                                      const std::atomic<bool>* cancel) {
+                                      const Monitor& monitor) {
   if (first.mesh->face_count() + second.mesh->face_count() > TriangleMesh::kMaxFaces)
     return Error{ErrorCode::limit_exceeded, "the surfaces have more than {} triangles together",
                  TriangleMesh::kMaxFaces};
   const std::array<Operand, 2> list{first, second};
   const Operands operands(list);
-  ASSIGN_OR_RETURN(const auto pairs, candidate_pairs(operands, cancel));
+  ASSIGN_OR_RETURN(const auto pairs, candidate_pairs(operands, monitor));
   Facets facets(operands);
   Skeleton skeleton(operands, facets);
-  RETURN_IF_ERROR(find_contacts(pairs, facets, skeleton, cancel));
-  RETURN_IF_ERROR(cut_segments(skeleton, cancel));
+  RETURN_IF_ERROR(find_contacts(pairs, facets, skeleton, monitor));
+  RETURN_IF_ERROR(cut_segments(skeleton, monitor));
   Pieces pieces = divide(skeleton);
   complete_covers(skeleton, pieces);
   const Patches patches = find_patches(operands, facets);
@@ -59,6 +59,7 @@ Result<TriangleMesh> combine_surfaces(const Operand& first, const Operand& secon
                               const bool is_first = patches.patches[patch].operand == 0;
                               return static_cast<int>(keeps(rule, is_first, !is_first));
                             }};
+  monitor.tell("building the result");
   return build_outcome(skeleton, pieces, patches, selection);
 }
 

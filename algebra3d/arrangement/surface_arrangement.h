@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 
 #include "algebra3d/arrangement/arrangement.h"
@@ -18,6 +17,6 @@ enum class SurfaceRule : std::uint8_t { either, both, first_only, exactly_one };
 /// The result is a valid surface. Exactness: exact, for all valid operands. Errors: interrupted; limit_exceeded beyond
 /// TriangleMesh::kMaxFaces. Cost: near-linear where the surfaces meet, linear elsewhere.
 Result<TriangleMesh> combine_surfaces(const Operand& first, const Operand& second, SurfaceRule rule,
-                                      const std::atomic<bool>* cancel = nullptr);
+                                      const Monitor& monitor = {});
 
 }  // namespace algebra3d

@@ -5,6 +5,7 @@
 
 #include "algebra3d/base/diagnostics.h"
 #include "algebra3d/base/error.h"
+#include "algebra3d/base/monitor.h"
 
 namespace algebra3d {
 
@@ -20,14 +21,13 @@ struct Context {
   std::filesystem::path folder;
   /// What operators that keep many values may keep in memory; null: without a limit.
   WorkMemory* memory = nullptr;
+  /// Takes how far the statement has come; null: nobody wants to know.
+  const Monitor::Report* report = nullptr;
 
-  bool is_cancelled() const { return cancel != nullptr && cancel->load(std::memory_order_relaxed); }
-
+  Monitor monitor() const { return {cancel, report}; }
+  bool is_cancelled() const { return monitor().is_cancelled(); }
   /// The error `interrupted` once the host has asked to stop. Long loops ask every few thousand steps.
-  Status check_cancelled() const {
-    if (is_cancelled()) return Error{ErrorCode::interrupted, "interrupted"};
-    return {};
-  }
+  Status check_cancelled() const { return monitor().check(); }
 
   /// `name` as the file that it means here.
   std::filesystem::path resolve(const std::filesystem::path& name) const { return folder / name; }

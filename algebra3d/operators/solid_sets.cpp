@@ -15,7 +15,7 @@ Operand operand_of(const Volume3d& solid, std::uint32_t group) {
 /// One set operation on two solids, that of the second group last.
 Result<Volume3d> combined(Context& context, const Volume3d& a, const Volume3d& b, const KeepRule& rule) {
   ASSIGN_OR_RETURN(TriangleMesh mesh,
-                   combine_solids(std::array<Operand, 2>{operand_of(a, 0), operand_of(b, 1)}, rule, context.cancel));
+                   combine_solids(std::array<Operand, 2>{operand_of(a, 0), operand_of(b, 1)}, rule, context.monitor()));
   return Volume3d::trusted(std::move(mesh));
 }
 
@@ -23,7 +23,7 @@ Result<Volume3d> combined(Context& context, const Volume3d& a, const Volume3d& b
 Result<Volume3d> combined(Context& context, std::span<const Volume3d> solids, const KeepRule& rule) {
   std::vector<Operand> operands;
   for (const Volume3d& solid : solids) operands.push_back(operand_of(solid, 0));
-  ASSIGN_OR_RETURN(TriangleMesh mesh, combine_solids(operands, rule, context.cancel));
+  ASSIGN_OR_RETURN(TriangleMesh mesh, combine_solids(operands, rule, context.monitor()));
   return Volume3d::trusted(std::move(mesh));
 }
 
@@ -53,7 +53,7 @@ Result<Volume3d> in_either(Context& context, const Volume3d& solid, const Volume
 Result<Surface3d> combined(Context& context, const Surface3d& a, const Surface3d& b, SurfaceRule rule) {
   ASSIGN_OR_RETURN(TriangleMesh mesh,
                    combine_surfaces({&a.mesh(), 0, &a.geometry().hierarchy()},
-                                    {&b.mesh(), 0, &b.geometry().hierarchy()}, rule, context.cancel));
+                                    {&b.mesh(), 0, &b.geometry().hierarchy()}, rule, context.monitor()));
   return Surface3d::trusted(std::move(mesh));
 }
 
@@ -65,7 +65,7 @@ Result<Maybe<std::pair<Volume3d, Volume3d>>> split(Context& context, const Volum
   const auto behind = half_space_within(solid.box(), plane);
   if (!behind) return Maybe<Parts>(Undefined{behind.reason()});
   const std::array<Operand, 2> operands{{operand_of(solid, 0), {&*behind, 1}}};
-  ASSIGN_OR_RETURN(const SolidArrangement arrangement, SolidArrangement::make(operands, context.cancel));
+  ASSIGN_OR_RETURN(const SolidArrangement arrangement, SolidArrangement::make(operands, context.monitor()));
   return Maybe<Parts>(
       Parts{Volume3d::trusted(arrangement.solid([](const Holding& h) { return h[0] > 0 && h[1] == 0; })),
             Volume3d::trusted(arrangement.solid([](const Holding& h) { return h[0] > 0 && h[1] > 0; }))});
@@ -84,7 +84,7 @@ Result<Maybe<Surface3d>> section(Context& context, const Volume3d& solid, const 
   const auto behind = half_space_within(room, plane);
   if (!behind) return Maybe<Surface3d>(Undefined{behind.reason()});
   const std::array<Operand, 2> operands{{operand_of(solid, 0), {&*behind, 1}}};
-  ASSIGN_OR_RETURN(const SolidArrangement arrangement, SolidArrangement::make(operands, context.cancel));
+  ASSIGN_OR_RETURN(const SolidArrangement arrangement, SolidArrangement::make(operands, context.monitor()));
   return Maybe<Surface3d>(Surface3d::trusted(arrangement.faces(
       [](const Holding& front, const Holding& back) { return front[0] > 0 || back[0] > 0 ? back[1] - front[1] : 0; })));
 }

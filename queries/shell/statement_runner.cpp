@@ -86,7 +86,10 @@ Status StatementRunner::execute(const CommandText& command, Context& context) {
   const auto start = std::chrono::steady_clock::now();
   if (console_.terminal != nullptr) console_.terminal->begin_statement(command.text, session_.options().uses_pager);
   TerminalPresenter presenter(presenter_, console_.terminal);
+  const algebra3d::Monitor::Report report = [&](const std::string& how_far) { presenter.advance(how_far); };
+  context.report = &report;
   Status status = session_.execute(command.text, command.start, presenter, context);
+  context.report = nullptr;
   const auto end = std::chrono::steady_clock::now();
   if (console_.terminal != nullptr) {
     console_.terminal->end_statement();
