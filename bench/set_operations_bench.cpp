@@ -12,13 +12,18 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 
+#include <cstdlib>
 #include <memory>
 #include <numeric>
 #include <optional>
 #include <random>
+#include <sstream>
+#include <string>
 
 #include "algebra3d/arrangement/arrangement.h"
+#include "algebra3d/repair/solid_from_soup.h"
 #include "shapes.h"
+#include "stl/stl_reader.h"
 
 namespace {
 
@@ -268,6 +273,79 @@ BENCHMARK(sponge_corefine<Exact>)
     ->Unit(benchmark::kMillisecond)
     ->Iterations(1);
 
+// ---- real models
+
+/// The solids in the STL files that ALGEBRA3D_MODELS names, with colons between them; files without a solid are left
+/// out.
+const std::vector<Shape>& models() {
+  static const std::vector<Shape> all = [] {
+    std::vector<Shape> shapes;
+    const char* names = std::getenv("ALGEBRA3D_MODELS");
+    std::istringstream list(names != nullptr ? names : "");
+    for (std::string name; std::getline(list, name, ':');) {
+      const auto file = stl::read_stl_file(name);
+      if (!file.ok()) continue;
+      const auto solid = algebra3d::solid_from_soup(file->soup);
+      if (!solid.ok() || !solid->mesh) continue;
+      Shape& shape = shapes.emplace_back();
+      shape.points = solid->mesh->points().approx();
+      for (std::uint32_t f = 0; f < solid->mesh->face_count(); ++f)
+        shape.triangles.push_back(solid->mesh->triangle(algebra3d::FaceId(f)));
+    }
+    return shapes;
+  }();
+  return all;
+}
+
+/// A copy of the model: 0 turned about its middle and shifted by a tenth of its size, 1 shifted by 1e-9 of it.
+Shape copy_of(const Shape& model, std::int64_t variant) {
+  algebra3d::Box3 box;
+  for (const Vec3& p : model.points) box.extend(p);
+  const Vec3 size = box.max - box.min, middle = 0.5 * (box.min + box.max);
+  if (variant == 1) return moved(model, kAxis, 0, 1e-9 * size);
+  Shape centred = model;
+  for (Vec3& p : centred.points) p = p - middle;
+  return moved(std::move(centred), kAxis, kRoot2 / 2, middle + 0.1 * size);
+}
+
+void models_ours(benchmark::State& state) {
+  const Shape& model = models().at(static_cast<std::size_t>(state.range(0)));
+  const Solid a(model), b(copy_of(model, state.range(1)));
+  std::size_t faces = 0;
+  for (auto step : state) faces = combined(a, b, in_any).face_count();
+  state.counters["triangles_in"] = static_cast<double>(2 * a.mesh.face_count());
+  state.counters["triangles_out"] = static_cast<double>(faces);
+}
+
+template <typename Kernel>
+void models_corefine(benchmark::State& state) {
+  const Shape& model = models().at(static_cast<std::size_t>(state.range(0)));
+  const auto a = cgal_mesh_of<Kernel>(model), b = cgal_mesh_of<Kernel>(copy_of(model, state.range(1)));
+  std::size_t faces = 0;
+  for (auto step : state) {
+    state.PauseTiming();
+    auto p = a, q = b;
+    CgalMesh<Kernel> result;
+    state.ResumeTiming();
+    if (!pmp::corefine_and_compute_union(p, q, result)) return state.SkipWithError("refused");
+    faces = result.number_of_faces();
+  }
+  state.counters["triangles_out"] = static_cast<double>(faces);
+}
+
+void with_models(benchmark::internal::Benchmark* benchmark) {
+  for (std::int64_t model = 0; model < static_cast<std::int64_t>(models().size()); ++model)
+    for (const std::int64_t variant : {0, 1}) benchmark->Args({model, variant});
+  benchmark->Unit(benchmark::kMillisecond);
+}
+
+void register_models() {
+  if (models().empty()) return;  // a benchmark without arguments would run with none
+  benchmark::RegisterBenchmark("models_ours", models_ours)->Apply(with_models);
+  benchmark::RegisterBenchmark("models_corefine<Inexact>", models_corefine<Inexact>)->Apply(with_models);
+}
+[[maybe_unused]] const bool kAreModelsRegistered = (register_models(), true);
+
 // ---- grid of touching cubes -----------------------------------------------------------------------------------------
 
 void grid_ours(benchmark::State& state) {
@@ -282,5 +360,44 @@ void grid_ours(benchmark::State& state) {
   state.counters["triangles_out"] = static_cast<double>(faces);
 }
 BENCHMARK(grid_ours)->Arg(10)->Arg(20)->Unit(benchmark::kMillisecond)->Iterations(1);
+
+/// The same with gaps of one unit in the last place.
+void gaps_ours(benchmark::State& state) {
+  const auto n = static_cast<int>(state.range(0));
+  const auto below = [](int i) { return std::nextafter(i + 1.0, 0.0); };
+  std::vector<Shape> shapes;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      for (int k = 0; k < n; ++k)
+        shapes.push_back(box({double(i), double(j), double(k)}, {below(i), below(j), below(k)}));
+  const auto solids = solids_of(shapes);
+  std::size_t faces = 0;
+  for (auto step : state) faces = combined(solids, nullptr, in_any).face_count();
+  state.counters["triangles_out"] = static_cast<double>(faces);
+}
+BENCHMARK(gaps_ours)->Arg(20)->Unit(benchmark::kMillisecond)->Iterations(1);
+
+// ---- many operands inside one another, and apart
+
+void nested_ours(benchmark::State& state) {
+  std::vector<Shape> shapes;
+  for (std::int64_t i = 1; i <= state.range(0); ++i) {
+    const auto r = static_cast<double>(i);
+    shapes.push_back(box({-r, -r, -r}, {r, r, r}));
+  }
+  const auto solids = solids_of(shapes);
+  for (auto step : state) benchmark::DoNotOptimize(combined(solids, nullptr, in_any).face_count());
+}
+void apart_ours(benchmark::State& state) {
+  std::vector<Shape> shapes;
+  for (int i = 0; i < state.range(0); ++i) {
+    const double x = 2 * (i % 18), y = 2 * (i / 18 % 18), z = 2 * (i / 324);
+    shapes.push_back(box({x, y, z}, {x + 1, y + 1, z + 1}));
+  }
+  const auto solids = solids_of(shapes);
+  for (auto step : state) benchmark::DoNotOptimize(combined(solids, nullptr, in_any).face_count());
+}
+BENCHMARK(nested_ours)->Arg(1250)->Arg(2500)->Arg(5000)->Unit(benchmark::kMillisecond);
+BENCHMARK(apart_ours)->Arg(1250)->Arg(2500)->Arg(5000)->Unit(benchmark::kMillisecond);
 
 }  // namespace
