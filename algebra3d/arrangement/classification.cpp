@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "algebra3d/arrangement/clean_edges.h"
 #include "algebra3d/arrangement/faces_above.h"
 #include "algebra3d/arrangement/point_location.h"
 #include "algebra3d/arrangement/radial_order.h"
@@ -61,8 +62,7 @@ class Classifier {
   void join_lines();
   void join_line(std::size_t first, std::size_t last);
   void join_clean_edges();
-  Front front_of(const Segment& segment, std::uint32_t face) const;
-  HalfPlane cell_of(const Segment& segment, std::uint32_t facet) const;
+  void join_fronts_of_faces(const Piece& piece, std::uint32_t member);
   std::vector<HalfPlane> half_planes(std::size_t first, std::size_t last, bool only_steps) const;
   std::size_t count_operands(std::size_t first, std::size_t last) const;
   /// Just in front of the cell of the seed's half-plane.
@@ -95,7 +95,7 @@ class Classifier {
   PointLocation location_;
   RoomsAbove rooms_above_;
   FacesAbove faces_above_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> clean_lines_;  // u, v of clean edges, ascending
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> clean_lines_;  // u, v of the pieces of clean edges, ascending
   std::vector<Seed> line_seeds_;                                      // candidates, at most one per line
 };
 
@@ -137,41 +137,35 @@ void Classifier::join_lines() {
   }
 }
 
-/// An edge with a face that touches nothing is clean: no other operand is there, it is one piece, and the windings in
-/// front of all faces along it are the same. What is between the faces is not looked at, for not all of them are cells.
+/// No other operand is at a clean edge, so the windings in front of all faces along each of its pieces are the same.
+/// What is between the faces is not looked at, for not all of them are cells.
 void Classifier::join_clean_edges() {
-  std::vector<std::uint32_t> along;
-  for (const Segment& segment : skeleton_.segments()) {
-    if (segment.edge == kNone) continue;
-    operands_.halfedges_along(segment.edge, along);
-    if (std::ranges::none_of(along, [&](auto h) { return patches_.of_face[h / 3] != kNone; })) continue;
-    clean_lines_.emplace_back(std::minmax(segment.from, segment.to));
-    const auto in_facet = std::ranges::find_if(along, [&](auto h) { return facets_.of_face(h / 3) != kNone; });
-    const Front first = front_of(segment, *in_facet / 3);
-    for (const std::uint32_t h : along) {
-      const Front other = front_of(segment, h / 3);
-      sets_.unite(first.member, other.member, first.excess - other.excess);
+  for (const CleanEdge& edge : clean_edges(skeleton_, patches_)) {
+    const auto in_patch =
+        std::ranges::find_if(edge.halfedges, [&](auto h) { return patches_.of_face[h / 3] != kNone; });
+    const std::uint32_t first = member_of_patch(patches_.of_face[*in_patch / 3]);
+    for (const std::uint32_t h : edge.halfedges)
+      if (patches_.of_face[h / 3] != kNone) sets_.unite(first, member_of_patch(patches_.of_face[h / 3]), {});
+    const auto vertices = pieces_.segments.vertices(edge.segment);
+    for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
+      clean_lines_.emplace_back(std::minmax(vertices[i], vertices[i + 1]));
+      for (const Piece& piece : pieces_.along(vertices[i], vertices[i + 1])) join_fronts_of_faces(piece, first);
     }
   }
   std::ranges::sort(clean_lines_);
 }
 
-/// What stands for the room in front of a face at a clean edge.
-Classifier::Front Classifier::front_of(const Segment& segment, std::uint32_t face) const {
-  const std::uint32_t facet = facets_.of_face(face);
-  if (facet == kNone) return {member_of_patch(patches_.of_face[face]), {}};
-  const HalfPlane cell = cell_of(segment, facet);
-  return {cell.cell_side(), facets_[facet].orientation > 0 ? Windings{} : step(cell)};
-}
-
-/// The cell of a facet at an edge that is one piece.
-HalfPlane Classifier::cell_of(const Segment& segment, std::uint32_t facet) const {
-  const std::tuple key(std::min(segment.from, segment.to), std::max(segment.from, segment.to), facets_[facet].plane);
-  const auto piece =
-      std::ranges::lower_bound(pieces_.pieces, key, {}, [](const Piece& p) { return std::tuple(p.u, p.v, p.plane); });
-  const auto covers = pieces_.covers_of(*piece);
-  const auto cover = std::ranges::find(covers, facet, &Cover::facet);
-  return {static_cast<std::uint32_t>(piece - pieces_.pieces.begin()), cover->side == Side::right ? 1U : 0U};
+/// The windings in front of all faces along the piece are those of the member.
+void Classifier::join_fronts_of_faces(const Piece& piece, std::uint32_t member) {
+  const auto number = static_cast<std::uint32_t>(&piece - pieces_.pieces.data());
+  for (const Cover& cover : pieces_.covers_of(piece))
+    for (std::uint32_t side = 0; side < 2; ++side) {
+      if (!cover.is_on(side == 0 ? Side::left : Side::right)) continue;
+      const HalfPlane cell{number, side};
+      // The cell's front and its step are those in front of the face, unless the face looks to the back of its plane.
+      const Windings excess = facets_[cover.facet].orientation > 0 ? Windings{} : step(cell);
+      sets_.unite(member, cell.cell_side(), Windings{} - excess);
+    }
 }
 
 void Classifier::add_others(const PointRef& point, const std::vector<std::uint32_t>& known, Windings& windings) {

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "algebra3d/arrangement/clean_edges.h"
 #include "algebra3d/arrangement/outcome_planes.h"
 #include "algebra3d/arrangement/triangulation.h"
 #include "algebra3d/exact/predicates.h"
@@ -68,6 +69,7 @@ class OutcomeBuilder {
         selection_(selection),
         corners_(skeleton),
         is_fixed_(skeleton.vertices().size()),
+        clean_edges_(clean_edges(skeleton, patches)),
         planes_(skeleton) {}
 
   TriangleMesh run();
@@ -81,9 +83,14 @@ class OutcomeBuilder {
 
     friend auto operator<=>(const Spoke&, const Spoke&) = default;
   };
-  /// A vertex in the middle of a straight edge between two others, of which it is no corner.
+  /// A vertex in the middle of a straight edge of a region, on the way from one vertex to the next.
   struct Passage {
-    std::uint32_t vertex, one, other;
+    std::uint32_t vertex;
+    std::tuple<std::uint32_t, bool> region;
+    std::uint32_t before, after;
+
+    auto place() const { return std::tuple(vertex, region); }
+    friend auto operator<=>(const Passage&, const Passage&) = default;
   };
 
   std::array<int, 2> kept_sides(std::uint32_t number) const;
@@ -92,8 +99,11 @@ class OutcomeBuilder {
   void collect_edges();
   void find_passages();
   void find_passages_at(std::span<const Spoke> spokes);
+  void find_passages_of_clean_edges();
   static bool continue_each_other(std::span<const Spoke> one, std::span<const Spoke> other, std::span<const Spoke> all);
-  std::uint32_t beyond(std::uint32_t from, std::uint32_t vertex) const;
+  std::span<const Passage> passages(const KeptEdge& edge, std::uint32_t vertex) const;
+  bool comes_from_afar(const KeptEdge& edge) const;
+  std::uint32_t beyond(const KeptEdge& edge) const;
   void straighten();
   void triangulate_regions();
 
@@ -103,10 +113,11 @@ class OutcomeBuilder {
   const Selection& selection_;
   CornerNumbers corners_;
   std::vector<bool> is_fixed_;     // per vertex: a corner of a patch's face
-  std::vector<Passage> passages_;  // ascending by vertex
+  std::vector<Passage> passages_;  // ascending
   std::vector<KeptEdge> edges_;
-  /// Edges of kept patches along which more than two faces meet, by their vertices, ascending.
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> shared_patch_edges_;
+  std::vector<CleanEdge> clean_edges_;
+  /// Lines that edges of patches occupy, ascending.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> patch_lines_;
   std::vector<TriangleMesh::Triangle> triangles_;
   OutcomePlanes planes_;
 };
@@ -122,24 +133,16 @@ void OutcomeBuilder::take_patches() {
       const std::uint32_t patch = patches_.of_face[operands.first_face(operand) + f];
       if (is_kept(patch)) take_face(operand, FaceId(f), kept[patch] < 0);
     }
-  std::ranges::sort(shared_patch_edges_);
 }
 
 void OutcomeBuilder::take_face(std::uint32_t operand, FaceId face, bool is_flipped) {
   const TriangleMesh& mesh = skeleton_.operands().mesh(operand);
   const std::uint32_t first_corner = skeleton_.operands().first_vertex(operand);
   TriangleMesh::Triangle triangle = mesh.triangle(face);
-  std::array<std::uint32_t, 3> vertices{};
   for (std::size_t i = 0; i < 3; ++i) {
     const std::uint32_t corner = first_corner + triangle[i];
-    vertices[i] = corners_.vertex_of_corner(corner);
-    if (vertices[i] != kNone) is_fixed_[vertices[i]] = true;
+    if (const std::uint32_t vertex = corners_.vertex_of_corner(corner); vertex != kNone) is_fixed_[vertex] = true;
     triangle[i] = corners_.of_corner(corner, mesh.point(VertexId(triangle[i])));
-  }
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    const std::uint32_t u = vertices[i], v = vertices[(i + 1) % 3];
-    if (u != kNone && v != kNone && !mesh.opposite(TriangleMesh::halfedge(face, i)).is_valid())
-      shared_patch_edges_.emplace_back(std::minmax(u, v));
   }
   if (is_flipped) std::swap(triangle[1], triangle[2]);
   planes_.take(static_cast<std::uint32_t>(triangles_.size()), operand, face, is_flipped);
@@ -152,15 +155,21 @@ std::array<int, 2> OutcomeBuilder::kept_sides(std::uint32_t number) const {
           pieces_.is_covered(2 * number + 1) ? selection_.cell(2 * number + 1) : 0};
 }
 
-/// A line is an edge of the result unless all that is kept there is one plane on both sides of it. Faces of patches are
-/// there only along edges of the operands, and with a plane on both sides only where these have more than two faces.
+/// A line is an edge of the result unless all that is kept there is one plane on both sides of it, and no patch ends
+/// there.
 void OutcomeBuilder::collect_edges() {
+  for (const CleanEdge& edge : clean_edges_) {
+    const auto vertices = pieces_.segments.vertices(edge.segment);
+    for (std::size_t i = 0; i + 1 < vertices.size(); ++i)
+      patch_lines_.emplace_back(std::minmax(vertices[i], vertices[i + 1]));
+  }
+  std::ranges::sort(patch_lines_);
   const auto& pieces = pieces_.pieces;
   std::vector<std::array<int, 2>> kept;
   for (std::uint32_t first = 0, last = 0; first < pieces.size(); first = last) {
     kept.clear();
     std::size_t planes = 0;
-    bool is_parted = std::ranges::binary_search(shared_patch_edges_, std::pair(pieces[first].u, pieces[first].v));
+    bool is_parted = std::ranges::binary_search(patch_lines_, std::pair(pieces[first].u, pieces[first].v));
     for (; last < pieces.size() && pieces[last].u == pieces[first].u && pieces[last].v == pieces[first].v; ++last) {
       kept.push_back(kept_sides(last));
       const auto& [left, right] = kept.back();
@@ -188,6 +197,32 @@ void OutcomeBuilder::find_passages() {
     while (end < spokes.size() && spokes[end].vertex == spokes[begin].vertex) ++end;
     if (!is_fixed_[spokes[begin].vertex]) find_passages_at(std::span(spokes).subspan(begin, end - begin));
   }
+  find_passages_of_clean_edges();
+  std::ranges::sort(passages_);
+  passages_.erase(std::unique(passages_.begin(), passages_.end()), passages_.end());
+}
+
+/// Where a patch ends, its edge is whole; so it has to be whole in the regions on its other sides.
+void OutcomeBuilder::find_passages_of_clean_edges() {
+  const Operands& operands = skeleton_.operands();
+  const Facets& facets = skeleton_.facets();
+  for (const CleanEdge& edge : clean_edges_) {
+    const auto vertices = pieces_.segments.vertices(edge.segment);
+    for (const std::uint32_t h : edge.halfedges) {
+      if (facets.of_face(h / 3) == kNone || vertices.size() == 2) continue;
+      const Facet& facet = facets[facets.of_face(h / 3)];
+      // The facet lies to the left of its half-edge, seen from its own front; the region's edges have it to their left,
+      // seen from the front of the plane, whichever way the region looks.
+      const bool runs_along = corners_.vertex_of_corner(operands.vertex(h)) == vertices.front();
+      const bool is_forward = runs_along == (facet.orientation > 0);
+      for (std::size_t i = 1; i + 1 < vertices.size(); ++i)
+        for (const bool is_flipped : {false, true})
+          passages_.push_back({vertices[i],
+                               {facet.plane, is_flipped},
+                               vertices[is_forward ? i - 1 : i + 1],
+                               vertices[is_forward ? i + 1 : i - 1]});
+    }
+  }
 }
 
 void OutcomeBuilder::find_passages_at(std::span<const Spoke> spokes) {
@@ -202,8 +237,11 @@ void OutcomeBuilder::find_passages_at(std::span<const Spoke> spokes) {
     for (std::size_t j = i + 1; j < arms.size(); ++j) {
       if (!continue_each_other(arms[i], arms[j], spokes)) continue;
       const PointRef one = points[arms[i][0].other], other = points[arms[j][0].other];
-      if (compare(one, here) == compare(here, other) && collinear(one, here, other))
-        passages_.push_back({spokes[0].vertex, arms[i][0].other, arms[j][0].other});
+      if (compare(one, here) != compare(here, other) || !collinear(one, here, other)) continue;
+      for (const Spoke& spoke : arms[i]) {
+        const std::uint32_t from = arms[i][0].other, to = arms[j][0].other;
+        passages_.push_back({spoke.vertex, spoke.region, spoke.is_outgoing ? to : from, spoke.is_outgoing ? from : to});
+      }
     }
 }
 
@@ -222,13 +260,23 @@ bool OutcomeBuilder::continue_each_other(std::span<const Spoke> one, std::span<c
   return true;
 }
 
-/// The vertex to which the straight edge goes on that comes from `from` through `vertex`; kNone if it ends there.
-std::uint32_t OutcomeBuilder::beyond(std::uint32_t from, std::uint32_t vertex) const {
-  for (auto p = std::ranges::lower_bound(passages_, vertex, {}, &Passage::vertex);
-       p != passages_.end() && p->vertex == vertex; ++p) {
-    if (p->one == from) return p->other;
-    if (p->other == from) return p->one;
-  }
+/// Those of the edge's region at the vertex.
+std::span<const OutcomeBuilder::Passage> OutcomeBuilder::passages(const KeptEdge& edge, std::uint32_t vertex) const {
+  const std::tuple place(vertex, edge.region());
+  const auto first = std::ranges::lower_bound(passages_, place, {}, &Passage::place);
+  const auto last = std::ranges::upper_bound(first, passages_.end(), place, {}, &Passage::place);
+  return {first, last};
+}
+
+/// True if the edge is not the first of a straight run.
+bool OutcomeBuilder::comes_from_afar(const KeptEdge& edge) const {
+  return std::ranges::any_of(passages(edge, edge.from), [&](const Passage& p) { return p.after == edge.to; });
+}
+
+/// The vertex to which the straight edge goes on; kNone if it ends.
+std::uint32_t OutcomeBuilder::beyond(const KeptEdge& edge) const {
+  for (const Passage& passage : passages(edge, edge.to))
+    if (passage.before == edge.from) return passage.after;
   return kNone;
 }
 
@@ -236,11 +284,11 @@ std::uint32_t OutcomeBuilder::beyond(std::uint32_t from, std::uint32_t vertex) c
 void OutcomeBuilder::straighten() {
   std::vector<KeptEdge> straight;
   for (const KeptEdge& edge : edges_) {
-    if (beyond(edge.to, edge.from) != kNone) continue;
-    std::uint32_t before = edge.from, at = edge.to;
-    for (std::uint32_t next = beyond(before, at); next != kNone; next = beyond(before, at))
-      before = std::exchange(at, next);
-    straight.push_back({edge.plane, edge.is_flipped, edge.from, at});
+    if (comes_from_afar(edge)) continue;
+    KeptEdge last = edge;
+    for (std::uint32_t next = beyond(last); next != kNone; next = beyond(last))
+      last.from = std::exchange(last.to, next);
+    straight.push_back({edge.plane, edge.is_flipped, edge.from, last.to});
   }
   edges_ = std::move(straight);
   std::ranges::sort(edges_);

@@ -21,43 +21,7 @@ Side opposite(Side side) {
   return side == Side::left ? Side::right : side == Side::right ? Side::left : Side::both;
 }
 
-/// The vertices along each segment, from one end to the other.
-class CutSegments {
- public:
-  explicit CutSegments(Skeleton& skeleton);
-  std::span<const std::uint32_t> vertices(std::uint32_t segment) const {
-    return std::span(vertices_).subspan(first_[segment], first_[segment + 1] - first_[segment]);
-  }
-
- private:
-  std::vector<std::uint32_t> first_, vertices_;
-};
-
-CutSegments::CutSegments(Skeleton& skeleton) {
-  auto& cuts = skeleton.cuts();
-  std::ranges::sort(cuts);
-  cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
-  const VertexPool& points = skeleton.vertices();
-  auto cut = cuts.begin();
-  for (std::uint32_t s = 0; s < skeleton.segments().size(); ++s) {
-    first_.push_back(static_cast<std::uint32_t>(vertices_.size()));
-    const Segment& segment = skeleton.segments()[s];
-    vertices_.push_back(segment.from);
-    for (; cut != cuts.end() && cut->first == s; ++cut)
-      if (cut->second != segment.from && cut->second != segment.to) vertices_.push_back(cut->second);
-    vertices_.push_back(segment.to);
-    const auto begin = vertices_.begin() + first_.back();
-    if (vertices_.end() - begin == 2) continue;
-    // On a line, the lexicographic order is that along it.
-    std::sort(begin, vertices_.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return std::is_lt(compare(points[a], points[b])); });
-    if (*begin != segment.from) std::reverse(begin, vertices_.end());
-  }
-  first_.push_back(static_cast<std::uint32_t>(vertices_.size()));
-}
-
-std::vector<FacetPiece> facet_pieces(Skeleton& skeleton) {
-  const CutSegments segments(skeleton);
+std::vector<FacetPiece> facet_pieces(const Skeleton& skeleton, const CutSegments& segments) {
   std::vector<FacetPiece> pieces;
   for (const Incidence& incidence : skeleton.incidences()) {
     const auto vertices = segments.vertices(incidence.segment);
@@ -82,9 +46,33 @@ void add_step(Piece& piece, const Cover& cover, const Skeleton& skeleton) {
 
 }  // namespace
 
+CutSegments::CutSegments(Skeleton& skeleton) {
+  auto& cuts = skeleton.cuts();
+  std::ranges::sort(cuts);
+  cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+  const VertexPool& points = skeleton.vertices();
+  auto cut = cuts.begin();
+  for (std::uint32_t s = 0; s < skeleton.segments().size(); ++s) {
+    first_.push_back(static_cast<std::uint32_t>(vertices_.size()));
+    const Segment& segment = skeleton.segments()[s];
+    vertices_.push_back(segment.from);
+    for (; cut != cuts.end() && cut->first == s; ++cut)
+      if (cut->second != segment.from && cut->second != segment.to) vertices_.push_back(cut->second);
+    vertices_.push_back(segment.to);
+    const auto begin = vertices_.begin() + first_.back();
+    if (vertices_.end() - begin == 2) continue;
+    // On a line, the lexicographic order is that along it.
+    std::sort(begin, vertices_.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return std::is_lt(compare(points[a], points[b])); });
+    if (*begin != segment.from) std::reverse(begin, vertices_.end());
+  }
+  first_.push_back(static_cast<std::uint32_t>(vertices_.size()));
+}
+
 Pieces divide(Skeleton& skeleton) {
   Pieces result;
-  const std::vector<FacetPiece> pieces = facet_pieces(skeleton);
+  result.segments = CutSegments(skeleton);
+  const std::vector<FacetPiece> pieces = facet_pieces(skeleton, result.segments);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const FacetPiece& piece = pieces[i];
     if (i == 0 || pieces[i - 1].place() != piece.place()) {

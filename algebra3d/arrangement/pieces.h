@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "algebra3d/arrangement/skeleton.h"
@@ -40,17 +41,41 @@ struct Piece {
   std::array<Windings, 2> steps;
 };
 
+/// The vertices along each segment.
+class CutSegments {
+ public:
+  CutSegments() = default;
+  /// At the skeleton's cuts, which are sorted for that.
+  explicit CutSegments(Skeleton& skeleton);
+
+  /// From one end to the other.
+  std::span<const std::uint32_t> vertices(std::uint32_t segment) const {
+    return std::span(vertices_).subspan(first_[segment], first_[segment + 1] - first_[segment]);
+  }
+
+ private:
+  std::vector<std::uint32_t> first_, vertices_;
+};
+
 /// All pieces of all planes, by u and v, then by plane: so the pieces along one line in space are neighbours. A piece
 /// of closed operands knows all facets of its plane that hold it: it lies where some boundary or common part runs, and
 /// whatever other facet of the plane is there has a common part with the same facet there.
 struct Pieces {
   std::vector<Piece> pieces;
   std::vector<Cover> covers;
+  CutSegments segments;
 
   /// True if a facet covers the cell on the side: twice the piece for the left one, one more for the right one.
   bool is_covered(std::uint32_t cell_side) const {
     const Side side = cell_side % 2 == 0 ? Side::left : Side::right;
     return std::ranges::any_of(covers_of(pieces[cell_side / 2]), [side](const Cover& c) { return c.is_on(side); });
+  }
+  /// Those along the line between two vertices, one for each plane.
+  std::span<const Piece> along(std::uint32_t a, std::uint32_t b) const {
+    const std::pair<std::uint32_t, std::uint32_t> ends(std::min(a, b), std::max(a, b));
+    const auto line = [](const Piece& p) { return std::pair(p.u, p.v); };
+    const auto first = std::ranges::lower_bound(pieces, ends, {}, line);
+    return {first, std::ranges::upper_bound(first, pieces.end(), ends, {}, line)};
   }
   std::span<const Cover> covers_of(const Piece& piece) const {
     return std::span(covers).subspan(piece.first_cover, piece.last_cover - piece.first_cover);

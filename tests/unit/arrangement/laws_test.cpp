@@ -51,5 +51,14 @@ TEST(LawsOfSetAlgebra, hold_for_random_solids) {
   EXPECT_EQ(checks, 31 * rounds);
 }
 
+// Here results of operations touch their own edges with a corner, where nothing else is near, and are operands again.
+TEST(LawsOfSetAlgebra, hold_where_operands_touch_their_own_edges) {
+  for (const std::uint64_t seed : {20262515, 20264305}) {
+    LawTrial trial(seed);
+    trial.run();
+    EXPECT_EQ(trial.findings(), "") << seed;
+  }
+}
+
 }  // namespace
 }  // namespace algebra3d::solids
