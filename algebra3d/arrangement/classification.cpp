@@ -80,7 +80,7 @@ class Classifier {
     Front below;                 ///< the room above the last face of the own set
     std::optional<Front> above;  ///< the same room, as the other set knows it
   };
-  std::optional<Ascent> ascend(std::uint32_t face);
+  std::optional<Ascent> ascend(std::uint32_t start);
   std::vector<std::uint32_t> highest_faces();
   /// Adds what operands other than `known` (ascending) contribute at the point.
   void add_others(const PointRef& point, const std::vector<std::uint32_t>& known, Windings& windings);
@@ -268,6 +268,7 @@ std::vector<std::uint32_t> Classifier::highest_faces() {
   for (std::uint32_t patch = 0; patch < of_patches.size(); ++patch)
     raise(of_sets[sets_.find(member_of_patch(patch)).set], of_patches[patch]);
   std::vector<std::uint32_t> result;
+  result.reserve(of_sets.size());
   for (const auto& [set, highest] : of_sets) result.push_back(highest.face);
   std::ranges::sort(result);
   return result;

@@ -17,8 +17,8 @@ class Monitor {
   /// Takes "finding crossings, 42 %", often, and from the thread that began the work alone.
   using Report = std::function<void(const std::string& how_far)>;
 
-  Monitor(const std::atomic<bool>* cancel = nullptr,
-          const Report* report = nullptr)  // NOLINT(google-explicit-constructor)
+  // NOLINTNEXTLINE(google-explicit-constructor): who has no more than a flag gives that
+  Monitor(const std::atomic<bool>* cancel = nullptr, const Report* report = nullptr)
       : cancel_(cancel), report_(report) {}
 
   bool is_cancelled() const { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }

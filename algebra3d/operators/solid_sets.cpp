@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "algebra3d/arrangement/arrangement.h"
+#include "algebra3d/arrangement/reduction.h"
 #include "algebra3d/operators/half_space.h"
 
 namespace algebra3d {
@@ -19,26 +20,25 @@ Result<Volume3d> combined(Context& context, const Volume3d& a, const Volume3d& b
   return Volume3d::trusted(std::move(mesh));
 }
 
-/// One set operation on solids that count all the same.
-Result<Volume3d> combined(Context& context, std::span<const Volume3d> solids, const KeepRule& rule) {
+std::vector<Operand> operands_of(std::span<const Volume3d> solids) {
   std::vector<Operand> operands;
   for (const Volume3d& solid : solids) operands.push_back(operand_of(solid, 0));
-  ASSIGN_OR_RETURN(TriangleMesh mesh, combine_solids(operands, rule, context.monitor()));
-  return Volume3d::trusted(std::move(mesh));
+  return operands;
 }
 
 }  // namespace
 
 Result<Volume3d> united(Context& context, std::span<const Volume3d> solids) {
-  return combined(context, solids, [](const Holding& holding) { return holding[0] > 0; });
+  ASSIGN_OR_RETURN(TriangleMesh mesh, unite_solids(operands_of(solids), context.monitor()));
+  return Volume3d::trusted(std::move(mesh));
 }
 
 Result<Volume3d> intersected(Context& context, std::span<const Volume3d> solids) {
-  const auto all = static_cast<std::int32_t>(solids.size());
   Box3 common = solids.front().box();
   for (const Volume3d& solid : solids) common = intersect(common, solid.box());
   if (common.is_empty()) return Volume3d();
-  return combined(context, solids, [all](const Holding& holding) { return holding[0] == all; });
+  ASSIGN_OR_RETURN(TriangleMesh mesh, intersect_solids(operands_of(solids), context.monitor()));
+  return Volume3d::trusted(std::move(mesh));
 }
 
 Result<Volume3d> without(Context& context, const Volume3d& solid, const Volume3d& other) {
