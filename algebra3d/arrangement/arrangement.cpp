@@ -52,7 +52,7 @@ SolidArrangement& SolidArrangement::operator=(SolidArrangement&& other) noexcept
 SolidArrangement::~SolidArrangement() = default;
 
 Result<SolidArrangement> SolidArrangement::make(std::span<const Operand> operands, const Monitor& monitor,
-                                                Closure closure) {
+                                                const ArrangementOptions& options) {
   std::size_t face_count = 0;
   for (const Operand& operand : operands) face_count += operand.mesh->face_count();
   if (face_count > TriangleMesh::kMaxFaces)
@@ -60,10 +60,11 @@ Result<SolidArrangement> SolidArrangement::make(std::span<const Operand> operand
                  TriangleMesh::kMaxFaces};
 
   auto parts = std::make_unique<Parts>(operands);
-  ASSIGN_OR_RETURN(const auto pairs, candidate_pairs(parts->operands, monitor));
+  ASSIGN_OR_RETURN(const auto pairs, candidate_pairs(parts->operands, monitor, options.max_pairs));
   RETURN_IF_ERROR(find_contacts(pairs, parts->facets, parts->skeleton, monitor));
-  RETURN_IF_ERROR(parts->subdivide(closure, monitor));
-  ASSIGN_OR_RETURN(parts->classification, classify(parts->skeleton, parts->pieces, parts->patches, closure, monitor));
+  RETURN_IF_ERROR(parts->subdivide(options.closure, monitor));
+  ASSIGN_OR_RETURN(parts->classification,
+                   classify(parts->skeleton, parts->pieces, parts->patches, options.closure, monitor));
   monitor.tell("building the result");
   return SolidArrangement(std::move(parts));
 }

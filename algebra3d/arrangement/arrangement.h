@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -31,6 +32,12 @@ enum class Closure : std::uint8_t {
   together,
 };
 
+struct ArrangementOptions {
+  Closure closure = Closure::each;
+  /// Of faces whose boxes meet: with more of them the arrangement is not made (limit_exceeded).
+  std::size_t max_pairs = SIZE_MAX;
+};
+
 /// How many operands of each group hold a place; of operands that are closed together, their winding number about it.
 using Holding = std::array<std::int32_t, 2>;
 /// Says of a place off all boundaries whether the result holds it. False where no operand does.
@@ -44,10 +51,10 @@ using FaceRule = std::function<int(const Holding& front, const Holding& back)>;
 class SolidArrangement {
  public:
   /// The meshes must outlive the arrangement. Exactness: exact, for all valid operands. Errors: interrupted;
-  /// limit_exceeded beyond TriangleMesh::kMaxFaces faces.
+  /// limit_exceeded beyond TriangleMesh::kMaxFaces faces, or the limit of the options.
   /// Cost: near-linear in the faces of operands whose boxes meet, linear in those of the others.
   static Result<SolidArrangement> make(std::span<const Operand> operands, const Monitor& monitor = {},
-                                       Closure closure = Closure::each);
+                                       const ArrangementOptions& options = {});
   SolidArrangement(SolidArrangement&& other) noexcept;
   SolidArrangement& operator=(SolidArrangement&& other) noexcept;
   SolidArrangement(const SolidArrangement&) = delete;

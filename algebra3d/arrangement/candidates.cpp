@@ -12,18 +12,18 @@ using FacePairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 using Tree = rtree::RTree<std::uint32_t>;
 
 void pair_two(const Operands& operands, std::uint32_t a, std::uint32_t b, BoxHierarchy::Share share,
-              const Monitor& monitor, FacePairs& pairs) {
+              const Monitor& monitor, std::size_t max_pairs, FacePairs& pairs) {
   operands.hierarchy(a).for_each_pair_with(
       operands.hierarchy(b),
       [&](std::uint32_t f, std::uint32_t g) {
         pairs.emplace_back(operands.first_face(a) + f, operands.first_face(b) + g);
-        return true;
+        return pairs.size() <= max_pairs;
       },
       [&] { return !monitor.is_cancelled(); }, share);
 }
 
 /// Few operands: the hierarchy of each against that of each other one.
-void pair_operands(const Operands& operands, const Monitor& monitor, FacePairs& pairs) {
+void pair_operands(const Operands& operands, const Monitor& monitor, std::size_t max_pairs, FacePairs& pairs) {
   const bool is_large = operands.face_count() >= kWorthAThread;
   FacePairs others;
   for (std::uint32_t a = 0; a < operands.count(); ++a)
@@ -31,18 +31,19 @@ void pair_operands(const Operands& operands, const Monitor& monitor, FacePairs& 
       in_parallel(
           is_large,
           [&] {
-            pair_two(operands, a, b, {0, 2}, monitor, pairs);
+            pair_two(operands, a, b, {0, 2}, monitor, max_pairs, pairs);
           },
           [&] {
-            pair_two(operands, a, b, {1, 2}, monitor, others);
+            pair_two(operands, a, b, {1, 2}, monitor, max_pairs, others);
           });
       pairs.insert(pairs.end(), others.begin(), others.end());
       others.clear();
+      if (pairs.size() > max_pairs) return;
     }
 }
 
 /// Many operands: one tree over the faces of all whose boxes meet others.
-void pair_faces(const Operands& operands, const Monitor& monitor, FacePairs& pairs) {
+void pair_faces(const Operands& operands, const Monitor& monitor, std::size_t max_pairs, FacePairs& pairs) {
   std::vector<rtree::Entry<std::uint32_t>> boxes, faces;
   for (std::uint32_t i = 0; i < operands.count(); ++i) boxes.push_back({operands.hierarchy(i).bounds(), i});
   const Tree operand_tree = Tree::bulk_load(boxes);
@@ -54,7 +55,8 @@ void pair_faces(const Operands& operands, const Monitor& monitor, FacePairs& pai
   }
   const Tree face_tree = Tree::bulk_load(faces);
   auto join = face_tree.self_join();
-  for (auto batch = join.next_batch(); !batch.empty() && !monitor.is_cancelled(); batch = join.next_batch())
+  const auto goes_on = [&] { return !monitor.is_cancelled() && pairs.size() <= max_pairs; };
+  for (auto batch = join.next_batch(); !batch.empty() && goes_on(); batch = join.next_batch())
     for (const auto& pair : batch)
       if (operands.operand_of_face(pair.first) != operands.operand_of_face(pair.second))
         pairs.emplace_back(pair.first, pair.second);
@@ -63,15 +65,18 @@ void pair_faces(const Operands& operands, const Monitor& monitor, FacePairs& pai
 }  // namespace
 
 Result<std::vector<std::pair<std::uint32_t, std::uint32_t>>> candidate_pairs(const Operands& operands,
-                                                                             const Monitor& monitor) {
+                                                                             const Monitor& monitor,
+                                                                             std::size_t max_pairs) {
   constexpr std::size_t kFewOperands = 8;
   FacePairs pairs;
   monitor.tell("finding what is near");
   if (operands.count() <= kFewOperands)
-    pair_operands(operands, monitor, pairs);
+    pair_operands(operands, monitor, max_pairs, pairs);
   else
-    pair_faces(operands, monitor, pairs);
+    pair_faces(operands, monitor, max_pairs, pairs);
   RETURN_IF_ERROR(monitor.check());
+  if (pairs.size() > max_pairs)
+    return Error{ErrorCode::limit_exceeded, "more than {} pairs of triangles may touch", max_pairs};
   return pairs;
 }
 

@@ -40,7 +40,8 @@ void register_rounding(Registry& registry) {
   registry.add({
       .name = "roundCoordinates",
       .syntax = "roundCoordinates(_ ...)",
-      .doc = "The solid with all coordinates rounded to doubles, or to the multiples of a grid width.",
+      .doc = "The solid with all coordinates rounded to doubles, or to those that are nearest to multiples of a grid "
+             "width.",
       .detail =
           "A diagnostic says how many vertices moved, and how far the boundary did at most. The result is a valid "
           "solid: facets are triangulated anew, and where triangles would pass through each other, vertices are "

@@ -23,9 +23,14 @@ constexpr int kAttemptsPerStage = 3;
 /// Of a cube, in terms of its edge: no point of a pixel is farther from the middle.
 constexpr double kHalfDiagonal = 0.8661;
 
+/// Of triangles that may touch. Those that a rounding has folded may all do so; it is hopeless then.
+std::size_t max_pairs(const TriangleMesh& mesh) {
+  return 100 * mesh.face_count() + 100'000;
+}
+
 /// Slivers that cross each other may do so ever more often; more triangles than this are no solid that anybody wants.
 std::size_t max_faces(const TriangleMesh& solid) {
-  return solid.face_count() + solid.face_count() / 4 + 1000;
+  return solid.face_count() + solid.face_count() / 4 + 250;
 }
 
 /// An upper bound of the distance between a point and the doubles to which it is rounded.
@@ -34,8 +39,9 @@ double distance(const PointRef& point, const Vec3& rounded) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     difference[axis] = point.is_double() ? point.approx[axis] - rounded[axis]
                                          : (point.coordinate(axis) - Rational(rounded[axis])).nearest_double();
-  // Three roundings in the length, one in each difference.
-  return std::hypot(difference.x, difference.y, difference.z) * (1 + 8 * std::numeric_limits<double>::epsilon());
+  // Three roundings in the length, one in each difference, which may come down to nothing.
+  const double length = std::hypot(difference.x, difference.y, difference.z);
+  return length * (1 + 8 * std::numeric_limits<double>::epsilon()) + std::numeric_limits<double>::denorm_min();
 }
 
 /// Of a length that a few roundings may have made too small.
@@ -79,7 +85,7 @@ class Rounding {
   Result<Attempt> attempt(SnappedMesh rounded, const RoundedVertices& vertices);
   Status mark_crowded(const TriangleMesh& rounded, const PointArray& vertices);
   bool press(double reach);
-  Status take_inside_of(const TriangleMesh& mesh);
+  Result<bool> take_inside_of(const TriangleMesh& mesh);
 
   const TriangleMesh& solid_;
   CoordinateGrid grid_;
@@ -161,11 +167,15 @@ bool Rounding::press(double reach) {
   return true;
 }
 
-Status Rounding::take_inside_of(const TriangleMesh& mesh) {
+/// False if there is too much to be divided.
+Result<bool> Rounding::take_inside_of(const TriangleMesh& mesh) {
   const auto is_inside = [](int winding) { return winding > 0; };
-  ASSIGN_OR_RETURN(current_, winding_solid(mesh, is_inside, cancel_));
+  auto solid = winding_solid(mesh, is_inside, cancel_, max_pairs(mesh));
+  if (!solid.ok() && solid.error().code == ErrorCode::limit_exceeded) return false;
+  if (!solid.ok()) return std::move(solid).error();
+  current_ = *std::move(solid);
   levels_.assign(current_.vertex_count(), 0);
-  return {};
+  return true;
 }
 
 /// Moves vertices by half a pixel and nothing farther: best where the grid is coarse for the solid. Where triangles are
@@ -176,7 +186,8 @@ Result<bool> Rounding::divide_at_itself() {
     ASSIGN_OR_RETURN(Attempt moved, attempt(moved_mesh(current_, vertices.points), vertices));
     if (moved.is_valid) return true;
     moved_before_ = moved.largest_movement;
-    RETURN_IF_ERROR(take_inside_of(moved.mesh));
+    ASSIGN_OR_RETURN(const bool is_divided, take_inside_of(moved.mesh));
+    if (!is_divided) return false;
   }
   return false;
 }
@@ -199,7 +210,8 @@ Result<bool> Rounding::snap_and_press() {
       moved_before_ = first->largest_movement;
       current_ = std::move(first->mesh);
     }
-    RETURN_IF_ERROR(take_inside_of(current_));
+    ASSIGN_OR_RETURN(const bool is_divided, take_inside_of(current_));
+    if (!is_divided) return false;
   }
   return false;
 }

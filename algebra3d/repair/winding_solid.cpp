@@ -9,7 +9,8 @@
 
 namespace algebra3d {
 
-Result<TriangleMesh> winding_solid(const TriangleMesh& mesh, const WindingRule& rule, const std::atomic<bool>* cancel) {
+Result<TriangleMesh> winding_solid(const TriangleMesh& mesh, const WindingRule& rule, const std::atomic<bool>* cancel,
+                                   std::size_t max_pairs) {
   ASSIGN_OR_RETURN(const std::vector<Entanglement> entanglements, disentangle(mesh, cancel));
   // Each entangled triangle is an operand by itself, so that it is divided at all others.
   std::vector<TriangleMesh> parts;
@@ -22,7 +23,8 @@ Result<TriangleMesh> winding_solid(const TriangleMesh& mesh, const WindingRule& 
   std::vector<Operand> operands;
   operands.reserve(parts.size());
   for (const TriangleMesh& part : parts) operands.push_back({&part, 0});
-  ASSIGN_OR_RETURN(const SolidArrangement arrangement, SolidArrangement::make(operands, cancel, Closure::together));
+  ASSIGN_OR_RETURN(const SolidArrangement arrangement,
+                   SolidArrangement::make(operands, cancel, {Closure::together, max_pairs}));
   return arrangement.solid([&](const Holding& holding) { return holding[0] != 0 && rule(holding[0]); });
 }
 

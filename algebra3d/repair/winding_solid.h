@@ -1,6 +1,8 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 
 #include "algebra3d/base/error.h"
@@ -17,7 +19,10 @@ using WindingRule = std::function<bool(int winding)>;
 /// Vertices are those of the mesh, or the exact points in which three of its planes meet.
 /// Exactness: exact. Errors: interrupted, limit_exceeded. Deterministic. Cost: that of a proof, and of an arrangement
 /// of the triangles that touch others in more than an edge.
+///
+/// `max_pairs` limits the pairs of triangles that may touch, beyond which it is limit_exceeded: folded meshes may have
+/// as many as the square of their triangles.
 Result<TriangleMesh> winding_solid(const TriangleMesh& mesh, const WindingRule& rule,
-                                   const std::atomic<bool>* cancel = nullptr);
+                                   const std::atomic<bool>* cancel = nullptr, std::size_t max_pairs = SIZE_MAX);
 
 }  // namespace algebra3d
