@@ -21,6 +21,7 @@
 #include <string>
 
 #include "algebra3d/arrangement/arrangement.h"
+#include "algebra3d/arrangement/reduction.h"
 #include "algebra3d/repair/solid_from_soup.h"
 #include "shapes.h"
 #include "stl/stl_reader.h"
@@ -66,11 +67,11 @@ TriangleMesh combined(const Solid& a, const Solid& b, const KeepRule& rule) {
   return algebra3d::combine_solids(std::array<Operand, 2>{a.operand(0), b.operand(1)}, rule).value();
 }
 
-TriangleMesh combined(const std::vector<Solid>& solids, const Solid* minuend, const KeepRule& rule) {
+/// As `union_aggr` does it.
+TriangleMesh united(const std::vector<Solid>& solids) {
   std::vector<Operand> operands;
-  if (minuend != nullptr) operands.push_back(minuend->operand(0));
-  for (const Solid& solid : solids) operands.push_back(solid.operand(minuend != nullptr ? 1 : 0));
-  return algebra3d::combine_solids(operands, rule).value();
+  for (const Solid& solid : solids) operands.push_back(solid.operand(0));
+  return algebra3d::unite_solids(operands).value();
 }
 
 /// One after the other; the result of each step is made ready for the next one within the time.
@@ -177,7 +178,7 @@ void cubes_chain_ours(benchmark::State& state) {
 }
 void cubes_aggregate_ours(benchmark::State& state) {
   const auto solids = solids_of(random_cubes(static_cast<std::size_t>(state.range(0))));
-  for (auto step : state) benchmark::DoNotOptimize(combined(solids, nullptr, in_any).face_count());
+  for (auto step : state) benchmark::DoNotOptimize(united(solids).face_count());
 }
 
 template <typename Kernel>
@@ -194,6 +195,19 @@ void cubes_chain_corefine(benchmark::State& state) {
     benchmark::DoNotOptimize(sum.number_of_faces());
   }
 }
+
+/// All about one middle, so that each crosses each.
+void crossing_cubes_ours(benchmark::State& state) {
+  std::vector<Shape> shapes;
+  for (std::int64_t i = 1; i <= state.range(0); ++i)
+    shapes.push_back(moved(box({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}), {1, static_cast<double>(i), 3},
+                           7.0 * static_cast<double>(i), {}));
+  const auto solids = solids_of(shapes);
+  std::size_t faces = 0;
+  for (auto step : state) faces = united(solids).face_count();
+  state.counters["triangles_out"] = static_cast<double>(faces);
+}
+BENCHMARK(crossing_cubes_ours)->Arg(50)->Arg(200)->Unit(benchmark::kMillisecond);
 
 BENCHMARK(cubes_chain_ours)->Arg(200)->Unit(benchmark::kMillisecond);
 BENCHMARK(cubes_aggregate_ours)->Arg(200)->Unit(benchmark::kMillisecond);
@@ -356,7 +370,7 @@ void grid_ours(benchmark::State& state) {
       for (int k = 0; k < n; ++k) shapes.push_back(box({double(i), double(j), double(k)}, {i + 1.0, j + 1.0, k + 1.0}));
   const auto solids = solids_of(shapes);
   std::size_t faces = 0;
-  for (auto step : state) faces = combined(solids, nullptr, in_any).face_count();
+  for (auto step : state) faces = united(solids).face_count();
   state.counters["triangles_out"] = static_cast<double>(faces);
 }
 BENCHMARK(grid_ours)->Arg(10)->Arg(20)->Unit(benchmark::kMillisecond)->Iterations(1);
@@ -372,7 +386,7 @@ void gaps_ours(benchmark::State& state) {
         shapes.push_back(box({double(i), double(j), double(k)}, {below(i), below(j), below(k)}));
   const auto solids = solids_of(shapes);
   std::size_t faces = 0;
-  for (auto step : state) faces = combined(solids, nullptr, in_any).face_count();
+  for (auto step : state) faces = united(solids).face_count();
   state.counters["triangles_out"] = static_cast<double>(faces);
 }
 BENCHMARK(gaps_ours)->Arg(20)->Unit(benchmark::kMillisecond)->Iterations(1);
@@ -386,7 +400,7 @@ void nested_ours(benchmark::State& state) {
     shapes.push_back(box({-r, -r, -r}, {r, r, r}));
   }
   const auto solids = solids_of(shapes);
-  for (auto step : state) benchmark::DoNotOptimize(combined(solids, nullptr, in_any).face_count());
+  for (auto step : state) benchmark::DoNotOptimize(united(solids).face_count());
 }
 void apart_ours(benchmark::State& state) {
   std::vector<Shape> shapes;
@@ -395,7 +409,7 @@ void apart_ours(benchmark::State& state) {
     shapes.push_back(box({x, y, z}, {x + 1, y + 1, z + 1}));
   }
   const auto solids = solids_of(shapes);
-  for (auto step : state) benchmark::DoNotOptimize(combined(solids, nullptr, in_any).face_count());
+  for (auto step : state) benchmark::DoNotOptimize(united(solids).face_count());
 }
 BENCHMARK(nested_ours)->Arg(1250)->Arg(2500)->Arg(5000)->Unit(benchmark::kMillisecond);
 BENCHMARK(apart_ours)->Arg(1250)->Arg(2500)->Arg(5000)->Unit(benchmark::kMillisecond);
