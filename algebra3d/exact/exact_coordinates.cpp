@@ -10,7 +10,6 @@
 namespace algebra3d {
 namespace {
 
-using detail::BigInteger;
 using detail::HomogeneousPoint;
 
 std::size_t limb_count(const HomogeneousPoint& numbers) {

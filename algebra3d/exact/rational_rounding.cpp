@@ -58,9 +58,10 @@ Leading leading_of(std::uint64_t numerator, std::uint64_t denominator) {
   return {static_cast<std::uint64_t>(dividend / divisor), dividend % divisor == 0, scale};
 }
 
-/// The `count` <= 128 leading bits of a positive number of `bits` bits; zeros follow one that has fewer.
-UInt128 leading_bits(mpz_srcptr number, long bits, long count) {
+/// The `count` <= 128 leading bits of a positive number; zeros follow one that has fewer.
+UInt128 leading_bits(mpz_srcptr number, long count) {
   thread_local detail::BigInteger shifted;
+  const auto bits = static_cast<long>(mpz_sizeinbase(number, 2));
   if (bits >= count)
     mpz_tdiv_q_2exp(shifted, number, static_cast<mp_bitcnt_t>(bits - count));
   else
@@ -73,8 +74,9 @@ Leading leading_of(mpz_srcptr numerator, mpz_srcptr denominator) {
   const auto numerator_bits = static_cast<long>(mpz_sizeinbase(numerator, 2));
   const auto denominator_bits = static_cast<long>(mpz_sizeinbase(denominator, 2));
   constexpr long kDivisorBits = 64, kDividendBits = 127, kUnsureBits = 7;
-  const UInt128 first = leading_bits(numerator, numerator_bits, kDividendBits) /
-                        leading_bits(denominator, denominator_bits, kDivisorBits);
+  const UInt128 divisor_bits = leading_bits(denominator, kDivisorBits);
+  assert(divisor_bits != 0);
+  const UInt128 first = leading_bits(numerator, kDividendBits) / divisor_bits;
   // What was cut off makes less than 2 of at least 2^62, up or down.
   const auto quotient = static_cast<std::uint64_t>(first);
   if ((quotient - 2) >> kUnsureBits == (quotient + 2) >> kUnsureBits && quotient < UINT64_MAX - 2)
