@@ -75,11 +75,11 @@ Result<ExactPoint> point_from_nested(const NestedList& list, std::string_view wh
   if (is_triple(list)) {
     if (const auto doubles = doubles_of(list)) return ExactPoint(*doubles);
   }
-  ASSIGN_OR_RETURN(auto exact, triple_from_nested(list, what));
+  ASSIGN_OR_RETURN(const RationalVec3 exact, triple_from_nested(list, what));
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!is_in_range(exact[axis])) return expected(what, "coordinates within the range of real", list);
   }
-  return ExactPoint(std::move(exact));
+  return ExactPoint(exact);
 }
 
 Result<double> double_from_nested(const NestedList& atom, std::string_view what) {
