@@ -18,6 +18,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "algebra3d/arrangement/arrangement.h"
@@ -117,25 +118,29 @@ int main(int count, char** arguments) {
     else
       files.emplace_back(arguments[i]);
   }
+  std::vector<std::pair<std::string, TriangleMesh>> solids;
+  for (const std::string& file : files)
+    if (auto solid = solid_of(file); solid && !solid->is_empty()) solids.emplace_back(file, *std::move(solid));
   std::size_t passed = 0, failed = 0, left_out = 0;
-  for (std::size_t i = 0; i + 1 < files.size(); ++i) {
-    const auto first = solid_of(files[i]), given = solid_of(files[i + 1]);
-    if (!first || !given || first->is_empty() || given->is_empty() ||
-        first->face_count() + given->face_count() > largest) {
+  for (std::size_t i = 0; i + 1 < solids.size(); ++i) {
+    const auto& [first_name, first] = solids[i];
+    const auto& [second_name, given] = solids[i + 1];
+    if (first.face_count() + given.face_count() > largest) {
       ++left_out;
       continue;
     }
-    const TriangleMesh second = moved_into(*given, *first);
+    const TriangleMesh second = moved_into(given, first);
     if (!prove_volume(second)->is_valid()) {
       ++left_out;  // rounding broke it: no operand
       continue;
     }
-    const std::array<Operand, 2> operands{{{&*first, 0}, {&second, 1}}};
+    const std::array<Operand, 2> operands{{{&first, 0}, {&second, 1}}};
     for (const auto& [name, rule] : kOperations) {
       const auto result = combine_solids(operands, rule);
       const std::string text = result.ok() ? complaint(*result) : result.error().message;
       text.empty() ? ++passed : ++failed;
-      if (!text.empty()) std::printf("%s and %s, %s: %s\n", files[i].c_str(), files[i + 1].c_str(), name, text.c_str());
+      if (!text.empty())
+        std::printf("%s and %s, %s: %s\n", first_name.c_str(), second_name.c_str(), name, text.c_str());
       std::fflush(stdout);
     }
   }
