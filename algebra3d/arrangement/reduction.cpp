@@ -45,10 +45,17 @@ class Reduction {
   std::atomic<std::size_t> done_ = 0;  // of the solids
 };
 
+/// The smallest one: hierarchies have boxes of floats, in which solids that nearly touch do so.
+Box3 smallest_box_of(const TriangleMesh& mesh) {
+  Box3 box;
+  for (std::size_t i = 0; i < mesh.points().size(); ++i) box.extend(box_of(mesh.points()[i]));
+  return box;
+}
+
 /// True if a solid meets more than two others on the average.
 bool Reduction::is_crowded() const {
   std::vector<rtree::Entry<std::uint32_t>> boxes;
-  for (std::uint32_t i = 0; i < solids_.size(); ++i) boxes.push_back({solids_[i].hierarchy->bounds(), i});
+  for (std::uint32_t i = 0; i < solids_.size(); ++i) boxes.push_back({smallest_box_of(*solids_[i].mesh), i});
   const auto tree = rtree::RTree<std::uint32_t>::bulk_load(boxes);
   std::size_t count = 0;
   auto pairs = tree.self_join();
