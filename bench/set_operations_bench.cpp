@@ -110,13 +110,32 @@ Shape other_sphere(std::uint32_t frequency) {
   return moved(sphere(frequency), kAxis, kRoot2 / 7, {0.3, 0, 0});
 }
 
-void spheres_ours(benchmark::State& state) {
-  const auto n = static_cast<std::uint32_t>(state.range(0));
-  const Solid a(sphere(n)), b(other_sphere(n));
+void unite_ours(benchmark::State& state, const Shape& first, const Shape& second) {
+  const Solid a(first), b(second);
   std::size_t faces = 0;
   for (auto step : state) faces = combined(a, b, in_any).face_count();
-  state.counters["triangles_in"] = static_cast<double>(2 * a.mesh.face_count());
+  state.counters["triangles_in"] = static_cast<double>(a.mesh.face_count() + b.mesh.face_count());
   state.counters["triangles_out"] = static_cast<double>(faces);
+}
+
+template <typename Kernel>
+void unite_by_corefinement(benchmark::State& state, const Shape& first, const Shape& second) {
+  const auto a = cgal_mesh_of<Kernel>(first), b = cgal_mesh_of<Kernel>(second);
+  std::size_t faces = 0;
+  for (auto step : state) {
+    state.PauseTiming();
+    auto p = a, q = b;
+    CgalMesh<Kernel> result;
+    state.ResumeTiming();
+    if (!pmp::corefine_and_compute_union(p, q, result)) return state.SkipWithError("refused");
+    faces = result.number_of_faces();
+  }
+  state.counters["triangles_out"] = static_cast<double>(faces);
+}
+
+void spheres_ours(benchmark::State& state) {
+  const auto n = static_cast<std::uint32_t>(state.range(0));
+  unite_ours(state, sphere(n), other_sphere(n));
 }
 void spheres_hierarchy(benchmark::State& state) {
   const Shape shape = sphere(static_cast<std::uint32_t>(state.range(0)));
@@ -126,17 +145,7 @@ void spheres_hierarchy(benchmark::State& state) {
 template <typename Kernel>
 void spheres_corefine(benchmark::State& state) {
   const auto n = static_cast<std::uint32_t>(state.range(0));
-  const auto a = cgal_mesh_of<Kernel>(sphere(n)), b = cgal_mesh_of<Kernel>(other_sphere(n));
-  std::size_t faces = 0;
-  for (auto step : state) {
-    state.PauseTiming();
-    auto p = a, q = b;
-    CgalMesh<Kernel> result;
-    state.ResumeTiming();
-    if (!pmp::corefine_and_compute_union(p, q, result)) state.SkipWithError("no result");
-    faces = result.number_of_faces();
-  }
-  state.counters["triangles_out"] = static_cast<double>(faces);
+  unite_by_corefinement<Kernel>(state, sphere(n), other_sphere(n));
 }
 
 void spheres_nef(benchmark::State& state) {
@@ -322,29 +331,17 @@ Shape copy_of(const Shape& model, std::int64_t variant) {
   return moved(std::move(centred), kAxis, kRoot2 / 2, middle + 0.1 * size);
 }
 
+const Shape& model_of(const benchmark::State& state) {
+  return models().at(static_cast<std::size_t>(state.range(0)));
+}
+
 void models_ours(benchmark::State& state) {
-  const Shape& model = models().at(static_cast<std::size_t>(state.range(0)));
-  const Solid a(model), b(copy_of(model, state.range(1)));
-  std::size_t faces = 0;
-  for (auto step : state) faces = combined(a, b, in_any).face_count();
-  state.counters["triangles_in"] = static_cast<double>(2 * a.mesh.face_count());
-  state.counters["triangles_out"] = static_cast<double>(faces);
+  unite_ours(state, model_of(state), copy_of(model_of(state), state.range(1)));
 }
 
 template <typename Kernel>
 void models_corefine(benchmark::State& state) {
-  const Shape& model = models().at(static_cast<std::size_t>(state.range(0)));
-  const auto a = cgal_mesh_of<Kernel>(model), b = cgal_mesh_of<Kernel>(copy_of(model, state.range(1)));
-  std::size_t faces = 0;
-  for (auto step : state) {
-    state.PauseTiming();
-    auto p = a, q = b;
-    CgalMesh<Kernel> result;
-    state.ResumeTiming();
-    if (!pmp::corefine_and_compute_union(p, q, result)) return state.SkipWithError("refused");
-    faces = result.number_of_faces();
-  }
-  state.counters["triangles_out"] = static_cast<double>(faces);
+  unite_by_corefinement<Kernel>(state, model_of(state), copy_of(model_of(state), state.range(1)));
 }
 
 void with_models(benchmark::internal::Benchmark* benchmark) {

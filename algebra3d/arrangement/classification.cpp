@@ -28,8 +28,9 @@ class Classifier {
         patches_(patches),
         sets_(2 * pieces.pieces.size() + patches.patches.size()),
         location_(operands_),
-        rooms_above_(operands_),
-        faces_above_(operands_) {}
+        face_tree_(operands_),
+        rooms_above_(operands_, face_tree_),
+        faces_above_(operands_, face_tree_) {}
 
   /// What each set's name stands for, as soon as a seed tells.
   using Names = std::map<std::uint32_t, Windings>;
@@ -93,6 +94,7 @@ class Classifier {
   const Patches& patches_;
   WindingSets sets_;
   PointLocation location_;
+  FaceTree face_tree_;
   RoomsAbove rooms_above_;
   FacesAbove faces_above_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> clean_lines_;  // u, v of the pieces of clean edges, ascending

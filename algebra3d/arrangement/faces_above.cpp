@@ -5,7 +5,6 @@
 
 #include "algebra3d/exact/intersection_point.h"
 #include "algebra3d/exact/vertical_line.h"
-#include "algebra3d/halfedge/boxes.h"
 
 namespace algebra3d::arrangement {
 namespace {
@@ -26,20 +25,15 @@ struct FacesAbove::Meeting {
 };
 
 bool FacesAbove::for_each(const PointRef& point, const Visit& visit) {
-  if (!faces_) {
-    std::vector<rtree::Entry<std::uint32_t>> entries;
-    for (std::uint32_t f = 0; f < operands_.face_count(); ++f)
-      entries.push_back({box_of_triangle(operands_.corners(f)), f});
-    faces_ = std::make_unique<rtree::RTree<std::uint32_t>>(rtree::RTree<std::uint32_t>::bulk_load(entries));
-  }
-  const double top = faces_->bounds().max.z;
+  const auto& tree = faces_.get();
+  const double top = tree.bounds().max.z;
   // Slabs of the column, each higher than the one before. A face is met in one of them.
   Box3 slab = box_of(point);
-  double height = (top - faces_->bounds().min.z) / operands_.face_count();
+  double height = (top - tree.bounds().min.z) / operands_.face_count();
   for (bool is_first = true; slab.min.z <= top; is_first = false, slab.min.z = slab.max.z, height *= 2) {
     slab.max.z = slab.min.z + height > slab.min.z ? slab.min.z + height : top;
     std::vector<Meeting> meetings;
-    for (const std::uint32_t face : faces_->window(slab)) {
+    for (const std::uint32_t face : tree.window(slab)) {
       const LineCrossing crossing = cross_vertical_line(point, operands_.corners(face));
       if (crossing.side != -1) continue;
       Meeting meeting{meeting_of(point, operands_.corners(face)), face, crossing.sign};

@@ -62,7 +62,7 @@ Result<std::vector<PairContact>> pair_contacts(PairSpan pairs, const Operands& o
       pairs.size() >= kPairsWorthAThread,
       [&] { is_done = add_contacts(pairs.first(half), operands, facets, told, result); },
       [&] { are_others_done = add_contacts(pairs.subspan(half), operands, facets, silent, others); });
-  if (!is_done || !are_others_done) RETURN_IF_ERROR(monitor.check());
+  if (!is_done || !are_others_done) return Monitor::interrupted();
   result.insert(result.end(), others.begin(), others.end());
   return result;
 }

@@ -1,10 +1,8 @@
 #include "algebra3d/arrangement/room_above.h"
 
 #include <limits>
-#include <vector>
 
 #include "algebra3d/exact/vertical_line.h"
-#include "algebra3d/halfedge/boxes.h"
 
 namespace algebra3d::arrangement {
 
@@ -31,16 +29,10 @@ HalfPlane before_room_above(const Skeleton& skeleton, const Pieces& pieces, std:
 }
 
 Windings RoomsAbove::windings(const PointRef& point) {
-  if (!faces_) {
-    std::vector<rtree::Entry<std::uint32_t>> entries;
-    for (std::uint32_t f = 0; f < operands_.face_count(); ++f)
-      entries.push_back({box_of_triangle(operands_.corners(f)), f});
-    faces_ = std::make_unique<rtree::RTree<std::uint32_t>>(rtree::RTree<std::uint32_t>::bulk_load(entries));
-  }
   Box3 above = box_of(point);
   above.max.z = std::numeric_limits<double>::max();
   Windings windings{};
-  for (const std::uint32_t face : faces_->window(above)) {
+  for (const std::uint32_t face : faces_.get().window(above)) {
     const LineCrossing crossing = cross_vertical_line(point, operands_.corners(face));
     if (crossing.side == -1) windings[operands_.group(operands_.operand_of_face(face))] += crossing.sign;
   }

@@ -1,12 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <span>
 
+#include "algebra3d/arrangement/face_tree.h"
 #include "algebra3d/arrangement/operands.h"
 #include "algebra3d/arrangement/radial_order.h"
-#include "rtree/rtree.h"
 
 namespace algebra3d::arrangement {
 
@@ -23,7 +22,7 @@ HalfPlane before_room_above(const Skeleton& skeleton, const Pieces& pieces, std:
 /// Windings of operands of which only all of one group together are closed.
 class RoomsAbove {
  public:
-  explicit RoomsAbove(const Operands& operands) : operands_(operands) {}
+  RoomsAbove(const Operands& operands, FaceTree& faces) : operands_(operands), faces_(faces) {}
 
   /// In the room above the point. Exact. Cost: that of a vertical line through a tree of all faces, which the first
   /// call makes.
@@ -31,7 +30,7 @@ class RoomsAbove {
 
  private:
   const Operands& operands_;
-  std::unique_ptr<rtree::RTree<std::uint32_t>> faces_;
+  FaceTree& faces_;
 };
 
 }  // namespace algebra3d::arrangement

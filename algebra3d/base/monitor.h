@@ -24,9 +24,10 @@ class Monitor {
   bool is_cancelled() const { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
   /// The error `interrupted` once the host has asked to stop.
   Status check() const {
-    if (is_cancelled()) return Error{ErrorCode::interrupted, "interrupted"};
+    if (is_cancelled()) return interrupted();
     return {};
   }
+  static Error interrupted() { return {ErrorCode::interrupted, "interrupted"}; }
   /// Asks, and tells nobody.
   Monitor silent() const { return {cancel_, nullptr}; }
   void tell(const std::string& how_far) const {

@@ -55,7 +55,7 @@ void sort_ties(std::vector<CodedFace>& faces, std::span<const std::uint64_t> cod
 }
 
 /// Not the smallest box: made without a look at exact coordinates, which would have to be fetched from far off.
-Box3 box_around(const PointRef& point) {
+Box3 wide_box_of(const PointRef& point) {
   Box3 box = Box3::of(point.approx);
   if (point.is_double()) return box;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -82,7 +82,7 @@ BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> 
   choose_scale(points);
   std::vector<Box> corners;
   corners.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) corners.push_back(scaled(box_around(points[i])));
+  for (std::size_t i = 0; i < points.size(); ++i) corners.push_back(scaled(wide_box_of(points[i])));
   std::vector<Box> boxes;
   boxes.reserve(faces_.size());
   for (const std::uint32_t face : faces_) {
@@ -97,7 +97,7 @@ BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> 
 
 void BoxHierarchy::choose_scale(const PointArray& points) {
   Box3 bounds;
-  for (std::size_t i = 0; i < points.size(); ++i) bounds.extend(box_around(points[i]));
+  for (std::size_t i = 0; i < points.size(); ++i) bounds.extend(wide_box_of(points[i]));
   origin_ = bounds.min;
   // Halved first, so that the extent of the largest doubles is finite. A power of two, so that few coordinates are
   // rounded; 2^20 units are what the codes can tell apart.
