@@ -7,8 +7,9 @@
 #include <utility>
 
 #include "algebra3d/arrangement/clean_edges.h"
-#include "algebra3d/arrangement/outcome_planes.h"
+#include "algebra3d/arrangement/outcome_mesh.h"
 #include "algebra3d/arrangement/triangulation.h"
+#include "algebra3d/base/parallel.h"
 #include "algebra3d/exact/predicates.h"
 
 namespace algebra3d::arrangement {
@@ -24,42 +25,6 @@ struct KeptEdge {
   friend auto operator<=>(const KeptEdge&, const KeptEdge&) = default;
 };
 
-/// A corner of the result: a vertex of the arrangement, or of an operand where no such is.
-class CornerNumbers {
- public:
-  explicit CornerNumbers(const Skeleton& skeleton)
-      : skeleton_(skeleton),
-        vertices_of_corners_(skeleton.vertices_of_corners()),
-        of_vertex_(skeleton.vertices().size(), kNone),
-        of_corner_(skeleton.operands().vertex_count(), kNone) {}
-
-  std::uint32_t of_vertex(std::uint32_t vertex) {
-    if (of_vertex_[vertex] == kNone) of_vertex_[vertex] = add(skeleton_.vertices()[vertex]);
-    return of_vertex_[vertex];
-  }
-  /// Of a corner of an operand, by its number among all, which lies at the point.
-  std::uint32_t of_corner(std::uint32_t corner, const PointRef& point) {
-    if (of_corner_[corner] == kNone) {
-      const std::uint32_t vertex = vertices_of_corners_[corner];
-      of_corner_[corner] = vertex != kNone ? of_vertex(vertex) : add(point);
-    }
-    return of_corner_[corner];
-  }
-  /// The vertex of the arrangement at a corner of an operand; kNone if there is none.
-  std::uint32_t vertex_of_corner(std::uint32_t corner) const { return vertices_of_corners_[corner]; }
-  PointArray take_points() { return std::move(points_); }
-
- private:
-  std::uint32_t add(const PointRef& point) {
-    points_.push_back(point);
-    return static_cast<std::uint32_t>(points_.size() - 1);
-  }
-
-  const Skeleton& skeleton_;
-  std::vector<std::uint32_t> vertices_of_corners_, of_vertex_, of_corner_;
-  PointArray points_;
-};
-
 class OutcomeBuilder {
  public:
   OutcomeBuilder(const Skeleton& skeleton, const Pieces& pieces, const Patches& patches, const Selection& selection)
@@ -67,10 +32,8 @@ class OutcomeBuilder {
         pieces_(pieces),
         patches_(patches),
         selection_(selection),
-        corners_(skeleton),
-        is_fixed_(skeleton.vertices().size()),
         clean_edges_(clean_edges(skeleton, patches)),
-        planes_(skeleton) {}
+        mesh_(skeleton, patches, kept_patches()) {}
 
   TriangleMesh run();
 
@@ -93,9 +56,15 @@ class OutcomeBuilder {
     friend auto operator<=>(const Passage&, const Passage&) = default;
   };
 
+  /// Triangles that cover one region.
+  struct Region {
+    std::uint32_t plane;
+    bool is_flipped, has_exact_corner;
+    std::size_t first, last;  ///< of region_triangles_
+  };
+
+  std::vector<int> kept_patches() const;
   std::array<int, 2> kept_sides(std::uint32_t number) const;
-  void take_patches();
-  void take_face(std::uint32_t operand, FaceId face, bool is_flipped);
   void collect_edges();
   void find_passages();
   void find_passages_at(std::span<const Spoke> spokes);
@@ -111,42 +80,20 @@ class OutcomeBuilder {
   const Pieces& pieces_;
   const Patches& patches_;
   const Selection& selection_;
-  CornerNumbers corners_;
-  std::vector<bool> is_fixed_;     // per vertex: a corner of a patch's face
   std::vector<Passage> passages_;  // ascending
   std::vector<KeptEdge> edges_;
   std::vector<CleanEdge> clean_edges_;
   /// Lines that edges of patches occupy, ascending.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> patch_lines_;
-  std::vector<TriangleMesh::Triangle> triangles_;
-  OutcomePlanes planes_;
+  std::vector<Region> regions_;
+  std::vector<TriangleMesh::Triangle> region_triangles_;
+  OutcomeMesh mesh_;
 };
 
-void OutcomeBuilder::take_patches() {
-  const Operands& operands = skeleton_.operands();
+std::vector<int> OutcomeBuilder::kept_patches() const {
   std::vector<int> kept(patches_.patches.size());
   for (std::uint32_t p = 0; p < kept.size(); ++p) kept[p] = selection_.patch(p);
-  const auto is_kept = [&](std::uint32_t patch) { return patch != kNone && kept[patch] != 0; };
-  triangles_.reserve(static_cast<std::size_t>(std::ranges::count_if(patches_.of_face, is_kept)));
-  for (std::uint32_t operand = 0; operand < operands.count(); ++operand)
-    for (std::uint32_t f = 0; f < operands.mesh(operand).face_count(); ++f) {
-      const std::uint32_t patch = patches_.of_face[operands.first_face(operand) + f];
-      if (is_kept(patch)) take_face(operand, FaceId(f), kept[patch] < 0);
-    }
-}
-
-void OutcomeBuilder::take_face(std::uint32_t operand, FaceId face, bool is_flipped) {
-  const TriangleMesh& mesh = skeleton_.operands().mesh(operand);
-  const std::uint32_t first_corner = skeleton_.operands().first_vertex(operand);
-  TriangleMesh::Triangle triangle = mesh.triangle(face);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::uint32_t corner = first_corner + triangle[i];
-    if (const std::uint32_t vertex = corners_.vertex_of_corner(corner); vertex != kNone) is_fixed_[vertex] = true;
-    triangle[i] = corners_.of_corner(corner, mesh.point(VertexId(triangle[i])));
-  }
-  if (is_flipped) std::swap(triangle[1], triangle[2]);
-  planes_.take(static_cast<std::uint32_t>(triangles_.size()), operand, face, is_flipped);
-  triangles_.push_back(triangle);
+  return kept;
 }
 
 /// What is kept of the cells to the left and right of a piece.
@@ -195,7 +142,7 @@ void OutcomeBuilder::find_passages() {
   std::ranges::sort(spokes);
   for (std::size_t begin = 0, end = 0; begin < spokes.size(); begin = end) {
     while (end < spokes.size() && spokes[end].vertex == spokes[begin].vertex) ++end;
-    if (!is_fixed_[spokes[begin].vertex]) find_passages_at(std::span(spokes).subspan(begin, end - begin));
+    if (!mesh_.is_fixed(spokes[begin].vertex)) find_passages_at(std::span(spokes).subspan(begin, end - begin));
   }
   find_passages_of_clean_edges();
   std::ranges::sort(passages_);
@@ -213,7 +160,7 @@ void OutcomeBuilder::find_passages_of_clean_edges() {
       const Facet& facet = facets[facets.of_face(h / 3)];
       // The facet lies to the left of its half-edge, seen from its own front; the region's edges have it to their left,
       // seen from the front of the plane, whichever way the region looks.
-      const bool runs_along = corners_.vertex_of_corner(operands.vertex(h)) == vertices.front();
+      const bool runs_along = mesh_.vertex_of_corner(operands.vertex(h)) == vertices.front();
       const bool is_forward = runs_along == (facet.orientation > 0);
       for (std::size_t i = 1; i + 1 < vertices.size(); ++i)
         for (const bool is_flipped : {false, true})
@@ -295,35 +242,37 @@ void OutcomeBuilder::straighten() {
 }
 
 void OutcomeBuilder::triangulate_regions() {
-  std::vector<DirectedEdge> region;
-  std::vector<TriangleMesh::Triangle> triangles;
+  const VertexPool& vertices = skeleton_.vertices();
+  std::vector<DirectedEdge> edges;
   for (std::size_t begin = 0, end = 0; begin < edges_.size(); begin = end) {
-    region.clear();
-    triangles.clear();
+    edges.clear();
     for (; end < edges_.size() && edges_[end].region() == edges_[begin].region(); ++end)
-      region.emplace_back(edges_[end].from, edges_[end].to);
+      edges.emplace_back(edges_[end].from, edges_[end].to);
+    const std::size_t first = region_triangles_.size();
     const Projection projection = skeleton_.facets().planes()[edges_[begin].plane].projection;
-    [[maybe_unused]] const bool is_region = triangulate(skeleton_.vertices(), projection, region, triangles);
+    [[maybe_unused]] const bool is_region = triangulate(vertices, projection, edges, region_triangles_);
     assert(is_region);
-    const auto first_triangle = static_cast<std::uint32_t>(triangles_.size());
-    for (TriangleMesh::Triangle triangle : triangles) {
-      for (std::uint32_t& corner : triangle) corner = corners_.of_vertex(corner);
-      if (edges_[begin].is_flipped) std::swap(triangle[1], triangle[2]);
-      triangles_.push_back(triangle);
-    }
-    if (!std::ranges::all_of(region, [&](const DirectedEdge& e) { return skeleton_.vertices()[e.first].is_double(); }))
-      planes_.add(first_triangle, static_cast<std::uint32_t>(triangles_.size()), edges_[begin].plane,
-                  edges_[begin].is_flipped);
+    const bool has_exact_corner =
+        !std::ranges::all_of(edges, [&](const DirectedEdge& edge) { return vertices[edge.first].is_double(); });
+    regions_.push_back(
+        {edges_[begin].plane, edges_[begin].is_flipped, has_exact_corner, first, region_triangles_.size()});
   }
 }
 
 TriangleMesh OutcomeBuilder::run() {
-  take_patches();
-  collect_edges();
-  find_passages();
-  straighten();
-  triangulate_regions();
-  return {corners_.take_points(), triangles_, planes_.take_planes()};
+  const auto find_regions = [&] {
+    collect_edges();
+    find_passages();
+    straighten();
+    triangulate_regions();
+    mesh_.take_surroundings();
+  };
+  const auto take_faces = [&] { mesh_.take_faces(); };
+  in_parallel(skeleton_.operands().face_count() >= kWorthAThread, find_regions, take_faces);
+  for (const Region& region : regions_)
+    mesh_.add_region(std::span(region_triangles_).subspan(region.first, region.last - region.first), region.plane,
+                     region.is_flipped, region.has_exact_corner);
+  return mesh_.finish();
 }
 
 }  // namespace

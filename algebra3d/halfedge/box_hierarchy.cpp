@@ -5,10 +5,23 @@
 #include <limits>
 #include <utility>
 
+#include "algebra3d/base/parallel.h"
 #include "algebra3d/halfedge/boxes.h"
 
 namespace algebra3d {
 namespace {
+
+/// Calls visit(i) for each i below the count; from many on, two threads share them.
+template <typename Visit>
+void in_halves(std::size_t count, Visit visit) {
+  constexpr std::size_t kWorthAThread = 20000;
+  const auto visit_all = [&visit](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) visit(i);
+  };
+  const std::size_t half = count / 2;
+  in_parallel(
+      count >= kWorthAThread, [&] { visit_all(0, half); }, [&] { visit_all(half, count); });
+}
 
 /// Upper 32 bits of a Morton code, and the position of its face in the lower half.
 using CodedFace = std::uint64_t;
@@ -80,17 +93,14 @@ BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> 
   if (faces_.empty()) return;
   const PointArray& points = mesh.points();
   choose_scale(points);
-  std::vector<Box> corners;
-  corners.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) corners.push_back(scaled(wide_box_of(points[i])));
-  std::vector<Box> boxes;
-  boxes.reserve(faces_.size());
-  for (const std::uint32_t face : faces_) {
-    const TriangleMesh::Triangle triangle = mesh.triangle(FaceId(face));
-    boxes.push_back(corners[triangle[0]]);
-    boxes.back().extend(corners[triangle[1]]);
-    boxes.back().extend(corners[triangle[2]]);
-  }
+  std::vector<Box> corners(points.size()), boxes(faces_.size());
+  in_halves(points.size(), [&](std::size_t i) { corners[i] = scaled(wide_box_of(points[i])); });
+  in_halves(faces_.size(), [&](std::size_t i) {
+    const TriangleMesh::Triangle triangle = mesh.triangle(FaceId(faces_[i]));
+    boxes[i] = corners[triangle[0]];
+    boxes[i].extend(corners[triangle[1]]);
+    boxes[i].extend(corners[triangle[2]]);
+  });
   sort_faces(boxes);
   build_levels();
 }
@@ -134,45 +144,47 @@ Box3 BoxHierarchy::bounds() const {
 }
 
 BoxHierarchy::FrameChange BoxHierarchy::change_from(const BoxHierarchy& other) const {
-  FrameChange change{scale_ / other.scale_, {}};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    change.shift[axis] = (other.origin_[axis] / 2 - origin_[axis] / 2) * scale_;
+  constexpr double kFar = 0x1p100;
+  const double factor = scale_ / other.scale_;
+  FrameChange change{{}, {}, factor > 1 / kFar && factor < kFar};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double shift = (other.origin_[axis] / 2 - origin_[axis] / 2) * scale_;
+    change.is_known = change.is_known && std::abs(shift) < kFar;
+    change.factor[axis] = change.is_known ? static_cast<float>(factor) : 0;
+    change.shift[axis] = change.is_known ? static_cast<float>(shift) : 0;
+  }
   return change;
 }
 
 /// A box in this frame around what the other frame's box stands for. Both frames round to float, by 2^-24 of the
-/// number, the shift by 2^-53 of itself: the margin covers these and the roundings of the change. Frames that are too
-/// different for doubles give a box without bounds.
+/// number, and so do the shift and the sum: the margin covers these and its own roundings. Frames that are too
+/// different give a box without bounds.
 BoxHierarchy::Box BoxHierarchy::changed(const FrameChange& change, const Box& box) {
   Box result{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double shift = change.shift[axis];
-    if (!std::isfinite(shift) || !std::isfinite(change.factor)) {
-      result.min[axis] = -std::numeric_limits<float>::infinity();
-      result.max[axis] = std::numeric_limits<float>::infinity();
-      continue;
-    }
-    const double min = box.min[axis] * change.factor, max = box.max[axis] * change.factor;
-    const double min_margin = (std::abs(min) + std::abs(shift)) * 0x1p-21 + 0x1p-120;
-    const double max_margin = (std::abs(max) + std::abs(shift)) * 0x1p-21 + 0x1p-120;
-    result.min[axis] = static_cast<float>(min + shift - min_margin);
-    result.max[axis] = static_cast<float>(max + shift + max_margin);
+  for (std::size_t axis = 0; axis < 4; ++axis) {
+    const float min = box.min[axis] * change.factor[axis], max = box.max[axis] * change.factor[axis];
+    const float shift = change.shift[axis], size = std::abs(shift);
+    result.min[axis] = min + shift - ((std::abs(min) + size) * 0x1p-20F + 0x1p-100F);
+    result.max[axis] = max + shift + ((std::abs(max) + size) * 0x1p-20F + 0x1p-100F);
   }
+  if (change.is_known) return result;
+  result.min.fill(-kInfinity);
+  result.max.fill(kInfinity);
   return result;
 }
 
 std::vector<BoxHierarchy::CrossPair> BoxHierarchy::cross_roots(const BoxHierarchy& other,
                                                                const FrameChange& change) const {
   constexpr std::size_t kEnough = 48;
-  std::vector<CrossPair> pairs{{{static_cast<std::uint32_t>(levels_.size() - 1), 0},
-                                {static_cast<std::uint32_t>(other.levels_.size() - 1), 0},
-                                changed(change, other.levels_.back().boxes[0])}};
-  std::vector<CrossPair> below;
+  std::vector<CrossPair> pairs, below;
+  const Box other_root = changed(change, other.levels_.back().boxes[0]);
+  if (levels_.back().boxes[0].meets(other_root))
+    pairs.push_back({{static_cast<std::uint32_t>(levels_.size() - 1), 0},
+                     {static_cast<std::uint32_t>(other.levels_.size() - 1), 0},
+                     other_root});
   while (!pairs.empty() && pairs.size() < kEnough && pairs[0].own.level + pairs[0].other.level > 0) {
     below.clear();
-    for (const CrossPair& pair : pairs)
-      if (levels_[pair.own.level].boxes[pair.own.index].meets(pair.box))
-        push_cross_children(other, change, pair, below);
+    for (const CrossPair& pair : pairs) push_cross_children(other, change, pair, below);
     pairs.swap(below);
   }
   return pairs;
@@ -182,40 +194,40 @@ void BoxHierarchy::push_cross_children(const BoxHierarchy& other, const FrameCha
                                        std::vector<CrossPair>& stack) const {
   // The higher node is opened; of equals the other one, whose children have to be brought into this frame.
   if (pair.own.level > pair.other.level) {
-    const auto count = static_cast<std::uint32_t>(levels_[pair.own.level - 1].boxes.size());
-    for (std::uint32_t child = 2 * pair.own.index; child < std::min(2 * pair.own.index + 2, count); ++child)
-      stack.push_back({{pair.own.level - 1, child}, pair.other, pair.box});
+    const std::vector<Box>& below = levels_[pair.own.level - 1].boxes;
+    const auto end = std::min(2 * pair.own.index + 2, static_cast<std::uint32_t>(below.size()));
+    for (std::uint32_t child = 2 * pair.own.index; child < end; ++child)
+      if (below[child].meets(pair.box)) stack.push_back({{pair.own.level - 1, child}, pair.other, pair.box});
     return;
   }
+  const Box& own = levels_[pair.own.level].boxes[pair.own.index];
   const std::vector<Box>& below = other.levels_[pair.other.level - 1].boxes;
-  const auto count = static_cast<std::uint32_t>(below.size());
-  for (std::uint32_t child = 2 * pair.other.index; child < std::min(2 * pair.other.index + 2, count); ++child)
-    stack.push_back({pair.own, {pair.other.level - 1, child}, changed(change, below[child])});
+  const auto end = std::min(2 * pair.other.index + 2, static_cast<std::uint32_t>(below.size()));
+  for (std::uint32_t child = 2 * pair.other.index; child < end; ++child)
+    if (const Box box = changed(change, below[child]); own.meets(box))
+      stack.push_back({pair.own, {pair.other.level - 1, child}, box});
 }
 
 void BoxHierarchy::sort_faces(std::vector<Box>& boxes) {
-  std::vector<std::uint64_t> codes;
-  std::vector<CodedFace> coded;
-  codes.reserve(boxes.size());
-  coded.reserve(boxes.size());
-  for (const Box& box : boxes) {
+  std::vector<std::uint64_t> codes(boxes.size());
+  std::vector<CodedFace> coded(boxes.size());
+  in_halves(boxes.size(), [&](std::size_t i) {
     // Sums of two coordinates up to 2^20; 21 bits hold all but the very last value.
-    const auto cell = [&box](std::size_t axis) {
+    const auto cell = [&box = boxes[i]](std::size_t axis) {
       return std::min(static_cast<std::uint64_t>(box.min[axis] + box.max[axis]), std::uint64_t{0x1FFFFF});
     };
-    codes.push_back(spread_bits(cell(0)) | spread_bits(cell(1)) << 1 | spread_bits(cell(2)) << 2);
+    codes[i] = spread_bits(cell(0)) | spread_bits(cell(1)) << 1 | spread_bits(cell(2)) << 2;
     // The code has 63 bits.
-    coded.push_back(codes.back() >> 31 << 32 | coded.size());
-  }
+    coded[i] = codes[i] >> 31 << 32 | i;
+  });
   radix_sort(coded);
   sort_ties(coded, codes);
-  std::vector<std::uint32_t> sorted_faces;
-  sorted_faces.reserve(coded.size());
-  face_boxes_.reserve(coded.size());
-  for (const CodedFace face : coded) {
-    sorted_faces.push_back(faces_[static_cast<std::uint32_t>(face)]);
-    face_boxes_.push_back(boxes[static_cast<std::uint32_t>(face)]);
-  }
+  std::vector<std::uint32_t> sorted_faces(coded.size());
+  face_boxes_.resize(coded.size());
+  in_halves(coded.size(), [&](std::size_t i) {
+    sorted_faces[i] = faces_[static_cast<std::uint32_t>(coded[i])];
+    face_boxes_[i] = boxes[static_cast<std::uint32_t>(coded[i])];
+  });
   faces_ = std::move(sorted_faces);
 }
 

@@ -97,16 +97,17 @@ class BoxHierarchy {
   Box scaled(const Box3& box) const;
   /// A box around everything that `scaled` maps into the box.
   Box3 unscaled(const Box& box) const;
-  /// From the frame of another hierarchy to this one's: a factor, and where the other's origin lies.
+  /// From the frame of another hierarchy to this one's: a factor (a power of two), and where the other's origin lies.
   struct FrameChange {
-    double factor = 1;
-    Vec3 shift;
+    std::array<float, 4> factor, shift;
+    bool is_known;  ///< false if the frames are too different for floats
   };
 
   FrameChange change_from(const BoxHierarchy& other) const;
   static Box changed(const FrameChange& change, const Box& box);
   /// Pairs of nodes that meet, some dozens if there are as many, which hold all pairs of faces that meet.
   std::vector<CrossPair> cross_roots(const BoxHierarchy& other, const FrameChange& change) const;
+  /// Those of the children that meet.
   void push_cross_children(const BoxHierarchy& other, const FrameChange& change, const CrossPair& pair,
                            std::vector<CrossPair>& stack) const;
   void sort_faces(std::vector<Box>& boxes);
@@ -211,7 +212,6 @@ void BoxHierarchy::for_each_pair_with(const BoxHierarchy& other, Visit visit, Pa
   while (!stack.empty()) {
     const CrossPair pair = stack.back();
     stack.pop_back();
-    if (!levels_[pair.own.level].boxes[pair.own.index].meets(pair.box)) continue;
     if (++steps % 4096 == 0 && !pause()) return;
     if (pair.own.level > 0 || pair.other.level > 0) {
       push_cross_children(other, change, pair, stack);

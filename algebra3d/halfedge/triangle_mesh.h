@@ -35,6 +35,14 @@ class TriangleMesh {
   /// Planes that are known must be those of the corners.
   TriangleMesh(PointArray points, std::span<const Triangle> triangles, FacePlanes planes = {});
 
+  /// In `opposites`: the half-edge's edge is still to be looked for.
+  static constexpr std::uint32_t kUnlinked = 0xFFFFFFFE;
+  /// The same for triangles that are linked in part: three origins to a triangle, and for each half-edge its opposite
+  /// or kUnlinked. Nothing else may run along an edge that is linked, and a vertex is manifold if all half-edges that
+  /// leave it are. Cost: a few passes, and what there is to link.
+  TriangleMesh(PointArray points, std::vector<std::uint32_t> origins, std::vector<std::uint32_t> opposites,
+               FacePlanes planes);
+
   std::size_t vertex_count() const { return points_.size(); }
   std::size_t face_count() const { return origins_.size() / 3; }
   std::size_t halfedge_count() const { return origins_.size(); }
@@ -89,6 +97,8 @@ class TriangleMesh {
   friend struct TriangleMeshTester;   // tests damage meshes through it, to see that `audit` finds it
   static constexpr std::uint32_t kNoOpposite = 0x80000000;  // set: no opposite; the low bits number a non-manifold edge
   static constexpr std::uint32_t kBoundary = 0xFFFFFFFF;
+
+  void link();
 
   struct NonManifold;  // side tables (nonmanifold_tables.h); absent while everything is manifold
 

@@ -7,7 +7,7 @@
 
 namespace algebra3d {
 
-/// Fills a mesh whose points and origins stand: opposites, outgoing half-edges, side tables.
+/// Fills a mesh whose points and origins stand: opposites that are unlinked, outgoing half-edges, side tables.
 struct TriangleMeshBuilder {
   /// A half-edge as seen from its edge's smaller end: larger end in the upper half, then the half-edge's index and, in
   /// the lowest bit, whether it leaves the smaller end. So order is by edge, then by half-edge.
@@ -17,9 +17,10 @@ struct TriangleMeshBuilder {
   TriangleMesh::NonManifold tables;
 
   void build() {
+    const std::vector<bool> is_open = open_vertices();
     link_edges();
     const std::vector<std::uint32_t> corner_counts = choose_outgoing();
-    find_nonmanifold_vertices(corner_counts);
+    find_nonmanifold_vertices(corner_counts, is_open);
     if (tables.edge_starts.size() == 1 && tables.vertices.empty()) return;
     mesh.nonmanifold_ = std::make_shared<const TriangleMesh::NonManifold>(std::move(tables));
   }
@@ -29,6 +30,9 @@ struct TriangleMeshBuilder {
   static std::uint32_t larger_end(Entry e) { return static_cast<std::uint32_t>(e >> 32); }
   static bool same_direction(Entry a, Entry b) { return ((a ^ b) & 1) == 0; }
 
+  template <typename Visit>
+  void for_each_unlinked(Visit visit) const;
+  std::vector<bool> open_vertices() const;
   std::vector<std::uint32_t> bucket_starts() const;
   std::vector<Entry> entries_by_smaller_end(std::vector<std::uint32_t>& ends) const;
   void link_edges();
@@ -40,21 +44,11 @@ struct TriangleMeshBuilder {
   HalfedgeId next_in_fan(HalfedgeId h) const { return mesh.opposite(TriangleMesh::prev(h)); }
   template <typename Visit>
   void walk_fan(HalfedgeId first, Visit visit) const;
-  void find_nonmanifold_vertices(const std::vector<std::uint32_t>& corner_counts);
+  void find_nonmanifold_vertices(const std::vector<std::uint32_t>& corner_counts, const std::vector<bool>& is_open);
   void list_fans();
 };
 
 namespace {
-
-/// Calls visit(a, b) for the ends of each half-edge, in order.
-template <typename Visit>
-void for_each_halfedge(const std::vector<std::uint32_t>& origins, Visit visit) {
-  for (std::size_t h = 0; h < origins.size(); h += 3) {
-    visit(origins[h], origins[h + 1]);
-    visit(origins[h + 1], origins[h + 2]);
-    visit(origins[h + 2], origins[h]);
-  }
-}
 
 void sort_entries(std::span<std::uint64_t> entries) {
   // Buckets have six entries on average: insertion sort. A hub of a large fan has any number.
@@ -72,9 +66,27 @@ void sort_entries(std::span<std::uint64_t> entries) {
 
 }  // namespace
 
+/// Calls visit(h, a, b) for the ends of each half-edge that is to be linked, in order.
+template <typename Visit>
+void TriangleMeshBuilder::for_each_unlinked(Visit visit) const {
+  const std::vector<std::uint32_t>&origins = mesh.origins_, &opposites = mesh.opposites_;
+  for (std::uint32_t h = 0; h < origins.size(); h += 3) {
+    if (opposites[h] == TriangleMesh::kUnlinked) visit(h, origins[h], origins[h + 1]);
+    if (opposites[h + 1] == TriangleMesh::kUnlinked) visit(h + 1, origins[h + 1], origins[h + 2]);
+    if (opposites[h + 2] == TriangleMesh::kUnlinked) visit(h + 2, origins[h + 2], origins[h]);
+  }
+}
+
+/// The vertices that need not be manifold.
+std::vector<bool> TriangleMeshBuilder::open_vertices() const {
+  std::vector<bool> is_open(mesh.vertex_count());
+  for_each_unlinked([&](std::uint32_t, std::uint32_t a, std::uint32_t) { is_open[a] = true; });
+  return is_open;
+}
+
 std::vector<std::uint32_t> TriangleMeshBuilder::bucket_starts() const {
   std::vector<std::uint32_t> starts(mesh.vertex_count() + 1, 0);
-  for_each_halfedge(mesh.origins_, [&](std::uint32_t a, std::uint32_t b) { ++starts[std::min(a, b)]; });
+  for_each_unlinked([&](std::uint32_t, std::uint32_t a, std::uint32_t b) { ++starts[std::min(a, b)]; });
   std::uint32_t sum = 0;
   for (std::uint32_t& start : starts) {
     const std::uint32_t count = start;
@@ -87,18 +99,15 @@ std::vector<std::uint32_t> TriangleMeshBuilder::bucket_starts() const {
 /// Counting sort; turns the bucket starts that it is given into bucket ends.
 std::vector<TriangleMeshBuilder::Entry> TriangleMeshBuilder::entries_by_smaller_end(
     std::vector<std::uint32_t>& ends) const {
-  std::vector<Entry> entries(mesh.halfedge_count());
-  Entry h = 0;
-  for_each_halfedge(mesh.origins_, [&](std::uint32_t a, std::uint32_t b) {
+  std::vector<Entry> entries(ends.back());
+  for_each_unlinked([&](std::uint32_t h, std::uint32_t a, std::uint32_t b) {
     const bool upwards = a < b;
-    entries[ends[upwards ? a : b]++] = (Entry{upwards ? b : a} << 32) | (h << 1) | Entry{upwards};
-    ++h;
+    entries[ends[upwards ? a : b]++] = (Entry{upwards ? b : a} << 32) | (Entry{h} << 1) | Entry{upwards};
   });
   return entries;
 }
 
 void TriangleMeshBuilder::link_edges() {
-  mesh.opposites_.resize(mesh.halfedge_count());
   std::vector<std::uint32_t> ends = bucket_starts();
   std::vector<Entry> entries = entries_by_smaller_end(ends);
   std::uint32_t start = 0;
@@ -173,9 +182,10 @@ void TriangleMeshBuilder::walk_fan(HalfedgeId first, Visit visit) const {
 }
 
 /// A vertex is manifold if the walk from its outgoing half-edge meets all half-edges that leave it.
-void TriangleMeshBuilder::find_nonmanifold_vertices(const std::vector<std::uint32_t>& corner_counts) {
+void TriangleMeshBuilder::find_nonmanifold_vertices(const std::vector<std::uint32_t>& corner_counts,
+                                                    const std::vector<bool>& is_open) {
   for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
-    if (corner_counts[v] == 0) continue;
+    if (!is_open[v]) continue;
     std::uint32_t met = 0;
     walk_fan(mesh.outgoing_[v], [&](HalfedgeId) { ++met; });
     if (met != corner_counts[v]) tables.vertices.push_back(v);
@@ -213,15 +223,28 @@ void TriangleMeshBuilder::list_fans() {
 TriangleMesh::TriangleMesh(PointArray points, std::span<const Triangle> triangles, FacePlanes planes)
     : points_(std::move(points)), planes_(std::move(planes)) {
   assert(triangles.size() <= kMaxFaces);
-  // A mesh lives long: it keeps no spare capacity of the array that it was given.
-  points_.shrink_to_fit();
   origins_.reserve(3 * triangles.size());
-  for (const Triangle& triangle : triangles) {
-    for (const std::uint32_t corner : triangle) {
-      assert(corner < points_.size());
-      origins_.push_back(corner);
-    }
-  }
+  for (const Triangle& triangle : triangles) origins_.insert(origins_.end(), triangle.begin(), triangle.end());
+  opposites_.assign(origins_.size(), kUnlinked);
+  link();
+}
+
+TriangleMesh::TriangleMesh(PointArray points, std::vector<std::uint32_t> origins, std::vector<std::uint32_t> opposites,
+                           FacePlanes planes)
+    : points_(std::move(points)),
+      origins_(std::move(origins)),
+      opposites_(std::move(opposites)),
+      planes_(std::move(planes)) {
+  assert(origins_.size() == opposites_.size() && origins_.size() % 3 == 0 && origins_.size() / 3 <= kMaxFaces);
+  link();
+}
+
+void TriangleMesh::link() {
+  assert(std::ranges::all_of(origins_, [&](std::uint32_t origin) { return origin < points_.size(); }));
+  // A mesh lives long: it keeps no spare capacity of the arrays that it was given.
+  points_.shrink_to_fit();
+  origins_.shrink_to_fit();
+  opposites_.shrink_to_fit();
   TriangleMeshBuilder{*this, {}}.build();
 }
 
