@@ -19,4 +19,9 @@ enum class SurfaceRule : std::uint8_t { either, both, first_only, exactly_one };
 Result<TriangleMesh> combine_surfaces(const Operand& first, const Operand& second, SurfaceRule rule,
                                       const Monitor& monitor = {});
 
+/// All triangles of any number of surfaces, divided at one another as above, what several cover once: turned as in the
+/// first of them. Errors: besides those above, limit_exceeded for more than `max_pairs` triangles whose boxes meet.
+Result<TriangleMesh> unite_surfaces(std::span<const Operand> surfaces, const Monitor& monitor = {},
+                                    std::size_t max_pairs = SIZE_MAX);
+
 }  // namespace algebra3d

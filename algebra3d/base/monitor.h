@@ -21,6 +21,7 @@ class Monitor {
   Monitor(const std::atomic<bool>* cancel = nullptr, const Report* report = nullptr)
       : cancel_(cancel), report_(report) {}
 
+  const std::atomic<bool>* cancel() const { return cancel_; }
   bool is_cancelled() const { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
   /// The error `interrupted` once the host has asked to stop.
   Status check() const {

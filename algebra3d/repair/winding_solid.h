@@ -1,12 +1,13 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 
 #include "algebra3d/base/error.h"
+#include "algebra3d/base/monitor.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/repair/valid_parts.h"
 
 namespace algebra3d {
 
@@ -22,7 +23,10 @@ using WindingRule = std::function<bool(int winding)>;
 ///
 /// `max_pairs` limits the pairs of triangles that may touch, beyond which it is limit_exceeded: folded meshes may have
 /// as many as the square of their triangles.
-Result<TriangleMesh> winding_solid(const TriangleMesh& mesh, const WindingRule& rule,
-                                   const std::atomic<bool>* cancel = nullptr, std::size_t max_pairs = SIZE_MAX);
+Result<TriangleMesh> winding_solid(const TriangleMesh& mesh, const WindingRule& rule, const Monitor& monitor = {},
+                                   std::size_t max_pairs = SIZE_MAX);
+/// The same for a mesh that is in parts already.
+Result<TriangleMesh> winding_solid(const ValidParts& parts, const WindingRule& rule, const Monitor& monitor = {},
+                                   std::size_t max_pairs = SIZE_MAX);
 
 }  // namespace algebra3d

@@ -1,0 +1,98 @@
+#include "algebra3d/repair/degenerate_facets.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "algebra3d/exact/predicates.h"
+#include "algebra3d/halfedge/topology.h"
+
+namespace algebra3d {
+namespace {
+
+using Corners = TriangleMesh::Triangle;
+
+/// Facets with the same corners, by their numbers in the list.
+struct EqualFacets {
+  std::vector<std::uint32_t> facets;  // ascending
+  int balance = 0;                    // those that look one way less those that look the other way
+};
+
+bool is_even(const Corners& c) {
+  return (c[0] < c[1]) + (c[1] < c[2]) + (c[2] < c[0]) == 2;
+}
+
+/// All that are not alone.
+std::vector<EqualFacets> equal_facets(const std::vector<Corners>& triangles) {
+  std::vector<Corners> keys(triangles);
+  for (Corners& key : keys) std::ranges::sort(key);
+  std::vector<std::uint32_t> order(triangles.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::ranges::sort(order, {}, [&](std::uint32_t i) { return std::pair(keys[i], i); });
+  std::vector<EqualFacets> result;
+  for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
+    while (last < order.size() && keys[order[last]] == keys[order[first]]) ++last;
+    if (last - first < 2) continue;
+    EqualFacets equal;
+    for (std::size_t i = first; i < last; ++i) {
+      equal.facets.push_back(order[i]);
+      equal.balance += is_even(triangles[order[i]]) ? 1 : -1;
+    }
+    result.push_back(std::move(equal));
+  }
+  return result;
+}
+
+/// Per connected part of the facets: whether all of them are among the given balanced ones.
+std::vector<bool> wholly_balanced(const FaceComponents& parts, const std::vector<EqualFacets>& all) {
+  std::vector<std::uint32_t> total(parts.count), balanced(parts.count);
+  for (const std::uint32_t part : parts.of_face) ++total[part];
+  for (const EqualFacets& equal : all)
+    if (equal.balance == 0)
+      for (const std::uint32_t facet : equal.facets) ++balanced[parts.of_face[facet]];
+  std::vector<bool> result;
+  for (std::size_t part = 0; part < parts.count; ++part) result.push_back(total[part] == balanced[part]);
+  return result;
+}
+
+void remove(FacetList& facets, const std::vector<bool>& is_dropped) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < facets.triangles.size(); ++i)
+    if (!is_dropped[i]) facets.triangles[kept++] = facets.triangles[i];
+  facets.triangles.resize(kept);
+}
+
+}  // namespace
+
+void drop_degenerate_facets(FacetList& facets, RepairReport& report) {
+  std::vector<bool> is_dropped(facets.triangles.size());
+  for (std::size_t i = 0; i < is_dropped.size(); ++i) {
+    const auto& [a, b, c] = facets.triangles[i];
+    const bool repeats = a == b || b == c || c == a;
+    is_dropped[i] = repeats || collinear(facets.points[a], facets.points[b], facets.points[c]);
+    if (is_dropped[i])
+      report.add(repeats ? RepairStep::repeated_corners : RepairStep::collinear_corners, facets.middle(i));
+  }
+  remove(facets, is_dropped);
+}
+
+void drop_duplicate_facets(FacetList& facets, RepairReport& report) {
+  const std::vector<EqualFacets> all = equal_facets(facets.triangles);
+  if (all.empty()) return;
+  const FaceComponents parts = connected_components(facets.mesh());
+  const std::vector<bool> is_wholly_balanced = wholly_balanced(parts, all);
+  std::vector<bool> is_dropped(facets.triangles.size());
+  for (const EqualFacets& equal : all) {
+    const bool keeps_one = equal.balance != 0 || is_wholly_balanced[parts.of_face[equal.facets[0]]];
+    // The one that is kept looks the way most do.
+    const auto looks_right = [&](std::uint32_t f) { return is_even(facets.triangles[f]) == (equal.balance >= 0); };
+    const auto kept = std::ranges::find_if(equal.facets, looks_right);
+    for (const std::uint32_t facet : equal.facets) {
+      if (keeps_one && facet == *kept) continue;
+      is_dropped[facet] = true;
+      report.add(RepairStep::duplicate_facets, facets.middle(facet));
+    }
+  }
+  remove(facets, is_dropped);
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "algebra3d/repair/facet_list.h"
+#include "algebra3d/repair/repair_report.h"
+
+namespace algebra3d {
+
+/// Drops facets that repeat a corner or whose corners lie on one line. What such a facet held together, an edge on one
+/// side and its two halves on the other, `divide_edges` (cracks.h) mends. Exact. Cost: linear.
+void drop_degenerate_facets(FacetList& facets, RepairReport& report);
+
+/// Of facets with the same three corners, whatever their order, one is kept, unless as many look one way as the other:
+/// then they have nothing between them, and none is, unless all that hangs together with them is double in this way.
+/// Exact. Cost: n log n.
+void drop_duplicate_facets(FacetList& facets, RepairReport& report);
+
+}  // namespace algebra3d

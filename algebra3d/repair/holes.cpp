@@ -1,0 +1,201 @@
+#include "algebra3d/repair/holes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algebra3d/arrangement/contact.h"
+#include "algebra3d/base/box3.h"
+#include "algebra3d/exact/predicates.h"
+#include "algebra3d/halfedge/boxes.h"
+#include "algebra3d/halfedge/topology.h"
+#include "algebra3d/repair/loop_triangulation.h"
+#include "rtree/rtree.h"
+
+namespace algebra3d {
+namespace {
+
+using FacetTree = rtree::RTree<std::uint32_t>;
+
+/// A hole's corners in the order in which new facets run along them, and the third corners of the facets there.
+struct Hole {
+  std::vector<std::uint32_t> vertices;
+  Loop loop;
+  std::uint32_t facet;  ///< at its edge
+};
+
+/// Parts of a loop between visits of the same vertex, each a loop by itself.
+std::vector<std::vector<HalfedgeId>> simple_loops(const TriangleMesh& mesh, const std::vector<HalfedgeId>& loop) {
+  std::vector<std::vector<HalfedgeId>> result;
+  std::vector<HalfedgeId> path;
+  for (const HalfedgeId h : loop) {
+    path.push_back(h);
+    const auto start = std::ranges::find(path, mesh.target(h), [&](HalfedgeId g) { return mesh.origin(g); });
+    if (start == path.end()) continue;
+    result.emplace_back(start, path.end());
+    path.erase(start, path.end());
+  }
+  return result;
+}
+
+Hole hole_of(const TriangleMesh& mesh, const std::vector<HalfedgeId>& boundary) {
+  Hole hole;
+  hole.facet = TriangleMesh::face(boundary[0]).index();
+  // New facets run against the boundary.
+  for (auto h = boundary.rbegin(); h != boundary.rend(); ++h) {
+    const VertexId from = mesh.target(*h);
+    hole.vertices.push_back(from.index());
+    hole.loop.corners.push_back(mesh.point(from).approx);
+    hole.loop.beyond.push_back(mesh.point(mesh.origin(TriangleMesh::prev(*h))).approx);
+  }
+  return hole;
+}
+
+double diameter(const Hole& hole) {
+  Box3 box;
+  for (const Vec3& corner : hole.loop.corners) box.extend(corner);
+  return std::hypot(box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z);
+}
+
+/// No point of the triangle is farther from its corners.
+double reach(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const auto length = [](const Vec3& v) { return std::hypot(v.x, v.y, v.z); };
+  const double x = length(b - a), y = length(c - b), z = length(a - c);
+  const double longest = std::max({x, y, z});
+  const double doubled_area = length(cross(b - a, c - a));
+  // That of an acute triangle is the middle of the circle through its corners.
+  if (2 * longest * longest >= x * x + y * y + z * z || doubled_area == 0) return longest / 2;
+  return x * y * z / (2 * doubled_area);
+}
+
+double area(const FacetList& facets, const TriangleMesh::Triangle& t) {
+  const Vec3 doubled = cross(facets.points[t[1]] - facets.points[t[0]], facets.points[t[2]] - facets.points[t[0]]);
+  return std::hypot(doubled.x, doubled.y, doubled.z) / 2;
+}
+
+class HoleCloser {
+ public:
+  HoleCloser(FacetList& facets, double largest, RepairReport& report)
+      : facets_(facets), largest_(largest), report_(report), mesh_(facets.mesh()) {}
+
+  Status run(const Monitor& monitor);
+
+ private:
+  /// A hole and what covers it; nothing if it is too large.
+  struct Covered {
+    Hole hole;
+    std::vector<TriangleMesh::Triangle> cover;
+  };
+
+  std::vector<TriangleMesh::Triangle> cover(const Hole& hole);
+  bool cuts_surface(const std::vector<TriangleMesh::Triangle>& cover);
+  bool cut_each_other(const TriangleMesh::Triangle& triangle, std::uint32_t facet) const;
+  std::vector<bool> are_sheets(const FaceComponents& parts, const std::vector<Covered>& holes) const;
+  void close(const Covered& covered);
+  const FacetTree& tree();
+
+  FacetList& facets_;
+  double largest_;
+  RepairReport& report_;
+  TriangleMesh mesh_;
+  std::optional<FacetTree> tree_;
+};
+
+const FacetTree& HoleCloser::tree() {
+  if (!tree_) {
+    std::vector<rtree::Entry<std::uint32_t>> boxes;
+    for (std::uint32_t f = 0; f < mesh_.face_count(); ++f)
+      boxes.push_back({box_of_triangle(mesh_.corners(FaceId(f))), f});
+    tree_ = FacetTree::bulk_load(boxes);
+  }
+  return *tree_;
+}
+
+/// True if they have more in common than common corners and edges.
+bool HoleCloser::cut_each_other(const TriangleMesh::Triangle& triangle, std::uint32_t facet) const {
+  const TriangleMesh::Triangle& other = facets_.triangles[facet];
+  const auto common =
+      std::ranges::count_if(triangle, [&](std::uint32_t c) { return std::ranges::find(other, c) != other.end(); });
+  const auto corners = [&](const TriangleMesh::Triangle& t) {
+    return TriangleRef{facets_.points[t[0]], facets_.points[t[1]], facets_.points[t[2]]};
+  };
+  const Contact contact = intersect_triangles(corners(triangle), corners(other));
+  if (common == 0) return contact != Contact::none;
+  return common == 1 ? contact > Contact::point : contact > Contact::segment;
+}
+
+bool HoleCloser::cuts_surface(const std::vector<TriangleMesh::Triangle>& cover) {
+  for (const TriangleMesh::Triangle& triangle : cover) {
+    const TriangleRef corners{facets_.points[triangle[0]], facets_.points[triangle[1]], facets_.points[triangle[2]]};
+    if (collinear(corners[0], corners[1], corners[2])) return true;
+    for (const std::uint32_t facet : tree().window(box_of_triangle(corners)))
+      if (cut_each_other(triangle, facet)) return true;
+  }
+  return false;
+}
+
+std::vector<TriangleMesh::Triangle> HoleCloser::cover(const Hole& hole) {
+  std::vector<TriangleMesh::Triangle> first;
+  for (const LoopMeasure measure : {LoopMeasure::bend, LoopMeasure::area}) {
+    std::vector<TriangleMesh::Triangle> triangles = triangulate_loop(hole.loop, measure);
+    for (TriangleMesh::Triangle& triangle : triangles)
+      for (std::uint32_t& corner : triangle) corner = hole.vertices[corner];
+    if (!cuts_surface(triangles)) return triangles;
+    if (first.empty()) first = std::move(triangles);
+  }
+  return first;
+}
+
+/// Per connected part: it has one hole, which is too large for it.
+std::vector<bool> HoleCloser::are_sheets(const FaceComponents& parts, const std::vector<Covered>& holes) const {
+  constexpr double kMostOfArea = 0.75;
+  std::vector<double> own(parts.count), added(parts.count);
+  std::vector<std::uint32_t> hole_count(parts.count);
+  for (std::uint32_t f = 0; f < mesh_.face_count(); ++f) own[parts.of_face[f]] += area(facets_, facets_.triangles[f]);
+  for (const Covered& covered : holes) {
+    const std::uint32_t part = parts.of_face[covered.hole.facet];
+    ++hole_count[part];
+    for (const TriangleMesh::Triangle& triangle : covered.cover) added[part] += area(facets_, triangle);
+  }
+  std::vector<bool> result;
+  for (std::size_t part = 0; part < parts.count; ++part)
+    result.push_back(hole_count[part] == 1 && added[part] > kMostOfArea * own[part]);
+  return result;
+}
+
+void HoleCloser::close(const Covered& covered) {
+  double farthest = 0;
+  for (const auto& [a, b, c] : covered.cover) {
+    farthest = std::max(farthest, reach(facets_.points[a], facets_.points[b], facets_.points[c]));
+    facets_.triangles.push_back({a, b, c});
+  }
+  report_.add(RepairStep::holes, covered.hole.loop.corners[0], farthest);
+}
+
+Status HoleCloser::run(const Monitor& monitor) {
+  std::vector<Covered> holes;
+  for (const BoundaryLoop& boundary : boundary_loops(mesh_))
+    for (const auto& loop : simple_loops(mesh_, boundary.halfedges)) {
+      RETURN_IF_ERROR(monitor.check());
+      Hole hole = hole_of(mesh_, loop);
+      if (hole.vertices.size() < 3) continue;
+      auto triangles = diameter(hole) > largest_ ? std::vector<TriangleMesh::Triangle>() : cover(hole);
+      holes.push_back({std::move(hole), std::move(triangles)});
+    }
+  const FaceComponents parts = connected_components(mesh_);
+  const std::vector<bool> are_left_open = are_sheets(parts, holes);
+  for (const Covered& covered : holes) {
+    if (covered.cover.empty() || are_left_open[parts.of_face[covered.hole.facet]])
+      report_.add(RepairStep::open_holes, covered.hole.loop.corners[0]);
+    else
+      close(covered);
+  }
+  return {};
+}
+
+}  // namespace
+
+Status close_holes(FacetList& facets, double largest, RepairReport& report, const Monitor& monitor) {
+  return HoleCloser(facets, largest, report).run(monitor);
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "algebra3d/base/vec3.h"
+#include "algebra3d/halfedge/triangle_mesh.h"
+
+namespace algebra3d {
+
+/// A closed loop that is to be covered by triangles: its corners in order, and beyond each edge (from corner i to the
+/// next) the third corner of the triangle that is there already; the corner itself where there is none.
+struct Loop {
+  std::vector<Vec3> corners, beyond;
+};
+
+/// What counts when a loop is covered.
+enum class LoopMeasure {
+  bend,  ///< the largest angle between neighbouring triangles, those beyond the loop included; then the area
+  area,
+};
+
+/// n - 2 triangles between the corners of the loop, by index, that cover it and run along its edges in the order of the
+/// loop, with the least measure of all ways to do so. Loops of more than kMaxOptimal corners are first cut into such
+/// ones, along short lines. Decisions: by rounded angles and areas. Deterministic. Cost: n^3 up to kMaxOptimal corners.
+/// Source: [barequet1995], [liepa2003].
+std::vector<TriangleMesh::Triangle> triangulate_loop(const Loop& loop, LoopMeasure measure);
+inline constexpr std::size_t kMaxOptimal = 160;
+
+}  // namespace algebra3d

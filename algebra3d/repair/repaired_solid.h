@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "algebra3d/base/error.h"
+#include "algebra3d/base/monitor.h"
+#include "algebra3d/repair/repair_options.h"
+#include "algebra3d/repair/repair_report.h"
+#include "algebra3d/repair/weld.h"
+
+namespace algebra3d {
+
+struct RepairedSolid {
+  /// A valid volume, the empty one if no facet has an area; none if nothing can be made of the facets.
+  std::optional<TriangleMesh> mesh;
+  std::string reason;  ///< why there is none
+  RepairReport report;
+};
+
+/// A solid from welded facets that are none. Each step sees what the ones before it left, and is skipped if there is
+/// nothing for it to do:
+///  1. facets that repeat a corner or have no area are dropped (degenerate_facets.h);
+///  2. of equal facets one is kept, or none;
+///  3. boundary edges are divided at boundary vertices that lie on them (cracks.h);
+///  4. vertices are moved across cracks, and edges divided beside them;
+///  5. facets are turned to agree with their neighbours (facet_orientation.h);
+///  6. holes are closed (holes.h);
+///  7. shells are turned right side out (shell_orientation.h);
+///  8. if that is no solid yet, facets are divided at one another, and the places kept about which the winding number
+///  is
+///     positive (winding_solid.h) or, if along some edge more facets run one way than the other, those that are mostly
+///     inside (tolerant_solid.h);
+///  9. cavities and small shells are left out, as the options say.
+/// Where facets are divided, those in one plane are brought together and triangulated anew. The result is proved.
+/// Exactness: only steps 4 and 6 move or add anything away from the facets; the report says how far.
+/// Errors: interrupted. Cost: that of a few proofs, and of an arrangement of what passes through itself.
+Result<RepairedSolid> repaired_solid(const WeldedTriangles& welded, const RepairOptions& options,
+                                     const Monitor& monitor = {});
+
+}  // namespace algebra3d

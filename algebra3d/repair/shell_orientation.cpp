@@ -1,0 +1,131 @@
+#include "algebra3d/repair/shell_orientation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "algebra3d/exact/exact_sum.h"
+#include "algebra3d/exact/vertical_line.h"
+#include "algebra3d/halfedge/topology.h"
+
+namespace algebra3d {
+namespace {
+
+struct OrientedShell {
+  std::vector<std::uint32_t> facets;
+  Rational volume;
+  bool is_turned = false;
+  Box3 box;
+};
+
+class ShellOrientation {
+ public:
+  ShellOrientation(FacetList& facets, RepairReport& report) : facets_(facets), report_(report), mesh_(facets.mesh()) {}
+
+  Status run(const Monitor& monitor);
+
+ private:
+  Result<std::vector<OrientedShell>> find_shells(const Monitor& monitor) const;
+  bool is_closed(const OrientedShell& shell) const;
+  Rational volume_of_open(const OrientedShell& shell) const;
+  void turn(OrientedShell& shell);
+  int winding(const OrientedShell& shell, const PointRef& point);
+  void apply(const std::vector<OrientedShell>& shells);
+
+  FacetList& facets_;
+  RepairReport& report_;
+  TriangleMesh mesh_;
+};
+
+Result<std::vector<OrientedShell>> ShellOrientation::find_shells(const Monitor& monitor) const {
+  const FaceComponents parts = connected_components(mesh_);
+  std::vector<OrientedShell> shells(parts.count);
+  for (std::uint32_t f = 0; f < mesh_.face_count(); ++f) shells[parts.of_face[f]].facets.push_back(f);
+  std::vector<TriangleMesh::Triangle> triangles;
+  for (OrientedShell& shell : shells) {
+    triangles.clear();
+    for (const std::uint32_t f : shell.facets) {
+      triangles.push_back(facets_.triangles[f]);
+      for (std::size_t i = 0; i < 3; ++i) shell.box.extend(facets_.corner(f, i));
+    }
+    RETURN_IF_ERROR(monitor.check());
+    ASSIGN_OR_RETURN(shell.volume, is_closed(shell) ? exact_volume(mesh_.points(), triangles) : volume_of_open(shell));
+  }
+  return shells;
+}
+
+/// True if along each of its edges as many facets run one way as the other.
+bool ShellOrientation::is_closed(const OrientedShell& shell) const {
+  for (const std::uint32_t f : shell.facets)
+    for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) {
+      const HalfedgeId halfedge(h);
+      if (mesh_.is_boundary(halfedge)) return false;
+      if (!mesh_.is_nonmanifold(halfedge)) continue;
+      const auto edge = mesh_.edge_halfedges(halfedge);
+      const auto forward =
+          std::ranges::count_if(edge, [&](HalfedgeId g) { return mesh_.origin(g) == mesh_.origin(edge[0]); });
+      if (2 * static_cast<std::size_t>(forward) != edge.size()) return false;
+    }
+  return true;
+}
+
+Rational ShellOrientation::volume_of_open(const OrientedShell& shell) const {
+  const Vec3 top = 0.5 * shell.box.min + 0.5 * shell.box.max;
+  double sum = 0;
+  for (const std::uint32_t f : shell.facets)
+    sum += dot(facets_.corner(f, 0) - top, cross(facets_.corner(f, 1) - top, facets_.corner(f, 2) - top));
+  return std::isfinite(sum) ? Rational(sum / 6) : Rational();
+}
+
+void ShellOrientation::turn(OrientedShell& shell) {
+  shell.is_turned = !shell.is_turned;
+  shell.volume = -shell.volume;
+}
+
+/// Of the shell about the point.
+int ShellOrientation::winding(const OrientedShell& shell, const PointRef& point) {
+  if (!shell.box.contains(point.approx)) return 0;
+  int sum = 0;
+  for (const std::uint32_t f : shell.facets) {
+    const LineCrossing crossing = cross_vertical_line(point, mesh_.corners(FaceId(f)));
+    if (crossing.side == -1) sum += crossing.sign;
+  }
+  return shell.is_turned ? -sum : sum;
+}
+
+Status ShellOrientation::run(const Monitor& monitor) {
+  ASSIGN_OR_RETURN(std::vector<OrientedShell> shells, find_shells(monitor));
+  Rational total;
+  for (const OrientedShell& shell : shells) total = total + shell.volume;
+  if (total.sign() < 0)
+    for (OrientedShell& shell : shells) turn(shell);
+  const auto size = [](const OrientedShell& shell) { return shell.volume.sign() < 0 ? -shell.volume : shell.volume; };
+  std::ranges::stable_sort(shells, [&](const OrientedShell& a, const OrientedShell& b) { return size(a) > size(b); });
+  for (std::size_t i = 0; i < shells.size(); ++i) {
+    if (shells[i].volume.sign() >= 0) continue;
+    RETURN_IF_ERROR(monitor.check());
+    const PointRef place = mesh_.point(mesh_.origin(TriangleMesh::halfedge(FaceId(shells[i].facets[0]))));
+    int around = 0;
+    for (std::size_t k = 0; k < i; ++k) around += winding(shells[k], place);
+    if (around <= 0) turn(shells[i]);
+  }
+  apply(shells);
+  return {};
+}
+
+void ShellOrientation::apply(const std::vector<OrientedShell>& shells) {
+  for (const OrientedShell& shell : shells) {
+    if (!shell.is_turned) continue;
+    report_.add(RepairStep::turned_shells, facets_.corner(shell.facets[0], 0));
+    for (const std::uint32_t f : shell.facets) std::swap(facets_.triangles[f][1], facets_.triangles[f][2]);
+  }
+}
+
+}  // namespace
+
+Status orient_shells(FacetList& facets, RepairReport& report, const Monitor& monitor) {
+  return ShellOrientation(facets, report).run(monitor);
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,32 @@
+#include "algebra3d/repair/valid_parts.h"
+
+#include "algebra3d/halfedge/topology.h"
+#include "algebra3d/validity/validity.h"
+
+namespace algebra3d {
+
+Result<ValidParts> ValidParts::make(const TriangleMesh& mesh, const Monitor& monitor) {
+  return make(mesh, std::vector<bool>(mesh.face_count()), monitor);
+}
+
+Result<ValidParts> ValidParts::make(const TriangleMesh& mesh, const std::vector<bool>& are_alone,
+                                    const Monitor& monitor) {
+  ASSIGN_OR_RETURN(const std::vector<Entanglement> entanglements, disentangle(mesh, monitor.cancel()));
+  ValidParts result;
+  std::vector<FaceId> free;
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    if (entanglements[f] == Entanglement::degenerate) continue;
+    if (entanglements[f] == Entanglement::none && !are_alone[f]) {
+      free.emplace_back(f);
+      continue;
+    }
+    result.lone_faces_.emplace_back(f);
+    result.meshes_.push_back(submesh(mesh, std::vector{FaceId(f)}));
+  }
+  if (!free.empty()) result.meshes_.push_back(submesh(mesh, free));
+  result.operands_.reserve(result.meshes_.size());
+  for (const TriangleMesh& part : result.meshes_) result.operands_.push_back({&part, 0});
+  return result;
+}
+
+}  // namespace algebra3d
