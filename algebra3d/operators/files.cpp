@@ -17,13 +17,29 @@
 namespace algebra3d {
 namespace {
 
-Result<Maybe<Volume3d>> import_stl(Context& context, const Text& file) {
-  ASSIGN_OR_RETURN(ImportedSolid imported, import_solid(context.resolve(file.content), context.cancel));
+Result<Maybe<Volume3d>> import_with(Context& context, const Text& file, const RepairOptions& options) {
+  ASSIGN_OR_RETURN(ImportedSolid imported, import_solid(context.resolve(file.content), options, context.monitor()));
   for (const std::string& remark : imported.remarks) context.diagnostics.report("importSTL: " + remark, file.content);
   if (imported.solid) return Maybe<Volume3d>(*std::move(imported.solid));
   // The reader's messages name the file; those about the solid do not.
   const bool names_file = imported.status.find(file.content) != std::string::npos;
   return Maybe<Volume3d>(Undefined{names_file ? imported.status : file.content + ": " + imported.status});
+}
+
+Result<Maybe<Volume3d>> import_stl(Context& context, const Text& file) {
+  return import_with(context, file, {});
+}
+
+Result<Maybe<Volume3d>> import_stl_as_told(Context& context, const Text& file, const Text& options) {
+  const Result<RepairOptions> parsed = parse_repair_options(options.content);
+  if (!parsed) return Error{ErrorCode::invalid_value, "importSTL: {}", parsed.error().message};
+  return import_with(context, file, *parsed);
+}
+
+Result<Text> check_stl(Context& context, const Text& file) {
+  ASSIGN_OR_RETURN(ImportedSolid imported,
+                   import_solid(context.resolve(file.content), RepairOptions::strict(), context.monitor()));
+  return Text{std::move(imported.status)};
 }
 
 TriangleSoup soup_of(const TriangleMesh& mesh) {
@@ -65,19 +81,39 @@ Result<bool> export_stl(Context& context, const std::optional<Volume3d>& solid, 
 void register_files(Registry& registry) {
   registry.add({
       .name = "importSTL",
-      .syntax = "importSTL(_)",
-      .doc = "The solid in an STL file, ASCII or binary.",
+      .syntax = "importSTL(_ ...)",
+      .doc = "The solid in an STL file, ASCII or binary, repaired where it is none.",
       .detail =
           "Equal corners are welded, and a solid that is inside out is turned right side out; what is then a valid "
-          "solid is accepted, with its triangles in spatial order. Everything else, a missing or malformed file "
-          "too, is undefined, and a diagnostic counts and locates the defects. A file without facets is the empty "
-          "solid. Relative names start at the folder of the session.",
-      .exactness = Exactness::exact,
-      .overloads = {overload<&import_stl>("file")},
+          "solid is accepted as it is, with its triangles in spatial order. Everything else is repaired: a diagnostic "
+          "says what was changed and how far from the facets, repairReport says more. What cannot be repaired, a "
+          "missing "
+          "or malformed file too, is undefined, with the defects and the reason. A file without facets is the empty "
+          "solid. Options, separated by semicolons: `cracks=0.001` (vertices on open edges that are closer are joined; "
+          "by "
+          "default 1e-4 of the diagonal), `holes=20` (diameter of the largest hole that is closed; by default all "
+          "are), "
+          "`cavities=drop` (they are filled), `smallest=0.5` (bodies and cavities with less volume are left out), "
+          "`work=500` (million pairs of near triangles, after which a file is given up), `strict` (no repair). "
+          "Relative "
+          "names start at the folder of the session.",
+      .exactness = Exactness::reported,
+      .overloads = {overload<&import_stl>("file"), overload<&import_stl_as_told>("file", "options")},
       .examples = {{"isEmpty(importSTL('no such file.stl'))", "TRUE"},
                    {"importSTL('no such file.stl')", "undefined"},
                    {"importSTL([const text value undefined])", "undefined"}},
-      .errors = {{R"(query importSTL("part.stl"))", "importSTL: expected (text), got (string)"}},
+      .errors = {{R"(query importSTL("part.stl"))", "importSTL: expected (text) or (text text), got (string)"},
+                 {"query importSTL('part.stl', 'cracks=wide')",
+                  "importSTL: option 'cracks' is 'wide'; expected a number that is not negative"}},
+  });
+  registry.add({
+      .name = "checkSTL",
+      .syntax = "checkSTL(_)",
+      .doc = "What an STL file is without repair: 'ok', or the defects that make it no valid solid.",
+      .detail = "Counts each kind of defect, and says where the first one is. Nothing is repaired.",
+      .exactness = Exactness::exact,
+      .overloads = {overload<&check_stl>("file")},
+      .examples = {{"checkSTL([const text value undefined])", "undefined"}},
   });
   registry.add({
       .name = "exportSTL",

@@ -16,20 +16,18 @@ Result<ImportedSolid> refused_or_failed(Error error) {
 
 }  // namespace
 
-Result<ImportedSolid> import_solid(const std::filesystem::path& path, const std::atomic<bool>* cancel) {
-  auto read = stl::read_stl_file(path, cancel);
+Result<ImportedSolid> import_solid(const std::filesystem::path& path, const RepairOptions& options,
+                                   const Monitor& monitor) {
+  auto read = stl::read_stl_file(path, monitor.cancel());
   if (!read.ok()) return refused_or_failed(std::move(read).error());
-  auto made = solid_from_soup(read->soup, cancel);
+  auto made = solid_from_soup(read->soup, options, monitor);
   if (!made.ok()) return refused_or_failed(std::move(made).error());
   ImportedSolid result;
+  result.status = made->status();
   result.remarks = std::move(read->remarks);
   for (std::string& remark : made->report.remarks()) result.remarks.push_back(std::move(remark));
-  if (!made->mesh) {
-    result.status = made->report.defects();
-    return result;
-  }
-  result.status = made->report.was_turned ? "ok: turned right side out" : "ok";
-  result.solid = Volume3d::trusted(*std::move(made->mesh));
+  if (made->mesh && made->repair) result.remarks.push_back(result.status);
+  if (made->mesh) result.solid = Volume3d::trusted(*std::move(made->mesh));
   return result;
 }
 

@@ -1,12 +1,13 @@
 #pragma once
 
-#include <atomic>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "algebra3d/base/error.h"
+#include "algebra3d/base/monitor.h"
+#include "algebra3d/repair/repair_options.h"
 #include "algebra3d/types/spatial.h"
 
 namespace algebra3d {
@@ -14,15 +15,17 @@ namespace algebra3d {
 /// The outcome of importing one mesh file.
 struct ImportedSolid {
   std::optional<Volume3d> solid;
-  /// One line for people: "ok", "ok: turned right side out", or why there is no solid.
+  /// One line for people: "ok", "ok: turned right side out", "repaired: ...", or why there is no solid.
   std::string status;
   /// What was tolerated in the file, and what changed no decision, one sentence each.
   std::vector<std::string> remarks;
 };
 
-/// Reads an STL file as a solid: the reader of stl/, then solid_from_soup (repair/). Whatever is wrong with the file is
-/// a status, no error. A file without facets is the empty solid. Any number of calls may run at once.
+/// Reads a mesh file as a solid: the readers of stl/, then solid_from_soup (repair/), which mends what is no solid.
+/// Whatever is wrong with the file is a status, no error. A file without facets is the empty solid. Any number of calls
+/// may run at once.
 /// Errors: interrupted, out_of_memory.
-Result<ImportedSolid> import_solid(const std::filesystem::path& path, const std::atomic<bool>* cancel = nullptr);
+Result<ImportedSolid> import_solid(const std::filesystem::path& path, const RepairOptions& options = {},
+                                   const Monitor& monitor = {});
 
 }  // namespace algebra3d

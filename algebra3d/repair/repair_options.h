@@ -1,8 +1,9 @@
 #pragma once
 
-#include <cstddef>
-#include <limits>
 #include <optional>
+#include <string_view>
+
+#include "algebra3d/base/error.h"
 
 namespace algebra3d {
 
@@ -11,8 +12,7 @@ struct RepairOptions {
   /// Vertices and edges on boundaries that are closer than this are joined. By default 1e-4 of the diagonal of the box
   /// around the file; never so far that an edge would vanish.
   std::optional<double> crack_tolerance;
-  /// Holes with a larger diameter (of the box around the loop) are left open. By default half the diagonal of the box
-  /// around the file.
+  /// Holes with a larger diameter (of the box around the loop) are left open. By default none is for that reason.
   std::optional<double> largest_hole;
   /// Cavities stay; if false, the solid is filled.
   bool keeps_cavities = true;
@@ -23,6 +23,18 @@ struct RepairOptions {
   /// The most pairs of triangles whose boxes meet, and of solid angles that are added up, in millions; beyond it the
   /// repair gives up.
   double work_limit = 500;
+
+  static RepairOptions strict() {
+    RepairOptions options;
+    options.is_strict = true;
+    return options;
+  }
 };
+
+/// Options as people write them, separated by semicolons, in any order and each at most once: "cracks=0.001",
+/// "holes=20", "cavities=keep" or "cavities=drop", "smallest=0.5", "work=1000", "strict". Lengths, volumes and the work
+/// are real numbers that are not negative. The empty text has the defaults.
+/// Errors: invalid_value, naming what was found and what was expected.
+Result<RepairOptions> parse_repair_options(std::string_view text);
 
 }  // namespace algebra3d

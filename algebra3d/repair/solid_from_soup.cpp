@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "algebra3d/exact/exact_sum.h"
+#include "algebra3d/repair/repaired_solid.h"
 #include "algebra3d/repair/spatial_order.h"
 #include "algebra3d/repair/weld.h"
 #include "algebra3d/validity/validity.h"
@@ -86,27 +87,39 @@ std::vector<std::string> SoupReport::remarks() const {
   return remarks;
 }
 
-Result<SolidFromSoup> solid_from_soup(const TriangleSoup& soup, const std::atomic<bool>* cancel) {
+std::string SolidFromSoup::status() const {
+  if (!mesh) return reason.empty() ? report.defects() : report.defects() + "; not repaired: " + reason;
+  if (repair) return repair->is_empty() ? "repaired" : "repaired: " + repair->text();
+  return report.was_turned ? "ok: turned right side out" : "ok";
+}
+
+Result<SolidFromSoup> solid_from_soup(const TriangleSoup& soup, const RepairOptions& options, const Monitor& monitor) {
   if (soup.triangles.size() > TriangleMesh::kMaxFaces)
     return Error{ErrorCode::limit_exceeded, "{} triangles; at most {} make a solid", soup.triangles.size(),
                  TriangleMesh::kMaxFaces};
   SolidFromSoup result;
   count_contradicting_normals(soup, result.report);
   WeldedTriangles welded = weld(soup.triangles);
-  ASSIGN_OR_RETURN(const Rational volume, exact_volume(welded.points, welded.triangles, cancel));
+  ASSIGN_OR_RETURN(const Rational volume, exact_volume(welded.points, welded.triangles, monitor.cancel()));
   // What is not closed has no volume, and is refused below whichever way it is turned.
   const bool is_inside_out = volume.sign() < 0;
   if (is_inside_out)
     for (auto& [a, b, c] : welded.triangles) std::swap(b, c);
   const std::vector<std::uint32_t> order = spatial_order(welded.points.approx(), welded.triangles);
   welded = reordered(welded, order);
-  TriangleMesh mesh(std::move(welded.points), welded.triangles);
-  ASSIGN_OR_RETURN(ValidityReport validity, prove_volume(mesh, {.cancel = cancel}));
+  TriangleMesh mesh(welded.points, welded.triangles);
+  ASSIGN_OR_RETURN(ValidityReport validity, prove_volume(mesh, {.cancel = monitor.cancel()}));
   result.report.was_turned = is_inside_out && validity.is_valid();
-  if (validity.is_valid())
+  if (validity.is_valid()) {
     result.mesh = std::move(mesh);
-  else
-    result.report.validity = in_facets(std::move(validity), order);
+    return result;
+  }
+  result.report.validity = in_facets(std::move(validity), order);
+  if (options.is_strict) return result;
+  ASSIGN_OR_RETURN(RepairedSolid repaired, repaired_solid(welded, options, monitor));
+  result.mesh = std::move(repaired.mesh);
+  result.repair = std::move(repaired.report);
+  result.reason = std::move(repaired.reason);
   return result;
 }
 

@@ -1,14 +1,16 @@
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "algebra3d/base/error.h"
+#include "algebra3d/base/monitor.h"
 #include "algebra3d/base/triangle_soup.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/repair/repair_options.h"
+#include "algebra3d/repair/repair_report.h"
 #include "algebra3d/validity/report.h"
 
 namespace algebra3d {
@@ -32,17 +34,25 @@ struct SoupReport {
 
 /// A solid, or why there is none.
 struct SolidFromSoup {
-  std::optional<TriangleMesh> mesh;  ///< proved to be a valid volume3d
-  SoupReport report;
+  std::optional<TriangleMesh> mesh;    ///< proved to be a valid volume3d
+  SoupReport report;                   ///< of the facets as given
+  std::optional<RepairReport> repair;  ///< what was changed; none if nothing had to be, or nothing was to be
+  std::string reason;                  ///< why the repair gave no solid
+
+  /// For people, one line: "ok", "ok: turned right side out", "repaired: 1 hole closed (near (0 0 1)); at most 0.2 from
+  /// the facets", or why there is no solid.
+  std::string status() const;
 };
 
 /// A solid from the triangles of a mesh file, in this fixed order: equal corners are welded (no tolerance, nothing is
 /// dropped); a soup of negative volume is turned over; triangles are brought into spatial order, vertices numbered by
-/// first use; the result is proved. A soup without triangles gives the empty solid.
-/// Exactness: every decision is exact; the solid has exactly the triangles of the soup.
-/// Errors: interrupted; limit_exceeded beyond TriangleMesh::kMaxFaces triangles. Cost: that of prove_volume.
-/// Deterministic: the same soup gives the same mesh, to the order of its triangles. Any number of calls may run at
-/// once.
-Result<SolidFromSoup> solid_from_soup(const TriangleSoup& soup, const std::atomic<bool>* cancel = nullptr);
+/// first use; the result is proved. So a soup that is a solid comes out untouched. One that is none is repaired
+/// (repaired_solid.h), unless the options are strict. A soup without triangles gives the empty solid.
+/// Exactness: every decision on what is no repair is exact; the solid has exactly the triangles of the soup then.
+/// Errors: interrupted; limit_exceeded beyond TriangleMesh::kMaxFaces triangles. Cost: that of prove_volume, and of the
+/// repair. Deterministic: the same soup gives the same mesh, to the order of its triangles. Any number of calls may run
+/// at once.
+Result<SolidFromSoup> solid_from_soup(const TriangleSoup& soup, const RepairOptions& options = {},
+                                      const Monitor& monitor = {});
 
 }  // namespace algebra3d

@@ -3,6 +3,35 @@
 #include <CLI/CLI.hpp>
 
 namespace queries {
+namespace {
+
+void add_repair_options(CLI::App& import, algebra3d::RepairOptions& repair) {
+  constexpr double kMost = 1e300;
+  CLI::Option_group* group = import.add_option_group("Repair", "What may be done to files that are no valid solids");
+  group->add_flag("--strict", repair.is_strict, "Nothing: they are taken in with an undefined Solid and the defects");
+  group
+      ->add_option("--cracks", repair.crack_tolerance,
+                   "Vertices on open edges that are closer than this are joined (default: 1e-4 of the diagonal)")
+      ->type_name("LENGTH")
+      ->check(CLI::Range(0.0, kMost));
+  group
+      ->add_option("--largest-hole", repair.largest_hole,
+                   "Diameter of the largest hole that is closed (default: all are)")
+      ->type_name("LENGTH")
+      ->check(CLI::Range(0.0, kMost));
+  group->add_flag("!--drop-cavities", repair.keeps_cavities, "Fill cavities");
+  group->add_option("--smallest-shell", repair.smallest_shell, "Leave out bodies and cavities with less volume")
+      ->type_name("VOLUME")
+      ->check(CLI::Range(0.0, kMost));
+  group
+      ->add_option("--work", repair.work_limit,
+                   "Give a file up after so many million pairs of triangles that are near each other")
+      ->type_name("MILLIONS")
+      ->check(CLI::Range(0.0, kMost))
+      ->capture_default_str();
+}
+
+}  // namespace
 
 CLI::App* add_import_command(CLI::App& app, ImportOptions& options) {
   CLI::App* import = app.add_subcommand("import", "Import folders of STL files into a relation of solids");
@@ -27,6 +56,7 @@ CLI::App* add_import_command(CLI::App& app, ImportOptions& options) {
   import->add_option("--batch-megabytes", options.batch_megabytes, "or after this much data")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
+  add_repair_options(*import, options.repair);
   import->footer(
       "A file that cannot be made a solid is taken in with an undefined Solid and the reason in Status.\n"
       "Files imported before are passed over if they have not changed, so an interrupted import is completed by\n"

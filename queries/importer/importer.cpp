@@ -30,9 +30,12 @@ constexpr int kInterrupted = 130;
 // batch whose time is up.
 constexpr std::chrono::milliseconds kPatience{100};
 
-Result<SolidOrReason> read_solid(const std::filesystem::path& file, const std::atomic<bool>* cancel) {
-  ASSIGN_OR_RETURN(algebra3d::ImportedSolid imported, algebra3d::import_solid(file, cancel));
-  return SolidOrReason{std::move(imported.solid), std::move(imported.status)};
+/// Reads files as the options say.
+SolidReader solid_reader(const algebra3d::RepairOptions& repair) {
+  return [repair](const std::filesystem::path& file, const std::atomic<bool>* cancel) -> Result<SolidOrReason> {
+    ASSIGN_OR_RETURN(algebra3d::ImportedSolid imported, algebra3d::import_solid(file, repair, cancel));
+    return SolidOrReason{std::move(imported.solid), std::move(imported.status)};
+  };
 }
 
 Status check_relation_name(const std::string& name, const algebra3d::Registry& registry) {
@@ -91,7 +94,7 @@ Status Import::take_in(const FileList& list) {
                         {std::chrono::duration<double>(options_.batch_seconds), options_.batch_megabytes * 1e6});
   RETURN_IF_ERROR(writer.prepare());
   const int jobs = options_.jobs > 0 ? options_.jobs : tbb::info::default_concurrency();
-  FileLoader loader(list.files, host_.reader ? host_.reader : SolidReader(read_solid),
+  FileLoader loader(list.files, host_.reader ? host_.reader : solid_reader(options_.repair),
                     [&](const Store::ImportedFile& file) { return writer.is_known(file); },
                     {.jobs = jobs, .cancel = host_.cancel});
   Status status = pump(loader, writer);

@@ -112,7 +112,7 @@ TEST(SolidFromSoup, huge_and_tiny_coordinates_are_no_trouble) {
 
 TEST(SolidFromSoup, ends_when_asked_to) {
   const std::atomic<bool> cancel = true;
-  const auto made = solid_from_soup(soup_of(samples::torus(20, 12)), &cancel);
+  const auto made = solid_from_soup(soup_of(samples::torus(20, 12)), {}, &cancel);
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().code, ErrorCode::interrupted);
 }
