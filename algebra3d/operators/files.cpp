@@ -1,4 +1,4 @@
-// importSTL, exportSTL.
+// importSTL, checkSTL, importSurface, exportSTL.
 #include <optional>
 #include <utility>
 
@@ -40,6 +40,14 @@ Result<Text> check_stl(Context& context, const Text& file) {
   ASSIGN_OR_RETURN(ImportedSolid imported,
                    import_solid(context.resolve(file.content), RepairOptions::strict(), context.monitor()));
   return Text{std::move(imported.status)};
+}
+
+Result<Maybe<Surface3d>> import_as_surface(Context& context, const Text& file) {
+  ASSIGN_OR_RETURN(ImportedSurface imported, import_surface(context.resolve(file.content), context.monitor()));
+  for (const std::string& remark : imported.remarks)
+    context.diagnostics.report("importSurface: " + remark, file.content);
+  if (imported.surface) return Maybe<Surface3d>(*std::move(imported.surface));
+  return Maybe<Surface3d>(Undefined{imported.reason});
 }
 
 TriangleSoup soup_of(const TriangleMesh& mesh) {
@@ -114,6 +122,20 @@ void register_files(Registry& registry) {
       .exactness = Exactness::exact,
       .overloads = {overload<&check_stl>("file")},
       .examples = {{"checkSTL([const text value undefined])", "undefined"}},
+  });
+  registry.add({
+      .name = "importSurface",
+      .syntax = "importSurface(_)",
+      .doc = "The surface in an STL file.",
+      .detail = "Equal corners are welded and facets without area dropped; facets that pass through each other, lie "
+                "upon each "
+                "other or touch an edge in its middle are divided there, and what several cover is there once. Nothing "
+                "moves, "
+                "and no hole is closed. Undefined, with the reason, for a file that cannot be read.",
+      .exactness = Exactness::exact,
+      .overloads = {overload<&import_as_surface>("file")},
+      .examples = {{"importSurface('no such file.stl')", "undefined"},
+                   {"importSurface([const text value undefined])", "undefined"}},
   });
   registry.add({
       .name = "exportSTL",

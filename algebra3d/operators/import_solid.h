@@ -8,6 +8,7 @@
 #include "algebra3d/base/error.h"
 #include "algebra3d/base/monitor.h"
 #include "algebra3d/repair/repair_options.h"
+#include "algebra3d/repair/solid_from_soup.h"
 #include "algebra3d/types/spatial.h"
 
 namespace algebra3d {
@@ -19,6 +20,8 @@ struct ImportedSolid {
   std::string status;
   /// What was tolerated in the file, and what changed no decision, one sentence each.
   std::vector<std::string> remarks;
+  SoupReport found;                    ///< in the facets as given
+  std::optional<RepairReport> repair;  ///< what was changed; none if the file could not be read, or needed no repair
 };
 
 /// Reads a mesh file as a solid: the readers of stl/, then solid_from_soup (repair/), which mends what is no solid.
@@ -27,5 +30,15 @@ struct ImportedSolid {
 /// Errors: interrupted, out_of_memory.
 Result<ImportedSolid> import_solid(const std::filesystem::path& path, const RepairOptions& options = {},
                                    const Monitor& monitor = {});
+
+/// A surface, or why there is none, and what there is to say about the file.
+struct ImportedSurface {
+  std::optional<Surface3d> surface;
+  std::string reason;
+  std::vector<std::string> remarks;
+};
+
+/// The same as a surface (surface_from_soup).
+Result<ImportedSurface> import_surface(const std::filesystem::path& path, const Monitor& monitor = {});
 
 }  // namespace algebra3d

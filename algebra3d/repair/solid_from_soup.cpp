@@ -60,6 +60,10 @@ ValidityReport in_facets(ValidityReport report, const std::vector<std::uint32_t>
 
 }  // namespace
 
+std::string_view name_of(Defect kind) {
+  return kWordings[static_cast<std::size_t>(kind)].many;
+}
+
 std::string SoupReport::defects() const {
   std::string text;
   Defect previous{kDefectKinds};

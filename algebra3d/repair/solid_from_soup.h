@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "algebra3d/base/error.h"
@@ -31,6 +32,9 @@ struct SoupReport {
   /// For people: what changed no decision, one sentence each.
   std::vector<std::string> remarks() const;
 };
+
+/// As people call it: "boundary edges".
+std::string_view name_of(Defect kind);
 
 /// A solid, or why there is none.
 struct SolidFromSoup {

@@ -16,6 +16,8 @@ constexpr std::size_t kLongestReason = 72;
 
 // How import_solid words what is wrong with a solid.
 constexpr std::string_view kDefects = "no valid solid: ";
+constexpr std::string_view kNotRepaired = "; not repaired: ";
+constexpr std::string_view kRepaired = "repaired";
 constexpr std::string_view kAtLeast = "at least ";
 
 bool is_digit(char letter) {
@@ -98,6 +100,7 @@ void ImportSummary::count(const LoadedFile& file, RelationWriter::Written writte
   if (written == RelationWriter::Written::kept) ++kept_count;
   if (file.solid) {
     ++solid_count;
+    if (file.status.starts_with(kRepaired)) ++repaired_count;
     triangle_count += file.solid->mesh().face_count();
     return;
   }
@@ -111,6 +114,8 @@ double ImportSummary::megabytes_per_second() const {
 }
 
 std::vector<std::string> reason_kinds(const LoadedFile& file) {
+  if (const std::size_t at = file.status.find(kNotRepaired); at != std::string::npos)
+    return {"not repaired: " + without_numbers(without_parentheses(file.status.substr(at + kNotRepaired.size())))};
   if (file.status.starts_with(kDefects)) return defect_kinds(std::string_view(file.status).substr(kDefects.size()));
   std::string kind = file.status;
   const std::string file_name = file.path.substr(file.path.find_last_of('/') + 1);
@@ -138,6 +143,7 @@ std::string summary_table(const ImportSummary& summary, std::string_view relatio
     row("  not reached", grouped(summary.file_count - summary.done_count()));
   if (summary.known_count > 0) row("  imported before", grouped(summary.known_count));
   row("  solids", grouped(summary.solid_count));
+  if (summary.repaired_count > 0) row("  of these repaired", grouped(summary.repaired_count));
   row("  undefined", grouped(summary.undefined_count));
   if (summary.replaced_count > 0) row("  of these replaced", grouped(summary.replaced_count));
   if (summary.kept_count > 0) row("  unreadable, left as before", grouped(summary.kept_count));

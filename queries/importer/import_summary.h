@@ -26,6 +26,7 @@ struct ImportSummary {
   std::uint64_t replaced_count = 0;
   std::uint64_t kept_count = 0;       ///< could not be read; their tuples are those of an earlier import
   std::uint64_t solid_count = 0;      ///< of those inserted or replaced
+  std::uint64_t repaired_count = 0;   ///< of the solids
   std::uint64_t undefined_count = 0;  ///< the others of those
   std::uint64_t triangle_count = 0;
   std::uint64_t done_bytes = 0;
@@ -43,7 +44,8 @@ struct ImportSummary {
 
 /// The kinds of reason in the status of a file without a solid: without file name, places and numbers, so that files
 /// with the same trouble share them. "no valid solid: 12 boundary edges (facet 3, near (0 0 1)), 1 intersecting pair
-/// (...)" gives "boundary edges" and "intersecting pairs".
+/// (...)" gives "boundary edges" and "intersecting pairs"; "...; not repaired: 2 holes were left open (...)" gives
+/// "not repaired: N holes were left open".
 std::vector<std::string> reason_kinds(const LoadedFile& file);
 
 /// The table at the end of an import, for people.

@@ -27,6 +27,7 @@ void register_stream_operators(algebra3d::Registry& registry) {
   register_indexes(registry);
   register_spatial_join(registry);
   register_ordered_indexes(registry);
+  register_repair_reports(registry);
 }
 
 std::vector<std::string> example_objects() {

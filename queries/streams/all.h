@@ -39,5 +39,6 @@ void register_updates(algebra3d::Registry& registry);
 void register_indexes(algebra3d::Registry& registry);
 void register_spatial_join(algebra3d::Registry& registry);
 void register_ordered_indexes(algebra3d::Registry& registry);
+void register_repair_reports(algebra3d::Registry& registry);
 
 }  // namespace queries

@@ -1,0 +1,122 @@
+// repairReport: what was found in a mesh file, and what was changed, as tuples.
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "algebra3d/operators/import_solid.h"
+#include "algebra3d/types/scalars.h"
+#include "algebra3d/types/spatial.h"
+#include "queries/streams/all.h"
+#include "queries/streams/mapping.h"
+
+namespace queries {
+namespace {
+
+using algebra3d::Defect;
+using algebra3d::ImportedSolid;
+using algebra3d::Point3d;
+using algebra3d::RepairOptions;
+
+template <typename T>
+Value value_or_undefined(const std::optional<T>& value) {
+  return value ? Value::of<T>(*value) : Value(algebra3d::TypeOf<T>::type());
+}
+
+struct ReportRow {
+  std::string phase, what;
+  std::optional<std::int32_t> count;
+  std::optional<Point3d> where;
+  std::optional<double> amount;
+};
+
+TypeExpr report_type() {
+  return TypeExpr::tuple({{"Phase", TypeExpr("string")},
+                          {"What", TypeExpr("string")},
+                          {"Count", TypeExpr("int")},
+                          {"Where", TypeExpr("point3d")},
+                          {"Amount", TypeExpr("real")}});
+}
+
+TuplePtr tuple_of(const ReportRow& row) {
+  return std::make_shared<const Tuple>(
+      Tuple{{Value::of<std::string>(row.phase), Value::of<std::string>(row.what), value_or_undefined(row.count),
+             value_or_undefined(row.where), value_or_undefined(row.amount)}});
+}
+
+std::int32_t as_int(std::uint64_t count) {
+  constexpr std::uint64_t kMost = std::numeric_limits<std::int32_t>::max();
+  return static_cast<std::int32_t>(std::min(count, kMost));
+}
+
+std::vector<ReportRow> rows_of(const ImportedSolid& imported) {
+  std::vector<ReportRow> rows;
+  std::optional<Defect> previous;
+  for (const algebra3d::DefectExample& example : imported.found.validity.examples) {
+    if (example.kind == previous) continue;
+    previous = example.kind;
+    rows.push_back({"found",
+                    std::string(name_of(example.kind)),
+                    as_int(imported.found.validity.count(example.kind)),
+                    Point3d{example.where},
+                    {}});
+  }
+  if (!imported.repair) return rows;
+  for (const algebra3d::RepairEntry& entry : imported.repair->entries)
+    rows.push_back(
+        {"changed", std::string(name_of(entry.step)), as_int(entry.count), Point3d{entry.where}, entry.largest});
+  rows.push_back({"volume", "before", {}, {}, imported.repair->volume_before});
+  if (imported.solid) rows.push_back({"volume", "after", {}, {}, imported.repair->volume_after});
+  return rows;
+}
+
+Result<Plan> map_repair_report(std::span<const ArgumentType> arguments) {
+  const MappingCheck check("repairReport", arguments);
+  RETURN_IF_ERROR(check.argument_count(1, 2));
+  for (std::size_t place = 0; place < check.count(); ++place) RETURN_IF_ERROR(check.type(place, "text"));
+  return Plan{TypeExpr::stream(report_type()), [](const std::vector<Datum>& given, Context& context) -> Result<Datum> {
+                std::vector<ReportRow> rows;
+                const bool is_defined =
+                    std::ranges::all_of(given, [](const Datum& word) { return word.value().is_defined(); });
+                if (is_defined) {
+                  const auto text = [&](std::size_t i) { return given[i].value().get<algebra3d::Text>().content; };
+                  const Result<RepairOptions> options =
+                      algebra3d::parse_repair_options(given.size() == 2 ? text(1) : std::string());
+                  if (!options) return Error{options.error().code, "repairReport: {}", options.error().message};
+                  ASSIGN_OR_RETURN(const ImportedSolid imported,
+                                   import_solid(context.resolve(text(0)), *options, context.monitor()));
+                  rows = rows_of(imported);
+                  const bool is_readable = imported.solid || !rows.empty();
+                  if (!is_readable) context.diagnostics.report("repairReport: " + imported.status);
+                }
+                return Datum{make_stream([rows, next = std::size_t{0}]() mutable -> Result<TuplePtr> {
+                  return next < rows.size() ? tuple_of(rows[next++]) : TuplePtr();
+                })};
+              }};
+}
+
+}  // namespace
+
+void register_repair_reports(algebra3d::Registry& registry) {
+  registry.add({
+      .name = "repairReport",
+      .syntax = "repairReport(_ ...)",
+      .doc = "What importSTL finds in a file and what it changes, one tuple for each kind.",
+      .detail =
+          "Tuples (Phase, What, Count, Where, Amount): `found` are the defects of the facets as given, `changed` the "
+          "steps of the repair in their order, with the largest distance by which they moved or added anything; "
+          "`volume` "
+          "says how much there was before, if the facets were closed, and after. Where is the place of the first one. "
+          "None for a file that is a solid. Options as those of importSTL.",
+      .stream = stream_operator(map_repair_report),
+      .signatures = {"(text) -> stream(tuple)", "(text text) -> stream(tuple)"},
+      .handles_undefined = true,
+      .examples = {{"repairReport([const text value undefined]) count", "0"},
+                   {"repairReport('no such file.stl') count", "0"}},
+      .errors = {{"query repairReport(5) count", "repairReport: expected text, got int"}},
+  });
+}
+
+}  // namespace queries
