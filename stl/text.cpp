@@ -1,5 +1,6 @@
 #include "stl/text.h"
 
+#include <algorithm>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -37,13 +38,31 @@ std::string found_text(std::string_view text) {
   return found + "'";
 }
 
+std::string one_line(std::string_view text) {
+  std::string line(text);
+  for (char& c : line)
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
+  return std::string(trimmed(line));
+}
+
+bool is_padding(std::string_view bytes) {
+  return std::all_of(bytes.begin(), bytes.end(), [](char c) { return c == '\0' || c == '\x1a' || is_blank(c); });
+}
+
+std::size_t line_number(std::string_view bytes, std::size_t offset) {
+  std::size_t line = 1;
+  for (std::size_t i = 0; i < offset; ++i)
+    if (bytes[i] == '\n' || (bytes[i] == '\r' && !(i + 1 < bytes.size() && bytes[i + 1] == '\n'))) ++line;
+  return line;
+}
+
 std::string bad_normals_remark(std::size_t count) {
   return fmt::format("{} a normal that is not finite, read as zero",
                      count == 1 ? "1 facet has" : fmt::format("{} facets have", count));
 }
 
-algebra3d::Error interrupted(std::string_view file_name) {
-  return {algebra3d::ErrorCode::interrupted, "read_stl: {}: interrupted", file_name};
+algebra3d::Error interrupted(std::string_view operation, std::string_view file_name) {
+  return {algebra3d::ErrorCode::interrupted, "{}: {}: interrupted", operation, file_name};
 }
 
 }  // namespace stl
