@@ -50,7 +50,9 @@ class AsciiCursor {
   void move_to(const char* position) { position_ = position; }
 
   void skip_blanks() {
-    while (position_ != end_ && is_blank(*position_)) ++position_;
+    const char* p = position_;  // not the member: characters may alias it, so it would be stored at every step
+    while (p != end_ && is_blank(*p)) ++p;
+    position_ = p;
   }
   /// White space, and comments from `#` to the end of the line.
   void skip_space() {
@@ -63,7 +65,9 @@ class AsciiCursor {
 
   /// White space other than line breaks.
   void skip_blanks_in_line() {
-    while (position_ != end_ && is_blank(*position_) && !is_line_break(*position_)) ++position_;
+    const char* p = position_;
+    while (p != end_ && is_blank(*p) && !is_line_break(*p)) ++p;
+    position_ = p;
   }
   /// True before a line break or a comment, and at the end.
   [[nodiscard]] bool is_at_line_end() const {
@@ -95,15 +99,18 @@ class AsciiCursor {
 
   /// Goes behind the decimal digits here, at least one, whatever follows them; greater numbers give kGreatestInteger.
   bool take_digits(std::uint64_t& value) {
-    const char* first = position_;
-    value = 0;
-    for (; position_ != end_; ++position_) {
-      const unsigned digit = static_cast<unsigned char>(*position_) - unsigned{'0'};
+    const char* const first = position_;
+    const char* p = first;
+    std::uint64_t sum = 0;
+    for (; p != end_; ++p) {
+      const unsigned digit = static_cast<unsigned char>(*p) - unsigned{'0'};
       if (digit > 9) break;
-      value = 10 * value + digit;
+      sum = 10 * sum + digit;
     }
-    if (position_ - first > 18) [[unlikely]]
-      value = integer_of_many_digits({first, static_cast<std::size_t>(position_ - first)});
+    if (p - first > 18) [[unlikely]]
+      sum = integer_of_many_digits({first, static_cast<std::size_t>(p - first)});
+    value = sum;
+    position_ = p;
     return position_ != first;
   }
 

@@ -1,6 +1,8 @@
 #include "stl/text.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -21,6 +23,16 @@ std::string_view trimmed(std::string_view text) {
 
 std::string counted(std::size_t count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+void append_number(std::string& text, double value) {
+  std::array<char, 24> digits;  // -2.2250738585072014e-308
+  text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
+}
+
+void append_number(std::string& text, std::uint32_t value) {
+  std::array<char, 10> digits;
+  text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
 }
 
 std::string found_text(std::string_view text) {

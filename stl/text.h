@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,10 @@ std::string_view trimmed(std::string_view text);
 
 /// "1 facet", "2 facets".
 std::string counted(std::size_t count, std::string_view noun);
+
+/// Appends the shortest digits that read back to the same double, without a point if there is no need of one.
+void append_number(std::string& text, double value);
+void append_number(std::string& text, std::uint32_t value);
 
 /// What stands at the front of `text`, for a message: its first word in quotes, shortened, with unprintable bytes as
 /// \xNN; or "end of file".
