@@ -34,20 +34,22 @@ bool is_solid_keyword(std::string_view word) {
                     [](char a, char b) { return (a | 0x20) == b; });
 }
 
-bool is_ascii_stl(std::string_view bytes) {
-  if (!is_solid_keyword(first_word(bytes))) return false;
-  const auto format = detect_format(bytes, "");
-  return format && *format == Format::ascii;
+std::optional<MeshFormat> format_of_text(std::string_view bytes) {
+  if (off_header(bytes)) return MeshFormat::off;
+  const std::string_view word = first_word(bytes);
+  if (is_solid_keyword(word)) return MeshFormat::stl;
+  if (obj_statement(word) != ObjStatement::unknown) return MeshFormat::obj;
+  return std::nullopt;
 }
 
 std::optional<MeshFormat> format_of_content(std::string_view bytes) {
   if (bytes.size() >= kBinaryPrefixBytes &&
       bytes.size() == kBinaryPrefixBytes + announced_facet_count(bytes) * kBinaryFacetBytes)
     return MeshFormat::stl;
-  if (off_header(bytes)) return MeshFormat::off;
-  if (is_ascii_stl(bytes)) return MeshFormat::stl;
-  if (obj_statement(first_word(bytes)) != ObjStatement::unknown) return MeshFormat::obj;
-  return std::nullopt;
+  if (const auto header = off_header(bytes); header && header->is_binary) return MeshFormat::off;
+  // The header of a binary STL file may begin with any word.
+  const auto format = detect_format(bytes, "");
+  return format && *format == Format::ascii ? format_of_text(bytes) : std::nullopt;
 }
 
 std::optional<MeshFormat> format_of_name(std::string_view file_name) {

@@ -14,9 +14,9 @@ enum class MeshFormat { stl, obj, off };
 ///
 /// 1. The content decides, where it leaves no doubt, whatever the name says: a size that is exactly that of a binary
 /// STL
-///    file; or else the first word behind a byte order mark, white space and comments from `#`: `OFF` with its letters
-///    (see `off_header`) for OFF; `solid` in any case, in a file of text, for STL; a keyword of OBJ in lower case
-///    (`v`, `f`, `o`, `g`, `mtllib`, ...), behind which a blank or the end of the file follows, for OBJ.
+///    file; a header line of binary OFF; or, in a file of text, the first word behind a byte order mark, white space
+///    and comments from `#`: `OFF` with its letters (see `off_header`) for OFF, `solid` in any case for STL, a keyword
+///    of OBJ (`v`, `f`, `o`, `g`, `mtllib`, ...) for OBJ. What is text, says `detect_format`.
 /// 2. Else the name decides by its ending `.stl`, `.obj` or `.off`, in any case: so an OFF file may begin with its
 ///    counts, an OBJ file hold comments alone, and a faulty file has its error from the reader it was meant for.
 /// 3. Else what is no text in its first 1024 bytes, and 84 bytes long or longer, is a binary STL file with a wrong

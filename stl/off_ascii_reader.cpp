@@ -76,9 +76,11 @@ class OffAsciiReader {
 
   bool skip_edge_count() {
     double ignored = 0;
+    std::uint64_t ignored_count = 0;
     cursor_.skip_blanks_in_line();
     if (!cursor_.is_at_line_end())
-      return cursor_.take_number(ignored) != NumberKind::none || fail_expected("the number of edges");
+      return take_integer(ignored_count) || cursor_.take_number(ignored) != NumberKind::none ||
+             fail_expected("the number of edges");
     AsciiCursor next_line = cursor_;
     next_line.skip_space();
     const bool has_number = next_line.take_number(ignored) != NumberKind::none;
@@ -224,7 +226,11 @@ class OffAsciiReader {
     return fail_here(ErrorCode::file_format, fmt::format("face {} of {}: {}, found {}", face_index_ + 1, face_count_,
                                                          expected, found_text(cursor_.rest())));
   }
+  // Behind the index.
   bool fail_index(std::uint64_t corner, std::uint64_t index) {
+    const char* word = cursor_.position();
+    while (word[-1] >= '0' && word[-1] <= '9') --word;  // a blank stands before it
+    cursor_.move_to(word);
     return fail_here(ErrorCode::file_format,
                      off_index_message(face_index_ + 1, face_count_, corner + 1, index, vertex_count_));
   }

@@ -7,7 +7,6 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <utility>
 
 #include "stl/off_remarks.h"
@@ -34,15 +33,10 @@ struct OffLayout {
   bool has_colour_counts = true;
 };
 
-/// How far a file agrees with a layout; the greater the better.
+/// How far a file agrees with a layout.
 struct OffAgreement {
   bool fills_file = false;
-  bool is_whole = false;
   std::size_t words = 0;
-
-  friend bool operator<(const OffAgreement& a, const OffAgreement& b) {
-    return std::tie(a.fills_file, a.is_whole, a.words) < std::tie(b.fills_file, b.is_whole, b.words);
-  }
 };
 
 /// The words of a binary file behind its header; what is left of the last one counts as none.
@@ -99,16 +93,15 @@ class OffBinaryReader {
   }
 
   [[nodiscard]] OffLayout likeliest_layout() const {
-    OffLayout best;
-    OffAgreement best_agreement = agreement(best);
-    for (const OffLayout layout : {OffLayout{true, false}, OffLayout{false, true}, OffLayout{false, false}}) {
-      if (best_agreement.fills_file) break;
-      const OffAgreement found = agreement(layout);
-      if (!(best_agreement < found)) continue;
-      best = layout;
-      best_agreement = found;
-    }
-    return best;
+    const OffLayout big{true, true};
+    const OffLayout little{false, true};
+    const OffAgreement with_big = agreement(big);
+    if (with_big.fills_file) return big;
+    if (const OffLayout plain{true, false}; agreement(plain).fills_file) return plain;
+    const OffAgreement with_little = agreement(little);
+    if (with_little.fills_file) return little;
+    if (const OffLayout plain{false, false}; agreement(plain).fills_file) return plain;
+    return with_little.words > with_big.words ? little : big;
   }
 
   [[nodiscard]] OffAgreement agreement(const OffLayout& layout) const {
@@ -123,16 +116,17 @@ class OffBinaryReader {
     if (face_count > count - next) return {};
     for (std::uint32_t face = 0; face < face_count; ++face) {
       const std::size_t face_begin = next;
-      if (next == count || words[next] >= count - next) return {false, false, face_begin};
+      if (next == count || words[next] >= count - next) return {false, face_begin};
+      // The 0 colour floats of a file that was cut are no face.
+      if (!layout.has_colour_counts && words[next] < 3) return {false, face_begin};
       const std::size_t face_end = next + 1 + words[next];
       for (++next; next < face_end; ++next)
-        if (words[next] >= vertex_count) return {false, false, face_begin};
+        if (words[next] >= vertex_count) return {false, face_begin};
       if (!layout.has_colour_counts) continue;
-      if (next == count || words[next] > kMostColourWords || words[next] >= count - next)
-        return {false, false, face_begin};
+      if (next == count || words[next] > kMostColourWords || words[next] >= count - next) return {false, face_begin};
       next += 1 + words[next];
     }
-    return {offset_of(next) == bytes_.size(), true, next};
+    return {offset_of(next) == bytes_.size(), next};
   }
 
   bool read_counts() {

@@ -15,9 +15,10 @@ namespace stl {
 ///
 /// The format has them big-endian. Some programs write them as their machine has them, and leave out the numbers of
 /// colour floats (pmp-library does both). Of the four layouts that one is taken in which the faces fill the file to its
-/// last byte, all indices are those of vertices, and colours have at most four floats; if several do, big-endian before
-/// little-endian, with colours before without. If none does, the one that holds for the most bytes: it leaves a rest,
-/// which has a remark, or names the place of the error. Every layout but the format's own has a remark.
+/// last byte, all indices are those of vertices, and colours have at most four floats or, without their numbers, faces
+/// at least 3 corners; if several do, big-endian before little-endian, with colours before without. If none does, it is
+/// the layout with colours, in the byte order that holds for more bytes, big-endian if neither does: then the file has
+/// bytes left, which have a remark, or an error. Every layout but the format's own has a remark.
 algebra3d::Result<ReadMesh> read_binary_off(std::string_view bytes, const OffHeader& header, std::string_view file_name,
                                             const std::atomic<bool>* cancel);
 
