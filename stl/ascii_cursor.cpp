@@ -75,4 +75,12 @@ NumberKind AsciiCursor::take_odd_number() {
   return kind;
 }
 
+std::uint64_t AsciiCursor::integer_of_many_digits(std::string_view digits) {
+  digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
+  if (digits.size() > 18) return kGreatestInteger;
+  std::uint64_t value = 0;
+  for (const char digit : digits) value = 10 * value + static_cast<std::uint64_t>(digit - '0');
+  return value;
+}
+
 }  // namespace stl

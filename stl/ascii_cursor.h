@@ -35,6 +35,9 @@ class Keyword {
 /// What `AsciiCursor::take_number` found.
 enum class NumberKind { finite, not_finite, too_large, none };
 
+/// The greatest integer that a text gives: of 18 digits, and so beyond any count or index.
+inline constexpr std::uint64_t kGreatestInteger = 999'999'999'999'999'999;
+
 /// A place in the text of an ASCII file, and the tokens that can be taken there. Allocates nothing.
 /// It does not own the text, which must outlive it.
 class AsciiCursor {
@@ -47,7 +50,9 @@ class AsciiCursor {
   void move_to(const char* position) { position_ = position; }
 
   void skip_blanks() {
-    while (position_ != end_ && is_blank(*position_)) ++position_;
+    const char* p = position_;  // not the member: characters may alias it, so it would be stored at every step
+    while (p != end_ && is_blank(*p)) ++p;
+    position_ = p;
   }
   /// White space, and comments from `#` to the end of the line.
   void skip_space() {
@@ -56,6 +61,17 @@ class AsciiCursor {
   }
   void skip_word() {
     while (position_ != end_ && !is_blank(*position_)) ++position_;
+  }
+
+  /// White space other than line breaks.
+  void skip_blanks_in_line() {
+    const char* p = position_;
+    while (p != end_ && is_blank(*p) && !is_line_break(*p)) ++p;
+    position_ = p;
+  }
+  /// True before a line break or a comment, and at the end.
+  [[nodiscard]] bool is_at_line_end() const {
+    return position_ == end_ || is_line_break(*position_) || *position_ == '#';
   }
 
   /// True if the word here is `keyword`.
@@ -81,10 +97,28 @@ class AsciiCursor {
   /// Exactness: the double nearest to the digits. Source: [lemire2021].
   NumberKind take_number(double& value);
 
+  /// Goes behind the decimal digits here, at least one, whatever follows them; greater numbers give kGreatestInteger.
+  bool take_digits(std::uint64_t& value) {
+    const char* const first = position_;
+    const char* p = first;
+    std::uint64_t sum = 0;
+    for (; p != end_; ++p) {
+      const unsigned digit = static_cast<unsigned char>(*p) - unsigned{'0'};
+      if (digit > 9) break;
+      sum = 10 * sum + digit;
+    }
+    if (p - first > 18) [[unlikely]]
+      sum = integer_of_many_digits({first, static_cast<std::size_t>(p - first)});
+    value = sum;
+    position_ = p;
+    return position_ != first;
+  }
+
  private:
   void skip_comments();
   [[nodiscard]] bool is_at_near_end(const Keyword& keyword, std::size_t left) const;
   NumberKind take_odd_number();
+  static std::uint64_t integer_of_many_digits(std::string_view digits);
 
   const char* position_;
   const char* end_;

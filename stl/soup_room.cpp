@@ -33,4 +33,13 @@ void reserve_room(algebra3d::TriangleSoup& soup, std::size_t count) {
   reserve_room_in(soup.normals, count);
 }
 
+void reserve_points(algebra3d::PolygonSoup& soup, std::size_t count) {
+  reserve_room_in(soup.points, count);
+}
+
+void reserve_faces(algebra3d::PolygonSoup& soup, std::size_t face_count, std::size_t corner_count) {
+  reserve_room_in(soup.face_starts, face_count + 1);
+  reserve_room_in(soup.corners, corner_count);
+}
+
 }  // namespace stl

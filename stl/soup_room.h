@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "algebra3d/base/polygon_soup.h"
 #include "algebra3d/base/triangle_soup.h"
 
 namespace stl {
@@ -9,5 +10,9 @@ namespace stl {
 /// Reserves room for `count` triangles and normals, and asks the system to back large rooms with huge pages.
 /// Cost: the memory is not touched.
 void reserve_room(algebra3d::TriangleSoup& soup, std::size_t count);
+
+/// The same for points, and for faces and their corners.
+void reserve_points(algebra3d::PolygonSoup& soup, std::size_t count);
+void reserve_faces(algebra3d::PolygonSoup& soup, std::size_t face_count, std::size_t corner_count);
 
 }  // namespace stl

@@ -1,6 +1,5 @@
 #include "stl/stl_ascii_reader.h"
 
-#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -27,14 +26,6 @@ constexpr Keyword kEndfacet("endfacet");
 constexpr std::size_t kFacetsPerPoll = 65536;
 // After so many facets the length of one is known well enough to reserve room for the rest.
 constexpr std::size_t kFacetsForEstimate = 256;
-
-// Lines end at CR, LF or CRLF.
-std::size_t line_number(std::string_view bytes, std::size_t offset) {
-  std::size_t line = 1;
-  for (std::size_t i = 0; i < offset; ++i)
-    if (bytes[i] == '\n' || (bytes[i] == '\r' && !(i + 1 < bytes.size() && bytes[i + 1] == '\n'))) ++line;
-  return line;
-}
 
 // The reading functions return false after having set the error: a Result per token would cost more than the token.
 class AsciiReader {
@@ -98,7 +89,7 @@ class AsciiReader {
     const std::size_t count = read_.soup.triangles.size();
     if (count == kFacetsForEstimate) reserve_rest();
     if (count % kFacetsPerPoll == 0 && cancel_ != nullptr && cancel_->load(std::memory_order_relaxed))
-      return fail(interrupted(file_name_));
+      return fail(interrupted("read_stl", file_name_));
     return true;
   }
 
@@ -160,11 +151,9 @@ class AsciiReader {
     return fail_expected(fmt::format("'{}'", joined.text()));
   }
 
-  // Some programs fill the last block of a file with NUL, or end it as CP/M did.
   bool skip_padding() {
     const std::string_view rest = cursor_.rest();
-    if (!std::all_of(rest.begin(), rest.end(), [](char c) { return c == '\0' || c == '\x1a' || is_blank(c); }))
-      return false;
+    if (!is_padding(rest)) return false;
     read_.remarks.push_back(fmt::format("{} after the last solid ignored", counted(rest.size(), "trailing byte")));
     return true;
   }

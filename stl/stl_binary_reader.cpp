@@ -55,7 +55,7 @@ class BinaryReader {
     std::size_t block = 0;
     for (std::size_t first = 0; first < facet_count; first += kBlockFacets, ++block) {
       if (cancel != nullptr && block % kBlocksPerPoll == 0 && cancel->load(std::memory_order_relaxed))
-        return interrupted(file_name_);
+        return interrupted("read_stl", file_name_);
       RETURN_IF_ERROR(read_block(first, std::min(kBlockFacets, facet_count - first)));
     }
     read_.format = Format::binary;

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "stl/atomic_file.h"
+#include "stl/float_range.h"
 #include "stl/stl_binary_reader.h"
 #include "stl/text.h"
 
@@ -25,9 +26,6 @@ using algebra3d::Vec3;
 static_assert(std::endian::native == std::endian::little, "floats are copied as the file has them");
 
 namespace {
-
-// Doubles from here on round to infinity: the greatest float plus half a unit in its last place.
-constexpr double kBeyondFloat = 0x1.ffffffp127;
 
 using Float3 = std::array<float, 3>;
 
@@ -74,13 +72,6 @@ Result<Facet> make_facet(const TriangleSoup& soup, std::size_t index) {
   }
   facet.normal = unit_normal(facet.corners);
   return facet;
-}
-
-std::string one_line(std::string_view name) {
-  std::string line(name);
-  for (char& c : line)
-    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
-  return std::string(trimmed(line));
 }
 
 // At most `limit` bytes, never the first half of a UTF-8 character.

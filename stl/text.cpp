@@ -1,5 +1,8 @@
 #include "stl/text.h"
 
+#include <algorithm>
+#include <array>
+#include <charconv>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -22,6 +25,16 @@ std::string counted(std::size_t count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
+void append_number(std::string& text, double value) {
+  std::array<char, 24> digits;  // -2.2250738585072014e-308
+  text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
+}
+
+void append_number(std::string& text, std::uint32_t value) {
+  std::array<char, 10> digits;
+  text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
+}
+
 std::string found_text(std::string_view text) {
   if (text.empty()) return "end of file";
   std::string found = "'";
@@ -37,13 +50,31 @@ std::string found_text(std::string_view text) {
   return found + "'";
 }
 
+std::string one_line(std::string_view text) {
+  std::string line(text);
+  for (char& c : line)
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
+  return std::string(trimmed(line));
+}
+
+bool is_padding(std::string_view bytes) {
+  return std::all_of(bytes.begin(), bytes.end(), [](char c) { return c == '\0' || c == '\x1a' || is_blank(c); });
+}
+
+std::size_t line_number(std::string_view bytes, std::size_t offset) {
+  std::size_t line = 1;
+  for (std::size_t i = 0; i < offset; ++i)
+    if (bytes[i] == '\n' || (bytes[i] == '\r' && !(i + 1 < bytes.size() && bytes[i + 1] == '\n'))) ++line;
+  return line;
+}
+
 std::string bad_normals_remark(std::size_t count) {
   return fmt::format("{} a normal that is not finite, read as zero",
                      count == 1 ? "1 facet has" : fmt::format("{} facets have", count));
 }
 
-algebra3d::Error interrupted(std::string_view file_name) {
-  return {algebra3d::ErrorCode::interrupted, "read_stl: {}: interrupted", file_name};
+algebra3d::Error interrupted(std::string_view operation, std::string_view file_name) {
+  return {algebra3d::ErrorCode::interrupted, "{}: {}: interrupted", operation, file_name};
 }
 
 }  // namespace stl

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "algebra3d/base/vec3.h"
+
+namespace algebra3d {
+
+/// Points, and polygons that name their corners among them, as a mesh file gives them: in the order of the file
+/// (corners counter-clockwise seen from outside, if the file is right). Nothing is known of the shapes: corners may
+/// repeat or be collinear, a polygon need be neither plane nor simple, points may be equal or unused. Invariants, which
+/// readers keep and writers check: coordinates are finite; `face_starts` begins with 0, ascends, and ends with the
+/// number of corners; every corner is the index of a point.
+struct PolygonSoup {
+  std::vector<Vec3> points;
+  /// Where the corners of each face begin, and behind the last face where they end.
+  std::vector<std::uint32_t> face_starts = {0};
+  /// Indices of points, face after face.
+  std::vector<std::uint32_t> corners;
+  /// Name of the first object, as written; may be empty.
+  std::string name;
+
+  [[nodiscard]] std::size_t face_count() const { return face_starts.size() - 1; }
+  /// The corners of the face at `index`, at least 3 if a reader gave it. Cost: constant.
+  [[nodiscard]] std::span<const std::uint32_t> face(std::size_t index) const {
+    assert(index < face_count());
+    return {corners.data() + face_starts[index], corners.data() + face_starts[index + 1]};
+  }
+  /// Domain: the corners of all faces together are fewer than 2^32.
+  void add_face(std::span<const std::uint32_t> face_corners) {
+    corners.insert(corners.end(), face_corners.begin(), face_corners.end());
+    face_starts.push_back(static_cast<std::uint32_t>(corners.size()));
+  }
+};
+
+}  // namespace algebra3d

@@ -1,0 +1,59 @@
+#include "stl/soup_check.h"
+
+#include <cmath>
+#include <limits>
+
+#include "stl/float_range.h"
+
+namespace stl {
+
+using algebra3d::Error;
+using algebra3d::ErrorCode;
+using algebra3d::PolygonSoup;
+using algebra3d::Status;
+
+namespace {
+
+Status check_points(std::string_view operation, const PolygonSoup& soup, CoordinateRange range) {
+  const bool is_float = range == CoordinateRange::floats;
+  const double beyond = is_float ? kBeyondFloat : std::numeric_limits<double>::infinity();
+  for (std::size_t point = 0; point < soup.points.size(); ++point)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (const double value = soup.points[point][axis]; !(std::abs(value) < beyond))
+        return Error{ErrorCode::invalid_value,
+                     "{}: point {}: {} is {}; expected a finite number{}",
+                     operation,
+                     point + 1,
+                     "xyz"[axis],
+                     value,
+                     is_float ? " within the range of float" : ""};
+  return {};
+}
+
+Status check_faces(std::string_view operation, const PolygonSoup& soup) {
+  for (std::size_t face = 0; face < soup.face_count(); ++face) {
+    const auto corners = soup.face(face);
+    if (corners.size() < 3)
+      return Error{ErrorCode::invalid_value, "{}: face {} has {} corners; expected at least 3", operation, face + 1,
+                   corners.size()};
+    for (std::size_t corner = 0; corner < corners.size(); ++corner)
+      if (corners[corner] >= soup.points.size())
+        return Error{ErrorCode::invalid_value,
+                     "{}: face {}, corner {}: the index is {}; expected one of {} points",
+                     operation,
+                     face + 1,
+                     corner + 1,
+                     corners[corner],
+                     soup.points.size()};
+  }
+  return {};
+}
+
+}  // namespace
+
+Status check_soup(std::string_view operation, const PolygonSoup& soup, CoordinateRange range) {
+  RETURN_IF_ERROR(check_points(operation, soup, range));
+  return check_faces(operation, soup);
+}
+
+}  // namespace stl

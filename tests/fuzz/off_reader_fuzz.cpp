@@ -1,0 +1,17 @@
+// Any bytes: the OFF reader gives a sound soup or an error that names the file, in time linear in the bytes.
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "fuzz/sound_soup.h"
+#include "stl/off_reader.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {  // NOLINT(*-naming)
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  const auto read = stl::read_off(bytes, "fuzz.off");
+  if (read)
+    require_sound(read->soup);
+  else
+    require(read.error().message.starts_with("read_off: fuzz.off"));
+  return 0;
+}
