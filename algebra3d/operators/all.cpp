@@ -20,7 +20,8 @@ Registry make_registry() {
   register_set_operations(registry);
   register_cuts(registry);
   register_decomposition(registry);
-  register_files(registry);
+  register_imports(registry);
+  register_exports(registry);
   register_rounding(registry);
   return registry;
 }

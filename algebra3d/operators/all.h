@@ -21,7 +21,8 @@ void register_transformation(Registry& registry);
 void register_set_operations(Registry& registry);
 void register_cuts(Registry& registry);
 void register_decomposition(Registry& registry);
-void register_files(Registry& registry);
+void register_imports(Registry& registry);
+void register_exports(Registry& registry);
 void register_rounding(Registry& registry);
 
 }  // namespace algebra3d

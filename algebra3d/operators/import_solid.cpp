@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "algebra3d/repair/surface_from_soup.h"
-#include "stl/stl_reader.h"
 
 namespace algebra3d {
 namespace {
@@ -29,9 +28,9 @@ Result<ImportedSurface> refused_surface_or_failed(Error error) {
 
 }  // namespace
 
-Result<ImportedSolid> import_solid(const std::filesystem::path& path, const RepairOptions& options,
-                                   const Monitor& monitor) {
-  auto read = stl::read_stl_file(path, monitor.cancel());
+Result<ImportedSolid> import_solid(const std::filesystem::path& path, std::optional<stl::MeshFormat> format,
+                                   const RepairOptions& options, const Monitor& monitor) {
+  auto read = read_mesh_file(path, format, monitor.cancel());
   if (!read.ok()) return refused_or_failed(std::move(read).error());
   auto made = solid_from_soup(read->soup, options, monitor);
   if (!made.ok()) return refused_or_failed(std::move(made).error());
@@ -47,7 +46,7 @@ Result<ImportedSolid> import_solid(const std::filesystem::path& path, const Repa
 }
 
 Result<ImportedSurface> import_surface(const std::filesystem::path& path, const Monitor& monitor) {
-  auto read = stl::read_stl_file(path, monitor.cancel());
+  auto read = read_mesh_file(path, std::nullopt, monitor.cancel());
   if (!read.ok()) return refused_surface_or_failed(std::move(read).error());
   auto made = surface_from_soup(read->soup, {}, monitor);
   if (!made.ok()) return refused_surface_or_failed(std::move(made).error());

@@ -7,6 +7,7 @@
 
 #include "algebra3d/base/error.h"
 #include "algebra3d/base/monitor.h"
+#include "algebra3d/operators/mesh_file.h"
 #include "algebra3d/repair/repair_options.h"
 #include "algebra3d/repair/solid_from_soup.h"
 #include "algebra3d/types/spatial.h"
@@ -24,12 +25,12 @@ struct ImportedSolid {
   std::optional<RepairReport> repair;  ///< what was changed; none if the file could not be read, or needed no repair
 };
 
-/// Reads a mesh file as a solid: the readers of stl/, then solid_from_soup (repair/), which mends what is no solid.
-/// Whatever is wrong with the file is a status, no error. A file without facets is the empty solid. Any number of calls
-/// may run at once.
-/// Errors: interrupted, out_of_memory.
-Result<ImportedSolid> import_solid(const std::filesystem::path& path, const RepairOptions& options = {},
-                                   const Monitor& monitor = {});
+/// Reads a mesh file (mesh_file.h) as a solid: the readers of stl/, then solid_from_soup (repair/), which mends what is
+/// no solid. Whatever is wrong with the file is a status, no error. A file without facets is the empty solid. Any
+/// number of calls may run at once. Errors: interrupted, out_of_memory.
+Result<ImportedSolid> import_solid(const std::filesystem::path& path,
+                                   std::optional<stl::MeshFormat> format = std::nullopt,
+                                   const RepairOptions& options = {}, const Monitor& monitor = {});
 
 /// A surface, or why there is none, and what there is to say about the file.
 struct ImportedSurface {

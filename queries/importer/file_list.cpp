@@ -20,11 +20,11 @@ using algebra3d::ErrorCode;
 using algebra3d::Result;
 using algebra3d::Status;
 
-bool has_stl_extension(const fs::path& path) {
+bool has_mesh_extension(const fs::path& path) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return extension == ".stl";
+  return extension == ".stl" || extension == ".obj" || extension == ".off";
 }
 
 Result<fs::path> normal_path(const fs::path& path) {
@@ -117,7 +117,7 @@ void FileLister::add_entries(const fs::path& folder, std::vector<fs::path>& wait
     const bool is_link = entry->is_symlink(unknown);
     if (entry->is_directory(unknown)) {
       if (!is_link) waiting.push_back(entry->path());
-    } else if (has_stl_extension(entry->path())) {
+    } else if (has_mesh_extension(entry->path())) {
       const std::uintmax_t size = entry->file_size(unknown);
       list_.files.push_back({entry->path(), unknown ? 0 : std::uint64_t{size}});
     }
@@ -145,7 +145,7 @@ Result<FileList> list_files(std::span<const std::string> paths) {
   if (!list.files.empty()) return list;
   if (!list.unread_folders.empty())
     return Error{ErrorCode::io_error, "{}, and there is no other file to import", list.unread_folders.front()};
-  return Error{ErrorCode::file_missing, "there is no file to import: no file below {} ends in .stl",
+  return Error{ErrorCode::file_missing, "there is no file to import: no file below {} ends in .stl, .obj or .off",
                paths.size() == 1 ? path_text(paths.front()) : "the given folders"};
 }
 

@@ -21,11 +21,11 @@ struct FileList {
   std::vector<std::string> unread_folders;  ///< "FOLDER: reason", sorted
 };
 
-/// The files that `paths` mean. A folder means all files below it whose names end in .stl (upper or lower case);
-/// symbolic links to folders are not entered there. A file given by name or by a pattern is taken whatever its name. A
-/// path that exists is never read as a pattern. Changes nothing.
-/// Errors: file_missing for a path that does not exist, a pattern that nothing matches, or if all paths together
-/// mean no file; wrong_usage for a path that is neither file nor folder.
+/// The files that `paths` mean. A folder means all files below it whose names end in .stl, .obj or .off (upper or lower
+/// case); symbolic links to folders are not entered there. A file given by name or by a pattern is taken whatever its
+/// name. A path that exists is never read as a pattern. Changes nothing. Errors: file_missing for a path that does not
+/// exist, a pattern that nothing matches, or if all paths together mean no file; wrong_usage for a path that is neither
+/// file nor folder.
 algebra3d::Result<FileList> list_files(std::span<const std::string> paths);
 
 /// The path as UTF-8 text: bytes that are none become \xNN, so that different paths stay different in practice.

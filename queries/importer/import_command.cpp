@@ -34,7 +34,7 @@ void add_repair_options(CLI::App& import, algebra3d::RepairOptions& repair) {
 }  // namespace
 
 CLI::App* add_import_command(CLI::App& app, ImportOptions& options) {
-  CLI::App* import = app.add_subcommand("import", "Import folders of STL files into a relation of solids");
+  CLI::App* import = app.add_subcommand("import", "Import folders of STL, OBJ and OFF files into a relation of solids");
   import->add_option("--db", options.database, "Database file; made if it is not there")->type_name("FILE")->required();
   import
       ->add_option("--relation", options.relation,
@@ -42,8 +42,9 @@ CLI::App* add_import_command(CLI::App& app, ImportOptions& options) {
       ->type_name("NAME")
       ->required();
   import
-      ->add_option("PATH", options.paths,
-                   "Files, folders (all *.stl below them) and patterns in quotes, such as 'parts/*.stl'")
+      ->add_option(
+          "PATH", options.paths,
+          "Files, folders (all *.stl, *.obj and *.off below them) and patterns in quotes, such as 'parts/*.stl'")
       ->required();
   import->add_option("--jobs", options.jobs, "Threads that load files (default: one for each core)")
       ->check(CLI::Range(1, 1024));

@@ -33,7 +33,7 @@ constexpr std::chrono::milliseconds kPatience{100};
 /// Reads files as the options say.
 SolidReader solid_reader(const algebra3d::RepairOptions& repair) {
   return [repair](const std::filesystem::path& file, const std::atomic<bool>* cancel) -> Result<SolidOrReason> {
-    ASSIGN_OR_RETURN(algebra3d::ImportedSolid imported, algebra3d::import_solid(file, repair, cancel));
+    ASSIGN_OR_RETURN(algebra3d::ImportedSolid imported, algebra3d::import_solid(file, std::nullopt, repair, cancel));
     return SolidOrReason{std::move(imported.solid), std::move(imported.status)};
   };
 }

@@ -86,7 +86,7 @@ Result<Plan> map_repair_report(std::span<const ArgumentType> arguments) {
                       algebra3d::parse_repair_options(given.size() == 2 ? text(1) : std::string());
                   if (!options) return Error{options.error().code, "repairReport: {}", options.error().message};
                   ASSIGN_OR_RETURN(const ImportedSolid imported,
-                                   import_solid(context.resolve(text(0)), *options, context.monitor()));
+                                   import_solid(context.resolve(text(0)), std::nullopt, *options, context.monitor()));
                   rows = rows_of(imported);
                   const bool is_readable = imported.solid || !rows.empty();
                   if (!is_readable) context.diagnostics.report("repairReport: " + imported.status);
@@ -103,7 +103,7 @@ void register_repair_reports(algebra3d::Registry& registry) {
   registry.add({
       .name = "repairReport",
       .syntax = "repairReport(_ ...)",
-      .doc = "What importSTL finds in a file and what it changes, one tuple for each kind.",
+      .doc = "What an import finds in an STL, OBJ or OFF file and what it changes, one tuple for each kind.",
       .detail =
           "Tuples (Phase, What, Count, Where, Amount): `found` are the defects of the facets as given, `changed` the "
           "steps of the repair in their order, with the largest distance by which they moved or added anything; "

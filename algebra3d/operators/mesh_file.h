@@ -1,0 +1,26 @@
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "algebra3d/base/error.h"
+#include "algebra3d/base/triangle_soup.h"
+#include "stl/mesh_format.h"
+
+namespace algebra3d {
+
+/// The triangles of a mesh file; polygons of more corners are triangulated (repair/polygon_triangles.h).
+struct MeshFile {
+  TriangleSoup soup;
+  std::vector<std::string> remarks;  ///< what was tolerated or left out, one sentence each
+};
+
+/// Reads a mesh file of the format or, if none is given, of the one that its content and name say (stl/mesh_format.h).
+/// Errors: those of the readers of stl/.
+Result<MeshFile> read_mesh_file(const std::filesystem::path& path, std::optional<stl::MeshFormat> format,
+                                const std::atomic<bool>* cancel = nullptr);
+
+}  // namespace algebra3d
