@@ -1,14 +1,7 @@
 // corpus_oracle FILE... [--largest TRIANGLES]: unites, intersects and subtracts each of the STL files and its
 // neighbour, turned by an irrational angle, and asks CGAL's polygon mesh processing, with exact coordinates, whether
-// the results are closed, free of self-intersections and bound a volume. What CGAL cannot take as a mesh, since more
-// than two faces meet at an edge, is examined as triangles: those without a common corner must not meet. Pairs with
-// more triangles than the largest number are left out, and counted.
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/orientation.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/box_intersection_d.h>
-
-#include <algorithm>
+// the results are closed, free of self-intersections and bound a volume (support/cgal_verdict.h). Pairs with more
+// triangles than the largest number are left out, and counted.
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -26,13 +19,11 @@
 #include "algebra3d/repair/solid_from_soup.h"
 #include "algebra3d/validity/validity.h"
 #include "stl/stl_reader.h"
-#include "support/to_cgal.h"
+#include "support/cgal_verdict.h"
 
 namespace {
 
 using namespace algebra3d;
-namespace pmp = CGAL::Polygon_mesh_processing;
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 
 std::optional<TriangleMesh> solid_of(const std::filesystem::path& path) {
   const auto file = stl::read_stl_file(path);
@@ -66,36 +57,6 @@ TriangleMesh moved_into(const TriangleMesh& mesh, const TriangleMesh& other) {
   return mapped(mesh, AffineMap::rotation(centre, axis, 37.7)
                           ->then(AffineMap::scaling(centre, RationalVec3(factor, factor, factor)))
                           .then(AffineMap::translation(target - centre)));
-}
-
-bool do_triangles_meet(const TriangleMesh& mesh) {
-  using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
-  const auto soup = oracle::to_cgal_soup<Kernel>(mesh);
-  const auto triangle = [&](std::size_t f) {
-    const auto& [a, b, c] = soup.triangles[f];
-    return Kernel::Triangle_3(soup.points[a], soup.points[b], soup.points[c]);
-  };
-  std::vector<Box> boxes;
-  for (std::size_t f = 0; f < soup.triangles.size(); ++f) boxes.emplace_back(triangle(f).bbox(), f);
-  bool found = false;
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& s, const Box& t) {
-    const auto &one = soup.triangles[s.info()], &other = soup.triangles[t.info()];
-    const bool have_common_corner =
-        std::ranges::any_of(one, [&](std::size_t v) { return std::ranges::find(other, v) != other.end(); });
-    found = found || (!have_common_corner && CGAL::do_intersect(triangle(s.info()), triangle(t.info())));
-  });
-  return found;
-}
-
-/// What CGAL finds wrong, or an empty string.
-std::string complaint(const TriangleMesh& result) {
-  if (result.is_empty()) return {};
-  if (auto mesh = oracle::to_cgal_mesh<Kernel>(result)) {
-    if (!CGAL::is_closed(*mesh)) return "not closed";
-    if (pmp::does_self_intersect(*mesh)) return "passes through itself";
-    return pmp::does_bound_a_volume(*mesh) ? "" : "bounds no volume";
-  }
-  return do_triangles_meet(result) ? "passes through itself" : "";
 }
 
 struct Operation {
@@ -137,7 +98,7 @@ int main(int count, char** arguments) {
     const std::array<Operand, 2> operands{{{&first, 0}, {&second, 1}}};
     for (const auto& [name, rule] : kOperations) {
       const auto result = combine_solids(operands, rule);
-      const std::string text = result.ok() ? complaint(*result) : result.error().message;
+      const std::string text = result.ok() ? oracle::complaint(*result) : result.error().message;
       text.empty() ? ++passed : ++failed;
       if (!text.empty())
         std::printf("%s and %s, %s: %s\n", first_name.c_str(), second_name.c_str(), name, text.c_str());

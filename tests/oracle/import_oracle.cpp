@@ -1,0 +1,88 @@
+// import_oracle [FILE...]: imports mesh files, repairs what is no solid, and has CGAL examine every result: its polygon
+// mesh processing with exact coordinates says whether it is closed, free of self-intersections and bounds a volume, and
+// its polygon soup tools (equal points and polygons merged, polygons oriented) give a volume of their own. Without
+// files, takes them from standard input, one in each line.
+//
+// For each file one line of fields with tabs between: file, status, `solid` or `undefined`, triangles, volume, CGAL's
+// volume (`-` if its tools give nothing closed), seconds for reading and making the solid, largest distance from the
+// facets, what was changed (steps, with commas between), what CGAL finds wrong.
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "algebra3d/exact/exact_sum.h"
+#include "algebra3d/operators/import_solid.h"
+#include "support/cgal_verdict.h"
+
+namespace {
+
+using namespace algebra3d;
+namespace pmp = CGAL::Polygon_mesh_processing;
+using Inexact = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+double volume_of(const TriangleMesh& mesh) {
+  std::vector<TriangleMesh::Triangle> triangles;
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) triangles.push_back(mesh.triangle(FaceId(f)));
+  return exact_volume(mesh.points(), triangles)->nearest_double();
+}
+
+/// By CGAL's tools alone, from the facets of the file.
+std::string volume_by_cgal(const std::string& path) {
+  const auto file = read_mesh_file(path, std::nullopt);
+  if (!file) return "-";
+  std::vector<Inexact::Point_3> points;
+  std::vector<std::vector<std::size_t>> polygons;
+  for (const auto& triangle : file->soup.triangles) {
+    polygons.push_back({points.size(), points.size() + 1, points.size() + 2});
+    for (const Vec3& corner : triangle) points.emplace_back(corner.x, corner.y, corner.z);
+  }
+  pmp::repair_polygon_soup(points, polygons);
+  pmp::orient_polygon_soup(points, polygons);
+  if (polygons.empty() || !pmp::is_polygon_soup_a_polygon_mesh(polygons)) return "-";
+  CGAL::Surface_mesh<Inexact::Point_3> mesh;
+  pmp::polygon_soup_to_polygon_mesh(points, polygons, mesh);
+  if (!CGAL::is_closed(mesh)) return "-";
+  char text[40];
+  std::snprintf(text, sizeof text, "%.17g", std::abs(pmp::volume(mesh)));
+  return text;
+}
+
+void examine(const std::string& path) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto imported = import_solid(path);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (!imported) {
+    std::printf("%s\t%s\tundefined\t0\t0\t-\t%g\t0\t\tfailed\n", path.c_str(), imported.error().message.c_str(),
+                seconds);
+    return;
+  }
+  std::string steps;
+  if (imported->repair)
+    for (const RepairEntry& entry : imported->repair->entries)
+      steps += (steps.empty() ? "" : ",") + std::string(name_of(entry.step));
+  const double deviation = imported->repair ? imported->repair->deviation() : 0;
+  const TriangleMesh empty, &mesh = imported->solid ? imported->solid->mesh() : empty;
+  std::printf("%s\t%s\t%s\t%zu\t%.17g\t%s\t%g\t%g\t%s\t%s\n", path.c_str(), imported->status.c_str(),
+              imported->solid ? "solid" : "undefined", mesh.face_count(), volume_of(mesh), volume_by_cgal(path).c_str(),
+              seconds, deviation, steps.c_str(), oracle::complaint(mesh).c_str());
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  for (int i = 1; i < count; ++i) examine(arguments[i]);
+  if (count > 1) return 0;
+  for (std::string path; std::getline(std::cin, path);) examine(path);
+  return 0;
+}
