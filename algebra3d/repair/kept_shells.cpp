@@ -33,4 +33,12 @@ Result<TriangleMesh> kept_shells(TriangleMesh solid, const RepairOptions& option
   return winding_solid(submesh(solid, kept), is_inside, monitor);
 }
 
+Result<double> nearest_volume(const TriangleMesh& mesh, const Monitor& monitor) {
+  std::vector<TriangleMesh::Triangle> triangles;
+  triangles.reserve(mesh.face_count());
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) triangles.push_back(mesh.triangle(FaceId(f)));
+  ASSIGN_OR_RETURN(const Rational volume, exact_volume(mesh.points(), triangles, monitor.cancel()));
+  return volume.nearest_double();
+}
+
 }  // namespace algebra3d

@@ -44,7 +44,7 @@ struct RepairEntry {
 struct RepairReport {
   std::vector<RepairEntry> entries;
   std::optional<double> volume_before;  ///< of the facets as given; none if they are not closed
-  double volume_after = 0;
+  std::optional<double> volume_after;   ///< of the solid; none if there is none
 
   void add(RepairStep step, const Vec3& where, double distance = 0);
   const RepairEntry* find(RepairStep step) const;

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/exact/exact_sum.h"
 #include "algebra3d/halfedge/topology.h"
 #include "algebra3d/repair/cracks.h"
 #include "algebra3d/repair/degenerate_facets.h"
@@ -56,7 +55,6 @@ class Repair {
   Status make_solid();
   Result<bool> take_if_valid();
   void report_lost_shells(const TriangleMesh& given);
-  Status put_in_order();
   std::size_t max_pairs() const { return static_cast<std::size_t>(options_.work_limit * 1e6); }
   std::string reason_for_nothing() const;
 
@@ -148,8 +146,7 @@ std::string Repair::reason_for_nothing() const {
 Result<RepairedSolid> Repair::run() {
   const TriangleMesh given = facets_.mesh();
   if (is_balanced(given)) {
-    ASSIGN_OR_RETURN(const Rational volume, exact_volume(given.points(), facets_.triangles, monitor_.cancel()));
-    report_.volume_before = volume.nearest_double();
+    ASSIGN_OR_RETURN(report_.volume_before, nearest_volume(given, monitor_));
   }
   drop_facets();
   mend_boundaries();
@@ -160,24 +157,14 @@ Result<RepairedSolid> Repair::run() {
     return RepairedSolid{std::nullopt, made.error().message, std::move(report_)};
   RETURN_IF_ERROR(made);
   ASSIGN_OR_RETURN(solid_, kept_shells(std::move(solid_), options_, report_, monitor_));
+  ASSIGN_OR_RETURN(report_.volume_after, nearest_volume(solid_, monitor_));
   if (solid_.is_empty() && !facets_.triangles.empty())
     return RepairedSolid{std::nullopt, reason_for_nothing(), std::move(report_)};
   ASSIGN_OR_RETURN(const ValidityReport found, prove_volume(solid_, {.cancel = monitor_.cancel()}));
   if (!found.is_valid())
     return RepairedSolid{std::nullopt, "the repair gave no valid solid: " + found.text(), std::move(report_)};
-  RETURN_IF_ERROR(put_in_order());
+  solid_ = in_spatial_order(solid_);
   return RepairedSolid{std::move(solid_), {}, std::move(report_)};
-}
-
-/// Brings the triangles into spatial order, and measures the volume.
-Status Repair::put_in_order() {
-  WeldedTriangles result{solid_.points(), {}};
-  for (std::uint32_t f = 0; f < solid_.face_count(); ++f) result.triangles.push_back(solid_.triangle(FaceId(f)));
-  ASSIGN_OR_RETURN(const Rational volume, exact_volume(result.points, result.triangles, monitor_.cancel()));
-  report_.volume_after = volume.nearest_double();
-  result = reordered(result, spatial_order(result.points.approx(), result.triangles));
-  solid_ = TriangleMesh(std::move(result.points), result.triangles);
-  return {};
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "algebra3d/exact/exact_sum.h"
+#include "algebra3d/repair/kept_shells.h"
 #include "algebra3d/repair/repaired_solid.h"
 #include "algebra3d/repair/spatial_order.h"
 #include "algebra3d/repair/weld.h"
@@ -115,7 +116,13 @@ Result<SolidFromSoup> solid_from_soup(const TriangleSoup& soup, const RepairOpti
   ASSIGN_OR_RETURN(ValidityReport validity, prove_volume(mesh, {.cancel = monitor.cancel()}));
   result.report.was_turned = is_inside_out && validity.is_valid();
   if (validity.is_valid()) {
-    result.mesh = std::move(mesh);
+    RepairReport left_out;
+    ASSIGN_OR_RETURN(mesh, kept_shells(std::move(mesh), options, left_out, monitor));
+    result.mesh = left_out.is_empty() ? std::move(mesh) : in_spatial_order(mesh);
+    if (left_out.is_empty()) return result;
+    left_out.volume_before = volume.abs().nearest_double();
+    ASSIGN_OR_RETURN(left_out.volume_after, nearest_volume(*result.mesh, monitor));
+    result.repair = std::move(left_out);
     return result;
   }
   result.report.validity = in_facets(std::move(validity), order);

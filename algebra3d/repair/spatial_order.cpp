@@ -108,4 +108,12 @@ WeldedTriangles reordered(const WeldedTriangles& welded, std::span<const std::ui
   return result;
 }
 
+TriangleMesh in_spatial_order(const TriangleMesh& mesh) {
+  WeldedTriangles result{mesh.points(), {}};
+  result.triangles.reserve(mesh.face_count());
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) result.triangles.push_back(mesh.triangle(FaceId(f)));
+  result = reordered(result, spatial_order(result.points.approx(), result.triangles));
+  return {std::move(result.points), result.triangles};
+}
+
 }  // namespace algebra3d

@@ -16,4 +16,7 @@ std::vector<std::uint32_t> spatial_order(std::span<const Vec3> points,
 /// `welded` with its triangles in the given order, and points numbered in the order in which these first use them.
 WeldedTriangles reordered(const WeldedTriangles& welded, std::span<const std::uint32_t> order);
 
+/// The mesh with its triangles in spatial order, and points numbered in the order in which these first use them.
+TriangleMesh in_spatial_order(const TriangleMesh& mesh);
+
 }  // namespace algebra3d

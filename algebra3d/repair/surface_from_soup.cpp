@@ -10,16 +10,6 @@
 #include "algebra3d/validity/validity.h"
 
 namespace algebra3d {
-namespace {
-
-/// The triangles in spatial order.
-TriangleMesh in_spatial_order(const WeldedTriangles& welded) {
-  WeldedTriangles result = reordered(welded, spatial_order(welded.points.approx(), welded.triangles));
-  return {std::move(result.points), result.triangles};
-}
-
-}  // namespace
-
 Result<SurfaceFromSoup> surface_from_soup(const TriangleSoup& soup, const RepairOptions& options,
                                           const Monitor& monitor) {
   if (soup.triangles.size() > TriangleMesh::kMaxFaces)
@@ -28,7 +18,7 @@ Result<SurfaceFromSoup> surface_from_soup(const TriangleSoup& soup, const Repair
   FacetList facets(weld(soup.triangles));
   SurfaceFromSoup result;
   drop_degenerate_facets(facets, result.repair);
-  TriangleMesh given = in_spatial_order({PointArray(facets.points), facets.triangles});
+  TriangleMesh given = in_spatial_order(facets.mesh());
   const ProofOptions first{.thoroughness = Thoroughness::first_defect, .cancel = monitor.cancel()};
   ASSIGN_OR_RETURN(const ValidityReport found, prove_surface(given, first));
   if (found.is_valid()) {
@@ -39,7 +29,8 @@ Result<SurfaceFromSoup> surface_from_soup(const TriangleSoup& soup, const Repair
   for (const FaceId face : parts.lone_faces())
     result.repair.add(RepairStep::intersections, given.corners(face)[0].approx);
   const auto max_pairs = static_cast<std::size_t>(options.work_limit * 1e6);
-  ASSIGN_OR_RETURN(result.mesh, unite_surfaces(parts.operands(), monitor, max_pairs));
+  ASSIGN_OR_RETURN(const TriangleMesh united, unite_surfaces(parts.operands(), monitor, max_pairs));
+  result.mesh = in_spatial_order(united);
   ASSIGN_OR_RETURN(const ValidityReport proof, prove_surface(result.mesh, first));
   if (!proof.is_valid())
     return Error{ErrorCode::internal, "the facets divided at each other are no valid surface: {}", proof.text()};
