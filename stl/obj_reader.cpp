@@ -25,12 +25,12 @@ namespace {
 constexpr std::size_t kStatementsPerPoll = 65536;
 // After so many vertices or faces the length of one is known well enough to reserve room for the rest.
 constexpr std::size_t kElementsForEstimate = 256;
-constexpr std::uint64_t kGreatestPointCount = std::numeric_limits<std::uint32_t>::max();
+constexpr std::size_t kMostInSoup = std::numeric_limits<std::uint32_t>::max();
 
 // The reading functions return false after having set the error: a Result per token would cost more than the token.
 class ObjReader {
  public:
-  /// `point_limit` is the number of vertices, if it is known.
+  /// `point_limit` is the number of vertices, or kGreatestInteger while it is not known.
   ObjReader(std::string_view bytes, std::string_view file_name, const std::atomic<bool>* cancel,
             std::uint64_t point_limit)
       : bytes_(bytes),
@@ -46,6 +46,7 @@ class ObjReader {
       return Error{ErrorCode::file_format, "read_obj: {}: empty file; expected an OBJ file", file_name_};
     if (bytes_.starts_with("\xef\xbb\xbf")) cursor_.move_to(bytes_.data() + 3);
     if (!read_statements()) return *std::move(error_);
+    if (read_.soup.points.size() > kMostInSoup) return too_many("vertices");
     add_remarks();
     return std::move(read_);
   }
@@ -145,8 +146,8 @@ class ObjReader {
       ++short_face_count_;
       return true;
     }
-    if (corners.size() > std::numeric_limits<std::uint32_t>::max()) [[unlikely]]
-      return fail(too_many_corners());
+    if (corners.size() > kMostInSoup) [[unlikely]]
+      return fail(too_many("corners of faces"));
     read_.soup.face_starts.push_back(static_cast<std::uint32_t>(corners.size()));
     if (face_count_ == kElementsForEstimate) reserve_remaining_faces();
     return true;
@@ -326,8 +327,8 @@ class ObjReader {
     return fail({ErrorCode::file_format, "read_obj: {} byte {}, line {}: {}", file_name_, offset,
                  line_number(bytes_, offset), what});
   }
-  [[nodiscard]] Error too_many_corners() const {
-    return {ErrorCode::limit_exceeded, "read_obj: {}: more than 4294967295 corners of faces", file_name_};
+  [[nodiscard]] Error too_many(std::string_view what) const {
+    return {ErrorCode::limit_exceeded, "read_obj: {}: more than {} {}", file_name_, kMostInSoup, what};
   }
   bool fail(Error error) {
     error_ = std::move(error);
@@ -356,7 +357,7 @@ class ObjReader {
 }  // namespace
 
 Result<ReadMesh> read_obj(std::string_view bytes, std::string_view file_name, const std::atomic<bool>* cancel) {
-  ObjReader reader(bytes, file_name, cancel, kGreatestPointCount);
+  ObjReader reader(bytes, file_name, cancel, kGreatestInteger);
   auto read = reader.read();
   if (!read || reader.greatest_index() <= read->soup.points.size()) return read;
   // Vertices may come behind the faces that name them. Only now is it known that some never came: read again, so that

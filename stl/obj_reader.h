@@ -14,10 +14,9 @@ namespace stl {
 ///     v x y z
 ///     f a b c ...
 ///
-/// - Lines end at CR, LF or CRLF, the last may lack its end; a backslash before it joins the next line as if by a
-/// blank.
-///   Comments reach from `#`, at the beginning of a word, to the end of the line, whatever stands before that end.
-///   A byte order mark is skipped.
+/// - Lines end at CR, LF or CRLF, the last perhaps without. A backslash before the end joins the next line as if by a
+///   blank. Comments reach from `#`, at the beginning of a word, to the end of the line, whatever stands before that
+///   end. A byte order mark is skipped.
 /// - Coordinates may be followed by a weight or a colour of three or four numbers. Neither changes the point: only
 ///   curves and surfaces have weights.
 /// - A corner of a face is `v`, `v/t`, `v//n` or `v/t/n`; t and n need only be integers. A v above 0 counts from the
@@ -25,17 +24,16 @@ namespace stl {
 /// - The name is that of the first object (`o`), without one of the first group (`g`).
 /// - Left out, each kind with a remark and its count: texture coordinates, normals, colours, weights other than 1,
 ///   elements `l` and `p`, curves and surfaces, faces of fewer than 3 corners, statements with an unknown keyword (but
-///   a file of nothing else is an error), NUL and Ctrl-Z bytes at the end. Left out without: groups, materials,
-///   smoothing.
+///   a file of nothing else is an error), NUL and Ctrl-Z bytes at the end. Without a remark: groups and materials.
 /// - Everything else is an error, also a coordinate that is not finite or beyond the range of double. Numbers too small
 ///   for a double become zero.
 ///
 /// Faces and points are neither welded, nor reordered, nor checked beyond finiteness.
 /// Exactness: coordinates are the doubles nearest to their digits.
-/// Errors: file_format, naming byte and line, what was found and what was expected; limit_exceeded (2^32 corners);
-/// interrupted, if `*cancel` was set (asked every 65536 statements).
-/// Cost: linear, one pass (two if an index is out of range); memory for the soup alone, bounded by the size of the
-/// file. Source: Wavefront Advanced Visualizer, appendix B1, version 3.0 of the format.
+/// Errors: file_format, naming byte and line, what was found and what was expected; limit_exceeded (2^32 vertices, or
+/// corners of faces); interrupted, if `*cancel` was set (asked every 65536 statements).
+/// Cost: linear, one pass (two if an index is out of range); memory for the soup alone, bounded by the file's size.
+/// Source: Wavefront Advanced Visualizer, appendix B1, version 3.0 of the format.
 algebra3d::Result<ReadMesh> read_obj(std::string_view bytes, std::string_view file_name,
                                      const std::atomic<bool>* cancel = nullptr);
 

@@ -11,8 +11,9 @@ namespace stl {
 /// Writes `soup` as one object to an OBJ file at `path`, whole or not at all (see AtomicFile): the name as `o` unless
 /// it is empty, all points as `v`, used or not, all faces as `f`, in their order.
 ///
-/// The name becomes one line: control characters turn into blanks, and blanks at the ends go. The soup's own name is
-/// not used. Exactness: digits are the shortest that give the same double, so what is written reads back unchanged.
+/// The name becomes one line: control characters turn into blanks, and blanks at the ends go. That of the soup is not
+/// used.
+/// Exactness: digits are the shortest that give the same double, so what is written reads back unchanged.
 /// Errors: invalid_value (a soup that breaks its invariants, or a face of fewer than 3 corners, with its place),
 /// disk_full, file_missing (no such folder), io_error, wrong_usage (the file is a database).
 algebra3d::Status write_obj_file(const std::filesystem::path& path, const algebra3d::PolygonSoup& soup,

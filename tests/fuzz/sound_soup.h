@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 
-#include "stl/read_mesh.h"
+#include "algebra3d/base/polygon_soup.h"
 
 /// Stops the fuzzer if a law does not hold.
 inline void require(bool holds) {

@@ -179,9 +179,7 @@ std::vector<RefusedObj> refused_obj_corners() {
       {"f 1 2 3\r" + kObjVertices + "f 4 99/1/1\r\n",
        "byte 44, line 6: face 2, corner 2 is '99/1/1'; expected 1 to 4, since 4 vertices stand in the file"},
       {kObjVertices + "f 1 4294967296 2",
-       "byte 36, line 5: face 1, corner 2 is '4294967296'; expected 1 to 4294967295, since 4294967295 vertices stand "
-       "in the "
-       "file"},
+       "byte 36, line 5: face 1, corner 2 is '4294967296'; expected 1 to 4, since 4 vertices stand in the file"},
       {kObjVertices + "f -5 1 2",
        "byte 34, line 5: face 1, corner 1 is '-5'; expected -4 to -1, since 4 vertices stand before it"},
       {"v 0 0 0\nf -2 1 1\n" + kObjVertices,
@@ -189,7 +187,7 @@ std::vector<RefusedObj> refused_obj_corners() {
       {"f -1 1 1\n" + kObjVertices, "byte 2, line 1: face 1, corner 1 is '-1'; expected a vertex before it"},
       {kObjVertices + "f 1 2 99999999999999999999999999999",
        "byte 38, line 5: face 1, corner 3 is '999999999999999999999999...'; "
-       "expected 1 to 4294967295, since 4294967295 vertices stand in the file"},
+       "expected 1 to 4, since 4 vertices stand in the file"},
       {kObjVertices + "f 1 2.5 3", "byte 36, line 5: face 1, corner 2 is '2.5'" + index},
       {kObjVertices + "f 1 a 3", "byte 36, line 5: face 1, corner 2 is 'a'" + index},
       {kObjVertices + "f 1/1/1/1 2 3", "byte 34, line 5: face 1, corner 1 is '1/1/1/1'" + index},
