@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "algebra3d/arrangement/contact.h"
 #include "algebra3d/base/box3.h"
@@ -59,12 +60,16 @@ double diameter(const Hole& hole) {
 /// No point of the triangle is farther from its corners.
 double reach(const Vec3& a, const Vec3& b, const Vec3& c) {
   const auto length = [](const Vec3& v) { return std::hypot(v.x, v.y, v.z); };
-  const double x = length(b - a), y = length(c - b), z = length(a - c);
-  const double longest = std::max({x, y, z});
-  const double doubled_area = length(cross(b - a, c - a));
+  const double longest = std::max({length(b - a), length(c - b), length(a - c)});
+  // Of that size, so that products neither overflow nor vanish.
+  const Vec3 first = (1 / longest) * (b - a), second = (1 / longest) * (c - a);
+  const double x = length(first), y = length(second - first), z = length(second);
+  const double doubled_area = length(cross(first, second));
+  // No circle around a triangle with such sides need be larger.
+  if (!(doubled_area > 0)) return longest / std::numbers::sqrt3;
   // That of an acute triangle is the middle of the circle through its corners.
-  if (2 * longest * longest >= x * x + y * y + z * z || doubled_area == 0) return longest / 2;
-  return x * y * z / (2 * doubled_area);
+  if (2 >= x * x + y * y + z * z) return longest / 2;
+  return x * y * z / (2 * doubled_area) * longest;
 }
 
 double area(const FacetList& facets, const TriangleMesh::Triangle& t) {

@@ -119,6 +119,18 @@ std::pair<std::size_t, std::size_t> best_cut(const Loop& loop) {
   return cut;
 }
 
+/// The loop at a size of about 1, so that no product of lengths is infinite: by a power of two, which decides nothing.
+Loop scaled(Loop loop) {
+  double size = 0;
+  for (const auto* points : {&loop.corners, &loop.beyond})
+    for (const Vec3& p : *points) size = std::max({size, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  if (size == 0) return loop;
+  const int exponent = -std::ilogb(size);
+  for (auto* points : {&loop.corners, &loop.beyond})
+    for (Vec3& p : *points) p = {std::scalbn(p.x, exponent), std::scalbn(p.y, exponent), std::scalbn(p.z, exponent)};
+  return loop;
+}
+
 }  // namespace
 
 std::vector<TriangleMesh::Triangle> triangulate_loop(const Loop& loop, LoopMeasure measure) {
@@ -127,7 +139,7 @@ std::vector<TriangleMesh::Triangle> triangulate_loop(const Loop& loop, LoopMeasu
     std::vector<std::uint32_t> numbers;  // of its corners in the whole loop
   };
   std::vector<TriangleMesh::Triangle> result;
-  std::vector<Part> parts{{loop, {}}};
+  std::vector<Part> parts{{scaled(loop), {}}};
   for (std::uint32_t i = 0; i < loop.corners.size(); ++i) parts[0].numbers.push_back(i);
   while (!parts.empty()) {
     const Part part = std::move(parts.back());
