@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -71,6 +72,17 @@ inline TriangleSoup box_soup(const Vec3& low, const Vec3& high) {
 }
 inline TriangleSoup cube_soup(double low, double high) {
   return soup_of(solids::cube(low, high));
+}
+/// A flat sheet of 4 by 4 squares, open all round.
+inline TriangleSoup wall_of_squares() {
+  TriangleSoup soup;
+  for (int x = 0; x < 4; ++x)
+    for (int y = 0; y < 4; ++y) {
+      const Vec3 a{double(x), double(y), 0}, c = a + Vec3{1, 1, 0};
+      soup.triangles.push_back({a, a + Vec3{1, 0, 0}, c});
+      soup.triangles.push_back({a, c, a + Vec3{0, 1, 0}});
+    }
+  return soup;
 }
 
 /// The triangles, each from its smallest corner on, sorted.
