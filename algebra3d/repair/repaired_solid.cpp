@@ -40,6 +40,17 @@ bool is_balanced(const TriangleMesh& mesh) {
   return is_closed(mesh) && is_consistently_oriented(mesh);
 }
 
+/// True if an edge has one facet, or several that do not balance each other. Two that do not are a matter of turning.
+bool has_open_edges(const TriangleMesh& mesh) {
+  for (std::size_t n = 0; n < mesh.nonmanifold_edge_count(); ++n) {
+    const auto edge = mesh.nonmanifold_edge(n);
+    const auto forward =
+        std::ranges::count_if(edge, [&](HalfedgeId h) { return mesh.origin(h) == mesh.origin(edge[0]); });
+    if (edge.size() != 2 && 2 * static_cast<std::size_t>(forward) != edge.size()) return true;
+  }
+  return has_boundary(mesh);
+}
+
 class Repair {
  public:
   Repair(const WeldedTriangles& welded, const RepairOptions& options, const Monitor& monitor)
@@ -66,7 +77,14 @@ class Repair {
 
 void Repair::drop_facets() {
   drop_degenerate_facets(facets_, report_);
-  drop_duplicate_facets(facets_, report_);
+  FacetList rest = facets_;
+  RepairReport report = report_;
+  drop_duplicate_facets(rest, report);
+  if (rest.triangles.size() == facets_.triangles.size()) return;
+  // Closed shells that share facets would be open without them, and winding numbers count them all.
+  if (is_balanced(facets_.mesh()) && has_open_edges(rest.mesh())) return;
+  facets_ = std::move(rest);
+  report_ = std::move(report);
 }
 
 void Repair::mend_boundaries() {
