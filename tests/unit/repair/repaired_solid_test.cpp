@@ -181,7 +181,8 @@ void expect_mended(Damage damage, std::initializer_list<RepairStep> steps) {
 }
 
 TEST(RepairedSolid, turns_facets_back) {
-  expect_mended(turn_some, {RepairStep::turned_facets});
+  // The soup is turned over first if its volume is negative, and the shell back in the end.
+  expect_mended(turn_some, {RepairStep::turned_facets, RepairStep::turned_shells});
 }
 
 TEST(RepairedSolid, drops_repeated_facets) {
@@ -281,6 +282,19 @@ TEST(RepairedSolid, of_overlapping_boxes_is_what_they_cover_together) {
     const SolidFromSoup made = repaired(soup);
     EXPECT_EQ(volume_of(made), Rational(covered_cells(boxes, kSize))) << made.status();
     EXPECT_EQ(deviation_of(made), 0) << made.status();
+  }
+}
+
+// Of the sides that boxes have in common one was kept, so that all of them were open, and some were lost.
+TEST(RepairedSolid, of_boxes_with_common_sides_none_is_lost) {
+  const std::vector<std::vector<GridBox>> cases{
+      {{{2, 0, 2}, {3, 3, 3}}, {{2, 1, 2}, {3, 3, 3}}, {{2, 2, 2}, {3, 3, 3}}},
+      {{{1, 1, 1}, {2, 2, 2}}, {{1, 1, 0}, {2, 2, 1}}, {{1, 1, 1}, {2, 2, 2}}, {{0, 1, 1}, {2, 2, 2}}},
+      {{{0, 1, 1}, {1, 2, 2}}, {{1, 1, 1}, {2, 2, 2}}, {{1, 1, 1}, {2, 2, 2}}, {{1, 1, 0}, {2, 2, 2}}}};
+  for (const std::vector<GridBox>& boxes : cases) {
+    TriangleSoup soup;
+    for (const GridBox& box : boxes) soup = joined(std::move(soup), box.soup());
+    expect_exactly(soup, Rational(covered_cells(boxes, 3)));
   }
 }
 
