@@ -11,7 +11,7 @@
 namespace algebra3d::solids {
 namespace {
 
-TriangleMesh united(const std::vector<TriangleMesh>& meshes) {
+TriangleMesh union_of(const std::vector<TriangleMesh>& meshes) {
   std::vector<Operand> operands;
   for (const TriangleMesh& mesh : meshes) operands.push_back({&mesh, 0});
   Result<TriangleMesh> result = unite_surfaces(operands);
@@ -84,7 +84,7 @@ TEST(UniteSurfaces, covers_each_cell_once_turned_as_in_the_first) {
     const auto rectangles = random_rectangles(chance, chance.between(1, 8), kSize);
     std::vector<TriangleMesh> meshes;
     for (const GridRectangle& r : rectangles) meshes.push_back(r.mesh());
-    const TriangleMesh result = united(meshes);
+    const TriangleMesh result = union_of(meshes);
     const Cells cells = cells_of(rectangles, kSize);
     EXPECT_EQ(area_of_surface(result), static_cast<double>(cells.size()));
     // The net area of each plane tells that its pieces are turned as they should be.
@@ -114,22 +114,22 @@ TEST(UniteSurfaces, of_triangles_in_general_position_keeps_their_area) {
       meshes.push_back(Maker().triangle(a, b, c).mesh());
       area += area_of_surface(meshes.back());
     }
-    EXPECT_NEAR(area_of_surface(united(meshes)), area, 1e-12 * area);
+    EXPECT_NEAR(area_of_surface(union_of(meshes)), area, 1e-12 * area);
   }
 }
 
 TEST(UniteSurfaces, of_one_surface_is_that_surface) {
   const TriangleMesh sphere = geodesic_sphere(3);
-  const TriangleMesh result = united({sphere});
+  const TriangleMesh result = union_of({sphere});
   EXPECT_EQ(result.face_count(), sphere.face_count());
   EXPECT_EQ(exact_volume_of(result), exact_volume_of(sphere));
 }
 
 TEST(UniteSurfaces, of_equal_surfaces_is_one_of_them) {
   const TriangleMesh box = cube(0, 2);
-  EXPECT_EQ(exact_volume_of(united({box, box, box})), Rational(8));
-  EXPECT_EQ(exact_volume_of(united({flipped(box), box})), Rational(-8));
-  EXPECT_EQ(united({flipped(box), box}).face_count(), 12U);
+  EXPECT_EQ(exact_volume_of(union_of({box, box, box})), Rational(8));
+  EXPECT_EQ(exact_volume_of(union_of({flipped(box), box})), Rational(-8));
+  EXPECT_EQ(union_of({flipped(box), box}).face_count(), 12U);
 }
 
 TEST(UniteSurfaces, groups_mean_nothing) {
@@ -142,8 +142,8 @@ TEST(UniteSurfaces, groups_mean_nothing) {
 }
 
 TEST(UniteSurfaces, of_nothing_is_empty) {
-  EXPECT_TRUE(united({}).is_empty());
-  EXPECT_TRUE(united({TriangleMesh(), TriangleMesh()}).is_empty());
+  EXPECT_TRUE(union_of({}).is_empty());
+  EXPECT_TRUE(union_of({TriangleMesh(), TriangleMesh()}).is_empty());
 }
 
 TEST(UniteSurfaces, limits_and_cancelling_are_errors) {
