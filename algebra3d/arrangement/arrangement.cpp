@@ -21,7 +21,7 @@ struct SolidArrangement::Parts {
       : list(given.begin(), given.end()), operands(list), facets(operands), skeleton(operands, facets) {}
 
   /// Pieces from contacts; patches from facets.
-  Status subdivide(Closure closure, const Monitor& monitor);
+  Status subdivide(const ArrangementOptions& options, const Monitor& monitor);
 
   std::vector<Operand> list;
   Operands operands;
@@ -32,13 +32,14 @@ struct SolidArrangement::Parts {
   Classification classification;
 };
 
-Status SolidArrangement::Parts::subdivide(Closure closure, const Monitor& monitor) {
+Status SolidArrangement::Parts::subdivide(const ArrangementOptions& options, const Monitor& monitor) {
   Status status;
   const auto find_pieces = [&] {
-    status = cut_segments(skeleton, monitor);
+    status = cut_segments(skeleton, monitor, options.max_cuts);
     if (!status) return;
     pieces = divide(skeleton);
-    if (closure == Closure::together) complete_covers(skeleton, pieces);
+    if (options.closure == Closure::together) status = complete_covers(skeleton, pieces, monitor.silent());
+    if (!status) return;
     count_steps(skeleton, pieces);
   };
   const auto find_rest = [&] { patches = find_patches(operands, facets); };
@@ -62,7 +63,7 @@ Result<SolidArrangement> SolidArrangement::make(std::span<const Operand> operand
   auto parts = std::make_unique<Parts>(operands);
   ASSIGN_OR_RETURN(const auto pairs, candidate_pairs(parts->operands, monitor, options.max_pairs));
   RETURN_IF_ERROR(find_contacts(pairs, parts->facets, parts->skeleton, monitor));
-  RETURN_IF_ERROR(parts->subdivide(options.closure, monitor));
+  RETURN_IF_ERROR(parts->subdivide(options, monitor));
   ASSIGN_OR_RETURN(parts->classification,
                    classify(parts->skeleton, parts->pieces, parts->patches, options.closure, monitor));
   monitor.tell("building the result");

@@ -36,6 +36,8 @@ struct ArrangementOptions {
   Closure closure = Closure::each;
   /// Of faces whose boxes meet: with more of them the arrangement is not made (limit_exceeded).
   std::size_t max_pairs = SIZE_MAX;
+  /// Of cuts where triangles cross: there may be as many as the cube of the triangles.
+  std::size_t max_cuts = SIZE_MAX;
 };
 
 /// How many operands of each group hold a place; of operands that are closed together, their winding number about it.

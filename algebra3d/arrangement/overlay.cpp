@@ -187,13 +187,15 @@ std::vector<Element> collect_elements(const Skeleton& skeleton) {
 
 }  // namespace
 
-Status cut_segments(Skeleton& skeleton, const Monitor& monitor) {
+Status cut_segments(Skeleton& skeleton, const Monitor& monitor, std::size_t max_cuts) {
   monitor.tell("finding crossings");
   const std::vector<Element> elements = collect_elements(skeleton);
   for (std::size_t begin = 0, end = 0; begin < elements.size(); begin = end) {
     while (end < elements.size() && elements[end].plane == elements[begin].plane) ++end;
     RETURN_IF_ERROR(monitor.check());
     PlaneOverlay(skeleton, std::span(elements).subspan(begin, end - begin)).run();
+    if (skeleton.cuts().size() > max_cuts)
+      return Error{ErrorCode::limit_exceeded, "triangles cut each other more than {} times", max_cuts};
   }
   share_cuts(skeleton);
   return {};

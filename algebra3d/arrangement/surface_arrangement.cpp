@@ -53,7 +53,7 @@ struct SurfaceArrangement {
   explicit SurfaceArrangement(std::span<const Operand> list)
       : operands(list), facets(operands), skeleton(operands, facets) {}
 
-  Status divide_at_one_another(const Monitor& monitor, std::size_t max_pairs);
+  Status divide_at_one_another(const Monitor& monitor, const ArrangementOptions& limits);
 
   Operands operands;
   Facets facets;
@@ -70,12 +70,12 @@ Status check_size(std::span<const Operand> surfaces) {
                TriangleMesh::kMaxFaces};
 }
 
-Status SurfaceArrangement::divide_at_one_another(const Monitor& monitor, std::size_t max_pairs) {
-  ASSIGN_OR_RETURN(const auto pairs, candidate_pairs(operands, monitor, max_pairs));
+Status SurfaceArrangement::divide_at_one_another(const Monitor& monitor, const ArrangementOptions& limits) {
+  ASSIGN_OR_RETURN(const auto pairs, candidate_pairs(operands, monitor, limits.max_pairs));
   RETURN_IF_ERROR(find_contacts(pairs, facets, skeleton, monitor));
-  RETURN_IF_ERROR(cut_segments(skeleton, monitor));
+  RETURN_IF_ERROR(cut_segments(skeleton, monitor, limits.max_cuts));
   pieces = divide(skeleton);
-  complete_covers(skeleton, pieces);
+  RETURN_IF_ERROR(complete_covers(skeleton, pieces, monitor));
   patches = find_patches(operands, facets);
   monitor.tell("building the result");
   return {};
@@ -88,7 +88,7 @@ Result<TriangleMesh> combine_surfaces(const Operand& first, const Operand& secon
   const std::array<Operand, 2> list{first, second};
   RETURN_IF_ERROR(check_size(list));
   SurfaceArrangement parts(list);
-  RETURN_IF_ERROR(parts.divide_at_one_another(monitor, SIZE_MAX));
+  RETURN_IF_ERROR(parts.divide_at_one_another(monitor, {}));
   const Selection selection{[&](std::uint32_t side) { return selected(parts.facets, parts.pieces, rule, side); },
                             [&](std::uint32_t patch) {
                               const bool is_first = parts.patches.patches[patch].operand == 0;
@@ -97,10 +97,11 @@ Result<TriangleMesh> combine_surfaces(const Operand& first, const Operand& secon
   return build_outcome(parts.skeleton, parts.pieces, parts.patches, selection);
 }
 
-Result<TriangleMesh> unite_surfaces(std::span<const Operand> surfaces, const Monitor& monitor, std::size_t max_pairs) {
+Result<TriangleMesh> unite_surfaces(std::span<const Operand> surfaces, const Monitor& monitor,
+                                    const ArrangementOptions& limits) {
   RETURN_IF_ERROR(check_size(surfaces));
   SurfaceArrangement parts(surfaces);
-  RETURN_IF_ERROR(parts.divide_at_one_another(monitor, max_pairs));
+  RETURN_IF_ERROR(parts.divide_at_one_another(monitor, limits));
   const Selection selection{[&](std::uint32_t side) { return first_orientation(parts.facets, parts.pieces, side); },
                             [](std::uint32_t) { return 1; }};
   return build_outcome(parts.skeleton, parts.pieces, parts.patches, selection);

@@ -20,8 +20,8 @@ Result<TriangleMesh> combine_surfaces(const Operand& first, const Operand& secon
                                       const Monitor& monitor = {});
 
 /// All triangles of any number of surfaces, divided at one another as above, what several cover once: turned as in the
-/// first of them. Errors: besides those above, limit_exceeded for more than `max_pairs` triangles whose boxes meet.
+/// first of them. Of the options, the limits count. Errors: besides those above, limit_exceeded beyond them.
 Result<TriangleMesh> unite_surfaces(std::span<const Operand> surfaces, const Monitor& monitor = {},
-                                    std::size_t max_pairs = SIZE_MAX);
+                                    const ArrangementOptions& limits = {});
 
 }  // namespace algebra3d

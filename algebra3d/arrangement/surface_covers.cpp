@@ -28,11 +28,13 @@ std::unordered_map<std::uint32_t, Tree> trees_of_planes(const Skeleton& skeleton
 
 }  // namespace
 
-void complete_covers(const Skeleton& skeleton, Pieces& pieces) {
+Status complete_covers(const Skeleton& skeleton, Pieces& pieces, const Monitor& monitor) {
   const Facets& facets = skeleton.facets();
   const auto trees = trees_of_planes(skeleton, pieces);
   std::vector<Cover> covers;
+  Stage stage(monitor.silent(), {}, pieces.pieces.size());
   for (Piece& piece : pieces.pieces) {
+    if (!stage.begin_step()) return Monitor::interrupted();
     const auto given = pieces.covers_of(piece);
     const auto first = static_cast<std::uint32_t>(covers.size());
     covers.insert(covers.end(), given.begin(), given.end());
@@ -48,6 +50,7 @@ void complete_covers(const Skeleton& skeleton, Pieces& pieces) {
     piece.last_cover = static_cast<std::uint32_t>(covers.size());
   }
   pieces.covers = std::move(covers);
+  return {};
 }
 
 }  // namespace algebra3d::arrangement

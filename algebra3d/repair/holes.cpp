@@ -210,8 +210,10 @@ Status HoleCloser::run(const Monitor& monitor) {
   const FaceComponents parts = connected_components(mesh_);
   const std::vector<bool> are_left_open = are_sheets(parts, holes);
   for (const Covered& covered : holes) {
-    if (covered.cover.empty() || are_left_open[parts.of_face[covered.hole.facet]])
+    if (covered.cover.empty())
       report_.add(RepairStep::open_holes, covered.hole.loop.corners[0]);
+    else if (are_left_open[parts.of_face[covered.hole.facet]])
+      report_.add(RepairStep::sheets, covered.hole.loop.corners[0]);
     else
       close(covered);
   }

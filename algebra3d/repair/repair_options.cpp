@@ -50,10 +50,10 @@ Status set_option(RepairOptions& options, std::string_view name, std::string_vie
 
 }  // namespace
 
-std::size_t RepairOptions::pair_limit() const {
+ArrangementOptions RepairOptions::limits() const {
   // Beyond 2^63 the conversion would be undefined.
-  const double pairs = work_limit * 1e6;
-  return pairs < 0x1p63 ? static_cast<std::size_t>(pairs) : SIZE_MAX;
+  const auto count = [](double number) { return number < 0x1p63 ? static_cast<std::size_t>(number) : SIZE_MAX; };
+  return {Closure::together, count(work_limit * 1e6), count(work_limit * 1e3)};
 }
 
 Result<RepairOptions> parse_repair_options(std::string_view text) {

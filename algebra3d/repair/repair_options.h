@@ -1,9 +1,9 @@
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string_view>
 
+#include "algebra3d/arrangement/arrangement.h"
 #include "algebra3d/base/error.h"
 
 namespace algebra3d {
@@ -21,12 +21,13 @@ struct RepairOptions {
   double smallest_shell = 0;
   /// No repair: what is no valid solid after welding equal corners is refused.
   bool is_strict = false;
-  /// The most pairs of triangles whose boxes meet, and of solid angles that are added up, in millions; beyond it the
-  /// repair gives up.
+  /// The most pairs of triangles whose boxes meet, of solid angles that are added up, and of thousandths of a cut where
+  /// triangles cross, in millions; beyond it the repair gives up.
   double work_limit = 500;
 
-  /// The work limit as a count of pairs.
-  std::size_t pair_limit() const;
+  /// The work limit as pairs of triangles, and as cuts of triangles at each other, of which one is as much work as a
+  /// thousand pairs.
+  ArrangementOptions limits() const;
 
   static RepairOptions strict() {
     RepairOptions options;

@@ -19,15 +19,17 @@ enum class RepairStep : std::uint8_t {
   divided_edges,      ///< boundary edges divided at vertices that lie on them
   cracks,             ///< vertices moved to others across a crack
   turned_facets,      ///< facets turned over to agree with their neighbours
+  fins,               ///< facets that end in the open and hang on a surface that needs them not, dropped
   holes,              ///< holes closed
-  open_holes,         ///< holes left open
+  open_holes,         ///< holes left open, because the options say so
+  sheets,             ///< holes of sheets, left open
   turned_shells,      ///< facets of shells turned right side out
   intersections,      ///< facets that passed through others or lay upon them, divided
   inner_shells,       ///< shells that bound nothing, dropped
   cavities,           ///< cavities filled, because the options say so
   small_shells,       ///< shells dropped, because the options say so
 };
-inline constexpr std::size_t kRepairSteps = 13;
+inline constexpr std::size_t kRepairSteps = 15;
 
 /// The step's name as people see it: "cracks".
 std::string_view name_of(RepairStep step);

@@ -10,6 +10,7 @@
 #include "algebra3d/repair/cracks.h"
 #include "algebra3d/repair/degenerate_facets.h"
 #include "algebra3d/repair/facet_orientation.h"
+#include "algebra3d/repair/fins.h"
 #include "algebra3d/repair/holes.h"
 #include "algebra3d/repair/kept_shells.h"
 #include "algebra3d/repair/shell_orientation.h"
@@ -40,6 +41,24 @@ bool is_balanced(const TriangleMesh& mesh) {
   return is_closed(mesh) && is_consistently_oriented(mesh);
 }
 
+/// True if an edge has one facet, or several that do not balance each other. Two that do not are a matter of turning.
+bool has_open_edges(const TriangleMesh& mesh) {
+  for (std::size_t n = 0; n < mesh.nonmanifold_edge_count(); ++n) {
+    const auto edge = mesh.nonmanifold_edge(n);
+    const auto forward =
+        std::ranges::count_if(edge, [&](HalfedgeId h) { return mesh.origin(h) == mesh.origin(edge[0]); });
+    if (edge.size() != 2 && 2 * static_cast<std::size_t>(forward) != edge.size()) return true;
+  }
+  return has_boundary(mesh);
+}
+
+/// False for facets that are divided for the sake of their edges alone.
+bool has_manifold_edges(const TriangleMesh& mesh, FaceId face) {
+  for (std::uint32_t corner = 0; corner < 3; ++corner)
+    if (!mesh.opposite(TriangleMesh::halfedge(face, corner)).is_valid()) return false;
+  return true;
+}
+
 class Repair {
  public:
   Repair(const WeldedTriangles& welded, const RepairOptions& options, const Monitor& monitor)
@@ -50,6 +69,7 @@ class Repair {
  private:
   const TriangleMesh& mesh();
   void drop_facets(bool has_degenerate, bool has_duplicates);
+  void drop_what_became_flat();
   void mend_boundaries();
   void orient();
   Status close_holes();
@@ -77,8 +97,24 @@ const TriangleMesh& Repair::mesh() {
 
 void Repair::drop_facets(bool has_degenerate, bool has_duplicates) {
   if (has_degenerate) drop_degenerate_facets(facets_, report_);
-  if (has_duplicates) drop_duplicate_facets(facets_, report_);
-  if (has_degenerate || has_duplicates) mesh_.reset();
+  if (has_degenerate) mesh_.reset();
+  if (!has_duplicates) return;
+  FacetList rest = facets_;
+  RepairReport report = report_;
+  drop_duplicate_facets(rest, report);
+  if (rest.triangles.size() == facets_.triangles.size()) return;
+  // Closed shells that share facets would be open without them, and winding numbers count them all.
+  if (is_balanced(mesh()) && has_open_edges(rest.mesh())) return;
+  facets_ = std::move(rest);
+  report_ = std::move(report);
+  mesh_.reset();
+}
+
+/// Of facets that moved, or were added. The report is of what the file has.
+void Repair::drop_what_became_flat() {
+  RepairReport given = report_;
+  drop_facets(true, true);
+  report_ = std::move(given);
 }
 
 void Repair::mend_boundaries() {
@@ -88,12 +124,14 @@ void Repair::mend_boundaries() {
   const double tolerance = options_.crack_tolerance.value_or(kCrackPerDiagonal * diagonal(facets_));
   if (!has_boundary(mesh()) || !(tolerance > 0)) return;
   close_cracks(facets_, tolerance, report_);
-  drop_facets(true, true);
+  drop_what_became_flat();
 }
 
 void Repair::orient() {
   if (mesh().nonmanifold_edge_count() == 0) return;
   orient_facets(facets_, report_);
+  mesh_.reset();
+  if (has_boundary(mesh()) && mesh_->nonmanifold_edge_count() > 0) drop_fins(facets_, report_);
   mesh_.reset();
 }
 
@@ -101,7 +139,7 @@ Status Repair::close_holes() {
   if (!has_boundary(mesh())) return {};
   RETURN_IF_ERROR(
       algebra3d::close_holes(facets_, options_.largest_hole.value_or(diagonal(facets_)), report_, monitor_));
-  drop_facets(true, true);
+  drop_what_became_flat();
   return {};
 }
 
@@ -124,10 +162,11 @@ Status Repair::make_solid() {
 Status Repair::divide() {
   const bool is_closed = is_balanced(mesh());
   ASSIGN_OR_RETURN(const ValidParts parts, ValidParts::make(mesh(), monitor_));
-  for (const FaceId face : parts.lone_faces()) report_.add(RepairStep::intersections, facets_.middle(face.index()));
+  for (const FaceId face : parts.lone_faces())
+    if (has_manifold_edges(mesh(), face)) report_.add(RepairStep::intersections, facets_.middle(face.index()));
   const auto is_inside = [](int winding) { return winding > 0; };
-  auto solid = is_closed ? winding_solid(parts, is_inside, monitor_, options_.pair_limit())
-                         : tolerant_solid(facets_, parts, monitor_, options_.pair_limit(), options_.work_limit * 1e6);
+  auto solid = is_closed ? winding_solid(parts, is_inside, monitor_, options_.limits())
+                         : tolerant_solid(facets_, parts, monitor_, options_.limits(), options_.work_limit * 1e6);
   if (!solid) return std::move(solid).error();
   solid_ = *std::move(solid);
   report_lost_shells();
@@ -154,6 +193,10 @@ std::string Repair::reason_for_nothing() const {
   if (const RepairEntry* open = report_.find(RepairStep::open_holes))
     return fmt::format("{} {} left open (near ({:.6g} {:.6g} {:.6g}))", open->count,
                        open->count == 1 ? "hole was" : "holes were", open->where.x, open->where.y, open->where.z);
+  if (const RepairEntry* sheets = report_.find(RepairStep::sheets))
+    return fmt::format("{} (near ({:.6g} {:.6g} {:.6g}))",
+                       sheets->count == 1 ? "the facets are a sheet" : "the facets are sheets", sheets->where.x,
+                       sheets->where.y, sheets->where.z);
   return "the facets enclose no volume";
 }
 
@@ -175,10 +218,12 @@ Result<RepairedSolid> Repair::run(const ValidityReport& found) {
   const Status made = make_solid();
   if (!made && made.error().code == ErrorCode::limit_exceeded) return nothing(made.error().message);
   RETURN_IF_ERROR(made);
+  if (solid_.is_empty() && !facets_.triangles.empty()) return nothing(reason_for_nothing());
+  if (report_.find(RepairStep::open_holes) != nullptr && report_.find(RepairStep::inner_shells) != nullptr)
+    return nothing(reason_for_nothing());
   ASSIGN_OR_RETURN(const TriangleMesh kept, kept_shells(solid_, options_, report_, monitor_));
   is_proved_ = is_proved_ && kept.face_count() == solid_.face_count();
   solid_ = in_spatial_order(kept);
-  if (solid_.is_empty() && !facets_.triangles.empty()) return nothing(reason_for_nothing());
   ASSIGN_OR_RETURN(const bool is_valid, is_proved());
   if (!is_valid) return nothing("the repair gave no valid solid");
   ASSIGN_OR_RETURN(report_.volume_after, nearest_volume(solid_, monitor_));

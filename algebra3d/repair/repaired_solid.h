@@ -22,11 +22,11 @@ struct RepairedSolid {
 /// A solid from welded facets that are none, as `found` says, a proof that counted all defects. Each step sees what the
 /// ones before it left, and is skipped if there is nothing for it to do:
 ///  1. facets that repeat a corner or have no area are dropped (degenerate_facets.h);
-///  2. of equal facets one is kept, or none;
+///  2. of equal facets one is kept, or none, unless closed shells would be open then;
 ///  3. boundary edges are divided at boundary vertices that lie on them (cracks.h);
 ///  4. vertices are moved across cracks, and edges divided beside them;
 ///  5. facets are turned to agree with their neighbours (facet_orientation.h);
-///  6. holes are closed (holes.h);
+///  6. fins are dropped (fins.h), and holes are closed (holes.h);
 ///  7. shells are turned right side out (shell_orientation.h);
 ///  8. if that is no solid yet, facets are divided at one another, and the places kept about which the winding number
 ///  is

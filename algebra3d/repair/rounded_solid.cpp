@@ -170,7 +170,7 @@ bool Rounding::press(double reach) {
 /// False if there is too much to be divided.
 Result<bool> Rounding::take_inside_of(const TriangleMesh& mesh) {
   const auto is_inside = [](int winding) { return winding > 0; };
-  auto solid = winding_solid(mesh, is_inside, cancel_, max_pairs(mesh));
+  auto solid = winding_solid(mesh, is_inside, cancel_, {Closure::together, max_pairs(mesh)});
   if (!solid.ok() && solid.error().code == ErrorCode::limit_exceeded) return false;
   if (!solid.ok()) return std::move(solid).error();
   current_ = *std::move(solid);

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -32,6 +33,7 @@ class ShellOrientation {
   arrangement::DisjointSets parts() const;
   Result<std::vector<OrientedShell>> find_shells(const Monitor& monitor) const;
   bool is_closed(const OrientedShell& shell) const;
+  Result<Rational> volume_of_closed(const OrientedShell& shell) const;
   Rational volume_of_open(const OrientedShell& shell) const;
   void turn(OrientedShell& shell);
   int winding(const OrientedShell& shell, const PointRef& point) const;
@@ -76,15 +78,11 @@ Result<std::vector<OrientedShell>> ShellOrientation::find_shells(const Monitor& 
     if (is_new) shells.emplace_back();
     shells[number->second].facets.push_back(f);
   }
-  std::vector<TriangleMesh::Triangle> triangles;
   for (OrientedShell& shell : shells) {
-    triangles.clear();
-    for (const std::uint32_t f : shell.facets) {
-      triangles.push_back(facets_.triangles[f]);
+    for (const std::uint32_t f : shell.facets)
       for (std::size_t i = 0; i < 3; ++i) shell.box.extend(facets_.corner(f, i));
-    }
     RETURN_IF_ERROR(monitor.check());
-    ASSIGN_OR_RETURN(shell.volume, is_closed(shell) ? exact_volume(mesh_.points(), triangles) : volume_of_open(shell));
+    ASSIGN_OR_RETURN(shell.volume, is_closed(shell) ? volume_of_closed(shell) : volume_of_open(shell));
   }
   return shells;
 }
@@ -102,6 +100,23 @@ bool ShellOrientation::is_closed(const OrientedShell& shell) const {
       if (2 * static_cast<std::size_t>(forward) != edge.size()) return false;
     }
   return true;
+}
+
+/// Of its own points alone: a file may have thousands of shells.
+Result<Rational> ShellOrientation::volume_of_closed(const OrientedShell& shell) const {
+  std::unordered_map<std::uint32_t, std::uint32_t> numbers;
+  std::vector<Vec3> points;
+  std::vector<TriangleMesh::Triangle> triangles;
+  for (const std::uint32_t f : shell.facets) {
+    TriangleMesh::Triangle triangle = facets_.triangles[f];
+    for (std::uint32_t& corner : triangle) {
+      const auto [number, is_new] = numbers.try_emplace(corner, static_cast<std::uint32_t>(points.size()));
+      if (is_new) points.push_back(facets_.points[corner]);
+      corner = number->second;
+    }
+    triangles.push_back(triangle);
+  }
+  return exact_volume(PointArray(std::move(points)), triangles);
 }
 
 Rational ShellOrientation::volume_of_open(const OrientedShell& shell) const {

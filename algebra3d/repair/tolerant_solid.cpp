@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -30,7 +31,7 @@ class Rooms {
   std::uint32_t open_air() { return sets_.find(static_cast<std::uint32_t>(2 * surface_.face_count())); }
 
  private:
-  void join_at_edges();
+  Status join_at_edges(const Monitor& monitor);
   void join_around(std::span<const HalfedgeId> edge);
   Status join_to_what_is_above(const Monitor& monitor);
 
@@ -39,7 +40,7 @@ class Rooms {
 };
 
 /// Rooms go on across every edge, from each face round it to the next.
-void Rooms::join_at_edges() {
+Status Rooms::join_at_edges(const Monitor& monitor) {
   for (std::uint32_t h = 0; h < surface_.halfedge_count(); ++h) {
     const std::uint32_t face = h / 3;
     if (surface_.is_boundary(HalfedgeId(h))) sets_.unite(2 * face, 2 * face + 1);
@@ -48,7 +49,12 @@ void Rooms::join_at_edges() {
       sets_.unite(2 * face + 1, 2 * (other.index() / 3) + 1);
     }
   }
-  for (std::size_t n = 0; n < surface_.nonmanifold_edge_count(); ++n) join_around(surface_.nonmanifold_edge(n));
+  Stage stage(monitor.silent(), {}, surface_.nonmanifold_edge_count());
+  for (std::size_t n = 0; n < surface_.nonmanifold_edge_count(); ++n) {
+    if (!stage.begin_step()) return Monitor::interrupted();
+    join_around(surface_.nonmanifold_edge(n));
+  }
+  return {};
 }
 
 void Rooms::join_around(std::span<const HalfedgeId> edge) {
@@ -102,7 +108,7 @@ Status Rooms::join_to_what_is_above(const Monitor& monitor) {
 }
 
 Status Rooms::find(const Monitor& monitor) {
-  join_at_edges();
+  RETURN_IF_ERROR(join_at_edges(monitor));
   return join_to_what_is_above(monitor);
 }
 
@@ -130,7 +136,11 @@ Result<std::map<std::uint32_t, bool>> choose_rooms(const TriangleMesh& surface, 
     walls[rooms.behind(f)].push_back({area, f, true});
   }
   const Vec3 extent = box.max - box.min;
-  const double offset = kOffset * std::sqrt(dot(extent, extent));
+  const double farthest = std::max({std::abs(box.min.x), std::abs(box.min.y), std::abs(box.min.z), std::abs(box.max.x),
+                                    std::abs(box.max.y), std::abs(box.max.z)});
+  // Beside the wall whatever rounding does, and no farther than a wall of that size can be thick.
+  const double least = 64 * std::numeric_limits<double>::epsilon() * farthest;
+  const double most = kOffset * std::sqrt(dot(extent, extent));
   double angles = 0;
   std::map<std::uint32_t, bool> result;
   for (auto& [room, samples] : walls) {
@@ -151,6 +161,7 @@ Result<std::map<std::uint32_t, bool>> choose_rooms(const TriangleMesh& surface, 
       const Vec3 normal = cross(c[1].approx - c[0].approx, c[2].approx - c[0].approx);
       if (!(sample.area > 0)) continue;
       const Vec3 middle = (1.0 / 3) * (c[0].approx + c[1].approx + c[2].approx);
+      const double offset = std::max(least, std::min(most, 1e-3 * std::sqrt(sample.area)));
       const Vec3 beside = middle + ((sample.is_behind ? -offset : offset) / sample.area) * normal;
       sum += sample.area * numbers.at(beside);
       total += sample.area;
@@ -172,8 +183,8 @@ Result<TriangleMesh> without_needless_edges(const TriangleMesh& solid, const std
 }  // namespace
 
 Result<TriangleMesh> tolerant_solid(const FacetList& facets, const ValidParts& parts, const Monitor& monitor,
-                                    std::size_t max_pairs, double max_angles) {
-  ASSIGN_OR_RETURN(const TriangleMesh surface, unite_surfaces(parts.operands(), monitor, max_pairs));
+                                    const ArrangementOptions& limits, double max_angles) {
+  ASSIGN_OR_RETURN(const TriangleMesh surface, unite_surfaces(parts.operands(), monitor, limits));
   Rooms rooms(surface);
   RETURN_IF_ERROR(rooms.find(monitor));
   ASSIGN_OR_RETURN(const auto is_inside, choose_rooms(surface, rooms, WindingNumbers(facets), monitor, max_angles));

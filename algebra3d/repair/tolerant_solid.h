@@ -16,6 +16,6 @@ namespace algebra3d {
 /// Source: [jacobson2013], with rooms for tetrahedra.
 /// `parts` are those of the mesh of the facets.
 Result<TriangleMesh> tolerant_solid(const FacetList& facets, const ValidParts& parts, const Monitor& monitor,
-                                    std::size_t max_pairs, double max_angles);
+                                    const ArrangementOptions& limits, double max_angles);
 
 }  // namespace algebra3d

@@ -5,16 +5,17 @@
 namespace algebra3d {
 
 Result<TriangleMesh> winding_solid(const ValidParts& parts, const WindingRule& rule, const Monitor& monitor,
-                                   std::size_t max_pairs) {
-  ASSIGN_OR_RETURN(const SolidArrangement arrangement,
-                   SolidArrangement::make(parts.operands(), monitor, {Closure::together, max_pairs}));
+                                   const ArrangementOptions& limits) {
+  ASSIGN_OR_RETURN(
+      const SolidArrangement arrangement,
+      SolidArrangement::make(parts.operands(), monitor, {Closure::together, limits.max_pairs, limits.max_cuts}));
   return arrangement.solid([&](const Holding& holding) { return holding[0] != 0 && rule(holding[0]); });
 }
 
 Result<TriangleMesh> winding_solid(const TriangleMesh& mesh, const WindingRule& rule, const Monitor& monitor,
-                                   std::size_t max_pairs) {
+                                   const ArrangementOptions& limits) {
   ASSIGN_OR_RETURN(const ValidParts parts, ValidParts::make(mesh, monitor));
-  return winding_solid(parts, rule, monitor, max_pairs);
+  return winding_solid(parts, rule, monitor, limits);
 }
 
 }  // namespace algebra3d

@@ -24,9 +24,9 @@ using WindingRule = std::function<bool(int winding)>;
 /// `max_pairs` limits the pairs of triangles that may touch, beyond which it is limit_exceeded: folded meshes may have
 /// as many as the square of their triangles.
 Result<TriangleMesh> winding_solid(const TriangleMesh& mesh, const WindingRule& rule, const Monitor& monitor = {},
-                                   std::size_t max_pairs = SIZE_MAX);
+                                   const ArrangementOptions& limits = {});
 /// The same for a mesh that is in parts already.
 Result<TriangleMesh> winding_solid(const ValidParts& parts, const WindingRule& rule, const Monitor& monitor = {},
-                                   std::size_t max_pairs = SIZE_MAX);
+                                   const ArrangementOptions& limits = {});
 
 }  // namespace algebra3d

@@ -25,10 +25,9 @@ Loop random_loop(Chance& chance, std::size_t count) {
   return loop;
 }
 
-double area_of(const Loop& loop, const Cover& cover) {
+double cover_area(const Loop& loop, const Cover& cover) {
   double sum = 0;
-  for (const auto& [a, b, c] : cover)
-    sum += soups::area_of(SoupTriangle{loop.corners[a], loop.corners[b], loop.corners[c]});
+  for (const auto& [a, b, c] : cover) sum += area_of(SoupTriangle{loop.corners[a], loop.corners[b], loop.corners[c]});
   return sum;
 }
 
@@ -75,10 +74,10 @@ TEST(LoopTriangulation, has_the_least_area_of_all) {
     const Loop loop = random_loop(chance, count);
     double least = std::numeric_limits<double>::infinity();
     for (const Cover& cover : all_covers(0, static_cast<std::uint32_t>(count - 1)))
-      least = std::min(least, area_of(loop, cover));
+      least = std::min(least, cover_area(loop, cover));
     const Cover cover = triangulate_loop(loop, LoopMeasure::area);
     expect_disc(cover, count);
-    EXPECT_NEAR(area_of(loop, cover), least, 1e-12);
+    EXPECT_NEAR(cover_area(loop, cover), least, 1e-12);
   }
 }
 
@@ -153,7 +152,7 @@ TEST(LoopTriangulation, of_a_plane_convex_loop_covers_its_area) {
   }
   loop.beyond = loop.corners;
   const double area = kCount / 2.0 * 25 * std::sin(2 * std::numbers::pi / kCount);
-  EXPECT_NEAR(area_of(loop, triangulate_loop(loop, LoopMeasure::area)), area, 1e-9);
+  EXPECT_NEAR(cover_area(loop, triangulate_loop(loop, LoopMeasure::area)), area, 1e-9);
 }
 
 // From 1e80 on products of two normals were infinite once, and the search for the best triangle never ended.

@@ -69,7 +69,7 @@ TEST(RepairOptions, pairs_are_counted_in_millions) {
   const auto limit = [](double millions) {
     RepairOptions options;
     options.work_limit = millions;
-    return options.pair_limit();
+    return options.limits().max_pairs;
   };
   EXPECT_EQ(limit(0), 0U);
   EXPECT_EQ(limit(1e-7), 0U);

@@ -66,8 +66,8 @@ TEST(SolidFromSoup, inside_out_is_turned_also_with_a_cavity) {
 }
 
 TEST(SolidFromSoup, one_of_two_bodies_inside_out_is_refused) {
-  const auto made =
-      solid_from_soup(soup_of(MeshMaker().box({0, 0, 0}, {4, 4, 4}).box({5, 5, 5}, {6, 6, 6}, true).mesh()));
+  const auto made = solid_from_soup(
+      soup_of(MeshMaker().box({0, 0, 0}, {4, 4, 4}).box({5, 5, 5}, {6, 6, 6}, true).mesh()), RepairOptions::strict());
   EXPECT_FALSE(made->mesh);
   EXPECT_FALSE(made->report.was_turned);
   EXPECT_EQ(made->report.defects().find("no valid solid: 1 shell with a wrong winding number (facet "), 0U)
@@ -78,7 +78,7 @@ TEST(SolidFromSoup, defects_are_located_by_facets_of_the_soup) {
   TriangleSoup soup = soup_of(samples::torus(20, 12));
   // The same facet twice: as number 101 and as the last, number 481.
   soup.triangles.push_back(soup.triangles[100]);
-  const auto made = solid_from_soup(soup);
+  const auto made = solid_from_soup(soup, RepairOptions::strict());
   EXPECT_FALSE(made->mesh);
   EXPECT_NE(made->report.defects().find("1 duplicate facet (facets 101 and 481, near ("), std::string::npos)
       << made->report.defects();

@@ -1,0 +1,123 @@
+#include <gtest/gtest.h>
+
+#include "algebra3d/halfedge/audit.h"
+#include "algebra3d/halfedge/triangle_mesh.h"
+#include "mesh_samples.h"
+
+namespace algebra3d {
+namespace {
+
+using samples::BruteForce;
+using samples::Triangles;
+
+std::size_t vertices_of(const Triangles& triangles) {
+  std::size_t count = 0;
+  for (const auto& triangle : triangles)
+    for (const std::uint32_t corner : triangle) count = std::max<std::size_t>(count, corner + 1);
+  return count;
+}
+
+/// Opposites of manifold edges, of which about one in `share` is unlinked. Where the fans of a vertex are more than
+/// one, and all half-edges that leave it would be linked, one of these edges is unlinked too.
+std::vector<std::uint32_t> some_opposites(const Triangles& triangles, std::mt19937& random, std::uint32_t share) {
+  const BruteForce brute(triangles);
+  std::vector<std::uint32_t> opposites(brute.halfedge_count(), TriangleMesh::kUnlinked);
+  for (std::uint32_t h = 0; h < opposites.size(); ++h) {
+    if (!brute.is_manifold(h) || brute.opposite(h) < h || random() % share == 0) continue;
+    opposites[h] = brute.opposite(h);
+    opposites[brute.opposite(h)] = h;
+  }
+  for (std::uint32_t v = 0; v < vertices_of(triangles); ++v) {
+    const auto corners = brute.corners(v);
+    const auto is_linked = [&](std::uint32_t h) { return opposites[h] != TriangleMesh::kUnlinked; };
+    if (brute.fans(v).size() < 2 || !std::ranges::all_of(corners, is_linked)) continue;
+    const std::uint32_t h = corners[random() % corners.size()];
+    opposites[opposites[h]] = TriangleMesh::kUnlinked;
+    opposites[h] = TriangleMesh::kUnlinked;
+  }
+  return opposites;
+}
+
+TriangleMesh partly_linked(const Triangles& triangles, std::vector<std::uint32_t> opposites, std::size_t vertex_count) {
+  std::vector<std::uint32_t> origins;
+  for (const auto& triangle : triangles) origins.insert(origins.end(), triangle.begin(), triangle.end());
+  return {samples::points_for(vertex_count), std::move(origins), std::move(opposites), {}};
+}
+
+std::vector<HalfedgeId> listed(std::span<const HalfedgeId> halfedges) {
+  return {halfedges.begin(), halfedges.end()};
+}
+
+void expect_same_mesh(const TriangleMesh& mesh, const TriangleMesh& expected) {
+  ASSERT_EQ(audit(mesh), std::vector<std::string>());
+  ASSERT_EQ(mesh.vertex_count(), expected.vertex_count());
+  ASSERT_EQ(mesh.halfedge_count(), expected.halfedge_count());
+  ASSERT_EQ(mesh.nonmanifold_edge_count(), expected.nonmanifold_edge_count());
+  for (std::size_t n = 0; n < mesh.nonmanifold_edge_count(); ++n)
+    ASSERT_EQ(listed(mesh.nonmanifold_edge(n)), listed(expected.nonmanifold_edge(n)));
+  for (std::size_t i = 0; i < mesh.halfedge_count(); ++i) {
+    const HalfedgeId h(i);
+    ASSERT_EQ(mesh.origin(h), expected.origin(h));
+    ASSERT_EQ(mesh.opposite(h), expected.opposite(h));
+    ASSERT_EQ(mesh.is_boundary(h), expected.is_boundary(h));
+    ASSERT_EQ(mesh.is_nonmanifold(h), expected.is_nonmanifold(h));
+  }
+  ASSERT_EQ(mesh.nonmanifold_vertices(), expected.nonmanifold_vertices());
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    ASSERT_EQ(mesh.outgoing(VertexId(v)), expected.outgoing(VertexId(v)));
+    ASSERT_EQ(listed(mesh.fans(VertexId(v))), listed(expected.fans(VertexId(v))));
+  }
+}
+
+TEST(PartlyLinkedMesh, is_the_one_that_is_linked_from_scratch) {
+  std::mt19937 random(7);
+  for (const Triangles& triangles : samples::all_kinds()) {
+    const TriangleMesh expected = samples::mesh_of(triangles);
+    for (const std::uint32_t share : {1U, 2U, 5U, 1000000U})
+      expect_same_mesh(partly_linked(triangles, some_opposites(triangles, random, share), expected.vertex_count()),
+                       expected);
+  }
+}
+
+TEST(PartlyLinkedMesh, larger_meshes_of_all_kinds) {
+  std::mt19937 random(8);
+  for (int i = 0; i < 12; ++i) {
+    Triangles triangles =
+        samples::joined(samples::torus(20, 15), samples::moved(samples::grid(12, 9, false, true), 280));
+    std::ranges::shuffle(triangles, random);
+    // Some faces away, some turned round, some twice.
+    for (int n = 0; n < i; ++n) {
+      triangles.pop_back();
+      std::swap(triangles[random() % triangles.size()][0], triangles[random() % triangles.size()][0]);
+      auto& turned = triangles[random() % triangles.size()];
+      std::swap(turned[0], turned[1]);
+      triangles.push_back(triangles[random() % triangles.size()]);
+    }
+    const TriangleMesh expected = samples::mesh_of(triangles);
+    for (const std::uint32_t share : {2U, 10U, 1000U})
+      expect_same_mesh(partly_linked(triangles, some_opposites(triangles, random, share), expected.vertex_count()),
+                       expected);
+  }
+}
+
+TEST(PartlyLinkedMesh, with_all_edges_linked_has_nothing_to_do) {
+  for (const Triangles& triangles : {samples::tetrahedron(), samples::torus(5, 7), samples::double_torus()}) {
+    const BruteForce brute(triangles);
+    std::vector<std::uint32_t> opposites;
+    for (std::uint32_t h = 0; h < brute.halfedge_count(); ++h) opposites.push_back(brute.opposite(h));
+    // Vertices that no triangle uses are isolated.
+    const std::size_t count = vertices_of(triangles) + 3;
+    const TriangleMesh mesh = partly_linked(triangles, opposites, count);
+    expect_same_mesh(mesh, samples::mesh_of(triangles, count));
+    EXPECT_TRUE(mesh.is_isolated(VertexId(count - 1)));
+  }
+}
+
+TEST(PartlyLinkedMesh, of_nothing_is_empty) {
+  const TriangleMesh mesh(PointArray(), {}, {}, {});
+  EXPECT_TRUE(mesh.is_empty());
+  EXPECT_TRUE(audit(mesh).empty());
+}
+
+}  // namespace
+}  // namespace algebra3d
