@@ -1,7 +1,7 @@
 #include "algebra3d/repair/degenerate_facets.h"
 
 #include <algorithm>
-#include <numeric>
+#include <utility>
 
 #include "algebra3d/exact/predicates.h"
 #include "algebra3d/halfedge/topology.h"
@@ -21,21 +21,41 @@ bool is_even(const Corners& c) {
   return (c[0] < c[1]) + (c[1] < c[2]) + (c[2] < c[0]) == 2;
 }
 
+/// Facets that may have the corners of another one: facets with the same corners have all edges in common, so either an
+/// edge is not manifold, or the same facet is across all three.
+std::vector<std::uint32_t> suspects(const TriangleMesh& mesh) {
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    const auto across = [&](std::uint32_t corner) { return mesh.opposite(TriangleMesh::halfedge(FaceId(f), corner)); };
+    const HalfedgeId a = across(0), b = across(1), c = across(2);
+    const auto is_nonmanifold = [&](std::uint32_t corner) {
+      return mesh.is_nonmanifold(TriangleMesh::halfedge(FaceId(f), corner));
+    };
+    const bool is_back_to_back = a.is_valid() && b.is_valid() && c.is_valid() &&
+                                 TriangleMesh::face(a) == TriangleMesh::face(b) &&
+                                 TriangleMesh::face(b) == TriangleMesh::face(c);
+    if (is_back_to_back || is_nonmanifold(0) || is_nonmanifold(1) || is_nonmanifold(2)) result.push_back(f);
+  }
+  return result;
+}
+
 /// All that are not alone.
-std::vector<EqualFacets> equal_facets(const std::vector<Corners>& triangles) {
-  std::vector<Corners> keys(triangles);
-  for (Corners& key : keys) std::ranges::sort(key);
-  std::vector<std::uint32_t> order(triangles.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::ranges::sort(order, {}, [&](std::uint32_t i) { return std::pair(keys[i], i); });
+std::vector<EqualFacets> equal_facets(const TriangleMesh& mesh) {
+  std::vector<std::pair<Corners, std::uint32_t>> keys;
+  for (const std::uint32_t f : suspects(mesh)) {
+    Corners key = mesh.triangle(FaceId(f));
+    std::ranges::sort(key);
+    keys.emplace_back(key, f);
+  }
+  std::ranges::sort(keys);
   std::vector<EqualFacets> result;
-  for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
-    while (last < order.size() && keys[order[last]] == keys[order[first]]) ++last;
+  for (std::size_t first = 0, last = 0; first < keys.size(); first = last) {
+    while (last < keys.size() && keys[last].first == keys[first].first) ++last;
     if (last - first < 2) continue;
     EqualFacets equal;
     for (std::size_t i = first; i < last; ++i) {
-      equal.facets.push_back(order[i]);
-      equal.balance += is_even(triangles[order[i]]) ? 1 : -1;
+      equal.facets.push_back(keys[i].second);
+      equal.balance += is_even(mesh.triangle(FaceId(keys[i].second))) ? 1 : -1;
     }
     result.push_back(std::move(equal));
   }
@@ -76,9 +96,10 @@ void drop_degenerate_facets(FacetList& facets, RepairReport& report) {
 }
 
 void drop_duplicate_facets(FacetList& facets, RepairReport& report) {
-  const std::vector<EqualFacets> all = equal_facets(facets.triangles);
+  const TriangleMesh mesh = facets.mesh();
+  const std::vector<EqualFacets> all = equal_facets(mesh);
   if (all.empty()) return;
-  const FaceComponents parts = connected_components(facets.mesh());
+  const FaceComponents parts = connected_components(mesh);
   const std::vector<bool> is_wholly_balanced = wholly_balanced(parts, all);
   std::vector<bool> is_dropped(facets.triangles.size());
   for (const EqualFacets& equal : all) {

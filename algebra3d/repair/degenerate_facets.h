@@ -11,7 +11,7 @@ void drop_degenerate_facets(FacetList& facets, RepairReport& report);
 
 /// Of facets with the same three corners, whatever their order, one is kept, unless as many look one way as the other:
 /// then they have nothing between them, and none is, unless all that hangs together with them is double in this way.
-/// Exact. Cost: n log n.
+/// No facet may be degenerate. Exact. Cost: linear, n log n in the facets at edges that are not manifold.
 void drop_duplicate_facets(FacetList& facets, RepairReport& report);
 
 }  // namespace algebra3d

@@ -18,61 +18,55 @@ double area(const FacetList& facets, std::size_t f) {
   return length(cross(facets.corner(f, 1) - facets.corner(f, 0), facets.corner(f, 2) - facets.corner(f, 0))) / 2;
 }
 
-/// A facet at an edge: runs along it from the smaller to the larger vertex, or back.
+/// A facet at an edge, and which way it runs along it.
 struct EdgeUse {
-  std::uint32_t low, high, facet;
+  std::uint32_t facet;
   bool is_forward;
 };
 
 class Orientation {
  public:
-  explicit Orientation(FacetList& facets);
+  explicit Orientation(FacetList& facets)
+      : facets_(facets),
+        mesh_(facets.mesh()),
+        part_of_(facets.triangles.size(), kNoPart),
+        is_turned_(facets.triangles.size()) {}
 
   void run(RepairReport& report);
 
  private:
-  std::span<const EdgeUse> edge(std::size_t number) const {
-    return std::span(uses_).subspan(edges_[number], edges_[number + 1] - edges_[number]);
-  }
-  void find_neighbours();
+  std::vector<EdgeUse> uses(std::span<const HalfedgeId> edge) const;
+  template <typename Visit>
+  void for_each_neighbour(std::uint32_t facet, Visit visit) const;
   void find_parts();
   void balance_parts();
   int sign(const EdgeUse& use) const { return use.is_forward != is_turned_[use.facet] ? 1 : -1; }
 
   FacetList& facets_;
-  std::vector<EdgeUse> uses_;         // edge by edge
-  std::vector<std::uint32_t> edges_;  // first use of each, and the end
-  /// Per facet: those across edges of two facets, and whether they agree with it.
-  std::vector<std::vector<std::pair<std::uint32_t, bool>>> neighbours_;
+  TriangleMesh mesh_;  // of the facets as given
   std::vector<std::uint32_t> part_of_;
   std::uint32_t part_count_ = 0;
   std::vector<bool> is_turned_;
 };
 
-Orientation::Orientation(FacetList& facets)
-    : facets_(facets),
-      neighbours_(facets.triangles.size()),
-      part_of_(facets.triangles.size(), kNoPart),
-      is_turned_(facets.triangles.size()) {
-  for (std::uint32_t f = 0; f < facets.triangles.size(); ++f)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t from = facets.triangles[f][i], to = facets.triangles[f][(i + 1) % 3];
-      uses_.push_back({std::min(from, to), std::max(from, to), f, from < to});
-    }
-  std::ranges::sort(uses_, {}, [](const EdgeUse& use) { return std::tuple(use.low, use.high, use.facet); });
-  for (std::uint32_t i = 0; i < uses_.size(); ++i)
-    if (i == 0 || std::pair(uses_[i].low, uses_[i].high) != std::pair(uses_[i - 1].low, uses_[i - 1].high))
-      edges_.push_back(i);
-  edges_.push_back(static_cast<std::uint32_t>(uses_.size()));
+std::vector<EdgeUse> Orientation::uses(std::span<const HalfedgeId> edge) const {
+  std::vector<EdgeUse> result;
+  for (const HalfedgeId h : edge)
+    result.push_back({TriangleMesh::face(h).index(), mesh_.origin(h) == mesh_.origin(edge[0])});
+  return result;
 }
 
-void Orientation::find_neighbours() {
-  for (std::size_t number = 0; number + 1 < edges_.size(); ++number) {
-    const auto uses = edge(number);
-    if (uses.size() != 2) continue;
-    const bool agree = uses[0].is_forward != uses[1].is_forward;
-    neighbours_[uses[0].facet].emplace_back(uses[1].facet, agree);
-    neighbours_[uses[1].facet].emplace_back(uses[0].facet, agree);
+/// Calls visit(neighbour, agrees) for the facets across edges of two facets.
+template <typename Visit>
+void Orientation::for_each_neighbour(std::uint32_t facet, Visit visit) const {
+  for (std::uint32_t corner = 0; corner < 3; ++corner) {
+    const HalfedgeId h = TriangleMesh::halfedge(FaceId(facet), corner);
+    if (const HalfedgeId other = mesh_.opposite(h); other.is_valid()) {
+      visit(TriangleMesh::face(other).index(), true);
+    } else if (mesh_.is_nonmanifold(h)) {
+      const auto edge = mesh_.edge_halfedges(h);
+      if (edge.size() == 2) visit(TriangleMesh::face(edge[edge[0] == h ? 1 : 0]).index(), false);
+    }
   }
 }
 
@@ -85,12 +79,13 @@ void Orientation::find_parts() {
     double turned_area = 0, other_area = 0;
     for (std::size_t i = 0; i < part.size(); ++i) {
       (is_turned_[part[i]] ? turned_area : other_area) += area(facets_, part[i]);
-      for (const auto& [neighbour, agrees] : neighbours_[part[i]]) {
-        if (part_of_[neighbour] != kNoPart) continue;
+      const bool is_turned = is_turned_[part[i]];
+      for_each_neighbour(part[i], [&](std::uint32_t neighbour, bool agrees) {
+        if (part_of_[neighbour] != kNoPart) return;
         part_of_[neighbour] = part_count_;
-        is_turned_[neighbour] = is_turned_[part[i]] == agrees;
+        is_turned_[neighbour] = is_turned == agrees;
         part.push_back(neighbour);
-      }
+      });
     }
     if (turned_area > other_area)
       for (const std::uint32_t facet : part) is_turned_[facet] = !is_turned_[facet];
@@ -107,11 +102,11 @@ void Orientation::balance_parts() {
   };
   std::vector<Seam> seams;
   std::vector<std::vector<std::uint32_t>> seams_of_part(part_count_);
-  for (std::size_t number = 0; number + 1 < edges_.size(); ++number) {
-    const auto uses = edge(number);
-    if (uses.size() < 3) continue;
-    Seam seam{length(facets_.points[uses[0].high] - facets_.points[uses[0].low]), 0, {}};
-    for (const EdgeUse& use : uses) {
+  for (std::size_t number = 0; number < mesh_.nonmanifold_edge_count(); ++number) {
+    const auto edge = mesh_.nonmanifold_edge(number);
+    if (edge.size() < 3) continue;
+    Seam seam{length(mesh_.point(mesh_.target(edge[0])).approx - mesh_.point(mesh_.origin(edge[0])).approx), 0, {}};
+    for (const EdgeUse& use : uses(edge)) {
       seam.balance += sign(use);
       const std::uint32_t part = part_of_[use.facet];
       const auto known = std::ranges::find(seam.parts, part, &std::pair<std::uint32_t, int>::first);
@@ -151,7 +146,6 @@ void Orientation::balance_parts() {
 }
 
 void Orientation::run(RepairReport& report) {
-  find_neighbours();
   find_parts();
   balance_parts();
   for (std::size_t f = 0; f < is_turned_.size(); ++f) {

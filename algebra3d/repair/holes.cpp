@@ -50,9 +50,14 @@ Hole hole_of(const TriangleMesh& mesh, const std::vector<HalfedgeId>& boundary) 
   return hole;
 }
 
-double diameter(const Hole& hole) {
+Box3 box_of(const Hole& hole) {
   Box3 box;
   for (const Vec3& corner : hole.loop.corners) box.extend(corner);
+  return box;
+}
+
+double diameter(const Hole& hole) {
+  const Box3 box = box_of(hole);
   return std::hypot(box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z);
 }
 
@@ -91,23 +96,26 @@ class HoleCloser {
   bool cut_each_other(const TriangleMesh::Triangle& triangle, std::uint32_t facet) const;
   std::vector<bool> are_sheets(const FaceComponents& parts, const std::vector<Covered>& holes) const;
   void close(const Covered& covered);
-  const FacetTree& tree();
+  FacetTree tree_around(const std::vector<Hole>& holes) const;
 
   FacetList& facets_;
   double largest_;
   RepairReport& report_;
   TriangleMesh mesh_;
-  std::optional<FacetTree> tree_;
+  FacetTree tree_;
 };
 
-const FacetTree& HoleCloser::tree() {
-  if (!tree_) {
-    std::vector<rtree::Entry<std::uint32_t>> boxes;
-    for (std::uint32_t f = 0; f < mesh_.face_count(); ++f)
-      boxes.push_back({box_of_triangle(mesh_.corners(FaceId(f))), f});
-    tree_ = FacetTree::bulk_load(boxes);
+/// Of the facets near the holes.
+FacetTree HoleCloser::tree_around(const std::vector<Hole>& holes) const {
+  std::vector<rtree::Entry<std::uint32_t>> hole_boxes, boxes;
+  for (const Hole& hole : holes) hole_boxes.push_back({box_of(hole), 0});
+  const FacetTree hole_tree = FacetTree::bulk_load(hole_boxes);
+  for (std::uint32_t f = 0; f < mesh_.face_count(); ++f) {
+    const Box3 box = box_of_triangle(mesh_.corners(FaceId(f)));
+    auto near = hole_tree.window(box);
+    if (near.next()) boxes.push_back({box, f});
   }
-  return *tree_;
+  return FacetTree::bulk_load(boxes);
 }
 
 /// True if they have more in common than common corners and edges.
@@ -127,7 +135,7 @@ bool HoleCloser::cuts_surface(const std::vector<TriangleMesh::Triangle>& cover) 
   for (const TriangleMesh::Triangle& triangle : cover) {
     const TriangleRef corners{facets_.points[triangle[0]], facets_.points[triangle[1]], facets_.points[triangle[2]]};
     if (collinear(corners[0], corners[1], corners[2])) return true;
-    for (const std::uint32_t facet : tree().window(box_of_triangle(corners)))
+    for (const std::uint32_t facet : tree_.window(box_of_triangle(corners)))
       if (cut_each_other(triangle, facet)) return true;
   }
   return false;
@@ -172,15 +180,17 @@ void HoleCloser::close(const Covered& covered) {
 }
 
 Status HoleCloser::run(const Monitor& monitor) {
-  std::vector<Covered> holes;
+  std::vector<Hole> found;
   for (const BoundaryLoop& boundary : boundary_loops(mesh_))
-    for (const auto& loop : simple_loops(mesh_, boundary.halfedges)) {
-      RETURN_IF_ERROR(monitor.check());
-      Hole hole = hole_of(mesh_, loop);
-      if (hole.vertices.size() < 3) continue;
-      auto triangles = diameter(hole) > largest_ ? std::vector<TriangleMesh::Triangle>() : cover(hole);
-      holes.push_back({std::move(hole), std::move(triangles)});
-    }
+    for (const auto& loop : simple_loops(mesh_, boundary.halfedges))
+      if (loop.size() >= 3) found.push_back(hole_of(mesh_, loop));
+  tree_ = tree_around(found);
+  std::vector<Covered> holes;
+  for (Hole& hole : found) {
+    RETURN_IF_ERROR(monitor.check());
+    auto triangles = diameter(hole) > largest_ ? std::vector<TriangleMesh::Triangle>() : cover(hole);
+    holes.push_back({std::move(hole), std::move(triangles)});
+  }
   const FaceComponents parts = connected_components(mesh_);
   const std::vector<bool> are_left_open = are_sheets(parts, holes);
   for (const Covered& covered : holes) {

@@ -45,94 +45,109 @@ class Repair {
   Repair(const WeldedTriangles& welded, const RepairOptions& options, const Monitor& monitor)
       : options_(options), monitor_(monitor), facets_(welded) {}
 
-  Result<RepairedSolid> run();
+  Result<RepairedSolid> run(const ValidityReport& found);
 
  private:
-  void drop_facets();
+  const TriangleMesh& mesh();
+  void drop_facets(bool has_degenerate, bool has_duplicates);
   void mend_boundaries();
   void orient();
   Status close_holes();
   Status make_solid();
   Result<bool> take_if_valid();
-  void report_lost_shells(const TriangleMesh& given);
+  Status divide();
+  void report_lost_shells();
+  Result<bool> is_proved();
   std::size_t max_pairs() const { return static_cast<std::size_t>(options_.work_limit * 1e6); }
+  RepairedSolid nothing(std::string reason) { return {std::nullopt, std::move(reason), std::move(report_)}; }
   std::string reason_for_nothing() const;
 
   const RepairOptions& options_;
   Monitor monitor_;
   FacetList facets_;
+  std::optional<TriangleMesh> mesh_;  // of the facets, until they change
   TriangleMesh solid_;
+  bool is_proved_ = false;
   RepairReport report_;
 };
 
-void Repair::drop_facets() {
-  drop_degenerate_facets(facets_, report_);
-  drop_duplicate_facets(facets_, report_);
+const TriangleMesh& Repair::mesh() {
+  if (!mesh_) mesh_ = facets_.mesh();
+  return *mesh_;
+}
+
+void Repair::drop_facets(bool has_degenerate, bool has_duplicates) {
+  if (has_degenerate) drop_degenerate_facets(facets_, report_);
+  if (has_duplicates) drop_duplicate_facets(facets_, report_);
+  if (has_degenerate || has_duplicates) mesh_.reset();
 }
 
 void Repair::mend_boundaries() {
-  if (!has_boundary(facets_.mesh())) return;
+  if (!has_boundary(mesh())) return;
   divide_edges(facets_, report_);
-  if (!has_boundary(facets_.mesh())) return;
+  mesh_.reset();
   const double tolerance = options_.crack_tolerance.value_or(kCrackPerDiagonal * diagonal(facets_));
-  if (!(tolerance > 0)) return;
+  if (!has_boundary(mesh()) || !(tolerance > 0)) return;
   close_cracks(facets_, tolerance, report_);
-  drop_facets();
+  drop_facets(true, true);
 }
 
 void Repair::orient() {
-  if (facets_.mesh().nonmanifold_edge_count() > 0) orient_facets(facets_, report_);
+  if (mesh().nonmanifold_edge_count() == 0) return;
+  orient_facets(facets_, report_);
+  mesh_.reset();
 }
 
 Status Repair::close_holes() {
-  if (!has_boundary(facets_.mesh())) return {};
+  if (!has_boundary(mesh())) return {};
   RETURN_IF_ERROR(
       algebra3d::close_holes(facets_, options_.largest_hole.value_or(diagonal(facets_)), report_, monitor_));
-  drop_facets();
+  drop_facets(true, true);
   return {};
 }
 
 /// As they are, they may be a solid.
 Result<bool> Repair::take_if_valid() {
-  TriangleMesh mesh = facets_.mesh();
   const ProofOptions options{.thoroughness = Thoroughness::first_defect, .cancel = monitor_.cancel()};
-  ASSIGN_OR_RETURN(const ValidityReport found, prove_volume(mesh, options));
-  if (!found.is_valid()) return false;
-  solid_ = std::move(mesh);
-  return true;
+  ASSIGN_OR_RETURN(const ValidityReport found, prove_volume(mesh(), options));
+  is_proved_ = found.is_valid();
+  if (is_proved_) solid_ = *mesh_;
+  return is_proved_;
 }
 
 Status Repair::make_solid() {
-  const bool is_closed = is_balanced(facets_.mesh());
   RETURN_IF_ERROR(orient_shells(facets_, report_, monitor_));
-  if (is_closed) {
-    ASSIGN_OR_RETURN(const bool is_valid, take_if_valid());
-    if (is_valid) return {};
-  }
-  const TriangleMesh mesh = facets_.mesh();
-  ASSIGN_OR_RETURN(const ValidParts parts, ValidParts::make(mesh, monitor_));
+  if (report_.find(RepairStep::turned_shells) != nullptr) mesh_.reset();
+  ASSIGN_OR_RETURN(const bool is_valid, take_if_valid());
+  return is_valid ? Status() : divide();
+}
+
+Status Repair::divide() {
+  const bool is_closed = is_balanced(mesh());
+  ASSIGN_OR_RETURN(const ValidParts parts, ValidParts::make(mesh(), monitor_));
   for (const FaceId face : parts.lone_faces()) report_.add(RepairStep::intersections, facets_.middle(face.index()));
   const auto is_inside = [](int winding) { return winding > 0; };
   auto solid = is_closed ? winding_solid(parts, is_inside, monitor_, max_pairs())
                          : tolerant_solid(facets_, parts, monitor_, max_pairs(), options_.work_limit * 1e6);
   if (!solid) return std::move(solid).error();
   solid_ = *std::move(solid);
-  report_lost_shells(mesh);
+  report_lost_shells();
   return {};
 }
 
 /// Shells of which no corner is left.
-void Repair::report_lost_shells(const TriangleMesh& given) {
+void Repair::report_lost_shells() {
   std::vector<Vec3> left;
   for (std::size_t i = 0; i < solid_.points().size(); ++i)
     if (solid_.points()[i].is_double()) left.push_back(solid_.points().approx()[i]);
   std::ranges::sort(left);
-  for (const std::vector<FaceId>& shell : connected_components(given).faces()) {
+  for (const std::vector<FaceId>& shell : connected_components(mesh()).faces()) {
     const auto is_left = [&](FaceId face) {
-      return std::ranges::any_of(
-          given.corners(face), [&](const PointRef& corner) { return std::ranges::binary_search(left, corner.approx); });
+      return std::ranges::any_of(mesh_->corners(face), [&](const PointRef& corner) {
+        return std::ranges::binary_search(left, corner.approx);
+      });
     };
-    if (std::ranges::none_of(shell, is_left)) report_.add(RepairStep::inner_shells, given.corners(shell[0])[0].approx);
+    if (std::ranges::none_of(shell, is_left)) report_.add(RepairStep::inner_shells, mesh_->corners(shell[0])[0].approx);
   }
 }
 
@@ -143,35 +158,39 @@ std::string Repair::reason_for_nothing() const {
   return "the facets enclose no volume";
 }
 
-Result<RepairedSolid> Repair::run() {
-  const TriangleMesh given = facets_.mesh();
-  if (is_balanced(given)) {
-    ASSIGN_OR_RETURN(report_.volume_before, nearest_volume(given, monitor_));
+Result<bool> Repair::is_proved() {
+  if (is_proved_) return true;
+  const ProofOptions options{.thoroughness = Thoroughness::first_defect, .cancel = monitor_.cancel()};
+  ASSIGN_OR_RETURN(const ValidityReport found, prove_volume(solid_, options));
+  return found.is_valid();
+}
+
+Result<RepairedSolid> Repair::run(const ValidityReport& found) {
+  if (is_balanced(mesh())) {
+    ASSIGN_OR_RETURN(report_.volume_before, nearest_volume(mesh(), monitor_));
   }
-  drop_facets();
+  drop_facets(found.count(Defect::degenerate_triangle) > 0, found.count(Defect::duplicate_triangle) > 0);
   mend_boundaries();
   orient();
   RETURN_IF_ERROR(close_holes());
   const Status made = make_solid();
-  if (!made && made.error().code == ErrorCode::limit_exceeded)
-    return RepairedSolid{std::nullopt, made.error().message, std::move(report_)};
+  if (!made && made.error().code == ErrorCode::limit_exceeded) return nothing(made.error().message);
   RETURN_IF_ERROR(made);
-  ASSIGN_OR_RETURN(solid_, kept_shells(std::move(solid_), options_, report_, monitor_));
+  ASSIGN_OR_RETURN(const TriangleMesh kept, kept_shells(solid_, options_, report_, monitor_));
+  is_proved_ = is_proved_ && kept.face_count() == solid_.face_count();
+  solid_ = in_spatial_order(kept);
+  if (solid_.is_empty() && !facets_.triangles.empty()) return nothing(reason_for_nothing());
+  ASSIGN_OR_RETURN(const bool is_valid, is_proved());
+  if (!is_valid) return nothing("the repair gave no valid solid");
   ASSIGN_OR_RETURN(report_.volume_after, nearest_volume(solid_, monitor_));
-  if (solid_.is_empty() && !facets_.triangles.empty())
-    return RepairedSolid{std::nullopt, reason_for_nothing(), std::move(report_)};
-  ASSIGN_OR_RETURN(const ValidityReport found, prove_volume(solid_, {.cancel = monitor_.cancel()}));
-  if (!found.is_valid())
-    return RepairedSolid{std::nullopt, "the repair gave no valid solid: " + found.text(), std::move(report_)};
-  solid_ = in_spatial_order(solid_);
   return RepairedSolid{std::move(solid_), {}, std::move(report_)};
 }
 
 }  // namespace
 
-Result<RepairedSolid> repaired_solid(const WeldedTriangles& welded, const RepairOptions& options,
-                                     const Monitor& monitor) {
-  return Repair(welded, options, monitor).run();
+Result<RepairedSolid> repaired_solid(const WeldedTriangles& welded, const ValidityReport& found,
+                                     const RepairOptions& options, const Monitor& monitor) {
+  return Repair(welded, options, monitor).run(found);
 }
 
 }  // namespace algebra3d

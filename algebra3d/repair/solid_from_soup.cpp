@@ -113,7 +113,7 @@ Result<SolidFromSoup> solid_from_soup(const TriangleSoup& soup, const RepairOpti
   const std::vector<std::uint32_t> order = spatial_order(welded.points.approx(), welded.triangles);
   welded = reordered(welded, order);
   TriangleMesh mesh(welded.points, welded.triangles);
-  ASSIGN_OR_RETURN(ValidityReport validity, prove_volume(mesh, {.cancel = monitor.cancel()}));
+  ASSIGN_OR_RETURN(const ValidityReport validity, prove_volume(mesh, {.cancel = monitor.cancel()}));
   result.report.was_turned = is_inside_out && validity.is_valid();
   if (validity.is_valid()) {
     RepairReport left_out;
@@ -125,9 +125,9 @@ Result<SolidFromSoup> solid_from_soup(const TriangleSoup& soup, const RepairOpti
     result.repair = std::move(left_out);
     return result;
   }
-  result.report.validity = in_facets(std::move(validity), order);
+  result.report.validity = in_facets(validity, order);
   if (options.is_strict) return result;
-  ASSIGN_OR_RETURN(RepairedSolid repaired, repaired_solid(welded, options, monitor));
+  ASSIGN_OR_RETURN(RepairedSolid repaired, repaired_solid(welded, validity, options, monitor));
   result.mesh = std::move(repaired.mesh);
   result.repair = std::move(repaired.report);
   result.reason = std::move(repaired.reason);

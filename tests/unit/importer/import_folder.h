@@ -99,6 +99,12 @@ class ImportFolder : public ::testing::Test {
     options.jobs = 2;
     return options;
   }
+  /// The same without repair.
+  ImportOptions strict() const {
+    ImportOptions given = options();
+    given.repair.is_strict = true;
+    return given;
+  }
 
   /// Imports; the texts are in out_ and err_.
   int import(const ImportOptions& options, SolidReader reader = {}, const std::atomic<bool>* cancel = nullptr) {

@@ -18,7 +18,7 @@ TEST_F(Importer, takes_every_file_of_a_folder_and_says_what_is_wrong_with_bad_on
   write("empty.stl", "");
   write("picture.stl", std::string("\x89PNG\r\n\x1a\n") + std::string(200, '\0'));
   write("readme.txt", "no mesh");
-  EXPECT_EQ(import(options()), 0) << err_;
+  EXPECT_EQ(import(strict()), 0) << err_;
 
   const auto found = rows();
   ASSERT_EQ(found.size(), 5);
@@ -34,6 +34,17 @@ TEST_F(Importer, takes_every_file_of_a_folder_and_says_what_is_wrong_with_bad_on
   EXPECT_FALSE(found.at("picture.stl").is_defined);
   EXPECT_NE(out_.find("why undefined"), std::string::npos) << out_;
   EXPECT_EQ(err_, "");
+}
+
+TEST_F(Importer, repairs_what_is_no_solid_and_counts_that) {
+  write("box.stl", box_stl(1, 2, 3));
+  write("open.stl", open_box_stl());
+  EXPECT_EQ(import(options()), 0) << err_;
+  EXPECT_TRUE(rows().at("open.stl").is_defined);
+  EXPECT_TRUE(rows().at("open.stl").status.starts_with("repaired: 1 hole closed (near ("))
+      << rows().at("open.stl").status;
+  EXPECT_EQ(rows().at("box.stl").status, "ok");
+  EXPECT_NE(out_.find("of these repaired                      1"), std::string::npos) << out_;
 }
 
 TEST_F(Importer, takes_a_named_file_whatever_its_extension_and_each_file_once) {
@@ -131,17 +142,17 @@ TEST_F(Importer, passes_over_unchanged_files_and_replaces_changed_ones_in_place)
   write("a.stl", box_stl(1, 1, 1));
   write("b.stl", box_stl(2, 2, 2));
   write("c.stl", open_box_stl());
-  ASSERT_EQ(import(options()), 0) << err_;
+  ASSERT_EQ(import(strict()), 0) << err_;
   const auto before = rows();
 
-  ASSERT_EQ(import(options()), 0) << err_;
+  ASSERT_EQ(import(strict()), 0) << err_;
   EXPECT_NE(out_.find("imported before"), std::string::npos) << out_;
   EXPECT_EQ(rows().size(), 3);
 
   write("b.stl", open_box_stl());
   write("c.stl", box_stl(3, 3, 3));
   write("d.stl", box_stl(4, 4, 4));
-  ASSERT_EQ(import(options()), 0) << err_;
+  ASSERT_EQ(import(strict()), 0) << err_;
   const auto after = rows();
   ASSERT_EQ(after.size(), 4);
   EXPECT_EQ(after.at("a.stl").id, before.at("a.stl").id);
@@ -208,7 +219,7 @@ TEST_F(Importer, a_file_that_is_changed_back_is_imported_again) {
   write("a.stl", box_stl(1, 1, 1));
   ASSERT_EQ(import(options()), 0) << err_;
   write("a.stl", open_box_stl());
-  ASSERT_EQ(import(options()), 0) << err_;
+  ASSERT_EQ(import(strict()), 0) << err_;
   ASSERT_FALSE(rows().at("a.stl").is_defined);
   write("a.stl", box_stl(1, 1, 1));
   ASSERT_EQ(import(options()), 0) << err_;
