@@ -49,6 +49,12 @@ class Torus {
   explicit Torus(std::uint32_t steps) : steps_(steps) {}
 
   std::uint32_t square_count() const { return 2 * steps_ * steps_; }
+  /// The n-th of `count` squares that are spread evenly both ways: rows in order, columns by the golden ratio.
+  std::uint32_t spread_square(std::uint32_t n, std::uint32_t count) const {
+    const auto row = static_cast<std::uint32_t>(std::uint64_t{n} * 2 * steps_ / count);
+    const double turns = n / std::numbers::phi;
+    return row * steps_ + static_cast<std::uint32_t>((turns - std::floor(turns)) * steps_);
+  }
   std::uint32_t vertex(std::uint32_t i, std::uint32_t j) const { return i % (2 * steps_) * steps_ + j % steps_; }
   Vec3 point(std::uint32_t i, std::uint32_t j) const {
     const double u = std::numbers::pi * (i % (2 * steps_)) / steps_, v = 2 * std::numbers::pi * (j % steps_) / steps_;
@@ -123,7 +129,7 @@ inline TriangleSoup faulty_torus(std::uint32_t steps, Defect defect, std::uint32
   std::map<std::uint32_t, Defect> defects;  // by square
   std::vector<bool> is_missing(torus.square_count());
   for (std::uint32_t n = 0; n < count; ++n) {
-    const auto square = static_cast<std::uint32_t>(std::uint64_t{n} * torus.square_count() / count);
+    const std::uint32_t square = torus.spread_square(n, count);
     const Defect kind = defect == Defect::all ? Defect(n % 5) : defect;
     if (kind != Defect::hole) defects[square] = kind;
     if (kind == Defect::hole)
