@@ -1,8 +1,7 @@
 // Import of mesh files beside CGAL, admesh and assimp, on the same files in the same run.
 // - clean: 2 million triangles. Ours reads, welds, puts into spatial order and proves. CGAL reads a polygon soup,
-// welds,
-//   orients, makes a mesh, and in `cgal_with_proof` searches for self-intersections (we also prove winding numbers).
-//   admesh looks for what is wrong with edges, assimp only joins vertices.
+//   welds, orients, makes a mesh, and in `cgal_with_proof` searches for self-intersections (we also prove winding
+//   numbers). admesh looks for what is wrong with edges, assimp only joins vertices.
 // - faulty: 100 thousand and 1 million triangles with no defect, 10, 100 or 1000, at places that are spread evenly.
 //   CGAL repairs the soup, stitches, orients and closes holes, and says whether the result crosses itself; admesh does
 //   what its program does. The counters tell what they leave: only ours has to give a valid solid.
