@@ -9,9 +9,10 @@ namespace algebra3d {
 /// side and its two halves on the other, `divide_edges` (cracks.h) mends. Exact. Cost: linear.
 void drop_degenerate_facets(FacetList& facets, RepairReport& report);
 
-/// Of facets with the same three corners, whatever their order, one is kept, unless as many look one way as the other:
-/// then they have nothing between them, and none is, unless all that hangs together with them is double in this way.
-/// No facet may be degenerate. Exact. Cost: linear, n log n in the facets at edges that are not manifold.
+/// Of facets with the same three corners, whatever their order, the first is kept that looks the way most do. If as
+/// many look one way as the other, they have nothing between them, and none is kept, unless all that hangs together
+/// with them across edges is double in this way: then one is. Facets repeat no corner. Exact. Cost: linear, n log n in
+/// the facets at edges that are not manifold.
 void drop_duplicate_facets(FacetList& facets, RepairReport& report);
 
 }  // namespace algebra3d

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <unordered_map>
 
 #include "algebra3d/arrangement/contact.h"
 #include "algebra3d/base/box3.h"
@@ -27,10 +29,14 @@ struct Hole {
 std::vector<std::vector<HalfedgeId>> simple_loops(const TriangleMesh& mesh, const std::vector<HalfedgeId>& loop) {
   std::vector<std::vector<HalfedgeId>> result;
   std::vector<HalfedgeId> path;
+  std::unordered_map<std::uint32_t, std::size_t> places;  // in the path, of the origins
   for (const HalfedgeId h : loop) {
+    places[mesh.origin(h).index()] = path.size();
     path.push_back(h);
-    const auto start = std::ranges::find(path, mesh.target(h), [&](HalfedgeId g) { return mesh.origin(g); });
-    if (start == path.end()) continue;
+    const auto known = places.find(mesh.target(h).index());
+    if (known == places.end()) continue;
+    const auto start = path.begin() + static_cast<std::ptrdiff_t>(known->second);
+    for (auto g = start; g != path.end(); ++g) places.erase(mesh.origin(*g).index());
     result.emplace_back(start, path.end());
     path.erase(start, path.end());
   }
@@ -64,12 +70,16 @@ double diameter(const Hole& hole) {
 /// No point of the triangle is farther from its corners.
 double reach(const Vec3& a, const Vec3& b, const Vec3& c) {
   const auto length = [](const Vec3& v) { return std::hypot(v.x, v.y, v.z); };
-  const double x = length(b - a), y = length(c - b), z = length(a - c);
-  const double longest = std::max({x, y, z});
-  const double doubled_area = length(cross(b - a, c - a));
+  const double longest = std::max({length(b - a), length(c - b), length(a - c)});
+  // Of that size, so that products neither overflow nor vanish.
+  const Vec3 first = (1 / longest) * (b - a), second = (1 / longest) * (c - a);
+  const double x = length(first), y = length(second - first), z = length(second);
+  const double doubled_area = length(cross(first, second));
+  // No circle around a triangle with such sides need be larger.
+  if (!(doubled_area > 0)) return longest / std::numbers::sqrt3;
   // That of an acute triangle is the middle of the circle through its corners.
-  if (2 * longest * longest >= x * x + y * y + z * z || doubled_area == 0) return longest / 2;
-  return x * y * z / (2 * doubled_area);
+  if (2 >= x * x + y * y + z * z) return longest / 2;
+  return x * y * z / (2 * doubled_area) * longest;
 }
 
 double area(const FacetList& facets, const TriangleMesh::Triangle& t) {
@@ -89,9 +99,10 @@ class HoleCloser {
   struct Covered {
     Hole hole;
     std::vector<TriangleMesh::Triangle> cover;
+    bool cuts_surface;
   };
 
-  std::vector<TriangleMesh::Triangle> cover(const Hole& hole);
+  Covered cover(Hole hole);
   bool cuts_surface(const std::vector<TriangleMesh::Triangle>& cover);
   bool cut_each_other(const TriangleMesh::Triangle& triangle, std::uint32_t facet) const;
   std::vector<bool> are_sheets(const FaceComponents& parts, const std::vector<Covered>& holes) const;
@@ -131,29 +142,34 @@ bool HoleCloser::cut_each_other(const TriangleMesh::Triangle& triangle, std::uin
   return common == 1 ? contact > Contact::point : contact > Contact::segment;
 }
 
+/// Covers of many corners may be near to many facets; what is not looked at is taken for no cut.
 bool HoleCloser::cuts_surface(const std::vector<TriangleMesh::Triangle>& cover) {
+  std::size_t looks_left = 10'000 + 100 * cover.size();
   for (const TriangleMesh::Triangle& triangle : cover) {
     const TriangleRef corners{facets_.points[triangle[0]], facets_.points[triangle[1]], facets_.points[triangle[2]]};
     if (collinear(corners[0], corners[1], corners[2])) return true;
-    for (const std::uint32_t facet : tree_.window(box_of_triangle(corners)))
+    for (const std::uint32_t facet : tree_.window(box_of_triangle(corners))) {
+      if (looks_left-- == 0) return false;
       if (cut_each_other(triangle, facet)) return true;
+    }
   }
   return false;
 }
 
-std::vector<TriangleMesh::Triangle> HoleCloser::cover(const Hole& hole) {
+HoleCloser::Covered HoleCloser::cover(Hole hole) {
   std::vector<TriangleMesh::Triangle> first;
+  if (diameter(hole) > largest_) return {std::move(hole), {}, false};
   for (const LoopMeasure measure : {LoopMeasure::bend, LoopMeasure::area}) {
     std::vector<TriangleMesh::Triangle> triangles = triangulate_loop(hole.loop, measure);
     for (TriangleMesh::Triangle& triangle : triangles)
       for (std::uint32_t& corner : triangle) corner = hole.vertices[corner];
-    if (!cuts_surface(triangles)) return triangles;
+    if (!cuts_surface(triangles)) return {std::move(hole), std::move(triangles), false};
     if (first.empty()) first = std::move(triangles);
   }
-  return first;
+  return {std::move(hole), std::move(first), true};
 }
 
-/// Per connected part: it has one hole, which is too large for it.
+/// Per connected part: it has one hole, whose cover cuts it and is too large for it.
 std::vector<bool> HoleCloser::are_sheets(const FaceComponents& parts, const std::vector<Covered>& holes) const {
   constexpr double kMostOfArea = 0.75;
   std::vector<double> own(parts.count), added(parts.count);
@@ -162,6 +178,7 @@ std::vector<bool> HoleCloser::are_sheets(const FaceComponents& parts, const std:
   for (const Covered& covered : holes) {
     const std::uint32_t part = parts.of_face[covered.hole.facet];
     ++hole_count[part];
+    if (!covered.cuts_surface) continue;
     for (const TriangleMesh::Triangle& triangle : covered.cover) added[part] += area(facets_, triangle);
   }
   std::vector<bool> result;
@@ -188,8 +205,7 @@ Status HoleCloser::run(const Monitor& monitor) {
   std::vector<Covered> holes;
   for (Hole& hole : found) {
     RETURN_IF_ERROR(monitor.check());
-    auto triangles = diameter(hole) > largest_ ? std::vector<TriangleMesh::Triangle>() : cover(hole);
-    holes.push_back({std::move(hole), std::move(triangles)});
+    holes.push_back(cover(std::move(hole)));
   }
   const FaceComponents parts = connected_components(mesh_);
   const std::vector<bool> are_left_open = are_sheets(parts, holes);

@@ -19,6 +19,8 @@ struct Cost {
   friend auto operator<=>(const Cost&, const Cost&) = default;
   friend Cost operator+(const Cost& a, const Cost& b) { return {std::max(a.bend, b.bend), a.area + b.area}; }
 };
+/// So that triangles without area are chosen where nothing else is left.
+constexpr double kWorseThanAnyBend = 4e6;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// Angle by which the surface bends from one triangle to the next, in steps so coarse that rounding does not decide.
@@ -75,6 +77,12 @@ class LoopTriangulation {
     return cross(from - to, loop_.beyond[corner] - to);
   }
 
+  /// True if the corners lie on one line, as far as rounding can tell; `normal` is theirs.
+  bool is_flat(const Vec3& normal, std::size_t a, std::size_t b, std::size_t c) const {
+    const Vec3 one = loop_.corners[b] - loop_.corners[a], other = loop_.corners[c] - loop_.corners[a];
+    return dot(normal, normal) <= 1e-24 * dot(one, one) * dot(other, other);
+  }
+
   void choose_apex(std::size_t first, std::size_t last) {
     Cost& best = cost_[at(first, last)];
     for (std::size_t apex = first + 1; apex < last; ++apex) {
@@ -84,6 +92,7 @@ class LoopTriangulation {
         cost.bend = std::max(bend(own, normal_beyond(first, apex)), bend(own, normal_beyond(apex, last)));
         if (first == 0 && last + 1 == n_) cost.bend = std::max(cost.bend, bend(own, outer_normal(last)));
       }
+      if (is_flat(own, first, apex, last)) cost.bend = kWorseThanAnyBend;
       cost = cost + cost_[at(first, apex)] + cost_[at(apex, last)];
       if (!(cost < best)) continue;
       best = cost;
@@ -106,10 +115,11 @@ std::pair<std::size_t, std::size_t> best_cut(const Loop& loop) {
     along[i + 1] = along[i] + norm(loop.corners[(i + 1) % n] - loop.corners[i % n]);
   double best = kInfinite;
   std::pair<std::size_t, std::size_t> cut{0, n / 2};
-  // Neither part may be a small rest; so the cuts of a loop are few.
-  const std::size_t smallest = n / 4;
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = i + smallest; j < n && j + smallest <= i + n; ++j) {
+  // Neither part may be a small rest; so the cuts of a loop are few. Of a large loop some corners are looked at.
+  constexpr std::size_t kMostTried = 256;
+  const std::size_t smallest = n / 4, stride = (n + kMostTried - 1) / kMostTried;
+  for (std::size_t i = 0; i < n; i += stride)
+    for (std::size_t j = i + smallest; j < n && j + smallest <= i + n; j += stride) {
       const double shorter_way = std::min(along[j] - along[i], along[n] - (along[j] - along[i]));
       const double ratio = norm(loop.corners[j] - loop.corners[i]) / shorter_way;
       if (!(ratio < best)) continue;
@@ -117,6 +127,18 @@ std::pair<std::size_t, std::size_t> best_cut(const Loop& loop) {
       cut = {i, j};
     }
   return cut;
+}
+
+/// The loop at a size of about 1, so that no product of lengths is infinite: by a power of two, which decides nothing.
+Loop scaled(Loop loop) {
+  double size = 0;
+  for (const auto* points : {&loop.corners, &loop.beyond})
+    for (const Vec3& p : *points) size = std::max({size, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  if (size == 0) return loop;
+  const int exponent = -std::ilogb(size);
+  for (auto* points : {&loop.corners, &loop.beyond})
+    for (Vec3& p : *points) p = {std::scalbn(p.x, exponent), std::scalbn(p.y, exponent), std::scalbn(p.z, exponent)};
+  return loop;
 }
 
 }  // namespace
@@ -127,13 +149,13 @@ std::vector<TriangleMesh::Triangle> triangulate_loop(const Loop& loop, LoopMeasu
     std::vector<std::uint32_t> numbers;  // of its corners in the whole loop
   };
   std::vector<TriangleMesh::Triangle> result;
-  std::vector<Part> parts{{loop, {}}};
+  std::vector<Part> parts{{scaled(loop), {}}};
   for (std::uint32_t i = 0; i < loop.corners.size(); ++i) parts[0].numbers.push_back(i);
   while (!parts.empty()) {
     const Part part = std::move(parts.back());
     parts.pop_back();
     const std::size_t n = part.numbers.size();
-    if (n <= kMaxOptimal) {
+    if (n <= (n == loop.corners.size() ? kMaxOptimal : kPartSize)) {
       for (TriangleMesh::Triangle triangle : LoopTriangulation(part.loop, measure).run()) {
         for (std::uint32_t& corner : triangle) corner = part.numbers[corner];
         result.push_back(triangle);

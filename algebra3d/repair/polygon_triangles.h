@@ -9,8 +9,9 @@ namespace algebra3d {
 /// - of a polygon that is convex, as far as its normal can tell, all triangles have its first corner;
 /// - any other one is triangulated along the axis that is nearest to its normal, so that its triangles do not overlap;
 /// - one that crosses itself as seen that way gets the triangles of least area.
-/// Corners that repeat in a row count once; what has fewer than three is left out. Exactness: coordinates are not
-/// changed. Cost: n log n for a polygon of n corners; n^3 for those that cross themselves (see triangulate_loop).
+/// A face of three corners is its triangle, even if corners repeat. Of others, corners that repeat in a row count once;
+/// what has fewer than three then is left out. Exactness: coordinates are not changed. Cost: n log n for a polygon of n
+/// corners; n^3 for those that cross themselves (see triangulate_loop).
 TriangleSoup triangles_of(const PolygonSoup& polygons);
 
 }  // namespace algebra3d

@@ -1,6 +1,8 @@
 #include "algebra3d/repair/repair_options.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <set>
 #include <string>
 
@@ -47,6 +49,12 @@ Status set_option(RepairOptions& options, std::string_view name, std::string_vie
 }
 
 }  // namespace
+
+std::size_t RepairOptions::pair_limit() const {
+  // Beyond 2^63 the conversion would be undefined.
+  const double pairs = work_limit * 1e6;
+  return pairs < 0x1p63 ? static_cast<std::size_t>(pairs) : SIZE_MAX;
+}
 
 Result<RepairOptions> parse_repair_options(std::string_view text) {
   RepairOptions options;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string_view>
 
@@ -23,6 +24,9 @@ struct RepairOptions {
   /// The most pairs of triangles whose boxes meet, and of solid angles that are added up, in millions; beyond it the
   /// repair gives up.
   double work_limit = 500;
+
+  /// The work limit as a count of pairs.
+  std::size_t pair_limit() const;
 
   static RepairOptions strict() {
     RepairOptions options;

@@ -51,8 +51,8 @@ struct RepairReport {
   bool is_empty() const { return entries.empty(); }
   /// The largest distance over all steps.
   double deviation() const;
-  /// For people, one line: "repaired: 3 duplicate facets dropped (near (0 0 1)), 1 hole closed (near (2 0 0)); moved by
-  /// at most 0.01".
+  /// For people, one line: "3 duplicate facets dropped (near (0 0 1)), 1 hole closed (near (2 0 0)); at most 0.01 from
+  /// the facets"; empty if there is no entry.
   std::string text() const;
 };
 

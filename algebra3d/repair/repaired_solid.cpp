@@ -58,7 +58,6 @@ class Repair {
   Status divide();
   void report_lost_shells();
   Result<bool> is_proved();
-  std::size_t max_pairs() const { return static_cast<std::size_t>(options_.work_limit * 1e6); }
   RepairedSolid nothing(std::string reason) { return {std::nullopt, std::move(reason), std::move(report_)}; }
   std::string reason_for_nothing() const;
 
@@ -127,8 +126,8 @@ Status Repair::divide() {
   ASSIGN_OR_RETURN(const ValidParts parts, ValidParts::make(mesh(), monitor_));
   for (const FaceId face : parts.lone_faces()) report_.add(RepairStep::intersections, facets_.middle(face.index()));
   const auto is_inside = [](int winding) { return winding > 0; };
-  auto solid = is_closed ? winding_solid(parts, is_inside, monitor_, max_pairs())
-                         : tolerant_solid(facets_, parts, monitor_, max_pairs(), options_.work_limit * 1e6);
+  auto solid = is_closed ? winding_solid(parts, is_inside, monitor_, options_.pair_limit())
+                         : tolerant_solid(facets_, parts, monitor_, options_.pair_limit(), options_.work_limit * 1e6);
   if (!solid) return std::move(solid).error();
   solid_ = *std::move(solid);
   report_lost_shells();

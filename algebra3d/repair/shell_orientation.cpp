@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "algebra3d/arrangement/disjoint_sets.h"
 #include "algebra3d/exact/exact_sum.h"
 #include "algebra3d/exact/vertical_line.h"
-#include "algebra3d/halfedge/topology.h"
 
 namespace algebra3d {
 namespace {
@@ -26,11 +29,14 @@ class ShellOrientation {
   Status run(const Monitor& monitor);
 
  private:
+  arrangement::DisjointSets parts() const;
   Result<std::vector<OrientedShell>> find_shells(const Monitor& monitor) const;
   bool is_closed(const OrientedShell& shell) const;
   Rational volume_of_open(const OrientedShell& shell) const;
   void turn(OrientedShell& shell);
-  int winding(const OrientedShell& shell, const PointRef& point);
+  int winding(const OrientedShell& shell, const PointRef& point) const;
+  std::vector<std::uint32_t> outermost_facets(const OrientedShell& shell) const;
+  bool is_within(const OrientedShell& shell, std::span<const OrientedShell> others) const;
   void apply(const std::vector<OrientedShell>& shells);
 
   FacetList& facets_;
@@ -38,10 +44,38 @@ class ShellOrientation {
   TriangleMesh mesh_;
 };
 
+/// Facets of a shell are in one set.
+arrangement::DisjointSets ShellOrientation::parts() const {
+  arrangement::DisjointSets sets(mesh_.face_count());
+  for (std::uint32_t h = 0; h < mesh_.halfedge_count(); ++h)
+    if (const HalfedgeId other = mesh_.opposite(HalfedgeId(h)); other.is_valid()) sets.unite(h / 3, other.index() / 3);
+  for (std::size_t n = 0; n < mesh_.nonmanifold_edge_count(); ++n)
+    if (const auto edge = mesh_.nonmanifold_edge(n); edge.size() == 2)
+      sets.unite(edge[0].index() / 3, edge[1].index() / 3);
+  for (std::size_t n = 0; n < mesh_.nonmanifold_edge_count(); ++n) {
+    const auto edge = mesh_.nonmanifold_edge(n);
+    std::map<std::uint32_t, int> balances;
+    for (const HalfedgeId h : edge)
+      balances[sets.find(h.index() / 3)] += mesh_.origin(h) == mesh_.origin(edge[0]) ? 1 : -1;
+    std::optional<std::uint32_t> unbalanced;
+    for (const auto& [part, balance] : balances) {
+      if (balance == 0) continue;
+      if (unbalanced) sets.unite(*unbalanced, part);
+      unbalanced = part;
+    }
+  }
+  return sets;
+}
+
 Result<std::vector<OrientedShell>> ShellOrientation::find_shells(const Monitor& monitor) const {
-  const FaceComponents parts = connected_components(mesh_);
-  std::vector<OrientedShell> shells(parts.count);
-  for (std::uint32_t f = 0; f < mesh_.face_count(); ++f) shells[parts.of_face[f]].facets.push_back(f);
+  arrangement::DisjointSets sets = parts();
+  std::map<std::uint32_t, std::size_t> numbers;
+  std::vector<OrientedShell> shells;
+  for (std::uint32_t f = 0; f < mesh_.face_count(); ++f) {
+    const auto [number, is_new] = numbers.try_emplace(sets.find(f), shells.size());
+    if (is_new) shells.emplace_back();
+    shells[number->second].facets.push_back(f);
+  }
   std::vector<TriangleMesh::Triangle> triangles;
   for (OrientedShell& shell : shells) {
     triangles.clear();
@@ -84,14 +118,44 @@ void ShellOrientation::turn(OrientedShell& shell) {
 }
 
 /// Of the shell about the point.
-int ShellOrientation::winding(const OrientedShell& shell, const PointRef& point) {
-  if (!shell.box.contains(point.approx)) return 0;
+int ShellOrientation::winding(const OrientedShell& shell, const PointRef& point) const {
   int sum = 0;
   for (const std::uint32_t f : shell.facets) {
     const LineCrossing crossing = cross_vertical_line(point, mesh_.corners(FaceId(f)));
     if (crossing.side == -1) sum += crossing.sign;
   }
   return shell.is_turned ? -sum : sum;
+}
+
+/// Of the shell: those with the largest and the smallest coordinates.
+std::vector<std::uint32_t> ShellOrientation::outermost_facets(const OrientedShell& shell) const {
+  std::vector<std::uint32_t> result;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto low = [&](std::uint32_t f) {
+      return std::min({facets_.corner(f, 0)[axis], facets_.corner(f, 1)[axis], facets_.corner(f, 2)[axis]});
+    };
+    const auto high = [&](std::uint32_t f) {
+      return std::max({facets_.corner(f, 0)[axis], facets_.corner(f, 1)[axis], facets_.corner(f, 2)[axis]});
+    };
+    result.push_back(*std::ranges::min_element(shell.facets, {}, low));
+    result.push_back(*std::ranges::max_element(shell.facets, {}, high));
+  }
+  return result;
+}
+
+/// True if the others hold all of the shell, as far as its outermost facets can tell.
+bool ShellOrientation::is_within(const OrientedShell& shell, std::span<const OrientedShell> others) const {
+  return std::ranges::all_of(outermost_facets(shell), [&](std::uint32_t f) {
+    const TriangleRef facet = mesh_.corners(FaceId(f));
+    // Shells may touch in corners and edges, so those decide nothing.
+    const ExactPoint middle(Rational(1, 3) * (facet[0].rational() + facet[1].rational() + facet[2].rational()));
+    Box3 box;
+    for (const PointRef& corner : facet) box.extend(corner.approx);
+    int around = 0;
+    for (const OrientedShell& other : others)
+      if (other.box.intersects(box)) around += winding(other, middle);
+    return around > 0;
+  });
 }
 
 Status ShellOrientation::run(const Monitor& monitor) {
@@ -105,10 +169,7 @@ Status ShellOrientation::run(const Monitor& monitor) {
   for (std::size_t i = 0; i < shells.size(); ++i) {
     if (shells[i].volume.sign() >= 0) continue;
     RETURN_IF_ERROR(monitor.check());
-    const PointRef place = mesh_.point(mesh_.origin(TriangleMesh::halfedge(FaceId(shells[i].facets[0]))));
-    int around = 0;
-    for (std::size_t k = 0; k < i; ++k) around += winding(shells[k], place);
-    if (around <= 0) turn(shells[i]);
+    if (!is_within(shells[i], std::span(shells).first(i))) turn(shells[i]);
   }
   apply(shells);
   return {};

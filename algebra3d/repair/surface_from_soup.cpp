@@ -28,8 +28,7 @@ Result<SurfaceFromSoup> surface_from_soup(const TriangleSoup& soup, const Repair
   ASSIGN_OR_RETURN(const ValidParts parts, ValidParts::make(given, monitor));
   for (const FaceId face : parts.lone_faces())
     result.repair.add(RepairStep::intersections, given.corners(face)[0].approx);
-  const auto max_pairs = static_cast<std::size_t>(options.work_limit * 1e6);
-  ASSIGN_OR_RETURN(const TriangleMesh united, unite_surfaces(parts.operands(), monitor, max_pairs));
+  ASSIGN_OR_RETURN(const TriangleMesh united, unite_surfaces(parts.operands(), monitor, options.pair_limit()));
   result.mesh = in_spatial_order(united);
   ASSIGN_OR_RETURN(const ValidityReport proof, prove_surface(result.mesh, first));
   if (!proof.is_valid())

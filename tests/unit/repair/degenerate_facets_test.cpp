@@ -1,0 +1,168 @@
+#include "algebra3d/repair/degenerate_facets.h"
+
+#include <map>
+#include <set>
+
+#include "unit/repair/soups.h"
+
+namespace algebra3d::soups {
+namespace {
+
+using Corners = TriangleMesh::Triangle;
+
+/// Triangles between few points of a grid.
+FacetList random_facets_on_grid(Chance& chance, int count, int size) {
+  TriangleSoup soup;
+  for (int i = 0; i < count; ++i)
+    soup.triangles.push_back({chance.grid_point(size), chance.grid_point(size), chance.grid_point(size)});
+  return facets_of(soup);
+}
+
+Corners sorted_corners(Corners corners) {
+  std::ranges::sort(corners);
+  return corners;
+}
+
+TEST(DegenerateFacets, are_those_without_area_and_no_others) {
+  for (int seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Chance chance(static_cast<std::uint64_t>(seed));
+    FacetList facets = random_facets_on_grid(chance, 100, 3);
+    std::vector<Corners> expected;
+    std::uint64_t repeated_count = 0, collinear_count = 0;
+    for (const Corners& t : facets.triangles) {
+      const Vec3 &a = facets.points[t[0]], &b = facets.points[t[1]], &c = facets.points[t[2]];
+      // Exact for small whole numbers.
+      const Vec3 normal = cross(b - a, c - a);
+      if (a == b || b == c || c == a)
+        ++repeated_count;
+      else if (normal == Vec3{})
+        ++collinear_count;
+      else
+        expected.push_back(t);
+    }
+    RepairReport report;
+    drop_degenerate_facets(facets, report);
+    EXPECT_EQ(facets.triangles, expected);
+    EXPECT_EQ(count_of(report, RepairStep::repeated_corners), repeated_count);
+    EXPECT_EQ(count_of(report, RepairStep::collinear_corners), collinear_count);
+    EXPECT_EQ(report.deviation(), 0);
+  }
+}
+
+TEST(DegenerateFacets, decisions_are_exact) {
+  const double next = std::nextafter(0.5, 1.0);
+  TriangleSoup soup;
+  soup.triangles = {{Vec3{0, 0, 0}, Vec3{1, 1, 1}, Vec3{0.5, 0.5, 0.5}},
+                    {Vec3{0, 0, 0}, Vec3{1, 1, 1}, Vec3{0.5, 0.5, next}},
+                    {Vec3{0, 0, 0}, Vec3{1e-300, 1e-300, 0}, Vec3{1e-300, -1e-300, 0}},
+                    {Vec3{-1e300, 0, 0}, Vec3{1e300, 0, 0}, Vec3{0, 1e-300, 0}},
+                    {Vec3{-1e300, 0, 0}, Vec3{1e300, 0, 0}, Vec3{1e-300, 0, 0}}};
+  FacetList facets = facets_of(soup);
+  const std::vector<Corners> all = facets.triangles;
+  RepairReport report;
+  drop_degenerate_facets(facets, report);
+  EXPECT_EQ(facets.triangles, (std::vector<Corners>{all[1], all[2], all[3]}));
+}
+
+/// Facets that hang together across edges, by flooding.
+std::vector<std::size_t> parts_of(const std::vector<Corners>& triangles) {
+  std::vector<std::size_t> part(triangles.size());
+  for (std::size_t i = 0; i < part.size(); ++i) part[i] = i;
+  const auto share_an_edge = [&](const Corners& a, const Corners& b) {
+    return std::ranges::count_if(a, [&](std::uint32_t corner) { return std::ranges::find(b, corner) != b.end(); }) > 1;
+  };
+  for (bool has_changed = true; has_changed;) {
+    has_changed = false;
+    for (std::size_t i = 0; i < part.size(); ++i)
+      for (std::size_t k = 0; k < part.size(); ++k)
+        if (part[k] < part[i] && share_an_edge(triangles[i], triangles[k])) {
+          part[i] = part[k];
+          has_changed = true;
+        }
+  }
+  return part;
+}
+
+/// As many of the first as even permutations of its corners less odd ones say.
+int balance_of(const std::vector<Corners>& triangles, const Corners& key) {
+  int balance = 0;
+  for (const Corners& t : triangles) {
+    if (sorted_corners(t) != key) continue;
+    const bool is_turned = t != key && t != Corners{key[1], key[2], key[0]} && t != Corners{key[2], key[0], key[1]};
+    balance += is_turned ? -1 : 1;
+  }
+  return balance;
+}
+
+TEST(DuplicateFacets, one_is_kept_or_none_as_brute_force_says) {
+  for (int seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Chance chance(static_cast<std::uint64_t>(seed));
+    FacetList facets = random_facets_on_grid(chance, chance.between(2, 14), 3);
+    RepairReport dropped, report;
+    drop_degenerate_facets(facets, dropped);
+    for (int n = chance.below(16); n > 0 && !facets.triangles.empty(); --n) {
+      Corners copy = facets.triangles[index_below(chance, facets.triangles.size())];
+      if (chance.one_in(2)) std::swap(copy[0], copy[2]);
+      std::ranges::rotate(copy, copy.begin() + chance.below(3));
+      facets.triangles.insert(facets.triangles.begin() + chance.below(static_cast<int>(facets.triangles.size())), copy);
+    }
+    const std::vector<Corners> given = facets.triangles;
+    const std::vector<std::size_t> part = parts_of(given);
+    std::map<Corners, std::size_t> counts;
+    for (const Corners& t : given) ++counts[sorted_corners(t)];
+    // Parts of which something is not there as often one way as the other.
+    std::set<std::size_t> unbalanced_parts;
+    for (std::size_t i = 0; i < given.size(); ++i)
+      if (balance_of(given, sorted_corners(given[i])) != 0) unbalanced_parts.insert(part[i]);
+    drop_duplicate_facets(facets, report);
+
+    EXPECT_EQ(count_of(report, RepairStep::duplicate_facets), given.size() - facets.triangles.size());
+    EXPECT_EQ(report.deviation(), 0);
+    std::map<Corners, std::size_t> left;
+    for (const Corners& t : facets.triangles) ++left[sorted_corners(t)];
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      const Corners key = sorted_corners(given[i]);
+      const int balance = balance_of(given, key);
+      const std::size_t expected = balance == 0 && unbalanced_parts.contains(part[i]) ? 0 : 1;
+      EXPECT_EQ(left[key], expected);
+      // It looks the way most do.
+      if (balance != 0 && left[key] == 1) {
+        EXPECT_GT(balance * balance_of(facets.triangles, key), 0);
+      }
+    }
+    // What is left is in the order given.
+    auto place = given.begin();
+    for (const Corners& t : facets.triangles) {
+      place = std::find(place, given.end(), t);
+      ASSERT_NE(place, given.end());
+      ++place;
+    }
+  }
+}
+
+TEST(DuplicateFacets, of_a_thousand_one_is_kept) {
+  TriangleSoup soup;
+  for (int i = 0; i < 1001; ++i) {
+    const SoupTriangle t{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}};
+    soup.triangles.push_back(i < 501 ? turned(t) : t);
+  }
+  FacetList facets = facets_of(soup);
+  RepairReport report;
+  drop_duplicate_facets(facets, report);
+  EXPECT_EQ(in_order(soup_of(facets)), (std::vector<SoupTriangle>{{Vec3{0, 0, 0}, Vec3{0, 1, 0}, Vec3{1, 0, 0}}}));
+  EXPECT_EQ(count_of(report, RepairStep::duplicate_facets), 1000U);
+}
+
+TEST(DuplicateFacets, of_boxes_side_by_side_the_wall_between_them_goes) {
+  FacetList facets = facets_of(joined(cube_soup(0, 2), shifted(cube_soup(0, 2), {2, 0, 0})));
+  RepairReport report;
+  drop_duplicate_facets(facets, report);
+  EXPECT_EQ(facets.triangles.size(), 20U);
+  EXPECT_TRUE(is_closed(facets.mesh()));
+  EXPECT_EQ(solids::exact_volume_of(facets.mesh()), Rational(16));
+}
+
+}  // namespace
+}  // namespace algebra3d::soups

@@ -1,0 +1,85 @@
+#include "algebra3d/repair/repair_options.h"
+
+#include <cstdint>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace algebra3d {
+namespace {
+
+/// What is wrong with the options.
+std::string complaint_about(std::string_view text) {
+  const auto options = parse_repair_options(text);
+  EXPECT_FALSE(options.ok()) << text;
+  if (options.ok()) return {};
+  EXPECT_EQ(options.error().code, ErrorCode::invalid_value);
+  return options.error().message;
+}
+
+TEST(RepairOptions, of_nothing_are_the_defaults) {
+  for (const std::string_view text : {"", " ", ";", " ; ;\t\n"}) {
+    const auto options = parse_repair_options(text);
+    ASSERT_TRUE(options.ok()) << text;
+    EXPECT_EQ(options->crack_tolerance, std::nullopt);
+    EXPECT_EQ(options->largest_hole, std::nullopt);
+    EXPECT_TRUE(options->keeps_cavities);
+    EXPECT_EQ(options->smallest_shell, 0);
+    EXPECT_FALSE(options->is_strict);
+    EXPECT_EQ(options->work_limit, 500);
+  }
+}
+
+TEST(RepairOptions, are_read_in_any_order_and_with_blanks) {
+  for (const std::string_view text :
+       {"cracks=0.001;holes=20;cavities=drop;smallest=0.5;work=1000;strict",
+        " strict ; work = 1e3;smallest= .5e0 ;cavities\t=\tdrop; holes=2e1;cracks=1e-3;"}) {
+    const auto options = parse_repair_options(text);
+    ASSERT_TRUE(options.ok()) << text << ": " << options.error().message;
+    EXPECT_EQ(options->crack_tolerance, 0.001);
+    EXPECT_EQ(options->largest_hole, 20.0);
+    EXPECT_FALSE(options->keeps_cavities);
+    EXPECT_EQ(options->smallest_shell, 0.5);
+    EXPECT_TRUE(options->is_strict);
+    EXPECT_EQ(options->work_limit, 1000);
+  }
+  EXPECT_TRUE(parse_repair_options("cavities=keep")->keeps_cavities);
+  EXPECT_EQ(parse_repair_options("cracks=0")->crack_tolerance, 0.0);
+  EXPECT_TRUE(RepairOptions::strict().is_strict);
+}
+
+TEST(RepairOptions, that_make_no_sense_are_refused_with_what_was_found_and_expected) {
+  EXPECT_EQ(complaint_about("crack=1"),
+            "there is no option 'crack'; expected cracks, holes, cavities, smallest, work or strict");
+  EXPECT_EQ(complaint_about("=1"), "there is no option ''; expected cracks, holes, cavities, smallest, work or strict");
+  EXPECT_EQ(complaint_about("holes=1;holes=1"), "option 'holes' is given twice");
+  EXPECT_EQ(complaint_about("strict;strict"), "option 'strict' is given twice");
+  EXPECT_EQ(complaint_about("cavities=fill"), "option 'cavities' is 'fill'; expected 'keep' or 'drop'");
+  EXPECT_EQ(complaint_about("cavities"), "option 'cavities' is ''; expected 'keep' or 'drop'");
+  EXPECT_EQ(complaint_about("strict=yes"), "option 'strict' is 'yes'; it takes no value");
+  for (const std::string value : {"", "-1", "-0.001", "abc", "1,5", "1 2", "nan", "inf", "-inf", "1e999", "0x10", "1="})
+    EXPECT_EQ(complaint_about("holes=" + value),
+              "option 'holes' is '" + value + "'; expected a number that is not negative");
+  EXPECT_NE(complaint_about("cracks"), "");
+  EXPECT_NE(complaint_about("STRICT"), "");
+  EXPECT_NE(complaint_about(std::string("holes=1\0", 8)), "");
+}
+
+TEST(RepairOptions, pairs_are_counted_in_millions) {
+  const auto limit = [](double millions) {
+    RepairOptions options;
+    options.work_limit = millions;
+    return options.pair_limit();
+  };
+  EXPECT_EQ(limit(0), 0U);
+  EXPECT_EQ(limit(1e-7), 0U);
+  EXPECT_EQ(limit(0.25), 250000U);
+  EXPECT_EQ(limit(500), 500000000U);
+  EXPECT_EQ(limit(9e12), 9000000000000000000U);
+  EXPECT_EQ(limit(1e13), SIZE_MAX);
+  EXPECT_EQ(limit(1e20), SIZE_MAX);
+  EXPECT_EQ(limit(1.7e308), SIZE_MAX);
+}
+
+}  // namespace
+}  // namespace algebra3d

@@ -1,0 +1,71 @@
+#include "algebra3d/repair/repair_report.h"
+
+#include <algorithm>
+#include <set>
+
+#include <gtest/gtest.h>
+
+namespace algebra3d {
+namespace {
+
+TEST(RepairReport, of_nothing_is_empty) {
+  const RepairReport report;
+  EXPECT_TRUE(report.is_empty());
+  EXPECT_EQ(report.text(), "");
+  EXPECT_EQ(report.deviation(), 0);
+  EXPECT_EQ(report.find(RepairStep::holes), nullptr);
+}
+
+TEST(RepairReport, counts_by_step_with_the_first_place_and_the_largest_distance) {
+  RepairReport report;
+  report.add(RepairStep::holes, {1, 2, 3}, 0.5);
+  report.add(RepairStep::cracks, {4, 5, 6}, 0.25);
+  report.add(RepairStep::holes, {7, 8, 9}, 2);
+  report.add(RepairStep::holes, {7, 8, 9}, 1);
+  report.add(RepairStep::duplicate_facets, {0, 0, 1});
+  const RepairEntry* holes = report.find(RepairStep::holes);
+  ASSERT_NE(holes, nullptr);
+  EXPECT_EQ(holes->count, 3U);
+  EXPECT_EQ(holes->where, (Vec3{1, 2, 3}));
+  EXPECT_EQ(holes->largest, 2);
+  EXPECT_EQ(report.deviation(), 2);
+  EXPECT_EQ(report.find(RepairStep::open_holes), nullptr);
+  EXPECT_FALSE(report.is_empty());
+  EXPECT_EQ(
+      report.text(),
+      "1 duplicate facet dropped (near (0 0 1)), 1 vertex moved across a crack (near (4 5 6)), 3 holes closed (near "
+      "(1 2 3)); at most 2 from the facets");
+}
+
+TEST(RepairReport, entries_are_in_the_order_of_the_steps_however_they_come) {
+  for (std::size_t first = 0; first < kRepairSteps; ++first) {
+    RepairReport report;
+    for (std::size_t i = 0; i < kRepairSteps; ++i)
+      for (std::size_t n = 0; n <= i; ++n) report.add(static_cast<RepairStep>((first + 5 * i) % kRepairSteps), {});
+    ASSERT_EQ(report.entries.size(), kRepairSteps);
+    for (std::size_t i = 0; i < kRepairSteps; ++i) {
+      const auto step = static_cast<RepairStep>((first + 5 * i) % kRepairSteps);
+      EXPECT_EQ(report.find(step)->count, i + 1);
+      EXPECT_EQ(report.entries[static_cast<std::size_t>(step)].step, step);
+    }
+  }
+}
+
+TEST(RepairReport, names_and_wordings_are_all_different) {
+  std::set<std::string> names, texts;
+  for (std::size_t i = 0; i < kRepairSteps; ++i) {
+    names.emplace(name_of(static_cast<RepairStep>(i)));
+    RepairReport report;
+    report.add(static_cast<RepairStep>(i), {});
+    texts.insert(report.text());
+    report.add(static_cast<RepairStep>(i), {});
+    texts.insert(report.text());
+  }
+  EXPECT_EQ(names.size(), kRepairSteps);
+  EXPECT_FALSE(names.contains(""));
+  EXPECT_EQ(texts.size(), 2 * kRepairSteps);
+  EXPECT_EQ(name_of(RepairStep::cracks), "cracks");
+}
+
+}  // namespace
+}  // namespace algebra3d

@@ -1,0 +1,154 @@
+#include "algebra3d/repair/shell_orientation.h"
+
+#include <atomic>
+
+#include "unit/repair/soups.h"
+
+namespace algebra3d::soups {
+namespace {
+
+/// A cube that may hold others, and which way it looks.
+struct Skin {
+  double low, high, x;
+  bool looks_in;
+
+  Rational volume() const { return Rational((high - low) * (high - low) * (high - low)); }
+  TriangleSoup soup() const {
+    const TriangleSoup cube = shifted(cube_soup(low, high), {x, 0, 0});
+    return looks_in ? turned(cube) : cube;
+  }
+  bool holds(const Skin& other) const { return x == other.x && low < other.low && other.high < high; }
+};
+
+/// The rules of the header, for cubes of which no two have the same size.
+std::vector<Skin> oriented_by_the_rules(std::vector<Skin> skins) {
+  Rational total(0);
+  for (const Skin& skin : skins) total = skin.looks_in ? total - skin.volume() : total + skin.volume();
+  if (total.sign() < 0)
+    for (Skin& skin : skins) skin.looks_in = !skin.looks_in;
+  std::ranges::sort(skins, [](const Skin& a, const Skin& b) { return a.volume() > b.volume(); });
+  for (std::size_t i = 0; i < skins.size(); ++i) {
+    int around = 0;
+    for (std::size_t k = 0; k < i; ++k)
+      if (skins[k].holds(skins[i])) around += skins[k].looks_in ? -1 : 1;
+    if (around <= 0) skins[i].looks_in = false;
+  }
+  return skins;
+}
+
+TriangleSoup soup_of_all(const std::vector<Skin>& skins) {
+  TriangleSoup soup;
+  for (const Skin& skin : skins) soup = joined(std::move(soup), skin.soup());
+  return soup;
+}
+
+TEST(ShellOrientation, follows_the_rules_for_nested_shells_in_any_order) {
+  for (int seed = 1; seed <= 80; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Chance chance(static_cast<std::uint64_t>(seed));
+    std::vector<Skin> skins;
+    const int count = chance.between(1, 7);
+    // Onions at two places; sizes differ by quarters.
+    for (int i = 0; i < count; ++i)
+      skins.push_back({i * 1.0, 20 - i - chance.below(2) * 0.25, chance.one_in(3) ? 40.0 : 0.0, chance.one_in(2)});
+    TriangleSoup soup = soup_of_all(skins);
+    shuffle(soup, chance);
+    FacetList facets = facets_of(soup);
+    const auto before = facets.triangles;
+    RepairReport report;
+    ASSERT_TRUE(orient_shells(facets, report).ok());
+    const std::vector<Skin> expected = oriented_by_the_rules(skins);
+    EXPECT_EQ(in_order(soup_of(facets)), in_order(soup_of_all(expected)));
+    std::uint64_t turned_facets = 0;
+    for (std::size_t f = 0; f < before.size(); ++f) turned_facets += before[f] == facets.triangles[f] ? 0 : 1;
+    EXPECT_EQ(12 * count_of(report, RepairStep::turned_shells), turned_facets);
+    EXPECT_EQ(report.deviation(), 0);
+  }
+}
+
+TEST(ShellOrientation, solids_stay_as_they_are) {
+  for (const TriangleMesh& mesh :
+       {samples::torus(9, 7), samples::MeshMaker().box({0, 0, 0}, {6, 6, 6}).box({1, 1, 1}, {5, 5, 5}, true).mesh(),
+        TriangleMesh()}) {
+    FacetList facets = facets_of(soup_of(mesh));
+    const auto before = facets.triangles;
+    RepairReport report;
+    ASSERT_TRUE(orient_shells(facets, report).ok());
+    EXPECT_EQ(facets.triangles, before);
+    EXPECT_TRUE(report.is_empty());
+  }
+}
+
+TEST(ShellOrientation, what_is_not_quite_closed_is_turned_by_its_pyramids) {
+  for (int seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Chance chance(static_cast<std::uint64_t>(seed));
+    TriangleSoup sphere = soup_of(solids::geodesic_sphere(3));
+    sphere.triangles.erase(sphere.triangles.begin() + chance.below(72));
+    const TriangleSoup cube = shifted(cube_soup(0, 9), {20, 0, 0});
+    FacetList facets = facets_of(joined(cube, turned(sphere)));
+    RepairReport report;
+    ASSERT_TRUE(orient_shells(facets, report).ok());
+    EXPECT_EQ(in_order(soup_of(facets)), in_order(joined(cube, sphere)));
+    EXPECT_EQ(count_of(report, RepairStep::turned_shells), 1U);
+  }
+}
+
+// They were one shell once, whose volume was the difference of both.
+TEST(ShellOrientation, bodies_that_touch_in_an_edge_are_shells_by_themselves) {
+  const TriangleSoup first = box_soup({0, 0, 0}, {3, 3, 3}), second = box_soup({3, 3, 0}, {5, 5, 3});
+  for (const bool is_first : {false, true}) {
+    FacetList facets = facets_of(is_first ? joined(turned(first), second) : joined(first, turned(second)));
+    ASSERT_EQ(facets.mesh().nonmanifold_edge_count(), 1U);
+    RepairReport report;
+    ASSERT_TRUE(orient_shells(facets, report).ok());
+    EXPECT_EQ(in_order(soup_of(facets)), in_order(joined(first, second)));
+  }
+}
+
+TEST(ShellOrientation, fins_do_not_keep_a_body_from_being_turned) {
+  // Two boxes as one, with a fin twice at the edge between their upper sides: that edge has four facets.
+  TriangleSoup soup = joined(cube_soup(0, 2), shifted(cube_soup(0, 2), {2, 0, 0}));
+  std::erase_if(soup.triangles, [](const SoupTriangle& t) { return t[0].x == 2 && t[1].x == 2 && t[2].x == 2; });
+  const SoupTriangle fin{Vec3{2, 0, 2}, Vec3{2, 2, 2}, Vec3{2, 1, 4}};
+  soup.triangles.push_back(fin);
+  soup.triangles.push_back({fin[0], fin[2], fin[1]});
+  FacetList facets = facets_of(turned(soup));
+  RepairReport report;
+  ASSERT_TRUE(orient_shells(facets, report).ok());
+  EXPECT_EQ(solids::exact_volume_of(facets.mesh()), Rational(16));
+  EXPECT_TRUE(is_consistently_oriented(facets.mesh()));
+}
+
+// Each of two cups has its rim at the edges of four facets, where the ceiling between them is there twice.
+TEST(ShellOrientation, parts_that_are_balanced_only_together_are_turned_together) {
+  const TriangleSoup all = joined(cube_soup(0, 2), shifted(cube_soup(0, 2), {0, 0, 2}));
+  FacetList facets = facets_of(turned(all));
+  RepairReport report;
+  ASSERT_TRUE(orient_shells(facets, report).ok());
+  EXPECT_EQ(in_order(soup_of(facets)), in_order(all));
+  EXPECT_NE(report.find(RepairStep::turned_shells), nullptr);
+}
+
+TEST(ShellOrientation, huge_and_tiny_shells_are_turned_too) {
+  for (const double size : {1e-300, 1e-100, 1e100, 1e300}) {
+    SCOPED_TRACE(size);
+    const TriangleSoup large = scaled(cube_soup(0, 3), size), small = scaled(shifted(cube_soup(0, 2), {5, 5, 5}), size);
+    FacetList facets = facets_of(joined(large, turned(small)));
+    RepairReport report;
+    ASSERT_TRUE(orient_shells(facets, report).ok());
+    EXPECT_EQ(in_order(soup_of(facets)), in_order(joined(large, small)));
+  }
+}
+
+TEST(ShellOrientation, ends_when_asked_to) {
+  FacetList facets = facets_of(cube_soup(0, 1));
+  RepairReport report;
+  const std::atomic<bool> cancel = true;
+  const Status status = orient_shells(facets, report, &cancel);
+  ASSERT_FALSE(status.ok());
+  EXPECT_EQ(status.error().code, ErrorCode::interrupted);
+}
+
+}  // namespace
+}  // namespace algebra3d::soups
