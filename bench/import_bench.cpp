@@ -1,103 +1,176 @@
-// Import of a binary STL file (read, welded, put into spatial order, proved) beside CGAL on the same file in the same
-// run: read as a polygon soup, welded, oriented, made a mesh and searched for self-intersections. CGAL answers whether
-// the mesh is closed and whether some pair intersects; we also prove winding numbers. The kernel is the one CGAL
-// recommends for this (exact predicates, inexact constructions). Compare lines of the same argument.
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/IO/STL.h>
-#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Surface_mesh.h>
-
-#include <cmath>
+// Import of mesh files beside CGAL, admesh and assimp, on the same files in the same run.
+// - clean: 2 million triangles. Ours reads, welds, puts into spatial order and proves. CGAL reads a polygon soup,
+//   welds, orients, makes a mesh, and in `cgal_with_proof` searches for self-intersections (we also prove winding
+//   numbers). admesh looks for what is wrong with edges, assimp only joins vertices.
+// - faulty: 100 thousand and 1 million triangles with no defect, 10, 100 or 1000, at places that are spread evenly.
+//   CGAL repairs the soup, stitches, orients and closes holes, and says whether the result crosses itself; admesh does
+//   what its program does. The counters tell what they leave: only ours has to give a valid solid.
+// - weld: equal corners alone.
+// Compare lines of the same argument. The column CPU is that of all threads of the process.
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <numbers>
+#include <optional>
 #include <string>
-#include <vector>
 
 #include <benchmark/benchmark.h>
 
 #include "algebra3d/operators/import_solid.h"
-#include "stl/stl_writer.h"
+#include "algebra3d/repair/weld.h"
+#include "import_files.h"
+#include "import_peers.h"
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-namespace pmp = CGAL::Polygon_mesh_processing;
+using bench::Defect;
+using bench::Format;
+using bench::PeerMesh;
+using bench::TemporaryFile;
 
-/// A knobbly torus of 4 * steps^2 triangles, in a file that is removed at the end.
-class TorusFile {
- public:
-  explicit TorusFile(std::size_t steps)
-      : path_(std::filesystem::temp_directory_path() / ("import_bench_" + std::to_string(steps) + ".stl")) {
-    algebra3d::TriangleSoup soup;
-    const auto corner = [&](std::size_t i, std::size_t j) {
-      const double u = std::numbers::pi * static_cast<double>(i % (2 * steps)) / static_cast<double>(steps);
-      const double v = 2 * std::numbers::pi * static_cast<double>(j % steps) / static_cast<double>(steps);
-      const double minor = 10 + std::sin(11 * u) * std::cos(7 * v);
-      const double radius = 40 + minor * std::cos(v);
-      const auto as_float = [](double x) { return static_cast<double>(static_cast<float>(x)); };
-      return algebra3d::Vec3{as_float(radius * std::cos(u)), as_float(radius * std::sin(u)),
-                             as_float(minor * std::sin(v))};
-    };
-    for (std::size_t i = 0; i < 2 * steps; ++i)
-      for (std::size_t j = 0; j < steps; ++j) {
-        soup.triangles.push_back({corner(i, j), corner(i + 1, j), corner(i + 1, j + 1)});
-        soup.triangles.push_back({corner(i, j), corner(i + 1, j + 1), corner(i, j + 1)});
-      }
-    is_written_ = stl::write_stl_file(path_, soup, "torus", stl::Format::binary).ok();
-  }
-  TorusFile(const TorusFile&) = delete;
-  TorusFile& operator=(const TorusFile&) = delete;
-  ~TorusFile() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-  }
+constexpr std::uint32_t kCleanSteps = 707;
 
-  const std::filesystem::path& path() const { return path_; }
-  bool is_written() const { return is_written_; }
-
- private:
-  std::filesystem::path path_;
-  bool is_written_ = false;
-};
-
-void import_ours(benchmark::State& state) {
-  const TorusFile file(static_cast<std::size_t>(state.range(0)));
+void import_ours(benchmark::State& state, const TemporaryFile& file) {
   if (!file.is_written()) return state.SkipWithError("the file cannot be written");
   std::size_t triangles = 0;
   for (auto step : state) {
     const auto imported = algebra3d::import_solid(file.path());
-    if (!imported || !imported->solid) return state.SkipWithError("no solid");
+    if (!imported) return state.SkipWithError("failed");
+    if (!imported->solid) return state.SkipWithError(imported->status.c_str());
     triangles = imported->solid->mesh().face_count();
   }
   state.counters["triangles"] = static_cast<double>(triangles);
+  state.SetBytesProcessed(state.iterations() * file.bytes());
 }
 
-void import_cgal(benchmark::State& state) {
-  const TorusFile file(static_cast<std::size_t>(state.range(0)));
+void import_theirs(benchmark::State& state, const TemporaryFile& file, auto import) {
   if (!file.is_written()) return state.SkipWithError("the file cannot be written");
-  std::size_t triangles = 0;
+  PeerMesh made;
   for (auto step : state) {
-    std::vector<Kernel::Point_3> points;
-    std::vector<std::vector<std::size_t>> polygons;
-    if (!CGAL::IO::read_STL(file.path().string(), points, polygons)) return state.SkipWithError("not read");
-    pmp::merge_duplicate_points_in_polygon_soup(points, polygons);
-    pmp::orient_polygon_soup(points, polygons);
-    Mesh mesh;
-    pmp::polygon_soup_to_polygon_mesh(points, polygons, mesh);
-    if (!CGAL::is_closed(mesh) || pmp::does_self_intersect(mesh)) return state.SkipWithError("no solid");
-    triangles = mesh.number_of_faces();
+    made = import(file.path());
+    if (!made.failure.empty()) return state.SkipWithError(made.failure.c_str());
   }
-  state.counters["triangles"] = static_cast<double>(triangles);
+  state.counters["triangles"] = static_cast<double>(made.triangles);
+  state.counters["closed"] = made.is_closed ? 1 : 0;
+  state.counters["crosses_itself"] = made.crosses_itself ? 1 : 0;
+  state.SetBytesProcessed(state.iterations() * file.bytes());
 }
 
-BENCHMARK(import_ours)->Arg(100)->Arg(224)->Arg(707)->Unit(benchmark::kMillisecond);
-BENCHMARK(import_cgal)->Arg(100)->Arg(224)->Arg(707)->Unit(benchmark::kMillisecond);
+void clean_ours(benchmark::State& state, Format format) {
+  import_ours(state, TemporaryFile(format, kCleanSteps));
+}
+template <typename Import>
+void clean_theirs(benchmark::State& state, Format format, Import import) {
+  import_theirs(state, TemporaryFile(format, kCleanSteps), import);
+}
+
+/// Arguments: steps, defects.
+TemporaryFile faulty_file(const benchmark::State& state, Defect defect) {
+  return TemporaryFile(bench::faulty_torus(static_cast<std::uint32_t>(state.range(0)), defect,
+                                           static_cast<std::uint32_t>(state.range(1))));
+}
+void faulty_ours(benchmark::State& state, Defect defect) {
+  import_ours(state, faulty_file(state, defect));
+}
+template <typename Repair>
+void faulty_theirs(benchmark::State& state, Repair repair) {
+  import_theirs(state, faulty_file(state, Defect::all), repair);
+}
+
+void weld_ours(benchmark::State& state) {
+  const auto soup = bench::faulty_torus(kCleanSteps, Defect::all, 0);
+  for (auto step : state) benchmark::DoNotOptimize(algebra3d::weld(soup.triangles));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(soup.triangles.size()));
+}
+
+void weld_cgal(benchmark::State& state) {
+  const auto soup = bench::faulty_torus(kCleanSteps, Defect::all, 0);
+  std::optional<bench::CgalSoup> cgal;  // made and destroyed outside of the time
+  for (auto step : state) {
+    state.PauseTiming();
+    cgal.emplace(soup.triangles);
+    state.ResumeTiming();
+    benchmark::DoNotOptimize(cgal->merge());
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(soup.triangles.size()));
+}
+
+PeerMesh cgal_with_proof(const std::filesystem::path& path) {
+  return bench::import_with_cgal(path, true);
+}
+PeerMesh cgal_without_proof(const std::filesystem::path& path) {
+  return bench::import_with_cgal(path, false);
+}
+
+using Name = std::string;
+
+void set_up(benchmark::internal::Benchmark* benchmark) {
+  benchmark->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+}
+
+void register_clean(const Name& format_name, Format format) {
+  const Name of_format = "/" + format_name;
+  const auto add = [&](const Name& peer, auto import) {
+    set_up(benchmark::RegisterBenchmark(
+        ("clean" + of_format + "/" + peer).c_str(),
+        [format, import](benchmark::State& state) { clean_theirs(state, format, import); }));
+  };
+  set_up(benchmark::RegisterBenchmark(("clean" + of_format + "/ours").c_str(),
+                                      [format](benchmark::State& state) { clean_ours(state, format); }));
+  add("cgal_with_proof", cgal_with_proof);
+  if (format == Format::stl) add("cgal_without_proof", cgal_without_proof);
+#ifdef BENCH_WITH_ADMESH
+  if (format == Format::stl || format == Format::ascii_stl) add("admesh", bench::repair_with_admesh);
+#endif
+#ifdef BENCH_WITH_ASSIMP
+  add("assimp", bench::import_with_assimp);
+#endif
+}
+
+void faulty_arguments(benchmark::internal::Benchmark* benchmark) {
+  set_up(benchmark);
+  benchmark->ArgNames({"steps", "defects"});
+  for (const std::int64_t steps : {158, 500})
+    for (const std::int64_t defects : {0, 10, 100, 1000}) benchmark->Args({steps, defects});
+}
+
+void register_faulty(const Name& name, Defect defect) {
+  faulty_arguments(benchmark::RegisterBenchmark(("faulty/" + name + "/ours").c_str(),
+                                                [defect](benchmark::State& state) { faulty_ours(state, defect); }));
+}
+
+void register_faulty_peers() {
+  const auto add = [](const Name& peer, auto repair) {
+    faulty_arguments(benchmark::RegisterBenchmark(("faulty/all/" + peer).c_str(),
+                                                  [repair](benchmark::State& state) { faulty_theirs(state, repair); }));
+  };
+  add("cgal", bench::repair_with_cgal);
+#ifdef BENCH_WITH_ADMESH
+  add("admesh", bench::repair_with_admesh);
+#endif
+}
+
+void register_all() {
+  register_clean("stl", Format::stl);
+  register_clean("ascii_stl", Format::ascii_stl);
+  register_clean("obj", Format::obj);
+  register_clean("off", Format::off);
+  set_up(benchmark::RegisterBenchmark("weld/ours", weld_ours));
+  set_up(benchmark::RegisterBenchmark("weld/cgal", weld_cgal));
+  register_faulty("all", Defect::all);
+  register_faulty_peers();
+  register_faulty("hole", Defect::hole);
+  register_faulty("flipped", Defect::flipped);
+  register_faulty("crack", Defect::crack);
+  register_faulty("duplicate", Defect::duplicate);
+  register_faulty("body", Defect::body);
+}
 
 }  // namespace
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  register_all();
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}
