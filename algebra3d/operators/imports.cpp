@@ -61,13 +61,15 @@ constexpr const char* kRepairDetail =
     "accepted as it is, with its triangles in spatial order. Everything else is repaired: a diagnostic says what was "
     "changed and how far from the facets, and `repairReport` says more. What cannot be repaired, a missing or "
     "malformed "
-    "file too, is undefined, with the defects and the reason. A file without facets is the empty solid. Options, "
+    "file too, is undefined, with the defects and the reason. A file without facets, or of which none has an area, is "
+    "the empty solid. Options, "
     "separated by semicolons: `cracks=0.001` (vertices on open edges that are closer are joined; by default 1e-4 of "
     "the "
     "diagonal), `holes=20` (diameter of the largest hole that is closed; by default all are), `cavities=drop` (they "
     "are "
     "filled), `smallest=0.5` (bodies and cavities with less volume are left out), `work=500` (million pairs of near "
-    "triangles, after which a file is given up), `strict` (no repair). Relative names start at the folder of the "
+    "triangles, after which a file is given up), `strict` (what is no solid is not repaired). Relative names start at "
+    "the folder of the "
     "session.";
 
 template <MeshFormat kFormat>
@@ -87,7 +89,7 @@ void register_import(Registry& registry, const std::string& doc, const std::stri
       .errors = {{"query " + name + "(\"part" + ending + "\")",
                   name + ": expected (text) or (text text), got (string)"},
                  {"query " + name + "('part" + ending + "', 'cracks=wide')",
-                  name + ": option 'cracks' is 'wide'; expected a number that is not negative"}},
+                  name + ": option 'cracks' is 'wide'; expected a number from 0 on within the range of doubles"}},
   });
 }
 

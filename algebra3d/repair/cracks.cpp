@@ -135,22 +135,13 @@ class Joins {
       reach_[edge.to] = std::min(reach_[edge.to], third);
     }
     for (const TriangleMesh::Triangle& triangle : facets.triangles)
-      for (std::size_t i = 0; i < 3; ++i) {
-        if (!std::ranges::binary_search(boundary.vertices, triangle[i])) continue;
-        for (std::size_t k = 1; k < 3; ++k) neighbours_[triangle[i]].push_back(triangle[(i + k) % 3]);
-        Vec3& normal = normals_[triangle[i]];
-        normal = normal + cross(facets.points[triangle[1]] - facets.points[triangle[0]],
-                                facets.points[triangle[2]] - facets.points[triangle[0]]);
-      }
+      for (std::size_t i = 0; i < 3; ++i)
+        if (std::ranges::binary_search(boundary.vertices, triangle[i]))
+          for (std::size_t k = 1; k < 3; ++k) neighbours_[triangle[i]].push_back(triangle[(i + k) % 3]);
   }
 
   double reach(std::uint32_t vertex) const { return reach_[vertex]; }
   std::uint32_t find(std::uint32_t vertex) { return sets_.find(vertex); }
-  /// False if the facets at the two look in nearly opposite directions: these are the two sides of a wall.
-  bool look_alike(std::uint32_t a, std::uint32_t b) const {
-    const Vec3 &one = normals_.at(a), &other = normals_.at(b);
-    return dot(one, other) >= -0.5 * std::sqrt(dot(one, one)) * std::sqrt(dot(other, other));
-  }
   void join(std::uint32_t a, std::uint32_t b);
 
  private:
@@ -166,7 +157,6 @@ class Joins {
   arrangement::DisjointSets sets_;
   std::vector<double> reach_;
   std::map<std::uint32_t, std::vector<std::uint32_t>> neighbours_, members_;
-  std::map<std::uint32_t, Vec3> normals_;
 };
 
 /// True if a facet has corners in both sets.
@@ -184,7 +174,7 @@ void Joins::join(std::uint32_t a, std::uint32_t b) {
   if (a > b) std::swap(a, b);
   for (const std::uint32_t member : members(b))
     if (distance(facets_.points[member], facets_.points[a]) > tolerance_) return;
-  if (share_a_facet(a, b) || !look_alike(a, b)) return;
+  if (share_a_facet(a, b)) return;
   sets_.unite(a, b);
   auto& joined = members(a);
   joined.insert(joined.end(), members_[b].begin(), members_[b].end());

@@ -13,9 +13,8 @@ void divide_edges(FacetList& facets, RepairReport& report);
 /// Joins boundary vertices no farther apart than the tolerance, nearest first, and divides boundary edges at the
 /// boundary vertices that are no farther from them than that. The vertex with the lower number stays where it is. Never
 /// joins the corners of one facet, nor two vertices that are farther apart than a third of a boundary edge at one of
-/// them, so no facet vanishes; nor two whose facets look in nearly opposite directions, as on both sides of a thin
-/// wall. Facets may become degenerate or turn over where they are thinner than the tolerance. Cost: n log n in the
-/// boundary edges.
+/// them; so no facet vanishes. Facets may become degenerate or turn over where they are thinner than the tolerance.
+/// Cost: n log n in the boundary edges.
 void close_cracks(FacetList& facets, double tolerance, RepairReport& report);
 
 }  // namespace algebra3d

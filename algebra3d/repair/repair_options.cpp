@@ -21,7 +21,8 @@ std::string_view without_blanks(std::string_view text) {
 Result<double> parse_amount(std::string_view name, std::string_view text) {
   const std::optional<double> number = parse_real(text);
   if (!number || !std::isfinite(*number) || *number < 0)
-    return Error{ErrorCode::invalid_value, "option '{}' is '{}'; expected a number that is not negative", name, text};
+    return Error{ErrorCode::invalid_value,
+                 "option '{}' is '{}'; expected a number from 0 on within the range of doubles", name, text};
   return *number;
 }
 

@@ -1,33 +1,47 @@
 #include "queries/importer/import_command.h"
 
+#include <cmath>
+#include <optional>
+#include <string>
+
 #include <CLI/CLI.hpp>
+
+#include "algebra3d/base/number_text.h"
 
 namespace queries {
 namespace {
 
+/// A number that is not negative, as in the options of importSTL.
+const CLI::Validator kAmount(
+    [](const std::string& text) {
+      const std::optional<double> number = algebra3d::parse_real(text);
+      const bool is_amount = number && std::isfinite(*number) && *number >= 0;
+      return is_amount ? std::string() : "'" + text + "' is no number from 0 on within the range of doubles";
+    },
+    "");
+
 void add_repair_options(CLI::App& import, algebra3d::RepairOptions& repair) {
-  constexpr double kMost = 1e300;
   CLI::Option_group* group = import.add_option_group("Repair", "What may be done to files that are no valid solids");
   group->add_flag("--strict", repair.is_strict, "Nothing: they are taken in with an undefined Solid and the defects");
   group
       ->add_option("--cracks", repair.crack_tolerance,
                    "Vertices on open edges that are closer than this are joined (default: 1e-4 of the diagonal)")
       ->type_name("LENGTH")
-      ->check(CLI::Range(0.0, kMost));
+      ->check(kAmount);
   group
       ->add_option("--largest-hole", repair.largest_hole,
                    "Diameter of the largest hole that is closed (default: all are)")
       ->type_name("LENGTH")
-      ->check(CLI::Range(0.0, kMost));
+      ->check(kAmount);
   group->add_flag("!--drop-cavities", repair.keeps_cavities, "Fill cavities");
   group->add_option("--smallest-shell", repair.smallest_shell, "Leave out bodies and cavities with less volume")
       ->type_name("VOLUME")
-      ->check(CLI::Range(0.0, kMost));
+      ->check(kAmount);
   group
       ->add_option("--work", repair.work_limit,
                    "Give a file up after so many million pairs of triangles that are near each other")
       ->type_name("MILLIONS")
-      ->check(CLI::Range(0.0, kMost))
+      ->check(kAmount)
       ->capture_default_str();
 }
 

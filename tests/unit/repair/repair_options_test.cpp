@@ -59,7 +59,7 @@ TEST(RepairOptions, that_make_no_sense_are_refused_with_what_was_found_and_expec
   EXPECT_EQ(complaint_about("strict=yes"), "option 'strict' is 'yes'; it takes no value");
   for (const std::string value : {"", "-1", "-0.001", "abc", "1,5", "1 2", "nan", "inf", "-inf", "1e999", "0x10", "1="})
     EXPECT_EQ(complaint_about("holes=" + value),
-              "option 'holes' is '" + value + "'; expected a number that is not negative");
+              "option 'holes' is '" + value + "'; expected a number from 0 on within the range of doubles");
   EXPECT_NE(complaint_about("cracks"), "");
   EXPECT_NE(complaint_about("STRICT"), "");
   EXPECT_NE(complaint_about(std::string("holes=1\0", 8)), "");

@@ -41,10 +41,10 @@ TEST(RepairReport, entries_are_in_the_order_of_the_steps_however_they_come) {
   for (std::size_t first = 0; first < kRepairSteps; ++first) {
     RepairReport report;
     for (std::size_t i = 0; i < kRepairSteps; ++i)
-      for (std::size_t n = 0; n <= i; ++n) report.add(static_cast<RepairStep>((first + 5 * i) % kRepairSteps), {});
+      for (std::size_t n = 0; n <= i; ++n) report.add(static_cast<RepairStep>((first + 7 * i) % kRepairSteps), {});
     ASSERT_EQ(report.entries.size(), kRepairSteps);
     for (std::size_t i = 0; i < kRepairSteps; ++i) {
-      const auto step = static_cast<RepairStep>((first + 5 * i) % kRepairSteps);
+      const auto step = static_cast<RepairStep>((first + 7 * i) % kRepairSteps);
       EXPECT_EQ(report.find(step)->count, i + 1);
       EXPECT_EQ(report.entries[static_cast<std::size_t>(step)].step, step);
     }

@@ -15,7 +15,7 @@ Result<TriangleMesh> tolerant_solid_of(const TriangleSoup& soup, std::size_t max
   const FacetList facets = facets_of(soup);
   const auto parts = ValidParts::make(facets.mesh());
   EXPECT_TRUE(parts.ok());
-  return tolerant_solid(facets, *parts, monitor, max_pairs, max_angles);
+  return tolerant_solid(facets, *parts, monitor, {Closure::together, max_pairs}, max_angles);
 }
 
 void expect_tolerated(const TriangleSoup& soup, const Rational& volume) {
