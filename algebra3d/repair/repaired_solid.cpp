@@ -103,8 +103,10 @@ void Repair::drop_facets(bool has_degenerate, bool has_duplicates) {
   RepairReport report = report_;
   drop_duplicate_facets(rest, report);
   if (rest.triangles.size() == facets_.triangles.size()) return;
-  // Closed shells that share facets would be open without them, and winding numbers count them all.
-  if (is_balanced(mesh()) && has_open_edges(rest.mesh())) return;
+  // Closed shells that share facets would be open without them, and winding numbers count them all. Where half of them
+  // or more would go, everything is double, and balances for that reason alone.
+  const bool is_double = 2 * rest.triangles.size() <= facets_.triangles.size();
+  if (!is_double && is_balanced(mesh()) && has_open_edges(rest.mesh())) return;
   facets_ = std::move(rest);
   report_ = std::move(report);
   mesh_.reset();
