@@ -85,6 +85,7 @@ void register_import(Registry& registry, const std::string& doc, const std::stri
       .overloads = {overload<&import_file<kFormat>>("file"), overload<&import_as_told<kFormat>>("file", "options")},
       .examples = {{"isEmpty(" + missing + ")", "TRUE"},
                    {missing, "undefined"},
+                   {name + "('no such file" + ending + "', 'cracks=0.001; strict')", "undefined"},
                    {name + "([const text value undefined])", "undefined"}},
       .errors = {{"query " + name + "(\"part" + ending + "\")",
                   name + ": expected (text) or (text text), got (string)"},
@@ -111,7 +112,9 @@ void register_imports(Registry& registry) {
       .detail = "Counts each kind of defect, and says where the first one is. Nothing is repaired.",
       .exactness = Exactness::exact,
       .overloads = {overload<&check_stl>("file")},
-      .examples = {{"checkSTL([const text value undefined])", "undefined"}},
+      .examples = {{"checkSTL('no such file.stl') contains 'No such file'", "TRUE"},
+                   {"checkSTL([const text value undefined])", "undefined"}},
+      .errors = {{"query checkSTL(5)", "checkSTL: expected (text), got (int)"}},
   });
   registry.add({
       .name = "importSurface",
@@ -126,8 +129,10 @@ void register_imports(Registry& registry) {
           "says which format it has or, if that leaves doubts, its name.",
       .exactness = Exactness::exact,
       .overloads = {overload<&import_as_surface>("file")},
-      .examples = {{"importSurface('no such file.stl')", "undefined"},
+      .examples = {{"isdefined(importSurface('no such file.stl'))", "FALSE"},
+                   {"importSurface('no such file.stl')", "undefined"},
                    {"importSurface([const text value undefined])", "undefined"}},
+      .errors = {{"query importSurface(5)", "importSurface: expected (text), got (int)"}},
   });
 }
 

@@ -47,11 +47,11 @@ Hole hole_of(const TriangleMesh& mesh, const std::vector<HalfedgeId>& boundary) 
   Hole hole;
   hole.facet = TriangleMesh::face(boundary[0]).index();
   // New facets run against the boundary.
-  for (auto h = boundary.rbegin(); h != boundary.rend(); ++h) {
-    const VertexId from = mesh.target(*h);
+  for (std::size_t i = boundary.size(); i-- > 0;) {
+    const VertexId from = mesh.target(boundary[i]);
     hole.vertices.push_back(from.index());
     hole.loop.corners.push_back(mesh.point(from).approx);
-    hole.loop.beyond.push_back(mesh.point(mesh.origin(TriangleMesh::prev(*h))).approx);
+    hole.loop.beyond.push_back(mesh.point(mesh.origin(TriangleMesh::prev(boundary[i]))).approx);
   }
   return hole;
 }

@@ -104,7 +104,8 @@ Operator exchanging(Operator op, Exchanges& exchanges) {
       const std::array exchanged = {values[1], values[0]};
       const auto other = plain(exchanged, context);
       const auto* const a = std::get_if<algebra3d::Value>(&*answer);
-      const auto* const b = std::get_if<algebra3d::Value>(&*other);
+      // Exchanged, the operands may be an error.
+      const auto* const b = other.ok() ? std::get_if<algebra3d::Value>(&*other) : nullptr;
       const bool differs = (a == nullptr) != (b == nullptr) || (a != nullptr && compare(*a, *b) != 0);
       exchanges.of_symmetric += is_symmetric ? 1 : 0;
       (is_symmetric ? exchanges.differing : exchanges.differing_others) += differs ? 1 : 0;
