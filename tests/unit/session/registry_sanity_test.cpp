@@ -106,7 +106,8 @@ Operator exchanging(Operator op, Exchanges& exchanges) {
       const auto* const a = std::get_if<algebra3d::Value>(&*answer);
       // Exchanged, the operands may be an error.
       const auto* const b = other.ok() ? std::get_if<algebra3d::Value>(&*other) : nullptr;
-      const bool differs = (a == nullptr) != (b == nullptr) || (a != nullptr && compare(*a, *b) != 0);
+      const bool differs =
+          answer.ok() != other.ok() || (a == nullptr) != (b == nullptr) || (a != nullptr && compare(*a, *b) != 0);
       exchanges.of_symmetric += is_symmetric ? 1 : 0;
       (is_symmetric ? exchanges.differing : exchanges.differing_others) += differs ? 1 : 0;
       return answer;
