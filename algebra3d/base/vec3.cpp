@@ -4,6 +4,10 @@
 
 namespace algebra3d {
 
+double length(const Vec3& v) {
+  return std::hypot(v.x, v.y, v.z);
+}
+
 bool is_finite(const Vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }

@@ -28,6 +28,9 @@ inline Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+/// Rounded; neither overflows nor vanishes where the length itself does not.
+double length(const Vec3& v);
+
 /// True if no coordinate is NaN or infinite.
 bool is_finite(const Vec3& v);
 

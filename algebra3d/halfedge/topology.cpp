@@ -144,6 +144,12 @@ bool is_manifold(const TriangleMesh& mesh) {
   return mesh.nonmanifold_edge_count() == 0 && mesh.nonmanifold_vertices().empty();
 }
 
+bool is_balanced(const TriangleMesh& mesh, std::span<const HalfedgeId> edge) {
+  const auto forward =
+      std::ranges::count_if(edge, [&](HalfedgeId h) { return mesh.origin(h) == mesh.origin(edge[0]); });
+  return 2 * static_cast<std::size_t>(forward) == edge.size();
+}
+
 bool is_consistently_oriented(const TriangleMesh& mesh) {
   for (std::size_t n = 0; n < mesh.nonmanifold_edge_count(); ++n) {
     std::int64_t balance = 0;

@@ -44,6 +44,8 @@ bool is_closed(const TriangleMesh& mesh);
 /// True if no edge and no vertex is non-manifold; then the surface is also consistently oriented, since the half-edges
 /// of a manifold edge run in opposite directions.
 bool is_manifold(const TriangleMesh& mesh);
+/// True if of the half-edges along one edge as many run one way as the other.
+bool is_balanced(const TriangleMesh& mesh, std::span<const HalfedgeId> edge);
 /// True if along every edge that is not boundary as many half-edges run one way as the other. Half-edges from a vertex
 /// to itself do not count.
 bool is_consistently_oriented(const TriangleMesh& mesh);

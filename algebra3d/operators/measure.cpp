@@ -1,7 +1,7 @@
 // volume, volumeExact, area, centroid.
 #include "algebra3d/exact/exact_sum.h"
+#include "algebra3d/halfedge/mesh_triangles.h"
 #include "algebra3d/operators/all.h"
-#include "algebra3d/operators/mesh_triangles.h"
 #include "algebra3d/operators/sample_values.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/types/scalars.h"

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "algebra3d/exact/affine_map.h"
+#include "algebra3d/halfedge/mesh_triangles.h"
 #include "algebra3d/operators/all.h"
-#include "algebra3d/operators/mesh_triangles.h"
 #include "algebra3d/operators/sample_values.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/repair/weld.h"

@@ -16,7 +16,7 @@ namespace {
 using Tree = rtree::RTree<std::uint32_t>;
 
 double distance(const Vec3& a, const Vec3& b) {
-  return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
+  return length(a - b);
 }
 
 Box3 widened(Box3 box, double by) {

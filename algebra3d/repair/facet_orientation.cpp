@@ -10,10 +10,6 @@ namespace {
 
 constexpr std::uint32_t kNoPart = 0xFFFFFFFF;
 
-double length(const Vec3& v) {
-  return std::hypot(v.x, v.y, v.z);
-}
-
 double area(const FacetList& facets, std::size_t f) {
   return length(cross(facets.corner(f, 1) - facets.corner(f, 0), facets.corner(f, 2) - facets.corner(f, 0))) / 2;
 }

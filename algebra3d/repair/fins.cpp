@@ -1,10 +1,9 @@
 #include "algebra3d/repair/fins.h"
 
-#include <cstdlib>
 #include <map>
 #include <vector>
 
-#include "algebra3d/arrangement/disjoint_sets.h"
+#include "algebra3d/repair/facet_parts.h"
 
 namespace algebra3d {
 namespace {
@@ -15,16 +14,6 @@ struct Part {
   bool hangs = false;      ///< an edge of more than two facets
   bool is_needed = false;  ///< by the others at such an edge
 };
-
-arrangement::DisjointSets parts_of(const TriangleMesh& mesh) {
-  arrangement::DisjointSets sets(mesh.face_count());
-  for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h)
-    if (const HalfedgeId other = mesh.opposite(HalfedgeId(h)); other.is_valid()) sets.unite(h / 3, other.index() / 3);
-  for (std::size_t n = 0; n < mesh.nonmanifold_edge_count(); ++n)
-    if (const auto edge = mesh.nonmanifold_edge(n); edge.size() == 2)
-      sets.unite(edge[0].index() / 3, edge[1].index() / 3);
-  return sets;
-}
 
 /// Notes which parts hang on others at the edge, and which of them the others cannot do without.
 void look_at(const TriangleMesh& mesh, std::span<const HalfedgeId> edge, arrangement::DisjointSets& sets,
@@ -48,7 +37,7 @@ void look_at(const TriangleMesh& mesh, std::span<const HalfedgeId> edge, arrange
 /// False if there are none.
 bool drop_some(FacetList& facets, RepairReport& report) {
   const TriangleMesh mesh = facets.mesh();
-  arrangement::DisjointSets sets = parts_of(mesh);
+  arrangement::DisjointSets sets = parts_across_simple_edges(mesh);
   std::vector<Part> parts(mesh.face_count());
   for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h)
     if (mesh.is_boundary(HalfedgeId(h))) parts[sets.find(h / 3)].has_end = true;

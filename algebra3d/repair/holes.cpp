@@ -64,12 +64,11 @@ Box3 box_of(const Hole& hole) {
 
 double diameter(const Hole& hole) {
   const Box3 box = box_of(hole);
-  return std::hypot(box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z);
+  return length(box.max - box.min);
 }
 
 /// No point of the triangle is farther from its corners.
 double reach(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const auto length = [](const Vec3& v) { return std::hypot(v.x, v.y, v.z); };
   const double longest = std::max({length(b - a), length(c - b), length(a - c)});
   // Of that size, so that products neither overflow nor vanish.
   const Vec3 first = (1 / longest) * (b - a), second = (1 / longest) * (c - a);
@@ -84,7 +83,7 @@ double reach(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 double area(const FacetList& facets, const TriangleMesh::Triangle& t) {
   const Vec3 doubled = cross(facets.points[t[1]] - facets.points[t[0]], facets.points[t[2]] - facets.points[t[0]]);
-  return std::hypot(doubled.x, doubled.y, doubled.z) / 2;
+  return length(doubled) / 2;
 }
 
 class HoleCloser {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "algebra3d/exact/exact_sum.h"
+#include "algebra3d/halfedge/mesh_triangles.h"
 #include "algebra3d/halfedge/topology.h"
 #include "algebra3d/repair/winding_solid.h"
 
@@ -34,10 +35,7 @@ Result<TriangleMesh> kept_shells(TriangleMesh solid, const RepairOptions& option
 }
 
 Result<double> nearest_volume(const TriangleMesh& mesh, const Monitor& monitor) {
-  std::vector<TriangleMesh::Triangle> triangles;
-  triangles.reserve(mesh.face_count());
-  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) triangles.push_back(mesh.triangle(FaceId(f)));
-  ASSIGN_OR_RETURN(const Rational volume, exact_volume(mesh.points(), triangles, monitor.cancel()));
+  ASSIGN_OR_RETURN(const Rational volume, exact_volume(mesh.points(), triangles_of(mesh), monitor.cancel()));
   return volume.nearest_double();
 }
 

@@ -8,10 +8,6 @@
 namespace algebra3d {
 namespace {
 
-double norm(const Vec3& v) {
-  return std::hypot(v.x, v.y, v.z);
-}
-
 /// What a triangulation costs: less is better, the bend first.
 struct Cost {
   double bend = 0, area = 0;
@@ -25,7 +21,7 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// Angle by which the surface bends from one triangle to the next, in steps so coarse that rounding does not decide.
 double bend(const Vec3& normal, const Vec3& other) {
-  const double lengths = norm(normal) * norm(other);
+  const double lengths = length(normal) * length(other);
   if (!(lengths > 0)) return 0;
   const double cosine = std::clamp(dot(normal, other) / lengths, -1.0, 1.0);
   return std::round((1 - cosine) * 1e6);
@@ -87,7 +83,7 @@ class LoopTriangulation {
     Cost& best = cost_[at(first, last)];
     for (std::size_t apex = first + 1; apex < last; ++apex) {
       const Vec3 own = normal(first, apex, last);
-      Cost cost{0, norm(own) / 2};
+      Cost cost{0, length(own) / 2};
       if (measure_ == LoopMeasure::bend) {
         cost.bend = std::max(bend(own, normal_beyond(first, apex)), bend(own, normal_beyond(apex, last)));
         if (first == 0 && last + 1 == n_) cost.bend = std::max(cost.bend, bend(own, outer_normal(last)));
@@ -112,7 +108,7 @@ std::pair<std::size_t, std::size_t> best_cut(const Loop& loop) {
   const std::size_t n = loop.corners.size();
   std::vector<double> along(2 * n + 1, 0);
   for (std::size_t i = 0; i < 2 * n; ++i)
-    along[i + 1] = along[i] + norm(loop.corners[(i + 1) % n] - loop.corners[i % n]);
+    along[i + 1] = along[i] + length(loop.corners[(i + 1) % n] - loop.corners[i % n]);
   double best = kInfinite;
   std::pair<std::size_t, std::size_t> cut{0, n / 2};
   // Neither part may be a small rest; so the cuts of a loop are few. Of a large loop some corners are looked at.
@@ -121,7 +117,7 @@ std::pair<std::size_t, std::size_t> best_cut(const Loop& loop) {
   for (std::size_t i = 0; i < n; i += stride)
     for (std::size_t j = i + smallest; j < n && j + smallest <= i + n; j += stride) {
       const double shorter_way = std::min(along[j] - along[i], along[n] - (along[j] - along[i]));
-      const double ratio = norm(loop.corners[j] - loop.corners[i]) / shorter_way;
+      const double ratio = length(loop.corners[j] - loop.corners[i]) / shorter_way;
       if (!(ratio < best)) continue;
       best = ratio;
       cut = {i, j};

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <set>
 #include <string>
 
@@ -50,12 +49,6 @@ Status set_option(RepairOptions& options, std::string_view name, std::string_vie
 }
 
 }  // namespace
-
-ArrangementOptions RepairOptions::limits() const {
-  // Beyond 2^63 the conversion would be undefined.
-  const auto count = [](double number) { return number < 0x1p63 ? static_cast<std::size_t>(number) : SIZE_MAX; };
-  return {Closure::together, count(work_limit * 1e6), count(work_limit * 1e3)};
-}
 
 Result<RepairOptions> parse_repair_options(std::string_view text) {
   RepairOptions options;

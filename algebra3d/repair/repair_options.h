@@ -3,7 +3,6 @@
 #include <optional>
 #include <string_view>
 
-#include "algebra3d/arrangement/arrangement.h"
 #include "algebra3d/base/error.h"
 
 namespace algebra3d {
@@ -24,10 +23,6 @@ struct RepairOptions {
   /// The most pairs of triangles whose boxes meet, of solid angles that are added up, and of thousandths of a cut where
   /// triangles cross, in millions; beyond it the repair gives up.
   double work_limit = 500;
-
-  /// The work limit as pairs of triangles, and as cuts of triangles at each other, of which one is as much work as a
-  /// thousand pairs.
-  ArrangementOptions limits() const;
 
   static RepairOptions strict() {
     RepairOptions options;

@@ -17,6 +17,7 @@
 #include "algebra3d/repair/spatial_order.h"
 #include "algebra3d/repair/tolerant_solid.h"
 #include "algebra3d/repair/winding_solid.h"
+#include "algebra3d/repair/work_limits.h"
 #include "algebra3d/validity/validity.h"
 
 namespace algebra3d {
@@ -29,7 +30,7 @@ double diagonal(const FacetList& facets) {
   for (const TriangleMesh::Triangle& triangle : facets.triangles)
     for (const std::uint32_t corner : triangle) box.extend(facets.points[corner]);
   if (box.is_empty()) return 0;
-  return std::hypot(box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z);
+  return length(box.max - box.min);
 }
 
 bool has_boundary(const TriangleMesh& mesh) {
@@ -45,9 +46,7 @@ bool is_balanced(const TriangleMesh& mesh) {
 bool has_open_edges(const TriangleMesh& mesh) {
   for (std::size_t n = 0; n < mesh.nonmanifold_edge_count(); ++n) {
     const auto edge = mesh.nonmanifold_edge(n);
-    const auto forward =
-        std::ranges::count_if(edge, [&](HalfedgeId h) { return mesh.origin(h) == mesh.origin(edge[0]); });
-    if (edge.size() != 2 && 2 * static_cast<std::size_t>(forward) != edge.size()) return true;
+    if (edge.size() != 2 && !is_balanced(mesh, edge)) return true;
   }
   return has_boundary(mesh);
 }
@@ -167,8 +166,8 @@ Status Repair::divide() {
   for (const FaceId face : parts.lone_faces())
     if (has_manifold_edges(mesh(), face)) report_.add(RepairStep::intersections, facets_.middle(face.index()));
   const auto is_inside = [](int winding) { return winding > 0; };
-  auto solid = is_closed ? winding_solid(parts, is_inside, monitor_, options_.limits())
-                         : tolerant_solid(facets_, parts, monitor_, options_.limits(), options_.work_limit * 1e6);
+  auto solid = is_closed ? winding_solid(parts, is_inside, monitor_, work_limits(options_))
+                         : tolerant_solid(facets_, parts, monitor_, work_limits(options_), options_.work_limit * 1e6);
   if (!solid) return std::move(solid).error();
   solid_ = *std::move(solid);
   report_lost_shells();

@@ -9,9 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/arrangement/disjoint_sets.h"
 #include "algebra3d/exact/exact_sum.h"
 #include "algebra3d/exact/vertical_line.h"
+#include "algebra3d/halfedge/topology.h"
+#include "algebra3d/repair/facet_parts.h"
 
 namespace algebra3d {
 namespace {
@@ -48,12 +49,7 @@ class ShellOrientation {
 
 /// Facets of a shell are in one set.
 arrangement::DisjointSets ShellOrientation::parts() const {
-  arrangement::DisjointSets sets(mesh_.face_count());
-  for (std::uint32_t h = 0; h < mesh_.halfedge_count(); ++h)
-    if (const HalfedgeId other = mesh_.opposite(HalfedgeId(h)); other.is_valid()) sets.unite(h / 3, other.index() / 3);
-  for (std::size_t n = 0; n < mesh_.nonmanifold_edge_count(); ++n)
-    if (const auto edge = mesh_.nonmanifold_edge(n); edge.size() == 2)
-      sets.unite(edge[0].index() / 3, edge[1].index() / 3);
+  arrangement::DisjointSets sets = parts_across_simple_edges(mesh_);
   for (std::size_t n = 0; n < mesh_.nonmanifold_edge_count(); ++n) {
     const auto edge = mesh_.nonmanifold_edge(n);
     std::map<std::uint32_t, int> balances;
@@ -94,10 +90,7 @@ bool ShellOrientation::is_closed(const OrientedShell& shell) const {
       const HalfedgeId halfedge(h);
       if (mesh_.is_boundary(halfedge)) return false;
       if (!mesh_.is_nonmanifold(halfedge)) continue;
-      const auto edge = mesh_.edge_halfedges(halfedge);
-      const auto forward =
-          std::ranges::count_if(edge, [&](HalfedgeId g) { return mesh_.origin(g) == mesh_.origin(edge[0]); });
-      if (2 * static_cast<std::size_t>(forward) != edge.size()) return false;
+      if (!is_balanced(mesh_, mesh_.edge_halfedges(halfedge))) return false;
     }
   return true;
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "algebra3d/base/box3.h"
+#include "algebra3d/halfedge/mesh_triangles.h"
 
 namespace algebra3d {
 namespace {
@@ -109,9 +110,7 @@ WeldedTriangles reordered(const WeldedTriangles& welded, std::span<const std::ui
 }
 
 TriangleMesh in_spatial_order(const TriangleMesh& mesh) {
-  WeldedTriangles result{mesh.points(), {}};
-  result.triangles.reserve(mesh.face_count());
-  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) result.triangles.push_back(mesh.triangle(FaceId(f)));
+  WeldedTriangles result{mesh.points(), triangles_of(mesh)};
   result = reordered(result, spatial_order(result.points.approx(), result.triangles));
   return {std::move(result.points), result.triangles};
 }

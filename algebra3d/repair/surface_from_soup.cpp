@@ -7,6 +7,7 @@
 #include "algebra3d/repair/spatial_order.h"
 #include "algebra3d/repair/valid_parts.h"
 #include "algebra3d/repair/weld.h"
+#include "algebra3d/repair/work_limits.h"
 #include "algebra3d/validity/validity.h"
 
 namespace algebra3d {
@@ -28,7 +29,7 @@ Result<SurfaceFromSoup> surface_from_soup(const TriangleSoup& soup, const Repair
   ASSIGN_OR_RETURN(const ValidParts parts, ValidParts::make(given, monitor));
   for (const FaceId face : parts.lone_faces())
     result.repair.add(RepairStep::intersections, given.corners(face)[0].approx);
-  ASSIGN_OR_RETURN(const TriangleMesh united, unite_surfaces(parts.operands(), monitor, options.limits()));
+  ASSIGN_OR_RETURN(const TriangleMesh united, unite_surfaces(parts.operands(), monitor, work_limits(options)));
   result.mesh = in_spatial_order(united);
   ASSIGN_OR_RETURN(const ValidityReport proof, prove_surface(result.mesh, first));
   if (!proof.is_valid())

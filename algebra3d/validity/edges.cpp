@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "algebra3d/halfedge/topology.h"
+
 namespace algebra3d {
 namespace {
 
@@ -17,12 +19,6 @@ struct Wing {
 Vec3 middle(const TriangleMesh& mesh, HalfedgeId h) {
   // Halved first: the sum of the largest doubles is not finite.
   return 0.5 * mesh.point(mesh.origin(h)).approx + 0.5 * mesh.point(mesh.target(h)).approx;
-}
-
-bool is_balanced(const TriangleMesh& mesh, std::span<const HalfedgeId> edge) {
-  const auto forward =
-      std::ranges::count_if(edge, [&](HalfedgeId h) { return mesh.origin(h) == mesh.origin(edge[0]); });
-  return 2 * static_cast<std::size_t>(forward) == edge.size();
 }
 
 /// Requires that no triangle at the edge is degenerate.

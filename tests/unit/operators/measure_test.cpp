@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "algebra3d/exact/exact_sum.h"
-#include "algebra3d/operators/mesh_triangles.h"
+#include "algebra3d/halfedge/mesh_triangles.h"
 #include "unit/operators/call_operator.h"
 #include "unit/validity/sample_meshes.h"
 

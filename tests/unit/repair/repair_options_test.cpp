@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "algebra3d/repair/work_limits.h"
+
 namespace algebra3d {
 namespace {
 
@@ -69,7 +71,7 @@ TEST(RepairOptions, pairs_are_counted_in_millions) {
   const auto limit = [](double millions) {
     RepairOptions options;
     options.work_limit = millions;
-    return options.limits().max_pairs;
+    return work_limits(options).max_pairs;
   };
   EXPECT_EQ(limit(0), 0U);
   EXPECT_EQ(limit(1e-7), 0U);

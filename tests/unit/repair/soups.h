@@ -93,9 +93,6 @@ inline std::vector<SoupTriangle> in_order(const TriangleSoup& soup) {
   return triangles;
 }
 
-inline double length(const Vec3& v) {
-  return std::hypot(v.x, v.y, v.z);
-}
 inline double area_of(const SoupTriangle& t) {
   return length(cross(t[1] - t[0], t[2] - t[0])) / 2;
 }
