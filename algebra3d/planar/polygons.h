@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "algebra3d/exact/point.h"
+
+namespace algebra3d {
+
+/// Polygons with holes in the plane z = 0: corners in cycles, cycles in faces. The first cycle of a face is its outer
+/// one, the others are its holes. Nothing is promised about their position and sense of rotation: polygon_validity.h
+/// tells whether they bound a region.
+struct Polygons {
+  PointArray corners;                     ///< cycle after cycle, the first corner of a cycle not repeated; z is 0
+  std::vector<std::uint32_t> cycle_ends;  ///< of each cycle: one past its last corner
+  std::vector<std::uint32_t> face_ends;   ///< of each face: one past its last cycle
+
+  std::size_t face_count() const { return face_ends.size(); }
+  std::size_t cycle_count() const { return cycle_ends.size(); }
+  std::uint32_t first_corner(std::size_t cycle) const { return cycle == 0 ? 0 : cycle_ends[cycle - 1]; }
+  std::uint32_t first_cycle(std::size_t face) const { return face == 0 ? 0 : face_ends[face - 1]; }
+
+  friend bool operator==(const Polygons&, const Polygons&) = default;
+};
+
+}  // namespace algebra3d
