@@ -39,7 +39,8 @@ struct Boundary {
   std::vector<std::uint32_t> vertices;  // ascending
 
   explicit Boundary(const FacetList& facets) {
-    const TriangleMesh mesh = facets.mesh();
+    const auto linked = facets.mesh();
+    const TriangleMesh& mesh = *linked;
     for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
       const HalfedgeId halfedge(h);
       if (!mesh.is_boundary(halfedge)) continue;
@@ -69,6 +70,7 @@ void divide(FacetList& facets, std::uint32_t triangle, std::uint32_t corner, std
   facets.triangles[triangle][(corner + 1) % 3] = at.front().vertex;
   for (std::size_t i = 0; i < at.size(); ++i)
     facets.triangles.push_back({at[i].vertex, i + 1 < at.size() ? at[i + 1].vertex : end, apex});
+  facets.changed();
 }
 
 void report_divisions(const FacetList& facets, std::span<const Division> divisions, RepairReport& report) {
@@ -202,11 +204,17 @@ void join_vertices(FacetList& facets, double tolerance, RepairReport& report) {
     }
   std::ranges::sort(pairs);
   for (const NearPair& pair : pairs) joins.join(pair.a, pair.b);
-  for (const std::uint32_t v : boundary.vertices)
-    if (const std::uint32_t to = joins.find(v); to != v)
-      report.add(RepairStep::cracks, facets.points[v], distance(facets.points[v], facets.points[to]));
+  bool has_joined = false;
+  for (const std::uint32_t v : boundary.vertices) {
+    const std::uint32_t to = joins.find(v);
+    if (to == v) continue;
+    has_joined = true;
+    report.add(RepairStep::cracks, facets.points[v], distance(facets.points[v], facets.points[to]));
+  }
+  if (!has_joined) return;
   for (TriangleMesh::Triangle& triangle : facets.triangles)
     for (std::uint32_t& corner : triangle) corner = joins.find(corner);
+  facets.changed();
 }
 
 }  // namespace

@@ -78,7 +78,9 @@ void remove(FacetList& facets, const std::vector<bool>& is_dropped) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < facets.triangles.size(); ++i)
     if (!is_dropped[i]) facets.triangles[kept++] = facets.triangles[i];
+  if (kept == facets.triangles.size()) return;
   facets.triangles.resize(kept);
+  facets.changed();
 }
 
 }  // namespace
@@ -96,7 +98,8 @@ void drop_degenerate_facets(FacetList& facets, RepairReport& report) {
 }
 
 void drop_duplicate_facets(FacetList& facets, RepairReport& report) {
-  const TriangleMesh mesh = facets.mesh();
+  const auto linked = facets.mesh();
+  const TriangleMesh& mesh = *linked;
   const std::vector<EqualFacets> all = equal_facets(mesh);
   if (all.empty()) return;
   const FaceComponents parts = connected_components(mesh);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <utility>
 
@@ -24,7 +25,8 @@ class Orientation {
  public:
   explicit Orientation(FacetList& facets)
       : facets_(facets),
-        mesh_(facets.mesh()),
+        linked_(facets.mesh()),
+        mesh_(*linked_),
         part_of_(facets.triangles.size(), kNoPart),
         is_turned_(facets.triangles.size()) {}
 
@@ -39,7 +41,8 @@ class Orientation {
   int sign(const EdgeUse& use) const { return use.is_forward != is_turned_[use.facet] ? 1 : -1; }
 
   FacetList& facets_;
-  TriangleMesh mesh_;  // of the facets as given
+  std::shared_ptr<const TriangleMesh> linked_;  // the facets as given
+  const TriangleMesh& mesh_;
   std::vector<std::uint32_t> part_of_;
   std::uint32_t part_count_ = 0;
   std::vector<bool> is_turned_;
@@ -147,6 +150,7 @@ void Orientation::run(RepairReport& report) {
   for (std::size_t f = 0; f < is_turned_.size(); ++f) {
     if (!is_turned_[f]) continue;
     std::swap(facets_.triangles[f][1], facets_.triangles[f][2]);
+    facets_.changed();
     report.add(RepairStep::turned_facets, facets_.middle(f));
   }
 }

@@ -36,7 +36,8 @@ void look_at(const TriangleMesh& mesh, std::span<const HalfedgeId> edge, arrange
 
 /// False if there are none.
 bool drop_some(FacetList& facets, RepairReport& report) {
-  const TriangleMesh mesh = facets.mesh();
+  const auto linked = facets.mesh();
+  const TriangleMesh& mesh = *linked;
   arrangement::DisjointSets sets = parts_across_simple_edges(mesh);
   std::vector<Part> parts(mesh.face_count());
   for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h)
@@ -52,6 +53,7 @@ bool drop_some(FacetList& facets, RepairReport& report) {
   }
   const bool has_dropped = kept < facets.triangles.size();
   facets.triangles.resize(kept);
+  if (has_dropped) facets.changed();
   return has_dropped;
 }
 

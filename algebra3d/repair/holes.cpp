@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <unordered_map>
 
@@ -89,7 +90,7 @@ double area(const FacetList& facets, const TriangleMesh::Triangle& t) {
 class HoleCloser {
  public:
   HoleCloser(FacetList& facets, double largest, RepairReport& report)
-      : facets_(facets), largest_(largest), report_(report), mesh_(facets.mesh()) {}
+      : facets_(facets), largest_(largest), report_(report), linked_(facets.mesh()), mesh_(*linked_) {}
 
   Status run(const Monitor& monitor);
 
@@ -111,7 +112,8 @@ class HoleCloser {
   FacetList& facets_;
   double largest_;
   RepairReport& report_;
-  TriangleMesh mesh_;
+  std::shared_ptr<const TriangleMesh> linked_;  // the facets as given
+  const TriangleMesh& mesh_;
   FacetTree tree_;
 };
 
@@ -192,6 +194,7 @@ void HoleCloser::close(const Covered& covered) {
     farthest = std::max(farthest, reach(facets_.points[a], facets_.points[b], facets_.points[c]));
     facets_.triangles.push_back({a, b, c});
   }
+  facets_.changed();
   report_.add(RepairStep::holes, covered.hole.loop.corners[0], farthest);
 }
 

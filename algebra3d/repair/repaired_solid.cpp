@@ -16,6 +16,7 @@
 #include "algebra3d/repair/shell_orientation.h"
 #include "algebra3d/repair/spatial_order.h"
 #include "algebra3d/repair/tolerant_solid.h"
+#include "algebra3d/repair/valid_parts.h"
 #include "algebra3d/repair/winding_solid.h"
 #include "algebra3d/repair/work_limits.h"
 #include "algebra3d/validity/validity.h"
@@ -60,21 +61,23 @@ bool has_manifold_edges(const TriangleMesh& mesh, FaceId face) {
 
 class Repair {
  public:
-  Repair(const WeldedTriangles& welded, const RepairOptions& options, const Monitor& monitor)
-      : options_(options), monitor_(monitor), facets_(welded) {}
+  Repair(std::shared_ptr<const TriangleMesh> given, const RepairOptions& options, const Monitor& monitor)
+      : options_(options), monitor_(monitor), facets_(std::move(given)) {}
 
   Result<RepairedSolid> run(const ValidityReport& found);
 
  private:
-  const TriangleMesh& mesh();
+  /// Until the facets change.
+  const TriangleMesh& mesh() const { return *facets_.mesh(); }
   void drop_facets(bool has_degenerate, bool has_duplicates);
   void drop_what_became_flat();
   void mend_boundaries();
   void orient();
   Status close_holes();
-  Status make_solid();
+  /// Whoever knows that facets cross spares the attempt to prove that they do not.
+  Status make_solid(bool may_cross);
   Result<bool> take_if_valid();
-  Status divide();
+  Status divide(const ValidParts& parts);
   void report_lost_shells();
   Result<bool> is_proved();
   RepairedSolid nothing(std::string reason) { return {std::nullopt, std::move(reason), std::move(report_)}; }
@@ -83,20 +86,13 @@ class Repair {
   const RepairOptions& options_;
   Monitor monitor_;
   FacetList facets_;
-  std::optional<TriangleMesh> mesh_;  // of the facets, until they change
   TriangleMesh solid_;
   bool is_proved_ = false;
   RepairReport report_;
 };
 
-const TriangleMesh& Repair::mesh() {
-  if (!mesh_) mesh_ = facets_.mesh();
-  return *mesh_;
-}
-
 void Repair::drop_facets(bool has_degenerate, bool has_duplicates) {
   if (has_degenerate) drop_degenerate_facets(facets_, report_);
-  if (has_degenerate) mesh_.reset();
   if (!has_duplicates) return;
   FacetList rest = facets_;
   RepairReport report = report_;
@@ -105,10 +101,9 @@ void Repair::drop_facets(bool has_degenerate, bool has_duplicates) {
   // Closed shells that share facets would be open without them, and winding numbers count them all. Where half of them
   // or more would go, everything is double, and balances for that reason alone.
   const bool is_double = 2 * rest.triangles.size() <= facets_.triangles.size();
-  if (!is_double && is_balanced(mesh()) && has_open_edges(rest.mesh())) return;
+  if (!is_double && is_balanced(mesh()) && has_open_edges(*rest.mesh())) return;
   facets_ = std::move(rest);
   report_ = std::move(report);
-  mesh_.reset();
 }
 
 /// Of facets that moved, or were added. The report is of what the file has.
@@ -121,7 +116,6 @@ void Repair::drop_what_became_flat() {
 void Repair::mend_boundaries() {
   if (!has_boundary(mesh())) return;
   divide_edges(facets_, report_);
-  mesh_.reset();
   const double tolerance = options_.crack_tolerance.value_or(kCrackPerDiagonal * diagonal(facets_));
   if (!has_boundary(mesh()) || !(tolerance > 0)) return;
   close_cracks(facets_, tolerance, report_);
@@ -131,9 +125,7 @@ void Repair::mend_boundaries() {
 void Repair::orient() {
   if (mesh().nonmanifold_edge_count() == 0) return;
   orient_facets(facets_, report_);
-  mesh_.reset();
-  if (has_boundary(mesh()) && mesh_->nonmanifold_edge_count() > 0) drop_fins(facets_, report_);
-  mesh_.reset();
+  if (has_boundary(mesh()) && mesh().nonmanifold_edge_count() > 0) drop_fins(facets_, report_);
 }
 
 Status Repair::close_holes() {
@@ -149,20 +141,26 @@ Result<bool> Repair::take_if_valid() {
   const ProofOptions options{.thoroughness = Thoroughness::first_defect, .cancel = monitor_.cancel()};
   ASSIGN_OR_RETURN(const ValidityReport found, prove_volume(mesh(), options));
   is_proved_ = found.is_valid();
-  if (is_proved_) solid_ = *mesh_;
+  if (is_proved_) solid_ = mesh();
   return is_proved_;
 }
 
-Status Repair::make_solid() {
+Status Repair::make_solid(bool may_cross) {
   RETURN_IF_ERROR(orient_shells(facets_, report_, monitor_));
-  if (report_.find(RepairStep::turned_shells) != nullptr) mesh_.reset();
-  ASSIGN_OR_RETURN(const bool is_valid, take_if_valid());
-  return is_valid ? Status() : divide();
+  if (!may_cross) {
+    ASSIGN_OR_RETURN(const bool is_valid, take_if_valid());
+    if (is_valid) return {};
+  }
+  ASSIGN_OR_RETURN(const ValidParts parts, ValidParts::make(mesh(), monitor_));
+  if (may_cross && parts.lone_faces().empty()) {
+    ASSIGN_OR_RETURN(const bool is_valid, take_if_valid());
+    if (is_valid) return {};
+  }
+  return divide(parts);
 }
 
-Status Repair::divide() {
+Status Repair::divide(const ValidParts& parts) {
   const bool is_closed = is_balanced(mesh());
-  ASSIGN_OR_RETURN(const ValidParts parts, ValidParts::make(mesh(), monitor_));
   for (const FaceId face : parts.lone_faces())
     if (has_manifold_edges(mesh(), face)) report_.add(RepairStep::intersections, facets_.middle(face.index()));
   const auto is_inside = [](int winding) { return winding > 0; };
@@ -180,13 +178,13 @@ void Repair::report_lost_shells() {
   for (std::size_t i = 0; i < solid_.points().size(); ++i)
     if (solid_.points()[i].is_double()) left.push_back(solid_.points().approx()[i]);
   std::ranges::sort(left);
-  for (const std::vector<FaceId>& shell : connected_components(mesh()).faces()) {
+  const TriangleMesh& given = mesh();
+  for (const std::vector<FaceId>& shell : connected_components(given).faces()) {
     const auto is_left = [&](FaceId face) {
-      return std::ranges::any_of(mesh_->corners(face), [&](const PointRef& corner) {
-        return std::ranges::binary_search(left, corner.approx);
-      });
+      return std::ranges::any_of(
+          given.corners(face), [&](const PointRef& corner) { return std::ranges::binary_search(left, corner.approx); });
     };
-    if (std::ranges::none_of(shell, is_left)) report_.add(RepairStep::inner_shells, mesh_->corners(shell[0])[0].approx);
+    if (std::ranges::none_of(shell, is_left)) report_.add(RepairStep::inner_shells, given.corners(shell[0])[0].approx);
   }
 }
 
@@ -216,7 +214,7 @@ Result<RepairedSolid> Repair::run(const ValidityReport& found) {
   mend_boundaries();
   orient();
   RETURN_IF_ERROR(close_holes());
-  const Status made = make_solid();
+  const Status made = make_solid(found.count(Defect::intersecting_triangles) > 0);
   if (!made && made.error().code == ErrorCode::limit_exceeded) return nothing(made.error().message);
   RETURN_IF_ERROR(made);
   if (solid_.is_empty() && !facets_.triangles.empty()) return nothing(reason_for_nothing());
@@ -233,9 +231,9 @@ Result<RepairedSolid> Repair::run(const ValidityReport& found) {
 
 }  // namespace
 
-Result<RepairedSolid> repaired_solid(const WeldedTriangles& welded, const ValidityReport& found,
+Result<RepairedSolid> repaired_solid(std::shared_ptr<const TriangleMesh> mesh, const ValidityReport& found,
                                      const RepairOptions& options, const Monitor& monitor) {
-  return Repair(welded, options, monitor).run(found);
+  return Repair(std::move(mesh), options, monitor).run(found);
 }
 
 }  // namespace algebra3d

@@ -1,13 +1,14 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "algebra3d/base/error.h"
 #include "algebra3d/base/monitor.h"
+#include "algebra3d/halfedge/triangle_mesh.h"
 #include "algebra3d/repair/repair_options.h"
 #include "algebra3d/repair/repair_report.h"
-#include "algebra3d/repair/weld.h"
 #include "algebra3d/validity/report.h"
 
 namespace algebra3d {
@@ -19,8 +20,8 @@ struct RepairedSolid {
   RepairReport report;
 };
 
-/// A solid from welded facets that are none, as `found` says, a proof that counted all defects. Each step sees what the
-/// ones before it left, and is skipped if there is nothing for it to do:
+/// A solid from a mesh of facets that is none, as `found` says, a proof that counted all defects. Its points are
+/// doubles. Each step sees what the ones before it left, and is skipped if there is nothing for it to do:
 ///  1. facets that repeat a corner or have no area are dropped (degenerate_facets.h);
 ///  2. of equal facets one is kept, or none, unless closed shells would be open then;
 ///  3. boundary edges are divided at boundary vertices that lie on them (cracks.h);
@@ -36,7 +37,7 @@ struct RepairedSolid {
 /// Where facets are divided, those in one plane are brought together and triangulated anew. The result is proved.
 /// Exactness: only steps 4 and 6 move or add anything away from the facets; the report says how far.
 /// Errors: interrupted. Cost: that of a few proofs, and of an arrangement of what passes through itself.
-Result<RepairedSolid> repaired_solid(const WeldedTriangles& welded, const ValidityReport& found,
+Result<RepairedSolid> repaired_solid(std::shared_ptr<const TriangleMesh> mesh, const ValidityReport& found,
                                      const RepairOptions& options, const Monitor& monitor = {});
 
 }  // namespace algebra3d

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <unordered_map>
@@ -26,7 +27,8 @@ struct OrientedShell {
 
 class ShellOrientation {
  public:
-  ShellOrientation(FacetList& facets, RepairReport& report) : facets_(facets), report_(report), mesh_(facets.mesh()) {}
+  ShellOrientation(FacetList& facets, RepairReport& report)
+      : facets_(facets), report_(report), linked_(facets.mesh()), mesh_(*linked_) {}
 
   Status run(const Monitor& monitor);
 
@@ -44,7 +46,8 @@ class ShellOrientation {
 
   FacetList& facets_;
   RepairReport& report_;
-  TriangleMesh mesh_;
+  std::shared_ptr<const TriangleMesh> linked_;  // the facets as given
+  const TriangleMesh& mesh_;
 };
 
 /// Facets of a shell are in one set.
@@ -188,6 +191,7 @@ void ShellOrientation::apply(const std::vector<OrientedShell>& shells) {
     if (!shell.is_turned) continue;
     report_.add(RepairStep::turned_shells, facets_.corner(shell.facets[0], 0));
     for (const std::uint32_t f : shell.facets) std::swap(facets_.triangles[f][1], facets_.triangles[f][2]);
+    facets_.changed();
   }
 }
 

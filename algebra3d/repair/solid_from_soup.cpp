@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <tuple>
 #include <utility>
 
@@ -127,7 +128,8 @@ Result<SolidFromSoup> solid_from_soup(const TriangleSoup& soup, const RepairOpti
   }
   result.report.validity = in_facets(validity, order);
   if (options.is_strict) return result;
-  ASSIGN_OR_RETURN(RepairedSolid repaired, repaired_solid(welded, validity, options, monitor));
+  const auto given = std::make_shared<const TriangleMesh>(std::move(mesh));
+  ASSIGN_OR_RETURN(RepairedSolid repaired, repaired_solid(given, validity, options, monitor));
   result.mesh = std::move(repaired.mesh);
   result.repair = std::move(repaired.report);
   result.reason = std::move(repaired.reason);

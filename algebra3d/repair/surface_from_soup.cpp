@@ -19,7 +19,7 @@ Result<SurfaceFromSoup> surface_from_soup(const TriangleSoup& soup, const Repair
   FacetList facets(weld(soup.triangles));
   SurfaceFromSoup result;
   drop_degenerate_facets(facets, result.repair);
-  TriangleMesh given = in_spatial_order(facets.mesh());
+  TriangleMesh given = in_spatial_order(*facets.mesh());
   const ProofOptions first{.thoroughness = Thoroughness::first_defect, .cancel = monitor.cancel()};
   ASSIGN_OR_RETURN(const ValidityReport found, prove_surface(given, first));
   if (found.is_valid()) {

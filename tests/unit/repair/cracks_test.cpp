@@ -35,13 +35,13 @@ TEST(DivideEdges, closes_what_is_divided_on_one_side_only) {
     for (int n = chance.between(1, 12); n > 0; --n) divide_at_random(soup, chance);
     FacetList facets = facets_of(soup);
     const std::vector<Vec3> points = facets.points;
-    const bool was_closed = is_closed(facets.mesh());
+    const bool was_closed = is_closed(*facets.mesh());
     const std::size_t count = facets.triangles.size();
     RepairReport report;
     divide_edges(facets, report);
-    EXPECT_TRUE(is_closed(facets.mesh()));
-    EXPECT_TRUE(is_consistently_oriented(facets.mesh()));
-    EXPECT_EQ(solids::exact_volume_of(facets.mesh()), solids::exact_volume_of(whole));
+    EXPECT_TRUE(is_closed(*facets.mesh()));
+    EXPECT_TRUE(is_consistently_oriented(*facets.mesh()));
+    EXPECT_EQ(solids::exact_volume_of(*facets.mesh()), solids::exact_volume_of(whole));
     EXPECT_EQ(facets.points, points);
     // Each division makes one facet more, and none is reported that was not made.
     EXPECT_EQ(count_of(report, RepairStep::divided_edges), facets.triangles.size() - count);
@@ -64,7 +64,7 @@ TEST(DivideEdges, many_vertices_on_one_edge_and_on_all_three) {
   FacetList facets = facets_of(soup);
   RepairReport report;
   divide_edges(facets, report);
-  EXPECT_TRUE(is_closed(facets.mesh()));
+  EXPECT_TRUE(is_closed(*facets.mesh()));
   EXPECT_EQ(count_of(report, RepairStep::divided_edges), 3U * 1023U);
   for (const Corners& t : facets.triangles) EXPECT_TRUE(t[0] != t[1] && t[1] != t[2] && t[2] != t[0]);
 }
@@ -95,8 +95,8 @@ TEST(DivideEdges, mends_what_a_degenerate_facet_held_together) {
   FacetList facets = facets_of(soup);
   RepairReport report;
   divide_edges(facets, report);
-  EXPECT_TRUE(is_closed(facets.mesh()));
-  EXPECT_EQ(solids::exact_volume_of(facets.mesh()), Rational(8));
+  EXPECT_TRUE(is_closed(*facets.mesh()));
+  EXPECT_EQ(solids::exact_volume_of(*facets.mesh()), Rational(8));
   EXPECT_EQ(count_of(report, RepairStep::divided_edges), 1U);
 }
 
@@ -172,7 +172,7 @@ TEST(CloseCracks, joins_copies_of_vertices) {
     RepairReport report;
     close_cracks(facets, 4e-3, report);
     EXPECT_EQ(facets.triangles.size(), whole.face_count());
-    const TriangleMesh mesh = submesh(facets.mesh(), [&] {
+    const TriangleMesh mesh = submesh(*facets.mesh(), [&] {
       std::vector<FaceId> all;
       for (std::uint32_t f = 0; f < whole.face_count(); ++f) all.emplace_back(f);
       return all;
@@ -219,7 +219,7 @@ TEST(CloseCracks, a_vertex_beside_an_edge_divides_it) {
   EXPECT_EQ(report.deviation(), 0.125);
   // The outline is all that is open: four edges.
   std::size_t open_count = 0;
-  const TriangleMesh mesh = facets.mesh();
+  const TriangleMesh mesh = *facets.mesh();
   for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) open_count += mesh.is_boundary(HalfedgeId(h)) ? 1 : 0;
   EXPECT_EQ(open_count, 4U);
 }

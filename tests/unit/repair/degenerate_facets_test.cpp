@@ -160,8 +160,8 @@ TEST(DuplicateFacets, of_boxes_side_by_side_the_wall_between_them_goes) {
   RepairReport report;
   drop_duplicate_facets(facets, report);
   EXPECT_EQ(facets.triangles.size(), 20U);
-  EXPECT_TRUE(is_closed(facets.mesh()));
-  EXPECT_EQ(solids::exact_volume_of(facets.mesh()), Rational(16));
+  EXPECT_TRUE(is_closed(*facets.mesh()));
+  EXPECT_EQ(solids::exact_volume_of(*facets.mesh()), Rational(16));
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ TEST(Holes, larger_than_wanted_are_left_open) {
     RepairReport report;
     EXPECT_TRUE(close_holes(facets, largest, report).ok());
     const bool is_closed_now = largest >= 5;
-    EXPECT_EQ(is_closed(facets.mesh()), is_closed_now);
+    EXPECT_EQ(is_closed(*facets.mesh()), is_closed_now);
     EXPECT_EQ(count_of(report, RepairStep::holes), is_closed_now ? 1U : 0U);
     EXPECT_EQ(count_of(report, RepairStep::open_holes), is_closed_now ? 0U : 1U);
     EXPECT_EQ(facets.triangles.size(), is_closed_now ? 12U : 10U);
@@ -95,7 +95,7 @@ TEST(Holes, of_sheets_are_left_open_and_of_cups_closed) {
     FacetList facets = facets_of(soup);
     RepairReport report;
     EXPECT_TRUE(close_holes(facets, kAny, report).ok());
-    EXPECT_TRUE(is_closed(facets.mesh()));
+    EXPECT_TRUE(is_closed(*facets.mesh()));
   }
   FacetList sheet = facets_of(wall_of_squares());
   RepairReport report;
@@ -112,7 +112,7 @@ TEST(Holes, both_ends_of_a_tube_are_closed_however_short_it_is) {
     FacetList facets = facets_of(soup);
     RepairReport report;
     EXPECT_TRUE(close_holes(facets, kAny, report).ok());
-    EXPECT_EQ(solids::exact_volume_of(facets.mesh()), Rational(16) * Rational(height));
+    EXPECT_EQ(solids::exact_volume_of(*facets.mesh()), Rational(16) * Rational(height));
     EXPECT_EQ(count_of(report, RepairStep::holes), 2U);
   }
 }
@@ -130,10 +130,10 @@ TEST(Holes, that_are_not_plane_are_covered_within_the_surface) {
     ASSERT_LT(count, 288U);
     RepairReport report;
     EXPECT_TRUE(close_holes(facets, kAny, report).ok());
-    EXPECT_TRUE(is_closed(facets.mesh()));
-    EXPECT_TRUE(is_consistently_oriented(facets.mesh()));
-    EXPECT_EQ(prove_volume(facets.mesh())->text(), "");
-    const double volume = solids::exact_volume_of(facets.mesh()).nearest_double();
+    EXPECT_TRUE(is_closed(*facets.mesh()));
+    EXPECT_TRUE(is_consistently_oriented(*facets.mesh()));
+    EXPECT_EQ(prove_volume(*facets.mesh())->text(), "");
+    const double volume = solids::exact_volume_of(*facets.mesh()).nearest_double();
     EXPECT_LT(volume, solids::exact_volume_of(solids::geodesic_sphere(6)).nearest_double());
     EXPECT_GT(volume, 2);
   }
@@ -161,7 +161,7 @@ TEST(Holes, distances_are_reported_at_every_size) {
     FacetList facets = facets_of(soup);
     RepairReport report;
     EXPECT_TRUE(close_holes(facets, kAny, report).ok());
-    ASSERT_TRUE(is_closed(facets.mesh()));
+    ASSERT_TRUE(is_closed(*facets.mesh()));
     // Sides of 2 sqrt 2: no point is farther from the corners than the middle is.
     EXPECT_GE(report.deviation() / size, std::sqrt(6) / 3);
     EXPECT_NEAR(report.deviation() / size, std::sqrt(8.0 / 3), 1e-12);

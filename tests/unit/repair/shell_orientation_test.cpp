@@ -99,7 +99,7 @@ TEST(ShellOrientation, bodies_that_touch_in_an_edge_are_shells_by_themselves) {
   const TriangleSoup first = box_soup({0, 0, 0}, {3, 3, 3}), second = box_soup({3, 3, 0}, {5, 5, 3});
   for (const bool is_first : {false, true}) {
     FacetList facets = facets_of(is_first ? joined(turned(first), second) : joined(first, turned(second)));
-    ASSERT_EQ(facets.mesh().nonmanifold_edge_count(), 1U);
+    ASSERT_EQ(facets.mesh()->nonmanifold_edge_count(), 1U);
     RepairReport report;
     ASSERT_TRUE(orient_shells(facets, report).ok());
     EXPECT_EQ(in_order(soup_of(facets)), in_order(joined(first, second)));
@@ -116,8 +116,8 @@ TEST(ShellOrientation, fins_do_not_keep_a_body_from_being_turned) {
   FacetList facets = facets_of(turned(soup));
   RepairReport report;
   ASSERT_TRUE(orient_shells(facets, report).ok());
-  EXPECT_EQ(solids::exact_volume_of(facets.mesh()), Rational(16));
-  EXPECT_TRUE(is_consistently_oriented(facets.mesh()));
+  EXPECT_EQ(solids::exact_volume_of(*facets.mesh()), Rational(16));
+  EXPECT_TRUE(is_consistently_oriented(*facets.mesh()));
 }
 
 // Each of two cups has its rim at the edges of four facets, where the ceiling between them is there twice.

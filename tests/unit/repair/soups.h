@@ -37,13 +37,13 @@ inline TriangleSoup soup_of(const TriangleMesh& mesh) {
   return soup;
 }
 inline TriangleSoup soup_of(const FacetList& facets) {
-  return soup_of(facets.mesh());
+  return soup_of(*facets.mesh());
 }
 inline FacetList facets_of(const TriangleSoup& soup) {
   return FacetList(weld(soup.triangles));
 }
 inline TriangleMesh mesh_of(const TriangleSoup& soup) {
-  return facets_of(soup).mesh();
+  return *facets_of(soup).mesh();
 }
 
 inline TriangleSoup joined(TriangleSoup first, const TriangleSoup& second) {

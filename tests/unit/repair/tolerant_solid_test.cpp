@@ -13,7 +13,7 @@ constexpr std::size_t kAllPairs = std::numeric_limits<std::size_t>::max();
 Result<TriangleMesh> tolerant_solid_of(const TriangleSoup& soup, std::size_t max_pairs = kAllPairs,
                                        double max_angles = 1e12, const Monitor& monitor = {}) {
   const FacetList facets = facets_of(soup);
-  const auto parts = ValidParts::make(facets.mesh());
+  const auto parts = ValidParts::make(*facets.mesh());
   EXPECT_TRUE(parts.ok());
   return tolerant_solid(facets, *parts, monitor, {Closure::together, max_pairs}, max_angles);
 }

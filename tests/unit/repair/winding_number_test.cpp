@@ -20,7 +20,7 @@ TEST(WindingNumbers, of_closed_facets_are_those_that_lines_count) {
     EXPECT_EQ(numbers.facet_count(), soup.triangles.size());
     for (int i = 0; i < 40; ++i) {
       const Vec3 point{4 * chance.unit(), 4 * chance.unit(), chance.unit()};
-      EXPECT_NEAR(numbers.at(point), winding_about(facets.mesh(), ExactPoint(point)), 1e-9);
+      EXPECT_NEAR(numbers.at(point), winding_about(*facets.mesh(), ExactPoint(point)), 1e-9);
     }
   }
 }
