@@ -3,7 +3,9 @@
 #include "algebra3d/halfedge/mesh_triangles.h"
 #include "algebra3d/operators/all.h"
 #include "algebra3d/operators/sample_values.h"
+#include "algebra3d/planar/polygon_measures.h"
 #include "algebra3d/registry/overload.h"
+#include "algebra3d/types/planar.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
 
@@ -27,6 +29,10 @@ Result<Text> volume_text(Context& context, const Volume3d& solid) {
 template <typename T>
 Result<double> area_of(Context& context, const T& geometry) {
   return nearest_area(geometry.mesh().points(), triangles_of(geometry.mesh()), context.cancel);
+}
+
+double area_of_region(const Region& region) {
+  return nearest_area(region.polygons());
 }
 
 Result<Maybe<Point3d>> centroid_of(Context& context, const Volume3d& solid) {
@@ -77,15 +83,20 @@ void register_measure(Registry& registry) {
   registry.add({
       .name = "area",
       .syntax = "area(_)",
-      .doc = "The total area of the triangles of a surface or solid, in squared coordinate units.",
-      .detail = "Exact, rounded once, if the area of every triangle is a double. The walls of cavities count.",
+      .doc = "The area of a region, or of all triangles of a surface or solid, in squared coordinate units.",
+      .detail =
+          "Exact, rounded once, for regions, and if the area of every triangle is a double. The walls of cavities "
+          "count.",
       .exactness = Exactness::two_ulp,
-      .overloads = {overload<&area_of<Surface3d>>("surface"), overload<&area_of<Volume3d>>("solid")},
+      .overloads = {overload<&area_of<Surface3d>>("surface"), overload<&area_of<Volume3d>>("solid"),
+                    overload<&area_of_region>("region")},
       .examples = {{"area(" + kCubeOfTwo + ")", "24.0"},
                    {"area(" + kTriangle + ")", "6.0"},
+                   {"area([const region value ((((0 0) (3 0) (0 4))))])", "6.0"},
                    {"area([const surface3d value ()])", "0.0"},
                    {"area(" + kUndefinedSolid + ")", "undefined"}},
-      .errors = {{"query area(makePoint3D(0, 0, 0))", "area: expected (surface3d) or (volume3d), got (point3d)"}},
+      .errors = {{"query area(makePoint3D(0, 0, 0))",
+                  "area: expected (surface3d), (volume3d) or (region), got (point3d)"}},
   });
   registry.add({
       .name = "centroid",

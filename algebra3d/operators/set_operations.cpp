@@ -1,10 +1,11 @@
-// union, intersection, minus, symmetricDifference: of boxes, points and solids.
+// union, intersection, minus, symmetricDifference: of boxes, points, solids, surfaces and regions.
 #include <algorithm>
 #include <iterator>
 #include <utility>
 #include <vector>
 
 #include "algebra3d/operators/all.h"
+#include "algebra3d/operators/region_meshes.h"
 #include "algebra3d/operators/sample_values.h"
 #include "algebra3d/operators/solid_sets.h"
 #include "algebra3d/registry/overload.h"
@@ -72,6 +73,11 @@ Result<Surface3d> surface_sets(Context& context, const Surface3d& a, const Surfa
   return combined(context, a, b, kRule);
 }
 
+template <SurfaceRule kRule>
+Result<Region> region_sets(Context& context, const Region& a, const Region& b) {
+  return combined_regions(a, b, kRule, context.monitor());
+}
+
 /// An operation on points, on each side one point or many; the operands may change places.
 #define SYMMETRIC_POINT_OVERLOADS(operation)                                                                      \
   symmetric(overload<&operation<Point3d, Point3d>>("a", "b")), overload<&operation<Point3d, Points3d>>("a", "b"), \
@@ -100,13 +106,14 @@ void register_infix_sets(Registry& registry) {
   registry.add({
       .name = "union",
       .syntax = "_ union _",
-      .doc =
-          "What lies in one of two sets of points, surfaces or solids, or in both; the smallest box around two boxes.",
+      .doc = "What lies in one of two sets of points, surfaces, solids or regions, or in both; the smallest box around "
+             "two boxes.",
       .detail = kSolids,
       .exactness = Exactness::exact,
       .overloads = {symmetric(overload<&box_union>("a", "b")), SYMMETRIC_POINT_OVERLOADS(point_union),
                     symmetric(overload<&surface_sets<SurfaceRule::either>>("a", "b")),
-                    symmetric(overload<&solid_union>("a", "b"))},
+                    symmetric(overload<&solid_union>("a", "b")),
+                    symmetric(overload<&region_sets<SurfaceRule::either>>("a", "b"))},
       .examples = {{"size(" + kCubeA + " union " + kCubeB + ")", "36"},
                    {"volume(" + kCubeA + " union " + kCubeB + ")", "15.0"},
                    {"area(" + kSquareA + " union " + kSquareB + ")", "7.0"},
@@ -118,14 +125,15 @@ void register_infix_sets(Registry& registry) {
   registry.add({
       .name = "minus",
       .syntax = "_ minus _",
-      .doc = "What lies in the first of two sets of points, surfaces or solids and not in the second.",
+      .doc = "What lies in the first of two sets of points, surfaces, solids or regions and not in the second.",
       .detail = kSolids,
       .exactness = Exactness::exact,
       .overloads = {overload<&point_minus<Point3d, Point3d>>("a", "b"),
                     overload<&point_minus<Point3d, Points3d>>("a", "b"),
                     overload<&point_minus<Points3d, Point3d>>("a", "b"),
                     overload<&point_minus<Points3d, Points3d>>("a", "b"),
-                    overload<&surface_sets<SurfaceRule::first_only>>("a", "b"), overload<&solid_minus>("a", "b")},
+                    overload<&surface_sets<SurfaceRule::first_only>>("a", "b"), overload<&solid_minus>("a", "b"),
+                    overload<&region_sets<SurfaceRule::first_only>>("a", "b")},
       .examples = {{"volume(" + kCubeA + " minus " + kCubeB + ")", "7.0"},
                    {"size(" + kCubeA + " minus " + kCubeA + ")", "0"},
                    {"area(" + kSquareA + " minus " + kSquareB + ")", "3.0"},
@@ -139,12 +147,13 @@ void register_prefix_sets(Registry& registry) {
   registry.add({
       .name = "intersection",
       .syntax = "intersection(_, _)",
-      .doc = "What lies in both of two sets of points, surfaces or solids, or in two boxes.",
+      .doc = "What lies in both of two sets of points, surfaces, solids or regions, or in two boxes.",
       .detail = std::string(kSolids) + " Boxes that do not meet have no common part: undefined.",
       .exactness = Exactness::exact,
       .overloads = {symmetric(overload<&box_intersection>("a", "b")), SYMMETRIC_POINT_OVERLOADS(point_intersection),
                     symmetric(overload<&surface_sets<SurfaceRule::both>>("a", "b")),
-                    symmetric(overload<&solid_intersection>("a", "b"))},
+                    symmetric(overload<&solid_intersection>("a", "b")),
+                    symmetric(overload<&region_sets<SurfaceRule::both>>("a", "b"))},
       .examples = {{"volume(intersection(" + kCubeA + ", " + kCubeB + "))", "1.0"},
                    {"area(intersection(" + kSquareA + ", " + kSquareB + "))", "1.0"},
                    {"intersection(" + kPointsA + ", " + kPointB + ")", "((1.0 0.0 0.0))"},
@@ -156,12 +165,13 @@ void register_prefix_sets(Registry& registry) {
   registry.add({
       .name = "symmetricDifference",
       .syntax = "symmetricDifference(_, _)",
-      .doc = "What lies in exactly one of two sets of points, surfaces or solids.",
+      .doc = "What lies in exactly one of two sets of points, surfaces, solids or regions.",
       .detail = kSolids,
       .exactness = Exactness::exact,
       .overloads = {SYMMETRIC_POINT_OVERLOADS(point_symmetric_difference),
                     symmetric(overload<&surface_sets<SurfaceRule::exactly_one>>("a", "b")),
-                    symmetric(overload<&solid_symmetric_difference>("a", "b"))},
+                    symmetric(overload<&solid_symmetric_difference>("a", "b")),
+                    symmetric(overload<&region_sets<SurfaceRule::exactly_one>>("a", "b"))},
       .examples = {{"volume(symmetricDifference(" + kCubeA + ", " + kCubeB + "))", "14.0"},
                    {"symmetricDifference(" + kPointsA + ", makePoint3D(2, 0, 0))",
                     "((0.0 0.0 0.0) (1.0 0.0 0.0) (2.0 0.0 0.0))"},

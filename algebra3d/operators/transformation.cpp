@@ -10,6 +10,7 @@
 #include "algebra3d/operators/sample_values.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/repair/weld.h"
+#include "algebra3d/types/planar.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
 
@@ -73,6 +74,10 @@ std::optional<PointArray> exact_images(const AffineMap& map, const PointArray& p
   return images;
 }
 
+void report_unrounded(Context& context) {
+  context.diagnostics.report("rounding the image to doubles would break it; its coordinates are kept as fractions");
+}
+
 /// Rounding may have made points equal; welded, such an image can still be valid (bodies may touch in points).
 TriangleMesh rounded_mesh(const std::vector<Vec3>& points, const std::vector<TriangleMesh::Triangle>& triangles) {
   WeldedTriangles welded = weld(points, triangles);
@@ -94,8 +99,25 @@ Result<Maybe<T>> image_of(Context& context, const AffineMap& map, const T& geome
   if (proved) return proved;
   auto exact = exact_images(map, mesh.points());
   if (!exact) return Maybe<T>(Undefined{kOutOfRange});
-  context.diagnostics.report("rounding the image to doubles would break it; its coordinates are kept as fractions");
+  report_unrounded(context);
   return Maybe<T>(T::trusted(TriangleMesh(std::move(*exact), triangles)));
+}
+
+Result<Maybe<Region>> translated_region(Context& context, const Region& region, const Vector3d& by) {
+  if (by.components.rational().z.sign() != 0) return Maybe<Region>(Undefined{"the vector leaves the plane"});
+  const AffineMap map = AffineMap::translation(by.components.rational());
+  Polygons image = region.polygons();
+  ASSIGN_OR_RETURN(RoundedPoints rounded, round_points(context, map, image.corners));
+  if (!std::ranges::all_of(rounded.points, is_finite)) return Maybe<Region>(Undefined{kOutOfRange});
+  image.corners = PointArray(std::move(rounded.points));
+  if (rounded.are_exact) return Maybe<Region>(Region::trusted(std::move(image)));
+  ASSIGN_OR_RETURN(auto proved, Region::prove(image, context.monitor()));
+  if (proved) return proved;
+  auto exact = exact_images(map, region.polygons().corners);
+  if (!exact) return Maybe<Region>(Undefined{kOutOfRange});
+  report_unrounded(context);
+  image.corners = std::move(*exact);
+  return Maybe<Region>(Region::trusted(std::move(image)));
 }
 
 template <typename T>
@@ -175,9 +197,12 @@ void register_motions(Registry& registry) {
       .detail = kRounding,
       .exactness = Exactness::rounded_once,
       .overloads = {overload<&translated<Point3d>>("point", "by"), overload<&translated<Points3d>>("points", "by"),
-                    overload<&translated<Surface3d>>("surface", "by"), overload<&translated<Volume3d>>("solid", "by")},
+                    overload<&translated<Surface3d>>("surface", "by"), overload<&translated<Volume3d>>("solid", "by"),
+                    overload<&translated_region>("region", "by")},
       .examples = {{kPoint + " translate[makeVector3D(1, 0, -3)]", "(2.0 2.0 0.0)"},
                    {"bbox(" + kCuboid + " translate[[const vector3d value (10 0 0)]])", "(10.0 11.0 0.0 2.0 0.0 3.0)"},
+                   {"[const region value ((((0 0) (3 0) (0 4))))] translate[makeVector3D(1, -1, 0)]",
+                    "((((1.0 -1.0) (4.0 -1.0) (1.0 3.0))))"},
                    {kUndefinedPoint + " translate[makeVector3D(1, 0, -3)]", "undefined"}},
       .errors = {{"query " + kPoint + " translate[1]", "translate: expected (point3d vector3d)"}},
   });

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "algebra3d/exact/point.h"
+#include "algebra3d/planar/directed_edge.h"
 
 namespace algebra3d {
 
@@ -23,5 +24,8 @@ struct Polygons {
 
   friend bool operator==(const Polygons&, const Polygons&) = default;
 };
+
+/// The segments of all cycles, as these run: segment i begins at corner i.
+std::vector<DirectedEdge> segments_of(const Polygons& polygons);
 
 }  // namespace algebra3d

@@ -60,8 +60,7 @@ std::string operator_section(const Operator& op) {
 
 std::string type_row(const Type& type) {
   std::vector<std::string> kinds;
-  for (const Type::Kind kind : type.kinds())
-    kinds.emplace_back(kind == Type::Kind::data ? "DATA" : kind == Type::Kind::spatial3d ? "SPATIAL3D" : "NUMERIC");
+  for (const Type::Kind kind : type.kinds()) kinds.emplace_back(Type::kind_name(kind));
   return "| `" + std::string(type.name()) + "` | " + joined(kinds, ", ") + " | `" + cell(std::string(type.notation())) +
          "` | " + cell(std::string(type.doc())) + " |\n";
 }

@@ -1,5 +1,6 @@
 #include "algebra3d/types/all.h"
 
+#include "algebra3d/types/planar.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
 #include "algebra3d/types/tuple_number.h"
@@ -11,6 +12,7 @@ std::vector<const Type*> all_types() {
           &TypeOf<std::string>::type(),  &TypeOf<Text>::type(),      &TypeOf<Point3d>::type(),
           &TypeOf<Points3d>::type(),     &TypeOf<Vector3d>::type(),  &TypeOf<Plane3d>::type(),
           &TypeOf<Box3>::type(),         &TypeOf<Surface3d>::type(), &TypeOf<Volume3d>::type(),
+          &TypeOf<Point2d>::type(),      &TypeOf<Rect>::type(),      &TypeOf<Region>::type(),
           &TypeOf<TupleNumber>::type()};
 }
 

@@ -15,6 +15,10 @@ bool is_triple(const NestedList& list) {
   return list.is_list() && list.elements().size() == 3;
 }
 
+bool is_pair(const NestedList& list) {
+  return list.is_list() && list.elements().size() == 2;
+}
+
 std::optional<double> double_of(const NestedList& atom) {
   if (atom.is_real() && std::isfinite(atom.as_real())) return atom.as_real();
   if (atom.is_int()) return atom.as_int();
@@ -34,6 +38,12 @@ std::optional<Vec3> doubles_of(const NestedList& triple) {
 
 bool is_in_range(const Rational& number) {
   return std::isfinite(number.nearest_double());
+}
+
+Result<ExactPoint> point_in_range(const RationalVec3& exact, const NestedList& list, std::string_view what) {
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (!is_in_range(exact[axis])) return expected(what, "coordinates within the range of real", list);
+  return ExactPoint(exact);
 }
 
 }  // namespace
@@ -76,10 +86,21 @@ Result<ExactPoint> point_from_nested(const NestedList& list, std::string_view wh
     if (const auto doubles = doubles_of(list)) return ExactPoint(*doubles);
   }
   ASSIGN_OR_RETURN(const RationalVec3 exact, triple_from_nested(list, what));
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (!is_in_range(exact[axis])) return expected(what, "coordinates within the range of real", list);
-  }
-  return ExactPoint(exact);
+  return point_in_range(exact, list, what);
+}
+
+NestedList planar_point_to_nested(PointRef point) {
+  if (point.is_double()) return NestedList::list(NestedList(point.approx.x), NestedList(point.approx.y));
+  return NestedList::list(coordinate_to_nested(point.coordinate(0)), coordinate_to_nested(point.coordinate(1)));
+}
+
+Result<ExactPoint> planar_point_from_nested(const NestedList& list, std::string_view what) {
+  if (!is_pair(list)) return expected(what, "(x y)", list);
+  const auto x = double_of(list.elements()[0]), y = double_of(list.elements()[1]);
+  if (x && y) return ExactPoint(Vec3{*x, *y, 0});
+  ASSIGN_OR_RETURN(Rational exact_x, coordinate_from_nested(list.elements()[0], what));
+  ASSIGN_OR_RETURN(Rational exact_y, coordinate_from_nested(list.elements()[1], what));
+  return point_in_range(RationalVec3(std::move(exact_x), std::move(exact_y), Rational()), list, what);
 }
 
 Result<double> double_from_nested(const NestedList& atom, std::string_view what) {

@@ -28,6 +28,10 @@ Result<RationalVec3> triple_from_nested(const NestedList& list, std::string_view
 /// The same within the range of doubles. Cost: no rational is made if all coordinates are ints or reals.
 Result<ExactPoint> point_from_nested(const NestedList& list, std::string_view what);
 
+/// The same for points of the plane, as `(x y)`; z is 0.
+NestedList planar_point_to_nested(PointRef point);
+Result<ExactPoint> planar_point_from_nested(const NestedList& list, std::string_view what);
+
 /// The double nearest to a whole number that is none, which the parser gives as `p/1`; nothing for any other atom.
 std::optional<double> whole_number_from_nested(const NestedList& atom);
 

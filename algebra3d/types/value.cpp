@@ -6,8 +6,22 @@
 namespace algebra3d {
 
 bool Type::is_spatial() const {
-  const auto all = kinds();
-  return std::find(all.begin(), all.end(), Kind::spatial3d) != all.end();
+  const auto is_of_space = [](Kind kind) { return kind == Kind::spatial2d || kind == Kind::spatial3d; };
+  return std::ranges::any_of(kinds(), is_of_space);
+}
+
+std::string_view Type::kind_name(Kind kind) {
+  switch (kind) {
+    case Kind::data:
+      return "DATA";
+    case Kind::spatial2d:
+      return "SPATIAL2D";
+    case Kind::spatial3d:
+      return "SPATIAL3D";
+    case Kind::numeric:
+      break;
+  }
+  return "NUMERIC";
 }
 
 std::shared_ptr<const DeferredValue> Value::deferred() const {

@@ -29,7 +29,7 @@ struct GeometryHeader {
 /// Values passed to the members are defined, loaded and of this type.
 class Type {
  public:
-  enum class Kind : std::uint8_t { data, spatial3d, numeric };
+  enum class Kind : std::uint8_t { data, spatial2d, spatial3d, numeric };
   /// How a relation keeps it: in the columns of a native kind, or as bytes of the codec.
   enum class Storage : std::uint8_t { integer, real, text, bytes };
 
@@ -42,7 +42,9 @@ class Type {
   virtual std::string_view notation() const = 0;  ///< the value list, as in "(x y z)"
   virtual std::string_view example() const = 0;   ///< a value list that gives a defined value
   virtual std::vector<Kind> kinds() const = 0;
+  static std::string_view kind_name(Kind kind);  ///< as the language writes it
   virtual Storage storage() const = 0;
+  /// True for values in the plane or in space: they have a box.
   bool is_spatial() const;
 
   /// Reads a value list; `undefined` is treated by the caller. Malformed: error invalid_value. Well-formed but no valid

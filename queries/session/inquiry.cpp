@@ -73,10 +73,7 @@ NestedList type_constructors(const algebra3d::Registry& registry) {
   NestedList::List list;
   for (const algebra3d::Type* type : registry.types()) {
     NestedList::List kinds;
-    for (const auto kind : type->kinds()) {
-      using Kind = algebra3d::Type::Kind;
-      kinds.push_back(symbol(kind == Kind::data ? "DATA" : kind == Kind::spatial3d ? "SPATIAL3D" : "NUMERIC"));
-    }
+    for (const auto kind : type->kinds()) kinds.push_back(symbol(algebra3d::Type::kind_name(kind)));
     list.push_back(NestedList::list(symbol(type->name()), NestedList(std::move(kinds)),
                                     NestedList::text(std::string(type->notation())),
                                     NestedList::text(std::string(type->doc()))));

@@ -1,10 +1,12 @@
 #include "queries/store/relation_layout.h"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 #include <sqlite3.h>
 
+#include "algebra3d/types/planar.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
 #include "queries/store/row_taker.h"
@@ -46,8 +48,9 @@ AttributeForm form_of(const Type& type) {
       break;
   }
   if (!type.is_spatial()) return AttributeForm::bytes;
-  const bool is_small = &type == &TypeOf<algebra3d::Point3d>::type() || &type == &TypeOf<algebra3d::Box3>::type();
-  return is_small ? AttributeForm::spatial : AttributeForm::large;
+  const std::array<const Type*, 4> small{&TypeOf<algebra3d::Point2d>::type(), &TypeOf<algebra3d::Point3d>::type(),
+                                         &TypeOf<algebra3d::Rect>::type(), &TypeOf<algebra3d::Box3>::type()};
+  return std::ranges::find(small, &type) != small.end() ? AttributeForm::spatial : AttributeForm::large;
 }
 
 bool is_number(AttributeForm form) {

@@ -72,7 +72,7 @@ Result<TypeExpr> indexed_relation(const MappingCheck& check) {
 
 Status check_window(const algebra3d::Registry& registry, const MappingCheck& check, std::size_t position) {
   if (is_spatial(registry, check[position].type)) return {};
-  return check.expected("a rect3 or another value of kind SPATIAL3D", check[position].type);
+  return check.expected("a rect3 or another spatial value", check[position].type);
 }
 
 TypeMapping map_windowintersects(const algebra3d::Registry& registry) {
@@ -157,7 +157,7 @@ void register_indexes(algebra3d::Registry& registry) {
                     "count",
                     "1"}},
       .errors = {{"query " + boxes + "creatertree[No]",
-                  "creatertree: expected an attribute of kind SPATIAL3D, got int"},
+                  "creatertree: expected an attribute of kind SPATIAL2D or SPATIAL3D, got int"},
                  {"query " + boxes + "creatertree[B]", "creatertree: the tuples have no ids"}},
   });
   registry.add({
@@ -185,7 +185,7 @@ void register_indexes(algebra3d::Registry& registry) {
                    {"Boxes_B windowintersectsS[[const rect3 value undefined]] count", "0"}},
       .errors = {{"query 5 windowintersectsS[6]", "windowintersectsS: expected an R-tree, got int"},
                  {"query Boxes_B windowintersectsS[6] count",
-                  "windowintersectsS: expected a rect3 or another value of kind SPATIAL3D, got int"}},
+                  "windowintersectsS: expected a rect3 or another spatial value, got int"}},
   });
   registry.add({
       .name = "windowintersects",

@@ -15,7 +15,7 @@ Result<std::size_t> spatial_attribute(const algebra3d::Registry& registry, const
                                       std::size_t position, const TypeExpr& tuple) {
   ASSIGN_OR_RETURN(const std::size_t index, check.attribute(position, tuple));
   const TypeExpr& type = tuple.attributes()[index].type;
-  if (!is_spatial(registry, type)) return check.expected("an attribute of kind SPATIAL3D", type);
+  if (!is_spatial(registry, type)) return check.expected("an attribute of kind SPATIAL2D or SPATIAL3D", type);
   return index;
 }
 

@@ -6,9 +6,9 @@
 
 namespace queries {
 
-/// True for types of kind SPATIAL3D.
+/// True for types of kind SPATIAL2D and SPATIAL3D: values in the plane lie at z = 0.
 bool is_spatial(const algebra3d::Registry& registry, const TypeExpr& type);
-/// Index of the attribute of kind SPATIAL3D that the argument names.
+/// Index of the spatial attribute that the argument names.
 Result<std::size_t> spatial_attribute(const algebra3d::Registry& registry, const MappingCheck& check,
                                       std::size_t position, const TypeExpr& tuple);
 

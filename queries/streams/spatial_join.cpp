@@ -92,7 +92,7 @@ void register_spatial_join(algebra3d::Registry& registry) {
       .errors = {{"query " + boxes + boxes + "itSpatialJoin[B, B] count",
                   "itSpatialJoin: the attribute 'No' would stand twice"},
                  {"query " + boxes + "{a} " + boxes + "{b} itSpatialJoin[No_a, B_b] count",
-                  "itSpatialJoin: expected an attribute of kind SPATIAL3D, got int"}},
+                  "itSpatialJoin: expected an attribute of kind SPATIAL2D or SPATIAL3D, got int"}},
   });
 }
 
