@@ -4,66 +4,13 @@
 #include <array>
 #include <utility>
 
-#include "algebra3d/planar/constraints.h"
 #include "algebra3d/planar/cycles.h"
-#include "algebra3d/planar/delaunay.h"
-#include "algebra3d/planar/regions.h"
-#include "algebra3d/planar/segment_text.h"
+#include "algebra3d/planar/edge_triangulation.h"
 
 namespace algebra3d {
 namespace {
 
-using planar::PlanePoints;
-using planar::Subdivision;
 using Triangle = TriangleMesh::Triangle;
-
-/// The triangulation of the ends of some edges, while the edges are put in.
-class EdgeTriangulation {
- public:
-  EdgeTriangulation(const PointArray& points, std::span<const DirectedEdge> edges)
-      : edges_(edges), points_(points, planar::ends_of(points, edges)), triangulation_(0) {}
-
-  Status build(const Monitor& monitor);
-  Result<std::vector<Triangle>> inside() const;
-
- private:
-  Status insert(std::uint32_t edge, planar::ConstraintInserter& inserter);
-  std::string text_of(std::uint32_t edge) const {
-    const auto& [from, to] = edges_[edge];
-    return planar::segment_text(points_[points_.vertex_of(from)], points_[points_.vertex_of(to)]);
-  }
-
-  std::span<const DirectedEdge> edges_;
-  PlanePoints points_;
-  Subdivision triangulation_;
-};
-
-Status EdgeTriangulation::insert(std::uint32_t edge, planar::ConstraintInserter& inserter) {
-  const std::uint32_t from = points_.vertex_of(edges_[edge].first), to = points_.vertex_of(edges_[edge].second);
-  if (from == to) return {};
-  if (!inserter.insert(from, to)) {
-    const std::uint32_t other = planar::segment_of_mark(triangulation_.mark(inserter.crossing()));
-    return Error{ErrorCode::invalid_value, "segment {} crosses segment {}", text_of(edge), text_of(other)};
-  }
-  for (const std::uint32_t h : inserter.along()) {
-    const std::uint32_t mark = triangulation_.mark(h);
-    if (!planar::mark_segment(triangulation_, h, edge))
-      return Error{ErrorCode::invalid_value, "segment {} overlaps segment {}", text_of(edge),
-                   text_of(planar::segment_of_mark(mark))};
-  }
-  return {};
-}
-
-Status EdgeTriangulation::build(const Monitor& monitor) {
-  ASSIGN_OR_RETURN(triangulation_, planar::delaunay(points_, monitor));
-  Stage stage(monitor, "triangulating", edges_.size());
-  planar::ConstraintInserter inserter(points_, triangulation_);
-  for (std::uint32_t edge = 0; edge < edges_.size(); ++edge) {
-    if (!stage.begin_step()) return Monitor::interrupted();
-    RETURN_IF_ERROR(insert(edge, inserter));
-  }
-  return {};
-}
 
 /// Each begins with its lowest index: by that and the next. There are few of one first corner, so they are sorted by it
 /// in linear time.
@@ -81,25 +28,19 @@ std::vector<Triangle> in_order(const std::vector<Triangle>& triangles, std::size
   return result;
 }
 
-Result<std::vector<Triangle>> EdgeTriangulation::inside() const {
-  const planar::InsideTriangles found = find_inside(triangulation_);
-  if (found.wrong_halfedge) {
-    const std::uint32_t h = *found.wrong_halfedge;
-    return Error{ErrorCode::invalid_value, "the segments bound no region: the inside meets the outside at {}",
-                 planar::segment_text(points_[triangulation_.origin(h)], points_[triangulation_.target(h)])};
-  }
+/// The triangles of these half-edges, by indices of points.
+std::vector<Triangle> triangles_of(const planar::EdgeTriangulation& edges, std::span<const std::uint32_t> halfedges) {
+  const planar::Subdivision& t = edges.triangulation();
+  const auto index = [&](std::uint32_t h) { return edges.points().index(t.origin(h)); };
   std::vector<Triangle> triangles;
-  triangles.reserve(found.halfedges.size());
-  std::uint32_t largest = 0;
-  for (const std::uint32_t h : found.halfedges) {
-    const std::uint32_t second = triangulation_.next(h);
-    Triangle t{points_.index(triangulation_.origin(h)), points_.index(triangulation_.origin(second)),
-               points_.index(triangulation_.target(second))};
-    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-    largest = std::max(largest, t[0]);
-    triangles.push_back(t);
+  triangles.reserve(halfedges.size());
+  for (const std::uint32_t h : halfedges) {
+    const std::uint32_t second = t.next(h);
+    Triangle triangle{index(h), index(second), index(t.next(second))};
+    std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+    triangles.push_back(triangle);
   }
-  return in_order(triangles, std::size_t{largest} + 1);
+  return triangles;
 }
 
 }  // namespace
@@ -107,9 +48,10 @@ Result<std::vector<Triangle>> EdgeTriangulation::inside() const {
 Result<std::vector<TriangleMesh::Triangle>> constrained_delaunay(const PointArray& points,
                                                                  std::span<const DirectedEdge> edges,
                                                                  const Monitor& monitor) {
-  EdgeTriangulation triangulation(points, edges);
+  planar::EdgeTriangulation triangulation(points, edges);
   RETURN_IF_ERROR(triangulation.build(monitor));
-  return triangulation.inside();
+  ASSIGN_OR_RETURN(const planar::InsideTriangles inside, triangulation.find_inside());
+  return in_order(triangles_of(triangulation, inside.halfedges), points.size());
 }
 
 Result<std::vector<TriangleMesh::Triangle>> triangulate(const Polygons& valid, const Monitor& monitor) {
