@@ -218,8 +218,8 @@ Defect ConflictText::defect_at(const ExactPoint& point, std::uint32_t segment, s
   if (two.defect) return two.defect;
   if (places_.face_of(segment) == places_.face_of(other) || !one.is_inside || !two.is_inside) return std::nullopt;
   const auto [first, second] = std::minmax(segment, other);
-  return fmt::format("face {} with {} and face {} with {} have inner points in common", places_.face_of(first) + 1,
-                     places_.segment_name(first), places_.face_of(second) + 1, places_.segment_name(second));
+  return fmt::format("{} and {} bound faces with common inner points", places_.segment_name(first),
+                     places_.segment_name(second));
 }
 
 /// The claims are wrong within the region or beyond one of the two half-edges: where one of them is right about the
