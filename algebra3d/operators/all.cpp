@@ -23,6 +23,7 @@ Registry make_registry() {
   register_imports(registry);
   register_exports(registry);
   register_rounding(registry);
+  register_time(registry);
   return registry;
 }
 

@@ -24,5 +24,6 @@ void register_decomposition(Registry& registry);
 void register_imports(Registry& registry);
 void register_exports(Registry& registry);
 void register_rounding(Registry& registry);
+void register_time(Registry& registry);
 
 }  // namespace algebra3d
