@@ -1,9 +1,7 @@
 #include "algebra3d/planar/moving_polygons.h"
 
 #include <cassert>
-#include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -53,7 +51,7 @@ class SegmentCheck {
     }
   }
 
-  Result<std::optional<std::string>> defect(const Monitor& monitor) {
+  Result<std::optional<std::string>> defect(const Monitor& monitor) const {
     if (auto found = short_cycle()) return found;
     if (auto found = defect_alone()) return found;
     return defect_of_pairs(monitor);
@@ -82,25 +80,23 @@ class SegmentCheck {
     return std::nullopt;
   }
 
-  Result<std::optional<std::string>> defect_of_pairs(const Monitor& monitor) {
-    const MovingPairs pairs(segments_);
-    for (std::size_t slab = 0; slab < pairs.slab_count(); ++slab) {
-      const auto tree = pairs.tree(slab);
-      Stage stage(monitor, fmt::format("comparing moving segments, part {} of {}", slab + 1, pairs.slab_count()), 0);
-      auto join = tree.self_join();
-      for (auto batch = join.next_batch(); !batch.empty(); batch = join.next_batch())
-        for (const auto& pair : batch) {
-          if (!stage.begin_step()) return Monitor::interrupted();
-          if (auto found = defect_of_pair(pair.first, pair.second, pairs.slab(slab))) return found;
-        }
-    }
-    return std::optional<std::string>();
+  Result<std::optional<std::string>> defect_of_pairs(const Monitor& monitor) const {
+    Stage stage(monitor, "comparing moving segments", 0);
+    std::optional<std::string> found;
+    bool is_cancelled = false;
+    MovingPairs(segments_).for_each([&](std::uint32_t i, std::uint32_t j) {
+      is_cancelled = !stage.begin_step();
+      if (!is_cancelled) found = defect_of_pair(i, j);
+      return !is_cancelled && !found;
+    });
+    if (is_cancelled) return Monitor::interrupted();
+    return found;
   }
 
-  std::optional<std::string> defect_of_pair(std::uint32_t i, std::uint32_t j, const TimeSlab& slab) {
+  std::optional<std::string> defect_of_pair(std::uint32_t i, std::uint32_t j) const {
     const bool is_one_cycle = cycle_of_[i] == cycle_of_[j];
     if (is_one_cycle && (next_[i] == j || next_[j] == i)) return std::nullopt;
-    if (surely_apart(segments_[i], segments_[j], slab) || !compared_.insert({i, j}).second) return std::nullopt;
+    if (surely_apart(segments_[i], segments_[j])) return std::nullopt;
     const auto clash = first_clash(segments_[i], segments_[j], !is_one_cycle);
     if (!clash) return std::nullopt;
     const char* const verb = clash->meeting == Meeting::crossing  ? "cross"
@@ -122,9 +118,8 @@ class SegmentCheck {
 
   const Polygons& polygons_;
   std::vector<MovingSegment> segments_;
-  std::vector<std::uint32_t> next_;                             // of each segment: the next one of its cycle
-  std::vector<std::uint32_t> cycle_of_;                         // of each segment
-  std::set<std::pair<std::uint32_t, std::uint32_t>> compared_;  // pairs that were decided exactly, over all time
+  std::vector<std::uint32_t> next_;      // of each segment: the next one of its cycle
+  std::vector<std::uint32_t> cycle_of_;  // of each segment
 };
 
 }  // namespace

@@ -39,16 +39,10 @@ std::optional<Clash> first_clash(const MovingSegment& ab, const MovingSegment& c
 /// When the segments from `corner` to `a` and to `b` lie on each other. Requires that neither vanishes.
 std::optional<Moment> first_fold(const MovingPoint& a, const MovingPoint& corner, const MovingPoint& b);
 
-/// A part of the unit: from <= s <= to, without 0 and 1.
-struct TimeSlab {
-  double from = 0;
-  double to = 1;
-};
-
 // Quick answers by floating-point intervals: true is certain, false says nothing.
 
-/// The segments have no point in common throughout the slab.
-bool surely_apart(const MovingSegment& ab, const MovingSegment& cd, const TimeSlab& slab);
+/// The segments never have a point in common.
+bool surely_apart(const MovingSegment& ab, const MovingSegment& cd);
 /// The segments from `corner` to `a` and to `b` never lie on each other.
 bool surely_unfolded(const MovingPoint& a, const MovingPoint& corner, const MovingPoint& b);
 

@@ -16,6 +16,12 @@ using detail::kUndecided;
 
 constexpr int kHalvings = 6;
 
+/// A part of the unit: from <= s <= to, without 0 and 1.
+struct TimeSlab {
+  double from = 0;
+  double to = 1;
+};
+
 struct IntervalVector {
   Interval x, y;
 };
@@ -106,24 +112,24 @@ bool is_unfolded(const MovingPoint& a, const MovingPoint& corner, const MovingPo
   return lasting_cross(to_a, to_b, slab) != kUndecided || lasting_dot(to_a, to_b, slab) == -1;
 }
 
-/// Holds in the slab, or in parts that make it up.
+/// Holds in the slab, or in parts that make it up. The recursion is as deep as there are halvings.
 template <typename Holds>
-bool holds_in_parts(const TimeSlab& slab, int halvings, const Holds& holds) {
+bool holds_in_parts(const Holds& holds, const TimeSlab& slab = {}, int halvings = kHalvings) {
   if (holds(slab)) return true;
   if (halvings == 0) return false;
   const double middle = (slab.from + slab.to) / 2;
-  return holds_in_parts({slab.from, middle}, halvings - 1, holds) &&
-         holds_in_parts({middle, slab.to}, halvings - 1, holds);
+  return holds_in_parts(holds, {slab.from, middle}, halvings - 1) &&
+         holds_in_parts(holds, {middle, slab.to}, halvings - 1);
 }
 
 }  // namespace
 
-bool surely_apart(const MovingSegment& ab, const MovingSegment& cd, const TimeSlab& slab) {
-  return holds_in_parts(slab, kHalvings, [&](const TimeSlab& part) { return is_apart(ab, cd, part); });
+bool surely_apart(const MovingSegment& ab, const MovingSegment& cd) {
+  return holds_in_parts([&](const TimeSlab& part) { return is_apart(ab, cd, part); });
 }
 
 bool surely_unfolded(const MovingPoint& a, const MovingPoint& corner, const MovingPoint& b) {
-  return holds_in_parts({}, kHalvings, [&](const TimeSlab& part) { return is_unfolded(a, corner, b, part); });
+  return holds_in_parts([&](const TimeSlab& part) { return is_unfolded(a, corner, b, part); });
 }
 
 }  // namespace algebra3d

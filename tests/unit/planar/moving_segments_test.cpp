@@ -1,5 +1,6 @@
 // Moving segments against sampling: what is asked at a single time is decided by another method, by solving for the
 // common point with rationals.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -95,7 +96,7 @@ void expect_right(const MovingSegment& ab, const MovingSegment& cd, bool may_tou
   if (!clash) {
     return;
   }
-  EXPECT_FALSE(surely_apart(ab, cd, {}));
+  EXPECT_FALSE(surely_apart(ab, cd));
   if (clash->moment.is_right_after) {
     // Some time, short enough, in which nothing changes.
     EXPECT_TRUE(is_forbidden(meeting_at(ab, cd, Rational(s + 1e-9)), may_touch)) << s;
@@ -122,7 +123,7 @@ TEST(moving_segments, random_ones_meet_when_samples_say_so) {
     (clash ? clashes : apart) += 1;
     for_an_instant += clash && !clash->moment.is_right_after ? 1 : 0;
     overlaps += clash && clash->meeting == Meeting::overlap ? 1 : 0;
-    EXPECT_FALSE(clash && surely_apart(ab, cd, {}));
+    EXPECT_FALSE(clash && surely_apart(ab, cd));
   }
   EXPECT_GT(clashes, 1000);
   EXPECT_GT(apart, 1000);
