@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "algebra3d/exact/balanced_sum.h"
 #include "algebra3d/exact/exact_sum_integers.h"
 #include "algebra3d/exact/exact_sum_wide.h"
 
@@ -95,35 +96,6 @@ class LongSums {
   std::array<BigInteger, 3> moments_;
 };
 
-/// Sum of rationals in a balanced tree: denominators that have nothing in common grow with the number of terms, and so
-/// the large ones are added few times.
-class BalancedSum {
- public:
-  void add(Rational term) {
-    std::size_t level = 0;
-    for (; level < partial_.size() && is_used_[level]; ++level) {
-      term += partial_[level];
-      is_used_[level] = false;
-    }
-    if (level == partial_.size()) {
-      partial_.emplace_back();
-      is_used_.push_back(false);
-    }
-    partial_[level] = std::move(term);
-    is_used_[level] = true;
-  }
-  Rational total() const {
-    Rational sum;
-    for (std::size_t level = 0; level < partial_.size(); ++level)
-      if (is_used_[level]) sum += partial_[level];
-    return sum;
-  }
-
- private:
-  std::vector<Rational> partial_;  // at level k the sum of 2^k terms
-  std::vector<bool> is_used_;
-};
-
 /// The same for triangles with a corner that is no double.
 class RationalSums {
  public:
@@ -146,8 +118,8 @@ class RationalSums {
 
  private:
   const PointArray& points_;
-  BalancedSum volume_;
-  std::array<BalancedSum, 3> moments_;
+  detail::BalancedSum volume_;
+  std::array<detail::BalancedSum, 3> moments_;
 };
 
 AxisRanges ranges_of(const PointArray& points) {

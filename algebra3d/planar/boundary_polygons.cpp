@@ -1,0 +1,134 @@
+#include "algebra3d/planar/boundary_polygons.h"
+
+#include <algorithm>
+#include <compare>
+
+#include "algebra3d/planar/edge_triangulation.h"
+
+namespace algebra3d {
+namespace {
+
+using planar::kNone;
+using planar::PlanePoints;
+using planar::Subdivision;
+
+/// A cycle of vertices that touches itself nowhere and turns at each; the smallest comes first.
+struct TracedCycle {
+  std::vector<std::uint32_t> vertices;
+  bool is_hole;
+};
+using TracedFace = std::vector<TracedCycle>;
+
+/// Follows the boundaries of the patches of the inside.
+class BoundaryTracer {
+ public:
+  explicit BoundaryTracer(const planar::EdgeTriangulation& edges)
+      : points_(edges.points()),
+        triangulation_(edges.triangulation()),
+        is_traced_(triangulation_.halfedge_count()),
+        place_in_path_(triangulation_.vertex_count(), kNone) {}
+
+  /// The cycles of the patch of these triangles: the outer one, then holes in order.
+  TracedFace trace(std::span<const std::uint32_t> triangles);
+  bool is_before(const TracedFace& a, const TracedFace& b) const { return is_before(a[0], b[0]); }
+
+ private:
+  bool is_boundary(std::uint32_t h) const { return planar::mark_has_inside(triangulation_.mark(h)); }
+  bool is_before(const TracedCycle& a, const TracedCycle& b) const;
+  void walk(std::uint32_t start, TracedFace& face);
+  void cut_off(std::size_t begin, TracedFace& face);
+  std::uint32_t next_on_boundary(std::uint32_t h) const;
+
+  const PlanePoints& points_;
+  const Subdivision& triangulation_;
+  std::vector<bool> is_traced_;
+  std::vector<std::uint32_t> path_;           // vertices since the start, without the cycles that are cut off
+  std::vector<std::uint32_t> place_in_path_;  // of each vertex
+};
+
+/// By the first two corners. Two cycles that begin in one corner go on to different ones.
+bool BoundaryTracer::is_before(const TracedCycle& a, const TracedCycle& b) const {
+  const std::size_t place = a.vertices[0] == b.vertices[0] ? 1 : 0;
+  return points_.is_before(a.vertices[place], b.vertices[place]);
+}
+
+/// The half-edge that goes on at the target, with the same triangles between.
+std::uint32_t BoundaryTracer::next_on_boundary(std::uint32_t h) const {
+  std::uint32_t next = triangulation_.next(h);
+  while (!is_boundary(next)) next = triangulation_.next(Subdivision::twin(next));
+  return next;
+}
+
+/// Makes a cycle of the end of the path.
+void BoundaryTracer::cut_off(std::size_t begin, TracedFace& face) {
+  TracedCycle cycle;
+  const std::size_t count = path_.size() - begin;
+  const auto vertex = [&](std::size_t i) { return path_[begin + i % count]; };
+  std::size_t first = 0;
+  for (std::size_t i = 1; i < count; ++i)
+    if (points_.is_before(vertex(i), vertex(first))) first = i;
+  cycle.is_hole = points_.turn(vertex(first + count - 1), vertex(first), vertex(first + 1)) < 0;
+  for (std::size_t i = first; i < first + count; ++i)
+    if (points_.turn(vertex(i + count - 1), vertex(i), vertex(i + 1)) != 0) cycle.vertices.push_back(vertex(i));
+  for (std::size_t i = begin; i < path_.size(); ++i) place_in_path_[path_[i]] = kNone;
+  path_.resize(begin);
+  face.push_back(std::move(cycle));
+}
+
+void BoundaryTracer::walk(std::uint32_t start, TracedFace& face) {
+  std::uint32_t h = start;
+  do {
+    is_traced_[h] = true;
+    const std::uint32_t vertex = triangulation_.origin(h);
+    if (place_in_path_[vertex] != kNone) cut_off(place_in_path_[vertex], face);
+    place_in_path_[vertex] = static_cast<std::uint32_t>(path_.size());
+    path_.push_back(vertex);
+    h = next_on_boundary(h);
+  } while (h != start);
+  cut_off(0, face);
+}
+
+TracedFace BoundaryTracer::trace(std::span<const std::uint32_t> triangles) {
+  TracedFace face;
+  for (const std::uint32_t triangle : triangles) {
+    const std::uint32_t second = triangulation_.next(triangle);
+    for (const std::uint32_t h : {triangle, second, triangulation_.next(second)})
+      if (is_boundary(h) && !is_traced_[h]) walk(h, face);
+  }
+  std::sort(face.begin(), face.end(), [&](const TracedCycle& a, const TracedCycle& b) {
+    return a.is_hole != b.is_hole ? b.is_hole : is_before(a, b);
+  });
+  return face;
+}
+
+void append(const PlanePoints& points, const TracedFace& face, Polygons& polygons) {
+  for (const TracedCycle& cycle : face) {
+    for (const std::uint32_t vertex : cycle.vertices) polygons.corners.push_back(points[vertex]);
+    polygons.cycle_ends.push_back(static_cast<std::uint32_t>(polygons.corners.size()));
+  }
+  polygons.face_ends.push_back(static_cast<std::uint32_t>(polygons.cycle_ends.size()));
+}
+
+}  // namespace
+
+Result<Polygons> boundary_polygons(const PointArray& points, std::span<const DirectedEdge> noded_edges,
+                                   const Monitor& monitor) {
+  planar::EdgeTriangulation edges(points, noded_edges);
+  RETURN_IF_ERROR(edges.build(monitor));
+  RETURN_IF_ERROR(edges.check_one_direction());
+  ASSIGN_OR_RETURN(const planar::InsideTriangles inside, edges.find_inside());
+  BoundaryTracer tracer(edges);
+  std::vector<TracedFace> faces;
+  std::uint32_t begin = 0;
+  for (const std::uint32_t end : inside.patch_ends) {
+    faces.push_back(tracer.trace(std::span(inside.halfedges).subspan(begin, end - begin)));
+    begin = end;
+  }
+  std::sort(faces.begin(), faces.end(),
+            [&](const TracedFace& a, const TracedFace& b) { return tracer.is_before(a, b); });
+  Polygons result;
+  for (const TracedFace& face : faces) append(edges.points(), face, result);
+  return result;
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,61 @@
+#include "algebra3d/planar/constrained_delaunay.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "algebra3d/planar/cycles.h"
+#include "algebra3d/planar/edge_triangulation.h"
+
+namespace algebra3d {
+namespace {
+
+using Triangle = TriangleMesh::Triangle;
+
+/// Each begins with its lowest index: by that and the next. There are few of one first corner, so they are sorted by it
+/// in linear time.
+std::vector<Triangle> in_order(const std::vector<Triangle>& triangles, std::size_t point_count) {
+  std::vector<std::uint32_t> ends(point_count + 1);
+  for (const Triangle& t : triangles) ++ends[t[0] + 1];
+  for (std::size_t i = 1; i < ends.size(); ++i) ends[i] += ends[i - 1];
+  std::vector<Triangle> result(triangles.size());
+  for (const Triangle& t : triangles) result[ends[t[0]]++] = t;
+  std::uint32_t begin = 0;
+  for (std::size_t i = 0; i < point_count; ++i) {
+    std::sort(result.begin() + begin, result.begin() + ends[i]);
+    begin = ends[i];
+  }
+  return result;
+}
+
+/// The triangles of these half-edges, by indices of points.
+std::vector<Triangle> triangles_of(const planar::EdgeTriangulation& edges, std::span<const std::uint32_t> halfedges) {
+  const planar::Subdivision& t = edges.triangulation();
+  const auto index = [&](std::uint32_t h) { return edges.points().index(t.origin(h)); };
+  std::vector<Triangle> triangles;
+  triangles.reserve(halfedges.size());
+  for (const std::uint32_t h : halfedges) {
+    const std::uint32_t second = t.next(h);
+    Triangle triangle{index(h), index(second), index(t.next(second))};
+    std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+    triangles.push_back(triangle);
+  }
+  return triangles;
+}
+
+}  // namespace
+
+Result<std::vector<TriangleMesh::Triangle>> constrained_delaunay(const PointArray& points,
+                                                                 std::span<const DirectedEdge> edges,
+                                                                 const Monitor& monitor) {
+  planar::EdgeTriangulation triangulation(points, edges);
+  RETURN_IF_ERROR(triangulation.build(monitor));
+  ASSIGN_OR_RETURN(const planar::InsideTriangles inside, triangulation.find_inside());
+  return in_order(triangles_of(triangulation, inside.halfedges), points.size());
+}
+
+Result<std::vector<TriangleMesh::Triangle>> triangulate(const Polygons& valid, const Monitor& monitor) {
+  return constrained_delaunay(valid.corners, planar::segments_of(valid, planar::reversed_cycles(valid)), monitor);
+}
+
+}  // namespace algebra3d

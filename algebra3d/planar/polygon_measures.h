@@ -1,0 +1,16 @@
+#pragma once
+
+#include "algebra3d/planar/polygons.h"
+
+namespace algebra3d {
+
+/// Twice the area of the polygons: of each face its outer cycle less its holes, whatever their sense of rotation; so it
+/// is positive unless there is no face. Units: squared coordinate units. Domain: no defect (polygon_validity.h).
+/// Exact. Cost: linear; see exact_doubled_area.
+Rational doubled_area(const Polygons& valid);
+/// The area, rounded once; infinite beyond the range of doubles.
+double nearest_area(const Polygons& valid);
+/// Length of all cycles, in coordinate units. Exactness: within 2 ulp. Cost: linear.
+double nearest_perimeter(const Polygons& polygons);
+
+}  // namespace algebra3d

@@ -1,0 +1,100 @@
+#include "algebra3d/planar/regions.h"
+
+namespace algebra3d::planar {
+
+bool mark_segment(Subdivision& triangulation, std::uint32_t halfedge, std::uint32_t segment) {
+  if (mark_has_inside(triangulation.mark(halfedge))) return false;
+  const std::uint32_t twin = Subdivision::twin(halfedge);
+  triangulation.set_mark(halfedge, segment_mark(segment, true));
+  if (triangulation.mark(twin) == 0) triangulation.set_mark(twin, segment_mark(segment, false));
+  return true;
+}
+
+namespace {
+
+class InsideFlood {
+ public:
+  explicit InsideFlood(const Subdivision& triangulation)
+      : triangulation_(triangulation), is_done_(triangulation.halfedge_count()) {}
+
+  InsideTriangles run();
+
+ private:
+  bool flood(std::uint32_t start);
+  void push(std::uint32_t triangle);
+  bool cross_edges(std::uint32_t triangle);
+  void close_off_outside();
+
+  static constexpr std::uint8_t kFound = 1, kOutside = 2;
+
+  const Subdivision& triangulation_;
+  std::vector<std::uint8_t> is_done_;  // of each half-edge: whether its triangle has been found, or is unbounded
+  std::vector<std::uint32_t> open_;
+  InsideTriangles found_;
+};
+
+void InsideFlood::push(std::uint32_t triangle) {
+  const std::uint32_t second = triangulation_.next(triangle);
+  is_done_[triangle] = is_done_[second] = is_done_[triangulation_.next(second)] = kFound;
+  open_.push_back(triangle);
+}
+
+/// Goes on across the edges of a triangle. False if the inside does not end where it has to.
+bool InsideFlood::cross_edges(std::uint32_t triangle) {
+  const Subdivision& t = triangulation_;
+  const std::uint32_t second = t.next(triangle);
+  for (const std::uint32_t side : {triangle, second, t.next(second)}) {
+    const std::uint32_t mark = t.mark(side), across = Subdivision::twin(side);
+    if (mark_has_inside(mark)) continue;
+    if (mark != 0 || is_done_[across] == kOutside) {
+      found_.wrong_halfedge = side;
+      return false;
+    }
+    if (is_done_[across] == 0) push(across);
+  }
+  return true;
+}
+
+bool InsideFlood::flood(std::uint32_t start) {
+  push(start);
+  while (!open_.empty()) {
+    const std::uint32_t triangle = open_.back();
+    open_.pop_back();
+    found_.halfedges.push_back(triangle);
+    if (!cross_edges(triangle)) return false;
+  }
+  found_.patch_ends.push_back(static_cast<std::uint32_t>(found_.halfedges.size()));
+  return true;
+}
+
+void InsideFlood::close_off_outside() {
+  const std::uint32_t first = triangulation_.outer_halfedge();
+  if (first == kNone) return;
+  std::uint32_t h = first;
+  do {
+    is_done_[h] = kOutside;
+    h = triangulation_.next(h);
+  } while (h != first);
+}
+
+InsideTriangles InsideFlood::run() {
+  close_off_outside();
+  for (std::uint32_t h = 0; h < triangulation_.halfedge_count(); ++h) {
+    if (triangulation_.origin(h) == kNone || !mark_has_inside(triangulation_.mark(h)) || is_done_[h] == kFound)
+      continue;
+    if (is_done_[h] == kOutside) {
+      found_.wrong_halfedge = h;
+      break;
+    }
+    if (!flood(h)) break;
+  }
+  return std::move(found_);
+}
+
+}  // namespace
+
+InsideTriangles find_inside(const Subdivision& triangulation) {
+  return InsideFlood(triangulation).run();
+}
+
+}  // namespace algebra3d::planar

@@ -1,0 +1,138 @@
+#include "algebra3d/planar/constrained_delaunay.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "unit/planar/checks.h"
+
+namespace algebra3d {
+namespace {
+
+using namespace plane_shapes;
+using plane_checks::check;
+
+std::mt19937_64 numbers(std::uint64_t seed) {
+  return std::mt19937_64(seed);  // NOLINT(cert-msc51-cpp): the same in every run
+}
+
+Polygons mapped(const Polygons& polygons, const std::function<ExactPoint(const Vec3&)>& map) {
+  Polygons result = polygons;
+  result.corners = {};
+  for (const Vec3& corner : polygons.corners.approx()) result.corners.push_back(map(corner));
+  return result;
+}
+
+struct Named {
+  const char* name;
+  Polygons polygons;
+};
+
+std::vector<Named> families() {
+  auto random = numbers(1);
+  std::vector<Named> result;
+  const auto add = [&](const char* name, const std::vector<Face>& faces) {
+    result.push_back({name, polygons_of(faces)});
+  };
+  add("nothing", {});
+  add("triangle", {{{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}}}});
+  add("clockwise square", {{reversed(box(0, 0, 2, 2))}});
+  add("collinear corners",
+      {{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {3, 1, 0}, {3, 3, 0}, {2, 2, 0}, {1, 1, 0}}}});
+  add("star", {{star(300, 0.05, 1, random)}});
+  add("rings", rings(6, 100, random));
+  add("snowflake", {{snowflake(5)}});
+  add("maze", {{maze(20, random)}});
+  add("shaken maze", {{shaken(maze(20, random), 0.24, random)}});
+  add("comb", {{comb(60, 1000)}});
+  add("flat comb", {{comb(60, 0.001)}});
+  add("needle", {{{{0, 0, 0}, {1000, 1, 0}, {1000, std::nextafter(1, 2), 0}}}});
+  add("square with holes",
+      {{box(0, 0, 9, 9), box(1, 1, 2, 2), reversed(box(3, 3, 5, 5)), box(6, 1, 8, 8)}, {box(3.5, 3.5, 4.5, 4.5)}});
+  add("holes that touch the outer cycle and each other", {{box(0, 0, 8, 8),
+                                                           {{0, 4, 0}, {2, 3, 0}, {2, 5, 0}},
+                                                           {{2, 3, 0}, {4, 2, 0}, {4, 4, 0}},
+                                                           {{4, 4, 0}, {6, 3, 0}, {6, 5, 0}},
+                                                           {{8, 8, 0}, {6, 7, 0}, {7, 6, 0}}}});
+  add("holes that part the face",
+      {{box(0, 0, 8, 8), {{0, 4, 0}, {4, 3, 0}, {4, 5, 0}}, {{4, 4, 0}, {6, 3, 0}, {8, 4, 0}, {6, 5, 0}}}});
+  add("faces that share corners and touch",
+      {{box(0, 0, 2, 2)}, {box(2, 2, 4, 4)}, {{{4, 3, 0}, {6, 2, 0}, {6, 4, 0}}}, {{{2, 2, 0}, {3, 0, 0}, {4, 1, 0}}}});
+  return result;
+}
+
+TEST(ConstrainedDelaunay, each_family_is_right_in_every_respect) {
+  for (const Named& family : families()) {
+    SCOPED_TRACE(family.name);
+    check(family.polygons);
+  }
+}
+
+TEST(ConstrainedDelaunay, moved_and_scaled) {
+  for (const Named& family : families()) {
+    SCOPED_TRACE(family.name);
+    const auto scaled = [](double by) { return [by](const Vec3& p) { return ExactPoint(by * p); }; };
+    if (std::string(family.name) != "needle") check(mapped(family.polygons, scaled(0x1p-30)));
+    check(mapped(family.polygons, scaled(0x1p-1000)));
+    check(mapped(family.polygons, scaled(0x1p1000)));
+  }
+}
+
+TEST(ConstrainedDelaunay, of_rationals) {
+  for (const Named& family : families()) {
+    if (family.polygons.corners.size() > 500) continue;
+    SCOPED_TRACE(family.name);
+    check(mapped(family.polygons, [](const Vec3& p) {
+      const RationalVec3 exact(p);
+      return ExactPoint(RationalVec3(exact.x / Rational(3), (exact.y + exact.x) / Rational(7), Rational()));
+    }));
+  }
+}
+
+TEST(ConstrainedDelaunay, refuses_what_bounds_no_region) {
+  const PointArray points({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}});
+  const auto message = [&](const std::vector<DirectedEdge>& edges) {
+    const auto result = constrained_delaunay(points, edges);
+    return result.ok() ? "" : result.error().message;
+  };
+  EXPECT_EQ(message({{0, 1}, {1, 2}, {2, 3}, {3, 0}}), "");
+  EXPECT_EQ(message({{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 2}, {2, 0}}), "");
+  EXPECT_EQ(message({{0, 2}, {1, 3}}), "segment (2 0)-(0 2) crosses segment (0 0)-(2 2)");
+  EXPECT_EQ(message({{0, 1}, {1, 2}, {2, 0}, {0, 1}}), "segment (0 0)-(2 0) overlaps segment (0 0)-(2 0)");
+  EXPECT_EQ(message({{1, 0}, {0, 3}, {3, 2}, {2, 1}}),
+            "the segments bound no region: the inside meets the outside at (2 0)-(0 0)");
+  EXPECT_NE(message({{0, 1}, {1, 2}, {2, 3}}), "");
+}
+
+TEST(ConstrainedDelaunay, can_be_interrupted) {
+  auto random = numbers(2);
+  const std::atomic<bool> cancel{true};
+  const auto result = triangulate(polygons_of({{star(5000, 0.1, 1, random)}}), Monitor(&cancel));
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().code, ErrorCode::interrupted);
+}
+
+TEST(ConstrainedDelaunay, depends_on_points_and_edges_alone) {
+  auto random = numbers(3);
+  const Polygons polygons = polygons_of({{maze(12, random)}});
+  std::vector<DirectedEdge> edges = plane_checks::edges_of(polygons);
+  const auto expected = constrained_delaunay(polygons.corners, edges);
+  ASSERT_TRUE(expected.ok());
+  for (int i = 0; i < 5; ++i) {
+    std::shuffle(edges.begin(), edges.end(), random);
+    const auto result = constrained_delaunay(polygons.corners, edges);
+    ASSERT_TRUE(result.ok());
+    EXPECT_EQ(*result, *expected);
+  }
+}
+
+TEST(ConstrainedDelaunay, large_fractals) {
+  auto random = numbers(4);
+  check(polygons_of({{snowflake(7)}}));
+  check(polygons_of({{shaken(maze(100, random), 0.24, random)}}));
+}
+
+}  // namespace
+}  // namespace algebra3d
