@@ -6,9 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/base/number_text.h"
 #include "algebra3d/planar/moving_pairs.h"
 #include "algebra3d/planar/moving_segments.h"
+#include "algebra3d/planar/polygon_places.h"
+#include "algebra3d/planar/polygon_validity.h"
+#include "algebra3d/planar/segment_text.h"
 
 // The proof. Every two segments are looked at over the whole time: none vanishes, those of one cycle never meet,
 // neighbours never lie on each other, those of different cycles neither cross nor overlap. What is left then is how the
@@ -18,16 +20,6 @@
 namespace algebra3d {
 namespace {
 
-std::string coordinate_text(const PointRef& point, std::size_t axis) {
-  const Rational number = point.coordinate(axis);
-  return number.is_double() ? real_text(number.nearest_double()) : number.text();
-}
-
-std::string corner_text(const MovingPoint& corner) {
-  return fmt::format("({} {} {} {})", coordinate_text(corner.start, 0), coordinate_text(corner.start, 1),
-                     coordinate_text(corner.end, 0), coordinate_text(corner.end, 1));
-}
-
 std::string time_text(const Moment& moment) {
   const double s = moment.s.approx();
   if (!moment.is_right_after) return fmt::format("at about {:.6g} of the unit", s);
@@ -35,19 +27,15 @@ std::string time_text(const Moment& moment) {
 }
 
 /// The segments of moving polygons: number i leads from corner i to the next one of its cycle.
-class SegmentCheck {
+class MovingCheck {
  public:
-  explicit SegmentCheck(const MovingPolygons& moving) : polygons_(moving.start) {
-    for (std::size_t cycle = 0; cycle < polygons_.cycle_count(); ++cycle) {
-      const std::uint32_t first = polygons_.first_corner(cycle);
-      const std::uint32_t end = polygons_.cycle_ends[cycle];
-      for (std::uint32_t i = first; i < end; ++i) {
-        const std::uint32_t next = i + 1 == end ? first : i + 1;
-        segments_.push_back(
-            {{moving.start.corners[i], moving.end.corners[i]}, {moving.start.corners[next], moving.end.corners[next]}});
-        next_.push_back(next);
-        cycle_of_.push_back(static_cast<std::uint32_t>(cycle));
-      }
+  explicit MovingCheck(const MovingPolygons& moving) : polygons_(moving.start), places_(moving.start) {
+    const PointArray& start = moving.start.corners;
+    const PointArray& end = moving.end.corners;
+    segments_.reserve(start.size());
+    for (std::uint32_t i = 0; i < start.size(); ++i) {
+      const std::uint32_t next = places_.after(i);
+      segments_.push_back({{start[i], end[i]}, {start[next], end[next]}});
     }
   }
 
@@ -59,9 +47,13 @@ class SegmentCheck {
 
  private:
   std::optional<std::string> short_cycle() const {
-    for (std::size_t cycle = 0; cycle < polygons_.cycle_count(); ++cycle)
-      if (polygons_.cycle_ends[cycle] - polygons_.first_corner(cycle) < 3)
-        return fmt::format("{} has less than 3 corners", cycle_text(cycle));
+    for (std::size_t face = 0; face < polygons_.face_count(); ++face)
+      for (std::uint32_t cycle = polygons_.first_cycle(face); cycle < polygons_.face_ends[face]; ++cycle) {
+        const std::uint32_t count = polygons_.cycle_ends[cycle] - polygons_.first_corner(cycle);
+        if (count < 3)
+          return fmt::format("face {}, cycle {} has {} corners, expected 3 at least", face + 1,
+                             cycle - polygons_.first_cycle(face) + 1, count);
+      }
     return std::nullopt;
   }
 
@@ -69,13 +61,13 @@ class SegmentCheck {
   std::optional<std::string> defect_alone() const {
     for (std::uint32_t i = 0; i < segments_.size(); ++i)
       if (const auto moment = vanishing(segments_[i]))
-        return fmt::format("the segment {} has no length {}", segment_text(i), time_text(*moment));
+        return fmt::format("{} has no length {}", segment_name(i), time_text(*moment));
     for (std::uint32_t i = 0; i < segments_.size(); ++i) {
-      const MovingSegment& next = segments_[next_[i]];
+      const std::uint32_t j = places_.after(i);
+      const MovingSegment& next = segments_[j];
       if (surely_unfolded(segments_[i].from, next.from, next.to)) continue;
       if (const auto moment = first_fold(segments_[i].from, next.from, next.to))
-        return fmt::format("the segments {} and {} lie on each other {}", segment_text(i), segment_text(next_[i]),
-                           time_text(*moment));
+        return fmt::format("{} and {} lie on each other {}", segment_name(i), segment_name(j), time_text(*moment));
     }
     return std::nullopt;
   }
@@ -94,32 +86,26 @@ class SegmentCheck {
   }
 
   std::optional<std::string> defect_of_pair(std::uint32_t i, std::uint32_t j) const {
-    const bool is_one_cycle = cycle_of_[i] == cycle_of_[j];
-    if (is_one_cycle && (next_[i] == j || next_[j] == i)) return std::nullopt;
+    const bool is_one_cycle = places_.cycle_of(i) == places_.cycle_of(j);
+    if (is_one_cycle && (places_.after(i) == j || places_.after(j) == i)) return std::nullopt;
     if (surely_apart(segments_[i], segments_[j])) return std::nullopt;
     const auto clash = first_clash(segments_[i], segments_[j], !is_one_cycle);
     if (!clash) return std::nullopt;
     const char* const verb = clash->meeting == Meeting::crossing  ? "cross"
                              : clash->meeting == Meeting::overlap ? "overlap"
                                                                   : "touch";
-    return fmt::format("the segments {} and {} {} {}", segment_text(i), segment_text(j), verb,
-                       time_text(clash->moment));
+    return fmt::format("{} and {} {} {}", segment_name(i), segment_name(j), verb, time_text(clash->moment));
   }
 
-  std::string cycle_text(std::size_t cycle) const {
-    std::size_t face = 0;
-    while (polygons_.face_ends[face] <= cycle) ++face;
-    return fmt::format("face {}, cycle {}", face + 1, cycle - polygons_.first_cycle(face) + 1);
-  }
-  std::string segment_text(std::uint32_t i) const {
-    return fmt::format("{} to {} of {}", corner_text(segments_[i].from), corner_text(segments_[i].to),
-                       cycle_text(cycle_of_[i]));
+  std::string segment_name(std::uint32_t i) const {
+    const auto& [from, to] = segments_[i];
+    return fmt::format("segment {} moving to {} of {}", planar::segment_text(from.start, to.start),
+                       planar::segment_text(from.end, to.end), places_.cycle_name(i));
   }
 
   const Polygons& polygons_;
+  planar::PolygonPlaces places_;
   std::vector<MovingSegment> segments_;
-  std::vector<std::uint32_t> next_;      // of each segment: the next one of its cycle
-  std::vector<std::uint32_t> cycle_of_;  // of each segment
 };
 
 }  // namespace
@@ -147,7 +133,10 @@ Polygons at(const MovingPolygons& moving, const Rational& s) {
 Result<std::optional<std::string>> moving_polygon_defect(const MovingPolygons& moving, const Monitor& monitor) {
   assert(moving.start.cycle_ends == moving.end.cycle_ends && moving.start.face_ends == moving.end.face_ends);
   assert(moving.start.corners.size() == moving.end.corners.size());
-  ASSIGN_OR_RETURN(auto defect, SegmentCheck(moving).defect(monitor));
+  ASSIGN_OR_RETURN(auto defect, MovingCheck(moving).defect(monitor));
+  if (defect) return defect;
+  ASSIGN_OR_RETURN(defect, polygon_defect(at(moving, Rational(1, 2)), monitor));
+  if (defect) *defect += " in the middle of the unit";
   return defect;
 }
 

@@ -298,32 +298,29 @@ TEST(moving_polygons, that_turn_are_valid_while_corners_do_not_meet) {
   // Turned by 180 degrees every corner goes through the centre, all at one time.
   MovingCycle half_turn;
   for (const auto& [x, y] : star) half_turn.push_back({x, y, -x, -y});
-  EXPECT_EQ(
-      defect_of({{half_turn}}),
-      "the segment (3.0 0.0 -3.0 0.0) to (1.0 1.0 -1.0 -1.0) of face 1, cycle 1 has no length at about 0.5 of the "
-      "unit");
+  EXPECT_EQ(defect_of({{half_turn}}),
+            "segment (3 0)-(1 1) moving to (-3 0)-(-1 -1) of face 1, cycle 1 has no length at about 0.5 of the unit");
   EXPECT_FALSE(is_valid_at_samples(polygons({{half_turn}})));
 }
 
 // --- Invalid ones
 
 TEST(moving_polygons, with_too_few_corners_are_none) {
-  EXPECT_EQ(defect_of({{still({{0, 0}, {1, 1}})}}), "face 1, cycle 1 has less than 3 corners");
-  EXPECT_EQ(defect_of({{square(0, 0, 1)}, {square(5, 5, 1), {}}}), "face 2, cycle 2 has less than 3 corners");
+  EXPECT_EQ(defect_of({{still({{0, 0}, {1, 1}})}}), "face 1, cycle 1 has 2 corners, expected 3 at least");
+  EXPECT_EQ(defect_of({{square(0, 0, 1)}, {square(5, 5, 1), {}}}),
+            "face 2, cycle 2 has 0 corners, expected 3 at least");
 }
 
 TEST(moving_polygons, whose_segments_vanish_or_fold_say_which_and_when) {
   EXPECT_EQ(defect_of({{still({{0, 0}, {1, 0}, {1, 0}, {0, 1}})}}),
-            "the segment (1.0 0.0 1.0 0.0) to (1.0 0.0 1.0 0.0) of face 1, cycle 1 has no length from its start on");
+            "segment (1 0)-(1 0) moving to (1 0)-(1 0) of face 1, cycle 1 has no length from its start on");
   // A triangle turns inside out.
-  EXPECT_EQ(
-      defect_of({{{{0, 0, 0, 0}, {4, 0, 4, 0}, {2, 3, 2, -3}}}}),
-      "the segments (0.0 0.0 0.0 0.0) to (4.0 0.0 4.0 0.0) of face 1, cycle 1 and (4.0 0.0 4.0 0.0) to (2.0 3.0 2.0 "
-      "-3.0) of face 1, cycle 1 lie on each other at about 0.5 of the unit");
-  EXPECT_EQ(
-      defect_of({{{{0, 0, 0, 0}, {4, 0, 4, 0}, {2, 0, 2, 0}}}}),
-      "the segments (0.0 0.0 0.0 0.0) to (4.0 0.0 4.0 0.0) of face 1, cycle 1 and (4.0 0.0 4.0 0.0) to (2.0 0.0 2.0 "
-      "0.0) of face 1, cycle 1 lie on each other from its start on");
+  EXPECT_EQ(defect_of({{{{0, 0, 0, 0}, {4, 0, 4, 0}, {2, 3, 2, -3}}}}),
+            "segment (0 0)-(4 0) moving to (0 0)-(4 0) of face 1, cycle 1 and segment (4 0)-(2 3) moving to (4 0)-(2 "
+            "-3) of face 1, cycle 1 lie on each other at about 0.5 of the unit");
+  EXPECT_EQ(defect_of({{{{0, 0, 0, 0}, {4, 0, 4, 0}, {2, 0, 2, 0}}}}),
+            "segment (0 0)-(4 0) moving to (0 0)-(4 0) of face 1, cycle 1 and segment (4 0)-(2 0) moving to (4 0)-(2 "
+            "0) of face 1, cycle 1 lie on each other from its start on");
   // Through one point at sqrt(1/2): (4 0)-(4 - 2s, 1 - ...): area 4 (2 - 4 s^2).
   EXPECT_NE(defect_of({{{{0, 0, 0, 0}, {4, 0, 8, 0}, {1, 1, 1, -1}}}}).find("at about 0.5 of the unit"),
             std::string::npos);
@@ -342,14 +339,12 @@ TEST(moving_polygons, whose_cycle_meets_itself_are_none) {
 }
 
 TEST(moving_polygons, whose_cycles_cross_or_overlap_are_none) {
-  EXPECT_EQ(
-      defect_of({{square(0, 0, 2)}, {moved(square(5, 1, 2), -4, 0)}}),
-      "the segments (2.0 0.0 2.0 0.0) to (2.0 2.0 2.0 2.0) of face 1, cycle 1 and (5.0 3.0 1.0 3.0) to (5.0 1.0 1.0 "
-      "1.0) of face 2, cycle 1 overlap at about 0.75 of the unit");
-  EXPECT_EQ(
-      defect_of({{square(0, 0, 2)}, {square(2, 0, 2)}}),
-      "the segments (2.0 0.0 2.0 0.0) to (2.0 2.0 2.0 2.0) of face 1, cycle 1 and (2.0 2.0 2.0 2.0) to (2.0 0.0 2.0 "
-      "0.0) of face 2, cycle 1 overlap from its start on");
+  // Which of the pairs that meet at that time is named depends on their places.
+  EXPECT_NE(defect_of({{square(0, 0, 2)}, {moved(square(5, 1, 2), -4, 0)}}).find("about 0.75 of the unit"),
+            std::string::npos);
+  EXPECT_EQ(defect_of({{square(0, 0, 2)}, {square(2, 0, 2)}}),
+            "segment (2 0)-(2 2) moving to (2 0)-(2 2) of face 1, cycle 1 and segment (2 2)-(2 0) moving to (2 2)-(2 "
+            "0) of face 2, cycle 1 overlap from its start on");
   // A triangle goes through an edge with a corner ahead.
   const std::string defect = defect_of({{square(0, 0, 8)}, {moved(still({{10, 4}, {12, 3}, {12, 5}}), -3, 0)}});
   EXPECT_NE(defect.find("cross from about 0.666667 of the unit on"), std::string::npos) << defect;
