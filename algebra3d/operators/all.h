@@ -25,5 +25,6 @@ void register_imports(Registry& registry);
 void register_exports(Registry& registry);
 void register_rounding(Registry& registry);
 void register_regions(Registry& registry);
+void register_time(Registry& registry);
 
 }  // namespace algebra3d

@@ -1,4 +1,4 @@
-// + - * / div mod on int and real.
+// + - * / div mod on int and real, and what of them there is for texts and times.
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -6,6 +6,7 @@
 #include "algebra3d/operators/all.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/types/scalars.h"
+#include "algebra3d/types/time.h"
 
 namespace algebra3d {
 namespace {
@@ -40,6 +41,25 @@ Text concatenate_texts(const Text& a, const Text& b) {
   return {a.content + b.content};
 }
 
+Maybe<Instant> instant_later(const Instant& instant, const Duration& by) {
+  return Instant::make(instant.milliseconds + by.milliseconds);
+}
+Maybe<Instant> instant_earlier(const Instant& instant, const Duration& by) {
+  return Instant::make(instant.milliseconds - by.milliseconds);
+}
+Maybe<Duration> time_between(const Instant& end, const Instant& start) {
+  return Duration::make(end.milliseconds - start.milliseconds);
+}
+Maybe<Duration> add_durations(const Duration& a, const Duration& b) {
+  return Duration::make(a.milliseconds + b.milliseconds);
+}
+Maybe<Duration> subtract_durations(const Duration& a, const Duration& b) {
+  return Duration::make(a.milliseconds - b.milliseconds);
+}
+Maybe<Duration> multiply_duration(const Duration& duration, double factor) {
+  return Duration::rounded(Rational(duration.milliseconds) * Rational(factor));
+}
+
 Maybe<double> divide(double a, double b) {
   if (b == 0) return Undefined{"division by zero"};
   return a / b;
@@ -62,42 +82,62 @@ void register_arithmetic(Registry& registry) {
   registry.add({
       .name = "+",
       .syntax = "_ + _",
-      .doc = "The sum of two numbers, or two strings or texts one after the other.",
-      .detail = "An int result beyond the range of ints is undefined.",
+      .doc =
+          "The sum of two numbers or durations, two strings or texts one after the other, or the instant after a time.",
+      .detail = "Undefined if an int is beyond the range of ints, an instant outside of the years 1 to 9999, or if the "
+                "days of a duration are beyond the range of ints.",
       .exactness = Exactness::rounded_once,
       .overloads = {symmetric(overload<&add_ints>("a", "b")), symmetric(overload<&add>("a", "b")),
-                    overload<&concatenate>("a", "b"), overload<&concatenate_texts>("a", "b")},
+                    overload<&concatenate>("a", "b"), overload<&concatenate_texts>("a", "b"),
+                    overload<&instant_later>("instant", "duration"), symmetric(overload<&add_durations>("a", "b"))},
       .examples = {{"1 + 2", "3"},
                    {"1 + 0.5", "1.5"},
                    {R"("ab" + "c")", R"("abc")"},
                    {"'ab' + 'c'", "'abc'"},
+                   {"theInstant(2012, 2, 28) + create_duration(1.5)", R"("2012-02-29-12:00")"},
+                   {"create_duration(1.5) + create_duration(0.75)", "(2 21600000)"},
                    {"2147483647 + 1", "undefined"},
                    {"1 + [const int value undefined]", "undefined"}},
       .errors = {{"query 1 + TRUE",
-                  "+: expected (int int), (real real), (string string) or (text text), got (int bool)"}},
+                  "+: expected (int int), (real real), (string string), (text text), (instant duration) or (duration "
+                  "duration), got (int bool)"}},
   });
   registry.add({
       .name = "-",
       .syntax = "_ - _",
-      .doc = "The difference of two numbers.",
-      .detail = "An int result beyond the range of ints is undefined.",
+      .doc = "The difference of two numbers or durations, the time between two instants, or the instant a time before.",
+      .detail = "Undefined where a sum is.",
       .exactness = Exactness::rounded_once,
-      .overloads = {overload<&subtract_ints>("a", "b"), overload<&subtract>("a", "b")},
-      .examples = {{"10 - 4 - 3", "3"}, {"1.5 - 1", "0.5"}, {"1 - [const real value undefined]", "undefined"}},
-      .errors = {{R"(query 1 - "a")", "-: expected (int int) or (real real), got (int string)"}},
+      .overloads = {overload<&subtract_ints>("a", "b"), overload<&subtract>("a", "b"),
+                    overload<&time_between>("end", "start"), overload<&instant_earlier>("instant", "duration"),
+                    overload<&subtract_durations>("a", "b")},
+      .examples = {{"10 - 4 - 3", "3"},
+                   {"1.5 - 1", "0.5"},
+                   {"theInstant(2013) - theInstant(2012)", "(366 0)"},
+                   {"theInstant(2012) - create_duration(0.25)", R"("2011-12-31-18:00")"},
+                   {"create_duration(1) - create_duration(1.5)", "(-1 43200000)"},
+                   {"1 - [const real value undefined]", "undefined"}},
+      .errors =
+          {{R"(query 1 - "a")",
+            "-: expected (int int), (real real), (instant instant), (instant duration) or (duration duration), got "
+            "(int string)"}},
   });
   registry.add({
       .name = "*",
       .syntax = "_ * _",
-      .doc = "The product of two numbers.",
-      .detail = "An int result beyond the range of ints is undefined.",
+      .doc = "The product of two numbers, or of a duration and a number.",
+      .detail =
+          "An int result beyond the range of ints is undefined. A duration is rounded to the nearest millisecond; "
+          "it is undefined if its days are beyond the range of ints.",
       .exactness = Exactness::rounded_once,
-      .overloads = {symmetric(overload<&multiply_ints>("a", "b")), symmetric(overload<&multiply>("a", "b"))},
+      .overloads = {symmetric(overload<&multiply_ints>("a", "b")), symmetric(overload<&multiply>("a", "b")),
+                    overload<&multiply_duration>("duration", "factor")},
       .examples = {{"2 * 3 + 1", "7"},
                    {"0.5 * 4", "2.0"},
+                   {"create_duration(2) * 0.75", "(1 43200000)"},
                    {"65536 * 65536", "undefined"},
                    {"2 * [const int value undefined]", "undefined"}},
-      .errors = {{R"(query 1 * "a")", "*: expected (int int) or (real real), got (int string)"}},
+      .errors = {{R"(query 1 * "a")", "*: expected (int int), (real real) or (duration real), got (int string)"}},
   });
   registry.add({
       .name = "/",

@@ -1,10 +1,12 @@
-// rect3: rectangle3, intersects, inside, contains, enlargeRect, minD, maxD.
+// rect3: rectangle3, intersects, inside, contains, enlargeRect, minD, maxD. What `inside` and `contains` mean for
+// others.
 #include <cmath>
 
 #include "algebra3d/operators/all.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
+#include "algebra3d/types/time.h"
 
 namespace algebra3d {
 namespace {
@@ -20,6 +22,9 @@ bool boxes_intersect(const Box3& a, const Box3& b) {
 }
 bool box_inside(const Box3& inner, const Box3& outer) {
   return outer.contains(inner);
+}
+bool instant_inside(const Instant& instant, const TimeInterval& interval) {
+  return interval.contains(instant);
 }
 bool box_contains(const Box3& outer, const Box3& inner) {
   return outer.contains(inner);
@@ -87,13 +92,17 @@ void register_box_predicates(Registry& registry) {
   registry.add({
       .name = "inside",
       .syntax = "_ inside _",
-      .doc = "True if every point of the first box lies in the second; common boundaries count.",
+      .doc = "True if every point of the first box lies in the second, or if the instant belongs to the interval.",
+      .detail = "Common boundaries of boxes count.",
       .exactness = Exactness::exact,
-      .overloads = {overload<&box_inside>("inner", "outer")},
+      .overloads = {overload<&box_inside>("inner", "outer"), overload<&instant_inside>("instant", "interval")},
       .examples = {{infix(kUnit, "inside", "rectangle3(0, 2, 0, 2, 0, 2)"), "TRUE"},
                    {infix(kUnit, "inside", kShifted), "FALSE"},
+                   {R"(theInstant(2012) inside [const interval value ("2011-01-01" "2012-01-01" TRUE FALSE)])",
+                    "FALSE"},
                    {infix(kUnit, "inside", kUndefinedBox), "undefined"}},
-      .errors = {{"query " + infix(kUnit, "inside", "1"), "inside: expected (rect3 rect3), got (rect3 int)"}},
+      .errors = {{"query " + infix(kUnit, "inside", "1"),
+                  "inside: expected (rect3 rect3) or (instant interval), got (rect3 int)"}},
   });
   registry.add({
       .name = "contains",

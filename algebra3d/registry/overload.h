@@ -99,7 +99,8 @@ struct OverloadMaker {
   using Argument = ArgumentOf<std::remove_cvref_t<P>>;
 
   template <std::size_t... Index>
-  static Result<Outcome> call(std::span<const Value> given, Context& context, std::index_sequence<Index...> places) {
+  static Result<Outcome> call([[maybe_unused]] std::span<const Value> given, Context& context,
+                              std::index_sequence<Index...> places) {
     if (((Argument<Parameters>::kNeedsContent && given[Index].is_deferred()) || ...))
       return call_loaded(given, context, places);
     if constexpr (kTakesContext)
@@ -127,9 +128,9 @@ struct OverloadMaker {
       status = std::move(loaded).error();
   }
 
-  static Overload make(std::array<std::string_view, sizeof...(Parameters)> names) {
+  static Overload make([[maybe_unused]] std::array<std::string_view, sizeof...(Parameters)> names) {
     Overload overload;
-    std::size_t place = 0;
+    [[maybe_unused]] std::size_t place = 0;
     (overload.parameters.push_back(
          {std::string(names[place++]), &Argument<Parameters>::type(), Argument<Parameters>::kAcceptsUndefined}),
      ...);

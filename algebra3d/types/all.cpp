@@ -3,6 +3,7 @@
 #include "algebra3d/types/planar.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
+#include "algebra3d/types/time.h"
 #include "algebra3d/types/tuple_number.h"
 
 namespace algebra3d {
@@ -13,6 +14,7 @@ std::vector<const Type*> all_types() {
           &TypeOf<Points3d>::type(),     &TypeOf<Vector3d>::type(),  &TypeOf<Plane3d>::type(),
           &TypeOf<Box3>::type(),         &TypeOf<Surface3d>::type(), &TypeOf<Volume3d>::type(),
           &TypeOf<Point2d>::type(),      &TypeOf<Rect>::type(),      &TypeOf<Region>::type(),
+          &TypeOf<Instant>::type(),      &TypeOf<Duration>::type(),  &TypeOf<TimeInterval>::type(),
           &TypeOf<TupleNumber>::type()};
 }
 
