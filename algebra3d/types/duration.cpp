@@ -64,7 +64,7 @@ Maybe<Duration> Duration::make(std::int64_t milliseconds) {
 }
 
 Maybe<Duration> Duration::rounded(const Rational& milliseconds) {
-  if (milliseconds.abs() > Rational(kGreatest) + 1) return Undefined{std::string(kOutsideOfDays)};
+  if (milliseconds.abs() > Rational(kGreatest) + 2) return Undefined{std::string(kOutsideOfDays)};
   auto whole = static_cast<std::int64_t>(milliseconds.nearest_double());
   Rational rest = milliseconds - Rational(whole);  // of a few units at most: a double of that size is a whole number
   const Rational half(1, 2);
