@@ -22,7 +22,7 @@ struct MovingSegment {
 /// What two segments that are no points have in common.
 enum class Meeting : std::uint8_t { none, touching, crossing, overlap };
 
-/// What happens first of what is forbidden, and when. Of what begins right after a moment, `is_right_after` is set.
+/// What happens, and when.
 struct Clash {
   Meeting meeting = Meeting::none;
   Moment moment;
@@ -30,13 +30,14 @@ struct Clash {
 
 // All of these look at the times 0 < s < 1, and decide exactly.
 
-/// When the segment has no length.
+/// The time at which the segment has no length; it is the only one, or all are.
 std::optional<Moment> vanishing(const MovingSegment& segment);
 
-/// When two segments have no more than a point in common allowed to them, or not even that: the first crossing or
-/// overlap, and if `may_touch` is false any meeting. Requires that neither vanishes.
+/// The first time at which two segments cross or overlap, or, if `may_touch` is false, have any point in common.
+/// Requires that neither vanishes. Of roots closer than rounding tells apart either may count as the first.
 std::optional<Clash> first_clash(const MovingSegment& ab, const MovingSegment& cd, bool may_touch);
-/// When the segments from `corner` to `a` and to `b` lie on each other. Requires that neither vanishes.
+/// The first time at which the segments from `corner` to `a` and to `b` lie on each other. Requires that neither
+/// vanishes.
 std::optional<Moment> first_fold(const MovingPoint& a, const MovingPoint& corner, const MovingPoint& b);
 
 // Quick answers by floating-point intervals: true is certain, false says nothing.

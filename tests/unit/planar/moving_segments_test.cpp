@@ -157,20 +157,15 @@ std::optional<double> clash_time(const std::array<double, 8>& ab, const std::arr
 }
 
 TEST(moving_segments, a_corner_that_bounces_off_a_segment_touches_it) {
-  // The corner comes from above along y = (2s - 1)^2 in the frame of the segment that turns: a double root at 1/2.
-  // ab from (0 0) to (2 4s - 2), its height at x = 1 is 2s - 1; c at (2s, ...) moves so that orient is a square.
+  // b = (2 4s - 2) and c = (1 + 2s, 4s - 2): orient(a, b, c) = 2 (4s - 2) - (4s - 2)(1 + 2s) = -2 (2s - 1)^2.
   const std::array<double, 8> ab{0, 0, 0, 0, 2, -2, 2, 2};
-  // orient(a, b, c) = 2 y - (4s - 2) x for c = (x, y); with x = 2s - 1 + 2 and y = (4s - 2): 2(4s-2) - (4s-2)(2s+1)
-  // = (4s - 2)(1 - 2s) = -2 (2s - 1)^2.
   const std::array<double, 8> cd{1, -2, 3, 2, 1, -9, 3, -9};
   EXPECT_EQ(clash_time(ab, cd, false), 0.5);
   EXPECT_EQ(clash_time(ab, cd, true), std::nullopt);
 }
 
 TEST(moving_segments, meet_at_an_irrational_time) {
-  // c moves on y = 0 from (-1 0) to (1 0); the end b of ab rises from (0 0) ... : orient(a, b, c) has the root
-  // sqrt(2)/2. a = (0 -1), b = (2s - 0, 2s - 1), c = (1/(2s))...: taken instead: a = (0 0), b = (1 s), c = (2s 1): 1 -
-  // 2 s^2.
+  // a = (0 0), b = (4 4s), c = (2s 1): orient(a, b, c) = 4 (1 - 2 s^2). With b = (1 s) the segment is too short.
   const std::array<double, 8> ab{0, 0, 0, 0, 1, 0, 1, 1};
   const std::array<double, 8> longer{0, 0, 0, 0, 4, 0, 4, 4};
   const std::array<double, 8> cd{0, 1, 2, 1, 0, 9, 2, 9};

@@ -15,8 +15,10 @@
 #include "algebra3d/types/all.h"
 #include "algebra3d/types/codec_points.h"
 #include "algebra3d/types/mesh_codec.h"
+#include "algebra3d/types/moving_region.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
+#include "algebra3d/types/time.h"
 
 namespace algebra3d {
 namespace {
@@ -91,6 +93,12 @@ const std::vector<std::pair<const Type*, std::string_view>>& samples() {
       {&TypeOf<Surface3d>::type(), "(((0 0 0) (1 0 0) (0 1 0)))"},
       {&TypeOf<Surface3d>::type(), "(((0 0 0) (1 0 0) (0 1/3 0)) ((5 5 5) (6 5 5) (5 6 7)))"},
       {&TypeOf<Volume3d>::type(), TypeOf<Volume3d>::type().example()},
+      {&TypeOf<Instant>::type(), R"("2011-07-08-14:00:00.001")"},
+      {&TypeOf<Duration>::type(), "(-3 5)"},
+      {&TypeOf<TimeInterval>::type(), "(-1 2.5 FALSE TRUE)"},
+      {&TypeOf<RegionUnit>::type(), "((0 1 TRUE FALSE) ((((0 0 1/3 0) (4 0 6 0) (4 4 6 9)))))"},
+      {&TypeOf<MovingRegion>::type(), TypeOf<MovingRegion>::type().example()},
+      {&TypeOf<MovingRegion>::type(), "()"},
   };
   return list;
 }
