@@ -25,6 +25,7 @@ Registry make_registry() {
   register_rounding(registry);
   register_regions(registry);
   register_time(registry);
+  register_moving_regions(registry);
   return registry;
 }
 

@@ -26,5 +26,6 @@ void register_exports(Registry& registry);
 void register_rounding(Registry& registry);
 void register_regions(Registry& registry);
 void register_time(Registry& registry);
+void register_moving_regions(Registry& registry);
 
 }  // namespace algebra3d

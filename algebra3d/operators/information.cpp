@@ -3,6 +3,7 @@
 
 #include "algebra3d/operators/all.h"
 #include "algebra3d/registry/overload.h"
+#include "algebra3d/types/moving_region.h"
 #include "algebra3d/types/planar.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
@@ -49,17 +50,20 @@ void register_sizes(Registry& registry) {
   registry.add({
       .name = "size",
       .syntax = "size(_)",
-      .doc = "The number of points or triangles; of a region, that of its segments.",
+      .doc = "The number of points or triangles; of a region, also one that moves, that of its segments.",
       .detail = "A point3d has size 1. Reads no geometry.",
       .exactness = Exactness::exact,
       .overloads = {overload<&size_of<Point3d>>("point"), overload<&size_of<Points3d>>("points"),
                     overload<&size_of<Surface3d>>("surface"), overload<&size_of<Volume3d>>("solid"),
-                    overload<&size_of<Region>>("region")},
+                    overload<&size_of<Region>>("region"), overload<&size_of<RegionUnit>>("unit"),
+                    overload<&size_of<MovingRegion>>("moving")},
       .examples = {{"size(createCube(makePoint3D(0, 0, 0), makePoint3D(1, 1, 1)))", "12"},
                    {"size([const surface3d value ()])", "0"},
                    {"size([const volume3d value undefined])", "undefined"}},
-      .errors = {{"query size(1)",
-                  "size: expected (point3d), (points3d), (surface3d), (volume3d) or (region), got (int)"}},
+      .errors =
+          {{"query size(1)",
+            "size: expected (point3d), (points3d), (surface3d), (volume3d), (region), (uregion) or (mregion), got "
+            "(int)"}},
   });
   registry.add({
       .name = "isEmpty",
@@ -68,7 +72,8 @@ void register_sizes(Registry& registry) {
       .exactness = Exactness::exact,
       .overloads = {overload<&is_empty<Point3d>>("point"), overload<&is_empty<Points3d>>("points"),
                     overload<&is_empty<Surface3d>>("surface"), overload<&is_empty<Volume3d>>("solid"),
-                    overload<&is_empty<Box3>>("box"), overload<&is_empty<Region>>("region")},
+                    overload<&is_empty<Box3>>("box"), overload<&is_empty<Region>>("region"),
+                    overload<&is_empty<MovingRegion>>("moving")},
       .examples = {{"isEmpty([const volume3d value ()])", "TRUE"},
                    {"isEmpty(makePoint3D(0, 0, 0))", "FALSE"},
                    {"isEmpty([const volume3d value undefined])", "TRUE"}},
@@ -80,7 +85,7 @@ void register_box_operator(Registry& registry, const std::string& name) {
   registry.add({
       .name = name,
       .syntax = name + "(_)",
-      .doc = "The smallest box of doubles around a geometry; a rectangle around one in the plane.",
+      .doc = "The smallest box of doubles around a geometry; a rectangle around one in the plane, at all times.",
       .detail = "Outward-rounded where coordinates are no doubles. Undefined for an empty value. Reads no geometry. "
                 "`bbox` and "
                 "`bbox3d` are the same operator.",
@@ -88,7 +93,8 @@ void register_box_operator(Registry& registry, const std::string& name) {
       .overloads = {overload<&box_of<Point3d>>("point"), overload<&box_of<Points3d>>("points"),
                     overload<&box_of<Surface3d>>("surface"), overload<&box_of<Volume3d>>("solid"),
                     overload<&box_of<Box3>>("box"), overload<&rect_of<Point2d>>("point"),
-                    overload<&rect_of<Region>>("region"), overload<&rect_of<Rect>>("rectangle")},
+                    overload<&rect_of<Region>>("region"), overload<&rect_of<Rect>>("rectangle"),
+                    overload<&rect_of<RegionUnit>>("unit"), overload<&rect_of<MovingRegion>>("moving")},
       .examples = {{name + "(createCube(makePoint3D(0, 0, 0), makePoint3D(1, 2, 3)))", "(0.0 1.0 0.0 2.0 0.0 3.0)"},
                    {name + "([const region value ((((0 0) (4 0) (4 3))))])", "(0.0 4.0 0.0 3.0)"},
                    {name + "([const volume3d value ()])", "undefined"},

@@ -10,6 +10,7 @@
 #include "algebra3d/operators/sample_values.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/repair/weld.h"
+#include "algebra3d/types/moving_region.h"
 #include "algebra3d/types/planar.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
@@ -120,6 +121,39 @@ Result<Maybe<Region>> translated_region(Context& context, const Region& region, 
   return Maybe<Region>(Region::trusted(std::move(image)));
 }
 
+Result<Maybe<RegionUnit>> image_of_unit(Context& context, const AffineMap& map, const RegionUnit& unit) {
+  MovingPolygons image = unit.polygons();
+  bool are_exact = true;
+  for (PointArray* corners : {&image.start.corners, &image.end.corners}) {
+    ASSIGN_OR_RETURN(RoundedPoints rounded, round_points(context, map, *corners));
+    if (!std::ranges::all_of(rounded.points, is_finite)) return Maybe<RegionUnit>(Undefined{kOutOfRange});
+    *corners = PointArray(std::move(rounded.points));
+    are_exact = are_exact && rounded.are_exact;
+  }
+  if (are_exact) return Maybe<RegionUnit>(RegionUnit::trusted(unit.interval(), std::move(image)));
+  ASSIGN_OR_RETURN(auto proved, RegionUnit::prove(unit.interval(), image, context.monitor()));
+  if (proved) return proved;
+  auto start = exact_images(map, unit.polygons().start.corners);
+  auto end = exact_images(map, unit.polygons().end.corners);
+  if (!start || !end) return Maybe<RegionUnit>(Undefined{kOutOfRange});
+  report_unrounded(context);
+  image.start.corners = std::move(*start);
+  image.end.corners = std::move(*end);
+  return Maybe<RegionUnit>(RegionUnit::trusted(unit.interval(), std::move(image)));
+}
+
+Result<Maybe<MovingRegion>> translated_motion(Context& context, const MovingRegion& moving, const Vector3d& by) {
+  if (by.components.rational().z.sign() != 0) return Maybe<MovingRegion>(Undefined{"the vector leaves the plane"});
+  const AffineMap map = AffineMap::translation(by.components.rational());
+  std::vector<RegionUnit> images;
+  for (const RegionUnit& unit : moving.units()) {
+    ASSIGN_OR_RETURN(auto image, image_of_unit(context, map, unit));
+    if (!image) return Maybe<MovingRegion>(Undefined{image.reason()});
+    images.push_back(*std::move(image));
+  }
+  return MovingRegion::make(std::move(images));
+}
+
 template <typename T>
 Result<Maybe<T>> rotated(Context& context, const T& geometry, const Point3d& centre, const Vector3d& axis,
                          double angle_degrees) {
@@ -198,7 +232,7 @@ void register_motions(Registry& registry) {
       .exactness = Exactness::rounded_once,
       .overloads = {overload<&translated<Point3d>>("point", "by"), overload<&translated<Points3d>>("points", "by"),
                     overload<&translated<Surface3d>>("surface", "by"), overload<&translated<Volume3d>>("solid", "by"),
-                    overload<&translated_region>("region", "by")},
+                    overload<&translated_region>("region", "by"), overload<&translated_motion>("moving", "by")},
       .examples = {{kPoint + " translate[makeVector3D(1, 0, -3)]", "(2.0 2.0 0.0)"},
                    {"bbox(" + kCuboid + " translate[[const vector3d value (10 0 0)]])", "(10.0 11.0 0.0 2.0 0.0 3.0)"},
                    {"[const region value ((((0 0) (3 0) (0 4))))] translate[makeVector3D(1, -1, 0)]",

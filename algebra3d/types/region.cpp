@@ -6,10 +6,10 @@
 #include "algebra3d/planar/boundary_polygons.h"
 #include "algebra3d/planar/noding.h"
 #include "algebra3d/planar/polygon_validity.h"
-#include "algebra3d/types/codec_points.h"
 #include "algebra3d/types/coordinate_text.h"
 #include "algebra3d/types/described_type.h"
 #include "algebra3d/types/planar.h"
+#include "algebra3d/types/polygons_codec.h"
 
 namespace algebra3d {
 
@@ -121,49 +121,17 @@ NestedList RegionType::to_nested(const Value& value) const {
   return NestedList(std::move(faces));
 }
 
-/// How many each part has, from where each ends.
-void write_counts(ByteWriter& writer, const std::vector<std::uint32_t>& ends) {
-  writer.varint(ends.size());
-  std::uint32_t begin = 0;
-  for (const std::uint32_t end : ends) writer.varint(end - std::exchange(begin, end));
-}
-
-/// Ends at `total`.
-std::vector<std::uint32_t> read_counts(ByteReader& reader, std::uint64_t smallest, std::uint64_t total) {
-  std::vector<std::uint32_t> ends(reader.count(1));
-  std::uint64_t end = 0;
-  for (std::uint32_t& place : ends) {
-    const std::uint64_t count = reader.varint();
-    if (count < smallest || count > total - end) {
-      reader.fail("cycles and faces that fit the corners");
-      return {};
-    }
-    end += count;
-    place = static_cast<std::uint32_t>(end);
-  }
-  reader.require(end == total, "cycles and faces that fit the corners");
-  return ends;
-}
-
 void RegionType::encode(const Value& value, std::string& bytes) const {
-  const Polygons& polygons = value.get<Region>().polygons();
   ByteWriter writer(bytes);
-  write_points(writer, polygons.corners);
-  write_counts(writer, polygons.cycle_ends);
-  write_counts(writer, polygons.face_ends);
+  write_polygons(writer, value.get<Region>().polygons());
 }
 
 Result<Value> RegionType::decode(std::string_view bytes, bool trusted) const {
   ByteReader reader(bytes, name());
-  Polygons polygons;
-  polygons.corners = read_points(reader);
-  polygons.cycle_ends = read_counts(reader, 3, polygons.corners.size());
-  polygons.face_ends = read_counts(reader, 1, polygons.cycle_ends.size());
+  Polygons polygons = read_polygons(reader);
   RETURN_IF_ERROR(reader.finish());
   if (trusted) return Value::of(Region::trusted(std::move(polygons)));
-  for (std::size_t i = 0; i < polygons.corners.size(); ++i)
-    if (polygons.corners[i].approx.z != 0 || polygons.corners[i].coordinate(2).sign() != 0)
-      return corrupt("expected corners in the plane");
+  if (!is_in_plane(polygons.corners)) return corrupt("expected corners in the plane");
   ASSIGN_OR_RETURN(const auto region, Region::prove(polygons));
   if (!region) return Error{ErrorCode::database_corrupt, "{}: {}", name(), region.reason()};
   return Value::of(*region);
