@@ -24,6 +24,7 @@ Registry make_registry() {
   register_exports(registry);
   register_rounding(registry);
   register_regions(registry);
+  register_space_time(registry);
   register_time(registry);
   register_moving_regions(registry);
   return registry;

@@ -25,6 +25,7 @@ void register_imports(Registry& registry);
 void register_exports(Registry& registry);
 void register_rounding(Registry& registry);
 void register_regions(Registry& registry);
+void register_space_time(Registry& registry);
 void register_time(Registry& registry);
 void register_moving_regions(Registry& registry);
 

@@ -100,8 +100,9 @@ TEST(SweptSolid, faces_that_touch_in_a_moving_corner_are_one_solid) {
 }
 
 TEST(SweptSolid, sides_that_pass_through_one_another_are_refused) {
-  // A square that turns by half a circle: each corner passes the middle.
-  const MovingPolygons polygons = moving({{square(-1, 1)}}, {{{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}}});
+  // Two squares that change places.
+  const Cycle left = square(0, 1), right = polygons::shifted(square(0, 1), 3, 0);
+  const MovingPolygons polygons = moving({{left}, {right}}, {{right}, {left}});
   const auto solid = swept_solid({&polygons, 0, 1});
   ASSERT_TRUE(solid.ok());
   ASSERT_FALSE(*solid);
@@ -144,7 +145,9 @@ TEST(SweptSolid, of_stars_that_change_is_near_their_instants) {
       const double difference =
           calls::call("area", calls::call("symmetricDifference", cut, instant).get<Region>()).get<double>();
       EXPECT_LE(difference, bound_of_difference(polygons, z));
-      if (z == 0 || z == 1) EXPECT_TRUE(equal(cut, instant));
+      if (z == 0 || z == 1) {
+        EXPECT_TRUE(equal(cut, instant));
+      }
     }
   }
 }
