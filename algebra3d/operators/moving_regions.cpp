@@ -52,19 +52,19 @@ const std::string kNeverDefined = "[const mregion value undefined]";
 void register_states(Registry& registry) {
   registry.add({
       .name = "atinstant",
-      .syntax = "_ atinstant _",
+      .syntax = "atinstant(_, _)",
       .doc = "What a moving region is at an instant.",
       .detail =
           "Undefined at instants that do not belong to it. Where parts collapse or come to lie on each other at the "
           "end of a unit they bound nothing.",
       .exactness = Exactness::exact,
       .overloads = {overload<&at_instant>("moving", "instant"), overload<&unit_at_instant>("unit", "instant")},
-      .examples = {{kSquareOnItsWay + " atinstant [const instant value 0.5]",
+      .examples = {{"atinstant(" + kSquareOnItsWay + ", [const instant value 0.5])",
                     "((((0.5 0.0) (2.5 0.0) (2.5 2.0) (0.5 2.0))))"},
-                   {kSquareOnItsWay + " atinstant [const instant value 2]", "()"},
-                   {kSquareOnItsWay + " atinstant [const instant value 3]", "undefined"},
-                   {kNeverDefined + " atinstant [const instant value 0]", "undefined"}},
-      .errors = {{"query " + kSquareOnItsWay + " atinstant 0.5",
+                   {"atinstant(" + kSquareOnItsWay + ", [const instant value 2])", "()"},
+                   {"atinstant(" + kSquareOnItsWay + ", [const instant value 3])", "undefined"},
+                   {"atinstant(" + kNeverDefined + ", [const instant value 0])", "undefined"}},
+      .errors = {{"query atinstant(" + kSquareOnItsWay + ", 0.5)",
                   "atinstant: expected (mregion instant) or (uregion instant), got (mregion real)"}},
   });
   registry.add({

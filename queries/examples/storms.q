@@ -13,7 +13,7 @@ let Anna = [const mregion value (
 # The second one comes from the east and dies away over the land.
 let Bert = [const mregion value (
   (("2011-07-08-09:00" "2011-07-08-15:00" TRUE TRUE)
-    ((((100 30 50 30) (130 45 80 45) (120 70 70 60) (100 60 50 50))))))];
+    ((((90 25 20 30) (120 40 35 37.5) (110 65 30 50) (90 55 20 45))))))];
 
 # Time becomes height: 240 units a day, so ten an hour, from the first storm's start.
 let AnnaRain = mregion2volume(Anna, 240);
@@ -28,6 +28,7 @@ query volume(BothRain);
 query bbox(BothRain);
 
 # At noon, six hours after Anna began: the region in which it rained out of both, from space-time and from the storms.
+# The corners of both keep the directions of their segments, so the two are equal, exactly.
 query slice(BothRain, 60);
 query slice(BothRain, 60) =
   intersection(atinstant(Anna, [const instant value "2011-07-08-12:00"]),
