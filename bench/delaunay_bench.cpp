@@ -13,7 +13,10 @@
 #include <cmath>
 #include <random>
 
+#include "algebra3d/planar/boundary_polygons.h"
 #include "algebra3d/planar/constrained_delaunay.h"
+#include "algebra3d/planar/noding.h"
+#include "algebra3d/planar/polygon_validity.h"
 #include "support/plane_shapes.h"
 
 namespace {
@@ -83,6 +86,29 @@ void cgal(benchmark::State& state, const Polygons& polygons) {
   state.counters["triangles"] = static_cast<double>(count);
 }
 
+void defect(benchmark::State& state, const Polygons& polygons) {
+  for (auto step : state) {
+    const auto found = polygon_defect(polygons);
+    if (!found.ok() || found->has_value()) return state.SkipWithError("a defect");
+  }
+  state.counters["corners"] = static_cast<double>(polygons.corners.size());
+}
+
+void boundary(benchmark::State& state, const Polygons& polygons) {
+  std::vector<algebra3d::DirectedEdge> edges;
+  for (std::size_t cycle = 0; cycle < polygons.cycle_count(); ++cycle) {
+    const std::uint32_t begin = polygons.first_corner(cycle), end = polygons.cycle_ends[cycle];
+    for (std::uint32_t i = begin; i < end; ++i) edges.emplace_back(i, i + 1 == end ? begin : i + 1);
+  }
+  for (auto step : state) {
+    const auto noded_edges = noded(polygons.corners, edges);
+    if (!noded_edges.ok()) return state.SkipWithError(noded_edges.error().message.c_str());
+    const auto result = boundary_polygons(polygons.corners, *noded_edges);
+    if (!result.ok()) return state.SkipWithError(result.error().message.c_str());
+  }
+  state.counters["corners"] = static_cast<double>(polygons.corners.size());
+}
+
 std::mt19937_64 random_numbers() {
   return std::mt19937_64(1);  // NOLINT(cert-msc51-cpp): the same in every run
 }
@@ -109,6 +135,21 @@ Polygons comb(std::int64_t corners) {
   return shapes::polygons_of({{shapes::comb(static_cast<std::size_t>(corners) / 4, static_cast<double>(corners))}});
 }
 
+/// Two saws whose teeth point away from each other, so that each long edge crosses as many triangles as there are
+/// teeth.
+Polygons saws(std::int64_t corners) {
+  auto random = random_numbers();
+  const auto count = static_cast<double>(corners) / 2;
+  std::vector<shapes::Face> faces;
+  for (const double side : {1.0, -1.0}) {
+    shapes::Cycle cycle{{0, side * 1e-6, 0}, {count, side * 1e-6, 0}};
+    for (double x = count - 1; x > 0; --x)
+      cycle.push_back({x, side * std::uniform_real_distribution<double>(1e-3, 2e-3)(random), 0});
+    faces.push_back({cycle});
+  }
+  return shapes::polygons_of(faces);
+}
+
 #define PEERS(shape)                                                                                   \
   void shape##_ours(benchmark::State& state) {                                                         \
     ours(state, shape(state.range(0)));                                                                \
@@ -119,10 +160,20 @@ Polygons comb(std::int64_t corners) {
   BENCHMARK(shape##_ours)->RangeMultiplier(10)->Range(1000, 1'000'000)->Unit(benchmark::kMillisecond); \
   BENCHMARK(shape##_cgal)->RangeMultiplier(10)->Range(1000, 1'000'000)->Unit(benchmark::kMillisecond)
 
+void shaken_maze_defect(benchmark::State& state) {
+  defect(state, shaken_maze(state.range(0)));
+}
+void shaken_maze_noded_boundary(benchmark::State& state) {
+  boundary(state, shaken_maze(state.range(0)));
+}
+BENCHMARK(shaken_maze_defect)->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
+BENCHMARK(shaken_maze_noded_boundary)->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
+
 PEERS(shaken_maze);
 PEERS(maze);
 PEERS(snowflake);
 PEERS(rings);
 PEERS(comb);
+PEERS(saws);
 
 }  // namespace

@@ -28,17 +28,11 @@ std::vector<Triangle> in_order(const std::vector<Triangle>& triangles, std::size
   return result;
 }
 
-/// The triangles of these half-edges, by indices of points.
-std::vector<Triangle> triangles_of(const planar::EdgeTriangulation& edges, std::span<const std::uint32_t> halfedges) {
-  const planar::Subdivision& t = edges.triangulation();
-  const auto index = [&](std::uint32_t h) { return edges.points().index(t.origin(h)); };
-  std::vector<Triangle> triangles;
-  triangles.reserve(halfedges.size());
-  for (const std::uint32_t h : halfedges) {
-    const std::uint32_t second = t.next(h);
-    Triangle triangle{index(h), index(second), index(t.next(second))};
-    std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
-    triangles.push_back(triangle);
+/// By indices of points, each beginning with its lowest one.
+std::vector<Triangle> by_indices(const planar::PlanePoints& points, std::vector<Triangle> triangles) {
+  for (Triangle& t : triangles) {
+    t = {points.index(t[0]), points.index(t[1]), points.index(t[2])};
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   }
   return triangles;
 }
@@ -50,8 +44,8 @@ Result<std::vector<TriangleMesh::Triangle>> constrained_delaunay(const PointArra
                                                                  const Monitor& monitor) {
   planar::EdgeTriangulation triangulation(points, edges);
   RETURN_IF_ERROR(triangulation.build(monitor));
-  ASSIGN_OR_RETURN(const planar::InsideTriangles inside, triangulation.find_inside());
-  return in_order(triangles_of(triangulation, inside.halfedges), points.size());
+  ASSIGN_OR_RETURN(planar::InsideTriangles inside, triangulation.find_inside());
+  return in_order(by_indices(triangulation.points(), std::move(inside.corners)), points.size());
 }
 
 Result<std::vector<TriangleMesh::Triangle>> triangulate(const Polygons& valid, const Monitor& monitor) {

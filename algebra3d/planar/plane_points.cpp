@@ -15,7 +15,7 @@ struct SortedPoint {
 
 /// Vertices to a strip for each vertex across: long and narrow strips make the seams between them many, wide ones those
 /// within; measured, and flat.
-constexpr double kStripShape = 2;
+constexpr double kStripShape = 16;
 
 /// Orders points by one axis upwards, and where that is equal by the other, upwards or downwards.
 class PointOrder {

@@ -1,5 +1,6 @@
 #include "algebra3d/planar/polygon_validity.h"
 
+#include <algorithm>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -217,9 +218,11 @@ Defect ConflictText::defect_at(const ExactPoint& point, std::uint32_t segment, s
   if (one.defect) return one.defect;
   if (two.defect) return two.defect;
   if (places_.face_of(segment) == places_.face_of(other) || !one.is_inside || !two.is_inside) return std::nullopt;
-  const auto [first, second] = std::minmax(segment, other);
-  return fmt::format("{} and {} bound faces with common inner points", places_.segment_name(first),
-                     places_.segment_name(second));
+  const auto first_segment = [&](std::uint32_t of) {
+    return places_.segment_name(polygons_.first_corner(polygons_.first_cycle(places_.face_of(of))));
+  };
+  return fmt::format("{} and {} bound faces with common inner points", first_segment(std::min(segment, other)),
+                     first_segment(std::max(segment, other)));
 }
 
 /// The claims are wrong within the region or beyond one of the two half-edges: where one of them is right about the

@@ -22,7 +22,7 @@ class InsideFlood {
  private:
   bool flood(std::uint32_t start);
   void push(std::uint32_t triangle);
-  bool cross_edges(std::uint32_t triangle);
+  bool visit(std::uint32_t triangle);
   void close_off_outside();
 
   static constexpr std::uint8_t kFound = 1, kOutside = 2;
@@ -39,11 +39,13 @@ void InsideFlood::push(std::uint32_t triangle) {
   open_.push_back(triangle);
 }
 
-/// Goes on across the edges of a triangle. False if the inside does not end where it has to.
-bool InsideFlood::cross_edges(std::uint32_t triangle) {
+/// Adds a triangle and goes on across its edges. False if the inside does not end where it has to.
+bool InsideFlood::visit(std::uint32_t triangle) {
   const Subdivision& t = triangulation_;
-  const std::uint32_t second = t.next(triangle);
-  for (const std::uint32_t side : {triangle, second, t.next(second)}) {
+  const std::uint32_t second = t.next(triangle), third = t.next(second);
+  found_.halfedges.push_back(triangle);
+  found_.corners.push_back({t.origin(triangle), t.origin(second), t.origin(third)});
+  for (const std::uint32_t side : {triangle, second, third}) {
     const std::uint32_t mark = t.mark(side), across = Subdivision::twin(side);
     if (mark_has_inside(mark)) continue;
     if (mark != 0 || is_done_[across] == kOutside) {
@@ -60,8 +62,7 @@ bool InsideFlood::flood(std::uint32_t start) {
   while (!open_.empty()) {
     const std::uint32_t triangle = open_.back();
     open_.pop_back();
-    found_.halfedges.push_back(triangle);
-    if (!cross_edges(triangle)) return false;
+    if (!visit(triangle)) return false;
   }
   found_.patch_ends.push_back(static_cast<std::uint32_t>(found_.halfedges.size()));
   return true;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -26,8 +27,10 @@ bool mark_segment(Subdivision& triangulation, std::uint32_t halfedge, std::uint3
 
 /// The triangles of the inside, in patches that hang together by edges which are no part of a segment.
 struct InsideTriangles {
-  std::vector<std::uint32_t> halfedges;   ///< one of each triangle, patch after patch
-  std::vector<std::uint32_t> patch_ends;  ///< of each patch: one past its last triangle
+  /// A half-edge of each triangle, patch after patch; the triangle begins at its origin.
+  std::vector<std::uint32_t> halfedges;
+  std::vector<std::array<std::uint32_t, 3>> corners;  ///< vertices of each triangle
+  std::vector<std::uint32_t> patch_ends;              ///< of each patch: one past its last triangle
   /// Where the inside meets the outside, so that the segments bound no region: a half-edge in a patch of the inside
   /// that does not have it to its left, or that the unbounded face should have. The patches then are incomplete.
   std::optional<std::uint32_t> wrong_halfedge;

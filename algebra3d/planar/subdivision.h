@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "algebra3d/planar/plane_points.h"
+#include "rtree/large_allocator.h"
 
 namespace algebra3d::planar {
 
@@ -13,7 +14,8 @@ namespace algebra3d::planar {
 class Subdivision {
  public:
   explicit Subdivision(std::uint32_t vertex_count) : halfedges_of_vertices_(vertex_count, kNone) {
-    halfedges_.reserve(std::size_t{6} * vertex_count);
+    // A planar graph has no more edges at any time.
+    halfedges_.resize(std::size_t{6} * vertex_count);
   }
 
   static std::uint32_t twin(std::uint32_t h) { return h ^ 1U; }
@@ -30,7 +32,7 @@ class Subdivision {
 
   std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(halfedges_of_vertices_.size()); }
   /// Those of edges that were taken out have the origin kNone.
-  std::uint32_t halfedge_count() const { return static_cast<std::uint32_t>(halfedges_.size()); }
+  std::uint32_t halfedge_count() const { return count_; }
   /// Some half-edge that leaves the vertex, once `link_vertices` was called; kNone if there is none.
   std::uint32_t halfedge_of(std::uint32_t vertex) const { return halfedges_of_vertices_[vertex]; }
   void link_vertices();
@@ -53,16 +55,17 @@ class Subdivision {
     std::uint32_t origin, ccw, cw, mark;
   };
 
-  std::vector<HalfEdge> halfedges_;
+  std::vector<HalfEdge, rtree::LargeAllocator<HalfEdge>> halfedges_;  // used as far as count_
+  std::uint32_t count_ = 0;
   std::vector<std::uint32_t> free_;
   std::vector<std::uint32_t> halfedges_of_vertices_;
   std::uint32_t outer_ = kNone;
 };
 
 inline std::uint32_t Subdivision::add(std::uint32_t from, std::uint32_t to) {
-  std::uint32_t h = halfedge_count();
+  std::uint32_t h = count_;
   if (free_.empty()) {
-    halfedges_.resize(halfedges_.size() + 2);
+    count_ += 2;
   } else {
     h = free_.back();
     free_.pop_back();

@@ -86,6 +86,52 @@ inline std::string findings(const PointArray& points, const std::vector<Directed
   return boundary == expected ? "" : "the boundary is not what was given";
 }
 
+/// The same within a square of area 144 for edges of which all but the square's are given in both directions, so that
+/// they are edges of triangles on both sides, with no more to ask of circles across them.
+inline std::string slit_findings(const PointArray& points, const std::vector<DirectedEdge>& edges,
+                                 const Triangles& triangles) {
+  const std::vector<Point> p = to_cgal(points);
+  std::map<std::pair<Point, Point>, Point> left;  // of each side of a triangle, the corner to its left
+  CGAL::Gmpq sum = 0;
+  for (const auto& t : triangles) {
+    if (CGAL::orientation(p[t[0]], p[t[1]], p[t[2]]) != CGAL::LEFT_TURN) return "a triangle turns clockwise";
+    sum += CGAL::area(p[t[0]], p[t[1]], p[t[2]]);
+    for (std::size_t i = 0; i < 3; ++i)
+      if (!left.emplace(std::pair(p[t[i]], p[t[(i + 1) % 3]]), p[t[(i + 2) % 3]]).second) return "triangles overlap";
+  }
+  if (sum != 144) return "the areas do not add up";
+  const auto is_on_edge = [&](const Point& a, const Point& b) {
+    return std::any_of(edges.begin(), edges.end(), [&](const DirectedEdge& e) {
+      const Kernel::Segment_2 segment(p[e.first], p[e.second]);
+      return e.first != e.second && segment.has_on(a) && segment.has_on(b);
+    });
+  };
+  for (const auto& [side, corner] : left) {
+    const auto across = left.find({side.second, side.first});
+    if (across == left.end()) {
+      if (!is_on_edge(side.first, side.second)) return "a side without a neighbour";
+    } else if (CGAL::side_of_oriented_circle(side.first, side.second, corner, across->second) ==
+                   CGAL::ON_POSITIVE_SIDE &&
+               !is_on_edge(side.first, side.second)) {
+      return "a corner lies in a circle";
+    }
+  }
+  for (const auto& [from, to] : edges) {
+    // Along the edge, side after side.
+    const Kernel::Segment_2 segment(p[from], p[to]);
+    Point at = p[from];
+    while (at != p[to]) {
+      const auto next = std::find_if(left.begin(), left.end(), [&](const auto& entry) {
+        return entry.first.first == at && segment.has_on(entry.first.second) &&
+               CGAL::squared_distance(at, p[to]) > CGAL::squared_distance(entry.first.second, p[to]);
+      });
+      if (next == left.end()) return "an edge is missing";
+      at = next->first.second;
+    }
+  }
+  return "";
+}
+
 inline CGAL::Gmpq doubled_area_by_cgal(const PointArray& points, const std::vector<DirectedEdge>& edges) {
   const std::vector<Point> p = to_cgal(points);
   CGAL::Gmpq sum = 0;

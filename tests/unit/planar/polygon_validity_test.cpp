@@ -64,7 +64,7 @@ TEST(PolygonDefect, of_nesting) {
             "the hole face 1, cycle 3 with segment (3 3)-(5 3) and the hole face 1, cycle 2 with segment (1 1)-(8 1) "
             "have inner points in common");
   EXPECT_EQ(defect_of({{box(0, 0, 9, 9)}, {box(1, 1, 8, 8)}}),
-            "segment (0 9)-(0 0) of face 1, cycle 1 and segment (1 8)-(1 1) of face 2, cycle 1 bound faces with common "
+            "segment (0 0)-(9 0) of face 1, cycle 1 and segment (1 1)-(8 1) of face 2, cycle 1 bound faces with common "
             "inner points");
   // Cycles that cross in corners of both.
   EXPECT_EQ(defect_of({{{{0, 0, 0}, {2, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 4, 0}, {0, 4, 0}}},
@@ -72,7 +72,7 @@ TEST(PolygonDefect, of_nesting) {
             "segment (2 0)-(7 2) of face 2, cycle 1 crosses segment (4 0)-(4 4) of face 1, cycle 1");
   EXPECT_EQ(defect_of({{{{0, 0, 0}, {2, 0, 0}, {3, 2, 0}, {2, 4, 0}, {0, 4, 0}}},
                        {{{2, 0, 0}, {7, 2, 0}, {2, 4, 0}, {1, 2, 0}}}}),
-            "segment (0 0)-(2 0) of face 1, cycle 1 and segment (1 2)-(2 0) of face 2, cycle 1 bound faces with common "
+            "segment (0 0)-(2 0) of face 1, cycle 1 and segment (2 0)-(7 2) of face 2, cycle 1 bound faces with common "
             "inner points");
   // A hole within a hole of another face that lies in the first one's hole.
   EXPECT_EQ(defect_of({{box(0, 0, 9, 9), box(1, 1, 8, 8), box(4, 4, 5, 5)}, {box(2, 2, 7, 7), box(3, 3, 6, 6)}})
