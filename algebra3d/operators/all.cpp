@@ -24,6 +24,8 @@ Registry make_registry() {
   register_exports(registry);
   register_rounding(registry);
   register_regions(registry);
+  register_region_texts(registry);
+  register_json_members(registry);
   register_time(registry);
   return registry;
 }
