@@ -69,7 +69,6 @@ class JsonTreeMaker final : public nlohmann::json_sax<Json> {
     // The parser takes a zero byte for the end.
     while (at_ < text_.size() && is_json_blank(text_[at_])) ++at_;
     if (at_ < text_.size()) return error(at_ + 1, "found the byte 0x00 behind the value; expected the end");
-    tree_.parts_.shrink_to_fit();
     return std::move(tree_);
   }
 
