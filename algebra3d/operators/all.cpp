@@ -25,6 +25,8 @@ Registry make_registry() {
   register_rounding(registry);
   register_regions(registry);
   register_space_time(registry);
+  register_region_texts(registry);
+  register_json_members(registry);
   register_time(registry);
   register_moving_regions(registry);
   return registry;

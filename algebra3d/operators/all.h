@@ -26,6 +26,8 @@ void register_exports(Registry& registry);
 void register_rounding(Registry& registry);
 void register_regions(Registry& registry);
 void register_space_time(Registry& registry);
+void register_region_texts(Registry& registry);
+void register_json_members(Registry& registry);
 void register_time(Registry& registry);
 void register_moving_regions(Registry& registry);
 

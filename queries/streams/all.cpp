@@ -28,6 +28,8 @@ void register_stream_operators(algebra3d::Registry& registry) {
   register_spatial_join(registry);
   register_ordered_indexes(registry);
   register_repair_reports(registry);
+  register_geojson_features(registry);
+  register_make_regions(registry);
 }
 
 std::vector<std::string> example_objects() {

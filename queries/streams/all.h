@@ -40,5 +40,7 @@ void register_indexes(algebra3d::Registry& registry);
 void register_spatial_join(algebra3d::Registry& registry);
 void register_ordered_indexes(algebra3d::Registry& registry);
 void register_repair_reports(algebra3d::Registry& registry);
+void register_geojson_features(algebra3d::Registry& registry);
+void register_make_regions(algebra3d::Registry& registry);
 
 }  // namespace queries

@@ -1,0 +1,111 @@
+// jsonText, jsonNumber: members of JSON objects, so that properties of features can be used in queries.
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "algebra3d/base/number_text.h"
+#include "algebra3d/operators/all.h"
+#include "algebra3d/operators/json_tree.h"
+#include "algebra3d/registry/overload.h"
+#include "algebra3d/types/scalars.h"
+#include "algebra3d/types/utf8.h"
+#include "stl/text.h"
+
+namespace algebra3d {
+namespace {
+
+/// A member's kind and text as it is written; strings without quotes and escapes.
+struct JsonMember {
+  JsonKind kind;
+  std::string text;
+};
+
+std::string quoted_key(std::string_view key) {
+  return fmt::format("\"{}\"", utf8_prefix(stl::one_line(key), 60));
+}
+
+Result<Maybe<JsonMember>> json_member(const Context& context, const Text& object, std::string_view key) {
+  const auto tree = JsonTree::parse(object.content, 1, context.monitor());
+  if (!tree && tree.error().code == ErrorCode::interrupted) return tree.error();
+  if (!tree) return Maybe<JsonMember>(Undefined{tree.error().message});
+  if (tree->kind(0) != JsonKind::object) return Maybe<JsonMember>(Undefined{"the text is no JSON object"});
+  const auto member = tree->member(0, key);
+  if (!member) return Maybe<JsonMember>(Undefined{"the object has no member " + quoted_key(key)});
+  const JsonKind kind = tree->kind(*member);
+  return Maybe<JsonMember>(
+      JsonMember{kind, kind == JsonKind::string ? tree->content(*member) : compact_json(tree->text(*member))});
+}
+
+Result<Maybe<Text>> json_text(const Context& context, const Text& object, std::string_view key) {
+  ASSIGN_OR_RETURN(auto member, json_member(context, object, key));
+  if (!member) return Maybe<Text>(Undefined{member.reason()});
+  if (const std::size_t at = first_no_text(member->text); at != std::string::npos)
+    return Maybe<Text>(Undefined{"the member " + quoted_key(key) + ": " + no_text_message(member->text[at])});
+  return Maybe<Text>(Text{std::move(member->text)});
+}
+
+Result<Maybe<double>> json_number(const Context& context, const Text& object, std::string_view key) {
+  ASSIGN_OR_RETURN(const auto member, json_member(context, object, key));
+  if (!member) return Maybe<double>(Undefined{member.reason()});
+  if (member->kind != JsonKind::number)
+    return Maybe<double>(Undefined{"the member " + quoted_key(key) + " is no number"});
+  const auto number = parse_real(member->text);
+  if (!number) return Maybe<double>(Undefined{"the member " + quoted_key(key) + " is beyond the range of doubles"});
+  return Maybe<double>(*number);
+}
+
+Result<Maybe<Text>> json_text_by_string(Context& context, const Text& object, const std::string& key) {
+  return json_text(context, object, key);
+}
+Result<Maybe<Text>> json_text_by_text(Context& context, const Text& object, const Text& key) {
+  return json_text(context, object, key.content);
+}
+Result<Maybe<double>> json_number_by_string(Context& context, const Text& object, const std::string& key) {
+  return json_number(context, object, key);
+}
+Result<Maybe<double>> json_number_by_text(Context& context, const Text& object, const Text& key) {
+  return json_number(context, object, key.content);
+}
+
+}  // namespace
+
+void register_json_members(Registry& registry) {
+  registry.add({
+      .name = "jsonText",
+      .syntax = "jsonText(_, _)",
+      .doc = "The member of that name of a JSON object: a string as it is, anything else as JSON.",
+      .detail =
+          "Of several members with the name the last one counts. JSON is given without white space between its parts; "
+          "null is 'null'. Undefined if there is no such member, if the text is no JSON object, or for a string with "
+          "the character zero, which no text has.",
+      .sources = {"rfc8259"},
+      .overloads = {overload<&json_text_by_string>("object", "name"), overload<&json_text_by_text>("object", "name")},
+      .examples = {{R"(jsonText('{"name": "Green Park", "trees": [3, 4]}', "name"))", "'Green Park'"},
+                   {R"(jsonText('{"name": "Green Park", "trees": [3, 4]}', 'trees'))", "'[3,4]'"},
+                   {R"(jsonText('{"name": "Green Park"}', "Name"))", "undefined"},
+                   {R"(jsonText([const text value undefined], "name"))", "undefined"},
+                   {R"(jsonText('"name"', '{"name": 1}'))", "undefined"}},
+      .errors = {{R"(query jsonText('{"a": 1}', 1))",
+                  "jsonText: expected (text string) or (text text), got (text int)"}},
+  });
+  registry.add({
+      .name = "jsonNumber",
+      .syntax = "jsonNumber(_, _)",
+      .doc = "The number of that name in a JSON object, as the nearest real.",
+      .detail = "Undefined if there is no such member, if it is no number or beyond the range of reals, or if the text "
+                "is no JSON object. Of several members with the name the last one counts.",
+      .exactness = Exactness::rounded_once,
+      .sources = {"rfc8259"},
+      .overloads = {overload<&json_number_by_string>("object", "name"),
+                    overload<&json_number_by_text>("object", "name")},
+      .examples = {{R"(jsonNumber('{"name": "Green Park", "trees": 1e2}', "trees"))", "100.0"},
+                   {R"(jsonNumber('{"trees": 7}', 'trees'))", "7.0"},
+                   {R"(jsonNumber('{"name": "Green Park"}', "name"))", "undefined"},
+                   {R"(jsonNumber([const text value undefined], "name"))", "undefined"}},
+      .errors = {{R"(query jsonNumber('{"a": 1}', 1))",
+                  "jsonNumber: expected (text string) or (text text), got (text int)"}},
+  });
+}
+
+}  // namespace algebra3d
