@@ -103,7 +103,7 @@ Result<std::vector<DirectedEdge>> noded(const PointArray& points, std::span<cons
                                         const Monitor& monitor) {
   std::vector<std::uint32_t> indices(points.size());
   std::iota(indices.begin(), indices.end(), 0U);
-  const PlanePoints vertices(points, std::move(indices));
+  const PlanePoints vertices(points, indices);
   ASSIGN_OR_RETURN(Subdivision triangulation, planar::delaunay(vertices, monitor));
   const std::vector<CountedEdge> counted_edges = counted(vertices, edges);
   Stage stage(monitor, "dividing segments", counted_edges.size());

@@ -51,7 +51,7 @@ std::size_t strip_count(std::size_t vertex_count) {
 
 }  // namespace
 
-PlanePoints::PlanePoints(const PointArray& points, std::vector<std::uint32_t> indices)
+PlanePoints::PlanePoints(const PointArray& points, const std::vector<std::uint32_t>& indices)
     : points_(points), has_exact_(points.exact_count() != 0), vertices_(points.size(), kNone) {
   const PointOrder order(points, has_exact_);
   std::vector<SortedPoint> sorted;

@@ -19,7 +19,7 @@ inline constexpr std::uint32_t kNone = 0xFFFFFFFF;
 class PlanePoints {
  public:
   /// Of the points of these indices, any of which may occur several times.
-  PlanePoints(const PointArray& points, std::vector<std::uint32_t> indices);
+  PlanePoints(const PointArray& points, const std::vector<std::uint32_t>& indices);
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(places_.size()); }
   /// One past the last vertex of each strip.

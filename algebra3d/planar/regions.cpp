@@ -1,5 +1,8 @@
 #include "algebra3d/planar/regions.h"
 
+#include <algorithm>
+#include <array>
+
 namespace algebra3d::planar {
 
 bool mark_segment(Subdivision& triangulation, std::uint32_t halfedge, std::uint32_t segment) {
@@ -45,16 +48,16 @@ bool InsideFlood::visit(std::uint32_t triangle) {
   const std::uint32_t second = t.next(triangle), third = t.next(second);
   found_.halfedges.push_back(triangle);
   found_.corners.push_back({t.origin(triangle), t.origin(second), t.origin(third)});
-  for (const std::uint32_t side : {triangle, second, third}) {
+  return std::ranges::all_of(std::array{triangle, second, third}, [&](std::uint32_t side) {
     const std::uint32_t mark = t.mark(side), across = Subdivision::twin(side);
-    if (mark_has_inside(mark)) continue;
+    if (mark_has_inside(mark)) return true;
     if (mark != 0 || is_done_[across] == kOutside) {
       found_.wrong_halfedge = side;
       return false;
     }
     if (is_done_[across] == 0) push(across);
-  }
-  return true;
+    return true;
+  });
 }
 
 bool InsideFlood::flood(std::uint32_t start) {
