@@ -7,7 +7,7 @@
 namespace algebra3d {
 namespace {
 
-constexpr std::size_t kMaxCorners = std::size_t{1} << 31U;  // beyond, indices of corners and segments would not fit
+constexpr std::size_t kMaxRingCorners = std::size_t{1} << 31U;  // beyond, indices of corners and segments would not fit
 
 }  // namespace
 
@@ -20,8 +20,8 @@ void ClosedRings::add_point(double x, double y) {
 Status ClosedRings::end_ring() {
   const std::size_t begin = cycle_ends_.empty() ? 0 : cycle_ends_.back();
   if (corners_.size() == begin) return Error{ErrorCode::invalid_value, "found a ring without points"};
-  if (corners_.size() > kMaxCorners)
-    return Error{ErrorCode::limit_exceeded, "found more than {} corners, which is the limit", kMaxCorners};
+  if (corners_.size() > kMaxRingCorners)
+    return Error{ErrorCode::limit_exceeded, "found more than {} corners, which is the limit", kMaxRingCorners};
   if (!(corners_[begin] == corners_.back()))
     return Error{ErrorCode::invalid_value, "found a ring from {} to {}, expected its first point again at its end",
                  planar::corner_text(corners_[begin]), planar::corner_text(corners_.back())};

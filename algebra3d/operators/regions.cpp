@@ -73,7 +73,7 @@ Result<Region> shadow_of_solid(Context& context, const Volume3d& solid) {
   return shadow(solid.mesh(), context.monitor());
 }
 
-const std::string kSquare = "[const region value ((((0 0) (4 0) (4 4) (0 4))))]";
+const std::string kSquareRegion = "[const region value ((((0 0) (4 0) (4 4) (0 4))))]";
 const std::string kFrame = "[const region value ((((0 0) (4 0) (4 4) (0 4)) ((1 1) (3 1) (3 3) (1 3))))]";
 const std::string kUndefinedRegion = "[const region value undefined]";
 
@@ -183,10 +183,10 @@ void register_ways_to_space(Registry& registry) {
       .frame_use = FrameUse::coordinates,
       .overloads = {overload<&prism_of>("region", "height")},
       .examples = {{"volume(region2volume(" + kFrame + ", 2.5))", "30.0"},
-                   {"bbox(region2volume(" + kSquare + ", -2))", "(0.0 4.0 0.0 4.0 -2.0 0.0)"},
-                   {"region2volume(" + kSquare + ", 0)", "undefined"},
+                   {"bbox(region2volume(" + kSquareRegion + ", -2))", "(0.0 4.0 0.0 4.0 -2.0 0.0)"},
+                   {"region2volume(" + kSquareRegion + ", 0)", "undefined"},
                    {"region2volume(" + kUndefinedRegion + ", 1)", "undefined"}},
-      .errors = {{"query region2volume(" + kSquare + ")", "region2volume: expected (region real), got (region)"}},
+      .errors = {{"query region2volume(" + kSquareRegion + ")", "region2volume: expected (region real), got (region)"}},
   });
 }
 

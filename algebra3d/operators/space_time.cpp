@@ -45,7 +45,7 @@ Result<Maybe<Volume3d>> solid_of_unit(const RegionUnit& unit, const TimeAxis& ax
   return Maybe<Volume3d>(Volume3d::trusted(*std::move(mesh)));
 }
 
-Result<Maybe<Volume3d>> solid_of(Context& context, const MovingRegion& region, double height_per_day) {
+Result<Maybe<Volume3d>> solid_swept_by(Context& context, const MovingRegion& region, double height_per_day) {
   if (!(height_per_day > 0))
     return Maybe<Volume3d>(Undefined{fmt::format("the height of a day is {}; it must be positive", height_per_day)});
   const std::vector<RegionUnit>& units = region.units();
@@ -86,7 +86,7 @@ void register_space_time(Registry& registry) {
           "if the sides of a unit pass through one another.",
       .exactness = Exactness::rounded_once,
       .frame_use = FrameUse::coordinates,
-      .overloads = {overload<&solid_of>("moving", "heightPerDay")},
+      .overloads = {overload<&solid_swept_by>("moving", "heightPerDay")},
       // A pyramid: 1/3 * 16 * 2.
       .examples = {{"volume(mregion2volume(" + kGrowing + ", 1.5))", "16.0"},
                    {"slice(mregion2volume(" + kGrowing + ", 1), 1) = atinstant(" + kGrowing +
