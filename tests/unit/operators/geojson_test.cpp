@@ -126,7 +126,7 @@ TEST(GeoJson, forms_of_the_same_triangle) {
         R"({"type": "MultiPolygon", "coordinates": [[)" + kRing + "], []]}",
         R"({"type": "GeometryCollection", "geometries": [)" + plain + "]}",
         polygon("[[[0, 0, 7], [4, 0, 7, 8], [4, 4], [4, 4], [0.0, -0]]]"),
-        "\xef\xbb\xbf" + R"({"t\u0079pe": "Poly\u0067on", "coordinates": [)" + kRing + "]}"})
+        std::string("\xef\xbb\xbf") + R"({"t\u0079pe": "Poly\u0067on", "coordinates": [)" + kRing + "]}"})
     EXPECT_EQ(region_text(text), kTriangle) << text;
 }
 
@@ -230,7 +230,7 @@ TEST(GeoJson, every_beginning_of_a_text_is_refused_and_every_changed_byte_surviv
   ASSERT_TRUE(GeoFeatures::find(whole).ok());
   for (std::size_t size = 0; size < whole.size(); ++size) {
     EXPECT_FALSE(GeoFeatures::find(whole.substr(0, size)).ok()) << size;
-    for (const int byte : {0, '"', '\\', '[', '}', ',', ':', '1', 0xef, 0xff}) {
+    for (const int byte : std::initializer_list<int>{0, '"', '\\', '[', '}', ',', ':', '1', 0xef, 0xff}) {
       std::string other = whole;
       other[size] = static_cast<char>(byte);
       const auto features = GeoFeatures::find(other);

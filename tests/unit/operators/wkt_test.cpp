@@ -55,9 +55,13 @@ TEST(Wkt, empty_forms) {
 }
 
 TEST(Wkt, decimals_become_the_nearest_doubles) {
-  const Region region = read_wkt("POLYGON((0.1 0,1.00000000000000011102230246251565405 0,4 4,0.1 0))").get<Region>();
-  EXPECT_EQ(region.polygons().corners[0].approx.x, 0.1);
-  EXPECT_EQ(region.polygons().corners[1].approx.x, 1.0);
+  // 1 + 2^-53 lies between the digits 404 and 405 at the end.
+  const auto region = read_wkt(
+                          "POLYGON((0.1 0,1.00000000000000011102230246251565404 0,"
+                          "1.00000000000000011102230246251565405 4,0.1 0))")
+                          .get<Region>();
+  const std::vector<Vec3>& corners = region.polygons().corners.approx();
+  EXPECT_EQ(corners, (std::vector<Vec3>{{0.1, 0, 0}, {1, 0, 0}, {1 + 0x1p-52, 4, 0}}));
 }
 
 TEST(Wkt, malformed_texts_say_where_and_what) {
@@ -133,7 +137,7 @@ TEST(Wkt, every_beginning_of_a_text_is_read_or_refused) {
     const auto polygons = polygons_from_wkt(part);
     ASSERT_FALSE(polygons.ok()) << part;
     EXPECT_TRUE(polygons.error().message.starts_with("character ")) << part;
-    for (const int byte : {0, '(', ')', ',', 'e', '1', 0x80, 0xff}) {
+    for (const int byte : std::initializer_list<int>{0, '(', ')', ',', 'e', '1', 0x80, 0xff}) {
       const std::string other = part + static_cast<char>(byte) + whole.substr(size + 1);
       (void)polygons_from_wkt(other);
     }
