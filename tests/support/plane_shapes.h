@@ -37,6 +37,21 @@ inline Cycle box(double x0, double y0, double x1, double y1) {
   return {{x0, y0, 0}, {x1, y0, 0}, {x1, y1, 0}, {x0, y1, 0}};
 }
 
+inline Cycle shifted(Cycle cycle, double dx, double dy) {
+  for (Vec3& corner : cycle) corner = corner + Vec3{dx, dy, 0};
+  return cycle;
+}
+inline Cycle scaled(Cycle cycle, double factor) {
+  for (Vec3& corner : cycle) corner = factor * corner;
+  return cycle;
+}
+/// The same with coordinates that are multiples of 2^-20, so that halves and sums of them are exact.
+inline Cycle on_grid(Cycle cycle) {
+  for (Vec3& corner : cycle)
+    corner = {std::round(corner.x * 0x1p20) / 0x1p20, std::round(corner.y * 0x1p20) / 0x1p20, 0};
+  return cycle;
+}
+
 /// Radii between `least` and 1 at random, at equal angles: counter-clockwise, simple, star-shaped and spiky.
 inline Cycle star(std::size_t count, double least, double scale, std::mt19937_64& random) {
   Cycle cycle;

@@ -6,8 +6,8 @@
 #include "algebra3d/base/number_text.h"
 #include "algebra3d/operators/geojson.h"
 #include "algebra3d/operators/json_tree.h"
+#include "support/plane_shapes.h"
 #include "unit/operators/call_operator.h"
-#include "unit/operators/random_polygons.h"
 
 namespace algebra3d {
 namespace {
@@ -179,8 +179,9 @@ std::string ring_json(const Polygons& polygons, std::uint32_t cycle) {
 TEST(GeoJson, random_regions_come_back) {
   std::mt19937_64 random(11);
   for (int i = 0; i < 40; ++i) {
-    const Region region =
-        **Region::prove(polygons::of({{polygons::star(random, 5 + i, 2, 5), polygons::star(random, 3 + i, 0.5, 1.5)}}));
+    const Region region = **Region::prove(
+        plane_shapes::polygons_of({{plane_shapes::on_grid(plane_shapes::star(5 + i, 0.4, 5, random)),
+                                    plane_shapes::on_grid(plane_shapes::star(3 + i, 0.333333, 1.5, random))}}));
     const Polygons& given = region.polygons();
     const Answer back = read_geojson(polygon("[" + ring_json(given, 0) + ", " + ring_json(given, 1) + "]"));
     EXPECT_EQ(back.get<Region>().polygons(), given);

@@ -9,19 +9,21 @@
 #include "algebra3d/planar/polygon_measures.h"
 #include "algebra3d/types/planar.h"
 #include "algebra3d/validity/validity.h"
+#include "support/plane_shapes.h"
 #include "unit/operators/call_operator.h"
-#include "unit/operators/random_polygons.h"
 
 namespace algebra3d {
 namespace {
 
-using polygons::Cycle;
-using polygons::Face;
-using polygons::square;
-using polygons::turned;
+using plane_shapes::box;
+using plane_shapes::Cycle;
+using plane_shapes::Face;
+using plane_shapes::on_grid;
+using plane_shapes::reversed;
+using plane_shapes::star;
 
 MovingPolygons moving(const std::vector<Face>& start, const std::vector<Face>& end) {
-  return {polygons::of(start), polygons::of(end)};
+  return {plane_shapes::polygons_of(start), plane_shapes::polygons_of(end)};
 }
 
 Rational volume_of(const TriangleMesh& mesh) {
@@ -59,49 +61,51 @@ void expect_slices_are_instants(const MovingPolygons& polygons, const Rational& 
 }
 
 TEST(SweptSolid, of_a_square_that_moves_is_an_oblique_prism) {
-  expect_slices_are_instants(moving({{square(0, 2)}}, {{polygons::shifted(square(0, 2), 3, -1)}}), Rational(4));
+  expect_slices_are_instants(moving({{box(0, 0, 2, 2)}}, {{plane_shapes::shifted(box(0, 0, 2, 2), 3, -1)}}),
+                             Rational(4));
 }
 
 TEST(SweptSolid, of_a_square_that_grows_from_a_point_is_a_pyramid) {
-  expect_slices_are_instants(moving({{square(1, 1)}}, {{square(0, 2)}}), Rational(4) / Rational(3));
-  expect_slices_are_instants(moving({{square(0, 2)}}, {{square(1, 1)}}), Rational(4) / Rational(3));
+  expect_slices_are_instants(moving({{box(1, 1, 1, 1)}}, {{box(0, 0, 2, 2)}}), Rational(4) / Rational(3));
+  expect_slices_are_instants(moving({{box(0, 0, 2, 2)}}, {{box(1, 1, 1, 1)}}), Rational(4) / Rational(3));
 }
 
 // At s the hole is 2s wide: 16 - 4 s^2.
 TEST(SweptSolid, holes_open_from_a_point_and_close) {
   const Rational volume = Rational(16) - Rational(4) / Rational(3);
-  expect_slices_are_instants(moving({{square(0, 4), turned(square(2, 2))}}, {{square(0, 4), turned(square(1, 3))}}),
-                             volume);
-  expect_slices_are_instants(moving({{square(0, 4), turned(square(1, 3))}}, {{square(0, 4), turned(square(2, 2))}}),
-                             volume);
+  expect_slices_are_instants(
+      moving({{box(0, 0, 4, 4), reversed(box(2, 2, 2, 2))}}, {{box(0, 0, 4, 4), reversed(box(1, 1, 3, 3))}}), volume);
+  expect_slices_are_instants(
+      moving({{box(0, 0, 4, 4), reversed(box(1, 1, 3, 3))}}, {{box(0, 0, 4, 4), reversed(box(2, 2, 2, 2))}}), volume);
 }
 
 // A slit in the middle of the bottom, which is in no corner of what covers it.
 TEST(SweptSolid, holes_open_from_a_segment) {
   const Cycle slit{{1, 2}, {1, 2}, {3, 2}, {3, 2}}, hole{{1, 1}, {1, 3}, {3, 3}, {3, 1}};
-  expect_slices_are_instants(moving({{square(0, 4), slit}}, {{square(0, 4), hole}}), Rational(16) - Rational(2));
+  expect_slices_are_instants(moving({{box(0, 0, 4, 4), slit}}, {{box(0, 0, 4, 4), hole}}), Rational(16) - Rational(2));
 }
 
 TEST(SweptSolid, faces_meet_in_a_segment_at_the_end) {
-  const Cycle left = square(0, 2), right = polygons::shifted(square(0, 2), 3, 0);
-  expect_slices_are_instants(moving({{left}, {right}}, {{left}, {polygons::shifted(right, -1, 0)}}), Rational(8));
+  const Cycle left = box(0, 0, 2, 2), right = plane_shapes::shifted(box(0, 0, 2, 2), 3, 0);
+  expect_slices_are_instants(moving({{left}, {right}}, {{left}, {plane_shapes::shifted(right, -1, 0)}}), Rational(8));
 }
 
 TEST(SweptSolid, holes_reach_the_outer_cycle_at_the_end) {
-  const Cycle hole = turned(square(1, 2));
-  expect_slices_are_instants(moving({{square(0, 4), hole}}, {{square(0, 4), polygons::shifted(hole, -1, 0)}}),
+  const Cycle hole = reversed(box(1, 1, 2, 2));
+  expect_slices_are_instants(moving({{box(0, 0, 4, 4), hole}}, {{box(0, 0, 4, 4), plane_shapes::shifted(hole, -1, 0)}}),
                              Rational(15));
 }
 
 TEST(SweptSolid, faces_that_touch_in_a_moving_corner_are_one_solid) {
-  expect_slices_are_instants(moving({{square(0, 1)}, {square(1, 2)}},
-                                    {{polygons::shifted(square(0, 1), 2, 1)}, {polygons::shifted(square(1, 2), 2, 1)}}),
-                             Rational(2));
+  expect_slices_are_instants(
+      moving({{box(0, 0, 1, 1)}, {box(1, 1, 2, 2)}},
+             {{plane_shapes::shifted(box(0, 0, 1, 1), 2, 1)}, {plane_shapes::shifted(box(1, 1, 2, 2), 2, 1)}}),
+      Rational(2));
 }
 
 TEST(SweptSolid, sides_that_pass_through_one_another_are_refused) {
   // Two squares that change places.
-  const Cycle left = square(0, 1), right = polygons::shifted(square(0, 1), 3, 0);
+  const Cycle left = box(0, 0, 1, 1), right = plane_shapes::shifted(box(0, 0, 1, 1), 3, 0);
   const MovingPolygons polygons = moving({{left}, {right}}, {{right}, {left}});
   const auto solid = swept_solid({&polygons, 0, 1});
   ASSERT_TRUE(solid.ok());
@@ -112,9 +116,11 @@ TEST(SweptSolid, sides_that_pass_through_one_another_are_refused) {
 TEST(SweptSolid, of_stars_that_grow_has_their_instants_as_slices) {
   std::mt19937_64 random(5);
   for (int trial = 0; trial < 20; ++trial) {
-    const Cycle outer = polygons::star(random, 5 + trial, 2, 4), inner = polygons::star(random, 3 + trial, 0.25, 1);
-    const auto image = [&](const Cycle& cycle) { return polygons::shifted(polygons::scaled(cycle, 0.5), 3, trial); };
-    const MovingPolygons polygons = moving({{outer, turned(inner)}}, {{image(outer), turned(image(inner))}});
+    const Cycle outer = on_grid(star(5 + trial, 0.5, 4, random)), inner = on_grid(star(3 + trial, 0.25, 1, random));
+    const auto image = [&](const Cycle& cycle) {
+      return plane_shapes::shifted(plane_shapes::scaled(cycle, 0.5), 3, trial);
+    };
+    const MovingPolygons polygons = moving({{outer, reversed(inner)}}, {{image(outer), reversed(image(inner))}});
     // The area is that of the start times (1 - s/2)^2.
     expect_slices_are_instants(polygons, doubled_area(polygons.start) * Rational(7) / Rational(24));
   }
@@ -137,8 +143,8 @@ TEST(SweptSolid, of_stars_that_change_is_near_their_instants) {
   for (int trial = 0; trial < 20; ++trial) {
     const int corners = 8 + trial;
     const MovingPolygons polygons =
-        moving({{polygons::star(random, corners, 2, 3), turned(polygons::star(random, corners, 0.5, 1))}},
-               {{polygons::star(random, corners, 2, 3), turned(polygons::star(random, corners, 0.5, 1))}});
+        moving({{on_grid(star(corners, 0.666667, 3, random)), reversed(on_grid(star(corners, 0.5, 1, random)))}},
+               {{on_grid(star(corners, 0.666667, 3, random)), reversed(on_grid(star(corners, 0.5, 1, random)))}});
     const TriangleMesh solid = swept(polygons);
     for (const double z : {0.0, 0.25, 0.5, 1.0}) {
       const Region cut = slice_at(solid, z), instant = region_at(polygons, Rational(z));

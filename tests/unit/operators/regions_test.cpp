@@ -7,19 +7,21 @@
 #include "algebra3d/planar/polygon_validity.h"
 #include "algebra3d/types/planar.h"
 #include "algebra3d/validity/validity.h"
+#include "support/plane_shapes.h"
 #include "unit/operators/call_operator.h"
-#include "unit/operators/random_polygons.h"
 
 namespace algebra3d {
 namespace {
 
 using calls::call;
-using polygons::Cycle;
-using polygons::square;
-using polygons::turned;
+using plane_shapes::box;
+using plane_shapes::Cycle;
+using plane_shapes::on_grid;
+using plane_shapes::reversed;
+using plane_shapes::star;
 
-Region region(const std::vector<polygons::Face>& faces) {
-  const auto proved = Region::prove(polygons::of(faces));
+Region region(const std::vector<plane_shapes::Face>& faces) {
+  const auto proved = Region::prove(plane_shapes::polygons_of(faces));
   EXPECT_TRUE(proved.ok() && *proved) << (proved.ok() ? proved->reason() : proved.error().message);
   return **proved;
 }
@@ -31,16 +33,16 @@ bool equal(const Region& a, const Region& b) {
 std::vector<Region> samples() {
   std::mt19937_64 random(1);
   std::vector<Region> regions{
-      region({{square(0, 4)}}),
-      region({{square(0, 4), square(1, 3)}}),
-      region({{square(0, 8), square(1, 7)}, {square(2, 6), square(3, 5)}}),
-      region({{square(0, 1)}, {square(1, 2)}}),            // touch in a corner
-      region({{square(0, 4), {{0, 2}, {1, 1}, {1, 3}}}}),  // a hole that touches the outer segment
-      region({{square(0, 4), {{1, 1}, {2, 2}, {1, 2}}, {{2, 2}, {3, 2}, {3, 3}}}}),  // holes that touch
+      region({{box(0, 0, 4, 4)}}),
+      region({{box(0, 0, 4, 4), box(1, 1, 3, 3)}}),
+      region({{box(0, 0, 8, 8), box(1, 1, 7, 7)}, {box(2, 2, 6, 6), box(3, 3, 5, 5)}}),
+      region({{box(0, 0, 1, 1)}, {box(1, 1, 2, 2)}}),         // touch in a corner
+      region({{box(0, 0, 4, 4), {{0, 2}, {1, 1}, {1, 3}}}}),  // a hole that touches the outer segment
+      region({{box(0, 0, 4, 4), {{1, 1}, {2, 2}, {1, 2}}, {{2, 2}, {3, 2}, {3, 3}}}}),  // holes that touch
       region({{{{0, 0}, {1, 0}, {2, 0}, {2, 2}, {1, 2}, {0, 2}}}}),  // corners in the middle of segments
   };
   for (int i = 0; i < 10; ++i)
-    regions.push_back(region({{polygons::star(random, 10 + i, 2, 5), polygons::star(random, 3 + i, 0.5, 1.5)}}));
+    regions.push_back(region({{on_grid(star(10 + i, 0.4, 5, random)), on_grid(star(3 + i, 0.333333, 1.5, random))}}));
   return regions;
 }
 
@@ -74,7 +76,7 @@ TEST(Regions, the_prism_is_valid_and_has_the_area_times_the_height) {
 }
 
 TEST(Regions, shadows_of_solids_that_overlap_are_what_they_cover_together) {
-  const Region a = region({{square(0, 4), square(1, 3)}}), b = region({{square(2, 6)}});
+  const Region a = region({{box(0, 0, 4, 4), box(1, 1, 3, 3)}}), b = region({{box(2, 2, 6, 6)}});
   const auto below = call("region2volume", a, 1.0).get<Volume3d>();
   const auto above =
       call("translate", call("region2volume", b, 1.0).get<Volume3d>(), calls::vector(0, 0, 5)).get<Volume3d>();
@@ -104,7 +106,7 @@ TEST(Regions, set_operations_are_those_of_the_cells) {
     for (int x = 0; x < kSize; ++x)
       for (int y = 0; y < kSize; ++y)
         if (cells[x][y])
-          result = call("union", result, region({{polygons::shifted(square(0, 1), x, y)}})).get<Region>();
+          result = call("union", result, region({{plane_shapes::shifted(box(0, 0, 1, 1), x, y)}})).get<Region>();
     return result;
   };
   for (int trial = 0; trial < 5; ++trial) {

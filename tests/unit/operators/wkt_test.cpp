@@ -5,8 +5,8 @@
 
 #include "algebra3d/operators/wkt.h"
 #include "algebra3d/types/planar.h"
+#include "support/plane_shapes.h"
 #include "unit/operators/call_operator.h"
-#include "unit/operators/random_polygons.h"
 
 namespace algebra3d {
 namespace {
@@ -105,10 +105,13 @@ TEST(Wkt, random_regions_come_back) {
   std::mt19937_64 random(7);
   for (int i = 0; i < 60; ++i) {
     const double away = i % 3 == 0 ? 1e-3 : 1e6;
-    std::vector<polygons::Face> faces{
-        {polygons::star(random, 5 + i, 2, 5), polygons::turned(polygons::star(random, 3 + i, 0.5, 1.5))}};
-    if (i % 2 == 1) faces.push_back({polygons::shifted(polygons::star(random, 4 + i, 2, 5), 20, away)});
-    const Region region = **Region::prove(polygons::of(faces));
+    std::vector<plane_shapes::Face> faces{
+        {plane_shapes::on_grid(plane_shapes::star(5 + i, 0.4, 5, random)),
+         plane_shapes::reversed(plane_shapes::on_grid(plane_shapes::star(3 + i, 0.333333, 1.5, random)))}};
+    if (i % 2 == 1)
+      faces.push_back(
+          {plane_shapes::shifted(plane_shapes::on_grid(plane_shapes::star(4 + i, 0.4, 5, random)), 20, away)});
+    const Region region = **Region::prove(plane_shapes::polygons_of(faces));
     const Answer text = call("region2wkt", region);
     EXPECT_TRUE(text.diagnostics.empty());
     const Region back = read_wkt(text.get<Text>().content).get<Region>();

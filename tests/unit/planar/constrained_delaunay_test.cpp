@@ -197,5 +197,16 @@ TEST(ConstrainedDelaunay, large_fractals) {
   check(polygons_of({{shaken(maze(60, random), 0.24, random)}}));
 }
 
+// A snowflake with a hole of the same shape, and an island in that.
+TEST(ConstrainedDelaunay, a_hundred_thousand_corners) {
+  const Vec3 middle{0.5, std::sqrt(3.0) / 6, 0};
+  const auto shrunk = [&](int depth, double factor) {
+    return shifted(scaled(snowflake(depth), factor), (1 - factor) * middle.x, (1 - factor) * middle.y);
+  };
+  const Polygons polygons = polygons_of({{snowflake(7), shrunk(7, 0.875)}, {shrunk(5, 0.5)}});
+  EXPECT_GT(polygons.corners.size(), 100'000U);
+  check(polygons);
+}
+
 }  // namespace
 }  // namespace algebra3d
