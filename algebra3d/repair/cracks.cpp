@@ -224,6 +224,10 @@ void divide_edges(FacetList& facets, RepairReport& report) {
   }
 }
 
+void join_equal_corners(FacetList& facets, double noise, RepairReport& report) {
+  if (noise > 0) join_vertices(facets, noise, report);
+}
+
 void close_cracks(FacetList& facets, double tolerance, RepairReport& report) {
   join_vertices(facets, tolerance, report);
   const auto is_near = [&](const Vec3& from, const Vec3& p, const Vec3& to) {

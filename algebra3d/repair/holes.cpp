@@ -107,6 +107,7 @@ class HoleCloser {
   bool cut_each_other(const TriangleMesh::Triangle& triangle, std::uint32_t facet) const;
   std::vector<bool> are_sheets(const FaceComponents& parts, const std::vector<Covered>& holes) const;
   void close(const Covered& covered);
+  void drop(const std::vector<bool>& are_sheets, const FaceComponents& parts);
   FacetTree tree_around(const std::vector<Hole>& holes) const;
 
   FacetList& facets_;
@@ -198,6 +199,16 @@ void HoleCloser::close(const Covered& covered) {
   report_.add(RepairStep::holes, covered.hole.loop.corners[0], farthest);
 }
 
+/// The sheets, unless there is nothing else.
+void HoleCloser::drop(const std::vector<bool>& are_sheets, const FaceComponents& parts) {
+  if (std::ranges::count(are_sheets, true) == 0 || std::ranges::count(are_sheets, false) == 0) return;
+  std::size_t kept = 0;
+  for (std::size_t f = 0; f < facets_.triangles.size(); ++f)
+    if (f >= mesh_.face_count() || !are_sheets[parts.of_face[f]]) facets_.triangles[kept++] = facets_.triangles[f];
+  facets_.triangles.resize(kept);
+  facets_.changed();
+}
+
 Status HoleCloser::run(const Monitor& monitor) {
   std::vector<Hole> found;
   for (const BoundaryLoop& boundary : boundary_loops(mesh_))
@@ -219,6 +230,7 @@ Status HoleCloser::run(const Monitor& monitor) {
     else
       close(covered);
   }
+  drop(are_left_open, parts);
   return {};
 }
 

@@ -34,6 +34,18 @@ double diagonal(const FacetList& facets) {
   return length(box.max - box.min);
 }
 
+/// How far apart equal corners may be where somebody rounded them: a few floats, or a little of the size of the file.
+double noise(const FacetList& facets) {
+  constexpr double kNoisePerDiagonal = 1e-6;
+  constexpr double kFloats = 4 * 0x1p-23;
+  double farthest = 0;
+  for (const TriangleMesh::Triangle& triangle : facets.triangles)
+    for (const std::uint32_t corner : triangle)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        farthest = std::max(farthest, std::abs(facets.points[corner][axis]));
+  return std::max(kNoisePerDiagonal * diagonal(facets), kFloats * farthest);
+}
+
 bool has_boundary(const TriangleMesh& mesh) {
   return !is_closed(mesh);
 }
@@ -115,8 +127,11 @@ void Repair::drop_what_became_flat() {
 
 void Repair::mend_boundaries() {
   if (!has_boundary(mesh())) return;
-  divide_edges(facets_, report_);
   const double tolerance = options_.crack_tolerance.value_or(kCrackPerDiagonal * diagonal(facets_));
+  join_equal_corners(facets_, std::min(tolerance, noise(facets_)), report_);
+  drop_what_became_flat();
+  if (!has_boundary(mesh())) return;
+  divide_edges(facets_, report_);
   if (!has_boundary(mesh()) || !(tolerance > 0)) return;
   close_cracks(facets_, tolerance, report_);
   drop_what_became_flat();
@@ -129,9 +144,16 @@ void Repair::orient() {
 }
 
 Status Repair::close_holes() {
-  if (!has_boundary(mesh())) return {};
-  RETURN_IF_ERROR(
-      algebra3d::close_holes(facets_, options_.largest_hole.value_or(diagonal(facets_)), report_, monitor_));
+  // What covers a hole may be flat in part, and leave smaller ones where that is dropped.
+  constexpr int kMostRounds = 4;
+  for (int round = 0; round < kMostRounds && has_boundary(mesh()); ++round) {
+    if (round > 0) divide_edges(facets_, report_);
+    const std::size_t facet_count = facets_.triangles.size();
+    RETURN_IF_ERROR(
+        algebra3d::close_holes(facets_, options_.largest_hole.value_or(diagonal(facets_)), report_, monitor_));
+    if (facets_.triangles.size() == facet_count || report_.find(RepairStep::open_holes) != nullptr) break;
+    drop_what_became_flat();
+  }
   drop_what_became_flat();
   return {};
 }
@@ -208,7 +230,8 @@ Result<bool> Repair::is_proved() {
 
 Result<RepairedSolid> Repair::run(const ValidityReport& found) {
   if (is_balanced(mesh())) {
-    ASSIGN_OR_RETURN(report_.volume_before, nearest_volume(mesh(), monitor_));
+    ASSIGN_OR_RETURN(const double volume, nearest_volume(mesh(), monitor_));
+    report_.volume_before = std::abs(volume);
   }
   drop_facets(found.count(Defect::degenerate_triangle) > 0, found.count(Defect::duplicate_triangle) > 0);
   mend_boundaries();

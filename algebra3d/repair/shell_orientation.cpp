@@ -41,7 +41,10 @@ class ShellOrientation {
   void turn(OrientedShell& shell);
   int winding(const OrientedShell& shell, const PointRef& point) const;
   std::vector<std::uint32_t> outermost_facets(const OrientedShell& shell) const;
+  template <typename IsEnough>
+  bool is_all_outermost(const OrientedShell& shell, std::span<const OrientedShell> others, IsEnough is_enough) const;
   bool is_within(const OrientedShell& shell, std::span<const OrientedShell> others) const;
+  const OrientedShell* shell_around(const OrientedShell& shell, std::span<const OrientedShell> others) const;
   void apply(const std::vector<OrientedShell>& shells);
 
   FacetList& facets_;
@@ -154,8 +157,10 @@ std::vector<std::uint32_t> ShellOrientation::outermost_facets(const OrientedShel
   return result;
 }
 
-/// True if the others hold all of the shell, as far as its outermost facets can tell.
-bool ShellOrientation::is_within(const OrientedShell& shell, std::span<const OrientedShell> others) const {
+/// True if that is enough how often the others go round each of the outermost facets of the shell.
+template <typename IsEnough>
+bool ShellOrientation::is_all_outermost(const OrientedShell& shell, std::span<const OrientedShell> others,
+                                        IsEnough is_enough) const {
   return std::ranges::all_of(outermost_facets(shell), [&](std::uint32_t f) {
     const TriangleRef facet = mesh_.corners(FaceId(f));
     // Shells may touch in corners and edges, so those decide nothing.
@@ -165,22 +170,42 @@ bool ShellOrientation::is_within(const OrientedShell& shell, std::span<const Ori
     int around = 0;
     for (const OrientedShell& other : others)
       if (other.box.intersects(box)) around += winding(other, middle);
-    return around > 0;
+    return is_enough(around);
   });
+}
+
+/// True if the others hold all of the shell, as far as its outermost facets can tell.
+bool ShellOrientation::is_within(const OrientedShell& shell, std::span<const OrientedShell> others) const {
+  return is_all_outermost(shell, others, [](int winding) { return winding > 0; });
+}
+
+/// The smallest of the others, which descend, that goes round all of the shell; null if none does.
+const OrientedShell* ShellOrientation::shell_around(const OrientedShell& shell,
+                                                    std::span<const OrientedShell> others) const {
+  for (std::size_t i = others.size(); i-- > 0;)
+    if (others[i].box.contains(shell.box) &&
+        is_all_outermost(shell, others.subspan(i, 1), [](int winding) { return winding != 0; }))
+      return &others[i];
+  return nullptr;
 }
 
 Status ShellOrientation::run(const Monitor& monitor) {
   ASSIGN_OR_RETURN(std::vector<OrientedShell> shells, find_shells(monitor));
-  Rational total;
-  for (const OrientedShell& shell : shells) total = total + shell.volume;
-  if (total.sign() < 0)
-    for (OrientedShell& shell : shells) turn(shell);
   const auto size = [](const OrientedShell& shell) { return shell.volume.sign() < 0 ? -shell.volume : shell.volume; };
   std::ranges::stable_sort(shells, [&](const OrientedShell& a, const OrientedShell& b) { return size(a) > size(b); });
+  bool has_turned = false;
   for (std::size_t i = 0; i < shells.size(); ++i) {
-    if (shells[i].volume.sign() >= 0) continue;
+    const bool is_negative = shells[i].volume.sign() < 0;
+    if (!is_negative && !has_turned) continue;
     RETURN_IF_ERROR(monitor.check());
-    if (!is_within(shells[i], std::span(shells).first(i))) turn(shells[i]);
+    const auto larger = std::span(shells).first(i);
+    // What was turned inside out is so with all that is in it.
+    const OrientedShell* around = has_turned ? shell_around(shells[i], larger) : nullptr;
+    const bool goes_along =
+        around != nullptr && around->is_turned && (around->volume.sign() > 0) == (shells[i].volume.sign() > 0);
+    if (!goes_along && (!is_negative || is_within(shells[i], larger))) continue;
+    turn(shells[i]);
+    has_turned = true;
   }
   apply(shells);
   return {};
