@@ -173,6 +173,12 @@ Status Repair::make_solid(bool may_cross) {
     ASSIGN_OR_RETURN(const bool is_valid, take_if_valid());
     if (is_valid) return {};
   }
+  if (getenv("RFDBG")) {  // DEBUG
+    int b = 0, u = 0;
+    for (std::uint32_t h = 0; h < mesh().halfedge_count(); ++h) if (mesh().is_boundary(HalfedgeId(h))) { ++b; if (b < 20) fprintf(stderr, " b %u %u f%u (%g %g %g)\n", mesh().origin(HalfedgeId(h)).index(), mesh().target(HalfedgeId(h)).index(), h/3, mesh().point(mesh().origin(HalfedgeId(h))).approx.x, mesh().point(mesh().origin(HalfedgeId(h))).approx.y, mesh().point(mesh().origin(HalfedgeId(h))).approx.z); }
+    for (std::size_t n = 0; n < mesh().nonmanifold_edge_count(); ++n) { auto e = mesh().nonmanifold_edge(n); if (!is_balanced(mesh(), e)) { ++u; if (u < 20) fprintf(stderr, " u%zu %u %u\n", e.size(), mesh().origin(e[0]).index(), mesh().target(e[0]).index()); } }
+    fprintf(stderr, "boundary %d unbalanced %d of %zu\n", b, u, mesh().face_count());
+  }  // DEBUG
   ASSIGN_OR_RETURN(const ValidParts parts, ValidParts::make(mesh(), monitor_));
   if (may_cross && parts.lone_faces().empty()) {
     ASSIGN_OR_RETURN(const bool is_valid, take_if_valid());
