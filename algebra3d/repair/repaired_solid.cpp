@@ -13,6 +13,7 @@
 #include "algebra3d/repair/fins.h"
 #include "algebra3d/repair/holes.h"
 #include "algebra3d/repair/kept_shells.h"
+#include "algebra3d/repair/rims.h"
 #include "algebra3d/repair/shell_orientation.h"
 #include "algebra3d/repair/spatial_order.h"
 #include "algebra3d/repair/tolerant_solid.h"
@@ -146,11 +147,12 @@ void Repair::orient() {
 Status Repair::close_holes() {
   // What covers a hole may be flat in part, and leave smaller ones where that is dropped.
   constexpr int kMostRounds = 4;
+  const double largest = options_.largest_hole.value_or(diagonal(facets_));
   for (int round = 0; round < kMostRounds && has_boundary(mesh()); ++round) {
     if (round > 0) divide_edges(facets_, report_);
     const std::size_t facet_count = facets_.triangles.size();
-    RETURN_IF_ERROR(
-        algebra3d::close_holes(facets_, options_.largest_hole.value_or(diagonal(facets_)), report_, monitor_));
+    RETURN_IF_ERROR(algebra3d::close_holes(facets_, largest, report_, monitor_));
+    RETURN_IF_ERROR(close_rims(facets_, largest, report_, monitor_));
     if (facets_.triangles.size() == facet_count || report_.find(RepairStep::open_holes) != nullptr) break;
     drop_what_became_flat();
   }
