@@ -89,8 +89,8 @@ double area(const FacetList& facets, const TriangleMesh::Triangle& t) {
 
 class HoleCloser {
  public:
-  HoleCloser(FacetList& facets, double largest, RepairReport& report)
-      : facets_(facets), largest_(largest), report_(report), linked_(facets.mesh()), mesh_(*linked_) {}
+  HoleCloser(FacetList& facets, const HoleLimits& limits, RepairReport& report)
+      : facets_(facets), limits_(limits), report_(report), linked_(facets.mesh()), mesh_(*linked_) {}
 
   Status run(const Monitor& monitor);
 
@@ -111,7 +111,7 @@ class HoleCloser {
   FacetTree tree_around(const std::vector<Hole>& holes) const;
 
   FacetList& facets_;
-  double largest_;
+  HoleLimits limits_;
   RepairReport& report_;
   std::shared_ptr<const TriangleMesh> linked_;  // the facets as given
   const TriangleMesh& mesh_;
@@ -160,7 +160,7 @@ bool HoleCloser::cuts_surface(const std::vector<TriangleMesh::Triangle>& cover) 
 
 HoleCloser::Covered HoleCloser::cover(Hole hole) {
   std::vector<TriangleMesh::Triangle> first;
-  if (diameter(hole) > largest_) return {std::move(hole), {}, false};
+  if (diameter(hole) > limits_.largest) return {std::move(hole), {}, false};
   for (const LoopMeasure measure : {LoopMeasure::bend, LoopMeasure::area}) {
     std::vector<TriangleMesh::Triangle> triangles = triangulate_loop(hole.loop, measure);
     for (TriangleMesh::Triangle& triangle : triangles)
@@ -230,14 +230,14 @@ Status HoleCloser::run(const Monitor& monitor) {
     else
       close(covered);
   }
-  drop(are_left_open, parts);
+  if (limits_.drops_sheets) drop(are_left_open, parts);
   return {};
 }
 
 }  // namespace
 
-Status close_holes(FacetList& facets, double largest, RepairReport& report, const Monitor& monitor) {
-  return HoleCloser(facets, largest, report).run(monitor);
+Status close_holes(FacetList& facets, const HoleLimits& limits, RepairReport& report, const Monitor& monitor) {
+  return HoleCloser(facets, limits, report).run(monitor);
 }
 
 }  // namespace algebra3d
