@@ -80,18 +80,20 @@ bool has_manifold_edges(const TriangleMesh& mesh, FaceId face) {
 /// How facets are taken to be meant.
 struct Approach {
   bool joins_cracks = true;      ///< else steps 3 and 4 divide edges at most
-  bool drops_sheets = true;      ///< open parts that are no solids with a hole, beside others
+  bool drops_open = true;        ///< fins, and sheets beside others
   bool closes_holes = true;      ///< else winding numbers alone tell what is inside
+  bool covers_walls = false;     ///< that end at edges of more than two facets, so that winding numbers are whole
   bool fills_inside_out = false; ///< places about which the winding number is negative belong to the solid
 };
 
 /// In the order in which they are tried.
-constexpr std::array<Approach, 5> kApproaches{{
+constexpr std::array<Approach, 6> kApproaches{{
     {},
     {.fills_inside_out = true},
     {.joins_cracks = false},
-    {.drops_sheets = false},
-    {.joins_cracks = false, .drops_sheets = false, .closes_holes = false},
+    {.drops_open = false},
+    {.drops_open = false, .covers_walls = true},
+    {.joins_cracks = false, .drops_open = false, .closes_holes = false},
 }};
 
 class Repair {
@@ -176,7 +178,7 @@ void Repair::mend_boundaries() {
 void Repair::orient() {
   if (mesh().nonmanifold_edge_count() == 0) return;
   orient_facets(facets_, report_);
-  if (has_boundary(mesh()) && mesh().nonmanifold_edge_count() > 0) drop_fins(facets_, report_);
+  if (approach_.drops_open && has_boundary(mesh()) && mesh().nonmanifold_edge_count() > 0) drop_fins(facets_, report_);
 }
 
 Status Repair::close_holes() {
@@ -187,11 +189,12 @@ Status Repair::close_holes() {
   for (int round = 0; round < kMostRounds && has_boundary(mesh()); ++round) {
     if (round > 0) divide_edges(facets_, report_);
     const std::size_t facet_count = facets_.triangles.size();
-    RETURN_IF_ERROR(algebra3d::close_holes(facets_, {largest, approach_.drops_sheets}, report_, monitor_));
-    RETURN_IF_ERROR(close_rims(facets_, largest, report_, monitor_));
+    RETURN_IF_ERROR(algebra3d::close_holes(facets_, {largest, approach_.drops_open}, report_, monitor_));
+    RETURN_IF_ERROR(close_rims(facets_, {largest, false}, report_, monitor_));
     if (facets_.triangles.size() == facet_count || report_.find(RepairStep::open_holes) != nullptr) break;
     drop_what_became_flat();
   }
+  if (approach_.covers_walls) RETURN_IF_ERROR(close_rims(facets_, {largest, true}, report_, monitor_));
   drop_what_became_flat();
   return {};
 }

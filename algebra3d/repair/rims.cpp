@@ -23,8 +23,8 @@ struct Lack {
 
 class RimCloser {
  public:
-  RimCloser(FacetList& facets, double largest, RepairReport& report)
-      : facets_(facets), largest_(largest), report_(report) {}
+  RimCloser(FacetList& facets, const RimLimits& limits, RepairReport& report)
+      : facets_(facets), limits_(limits), report_(report) {}
 
   Status run(const Monitor& monitor);
 
@@ -34,11 +34,11 @@ class RimCloser {
   void cover(const std::vector<std::uint32_t>& loop);
 
   FacetList& facets_;
-  double largest_;
+  RimLimits limits_;
   RepairReport& report_;
   std::vector<Lack> lacks_;
   std::map<std::uint32_t, std::vector<std::uint32_t>> from_;  // numbers of the lacks by their start
-  bool has_both_ = false;
+  bool is_needed_ = false;
 };
 
 void RimCloser::find_lacks() {
@@ -51,7 +51,7 @@ void RimCloser::find_lacks() {
     lacks_.push_back({mesh.target(halfedge).index(), mesh.origin(halfedge).index(), true});
     has_boundary = true;
   }
-  for (std::size_t n = 0; has_boundary && n < mesh.nonmanifold_edge_count(); ++n) {
+  for (std::size_t n = 0; (has_boundary || limits_.covers_walls) && n < mesh.nonmanifold_edge_count(); ++n) {
     const auto edge = mesh.nonmanifold_edge(n);
     std::uint32_t from = mesh.origin(edge[0]).index(), to = mesh.target(edge[0]).index();
     int balance = 0;
@@ -60,8 +60,8 @@ void RimCloser::find_lacks() {
     for (int i = 0; i < std::abs(balance); ++i) lacks_.push_back({from, to, false});
     has_others = has_others || balance != 0;
   }
-  has_both_ = has_boundary && has_others;
-  for (std::uint32_t i = 0; has_both_ && i < lacks_.size(); ++i) from_[lacks_[i].from].push_back(i);
+  is_needed_ = has_others && (has_boundary || limits_.covers_walls);
+  for (std::uint32_t i = 0; is_needed_ && i < lacks_.size(); ++i) from_[lacks_[i].from].push_back(i);
 }
 
 /// Lacks that lead from the end of the given one back to its start, that one first; empty if there are none.
@@ -99,7 +99,7 @@ void RimCloser::cover(const std::vector<std::uint32_t>& loop) {
   }
   corners.beyond = corners.corners;
   const double diameter = length(box.max - box.min);
-  if (diameter > largest_) return;
+  if (diameter > limits_.largest) return;
   for (const auto& [a, b, c] : triangulate_loop(corners, LoopMeasure::area))
     facets_.triangles.push_back({lacks_[loop[a]].from, lacks_[loop[b]].from, lacks_[loop[c]].from});
   facets_.changed();
@@ -108,9 +108,9 @@ void RimCloser::cover(const std::vector<std::uint32_t>& loop) {
 
 Status RimCloser::run(const Monitor& monitor) {
   find_lacks();
-  if (!has_both_) return {};
+  if (!is_needed_) return {};
   for (std::uint32_t start = 0; start < lacks_.size(); ++start) {
-    if (lacks_[start].is_covered || !lacks_[start].is_boundary) continue;
+    if (lacks_[start].is_covered || !(lacks_[start].is_boundary || limits_.covers_walls)) continue;
     RETURN_IF_ERROR(monitor.check());
     const std::vector<std::uint32_t> loop = shortest_loop(start);
     for (const std::uint32_t i : loop) lacks_[i].is_covered = true;
@@ -122,8 +122,8 @@ Status RimCloser::run(const Monitor& monitor) {
 
 }  // namespace
 
-Status close_rims(FacetList& facets, double largest, RepairReport& report, const Monitor& monitor) {
-  return RimCloser(facets, largest, report).run(monitor);
+Status close_rims(FacetList& facets, const RimLimits& limits, RepairReport& report, const Monitor& monitor) {
+  return RimCloser(facets, limits, report).run(monitor);
 }
 
 }  // namespace algebra3d
