@@ -69,13 +69,16 @@ Enclosure::Enclosure(const TriangleMesh& facets) {
 
 void Enclosure::choose_lines(const TriangleMesh& facets) {
   double whole = 0;
-  const auto area = [&](std::uint32_t f) { return length(normal_of(corners_of(facets, f))); };
-  for (std::uint32_t f = 0; f < facets.face_count(); ++f) whole += area(f);
+  std::vector<double> areas;
+  for (std::uint32_t f = 0; f < facets.face_count(); ++f) {
+    areas.push_back(length(normal_of(corners_of(facets, f))));
+    whole += areas.back();
+  }
   if (!(whole > 0 && std::isfinite(whole))) return;
   double so_far = 0;
   std::size_t next = 0;
   for (std::uint32_t f = 0; f < facets.face_count() && next < kLines; ++f) {
-    so_far += area(f);
+    so_far += areas[f];
     for (; next < kLines && so_far > (static_cast<double>(next) + 0.5) / kLines * whole; ++next) {
       // Somewhere within the facet, never the same place twice, and hardly ever above an edge of another one.
       const double turn = std::fmod(0.5 + static_cast<double>(next) * 0.6180339887498949, 1.0);

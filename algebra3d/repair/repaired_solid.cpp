@@ -106,6 +106,10 @@ class Repair {
   Status make(const ValidityReport& found);
   bool has_solid() const { return !reason_; }
   const TriangleMesh& solid() const { return solid_; }
+  /// Then it encloses what they do; only small ones that became flat are left out, and copies of others.
+  bool keeps_all_facets() const {
+    return is_proved_ && report_.find(RepairStep::fins) == nullptr && report_.find(RepairStep::sheets) == nullptr;
+  }
   /// Not if it is out of reach, or open because the options say so.
   bool may_be_done_otherwise() const {
     return !is_beyond_limit_ && report_.find(RepairStep::open_holes) == nullptr;
@@ -307,12 +311,14 @@ Result<RepairedSolid> Repair::finish() && {
 
 Result<RepairedSolid> repaired_solid(std::shared_ptr<const TriangleMesh> mesh, const ValidityReport& found,
                                      const RepairOptions& options, const Monitor& monitor) {
-  const Enclosure enclosure(*mesh);
+  std::optional<Enclosure> enclosure;
   std::optional<Repair> usual, fair;
   for (const Approach& approach : kApproaches) {
     Repair repair(mesh, approach, options, monitor);
     RETURN_IF_ERROR(repair.make(found));
-    const Agreement agreement = enclosure.compare(repair.solid());
+    if (!usual && repair.keeps_all_facets()) return std::move(repair).finish();
+    if (!enclosure) enclosure.emplace(*mesh);
+    const Agreement agreement = enclosure->compare(repair.solid());
     if (!agreement.is_doubtful() && (!usual || repair.has_solid())) return std::move(repair).finish();
     if (!fair && !agreement.is_wrong() && repair.has_solid()) fair = repair;
     if (!usual) usual = std::move(repair);

@@ -174,7 +174,7 @@ TEST(Holes, ends_when_asked_to) {
   FacetList facets = facets_of(soup);
   RepairReport report;
   const std::atomic<bool> cancel = true;
-  const Status status = close_holes(facets, kAny, report, &cancel);
+  const Status status = close_holes(facets, {kAny}, report, &cancel);
   ASSERT_FALSE(status.ok());
   EXPECT_EQ(status.error().code, ErrorCode::interrupted);
 }
