@@ -62,24 +62,26 @@ Enclosure::Enclosure(const TriangleMesh& facets) {
     for (std::size_t k = 0; k + 1 < found[i].size(); k += 2) total_ += found[i][k + 1].at - found[i][k].at;
     good.push_back(std::move(lines_[i]));
   }
-  const bool is_telling = 2 * good.size() > lines_.size() && std::isfinite(total_);
+  const bool is_telling = 4 * good.size() > lines_.size() && std::isfinite(total_);
   if (!is_telling) total_ = 0;
   lines_ = is_telling ? std::move(good) : std::vector<Line>();
 }
 
 void Enclosure::choose_lines(const TriangleMesh& facets) {
   double whole = 0;
-  std::vector<double> areas;
+  std::vector<double> shares;
   for (std::uint32_t f = 0; f < facets.face_count(); ++f) {
-    areas.push_back(length(normal_of(corners_of(facets, f))));
-    whole += areas.back();
+    shares.push_back(length(normal_of(corners_of(facets, f))));
+    whole += shares.back();
   }
   if (!(whole > 0 && std::isfinite(whole))) return;
+  // A few large sheets are not to have all lines.
+  for (double& share : shares) share = share / whole + 1 / static_cast<double>(shares.size());
   double so_far = 0;
   std::size_t next = 0;
   for (std::uint32_t f = 0; f < facets.face_count() && next < kLines; ++f) {
-    so_far += areas[f];
-    for (; next < kLines && so_far > (static_cast<double>(next) + 0.5) / kLines * whole; ++next) {
+    so_far += shares[f];
+    for (; next < kLines && so_far > 2 * (static_cast<double>(next) + 0.5) / kLines; ++next) {
       // Somewhere within the facet, never the same place twice, and hardly ever above an edge of another one.
       const double turn = std::fmod(0.5 + static_cast<double>(next) * 0.6180339887498949, 1.0);
       const double first = 0.2 + 0.3 * turn, second = 0.15 + 0.3 * std::fmod(turn * 7.7390123, 1.0);

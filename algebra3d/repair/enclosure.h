@@ -22,10 +22,10 @@ struct Agreement {
 };
 
 /// A cheap estimate of what facets enclose that need be neither closed nor consistently oriented, to compare solids
-/// with: where some lines along the axes are inside, counting crossings. Each line passes through a facet, of those
-/// that parts of the whole area fall upon, along the axis that is nearest to its normal. Facets with the same corners
-/// count once. A line that crosses an odd number of facets, as through a hole or an inner wall, says nothing; nor does
-/// any if those are most of them.
+/// with: where some lines along the axes are inside, counting crossings. Each line passes through a facet, along the axis
+/// that is nearest to its normal; half of them are spread over the area, half over the number of facets. Facets with
+/// the same corners count once. A line that crosses an odd number of facets, as through a hole or an inner wall, says
+/// nothing; nor does any if three quarters of them do not.
 /// It cannot tell apart what lies in two overlapping bodies and what lies in a cavity, so that it never takes the
 /// former for lost, nor for added, if the bodies look the same way.
 /// Deterministic. Decisions: rounded. Cost: linear, some nanoseconds per facet.

@@ -92,7 +92,7 @@ constexpr std::array<Approach, 6> kApproaches{{
     {.fills_inside_out = true},
     {.joins_cracks = false},
     {.drops_open = false},
-    {.drops_open = false, .covers_walls = true},
+    {.drops_open = false, .covers_walls = true, .fills_inside_out = true},
     {.joins_cracks = false, .drops_open = false, .closes_holes = false},
 }};
 

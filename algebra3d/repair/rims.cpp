@@ -1,6 +1,7 @@
 #include "algebra3d/repair/rims.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <functional>
 #include <map>
 #include <queue>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "algebra3d/base/box3.h"
+#include "algebra3d/exact/predicates.h"
 #include "algebra3d/repair/loop_triangulation.h"
 
 namespace algebra3d {
@@ -100,8 +102,12 @@ void RimCloser::cover(const std::vector<std::uint32_t>& loop) {
   corners.beyond = corners.corners;
   const double diameter = length(box.max - box.min);
   if (diameter > limits_.largest) return;
+  // A loop on one line closes by itself.
+  const std::size_t facet_count = facets_.triangles.size();
   for (const auto& [a, b, c] : triangulate_loop(corners, LoopMeasure::area))
-    facets_.triangles.push_back({lacks_[loop[a]].from, lacks_[loop[b]].from, lacks_[loop[c]].from});
+    if (!collinear(corners.corners[a], corners.corners[b], corners.corners[c]))
+      facets_.triangles.push_back({lacks_[loop[a]].from, lacks_[loop[b]].from, lacks_[loop[c]].from});
+  if (facets_.triangles.size() == facet_count) return;
   facets_.changed();
   report_.add(RepairStep::holes, corners.corners[0], diameter);
 }

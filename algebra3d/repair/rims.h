@@ -17,7 +17,7 @@ struct RimLimits {
 /// whose box has a diameter up to the largest is covered with triangles, shortest loops first found. Loops of boundary
 /// edges alone are those of `close_holes`, loops without them the rims of inner walls; both stay,
 /// unless the latter are to be covered: every edge balances then.
-/// Requires oriented facets. The distance in the report is that of `close_holes`. Errors: interrupted.
+/// Requires oriented facets. The distance in the report is the diameter of the loop. Errors: interrupted.
 /// Cost: linear, and that of the loops.
 Status close_rims(FacetList& facets, const RimLimits& limits, RepairReport& report, const Monitor& monitor = {});
 
