@@ -10,9 +10,9 @@ namespace algebra3d {
 /// is a boundary edge here if one facet has it. Exact. Cost: n log n in the boundary edges.
 void divide_edges(FacetList& facets, RepairReport& report);
 
-/// Joins boundary vertices no farther apart than the noise, as `close_cracks` does. To be done before edges are divided:
-/// a corner of a neighbour that rounding moved may lie on an edge, which would be left with a piece as short as the
-/// noise. Cost: n log n in the boundary edges.
+/// Joins boundary vertices no farther apart than the noise, as `close_cracks` does. To be done before edges are
+/// divided: a corner of a neighbour that rounding moved may lie on an edge, which would be left with a piece as short
+/// as the noise. Cost: n log n in the boundary edges.
 void join_equal_corners(FacetList& facets, double noise, RepairReport& report);
 
 /// Joins boundary vertices no farther apart than the tolerance, nearest first, and divides boundary edges at the

@@ -95,9 +95,9 @@ class OpposedFacets {
   const std::vector<EqualFacets>& sets_;
   std::vector<std::uint32_t> set_of_;  // per facet
   arrangement::DisjointSets patches_;
-  std::vector<double> votes_;                        // per set: length of edges that need it less that of others
-  std::vector<std::vector<Neighbour>> neighbours_;   // per set
-  std::vector<std::optional<bool>> turns_;           // per set: whether its first facet looks the wrong way, if known
+  std::vector<double> votes_;                       // per set: length of edges that need it less that of others
+  std::vector<std::vector<Neighbour>> neighbours_;  // per set
+  std::vector<std::optional<bool>> turns_;          // per set: whether its first facet looks the wrong way, if known
 };
 
 OpposedFacets::OpposedFacets(const TriangleMesh& mesh, const std::vector<EqualFacets>& sets,
@@ -117,8 +117,8 @@ OpposedFacets::OpposedFacets(const TriangleMesh& mesh, const std::vector<EqualFa
 }
 
 void OpposedFacets::look_at(std::uint32_t set, HalfedgeId edge, const std::vector<bool>& is_dropped) {
-  std::vector<HalfedgeId> single;                 // of facets that are no part of a set
-  std::map<std::uint32_t, HalfedgeId> others;     // of other sets, with that of their first facet
+  std::vector<HalfedgeId> single;              // of facets that are no part of a set
+  std::map<std::uint32_t, HalfedgeId> others;  // of other sets, with that of their first facet
   if (mesh_.is_nonmanifold(edge)) {
     for (const HalfedgeId h : mesh_.edge_halfedges(edge)) {
       const std::uint32_t facet = TriangleMesh::face(h).index(), other = set_of_[facet];

@@ -102,8 +102,8 @@ std::vector<std::vector<Enclosure::Crossing>> Enclosure::crossings(const Triangl
   std::vector<std::vector<Crossing>> result(lines_.size());
   std::array<std::size_t, 4> first_of_axis{};
   for (std::size_t axis = 0; axis < 3; ++axis)
-    first_of_axis[axis + 1] = static_cast<std::size_t>(
-        std::ranges::upper_bound(lines_, axis, {}, &Line::axis) - lines_.begin());
+    first_of_axis[axis + 1] =
+        static_cast<std::size_t>(std::ranges::upper_bound(lines_, axis, {}, &Line::axis) - lines_.begin());
   std::array<std::vector<double>, 3> us;  // close together, for most facets meet no line
   for (const Line& line : lines_) us[line.axis].push_back(line.u);
   for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {

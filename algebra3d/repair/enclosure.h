@@ -13,7 +13,7 @@ struct Agreement {
   double enclosed = 0;  ///< between an odd and the next even crossing with the facets
   double lost = 0;      ///< of that, what the solid does not hold
   double held = 0;      ///< by the solid
-  double added = 0;     ///< of that, where the facets are crossed an even number of times, as often one way as the other
+  double added = 0;  ///< of that, where the facets are crossed an even number of times, as often one way as the other
 
   /// Much of it is missing, or made up: worth trying to do better.
   bool is_doubtful() const { return lost > enclosed / 10 || added > held / 4; }
@@ -22,13 +22,12 @@ struct Agreement {
 };
 
 /// A cheap estimate of what facets enclose that need be neither closed nor consistently oriented, to compare solids
-/// with: where some lines along the axes are inside, counting crossings. Each line passes through a facet, along the axis
-/// that is nearest to its normal; half of them are spread over the area, half over the number of facets. Facets with
-/// the same corners count once. A line that crosses an odd number of facets, as through a hole or an inner wall, says
-/// nothing; nor does any if three quarters of them do not.
-/// It cannot tell apart what lies in two overlapping bodies and what lies in a cavity, so that it never takes the
-/// former for lost, nor for added, if the bodies look the same way.
-/// Deterministic. Decisions: rounded. Cost: linear, some nanoseconds per facet.
+/// with: where some lines along the axes are inside, counting crossings. Each line passes through a facet, along the
+/// axis that is nearest to its normal; half of them are spread over the area, half over the number of facets. Facets
+/// with the same corners count once. A line that crosses an odd number of facets, as through a hole or an inner wall,
+/// says nothing; nor does any if three quarters of them do not. It cannot tell apart what lies in two overlapping
+/// bodies and what lies in a cavity, so that it never takes the former for lost, nor for added, if the bodies look the
+/// same way. Deterministic. Decisions: rounded. Cost: linear, some nanoseconds per facet.
 class Enclosure {
  public:
   explicit Enclosure(const TriangleMesh& facets);

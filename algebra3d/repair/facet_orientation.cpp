@@ -143,9 +143,8 @@ std::vector<SeamLink> Orientation::seam_links() const {
   if (is_balanced) return links;
   for (const auto& [parts, sum] : lengths)
     if (sum != 0) links.push_back({sum, parts.first, parts.second});
-  std::ranges::stable_sort(links, [](const SeamLink& a, const SeamLink& b) {
-    return std::abs(a.length) > std::abs(b.length);
-  });
+  std::ranges::stable_sort(
+      links, [](const SeamLink& a, const SeamLink& b) { return std::abs(a.length) > std::abs(b.length); });
   return links;
 }
 

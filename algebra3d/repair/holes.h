@@ -16,8 +16,9 @@ struct HoleLimits {
 /// loop_triangulation.h) that look the way their neighbours do: those that bend the surface least or, if these would
 /// cut it, those with the least area; if both do, the first, and what they cut is divided later. What hangs together
 /// across edges is left open if it has one loop, and what covers that cuts it or lies upon it and has more than 3/4 of
-/// its area: that is no solid with a hole, but a sheet, and is dropped unless there is nothing else. Requires oriented facets. The distance in the report is no
-/// smaller than that of any new point from the loop. Errors: interrupted. Cost: linear, and that of the loops.
+/// its area: that is no solid with a hole, but a sheet, and is dropped unless there is nothing else. Requires oriented
+/// facets. The distance in the report is no smaller than that of any new point from the loop. Errors: interrupted.
+/// Cost: linear, and that of the loops.
 Status close_holes(FacetList& facets, const HoleLimits& limits, RepairReport& report, const Monitor& monitor = {});
 
 }  // namespace algebra3d

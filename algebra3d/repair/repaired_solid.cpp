@@ -47,8 +47,7 @@ double noise(const FacetList& facets) {
   double farthest = 0;
   for (const TriangleMesh::Triangle& triangle : facets.triangles)
     for (const std::uint32_t corner : triangle)
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        farthest = std::max(farthest, std::abs(facets.points[corner][axis]));
+      for (std::size_t axis = 0; axis < 3; ++axis) farthest = std::max(farthest, std::abs(facets.points[corner][axis]));
   return std::max(kNoisePerDiagonal * diagonal(facets), kFloats * farthest);
 }
 
@@ -79,11 +78,11 @@ bool has_manifold_edges(const TriangleMesh& mesh, FaceId face) {
 
 /// How facets are taken to be meant.
 struct Approach {
-  bool joins_cracks = true;      ///< else steps 3 and 4 divide edges at most
-  bool drops_open = true;        ///< fins, and sheets beside others
-  bool closes_holes = true;      ///< else winding numbers alone tell what is inside
-  bool covers_walls = false;     ///< that end at edges of more than two facets, so that winding numbers are whole
-  bool fills_inside_out = false; ///< places about which the winding number is negative belong to the solid
+  bool joins_cracks = true;       ///< else steps 3 and 4 divide edges at most
+  bool drops_open = true;         ///< fins, and sheets beside others
+  bool closes_holes = true;       ///< else winding numbers alone tell what is inside
+  bool covers_walls = false;      ///< that end at edges of more than two facets, so that winding numbers are whole
+  bool fills_inside_out = false;  ///< places about which the winding number is negative belong to the solid
 };
 
 /// In the order in which they are tried.
@@ -111,9 +110,7 @@ class Repair {
     return is_proved_ && report_.find(RepairStep::fins) == nullptr && report_.find(RepairStep::sheets) == nullptr;
   }
   /// Not if it is out of reach, or open because the options say so.
-  bool may_be_done_otherwise() const {
-    return !is_beyond_limit_ && report_.find(RepairStep::open_holes) == nullptr;
-  }
+  bool may_be_done_otherwise() const { return !is_beyond_limit_ && report_.find(RepairStep::open_holes) == nullptr; }
   Result<RepairedSolid> finish() &&;
   RepairedSolid nothing(std::string reason) { return {std::nullopt, std::move(reason), std::move(report_)}; }
 
@@ -249,13 +246,11 @@ void Repair::report_lost_shells() {
   arrangement::DisjointSets parts = parts_across_simple_edges(given);
   std::vector<bool> is_left(given.face_count());  // of each part, at its number
   for (std::uint32_t f = 0; f < given.face_count(); ++f)
-    if (std::ranges::any_of(given.corners(FaceId(f)), [&](const PointRef& corner) {
-          return std::ranges::binary_search(left, corner.approx);
-        }))
+    if (std::ranges::any_of(given.corners(FaceId(f)),
+                            [&](const PointRef& corner) { return std::ranges::binary_search(left, corner.approx); }))
       is_left[parts.find(f)] = true;
   for (std::uint32_t f = 0; f < given.face_count(); ++f)
-    if (parts.find(f) == f && !is_left[f])
-      report_.add(RepairStep::inner_shells, given.corners(FaceId(f))[0].approx);
+    if (parts.find(f) == f && !is_left[f]) report_.add(RepairStep::inner_shells, given.corners(FaceId(f))[0].approx);
 }
 
 std::string Repair::reason_for_nothing() const {

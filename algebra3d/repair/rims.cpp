@@ -68,7 +68,7 @@ void RimCloser::find_lacks() {
 
 /// Lacks that lead from the end of the given one back to its start, that one first; empty if there are none.
 std::vector<std::uint32_t> RimCloser::shortest_loop(std::uint32_t start) const {
-  constexpr std::size_t kMostVertices = 2000;  // what is longer is no hole
+  constexpr std::size_t kMostVertices = 2000;                     // what is longer is no hole
   using Step = std::tuple<double, std::uint32_t, std::uint32_t>;  // length so far, vertex, lack that leads there
   std::priority_queue<Step, std::vector<Step>, std::greater<>> steps;
   std::map<std::uint32_t, std::uint32_t> reached;

@@ -169,7 +169,7 @@ std::vector<std::uint32_t> ShellOrientation::telling_facets(const OrientedShell&
 /// True if that is enough how often the others go round each of the facets that tell where the shell lies.
 template <typename IsEnough>
 bool ShellOrientation::is_all(const OrientedShell& shell, std::span<const OrientedShell> others,
-                                        IsEnough is_enough) const {
+                              IsEnough is_enough) const {
   return std::ranges::all_of(telling_facets(shell), [&](std::uint32_t f) {
     const TriangleRef facet = mesh_.corners(FaceId(f));
     // Shells may touch in corners and edges, so those decide nothing.
@@ -188,7 +188,8 @@ bool ShellOrientation::is_within(const OrientedShell& shell, std::span<const Ori
   return is_all(shell, others, [](int winding) { return winding > 0; });
 }
 
-/// The smallest of the others, which descend, that goes round all of the shell, as far as those facets can tell; null if none does.
+/// The smallest of the others, which descend, that goes round all of the shell, as far as those facets can tell; null
+/// if none does.
 const OrientedShell* ShellOrientation::shell_around(const OrientedShell& shell,
                                                     std::span<const OrientedShell> others) const {
   for (std::size_t i = others.size(); i-- > 0;)

@@ -100,7 +100,8 @@ int balance_of(const std::vector<Corners>& triangles, const Corners& key) {
 /// less how much others do not. A patch hangs together across edges that nothing else has.
 double need_of(const FacetList& facets, const std::vector<Corners>& triangles, const Corners& start) {
   std::set<Corners> opposed, single;
-  for (const Corners& t : triangles) (balance_of(triangles, sorted_corners(t)) == 0 ? opposed : single).insert(sorted_corners(t));
+  for (const Corners& t : triangles)
+    (balance_of(triangles, sorted_corners(t)) == 0 ? opposed : single).insert(sorted_corners(t));
   const auto has = [](const Corners& t, std::uint32_t a, std::uint32_t b) {
     return std::ranges::find(t, a) != t.end() && std::ranges::find(t, b) != t.end();
   };
@@ -114,8 +115,7 @@ double need_of(const FacetList& facets, const std::vector<Corners>& triangles, c
       if (others == 0 && all == 2)
         for (const Corners& t : opposed)
           if (meets(t) && std::ranges::find(patch, t) == patch.end()) patch.push_back(t);
-      if (others > 0 && all == 1)
-        need += (others % 2 == 1 ? 1 : -1) * length(facets.points[a] - facets.points[b]);
+      if (others > 0 && all == 1) need += (others % 2 == 1 ? 1 : -1) * length(facets.points[a] - facets.points[b]);
     }
   return need;
 }

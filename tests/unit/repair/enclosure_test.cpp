@@ -12,8 +12,8 @@ Agreement compared(const TriangleSoup& facets, const TriangleSoup& solid) {
 const TriangleSoup kBall = soup_of(solids::geodesic_sphere(6));
 
 TEST(Enclosure, a_solid_agrees_with_its_own_facets) {
-  for (const TriangleSoup& soup : {cube_soup(0, 1), kBall, soup_of(samples::torus(20, 12)),
-                                   joined(cube_soup(0, 4), turned(cube_soup(1, 3)))}) {
+  for (const TriangleSoup& soup :
+       {cube_soup(0, 1), kBall, soup_of(samples::torus(20, 12)), joined(cube_soup(0, 4), turned(cube_soup(1, 3)))}) {
     const Agreement agreement = compared(soup, soup);
     EXPECT_GT(agreement.enclosed, 0);
     EXPECT_EQ(agreement.lost, 0);

@@ -37,7 +37,8 @@ TEST(HostileDamage, corners_that_are_off_by_one_float_are_joined) {
   for (const double offset : {0.0, 1.0, 100.0})
     for (const int percent : {1, 5, 20, 60})
       for (int seed = 1; seed <= 4; ++seed) {
-        SCOPED_TRACE(std::to_string(offset) + ", percent " + std::to_string(percent) + ", seed " + std::to_string(seed));
+        SCOPED_TRACE(std::to_string(offset) + ", percent " + std::to_string(percent) + ", seed " +
+                     std::to_string(seed));
         Chance chance(static_cast<std::uint64_t>(seed));
         TriangleSoup soup = shifted(squared_box(8, 10), {offset, offset, offset});
         for (SoupTriangle& t : soup.triangles)
@@ -74,7 +75,8 @@ TEST(HostileDamage, missing_facets_are_no_cracks) {
     Chance chance(static_cast<std::uint64_t>(seed));
     TriangleSoup soup = whole;
     for (int i = 0; i < 3; ++i)
-      soup.triangles.erase(soup.triangles.begin() + static_cast<std::ptrdiff_t>(index_below(chance, soup.triangles.size())));
+      soup.triangles.erase(soup.triangles.begin() +
+                           static_cast<std::ptrdiff_t>(index_below(chance, soup.triangles.size())));
     EXPECT_NEAR(volume(repaired(soup)), expected, expected / 10);
   }
 }
@@ -124,7 +126,8 @@ TEST(HostileDamage, boxes_that_touch_in_a_face_are_both_kept_when_one_is_inside_
   for (int turned_facets = 0; turned_facets <= 12; ++turned_facets) {
     SCOPED_TRACE(turned_facets);
     TriangleSoup second = shifted(cube_soup(0, 1), {1, 0, 0});
-    for (int f = 0; f < turned_facets; ++f) second.triangles[static_cast<std::size_t>(f)] = turned(second.triangles[static_cast<std::size_t>(f)]);
+    for (int f = 0; f < turned_facets; ++f)
+      second.triangles[static_cast<std::size_t>(f)] = turned(second.triangles[static_cast<std::size_t>(f)]);
     EXPECT_EQ(volume_of(repaired(joined(cube_soup(0, 1), second))), Rational(2));
   }
 }
