@@ -5,6 +5,8 @@
 #include <limits>
 #include <map>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "algebra3d/arrangement/disjoint_sets.h"
 #include "algebra3d/exact/predicates.h"
@@ -217,11 +219,58 @@ void join_vertices(FacetList& facets, double tolerance, RepairReport& report) {
   facets.changed();
 }
 
+/// The divisions without those of edges of which some piece does not meet exactly one other boundary edge, or piece of
+/// one, that runs the other way: dividing them would close nothing, and cut up the rims of holes that are as thin as
+/// cracks.
+std::vector<Division> that_close(const FacetList& facets, std::vector<Division> divisions) {
+  using Piece = std::pair<std::uint32_t, std::uint32_t>;
+  const Boundary boundary(facets);
+  std::ranges::sort(divisions);
+  const auto edge_of = [](const auto& place) { return std::pair(place.triangle, place.corner); };
+  std::vector<std::pair<Boundary::Edge, std::vector<std::uint32_t>>> edges;  // with the vertices on them
+  for (const Boundary::Edge& edge : boundary.edges) {
+    edges.emplace_back(edge, std::vector<std::uint32_t>());
+    const auto [first, last] = std::ranges::equal_range(divisions, edge_of(edge), {}, edge_of);
+    for (auto d = first; d != last; ++d) edges.back().second.push_back(d->vertex);
+  }
+  const auto for_each_piece = [](const auto& edge, auto visit) {
+    std::uint32_t from = edge.first.from;
+    for (const std::uint32_t vertex : edge.second) visit(Piece(std::exchange(from, vertex), vertex));
+    visit(Piece(from, edge.first.to));
+  };
+  for (bool has_changed = true; std::exchange(has_changed, false);) {
+    std::vector<Piece> pieces;
+    for (const auto& edge : edges) for_each_piece(edge, [&](Piece piece) { pieces.push_back(piece); });
+    std::ranges::sort(pieces);
+    const auto count = [&](Piece piece) { return std::ranges::equal_range(pieces, piece).size(); };
+    for (auto& edge : edges) {
+      if (edge.second.empty()) continue;
+      bool closes = true;
+      for_each_piece(edge, [&](Piece piece) {
+        closes = closes && count(piece) == 1 && count({piece.second, piece.first}) == 1;
+      });
+      if (closes) continue;
+      edge.second.clear();
+      has_changed = true;
+    }
+  }
+  // The boundary edges are in the order of their triangles.
+  std::erase_if(divisions, [&](const Division& division) {
+    return std::ranges::lower_bound(edges, edge_of(division), {}, [&](const auto& e) { return edge_of(e.first); })
+        ->second.empty();
+  });
+  return divisions;
+}
+
 }  // namespace
 
 void divide_edges(FacetList& facets, RepairReport& report) {
   while (!divide_once(facets, find_divisions(facets, 0, is_exactly_on), report)) {
   }
+}
+
+void join_equal_corners(FacetList& facets, double noise, RepairReport& report) {
+  if (noise > 0) join_vertices(facets, noise, report);
 }
 
 void close_cracks(FacetList& facets, double tolerance, RepairReport& report) {
@@ -233,7 +282,7 @@ void close_cracks(FacetList& facets, double tolerance, RepairReport& report) {
     if (!(parameter > 0 && parameter < 1)) return false;
     return distance(p, from + parameter * along) <= reach && std::min(distance(p, from), distance(p, to)) > reach;
   };
-  divide_once(facets, find_divisions(facets, tolerance, is_near), report);
+  divide_once(facets, that_close(facets, find_divisions(facets, tolerance, is_near)), report);
 }
 
 }  // namespace algebra3d

@@ -1,8 +1,13 @@
 #include "algebra3d/repair/degenerate_facets.h"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
+#include <optional>
 #include <utility>
+#include <vector>
 
+#include "algebra3d/arrangement/disjoint_sets.h"
 #include "algebra3d/exact/predicates.h"
 #include "algebra3d/halfedge/topology.h"
 
@@ -62,15 +67,117 @@ std::vector<EqualFacets> equal_facets(const TriangleMesh& mesh) {
   return result;
 }
 
-/// Per connected part of the facets: whether all of them are among the given balanced ones.
-std::vector<bool> wholly_balanced(const FaceComponents& parts, const std::vector<EqualFacets>& all) {
-  std::vector<std::uint32_t> total(parts.count), balanced(parts.count);
-  for (const std::uint32_t part : parts.of_face) ++total[part];
-  for (const EqualFacets& equal : all)
-    if (equal.balance == 0)
-      for (const std::uint32_t facet : equal.facets) ++balanced[parts.of_face[facet]];
+constexpr std::uint32_t kNone = 0xFFFFFFFF;
+
+/// Facets of which as many look one way as the other, each set of them taken for one facet. Such facets hang together
+/// across edges that nothing else has, in patches. A patch is needed by the surface round it where that has an odd
+/// number of facets at an edge of the patch, and has nothing to do with it, as the two walls between boxes that were
+/// glued together, where their number is even.
+class OpposedFacets {
+ public:
+  /// The facets that are dropped are not looked at.
+  OpposedFacets(const TriangleMesh& mesh, const std::vector<EqualFacets>& sets, const std::vector<bool>& is_dropped);
+
+  /// Per set: the facet that stays, looking the way its neighbours do; none if no one is needed.
+  std::vector<std::uint32_t> kept();
+
+ private:
+  struct Neighbour {
+    std::uint32_t set;
+    bool same_way;  // along the common edge, as far as the first facets of the sets go
+  };
+
+  void look_at(std::uint32_t set, HalfedgeId edge, const std::vector<bool>& is_dropped);
+  std::vector<bool> are_needed();
+  void spread_turns(std::uint32_t from);
+
+  const TriangleMesh& mesh_;
+  const std::vector<EqualFacets>& sets_;
+  std::vector<std::uint32_t> set_of_;  // per facet
+  arrangement::DisjointSets patches_;
+  std::vector<double> votes_;                       // per set: length of edges that need it less that of others
+  std::vector<std::vector<Neighbour>> neighbours_;  // per set
+  std::vector<std::optional<bool>> turns_;          // per set: whether its first facet looks the wrong way, if known
+};
+
+OpposedFacets::OpposedFacets(const TriangleMesh& mesh, const std::vector<EqualFacets>& sets,
+                             const std::vector<bool>& is_dropped)
+    : mesh_(mesh),
+      sets_(sets),
+      set_of_(mesh.face_count(), kNone),
+      patches_(sets.size()),
+      votes_(sets.size()),
+      neighbours_(sets.size()),
+      turns_(sets.size()) {
+  for (std::uint32_t set = 0; set < sets.size(); ++set)
+    for (const std::uint32_t facet : sets[set].facets) set_of_[facet] = set;
+  for (std::uint32_t set = 0; set < sets.size(); ++set)
+    for (std::uint32_t corner = 0; corner < 3; ++corner)
+      look_at(set, TriangleMesh::halfedge(FaceId(sets[set].facets[0]), corner), is_dropped);
+}
+
+void OpposedFacets::look_at(std::uint32_t set, HalfedgeId edge, const std::vector<bool>& is_dropped) {
+  std::vector<HalfedgeId> single;              // of facets that are no part of a set
+  std::map<std::uint32_t, HalfedgeId> others;  // of other sets, with that of their first facet
+  if (mesh_.is_nonmanifold(edge)) {
+    for (const HalfedgeId h : mesh_.edge_halfedges(edge)) {
+      const std::uint32_t facet = TriangleMesh::face(h).index(), other = set_of_[facet];
+      if (other == kNone && !is_dropped[facet]) single.push_back(h);
+      if (other != kNone && other != set && sets_[other].facets[0] == facet) others.emplace(other, h);
+    }
+  }
+  const auto runs_along = [&](HalfedgeId h) { return mesh_.origin(h) == mesh_.origin(edge); };
+  if (single.empty() && others.size() == 1) {
+    const auto& [other, h] = *others.begin();
+    patches_.unite(set, other);
+    neighbours_[set].push_back({other, runs_along(h)});
+  }
+  if (single.empty() || !others.empty()) return;
+  const double length_of_edge = length(mesh_.point(mesh_.target(edge)).approx - mesh_.point(mesh_.origin(edge)).approx);
+  votes_[set] += single.size() % 2 == 1 ? length_of_edge : -length_of_edge;
+  if (single.size() == 1 && !turns_[set]) turns_[set] = runs_along(single[0]);
+}
+
+/// Per set. A part of the facets that is double all over keeps one of each.
+std::vector<bool> OpposedFacets::are_needed() {
+  std::vector<double> votes(sets_.size());
+  for (std::uint32_t set = 0; set < sets_.size(); ++set) votes[patches_.find(set)] += votes_[set];
+  const FaceComponents parts = connected_components(mesh_);
+  std::vector<bool> is_double(parts.count, true);
+  for (std::uint32_t facet = 0; facet < mesh_.face_count(); ++facet)
+    if (set_of_[facet] == kNone) is_double[parts.of_face[facet]] = false;
   std::vector<bool> result;
-  for (std::size_t part = 0; part < parts.count; ++part) result.push_back(total[part] == balanced[part]);
+  for (std::uint32_t set = 0; set < sets_.size(); ++set)
+    result.push_back(votes[patches_.find(set)] > 0 || is_double[parts.of_face[sets_[set].facets[0]]]);
+  return result;
+}
+
+/// To all sets of the patch of which nothing is known.
+void OpposedFacets::spread_turns(std::uint32_t from) {
+  std::vector<std::uint32_t> reached{from};
+  for (std::size_t i = 0; i < reached.size(); ++i)
+    for (const Neighbour& neighbour : neighbours_[reached[i]]) {
+      if (turns_[neighbour.set]) continue;
+      turns_[neighbour.set] = *turns_[reached[i]] != neighbour.same_way;
+      reached.push_back(neighbour.set);
+    }
+}
+
+std::vector<std::uint32_t> OpposedFacets::kept() {
+  for (std::uint32_t set = 0; set < sets_.size(); ++set)
+    if (turns_[set]) spread_turns(set);
+  const std::vector<bool> needed = are_needed();
+  std::vector<std::uint32_t> result(sets_.size(), kNone);
+  for (std::uint32_t set = 0; set < sets_.size(); ++set) {
+    if (!needed[set]) continue;
+    if (!turns_[set]) {
+      turns_[set] = false;
+      spread_turns(set);
+    }
+    const auto is_even_facet = [&](std::uint32_t f) { return is_even(mesh_.triangle(FaceId(f))); };
+    const bool even = is_even_facet(sets_[set].facets[0]) != *turns_[set];
+    result[set] = *std::ranges::find_if(sets_[set].facets, [&](std::uint32_t f) { return is_even_facet(f) == even; });
+  }
   return result;
 }
 
@@ -102,20 +209,23 @@ void drop_duplicate_facets(FacetList& facets, RepairReport& report) {
   const TriangleMesh& mesh = *linked;
   const std::vector<EqualFacets> all = equal_facets(mesh);
   if (all.empty()) return;
-  const FaceComponents parts = connected_components(mesh);
-  const std::vector<bool> is_wholly_balanced = wholly_balanced(parts, all);
   std::vector<bool> is_dropped(facets.triangles.size());
-  for (const EqualFacets& equal : all) {
-    const bool keeps_one = equal.balance != 0 || is_wholly_balanced[parts.of_face[equal.facets[0]]];
-    // The one that is kept looks the way most do.
-    const auto looks_right = [&](std::uint32_t f) { return is_even(facets.triangles[f]) == (equal.balance >= 0); };
-    const auto kept = std::ranges::find_if(equal.facets, looks_right);
-    for (const std::uint32_t facet : equal.facets) {
-      if (keeps_one && facet == *kept) continue;
-      is_dropped[facet] = true;
-      report.add(RepairStep::duplicate_facets, facets.middle(facet));
-    }
-  }
+  const auto drop_all_but = [&](const EqualFacets& equal, std::uint32_t kept) {
+    for (const std::uint32_t facet : equal.facets) is_dropped[facet] = facet != kept;
+  };
+  // The one that is kept looks the way most do.
+  const auto first_that_is = [&](bool even, const EqualFacets& equal) {
+    const auto looks_right = [&](std::uint32_t f) { return is_even(facets.triangles[f]) == even; };
+    return *std::ranges::find_if(equal.facets, looks_right);
+  };
+  for (const EqualFacets& equal : all)
+    if (equal.balance != 0) drop_all_but(equal, first_that_is(equal.balance > 0, equal));
+  std::vector<EqualFacets> opposed;
+  std::ranges::copy_if(all, std::back_inserter(opposed), [](const EqualFacets& equal) { return equal.balance == 0; });
+  const std::vector<std::uint32_t> kept = OpposedFacets(mesh, opposed, is_dropped).kept();
+  for (std::size_t i = 0; i < opposed.size(); ++i) drop_all_but(opposed[i], kept[i]);
+  for (std::uint32_t f = 0; f < is_dropped.size(); ++f)
+    if (is_dropped[f]) report.add(RepairStep::duplicate_facets, facets.middle(f));
   remove(facets, is_dropped);
 }
 

@@ -13,6 +13,7 @@ struct Part {
   bool has_end = false;    ///< an edge that no other facet has
   bool hangs = false;      ///< an edge of more than two facets
   bool is_needed = false;  ///< by the others at such an edge
+  double area = 0;
 };
 
 /// Notes which parts hang on others at the edge, and which of them the others cannot do without.
@@ -27,8 +28,12 @@ void look_at(const TriangleMesh& mesh, std::span<const HalfedgeId> edge, arrange
     share += sign;
     ++count;
   }
+  double area = 0;
+  for (const auto& [part, share] : shares) area += parts[part].area;
   for (const auto& [part, share] : shares) {
     parts[part].hangs = true;
+    // A needle that lies on the rim of a hole does not make a fin of the body.
+    if (parts[part].area > area - parts[part].area) parts[part].is_needed = true;
     const bool others_balance = balance == share.first && share.second < edge.size();
     parts[part].is_needed = parts[part].is_needed || !others_balance;
   }
@@ -40,6 +45,10 @@ bool drop_some(FacetList& facets, RepairReport& report) {
   const TriangleMesh& mesh = *linked;
   arrangement::DisjointSets sets = parts_across_simple_edges(mesh);
   std::vector<Part> parts(mesh.face_count());
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    const Vec3 &a = facets.corner(f, 0), &b = facets.corner(f, 1), &c = facets.corner(f, 2);
+    parts[sets.find(f)].area += length(cross(b - a, c - a)) / 2;
+  }
   for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h)
     if (mesh.is_boundary(HalfedgeId(h))) parts[sets.find(h / 3)].has_end = true;
   for (std::size_t n = 0; n < mesh.nonmanifold_edge_count(); ++n)

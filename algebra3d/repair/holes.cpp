@@ -89,8 +89,8 @@ double area(const FacetList& facets, const TriangleMesh::Triangle& t) {
 
 class HoleCloser {
  public:
-  HoleCloser(FacetList& facets, double largest, RepairReport& report)
-      : facets_(facets), largest_(largest), report_(report), linked_(facets.mesh()), mesh_(*linked_) {}
+  HoleCloser(FacetList& facets, const HoleLimits& limits, RepairReport& report)
+      : facets_(facets), limits_(limits), report_(report), linked_(facets.mesh()), mesh_(*linked_) {}
 
   Status run(const Monitor& monitor);
 
@@ -107,10 +107,11 @@ class HoleCloser {
   bool cut_each_other(const TriangleMesh::Triangle& triangle, std::uint32_t facet) const;
   std::vector<bool> are_sheets(const FaceComponents& parts, const std::vector<Covered>& holes) const;
   void close(const Covered& covered);
+  void drop(const std::vector<bool>& are_sheets, const FaceComponents& parts);
   FacetTree tree_around(const std::vector<Hole>& holes) const;
 
   FacetList& facets_;
-  double largest_;
+  HoleLimits limits_;
   RepairReport& report_;
   std::shared_ptr<const TriangleMesh> linked_;  // the facets as given
   const TriangleMesh& mesh_;
@@ -159,7 +160,7 @@ bool HoleCloser::cuts_surface(const std::vector<TriangleMesh::Triangle>& cover) 
 
 HoleCloser::Covered HoleCloser::cover(Hole hole) {
   std::vector<TriangleMesh::Triangle> first;
-  if (diameter(hole) > largest_) return {std::move(hole), {}, false};
+  if (diameter(hole) > limits_.largest) return {std::move(hole), {}, false};
   for (const LoopMeasure measure : {LoopMeasure::bend, LoopMeasure::area}) {
     std::vector<TriangleMesh::Triangle> triangles = triangulate_loop(hole.loop, measure);
     for (TriangleMesh::Triangle& triangle : triangles)
@@ -198,6 +199,16 @@ void HoleCloser::close(const Covered& covered) {
   report_.add(RepairStep::holes, covered.hole.loop.corners[0], farthest);
 }
 
+/// The sheets, unless there is nothing else.
+void HoleCloser::drop(const std::vector<bool>& are_sheets, const FaceComponents& parts) {
+  if (std::ranges::count(are_sheets, true) == 0 || std::ranges::count(are_sheets, false) == 0) return;
+  std::size_t kept = 0;
+  for (std::size_t f = 0; f < facets_.triangles.size(); ++f)
+    if (f >= mesh_.face_count() || !are_sheets[parts.of_face[f]]) facets_.triangles[kept++] = facets_.triangles[f];
+  facets_.triangles.resize(kept);
+  facets_.changed();
+}
+
 Status HoleCloser::run(const Monitor& monitor) {
   std::vector<Hole> found;
   for (const BoundaryLoop& boundary : boundary_loops(mesh_))
@@ -219,13 +230,14 @@ Status HoleCloser::run(const Monitor& monitor) {
     else
       close(covered);
   }
+  if (limits_.drops_sheets) drop(are_left_open, parts);
   return {};
 }
 
 }  // namespace
 
-Status close_holes(FacetList& facets, double largest, RepairReport& report, const Monitor& monitor) {
-  return HoleCloser(facets, largest, report).run(monitor);
+Status close_holes(FacetList& facets, const HoleLimits& limits, RepairReport& report, const Monitor& monitor) {
+  return HoleCloser(facets, limits, report).run(monitor);
 }
 
 }  // namespace algebra3d

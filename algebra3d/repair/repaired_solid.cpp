@@ -1,7 +1,10 @@
 #include "algebra3d/repair/repaired_solid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -9,10 +12,13 @@
 #include "algebra3d/halfedge/topology.h"
 #include "algebra3d/repair/cracks.h"
 #include "algebra3d/repair/degenerate_facets.h"
+#include "algebra3d/repair/enclosure.h"
 #include "algebra3d/repair/facet_orientation.h"
+#include "algebra3d/repair/facet_parts.h"
 #include "algebra3d/repair/fins.h"
 #include "algebra3d/repair/holes.h"
 #include "algebra3d/repair/kept_shells.h"
+#include "algebra3d/repair/rims.h"
 #include "algebra3d/repair/shell_orientation.h"
 #include "algebra3d/repair/spatial_order.h"
 #include "algebra3d/repair/tolerant_solid.h"
@@ -32,6 +38,17 @@ double diagonal(const FacetList& facets) {
     for (const std::uint32_t corner : triangle) box.extend(facets.points[corner]);
   if (box.is_empty()) return 0;
   return length(box.max - box.min);
+}
+
+/// How far apart equal corners may be where somebody rounded them: a few floats, or a little of the size of the file.
+double noise(const FacetList& facets) {
+  constexpr double kNoisePerDiagonal = 1e-6;
+  constexpr double kFloats = 4 * 0x1p-23;
+  double farthest = 0;
+  for (const TriangleMesh::Triangle& triangle : facets.triangles)
+    for (const std::uint32_t corner : triangle)
+      for (std::size_t axis = 0; axis < 3; ++axis) farthest = std::max(farthest, std::abs(facets.points[corner][axis]));
+  return std::max(kNoisePerDiagonal * diagonal(facets), kFloats * farthest);
 }
 
 bool has_boundary(const TriangleMesh& mesh) {
@@ -59,12 +76,43 @@ bool has_manifold_edges(const TriangleMesh& mesh, FaceId face) {
   return true;
 }
 
+/// How facets are taken to be meant.
+struct Approach {
+  bool joins_cracks = true;       ///< else steps 3 and 4 divide edges at most
+  bool drops_open = true;         ///< fins, and sheets beside others
+  bool closes_holes = true;       ///< else winding numbers alone tell what is inside
+  bool covers_walls = false;      ///< that end at edges of more than two facets, so that winding numbers are whole
+  bool fills_inside_out = false;  ///< places about which the winding number is negative belong to the solid
+};
+
+/// In the order in which they are tried.
+constexpr std::array<Approach, 6> kApproaches{{
+    {},
+    {.fills_inside_out = true},
+    {.joins_cracks = false},
+    {.drops_open = false},
+    {.drops_open = false, .covers_walls = true, .fills_inside_out = true},
+    {.joins_cracks = false, .drops_open = false, .closes_holes = false},
+}};
+
 class Repair {
  public:
-  Repair(std::shared_ptr<const TriangleMesh> given, const RepairOptions& options, const Monitor& monitor)
-      : options_(options), monitor_(monitor), facets_(std::move(given)) {}
+  Repair(std::shared_ptr<const TriangleMesh> given, const Approach& approach, const RepairOptions& options,
+         const Monitor& monitor)
+      : approach_(approach), options_(options), monitor_(monitor), facets_(std::move(given)) {}
 
-  Result<RepairedSolid> run(const ValidityReport& found);
+  /// All steps but the last; tells nothing of the solid if that is not to be had.
+  Status make(const ValidityReport& found);
+  bool has_solid() const { return !reason_; }
+  const TriangleMesh& solid() const { return solid_; }
+  /// Then it encloses what they do; only small ones that became flat are left out, and copies of others.
+  bool keeps_all_facets() const {
+    return is_proved_ && report_.find(RepairStep::fins) == nullptr && report_.find(RepairStep::sheets) == nullptr;
+  }
+  /// Not if it is out of reach, or open because the options say so.
+  bool may_be_done_otherwise() const { return !is_beyond_limit_ && report_.find(RepairStep::open_holes) == nullptr; }
+  Result<RepairedSolid> finish() &&;
+  RepairedSolid nothing(std::string reason) { return {std::nullopt, std::move(reason), std::move(report_)}; }
 
  private:
   /// Until the facets change.
@@ -80,14 +128,16 @@ class Repair {
   Status divide(const ValidParts& parts);
   void report_lost_shells();
   Result<bool> is_proved();
-  RepairedSolid nothing(std::string reason) { return {std::nullopt, std::move(reason), std::move(report_)}; }
   std::string reason_for_nothing() const;
 
-  const RepairOptions& options_;
+  Approach approach_;
+  RepairOptions options_;
   Monitor monitor_;
   FacetList facets_;
   TriangleMesh solid_;
   bool is_proved_ = false;
+  bool is_beyond_limit_ = false;
+  std::optional<std::string> reason_;  // why there is no solid
   RepairReport report_;
 };
 
@@ -115,8 +165,12 @@ void Repair::drop_what_became_flat() {
 
 void Repair::mend_boundaries() {
   if (!has_boundary(mesh())) return;
+  const double usual = kCrackPerDiagonal * diagonal(facets_);
+  const double tolerance = approach_.joins_cracks ? options_.crack_tolerance.value_or(usual) : 0;
+  join_equal_corners(facets_, std::min(tolerance, noise(facets_)), report_);
+  drop_what_became_flat();
+  if (!has_boundary(mesh())) return;
   divide_edges(facets_, report_);
-  const double tolerance = options_.crack_tolerance.value_or(kCrackPerDiagonal * diagonal(facets_));
   if (!has_boundary(mesh()) || !(tolerance > 0)) return;
   close_cracks(facets_, tolerance, report_);
   drop_what_became_flat();
@@ -125,13 +179,23 @@ void Repair::mend_boundaries() {
 void Repair::orient() {
   if (mesh().nonmanifold_edge_count() == 0) return;
   orient_facets(facets_, report_);
-  if (has_boundary(mesh()) && mesh().nonmanifold_edge_count() > 0) drop_fins(facets_, report_);
+  if (approach_.drops_open && has_boundary(mesh()) && mesh().nonmanifold_edge_count() > 0) drop_fins(facets_, report_);
 }
 
 Status Repair::close_holes() {
-  if (!has_boundary(mesh())) return {};
-  RETURN_IF_ERROR(
-      algebra3d::close_holes(facets_, options_.largest_hole.value_or(diagonal(facets_)), report_, monitor_));
+  if (!approach_.closes_holes) return {};
+  // What covers a hole may be flat in part, and leave smaller ones where that is dropped.
+  constexpr int kMostRounds = 4;
+  const double largest = options_.largest_hole.value_or(diagonal(facets_));
+  for (int round = 0; round < kMostRounds && has_boundary(mesh()); ++round) {
+    if (round > 0) divide_edges(facets_, report_);
+    const std::size_t facet_count = facets_.triangles.size();
+    RETURN_IF_ERROR(algebra3d::close_holes(facets_, {largest, approach_.drops_open}, report_, monitor_));
+    RETURN_IF_ERROR(close_rims(facets_, {largest, false}, report_, monitor_));
+    if (facets_.triangles.size() == facet_count || report_.find(RepairStep::open_holes) != nullptr) break;
+    drop_what_became_flat();
+  }
+  if (approach_.covers_walls) RETURN_IF_ERROR(close_rims(facets_, {largest, true}, report_, monitor_));
   drop_what_became_flat();
   return {};
 }
@@ -163,7 +227,7 @@ Status Repair::divide(const ValidParts& parts) {
   const bool is_closed = is_balanced(mesh());
   for (const FaceId face : parts.lone_faces())
     if (has_manifold_edges(mesh(), face)) report_.add(RepairStep::intersections, facets_.middle(face.index()));
-  const auto is_inside = [](int winding) { return winding > 0; };
+  const auto is_inside = [&](int winding) { return winding > 0 || approach_.fills_inside_out; };
   auto solid = is_closed ? winding_solid(parts, is_inside, monitor_, work_limits(options_))
                          : tolerant_solid(facets_, parts, monitor_, work_limits(options_), options_.work_limit * 1e6);
   if (!solid) return std::move(solid).error();
@@ -172,20 +236,21 @@ Status Repair::divide(const ValidParts& parts) {
   return {};
 }
 
-/// Shells of which no corner is left.
+/// What hangs together across edges of two facets, and of which no corner is left.
 void Repair::report_lost_shells() {
   std::vector<Vec3> left;
   for (std::size_t i = 0; i < solid_.points().size(); ++i)
     if (solid_.points()[i].is_double()) left.push_back(solid_.points().approx()[i]);
   std::ranges::sort(left);
   const TriangleMesh& given = mesh();
-  for (const std::vector<FaceId>& shell : connected_components(given).faces()) {
-    const auto is_left = [&](FaceId face) {
-      return std::ranges::any_of(
-          given.corners(face), [&](const PointRef& corner) { return std::ranges::binary_search(left, corner.approx); });
-    };
-    if (std::ranges::none_of(shell, is_left)) report_.add(RepairStep::inner_shells, given.corners(shell[0])[0].approx);
-  }
+  arrangement::DisjointSets parts = parts_across_simple_edges(given);
+  std::vector<bool> is_left(given.face_count());  // of each part, at its number
+  for (std::uint32_t f = 0; f < given.face_count(); ++f)
+    if (std::ranges::any_of(given.corners(FaceId(f)),
+                            [&](const PointRef& corner) { return std::ranges::binary_search(left, corner.approx); }))
+      is_left[parts.find(f)] = true;
+  for (std::uint32_t f = 0; f < given.face_count(); ++f)
+    if (parts.find(f) == f && !is_left[f]) report_.add(RepairStep::inner_shells, given.corners(FaceId(f))[0].approx);
 }
 
 std::string Repair::reason_for_nothing() const {
@@ -206,20 +271,28 @@ Result<bool> Repair::is_proved() {
   return found.is_valid();
 }
 
-Result<RepairedSolid> Repair::run(const ValidityReport& found) {
+Status Repair::make(const ValidityReport& found) {
   if (is_balanced(mesh())) {
-    ASSIGN_OR_RETURN(report_.volume_before, nearest_volume(mesh(), monitor_));
+    ASSIGN_OR_RETURN(const double volume, nearest_volume(mesh(), monitor_));
+    report_.volume_before = std::abs(volume);
   }
   drop_facets(found.count(Defect::degenerate_triangle) > 0, found.count(Defect::duplicate_triangle) > 0);
   mend_boundaries();
   orient();
   RETURN_IF_ERROR(close_holes());
   const Status made = make_solid(found.count(Defect::intersecting_triangles) > 0);
-  if (!made && made.error().code == ErrorCode::limit_exceeded) return nothing(made.error().message);
-  RETURN_IF_ERROR(made);
-  if (solid_.is_empty() && !facets_.triangles.empty()) return nothing(reason_for_nothing());
-  if (report_.find(RepairStep::open_holes) != nullptr && report_.find(RepairStep::inner_shells) != nullptr)
-    return nothing(reason_for_nothing());
+  is_beyond_limit_ = !made && made.error().code == ErrorCode::limit_exceeded;
+  if (is_beyond_limit_) reason_ = made.error().message;
+  if (!made && !is_beyond_limit_) return made;
+  const bool lacks_what_is_open =
+      report_.find(RepairStep::open_holes) != nullptr && report_.find(RepairStep::inner_shells) != nullptr;
+  const bool is_nothing = solid_.is_empty() && !facets_.triangles.empty();
+  if (!is_beyond_limit_ && (is_nothing || lacks_what_is_open)) reason_ = reason_for_nothing();
+  return {};
+}
+
+Result<RepairedSolid> Repair::finish() && {
+  if (reason_) return nothing(*reason_);
   ASSIGN_OR_RETURN(const TriangleMesh kept, kept_shells(solid_, options_, report_, monitor_));
   is_proved_ = is_proved_ && kept.face_count() == solid_.face_count();
   solid_ = in_spatial_order(kept);
@@ -233,7 +306,23 @@ Result<RepairedSolid> Repair::run(const ValidityReport& found) {
 
 Result<RepairedSolid> repaired_solid(std::shared_ptr<const TriangleMesh> mesh, const ValidityReport& found,
                                      const RepairOptions& options, const Monitor& monitor) {
-  return Repair(std::move(mesh), options, monitor).run(found);
+  std::optional<Enclosure> enclosure;
+  std::optional<Repair> usual, fair;
+  for (const Approach& approach : kApproaches) {
+    Repair repair(mesh, approach, options, monitor);
+    RETURN_IF_ERROR(repair.make(found));
+    if (!usual && repair.keeps_all_facets()) return std::move(repair).finish();
+    if (!enclosure) enclosure.emplace(*mesh);
+    const Agreement agreement = enclosure->compare(repair.solid());
+    if (!agreement.is_doubtful() && (!usual || repair.has_solid())) return std::move(repair).finish();
+    if (!fair && !agreement.is_wrong() && repair.has_solid()) fair = repair;
+    if (!usual) usual = std::move(repair);
+    if (!usual->may_be_done_otherwise()) break;
+  }
+  if (fair) return std::move(*fair).finish();
+  if (usual->has_solid())
+    return usual->nothing("every solid that was made of the facets lacks most of what they enclose, or adds as much");
+  return std::move(*usual).finish();
 }
 
 }  // namespace algebra3d

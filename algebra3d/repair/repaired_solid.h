@@ -23,20 +23,24 @@ struct RepairedSolid {
 /// A solid from a mesh of facets that is none, as `found` says, a proof that counted all defects. Its points are
 /// doubles. Each step sees what the ones before it left, and is skipped if there is nothing for it to do:
 ///  1. facets that repeat a corner or have no area are dropped (degenerate_facets.h);
-///  2. of equal facets one is kept, or none, unless closed shells would be open then;
-///  3. boundary edges are divided at boundary vertices that lie on them (cracks.h);
+///  2. of equal facets one is kept, or none where the surface does not need it, unless closed shells would be open
+///  then;
+///  3. boundary vertices are joined that are as near as rounding leaves them, and boundary edges divided at boundary
+///     vertices that lie on them (cracks.h);
 ///  4. vertices are moved across cracks, and edges divided beside them;
 ///  5. facets are turned to agree with their neighbours (facet_orientation.h);
-///  6. fins are dropped (fins.h), and holes are closed (holes.h);
+///  6. fins are dropped (fins.h), holes are closed, and sheets beside others dropped (holes.h, rims.h);
 ///  7. shells are turned right side out (shell_orientation.h);
 ///  8. if that is no solid yet, facets are divided at one another, and the places kept about which the winding number
 ///  is
 ///     positive (winding_solid.h) or, if along some edge more facets run one way than the other, those that are mostly
 ///     inside (tolerant_solid.h);
 ///  9. cavities and small shells are left out, as the options say.
-/// Where facets are divided, those in one plane are brought together and triangulated anew. The result is proved.
-/// Exactness: only steps 4 and 6 move or add anything away from the facets; the report says how far.
-/// Errors: interrupted. Cost: that of a few proofs, and of an arrangement of what passes through itself.
+/// What does not keep all facets is compared with what they enclose (enclosure.h). If it lacks much of that, other
+/// approaches are tried in a fixed order (see the source), and the first that agrees is taken; there is no solid if all
+/// of them lack most of it. Where facets are divided, those in one plane are brought together and triangulated anew.
+/// The result is proved. Exactness: only steps 3, 4 and 6 move or add anything away from the facets; the report says
+/// how far. Errors: interrupted. Cost: that of a few proofs, and of an arrangement of what passes through itself.
 Result<RepairedSolid> repaired_solid(std::shared_ptr<const TriangleMesh> mesh, const ValidityReport& found,
                                      const RepairOptions& options, const Monitor& monitor = {});
 

@@ -40,8 +40,11 @@ class ShellOrientation {
   Rational volume_of_open(const OrientedShell& shell) const;
   void turn(OrientedShell& shell);
   int winding(const OrientedShell& shell, const PointRef& point) const;
-  std::vector<std::uint32_t> outermost_facets(const OrientedShell& shell) const;
+  std::vector<std::uint32_t> telling_facets(const OrientedShell& shell) const;
+  template <typename IsEnough>
+  bool is_all(const OrientedShell& shell, std::span<const OrientedShell> others, IsEnough is_enough) const;
   bool is_within(const OrientedShell& shell, std::span<const OrientedShell> others) const;
+  const OrientedShell* shell_around(const OrientedShell& shell, std::span<const OrientedShell> others) const;
   void apply(const std::vector<OrientedShell>& shells);
 
   FacetList& facets_;
@@ -138,9 +141,18 @@ int ShellOrientation::winding(const OrientedShell& shell, const PointRef& point)
   return shell.is_turned ? -sum : sum;
 }
 
-/// Of the shell: those with the largest and the smallest coordinates.
-std::vector<std::uint32_t> ShellOrientation::outermost_facets(const OrientedShell& shell) const {
+/// Of the shell: all, or its largest ones and those with the largest and the smallest coordinates.
+std::vector<std::uint32_t> ShellOrientation::telling_facets(const OrientedShell& shell) const {
+  constexpr std::size_t kMost = 24;
+  if (shell.facets.size() <= kMost) return shell.facets;
+  const auto negative_area = [&](std::uint32_t f) {
+    return -length(cross(facets_.corner(f, 1) - facets_.corner(f, 0), facets_.corner(f, 2) - facets_.corner(f, 0)));
+  };
+  std::vector<std::pair<double, std::uint32_t>> by_area;
+  for (const std::uint32_t f : shell.facets) by_area.emplace_back(negative_area(f), f);
+  std::ranges::partial_sort(by_area, by_area.begin() + kMost);
   std::vector<std::uint32_t> result;
+  for (const auto& [area, f] : std::span(by_area).first(kMost)) result.push_back(f);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto low = [&](std::uint32_t f) {
       return std::min({facets_.corner(f, 0)[axis], facets_.corner(f, 1)[axis], facets_.corner(f, 2)[axis]});
@@ -154,9 +166,11 @@ std::vector<std::uint32_t> ShellOrientation::outermost_facets(const OrientedShel
   return result;
 }
 
-/// True if the others hold all of the shell, as far as its outermost facets can tell.
-bool ShellOrientation::is_within(const OrientedShell& shell, std::span<const OrientedShell> others) const {
-  return std::ranges::all_of(outermost_facets(shell), [&](std::uint32_t f) {
+/// True if that is enough how often the others go round each of the facets that tell where the shell lies.
+template <typename IsEnough>
+bool ShellOrientation::is_all(const OrientedShell& shell, std::span<const OrientedShell> others,
+                              IsEnough is_enough) const {
+  return std::ranges::all_of(telling_facets(shell), [&](std::uint32_t f) {
     const TriangleRef facet = mesh_.corners(FaceId(f));
     // Shells may touch in corners and edges, so those decide nothing.
     const ExactPoint middle(Rational(1, 3) * (facet[0].rational() + facet[1].rational() + facet[2].rational()));
@@ -165,22 +179,43 @@ bool ShellOrientation::is_within(const OrientedShell& shell, std::span<const Ori
     int around = 0;
     for (const OrientedShell& other : others)
       if (other.box.intersects(box)) around += winding(other, middle);
-    return around > 0;
+    return is_enough(around);
   });
+}
+
+/// True if the others hold all of the shell, as far as those facets can tell.
+bool ShellOrientation::is_within(const OrientedShell& shell, std::span<const OrientedShell> others) const {
+  return is_all(shell, others, [](int winding) { return winding > 0; });
+}
+
+/// The smallest of the others, which descend, that goes round all of the shell, as far as those facets can tell; null
+/// if none does.
+const OrientedShell* ShellOrientation::shell_around(const OrientedShell& shell,
+                                                    std::span<const OrientedShell> others) const {
+  for (std::size_t i = others.size(); i-- > 0;)
+    if (others[i].box.contains(shell.box) &&
+        is_all(shell, others.subspan(i, 1), [](int winding) { return winding != 0; }))
+      return &others[i];
+  return nullptr;
 }
 
 Status ShellOrientation::run(const Monitor& monitor) {
   ASSIGN_OR_RETURN(std::vector<OrientedShell> shells, find_shells(monitor));
-  Rational total;
-  for (const OrientedShell& shell : shells) total = total + shell.volume;
-  if (total.sign() < 0)
-    for (OrientedShell& shell : shells) turn(shell);
   const auto size = [](const OrientedShell& shell) { return shell.volume.sign() < 0 ? -shell.volume : shell.volume; };
   std::ranges::stable_sort(shells, [&](const OrientedShell& a, const OrientedShell& b) { return size(a) > size(b); });
+  bool has_turned = false;
   for (std::size_t i = 0; i < shells.size(); ++i) {
-    if (shells[i].volume.sign() >= 0) continue;
+    const bool is_negative = shells[i].volume.sign() < 0;
+    if (!is_negative && !has_turned) continue;
     RETURN_IF_ERROR(monitor.check());
-    if (!is_within(shells[i], std::span(shells).first(i))) turn(shells[i]);
+    const auto larger = std::span(shells).first(i);
+    // What was turned inside out is so with all that is in it.
+    const OrientedShell* around = has_turned ? shell_around(shells[i], larger) : nullptr;
+    const bool goes_along =
+        around != nullptr && around->is_turned && (around->volume.sign() > 0) == (shells[i].volume.sign() > 0);
+    if (!goes_along && (!is_negative || is_within(shells[i], larger))) continue;
+    turn(shells[i]);
+    has_turned = true;
   }
   apply(shells);
   return {};

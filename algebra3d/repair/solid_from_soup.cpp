@@ -128,6 +128,11 @@ Result<SolidFromSoup> solid_from_soup(const TriangleSoup& soup, const RepairOpti
   }
   result.report.validity = in_facets(validity, order);
   if (options.is_strict) return result;
+  // Which parts of it are inside out is found by the repair.
+  if (is_inside_out) {
+    for (auto& [a, b, c] : welded.triangles) std::swap(b, c);
+    mesh = TriangleMesh(welded.points, welded.triangles);
+  }
   const auto given = std::make_shared<const TriangleMesh>(std::move(mesh));
   ASSIGN_OR_RETURN(RepairedSolid repaired, repaired_solid(given, validity, options, monitor));
   result.mesh = std::move(repaired.mesh);

@@ -35,7 +35,7 @@ TEST(Holes, of_one_facet_are_closed_by_that_facet) {
     }
     FacetList facets = facets_of(soup);
     RepairReport report;
-    EXPECT_TRUE(close_holes(facets, kAny, report).ok());
+    EXPECT_TRUE(close_holes(facets, {kAny}, report).ok());
     EXPECT_EQ(in_order(soup_of(facets)), in_order(whole));
     EXPECT_EQ(count_of(report, RepairStep::holes), gone.size());
     EXPECT_EQ(report.entries.size(), 1U);
@@ -62,7 +62,7 @@ TEST(Holes, of_holes_that_meet_in_a_vertex_each_is_closed) {
   ASSERT_EQ(soup.triangles.size(), 6U);
   FacetList facets = facets_of(soup);
   RepairReport report;
-  EXPECT_TRUE(close_holes(facets, kAny, report).ok());
+  EXPECT_TRUE(close_holes(facets, {kAny}, report).ok());
   EXPECT_EQ(in_order(soup_of(facets)), in_order(whole));
   EXPECT_EQ(count_of(report, RepairStep::holes), 2U);
 }
@@ -74,7 +74,7 @@ TEST(Holes, larger_than_wanted_are_left_open) {
   for (const double largest : {0.0, 4.99, 5.0, 100.0}) {
     FacetList facets = facets_of(soup);
     RepairReport report;
-    EXPECT_TRUE(close_holes(facets, largest, report).ok());
+    EXPECT_TRUE(close_holes(facets, {largest}, report).ok());
     const bool is_closed_now = largest >= 5;
     EXPECT_EQ(is_closed(*facets.mesh()), is_closed_now);
     EXPECT_EQ(count_of(report, RepairStep::holes), is_closed_now ? 1U : 0U);
@@ -94,12 +94,12 @@ TEST(Holes, of_sheets_are_left_open_and_of_cups_closed) {
                   [&](const SoupTriangle& t) { return t[0].z == height && t[1].z == height && t[2].z == height; });
     FacetList facets = facets_of(soup);
     RepairReport report;
-    EXPECT_TRUE(close_holes(facets, kAny, report).ok());
+    EXPECT_TRUE(close_holes(facets, {kAny}, report).ok());
     EXPECT_TRUE(is_closed(*facets.mesh()));
   }
   FacetList sheet = facets_of(wall_of_squares());
   RepairReport report;
-  EXPECT_TRUE(close_holes(sheet, kAny, report).ok());
+  EXPECT_TRUE(close_holes(sheet, {kAny}, report).ok());
   EXPECT_EQ(sheet.triangles.size(), 32U);
   EXPECT_EQ(count_of(report, RepairStep::sheets), 1U);
   EXPECT_EQ(report.deviation(), 0);
@@ -111,7 +111,7 @@ TEST(Holes, both_ends_of_a_tube_are_closed_however_short_it_is) {
     std::erase_if(soup.triangles, [](const SoupTriangle& t) { return t[0].z == t[1].z && t[1].z == t[2].z; });
     FacetList facets = facets_of(soup);
     RepairReport report;
-    EXPECT_TRUE(close_holes(facets, kAny, report).ok());
+    EXPECT_TRUE(close_holes(facets, {kAny}, report).ok());
     EXPECT_EQ(solids::exact_volume_of(*facets.mesh()), Rational(16) * Rational(height));
     EXPECT_EQ(count_of(report, RepairStep::holes), 2U);
   }
@@ -129,7 +129,7 @@ TEST(Holes, that_are_not_plane_are_covered_within_the_surface) {
     const std::size_t count = facets.triangles.size();
     ASSERT_LT(count, 288U);
     RepairReport report;
-    EXPECT_TRUE(close_holes(facets, kAny, report).ok());
+    EXPECT_TRUE(close_holes(facets, {kAny}, report).ok());
     EXPECT_TRUE(is_closed(*facets.mesh()));
     EXPECT_TRUE(is_consistently_oriented(*facets.mesh()));
     EXPECT_EQ(prove_volume(*facets.mesh())->text(), "");
@@ -143,10 +143,10 @@ TEST(Holes, of_no_boundary_there_are_none) {
   FacetList facets = facets_of(cube_soup(0, 1));
   const auto before = facets.triangles;
   RepairReport report;
-  EXPECT_TRUE(close_holes(facets, kAny, report).ok());
+  EXPECT_TRUE(close_holes(facets, {kAny}, report).ok());
   EXPECT_EQ(facets.triangles, before);
   FacetList none = facets_of({});
-  EXPECT_TRUE(close_holes(none, kAny, report).ok());
+  EXPECT_TRUE(close_holes(none, {kAny}, report).ok());
   EXPECT_TRUE(report.is_empty());
 }
 
@@ -160,7 +160,7 @@ TEST(Holes, distances_are_reported_at_every_size) {
     soup.triangles.pop_back();
     FacetList facets = facets_of(soup);
     RepairReport report;
-    EXPECT_TRUE(close_holes(facets, kAny, report).ok());
+    EXPECT_TRUE(close_holes(facets, {kAny}, report).ok());
     ASSERT_TRUE(is_closed(*facets.mesh()));
     // Sides of 2 sqrt 2: no point is farther from the corners than the middle is.
     EXPECT_GE(report.deviation() / size, std::sqrt(6) / 3);
@@ -174,7 +174,7 @@ TEST(Holes, ends_when_asked_to) {
   FacetList facets = facets_of(soup);
   RepairReport report;
   const std::atomic<bool> cancel = true;
-  const Status status = close_holes(facets, kAny, report, &cancel);
+  const Status status = close_holes(facets, {kAny}, report, &cancel);
   ASSERT_FALSE(status.ok());
   EXPECT_EQ(status.error().code, ErrorCode::interrupted);
 }

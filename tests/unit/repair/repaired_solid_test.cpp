@@ -131,7 +131,6 @@ void expect_mended(Damage damage, std::initializer_list<RepairStep> steps) {
 }
 
 TEST(RepairedSolid, turns_facets_back) {
-  // The soup is turned over first if its volume is negative, and the shell back in the end.
   expect_mended(turn_some, {RepairStep::turned_facets, RepairStep::turned_shells});
 }
 
@@ -156,7 +155,11 @@ TEST(RepairedSolid, mends_all_that_leaves_every_place_where_it_was) {
     TriangleSoup soup = soup_of(whole);
     turn_some(soup, chance);
     for (int n = chance.between(2, 5); n > 0; --n) kDamages[1 + index_below(chance, 4)](soup, chance);
-    expect_exactly(soup, solids::exact_volume_of(whole));
+    // Where a facet is there both whole and in halves, their rims may be covered, within the surface; the distance that
+    // is told does not know that.
+    const SolidFromSoup made = repaired(soup);
+    EXPECT_EQ(volume_of(made), solids::exact_volume_of(whole)) << made.status();
+    if (count_of(*made.repair, RepairStep::holes) == 0) EXPECT_EQ(deviation_of(made), 0) << made.status();
   }
 }
 

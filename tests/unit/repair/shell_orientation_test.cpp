@@ -22,16 +22,20 @@ struct Skin {
 
 /// The rules of the header, for cubes of which no two have the same size.
 std::vector<Skin> oriented_by_the_rules(std::vector<Skin> skins) {
-  Rational total(0);
-  for (const Skin& skin : skins) total = skin.looks_in ? total - skin.volume() : total + skin.volume();
-  if (total.sign() < 0)
-    for (Skin& skin : skins) skin.looks_in = !skin.looks_in;
   std::ranges::sort(skins, [](const Skin& a, const Skin& b) { return a.volume() > b.volume(); });
+  const std::vector<Skin> given = skins;
   for (std::size_t i = 0; i < skins.size(); ++i) {
     int around = 0;
-    for (std::size_t k = 0; k < i; ++k)
-      if (skins[k].holds(skins[i])) around += skins[k].looks_in ? -1 : 1;
-    if (around <= 0) skins[i].looks_in = false;
+    bool goes_along = false;  // with the smallest that holds it
+    for (std::size_t k = 0; k < i; ++k) {
+      if (!skins[k].holds(skins[i])) continue;
+      around += skins[k].looks_in ? -1 : 1;
+      goes_along = skins[k].looks_in != given[k].looks_in && given[i].looks_in != given[k].looks_in;
+    }
+    if (goes_along)
+      skins[i].looks_in = !given[i].looks_in;
+    else if (around <= 0)
+      skins[i].looks_in = false;
   }
   return skins;
 }
@@ -63,6 +67,39 @@ TEST(ShellOrientation, follows_the_rules_for_nested_shells_in_any_order) {
     for (std::size_t f = 0; f < before.size(); ++f) turned_facets += before[f] == facets.triangles[f] ? 0 : 1;
     EXPECT_EQ(12 * count_of(report, RepairStep::turned_shells), turned_facets);
     EXPECT_EQ(report.deviation(), 0);
+  }
+}
+
+TEST(ShellOrientation, what_is_inside_out_is_so_with_its_cavities_and_what_is_in_them) {
+  const TriangleSoup onion = joined(joined(cube_soup(0, 8), turned(cube_soup(1, 7))), cube_soup(2, 6));
+  const TriangleSoup beside = shifted(cube_soup(0, 9), {20, 0, 0});
+  for (const bool is_beside_a_larger_one : {false, true}) {
+    const TriangleSoup right = is_beside_a_larger_one ? joined(onion, beside) : onion;
+    FacetList facets = facets_of(is_beside_a_larger_one ? joined(turned(onion), beside) : turned(onion));
+    RepairReport report;
+    ASSERT_TRUE(orient_shells(facets, report).ok());
+    EXPECT_EQ(in_order(soup_of(facets)), in_order(right));
+    EXPECT_EQ(count_of(report, RepairStep::turned_shells), 3U);
+  }
+}
+
+TEST(ShellOrientation, a_cavity_that_looks_right_stays_when_its_body_is_turned) {
+  FacetList facets = facets_of(joined(turned(cube_soup(0, 4)), turned(cube_soup(1, 3))));
+  RepairReport report;
+  ASSERT_TRUE(orient_shells(facets, report).ok());
+  EXPECT_EQ(in_order(soup_of(facets)), in_order(joined(cube_soup(0, 4), turned(cube_soup(1, 3)))));
+}
+
+TEST(ShellOrientation, what_sticks_out_is_no_cavity_however_the_axes_lie) {
+  const TriangleSoup cube = cube_soup(0, 4), bar = turned(box_soup({-1, 1, 1}, {2, 2, 2}));
+  for (std::size_t turn = 0; turn < 3; ++turn) {
+    TriangleSoup soup = joined(cube, bar);
+    for (SoupTriangle& t : soup.triangles)
+      for (Vec3& corner : t) corner = {corner[turn], corner[(turn + 1) % 3], corner[(turn + 2) % 3]};
+    FacetList facets = facets_of(soup);
+    RepairReport report;
+    ASSERT_TRUE(orient_shells(facets, report).ok());
+    EXPECT_EQ(count_of(report, RepairStep::turned_shells), 1U);
   }
 }
 
