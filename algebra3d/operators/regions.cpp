@@ -138,6 +138,8 @@ void register_measures(Registry& registry) {
       .name = "faceCount",
       .syntax = "faceCount(_)",
       .doc = "The number of faces of a region.",
+      .detail = "As it is written: equal regions may be divided into faces and holes differently where these touch in "
+                "points.",
       .exactness = Exactness::exact,
       .overloads = {overload<&face_count_of>("region")},
       .examples = {{"faceCount(" + kFrame + ")", "1"},
@@ -149,6 +151,7 @@ void register_measures(Registry& registry) {
       .name = "holeCount",
       .syntax = "holeCount(_)",
       .doc = "The number of holes in all faces of a region.",
+      .detail = "As it is written, see `faceCount`.",
       .exactness = Exactness::exact,
       .overloads = {overload<&hole_count_of>("region")},
       .examples = {{"holeCount(" + kFrame + ")", "1"}, {"holeCount(" + kUndefinedRegion + ")", "undefined"}},

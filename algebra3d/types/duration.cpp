@@ -19,7 +19,7 @@ class DurationType final : public DescribedType {
 
   Result<Value> from_nested(const NestedList& list, Context& context) const override {
     if (!list.is_list() || list.elements().size() != 2 || !list.elements()[0].is_int() || !list.elements()[1].is_int())
-      return expected("(days milliseconds), two ints", list);
+      return expected("(days milliseconds), two ints of 32 bits", list);
     const auto duration =
         Duration::make(list.elements()[0].as_int() * kMillisecondsPerDay + list.elements()[1].as_int());
     return duration ? Value::of(*duration) : undefined(duration.reason(), list, context);

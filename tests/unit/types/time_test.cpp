@@ -220,7 +220,7 @@ TEST(time_types, durations_are_normalised) {
   for (const char* text : {"(2147483647 86400000)", "(-2147483648 -1)"})
     expect_undefined<Duration>(text, "duration: the days of the duration are beyond the range of ints");
   for (const std::string text : {"1", "(1)", "(1 2 3)", "(1.0 2)", "(1 TRUE)", "()"})
-    expect_error<Duration>(text, "duration: expected (days milliseconds), two ints, got " + text);
+    expect_error<Duration>(text, "duration: expected (days milliseconds), two ints of 32 bits, got " + text);
 }
 
 TEST(time_types, durations_are_rounded_from_rationals) {
