@@ -203,7 +203,7 @@ TEST(ConstrainedDelaunay, a_hundred_thousand_corners) {
   const auto shrunk = [&](int depth, double factor) {
     return shifted(scaled(snowflake(depth), factor), (1 - factor) * middle.x, (1 - factor) * middle.y);
   };
-  const Polygons polygons = polygons_of({{snowflake(7), shrunk(7, 0.875)}, {shrunk(5, 0.5)}});
+  const Polygons polygons = polygons_of({{snowflake(7), shrunk(7, 0.5)}, {shrunk(5, 0.25)}});
   EXPECT_GT(polygons.corners.size(), 100'000U);
   check(polygons);
 }
