@@ -138,7 +138,11 @@ class Joins {
       reach_[edge.from] = std::min(reach_[edge.from], third);
       reach_[edge.to] = std::min(reach_[edge.to], third);
     }
-    for (const TriangleMesh::Triangle& triangle : facets.triangles)
+  }
+
+  /// To be called before anything is joined.
+  void find_neighbours(const Boundary& boundary) {
+    for (const TriangleMesh::Triangle& triangle : facets_.triangles)
       for (std::size_t i = 0; i < 3; ++i)
         if (std::ranges::binary_search(boundary.vertices, triangle[i]))
           for (std::size_t k = 1; k < 3; ++k) neighbours_[triangle[i]].push_back(triangle[(i + k) % 3]);
@@ -204,7 +208,9 @@ void join_vertices(FacetList& facets, double tolerance, RepairReport& report) {
       const double apart = distance(facets.points[a], facets.points[b]);
       if (a < b && apart <= std::min(joins.reach(a), joins.reach(b))) pairs.push_back({apart, a, b});
     }
+  if (pairs.empty()) return;
   std::ranges::sort(pairs);
+  joins.find_neighbours(boundary);
   for (const NearPair& pair : pairs) joins.join(pair.a, pair.b);
   bool has_joined = false;
   for (const std::uint32_t v : boundary.vertices) {

@@ -159,7 +159,8 @@ TEST(RepairedSolid, mends_all_that_leaves_every_place_where_it_was) {
     // is told does not know that.
     const SolidFromSoup made = repaired(soup);
     EXPECT_EQ(volume_of(made), solids::exact_volume_of(whole)) << made.status();
-    if (count_of(*made.repair, RepairStep::holes) == 0) EXPECT_EQ(deviation_of(made), 0) << made.status();
+    const bool has_covers = made.repair && count_of(*made.repair, RepairStep::holes) > 0;
+    EXPECT_TRUE(has_covers || deviation_of(made) == 0) << made.status();
   }
 }
 
