@@ -9,7 +9,7 @@
 #include "support/plane_shapes.h"
 #include "unit/operators/call_operator.h"
 
-namespace algebra3d {
+namespace algebra3d::geojson_tests {
 namespace {
 
 using calls::Answer;
@@ -263,4 +263,4 @@ TEST(JsonMembers, texts_and_numbers) {
 }
 
 }  // namespace
-}  // namespace algebra3d
+}  // namespace algebra3d::geojson_tests

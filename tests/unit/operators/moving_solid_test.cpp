@@ -12,7 +12,7 @@
 #include "support/plane_shapes.h"
 #include "unit/operators/call_operator.h"
 
-namespace algebra3d {
+namespace algebra3d::moving_solid_tests {
 namespace {
 
 using plane_shapes::box;
@@ -159,4 +159,4 @@ TEST(SweptSolid, of_stars_that_change_is_near_their_instants) {
 }
 
 }  // namespace
-}  // namespace algebra3d
+}  // namespace algebra3d::moving_solid_tests

@@ -10,7 +10,7 @@
 #include "support/plane_shapes.h"
 #include "unit/operators/call_operator.h"
 
-namespace algebra3d {
+namespace algebra3d::regions_tests {
 namespace {
 
 using calls::call;
@@ -126,4 +126,4 @@ TEST(Regions, set_operations_are_those_of_the_cells) {
 }
 
 }  // namespace
-}  // namespace algebra3d
+}  // namespace algebra3d::regions_tests

@@ -8,7 +8,7 @@
 #include "support/plane_shapes.h"
 #include "unit/operators/call_operator.h"
 
-namespace algebra3d {
+namespace algebra3d::wkt_tests {
 namespace {
 
 using calls::Answer;
@@ -152,4 +152,4 @@ TEST(Wkt, many_brackets_are_refused_at_once) {
 }
 
 }  // namespace
-}  // namespace algebra3d
+}  // namespace algebra3d::wkt_tests

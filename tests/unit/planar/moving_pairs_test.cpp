@@ -8,7 +8,7 @@
 
 #include "algebra3d/planar/moving_pairs.h"
 
-namespace algebra3d {
+namespace algebra3d::moving_pairs_tests {
 namespace {
 
 using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
@@ -84,4 +84,4 @@ TEST(moving_pairs, near_the_limits_of_doubles_are_kept) {
 }
 
 }  // namespace
-}  // namespace algebra3d
+}  // namespace algebra3d::moving_pairs_tests

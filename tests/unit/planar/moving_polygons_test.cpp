@@ -11,7 +11,7 @@
 
 #include "algebra3d/planar/moving_polygons.h"
 
-namespace algebra3d {
+namespace algebra3d::moving_polygons_tests {
 namespace {
 
 struct MovingCorner {
@@ -465,4 +465,4 @@ TEST(moving_polygons, can_be_interrupted) {
 }
 
 }  // namespace
-}  // namespace algebra3d
+}  // namespace algebra3d::moving_polygons_tests

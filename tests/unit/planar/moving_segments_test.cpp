@@ -12,7 +12,7 @@
 
 #include "algebra3d/planar/moving_segments.h"
 
-namespace algebra3d {
+namespace algebra3d::moving_segments_tests {
 namespace {
 
 struct FlatPoint {
@@ -263,4 +263,4 @@ TEST(quadratic, signs_at_roots_are_exact) {
 }
 
 }  // namespace
-}  // namespace algebra3d
+}  // namespace algebra3d::moving_segments_tests

@@ -111,13 +111,13 @@ TEST(PolygonDefect, one_ulp_tells) {
 
 /// One cycle of few corners on a small grid is simple or not, as CGAL's sweep finds.
 TEST(PolygonDefect, agrees_with_cgal_on_random_cycles) {
-  using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+  using ExactKernel = CGAL::Exact_predicates_exact_constructions_kernel;
   std::mt19937_64 random(1);  // NOLINT(cert-msc51-cpp): the same in every run
   int simple_count = 0;
   for (int i = 0; i < 4000; ++i) {
     const std::size_t count = 3 + random() % 5;
     Cycle cycle;
-    CGAL::Polygon_2<Kernel> oracle;
+    CGAL::Polygon_2<ExactKernel> oracle;
     for (std::size_t k = 0; k < count; ++k) {
       cycle.push_back({static_cast<double>(random() % 6), static_cast<double>(random() % 6), 0});
       oracle.push_back({cycle.back().x, cycle.back().y});

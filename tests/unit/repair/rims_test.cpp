@@ -4,7 +4,7 @@
 
 #include "unit/repair/soups.h"
 
-namespace algebra3d::soups {
+namespace algebra3d::soups::rims_tests {
 namespace {
 
 constexpr double kAny = 1e9;
@@ -73,4 +73,4 @@ TEST(Rims, inner_walls_are_covered_on_demand) {
 }
 
 }  // namespace
-}  // namespace algebra3d::soups
+}  // namespace algebra3d::soups::rims_tests

@@ -11,7 +11,7 @@
 #include "algebra3d/types/codec.h"
 #include "algebra3d/types/moving_region.h"
 
-namespace algebra3d {
+namespace algebra3d::moving_region_tests {
 namespace {
 
 struct Reading {
@@ -313,4 +313,4 @@ TEST(moving_region, is_defined_where_its_units_are) {
 }
 
 }  // namespace
-}  // namespace algebra3d
+}  // namespace algebra3d::moving_region_tests

@@ -11,7 +11,7 @@
 #include "algebra3d/types/codec.h"
 #include "algebra3d/types/time.h"
 
-namespace algebra3d {
+namespace algebra3d::time_tests {
 namespace {
 
 struct Reading {
@@ -373,4 +373,4 @@ TEST(time_types, any_change_of_the_bytes_gives_a_value_or_an_error) {
 }
 
 }  // namespace
-}  // namespace algebra3d
+}  // namespace algebra3d::time_tests
