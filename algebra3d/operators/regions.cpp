@@ -169,7 +169,7 @@ void register_ways_to_space(Registry& registry) {
           "the region, and no others.",
       .exactness = Exactness::exact,
       .frame_use = FrameUse::coordinates,
-      .sources = {"chew1989"},
+      .sources = {"guibas1985", "dwyer1987", "anglada1997"},
       .overloads = {overload<&surface_of>("region")},
       .examples = {{"area(region2surface(" + kFrame + "))", "12.0"},
                    {"size(region2surface(" + kFrame + "))", "8"},

@@ -86,6 +86,7 @@ void register_instants(Registry& registry) {
                                                                                    "minute", "second", "millisecond")},
       .examples = {{"theInstant(2011, 7, 8, 14)", R"("2011-07-08-14:00")"},
                    {"theInstant(2012)", R"("2012-01-01")"},
+                   {"theInstant(2012, 7)", R"("2012-07-01")"},
                    {"theInstant(2011, 2, 29)", "undefined"},
                    {"theInstant(2011, [const int value undefined])", "undefined"}},
       .errors = {{"query theInstant(2011.5)", "theInstant: expected (int), (int int), (int int int)"}},
