@@ -236,7 +236,8 @@ std::vector<Division> that_close(const FacetList& facets, std::vector<Division> 
   std::vector<std::pair<Boundary::Edge, std::vector<std::uint32_t>>> edges;  // with the vertices on them
   for (const Boundary::Edge& edge : boundary.edges) {
     edges.emplace_back(edge, std::vector<std::uint32_t>());
-    const auto [first, last] = std::ranges::equal_range(divisions, edge_of(edge), {}, edge_of);
+    const auto first = std::ranges::lower_bound(divisions, edge_of(edge), {}, edge_of);
+    const auto last = std::ranges::upper_bound(divisions, edge_of(edge), {}, edge_of);
     for (auto d = first; d != last; ++d) edges.back().second.push_back(d->vertex);
   }
   const auto for_each_piece = [](const auto& edge, auto visit) {
@@ -248,7 +249,9 @@ std::vector<Division> that_close(const FacetList& facets, std::vector<Division> 
     std::vector<Piece> pieces;
     for (const auto& edge : edges) for_each_piece(edge, [&](Piece piece) { pieces.push_back(piece); });
     std::ranges::sort(pieces);
-    const auto count = [&](Piece piece) { return std::ranges::equal_range(pieces, piece).size(); };
+    const auto count = [&](Piece piece) {
+      return std::ranges::upper_bound(pieces, piece) - std::ranges::lower_bound(pieces, piece);
+    };
     for (auto& edge : edges) {
       if (edge.second.empty()) continue;
       bool closes = true;

@@ -280,7 +280,7 @@ Status Repair::make(const ValidityReport& found) {
   mend_boundaries();
   orient();
   RETURN_IF_ERROR(close_holes());
-  const Status made = make_solid(found.count(Defect::intersecting_triangles) > 0);
+  Status made = make_solid(found.count(Defect::intersecting_triangles) > 0);
   is_beyond_limit_ = !made && made.error().code == ErrorCode::limit_exceeded;
   if (is_beyond_limit_) reason_ = made.error().message;
   if (!made && !is_beyond_limit_) return made;
@@ -304,7 +304,7 @@ Result<RepairedSolid> Repair::finish() && {
 
 }  // namespace
 
-Result<RepairedSolid> repaired_solid(std::shared_ptr<const TriangleMesh> mesh, const ValidityReport& found,
+Result<RepairedSolid> repaired_solid(const std::shared_ptr<const TriangleMesh>& mesh, const ValidityReport& found,
                                      const RepairOptions& options, const Monitor& monitor) {
   std::optional<Enclosure> enclosure;
   std::optional<Repair> usual, fair;

@@ -41,7 +41,7 @@ struct RepairedSolid {
 /// of them lack most of it. Where facets are divided, those in one plane are brought together and triangulated anew.
 /// The result is proved. Exactness: only steps 3, 4 and 6 move or add anything away from the facets; the report says
 /// how far. Errors: interrupted. Cost: that of a few proofs, and of an arrangement of what passes through itself.
-Result<RepairedSolid> repaired_solid(std::shared_ptr<const TriangleMesh> mesh, const ValidityReport& found,
+Result<RepairedSolid> repaired_solid(const std::shared_ptr<const TriangleMesh>& mesh, const ValidityReport& found,
                                      const RepairOptions& options, const Monitor& monitor = {});
 
 }  // namespace algebra3d
