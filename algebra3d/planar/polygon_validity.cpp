@@ -178,8 +178,9 @@ class ConflictText {
   std::uint32_t segment_at(std::uint32_t h) const { return planar::segment_of_mark(triangulation_.mark(h)); }
   std::string hole_text(std::uint32_t cycle) const {
     const std::uint32_t corner = polygons_.first_corner(cycle);
-    return fmt::format("the hole {} with segment {}", places_.cycle_name(corner),
-                       planar::segment_text(polygons_.corners[corner], polygons_.corners[corner + 1]));
+    return fmt::format("the hole with segment {} of {}",
+                       planar::segment_text(polygons_.corners[corner], polygons_.corners[corner + 1]),
+                       places_.cycle_name(corner));
   }
 
   const Polygons& polygons_;
