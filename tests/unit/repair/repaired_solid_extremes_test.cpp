@@ -247,7 +247,7 @@ TEST(RepairedSolid, cubes_that_touch_are_both_kept_when_one_is_inside_out) {
 // The common side is there twice, looking the same way, so one of each pair of facets is dropped. Each edge round it
 // has three facets then, which are as nearly balanced as they can be, with either cube inside out or none: the facets
 // say no more which is meant, and the cube that was inside out is lost (volume 8 is found).
-TEST(RepairedSolid, DISABLED_cubes_that_share_a_whole_side_are_both_kept_when_one_is_inside_out) {
+TEST(RepairedSolid, cubes_that_share_a_whole_side_are_both_kept_when_one_is_inside_out) {
   const TriangleSoup cube = cube_soup(0, 2), beside = shifted(cube, {2, 0, 0});
   expect_exactly(joined(cube, turned(beside)), Rational(16));
   expect_exactly(joined(turned(cube), beside), Rational(16));
