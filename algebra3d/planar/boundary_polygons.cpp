@@ -4,6 +4,7 @@
 #include <compare>
 
 #include "algebra3d/planar/edge_triangulation.h"
+#include "algebra3d/planar/noding.h"
 
 namespace algebra3d {
 namespace {
@@ -129,6 +130,11 @@ Result<Polygons> boundary_polygons(const PointArray& points, std::span<const Dir
   Polygons result;
   for (const TracedFace& face : faces) append(edges.points(), face, result);
   return result;
+}
+
+Result<Polygons> boundary_polygons(const Polygons& oriented, const Monitor& monitor) {
+  ASSIGN_OR_RETURN(const std::vector<DirectedEdge> edges, noded(oriented.corners, segments_of(oriented), monitor));
+  return boundary_polygons(oriented.corners, edges, monitor);
 }
 
 }  // namespace algebra3d

@@ -18,4 +18,8 @@ namespace algebra3d {
 Result<Polygons> boundary_polygons(const PointArray& points, std::span<const DirectedEdge> noded_edges,
                                    const Monitor& monitor = {});
 
+/// The same of polygons whose cycles have the inside to their left, and may have collapsed or lie on each other in
+/// part: what bounds nothing is left out. Of valid polygons that are `oriented` it is their canonical form.
+Result<Polygons> boundary_polygons(const Polygons& oriented, const Monitor& monitor = {});
+
 }  // namespace algebra3d

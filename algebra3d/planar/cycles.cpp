@@ -1,6 +1,7 @@
 #include "algebra3d/planar/cycles.h"
 
 #include <compare>
+#include <utility>
 
 #include "algebra3d/exact/predicates.h"
 
@@ -15,14 +16,11 @@ int rotation(const PointArray& corners, std::uint32_t begin, std::uint32_t end) 
 }
 
 std::vector<DirectedEdge> segments_of(const Polygons& polygons, const std::vector<bool>& is_reversed) {
-  std::vector<DirectedEdge> segments;
-  segments.reserve(polygons.corners.size());
+  std::vector<DirectedEdge> segments = algebra3d::segments_of(polygons);
   for (std::size_t cycle = 0; cycle < polygons.cycle_count(); ++cycle) {
-    const std::uint32_t begin = polygons.first_corner(cycle), end = polygons.cycle_ends[cycle];
-    for (std::uint32_t i = begin; i < end; ++i) {
-      const std::uint32_t after = i + 1 == end ? begin : i + 1;
-      segments.push_back(is_reversed[cycle] ? DirectedEdge{after, i} : DirectedEdge{i, after});
-    }
+    if (!is_reversed[cycle]) continue;
+    for (std::uint32_t i = polygons.first_corner(cycle); i < polygons.cycle_ends[cycle]; ++i)
+      std::swap(segments[i].first, segments[i].second);
   }
   return segments;
 }

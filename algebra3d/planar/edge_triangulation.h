@@ -5,8 +5,8 @@
 
 #include "algebra3d/base/monitor.h"
 #include "algebra3d/planar/constraints.h"
+#include "algebra3d/planar/inside_triangles.h"
 #include "algebra3d/planar/plane_points.h"
-#include "algebra3d/planar/regions.h"
 #include "algebra3d/planar/subdivision.h"
 
 namespace algebra3d::planar {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "algebra3d/planar/regions.h"
+#include "algebra3d/planar/inside_triangles.h"
 
 namespace algebra3d::planar {
 

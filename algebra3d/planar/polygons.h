@@ -1,9 +1,11 @@
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "algebra3d/base/box3.h"
 #include "algebra3d/exact/point.h"
 #include "algebra3d/planar/directed_edge.h"
 
@@ -22,8 +24,15 @@ struct Polygons {
   std::uint32_t first_corner(std::size_t cycle) const { return cycle == 0 ? 0 : cycle_ends[cycle - 1]; }
   std::uint32_t first_cycle(std::size_t face) const { return face == 0 ? 0 : face_ends[face - 1]; }
 
+  std::size_t heap_bytes() const;
+
   friend bool operator==(const Polygons&, const Polygons&) = default;
+  /// By corners, then by cycles and faces.
+  friend std::strong_ordering operator<=>(const Polygons& a, const Polygons& b);
 };
+
+/// Smallest box of doubles around all corners, flat at z = 0; outward-rounded.
+Box3 box_around(const Polygons& polygons);
 
 /// The segments of all cycles, as these run: segment i begins at corner i.
 std::vector<DirectedEdge> segments_of(const Polygons& polygons);

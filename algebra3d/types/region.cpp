@@ -2,9 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "algebra3d/exact/predicates.h"
 #include "algebra3d/planar/boundary_polygons.h"
-#include "algebra3d/planar/noding.h"
 #include "algebra3d/planar/polygon_validity.h"
 #include "algebra3d/types/coordinate_text.h"
 #include "algebra3d/types/described_type.h"
@@ -24,19 +22,6 @@ struct Region::Content {
 
 namespace {
 
-Box3 box_around(const PointArray& points) {
-  Box3 box;
-  for (std::size_t i = 0; i < points.size(); ++i) box.extend(box_of(points[i]));
-  return box;
-}
-
-std::strong_ordering compare_points(const PointArray& a, const PointArray& b) {
-  const std::size_t common = std::min(a.size(), b.size());
-  for (std::size_t i = 0; i < common; ++i)
-    if (const auto order = compare(a[i], b[i]); std::is_neq(order)) return order;
-  return a.size() <=> b.size();
-}
-
 class RegionType final : public DescribedType {
  public:
   RegionType()
@@ -55,10 +40,7 @@ class RegionType final : public DescribedType {
   NestedList to_nested(const Value& value) const override;
 
   std::strong_ordering compare(const Value& a, const Value& b) const override {
-    const Polygons &p = a.get<Region>().canonical(), &q = b.get<Region>().canonical();
-    if (const auto order = compare_points(p.corners, q.corners); std::is_neq(order)) return order;
-    if (const auto order = p.cycle_ends <=> q.cycle_ends; std::is_neq(order)) return order;
-    return p.face_ends <=> q.face_ends;
+    return a.get<Region>().canonical() <=> b.get<Region>().canonical();
   }
   std::size_t hash(const Value& value) const override {
     const Polygons& polygons = value.get<Region>().canonical();
@@ -152,7 +134,7 @@ Result<Maybe<Region>> Region::prove(const Polygons& polygons, const Monitor& mon
 }
 
 Region Region::trusted(Polygons polygons) {
-  const Box3 box = box_around(polygons.corners);
+  const Box3 box = box_around(polygons);
   return Region(std::make_shared<const Content>(std::move(polygons), box));
 }
 
@@ -165,18 +147,12 @@ const Box3& Region::box() const {
 }
 
 const Polygons& Region::canonical() const {
-  std::call_once(content_->once, [&] {
-    const Polygons& given = content_->polygons;
-    const auto edges = noded(given.corners, segments_of(given));
-    content_->canonical = *boundary_polygons(given.corners, *edges);
-  });
+  std::call_once(content_->once, [&] { content_->canonical = *boundary_polygons(content_->polygons); });
   return content_->canonical;
 }
 
 std::size_t Region::heap_bytes() const {
-  const Polygons& polygons = content_->polygons;
-  return object_bytes<Region>() + object_bytes<Content>() + polygons.corners.heap_bytes() +
-         (polygons.cycle_ends.size() + polygons.face_ends.size()) * sizeof(std::uint32_t);
+  return object_bytes<Region>() + object_bytes<Content>() + content_->polygons.heap_bytes();
 }
 
 const Type& TypeOf<Region>::type() {

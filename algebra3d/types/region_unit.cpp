@@ -6,7 +6,6 @@
 #include "algebra3d/exact/exact_sum_plane.h"
 #include "algebra3d/exact/predicates.h"
 #include "algebra3d/planar/boundary_polygons.h"
-#include "algebra3d/planar/noding.h"
 #include "algebra3d/planar/polygon_validity.h"
 #include "algebra3d/types/described_type.h"
 #include "algebra3d/types/moving_region.h"
@@ -20,10 +19,8 @@ struct RegionUnit::Content {
   mutable std::once_flag once = {};
   mutable MovingPolygons canonical = {};
 
-  Content(const TimeInterval& time, MovingPolygons moving) : interval(time), polygons(std::move(moving)) {
-    for (const PointArray* points : {&polygons.start.corners, &polygons.end.corners})
-      for (std::size_t i = 0; i < points->size(); ++i) box.extend(box_of((*points)[i]));
-  }
+  Content(const TimeInterval& time, MovingPolygons moving)
+      : interval(time), polygons(std::move(moving)), box(unite(box_around(polygons.start), box_around(polygons.end))) {}
 };
 
 namespace {
@@ -93,12 +90,6 @@ MovingPolygons canonical_motion(const MovingPolygons& moving) {
   return rearranged(moving, faces);
 }
 
-std::strong_ordering compare_corners(const PointArray& a, const PointArray& b) {
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-    if (const auto order = compare(a[i], b[i]); std::is_neq(order)) return order;
-  return a.size() <=> b.size();
-}
-
 Result<std::optional<std::string>> defect_of_unit(const TimeInterval& interval, const MovingPolygons& polygons,
                                                   const Monitor& monitor) {
   if (interval.start != interval.end) return moving_polygon_defect(polygons, monitor);
@@ -110,8 +101,7 @@ Result<std::optional<std::string>> defect_of_unit(const TimeInterval& interval, 
 Result<Region> regularised(const Polygons& polygons, const Monitor& monitor) {
   ASSIGN_OR_RETURN(auto given, Region::prove(polygons, monitor));
   if (given) return *std::move(given);
-  ASSIGN_OR_RETURN(const auto edges, noded(polygons.corners, segments_of(polygons), monitor));
-  ASSIGN_OR_RETURN(Polygons boundary, boundary_polygons(polygons.corners, edges, monitor));
+  ASSIGN_OR_RETURN(Polygons boundary, boundary_polygons(polygons, monitor));
   return Region::trusted(std::move(boundary));
 }
 
@@ -144,9 +134,7 @@ const MovingPolygons& RegionUnit::canonical() const {
 }
 
 std::size_t RegionUnit::heap_bytes() const {
-  const Polygons& start = polygons().start;
-  return object_bytes<Content>() + start.corners.heap_bytes() + polygons().end.corners.heap_bytes() +
-         2 * (start.cycle_ends.size() + start.face_ends.size()) * sizeof(std::uint32_t);
+  return object_bytes<Content>() + polygons().start.heap_bytes() + polygons().end.heap_bytes();
 }
 
 Result<Region> RegionUnit::at(Instant instant, const Monitor& monitor) const {
@@ -161,10 +149,8 @@ std::strong_ordering operator<=>(const RegionUnit& a, const RegionUnit& b) {
   if (const auto order = a.interval() <=> b.interval(); std::is_neq(order)) return order;
   const MovingPolygons& p = a.canonical();
   const MovingPolygons& q = b.canonical();
-  if (const auto order = compare_corners(p.start.corners, q.start.corners); std::is_neq(order)) return order;
-  if (const auto order = compare_corners(p.end.corners, q.end.corners); std::is_neq(order)) return order;
-  if (const auto order = p.start.cycle_ends <=> q.start.cycle_ends; std::is_neq(order)) return order;
-  return p.start.face_ends <=> q.start.face_ends;
+  const auto order = p.start <=> q.start;
+  return std::is_neq(order) ? order : p.end <=> q.end;
 }
 
 std::size_t RegionUnit::hash() const {

@@ -5,7 +5,6 @@
 #include "algebra3d/exact/exact_sum.h"
 #include "algebra3d/halfedge/mesh_triangles.h"
 #include "algebra3d/planar/boundary_polygons.h"
-#include "algebra3d/planar/noding.h"
 #include "algebra3d/planar/polygon_measures.h"
 #include "algebra3d/types/planar.h"
 #include "algebra3d/validity/validity.h"
@@ -32,8 +31,7 @@ Rational volume_of(const TriangleMesh& mesh) {
 
 /// The region at that part of the way, without what has collapsed.
 Region region_at(const MovingPolygons& polygons, const Rational& s) {
-  const Polygons there = at(polygons, s);
-  return Region::trusted(*boundary_polygons(there.corners, *noded(there.corners, segments_of(there))));
+  return Region::trusted(*boundary_polygons(at(polygons, s)));
 }
 
 Region slice_at(const TriangleMesh& mesh, double z) {

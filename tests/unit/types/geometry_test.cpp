@@ -12,6 +12,7 @@
 
 #include "algebra3d/types/spatial.h"
 #include "algebra3d/types/value.h"
+#include "unit/types/reading.h"
 
 namespace algebra3d {
 namespace {
@@ -26,20 +27,6 @@ constexpr std::string_view kExactTetrahedron =
     "(((0.0 0.0 0.0) (0.0 1.0 0.0) (1/3 0.0 0.0)) ((0.0 0.0 0.0) (1/3 0.0 0.0) (0.0 0.0 1.0)) "
     "((0.0 0.0 0.0) (0.0 0.0 1.0) (0.0 1.0 0.0)) ((1/3 0.0 0.0) (0.0 1.0 0.0) (0.0 0.0 1.0)))";
 
-struct SolidReading {
-  Result<Value> value;
-  std::vector<Diagnostics::Entry> diagnostics;
-};
-
-SolidReading reading_of(const Type& type, std::string_view text) {
-  Diagnostics diagnostics;
-  Context context{diagnostics, nullptr, {}};
-  const auto list = NestedList::parse(text);
-  EXPECT_TRUE(list.ok()) << text;
-  auto value = value_from_nested(type, *list, context);
-  return {std::move(value), diagnostics.entries()};
-}
-
 const Type& surface() {
   return TypeOf<Surface3d>::type();
 }
@@ -48,7 +35,7 @@ const Type& volume() {
 }
 
 Value volume_of(std::string_view text) {
-  SolidReading reading = reading_of(volume(), text);
+  Reading reading = reading_of(volume(), text);
   EXPECT_TRUE(reading.value.ok() && reading.value->is_defined()) << text;
   return *reading.value;
 }
@@ -62,7 +49,7 @@ TEST(geometry_text, what_is_printed_is_what_was_read) {
 
 TEST(geometry_text, the_empty_list_is_the_defined_empty_value) {
   for (const Type* type : {&surface(), &volume()}) {
-    const SolidReading reading = reading_of(*type, "()");
+    const Reading reading = reading_of(*type, "()");
     ASSERT_TRUE(reading.value.ok());
     EXPECT_TRUE(reading.value->is_defined());
     EXPECT_EQ(reading.value->header().size, 0U);
@@ -84,7 +71,7 @@ TEST(geometry_text, malformed_lists_are_errors_that_name_the_triangle) {
       {"(((0 0 0) (1 0 TRUE) (0 1 0)))", "volume3d: triangle 1: "},
   };
   for (const auto& [text, message] : cases) {
-    const SolidReading reading = reading_of(volume(), text);
+    const Reading reading = reading_of(volume(), text);
     ASSERT_FALSE(reading.value.ok()) << text;
     EXPECT_EQ(reading.value.error().code, ErrorCode::invalid_value);
     EXPECT_TRUE(reading.value.error().message.starts_with(message)) << reading.value.error().message;
@@ -93,14 +80,14 @@ TEST(geometry_text, malformed_lists_are_errors_that_name_the_triangle) {
 }
 
 TEST(geometry_text, well_formed_lists_that_are_not_valid_are_undefined_with_a_reason) {
-  const SolidReading open = reading_of(volume(), "(((0 0 0) (1 0 0) (0 1 0)))");
+  const Reading open = reading_of(volume(), "(((0 0 0) (1 0 0) (0 1 0)))");
   ASSERT_TRUE(open.value.ok());
   EXPECT_FALSE(open.value->is_defined());
   ASSERT_EQ(open.diagnostics.size(), 1U);
   EXPECT_TRUE(open.diagnostics[0].text.starts_with("volume3d: no valid solid: 3 boundary edges"))
       << open.diagnostics[0].text;
 
-  const SolidReading degenerate = reading_of(surface(), "(((0 0 0) (1 0 0) (2 0 0)))");
+  const Reading degenerate = reading_of(surface(), "(((0 0 0) (1 0 0) (2 0 0)))");
   ASSERT_TRUE(degenerate.value.ok());
   EXPECT_FALSE(degenerate.value->is_defined());
   ASSERT_EQ(degenerate.diagnostics.size(), 1U);
@@ -114,7 +101,7 @@ TEST(geometry_text, corners_are_joined_by_exact_coordinates_not_by_their_doubles
   EXPECT_EQ(exact.get<Volume3d>().mesh().points().exact_count(), 1U);
   std::string mixed(kExactTetrahedron);
   mixed.replace(mixed.find("1/3"), 3, "0.3333333333333333");  // the double nearest to a third, in one triangle only
-  const SolidReading reading = reading_of(volume(), mixed);
+  const Reading reading = reading_of(volume(), mixed);
   ASSERT_TRUE(reading.value.ok());
   EXPECT_FALSE(reading.value->is_defined());
 }

@@ -10,23 +10,14 @@
 #include "algebra3d/planar/polygon_validity.h"
 #include "algebra3d/types/codec.h"
 #include "algebra3d/types/moving_region.h"
+#include "unit/types/reading.h"
 
 namespace algebra3d::moving_region_tests {
 namespace {
 
-struct Reading {
-  Result<Value> value;
-  std::vector<Diagnostics::Entry> diagnostics;
-};
-
 template <typename T>
 Reading read(const std::string& text) {
-  Diagnostics diagnostics;
-  Context context{diagnostics, nullptr, {}};
-  const auto list = NestedList::parse(text);
-  EXPECT_TRUE(list.ok()) << text;
-  auto value = value_from_nested(TypeOf<T>::type(), *list, context);
-  return {std::move(value), diagnostics.entries()};
+  return reading_of(TypeOf<T>::type(), text);
 }
 
 template <typename T>

@@ -13,6 +13,7 @@
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
 #include "algebra3d/types/value.h"
+#include "unit/types/reading.h"
 
 namespace algebra3d {
 namespace {
@@ -28,18 +29,8 @@ const Type& type_named(std::string_view name) {
   return *types[0];
 }
 
-struct Reading {
-  Result<Value> value;
-  std::vector<Diagnostics::Entry> diagnostics;
-};
-
 Reading read(std::string_view type, std::string_view text) {
-  Diagnostics diagnostics;
-  Context context{diagnostics, nullptr, {}};
-  const auto list = NestedList::parse(text);
-  EXPECT_TRUE(list.ok()) << text;
-  auto value = value_from_nested(type_named(type), *list, context);
-  return {std::move(value), diagnostics.entries()};
+  return reading_of(type_named(type), text);
 }
 
 Value value_of(std::string_view type, std::string_view text) {

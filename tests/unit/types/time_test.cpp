@@ -10,27 +10,14 @@
 #include "algebra3d/types/binary_io.h"
 #include "algebra3d/types/codec.h"
 #include "algebra3d/types/time.h"
+#include "unit/types/reading.h"
 
 namespace algebra3d::time_tests {
 namespace {
 
-struct Reading {
-  Result<Value> value;
-  std::vector<Diagnostics::Entry> diagnostics;
-};
-
-Reading read(const Type& type, std::string_view text) {
-  Diagnostics diagnostics;
-  Context context{diagnostics, nullptr, {}};
-  const auto list = NestedList::parse(text);
-  EXPECT_TRUE(list.ok()) << text;
-  auto value = value_from_nested(type, *list, context);
-  return {std::move(value), diagnostics.entries()};
-}
-
 template <typename T>
 Reading read(std::string_view text) {
-  return read(TypeOf<T>::type(), text);
+  return reading_of(TypeOf<T>::type(), text);
 }
 
 template <typename T>
@@ -286,8 +273,8 @@ TEST(time_types, order_equality_hash_and_prefix_agree) {
   for (const auto& [type, texts] : ascending())
     for (std::size_t i = 0; i < texts.size(); ++i)
       for (std::size_t j = 0; j < texts.size(); ++j) {
-        const Value a = *read(*type, texts[i]).value;
-        const Value b = *read(*type, texts[j]).value;
+        const Value a = *reading_of(*type, texts[i]).value;
+        const Value b = *reading_of(*type, texts[j]).value;
         EXPECT_EQ(compare(a, b), i <=> j) << texts[i] << " " << texts[j];
         EXPECT_EQ(hash(a) == hash(b), i == j) << texts[i] << " " << texts[j];
         if (i < j) {
@@ -301,8 +288,8 @@ TEST(time_types, order_equality_hash_and_prefix_agree) {
 TEST(time_types, text_and_bytes_read_back_equal) {
   for (const auto& [type, texts] : ascending())
     for (const char* text : texts) {
-      const Value value = *read(*type, text).value;
-      EXPECT_TRUE(std::is_eq(compare(*read(*type, value.to_nested().print()).value, value)));
+      const Value value = *reading_of(*type, text).value;
+      EXPECT_TRUE(std::is_eq(compare(*reading_of(*type, value.to_nested().print()).value, value)));
       for (const Origin origin : {Origin::own_store, Origin::elsewhere}) {
         const auto decoded = decode(*type, encode(value), origin);
         ASSERT_TRUE(decoded.ok());
@@ -358,7 +345,7 @@ TEST(time_types, any_change_of_the_bytes_gives_a_value_or_an_error) {
   for (const auto& [type, texts] : ascending())
     for (const char* text : texts) {
       std::string bytes;
-      type->encode(*read(*type, text).value, bytes);
+      type->encode(*reading_of(*type, text).value, bytes);
       for (int i = 0; i < 500; ++i) {
         std::string changed = bytes;
         changed[random() % changed.size()] = static_cast<char>(random());

@@ -1,4 +1,4 @@
-#include "algebra3d/planar/regions.h"
+#include "algebra3d/planar/inside_triangles.h"
 
 #include <algorithm>
 #include <array>
