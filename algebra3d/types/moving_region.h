@@ -21,7 +21,7 @@ namespace algebra3d {
 class RegionUnit {
  public:
   /// Undefined, with segments and time named, if it is no valid unit. Exact. Errors: interrupted. Cost: n log n.
-  static Result<Maybe<RegionUnit>> prove(const TimeInterval& interval, MovingPolygons polygons,
+  static Result<Maybe<RegionUnit>> prove(const TimeInterval& interval, const MovingPolygons& polygons,
                                          const Monitor& monitor = {});
   /// Takes oriented polygons without a proof: those that were proved before they were stored, or made to be valid.
   static RegionUnit trusted(const TimeInterval& interval, MovingPolygons polygons);

@@ -81,7 +81,8 @@ MovingPolygons canonical_motion(const MovingPolygons& moving) {
   };
   std::vector<CornerFace> faces = corner_faces(moving.start);
   for (CornerFace& face : faces) {
-    for (CornerCycle& cycle : face) std::ranges::rotate(cycle, std::ranges::min_element(cycle, comes_before));
+    for (CornerCycle& cycle : face)
+      std::rotate(cycle.begin(), std::ranges::min_element(cycle, comes_before), cycle.end());
     std::sort(face.begin() + 1, face.end(), cycle_before);
   }
   std::ranges::sort(faces, [&](const CornerFace& a, const CornerFace& b) {
@@ -107,7 +108,7 @@ Result<Region> regularised(const Polygons& polygons, const Monitor& monitor) {
 
 }  // namespace
 
-Result<Maybe<RegionUnit>> RegionUnit::prove(const TimeInterval& interval, MovingPolygons polygons,
+Result<Maybe<RegionUnit>> RegionUnit::prove(const TimeInterval& interval, const MovingPolygons& polygons,
                                             const Monitor& monitor) {
   ASSIGN_OR_RETURN(auto defect, defect_of_unit(interval, polygons, monitor));
   if (defect) return Maybe<RegionUnit>(Undefined{*std::move(defect)});
