@@ -43,6 +43,8 @@ class Facets {
   void number_planes();
 
   std::size_t size() const { return facets_.size(); }
+  /// Of all facets together.
+  std::size_t face_count() const { return faces_.size(); }
   const Facet& operator[](std::uint32_t facet) const { return facets_[facet]; }
   std::span<const std::uint32_t> faces(std::uint32_t facet) const {
     return std::span(faces_).subspan(facets_[facet].first, facets_[facet].last - facets_[facet].first);

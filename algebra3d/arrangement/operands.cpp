@@ -28,8 +28,14 @@ Operands::Operands(std::span<const Operand> operands) : operands_(operands) {
 }
 
 std::uint32_t Operands::find_operand(std::uint32_t face) const {
-  const auto after = std::upper_bound(first_face_.begin(), first_face_.end(), face);
-  return static_cast<std::uint32_t>(after - first_face_.begin() - 1);
+  std::uint32_t operand = 0;
+  while (first_face_[operand + 1] <= face) ++operand;
+  return operand;
+}
+
+std::uint32_t Operands::operand_of_vertex(std::uint32_t vertex) const {
+  const auto after = std::upper_bound(first_vertex_.begin(), first_vertex_.end(), vertex);
+  return static_cast<std::uint32_t>(after - first_vertex_.begin() - 1);
 }
 
 TriangleRef Operands::corners(std::uint32_t face) const {

@@ -33,6 +33,8 @@ class Operands {
     return operands_of_faces_.empty() ? find_operand(face) : operands_of_faces_[face];
   }
 
+  std::uint32_t operand_of_vertex(std::uint32_t vertex) const;
+
   TriangleRef corners(std::uint32_t face) const;
   /// Null if the mesh does not know it.
   const IntegerPlane* plane(std::uint32_t face) const {

@@ -1,87 +1,114 @@
 #include "algebra3d/arrangement/outcome_mesh.h"
 
-#include <algorithm>
-#include <array>
 #include <utility>
+
+#include "algebra3d/halfedge/circulators.h"
 
 namespace algebra3d::arrangement {
 
 OutcomeMesh::OutcomeMesh(const Skeleton& skeleton, const Patches& patches, std::vector<int> kept)
     : skeleton_(skeleton),
+      operands_(skeleton.operands()),
       patches_(patches),
       kept_(std::move(kept)),
-      new_faces_(skeleton.operands().face_count(), kNone),
+      new_faces_(operands_.face_count(), kNone),
       is_fixed_(skeleton.vertices().size()),
-      vertices_of_corners_(skeleton.vertices_of_corners()),
+      vertices_of_corners_(operands_.vertex_count(), kNone),
       points_of_vertices_(skeleton.vertices().size(), kNone),
-      points_of_corners_(skeleton.operands().vertex_count(), kNone),
+      points_of_corners_(operands_.vertex_count(), kNone),
       planes_(skeleton) {
-  const Operands& operands = skeleton_.operands();
+  find_runs();
+  find_fixed_vertices();
+  const std::size_t count = runs_.empty() ? 0 : runs_.back().new_first + runs_.back().count;
+  // Regions mostly have no more triangles than the facets that they were cut from.
+  const std::size_t room = 3 * (count + skeleton.facets().face_count());
+  for (auto* values : {&origins_, &opposites_}) {
+    values->reserve(room);
+    values->resize(3 * count);
+  }
+  points_.reserve(count / 2 + skeleton.vertices().size());
+}
+
+void OutcomeMesh::find_runs() {
   std::uint32_t count = 0;
-  for_each_taken_face([&](std::uint32_t operand, FaceId face, bool) {
-    new_faces_[operands.first_face(operand) + face.index()] = count++;
-    for (const std::uint32_t corner : operands.mesh(operand).triangle(face))
-      if (const std::uint32_t vertex = vertices_of_corners_[operands.first_vertex(operand) + corner]; vertex != kNone)
-        is_fixed_[vertex] = true;
-  });
-  origins_.reserve(3 * std::size_t{count});
-  opposites_.reserve(3 * std::size_t{count});
-}
-
-/// Calls visit(operand, face, is_flipped) for each, in order.
-template <typename Visit>
-void OutcomeMesh::for_each_taken_face(Visit visit) const {
-  const Operands& operands = skeleton_.operands();
-  for (std::uint32_t operand = 0; operand < operands.count(); ++operand)
-    for (std::uint32_t f = 0; f < operands.mesh(operand).face_count(); ++f)
-      if (const int kept = kept_of_face(operands.first_face(operand) + f); kept != 0)
-        visit(operand, FaceId(f), kept < 0);
-}
-
-void OutcomeMesh::take_faces() {
-  for_each_taken_face(
-      [&](std::uint32_t operand, FaceId face, bool is_flipped) { take_face(operand, face, is_flipped); });
-}
-
-void OutcomeMesh::take_surroundings() {
-  for_each_taken_face([&](std::uint32_t operand, FaceId face, bool is_flipped) {
-    planes_.take(static_cast<std::uint32_t>(opposites_.size() / 3), operand, face, is_flipped);
-    take_opposites(operand, face, is_flipped);
-  });
-}
-
-void OutcomeMesh::take_face(std::uint32_t operand, FaceId face, bool is_flipped) {
-  const std::size_t first = origins_.size();
-  for (const std::uint32_t corner : skeleton_.operands().mesh(operand).triangle(face))
-    origins_.push_back(point_of_corner(operand, corner));
-  if (is_flipped) std::swap(origins_[first + 1], origins_[first + 2]);
-}
-
-/// Where an edge ends in a vertex of the arrangement, others may run along it.
-void OutcomeMesh::take_opposites(std::uint32_t operand, FaceId face, bool is_flipped) {
-  const TriangleMesh& mesh = skeleton_.operands().mesh(operand);
-  const TriangleMesh::Triangle corners = mesh.triangle(face);
-  std::array<bool, 3> is_free_corner{};
-  for (std::size_t i = 0; i < 3; ++i) is_free_corner[i] = is_free(operand, VertexId(corners[i]));
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    // Turned over, a face has its half-edges in the opposite order.
-    const std::uint32_t old = is_flipped ? 2 - i : i;
-    const HalfedgeId opposite = mesh.opposite(TriangleMesh::halfedge(face, old));
-    if (!is_free_corner[old] || !is_free_corner[(old + 1) % 3] || !opposite.is_valid()) {
-      opposites_.push_back(TriangleMesh::kUnlinked);
-      continue;
+  for (std::uint32_t operand = 0; operand < operands_.count(); ++operand) {
+    const std::uint32_t begin = operands_.first_face(operand), end = operands_.first_face(operand + 1);
+    for (std::uint32_t first = begin, last = begin; first < end; first = last) {
+      const int kept = kept_of_face(first);
+      while (last < end && kept_of_face(last) == kept) ++last;
+      if (kept == 0) continue;
+      runs_.push_back({operand, first - begin, count, last - first, kept < 0});
+      for (std::uint32_t face = first; face < last; ++face) new_faces_[face] = count++;
     }
-    const std::uint32_t place = opposite.index() % 3;
-    opposites_.push_back(
-        3 * new_faces_[skeleton_.operands().first_face(operand) + TriangleMesh::face(opposite).index()] +
-        (is_flipped ? 2 - place : place));
   }
 }
 
-/// True if no other operand has the corner, and its own one has nothing but one fan there.
-bool OutcomeMesh::is_free(std::uint32_t operand, VertexId corner) const {
-  return vertices_of_corners_[skeleton_.operands().first_vertex(operand) + corner.index()] == kNone &&
-         !skeleton_.operands().mesh(operand).is_nonmanifold(corner);
+void OutcomeMesh::find_fixed_vertices() {
+  for (const auto& [corner, vertex] : skeleton_.corners()) {
+    vertices_of_corners_[corner] = vertex;
+    const std::uint32_t operand = operands_.operand_of_vertex(corner);
+    const TriangleMesh& mesh = operands_.mesh(operand);
+    for (const FaceId face : faces_around(mesh, VertexId(corner - operands_.first_vertex(operand))))
+      if (new_faces_[operands_.first_face(operand) + face.index()] != kNone) is_fixed_[vertex] = true;
+  }
+}
+
+void OutcomeMesh::take_faces() {
+  for (const TakenRun& run : runs_) take_faces_of(run);
+}
+
+void OutcomeMesh::take_faces_of(const TakenRun& run) {
+  const TriangleMesh& mesh = operands_.mesh(run.operand);
+  std::uint32_t* origin = &origins_[3 * std::size_t{run.new_first}];
+  for (std::uint32_t face = run.first; face < run.first + run.count; ++face, origin += 3) {
+    const TriangleMesh::Triangle corners = mesh.triangle(FaceId(face));
+    for (std::size_t i = 0; i < 3; ++i) origin[i] = point_of_corner(run.operand, corners[i]);
+    if (run.is_flipped) std::swap(origin[1], origin[2]);
+  }
+}
+
+/// Where an edge ends in a vertex of the arrangement, others may run along it; and an operand may have several fans at
+/// a corner, of which the result need not have all.
+void OutcomeMesh::take_surroundings() {
+  for (const TakenRun& run : runs_) {
+    take_opposites_of(run);
+    planes_.take(run);
+  }
+  for (const auto& [corner, vertex] : skeleton_.corners()) {
+    const std::uint32_t operand = operands_.operand_of_vertex(corner);
+    unlink_around(operand, VertexId(corner - operands_.first_vertex(operand)));
+  }
+  for (std::uint32_t operand = 0; operand < operands_.count(); ++operand)
+    for (const VertexId corner : operands_.mesh(operand).nonmanifold_vertices()) unlink_around(operand, corner);
+}
+
+/// As if the faces on the other side of all edges were taken. Where they are not, the ends of the edge are vertices of
+/// the arrangement.
+void OutcomeMesh::take_opposites_of(const TakenRun& run) {
+  const TriangleMesh& mesh = operands_.mesh(run.operand);
+  const std::uint32_t* new_faces = &new_faces_[operands_.first_face(run.operand)];
+  // Turned over, a face has its half-edges in the opposite order.
+  const auto place = [&](std::uint32_t old) { return run.is_flipped ? 2 - old : old; };
+  for (std::uint32_t i = 0; i < run.count; ++i)
+    for (std::uint32_t old = 0; old < 3; ++old) {
+      const HalfedgeId opposite = mesh.opposite(TriangleMesh::halfedge(FaceId(run.first + i), old));
+      opposites_[3 * (run.new_first + i) + place(old)] =
+          opposite.is_valid() ? 3 * new_faces[opposite.index() / 3] + place(opposite.index() % 3)
+                              : TriangleMesh::kUnlinked;
+    }
+}
+
+/// The edges that end in the corner are to be looked for.
+void OutcomeMesh::unlink_around(std::uint32_t operand, VertexId corner) {
+  for (const HalfedgeId outgoing : outgoing_halfedges(operands_.mesh(operand), corner)) {
+    const std::uint32_t face = operands_.first_face(operand) + TriangleMesh::face(outgoing).index();
+    if (new_faces_[face] == kNone) continue;
+    const bool is_flipped = kept_of_face(face) < 0;
+    for (const HalfedgeId h : {outgoing, TriangleMesh::prev(outgoing)}) {
+      const std::uint32_t old = h.index() % 3;
+      opposites_[3 * new_faces_[face] + (is_flipped ? 2 - old : old)] = TriangleMesh::kUnlinked;
+    }
+  }
 }
 
 void OutcomeMesh::add_region(std::span<const TriangleMesh::Triangle> triangles, std::uint32_t plane, bool is_flipped,
@@ -103,12 +130,12 @@ std::uint32_t OutcomeMesh::point_of_vertex(std::uint32_t vertex) {
 }
 
 std::uint32_t OutcomeMesh::point_of_corner(std::uint32_t operand, std::uint32_t corner) {
-  const std::uint32_t number = skeleton_.operands().first_vertex(operand) + corner;
+  const std::uint32_t number = operands_.first_vertex(operand) + corner;
   std::uint32_t& point = points_of_corners_[number];
   if (point == kNone) {
     const std::uint32_t vertex = vertices_of_corners_[number];
     point = vertex != kNone ? point_of_vertex(vertex)
-                            : add_point(skeleton_.operands().mesh(operand).point(VertexId(corner)));
+                            : add_point(operands_.mesh(operand).point(VertexId(corner)));
   }
   return point;
 }

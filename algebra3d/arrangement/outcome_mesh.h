@@ -31,22 +31,24 @@ class OutcomeMesh {
   TriangleMesh finish();
 
  private:
-  template <typename Visit>
-  void for_each_taken_face(Visit visit) const;
-  void take_face(std::uint32_t operand, FaceId face, bool is_flipped);
-  void take_opposites(std::uint32_t operand, FaceId face, bool is_flipped);
-  bool is_free(std::uint32_t operand, VertexId corner) const;
-  std::uint32_t point_of_vertex(std::uint32_t vertex);
-  std::uint32_t point_of_corner(std::uint32_t operand, std::uint32_t corner);
-  std::uint32_t add_point(const PointRef& point);
+  void find_runs();
+  void find_fixed_vertices();
+  void take_faces_of(const TakenRun& run);
+  void take_opposites_of(const TakenRun& run);
+  void unlink_around(std::uint32_t operand, VertexId corner);
   int kept_of_face(std::uint32_t face) const {
     const std::uint32_t patch = patches_.of_face[face];
     return patch == kNone ? 0 : kept_[patch];
   }
+  std::uint32_t point_of_vertex(std::uint32_t vertex);
+  std::uint32_t point_of_corner(std::uint32_t operand, std::uint32_t corner);
+  std::uint32_t add_point(const PointRef& point);
 
   const Skeleton& skeleton_;
+  const Operands& operands_;
   const Patches& patches_;
   std::vector<int> kept_;
+  std::vector<TakenRun> runs_;
   std::vector<std::uint32_t> new_faces_;  // per face of the operands; kNone: not taken
   std::vector<bool> is_fixed_;            // per vertex
   std::vector<std::uint32_t> vertices_of_corners_;

@@ -13,6 +13,15 @@ std::uint32_t OutcomePlanes::new_number(std::uint32_t operand, std::uint32_t giv
   return number;
 }
 
+void OutcomePlanes::take(const TakenRun& run) {
+  const FacePlanes& known = skeleton_.operands().mesh(run.operand).planes();
+  if (known.size() == 0) return;
+  for (std::uint32_t i = 0; i < run.count; ++i) {
+    const std::uint32_t number = known.number(run.first + i);
+    if (number != FacePlanes::kUnknown) planes_.set(run.new_first + i, new_number(run.operand, number, run.is_flipped));
+  }
+}
+
 void OutcomePlanes::add(std::uint32_t first, std::uint32_t last, std::uint32_t plane, bool is_flipped) {
   const IntegerPlane exact = skeleton_.facets().exact_plane(plane);
   const std::uint32_t number = planes_.add(is_flipped ? exact.flipped() : exact);

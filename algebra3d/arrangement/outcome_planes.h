@@ -9,18 +9,23 @@
 
 namespace algebra3d::arrangement {
 
+/// Faces of an operand that stand one after the other and become faces of the result that do so too.
+struct TakenRun {
+  std::uint32_t operand;
+  std::uint32_t first;      ///< of the operand
+  std::uint32_t new_first;  ///< of the result
+  std::uint32_t count;
+  bool is_flipped;  ///< they are turned over
+};
+
 /// Collects the planes that a result keeps: those that faces of operands bring along, and those of regions that have
 /// corners that are no doubles.
 class OutcomePlanes {
  public:
   explicit OutcomePlanes(const Skeleton& skeleton);
 
-  /// A face of the result is this one of an operand, or this one turned over.
-  void take(std::uint32_t face, std::uint32_t operand, FaceId taken, bool is_flipped) {
-    const FacePlanes& known = skeleton_.operands().mesh(operand).planes();
-    const std::uint32_t number = known.number(taken.index());
-    if (number != FacePlanes::kUnknown) planes_.set(face, new_number(operand, number, is_flipped));
-  }
+  /// What the operand knows of the planes of its faces.
+  void take(const TakenRun& run);
   /// Faces of the result from the first one on, up to the last one and without that, lie in the plane.
   void add(std::uint32_t first, std::uint32_t last, std::uint32_t plane, bool is_flipped);
   FacePlanes take_planes() { return std::move(planes_); }

@@ -10,12 +10,6 @@ std::uint32_t Skeleton::corner(std::uint32_t halfedge) {
   return entry->second;
 }
 
-std::vector<std::uint32_t> Skeleton::vertices_of_corners() const {
-  std::vector<std::uint32_t> result(operands_.vertex_count(), kNone);
-  for (const auto& [corner, vertex] : corners_) result[corner] = vertex;
-  return result;
-}
-
 std::uint32_t Skeleton::crossing_of_plane(std::uint32_t edge, std::uint32_t plane) {
   const auto [entry, is_new] = crossings_.try_emplace((std::uint64_t{edge} << 32U) | plane, kNone);
   if (is_new)

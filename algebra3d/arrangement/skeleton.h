@@ -78,8 +78,8 @@ class Skeleton {
   const std::vector<std::pair<std::uint32_t, std::uint32_t>>& one_line() const { return one_line_; }
   /// Pairs (facet, vertex).
   const std::vector<std::pair<std::uint32_t, std::uint32_t>>& touches() const { return touches_; }
-  /// The vertices that corners of operands became, by number of the operands' vertices; kNone where none.
-  std::vector<std::uint32_t> vertices_of_corners() const;
+  /// The vertices that corners of operands became, by number of the operands' vertices.
+  const std::unordered_map<std::uint32_t, std::uint32_t>& corners() const { return corners_; }
   VertexPool& vertices() { return vertices_; }
 
  private:

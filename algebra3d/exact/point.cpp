@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "algebra3d/base/shrink.h"
 #include "algebra3d/exact/exact_coordinates.h"
 #include "algebra3d/exact/homogeneous.h"
 #include "algebra3d/exact/predicates.h"
@@ -66,9 +67,9 @@ void PointArray::push_back(const PointRef& point) {
   exact_count_ += point.is_double() ? 0 : 1;
 }
 
-void PointArray::shrink_to_fit() {
-  approx_.shrink_to_fit();
-  exact_.shrink_to_fit();
+void PointArray::shrink() {
+  algebra3d::shrink(approx_);
+  algebra3d::shrink(exact_);
 }
 
 bool operator==(const PointArray& a, const PointArray& b) {

@@ -112,7 +112,8 @@ class PointArray {
   std::size_t size() const { return approx_.size(); }
   void reserve(std::size_t count) { approx_.reserve(count); }
   void push_back(const PointRef& point);
-  void shrink_to_fit();
+  /// Gives back spare capacity that is worth it.
+  void shrink();
   PointRef operator[](std::size_t index) const {
     assert(index < approx_.size());
     return {approx_[index], exact_.empty() ? nullptr : exact_[index].get()};

@@ -98,7 +98,7 @@ class TriangleMesh {
   static constexpr std::uint32_t kNoOpposite = 0x80000000;  // set: no opposite; the low bits number a non-manifold edge
   static constexpr std::uint32_t kBoundary = 0xFFFFFFFF;
 
-  void link();
+  void link(bool has_links);
 
   struct NonManifold;  // side tables (nonmanifold_tables.h); absent while everything is manifold
 

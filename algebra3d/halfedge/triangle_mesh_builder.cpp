@@ -2,6 +2,7 @@
 #include <cassert>
 #include <memory>
 
+#include "algebra3d/base/shrink.h"
 #include "algebra3d/halfedge/nonmanifold_tables.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
 
@@ -15,6 +16,16 @@ struct TriangleMeshBuilder {
 
   TriangleMesh& mesh;
   TriangleMesh::NonManifold tables;
+  /// Half-edges that are to be linked, ascending; not listed if these are all.
+  std::vector<std::uint32_t> unlinked;
+  bool are_all_unlinked;
+  /// Half-edges that are found to have no opposite.
+  std::vector<std::uint32_t> alone;
+
+  explicit TriangleMeshBuilder(TriangleMesh& linked, bool has_links) : mesh(linked), are_all_unlinked(!has_links) {
+    for (std::uint32_t h = 0; has_links && h < mesh.halfedge_count(); ++h)
+      if (mesh.opposites_[h] == TriangleMesh::kUnlinked) unlinked.push_back(h);
+  }
 
   void build() {
     const std::vector<bool> is_open = open_vertices();
@@ -69,11 +80,13 @@ void sort_entries(std::span<std::uint64_t> entries) {
 /// Calls visit(h, a, b) for the ends of each half-edge that is to be linked, in order.
 template <typename Visit>
 void TriangleMeshBuilder::for_each_unlinked(Visit visit) const {
-  const std::vector<std::uint32_t>&origins = mesh.origins_, &opposites = mesh.opposites_;
+  const std::vector<std::uint32_t>& origins = mesh.origins_;
+  for (const std::uint32_t h : unlinked) visit(h, origins[h], origins[TriangleMesh::next(HalfedgeId(h)).index()]);
+  if (!are_all_unlinked) return;
   for (std::uint32_t h = 0; h < origins.size(); h += 3) {
-    if (opposites[h] == TriangleMesh::kUnlinked) visit(h, origins[h], origins[h + 1]);
-    if (opposites[h + 1] == TriangleMesh::kUnlinked) visit(h + 1, origins[h + 1], origins[h + 2]);
-    if (opposites[h + 2] == TriangleMesh::kUnlinked) visit(h + 2, origins[h + 2], origins[h]);
+    visit(h, origins[h], origins[h + 1]);
+    visit(h + 1, origins[h + 1], origins[h + 2]);
+    visit(h + 2, origins[h + 2], origins[h]);
   }
 }
 
@@ -133,6 +146,7 @@ void TriangleMeshBuilder::link_edge(std::uint32_t smaller_end, std::span<const E
     mesh.opposites_[halfedge_of(edge[1])] = halfedge_of(edge[0]);
   } else if (edge.size() == 1 && !is_loop) {
     mesh.opposites_[halfedge_of(edge[0])] = TriangleMesh::kBoundary;
+    alone.push_back(halfedge_of(edge[0]));
   } else {
     for (const Entry e : edge) tables.edge_halfedges.emplace_back(halfedge_of(e));
     tables.edge_starts.push_back(static_cast<std::uint32_t>(tables.edge_halfedges.size()));
@@ -151,6 +165,7 @@ void TriangleMeshBuilder::number_nonmanifold_edges() {
     for (std::uint32_t i = found.edge_starts[order[number]]; i < found.edge_starts[order[number] + 1]; ++i) {
       const HalfedgeId h = found.edge_halfedges[i];
       mesh.opposites_[h.index()] = TriangleMesh::kNoOpposite | number;
+      alone.push_back(h.index());
       tables.edge_halfedges.push_back(h);
     }
     tables.edge_starts.push_back(static_cast<std::uint32_t>(tables.edge_halfedges.size()));
@@ -162,13 +177,14 @@ void TriangleMeshBuilder::number_nonmanifold_edges() {
 std::vector<std::uint32_t> TriangleMeshBuilder::choose_outgoing() {
   mesh.outgoing_.resize(mesh.vertex_count());
   std::vector<std::uint32_t> corner_counts(mesh.vertex_count(), 0);
-  for (std::size_t h = 0; h < mesh.halfedge_count(); ++h) {
+  // Downwards, so that the lowest one is written last.
+  for (std::size_t h = mesh.halfedge_count(); h-- > 0;) {
     const std::uint32_t v = mesh.origins_[h];
-    HalfedgeId& chosen = mesh.outgoing_[v];
-    const bool starts_fan = (mesh.opposites_[h] & TriangleMesh::kNoOpposite) != 0;
-    if (!chosen.is_valid() || (starts_fan && mesh.opposite(chosen).is_valid())) chosen = HalfedgeId(h);
+    mesh.outgoing_[v] = HalfedgeId(h);
     ++corner_counts[v];
   }
+  std::ranges::sort(alone, std::ranges::greater());
+  for (const std::uint32_t h : alone) mesh.outgoing_[mesh.origins_[h]] = HalfedgeId(h);
   return corner_counts;
 }
 
@@ -226,7 +242,7 @@ TriangleMesh::TriangleMesh(PointArray points, std::span<const Triangle> triangle
   origins_.reserve(3 * triangles.size());
   for (const Triangle& triangle : triangles) origins_.insert(origins_.end(), triangle.begin(), triangle.end());
   opposites_.assign(origins_.size(), kUnlinked);
-  link();
+  link(false);
 }
 
 TriangleMesh::TriangleMesh(PointArray points, std::vector<std::uint32_t> origins, std::vector<std::uint32_t> opposites,
@@ -236,16 +252,16 @@ TriangleMesh::TriangleMesh(PointArray points, std::vector<std::uint32_t> origins
       opposites_(std::move(opposites)),
       planes_(std::move(planes)) {
   assert(origins_.size() == opposites_.size() && origins_.size() % 3 == 0 && origins_.size() / 3 <= kMaxFaces);
-  link();
+  link(true);
 }
 
-void TriangleMesh::link() {
+void TriangleMesh::link(bool has_links) {
   assert(std::ranges::all_of(origins_, [&](std::uint32_t origin) { return origin < points_.size(); }));
-  // A mesh lives long: it keeps no spare capacity of the arrays that it was given.
-  points_.shrink_to_fit();
-  origins_.shrink_to_fit();
-  opposites_.shrink_to_fit();
-  TriangleMeshBuilder{*this, {}}.build();
+  // A mesh lives long: it keeps hardly any spare capacity of the arrays that it was given.
+  points_.shrink();
+  shrink(origins_);
+  shrink(opposites_);
+  TriangleMeshBuilder(*this, has_links).build();
 }
 
 }  // namespace algebra3d
