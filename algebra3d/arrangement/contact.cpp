@@ -10,10 +10,7 @@ using Signs = std::array<int, 3>;
 
 /// On which side of the other one's plane the corners lie.
 Signs sides_of(const TriangleRef& triangle, const PlaneTriangle& other) {
-  if (other.plane == nullptr) return sides_of_plane(other.corners, triangle);
-  Signs signs{};
-  for (std::size_t i = 0; i < 3; ++i) signs[i] = other.plane->side(triangle[i]);
-  return signs;
+  return other.plane == nullptr ? sides_of_plane(other.corners, triangle) : other.plane->sides(triangle);
 }
 
 bool are_all_on_one_side(const Signs& signs) {
@@ -39,10 +36,11 @@ std::optional<Place> place_of(const Signs& inside) {
 }
 
 /// Place in `target` of the point in which an edge crosses its plane, coming from the side `side` of it.
-std::optional<Place> locate_crossing(const PointRef& a, const PointRef& b, int side, const TriangleRef& target) {
+std::optional<Place> locate_crossing(const NumberedEdge& edge, int side, const PlaneTriangle& target,
+                                     EdgeSides& edge_sides) {
   Signs inside{};
   for (std::size_t j = 0; j < 3; ++j) {
-    inside[j] = -side * orient3d(a, b, target[j], target[(j + 1) % 3]);
+    inside[j] = -side * edge_sides.side(edge, target.edge(j));
     if (inside[j] < 0) return std::nullopt;
   }
   return place_of(inside);
@@ -50,15 +48,16 @@ std::optional<Place> locate_crossing(const PointRef& a, const PointRef& b, int s
 
 /// The ends of the part of `triangle` in the plane of `target`, as far as they lie in `target`. visit(end, place)
 template <typename Visit>
-void for_each_end(const TriangleRef& triangle, const Signs& signs, const TriangleRef& target, Visit visit) {
+void for_each_end(const PlaneTriangle& triangle, const Signs& signs, const PlaneTriangle& target, EdgeSides& edge_sides,
+                  Visit visit) {
   std::optional<TriangleInPlane> in_plane;
   for (std::uint8_t i = 0; i < 3; ++i) {
-    const std::uint8_t j = i == 2 ? 0 : static_cast<std::uint8_t>(i + 1);
+    const std::size_t j = i == 2 ? 0 : i + 1;
     if (signs[i] == 0) {
-      if (!in_plane) in_plane.emplace(target);
-      if (const auto place = in_plane->place(triangle[i])) visit(Place{Place::Kind::corner, i}, *place);
+      if (!in_plane) in_plane.emplace(target.corners);
+      if (const auto place = in_plane->place(triangle.corners[i])) visit(Place{Place::Kind::corner, i}, *place);
     } else if (signs[i] * signs[j] < 0) {
-      if (const auto place = locate_crossing(triangle[i], triangle[j], signs[i], target))
+      if (const auto place = locate_crossing(triangle.edge(i), signs[i], target, edge_sides))
         visit(Place{Place::Kind::edge, i}, *place);
     }
   }
@@ -86,7 +85,7 @@ std::optional<Place> TriangleInPlane::place(const PointRef& point) const {
   return place_of(inside);
 }
 
-TriangleContact contact_of(const PlaneTriangle& first, const PlaneTriangle& second) {
+TriangleContact contact_of(const PlaneTriangle& first, const PlaneTriangle& second, EdgeSides& edge_sides) {
   TriangleContact contact;
   const Signs first_signs = sides_of(first.corners, second);
   if (are_all_on_one_side(first_signs)) return contact;
@@ -106,9 +105,8 @@ TriangleContact contact_of(const PlaneTriangle& first, const PlaneTriangle& seco
     contact.points[contact.count++] = {in_first, in_second, is_edge(in_first, contact.first_edge),
                                        is_edge(in_second, contact.second_edge)};
   };
-  for_each_end(first.corners, first_signs, second.corners, add);
-  for_each_end(second.corners, second_signs, first.corners,
-               [&](const Place& end, const Place& place) { add(place, end); });
+  for_each_end(first, first_signs, second, edge_sides, add);
+  for_each_end(second, second_signs, first, edge_sides, [&](const Place& end, const Place& place) { add(place, end); });
   return contact;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "algebra3d/arrangement/edge_sides.h"
 #include "algebra3d/exact/integer_plane.h"
 #include "algebra3d/exact/predicates.h"
 
@@ -38,15 +39,21 @@ struct TriangleContact {
   std::array<ContactPoint, 2> points{};
 };
 
-/// A triangle with its plane, if that is known.
+/// A triangle with its plane, if that is known, and with numbers of its corners for EdgeSides.
 struct PlaneTriangle {
   TriangleRef corners;
+  std::array<std::uint32_t, 3> numbers;
   const IntegerPlane* plane = nullptr;
+
+  NumberedEdge edge(std::size_t i) const {
+    const std::size_t j = i == 2 ? 0 : i + 1;
+    return {corners[i], corners[j], numbers[i], numbers[j]};
+  }
 };
 
 /// Neither triangle may be degenerate. Exact: signs of the corners alone, no point is constructed. Cost: three to six
 /// calls of orient3d for triangles that do not meet, up to eighteen for those that do.
-TriangleContact contact_of(const PlaneTriangle& first, const PlaneTriangle& second);
+TriangleContact contact_of(const PlaneTriangle& first, const PlaneTriangle& second, EdgeSides& edge_sides);
 
 /// A triangle seen along an axis, so that points of its plane can be placed in it.
 class TriangleInPlane {

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <utility>
 
+#include "algebra3d/arrangement/bucket_sort.h"
 #include "algebra3d/arrangement/pair_contacts.h"
 
 namespace algebra3d::arrangement {
@@ -62,7 +64,9 @@ class ContactFinder {
   static std::uint32_t halfedge_of(std::uint32_t face, const Place& place) { return 3 * face + place.index; }
   bool is_end(const Feature& feature, const FaceEnd& end);
   bool is_real(const FaceContact::End& end);
-  std::uint32_t vertex_of(const FaceContact& contact, std::size_t number);
+  EdgeAndPlane crossing_of(const FaceContact& contact, const FaceContact::End& end);
+  std::uint32_t vertex_of(const FaceContact& contact, const FaceContact::End& end);
+  void compute_crossings();
   void cut_edges(const FaceContact::End& end, std::uint32_t vertex);
   void join_facets(std::span<const FaceContact> contacts);
   void add_points(std::span<const FaceContact> contacts);
@@ -133,14 +137,36 @@ bool ContactFinder::is_real(const FaceContact::End& end) {
   return is_end(end.meeting.first, end.first) || is_end(end.meeting.second, end.second);
 }
 
+/// Where a real end is that is no corner.
+EdgeAndPlane ContactFinder::crossing_of(const FaceContact& contact, const FaceContact::End& end) {
+  const auto& [meeting, first, second] = end;
+  return is_end(meeting.first, first) ? EdgeAndPlane{meeting.first.number, facets_[contact.second_facet].plane}
+                                      : EdgeAndPlane{meeting.second.number, facets_[contact.first_facet].plane};
+}
+
 /// The vertex of a real end.
-std::uint32_t ContactFinder::vertex_of(const FaceContact& contact, std::size_t number) {
-  const auto& [meeting, first, second] = contact.ends[number];
+std::uint32_t ContactFinder::vertex_of(const FaceContact& contact, const FaceContact::End& end) {
+  const auto& [meeting, first, second] = end;
   if (meeting.first.kind == Place::Kind::corner) return skeleton_.corner(first.halfedge);
   if (meeting.second.kind == Place::Kind::corner) return skeleton_.corner(second.halfedge);
-  if (is_end(meeting.first, first))
-    return skeleton_.crossing_of_plane(meeting.first.number, facets_[contact.second_facet].plane);
-  return skeleton_.crossing_of_plane(meeting.second.number, facets_[contact.first_facet].plane);
+  return skeleton_.crossing_of_plane(crossing_of(contact, end));
+}
+
+/// Planes and points that will be needed, all at once.
+void ContactFinder::compute_crossings() {
+  std::vector<EdgeAndPlane> crossings;
+  std::vector<std::uint32_t> planes;
+  for (const FaceContact& contact : contacts_)
+    for (const FaceContact::End& end : contact.ends) {
+      const auto& [first, second] = end.meeting;
+      if (first.kind == Place::Kind::corner || second.kind == Place::Kind::corner || !is_real(end)) continue;
+      crossings.push_back(crossing_of(contact, end));
+      // That of the edge as well: the result keeps planes of faces with such corners.
+      planes.push_back(facets_[contact.first_facet].plane);
+      planes.push_back(facets_[contact.second_facet].plane);
+    }
+  facets_.make_exact_planes(std::move(planes));
+  skeleton_.compute_crossings(crossings);
 }
 
 void ContactFinder::cut_edges(const FaceContact::End& end, std::uint32_t vertex) {
@@ -152,7 +178,10 @@ void ContactFinder::cut_edges(const FaceContact::End& end, std::uint32_t vertex)
 }
 
 void ContactFinder::join_faces() {
-  std::ranges::sort(contacts_, [](const FaceContact& a, const FaceContact& b) { return a.key() < b.key(); });
+  compute_crossings();
+  bucket_sort(
+      contacts_, facets_.size(), [](const FaceContact& contact) { return contact.first_facet; },
+      [](const FaceContact& a, const FaceContact& b) { return a.key() < b.key(); });
   for (std::size_t begin = 0, end = 0; begin < contacts_.size(); begin = end) {
     while (end < contacts_.size() && contacts_[end].first_facet == contacts_[begin].first_facet &&
            contacts_[end].second_facet == contacts_[begin].second_facet)
@@ -173,7 +202,7 @@ void ContactFinder::join_facets(std::span<const FaceContact> contacts) {
 void ContactFinder::add_points(std::span<const FaceContact> contacts) {
   for (const FaceContact& contact : contacts) {
     if (!contact.is_point() || !is_real(contact.ends[0])) continue;
-    const std::uint32_t vertex = vertex_of(contact, 0);
+    const std::uint32_t vertex = vertex_of(contact, contact.ends[0]);
     cut_edges(contact.ends[0], vertex);
     // Also where it lies on a boundary: common parts with third facets may run along that.
     skeleton_.add_touch(contact.first_facet, vertex);
@@ -211,7 +240,8 @@ void ContactFinder::add_segments(std::span<const FaceContact> contacts) {
       end = 1 - continued.end;
       is_done[contact] = true;
     }
-    const std::uint32_t from = vertex_of(contacts[start.contact], start.end), to = vertex_of(contacts[contact], end);
+    const std::uint32_t from = vertex_of(contacts[start.contact], contacts[start.contact].ends[start.end]);
+    const std::uint32_t to = vertex_of(contacts[contact], contacts[contact].ends[end]);
     cut_edges(contacts[start.contact].ends[start.end], from);
     cut_edges(contacts[contact].ends[end], to);
     const std::uint32_t segment =

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "algebra3d/base/parallel.h"
+
 namespace algebra3d::arrangement {
 
 bool Facets::is_coplanar_across(std::uint32_t halfedge, std::uint32_t other) const {
@@ -51,6 +53,12 @@ void Facets::number_planes() {
       facets_[f].orientation = orient2d(projection, triangle[0], triangle[1], triangle[2]);
     }
   }
+}
+
+void Facets::make_exact_planes(std::vector<std::uint32_t> planes) {
+  std::ranges::sort(planes);
+  planes.erase(std::unique(planes.begin(), planes.end()), planes.end());
+  in_halves(planes.size(), kPointsWorthAThread, [&](std::size_t i) { exact_plane(planes[i]); });
 }
 
 bool Facets::has_boundary_origin(std::uint32_t halfedge) {

@@ -55,6 +55,8 @@ class Facets {
     if (planes_[plane].exact.is_null()) planes_[plane].exact = IntegerPlane::through(planes_[plane].triangle);
     return planes_[plane].exact;
   }
+  /// Makes these, with two threads if they are many.
+  void make_exact_planes(std::vector<std::uint32_t> planes);
   /// The same, which are made anew if they are not there.
   IntegerPlane exact_plane(std::uint32_t plane) const {
     return planes_[plane].exact.is_null() ? IntegerPlane::through(planes_[plane].triangle) : planes_[plane].exact;

@@ -43,6 +43,13 @@ TriangleRef Operands::corners(std::uint32_t face) const {
   return mesh(operand).corners(FaceId(face - first_face_[operand]));
 }
 
+TriangleMesh::Triangle Operands::vertices(std::uint32_t face) const {
+  const std::uint32_t operand = operand_of_face(face);
+  TriangleMesh::Triangle result = mesh(operand).triangle(FaceId(face - first_face_[operand]));
+  for (std::uint32_t& vertex : result) vertex += first_vertex_[operand];
+  return result;
+}
+
 std::uint32_t Operands::vertex(std::uint32_t halfedge) const {
   const std::uint32_t operand = operand_of_face(halfedge / 3);
   return first_vertex_[operand] + mesh(operand).origin(HalfedgeId(halfedge - 3 * first_face_[operand])).index();

@@ -13,6 +13,8 @@ namespace algebra3d::arrangement {
 inline constexpr std::uint32_t kNone = 0xFFFFFFFF;
 /// From so many faces on, a second thread saves more than it costs.
 inline constexpr std::uint32_t kWorthAThread = 20000;
+/// The same for points and planes that are computed exactly.
+inline constexpr std::size_t kPointsWorthAThread = 64;
 
 /// All operands as if they were one mesh: faces, half-edges and vertices are numbered through, those of the first
 /// operand first; half-edge 3f + i leaves corner i of face f as in every mesh.
@@ -36,6 +38,8 @@ class Operands {
   std::uint32_t operand_of_vertex(std::uint32_t vertex) const;
 
   TriangleRef corners(std::uint32_t face) const;
+  /// Their numbers.
+  TriangleMesh::Triangle vertices(std::uint32_t face) const;
   /// Null if the mesh does not know it.
   const IntegerPlane* plane(std::uint32_t face) const {
     const std::uint32_t operand = operand_of_face(face);

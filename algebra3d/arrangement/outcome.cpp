@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "algebra3d/arrangement/bucket_sort.h"
 #include "algebra3d/arrangement/clean_edges.h"
 #include "algebra3d/arrangement/outcome_mesh.h"
 #include "algebra3d/arrangement/triangulation.h"
@@ -139,7 +140,8 @@ void OutcomeBuilder::find_passages() {
     spokes.push_back({edge.from, edge.to, edge.region(), true});
     spokes.push_back({edge.to, edge.from, edge.region(), false});
   }
-  std::ranges::sort(spokes);
+  bucket_sort(
+      spokes, skeleton_.vertices().size(), [](const Spoke& s) { return s.vertex; }, std::ranges::less());
   for (std::size_t begin = 0, end = 0; begin < spokes.size(); begin = end) {
     while (end < spokes.size() && spokes[end].vertex == spokes[begin].vertex) ++end;
     if (!mesh_.is_fixed(spokes[begin].vertex)) find_passages_at(std::span(spokes).subspan(begin, end - begin));

@@ -5,6 +5,23 @@
 #include "algebra3d/halfedge/circulators.h"
 
 namespace algebra3d::arrangement {
+namespace {
+
+/// Faces that are turned over have their half-edges in the opposite order.
+std::uint32_t turned_over(std::uint32_t halfedge) {
+  return halfedge + 2 - 2 * (halfedge % 3);
+}
+
+/// Opposites of faces that are turned over like their neighbours.
+void turn_over(std::span<std::uint32_t> opposites) {
+  for (std::size_t first = 0; first < opposites.size(); first += 3) {
+    std::swap(opposites[first], opposites[first + 2]);
+    for (std::size_t i = first; i < first + 3; ++i)
+      if (opposites[i] != TriangleMesh::kUnlinked) opposites[i] = turned_over(opposites[i]);
+  }
+}
+
+}  // namespace
 
 OutcomeMesh::OutcomeMesh(const Skeleton& skeleton, const Patches& patches, std::vector<int> kept)
     : skeleton_(skeleton),
@@ -87,15 +104,15 @@ void OutcomeMesh::take_surroundings() {
 void OutcomeMesh::take_opposites_of(const TakenRun& run) {
   const TriangleMesh& mesh = operands_.mesh(run.operand);
   const std::uint32_t* new_faces = &new_faces_[operands_.first_face(run.operand)];
-  // Turned over, a face has its half-edges in the opposite order.
-  const auto place = [&](std::uint32_t old) { return run.is_flipped ? 2 - old : old; };
-  for (std::uint32_t i = 0; i < run.count; ++i)
-    for (std::uint32_t old = 0; old < 3; ++old) {
-      const HalfedgeId opposite = mesh.opposite(TriangleMesh::halfedge(FaceId(run.first + i), old));
-      opposites_[3 * (run.new_first + i) + place(old)] =
-          opposite.is_valid() ? 3 * new_faces[opposite.index() / 3] + place(opposite.index() % 3)
-                              : TriangleMesh::kUnlinked;
-    }
+  std::uint32_t* next = &opposites_[3 * std::size_t{run.new_first}];
+  const std::uint32_t begin = 3 * run.first, end = 3 * (run.first + run.count);
+  for (std::uint32_t h = begin; h < end; ++h) {
+    const HalfedgeId opposite = mesh.opposite(HalfedgeId(h));
+    const std::uint32_t face = opposite.index() / 3;
+    *next++ = opposite.is_valid() ? 3 * (new_faces[face] - face) + opposite.index() : TriangleMesh::kUnlinked;
+  }
+  if (run.is_flipped)
+    turn_over(std::span(opposites_).subspan(3 * std::size_t{run.new_first}, 3 * std::size_t{run.count}));
 }
 
 /// The edges that end in the corner are to be looked for.
@@ -105,8 +122,8 @@ void OutcomeMesh::unlink_around(std::uint32_t operand, VertexId corner) {
     if (new_faces_[face] == kNone) continue;
     const bool is_flipped = kept_of_face(face) < 0;
     for (const HalfedgeId h : {outgoing, TriangleMesh::prev(outgoing)}) {
-      const std::uint32_t old = h.index() % 3;
-      opposites_[3 * new_faces_[face] + (is_flipped ? 2 - old : old)] = TriangleMesh::kUnlinked;
+      const std::uint32_t taken = 3 * new_faces_[face] + h.index() % 3;
+      opposites_[is_flipped ? turned_over(taken) : taken] = TriangleMesh::kUnlinked;
     }
   }
 }
@@ -134,8 +151,7 @@ std::uint32_t OutcomeMesh::point_of_corner(std::uint32_t operand, std::uint32_t 
   std::uint32_t& point = points_of_corners_[number];
   if (point == kNone) {
     const std::uint32_t vertex = vertices_of_corners_[number];
-    point = vertex != kNone ? point_of_vertex(vertex)
-                            : add_point(operands_.mesh(operand).point(VertexId(corner)));
+    point = vertex != kNone ? point_of_vertex(vertex) : add_point(operands_.mesh(operand).point(VertexId(corner)));
   }
   return point;
 }

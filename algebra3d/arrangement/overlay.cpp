@@ -4,6 +4,7 @@
 #include <span>
 #include <tuple>
 
+#include "algebra3d/arrangement/bucket_sort.h"
 #include "algebra3d/halfedge/boxes.h"
 #include "rtree/rtree.h"
 
@@ -121,9 +122,9 @@ void PlaneOverlay::cross(const Element& a, const Element& b) {
   if (across_a != kNone && across_b != kNone)
     vertex = skeleton_.crossing_of_planes(plane_, across_a, across_b);
   else if (across_a != kNone)
-    vertex = skeleton_.crossing_of_plane(skeleton_.segments()[b.segment].edge, across_a);
+    vertex = skeleton_.crossing_of_plane({skeleton_.segments()[b.segment].edge, across_a});
   else if (across_b != kNone)
-    vertex = skeleton_.crossing_of_plane(skeleton_.segments()[a.segment].edge, across_b);
+    vertex = skeleton_.crossing_of_plane({skeleton_.segments()[a.segment].edge, across_b});
   else
     vertex = skeleton_.crossing_of_edges(skeleton_.segments()[a.segment].edge, skeleton_.segments()[b.segment].edge,
                                          projection_);
@@ -167,11 +168,13 @@ std::vector<Element> collect_elements(const Skeleton& skeleton) {
   }
   for (const auto& [facet, vertex] : skeleton.touches())
     elements.push_back({facets[facet].plane, kNone, vertex, vertex, facet, false});
-  std::ranges::sort(elements, [](const Element& a, const Element& b) {
+  const auto is_less = [](const Element& a, const Element& b) {
     const std::uint64_t line_a = a.line(), line_b = b.line();
     if (line_a != line_b) return line_a < line_b;
     return std::tuple(a.from, a.facet, a.is_boundary) < std::tuple(b.from, b.facet, b.is_boundary);
-  });
+  };
+  bucket_sort(
+      elements, facets.planes().size(), [](const Element& e) { return e.plane; }, is_less);
   // Each once, however many facets hold it.
   std::vector<Element> distinct;
   for (const Element& element : elements) {

@@ -1,6 +1,7 @@
 #include "algebra3d/arrangement/pair_contacts.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "algebra3d/base/parallel.h"
 
@@ -23,12 +24,42 @@ void make_planes(PairSpan pairs, const Operands& operands, Facets& facets) {
   for (std::uint32_t operand = 0; operand < operands.count(); ++operand)
     is_needed = is_needed || operands.mesh(operand).points().exact_count() > 0;
   if (!is_needed) return;
-  for (const auto& [first, second] : pairs)
-    if (has_exact_corner(operands.corners(first)) || has_exact_corner(operands.corners(second))) {
-      facets.plane_of_face(first);
-      facets.plane_of_face(second);
+  constexpr unsigned kSeen = 1, kExact = 2, kHasPlane = 4;
+  std::vector<std::uint8_t> notes(operands.face_count());  // so that each face is looked at once
+  const auto note = [&](std::uint32_t face) {
+    if (notes[face] == 0) notes[face] = has_exact_corner(operands.corners(face)) ? kSeen | kExact : kSeen;
+    return notes[face];
+  };
+  for (const auto& [first, second] : pairs) {
+    if (((note(first) | note(second)) & kExact) == 0) continue;
+    for (const std::uint32_t face : {first, second}) {
+      if ((notes[face] & kHasPlane) != 0) continue;
+      facets.plane_of_face(face);
+      notes[face] |= kHasPlane;
     }
+  }
 }
+
+/// One of a pair. Pairs with the same face often follow one another.
+class PairMember {
+ public:
+  PairMember(const Operands& operands, const Facets& facets) : operands_(operands), facets_(facets) {}
+
+  const PlaneTriangle& get(std::uint32_t face) {
+    if (face != face_) {
+      triangle_.emplace(
+          PlaneTriangle{operands_.corners(face), operands_.vertices(face), facets_.known_plane_of_face(face)});
+      face_ = face;
+    }
+    return *triangle_;
+  }
+
+ private:
+  const Operands& operands_;
+  const Facets& facets_;
+  std::uint32_t face_ = kNone;
+  std::optional<PlaneTriangle> triangle_;
+};
 
 bool touch(const TriangleContact& contact, const PlaneTriangle& first, const PlaneTriangle& second) {
   if (contact.is_coplanar) return intersect_triangles(first.corners, second.corners) != Contact::none;
@@ -38,11 +69,12 @@ bool touch(const TriangleContact& contact, const PlaneTriangle& first, const Pla
 /// False if it was interrupted.
 bool add_contacts(PairSpan pairs, const Operands& operands, const Facets& facets, Stage stage,
                   std::vector<PairContact>& result) {
+  PairMember first_member(operands, facets), second_member(operands, facets);
+  EdgeSides edge_sides;
   for (const auto& [first_face, second_face] : pairs) {
     if (!stage.begin_step()) return false;
-    const PlaneTriangle first{operands.corners(first_face), facets.known_plane_of_face(first_face)};
-    const PlaneTriangle second{operands.corners(second_face), facets.known_plane_of_face(second_face)};
-    const TriangleContact contact = contact_of(first, second);
+    const PlaneTriangle &first = first_member.get(first_face), &second = second_member.get(second_face);
+    const TriangleContact contact = contact_of(first, second, edge_sides);
     if (touch(contact, first, second)) result.push_back({first_face, second_face, contact});
   }
   return true;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "algebra3d/arrangement/bucket_sort.h"
 #include "algebra3d/exact/predicates.h"
 
 namespace algebra3d::arrangement {
@@ -32,7 +33,8 @@ std::vector<FacetPiece> facet_pieces(const Skeleton& skeleton, const CutSegments
                                  : FacetPiece{to, from, plane, incidence.facet, opposite(incidence.side)});
     }
   }
-  std::ranges::sort(pieces);
+  bucket_sort(
+      pieces, skeleton.vertices().size(), [](const FacetPiece& p) { return p.u; }, std::ranges::less());
   pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
   return pieces;
 }

@@ -1,6 +1,9 @@
 #include "algebra3d/arrangement/skeleton.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "algebra3d/base/parallel.h"
 
 namespace algebra3d::arrangement {
 
@@ -10,12 +13,29 @@ std::uint32_t Skeleton::corner(std::uint32_t halfedge) {
   return entry->second;
 }
 
-std::uint32_t Skeleton::crossing_of_plane(std::uint32_t edge, std::uint32_t plane) {
-  const auto [entry, is_new] = crossings_.try_emplace((std::uint64_t{edge} << 32U) | plane, kNone);
-  if (is_new)
-    entry->second = vertices_.intern(intersect_line_plane(
-        operands_.point_of(edge), operands_.point_of(Operands::next(edge)), facets_.exact_plane(plane)));
-  return entry->second;
+ExactPoint Skeleton::meeting_point(const EdgeAndPlane& where) {
+  return intersect_line_plane(operands_.point_of(where.edge), operands_.point_of(Operands::next(where.edge)),
+                              facets_.exact_plane(where.plane));
+}
+
+void Skeleton::compute_crossings(std::span<const EdgeAndPlane> wanted) {
+  std::vector<std::pair<EdgeAndPlane, Crossing*>> missing;
+  for (const EdgeAndPlane& where : wanted)
+    if (const auto [entry, is_new] = crossings_.try_emplace(key(where)); is_new)
+      missing.emplace_back(where, &entry->second);
+  in_halves(missing.size(), kPointsWorthAThread, [&](std::size_t i) {
+    const auto& [where, crossing] = missing[i];
+    crossing->point = meeting_point(where);
+  });
+}
+
+std::uint32_t Skeleton::crossing_of_plane(const EdgeAndPlane& where) {
+  Crossing& crossing = crossings_[key(where)];
+  if (crossing.vertex == kNone) {
+    crossing.vertex = vertices_.intern(crossing.point ? *std::move(crossing.point) : meeting_point(where));
+    crossing.point.reset();
+  }
+  return crossing.vertex;
 }
 
 std::uint32_t Skeleton::crossing_of_planes(std::uint32_t p, std::uint32_t q, std::uint32_t r) {

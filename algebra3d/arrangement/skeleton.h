@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
+#include <span>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -30,6 +32,11 @@ struct Segment {
   std::uint32_t edge;      ///< half-edge that stands for some operand's edge here; kNone if there is none
 };
 
+/// Where an edge of an operand meets a plane.
+struct EdgeAndPlane {
+  std::uint32_t edge, plane;
+};
+
 /// All lines of an arrangement before they are cut at one another: segments, the facets that hold each, and the
 /// vertices at which each has to be cut. A segment is one object for all planes in which it lies, so a cut that one
 /// plane finds is there in all.
@@ -42,7 +49,10 @@ class Skeleton {
   /// The vertex that three planes have in common.
   std::uint32_t crossing_of_planes(std::uint32_t p, std::uint32_t q, std::uint32_t r);
   /// The vertex in which the edge of an operand meets the plane.
-  std::uint32_t crossing_of_plane(std::uint32_t edge, std::uint32_t plane);
+  std::uint32_t crossing_of_plane(const EdgeAndPlane& where);
+  /// Computes the points in which edges meet planes, with two threads if they are many. They become vertices once they
+  /// are asked for.
+  void compute_crossings(std::span<const EdgeAndPlane> wanted);
 
   /// The vertex in which two edges of operands cross that lie in one plane.
   std::uint32_t crossing_of_edges(std::uint32_t edge, std::uint32_t other, Projection projection);
@@ -83,6 +93,13 @@ class Skeleton {
   VertexPool& vertices() { return vertices_; }
 
  private:
+  struct Crossing {
+    std::optional<ExactPoint> point;
+    std::uint32_t vertex = kNone;
+  };
+
+  static std::uint64_t key(const EdgeAndPlane& where) { return std::uint64_t{where.edge} << 32U | where.plane; }
+  ExactPoint meeting_point(const EdgeAndPlane& where);
   std::uint32_t segment_between(std::uint32_t from, std::uint32_t to);
 
   const Operands& operands_;
@@ -95,7 +112,7 @@ class Skeleton {
   std::unordered_map<std::uint32_t, std::uint32_t> corners_;           // operand vertex -> vertex
   std::unordered_map<std::uint32_t, std::uint32_t> edge_segments_;     // edge -> segment
   std::unordered_map<std::uint64_t, std::uint32_t> segments_between_;  // lower end, higher end -> segment
-  std::unordered_map<std::uint64_t, std::uint32_t> crossings_;         // edge, plane -> vertex
+  std::unordered_map<std::uint64_t, Crossing> crossings_;              // edge, plane -> what is there
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> plane_crossings_;
 };
 

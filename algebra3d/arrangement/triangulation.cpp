@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -230,10 +231,24 @@ bool Sweep::run(std::span<const DirectedEdge> edges) {
   return true;
 }
 
+/// Most regions are nothing else.
+std::optional<TriangleMesh::Triangle> single_triangle(std::span<const DirectedEdge> edges) {
+  if (edges.size() != 3) return std::nullopt;
+  const auto [first, second] = edges[0];
+  const DirectedEdge& next = edges[1].first == second ? edges[1] : edges[2];
+  const DirectedEdge& last = edges[1].first == second ? edges[2] : edges[1];
+  const bool is_cycle = next.first == second && last.first == next.second && last.second == first;
+  return is_cycle ? std::optional(TriangleMesh::Triangle{first, second, next.second}) : std::nullopt;
+}
+
 }  // namespace
 
 bool triangulate(const VertexPool& points, Projection projection, std::span<const DirectedEdge> edges,
                  std::vector<TriangleMesh::Triangle>& triangles) {
+  if (const auto triangle = single_triangle(edges)) {
+    triangles.push_back(*triangle);
+    return true;
+  }
   return Sweep(points, projection, triangles).run(edges);
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <tuple>
 
+#include "algebra3d/arrangement/bucket_sort.h"
 #include "algebra3d/exact/predicates.h"
 
 namespace algebra3d::arrangement {
@@ -64,7 +65,11 @@ void join_cells(const Skeleton& skeleton, const Pieces& pieces, WindingSets& sid
     spokes.push_back({piece.plane, piece.u, p, piece.v});
     spokes.push_back({piece.plane, piece.v, p, piece.u});
   }
-  std::ranges::sort(spokes, {}, [](const Spoke& s) { return std::tuple(s.plane, s.vertex, s.piece); });
+  bucket_sort(
+      spokes, skeleton.facets().planes().size(), [](const Spoke& s) { return s.plane; },
+      [](const Spoke& s, const Spoke& t) {
+        return std::tuple(s.plane, s.vertex, s.piece) < std::tuple(t.plane, t.vertex, t.piece);
+      });
   for (std::size_t begin = 0, end = 0; begin < spokes.size(); begin = end) {
     while (end < spokes.size() && spokes[end].plane == spokes[begin].plane &&
            spokes[end].vertex == spokes[begin].vertex)

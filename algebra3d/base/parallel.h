@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <future>
 #include <system_error>
 #include <thread>
@@ -25,6 +26,18 @@ void in_parallel(bool is_worth_a_thread, First&& first, Second&& second) {
     other.get();
   else
     std::forward<Second>(second)();
+}
+
+/// Calls visit(i) for each i below `count`, from `worth_a_thread` on in two halves at the same time. A call must not
+/// share anything that another one changes.
+template <typename Visit>
+void in_halves(std::size_t count, std::size_t worth_a_thread, const Visit& visit) {
+  const auto visit_all = [&visit](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) visit(i);
+  };
+  const std::size_t half = count / 2;
+  in_parallel(
+      count >= worth_a_thread, [&] { visit_all(0, half); }, [&] { visit_all(half, count); });
 }
 
 }  // namespace algebra3d

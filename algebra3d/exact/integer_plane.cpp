@@ -23,6 +23,8 @@ struct IntegerPlane::Form {
   std::array<double, 4> rounded{};
 
   void finish();
+  /// detail::kUndecided if that needs the integers.
+  int rounded_side(const Vec3& point) const;
 };
 
 // Smaller coefficients, in terms of the longest one, might lose bits by underflow.
@@ -61,10 +63,8 @@ IntegerPlane IntegerPlane::along_axis(PointRef p, PointRef q, std::size_t axis) 
   return IntegerPlane(form);
 }
 
-int IntegerPlane::side(const PointRef& point) const {
-  detail::count_call();
-  const auto& [a, b, c, d] = form_->rounded;
-  const Vec3& p = point.approx;
+int IntegerPlane::Form::rounded_side(const Vec3& p) const {
+  const auto& [a, b, c, d] = rounded;
   const double x = a * p.x, y = b * p.y, z = c * p.z;
   const double height = x + y + z + d;
   // Coefficients were cut off by less than 2^-52 of each, coordinates rounded by 2^-53; three products and sums by as
@@ -72,12 +72,33 @@ int IntegerPlane::side(const PointRef& point) const {
   const double error = 0x1.4p-50 * (std::abs(x) + std::abs(y) + std::abs(z) + std::abs(d)) + 0x1p-1000;
   if (height > error) return 1;
   if (height < -error) return -1;
+  return detail::kUndecided;
+}
+
+int IntegerPlane::side(const PointRef& point) const {
+  detail::count_call();
+  const int rounded = form_->rounded_side(point.approx);
+  return rounded != detail::kUndecided ? rounded : side_by_integers(*form_, point);
+}
+
+std::array<int, 3> IntegerPlane::sides(const TriangleRef& points) const {
+  detail::count_calls(3);
+  const Form& form = *form_;
+  std::array<int, 3> result{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    result[i] = form.rounded_side(points[i].approx);
+    if (result[i] == detail::kUndecided) result[i] = side_by_integers(form, points[i]);
+  }
+  return result;
+}
+
+int IntegerPlane::side_by_integers(const Form& form, const PointRef& point) {
   detail::count_filter_failure();
   detail::count_big_fallback();
   thread_local HomogeneousPoint room;
   thread_local BigInteger sum;
   const HomogeneousView view(point, room);
-  detail::dot(sum, form_->numbers, view);
+  detail::dot(sum, form.numbers, view);
   return sum.sign();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
 
@@ -31,6 +32,8 @@ class IntegerPlane {
   /// On which side the point lies: 1 in front, 0 in the plane, -1 behind. Exact: orient3d of three points in it. Cost:
   /// some nanoseconds if rounded numbers tell, else four products of integers.
   int side(const PointRef& point) const;
+  /// The same of three points.
+  std::array<int, 3> sides(const TriangleRef& points) const;
   /// The same plane with the other front.
   IntegerPlane flipped() const;
   ExactPlane exact() const;
@@ -42,6 +45,7 @@ class IntegerPlane {
 
  private:
   struct Form;
+  static int side_by_integers(const Form& form, const PointRef& point);
   explicit IntegerPlane(std::shared_ptr<const Form> form) : form_(std::move(form)) {}
 
   std::shared_ptr<const Form> form_;

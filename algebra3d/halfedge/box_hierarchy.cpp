@@ -11,17 +11,8 @@
 namespace algebra3d {
 namespace {
 
-/// Calls visit(i) for each i below the count; from many on, two threads share them.
-template <typename Visit>
-void in_halves(std::size_t count, Visit visit) {
-  constexpr std::size_t kWorthAThread = 20000;
-  const auto visit_all = [&visit](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) visit(i);
-  };
-  const std::size_t half = count / 2;
-  in_parallel(
-      count >= kWorthAThread, [&] { visit_all(0, half); }, [&] { visit_all(half, count); });
-}
+/// From so many faces or points on, a second thread saves more than it costs.
+constexpr std::size_t kWorthAThread = 20000;
 
 /// Upper 32 bits of a Morton code, and the position of its face in the lower half.
 using CodedFace = std::uint64_t;
@@ -94,8 +85,8 @@ BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> 
   const PointArray& points = mesh.points();
   choose_scale(points);
   std::vector<Box> corners(points.size()), boxes(faces_.size());
-  in_halves(points.size(), [&](std::size_t i) { corners[i] = scaled(wide_box_of(points[i])); });
-  in_halves(faces_.size(), [&](std::size_t i) {
+  in_halves(points.size(), kWorthAThread, [&](std::size_t i) { corners[i] = scaled(wide_box_of(points[i])); });
+  in_halves(faces_.size(), kWorthAThread, [&](std::size_t i) {
     const TriangleMesh::Triangle triangle = mesh.triangle(FaceId(faces_[i]));
     boxes[i] = corners[triangle[0]];
     boxes[i].extend(corners[triangle[1]]);
@@ -211,7 +202,7 @@ void BoxHierarchy::push_cross_children(const BoxHierarchy& other, const FrameCha
 void BoxHierarchy::sort_faces(std::vector<Box>& boxes) {
   std::vector<std::uint64_t> codes(boxes.size());
   std::vector<CodedFace> coded(boxes.size());
-  in_halves(boxes.size(), [&](std::size_t i) {
+  in_halves(boxes.size(), kWorthAThread, [&](std::size_t i) {
     // Sums of two coordinates up to 2^20; 21 bits hold all but the very last value.
     const auto cell = [&box = boxes[i]](std::size_t axis) {
       return std::min(static_cast<std::uint64_t>(box.min[axis] + box.max[axis]), std::uint64_t{0x1FFFFF});
@@ -224,7 +215,7 @@ void BoxHierarchy::sort_faces(std::vector<Box>& boxes) {
   sort_ties(coded, codes);
   std::vector<std::uint32_t> sorted_faces(coded.size());
   face_boxes_.resize(coded.size());
-  in_halves(coded.size(), [&](std::size_t i) {
+  in_halves(coded.size(), kWorthAThread, [&](std::size_t i) {
     sorted_faces[i] = faces_[static_cast<std::uint32_t>(coded[i])];
     face_boxes_[i] = boxes[static_cast<std::uint32_t>(coded[i])];
   });
