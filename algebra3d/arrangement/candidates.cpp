@@ -24,7 +24,8 @@ void pair_two(const Operands& operands, std::uint32_t a, std::uint32_t b, BoxHie
 
 /// Few operands: the hierarchy of each against that of each other one.
 void pair_operands(const Operands& operands, const Monitor& monitor, std::size_t max_pairs, FacePairs& pairs) {
-  const bool is_large = operands.face_count() >= kWorthAThread;
+  constexpr std::size_t kFacesWorthAThread = 1500;
+  const bool is_large = operands.face_count() >= kFacesWorthAThread;
   FacePairs others;
   for (std::uint32_t a = 0; a < operands.count(); ++a)
     for (std::uint32_t b = a + 1; b < operands.count(); ++b) {

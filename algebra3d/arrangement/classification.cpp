@@ -64,8 +64,9 @@ class Classifier {
   void join_line(std::size_t first, std::size_t last);
   void join_clean_edges();
   void join_fronts_of_faces(const Piece& piece, std::uint32_t member);
-  std::vector<HalfPlane> half_planes(std::size_t first, std::size_t last, bool only_steps) const;
-  std::size_t count_operands(std::size_t first, std::size_t last) const;
+  /// Of the pieces along a line; in a room that the next call uses again.
+  std::span<HalfPlane> half_planes(std::size_t first, std::size_t last, bool only_steps);
+  std::size_t count_operands(std::size_t first, std::size_t last);
   /// Just in front of the cell of the seed's half-plane.
   Windings front_at(const Seed& seed);
   /// The same from what is above the middle of the line, for operands that are closed only together.
@@ -99,28 +100,32 @@ class Classifier {
   FacesAbove faces_above_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> clean_lines_;  // u, v of the pieces of clean edges, ascending
   std::vector<Seed> line_seeds_;                                      // candidates, at most one per line
+  std::vector<HalfPlane> half_planes_;                                // rooms that are used again and again
+  std::vector<std::uint32_t> operands_at_line_;
 };
 
-std::vector<HalfPlane> Classifier::half_planes(std::size_t first, std::size_t last, bool only_steps) const {
-  std::vector<HalfPlane> result;
+std::span<HalfPlane> Classifier::half_planes(std::size_t first, std::size_t last, bool only_steps) {
+  half_planes_.clear();
   for (auto p = static_cast<std::uint32_t>(first); p < last; ++p)
     for (std::uint32_t side = 0; side < 2; ++side) {
       if (pieces_.is_covered(2 * p + side) && (!only_steps || pieces_.pieces[p].steps[side] != Windings{}))
-        result.push_back({p, side});
+        half_planes_.push_back({p, side});
     }
-  return result;
+  return half_planes_;
 }
 
-std::size_t Classifier::count_operands(std::size_t first, std::size_t last) const {
-  std::vector<std::uint32_t> operands;
+std::size_t Classifier::count_operands(std::size_t first, std::size_t last) {
+  operands_at_line_.clear();
   for (std::size_t p = first; p < last; ++p)
-    for (const Cover& cover : pieces_.covers_of(pieces_.pieces[p])) operands.push_back(facets_[cover.facet].operand);
-  std::ranges::sort(operands);
-  return static_cast<std::size_t>(std::unique(operands.begin(), operands.end()) - operands.begin());
+    for (const Cover& cover : pieces_.covers_of(pieces_.pieces[p]))
+      operands_at_line_.push_back(facets_[cover.facet].operand);
+  std::ranges::sort(operands_at_line_);
+  return static_cast<std::size_t>(std::unique(operands_at_line_.begin(), operands_at_line_.end()) -
+                                  operands_at_line_.begin());
 }
 
 void Classifier::join_line(std::size_t first, std::size_t last) {
-  std::vector<HalfPlane> around = half_planes(first, last, true);
+  const std::span<HalfPlane> around = half_planes(first, last, true);
   if (around.empty()) return;
   sort_around_line(skeleton_, pieces_, around);
   for (std::size_t i = 0; i < around.size(); ++i) {
@@ -178,7 +183,7 @@ void Classifier::add_others(const PointRef& point, const std::vector<std::uint32
 
 Windings Classifier::front_at(const Seed& seed) {
   // From the room after the half-plane on, the first face of an operand that is met says on which side of it this is.
-  std::vector<HalfPlane> around = half_planes(seed.first, seed.last, false);
+  const std::span<HalfPlane> around = half_planes(seed.first, seed.last, false);
   const auto start = std::ranges::find_if(
       around, [&](const HalfPlane& h) { return h.piece == seed.half_plane.piece && h.side == seed.half_plane.side; });
   std::swap(around.front(), *start);
@@ -204,7 +209,7 @@ Windings Classifier::front_at(const Seed& seed) {
 }
 
 Windings Classifier::front_from_above(const Seed& seed) {
-  std::vector<HalfPlane> around = half_planes(seed.first, seed.last, true);
+  const std::span<HalfPlane> around = half_planes(seed.first, seed.last, true);
   sort_around_line(skeleton_, pieces_, around);
   const HalfPlane& below = before_room_above(skeleton_, pieces_, around);
   const Piece& piece = pieces_.pieces[below.piece];

@@ -57,12 +57,12 @@ class OutcomeBuilder {
     friend auto operator<=>(const Passage&, const Passage&) = default;
   };
 
-  /// Triangles that cover one region.
   struct Region {
     std::uint32_t plane;
     bool is_flipped, has_exact_corner;
-    std::size_t first, last;  ///< of region_triangles_
+    std::vector<TriangleMesh::Triangle> triangles;  ///< that cover it
   };
+  static constexpr std::size_t kRegionsWorthAThread = 64;
 
   std::vector<int> kept_patches() const;
   std::array<int, 2> kept_sides(std::uint32_t number) const;
@@ -76,6 +76,7 @@ class OutcomeBuilder {
   std::uint32_t beyond(const KeptEdge& edge) const;
   void straighten();
   void triangulate_regions();
+  Region region_of(std::span<const KeptEdge> boundary) const;
 
   const Skeleton& skeleton_;
   const Pieces& pieces_;
@@ -87,7 +88,6 @@ class OutcomeBuilder {
   /// Lines that edges of patches occupy, ascending.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> patch_lines_;
   std::vector<Region> regions_;
-  std::vector<TriangleMesh::Triangle> region_triangles_;
   OutcomeMesh mesh_;
 };
 
@@ -244,21 +244,30 @@ void OutcomeBuilder::straighten() {
 }
 
 void OutcomeBuilder::triangulate_regions() {
+  std::vector<std::size_t> starts;
+  for (std::size_t i = 0; i < edges_.size(); ++i)
+    if (i == 0 || edges_[i].region() != edges_[i - 1].region()) starts.push_back(i);
+  regions_.resize(starts.size());
+  in_halves(starts.size(), kRegionsWorthAThread, [&](std::size_t i) {
+    const std::size_t end = i + 1 == starts.size() ? edges_.size() : starts[i + 1];
+    regions_[i] = region_of(std::span(edges_).subspan(starts[i], end - starts[i]));
+  });
+}
+
+OutcomeBuilder::Region OutcomeBuilder::region_of(std::span<const KeptEdge> boundary) const {
   const VertexPool& vertices = skeleton_.vertices();
   std::vector<DirectedEdge> edges;
-  for (std::size_t begin = 0, end = 0; begin < edges_.size(); begin = end) {
-    edges.clear();
-    for (; end < edges_.size() && edges_[end].region() == edges_[begin].region(); ++end)
-      edges.emplace_back(edges_[end].from, edges_[end].to);
-    const std::size_t first = region_triangles_.size();
-    const Projection projection = skeleton_.facets().planes()[edges_[begin].plane].projection;
-    [[maybe_unused]] const bool is_region = triangulate(vertices, projection, edges, region_triangles_);
-    assert(is_region);
-    const bool has_exact_corner =
-        !std::ranges::all_of(edges, [&](const DirectedEdge& edge) { return vertices[edge.first].is_double(); });
-    regions_.push_back(
-        {edges_[begin].plane, edges_[begin].is_flipped, has_exact_corner, first, region_triangles_.size()});
-  }
+  edges.reserve(boundary.size());
+  for (const KeptEdge& edge : boundary) edges.emplace_back(edge.from, edge.to);
+  const auto& [plane, is_flipped] = boundary.front().region();
+  Region region{plane, is_flipped, false, {}};
+  region.triangles.reserve(edges.size());
+  [[maybe_unused]] const bool is_region =
+      triangulate(vertices, skeleton_.facets().planes()[plane].projection, edges, region.triangles);
+  assert(is_region);
+  region.has_exact_corner =
+      !std::ranges::all_of(edges, [&](const DirectedEdge& edge) { return vertices[edge.first].is_double(); });
+  return region;
 }
 
 TriangleMesh OutcomeBuilder::run() {
@@ -272,8 +281,7 @@ TriangleMesh OutcomeBuilder::run() {
   const auto take_faces = [&] { mesh_.take_faces(); };
   in_parallel(skeleton_.operands().face_count() >= kWorthAThread, find_regions, take_faces);
   for (const Region& region : regions_)
-    mesh_.add_region(std::span(region_triangles_).subspan(region.first, region.last - region.first), region.plane,
-                     region.is_flipped, region.has_exact_corner);
+    mesh_.add_region(region.triangles, region.plane, region.is_flipped, region.has_exact_corner);
   return mesh_.finish();
 }
 

@@ -11,7 +11,7 @@ namespace {
 using PairSpan = std::span<const std::pair<std::uint32_t, std::uint32_t>>;
 
 /// From so many pairs on, a second thread saves more than it costs.
-constexpr std::size_t kPairsWorthAThread = 2000;
+constexpr std::size_t kPairsWorthAThread = 500;
 
 bool has_exact_corner(const TriangleRef& corners) {
   return !std::ranges::all_of(corners, &PointRef::is_double);

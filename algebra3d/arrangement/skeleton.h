@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory_resource>
 #include <optional>
 #include <span>
 #include <unordered_map>
@@ -89,7 +90,7 @@ class Skeleton {
   /// Pairs (facet, vertex).
   const std::vector<std::pair<std::uint32_t, std::uint32_t>>& touches() const { return touches_; }
   /// The vertices that corners of operands became, by number of the operands' vertices.
-  const std::unordered_map<std::uint32_t, std::uint32_t>& corners() const { return corners_; }
+  const std::pmr::unordered_map<std::uint32_t, std::uint32_t>& corners() const { return corners_; }
   VertexPool& vertices() { return vertices_; }
 
  private:
@@ -109,10 +110,12 @@ class Skeleton {
   std::vector<Incidence> incidences_;
   std::vector<std::uint32_t> first_incidences_;  // of each segment that was first a common part; else kNone
   std::vector<std::pair<std::uint32_t, std::uint32_t>> cuts_, touches_, one_line_;
-  std::unordered_map<std::uint32_t, std::uint32_t> corners_;           // operand vertex -> vertex
-  std::unordered_map<std::uint32_t, std::uint32_t> edge_segments_;     // edge -> segment
-  std::unordered_map<std::uint64_t, std::uint32_t> segments_between_;  // lower end, higher end -> segment
-  std::unordered_map<std::uint64_t, Crossing> crossings_;              // edge, plane -> what is there
+  std::pmr::monotonic_buffer_resource memory_;  // of the maps, which only grow
+  using Numbers = std::pmr::unordered_map<std::uint32_t, std::uint32_t>;
+  Numbers corners_{&memory_};                                                         // operand vertex -> vertex
+  Numbers edge_segments_{&memory_};                                                   // edge -> segment
+  std::pmr::unordered_map<std::uint64_t, std::uint32_t> segments_between_{&memory_};  // lower, higher end -> segment
+  std::pmr::unordered_map<std::uint64_t, Crossing> crossings_{&memory_};              // edge, plane -> what is there
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> plane_crossings_;
 };
 

@@ -1,7 +1,10 @@
 #include "algebra3d/arrangement/triangulation.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <iterator>
+#include <memory_resource>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -22,7 +25,7 @@ struct SweepEdge {
 class Sweep {
  public:
   Sweep(const VertexPool& points, Projection projection, std::vector<TriangleMesh::Triangle>& triangles)
-      : points_(points), projection_(projection), triangles_(triangles), active_(Below{this}) {}
+      : points_(points), projection_(projection), triangles_(triangles), active_(Below{this}, &memory_) {}
 
   /// False, and some triangles, if the edges bound no region.
   bool run(std::span<const DirectedEdge> edges);
@@ -48,7 +51,7 @@ class Sweep {
     /// An edge that ends in the vertex is not below it.
     bool operator()(std::uint32_t edge, Vertex vertex) const { return sweep->is_below(edge, vertex); }
   };
-  using Active = std::set<std::uint32_t, Below>;
+  using Active = std::pmr::set<std::uint32_t, Below>;
 
   int turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     return orient2d(projection_, points_[a], points_[b], points_[c]);
@@ -74,9 +77,12 @@ class Sweep {
   const VertexPool& points_;
   Projection projection_;
   std::vector<TriangleMesh::Triangle>& triangles_;
-  std::vector<SweepEdge> edges_;
-  std::vector<Frontier> frontiers_;  // of each edge with the inside above it, while it is active
-  std::vector<Link> links_;
+  // Most regions have few edges: enough for these.
+  std::array<std::byte, 4096> room_;
+  std::pmr::monotonic_buffer_resource memory_{room_.data(), room_.size()};
+  std::pmr::vector<SweepEdge> edges_{&memory_};
+  std::pmr::vector<Frontier> frontiers_{&memory_};  // of each edge with the inside above it, while it is active
+  std::pmr::vector<Link> links_{&memory_};
   Active active_;  // from below to above
 };
 
@@ -204,7 +210,9 @@ bool Sweep::visit(std::uint32_t vertex, std::span<const std::uint32_t> starting)
 
 bool Sweep::run(std::span<const DirectedEdge> edges) {
   edges_.reserve(edges.size());
-  std::vector<std::uint32_t> vertices;
+  links_.reserve(2 * edges.size());
+  std::pmr::vector<std::uint32_t> vertices(&memory_);
+  vertices.reserve(2 * edges.size());
   for (const auto& [from, to] : edges) {
     const bool is_forward = is_earlier(from, to);
     edges_.push_back(is_forward ? SweepEdge{from, to, true} : SweepEdge{to, from, false});
@@ -216,7 +224,7 @@ bool Sweep::run(std::span<const DirectedEdge> edges) {
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   std::ranges::sort(vertices, [&](std::uint32_t a, std::uint32_t b) { return is_earlier(a, b); });
 
-  std::vector<std::uint32_t> order(edges_.size());
+  std::pmr::vector<std::uint32_t> order(edges_.size(), &memory_);
   for (std::uint32_t e = 0; e < order.size(); ++e) order[e] = e;
   std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
     if (edges_[a].earlier != edges_[b].earlier) return is_earlier(edges_[a].earlier, edges_[b].earlier);
@@ -231,14 +239,18 @@ bool Sweep::run(std::span<const DirectedEdge> edges) {
   return true;
 }
 
-/// Most regions are nothing else.
+/// The corners, the one with the lowest number first, if the edges are those of one triangle: most regions are.
 std::optional<TriangleMesh::Triangle> single_triangle(std::span<const DirectedEdge> edges) {
   if (edges.size() != 3) return std::nullopt;
-  const auto [first, second] = edges[0];
-  const DirectedEdge& next = edges[1].first == second ? edges[1] : edges[2];
-  const DirectedEdge& last = edges[1].first == second ? edges[2] : edges[1];
-  const bool is_cycle = next.first == second && last.first == next.second && last.second == first;
-  return is_cycle ? std::optional(TriangleMesh::Triangle{first, second, next.second}) : std::nullopt;
+  const DirectedEdge& first = *std::ranges::min_element(edges);
+  const auto after = [&](const DirectedEdge& edge) {
+    return std::ranges::find(edges, edge.second, &DirectedEdge::first);
+  };
+  const auto second = after(first);
+  if (second == edges.end()) return std::nullopt;
+  const auto third = after(*second);
+  if (third == edges.end() || third->second != first.first || third->first == first.first) return std::nullopt;
+  return TriangleMesh::Triangle{first.first, second->first, third->first};
 }
 
 }  // namespace
@@ -246,8 +258,9 @@ std::optional<TriangleMesh::Triangle> single_triangle(std::span<const DirectedEd
 bool triangulate(const VertexPool& points, Projection projection, std::span<const DirectedEdge> edges,
                  std::vector<TriangleMesh::Triangle>& triangles) {
   if (const auto triangle = single_triangle(edges)) {
+    const auto& [a, b, c] = *triangle;
     triangles.push_back(*triangle);
-    return true;
+    return orient2d(projection, points[a], points[b], points[c]) > 0;
   }
   return Sweep(points, projection, triangles).run(edges);
 }
