@@ -33,6 +33,15 @@ void minor(mpz_ptr result, mpz_srcptr a, mpz_srcptr b, mpz_srcptr c, mpz_srcptr 
   mpz_submul(result, b, c);
 }
 
+/// Powers of two are what numbers that come from doubles mostly have in common; after them the greatest common divisor
+/// of the first two is short.
+void divide_by_powers_of_two(HomogeneousPoint& numbers) {
+  mp_bitcnt_t zeros = mpz_scan1(numbers.x, 0);
+  for (std::size_t i = 1; i < 4; ++i) zeros = std::min(zeros, mpz_scan1(numbers[i], 0));
+  if (zeros == 0) return;
+  for (std::size_t i = 0; i < 4; ++i) mpz_tdiv_q_2exp(numbers[i], numbers[i], zeros);
+}
+
 }  // namespace
 
 void join(HomogeneousPoint& result, const HomogeneousView& p, const HomogeneousView& q, const HomogeneousView& r) {
@@ -47,6 +56,29 @@ void join(HomogeneousPoint& result, const HomogeneousView& p, const HomogeneousV
     mpz_submul(determinant, p[c[1]], minors[c[0]][c[2]]);
     mpz_addmul(determinant, p[c[2]], minors[c[0]][c[1]]);
     if (left_out % 2 == 1) mpz_neg(determinant, determinant);
+  }
+}
+
+void join(HomogeneousPoint& result, const Vec3& p, const Vec3& q, const Vec3& r) {
+  BitRange bits;
+  for (const Vec3& point : {p, q, r})
+    for (std::size_t axis = 0; axis < 3; ++axis) bits.extend(point[axis]);
+  const int exponent = std::min(bits.exponent(), 0);
+  // With coordinates over one denominator, differences of points are differences of numerators.
+  thread_local std::array<BigInteger, 3> origin, u, v;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    set_integer(origin[axis], p[axis], exponent);
+    set_integer(u[axis], q[axis], exponent);
+    set_integer(v[axis], r[axis], exponent);
+    mpz_sub(u[axis], u[axis], origin[axis]);
+    mpz_sub(v[axis], v[axis], origin[axis]);
+  }
+  mpz_set_ui(result.w, 0);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t j = (axis + 1) % 3, k = (axis + 2) % 3;
+    minor(result[axis], u[j], u[k], v[j], v[k]);
+    mpz_submul(result.w, result[axis], origin[axis]);
+    mpz_mul_2exp(result[axis], result[axis], static_cast<mp_bitcnt_t>(-exponent));
   }
 }
 
@@ -72,6 +104,7 @@ HomogeneousView::HomogeneousView(const PointRef& point, HomogeneousPoint& room) 
 }
 
 void divide_by_common_divisor(HomogeneousPoint& numbers) {
+  divide_by_powers_of_two(numbers);
   thread_local BigInteger divisor;
   const auto is_one = [](mpz_srcptr number) { return mpz_cmp_ui(number, 1) == 0; };
   mpz_gcd(divisor, numbers.x, numbers.y);

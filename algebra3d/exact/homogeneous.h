@@ -40,6 +40,8 @@ void dot(mpz_ptr result, const HomogeneousView& a, const HomogeneousView& b);
 /// The four numbers that are orthogonal to the three given rows: the plane (a, b, c, -d) through three points, with
 /// the normal (q - p) x (r - p), or, since both are linear, the point that three planes have in common, up to its sign.
 void join(HomogeneousPoint& result, const HomogeneousView& p, const HomogeneousView& q, const HomogeneousView& r);
+/// The same for points of doubles, which takes half the products.
+void join(HomogeneousPoint& result, const Vec3& p, const Vec3& q, const Vec3& r);
 
 /// Compares a / b with c / d, where b and d are positive.
 std::strong_ordering compare_quotients(mpz_srcptr a, mpz_srcptr b, mpz_srcptr c, mpz_srcptr d);

@@ -48,7 +48,11 @@ void IntegerPlane::Form::finish() {
 IntegerPlane IntegerPlane::through(const TriangleRef& triangle) {
   thread_local std::array<HomogeneousPoint, 3> rooms;
   const auto form = std::make_shared<Form>();
-  detail::join(form->numbers, {triangle[0], rooms[0]}, {triangle[1], rooms[1]}, {triangle[2], rooms[2]});
+  const auto& [a, b, c] = triangle;
+  if (a.is_double() && b.is_double() && c.is_double())
+    detail::join(form->numbers, a.approx, b.approx, c.approx);
+  else
+    detail::join(form->numbers, {a, rooms[0]}, {b, rooms[1]}, {c, rooms[2]});
   form->finish();
   return IntegerPlane(form);
 }
