@@ -35,6 +35,7 @@ int EdgeSides::side(const NumberedEdge& edge, const NumberedEdge& other) {
     std::swap(numbers[0], numbers[2]);
     std::swap(numbers[1], numbers[3]);
   }
+  if (known_.empty()) known_.resize(kPlaces);
   Known& known = known_[hash_of(numbers) % kPlaces];
   if (known.numbers != numbers) known = {numbers, sign * orient3d(edge.a, edge.b, other.a, other.b)};
   return sign * known.side;

@@ -19,8 +19,6 @@ struct NumberedEdge {
 /// nearly touch this is most of the work.
 class EdgeSides {
  public:
-  EdgeSides() : known_(kPlaces) {}
-
   /// Exact. Of two edges, the one with the smaller numbers need not come first.
   int side(const NumberedEdge& edge, const NumberedEdge& other);
 
@@ -31,7 +29,7 @@ class EdgeSides {
     int side = 0;
   };
 
-  std::vector<Known> known_;  // each at the place that its numbers give, or forgotten
+  std::vector<Known> known_;  // each at the place that its numbers give, or forgotten; empty before the first
 };
 
 }  // namespace algebra3d::arrangement
