@@ -40,6 +40,7 @@ bool AsciiCursor::is_at_near_end(const Keyword& keyword, std::size_t left) const
 }
 
 NumberKind AsciiCursor::take_number(double& value) {
+  if (take_plain_number(value)) return NumberKind::finite;
   const char* first = position_;
   if (end_ - first > 1 && *first == '+' && first[1] != '-') ++first;
   const auto [behind, error] = fast_float::from_chars(first, end_, value);

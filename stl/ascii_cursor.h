@@ -5,6 +5,8 @@
 #include <cstring>
 #include <string_view>
 
+#include "algebra3d/base/vec3.h"
+#include "stl/plain_number.h"
 #include "stl/text.h"
 
 namespace stl {
@@ -74,6 +76,8 @@ class AsciiCursor {
     return position_ == end_ || is_line_break(*position_) || *position_ == '#';
   }
 
+  [[nodiscard]] bool is_at_line_break() const { return position_ != end_ && is_line_break(*position_); }
+
   /// True if the word here is `keyword`.
   [[nodiscard]] bool is_at(const Keyword& keyword) const {
     const auto left = static_cast<std::size_t>(end_ - position_);
@@ -96,6 +100,44 @@ class AsciiCursor {
   /// are passed.
   /// Exactness: the double nearest to the digits. Source: [lemire2021].
   NumberKind take_number(double& value);
+
+  /// Goes behind the number here if it is one that `pass_plain_number` passes, as nearly all are; else stays. Faster
+  /// than `take_number` where cursors are no members: then places stay in registers.
+  bool take_plain_number(double& value) {
+    if (end_ - position_ < kPlainNumberRoom) [[unlikely]]
+      return false;
+    const char* const behind = pass_plain_number(position_, value);
+    if (behind != nullptr) [[likely]]
+      position_ = behind;
+    return behind != nullptr;
+  }
+  /// Three of them, after white space in the line before each.
+  bool take_plain_numbers(algebra3d::Vec3& values) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      skip_blanks_in_line();
+      if (!take_plain_number(values[axis])) [[unlikely]]
+        return false;
+    }
+    return true;
+  }
+  /// Goes behind the digits here if there are 1 to 7 of them; else stays.
+  bool take_few_digits(std::uint32_t& value) {
+    if (end_ - position_ < kPlainNumberRoom) [[unlikely]]
+      return false;
+    const EightDigits digits(position_);
+    const unsigned count = digits.count();
+    if (count - 1 >= 7) [[unlikely]]
+      return false;
+    value = static_cast<std::uint32_t>(digits.front(count));
+    position_ += count;
+    return true;
+  }
+  /// Goes behind `text` if it stands here.
+  bool take_text(std::string_view text) {
+    if (rest().size() < text.size() || std::memcmp(position_, text.data(), text.size()) != 0) return false;
+    position_ += text.size();
+    return true;
+  }
 
   /// Goes behind the decimal digits here, at least one, whatever follows them; greater numbers give kGreatestInteger.
   bool take_digits(std::uint64_t& value) {

@@ -68,14 +68,13 @@ Result<MeshFormat> detect_mesh_format(std::string_view bytes, std::string_view f
   if (const auto format = format_of_content(bytes)) return *format;
   if (const auto format = format_of_name(file_name)) return *format;
   if (const auto format = detect_format(bytes, file_name); format && *format == Format::binary) return MeshFormat::stl;
-  return Error{ErrorCode::file_format,
-               "detect_mesh_format: {}: neither content nor name is that of a mesh file; expected STL, OBJ or OFF",
+  return Error{ErrorCode::file_format, "{}: neither content nor name is that of a mesh file; expected STL, OBJ or OFF",
                file_name};
 }
 
 Result<MeshFormat> detect_mesh_format_of_file(const std::filesystem::path& path) {
   auto file = MappedFile::open(path);
-  if (!file) return Error{file.error().code, "detect_mesh_format: {}", file.error().message};
+  if (!file) return std::move(file).error();
   return detect_mesh_format(file->bytes(), path.string());
 }
 

@@ -42,8 +42,7 @@ class ObjReader {
         line_ends_(end_) {}
 
   Result<ReadMesh> read() {
-    if (is_padding(bytes_))
-      return Error{ErrorCode::file_format, "read_obj: {}: empty file; expected an OBJ file", file_name_};
+    if (is_padding(bytes_)) return Error{ErrorCode::file_format, "{}: empty file; expected an OBJ file", file_name_};
     if (bytes_.starts_with("\xef\xbb\xbf")) cursor_.move_to(bytes_.data() + 3);
     if (!read_statements()) return *std::move(error_);
     if (read_.soup.points.size() > kMostInSoup) return too_many("vertices");
@@ -61,7 +60,7 @@ class ObjReader {
       if (cursor_.is_at_end()) return knows_some_statement();
       if (!read_statement()) return false;
       if (statement % kStatementsPerPoll == 0 && cancel_ != nullptr && cancel_->load(std::memory_order_relaxed))
-        return fail(interrupted("read_obj", file_name_));
+        return fail(interrupted(file_name_));
     }
   }
 
@@ -96,7 +95,22 @@ class ObjReader {
   }
 
   // Behind `v`.
-  bool read_vertex() {
+  bool read_vertex() { return take_plain_vertex() || read_any_vertex(); }
+
+  // A vertex of three plain numbers and nothing else, as nearly all are; else nothing is taken. The cursor is no
+  // member, so that the place stays in a register.
+  bool take_plain_vertex() {
+    Vec3 point;
+    AsciiCursor cursor = cursor_;
+    if (!cursor.take_plain_numbers(point)) return false;
+    cursor.skip_blanks_in_line();
+    if (!cursor.is_at_line_break()) return false;
+    cursor_ = cursor;
+    add_point(point);
+    return true;
+  }
+
+  bool read_any_vertex() {
     Vec3 point;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       skip_in_line();
@@ -107,10 +121,14 @@ class ObjReader {
     }
     skip_in_line();
     if (!cursor_.is_at_line_end() && !read_weight_or_colour()) return false;
+    add_point(point);
+    return true;
+  }
+
+  void add_point(const Vec3& point) {
     read_.soup.points.push_back(point);
     if (read_.soup.points.size() == kElementsForEstimate)
       reserve_points(read_.soup, estimated_count(bytes_.data(), kElementsForEstimate));
-    return true;
   }
 
   bool read_weight_or_colour() {
@@ -135,12 +153,51 @@ class ObjReader {
     const std::size_t first_corner = corners.size();
     if (face_count_ == 0) first_face_ = cursor_.position();
     ++face_count_;
+    if (take_plain_corners()) [[likely]]
+      return end_face(first_corner);
     for (;;) {
       skip_in_line();
       if (cursor_.is_at_line_end()) break;
       if (!read_corner(corners.size() - first_corner)) [[unlikely]]
         return false;
     }
+    return end_face(first_corner);
+  }
+
+  // The corners of a triangle or quadrilateral, if they are plain: indices from 1 to 9999999, perhaps with attributes,
+  // and nothing else in the line; else nothing is taken. The cursor is no member, so that the place stays in a
+  // register.
+  bool take_plain_corners() {
+    std::array<std::uint32_t, 4> indices{};
+    std::size_t count = 0;
+    AsciiCursor cursor = cursor_;
+    for (cursor.skip_blanks_in_line(); !cursor.is_at_line_break(); cursor.skip_blanks_in_line()) {
+      if (count == indices.size() || !cursor.take_few_digits(indices[count]) || !pass_plain_attributes(cursor))
+        return false;
+      if (indices[count] - 1 >= point_limit_) return false;
+      ++count;
+    }
+    if (count < 3) return false;
+    cursor_ = cursor;
+    for (std::size_t i = 0; i < count; ++i) {
+      greatest_index_ = std::max<std::uint64_t>(greatest_index_, indices[i]);
+      read_.soup.corners.push_back(indices[i] - 1);
+    }
+    return true;
+  }
+
+  // False before anything but an index, `/`, white space or a line break; then the cursor is of no use.
+  static bool pass_plain_attributes(AsciiCursor& cursor) {
+    std::uint32_t ignored = 0;
+    for (int slash = 0; slash < 2 && *cursor.position() == '/'; ++slash) {
+      cursor.move_to(cursor.position() + 1);
+      cursor.take_few_digits(ignored);
+    }
+    return is_blank(*cursor.position());
+  }
+
+  bool end_face(std::size_t first_corner) {
+    auto& corners = read_.soup.corners;
     if (corners.size() - first_corner < 3) [[unlikely]] {
       corners.resize(first_corner);
       ++short_face_count_;
@@ -324,11 +381,11 @@ class ObjReader {
   }
   bool fail_at_cursor(std::string_view what) {
     const std::size_t offset = offset_of_cursor();
-    return fail({ErrorCode::file_format, "read_obj: {} byte {}, line {}: {}", file_name_, offset,
-                 line_number(bytes_, offset), what});
+    return fail(
+        {ErrorCode::file_format, "{}: byte {}, line {}: {}", file_name_, offset, line_number(bytes_, offset), what});
   }
   [[nodiscard]] Error too_many(std::string_view what) const {
-    return {ErrorCode::limit_exceeded, "read_obj: {}: more than {} {}", file_name_, kMostInSoup, what};
+    return {ErrorCode::limit_exceeded, "{}: more than {} {}", file_name_, kMostInSoup, what};
   }
   bool fail(Error error) {
     error_ = std::move(error);
@@ -367,7 +424,7 @@ Result<ReadMesh> read_obj(std::string_view bytes, std::string_view file_name, co
 
 Result<ReadMesh> read_obj_file(const std::filesystem::path& path, const std::atomic<bool>* cancel) {
   auto file = MappedFile::open(path);
-  if (!file) return Error{file.error().code, "read_obj: {}", file.error().message};
+  if (!file) return std::move(file).error();
   return read_obj(file->bytes(), path.string(), cancel);
 }
 

@@ -46,10 +46,8 @@ Status write_obj(const std::filesystem::path& path, const PolygonSoup& soup, std
 }  // namespace
 
 Status write_obj_file(const std::filesystem::path& path, const PolygonSoup& soup, std::string_view name) {
-  RETURN_IF_ERROR(check_soup("write_obj", soup, CoordinateRange::doubles));
-  const auto status = write_obj(path, soup, name);
-  if (!status) return Error{status.error().code, "write_obj: {}", status.error().message};
-  return {};
+  RETURN_IF_ERROR(check_soup(path, soup, CoordinateRange::doubles));
+  return write_obj(path, soup, name);
 }
 
 }  // namespace stl

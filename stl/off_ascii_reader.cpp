@@ -1,6 +1,7 @@
 #include "stl/off_ascii_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <optional>
 #include <string>
@@ -28,6 +29,8 @@ constexpr std::size_t kMostSurplusOfFace = 4;
 constexpr std::size_t kLeastVertexBytes = 6;
 constexpr std::size_t kLeastFaceBytes = 8;
 constexpr std::size_t kLeastCornerBytes = 2;
+
+constexpr std::size_t kMostCornersBeforePlainFace = std::numeric_limits<std::uint32_t>::max() - 4;
 
 // The reading functions return false after having set the error: a Result per token would cost more than the token.
 class OffAsciiReader {
@@ -97,7 +100,24 @@ class OffAsciiReader {
     return true;
   }
 
-  bool read_vertex() {
+  bool read_vertex() { return take_plain_vertex() || read_any_vertex(); }
+
+  // A vertex of three plain numbers that fill their line, as nearly all are; else nothing is taken. The cursor is no
+  // member, so that the place stays in a register.
+  bool take_plain_vertex() {
+    if (header_.has_weights || header_.has_normals || header_.has_texture_coordinates) return false;
+    Vec3 point;
+    AsciiCursor cursor = cursor_;
+    cursor.skip_blanks();
+    if (!cursor.take_plain_numbers(point)) return false;
+    cursor.skip_blanks_in_line();
+    if (!cursor.is_at_line_break()) return false;
+    cursor_ = cursor;
+    read_.soup.points.push_back(point);
+    return true;
+  }
+
+  bool read_any_vertex() {
     Vec3 point;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       cursor_.skip_space();
@@ -157,7 +177,28 @@ class OffAsciiReader {
     return true;
   }
 
-  bool read_face() {
+  bool read_face() { return take_plain_face() || read_any_face(); }
+
+  // A triangle or quadrilateral that fills its line, with indices below 10000000; else nothing is taken.
+  bool take_plain_face() {
+    std::uint32_t degree = 0;
+    std::array<std::uint32_t, 4> indices{};
+    AsciiCursor cursor = cursor_;
+    cursor.skip_blanks();
+    if (!cursor.take_few_digits(degree) || degree < 3 || degree > indices.size()) return false;
+    for (std::uint32_t i = 0; i < degree; ++i) {
+      cursor.skip_blanks_in_line();
+      if (!cursor.take_few_digits(indices[i]) || indices[i] >= vertex_count_) return false;
+    }
+    cursor.skip_blanks_in_line();
+    if (!cursor.is_at_line_break() || read_.soup.corners.size() > kMostCornersBeforePlainFace) return false;
+    cursor_ = cursor;
+    for (std::uint32_t i = 0; i < degree; ++i) read_.soup.corners.push_back(indices[i]);
+    read_.soup.face_starts.push_back(static_cast<std::uint32_t>(read_.soup.corners.size()));
+    return true;
+  }
+
+  bool read_any_face() {
     std::uint64_t degree = 0;
     if (!take_integer(degree)) [[unlikely]]
       return fail_in_face("expected the number of its corners");
@@ -239,11 +280,11 @@ class OffAsciiReader {
                      fmt::format("expected {}, found {}", expected, found_text(cursor_.rest())));
   }
   bool fail_here(ErrorCode code, std::string_view what) {
-    return fail({code, "read_off: {} byte {}, line {}: {}", file_name_, offset(), line_number(bytes_, offset()), what});
+    return fail({code, "{}: byte {}, line {}: {}", file_name_, offset(), line_number(bytes_, offset()), what});
   }
   bool is_cancelled() {
     if (cancel_ == nullptr || !cancel_->load(std::memory_order_relaxed)) return false;
-    error_ = interrupted("read_off", file_name_);
+    error_ = interrupted(file_name_);
     return true;
   }
   bool fail(Error error) {

@@ -192,7 +192,7 @@ class OffBinaryReader {
       if (degree >= 3) corners.push_back(index);
     }
     if (corners.size() > std::numeric_limits<std::uint32_t>::max())
-      return fail({ErrorCode::limit_exceeded, "read_off: {}: more than 4294967295 corners of faces", file_name_});
+      return fail({ErrorCode::limit_exceeded, "{}: more than 4294967295 corners of faces", file_name_});
     if (degree < 3)
       ++ignored_.short_faces;
     else
@@ -220,11 +220,11 @@ class OffBinaryReader {
     return fail_at(next_, fmt::format("face {} of {}: {}", face_index_ + 1, face_count_, what));
   }
   bool fail_at(std::size_t word, std::string_view what) {
-    return fail({ErrorCode::file_format, "read_off: {} byte {}: {}", file_name_, offset_of(word), what});
+    return fail({ErrorCode::file_format, "{}: byte {}: {}", file_name_, offset_of(word), what});
   }
   bool is_cancelled() {
     if (cancel_ == nullptr || !cancel_->load(std::memory_order_relaxed)) return false;
-    error_ = interrupted("read_off", file_name_);
+    error_ = interrupted(file_name_);
     return true;
   }
   bool fail(Error error) {

@@ -16,8 +16,7 @@ using algebra3d::ErrorCode;
 using algebra3d::Result;
 
 Result<ReadMesh> read_off(std::string_view bytes, std::string_view file_name, const std::atomic<bool>* cancel) {
-  if (is_padding(bytes))
-    return Error{ErrorCode::file_format, "read_off: {}: empty file; expected an OFF file", file_name};
+  if (is_padding(bytes)) return Error{ErrorCode::file_format, "{}: empty file; expected an OFF file", file_name};
   const std::optional<OffHeader> header = off_header(bytes);
   if (header && header->is_binary) return read_binary_off(bytes, *header, file_name, cancel);
   return read_ascii_off(bytes, header.value_or(OffHeader{}), file_name, cancel);
@@ -25,7 +24,7 @@ Result<ReadMesh> read_off(std::string_view bytes, std::string_view file_name, co
 
 Result<ReadMesh> read_off_file(const std::filesystem::path& path, const std::atomic<bool>* cancel) {
   auto file = MappedFile::open(path);
-  if (!file) return Error{file.error().code, "read_off: {}", file.error().message};
+  if (!file) return std::move(file).error();
   return read_off(file->bytes(), path.string(), cancel);
 }
 

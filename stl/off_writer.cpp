@@ -79,12 +79,10 @@ Status write_off_file(const std::filesystem::path& path, const PolygonSoup& soup
   const bool is_binary = format == Format::binary;
   if (is_binary && std::max(soup.points.size(), soup.face_count()) > kMostInBinaryOff)
     return Error{ErrorCode::limit_exceeded,
-                 "write_off: {}: {} points and {} faces, but a binary file holds at most 2147483647; ASCII holds more",
+                 "{}: {} points and {} faces, but a binary file holds at most 2147483647; ASCII holds more",
                  path.string(), soup.points.size(), soup.face_count()};
-  RETURN_IF_ERROR(check_soup("write_off", soup, is_binary ? CoordinateRange::floats : CoordinateRange::doubles));
-  const auto status = write_off(path, soup, format);
-  if (!status) return Error{status.error().code, "write_off: {}", status.error().message};
-  return {};
+  RETURN_IF_ERROR(check_soup(path, soup, is_binary ? CoordinateRange::floats : CoordinateRange::doubles));
+  return write_off(path, soup, format);
 }
 
 }  // namespace stl

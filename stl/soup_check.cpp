@@ -14,7 +14,7 @@ using algebra3d::Status;
 
 namespace {
 
-Status check_points(std::string_view operation, const PolygonSoup& soup, CoordinateRange range) {
+Status check_points(const std::filesystem::path& path, const PolygonSoup& soup, CoordinateRange range) {
   const bool is_float = range == CoordinateRange::floats;
   const double beyond = is_float ? kBeyondFloat : std::numeric_limits<double>::infinity();
   for (std::size_t point = 0; point < soup.points.size(); ++point)
@@ -22,7 +22,7 @@ Status check_points(std::string_view operation, const PolygonSoup& soup, Coordin
       if (const double value = soup.points[point][axis]; !(std::abs(value) < beyond))
         return Error{ErrorCode::invalid_value,
                      "{}: point {}: {} is {}; expected a finite number{}",
-                     operation,
+                     path.string(),
                      point + 1,
                      "xyz"[axis],
                      value,
@@ -30,17 +30,17 @@ Status check_points(std::string_view operation, const PolygonSoup& soup, Coordin
   return {};
 }
 
-Status check_faces(std::string_view operation, const PolygonSoup& soup) {
+Status check_faces(const std::filesystem::path& path, const PolygonSoup& soup) {
   for (std::size_t face = 0; face < soup.face_count(); ++face) {
     const auto corners = soup.face(face);
     if (corners.size() < 3)
-      return Error{ErrorCode::invalid_value, "{}: face {} has {} corners; expected at least 3", operation, face + 1,
+      return Error{ErrorCode::invalid_value, "{}: face {} has {} corners; expected at least 3", path.string(), face + 1,
                    corners.size()};
     for (std::size_t corner = 0; corner < corners.size(); ++corner)
       if (corners[corner] >= soup.points.size())
         return Error{ErrorCode::invalid_value,
                      "{}: face {}, corner {}: the index is {}; expected one of {} points",
-                     operation,
+                     path.string(),
                      face + 1,
                      corner + 1,
                      corners[corner],
@@ -51,9 +51,9 @@ Status check_faces(std::string_view operation, const PolygonSoup& soup) {
 
 }  // namespace
 
-Status check_soup(std::string_view operation, const PolygonSoup& soup, CoordinateRange range) {
-  RETURN_IF_ERROR(check_points(operation, soup, range));
-  return check_faces(operation, soup);
+Status check_soup(const std::filesystem::path& path, const PolygonSoup& soup, CoordinateRange range) {
+  RETURN_IF_ERROR(check_points(path, soup, range));
+  return check_faces(path, soup);
 }
 
 }  // namespace stl

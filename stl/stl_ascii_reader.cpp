@@ -1,5 +1,6 @@
 #include "stl/stl_ascii_reader.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -26,6 +27,14 @@ constexpr Keyword kEndfacet("endfacet");
 constexpr std::size_t kFacetsPerPoll = 65536;
 // After so many facets the length of one is known well enough to reserve room for the rest.
 constexpr std::size_t kFacetsForEstimate = 256;
+
+/// The text between the numbers of a facet, as an earlier one had it. Nearly all files have the same in every facet, so
+/// that one comparison takes the place of several words. Views of the file.
+struct FacetLayout {
+  std::string_view before_normal;                 // from behind `endfacet`, or where the facets of the solid begin
+  std::array<std::string_view, 3> before_corner;  // from behind the number before
+  std::string_view to_end;                        // behind `endfacet`
+};
 
 // The reading functions return false after having set the error: a Result per token would cost more than the token.
 class AsciiReader {
@@ -63,6 +72,9 @@ class AsciiReader {
       read_.soup.name = trimmed({name_begin, static_cast<std::size_t>(cursor_.position() - name_begin)});
     const std::size_t first_facet = read_.soup.triangles.size();
     for (;;) {
+      while (take_facet_as_before())
+        if (is_cancelled()) return fail(interrupted(file_name_));
+      begin_gap();
       cursor_.skip_space();
       if (cursor_.take(kFacet)) {
         if (!read_facet()) return false;
@@ -84,16 +96,45 @@ class AsciiReader {
     if (!(expect(kNormal) && read_normal(normal) && expect(kOuter) && expect(kLoop) && read_corner(corners, 0) &&
           read_corner(corners, 1) && read_corner(corners, 2) && expect_endloop() && expect_end(kEndfacet, kFacet)))
       return false;
-    read_.soup.triangles.push_back(corners);
-    read_.soup.normals.push_back(normal);
-    const std::size_t count = read_.soup.triangles.size();
-    if (count == kFacetsForEstimate) reserve_rest();
-    if (count % kFacetsPerPoll == 0 && cancel_ != nullptr && cancel_->load(std::memory_order_relaxed))
-      return fail(interrupted("read_stl", file_name_));
+    layout_.to_end = gap();
+    add_facet(corners, normal);
+    return !is_cancelled() || fail(interrupted(file_name_));
+  }
+
+  // The facet here, if the text between its numbers is that of an earlier one; else nothing is taken. All in one
+  // function and with a cursor that is no member, so that the place stays in a register.
+  bool take_facet_as_before() {
+    Vec3 normal;
+    TriangleSoup::Triangle corners;
+    AsciiCursor cursor = cursor_;
+    if (layout_.to_end.empty() || !cursor.take_text(layout_.before_normal) || !cursor.take_plain_numbers(normal))
+      return false;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (!cursor.take_text(layout_.before_corner[i]) || !cursor.take_plain_numbers(corners[i])) return false;
+    if (!cursor.take_text(layout_.to_end) || cursor.is_at_end() || !is_blank(*cursor.position())) return false;
+    cursor_ = cursor;
+    add_facet(corners, normal);
     return true;
   }
 
+  void add_facet(const TriangleSoup::Triangle& corners, const Vec3& normal) {
+    read_.soup.triangles.push_back(corners);
+    read_.soup.normals.push_back(normal);
+    if (read_.soup.triangles.size() == kFacetsForEstimate) reserve_rest();
+  }
+  [[nodiscard]] bool is_cancelled() const {
+    return read_.soup.triangles.size() % kFacetsPerPoll == 0 && cancel_ != nullptr &&
+           cancel_->load(std::memory_order_relaxed);
+  }
+
+  void begin_gap() { gap_begin_ = cursor_.position(); }
+  [[nodiscard]] std::string_view gap() const {
+    return {gap_begin_, static_cast<std::size_t>(cursor_.position() - gap_begin_)};
+  }
+
   bool read_normal(Vec3& normal) {
+    cursor_.skip_space();
+    layout_.before_normal = gap();
     bool finite = true;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       cursor_.skip_space();
@@ -101,6 +142,7 @@ class AsciiReader {
       if (kind == NumberKind::none) return fail_expected("a number");
       finite = finite && kind == NumberKind::finite;
     }
+    begin_gap();
     if (finite) [[likely]]
       return true;
     normal = Vec3{};
@@ -110,6 +152,8 @@ class AsciiReader {
 
   bool read_corner(TriangleSoup::Triangle& corners, std::size_t index) {
     if (!expect(kVertex)) return false;
+    cursor_.skip_space();
+    layout_.before_corner[index] = gap();
     for (std::size_t axis = 0; axis < 3; ++axis) {
       cursor_.skip_space();
       const char* number = cursor_.position();
@@ -117,6 +161,7 @@ class AsciiReader {
       if (kind != NumberKind::finite) [[unlikely]]
         return fail_coordinate(number, kind, index, axis);
     }
+    begin_gap();
     return true;
   }
 
@@ -176,12 +221,7 @@ class AsciiReader {
 
   [[nodiscard]] Error at_cursor(std::string_view what) const {
     const auto offset = static_cast<std::size_t>(cursor_.position() - bytes_.data());
-    return {ErrorCode::file_format,
-            "read_stl: {} byte {}, line {}: {}",
-            file_name_,
-            offset,
-            line_number(bytes_, offset),
-            what};
+    return {ErrorCode::file_format, "{}: byte {}, line {}: {}", file_name_, offset, line_number(bytes_, offset), what};
   }
   bool fail_expected(std::string_view expected) {
     return fail(at_cursor(fmt::format("expected {}, found {}", expected, found_text(cursor_.rest()))));
@@ -196,6 +236,8 @@ class AsciiReader {
   const std::atomic<bool>* cancel_;
   AsciiCursor cursor_;
   SolidNames names_;
+  FacetLayout layout_;
+  const char* gap_begin_ = nullptr;  // where the text after the last number, or after the last facet, begins
   ReadStl read_;
   std::size_t missing_end_count_ = 0;
   std::size_t bad_normal_count_ = 0;

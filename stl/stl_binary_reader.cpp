@@ -55,7 +55,7 @@ class BinaryReader {
     std::size_t block = 0;
     for (std::size_t first = 0; first < facet_count; first += kBlockFacets, ++block) {
       if (cancel != nullptr && block % kBlocksPerPoll == 0 && cancel->load(std::memory_order_relaxed))
-        return interrupted("read_stl", file_name_);
+        return interrupted(file_name_);
       RETURN_IF_ERROR(read_block(first, std::min(kBlockFacets, facet_count - first)));
     }
     read_.format = Format::binary;
@@ -78,18 +78,17 @@ class BinaryReader {
     }
     if (whole < announced)
       return Error{ErrorCode::file_format,
-                   "read_stl: {} byte {}: header announces {} ({} bytes), file has {} bytes",
+                   "{}: byte {}: header announces {} ({} bytes), file has {} bytes",
                    file_name_,
                    kBinaryPrefixBytes,
                    counted(announced, "triangle"),
                    kBinaryPrefixBytes + announced * kBinaryFacetBytes,
                    bytes_.size()};
     if (announced == 0 && whole > 0)
-      return Error{
-          ErrorCode::file_format,
-          "read_stl: {} byte 80: header announces 0 triangles, but {} bytes follow; expected none or a multiple "
-          "of {}",
-          file_name_, behind, kBinaryFacetBytes};
+      return Error{ErrorCode::file_format,
+                   "{}: byte 80: header announces 0 triangles, but {} bytes follow; expected none or a multiple "
+                   "of {}",
+                   file_name_, behind, kBinaryFacetBytes};
     const std::size_t trailing = behind - announced * kBinaryFacetBytes;
     remark(fmt::format("{} after the last facet ignored", counted(trailing, "trailing byte")));
     return announced;
@@ -145,7 +144,7 @@ class BinaryReader {
   [[nodiscard]] Error not_finite(std::size_t facet, std::size_t corner, std::size_t axis, double value) const {
     const std::size_t byte = kBinaryPrefixBytes + facet * kBinaryFacetBytes + 12 * (corner + 1) + 4 * axis;
     return {ErrorCode::file_format,
-            "read_stl: {} byte {}: facet {}, corner {}: {} is {}; expected a finite number",
+            "{}: byte {}: facet {}, corner {}: {} is {}; expected a finite number",
             file_name_,
             byte,
             facet + 1,

@@ -48,12 +48,12 @@ Result<Format> detect_format(std::string_view bytes, std::string_view file_name)
       bytes.size() == kBinaryPrefixBytes + announced_facet_count(bytes) * kBinaryFacetBytes)
     return Format::binary;
   if (std::all_of(bytes.begin(), bytes.end(), is_blank))
-    return Error{ErrorCode::file_format, "read_stl: {}: empty file; expected an STL file", file_name};
+    return Error{ErrorCode::file_format, "{}: empty file; expected an STL file", file_name};
   const std::string_view sample = bytes.substr(0, kSampleBytes);
   if (is_text(sample) || begins_like_ascii(sample)) return Format::ascii;
   if (bytes.size() >= kBinaryPrefixBytes) return Format::binary;
   return Error{ErrorCode::file_format,
-               "read_stl: {} byte {}: file ends; expected 'solid', or the 84 bytes before the facets of a binary file",
+               "{}: byte {}: file ends; expected 'solid', or the 84 bytes before the facets of a binary file",
                file_name, bytes.size()};
 }
 
@@ -65,7 +65,7 @@ Result<ReadStl> read_stl(std::string_view bytes, std::string_view file_name, con
 
 Result<ReadStl> read_stl_file(const std::filesystem::path& path, const std::atomic<bool>* cancel) {
   auto file = MappedFile::open(path);
-  if (!file) return Error{file.error().code, "read_stl: {}", file.error().message};
+  if (!file) return std::move(file).error();
   return read_stl(file->bytes(), path.string(), cancel);
 }
 

@@ -62,7 +62,7 @@ Result<Facet> make_facet(const TriangleSoup& soup, std::size_t index) {
       const double value = soup.triangles[index][corner][axis];
       if (!(std::abs(value) < kBeyondFloat))
         return Error{ErrorCode::invalid_value,
-                     "write_stl: triangle {}, corner {}: {} is {}; expected a finite number within the range of float",
+                     "triangle {}, corner {}: {} is {}; expected a finite number within the range of float",
                      index + 1,
                      corner + 1,
                      "xyz"[axis],
@@ -162,11 +162,11 @@ Status write_stl_file(const std::filesystem::path& path, const TriangleSoup& sou
                       Format format) {
   if (format == Format::binary && soup.triangles.size() > std::numeric_limits<std::uint32_t>::max())
     return Error{ErrorCode::limit_exceeded,
-                 "write_stl: {}: {} triangles, but a binary file holds at most 4294967295; ASCII holds more",
-                 path.string(), soup.triangles.size()};
+                 "{}: {} triangles, but a binary file holds at most 4294967295; ASCII holds more", path.string(),
+                 soup.triangles.size()};
   auto status = write(path, soup, name, format);
-  if (!status && !status.error().message.starts_with("write_stl"))
-    return Error{status.error().code, "write_stl: {}", status.error().message};
+  if (!status && status.error().code == ErrorCode::invalid_value)
+    return Error{ErrorCode::invalid_value, "{}: {}", path.string(), status.error().message};
   return status;
 }
 

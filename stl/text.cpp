@@ -73,8 +73,8 @@ std::string bad_normals_remark(std::size_t count) {
                      count == 1 ? "1 facet has" : fmt::format("{} facets have", count));
 }
 
-algebra3d::Error interrupted(std::string_view operation, std::string_view file_name) {
-  return {algebra3d::ErrorCode::interrupted, "{}: {}: interrupted", operation, file_name};
+algebra3d::Error interrupted(std::string_view file_name) {
+  return {algebra3d::ErrorCode::interrupted, "{}: interrupted", file_name};
 }
 
 }  // namespace stl

@@ -44,7 +44,7 @@ std::size_t line_number(std::string_view bytes, std::size_t offset);
 /// Remark of both readers on facets whose normal is NaN or infinite.
 std::string bad_normals_remark(std::size_t count);
 
-/// The error of every reader when the host asks to stop; `operation` is its name, say "read_stl".
-algebra3d::Error interrupted(std::string_view operation, std::string_view file_name);
+/// The error of every reader when the host asks to stop.
+algebra3d::Error interrupted(std::string_view file_name);
 
 }  // namespace stl

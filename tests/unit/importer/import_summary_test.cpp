@@ -21,8 +21,8 @@ TEST(ImportSummary, files_with_the_same_trouble_share_a_kind) {
       kinds_of("no valid solid: 1 boundary edge (facet 17, near (0 0.5 1)), at least 3 intersecting pairs (facets "
                "4 and 9, near (2 0 0)), 1 shell with a wrong winding number (facet 1, near (0 0 0))"),
       (std::vector<std::string>{"boundary edges", "intersecting pairs", "shells with a wrong winding number"}));
-  EXPECT_EQ(kinds_of("read_stl: part7.stl byte 84: header announces 12 triangles"),
-            std::vector<std::string>{"read_stl: FILE byte N: header announces N triangles"});
+  EXPECT_EQ(kinds_of("part7.stl: byte 84: header announces 12 triangles"),
+            std::vector<std::string>{"FILE: byte N: header announces N triangles"});
   EXPECT_EQ(kinds_of("/some/folder/part7.stl: Permission denied"), std::vector<std::string>{"FILE: Permission denied"});
 }
 

@@ -26,7 +26,7 @@ class MappedFileTest : public ::testing::Test {
     EXPECT_EQ(file.error().code, code);
     const auto read = stl::read_stl_file(path);
     ASSERT_FALSE(read);
-    EXPECT_EQ(read.error().message, "read_stl: " + path.string() + ": " + reason);
+    EXPECT_EQ(read.error().message, path.string() + ": " + reason);
     EXPECT_EQ(read.error().code, code);
   }
 
@@ -52,8 +52,7 @@ TEST_F(MappedFileTest, an_empty_file_is_no_bytes_but_no_stl_file) {
   EXPECT_EQ(file->bytes(), "");
   const auto read = stl::read_stl_file(folder_.path("empty.stl"));
   ASSERT_FALSE(read);
-  EXPECT_EQ(read.error().message,
-            "read_stl: " + folder_.path("empty.stl").string() + ": empty file; expected an STL file");
+  EXPECT_EQ(read.error().message, folder_.path("empty.stl").string() + ": empty file; expected an STL file");
 }
 
 TEST_F(MappedFileTest, missing_files_and_folders_are_named) {

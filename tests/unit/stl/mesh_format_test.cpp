@@ -84,8 +84,7 @@ TEST(MeshFormatTest, anything_else_is_an_error) {
       ASSERT_FALSE(format);
       EXPECT_EQ(format.error().code, ErrorCode::file_format);
       EXPECT_EQ(format.error().message,
-                "detect_mesh_format: " + name +
-                    ": neither content nor name is that of a mesh file; expected STL, OBJ or OFF");
+                name + ": neither content nor name is that of a mesh file; expected STL, OBJ or OFF");
     }
   }
 }

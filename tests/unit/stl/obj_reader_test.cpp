@@ -162,7 +162,7 @@ TEST(ObjReader, numbers_are_the_nearest_doubles) {
 
 struct RefusedObj {
   std::string bytes;
-  std::string message;  // behind "read_obj: a.obj "
+  std::string message;  // behind "a.obj: "
 };
 
 std::vector<RefusedObj> refused_obj_corners() {
@@ -235,7 +235,7 @@ TEST(ObjReader, refuses_what_is_wrong_with_its_place) {
     for (const RefusedObj& file : table) {
       const auto read = read_obj(file.bytes, "a.obj");
       ASSERT_FALSE(read) << file.message;
-      EXPECT_EQ(read.error().message, "read_obj: a.obj " + file.message);
+      EXPECT_EQ(read.error().message, "a.obj: " + file.message);
       EXPECT_EQ(read.error().code, ErrorCode::file_format);
     }
   }
@@ -245,7 +245,7 @@ TEST(ObjReader, an_empty_file_is_an_error) {
   for (const std::string& bytes : {std::string(), std::string(" \r\n\t"), std::string(100, '\0')}) {
     const auto read = read_obj(bytes, "a.obj");
     ASSERT_FALSE(read);
-    EXPECT_EQ(read.error().message, "read_obj: a.obj: empty file; expected an OBJ file");
+    EXPECT_EQ(read.error().message, "a.obj: empty file; expected an OBJ file");
   }
 }
 
@@ -255,7 +255,7 @@ TEST(ObjReader, every_beginning_of_a_file_is_read_or_refused) {
     // On the heap, so that the sanitizer sees a byte read beyond the end.
     const std::vector<char> bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
     const auto read = read_obj({bytes.data(), bytes.size()}, "a.obj");
-    EXPECT_TRUE(read || read.error().message.starts_with("read_obj: a.obj byte ")) << size;
+    EXPECT_TRUE(read || read.error().message.starts_with("a.obj: byte ")) << size;
   }
 }
 
@@ -282,7 +282,7 @@ TEST(ObjReader, stops_when_asked) {
   const auto read = read_obj(text, "a.obj", &cancel);
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().code, ErrorCode::interrupted);
-  EXPECT_EQ(read.error().message, "read_obj: a.obj: interrupted");
+  EXPECT_EQ(read.error().message, "a.obj: interrupted");
 }
 
 TEST(ObjReader, files_are_read_by_their_path) {
@@ -294,7 +294,7 @@ TEST(ObjReader, files_are_read_by_their_path) {
   const auto missing = stl::read_obj_file(folder.path("b.obj"));
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().code, ErrorCode::file_missing);
-  EXPECT_EQ(missing.error().message, "read_obj: " + folder.path("b.obj").string() + ": No such file or directory");
+  EXPECT_EQ(missing.error().message, folder.path("b.obj").string() + ": No such file or directory");
 }
 
 }  // namespace

@@ -111,21 +111,20 @@ TEST_F(ObjWriter, what_cannot_be_written_is_named_and_the_old_file_stays) {
   const auto path = folder_.path("out.obj");
   const std::vector<Vec3> points = {Vec3{}, Vec3{1, 0, 0}, Vec3{0, 1, 0}};
   expect_error(path, polygon_soup({Vec3{}, Vec3{0, std::nan(""), 0}}, {}), ErrorCode::invalid_value,
-               "write_obj: point 2: y is nan; expected a finite number");
+               folder_.path("out.obj").string() + ": point 2: y is nan; expected a finite number");
   expect_error(path, polygon_soup({Vec3{0, 0, -infinity}}, {}), ErrorCode::invalid_value,
-               "write_obj: point 1: z is -inf; expected a finite number");
+               folder_.path("out.obj").string() + ": point 1: z is -inf; expected a finite number");
   expect_error(path, polygon_soup(points, {{0, 1, 2}, {0, 1}}), ErrorCode::invalid_value,
-               "write_obj: face 2 has 2 corners; expected at least 3");
+               folder_.path("out.obj").string() + ": face 2 has 2 corners; expected at least 3");
   expect_error(path, polygon_soup(points, {{0, 1, 3}}), ErrorCode::invalid_value,
-               "write_obj: face 1, corner 3: the index is 3; expected one of 3 points");
+               folder_.path("out.obj").string() + ": face 1, corner 3: the index is 3; expected one of 3 points");
   EXPECT_EQ(folder_.bytes("out.obj"), "old");
 }
 
 TEST_F(ObjWriter, places_that_cannot_be_written_are_named) {
   const auto missing = folder_.path("no such folder") / "out.obj";
-  expect_error(missing, {}, ErrorCode::file_missing, "write_obj: " + missing.string() + ": No such file or directory");
-  expect_error(folder_.path(""), {}, ErrorCode::io_error,
-               "write_obj: " + folder_.path("").string() + ": Is a directory");
+  expect_error(missing, {}, ErrorCode::file_missing, missing.string() + ": No such file or directory");
+  expect_error(folder_.path(""), {}, ErrorCode::io_error, folder_.path("").string() + ": Is a directory");
 }
 
 }  // namespace

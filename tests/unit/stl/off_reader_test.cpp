@@ -213,7 +213,7 @@ TEST(OffReader, byte_order_is_told_where_the_counts_allow_both) {
 
 struct RefusedOff {
   std::string bytes;
-  std::string message;  // behind "read_off: a.off "
+  std::string message;  // behind "a.off: "
 };
 
 std::vector<RefusedOff> refused_headers() {
@@ -303,7 +303,7 @@ TEST(OffReader, refuses_what_is_wrong_with_its_place) {
     for (const RefusedOff& file : table) {
       const auto read = read_off(file.bytes, "a.off");
       ASSERT_FALSE(read) << file.message;
-      EXPECT_EQ(read.error().message, "read_off: a.off " + file.message);
+      EXPECT_EQ(read.error().message, "a.off: " + file.message);
       EXPECT_EQ(read.error().code, ErrorCode::file_format);
     }
   }
@@ -313,7 +313,7 @@ TEST(OffReader, an_empty_file_is_an_error) {
   for (const std::string& bytes : {std::string(), std::string(" \r\n\t"), std::string(100, '\0')}) {
     const auto read = read_off(bytes, "a.off");
     ASSERT_FALSE(read);
-    EXPECT_EQ(read.error().message, "read_off: a.off: empty file; expected an OFF file");
+    EXPECT_EQ(read.error().message, "a.off: empty file; expected an OFF file");
   }
 }
 
@@ -321,8 +321,7 @@ TEST(OffReader, more_vertices_than_indices_can_name_are_refused) {
   const auto read = read_off("OFF\n4294967296 1 0\n", "a.off");
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().code, ErrorCode::limit_exceeded);
-  EXPECT_EQ(read.error().message,
-            "read_off: a.off byte 16, line 2: 4294967296 vertices announced; expected at most 4294967295");
+  EXPECT_EQ(read.error().message, "a.off: byte 16, line 2: 4294967296 vertices announced; expected at most 4294967295");
 }
 
 TEST(OffReader, every_truncation_is_an_error) {
@@ -339,7 +338,7 @@ TEST(OffReader, every_truncation_is_an_error) {
         EXPECT_GE(size + 6, whole.size());
         continue;
       }
-      EXPECT_TRUE(read.error().message.starts_with("read_off: a.off byte ")) << read.error().message;
+      EXPECT_TRUE(read.error().message.starts_with("a.off: byte ")) << read.error().message;
     }
   }
 }
@@ -353,7 +352,7 @@ TEST(OffReader, stops_when_asked) {
     const auto read = read_off(bytes, "a.off", &cancel);
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error().code, ErrorCode::interrupted);
-    EXPECT_EQ(read.error().message, "read_off: a.off: interrupted");
+    EXPECT_EQ(read.error().message, "a.off: interrupted");
   }
 }
 
@@ -366,7 +365,7 @@ TEST(OffReader, files_are_read_by_their_path) {
   const auto missing = stl::read_off_file(folder.path("b.off"));
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().code, ErrorCode::file_missing);
-  EXPECT_EQ(missing.error().message, "read_off: " + folder.path("b.off").string() + ": No such file or directory");
+  EXPECT_EQ(missing.error().message, folder.path("b.off").string() + ": No such file or directory");
 }
 
 }  // namespace

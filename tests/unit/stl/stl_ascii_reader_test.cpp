@@ -1,3 +1,4 @@
+#include <array>
 #include <atomic>
 #include <limits>
 #include <string>
@@ -179,7 +180,7 @@ TEST(StlAsciiReader, normals_that_are_not_finite_become_zero) {
 
 struct Refused {
   std::string bytes;
-  std::string message;  // without "read_stl: a.stl "
+  std::string message;  // without "a.stl: "
 };
 
 std::string with(std::string_view what, std::string_view by) {
@@ -224,7 +225,7 @@ TEST(StlAsciiReader, refuses_with_byte_line_found_and_expected) {
   for (const Refused& file : wrong_words()) {
     const auto read = read_stl(file.bytes, "a.stl");
     ASSERT_FALSE(read) << file.message;
-    EXPECT_EQ(read.error().message, "read_stl: a.stl " + file.message);
+    EXPECT_EQ(read.error().message, "a.stl: " + file.message);
     EXPECT_EQ(read.error().code, ErrorCode::file_format);
   }
 }
@@ -240,7 +241,7 @@ TEST(StlAsciiReader, refuses_coordinates_that_are_not_finite) {
   for (const Refused& number : files) {
     const auto read = read_stl(kAscii + with("vertex 1 0 0", "vertex 1 " + number.bytes + " 0"), "a.stl");
     ASSERT_FALSE(read);
-    EXPECT_EQ(read.error().message, "read_stl: a.stl byte 222, line 14: facet 2, corner 2: y is " + number.message);
+    EXPECT_EQ(read.error().message, "a.stl: byte 222, line 14: facet 2, corner 2: y is " + number.message);
   }
 }
 
@@ -258,6 +259,42 @@ TEST(StlAsciiReader, every_truncation_is_an_error_or_has_a_remark_until_endsolid
     if (read) {
       EXPECT_EQ(read->remarks, std::vector<std::string>{"missing endsolid"});
     }
+  }
+}
+
+// Facets whose layout is that of the one before are read by comparing it; those beside them must come out the same.
+TEST(StlAsciiReader, every_facet_may_have_a_layout_of_its_own) {
+  const std::string crlf = replaced(kAsciiFacet, "\n", "\r\n");
+  const std::string comment = replaced(kAsciiFacet, "outer loop", "# 1 2 3\n outer # x\n loop");
+  const std::string upper = replaced(replaced(kAsciiFacet, "vertex", "VERTEX"), "facet", "FACET");
+  const std::string two_blanks = replaced(replaced(kAsciiFacet, "vertex ", "vertex  "), " 1", "  1");
+  const std::string exponents = replaced(kAsciiFacet, " 1", " +1.0e0");
+  std::string bytes = "solid a\n";
+  std::size_t count = 0;
+  for (const std::string& facet :
+       {kAsciiFacet, crlf, comment, upper, two_blanks, exponents, kOneLineFacet + "\n", kAsciiFacet}) {
+    for (int i = 0; i < 3; ++i, ++count) bytes += facet;
+    bytes += "# between\n";
+  }
+  bytes += "endsolid a\n";
+  const auto read = read_stl(bytes, "a.stl");
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->soup.triangles, (std::vector<TriangleSoup::Triangle>(count, kTriangle)));
+  EXPECT_EQ(read->soup.normals, (std::vector<Vec3>(count, Vec3{0, 0, 1})));
+}
+
+TEST(StlAsciiReader, what_is_wrong_is_found_in_later_facets_too) {
+  const auto wrong = [](std::string_view what, std::string_view by) {
+    return "solid a\n" + kAsciiFacet + kAsciiFacet + replaced(kAsciiFacet, what, by) + kAsciiFacet + "endsolid a\n";
+  };
+  for (const auto& [what, by, message] : {std::array{"endfacet", "endfacets", "expected 'endfacet', found 'endfacets'"},
+                                          std::array{"vertex 1", "vertex1", "expected 'vertex', found 'vertex1'"},
+                                          std::array{"1 0 0", "1 0 0 0", "expected 'vertex', found '0'"},
+                                          std::array{"1 0 0", "1 0,5 0", "expected a number, found '0,5'"},
+                                          std::array{"1 0 0", "1 1e999 0", "y is '1e999'; expected a number within"}}) {
+    const auto read = read_stl(wrong(what, by), "a.stl");
+    ASSERT_FALSE(read) << message;
+    EXPECT_NE(read.error().message.find(message), std::string::npos) << read.error().message;
   }
 }
 

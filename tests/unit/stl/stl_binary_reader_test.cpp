@@ -129,22 +129,22 @@ std::string with_float(std::size_t index, float value) {
 TEST(StlBinaryReader, refuses_with_the_byte_and_the_expectation) {
   const std::vector<RefusedBytes> files = {
       {header("", 12) + std::string(516, '\0'),
-       "read_stl: a.stl byte 84: header announces 12 triangles (684 bytes), file has 600 bytes"},
+       "a.stl: byte 84: header announces 12 triangles (684 bytes), file has 600 bytes"},
       {header("solid cube", 12) + std::string(516, '\0'),
-       "read_stl: a.stl byte 84: header announces 12 triangles (684 bytes), file has 600 bytes"},
-      {header("", 1), "read_stl: a.stl byte 84: header announces 1 triangle (134 bytes), file has 84 bytes"},
+       "a.stl: byte 84: header announces 12 triangles (684 bytes), file has 600 bytes"},
+      {header("", 1), "a.stl: byte 84: header announces 1 triangle (134 bytes), file has 84 bytes"},
       {header("", 0xffffffffU) + "x",
-       "read_stl: a.stl byte 84: header announces 4294967295 triangles (214748364834 bytes), file has 85 bytes"},
+       "a.stl: byte 84: header announces 4294967295 triangles (214748364834 bytes), file has 85 bytes"},
       {header("", 0) + facets(2) + "x",
-       "read_stl: a.stl byte 80: header announces 0 triangles, but 101 bytes follow; expected none or a multiple of "
+       "a.stl: byte 80: header announces 0 triangles, but 101 bytes follow; expected none or a multiple of "
        "50"},
-      {with_float(3, kNan), "read_stl: a.stl byte 146: facet 2, corner 1: x is nan; expected a finite number"},
-      {with_float(7, kInfinity), "read_stl: a.stl byte 162: facet 2, corner 2: y is inf; expected a finite number"},
-      {with_float(11, -kInfinity), "read_stl: a.stl byte 178: facet 2, corner 3: z is -inf; expected a finite number"},
+      {with_float(3, kNan), "a.stl: byte 146: facet 2, corner 1: x is nan; expected a finite number"},
+      {with_float(7, kInfinity), "a.stl: byte 162: facet 2, corner 2: y is inf; expected a finite number"},
+      {with_float(11, -kInfinity), "a.stl: byte 178: facet 2, corner 3: z is -inf; expected a finite number"},
       {std::string(40, '\0'),
-       "read_stl: a.stl byte 40: file ends; expected 'solid', or the 84 bytes before the facets of a binary file"},
-      {"", "read_stl: a.stl: empty file; expected an STL file"},
-      {" \r\n\t ", "read_stl: a.stl: empty file; expected an STL file"},
+       "a.stl: byte 40: file ends; expected 'solid', or the 84 bytes before the facets of a binary file"},
+      {"", "a.stl: empty file; expected an STL file"},
+      {" \r\n\t ", "a.stl: empty file; expected an STL file"},
   };
   for (const RefusedBytes& file : files) {
     const auto read = read_stl(file.bytes, "a.stl");
@@ -193,8 +193,7 @@ TEST(StlBinaryReader, large_files_are_read_and_their_errors_located) {
   bytes.replace(84 + 50 * 9'000, 50, wrong);
   const auto refused = read_stl(bytes, "a.stl");
   ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().message,
-            "read_stl: a.stl byte 450100: facet 9001, corner 1: y is nan; expected a finite number");
+  EXPECT_EQ(refused.error().message, "a.stl: byte 450100: facet 9001, corner 1: y is nan; expected a finite number");
 }
 
 TEST(StlBinaryReader, every_truncation_is_an_error_or_has_a_remark) {
@@ -214,7 +213,7 @@ TEST(StlBinaryReader, stops_when_cancelled) {
   const auto read = read_stl(header("", 1) + facets(1), "a.stl", &cancel);
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().code, ErrorCode::interrupted);
-  EXPECT_EQ(read.error().message, "read_stl: a.stl: interrupted");
+  EXPECT_EQ(read.error().message, "a.stl: interrupted");
 }
 
 }  // namespace

@@ -241,13 +241,15 @@ TEST_F(StlWriter, coordinates_beyond_float_are_refused_and_the_old_file_stays) {
   const double infinity = std::numeric_limits<double>::infinity();
   const std::string expected = "; expected a finite number within the range of float";
   expect_error(folder_.path("out.stl"), soup_of({kOne.triangles[0], {Vec3{}, Vec3{0, 1e39, 0}, Vec3{}}}),
-               ErrorCode::invalid_value, "write_stl: triangle 2, corner 2: y is 1e+39" + expected);
+               ErrorCode::invalid_value,
+               folder_.path("out.stl").string() + ": triangle 2, corner 2: y is 1e+39" + expected);
   expect_error(folder_.path("out.stl"), soup_of({{Vec3{}, Vec3{}, Vec3{0, 0, -infinity}}}), ErrorCode::invalid_value,
-               "write_stl: triangle 1, corner 3: z is -inf" + expected);
+               folder_.path("out.stl").string() + ": triangle 1, corner 3: z is -inf" + expected);
   expect_error(folder_.path("out.stl"), soup_of({{Vec3{std::nan(""), 0, 0}, Vec3{}, Vec3{}}}), ErrorCode::invalid_value,
-               "write_stl: triangle 1, corner 1: x is nan" + expected);
+               folder_.path("out.stl").string() + ": triangle 1, corner 1: x is nan" + expected);
   expect_error(folder_.path("out.stl"), soup_of({{Vec3{0x1.ffffffp127, 0, 0}, Vec3{}, Vec3{}}}),
-               ErrorCode::invalid_value, "write_stl: triangle 1, corner 1: x is 3.4028235677973366e+38" + expected);
+               ErrorCode::invalid_value,
+               folder_.path("out.stl").string() + ": triangle 1, corner 1: x is 3.4028235677973366e+38" + expected);
   EXPECT_EQ(folder_.bytes("out.stl"), "old");
 }
 
@@ -255,13 +257,11 @@ TEST_F(StlWriter, places_that_cannot_be_written_are_named) {
   folder_.write("file", "x");
   const std::string folder = folder_.path("").string();
   expect_error(folder_.path("none/out.stl"), kOne, ErrorCode::file_missing,
-               "write_stl: " + folder + "none/out.stl: No such file or directory");
-  expect_error(folder_.path("file/out.stl"), kOne, ErrorCode::file_missing,
-               "write_stl: " + folder + "file/out.stl: Not a directory");
-  expect_error(folder_.path(""), kOne, ErrorCode::io_error, "write_stl: " + folder + ": Is a directory");
-  expect_error("/dev/full", kOne, ErrorCode::io_error,
-               "write_stl: /dev/full: Not a regular file (but a pipe or device)");
-  expect_error("", kOne, ErrorCode::io_error, "write_stl: the file name is empty");
+               folder + "none/out.stl: No such file or directory");
+  expect_error(folder_.path("file/out.stl"), kOne, ErrorCode::file_missing, folder + "file/out.stl: Not a directory");
+  expect_error(folder_.path(""), kOne, ErrorCode::io_error, folder + ": Is a directory");
+  expect_error("/dev/full", kOne, ErrorCode::io_error, "/dev/full: Not a regular file (but a pipe or device)");
+  expect_error("", kOne, ErrorCode::io_error, "the file name is empty");
 }
 
 TEST_F(StlWriter, protected_files_and_folders_are_left_alone) {
@@ -269,7 +269,7 @@ TEST_F(StlWriter, protected_files_and_folders_are_left_alone) {
   folder_.write("out.stl", "old");
   std::filesystem::permissions(folder_.path("out.stl"), std::filesystem::perms::owner_read);
   expect_error(folder_.path("out.stl"), kOne, ErrorCode::io_error,
-               "write_stl: " + folder_.path("out.stl").string() + ": Permission denied");
+               folder_.path("out.stl").string() + ": Permission denied");
   EXPECT_EQ(folder_.bytes("out.stl"), "old");
 }
 
@@ -284,7 +284,7 @@ TEST_F(StlWriter, a_write_that_fails_half_way_leaves_the_old_file_and_nothing_el
   small.rlim_cur = 1'500'000;
   ::setrlimit(RLIMIT_FSIZE, &small);
   expect_error(folder_.path("out.stl"), many, ErrorCode::io_error,
-               "write_stl: " + folder_.path("out.stl").string() + ": File too large");
+               folder_.path("out.stl").string() + ": File too large");
   ::setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, handler);
   EXPECT_EQ(folder_.bytes("out.stl"), "old");
