@@ -55,13 +55,73 @@ class ObjReader {
 
  private:
   bool read_statements() {
-    for (std::size_t statement = 1;; ++statement) {
+    for (std::size_t statement_count = 0;; ++statement_count) {
+      statement_count += take_plain_lines();
+      if (statement_count >= kStatementsPerPoll) {
+        statement_count = 0;
+        if (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) return fail(interrupted(file_name_));
+      }
       cursor_.skip_space();
       if (cursor_.is_at_end()) return knows_some_statement();
       if (!read_statement()) return false;
-      if (statement % kStatementsPerPoll == 0 && cancel_ != nullptr && cancel_->load(std::memory_order_relaxed))
-        return fail(interrupted(file_name_));
     }
+  }
+
+  // Goes over lines that are plain vertices and faces, as most are, up to one that is none; gives their number, at most
+  // kStatementsPerPoll. The cursor is no member, so that the place stays in a register.
+  std::size_t take_plain_lines() {
+    AsciiCursor cursor = cursor_;
+    for (std::size_t count = 0; count < kStatementsPerPoll; ++count) {
+      cursor.skip_blanks();
+      const bool is_taken =
+          cursor.take_text("v ") ? take_plain_vertex(cursor) : cursor.take_text("f ") && take_plain_face(cursor);
+      if (!is_taken) return count;
+      cursor_ = cursor;
+    }
+    return kStatementsPerPoll;
+  }
+
+  // Behind `v`: three plain numbers and nothing else in the line.
+  [[gnu::always_inline]] bool take_plain_vertex(AsciiCursor& cursor) {
+    Vec3 point;
+    if (!cursor.take_plain_numbers(point)) return false;
+    cursor.skip_blanks_in_line();
+    if (!cursor.is_at_line_break()) return false;
+    add_point(point, cursor);
+    return true;
+  }
+
+  // Behind `f`: a triangle or quadrilateral of indices from 1 to 9999999, perhaps with attributes, and nothing else.
+  [[gnu::always_inline]] bool take_plain_face(AsciiCursor& cursor) {
+    std::array<std::uint32_t, 4> indices{};
+    std::size_t count = 0;
+    const char* const behind_keyword = cursor.position();
+    for (cursor.skip_blanks_in_line(); !cursor.is_at_line_break(); cursor.skip_blanks_in_line()) {
+      if (count == indices.size() || !cursor.take_few_digits(indices[count]) || !pass_plain_attributes(cursor))
+        return false;
+      if (indices[count] == 0 || indices[count] > point_limit_) return false;
+      ++count;
+    }
+    auto& corners = read_.soup.corners;
+    if (count < 3 || corners.size() > kMostInSoup - count) return false;
+    if (face_count_++ == 0) first_face_ = behind_keyword;
+    for (std::size_t i = 0; i < count; ++i) {
+      greatest_index_ = std::max<std::uint64_t>(greatest_index_, indices[i]);
+      corners.push_back(indices[i] - 1);
+    }
+    read_.soup.face_starts.push_back(static_cast<std::uint32_t>(corners.size()));
+    if (face_count_ == kElementsForEstimate) reserve_remaining_faces(cursor);
+    return true;
+  }
+
+  // False before anything but an index, `/`, white space or a line break; then the cursor is of no use.
+  static bool pass_plain_attributes(AsciiCursor& cursor) {
+    std::uint32_t ignored = 0;
+    for (int slash = 0; slash < 2 && *cursor.position() == '/'; ++slash) {
+      cursor.move_to(cursor.position() + 1);
+      cursor.take_few_digits(ignored);
+    }
+    return is_blank(*cursor.position());
   }
 
   // The two statements that most of the file is made of are told by their first two bytes.
@@ -95,22 +155,7 @@ class ObjReader {
   }
 
   // Behind `v`.
-  bool read_vertex() { return take_plain_vertex() || read_any_vertex(); }
-
-  // A vertex of three plain numbers and nothing else, as nearly all are; else nothing is taken. The cursor is no
-  // member, so that the place stays in a register.
-  bool take_plain_vertex() {
-    Vec3 point;
-    AsciiCursor cursor = cursor_;
-    if (!cursor.take_plain_numbers(point)) return false;
-    cursor.skip_blanks_in_line();
-    if (!cursor.is_at_line_break()) return false;
-    cursor_ = cursor;
-    add_point(point);
-    return true;
-  }
-
-  bool read_any_vertex() {
+  bool read_vertex() {
     Vec3 point;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       skip_in_line();
@@ -121,14 +166,14 @@ class ObjReader {
     }
     skip_in_line();
     if (!cursor_.is_at_line_end() && !read_weight_or_colour()) return false;
-    add_point(point);
+    add_point(point, cursor_);
     return true;
   }
 
-  void add_point(const Vec3& point) {
+  void add_point(const Vec3& point, const AsciiCursor& cursor) {
     read_.soup.points.push_back(point);
     if (read_.soup.points.size() == kElementsForEstimate)
-      reserve_points(read_.soup, estimated_count(bytes_.data(), kElementsForEstimate));
+      reserve_points(read_.soup, estimated_count(bytes_.data(), kElementsForEstimate, cursor));
   }
 
   bool read_weight_or_colour() {
@@ -153,51 +198,12 @@ class ObjReader {
     const std::size_t first_corner = corners.size();
     if (face_count_ == 0) first_face_ = cursor_.position();
     ++face_count_;
-    if (take_plain_corners()) [[likely]]
-      return end_face(first_corner);
     for (;;) {
       skip_in_line();
       if (cursor_.is_at_line_end()) break;
       if (!read_corner(corners.size() - first_corner)) [[unlikely]]
         return false;
     }
-    return end_face(first_corner);
-  }
-
-  // The corners of a triangle or quadrilateral, if they are plain: indices from 1 to 9999999, perhaps with attributes,
-  // and nothing else in the line; else nothing is taken. The cursor is no member, so that the place stays in a
-  // register.
-  bool take_plain_corners() {
-    std::array<std::uint32_t, 4> indices{};
-    std::size_t count = 0;
-    AsciiCursor cursor = cursor_;
-    for (cursor.skip_blanks_in_line(); !cursor.is_at_line_break(); cursor.skip_blanks_in_line()) {
-      if (count == indices.size() || !cursor.take_few_digits(indices[count]) || !pass_plain_attributes(cursor))
-        return false;
-      if (indices[count] - 1 >= point_limit_) return false;
-      ++count;
-    }
-    if (count < 3) return false;
-    cursor_ = cursor;
-    for (std::size_t i = 0; i < count; ++i) {
-      greatest_index_ = std::max<std::uint64_t>(greatest_index_, indices[i]);
-      read_.soup.corners.push_back(indices[i] - 1);
-    }
-    return true;
-  }
-
-  // False before anything but an index, `/`, white space or a line break; then the cursor is of no use.
-  static bool pass_plain_attributes(AsciiCursor& cursor) {
-    std::uint32_t ignored = 0;
-    for (int slash = 0; slash < 2 && *cursor.position() == '/'; ++slash) {
-      cursor.move_to(cursor.position() + 1);
-      cursor.take_few_digits(ignored);
-    }
-    return is_blank(*cursor.position());
-  }
-
-  bool end_face(std::size_t first_corner) {
-    auto& corners = read_.soup.corners;
     if (corners.size() - first_corner < 3) [[unlikely]] {
       corners.resize(first_corner);
       ++short_face_count_;
@@ -206,7 +212,7 @@ class ObjReader {
     if (corners.size() > kMostInSoup) [[unlikely]]
       return fail(too_many("corners of faces"));
     read_.soup.face_starts.push_back(static_cast<std::uint32_t>(corners.size()));
-    if (face_count_ == kElementsForEstimate) reserve_remaining_faces();
+    if (face_count_ == kElementsForEstimate) reserve_remaining_faces(cursor_);
     return true;
   }
 
@@ -337,16 +343,16 @@ class ObjReader {
   }
 
   // Estimates that are too low cost a reallocation; room that is not used is only addresses.
-  [[nodiscard]] std::size_t estimated_count(const char* begin, std::size_t count) const {
-    const auto taken = static_cast<std::size_t>(cursor_.position() - begin);
-    const std::size_t rest = cursor_.rest().size() / (taken / count + 1);
+  [[nodiscard]] static std::size_t estimated_count(const char* begin, std::size_t count, const AsciiCursor& cursor) {
+    const auto taken = static_cast<std::size_t>(cursor.position() - begin);
+    const std::size_t rest = cursor.rest().size() / (taken / count + 1);
     return count + rest + rest / 16;
   }
-  void reserve_remaining_faces() {
+  void reserve_remaining_faces(const AsciiCursor& cursor) {
     const std::size_t corner_count = read_.soup.corners.size();
     if (corner_count == 0) return;
-    reserve_faces(read_.soup, estimated_count(first_face_, kElementsForEstimate),
-                  estimated_count(first_face_, corner_count));
+    reserve_faces(read_.soup, estimated_count(first_face_, kElementsForEstimate, cursor),
+                  estimated_count(first_face_, corner_count, cursor));
   }
 
   void add_remarks() {

@@ -95,29 +95,33 @@ class OffAsciiReader {
   bool read_vertices() {
     auto& points = read_.soup.points;
     reserve_points(read_.soup, std::min<std::size_t>(vertex_count_, cursor_.rest().size() / kLeastVertexBytes + 1));
-    while (points.size() < vertex_count_)
-      if (!read_vertex() || (points.size() % kOffElementsPerPoll == 0 && is_cancelled())) return false;
+    while (points.size() < vertex_count_) {
+      take_plain_vertices();
+      if (is_cancelled()) return false;
+      if (points.size() < vertex_count_ && !read_vertex()) return false;
+    }
     return true;
   }
 
-  bool read_vertex() { return take_plain_vertex() || read_any_vertex(); }
-
-  // A vertex of three plain numbers that fill their line, as nearly all are; else nothing is taken. The cursor is no
-  // member, so that the place stays in a register.
-  bool take_plain_vertex() {
-    if (header_.has_weights || header_.has_normals || header_.has_texture_coordinates) return false;
-    Vec3 point;
+  // Takes vertices of three plain numbers that fill their line, as most are, up to one that is none, and at most
+  // kOffElementsPerPoll. The cursor is no member, so that the place stays in a register.
+  void take_plain_vertices() {
+    if (header_.has_weights || header_.has_normals || header_.has_texture_coordinates) return;
+    auto& points = read_.soup.points;
+    const std::size_t most = std::min<std::size_t>(vertex_count_, points.size() + kOffElementsPerPoll);
     AsciiCursor cursor = cursor_;
-    cursor.skip_blanks();
-    if (!cursor.take_plain_numbers(point)) return false;
-    cursor.skip_blanks_in_line();
-    if (!cursor.is_at_line_break()) return false;
-    cursor_ = cursor;
-    read_.soup.points.push_back(point);
-    return true;
+    while (points.size() < most) {
+      Vec3 point;
+      cursor.skip_blanks();
+      if (!cursor.take_plain_numbers(point)) return;
+      cursor.skip_blanks_in_line();
+      if (!cursor.is_at_line_break()) return;
+      points.push_back(point);
+      cursor_ = cursor;
+    }
   }
 
-  bool read_any_vertex() {
+  bool read_vertex() {
     Vec3 point;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       cursor_.skip_space();
@@ -172,18 +176,29 @@ class OffAsciiReader {
     const auto faces = std::min<std::size_t>(face_count_, bytes / kLeastFaceBytes + 1);
     // Room for quadrilaterals, unless the text is too short for them. It is not touched before it is used.
     reserve_faces(read_.soup, faces, std::min(4 * faces, bytes / kLeastCornerBytes + 1));
-    for (; face_index_ < face_count_; ++face_index_)
-      if (!read_face() || ((face_index_ + 1) % kOffElementsPerPoll == 0 && is_cancelled())) return false;
+    while (face_index_ < face_count_) {
+      take_plain_faces();
+      if (is_cancelled()) return false;
+      if (face_index_ == face_count_) break;
+      if (!read_face()) return false;
+      ++face_index_;
+    }
     return true;
   }
 
-  bool read_face() { return take_plain_face() || read_any_face(); }
+  // The same for triangles and quadrilaterals that fill their line, with indices below 10000000.
+  void take_plain_faces() {
+    const std::uint64_t most = std::min(face_count_, face_index_ + kOffElementsPerPoll);
+    AsciiCursor cursor = cursor_;
+    while (face_index_ < most && take_plain_face(cursor)) {
+      ++face_index_;
+      cursor_ = cursor;
+    }
+  }
 
-  // A triangle or quadrilateral that fills its line, with indices below 10000000; else nothing is taken.
-  bool take_plain_face() {
+  [[gnu::always_inline]] bool take_plain_face(AsciiCursor& cursor) {
     std::uint32_t degree = 0;
     std::array<std::uint32_t, 4> indices{};
-    AsciiCursor cursor = cursor_;
     cursor.skip_blanks();
     if (!cursor.take_few_digits(degree) || degree < 3 || degree > indices.size()) return false;
     for (std::uint32_t i = 0; i < degree; ++i) {
@@ -191,14 +206,14 @@ class OffAsciiReader {
       if (!cursor.take_few_digits(indices[i]) || indices[i] >= vertex_count_) return false;
     }
     cursor.skip_blanks_in_line();
-    if (!cursor.is_at_line_break() || read_.soup.corners.size() > kMostCornersBeforePlainFace) return false;
-    cursor_ = cursor;
-    for (std::uint32_t i = 0; i < degree; ++i) read_.soup.corners.push_back(indices[i]);
-    read_.soup.face_starts.push_back(static_cast<std::uint32_t>(read_.soup.corners.size()));
+    auto& corners = read_.soup.corners;
+    if (!cursor.is_at_line_break() || corners.size() > kMostCornersBeforePlainFace) return false;
+    for (std::uint32_t i = 0; i < degree; ++i) corners.push_back(indices[i]);
+    read_.soup.face_starts.push_back(static_cast<std::uint32_t>(corners.size()));
     return true;
   }
 
-  bool read_any_face() {
+  bool read_face() {
     std::uint64_t degree = 0;
     if (!take_integer(degree)) [[unlikely]]
       return fail_in_face("expected the number of its corners");
