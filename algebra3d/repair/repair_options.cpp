@@ -1,7 +1,7 @@
 #include "algebra3d/repair/repair_options.h"
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -17,30 +17,48 @@ std::string_view without_blanks(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
-Result<double> parse_amount(std::string_view name, std::string_view text) {
-  const std::optional<double> number = parse_real(text);
-  if (!number || !std::isfinite(*number) || *number < 0)
-    return Error{ErrorCode::invalid_value,
-                 "option '{}' is '{}'; expected a number from 0 on within the range of doubles", name, text};
+/// One option as it was written; no value if there is no `=`.
+struct WrittenOption {
+  std::string_view name;
+  std::optional<std::string_view> value;
+};
+
+WrittenOption option_in(std::string_view part) {
+  const std::size_t sign = part.find('=');
+  if (sign == std::string_view::npos) return {part, std::nullopt};
+  return {without_blanks(part.substr(0, sign)), without_blanks(part.substr(sign + 1))};
+}
+
+Error wrong_value(const WrittenOption& option, std::string_view expected) {
+  if (!option.value || option.value->empty())
+    return {ErrorCode::invalid_value, "option '{}' has no value; expected {}", option.name, expected};
+  return {ErrorCode::invalid_value, "option '{}' is '{}'; expected {}", option.name, *option.value, expected};
+}
+
+Result<double> parse_amount(const WrittenOption& option) {
+  const std::optional<double> number = option.value ? parse_real(*option.value) : std::nullopt;
+  if (!number || *number < 0) return wrong_value(option, "a number from 0 on, without a unit");
   return *number;
 }
 
-Status set_option(RepairOptions& options, std::string_view name, std::string_view value) {
+Status set_option(RepairOptions& options, const WrittenOption& option) {
+  const std::string_view name = option.name;
   if (name == "cavities") {
-    if (value != "keep" && value != "drop")
-      return Error{ErrorCode::invalid_value, "option 'cavities' is '{}'; expected 'keep' or 'drop'", value};
-    options.keeps_cavities = value == "keep";
+    if (option.value != "keep" && option.value != "drop") return wrong_value(option, "'keep' or 'drop'");
+    options.keeps_cavities = option.value == "keep";
     return {};
   }
   if (name == "strict") {
-    if (!value.empty()) return Error{ErrorCode::invalid_value, "option 'strict' is '{}'; it takes no value", value};
+    if (option.value)
+      return Error{ErrorCode::invalid_value, "option 'strict' takes no value, not even an empty one; found 'strict={}'",
+                   *option.value};
     options.is_strict = true;
     return {};
   }
   if (name != "cracks" && name != "holes" && name != "smallest" && name != "work")
     return Error{ErrorCode::invalid_value,
                  "there is no option '{}'; expected cracks, holes, cavities, smallest, work or strict", name};
-  ASSIGN_OR_RETURN(const double amount, parse_amount(name, value));
+  ASSIGN_OR_RETURN(const double amount, parse_amount(option));
   if (name == "cracks") options.crack_tolerance = amount;
   if (name == "holes") options.largest_hole = amount;
   if (name == "smallest") options.smallest_shell = amount;
@@ -58,13 +76,28 @@ Result<RepairOptions> parse_repair_options(std::string_view text) {
     const std::string_view part = without_blanks(text.substr(begin, end - begin));
     begin = end + 1;
     if (part.empty()) continue;
-    const std::size_t sign = std::min(part.find('='), part.size());
-    const std::string_view name = without_blanks(part.substr(0, sign));
-    if (!names.insert(name).second) return Error{ErrorCode::invalid_value, "option '{}' is given twice", name};
-    RETURN_IF_ERROR(
-        set_option(options, name, sign < part.size() ? without_blanks(part.substr(sign + 1)) : std::string_view()));
+    const WrittenOption option = option_in(part);
+    if (!names.insert(option.name).second)
+      return Error{ErrorCode::invalid_value, "option '{}' is given twice", option.name};
+    RETURN_IF_ERROR(set_option(options, option));
   }
   return options;
+}
+
+std::string text_of(const RepairOptions& options) {
+  const RepairOptions defaults;
+  std::string text;
+  const auto add = [&](std::string_view option) { (text += text.empty() ? "" : ";") += option; };
+  const auto add_amount = [&](std::string_view name, double amount) {
+    add(std::string(name) + "=" + real_text(amount + 0.0));  // -0 is 0
+  };
+  if (options.crack_tolerance) add_amount("cracks", *options.crack_tolerance);
+  if (options.largest_hole) add_amount("holes", *options.largest_hole);
+  if (!options.keeps_cavities) add("cavities=drop");
+  if (options.smallest_shell != defaults.smallest_shell) add_amount("smallest", options.smallest_shell);
+  if (options.work_limit != defaults.work_limit) add_amount("work", options.work_limit);
+  if (options.is_strict) add("strict");
+  return text;
 }
 
 }  // namespace algebra3d

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "algebra3d/base/error.h"
@@ -33,8 +34,12 @@ struct RepairOptions {
 
 /// Options as people write them, separated by semicolons, in any order and each at most once: "cracks=0.001",
 /// "holes=20", "cavities=keep" or "cavities=drop", "smallest=0.5", "work=1000", "strict". Lengths, volumes and the work
-/// are real numbers that are not negative. The empty text has the defaults.
+/// are real numbers that are not negative; all but `strict` have a value. The empty text has the defaults.
 /// Errors: invalid_value, naming what was found and what was expected.
 Result<RepairOptions> parse_repair_options(std::string_view text);
+
+/// The options in the notation of `parse_repair_options`, without those that have their default: the same text exactly
+/// for the same options, empty for the defaults.
+std::string text_of(const RepairOptions& options);
 
 }  // namespace algebra3d

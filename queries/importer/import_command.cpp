@@ -16,13 +16,19 @@ const CLI::Validator kAmount(
     [](const std::string& text) {
       const std::optional<double> number = algebra3d::parse_real(text);
       const bool is_amount = number && std::isfinite(*number) && *number >= 0;
-      return is_amount ? std::string() : "'" + text + "' is no number from 0 on within the range of doubles";
+      return is_amount ? std::string() : "'" + text + "' is no number from 0 on, without a unit";
     },
     "");
 
+/// A flag that is given once, and without a value.
+void add_plain_flag(CLI::App& app, const std::string& name, bool& is_set, const std::string& meaning) {
+  app.add_flag(name, is_set, meaning)->disable_flag_override()->multi_option_policy(CLI::MultiOptionPolicy::Throw);
+}
+
 void add_repair_options(CLI::App& import, algebra3d::RepairOptions& repair) {
   CLI::Option_group* group = import.add_option_group("Repair", "What may be done to files that are no valid solids");
-  group->add_flag("--strict", repair.is_strict, "Nothing: they are taken in with an undefined Solid and the defects");
+  add_plain_flag(*group, "--strict", repair.is_strict,
+                 "Nothing: they are taken in with an undefined Solid and the defects");
   group
       ->add_option("--cracks", repair.crack_tolerance,
                    "Vertices on open edges that are closer than this are joined (default: 1e-4 of the diagonal)")
@@ -33,7 +39,7 @@ void add_repair_options(CLI::App& import, algebra3d::RepairOptions& repair) {
                    "Diameter of the largest hole that is closed (default: all are)")
       ->type_name("LENGTH")
       ->check(kAmount);
-  group->add_flag("!--drop-cavities", repair.keeps_cavities, "Fill cavities");
+  add_plain_flag(*group, "!--drop-cavities", repair.keeps_cavities, "Fill cavities");
   group->add_option("--smallest-shell", repair.smallest_shell, "Leave out bodies and cavities with less volume")
       ->type_name("VOLUME")
       ->check(kAmount);
@@ -62,20 +68,23 @@ CLI::App* add_import_command(CLI::App& app, ImportOptions& options) {
       ->required();
   import->add_option("--jobs", options.jobs, "Threads that load files (default: one for each core)")
       ->check(CLI::Range(1, 1024));
-  import->add_flag("--quiet", options.quiet, "Neither progress nor summary");
+  add_plain_flag(*import, "--quiet", options.quiet, "Neither progress nor summary");
   import
       ->add_option("--batch-seconds", options.batch_seconds,
                    "Whole files are committed together, at the latest after this time")
+      ->check(kAmount)
       ->check(CLI::Range(0.0, 3600.0))
       ->capture_default_str();
   import->add_option("--batch-megabytes", options.batch_megabytes, "or after this much data")
+      ->check(kAmount)
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   add_repair_options(*import, options.repair);
   import->footer(
       "A file that cannot be made a solid is taken in with an undefined Solid and the reason in Status.\n"
       "Files imported before are passed over if they have not changed, so an interrupted import is completed by\n"
-      "running it again. Exit status: 0 all files were taken in, 1 the import failed, 2 wrong usage, 130 interrupted.");
+      "running it again. With other repair options they are imported again, and replace what they gave before.\n"
+      "Exit status: 0 all files were taken in, 1 the import failed, 2 wrong usage, 130 interrupted.");
   return import;
 }
 

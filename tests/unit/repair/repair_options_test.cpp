@@ -57,14 +57,31 @@ TEST(RepairOptions, that_make_no_sense_are_refused_with_what_was_found_and_expec
   EXPECT_EQ(complaint_about("holes=1;holes=1"), "option 'holes' is given twice");
   EXPECT_EQ(complaint_about("strict;strict"), "option 'strict' is given twice");
   EXPECT_EQ(complaint_about("cavities=fill"), "option 'cavities' is 'fill'; expected 'keep' or 'drop'");
-  EXPECT_EQ(complaint_about("cavities"), "option 'cavities' is ''; expected 'keep' or 'drop'");
-  EXPECT_EQ(complaint_about("strict=yes"), "option 'strict' is 'yes'; it takes no value");
-  for (const std::string value : {"", "-1", "-0.001", "abc", "1,5", "1 2", "nan", "inf", "-inf", "1e999", "0x10", "1="})
+  for (const std::string text : {"cavities", "cavities=", "cavities = "})
+    EXPECT_EQ(complaint_about(text), "option 'cavities' has no value; expected 'keep' or 'drop'");
+  for (const std::string value : {"", "yes", "false", "="})
+    EXPECT_EQ(complaint_about("strict=" + value),
+              "option 'strict' takes no value, not even an empty one; found 'strict=" + value + "'");
+  for (const std::string value :
+       {"-1",    "-0.001", "-1e-999x", "abc", "1,5", "1 2",  "nan", "NaN", "inf", "-inf", "infinity",
+        "1e999", "0x10",   "1=",       "=1",  "5mm", "5 mm", "1%",  "++1", "1e",  "."})
     EXPECT_EQ(complaint_about("holes=" + value),
-              "option 'holes' is '" + value + "'; expected a number from 0 on within the range of doubles");
-  EXPECT_NE(complaint_about("cracks"), "");
+              "option 'holes' is '" + value + "'; expected a number from 0 on, without a unit");
+  for (const std::string name : {"cracks", "holes", "smallest", "work"})
+    for (const std::string& text : {name, name + "=", name + " = ;strict"})
+      EXPECT_EQ(complaint_about(text),
+                "option '" + name + "' has no value; expected a number from 0 on, without a unit");
+  EXPECT_EQ(complaint_about("cracks=1;;cracks"), "option 'cracks' is given twice");
   EXPECT_NE(complaint_about("STRICT"), "");
   EXPECT_NE(complaint_about(std::string("holes=1\0", 8)), "");
+}
+
+TEST(RepairOptions, are_written_as_they_are_read) {
+  for (const std::string text :
+       {"", "cracks=0.001", "cracks=0.0", "holes=20.0", "cavities=drop", "smallest=0.5", "work=1000.0", "strict",
+        "cracks=1e-300;holes=1e+300;cavities=drop;smallest=0.1;work=0.0;strict"})
+    EXPECT_EQ(text_of(*parse_repair_options(text)), text);
+  EXPECT_EQ(text_of(*parse_repair_options("cavities=keep; work=500; smallest=0; cracks=-0")), "cracks=0.0");
 }
 
 TEST(RepairOptions, pairs_are_counted_in_millions) {
