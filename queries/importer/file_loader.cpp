@@ -37,7 +37,7 @@ std::string reason_of(const Error& error) {
 
 /// Finds size and hash of the content. The hash is taken before the file is loaded: if it is changed in between, the
 /// next import sees another hash and imports it again.
-Slot::Stage hash(Slot& slot) {
+Slot::Stage hash(Slot& slot, std::uint64_t seed) {
   LoadedFile& file = slot.file;
   auto mapped = stl::MappedFile::open(slot.listed->path);
   if (!mapped) {
@@ -46,7 +46,7 @@ Slot::Stage hash(Slot& slot) {
   }
   const std::string_view bytes = mapped->bytes();
   file.size = bytes.size();
-  file.identity = Store::ImportedFile{file.path, bytes.size(), XXH3_64bits(bytes.data(), bytes.size())};
+  file.identity = Store::ImportedFile{file.path, bytes.size(), XXH3_64bits_withSeed(bytes.data(), bytes.size(), seed)};
   return Slot::Stage::hashed;
 }
 
@@ -186,7 +186,7 @@ void FileLoader::Work::run(Slot& slot, Slot::Stage stage) {
   }
   arena_.enqueue([this, &slot, stage] {
     Slot::Stage after = Slot::Stage::dropped;
-    if (!stop_.load()) after = stage == Slot::Stage::hashing ? hash(slot) : load(slot);
+    if (!stop_.load()) after = stage == Slot::Stage::hashing ? hash(slot, options_.hash_seed) : load(slot);
     // Notified under the lock: once it is released, the destructor may end the life of all this.
     const std::lock_guard lock(mutex_);
     slot.stage = after;

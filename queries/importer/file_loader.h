@@ -51,6 +51,8 @@ class FileLoader {
     std::size_t max_files = 256;
     std::uint64_t max_bytes = std::uint64_t{128} << 20;
     const std::atomic<bool>* cancel = nullptr;
+    /// Part of the identity of each file, so that what was loaded with another one is not known.
+    std::uint64_t hash_seed = 0;
   };
   /// Whether a file of that path and content was imported before.
   using IsKnown = std::function<Result<bool>(const Store::ImportedFile&)>;

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 #include <tbb/info.h>
+#include <xxhash.h>
 
 #include "algebra3d/operators/import_solid.h"
 #include "queries/importer/file_list.h"
@@ -36,6 +37,12 @@ SolidReader solid_reader(const algebra3d::RepairOptions& repair) {
     ASSIGN_OR_RETURN(algebra3d::ImportedSolid imported, algebra3d::import_solid(file, std::nullopt, repair, cancel));
     return SolidOrReason{std::move(imported.solid), std::move(imported.status)};
   };
+}
+
+/// Files that were imported with other options are imported again. 0 for the defaults.
+std::uint64_t seed_of(const algebra3d::RepairOptions& repair) {
+  const std::string text = text_of(repair);
+  return text.empty() ? 0 : XXH3_64bits(text.data(), text.size());
 }
 
 Status check_relation_name(const std::string& name, const algebra3d::Registry& registry) {
@@ -96,7 +103,7 @@ Status Import::take_in(const FileList& list) {
   const int jobs = options_.jobs > 0 ? options_.jobs : tbb::info::default_concurrency();
   FileLoader loader(list.files, host_.reader ? host_.reader : solid_reader(options_.repair),
                     [&](const Store::ImportedFile& file) { return writer.is_known(file); },
-                    {.jobs = jobs, .cancel = host_.cancel});
+                    {.jobs = jobs, .cancel = host_.cancel, .hash_seed = seed_of(options_.repair)});
   Status status = pump(loader, writer);
   if (status) status = writer.commit();
   committed_count_ = writer.committed_count();

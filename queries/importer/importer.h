@@ -26,8 +26,9 @@ struct ImportHost {
 /// in the order of their paths, in batches that are one transaction each: the relation does not depend on the threads,
 /// and after a crash or an error the database is as after some batch.
 ///
-/// A file that was imported before (same path, size and hash) is passed over, even if its tuple was deleted since; one
-/// that has changed replaces its tuple, and so does one that could not be read to the end the last time. So running the
+/// A file that was imported before (same path, size and hash, and with the same repair options) is passed over, even if
+/// its tuple was deleted since; one that has changed replaces its tuple, and so does one that could not be read to the
+/// end the last time, or that was imported with other repair options. So running the
 /// same import again completes one that was interrupted.
 ///
 /// Gives the exit status: 0 all files were taken in, with or without a solid; 1 the import failed (a path or the

@@ -162,6 +162,27 @@ TEST_F(Importer, passes_over_unchanged_files_and_replaces_changed_ones_in_place)
   EXPECT_EQ(after.at("c.stl").status, "ok");
 }
 
+TEST_F(Importer, imports_again_with_other_repair_options) {
+  write("a.stl", box_stl(1, 1, 1));
+  write("open.stl", open_box_stl());
+  ASSERT_EQ(import(strict()), 0) << err_;
+  const auto before = rows();
+  EXPECT_FALSE(before.at("open.stl").is_defined);
+
+  ASSERT_EQ(import(options()), 0) << err_;
+  EXPECT_EQ(out_.find("imported before"), std::string::npos) << out_;
+  EXPECT_NE(out_.find("of these replaced                      2"), std::string::npos) << out_;
+  EXPECT_TRUE(rows().at("open.stl").is_defined);
+  EXPECT_EQ(rows().at("open.stl").id, before.at("open.stl").id);
+
+  ImportOptions other = options();
+  other.repair.largest_hole = 0.5;
+  ASSERT_EQ(import(other), 0) << err_;
+  EXPECT_FALSE(rows().at("open.stl").is_defined);
+  ASSERT_EQ(import(other), 0) << err_;
+  EXPECT_NE(out_.find("imported before                        2"), std::string::npos) << out_;
+}
+
 TEST_F(Importer, imports_into_a_second_relation_of_the_same_database) {
   write("a.stl", box_stl(1, 1, 1));
   ASSERT_EQ(import(options()), 0) << err_;
