@@ -1,6 +1,7 @@
 // repairReport: what was found in a mesh file, and what was changed, as tuples.
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <string>
 #include <utility>
@@ -72,29 +73,34 @@ std::vector<ReportRow> rows_of(const ImportedSolid& imported) {
   return rows;
 }
 
+/// The reader's messages name the file; those about the solid do not.
+std::string reason_with_file(const ImportedSolid& imported, const std::string& name,
+                             const std::filesystem::path& path) {
+  return imported.status.starts_with(path.string()) ? imported.status : name + ": " + imported.status;
+}
+
 Result<Plan> map_repair_report(std::span<const ArgumentType> arguments) {
   const MappingCheck check("repairReport", arguments);
   RETURN_IF_ERROR(check.argument_count(1, 2));
   for (std::size_t place = 0; place < check.count(); ++place) RETURN_IF_ERROR(check.type(place, "text"));
-  return Plan{TypeExpr::stream(report_type()), [](const std::vector<Datum>& given, Context& context) -> Result<Datum> {
-                std::vector<ReportRow> rows;
-                const bool is_defined =
-                    std::ranges::all_of(given, [](const Datum& word) { return word.value().is_defined(); });
-                if (is_defined) {
-                  const auto text = [&](std::size_t i) { return given[i].value().get<algebra3d::Text>().content; };
-                  const Result<RepairOptions> options =
-                      algebra3d::parse_repair_options(given.size() == 2 ? text(1) : std::string());
-                  if (!options) return Error{options.error().code, "repairReport: {}", options.error().message};
-                  ASSIGN_OR_RETURN(const ImportedSolid imported,
-                                   import_solid(context.resolve(text(0)), std::nullopt, *options, context.monitor()));
-                  rows = rows_of(imported);
-                  const bool is_readable = imported.solid || !rows.empty();
-                  if (!is_readable) context.diagnostics.report("repairReport: " + imported.status);
-                }
-                return Datum{make_stream([rows, next = std::size_t{0}]() mutable -> Result<TuplePtr> {
-                  return next < rows.size() ? tuple_of(rows[next++]) : TuplePtr();
-                })};
-              }};
+  return Plan{
+      TypeExpr::stream(report_type()), [](const std::vector<Datum>& given, Context& context) -> Result<Datum> {
+        std::vector<ReportRow> rows;
+        const bool is_defined = std::ranges::all_of(given, [](const Datum& word) { return word.value().is_defined(); });
+        if (is_defined) {
+          const auto text = [&](std::size_t i) { return given[i].value().get<algebra3d::Text>().content; };
+          const Result<RepairOptions> options =
+              algebra3d::parse_repair_options(given.size() == 2 ? text(1) : std::string());
+          if (!options) return Error{options.error().code, "repairReport: {}", options.error().message};
+          const std::filesystem::path path = context.resolve(text(0));
+          ASSIGN_OR_RETURN(const ImportedSolid imported, import_solid(path, std::nullopt, *options, context.monitor()));
+          rows = rows_of(imported);
+          if (!imported.solid) context.diagnostics.report("repairReport: " + reason_with_file(imported, text(0), path));
+        }
+        return Datum{make_stream([rows, next = std::size_t{0}]() mutable -> Result<TuplePtr> {
+          return next < rows.size() ? tuple_of(rows[next++]) : TuplePtr();
+        })};
+      }};
 }
 
 }  // namespace
@@ -109,7 +115,8 @@ void register_repair_reports(algebra3d::Registry& registry) {
           "steps of the repair in their order, with the largest distance by which they moved or added anything; "
           "`volume` "
           "says how much there was before, if the facets were closed, and after. Where is the place of the first one. "
-          "None for a file that is a solid. Options as those of importSTL.",
+          "None for a file that is a solid; none, with a diagnostic, for one that cannot be read. Options as those of "
+          "importSTL.",
       .stream = stream_operator(map_repair_report),
       .signatures = {"(text) -> stream(tuple)", "(text text) -> stream(tuple)"},
       .handles_undefined = true,
