@@ -42,16 +42,6 @@ std::optional<MeshFormat> format_of_text(std::string_view bytes) {
   return std::nullopt;
 }
 
-std::optional<MeshFormat> format_of_content(std::string_view bytes) {
-  if (bytes.size() >= kBinaryPrefixBytes &&
-      bytes.size() == kBinaryPrefixBytes + announced_facet_count(bytes) * kBinaryFacetBytes)
-    return MeshFormat::stl;
-  if (const auto header = off_header(bytes); header && header->is_binary) return MeshFormat::off;
-  // The header of a binary STL file may begin with any word.
-  const auto format = detect_format(bytes, "");
-  return format && *format == Format::ascii ? format_of_text(bytes) : std::nullopt;
-}
-
 std::optional<MeshFormat> format_of_name(std::string_view file_name) {
   std::string ending = std::filesystem::path(file_name).extension().string();
   for (char& c : ending)
@@ -63,6 +53,20 @@ std::optional<MeshFormat> format_of_name(std::string_view file_name) {
 }
 
 }  // namespace
+
+std::string_view name_of(MeshFormat format) {
+  return format == MeshFormat::stl ? "STL" : format == MeshFormat::obj ? "OBJ" : "OFF";
+}
+
+std::optional<MeshFormat> format_of_content(std::string_view bytes) {
+  if (bytes.size() >= kBinaryPrefixBytes &&
+      bytes.size() == kBinaryPrefixBytes + announced_facet_count(bytes) * kBinaryFacetBytes)
+    return MeshFormat::stl;
+  if (const auto header = off_header(bytes); header && header->is_binary) return MeshFormat::off;
+  // The header of a binary STL file may begin with any word.
+  const auto format = detect_format(bytes, "");
+  return format && *format == Format::ascii ? format_of_text(bytes) : std::nullopt;
+}
 
 Result<MeshFormat> detect_mesh_format(std::string_view bytes, std::string_view file_name) {
   if (const auto format = format_of_content(bytes)) return *format;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string_view>
 
 #include "algebra3d/base/error.h"
@@ -9,6 +10,13 @@ namespace stl {
 
 /// The mesh files that can be read.
 enum class MeshFormat { stl, obj, off };
+
+/// "STL", "OBJ" or "OFF".
+std::string_view name_of(MeshFormat format);
+
+/// The format that a content has without doubt, whatever the name of its file; see the first rule of
+/// `detect_mesh_format`. Cost: constant but for the comments.
+std::optional<MeshFormat> format_of_content(std::string_view bytes);
 
 /// The format of the file of these bytes and this name; nothing is read beyond its first statement.
 ///

@@ -1,4 +1,5 @@
 // exportSTL, exportOBJ, exportOFF.
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
@@ -6,11 +7,13 @@
 
 #include <fmt/format.h>
 
+#include "algebra3d/base/box3.h"
 #include "algebra3d/base/number_text.h"
 #include "algebra3d/base/polygon_soup.h"
 #include "algebra3d/operators/all.h"
 #include "algebra3d/operators/sample_values.h"
 #include "algebra3d/registry/overload.h"
+#include "algebra3d/repair/kept_shells.h"
 #include "algebra3d/repair/rounded_solid.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
@@ -50,7 +53,40 @@ using MeshWriter = std::function<Status(const std::filesystem::path& path, const
 struct FileNumbers {
   CoordinateGrid grid;
   const char* name;
+  const char* advice;  ///< what else can be done if the shape changes
 };
+
+FileNumbers floats() {
+  return {CoordinateGrid::floats(), "floats", "; exportOBJ and exportOFF in ASCII keep doubles"};
+}
+FileNumbers doubles() {
+  return {CoordinateGrid::doubles(), "doubles", ""};
+}
+
+/// A boundary that moves by more than this part of the diagonal, or a volume that changes by more than this part, is
+/// seen; floats alone are some thousand times finer where a solid lies about its origin.
+constexpr double kVisiblePart = 1e-4;
+
+double diagonal_of(const TriangleMesh& mesh) {
+  Box3 box;
+  for (const Vec3& point : mesh.points().approx()) box.extend(point);
+  return box.is_empty() ? 0 : length(box.max - box.min);
+}
+
+/// What rounding did to the shape, if anybody would see it; else empty.
+Result<std::string> visible_change(const Context& context, const TriangleMesh& solid, const RoundedSolid& rounded) {
+  if (rounded.moved_vertices == 0) return std::string();
+  ASSIGN_OR_RETURN(const double before, nearest_volume(solid, context.monitor()));
+  ASSIGN_OR_RETURN(const double after, nearest_volume(*rounded.mesh, context.monitor()));
+  const bool changes_volume = std::abs(after - before) > kVisiblePart * before;
+  const bool is_seen = rounded.largest_movement > kVisiblePart * diagonal_of(solid) || changes_volume;
+  if (!is_seen && rounded.attempts_failed == 0) return std::string();
+  std::string text = fmt::format("which moves the boundary by at most {}", real_text(rounded.largest_movement));
+  if (!is_seen) text += " where it is crowded";
+  if (changes_volume)
+    text += fmt::format(" and makes the volume {} instead of {}", real_text(after), real_text(before));
+  return text;
+}
 
 /// FALSE, with a diagnostic, if the solid cannot be rounded or the file not be written.
 Result<bool> export_rounded(Context& context, const std::string& name, const Volume3d& solid, const std::string& file,
@@ -60,11 +96,10 @@ Result<bool> export_rounded(Context& context, const std::string& name, const Vol
   if (!rounded.mesh) return refuse(context, rounding + rounded.reason);
   if (rounded.mesh->is_empty() && !solid.mesh().is_empty())
     return refuse(context, rounding + "nothing of the solid is left");
-  if (rounded.attempts_failed > 0)
-    context.diagnostics.report(
-        fmt::format("{}: rounded to {}, which moves the boundary by at most {} where it is crowded", name, numbers.name,
-                    real_text(rounded.largest_movement)),
-        file);
+  ASSIGN_OR_RETURN(const std::string change, visible_change(context, solid.mesh(), rounded));
+  if (!change.empty())
+    context.diagnostics.report(fmt::format("{}: rounded to {}, {}{}", name, numbers.name, change, numbers.advice),
+                               file);
   const Status written = write(context.resolve(file), *rounded.mesh);
   if (!written) return refuse(context, name + ": " + written.error().message);
   return true;
@@ -75,7 +110,7 @@ Result<bool> export_stl(Context& context, const std::optional<Volume3d>& solid, 
   if (!solid) return refuse(context, "exportSTL: the solid is undefined");
   if (!name || !file || !is_binary) return refuse(context, "exportSTL: the name, the file or the format is undefined");
   const stl::Format format = *is_binary ? stl::Format::binary : stl::Format::ascii;
-  return export_rounded(context, "exportSTL", *solid, file->content, {CoordinateGrid::floats(), "floats"},
+  return export_rounded(context, "exportSTL", *solid, file->content, floats(),
                         [&](const std::filesystem::path& path, const TriangleMesh& mesh) {
                           return stl::write_stl_file(path, triangle_soup_of(mesh), *name, format);
                         });
@@ -85,7 +120,7 @@ Result<bool> export_obj(Context& context, const std::optional<Volume3d>& solid, 
                         const std::optional<Text>& file) {
   if (!solid) return refuse(context, "exportOBJ: the solid is undefined");
   if (!name || !file) return refuse(context, "exportOBJ: the name or the file is undefined");
-  return export_rounded(context, "exportOBJ", *solid, file->content, {CoordinateGrid::doubles(), "doubles"},
+  return export_rounded(context, "exportOBJ", *solid, file->content, doubles(),
                         [&](const std::filesystem::path& path, const TriangleMesh& mesh) {
                           return stl::write_obj_file(path, polygon_soup_of(mesh), *name);
                         });
@@ -96,9 +131,7 @@ Result<bool> export_off(Context& context, const std::optional<Volume3d>& solid, 
   if (!solid) return refuse(context, "exportOFF: the solid is undefined");
   if (!file || !is_binary) return refuse(context, "exportOFF: the file or the format is undefined");
   const stl::Format format = *is_binary ? stl::Format::binary : stl::Format::ascii;
-  const FileNumbers numbers =
-      *is_binary ? FileNumbers{CoordinateGrid::floats(), "floats"} : FileNumbers{CoordinateGrid::doubles(), "doubles"};
-  return export_rounded(context, "exportOFF", *solid, file->content, numbers,
+  return export_rounded(context, "exportOFF", *solid, file->content, *is_binary ? floats() : doubles(),
                         [&](const std::filesystem::path& path, const TriangleMesh& mesh) {
                           return stl::write_off_file(path, polygon_soup_of(mesh), format);
                         });
@@ -112,7 +145,10 @@ void register_exports(Registry& registry) {
       .syntax = "_ exportSTL[_, _, _]",
       .doc = "Writes a solid to an STL file with a name, in binary (TRUE) or ASCII; TRUE if the file was written.",
       .detail =
-          "Coordinates are rounded to floats, as roundCoordinates does it: what is written is a valid solid. FALSE "
+          "Coordinates are rounded to floats, as roundCoordinates does it: what is written is a valid solid. A "
+          "diagnostic "
+          "says how far the boundary moved and what became of the volume, if that is more than a ten "
+          "thousandth of the diagonal or of the volume, or if facets had to be divided. FALSE "
           "with a diagnostic if a coordinate is beyond the range of floats, if nothing of the solid is left, if an "
           "argument is undefined, or if the file cannot be written; a file that was there before is then left as it "
           "was.",

@@ -1,4 +1,5 @@
 // importSTL, importOBJ, importOFF, checkSTL, importSurface.
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -15,18 +16,18 @@ namespace {
 using stl::MeshFormat;
 
 std::string operator_name(MeshFormat format) {
-  return format == MeshFormat::stl ? "importSTL" : format == MeshFormat::obj ? "importOBJ" : "importOFF";
+  return "import" + std::string(name_of(format));
 }
 
 Result<Maybe<Volume3d>> import_with(Context& context, MeshFormat format, const Text& file,
                                     const RepairOptions& options) {
-  ASSIGN_OR_RETURN(ImportedSolid imported,
-                   import_solid(context.resolve(file.content), format, options, context.monitor()));
+  const std::filesystem::path path = context.resolve(file.content);
+  ASSIGN_OR_RETURN(ImportedSolid imported, import_solid(path, format, options, context.monitor()));
   for (const std::string& remark : imported.remarks)
     context.diagnostics.report(operator_name(format) + ": " + remark, file.content);
   if (imported.solid) return Maybe<Volume3d>(*std::move(imported.solid));
   // The reader's messages name the file; those about the solid do not.
-  const bool names_file = imported.status.find(file.content) != std::string::npos;
+  const bool names_file = imported.status.starts_with(path.string());
   return Maybe<Volume3d>(Undefined{names_file ? imported.status : file.content + ": " + imported.status});
 }
 
@@ -61,7 +62,8 @@ constexpr const char* kRepairDetail =
     "accepted as it is, with its triangles in spatial order. Everything else is repaired: a diagnostic says what was "
     "changed and how far from the facets, and `repairReport` says more. What cannot be repaired, a missing or "
     "malformed "
-    "file too, is undefined, with the defects and the reason. A file without facets, or of which none has an area, is "
+    "file too, is undefined, with the defects and the reason. A content that is without doubt of another of the three "
+    "formats is read as what it is, and a diagnostic says so. A file without facets, or of which none has an area, is "
     "the empty solid. Options, "
     "separated by semicolons: `cracks=0.001` (vertices on open edges that are closer are joined; by default 1e-4 of "
     "the "
@@ -90,7 +92,7 @@ void register_import(Registry& registry, const std::string& doc, const std::stri
       .errors = {{"query " + name + "(\"part" + ending + "\")",
                   name + ": expected (text) or (text text), got (string)"},
                  {"query " + name + "('part" + ending + "', 'cracks=wide')",
-                  name + ": option 'cracks' is 'wide'; expected a number from 0 on within the range of doubles"}},
+                  name + ": option 'cracks' is 'wide'; expected a number from 0 on, without a unit"}},
   });
 }
 

@@ -1,26 +1,49 @@
 #include "algebra3d/operators/mesh_file.h"
 
+#include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "algebra3d/repair/polygon_triangles.h"
+#include "stl/mapped_file.h"
 #include "stl/obj_reader.h"
 #include "stl/off_reader.h"
 #include "stl/stl_reader.h"
 
 namespace algebra3d {
+namespace {
 
-Result<MeshFile> read_mesh_file(const std::filesystem::path& path, std::optional<stl::MeshFormat> format,
-                                const std::atomic<bool>* cancel) {
-  if (!format) {
-    ASSIGN_OR_RETURN(format, stl::detect_mesh_format_of_file(path));
-  }
-  if (*format == stl::MeshFormat::stl) {
-    ASSIGN_OR_RETURN(stl::ReadStl read, stl::read_stl_file(path, cancel));
+using stl::MeshFormat;
+
+Result<MeshFile> read_as(MeshFormat format, std::string_view bytes, const std::string& name,
+                         const std::atomic<bool>* cancel) {
+  if (format == MeshFormat::stl) {
+    ASSIGN_OR_RETURN(stl::ReadStl read, stl::read_stl(bytes, name, cancel));
     return MeshFile{std::move(read.soup), std::move(read.remarks)};
   }
-  auto read = *format == stl::MeshFormat::obj ? stl::read_obj_file(path, cancel) : stl::read_off_file(path, cancel);
+  auto read = format == MeshFormat::obj ? stl::read_obj(bytes, name, cancel) : stl::read_off(bytes, name, cancel);
   if (!read) return std::move(read).error();
   return MeshFile{triangles_of(read->soup), std::move(read->remarks)};
+}
+
+}  // namespace
+
+Result<MeshFile> read_mesh_file(const std::filesystem::path& path, std::optional<MeshFormat> format,
+                                const std::atomic<bool>* cancel) {
+  ASSIGN_OR_RETURN(const stl::MappedFile file, stl::MappedFile::open(path));
+  const std::string name = path.string();
+  if (!format) {
+    ASSIGN_OR_RETURN(const MeshFormat detected, stl::detect_mesh_format(file.bytes(), name));
+    return read_as(detected, file.bytes(), name, cancel);
+  }
+  const MeshFormat found = stl::format_of_content(file.bytes()).value_or(*format);
+  auto read = read_as(found, file.bytes(), name, cancel);
+  if (found == *format) return read;
+  const std::string other = fmt::format("the content is {}, not {}", name_of(found), name_of(*format));
+  if (!read) return Error{read.error().code, "{} ({})", read.error().message, other};
+  read->remarks.insert(read->remarks.begin(), other + ", and is read as that");
+  return read;
 }
 
 }  // namespace algebra3d

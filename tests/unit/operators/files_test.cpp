@@ -164,8 +164,70 @@ TEST_F(Files, export_divides_triangles_that_cross_when_rounded_to_floats) {
   const Answer answer = export_to("part.stl", call("createSphere", point(1e9, 0, 0), 100.0, 50).single());
   EXPECT_EQ(answer.text(), "TRUE");
   ASSERT_EQ(answer.diagnostics.size(), 1U);
-  EXPECT_NE(answer.diagnostics[0].find("where it is crowded"), std::string::npos) << answer.diagnostics[0];
+  EXPECT_NE(answer.diagnostics[0].find("rounded to floats, which moves the boundary by at most "), std::string::npos)
+      << answer.diagnostics[0];
   EXPECT_TRUE(import("part.stl").is_defined());
+}
+
+// At 1e7 floats are 1 apart: the cube becomes one of edge 1.
+TEST_F(Files, export_says_so_if_rounding_is_seen) {
+  const Answer answer =
+      export_to("part.stl", value(cube(point(1e7 + 0.45, 0.45, 0.45), point(1e7 + 0.55, 0.55, 0.55))));
+  EXPECT_EQ(answer.text(), "TRUE");
+  ASSERT_EQ(answer.diagnostics.size(), 1U);
+  EXPECT_TRUE(
+      answer.diagnostics[0].starts_with("exportSTL: rounded to floats, which moves the boundary by at most 0.4"))
+      << answer.diagnostics[0];
+  EXPECT_NE(answer.diagnostics[0].find(" and makes the volume 0.0"), std::string::npos) << answer.diagnostics[0];
+  EXPECT_NE(answer.diagnostics[0].find(" instead of 0.00"), std::string::npos) << answer.diagnostics[0];
+  EXPECT_NE(answer.diagnostics[0].find("exportOBJ and exportOFF in ASCII keep doubles (part.stl)"), std::string::npos)
+      << answer.diagnostics[0];
+  // Moved as a whole: the volume is right, but not the place.
+  const Answer moved = export_to("part.stl", value(cube(point(1e7 + 0.4, 0, 0), point(1e7 + 3.4, 1, 1))));
+  ASSERT_EQ(moved.diagnostics.size(), 1U);
+  EXPECT_EQ(moved.diagnostics[0].find("volume"), std::string::npos) << moved.diagnostics[0];
+  // A plate that becomes a fifth thicker, though nothing moves far.
+  const Answer plate = export_to("part.stl", value(cube(point(0, 0, 1000), point(1e4, 1e4, 1000.00005))));
+  ASSERT_EQ(plate.diagnostics.size(), 1U);
+  EXPECT_NE(plate.diagnostics[0].find(" and makes the volume "), std::string::npos) << plate.diagnostics[0];
+}
+
+TEST_F(Files, export_is_quiet_if_rounding_is_not_seen) {
+  for (const double x : {0.1, 1000.1, 100'000.1}) {
+    EXPECT_TRUE(export_to("part.stl", value(cube(point(x, 0.3, 0.3), point(x + 100, 90.7, 80.9)))).diagnostics.empty());
+    EXPECT_TRUE(
+        export_to("part.stl", call("createSphere", point(x, 0.1, 0.7), 100.0, 20).single()).diagnostics.empty());
+  }
+}
+
+TEST_F(Files, a_content_of_another_format_is_read_as_what_it_is) {
+  const std::string off = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+  const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+  const std::map<std::string, std::string> contents = {{"STL", solid(tetrahedron())}, {"OFF", off}, {"OBJ", obj}};
+  for (const auto& [found, content] : contents)
+    for (const std::string asked : {"STL", "OBJ", "OFF"}) {
+      write("part." + asked, content);
+      const Answer answer = call_values("import" + asked, {value(("part." + asked).c_str())}, folder_.path(""));
+      ASSERT_TRUE(answer.is_defined()) << found << " as " << asked;
+      if (found == asked)
+        EXPECT_TRUE(answer.diagnostics.empty());
+      else
+        EXPECT_EQ(answer.diagnostics,
+                  (std::vector<std::string>{"import" + asked + ": the content is " + found + ", not " + asked +
+                                            ", and is read as that (part." + asked + ")"}));
+    }
+  EXPECT_EQ(call_values("checkSTL", {value("part.OBJ")}, folder_.path("")).text(), "'ok'");
+}
+
+TEST_F(Files, what_is_wrong_with_a_content_of_another_format_is_named) {
+  write("part.stl", "OFF\n4 4 0\n0 0 0\n1 0 x\n");
+  const Answer answer = import("part.stl");
+  EXPECT_FALSE(answer.is_defined());
+  ASSERT_EQ(answer.diagnostics.size(), 1U);
+  EXPECT_TRUE(
+      answer.diagnostics[0].starts_with("importSTL: " + folder_.path("part.stl").string() + ": byte 20, line 4: "))
+      << answer.diagnostics[0];
+  EXPECT_TRUE(answer.diagnostics[0].ends_with(" (the content is OFF, not STL)")) << answer.diagnostics[0];
 }
 
 TEST_F(Files, export_refuses_coordinates_beyond_floats_and_keeps_the_old_file) {
