@@ -1,8 +1,10 @@
-// Reading OBJ and OFF files of 2 million triangles, and writing them, beside CGAL's readers on the same file in the
-// same run. Coordinates have six decimals, as most programs write them. Compare lines of the same format; all files lie
-// in the system's cache.
+// Reading ASCII STL, OBJ and OFF files of 2 million triangles, and writing them, beside CGAL's readers on the same file
+// in the same run. Coordinates have six decimals, as most programs write them; those of `stl_all_digits` are floats
+// with all the digits of the double, as exportSTL writes them. Compare lines of the same format; all files lie in the
+// system's cache.
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/OFF.h>
+#include <CGAL/IO/STL.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <array>
@@ -20,6 +22,8 @@
 #include "stl/obj_writer.h"
 #include "stl/off_reader.h"
 #include "stl/off_writer.h"
+#include "stl/stl_reader.h"
+#include "stl/stl_writer.h"
 
 namespace {
 
@@ -27,7 +31,7 @@ using Point = CGAL::Simple_cartesian<double>::Point_3;
 
 constexpr std::uint32_t kSteps = 1000;
 
-enum class FileKind { obj, obj_with_attributes, off, off_binary };
+enum class FileKind { stl, stl_all_digits, obj, obj_with_attributes, off, off_binary };
 
 /// A knobbly torus of 2 * kSteps^2 triangles.
 algebra3d::PolygonSoup torus() {
@@ -65,11 +69,44 @@ bool write_with_attributes(const std::filesystem::path& path, const algebra3d::P
   return static_cast<bool>(file.flush());
 }
 
+std::array<algebra3d::Vec3, 3> triangle_of(const algebra3d::PolygonSoup& soup, std::size_t face) {
+  const auto corners = soup.face(face);
+  return {soup.points[corners[0]], soup.points[corners[1]], soup.points[corners[2]]};
+}
+
+bool write_stl_with_decimals(const std::filesystem::path& path, const algebra3d::PolygonSoup& soup) {
+  std::ofstream file(path);
+  file << std::fixed << "solid torus\n";  // six decimals
+  const auto write_vector = [&](const algebra3d::Vec3& v) { file << ' ' << v.x << ' ' << v.y << ' ' << v.z << '\n'; };
+  for (std::size_t i = 0; i < soup.face_count(); ++i) {
+    const auto [a, b, c] = triangle_of(soup, i);
+    const algebra3d::Vec3 normal = cross(b - a, c - a);
+    write_vector((file << "  facet normal", (1 / length(normal)) * normal));
+    file << "    outer loop\n";
+    for (const algebra3d::Vec3& corner : {a, b, c}) write_vector((file << "      vertex", corner));
+    file << "    endloop\n  endfacet\n";
+  }
+  file << "endsolid torus\n";
+  return static_cast<bool>(file.flush());
+}
+
+bool write_stl_with_all_digits(const std::filesystem::path& path, const algebra3d::PolygonSoup& soup) {
+  algebra3d::TriangleSoup triangles;
+  for (std::size_t i = 0; i < soup.face_count(); ++i) triangles.triangles.push_back(triangle_of(soup, i));
+  return stl::write_stl_file(path, triangles, "torus", stl::Format::ascii).ok();
+}
+
 bool write(FileKind kind, const std::filesystem::path& path, const algebra3d::PolygonSoup& soup) {
+  if (kind == FileKind::stl) return write_stl_with_decimals(path, soup);
+  if (kind == FileKind::stl_all_digits) return write_stl_with_all_digits(path, soup);
   if (kind == FileKind::obj) return stl::write_obj_file(path, soup, "torus").ok();
   if (kind == FileKind::obj_with_attributes) return write_with_attributes(path, soup);
   const auto format = kind == FileKind::off ? stl::Format::ascii : stl::Format::binary;
   return stl::write_off_file(path, soup, format).ok();
+}
+
+bool is_stl(FileKind kind) {
+  return kind == FileKind::stl || kind == FileKind::stl_all_digits;
 }
 
 bool is_obj(FileKind kind) {
@@ -80,7 +117,9 @@ bool is_obj(FileKind kind) {
 class TorusFile {
  public:
   explicit TorusFile(FileKind kind)
-      : path_(std::filesystem::temp_directory_path() / (is_obj(kind) ? "mesh_files.obj" : "mesh_files.off")),
+      : path_(std::filesystem::temp_directory_path() / (is_stl(kind)   ? "mesh_files.stl"
+                                                        : is_obj(kind) ? "mesh_files.obj"
+                                                                       : "mesh_files.off")),
         is_written_(write(kind, path_, torus())) {}
   TorusFile(const TorusFile&) = delete;
   TorusFile& operator=(const TorusFile&) = delete;
@@ -98,26 +137,42 @@ class TorusFile {
   bool is_written_;
 };
 
+/// The number of faces that we read, 0 for an error.
+std::size_t faces_read(FileKind kind, const std::filesystem::path& path) {
+  if (is_stl(kind)) {
+    const auto read = stl::read_stl_file(path);
+    return read ? read->soup.triangles.size() : 0;
+  }
+  const auto read = is_obj(kind) ? stl::read_obj_file(path) : stl::read_off_file(path);
+  return read ? read->soup.face_count() : 0;
+}
+
+/// The same with CGAL.
+std::size_t faces_read_by_cgal(FileKind kind, const std::string& path) {
+  std::vector<Point> points;
+  if (is_stl(kind)) {
+    std::vector<std::array<int, 3>> triangles;
+    return CGAL::IO::read_STL(path, points, triangles) ? triangles.size() : 0;
+  }
+  std::vector<std::vector<std::size_t>> polygons;
+  const bool is_read =
+      is_obj(kind) ? CGAL::IO::read_OBJ(path, points, polygons) : CGAL::IO::read_OFF(path, points, polygons);
+  return is_read ? polygons.size() : 0;
+}
+
 void read_ours(benchmark::State& state, FileKind kind) {
   const TorusFile file(kind);
   if (!file.is_written()) return state.SkipWithError("the file cannot be written");
-  for (auto step : state) {
-    const auto read = is_obj(kind) ? stl::read_obj_file(file.path()) : stl::read_off_file(file.path());
-    if (!read || read->soup.face_count() != 2U * kSteps * kSteps) return state.SkipWithError("not read");
-  }
+  for (auto step : state)
+    if (faces_read(kind, file.path()) != 2U * kSteps * kSteps) return state.SkipWithError("not read");
   state.SetBytesProcessed(state.iterations() * file.bytes());
 }
 
 void read_cgal(benchmark::State& state, FileKind kind) {
   const TorusFile file(kind);
   if (!file.is_written()) return state.SkipWithError("the file cannot be written");
-  for (auto step : state) {
-    std::vector<Point> points;
-    std::vector<std::vector<std::size_t>> polygons;
-    const bool is_read = is_obj(kind) ? CGAL::IO::read_OBJ(file.path().string(), points, polygons)
-                                      : CGAL::IO::read_OFF(file.path().string(), points, polygons);
-    if (!is_read || polygons.size() != 2U * kSteps * kSteps) return state.SkipWithError("not read");
-  }
+  for (auto step : state)
+    if (faces_read_by_cgal(kind, file.path().string()) != 2U * kSteps * kSteps) return state.SkipWithError("not read");
   state.SetBytesProcessed(state.iterations() * file.bytes());
 }
 
@@ -130,6 +185,10 @@ void write_ours(benchmark::State& state, FileKind kind) {
   state.SetBytesProcessed(state.iterations() * file.bytes());
 }
 
+BENCHMARK_CAPTURE(read_ours, stl, FileKind::stl)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(read_cgal, stl, FileKind::stl)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(read_ours, stl_all_digits, FileKind::stl_all_digits)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(read_cgal, stl_all_digits, FileKind::stl_all_digits)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(read_ours, obj, FileKind::obj)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(read_cgal, obj, FileKind::obj)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(read_ours, obj_with_attributes, FileKind::obj_with_attributes)->Unit(benchmark::kMillisecond);

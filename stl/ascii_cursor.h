@@ -68,6 +68,11 @@ class AsciiCursor {
   /// White space other than line breaks.
   void skip_blanks_in_line() {
     const char* p = position_;
+    // Mostly a single blank.
+    if (end_ - p > 1 && *p == ' ' && p[1] > ' ') [[likely]] {
+      position_ = p + 1;
+      return;
+    }
     while (p != end_ && is_blank(*p) && !is_line_break(*p)) ++p;
     position_ = p;
   }

@@ -23,7 +23,7 @@ TEST_F(RepairReports, say_why_a_file_has_none) {
   write("text.txt", "Once upon a time\n");
   for (const auto& [name, reason] :
        {std::pair{"missing.stl", ": No such file or directory"},
-        std::pair{"bad.off", ": byte 30, line 5: vertex 3 of 3: expected a number, found 'x'"},
+        std::pair{"bad.off", ": byte 26, line 5: vertex 3 of 3: expected a number, found 'x'"},
         std::pair{"text.txt",
                   ": neither content nor name is that of a mesh file; expected STL, "
                   "OBJ or OFF"}}) {
