@@ -8,7 +8,6 @@
 
 namespace stl {
 
-using algebra3d::Error;
 using algebra3d::PolygonSoup;
 using algebra3d::Status;
 using algebra3d::Vec3;
