@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -97,9 +98,9 @@ constexpr std::array<Approach, 6> kApproaches{{
 
 class Repair {
  public:
-  Repair(std::shared_ptr<const TriangleMesh> given, const Approach& approach, const RepairOptions& options,
-         const Monitor& monitor)
-      : approach_(approach), options_(options), monitor_(monitor), facets_(std::move(given)) {}
+  /// `given` must outlive this.
+  Repair(const KnownFacets& given, const Approach& approach, const RepairOptions& options, const Monitor& monitor)
+      : given_(&given), approach_(approach), options_(options), monitor_(monitor), facets_(given.mesh()) {}
 
   /// All steps but the last; tells nothing of the solid if that is not to be had.
   Status make(const ValidityReport& found);
@@ -124,12 +125,13 @@ class Repair {
   Status close_holes();
   /// Whoever knows that facets cross spares the attempt to prove that they do not.
   Status make_solid(bool may_cross);
-  Result<bool> take_if_valid();
+  Result<bool> take_if_valid(const FaceSet& known);
   Status divide(const ValidParts& parts);
   void report_lost_shells();
-  Result<bool> is_proved();
+  Result<bool> is_proved(const FaceSet& known);
   std::string reason_for_nothing() const;
 
+  const KnownFacets* given_;
   Approach approach_;
   RepairOptions options_;
   Monitor monitor_;
@@ -201,8 +203,8 @@ Status Repair::close_holes() {
 }
 
 /// As they are, they may be a solid.
-Result<bool> Repair::take_if_valid() {
-  const ProofOptions options{.thoroughness = Thoroughness::first_defect, .cancel = monitor_.cancel()};
+Result<bool> Repair::take_if_valid(const FaceSet& known) {
+  const ProofOptions options{.thoroughness = Thoroughness::first_defect, .cancel = monitor_.cancel(), .known = known};
   ASSIGN_OR_RETURN(const ValidityReport found, prove_volume(mesh(), options));
   is_proved_ = found.is_valid();
   if (is_proved_) solid_ = mesh();
@@ -211,13 +213,14 @@ Result<bool> Repair::take_if_valid() {
 
 Status Repair::make_solid(bool may_cross) {
   RETURN_IF_ERROR(orient_shells(facets_, report_, monitor_));
+  const FaceSet known = recognised_faces(given_->recognise(mesh()));
   if (!may_cross) {
-    ASSIGN_OR_RETURN(const bool is_valid, take_if_valid());
+    ASSIGN_OR_RETURN(const bool is_valid, take_if_valid(known));
     if (is_valid) return {};
   }
-  ASSIGN_OR_RETURN(const ValidParts parts, ValidParts::make(mesh(), monitor_));
+  ASSIGN_OR_RETURN(const ValidParts parts, ValidParts::make(mesh(), monitor_, known));
   if (may_cross && parts.lone_faces().empty()) {
-    ASSIGN_OR_RETURN(const bool is_valid, take_if_valid());
+    ASSIGN_OR_RETURN(const bool is_valid, take_if_valid(known));
     if (is_valid) return {};
   }
   return divide(parts);
@@ -264,18 +267,15 @@ std::string Repair::reason_for_nothing() const {
   return "the facets enclose no volume";
 }
 
-Result<bool> Repair::is_proved() {
+Result<bool> Repair::is_proved(const FaceSet& known) {
   if (is_proved_) return true;
-  const ProofOptions options{.thoroughness = Thoroughness::first_defect, .cancel = monitor_.cancel()};
+  const ProofOptions options{.thoroughness = Thoroughness::first_defect, .cancel = monitor_.cancel(), .known = known};
   ASSIGN_OR_RETURN(const ValidityReport found, prove_volume(solid_, options));
   return found.is_valid();
 }
 
 Status Repair::make(const ValidityReport& found) {
-  if (is_balanced(mesh())) {
-    ASSIGN_OR_RETURN(const double volume, nearest_volume(mesh(), monitor_));
-    report_.volume_before = std::abs(volume);
-  }
+  if (is_balanced(mesh())) report_.volume_before = given_->volume().abs().nearest_double();
   drop_facets(found.count(Defect::degenerate_triangle) > 0, found.count(Defect::duplicate_triangle) > 0);
   mend_boundaries();
   orient();
@@ -296,23 +296,25 @@ Result<RepairedSolid> Repair::finish() && {
   ASSIGN_OR_RETURN(const TriangleMesh kept, kept_shells(solid_, options_, report_, monitor_));
   is_proved_ = is_proved_ && kept.face_count() == solid_.face_count();
   solid_ = in_spatial_order(kept);
-  ASSIGN_OR_RETURN(const bool is_valid, is_proved());
+  const std::vector<std::uint32_t> recognised = given_->recognise(solid_);
+  ASSIGN_OR_RETURN(const bool is_valid, is_proved(recognised_faces(recognised)));
   if (!is_valid) return nothing("the repair gave no valid solid");
-  ASSIGN_OR_RETURN(report_.volume_after, nearest_volume(solid_, monitor_));
+  ASSIGN_OR_RETURN(const Rational volume, given_->volume_of(solid_, recognised, monitor_.cancel()));
+  report_.volume_after = volume.nearest_double();
   return RepairedSolid{std::move(solid_), {}, std::move(report_)};
 }
 
 }  // namespace
 
-Result<RepairedSolid> repaired_solid(const std::shared_ptr<const TriangleMesh>& mesh, const ValidityReport& found,
+Result<RepairedSolid> repaired_solid(const KnownFacets& given, const ValidityReport& found,
                                      const RepairOptions& options, const Monitor& monitor) {
   std::optional<Enclosure> enclosure;
   std::optional<Repair> usual, fair;
   for (const Approach& approach : kApproaches) {
-    Repair repair(mesh, approach, options, monitor);
+    Repair repair(given, approach, options, monitor);
     RETURN_IF_ERROR(repair.make(found));
     if (!usual && repair.keeps_all_facets()) return std::move(repair).finish();
-    if (!enclosure) enclosure.emplace(*mesh);
+    if (!enclosure) enclosure.emplace(*given.mesh());
     const Agreement agreement = enclosure->compare(repair.solid());
     if (!agreement.is_doubtful() && (!usual || repair.has_solid())) return std::move(repair).finish();
     if (!fair && !agreement.is_wrong() && repair.has_solid()) fair = repair;

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 
 #include "algebra3d/base/error.h"
 #include "algebra3d/base/monitor.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/repair/known_facets.h"
 #include "algebra3d/repair/repair_options.h"
 #include "algebra3d/repair/repair_report.h"
 #include "algebra3d/validity/report.h"
@@ -20,8 +20,8 @@ struct RepairedSolid {
   RepairReport report;
 };
 
-/// A solid from a mesh of facets that is none, as `found` says, a proof that counted all defects. Its points are
-/// doubles. Each step sees what the ones before it left, and is skipped if there is nothing for it to do:
+/// A solid from facets that are none, as `found` says, a proof that counted all defects. Each step sees what the ones
+/// before it left, and is skipped if there is nothing for it to do:
 ///  1. facets that repeat a corner or have no area are dropped (degenerate_facets.h);
 ///  2. of equal facets one is kept, or none where the surface does not need it, unless closed shells would be open
 ///  then;
@@ -41,7 +41,7 @@ struct RepairedSolid {
 /// of them lack most of it. Where facets are divided, those in one plane are brought together and triangulated anew.
 /// The result is proved. Exactness: only steps 3, 4 and 6 move or add anything away from the facets; the report says
 /// how far. Errors: interrupted. Cost: that of a few proofs, and of an arrangement of what passes through itself.
-Result<RepairedSolid> repaired_solid(const std::shared_ptr<const TriangleMesh>& mesh, const ValidityReport& found,
+Result<RepairedSolid> repaired_solid(const KnownFacets& given, const ValidityReport& found,
                                      const RepairOptions& options, const Monitor& monitor = {});
 
 }  // namespace algebra3d

@@ -114,7 +114,8 @@ Result<SolidFromSoup> solid_from_soup(const TriangleSoup& soup, const RepairOpti
   const std::vector<std::uint32_t> order = spatial_order(welded.points.approx(), welded.triangles);
   welded = reordered(welded, order);
   TriangleMesh mesh(welded.points, welded.triangles);
-  ASSIGN_OR_RETURN(const ValidityReport validity, prove_volume(mesh, {.cancel = monitor.cancel()}));
+  ASSIGN_OR_RETURN(const VolumeExamination examined, examine_volume(mesh, monitor.cancel()));
+  const ValidityReport& validity = examined.report;
   result.report.was_turned = is_inside_out && validity.is_valid();
   if (validity.is_valid()) {
     RepairReport left_out;
@@ -133,7 +134,7 @@ Result<SolidFromSoup> solid_from_soup(const TriangleSoup& soup, const RepairOpti
     for (auto& [a, b, c] : welded.triangles) std::swap(b, c);
     mesh = TriangleMesh(welded.points, welded.triangles);
   }
-  const auto given = std::make_shared<const TriangleMesh>(std::move(mesh));
+  const KnownFacets given(std::make_shared<const TriangleMesh>(std::move(mesh)), examined.free, volume);
   ASSIGN_OR_RETURN(RepairedSolid repaired, repaired_solid(given, validity, options, monitor));
   result.mesh = std::move(repaired.mesh);
   result.repair = std::move(repaired.report);

@@ -5,13 +5,13 @@
 
 namespace algebra3d {
 
-Result<ValidParts> ValidParts::make(const TriangleMesh& mesh, const Monitor& monitor) {
-  return make(mesh, std::vector<bool>(mesh.face_count()), monitor);
+Result<ValidParts> ValidParts::make(const TriangleMesh& mesh, const Monitor& monitor, const FaceSet& known) {
+  return make(mesh, std::vector<bool>(mesh.face_count()), monitor, known);
 }
 
 Result<ValidParts> ValidParts::make(const TriangleMesh& mesh, const std::vector<bool>& are_alone,
-                                    const Monitor& monitor) {
-  ASSIGN_OR_RETURN(const std::vector<Entanglement> entanglements, disentangle(mesh, monitor.cancel()));
+                                    const Monitor& monitor, const FaceSet& known) {
+  ASSIGN_OR_RETURN(const std::vector<Entanglement> entanglements, disentangle(mesh, monitor.cancel(), known));
   ValidParts result;
   std::vector<FaceId> free;
   for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {

@@ -4,6 +4,7 @@
 
 #include "algebra3d/arrangement/arrangement.h"
 #include "algebra3d/base/monitor.h"
+#include "algebra3d/validity/face_set.h"
 
 namespace algebra3d {
 
@@ -12,11 +13,12 @@ namespace algebra3d {
 /// divides it at all others. Degenerate faces are left out.
 class ValidParts {
  public:
+  /// The faces in `known` are known to be a valid surface by themselves.
   /// Errors: interrupted. Exact. Cost: that of a proof.
-  static Result<ValidParts> make(const TriangleMesh& mesh, const Monitor& monitor = {});
+  static Result<ValidParts> make(const TriangleMesh& mesh, const Monitor& monitor = {}, const FaceSet& known = {});
   /// Those faces that are named are parts by themselves, too.
   static Result<ValidParts> make(const TriangleMesh& mesh, const std::vector<bool>& are_alone,
-                                 const Monitor& monitor = {});
+                                 const Monitor& monitor = {}, const FaceSet& known = {});
 
   const std::vector<Operand>& operands() const { return operands_; }
   /// Faces that are parts by themselves.

@@ -102,10 +102,15 @@ std::uint32_t common_embedded_corner(const TriangleMesh& mesh, const EmbeddedSta
 
 // All triangles at the tip of a cone or the pole of a sphere meet there, so their boxes do, and their pairs are
 // quadratically many. The group of a leaf is such a corner; then whole nodes are known to be free of intersections.
-void group_by_common_corner(const TriangleMesh& mesh, const EmbeddedStars& stars, BoxHierarchy& hierarchy) {
+// Leaves with known faces alone are one group: it has a number that no corner has.
+void group_leaves(const TriangleMesh& mesh, const EmbeddedStars& stars, const FaceSet& known, BoxHierarchy& hierarchy) {
+  const auto known_group = static_cast<std::uint32_t>(mesh.vertex_count());
+  const auto is_known = [&](std::uint32_t face) { return known.contains(face); };
   std::vector<std::uint32_t> groups(hierarchy.leaf_count());
-  for (std::size_t leaf = 0; leaf < groups.size(); ++leaf)
-    groups[leaf] = common_embedded_corner(mesh, stars, hierarchy.leaf_faces(leaf));
+  for (std::size_t leaf = 0; leaf < groups.size(); ++leaf) {
+    const auto faces = hierarchy.leaf_faces(leaf);
+    groups[leaf] = std::ranges::all_of(faces, is_known) ? known_group : common_embedded_corner(mesh, stars, faces);
+  }
   hierarchy.set_groups(groups);
 }
 
@@ -122,13 +127,15 @@ Vec3 place_of(const TriangleMesh& mesh, FaceId f, FaceId g) {
 
 }  // namespace
 
-Status for_each_intersection(const TriangleMesh& mesh, const EmbeddedStars& stars, BoxHierarchy& hierarchy,
-                             const std::atomic<bool>* cancel, const std::function<bool(FaceId, FaceId)>& visit) {
-  group_by_common_corner(mesh, stars, hierarchy);
+Status for_each_intersection(const TriangleMesh& mesh, const EmbeddedStars& stars, const FaceSet& known,
+                             BoxHierarchy& hierarchy, const std::atomic<bool>* cancel,
+                             const std::function<bool(FaceId, FaceId)>& visit) {
+  group_leaves(mesh, stars, known, hierarchy);
   const PairTest test(mesh, stars);
   bool is_cancelled = false;
   hierarchy.for_each_pair(
       [&](std::uint32_t a, std::uint32_t b) {
+        if (known.contains(a) && known.contains(b)) return true;
         const FaceId first(std::min(a, b)), second(std::max(a, b));
         return !test.is_improper(first, second) || visit(first, second);
       },
@@ -141,15 +148,18 @@ Status for_each_intersection(const TriangleMesh& mesh, const EmbeddedStars& star
 }
 
 Status find_intersections(const TriangleMesh& mesh, const EmbeddedStars& stars, BoxHierarchy& hierarchy,
-                          const ProofOptions& options, ValidityReport& report) {
+                          const ProofOptions& options, ValidityReport& report, FaceSet& free) {
   const std::uint64_t limit = options.thoroughness == Thoroughness::first_defect
                                   ? 1
                                   : std::max<std::uint64_t>(options.max_intersecting_pairs, 1);
-  return for_each_intersection(mesh, stars, hierarchy, options.cancel, [&](FaceId first, FaceId second) {
+  const auto add = [&](FaceId first, FaceId second) {
+    if (!free.is_empty()) free.remove(first.index());
+    if (!free.is_empty()) free.remove(second.index());
     report.add({Defect::intersecting_triangles, first, second, place_of(mesh, first, second)});
     report.is_cut_short = report.count(Defect::intersecting_triangles) == limit;
     return !report.is_cut_short;
-  });
+  };
+  return for_each_intersection(mesh, stars, options.known, hierarchy, options.cancel, add);
 }
 
 }  // namespace algebra3d

@@ -13,10 +13,11 @@ VertexId apex(const TriangleMesh& mesh, HalfedgeId h) {
   return mesh.origin(TriangleMesh::prev(h));
 }
 
-void check_degenerate(const TriangleMesh& mesh, const EmbeddedStars& stars, SoundFaces& sound, ValidityReport& report) {
+void check_degenerate(const TriangleMesh& mesh, const EmbeddedStars& stars, const FaceSet& known, SoundFaces& sound,
+                      ValidityReport& report) {
   for (std::size_t i = 0; i < mesh.face_count(); ++i) {
     const FaceId face(i);
-    if (stars.is_at_embedded(mesh, face)) continue;
+    if (known.contains(face.index()) || stars.is_at_embedded(mesh, face)) continue;
     const TriangleRef corners = mesh.corners(face);
     if (!collinear(corners[0], corners[1], corners[2])) continue;
     sound[i] = false;
@@ -31,11 +32,13 @@ class DuplicateSearch {
   DuplicateSearch(const TriangleMesh& mesh, SoundFaces& sound, ValidityReport& report)
       : mesh_(mesh), sound_(sound), report_(report) {}
 
-  void run(const EmbeddedStars& stars) {
+  void run(const EmbeddedStars& stars, const FaceSet& known) {
     for (std::size_t i = 0; i < mesh_.halfedge_count(); ++i) {
       const HalfedgeId h(i);
       const HalfedgeId other = mesh_.opposite(h);
-      if (other.is_valid() && h < other && !stars.is_embedded(mesh_.origin(h))) search({{h, other}});
+      if (!other.is_valid() || !(h < other) || stars.is_embedded(mesh_.origin(h))) continue;
+      if (known.contains(TriangleMesh::face(h).index()) && known.contains(TriangleMesh::face(other).index())) continue;
+      search({{h, other}});
     }
     for (std::size_t n = 0; n < mesh_.nonmanifold_edge_count(); ++n) {
       const std::span<const HalfedgeId> edge = mesh_.nonmanifold_edge(n);
@@ -68,10 +71,11 @@ class DuplicateSearch {
 
 }  // namespace
 
-SoundFaces check_triangles(const TriangleMesh& mesh, const EmbeddedStars& stars, ValidityReport& report) {
+SoundFaces check_triangles(const TriangleMesh& mesh, const EmbeddedStars& stars, const FaceSet& known,
+                           ValidityReport& report) {
   SoundFaces sound(mesh.face_count(), true);
-  check_degenerate(mesh, stars, sound, report);
-  DuplicateSearch(mesh, sound, report).run(stars);
+  check_degenerate(mesh, stars, known, sound, report);
+  DuplicateSearch(mesh, sound, report).run(stars, known);
   return sound;
 }
 

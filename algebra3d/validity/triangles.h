@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/validity/face_set.h"
 #include "algebra3d/validity/report.h"
 #include "algebra3d/validity/vertex_stars.h"
 
@@ -13,7 +14,9 @@ namespace algebra3d {
 using SoundFaces = std::vector<bool>;
 
 /// Adds degenerate and duplicate triangles to `report` and says which faces are left for the later stages. Of n
-/// triangles with the same corners n - 1 are duplicates. Exact. Cost: linear; n log n where many share one edge.
-SoundFaces check_triangles(const TriangleMesh& mesh, const EmbeddedStars& stars, ValidityReport& report);
+/// triangles with the same corners n - 1 are duplicates. Faces in `known` are not degenerate and repeat no other of
+/// them. Exact. Cost: linear; n log n where many share one edge.
+SoundFaces check_triangles(const TriangleMesh& mesh, const EmbeddedStars& stars, const FaceSet& known,
+                           ValidityReport& report);
 
 }  // namespace algebra3d

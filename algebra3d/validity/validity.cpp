@@ -37,18 +37,24 @@ Status check_windings(const TriangleMesh& mesh, const BoxHierarchy& hierarchy, c
   return {};
 }
 
-Result<ValidityReport> prove(const TriangleMesh& mesh, Kind kind, const ProofOptions& options) {
+EmbeddedStars stars_of(const TriangleMesh& mesh, const FaceSet& known) {
+  return known.is_empty() ? EmbeddedStars(mesh) : EmbeddedStars(mesh, known);
+}
+
+/// Leaves in `free` the faces that get along with each other, unless it is empty.
+Result<ValidityReport> prove(const TriangleMesh& mesh, Kind kind, const ProofOptions& options, FaceSet& free) {
   ValidityReport report;
   const auto is_done = [&] { return options.thoroughness == Thoroughness::first_defect && !report.is_valid(); };
-  const EmbeddedStars stars(mesh);
+  const EmbeddedStars stars = stars_of(mesh, options.known);
   RETURN_IF_ERROR(check_cancelled(options));
-  const SoundFaces sound = check_triangles(mesh, stars, report);
+  const SoundFaces sound = check_triangles(mesh, stars, options.known, report);
+  if (!free.is_empty()) free = FaceSet(sound);
   if (is_done()) return report;
   if (kind == Kind::volume) check_edges(mesh, sound, report);
   if (is_done()) return report;
   RETURN_IF_ERROR(check_cancelled(options));
   BoxHierarchy hierarchy = hierarchy_of(mesh, sound);
-  RETURN_IF_ERROR(find_intersections(mesh, stars, hierarchy, options, report));
+  RETURN_IF_ERROR(find_intersections(mesh, stars, hierarchy, options, report, free));
   // Off the beaten track a winding number means nothing.
   if (kind == Kind::volume && report.is_valid()) RETURN_IF_ERROR(check_windings(mesh, hierarchy, options, report));
   return report;
@@ -56,10 +62,11 @@ Result<ValidityReport> prove(const TriangleMesh& mesh, Kind kind, const ProofOpt
 
 }  // namespace
 
-Result<std::vector<Entanglement>> disentangle(const TriangleMesh& mesh, const std::atomic<bool>* cancel) {
+Result<std::vector<Entanglement>> disentangle(const TriangleMesh& mesh, const std::atomic<bool>* cancel,
+                                              const FaceSet& known) {
   ValidityReport ignored;
-  const EmbeddedStars stars(mesh);
-  const SoundFaces sound = check_triangles(mesh, stars, ignored);
+  const EmbeddedStars stars = stars_of(mesh, known);
+  const SoundFaces sound = check_triangles(mesh, stars, known, ignored);
   std::vector<Entanglement> result(mesh.face_count(), Entanglement::none);
   for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
     const TriangleRef corners = mesh.corners(FaceId(f));
@@ -70,19 +77,30 @@ Result<std::vector<Entanglement>> disentangle(const TriangleMesh& mesh, const st
         result[f] = Entanglement::entangled;
   }
   BoxHierarchy hierarchy = hierarchy_of(mesh, sound);
-  RETURN_IF_ERROR(for_each_intersection(mesh, stars, hierarchy, cancel, [&](FaceId first, FaceId second) {
+  const auto part_from_first = [&](FaceId first, FaceId second) {
     if (result[first.index()] == Entanglement::none) result[second.index()] = Entanglement::entangled;
     return true;
-  }));
+  };
+  RETURN_IF_ERROR(for_each_intersection(mesh, stars, known, hierarchy, cancel, part_from_first));
   return result;
 }
 
 Result<ValidityReport> prove_surface(const TriangleMesh& mesh, const ProofOptions& options) {
-  return prove(mesh, Kind::surface, options);
+  FaceSet ignored;
+  return prove(mesh, Kind::surface, options, ignored);
 }
 
 Result<ValidityReport> prove_volume(const TriangleMesh& mesh, const ProofOptions& options) {
-  return prove(mesh, Kind::volume, options);
+  FaceSet ignored;
+  return prove(mesh, Kind::volume, options, ignored);
+}
+
+Result<VolumeExamination> examine_volume(const TriangleMesh& mesh, const std::atomic<bool>* cancel) {
+  VolumeExamination result{{}, FaceSet(std::vector<bool>(mesh.face_count(), true))};
+  ASSIGN_OR_RETURN(result.report, prove(mesh, Kind::volume, {.cancel = cancel}, result.free));
+  // Of pairs that were not met nothing is known.
+  if (result.report.is_cut_short) result.free = {};
+  return result;
 }
 
 }  // namespace algebra3d

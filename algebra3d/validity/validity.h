@@ -6,6 +6,7 @@
 
 #include "algebra3d/base/error.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/validity/face_set.h"
 #include "algebra3d/validity/report.h"
 
 namespace algebra3d {
@@ -21,6 +22,9 @@ struct ProofOptions {
   const std::atomic<bool>* cancel = nullptr;  ///< asked often; error `interrupted`
   /// Counting of intersecting pairs ends here (`ValidityReport::is_cut_short`): there may be quadratically many.
   std::uint64_t max_intersecting_pairs = 1'000'000;
+  /// Faces that are known to be a valid surface by themselves, from an earlier proof: they are not looked at again
+  /// beside each other. A wrong set makes a wrong proof.
+  FaceSet known = {};
 };
 
 /// Proves or refutes that `mesh` is a valid surface3d: no degenerate triangles; two triangles share no area, and if
@@ -36,6 +40,18 @@ Result<ValidityReport> prove_surface(const TriangleMesh& mesh, const ProofOption
 /// Errors: interrupted. Cost: that of prove_surface, and one vertical line per shell.
 Result<ValidityReport> prove_volume(const TriangleMesh& mesh, const ProofOptions& options = {});
 
+/// What a proof has found out about a mesh, be it valid or not.
+struct VolumeExamination {
+  ValidityReport report;
+  /// Faces that are neither degenerate nor a repetition of an earlier one, and share more than a point or a whole edge
+  /// with no other such face: they are a valid surface by themselves, and so is any part of them, in any other mesh.
+  /// Empty if intersecting pairs were not all counted.
+  FaceSet free;
+};
+
+/// prove_volume that counts all defects, and tells which faces have none but at their edges.
+Result<VolumeExamination> examine_volume(const TriangleMesh& mesh, const std::atomic<bool>* cancel = nullptr);
+
 /// How the faces of a mesh stand to the others.
 enum class Entanglement : std::uint8_t {
   none,        ///< no two such faces share more than a point or a whole edge
@@ -45,7 +61,8 @@ enum class Entanglement : std::uint8_t {
 
 /// Parts the faces of any mesh so that those with Entanglement::none are a valid surface by themselves. Of two faces
 /// that share too much the later one is called entangled, unless the earlier one is already.
-/// Errors: interrupted. Exact. Cost: that of prove_surface.
-Result<std::vector<Entanglement>> disentangle(const TriangleMesh& mesh, const std::atomic<bool>* cancel = nullptr);
+/// `known` as in ProofOptions. Errors: interrupted. Exact. Cost: that of prove_surface.
+Result<std::vector<Entanglement>> disentangle(const TriangleMesh& mesh, const std::atomic<bool>* cancel = nullptr,
+                                              const FaceSet& known = {});
 
 }  // namespace algebra3d

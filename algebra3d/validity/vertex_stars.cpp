@@ -121,9 +121,21 @@ bool goes_round_once(const Star& star, const Vec3& d) {
 }  // namespace
 
 EmbeddedStars::EmbeddedStars(const TriangleMesh& mesh) : is_embedded_(mesh.vertex_count(), 0) {
+  look_at(mesh, std::vector<bool>(mesh.vertex_count(), true));
+}
+
+EmbeddedStars::EmbeddedStars(const TriangleMesh& mesh, const FaceSet& known) : is_embedded_(mesh.vertex_count(), 0) {
+  std::vector<bool> is_asked(mesh.vertex_count());
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
+    if (!known.contains(f))
+      for (const std::uint32_t corner : mesh.triangle(FaceId(f))) is_asked[corner] = true;
+  look_at(mesh, is_asked);
+}
+
+void EmbeddedStars::look_at(const TriangleMesh& mesh, const std::vector<bool>& is_asked) {
   Star star;
   for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
-    if (!collect_star(mesh, VertexId(i), star)) continue;
+    if (!is_asked[i] || !collect_star(mesh, VertexId(i), star)) continue;
     const Vec3 guess = sum_of_normals(star);
     const Vec3 direction = front_direction(star, guess);
     if (direction == Vec3{}) continue;

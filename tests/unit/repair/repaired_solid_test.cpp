@@ -461,9 +461,10 @@ TEST(RepairedSolid, ends_when_asked_to_at_any_time) {
   TriangleSoup soup = joined(soup_of(on_grid(samples::torus(14, 8))), cube_soup(1, 4));
   soup.triangles.pop_back();
   const auto mesh = std::make_shared<const TriangleMesh>(mesh_of(soup));
+  const KnownFacets given(mesh, {}, solids::exact_volume_of(*mesh));
   const ValidityReport found = *prove_volume(*mesh);
   const std::atomic<bool> at_once = true;
-  const auto none = repaired_solid(mesh, found, {}, &at_once);
+  const auto none = repaired_solid(given, found, {}, &at_once);
   ASSERT_FALSE(none.ok());
   EXPECT_EQ(none.error().code, ErrorCode::interrupted);
   // When the work has told for the n-th time how far it is.
@@ -472,7 +473,7 @@ TEST(RepairedSolid, ends_when_asked_to_at_any_time) {
     std::atomic<bool> cancel = false;
     told = 0;
     const Monitor::Report report = [&](const std::string&) { cancel = ++told >= n; };
-    const auto made = repaired_solid(mesh, found, {}, {&cancel, &report});
+    const auto made = repaired_solid(given, found, {}, {&cancel, &report});
     if (made.ok()) break;
     EXPECT_EQ(made.error().code, ErrorCode::interrupted);
   }
