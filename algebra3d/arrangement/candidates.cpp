@@ -1,5 +1,7 @@
 #include "algebra3d/arrangement/candidates.h"
 
+#include <algorithm>
+
 #include "algebra3d/base/box3.h"
 #include "algebra3d/base/parallel.h"
 #include "algebra3d/halfedge/boxes.h"
@@ -43,12 +45,33 @@ void pair_operands(const Operands& operands, const Monitor& monitor, std::size_t
     }
 }
 
-/// Many operands: one tree over the faces of all whose boxes meet others.
+/// The operand that has more faces than all others together, if it is worth a search of its own; else kNone.
+std::uint32_t dominant_operand(const Operands& operands) {
+  for (std::uint32_t i = 0; i < operands.count(); ++i)
+    if (operands.mesh(i).face_count() > std::max(operands.face_count() / 2, kWorthAThread)) return i;
+  return kNone;
+}
+
+/// One operand against all others that its box meets.
+void pair_with_others(const Operands& operands, std::uint32_t one, const Tree& operand_tree, const Monitor& monitor,
+                      std::size_t max_pairs, FacePairs& pairs) {
+  for (const std::uint32_t other : operand_tree.window(operands.hierarchy(one).bounds())) {
+    if (other == one) continue;
+    pair_two(operands, std::min(one, other), std::max(one, other), {0, 1}, monitor, max_pairs, pairs);
+    if (monitor.is_cancelled() || pairs.size() > max_pairs) return;
+  }
+}
+
+/// Many operands: one tree over the faces of all whose boxes meet others. Where one operand has nearly all faces and
+/// few of them are near others, its hierarchy finds these sooner.
 void pair_faces(const Operands& operands, const Monitor& monitor, std::size_t max_pairs, FacePairs& pairs) {
   std::vector<rtree::Entry<std::uint32_t>> boxes, faces;
   for (std::uint32_t i = 0; i < operands.count(); ++i) boxes.push_back({operands.hierarchy(i).bounds(), i});
   const Tree operand_tree = Tree::bulk_load(boxes);
+  const std::uint32_t dominant = dominant_operand(operands);
+  if (dominant != kNone) pair_with_others(operands, dominant, operand_tree, monitor, max_pairs, pairs);
   for (std::uint32_t i = 0; i < operands.count(); ++i) {
+    if (i == dominant) continue;
     auto meeting = operand_tree.window(boxes[i].box);
     const bool is_alone = !(meeting.next() && meeting.next());
     for (std::uint32_t f = 0; !is_alone && f < operands.mesh(i).face_count(); ++f)

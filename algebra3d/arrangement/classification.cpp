@@ -29,7 +29,7 @@ class Classifier {
         sets_(2 * pieces.pieces.size() + patches.patches.size()),
         location_(operands_),
         face_tree_(operands_),
-        rooms_above_(operands_, face_tree_),
+        rooms_above_(operands_, location_),
         faces_above_(operands_, face_tree_) {}
 
   /// What each set's name stands for, as soon as a seed tells.
@@ -178,7 +178,7 @@ void Classifier::join_fronts_of_faces(const Piece& piece, std::uint32_t member) 
 void Classifier::add_others(const PointRef& point, const std::vector<std::uint32_t>& known, Windings& windings) {
   for (const std::uint32_t operand : location_.near(point))
     if (!std::ranges::binary_search(known, operand))
-      windings[operands_.group(operand)] += location_.winding(operand, point);
+      windings[operands_.group(operand)] += location_.crossings_above(operand, point);
 }
 
 Windings Classifier::front_at(const Seed& seed) {

@@ -7,13 +7,13 @@
 
 namespace algebra3d::arrangement {
 
-int PointLocation::winding(std::uint32_t operand, const PointRef& point) const {
-  int winding = 0;
+int PointLocation::crossings_above(std::uint32_t operand, const PointRef& point) const {
+  int sum = 0;
   operands_.hierarchy(operand).for_each_on_vertical_ray(box_of(point), 1, [&](std::uint32_t face) {
     const LineCrossing crossing = cross_vertical_line(point, operands_.mesh(operand).corners(FaceId(face)));
-    if (crossing.side == -1) winding += crossing.sign;
+    if (crossing.side == -1) sum += crossing.sign;
   });
-  return winding;
+  return sum;
 }
 
 const rtree::RTree<std::uint32_t>& PointLocation::boxes() {
@@ -25,11 +25,15 @@ const rtree::RTree<std::uint32_t>& PointLocation::boxes() {
   return *boxes_;
 }
 
-std::vector<std::uint32_t> PointLocation::near(const PointRef& point) {
+std::vector<std::uint32_t> PointLocation::operands_meeting(const Box3& box) {
   std::vector<std::uint32_t> result;
-  for (const std::uint32_t operand : boxes().window(box_of(point))) result.push_back(operand);
+  for (const std::uint32_t operand : boxes().window(box)) result.push_back(operand);
   std::ranges::sort(result);
   return result;
+}
+
+std::vector<std::uint32_t> PointLocation::near(const PointRef& point) {
+  return operands_meeting(box_of(point));
 }
 
 bool PointLocation::is_near_many(const PointRef& point, std::size_t many) {

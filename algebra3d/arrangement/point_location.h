@@ -14,9 +14,12 @@ class PointLocation {
  public:
   explicit PointLocation(const Operands& operands) : operands_(operands) {}
 
-  /// Winding number of the operand about a point that lies on none of its faces. Exact. Cost: that of a vertical line
+  /// How many faces of the operand that look up are above the point, less those that look down: its winding number
+  /// about the point, if it is closed and the point lies on none of its faces. Exact. Cost: that of a vertical line
   /// through the hierarchy of its boxes.
-  int winding(std::uint32_t operand, const PointRef& point) const;
+  int crossings_above(std::uint32_t operand, const PointRef& point) const;
+  /// Operands whose boxes meet this one. Ascending.
+  std::vector<std::uint32_t> operands_meeting(const Box3& box);
   /// Operands whose boxes hold the point; others do not hold it. Ascending.
   std::vector<std::uint32_t> near(const PointRef& point);
   /// True if there are more of them than so many. Cost: that of finding one more.

@@ -2,8 +2,6 @@
 
 #include <limits>
 
-#include "algebra3d/exact/vertical_line.h"
-
 namespace algebra3d::arrangement {
 
 bool is_room_above_in_front(const TriangleRef& triangle) {
@@ -32,10 +30,8 @@ Windings RoomsAbove::windings(const PointRef& point) {
   Box3 above = box_of(point);
   above.max.z = std::numeric_limits<double>::max();
   Windings windings{};
-  for (const std::uint32_t face : faces_.get().window(above)) {
-    const LineCrossing crossing = cross_vertical_line(point, operands_.corners(face));
-    if (crossing.side == -1) windings[operands_.group(operands_.operand_of_face(face))] += crossing.sign;
-  }
+  for (const std::uint32_t operand : location_.operands_meeting(above))
+    windings[operands_.group(operand)] += location_.crossings_above(operand, point);
   return windings;
 }
 

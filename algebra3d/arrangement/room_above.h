@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <span>
 
-#include "algebra3d/arrangement/face_tree.h"
 #include "algebra3d/arrangement/operands.h"
+#include "algebra3d/arrangement/point_location.h"
 #include "algebra3d/arrangement/radial_order.h"
 
 namespace algebra3d::arrangement {
@@ -22,15 +22,15 @@ HalfPlane before_room_above(const Skeleton& skeleton, const Pieces& pieces, std:
 /// Windings of operands of which only all of one group together are closed.
 class RoomsAbove {
  public:
-  RoomsAbove(const Operands& operands, FaceTree& faces) : operands_(operands), faces_(faces) {}
+  RoomsAbove(const Operands& operands, PointLocation& location) : operands_(operands), location_(location) {}
 
-  /// In the room above the point. Exact. Cost: that of a vertical line through a tree of all faces, which the first
-  /// call makes.
+  /// In the room above the point. Exact. Cost: that of a vertical line through the hierarchies of all operands whose
+  /// boxes it meets.
   Windings windings(const PointRef& point);
 
  private:
   const Operands& operands_;
-  FaceTree& faces_;
+  PointLocation& location_;
 };
 
 }  // namespace algebra3d::arrangement

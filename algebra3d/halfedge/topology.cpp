@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "algebra3d/halfedge/circulators.h"
+#include "algebra3d/halfedge/relinked.h"
 
 namespace algebra3d {
 namespace {
@@ -228,7 +229,11 @@ TriangleMesh submesh(const TriangleMesh& mesh, std::span<const FaceId> faces) {
     }
     triangles.push_back(triangle);
   }
-  return {std::move(points), triangles, planes_of(mesh, faces)};
+  // Taking over links costs a look at all faces.
+  if (faces.size() < mesh.face_count() / 4) return {std::move(points), triangles, planes_of(mesh, faces)};
+  std::vector<std::uint32_t> was(faces.size());
+  std::ranges::transform(faces, was.begin(), [](FaceId face) { return face.index(); });
+  return relinked(mesh, std::move(was), std::move(points), triangles, planes_of(mesh, faces));
 }
 
 }  // namespace algebra3d

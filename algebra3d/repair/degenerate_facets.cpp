@@ -204,6 +204,10 @@ void drop_degenerate_facets(FacetList& facets, RepairReport& report) {
   remove(facets, is_dropped);
 }
 
+bool has_duplicate_facets(const TriangleMesh& mesh) {
+  return !equal_facets(mesh).empty();
+}
+
 void drop_duplicate_facets(FacetList& facets, RepairReport& report) {
   const auto linked = facets.mesh();
   const TriangleMesh& mesh = *linked;

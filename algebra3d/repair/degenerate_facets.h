@@ -15,4 +15,7 @@ void drop_degenerate_facets(FacetList& facets, RepairReport& report);
 /// the facets at edges that are not manifold.
 void drop_duplicate_facets(FacetList& facets, RepairReport& report);
 
+/// True if two faces have the same three corners. Cost: as before.
+bool has_duplicate_facets(const TriangleMesh& mesh);
+
 }  // namespace algebra3d

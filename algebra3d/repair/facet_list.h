@@ -7,13 +7,14 @@
 #include <utility>
 #include <vector>
 
+#include "algebra3d/halfedge/relinked.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
 #include "algebra3d/repair/weld.h"
 
 namespace algebra3d {
 
 /// The facets of a file on their way to a solid. Points are doubles; no two are equal, but some may be unused.
-/// Who changes points or triangles calls `changed` before anyone asks for the mesh.
+/// Who changes triangles calls `changed` before anyone asks for the mesh; points stay as they are.
 class FacetList {
  public:
   std::vector<Vec3> points;
@@ -33,13 +34,19 @@ class FacetList {
   }
 
   /// The facets linked, face i being triangle i. Stays what it is for those who hold it. Cost: linear, the first time
-  /// after a change.
+  /// after a change, and less if most of the facets were linked before.
   std::shared_ptr<const TriangleMesh> mesh() const {
-    if (mesh_ == nullptr) mesh_ = std::make_shared<const TriangleMesh>(PointArray(points), triangles);
+    if (mesh_ == nullptr && before_ == nullptr)
+      mesh_ = std::make_shared<const TriangleMesh>(PointArray(points), triangles);
+    if (mesh_ == nullptr)
+      mesh_ = std::make_shared<const TriangleMesh>(relinked(*before_, faces_before(), PointArray(points), triangles));
+    before_.reset();
     assert(is_linked());
     return mesh_;
   }
-  void changed() { mesh_.reset(); }
+  void changed() {
+    if (mesh_ != nullptr) before_ = std::exchange(mesh_, nullptr);
+  }
 
  private:
   bool is_linked() const {
@@ -49,7 +56,24 @@ class FacetList {
     return mesh_->face_count() == triangles.size() && std::ranges::all_of(triangles, is_same);
   }
 
+  /// Which facet each was when they were linked last, as far as that is easily told. Facets keep their order, though
+  /// some go, change or are added at the end.
+  std::vector<std::uint32_t> faces_before() const {
+    constexpr std::size_t kFarthest = 16;
+    std::vector<std::uint32_t> was(triangles.size(), kNewFace);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < triangles.size() && next < before_->face_count(); ++i) {
+      const std::size_t end = std::min(next + kFarthest, before_->face_count());
+      std::size_t found = next;
+      while (found < end && before_->triangle(FaceId(found)) != triangles[i]) ++found;
+      if (found < end) was[i] = static_cast<std::uint32_t>(found);
+      next = found < end ? found + 1 : next + 1;
+    }
+    return was;
+  }
+
   mutable std::shared_ptr<const TriangleMesh> mesh_;
+  mutable std::shared_ptr<const TriangleMesh> before_;  // before the last changes; none once mesh_ is there
 };
 
 }  // namespace algebra3d

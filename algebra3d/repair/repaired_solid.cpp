@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,6 +20,7 @@
 #include "algebra3d/repair/fins.h"
 #include "algebra3d/repair/holes.h"
 #include "algebra3d/repair/kept_shells.h"
+#include "algebra3d/repair/point_table.h"
 #include "algebra3d/repair/rims.h"
 #include "algebra3d/repair/shell_orientation.h"
 #include "algebra3d/repair/spatial_order.h"
@@ -136,6 +138,7 @@ class Repair {
   RepairOptions options_;
   Monitor monitor_;
   FacetList facets_;
+  std::shared_ptr<const TriangleMesh> without_flat_;  // the facets when those were dropped last
   TriangleMesh solid_;
   bool is_proved_ = false;
   bool is_beyond_limit_ = false;
@@ -145,7 +148,7 @@ class Repair {
 
 void Repair::drop_facets(bool has_degenerate, bool has_duplicates) {
   if (has_degenerate) drop_degenerate_facets(facets_, report_);
-  if (!has_duplicates) return;
+  if (!has_duplicates || !has_duplicate_facets(mesh())) return;
   FacetList rest = facets_;
   RepairReport report = report_;
   drop_duplicate_facets(rest, report);
@@ -160,9 +163,11 @@ void Repair::drop_facets(bool has_degenerate, bool has_duplicates) {
 
 /// Of facets that moved, or were added. The report is of what the file has.
 void Repair::drop_what_became_flat() {
+  if (facets_.mesh() == without_flat_) return;
   RepairReport given = report_;
   drop_facets(true, true);
   report_ = std::move(given);
+  without_flat_ = facets_.mesh();
 }
 
 void Repair::mend_boundaries() {
@@ -241,17 +246,19 @@ Status Repair::divide(const ValidParts& parts) {
 
 /// What hangs together across edges of two facets, and of which no corner is left.
 void Repair::report_lost_shells() {
-  std::vector<Vec3> left;
+  PointTable left(2 * solid_.points().size());
   for (std::size_t i = 0; i < solid_.points().size(); ++i)
-    if (solid_.points()[i].is_double()) left.push_back(solid_.points().approx()[i]);
-  std::ranges::sort(left);
+    if (const Vec3& point = solid_.points().approx()[i]; solid_.points()[i].is_double())
+      left.number_of(point, hash_of(point));
   const TriangleMesh& given = mesh();
   arrangement::DisjointSets parts = parts_across_simple_edges(given);
   std::vector<bool> is_left(given.face_count());  // of each part, at its number
+  const auto is_left_at = [&](const PointRef& corner) {
+    return left.find(corner.approx, hash_of(corner.approx)) != PointTable::kNone;
+  };
   for (std::uint32_t f = 0; f < given.face_count(); ++f)
-    if (std::ranges::any_of(given.corners(FaceId(f)),
-                            [&](const PointRef& corner) { return std::ranges::binary_search(left, corner.approx); }))
-      is_left[parts.find(f)] = true;
+    if (const std::uint32_t part = parts.find(f); !is_left[part])
+      is_left[part] = std::ranges::any_of(given.corners(FaceId(f)), is_left_at);
   for (std::uint32_t f = 0; f < given.face_count(); ++f)
     if (parts.find(f) == f && !is_left[f]) report_.add(RepairStep::inner_shells, given.corners(FaceId(f))[0].approx);
 }
@@ -277,6 +284,7 @@ Result<bool> Repair::is_proved(const FaceSet& known) {
 Status Repair::make(const ValidityReport& found) {
   if (is_balanced(mesh())) report_.volume_before = given_->volume().abs().nearest_double();
   drop_facets(found.count(Defect::degenerate_triangle) > 0, found.count(Defect::duplicate_triangle) > 0);
+  without_flat_ = facets_.mesh();
   mend_boundaries();
   orient();
   RETURN_IF_ERROR(close_holes());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -14,12 +15,14 @@
 #include "algebra3d/exact/vertical_line.h"
 #include "algebra3d/halfedge/topology.h"
 #include "algebra3d/repair/facet_parts.h"
+#include "algebra3d/repair/shell_volumes.h"
 
 namespace algebra3d {
 namespace {
 
 struct OrientedShell {
   std::vector<std::uint32_t> facets;
+  /// Of large shells perhaps rounded, but then neither the sign nor the order by size depends on it.
   Rational volume;
   bool is_turned = false;
   Box3 box;
@@ -35,6 +38,7 @@ class ShellOrientation {
  private:
   arrangement::DisjointSets parts() const;
   Result<std::vector<OrientedShell>> find_shells(const Monitor& monitor) const;
+  Status measure(std::vector<OrientedShell>& shells, const Monitor& monitor) const;
   bool is_closed(const OrientedShell& shell) const;
   Result<Rational> volume_of_closed(const OrientedShell& shell) const;
   Rational volume_of_open(const OrientedShell& shell) const;
@@ -80,13 +84,49 @@ Result<std::vector<OrientedShell>> ShellOrientation::find_shells(const Monitor& 
     if (is_new) shells.emplace_back();
     shells[number->second].facets.push_back(f);
   }
-  for (OrientedShell& shell : shells) {
+  for (OrientedShell& shell : shells)
     for (const std::uint32_t f : shell.facets)
       for (std::size_t i = 0; i < 3; ++i) shell.box.extend(facets_.corner(f, i));
-    RETURN_IF_ERROR(monitor.check());
-    ASSIGN_OR_RETURN(shell.volume, is_closed(shell) ? volume_of_closed(shell) : volume_of_open(shell));
-  }
+  RETURN_IF_ERROR(measure(shells, monitor));
   return shells;
+}
+
+/// The exact volume of a large closed shell takes long, and is hardly ever needed: its estimate will do if it is apart
+/// from 0 and from the sizes of all other shells.
+Status ShellOrientation::measure(std::vector<OrientedShell>& shells, const Monitor& monitor) const {
+  constexpr std::size_t kLarge = 1000;
+  /// Where the size of a shell lies.
+  struct Range {
+    double low, high;
+    std::uint32_t shell;
+    bool is_estimate;
+  };
+  std::vector<Range> ranges;
+  for (std::uint32_t i = 0; i < shells.size(); ++i) {
+    OrientedShell& shell = shells[i];
+    RETURN_IF_ERROR(monitor.check());
+    const bool closed = is_closed(shell);
+    if (closed && shell.facets.size() >= kLarge) {
+      const auto [value, error] = estimated_volume(mesh_, shell.facets);
+      ranges.push_back({std::abs(value) - error, std::abs(value) + error, i, true});
+      if (std::isfinite(value)) shell.volume = Rational(value);
+      continue;
+    }
+    ASSIGN_OR_RETURN(shell.volume, closed ? volume_of_closed(shell) : volume_of_open(shell));
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const double size = std::abs(shell.volume.nearest_double());
+    ranges.push_back({std::nextafter(size, -kInfinity), std::nextafter(size, kInfinity), i, false});
+  }
+  std::ranges::sort(ranges, {}, [](const Range& range) { return std::pair(range.low, range.shell); });
+  double highest = 0;  // of those before
+  for (std::size_t i = 0; i < ranges.size(); highest = std::max(highest, ranges[i++].high)) {
+    const bool is_apart = ranges[i].low > highest && (i + 1 == ranges.size() || ranges[i].high < ranges[i + 1].low);
+    if (!ranges[i].is_estimate || is_apart) continue;
+    RETURN_IF_ERROR(monitor.check());
+    OrientedShell& shell = shells[ranges[i].shell];
+    ASSIGN_OR_RETURN(shell.volume, volume_of_closed(shell));
+  }
+  return {};
 }
 
 /// True if along each of its edges as many facets run one way as the other.

@@ -6,6 +6,7 @@
 
 #include "algebra3d/base/box3.h"
 #include "algebra3d/halfedge/mesh_triangles.h"
+#include "algebra3d/halfedge/relinked.h"
 
 namespace algebra3d {
 namespace {
@@ -74,6 +75,28 @@ void radix_sort(std::vector<CodedTriangle>& coded) {
   }
 }
 
+/// Sorts what is in order but for a few: each that comes after a larger one is set aside with that one, and these are
+/// sorted and merged. False, with nothing done, if they are many.
+bool merge_sort_few(std::vector<CodedTriangle>& coded) {
+  const std::size_t most = coded.size() / 16;
+  std::vector<CodedTriangle> kept, few;
+  kept.reserve(coded.size());
+  for (const CodedTriangle& t : coded) {
+    if (kept.empty() || kept.back().code <= t.code) {
+      kept.push_back(t);
+      continue;
+    }
+    few.push_back(kept.back());
+    few.push_back(t);
+    kept.pop_back();
+    if (few.size() > most) return false;
+  }
+  const auto place = [](const CodedTriangle& t) { return std::pair(t.code, t.triangle); };
+  std::ranges::sort(few, {}, place);
+  std::ranges::merge(kept, few, coded.begin(), {}, place, place);
+  return true;
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> spatial_order(std::span<const Vec3> points,
@@ -84,7 +107,7 @@ std::vector<std::uint32_t> spatial_order(std::span<const Vec3> points,
     const auto& [a, b, c] = triangles[i];
     coded[i] = {code_of(points[a], points[b], points[c]), i};
   }
-  radix_sort(coded);
+  if (!merge_sort_few(coded)) radix_sort(coded);
   std::vector<std::uint32_t> order(coded.size());
   std::ranges::transform(coded, order.begin(), &CodedTriangle::triangle);
   return order;
@@ -111,8 +134,9 @@ WeldedTriangles reordered(const WeldedTriangles& welded, std::span<const std::ui
 
 TriangleMesh in_spatial_order(const TriangleMesh& mesh) {
   WeldedTriangles result{mesh.points(), triangles_of(mesh)};
-  result = reordered(result, spatial_order(result.points.approx(), result.triangles));
-  return {std::move(result.points), result.triangles};
+  std::vector<std::uint32_t> order = spatial_order(result.points.approx(), result.triangles);
+  result = reordered(result, order);
+  return relinked(mesh, std::move(order), std::move(result.points), result.triangles);
 }
 
 }  // namespace algebra3d

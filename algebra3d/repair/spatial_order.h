@@ -9,7 +9,7 @@
 namespace algebra3d {
 
 /// The triangles in Morton order of their centres, ties in the order given: result[i] is the triangle that comes at
-/// place i. Deterministic. Cost: linear (radix sort).
+/// place i. Deterministic. Cost: linear (radix sort, or less where hardly any is out of its place).
 std::vector<std::uint32_t> spatial_order(std::span<const Vec3> points,
                                          std::span<const TriangleMesh::Triangle> triangles);
 

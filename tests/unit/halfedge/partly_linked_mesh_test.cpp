@@ -1,13 +1,14 @@
 #include <gtest/gtest.h>
 
-#include "algebra3d/halfedge/audit.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
 #include "mesh_samples.h"
+#include "same_mesh.h"
 
 namespace algebra3d {
 namespace {
 
 using samples::BruteForce;
+using samples::expect_same_mesh;
 using samples::Triangles;
 
 std::size_t vertices_of(const Triangles& triangles) {
@@ -42,31 +43,6 @@ TriangleMesh partly_linked(const Triangles& triangles, std::vector<std::uint32_t
   std::vector<std::uint32_t> origins;
   for (const auto& triangle : triangles) origins.insert(origins.end(), triangle.begin(), triangle.end());
   return {samples::points_for(vertex_count), std::move(origins), std::move(opposites), {}};
-}
-
-std::vector<HalfedgeId> listed(std::span<const HalfedgeId> halfedges) {
-  return {halfedges.begin(), halfedges.end()};
-}
-
-void expect_same_mesh(const TriangleMesh& mesh, const TriangleMesh& expected) {
-  ASSERT_EQ(audit(mesh), std::vector<std::string>());
-  ASSERT_EQ(mesh.vertex_count(), expected.vertex_count());
-  ASSERT_EQ(mesh.halfedge_count(), expected.halfedge_count());
-  ASSERT_EQ(mesh.nonmanifold_edge_count(), expected.nonmanifold_edge_count());
-  for (std::size_t n = 0; n < mesh.nonmanifold_edge_count(); ++n)
-    ASSERT_EQ(listed(mesh.nonmanifold_edge(n)), listed(expected.nonmanifold_edge(n)));
-  for (std::size_t i = 0; i < mesh.halfedge_count(); ++i) {
-    const HalfedgeId h(i);
-    ASSERT_EQ(mesh.origin(h), expected.origin(h));
-    ASSERT_EQ(mesh.opposite(h), expected.opposite(h));
-    ASSERT_EQ(mesh.is_boundary(h), expected.is_boundary(h));
-    ASSERT_EQ(mesh.is_nonmanifold(h), expected.is_nonmanifold(h));
-  }
-  ASSERT_EQ(mesh.nonmanifold_vertices(), expected.nonmanifold_vertices());
-  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
-    ASSERT_EQ(mesh.outgoing(VertexId(v)), expected.outgoing(VertexId(v)));
-    ASSERT_EQ(listed(mesh.fans(VertexId(v))), listed(expected.fans(VertexId(v))));
-  }
 }
 
 TEST(PartlyLinkedMesh, is_the_one_that_is_linked_from_scratch) {
