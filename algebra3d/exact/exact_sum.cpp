@@ -7,6 +7,8 @@
 #include "algebra3d/exact/balanced_sum.h"
 #include "algebra3d/exact/exact_sum_integers.h"
 #include "algebra3d/exact/exact_sum_wide.h"
+#include "algebra3d/exact/homogeneous.h"
+#include "algebra3d/exact/rational_big.h"
 
 namespace algebra3d {
 namespace {
@@ -103,21 +105,37 @@ class RationalSums {
 
   template <bool kMoments>
   void add(const Triangle& t) {
-    const RationalVec3 a = points_[t[0]].rational(), b = points_[t[1]].rational(), c = points_[t[2]].rational();
-    const Rational determinant = dot(a, cross(b, c));
+    Rational determinant = determinant_of(t);
     if constexpr (kMoments) {
-      const RationalVec3 sum = a + b + c;
+      const RationalVec3 sum = points_[t[0]].rational() + points_[t[1]].rational() + points_[t[2]].rational();
       moments_[0].add(determinant * sum.x);
       moments_[1].add(determinant * sum.y);
       moments_[2].add(determinant * sum.z);
     }
-    volume_.add(determinant);
+    volume_.add(std::move(determinant));
   }
   Rational volume() const { return volume_.total(); }
   Rational moment(std::size_t axis) const { return moments_[axis].total(); }
 
  private:
+  /// With a common denominator, so that common divisors are looked for but once.
+  Rational determinant_of(const Triangle& t) {
+    const detail::HomogeneousView a(points_[t[0]], rooms_[0]), b(points_[t[1]], rooms_[1]), c(points_[t[2]], rooms_[2]);
+    mpz_set_ui(numerator_, 0);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t next = (axis + 1) % 3, last = (axis + 2) % 3;
+      mpz_mul(minor_, b[next], c[last]);
+      mpz_submul(minor_, b[last], c[next]);
+      mpz_addmul(numerator_, a[axis], minor_);
+    }
+    mpz_mul(denominator_, a[3], b[3]);
+    mpz_mul(denominator_, denominator_, c[3]);
+    return RationalAccess::quotient(numerator_, denominator_);
+  }
+
   const PointArray& points_;
+  std::array<detail::HomogeneousPoint, 3> rooms_;
+  BigInteger minor_, numerator_, denominator_;
   detail::BalancedSum volume_;
   std::array<detail::BalancedSum, 3> moments_;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -43,15 +44,16 @@ double diagonal(const FacetList& facets) {
   return length(box.max - box.min);
 }
 
-/// How far apart equal corners may be where somebody rounded them: a few floats, or a little of the size of the file.
-double noise(const FacetList& facets) {
+/// How far apart equal corners may be where somebody rounded them: a few floats, or a little of the size of the file,
+/// its diagonal.
+double noise(const FacetList& facets, double size) {
   constexpr double kNoisePerDiagonal = 1e-6;
   constexpr double kFloats = 4 * 0x1p-23;
   double farthest = 0;
   for (const TriangleMesh::Triangle& triangle : facets.triangles)
     for (const std::uint32_t corner : triangle)
       for (std::size_t axis = 0; axis < 3; ++axis) farthest = std::max(farthest, std::abs(facets.points[corner][axis]));
-  return std::max(kNoisePerDiagonal * diagonal(facets), kFloats * farthest);
+  return std::max(kNoisePerDiagonal * size, kFloats * farthest);
 }
 
 bool has_boundary(const TriangleMesh& mesh) {
@@ -172,9 +174,9 @@ void Repair::drop_what_became_flat() {
 
 void Repair::mend_boundaries() {
   if (!has_boundary(mesh())) return;
-  const double usual = kCrackPerDiagonal * diagonal(facets_);
-  const double tolerance = approach_.joins_cracks ? options_.crack_tolerance.value_or(usual) : 0;
-  join_equal_corners(facets_, std::min(tolerance, noise(facets_)), report_);
+  const double size = diagonal(facets_);
+  const double tolerance = approach_.joins_cracks ? options_.crack_tolerance.value_or(kCrackPerDiagonal * size) : 0;
+  join_equal_corners(facets_, std::min(tolerance, noise(facets_, size)), report_);
   drop_what_became_flat();
   if (!has_boundary(mesh())) return;
   divide_edges(facets_, report_);
@@ -193,7 +195,7 @@ Status Repair::close_holes() {
   if (!approach_.closes_holes) return {};
   // What covers a hole may be flat in part, and leave smaller ones where that is dropped.
   constexpr int kMostRounds = 4;
-  const double largest = options_.largest_hole.value_or(diagonal(facets_));
+  const double largest = options_.largest_hole.value_or(std::numeric_limits<double>::infinity());
   for (int round = 0; round < kMostRounds && has_boundary(mesh()); ++round) {
     if (round > 0) divide_edges(facets_, report_);
     const std::size_t facet_count = facets_.triangles.size();

@@ -9,6 +9,7 @@
 #include "algebra3d/halfedge/topology.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/arrangement/set_operations.h"
+#include "unit/validity/sample_meshes.h"
 
 namespace algebra3d::solids {
 namespace {
@@ -51,6 +52,38 @@ int winding_about(const TriangleMesh& mesh, const ExactPoint& point) {
     if (crossing.side == -1) winding += crossing.sign;
   }
   return winding;
+}
+
+// Where one part has most of the faces, pairs of near ones are found in another way than for two operands, and lines
+// upwards go through many small parts.
+TEST(WindingSolid, of_one_large_part_and_many_small_ones) {
+  const TriangleMesh torus = samples::torus(110, 100);
+  // Across the surface, within the body, in the hole and far away.
+  const std::vector<TriangleMesh> cubes{mapped(cube(0, 1),
+                                               [](const Vec3& p) {
+                                                 return 0.5 * p + Vec3{3.6, 0.1, -0.2};
+                                               }),
+                                        mapped(cube(0, 1),
+                                               [](const Vec3& p) {
+                                                 return 0.5 * p + Vec3{0.1, -2.3, 0.1};
+                                               }),
+                                        mapped(cube(0, 1),
+                                               [](const Vec3& p) {
+                                                 return 0.25 * p + Vec3{-3, 0, 0};
+                                               }),
+                                        mapped(cube(0, 1), [](const Vec3& p) { return 0.25 * p; }), cube(9, 10)};
+  TriangleMesh expected = torus;
+  Solids all{&torus};
+  for (const TriangleMesh& one : cubes) {
+    all.push_back(&one);
+    const std::vector<Operand> both{{&expected, 0}, {&one, 1}};
+    auto united = combine_solids(both, [](const Holding& holding) { return holding[0] > 0 || holding[1] > 0; });
+    ASSERT_TRUE(united.ok());
+    expected = *std::move(united);
+  }
+  const TriangleMesh solid = inside_of(together(all));
+  EXPECT_EQ(exact_volume_of(solid), exact_volume_of(expected));
+  EXPECT_EQ(solid.face_count(), expected.face_count());
 }
 
 // Set operations on valid solids are what winding numbers of their triangles, thrown together, say as well.
