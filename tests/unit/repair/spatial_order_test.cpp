@@ -7,8 +7,8 @@
 namespace algebra3d::soups {
 namespace {
 
-std::vector<TriangleMesh::Triangle> in_spatial_order(const WeldedTriangles& welded,
-                                                     const std::vector<TriangleMesh::Triangle>& triangles) {
+std::vector<TriangleMesh::Triangle> put_in_order(const WeldedTriangles& welded,
+                                                 const std::vector<TriangleMesh::Triangle>& triangles) {
   std::vector<TriangleMesh::Triangle> result;
   for (const std::uint32_t t : spatial_order(welded.points.approx(), triangles)) result.push_back(triangles[t]);
   return result;
@@ -16,15 +16,15 @@ std::vector<TriangleMesh::Triangle> in_spatial_order(const WeldedTriangles& weld
 
 TEST(SpatialOrder, hardly_depends_on_how_many_are_out_of_order) {
   const WeldedTriangles torus = weld(soup_of(samples::torus(60, 40)).triangles);
-  const auto ordered = in_spatial_order(torus, torus.triangles);
-  EXPECT_EQ(in_spatial_order(torus, ordered), ordered);
+  const auto ordered = put_in_order(torus, torus.triangles);
+  EXPECT_EQ(put_in_order(torus, ordered), ordered);
   for (int seed = 1; seed <= 40; ++seed) {
     Chance chance(static_cast<std::uint64_t>(seed));
     std::vector<TriangleMesh::Triangle> triangles = ordered;
     // From hardly any to nearly all.
     for (int swaps = 1 << seed % 13; swaps > 0; --swaps)
       std::swap(triangles[index_below(chance, triangles.size())], triangles[index_below(chance, triangles.size())]);
-    EXPECT_EQ(in_spatial_order(torus, triangles), ordered);
+    EXPECT_EQ(put_in_order(torus, triangles), ordered);
   }
 }
 
