@@ -13,7 +13,7 @@ using Corners = TriangleMesh::Triangle;
 /// A facet becomes three or four with a new vertex in the middle of one or two edges, while its neighbours stay.
 void divide_at_random(TriangleSoup& soup, Chance& chance) {
   SoupTriangle& triangle = soup.triangles[index_below(chance, soup.triangles.size())];
-  std::ranges::rotate(triangle, triangle.begin() + chance.below(3));
+  std::rotate(triangle.begin(), triangle.begin() + chance.below(3), triangle.end());
   const auto [a, b, c] = triangle;
   const Vec3 middle = 0.5 * a + 0.5 * b, other = 0.5 * a + 0.5 * c;
   if (chance.one_in(2)) {

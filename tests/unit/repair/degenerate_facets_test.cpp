@@ -130,7 +130,7 @@ TEST(DuplicateFacets, one_is_kept_or_none_as_brute_force_says) {
     for (int n = chance.below(16); n > 0 && !facets.triangles.empty(); --n) {
       Corners copy = facets.triangles[index_below(chance, facets.triangles.size())];
       if (chance.one_in(2)) std::swap(copy[0], copy[2]);
-      std::ranges::rotate(copy, copy.begin() + chance.below(3));
+      std::rotate(copy.begin(), copy.begin() + chance.below(3), copy.end());
       facets.triangles.insert(facets.triangles.begin() + chance.below(static_cast<int>(facets.triangles.size())), copy);
     }
     const std::vector<Corners> given = facets.triangles;

@@ -50,7 +50,7 @@ void expect_partitions(const Outline& polygon) {
     for (std::size_t first = 0; first < polygon.size(); ++first)
       for (const bool is_reversed : {false, true}) {
         Outline placed = polygon;
-        std::ranges::rotate(placed, placed.begin() + static_cast<std::ptrdiff_t>(first));
+        std::rotate(placed.begin(), placed.begin() + static_cast<std::ptrdiff_t>(first), placed.end());
         if (is_reversed) std::ranges::reverse(placed);
         for (Vec3& p : placed)
           for (int i = 0; i < turns; ++i) p = {p.z, p.x, p.y};

@@ -132,8 +132,8 @@ TEST(RepairedSolid, cavities_that_touch_the_outer_shell_in_a_vertex_stay) {
     TriangleSoup soup = turned(soup_of(cavity));
     const Rational volume = Rational(216) - solids::exact_volume_of(cavity);
     for (int first = 0; first < 12; ++first) {
-      if (first % 3 == 0) std::ranges::rotate(soup.triangles, soup.triangles.begin() + 1);
-      for (SoupTriangle& t : soup.triangles) std::ranges::rotate(t, t.begin() + 1);
+      if (first % 3 == 0) std::rotate(soup.triangles.begin(), soup.triangles.begin() + 1, soup.triangles.end());
+      for (SoupTriangle& t : soup.triangles) std::rotate(t.begin(), t.begin() + 1, t.end());
       TriangleSoup both = joined(soup, outer);
       EXPECT_TRUE(solid_from_soup(both, RepairOptions::strict())->mesh);
       both.triangles.push_back({Vec3{}, Vec3{}, Vec3{}});

@@ -27,7 +27,7 @@ TriangleSoup soup_of(const TriangleMesh& mesh) {
 
 /// The triangles, each from its smallest corner on, sorted.
 std::vector<TriangleSoup::Triangle> sorted(std::vector<TriangleSoup::Triangle> triangles) {
-  for (auto& t : triangles) std::ranges::rotate(t, std::ranges::min_element(t));
+  for (auto& t : triangles) std::rotate(t.begin(), std::ranges::min_element(t), t.end());
   std::ranges::sort(triangles);
   return triangles;
 }

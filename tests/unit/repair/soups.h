@@ -88,7 +88,7 @@ inline TriangleSoup wall_of_squares() {
 /// The triangles, each from its smallest corner on, sorted.
 inline std::vector<SoupTriangle> in_order(const TriangleSoup& soup) {
   std::vector<SoupTriangle> triangles = soup.triangles;
-  for (SoupTriangle& t : triangles) std::ranges::rotate(t, std::ranges::min_element(t));
+  for (SoupTriangle& t : triangles) std::rotate(t.begin(), std::ranges::min_element(t), t.end());
   std::ranges::sort(triangles);
   return triangles;
 }
@@ -127,7 +127,7 @@ inline int winding_about(const TriangleMesh& mesh, const ExactPoint& point) {
 inline void shuffle(TriangleSoup& soup, Chance& chance) {
   for (std::size_t i = soup.triangles.size(); i > 1; --i)
     std::swap(soup.triangles[i - 1], soup.triangles[static_cast<std::size_t>(chance.below(static_cast<int>(i)))]);
-  for (SoupTriangle& t : soup.triangles) std::ranges::rotate(t, t.begin() + chance.below(3));
+  for (SoupTriangle& t : soup.triangles) std::rotate(t.begin(), t.begin() + chance.below(3), t.end());
 }
 inline std::size_t index_below(Chance& chance, std::size_t limit) {
   return static_cast<std::size_t>(chance.below(static_cast<int>(limit)));
