@@ -79,12 +79,14 @@ Result<std::string> visible_change(const Context& context, const TriangleMesh& s
   ASSIGN_OR_RETURN(const double before, nearest_volume(solid, context.monitor()));
   ASSIGN_OR_RETURN(const double after, nearest_volume(*rounded.mesh, context.monitor()));
   const bool changes_volume = std::abs(after - before) > kVisiblePart * before;
-  const bool is_seen = rounded.largest_movement > kVisiblePart * diagonal_of(solid) || changes_volume;
+  const bool loses_shells = rounded.shells_after < rounded.shells_before;
+  const bool is_seen = rounded.largest_movement > kVisiblePart * diagonal_of(solid) || changes_volume || loses_shells;
   if (!is_seen && rounded.attempts_failed == 0) return std::string();
   std::string text = fmt::format("which moves the boundary by at most {}", real_text(rounded.largest_movement));
   if (!is_seen) text += " where it is crowded";
   if (changes_volume)
     text += fmt::format(" and makes the volume {} instead of {}", real_text(after), real_text(before));
+  if (loses_shells) text += fmt::format(" and leaves {} of {} shells", rounded.shells_after, rounded.shells_before);
   return text;
 }
 
@@ -93,9 +95,9 @@ Result<bool> export_rounded(Context& context, const std::string& name, const Vol
                             const FileNumbers& numbers, const MeshWriter& write) {
   ASSIGN_OR_RETURN(const RoundedSolid rounded, rounded_solid(solid.mesh(), numbers.grid, context.cancel));
   const std::string rounding = fmt::format("{}: {}: rounded to {}, ", name, file, numbers.name);
-  if (!rounded.mesh) return refuse(context, rounding + rounded.reason);
+  if (!rounded.mesh) return refuse(context, rounding + rounded.reason + numbers.advice);
   if (rounded.mesh->is_empty() && !solid.mesh().is_empty())
-    return refuse(context, rounding + "nothing of the solid is left");
+    return refuse(context, rounding + "nothing of the solid is left" + numbers.advice);
   ASSIGN_OR_RETURN(const std::string change, visible_change(context, solid.mesh(), rounded));
   if (!change.empty())
     context.diagnostics.report(fmt::format("{}: rounded to {}, {}{}", name, numbers.name, change, numbers.advice),
@@ -146,10 +148,9 @@ void register_exports(Registry& registry) {
       .doc = "Writes a solid to an STL file with a name, in binary (TRUE) or ASCII; TRUE if the file was written.",
       .detail =
           "Coordinates are rounded to floats, as roundCoordinates does it: what is written is a valid solid. A "
-          "diagnostic "
-          "says how far the boundary moved and what became of the volume, if that is more than a ten "
-          "thousandth of the diagonal or of the volume, or if facets had to be divided. FALSE "
-          "with a diagnostic if a coordinate is beyond the range of floats, if nothing of the solid is left, if an "
+          "diagnostic says how far the boundary moved and what became of the volume, if that is more than a ten "
+          "thousandth of the diagonal or of the volume, if shells are gone, or if facets had to be divided. FALSE with "
+          "a diagnostic if a coordinate is beyond the range of floats, if nothing of the solid is left, if an "
           "argument is undefined, or if the file cannot be written; a file that was there before is then left as it "
           "was.",
       .exactness = Exactness::reported,

@@ -1,5 +1,7 @@
 // roundCoordinates.
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -18,9 +20,12 @@ Result<Maybe<Volume3d>> rounded_to(Context& context, const Volume3d& solid, cons
   ASSIGN_OR_RETURN(RoundedSolid rounded, rounded_solid(solid.mesh(), grid, context.cancel));
   if (!rounded.mesh) return Maybe<Volume3d>(Undefined{rounded.reason});
   if (rounded.moved_vertices == 0) return Maybe<Volume3d>(solid);
-  context.diagnostics.report(fmt::format("roundCoordinates: {} of {} vertices moved, and the boundary by at most {}",
-                                         rounded.moved_vertices, solid.mesh().vertex_count(),
-                                         real_text(rounded.largest_movement)));
+  std::string text =
+      fmt::format("roundCoordinates: {} of {} vertices moved, and the boundary by at most {}", rounded.moved_vertices,
+                  solid.mesh().vertex_count(), real_text(rounded.largest_movement));
+  if (rounded.shells_after < rounded.shells_before && rounded.shells_after > 0)
+    text += fmt::format("; {} of {} shells are left", rounded.shells_after, rounded.shells_before);
+  context.diagnostics.report(std::move(text));
   if (rounded.mesh->is_empty()) context.diagnostics.report("roundCoordinates: nothing of the solid is left");
   return Maybe<Volume3d>(Volume3d::trusted(*std::move(rounded.mesh)));
 }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "algebra3d/halfedge/topology.h"
 #include "algebra3d/repair/opposite_triangles.h"
 #include "algebra3d/repair/pressed_sheets.h"
 #include "algebra3d/repair/snapped_mesh.h"
@@ -243,7 +244,11 @@ Result<RoundedSolid> Rounding::run() {
 
 Result<RoundedSolid> rounded_solid(const TriangleMesh& solid, const CoordinateGrid& grid,
                                    const std::atomic<bool>* cancel) {
-  return Rounding(solid, grid, cancel).run();
+  ASSIGN_OR_RETURN(RoundedSolid rounded, Rounding(solid, grid, cancel).run());
+  if (!rounded.mesh || rounded.moved_vertices == 0) return rounded;
+  rounded.shells_before = connected_components(solid).count;
+  rounded.shells_after = connected_components(*rounded.mesh).count;
+  return rounded;
 }
 
 }  // namespace algebra3d

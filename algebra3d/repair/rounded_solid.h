@@ -18,6 +18,9 @@ struct RoundedSolid {
   std::size_t moved_vertices = 0;   ///< of the given ones
   double largest_movement = 0;      ///< no point of the new boundary is farther from the given one
   std::size_t attempts_failed = 0;  ///< roundings in which triangles passed through each other
+  /// Connected components of the boundary, given and rounded: fewer if some vanished, or have come to touch. Both 0 if
+  /// nothing moved.
+  std::size_t shells_before = 0, shells_after = 0;
 };
 
 /// The solid with its vertices moved to a grid, proved anew. What is thinner than the grid vanishes.

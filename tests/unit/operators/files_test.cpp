@@ -192,6 +192,21 @@ TEST_F(Files, export_says_so_if_rounding_is_seen) {
   EXPECT_NE(plate.diagnostics[0].find(" and makes the volume "), std::string::npos) << plate.diagnostics[0];
 }
 
+// The plate is thinner than floats are at its place, though they are fine enough for the other body.
+TEST_F(Files, export_says_so_if_a_body_vanishes) {
+  const Datum both =
+      call("union", value(cube(point(0, 0, 0), point(1e-50, 1, 1))), value(cube(point(5, 0, 0), point(6, 1, 1))))
+          .single();
+  const Answer answer = export_to("part.stl", both);
+  EXPECT_EQ(answer.text(), "TRUE");
+  ASSERT_EQ(answer.diagnostics.size(), 1U);
+  EXPECT_NE(answer.diagnostics[0].find(" and leaves 1 of 2 shells; exportOBJ "), std::string::npos)
+      << answer.diagnostics[0];
+  const Answer rounded = call("roundCoordinates", both, 0.001);
+  ASSERT_EQ(rounded.diagnostics.size(), 1U);
+  EXPECT_NE(rounded.diagnostics[0].find("; 1 of 2 shells are left"), std::string::npos) << rounded.diagnostics[0];
+}
+
 TEST_F(Files, export_is_quiet_if_rounding_is_not_seen) {
   for (const double x : {0.1, 1000.1, 100'000.1}) {
     EXPECT_TRUE(export_to("part.stl", value(cube(point(x, 0.3, 0.3), point(x + 100, 90.7, 80.9)))).diagnostics.empty());
