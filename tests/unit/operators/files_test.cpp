@@ -194,9 +194,8 @@ TEST_F(Files, export_says_so_if_rounding_is_seen) {
 
 // The plate is thinner than floats are at its place, though they are fine enough for the other body.
 TEST_F(Files, export_says_so_if_a_body_vanishes) {
-  const Datum both =
-      call("union", value(cube(point(0, 0, 0), point(1e-50, 1, 1))), value(cube(point(5, 0, 0), point(6, 1, 1))))
-          .single();
+  const Value both =
+      call("union", cube(point(0, 0, 0), point(1e-50, 1, 1)), cube(point(5, 0, 0), point(6, 1, 1))).single();
   const Answer answer = export_to("part.stl", both);
   EXPECT_EQ(answer.text(), "TRUE");
   ASSERT_EQ(answer.diagnostics.size(), 1U);
