@@ -60,6 +60,18 @@ class FixedSums {
   std::array<detail::WideSum<4 * Limbs + 1>, 3> moments_;
 };
 
+/// Of three rows of integers; `minor` is room for what comes between.
+template <typename Row>
+void set_determinant(mpz_ptr result, mpz_ptr minor, const Row& a, const Row& b, const Row& c) {
+  mpz_set_ui(result, 0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    mpz_mul(minor, b[j], c[k]);
+    mpz_submul(minor, b[k], c[j]);
+    mpz_addmul(result, a[i], minor);
+  }
+}
+
 /// The same for integers of any size.
 class LongSums {
  public:
@@ -71,13 +83,7 @@ class LongSums {
       for (std::size_t axis = 0; axis < 3; ++axis)
         detail::set_integer(corners_[corner][axis], points_.approx()[t[corner]][axis], ranges_[axis].exponent());
     const auto& [a, b, c] = corners_;
-    mpz_set_ui(determinant_, 0);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-      mpz_mul(minor_, b[j], c[k]);
-      mpz_submul(minor_, b[k], c[j]);
-      mpz_addmul(determinant_, a[i], minor_);
-    }
+    set_determinant(determinant_, minor_, a, b, c);
     mpz_add(volume_, volume_, determinant_);
     if constexpr (kMoments) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -121,13 +127,7 @@ class RationalSums {
   /// With a common denominator, so that common divisors are looked for but once.
   Rational determinant_of(const Triangle& t) {
     const detail::HomogeneousView a(points_[t[0]], rooms_[0]), b(points_[t[1]], rooms_[1]), c(points_[t[2]], rooms_[2]);
-    mpz_set_ui(numerator_, 0);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::size_t next = (axis + 1) % 3, last = (axis + 2) % 3;
-      mpz_mul(minor_, b[next], c[last]);
-      mpz_submul(minor_, b[last], c[next]);
-      mpz_addmul(numerator_, a[axis], minor_);
-    }
+    set_determinant(numerator_, minor_, a, b, c);
     mpz_mul(denominator_, a[3], b[3]);
     mpz_mul(denominator_, denominator_, c[3]);
     return RationalAccess::quotient(numerator_, denominator_);
