@@ -1,7 +1,7 @@
 // prove_volume beside CGAL's self-intersection test on the same meshes in the same run: geodesic spheres, with faces in
 // the order of their making and shuffled, and tori. CGAL answers only whether there is an intersecting pair;
-// prove_volume also proves edges, duplicates and winding numbers. The kernel is the one CGAL recommends for this (exact
-// predicates, inexact constructions). Compare lines of the same arguments.
+// prove_volume also proves edges, duplicates and winding numbers; is_star_shaped proves as much of spheres. The kernel
+// is the one CGAL recommends for this (exact predicates, inexact constructions). Compare lines of the same arguments.
 #include <benchmark/benchmark.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -14,6 +14,7 @@
 #include <numbers>
 #include <random>
 
+#include "algebra3d/validity/star_shape.h"
 #include "algebra3d/validity/validity.h"
 #include "shapes.h"
 
@@ -102,6 +103,12 @@ void ask_cgal(benchmark::State& state, const Shape& shape) {
 void sphere_ours(benchmark::State& state) {
   prove(state, sphere(static_cast<std::uint32_t>(state.range(0))));
 }
+void sphere_star_shape(benchmark::State& state) {
+  const TriangleMesh mesh = mesh_of(sphere(static_cast<std::uint32_t>(state.range(0))));
+  for (auto step : state)
+    if (!is_star_shaped(mesh, Vec3{})) state.SkipWithError("not star-shaped");
+  state.counters["triangles"] = static_cast<double>(mesh.face_count());
+}
 void sphere_cgal(benchmark::State& state) {
   ask_cgal(state, sphere(static_cast<std::uint32_t>(state.range(0))));
 }
@@ -134,6 +141,7 @@ void cubes_cgal(benchmark::State& state) {
 
 // Frequencies for 20 thousand, 100 thousand and a million triangles.
 BENCHMARK(sphere_ours)->Arg(32)->Arg(71)->Arg(224)->Unit(benchmark::kMillisecond);
+BENCHMARK(sphere_star_shape)->Arg(32)->Arg(71)->Arg(224)->Unit(benchmark::kMillisecond);
 BENCHMARK(sphere_cgal)->Arg(32)->Arg(71)->Arg(224)->Unit(benchmark::kMillisecond);
 BENCHMARK(shuffled_sphere_ours)->Arg(71)->Unit(benchmark::kMillisecond);
 BENCHMARK(shuffled_sphere_cgal)->Arg(71)->Unit(benchmark::kMillisecond);

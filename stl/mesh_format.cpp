@@ -5,7 +5,7 @@
 #include <string>
 
 #include "stl/ascii_cursor.h"
-#include "stl/mapped_file.h"
+#include "stl/file_content.h"
 #include "stl/obj_statement.h"
 #include "stl/off_header.h"
 #include "stl/stl_binary_reader.h"
@@ -77,7 +77,7 @@ Result<MeshFormat> detect_mesh_format(std::string_view bytes, std::string_view f
 }
 
 Result<MeshFormat> detect_mesh_format_of_file(const std::filesystem::path& path) {
-  auto file = MappedFile::open(path);
+  auto file = FileContent::read(path);
   if (!file) return std::move(file).error();
   return detect_mesh_format(file->bytes(), path.string());
 }

@@ -32,8 +32,8 @@ std::optional<MeshFormat> format_of_content(std::string_view bytes);
 /// Cost: constant but for the comments.
 algebra3d::Result<MeshFormat> detect_mesh_format(std::string_view bytes, std::string_view file_name);
 
-/// `detect_mesh_format` of the file at `path`, which is mapped, not copied.
-/// Errors: besides that, file_missing and io_error with the system's reason.
+/// `detect_mesh_format` of the file at `path`, as it is while nobody changes it (FileContent).
+/// Errors: besides that, those of InputFile and FileContent (file_missing, io_error with the system's reason, ...).
 algebra3d::Result<MeshFormat> detect_mesh_format_of_file(const std::filesystem::path& path);
 
 }  // namespace stl

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "stl/ascii_cursor.h"
+#include "stl/file_content.h"
 #include "stl/line_ends.h"
-#include "stl/mapped_file.h"
 #include "stl/obj_statement.h"
 #include "stl/soup_room.h"
 
@@ -429,7 +429,7 @@ Result<ReadMesh> read_obj(std::string_view bytes, std::string_view file_name, co
 }
 
 Result<ReadMesh> read_obj_file(const std::filesystem::path& path, const std::atomic<bool>* cancel) {
-  auto file = MappedFile::open(path);
+  auto file = FileContent::read(path, cancel);
   if (!file) return std::move(file).error();
   return read_obj(file->bytes(), path.string(), cancel);
 }

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "stl/ascii_cursor.h"
-#include "stl/mapped_file.h"
+#include "stl/file_content.h"
 #include "stl/off_ascii_reader.h"
 #include "stl/off_binary_reader.h"
 #include "stl/off_header.h"
@@ -23,7 +23,7 @@ Result<ReadMesh> read_off(std::string_view bytes, std::string_view file_name, co
 }
 
 Result<ReadMesh> read_off_file(const std::filesystem::path& path, const std::atomic<bool>* cancel) {
-  auto file = MappedFile::open(path);
+  auto file = FileContent::read(path, cancel);
   if (!file) return std::move(file).error();
   return read_off(file->bytes(), path.string(), cancel);
 }

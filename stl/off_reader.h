@@ -35,8 +35,9 @@ namespace stl {
 algebra3d::Result<ReadMesh> read_off(std::string_view bytes, std::string_view file_name,
                                      const std::atomic<bool>* cancel = nullptr);
 
-/// `read_off` of the file at `path`, which is mapped, not copied.
-/// Errors: besides those of read_off, file_missing and io_error with the system's reason.
+/// `read_off` of the file at `path`, as it is while nobody changes it (FileContent).
+/// Errors: besides those of read_off, those of InputFile and FileContent (file_missing, io_error with the system's
+/// reason, ...).
 algebra3d::Result<ReadMesh> read_off_file(const std::filesystem::path& path, const std::atomic<bool>* cancel = nullptr);
 
 }  // namespace stl

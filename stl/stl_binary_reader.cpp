@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -72,6 +73,7 @@ class BinaryReader {
     const std::size_t rest = behind % kBinaryFacetBytes;
     if (announced == whole && rest == 0) return announced;
     if (rest == 0 && whole > 0) {
+      read_.wrong_count = WrongCount{announced, whole, whole};
       remark(fmt::format("header announces {}, file has {}: all in the file are read", counted(announced, "triangle"),
                          whole));
       return whole;
@@ -90,6 +92,7 @@ class BinaryReader {
                    "of {}",
                    file_name_, behind, kBinaryFacetBytes};
     const std::size_t trailing = behind - announced * kBinaryFacetBytes;
+    if (whole > announced) read_.wrong_count = WrongCount{announced, whole, announced};
     remark(fmt::format("{} after the last facet ignored", counted(trailing, "trailing byte")));
     return announced;
   }
@@ -169,7 +172,19 @@ class BinaryReader {
   std::size_t bad_normal_count_ = 0;
 };
 
+// Programs that write while they do not know the count yet leave 0 or the largest number; these say nothing.
+bool is_placeholder(std::uint64_t count) {
+  return count == 0 || count == std::numeric_limits<std::uint32_t>::max() ||
+         count == std::numeric_limits<std::int32_t>::max();
+}
+
 }  // namespace
+
+std::string WrongCount::text() const {
+  return fmt::format("wrong count: header announces {}, file has {}{}{}", counted(announced, "triangle"),
+                     read == by_size ? "" : "room for ", by_size,
+                     announced > by_size && !is_placeholder(announced) ? ", and may be cut short" : "");
+}
 
 std::size_t announced_facet_count(std::string_view bytes) {
   std::uint32_t count = 0;

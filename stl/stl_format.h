@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,12 +13,23 @@ namespace stl {
 /// The two forms of an STL file.
 enum class Format { ascii, binary };
 
+/// A count of facets in the header of a binary file that contradicts the file's size.
+struct WrongCount {
+  std::uint64_t announced = 0;
+  std::uint64_t by_size = 0;  ///< facets that the file has room for
+  std::uint64_t read = 0;     ///< facets that were read
+
+  /// For people: "wrong count: header announces 24 triangles, file has 12, and may be cut short".
+  [[nodiscard]] std::string text() const;
+};
+
 /// What an STL file gives: its facets, unwelded and in the order of the file, and what there is to say about them.
 struct ReadStl {
   algebra3d::TriangleSoup soup;  ///< one normal per triangle; a normal that is not finite is passed on as zero
   Format format = Format::binary;
-  std::size_t solid_count = 0;       ///< number of `solid` sections; 1 for a binary file
-  std::vector<std::string> remarks;  ///< what was tolerated, one sentence each, without the file's name
+  std::optional<WrongCount> wrong_count;  ///< of a binary file, if its header and its size disagree by a facet or more
+  std::size_t solid_count = 0;            ///< number of `solid` sections; 1 for a binary file
+  std::vector<std::string> remarks;       ///< what was tolerated, one sentence each, without the file's name
 };
 
 }  // namespace stl

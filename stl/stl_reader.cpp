@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "stl/ascii_cursor.h"
-#include "stl/mapped_file.h"
+#include "stl/file_content.h"
 #include "stl/stl_ascii_reader.h"
 #include "stl/stl_binary_reader.h"
 
@@ -64,7 +64,7 @@ Result<ReadStl> read_stl(std::string_view bytes, std::string_view file_name, con
 }
 
 Result<ReadStl> read_stl_file(const std::filesystem::path& path, const std::atomic<bool>* cancel) {
-  auto file = MappedFile::open(path);
+  auto file = FileContent::read(path, cancel);
   if (!file) return std::move(file).error();
   return read_stl(file->bytes(), path.string(), cancel);
 }

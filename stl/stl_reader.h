@@ -21,8 +21,9 @@ namespace stl {
 algebra3d::Result<ReadStl> read_stl(std::string_view bytes, std::string_view file_name,
                                     const std::atomic<bool>* cancel = nullptr);
 
-/// `read_stl` of the file at `path`, which is mapped, not copied.
-/// Errors: besides those of read_stl, file_missing and io_error with the system's reason.
+/// `read_stl` of the file at `path`, as it is while nobody changes it (FileContent).
+/// Errors: besides those of read_stl, those of InputFile and FileContent (file_missing, io_error with the system's
+/// reason, ...).
 algebra3d::Result<ReadStl> read_stl_file(const std::filesystem::path& path, const std::atomic<bool>* cancel = nullptr);
 
 /// The format of a file, by its size and content; nothing is tried and taken back.

@@ -70,7 +70,7 @@ Result<SolidArrangement> SolidArrangement::make(std::span<const Operand> operand
   return SolidArrangement(std::move(parts));
 }
 
-TriangleMesh SolidArrangement::faces(const FaceRule& rule) const {
+Result<TriangleMesh> SolidArrangement::faces(const FaceRule& rule) const {
   const Classification& fronts = parts_->classification;
   const Selection selection{[&](std::uint32_t cell_side) {
                               const Windings& step = parts_->pieces.pieces[cell_side / 2].steps[cell_side % 2];
@@ -85,7 +85,7 @@ TriangleMesh SolidArrangement::faces(const FaceRule& rule) const {
   return build_outcome(parts_->skeleton, parts_->pieces, parts_->patches, selection);
 }
 
-TriangleMesh SolidArrangement::solid(const KeepRule& rule) const {
+Result<TriangleMesh> SolidArrangement::solid(const KeepRule& rule) const {
   return faces([&](const Holding& front, const Holding& back) {
     return static_cast<int>(rule(back)) - static_cast<int>(rule(front));
   });

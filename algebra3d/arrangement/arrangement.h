@@ -65,13 +65,14 @@ class SolidArrangement {
 
   /// The regularised set operation that the rule says: the closure of the inside of the set of places that it keeps. A
   /// valid volume: cavities, nested bodies and bodies that touch included; the empty mesh if nothing is kept.
-  TriangleMesh solid(const KeepRule& rule) const;
+  Result<TriangleMesh> solid(const KeepRule& rule) const;
   /// The faces that the rule keeps: a valid surface.
   ///
   /// Vertices of this and of `solid` are vertices of the operands, or the exact points in which three of their planes
   /// meet. Where operands touch, facets are merged and corners that nothing demands are left out; faces that touch no
-  /// other operand are taken over as they are. The same operands give the same triangles. Cost: as `make`, or less.
-  TriangleMesh faces(const FaceRule& rule) const;
+  /// other operand are taken over as they are: so of minimal operands the result is minimal (docs/set-operations.md).
+  /// The same operands give the same triangles. Errors: internal, see build_outcome. Cost: as `make`, or less.
+  Result<TriangleMesh> faces(const FaceRule& rule) const;
 
  private:
   struct Parts;

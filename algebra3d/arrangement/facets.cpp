@@ -10,6 +10,12 @@ namespace algebra3d::arrangement {
 bool Facets::is_coplanar_across(std::uint32_t halfedge, std::uint32_t other) const {
   const IntegerPlane *plane = planes_of_faces_.find(halfedge / 3), *beyond = planes_of_faces_.find(other / 3);
   if (plane != nullptr && beyond != nullptr) return *plane == *beyond;
+  return are_coplanar_at(halfedge, other);
+}
+
+/// True if two faces with a common edge lie in one plane, whichever way each looks.
+bool Facets::are_coplanar_at(std::uint32_t halfedge, std::uint32_t other) const {
+  const IntegerPlane *plane = planes_of_faces_.find(halfedge / 3), *beyond = planes_of_faces_.find(other / 3);
   if (beyond != nullptr) return beyond->side(operands_.point_of(Operands::previous(halfedge))) == 0;
   const PointRef apex = operands_.point_of(Operands::previous(other));
   if (plane != nullptr) return plane->side(apex) == 0;
@@ -35,7 +41,25 @@ std::uint32_t Facets::add(std::uint32_t face) {
   return facet;
 }
 
+/// A face that is in no facet stays as it is, so nothing can become one with it.
+void Facets::join_planes_across_nonmanifold_edges() {
+  for (std::uint32_t operand = 0; operand < operands_.count(); ++operand) {
+    const TriangleMesh& mesh = operands_.mesh(operand);
+    const std::uint32_t first = 3 * operands_.first_face(operand);
+    for (std::size_t n = 0; n < mesh.nonmanifold_edge_count(); ++n) {
+      const std::span<const HalfedgeId> along = mesh.nonmanifold_edge(n);
+      for (std::size_t i = 0; i < along.size(); ++i)
+        for (std::size_t j = i + 1; j < along.size(); ++j) {
+          const std::uint32_t one = first + along[i].index(), other = first + along[j].index();
+          const std::uint32_t facet = of_face_[one / 3], beyond = of_face_[other / 3];
+          if (facet != kNone && beyond != kNone && are_coplanar_at(one, other)) planes_of_facets_.unite(facet, beyond);
+        }
+    }
+  }
+}
+
 void Facets::number_planes() {
+  join_planes_across_nonmanifold_edges();
   for (std::uint32_t f = 0; f < facets_.size(); ++f) {
     TriangleRef triangle = operands_.corners(faces_[facets_[f].first]);
     const std::uint32_t first_of_plane = planes_of_facets_.find(f);

@@ -12,6 +12,8 @@ namespace algebra3d::arrangement {
 
 /// A maximal set of faces of one operand that lie in one plane and hang together across manifold edges. Its inner
 /// edges are artificial: whoever triangulated it otherwise would have other ones, so nothing is computed from them.
+/// Two facets of one operand may follow each other in one plane, across a non-manifold edge: then their planes have one
+/// number, since the result may lose what else is at the edge, and they become one.
 struct Facet {
   std::uint32_t operand;
   std::uint32_t plane;        ///< facets of one plane number were found coplanar; see Planes
@@ -83,6 +85,8 @@ class Facets {
 
   bool finds_boundary_at_origin(std::uint32_t halfedge) const;
   bool is_coplanar_across(std::uint32_t halfedge, std::uint32_t other) const;
+  bool are_coplanar_at(std::uint32_t halfedge, std::uint32_t other) const;
+  void join_planes_across_nonmanifold_edges();
 
   const Operands& operands_;
   std::vector<std::uint32_t> of_face_;

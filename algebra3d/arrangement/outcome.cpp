@@ -1,7 +1,6 @@
 #include "algebra3d/arrangement/outcome.h"
 
 #include <algorithm>
-#include <cassert>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -36,7 +35,7 @@ class OutcomeBuilder {
         clean_edges_(clean_edges(skeleton, patches)),
         mesh_(skeleton, patches, kept_patches()) {}
 
-  TriangleMesh run();
+  Result<TriangleMesh> run();
 
  private:
   /// A boundary edge of a region as one of its ends sees it.
@@ -60,6 +59,7 @@ class OutcomeBuilder {
   struct Region {
     std::uint32_t plane;
     bool is_flipped, has_exact_corner;
+    bool is_bounded;                                ///< by its edges, all round
     std::vector<TriangleMesh::Triangle> triangles;  ///< that cover it
   };
   static constexpr std::size_t kRegionsWorthAThread = 64;
@@ -70,13 +70,16 @@ class OutcomeBuilder {
   void find_passages();
   void find_passages_at(std::span<const Spoke> spokes);
   void find_passages_of_clean_edges();
-  static bool continue_each_other(std::span<const Spoke> one, std::span<const Spoke> other, std::span<const Spoke> all);
+  bool is_edge_of_patch(const Spoke& spoke) const;
+  bool continue_each_other(std::span<const Spoke> one, std::span<const Spoke> other, std::span<const Spoke> all) const;
+  bool is_half_disc(const Spoke& spoke, std::uint32_t opposite, std::span<const Spoke> all) const;
   std::span<const Passage> passages(const KeptEdge& edge, std::uint32_t vertex) const;
   bool comes_from_afar(const KeptEdge& edge) const;
   std::uint32_t beyond(const KeptEdge& edge) const;
   void straighten();
   void triangulate_regions();
   Region region_of(std::span<const KeptEdge> boundary) const;
+  Status check_regions() const;
 
   const Skeleton& skeleton_;
   const Pieces& pieces_;
@@ -144,7 +147,7 @@ void OutcomeBuilder::find_passages() {
       spokes, skeleton_.vertices().size(), [](const Spoke& s) { return s.vertex; }, std::ranges::less());
   for (std::size_t begin = 0, end = 0; begin < spokes.size(); begin = end) {
     while (end < spokes.size() && spokes[end].vertex == spokes[begin].vertex) ++end;
-    if (!mesh_.is_fixed(spokes[begin].vertex)) find_passages_at(std::span(spokes).subspan(begin, end - begin));
+    find_passages_at(std::span(spokes).subspan(begin, end - begin));
   }
   find_passages_of_clean_edges();
   std::ranges::sort(passages_);
@@ -177,10 +180,11 @@ void OutcomeBuilder::find_passages_of_clean_edges() {
 void OutcomeBuilder::find_passages_at(std::span<const Spoke> spokes) {
   const VertexPool& points = skeleton_.vertices();
   const PointRef here = points[spokes[0].vertex];
+  const bool is_fixed = mesh_.is_fixed(spokes[0].vertex);
   std::vector<std::span<const Spoke>> arms;  // the spokes to one other vertex
   for (std::size_t begin = 0, end = 0; begin < spokes.size(); begin = end) {
     while (end < spokes.size() && spokes[end].other == spokes[begin].other) ++end;
-    arms.push_back(spokes.subspan(begin, end - begin));
+    if (!is_fixed || !is_edge_of_patch(spokes[begin])) arms.push_back(spokes.subspan(begin, end - begin));
   }
   for (std::size_t i = 0; i < arms.size(); ++i)
     for (std::size_t j = i + 1; j < arms.size(); ++j) {
@@ -194,19 +198,36 @@ void OutcomeBuilder::find_passages_at(std::span<const Spoke> spokes) {
     }
 }
 
-/// True if the boundaries of all regions that come along one arm leave along the other, and have nothing else to do
-/// with the vertex: then nobody needs it as a corner. What other regions have there may touch the straight edge in a
-/// point.
+/// The edge of a patch is whole or ends here, as the patch has it.
+bool OutcomeBuilder::is_edge_of_patch(const Spoke& spoke) const {
+  const std::pair<std::uint32_t, std::uint32_t> line = std::minmax(spoke.vertex, spoke.other);
+  return std::ranges::binary_search(patch_lines_, line);
+}
+
+/// True if the boundaries of all regions that come along one arm leave along the other, and each region is half a disc
+/// at the vertex, on its side of the line: then none of them needs the vertex as a corner. What else is there, of the
+/// same regions too, touches the straight edge in a point.
 bool OutcomeBuilder::continue_each_other(std::span<const Spoke> one, std::span<const Spoke> other,
-                                         std::span<const Spoke> all) {
+                                         std::span<const Spoke> all) const {
   if (one.size() != other.size()) return false;
-  for (const Spoke& spoke : one) {
-    const auto is_of_region = [&](const Spoke& s) { return s.region == spoke.region; };
-    const auto continues = [&](const Spoke& s) { return is_of_region(s) && s.is_outgoing != spoke.is_outgoing; };
-    if (std::ranges::count_if(other, continues) != 1) return false;
-    if (std::ranges::count_if(all, is_of_region) != 2 * std::ranges::count_if(one, is_of_region)) return false;
-  }
-  return true;
+  return std::ranges::all_of(one, [&](const Spoke& spoke) {
+    const auto continues = [&](const Spoke& s) {
+      return s.region == spoke.region && s.is_outgoing != spoke.is_outgoing;
+    };
+    return std::ranges::count_if(other, continues) == 1 && is_half_disc(spoke, other[0].other, all);
+  });
+}
+
+/// `opposite` is the other end of the second arm. True if no other boundary edge of the spoke's region ends at
+/// the vertex on the side of the line where the region lies along the spoke.
+bool OutcomeBuilder::is_half_disc(const Spoke& spoke, std::uint32_t opposite, std::span<const Spoke> all) const {
+  const VertexPool& points = skeleton_.vertices();
+  const Projection projection = skeleton_.facets().planes()[std::get<0>(spoke.region)].projection;
+  return std::ranges::none_of(all, [&](const Spoke& s) {
+    if (s.region != spoke.region || s.other == spoke.other || s.other == opposite) return false;
+    const int turn = orient2d(projection, points[spoke.vertex], points[spoke.other], points[s.other]);
+    return (turn > 0) == spoke.is_outgoing;
+  });
 }
 
 /// Those of the edge's region at the vertex.
@@ -260,17 +281,27 @@ OutcomeBuilder::Region OutcomeBuilder::region_of(std::span<const KeptEdge> bound
   edges.reserve(boundary.size());
   for (const KeptEdge& edge : boundary) edges.emplace_back(edge.from, edge.to);
   const auto& [plane, is_flipped] = boundary.front().region();
-  Region region{plane, is_flipped, false, {}};
+  Region region{plane, is_flipped, false, false, {}};
   region.triangles.reserve(edges.size());
-  [[maybe_unused]] const bool is_region =
-      triangulate(vertices, skeleton_.facets().planes()[plane].projection, edges, region.triangles);
-  assert(is_region);
+  region.is_bounded = triangulate(vertices, skeleton_.facets().planes()[plane].projection, edges, region.triangles);
   region.has_exact_corner =
       !std::ranges::all_of(edges, [&](const DirectedEdge& edge) { return vertices[edge.first].is_double(); });
   return region;
 }
 
-TriangleMesh OutcomeBuilder::run() {
+Status OutcomeBuilder::check_regions() const {
+  for (const Region& region : regions_) {
+    if (region.is_bounded) continue;
+    const Vec3 where = skeleton_.facets().planes()[region.plane].triangle[0].approx;
+    return Error{ErrorCode::internal,
+                 "building the result of a set operation: the edges in the plane of a triangle near ({} {} {}) do not "
+                 "bound a face all round",
+                 where.x, where.y, where.z};
+  }
+  return {};
+}
+
+Result<TriangleMesh> OutcomeBuilder::run() {
   const auto find_regions = [&] {
     collect_edges();
     find_passages();
@@ -280,6 +311,7 @@ TriangleMesh OutcomeBuilder::run() {
   };
   const auto take_faces = [&] { mesh_.take_faces(); };
   in_parallel(skeleton_.operands().face_count() >= kWorthAThread, find_regions, take_faces);
+  RETURN_IF_ERROR(check_regions());
   for (const Region& region : regions_)
     mesh_.add_region(region.triangles, region.plane, region.is_flipped, region.has_exact_corner);
   return mesh_.finish();
@@ -287,8 +319,8 @@ TriangleMesh OutcomeBuilder::run() {
 
 }  // namespace
 
-TriangleMesh build_outcome(const Skeleton& skeleton, const Pieces& pieces, const Patches& patches,
-                           const Selection& selection) {
+Result<TriangleMesh> build_outcome(const Skeleton& skeleton, const Pieces& pieces, const Patches& patches,
+                                   const Selection& selection) {
   return OutcomeBuilder(skeleton, pieces, patches, selection).run();
 }
 

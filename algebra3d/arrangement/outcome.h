@@ -4,6 +4,7 @@
 
 #include "algebra3d/arrangement/patches.h"
 #include "algebra3d/arrangement/pieces.h"
+#include "algebra3d/base/error.h"
 
 namespace algebra3d::arrangement {
 
@@ -18,7 +19,9 @@ struct Selection {
 
 /// The mesh of what is selected: facets are brought together where nothing parts them any more, vertices in the middle
 /// of straight edges are left out, and each facet is triangulated anew; patches are taken over as they are.
-TriangleMesh build_outcome(const Skeleton& skeleton, const Pieces& pieces, const Patches& patches,
-                           const Selection& selection);
+/// Errors: `internal` if edges of what is kept in a plane bound no region there, which the selection of a correct
+/// classification rules out.
+Result<TriangleMesh> build_outcome(const Skeleton& skeleton, const Pieces& pieces, const Patches& patches,
+                                   const Selection& selection);
 
 }  // namespace algebra3d::arrangement

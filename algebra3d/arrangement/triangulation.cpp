@@ -59,9 +59,9 @@ class Sweep {
   bool is_earlier(std::uint32_t a, std::uint32_t b) const;
   bool is_below(std::uint32_t a, std::uint32_t b) const;
   bool is_below(std::uint32_t edge, Vertex vertex) const {
-    const SweepEdge& e = edges_[edge];
-    return e.later != vertex.number && turn(e.earlier, e.later, vertex.number) > 0;
+    return edges_[edge].later != vertex.number && side(edge, vertex.number) > 0;
   }
+  int side(std::uint32_t edge, std::uint32_t vertex) const;
 
   bool visit(std::uint32_t vertex, std::span<const std::uint32_t> starting);
   bool alternate(std::span<const std::uint32_t> edges, bool inside_below, bool inside_above) const;
@@ -92,14 +92,22 @@ bool Sweep::is_earlier(std::uint32_t a, std::uint32_t b) const {
   return std::is_lt(order);
 }
 
+/// 1 for a vertex above the edge, -1 below it. One that lies inside of it is on the outer side: what ends there touches
+/// the region of the edge from outside.
+int Sweep::side(std::uint32_t edge, std::uint32_t vertex) const {
+  const SweepEdge& e = edges_[edge];
+  if (const int found = turn(e.earlier, e.later, vertex); found != 0) return found;
+  return e.has_inside_above ? -1 : 1;
+}
+
 bool Sweep::is_below(std::uint32_t a, std::uint32_t b) const {
   const SweepEdge &e = edges_[a], &f = edges_[b];
   if (e.earlier == f.earlier) {
     if (e.later == f.later) return !e.has_inside_above && f.has_inside_above;
     return turn(e.earlier, e.later, f.later) > 0;
   }
-  if (is_earlier(e.earlier, f.earlier)) return turn(e.earlier, e.later, f.earlier) > 0;
-  return turn(f.earlier, f.later, e.earlier) < 0;
+  if (is_earlier(e.earlier, f.earlier)) return side(a, f.earlier) > 0;
+  return side(b, e.earlier) < 0;
 }
 
 std::uint32_t Sweep::new_link(std::uint32_t vertex) {

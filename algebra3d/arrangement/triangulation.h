@@ -16,7 +16,8 @@ using DirectedEdge = std::pair<std::uint32_t, std::uint32_t>;
 
 /// Triangulates regions of one plane, given by all edges that bound them: any number of regions, with holes, touching
 /// themselves and each other in vertices; an edge given in both directions lies within a region and becomes an edge of
-/// the triangles. Edges do not cross, and no vertex lies inside an edge. Every triangle turns counter-clockwise in the
+/// the triangles. Edges do not cross. A vertex may lie inside an edge that is given in one direction: edges that end
+/// there lie to the right of it and touch it from outside. Every triangle turns counter-clockwise in the
 /// projection and has corners among the ends of edges alone, so that n corners and h holes in one region give
 /// n + 2h - 2 triangles, which is the fewest. The triangles depend on the edges and points alone, not on the order of
 /// the edges. False, and some triangles, if the edges bound no region: the left of one must be the left or the outside

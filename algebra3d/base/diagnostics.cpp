@@ -42,14 +42,22 @@ Diagnostics::Entry* Diagnostics::entry_of(std::string&& text, Kind* kind) {
   return &entries_.emplace_back(Entry{std::move(text), {}, 0});
 }
 
-void Diagnostics::report(std::string text, std::string place) {
+void Diagnostics::report(std::string text, std::string place, About about) {
   const std::scoped_lock lock(mutex_);
+  ++counts_[static_cast<std::size_t>(about)];
   auto kind = kinds_.find(without_numbers(text));
   if (kind == kinds_.end() && entries_.size() < kTextsKept) kind = kinds_.emplace(without_numbers(text), Kind()).first;
   Entry* const entry = entry_of(std::move(text), kind == kinds_.end() ? nullptr : &kind->second);
   if (entry == nullptr) return;
   ++entry->count;
   if (!place.empty() && entry->places.size() < kPlacesKept) entry->places.push_back(std::move(place));
+}
+
+void Diagnostics::tally(std::string_view pattern) {
+  const std::scoped_lock lock(mutex_);
+  auto count = tallies_.find(pattern);
+  if (count == tallies_.end()) count = tallies_.emplace(pattern, 0).first;
+  ++count->second;
 }
 
 void Diagnostics::show(std::string text) {
@@ -67,9 +75,14 @@ std::uint64_t Diagnostics::dropped_count() const {
   return dropped_count_;
 }
 
+std::uint64_t Diagnostics::count(About about) const {
+  const std::scoped_lock lock(mutex_);
+  return counts_[static_cast<std::size_t>(about)];
+}
+
 bool Diagnostics::empty() const {
   const std::scoped_lock lock(mutex_);
-  return entries_.empty();
+  return entries_.empty() && tallies_.empty();
 }
 
 void Diagnostics::clear() {
@@ -78,6 +91,8 @@ void Diagnostics::clear() {
   position_of_.clear();
   kinds_.clear();
   dropped_count_ = 0;
+  tallies_.clear();
+  counts_ = {};
 }
 
 std::vector<std::string> Diagnostics::summary() const {
@@ -91,6 +106,8 @@ std::vector<std::string> Diagnostics::summary() const {
     if (entry.alike > 0) line += fmt::format("; {} more differ only in numbers", entry.alike);
     lines.push_back(std::move(line));
   }
+  for (const auto& [pattern, count] : tallies_)
+    lines.push_back(fmt::format(fmt::runtime(pattern), count, count == 1 ? "" : "s"));
   if (dropped_count_ > 0) lines.push_back(fmt::format("{} further diagnostics of other kinds", dropped_count_));
   return lines;
 }

@@ -35,8 +35,8 @@ std::optional<double> parse_real(std::string_view text) {
   return value;
 }
 
-std::optional<std::int32_t> parse_int(std::string_view text) {
-  std::int32_t value = 0;
+std::optional<std::int64_t> parse_int(std::string_view text) {
+  std::int64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
   return value;

@@ -17,6 +17,6 @@ std::string real_text(double value);
 std::optional<double> parse_real(std::string_view text);
 
 /// The integer that is all of `text`, or nothing if it is none or does not fit.
-std::optional<std::int32_t> parse_int(std::string_view text);
+std::optional<std::int64_t> parse_int(std::string_view text);
 
 }  // namespace algebra3d

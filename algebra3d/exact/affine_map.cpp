@@ -1,5 +1,6 @@
 #include "algebra3d/exact/affine_map.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -79,6 +80,14 @@ int AffineMap::orientation() const {
   return dot(rows_[0], cross(rows_[1], rows_[2])).sign();
 }
 
+// An orthogonal matrix of dyadic numbers has integer entries, and is so a signed permutation: were 2^k, k > 0, the
+// common denominator of a row in lowest terms, its three numerators would have 4^k as the sum of their squares; but a
+// sum of three squares is a multiple of 4 only if all three numbers are even.
+bool AffineMap::has_dyadic_matrix() const {
+  return std::ranges::all_of(
+      rows_, [](const RationalVec3& row) { return row.x.is_dyadic() && row.y.is_dyadic() && row.z.is_dyadic(); });
+}
+
 RationalVec3 AffineMap::apply(const RationalVec3& point) const {
   return product(rows_, point) + shift_;
 }
@@ -87,7 +96,11 @@ std::optional<ExactPoint> AffineMap::apply(const ExactPoint& point) const {
   const Vec3 rounded = apply_rounded(point);
   if (!is_finite(rounded)) return std::nullopt;
   if (image_is_double(point, rounded)) return ExactPoint(rounded);
-  return ExactPoint(apply(point.rational()));
+  ExactPoint image(apply(point.rational()));
+  // Beyond the largest double there is a bit that is rounded to it.
+  const Box3 box = box_of(image);
+  if (!is_finite(box.min) || !is_finite(box.max)) return std::nullopt;
+  return image;
 }
 
 // With C the matrix of cofactors, det M * M^-T: (Mx).(Cn) = det M (x.n), so y.(Cn) - c' = det M (x.n - c) for y = Mx +

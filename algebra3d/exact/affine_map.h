@@ -24,6 +24,11 @@ class AffineMap {
 
   /// Sign of the determinant: -1 mirrors, 0 flattens.
   int orientation() const;
+  /// True if the entries of the matrix M are dyadic: integers over powers of two. This is so for every translation and
+  /// every scaling by doubles. Of rotations and reflections it is so for those that map the coordinate axes to each
+  /// other: quarter turns about them and what these make together, reflections in planes whose normal is parallel to an
+  /// axis or halves the angle between two.
+  bool has_dyadic_matrix() const;
   /// The exact image.
   RationalVec3 apply(const RationalVec3& point) const;
   /// The exact image as a point; nothing if it leaves the range of doubles.

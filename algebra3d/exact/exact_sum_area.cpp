@@ -1,7 +1,10 @@
+#include <algorithm>
 #include <utility>
 
+#include "algebra3d/exact/counters.h"
 #include "algebra3d/exact/exact_sum.h"
 #include "algebra3d/exact/exact_sum_integers.h"
+#include "algebra3d/exact/length_estimate.h"
 
 namespace algebra3d {
 namespace {
@@ -20,6 +23,7 @@ class LengthSum {
   LengthSum(const PointArray& points, const BitRange& range) : points_(points), range_(range) {}
 
   void add(const Triangle& t) {
+    detail::count_big_fallback();
     const Vec3 &a = points_.approx()[t[0]], &b = points_.approx()[t[1]], &c = points_.approx()[t[2]];
     for (std::size_t axis = 0; axis < 3; ++axis) {
       detail::set_integer(origin_, a[axis], range_.exponent());
@@ -36,9 +40,8 @@ class LengthSum {
     }
     add_length();
   }
-  /// Half the sum.
-  Rational area() const {
-    return detail::scaled_rational(sum_, 2L * long{range_.exponent()} - static_cast<long>(kFractionBits) - 1, 1);
+  Rational total() const {
+    return detail::scaled_rational(sum_, 2L * long{range_.exponent()} - static_cast<long>(kFractionBits), 1);
   }
 
  private:
@@ -84,21 +87,49 @@ Rational double_area(const PointArray& points, const Triangle& t) {
   return long_root(dot(normal, normal));
 }
 
-}  // namespace
+Rational half(const Rational& number) {
+  return number / Rational(2);
+}
 
-Result<double> nearest_area(const PointArray& points, IndexTriangles triangles, const std::atomic<bool>* cancel) {
+bool are_in_range(const PointArray& points) {
+  return std::ranges::all_of(points.approx(), [](const Vec3& p) {
+    return detail::LengthEstimate::is_in_range(p.x) && detail::LengthEstimate::is_in_range(p.y) &&
+           detail::LengthEstimate::is_in_range(p.z);
+  });
+}
+
+/// Twice the area of triangles of doubles, as precisely as it takes, where the estimate leaves the rounding open.
+Result<Rational> long_sum(const PointArray& points, IndexTriangles triangles, const std::atomic<bool>* cancel) {
+  detail::count_filter_failure();
   BitRange range;
   for (const Vec3& p : points.approx())
     for (std::size_t axis = 0; axis < 3; ++axis) range.extend(p[axis]);
   LengthSum sum(points, range);
+  RETURN_IF_ERROR(detail::for_each_triangle(triangles, cancel, [&](const Triangle& t) {
+    if (!detail::has_exact_corner(points, t)) sum.add(t);
+  }));
+  return sum.total();
+}
+
+}  // namespace
+
+Result<double> nearest_area(const PointArray& points, IndexTriangles triangles, const std::atomic<bool>* cancel) {
+  const bool is_estimated = are_in_range(points);
+  detail::LengthEstimate estimate;
   Rational doubled;
   RETURN_IF_ERROR(detail::for_each_triangle(triangles, cancel, [&](const Triangle& t) {
     if (detail::has_exact_corner(points, t))
       doubled += double_area(points, t);
-    else
-      sum.add(t);
+    else if (is_estimated)
+      estimate.add(points.approx()[t[0]], points.approx()[t[1]], points.approx()[t[2]]);
   }));
-  return (sum.area() + doubled / Rational(2)).nearest_double();
+  if (is_estimated) {
+    const double low = half(estimate.lower() + doubled).nearest_double();
+    const double high = half(estimate.upper() + doubled).nearest_double();
+    if (low == high) return high;
+  }
+  ASSIGN_OR_RETURN(const Rational sum, long_sum(points, triangles, cancel));
+  return half(sum + doubled).nearest_double();
 }
 
 }  // namespace algebra3d

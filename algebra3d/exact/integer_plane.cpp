@@ -67,6 +67,19 @@ IntegerPlane IntegerPlane::along_axis(PointRef p, PointRef q, std::size_t axis) 
   return IntegerPlane(form);
 }
 
+IntegerPlane IntegerPlane::of(const ExactPlane& plane) {
+  const ExactPlane canonical = plane.canonical();
+  const RationalAccess::View offset(canonical.offset);
+  const auto form = std::make_shared<Form>();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const RationalAccess::View component(canonical.normal[axis]);
+    mpz_mul(form->numbers[axis], component.numerator(), offset.denominator());
+  }
+  mpz_neg(form->numbers[3], offset.numerator());
+  form->finish();
+  return IntegerPlane(form);
+}
+
 int IntegerPlane::Form::rounded_side(const Vec3& p) const {
   const auto& [a, b, c, d] = rounded;
   const double x = a * p.x, y = b * p.y, z = c * p.z;

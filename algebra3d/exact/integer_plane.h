@@ -25,6 +25,9 @@ class IntegerPlane {
   /// Through two different points, parallel to an axis (0: x, 1: y, 2: z) to which their line is not parallel.
   static IntegerPlane along_axis(PointRef p, PointRef q, std::size_t axis);
 
+  /// The same plane with the same front.
+  static IntegerPlane of(const ExactPlane& plane);
+
   /// On the heap, of a plane whose numbers are not long.
   static constexpr std::size_t kTypicalBytes = 256;
 

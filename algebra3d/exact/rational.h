@@ -71,6 +71,7 @@ class Rational {
   /// Nearest double to the square root of this, which must not be negative; ties to even.
   double nearest_root() const;
   bool is_double() const;  ///< exactly representable as a finite double
+  bool is_dyadic() const;  ///< an integer over a power of two, as every double is
   bool is_integer() const;
   /// True if both terms are held in place.
   bool is_small() const { return big_ == nullptr; }

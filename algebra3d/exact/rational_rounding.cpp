@@ -153,6 +153,12 @@ double Rational::nearest_root() const {
   return RationalAccess::take(std::move(root)).nearest_double();
 }
 
+bool Rational::is_dyadic() const {
+  if (is_small()) return std::has_single_bit(static_cast<std::uint64_t>(denominator_));
+  const RationalAccess::View view(*this);
+  return mpz_scan1(view.denominator(), 0) + 1 == mpz_sizeinbase(view.denominator(), 2);
+}
+
 bool Rational::is_double() const {
   if (is_small()) {
     const std::uint64_t numerator = magnitude(numerator_);

@@ -4,6 +4,7 @@
 
 #include "algebra3d/exact/rational.h"
 #include "algebra3d/exact/rational_big.h"
+#include "algebra3d/exact/rational_text.h"
 
 namespace algebra3d {
 
@@ -76,13 +77,22 @@ bool set_unsigned(mpq_ptr value, std::string_view text) {
 
 }  // namespace
 
-std::optional<Rational> Rational::parse(std::string_view text) {
-  if (text.size() > kMaxDigits) return std::nullopt;
+std::size_t digit_count(std::string_view text) {
+  if (text.ends_with("/1")) text.remove_suffix(2);
+  if (text.starts_with('-')) text.remove_prefix(1);
+  return text.size() - (text.find('/') != std::string_view::npos ? 1 : 0);
+}
+
+std::optional<Rational> parse_long_rational(std::string_view text) {
   const bool negative = take(text, '-');
   RationalAccess::Owner big = RationalAccess::make();
   if (!set_unsigned(big->value, text)) return std::nullopt;
   if (negative) mpq_neg(big->value, big->value);
   return RationalAccess::take(std::move(big));
+}
+
+std::optional<Rational> Rational::parse(std::string_view text) {
+  return text.size() <= kMaxDigits ? parse_long_rational(text) : std::nullopt;
 }
 
 std::string Rational::text() const {

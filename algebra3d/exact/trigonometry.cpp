@@ -4,8 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include <mpfr.h>
-
+#include "algebra3d/exact/mpfr_float.h"
 #include "algebra3d/exact/rational_big.h"
 
 namespace algebra3d {
@@ -13,34 +12,6 @@ namespace algebra3d {
 namespace {
 
 constexpr mpfr_prec_t kWorkingBits = 128;
-
-/// A floating-point number of MPFR that frees itself, and this thread's constants of MPFR when the thread ends.
-class Float {
- public:
-  explicit Float(mpfr_prec_t bits) {
-    static thread_local const ConstantsOfThread constants;
-    mpfr_init2(value_, bits);
-  }
-  Float(const Float&) = delete;
-  Float(Float&&) = delete;
-  Float& operator=(const Float&) = delete;
-  Float& operator=(Float&&) = delete;
-  ~Float() { mpfr_clear(value_); }
-
-  mpfr_ptr get() { return value_; }
-
- private:
-  struct ConstantsOfThread {
-    ConstantsOfThread() = default;
-    ConstantsOfThread(const ConstantsOfThread&) = delete;
-    ConstantsOfThread(ConstantsOfThread&&) = delete;
-    ConstantsOfThread& operator=(const ConstantsOfThread&) = delete;
-    ConstantsOfThread& operator=(ConstantsOfThread&&) = delete;
-    ~ConstantsOfThread() { mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE); }
-  };
-
-  mpfr_t value_;
-};
 
 /// The same direction in (-180, 180]. Exact: the remainder is, and so is the difference of doubles within a factor of
 /// two.
@@ -53,10 +24,10 @@ double reduce_by_turns(double angle_degrees) {
 
 /// tan(angle / 2) / sqrt(squared_length), with a relative error below 2^-125: three roundings.
 Rational tangent_ratio(double angle_degrees, const Rational& squared_length) {
-  Float length(kWorkingBits);
+  MpfrFloat length(kWorkingBits);
   mpfr_set_q(length.get(), RationalAccess::View(squared_length).get(), MPFR_RNDN);
   mpfr_sqrt(length.get(), length.get(), MPFR_RNDN);
-  Float tangent(kWorkingBits);
+  MpfrFloat tangent(kWorkingBits);
   mpfr_set_d(tangent.get(), angle_degrees, MPFR_RNDN);
   mpfr_tanu(tangent.get(), tangent.get(), 720, MPFR_RNDN);  // the argument is in units of which 720 make a turn
   mpfr_div(tangent.get(), tangent.get(), length.get(), MPFR_RNDN);
@@ -116,8 +87,8 @@ Rational simplest_between(const Rational& low, const Rational& high) {
 
 CirclePoint circle_point(std::uint32_t index, std::uint32_t count) {
   assert(count > 0);
-  Float angle(64);
-  Float coordinate(53);
+  MpfrFloat angle(64);
+  MpfrFloat coordinate(53);
   mpfr_set_ui(angle.get(), index % count, MPFR_RNDN);
   mpfr_cosu(coordinate.get(), angle.get(), count, MPFR_RNDN);
   const double cosine = mpfr_get_d(coordinate.get(), MPFR_RNDN);

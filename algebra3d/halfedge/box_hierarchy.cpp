@@ -65,8 +65,10 @@ Box3 wide_box_of(const PointRef& point) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     // Rounding moved it by 2^-53 of it at most, or by half the smallest double.
     const double margin = 0x1p-52 * std::abs(point.approx[axis]) + std::numeric_limits<double>::denorm_min();
-    box.min[axis] -= margin;
-    box.max[axis] += margin;
+    // Never infinite; so the ends of the range of doubles stand for what may lie beyond them.
+    constexpr double kLargest = std::numeric_limits<double>::max();
+    box.min[axis] = std::max(box.min[axis] - margin, -kLargest);
+    box.max[axis] = std::min(box.max[axis] + margin, kLargest);
   }
   return box;
 }
@@ -109,12 +111,10 @@ void BoxHierarchy::choose_scale(const PointArray& points) {
 }
 
 BoxHierarchy::Box BoxHierarchy::scaled(const Box3& box) const {
-  // Roundings of functions that grow: never decreasing.
-  const auto map = [this](const Vec3& p, std::size_t axis) {
-    return static_cast<float>((p[axis] / 2 - origin_[axis] / 2) * scale_);
+  const auto corner = [this](const Vec3& p) {
+    return std::array<float, 4>{scaled(p.x, 0), scaled(p.y, 1), scaled(p.z, 2), 0};
   };
-  return {{map(box.min, 0), map(box.min, 1), map(box.min, 2), 0},
-          {map(box.max, 0), map(box.max, 1), map(box.max, 2), 0}};
+  return {corner(box.min), corner(box.max)};
 }
 
 Box3 BoxHierarchy::unscaled(const Box& box) const {
@@ -269,6 +269,18 @@ void BoxHierarchy::set_groups(std::span<const std::uint32_t> leaf_groups) {
     for (std::size_t i = 0; i < below.size(); i += 2)
       groups.push_back(i + 1 == below.size() || below[i] == below[i + 1] ? below[i] : kNoGroup);
   }
+}
+
+void BoxHierarchy::push_from_highest(const Node& node, std::vector<Node>& stack) const {
+  const std::vector<Box>& below = levels_[node.level - 1].boxes;
+  const std::uint32_t first = 2 * node.index, second = first + 1;
+  if (second == below.size()) {
+    stack.push_back({node.level - 1, first});
+    return;
+  }
+  const bool is_first_lower = below[first].min[2] <= below[second].min[2];
+  stack.push_back({node.level - 1, is_first_lower ? second : first});
+  stack.push_back({node.level - 1, is_first_lower ? first : second});
 }
 
 void BoxHierarchy::push_children(NodePair pair, std::vector<NodePair>& stack) const {

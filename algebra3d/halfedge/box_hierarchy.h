@@ -65,6 +65,11 @@ class BoxHierarchy {
   template <typename Visit>
   void for_each_on_vertical_ray(const Box3& where, int upward, Visit visit) const;
 
+  /// The same for the ray upwards, nodes with lower boxes first. visit(f) gives the height up to which faces matter
+  /// from then on (infinite: all): those whose boxes lie above it are left out.
+  template <typename Visit>
+  void for_each_above(const Box3& where, Visit visit) const;
+
  private:
   /// The fourth numbers are 0: four fill a register, and three of four comparisons cost as much as all.
   struct alignas(16) Box {
@@ -94,6 +99,10 @@ class BoxHierarchy {
   };
 
   void choose_scale(const PointArray& points);
+  /// Rounding of functions that grow: never decreasing.
+  float scaled(double coordinate, std::size_t axis) const {
+    return static_cast<float>((coordinate / 2 - origin_[axis] / 2) * scale_);
+  }
   Box scaled(const Box3& box) const;
   /// A box around everything that `scaled` maps into the box.
   Box3 unscaled(const Box& box) const;
@@ -116,6 +125,8 @@ class BoxHierarchy {
     return !level.groups.empty() && level.groups[a] != kNoGroup && level.groups[a] == level.groups[b];
   }
   void push_children(NodePair pair, std::vector<NodePair>& stack) const;
+  /// The children of a node above the leaves, that with the lower box last.
+  void push_from_highest(const Node& node, std::vector<Node>& stack) const;
   /// The positions of those of the leaf's faces whose boxes meet `box`; written to `positions`.
   std::span<const std::uint32_t> reaching(std::size_t leaf, const Box& box,
                                           std::array<std::uint32_t, kLeafSize>& positions) const;
@@ -248,6 +259,29 @@ void BoxHierarchy::for_each_on_vertical_ray(const Box3& where, int upward, Visit
     const std::size_t begin = node.index * kLeafSize, end = std::min(begin + kLeafSize, faces_.size());
     for (std::size_t i = begin; i < end; ++i)
       if (face_boxes_[i].meets(window)) visit(faces_[i]);
+  }
+}
+
+template <typename Visit>
+void BoxHierarchy::for_each_above(const Box3& where, Visit visit) const {
+  if (faces_.empty()) return;
+  Box window = scaled(where);
+  window.max[2] = kInfinity;
+  std::vector<Node> stack{{static_cast<std::uint32_t>(levels_.size() - 1), 0}};
+  while (!stack.empty()) {
+    const Node node = stack.back();
+    stack.pop_back();
+    if (!levels_[node.level].boxes[node.index].meets(window)) continue;
+    if (node.level > 0) {
+      push_from_highest(node, stack);
+      continue;
+    }
+    const std::size_t begin = node.index * kLeafSize, end = std::min(begin + kLeafSize, faces_.size());
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!face_boxes_[i].meets(window)) continue;
+      const double height = visit(faces_[i]);
+      if (height < Box3::kInfinity) window.max[2] = scaled(height, 2);
+    }
   }
 }
 

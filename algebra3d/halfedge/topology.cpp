@@ -197,43 +197,50 @@ TriangleMesh flipped(const TriangleMesh& mesh) {
   return {mesh.points(), triangles};
 }
 
-namespace {
+SubmeshMaker::SubmeshMaker(const TriangleMesh& mesh)
+    : mesh_(mesh), vertices_(mesh.vertex_count(), kUnset), planes_(mesh.planes().size(), kUnset) {}
 
-FacePlanes planes_of(const TriangleMesh& mesh, std::span<const FaceId> faces) {
+FacePlanes SubmeshMaker::planes_of(std::span<const FaceId> faces) {
+  const FacePlanes& planes = mesh_.planes();
   FacePlanes result;
-  std::vector<std::uint32_t> new_numbers(mesh.planes().size(), FacePlanes::kUnknown);
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    const std::uint32_t number = mesh.planes().number(faces[i].index());
+    const std::uint32_t number = planes.number(faces[i].index());
     if (number == FacePlanes::kUnknown) continue;
-    if (new_numbers[number] == FacePlanes::kUnknown) new_numbers[number] = result.add(mesh.planes()[number]);
-    result.set(i, new_numbers[number]);
+    if (planes_[number] == kUnset) planes_[number] = result.add(planes[number]);
+    result.set(i, planes_[number]);
   }
+  for (const FaceId face : faces)
+    if (const std::uint32_t number = planes.number(face.index()); number != FacePlanes::kUnknown)
+      planes_[number] = kUnset;
   return result;
 }
 
-}  // namespace
-
-TriangleMesh submesh(const TriangleMesh& mesh, std::span<const FaceId> faces) {
-  std::vector<std::uint32_t> new_index(mesh.vertex_count(), kUnset);
+TriangleMesh SubmeshMaker::make(std::span<const FaceId> faces) {
   std::vector<TriangleMesh::Triangle> triangles;
   triangles.reserve(faces.size());
   PointArray points;
   for (const FaceId f : faces) {
-    TriangleMesh::Triangle triangle = mesh.triangle(f);
+    TriangleMesh::Triangle triangle = mesh_.triangle(f);
     for (std::uint32_t& corner : triangle) {
-      if (new_index[corner] == kUnset) {
-        new_index[corner] = static_cast<std::uint32_t>(points.size());
-        points.push_back(mesh.points()[corner]);
+      if (vertices_[corner] == kUnset) {
+        vertices_[corner] = static_cast<std::uint32_t>(points.size());
+        points.push_back(mesh_.points()[corner]);
       }
-      corner = new_index[corner];
+      corner = vertices_[corner];
     }
     triangles.push_back(triangle);
   }
+  for (const FaceId f : faces)
+    for (const std::uint32_t corner : mesh_.triangle(f)) vertices_[corner] = kUnset;
   // Taking over links costs a look at all faces.
-  if (faces.size() < mesh.face_count() / 4) return {std::move(points), triangles, planes_of(mesh, faces)};
+  if (faces.size() < mesh_.face_count() / 4) return {std::move(points), triangles, planes_of(faces)};
   std::vector<std::uint32_t> was(faces.size());
   std::ranges::transform(faces, was.begin(), [](FaceId face) { return face.index(); });
-  return relinked(mesh, std::move(was), std::move(points), triangles, planes_of(mesh, faces));
+  return relinked(mesh_, std::move(was), std::move(points), triangles, planes_of(faces));
+}
+
+TriangleMesh submesh(const TriangleMesh& mesh, std::span<const FaceId> faces) {
+  return SubmeshMaker(mesh).make(faces);
 }
 
 }  // namespace algebra3d

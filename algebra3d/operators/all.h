@@ -9,6 +9,8 @@ Registry make_registry();
 
 // The families, one file each.
 void register_arithmetic(Registry& registry);
+void register_numbers(Registry& registry);
+void register_mathematics(Registry& registry);
 void register_comparison(Registry& registry);
 void register_logic(Registry& registry);
 void register_strings(Registry& registry);

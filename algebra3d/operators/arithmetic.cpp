@@ -11,19 +11,33 @@
 namespace algebra3d {
 namespace {
 
-Maybe<std::int32_t> as_int(std::int64_t result) {
-  if (result == static_cast<std::int32_t>(result)) return static_cast<std::int32_t>(result);
-  return Undefined{fmt::format("the result {} is beyond the range of ints", result)};
+Undefined beyond_ints(const Rational& result) {
+  return Undefined{fmt::format("the result {} is beyond the range of ints", result.text())};
 }
 
-Maybe<std::int32_t> add_ints(std::int32_t a, std::int32_t b) {
-  return as_int(std::int64_t{a} + b);
+Maybe<std::int64_t> add_ints(std::int64_t a, std::int64_t b) {
+  std::int64_t sum = 0;
+  if (__builtin_add_overflow(a, b, &sum)) return beyond_ints(Rational(a) + Rational(b));
+  return sum;
 }
-Maybe<std::int32_t> subtract_ints(std::int32_t a, std::int32_t b) {
-  return as_int(std::int64_t{a} - b);
+Maybe<std::int64_t> subtract_ints(std::int64_t a, std::int64_t b) {
+  std::int64_t difference = 0;
+  if (__builtin_sub_overflow(a, b, &difference)) return beyond_ints(Rational(a) - Rational(b));
+  return difference;
 }
-Maybe<std::int32_t> multiply_ints(std::int32_t a, std::int32_t b) {
-  return as_int(std::int64_t{a} * b);
+Maybe<std::int64_t> multiply_ints(std::int64_t a, std::int64_t b) {
+  std::int64_t product = 0;
+  if (__builtin_mul_overflow(a, b, &product)) return beyond_ints(Rational(a) * Rational(b));
+  return product;
+}
+Maybe<std::int64_t> negate_int(std::int64_t a) {
+  return subtract_ints(0, a);
+}
+double negate(double a) {
+  return -a;
+}
+Maybe<Duration> negate_duration(const Duration& duration) {
+  return Duration::make(-duration.milliseconds);
 }
 double add(double a, double b) {
   return a + b;
@@ -66,14 +80,16 @@ Maybe<double> divide(double a, double b) {
 }
 
 // As in C and in SECONDO: div rounds towards zero, and mod has the sign of the first operand.
-Maybe<std::int32_t> divide_ints(std::int32_t a, std::int32_t b) {
+Maybe<std::int64_t> divide_ints(std::int64_t a, std::int64_t b) {
   if (b == 0) return Undefined{"division by zero"};
-  return as_int(std::int64_t{a} / b);
+  // The one quotient that is no int; the processor would trap.
+  if (b == -1) return subtract_ints(0, a);
+  return a / b;
 }
 
-Maybe<std::int32_t> modulo(std::int32_t a, std::int32_t b) {
+Maybe<std::int64_t> modulo(std::int64_t a, std::int64_t b) {
   if (b == 0) return Undefined{"division by zero"};
-  return as_int(std::int64_t{a} % b);
+  return b == -1 ? 0 : a % b;
 }
 
 }  // namespace
@@ -85,7 +101,7 @@ void register_arithmetic(Registry& registry) {
       .doc =
           "The sum of two numbers or durations, two strings or texts one after the other, or the instant after a time.",
       .detail = "Undefined if an int is beyond the range of ints, an instant outside of the years 1 to 9999, or if the "
-                "days of a duration are beyond the range of ints.",
+                "days of a duration do not fit 32 bits. An int beside a real counts as the nearest real.",
       .exactness = Exactness::rounded_once,
       .overloads = {symmetric(overload<&add_ints>("a", "b")), symmetric(overload<&add>("a", "b")),
                     overload<&concatenate>("a", "b"), overload<&concatenate_texts>("a", "b"),
@@ -96,7 +112,7 @@ void register_arithmetic(Registry& registry) {
                    {"'ab' + 'c'", "'abc'"},
                    {"theInstant(2012, 2, 28) + create_duration(1.5)", R"("2012-02-29-12:00")"},
                    {"create_duration(1.5) + create_duration(0.75)", "(2 21600000)"},
-                   {"2147483647 + 1", "undefined"},
+                   {"9223372036854775807 + 1", "undefined"},
                    {"1 + [const int value undefined]", "undefined"}},
       .errors = {{"query 1 + TRUE",
                   "+: expected (int int), (real real), (string string), (text text), (instant duration) or (duration "
@@ -105,10 +121,12 @@ void register_arithmetic(Registry& registry) {
   registry.add({
       .name = "-",
       .syntax = "_ - _",
-      .doc = "The difference of two numbers or durations, the time between two instants, or the instant a time before.",
-      .detail = "Undefined where a sum is.",
+      .doc = "The difference of two numbers or durations, the time between two instants, or the instant a time before; "
+             "`-x` is a number or duration with the other sign.",
+      .detail = "Undefined where a sum is. `-x` binds looser than postfix operators and tighter than all others.",
       .exactness = Exactness::rounded_once,
-      .overloads = {overload<&subtract_ints>("a", "b"), overload<&subtract>("a", "b"),
+      .overloads = {overload<&negate_int>("a"), overload<&negate>("a"), overload<&negate_duration>("a"),
+                    overload<&subtract_ints>("a", "b"), overload<&subtract>("a", "b"),
                     overload<&time_between>("end", "start"), overload<&instant_earlier>("instant", "duration"),
                     overload<&subtract_durations>("a", "b")},
       .examples = {{"10 - 4 - 3", "3"},
@@ -116,11 +134,13 @@ void register_arithmetic(Registry& registry) {
                    {"theInstant(2013) - theInstant(2012)", "(366 0)"},
                    {"theInstant(2012) - create_duration(0.25)", R"("2011-12-31-18:00")"},
                    {"create_duration(1) - create_duration(1.5)", "(-1 43200000)"},
+                   {"-(2 + 3)", "-5"},
+                   {"-create_duration(1.5)", "(-2 43200000)"},
                    {"1 - [const real value undefined]", "undefined"}},
       .errors =
           {{R"(query 1 - "a")",
-            "-: expected (int int), (real real), (instant instant), (instant duration) or (duration duration), got "
-            "(int string)"}},
+            "-: expected (int), (real), (duration), (int int), (real real), (instant instant), (instant duration) or "
+            "(duration duration), got (int string)"}},
   });
   registry.add({
       .name = "*",
@@ -128,14 +148,15 @@ void register_arithmetic(Registry& registry) {
       .doc = "The product of two numbers, or of a duration and a number.",
       .detail =
           "An int result beyond the range of ints is undefined. A duration is rounded to the nearest millisecond; "
-          "it is undefined if its days are beyond the range of ints.",
+          "it is undefined if its days do not fit 32 bits.",
       .exactness = Exactness::rounded_once,
       .overloads = {symmetric(overload<&multiply_ints>("a", "b")), symmetric(overload<&multiply>("a", "b")),
                     overload<&multiply_duration>("duration", "factor")},
       .examples = {{"2 * 3 + 1", "7"},
                    {"0.5 * 4", "2.0"},
                    {"create_duration(2) * 0.75", "(1 43200000)"},
-                   {"65536 * 65536", "undefined"},
+                   {"65536 * 65536", "4294967296"},
+                   {"4294967296 * 4294967296", "undefined"},
                    {"2 * [const int value undefined]", "undefined"}},
       .errors = {{R"(query 1 * "a")", "*: expected (int int), (real real) or (duration real), got (int string)"}},
   });
@@ -153,7 +174,7 @@ void register_arithmetic(Registry& registry) {
       .name = "div",
       .syntax = "_ div _",
       .doc = "The integer part of a quotient of ints, rounded towards zero.",
-      .detail = "Division by zero is undefined.",
+      .detail = "Undefined: division by zero, and a quotient of 2^63.",
       .exactness = Exactness::exact,
       .overloads = {overload<&divide_ints>("a", "b")},
       .examples = {{"7 div 2", "3"},

@@ -10,37 +10,53 @@ namespace {
 
 using Test = bool (*)(std::strong_ordering);
 
-// Compares loaded values of one type.
-Overload comparison(const Type& type, Test holds) {
+const Type& int_type() {
+  return TypeOf<std::int64_t>::type();
+}
+const Type& real_type() {
+  return TypeOf<double>::type();
+}
+
+// Loaded, defined values of one type, or an int and a real.
+std::strong_ordering order_of(const Value& a, const Value& b) {
+  if (&a.type() == &b.type()) return compare(a, b);
+  if (&a.type() == &int_type()) return compare(a.get<std::int64_t>(), b.get<double>());
+  return 0 <=> compare(b.get<std::int64_t>(), a.get<double>());
+}
+
+Overload comparison(const Type& left, const Type& right, Test holds) {
   Overload overload;
-  overload.is_symmetric = holds(std::strong_ordering::less) == holds(std::strong_ordering::greater);
-  overload.parameters = {{"a", &type}, {"b", &type}};
+  overload.is_symmetric = &left == &right && holds(std::strong_ordering::less) == holds(std::strong_ordering::greater);
+  overload.is_total = true;
+  overload.parameters = {{"a", &left}, {"b", &right}};
   overload.result = &TypeOf<bool>::type();
   overload.function = [holds](std::span<const Value> values, Context&) -> Result<Outcome> {
     if (!values[0].is_deferred() && !values[1].is_deferred())
-      return Outcome(Value::of<bool>(holds(compare(values[0], values[1]))));
+      return Outcome(Value::of<bool>(holds(order_of(values[0], values[1]))));
     ASSIGN_OR_RETURN(const Value a, values[0].loaded());
     ASSIGN_OR_RETURN(const Value b, values[1].loaded());
-    return Outcome(Value::of<bool>(holds(compare(a, b))));
+    return Outcome(Value::of<bool>(holds(order_of(a, b))));
   };
   return overload;
 }
 
-Overload range_test(const Type& type) {
+Overload range_test(const Type& type, const Type& lower, const Type& upper) {
   Overload overload;
-  overload.parameters = {{"x", &type}, {"low", &type}, {"high", &type}};
+  overload.is_total = true;
+  overload.parameters = {{"x", &type}, {"low", &lower}, {"high", &upper}};
   overload.result = &TypeOf<bool>::type();
   overload.function = [](std::span<const Value> values, Context&) -> Result<Outcome> {
     ASSIGN_OR_RETURN(const Value x, values[0].loaded());
     ASSIGN_OR_RETURN(const Value low, values[1].loaded());
     ASSIGN_OR_RETURN(const Value high, values[2].loaded());
-    return Outcome(Value::of<bool>(compare(low, x) <= 0 && compare(x, high) <= 0));
+    return Outcome(Value::of<bool>(order_of(low, x) <= 0 && order_of(x, high) <= 0));
   };
   return overload;
 }
 
 Overload definedness(const Type& type) {
   Overload overload;
+  overload.is_total = true;
   overload.parameters = {{"x", &type, true}};
   overload.result = &TypeOf<bool>::type();
   overload.function = [](std::span<const Value> values, Context&) -> Result<Outcome> {
@@ -64,6 +80,25 @@ template <typename Make>
 std::vector<Overload> for_all_types(const Registry& registry, Make make) {
   std::vector<Overload> overloads;
   for (const Type* type : registry.types()) overloads.push_back(make(*type));
+  return overloads;
+}
+
+// For two values of each type, and for an int and a real.
+std::vector<Overload> comparisons(const Registry& registry, Test holds) {
+  auto overloads = for_all_types(registry, [&](const Type& type) { return comparison(type, type, holds); });
+  overloads.push_back(comparison(int_type(), real_type(), holds));
+  overloads.push_back(comparison(real_type(), int_type(), holds));
+  return overloads;
+}
+
+// For three values of each type, and for ints among reals.
+std::vector<Overload> range_tests(const Registry& registry) {
+  auto overloads = for_all_types(registry, [](const Type& type) { return range_test(type, type, type); });
+  const Type& i = int_type();
+  const Type& r = real_type();
+  for (const auto& [x, low, high] : std::initializer_list<std::array<const Type*, 3>>{
+           {&i, &i, &r}, {&i, &r, &i}, {&i, &r, &r}, {&r, &i, &i}, {&r, &i, &r}, {&r, &r, &i}})
+    overloads.push_back(range_test(*x, *low, *high));
   return overloads;
 }
 
@@ -98,10 +133,11 @@ void register_comparison(Registry& registry) {
         .name = row.name,
         .syntax = std::string("_ ") + row.name + " _",
         .doc = row.doc,
-        .detail = "Both are of one type; an int beside a real counts as a real. Points, surfaces and "
-                  "volumes are equal when they are the same point set, however it is cut into triangles.",
+        .detail =
+            "Both are of one type, or an int and a real, whose values are compared, or a string and a text. Points, "
+            "surfaces and volumes are equal when they are the same point set, however it is cut into triangles.",
         .exactness = Exactness::exact,
-        .overloads = for_all_types(registry, [&](const Type& type) { return comparison(type, row.holds); }),
+        .overloads = comparisons(registry, row.holds),
         .examples = {{row.yes, "TRUE"},
                      {row.no, "FALSE"},
                      {std::string("1 ") + row.name + " [const int value undefined]", "undefined"}},
@@ -112,7 +148,7 @@ void register_comparison(Registry& registry) {
       .syntax = "_ between[_, _]",
       .doc = "True if the value lies between the bounds, or is one of them, in the order of its type.",
       .exactness = Exactness::exact,
-      .overloads = for_all_types(registry, range_test),
+      .overloads = range_tests(registry),
       .examples = {{"2 between[1, 3]", "TRUE"},
                    {"0.5 between[1, 3]", "FALSE"},
                    {"2 between[1, [const int value undefined]]", "undefined"}},

@@ -12,13 +12,14 @@
 #include "algebra3d/repair/weld.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
+#include "algebra3d/validity/star_shape.h"
 
 namespace algebra3d {
 namespace {
 
 using Triangle = TriangleMesh::Triangle;
 
-constexpr std::int32_t kMaxCorners = 10'000'000;
+constexpr std::int64_t kMaxCorners = 10'000'000;
 /// What a cylinder of kMaxCorners has, about.
 constexpr std::int64_t kMaxSphereTriangles = 40'000'000;
 
@@ -37,14 +38,21 @@ Maybe<Volume3d> undefined(std::string reason) {
   return Undefined{std::move(reason)};
 }
 
-/// Proves what the rounding of the corners has left of the shape.
-Result<Maybe<Volume3d>> finish(Context& context, Draft draft) {
+/// Proves the mesh: at once where all of the inside is seen from the centre, which is so unless the corners were moved
+/// far for the size of the shape.
+Result<Maybe<Volume3d>> prove(Context& context, TriangleMesh mesh, const Vec3& centre) {
+  if (is_finite(centre) && is_star_shaped(mesh, centre)) return Maybe<Volume3d>(Volume3d::trusted(std::move(mesh)));
+  const ProofOptions options{.thoroughness = Thoroughness::first_defect, .cancel = context.cancel};
+  return Volume3d::prove(std::move(mesh), options);
+}
+
+/// Proves what the rounding of the corners has left of the shape, with the centre inside.
+Result<Maybe<Volume3d>> finish(Context& context, Draft draft, const Vec3& centre) {
   for (const Vec3& p : draft.points)
     if (!is_finite(p)) return undefined("a corner is beyond the range of doubles");
   RETURN_IF_ERROR(context.check_cancelled());
-  TriangleMesh mesh(PointArray(std::move(draft.points)), draft.triangles);
-  const ProofOptions options{.thoroughness = Thoroughness::first_defect, .cancel = context.cancel};
-  ASSIGN_OR_RETURN(auto proved, Volume3d::prove(std::move(mesh), options));
+  ASSIGN_OR_RETURN(auto proved,
+                   prove(context, TriangleMesh(PointArray(std::move(draft.points)), draft.triangles), centre));
   if (proved) return proved;
   return undefined("the shape collapses when its corners are rounded to doubles");
 }
@@ -53,7 +61,7 @@ Result<Maybe<Volume3d>> finish(Context& context, Draft draft) {
 constexpr std::array<std::array<std::uint32_t, 4>, 6> kSides{
     {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
 
-Result<Maybe<Volume3d>> make_cube(const Point3d& p, const Point3d& q) {
+Result<Maybe<Volume3d>> make_cube(Context& context, const Point3d& p, const Point3d& q) {
   std::array<RationalVec3, 2> ends{p.position.rational(), q.position.rational()};
   const auto order = [](Rational& low, Rational& high) {
     if (high < low) std::swap(low, high);
@@ -66,11 +74,12 @@ Result<Maybe<Volume3d>> make_cube(const Point3d& p, const Point3d& q) {
     points.push_back(ExactPoint(RationalVec3(ends[i & 1U].x, ends[(i >> 1U) & 1U].y, ends[(i >> 2U) & 1U].z)));
   Draft draft;
   for (const auto& [a, b, c, d] : kSides) draft.quad(a, b, c, d);
-  return Volume3d::prove(TriangleMesh(std::move(points), draft.triangles));
+  const Vec3 centre = 0.5 * p.position.approx() + 0.5 * q.position.approx();
+  return prove(context, TriangleMesh(std::move(points), draft.triangles), centre);
 }
 
 /// Why there is no circle of `count` corners with this radius; empty if there is.
-std::string circle_complaint(double radius, std::int32_t count) {
+std::string circle_complaint(double radius, std::int64_t count) {
   if (!(radius > 0)) return fmt::format("the radius is {}; it must be positive", radius);
   if (count < 3 || count > kMaxCorners) return fmt::format("{} corners; there must be 3 to {}", count, kMaxCorners);
   return {};
@@ -83,13 +92,28 @@ AffineMap placement(const Point3d& base, double radius, double height) {
       .then(AffineMap::translation(base.position.rational()));
 }
 
+/// A point on the axis, that high above the base.
+Vec3 on_axis(const Point3d& base, double height) {
+  return base.position.approx() + Vec3{0, 0, height};
+}
+
+/// Corner `index` of a regular polygon, of which those before it are known: mirrors at the axes and at x = y give seven
+/// of eight, and rounding knows no difference.
+CirclePoint next_corner(const std::vector<CirclePoint>& known, std::uint32_t index, std::uint32_t count) {
+  const auto mirrored = [&](std::uint32_t turn) { return known[turn - index]; };
+  if (2 * index > count) return {mirrored(count).cosine, 0.0 - mirrored(count).sine};
+  if (count % 2 == 0 && 4 * index > count) return {0.0 - mirrored(count / 2).cosine, mirrored(count / 2).sine};
+  if (count % 4 == 0 && 8 * index > count) return {mirrored(count / 4).sine, mirrored(count / 4).cosine};
+  return circle_point(index, count);
+}
+
 /// The corners of a regular polygon. Each is asked for once: it takes microseconds, and solids use it many times.
 Result<std::vector<CirclePoint>> unit_circle(Context& context, std::uint32_t count) {
   std::vector<CirclePoint> circle;
   circle.reserve(count);
   for (std::uint32_t i = 0; i < count; ++i) {
     if (i % 8192 == 0) RETURN_IF_ERROR(context.check_cancelled());
-    circle.push_back(circle_point(i, count));
+    circle.push_back(next_corner(circle, i, count));
   }
   return circle;
 }
@@ -120,7 +144,7 @@ void add_disc(std::uint32_t first, std::uint32_t count, bool faces_up, Draft& dr
 }
 
 Result<Maybe<Volume3d>> make_cylinder(Context& context, const Point3d& base, double radius, double height,
-                                      std::int32_t corners) {
+                                      std::int64_t corners) {
   if (auto complaint = circle_complaint(radius, corners); !complaint.empty()) return undefined(std::move(complaint));
   if (!(height > 0)) return undefined(fmt::format("the height is {}; it must be positive", height));
   const auto n = static_cast<std::uint32_t>(corners);
@@ -135,11 +159,11 @@ Result<Maybe<Volume3d>> make_cylinder(Context& context, const Point3d& base, dou
     draft.quad(i, next, n + next, n + i);
   }
   add_disc(n, n, true, draft);
-  return finish(context, std::move(draft));
+  return finish(context, std::move(draft), on_axis(base, 0.5 * height));
 }
 
 Result<Maybe<Volume3d>> make_cone(Context& context, const Point3d& base, double radius, double height,
-                                  std::int32_t corners) {
+                                  std::int64_t corners) {
   if (auto complaint = circle_complaint(radius, corners); !complaint.empty()) return undefined(std::move(complaint));
   if (!(height > 0)) return undefined(fmt::format("the height is {}; it must be positive", height));
   const auto n = static_cast<std::uint32_t>(corners);
@@ -150,7 +174,7 @@ Result<Maybe<Volume3d>> make_cone(Context& context, const Point3d& base, double 
   draft.points.push_back(place.apply_rounded(Vec3{0, 0, 1}));
   add_disc(0, n, false, draft);
   for (std::uint32_t i = 0; i < n; ++i) draft.triangles.push_back({i, (i + 1) % n, n});
-  return finish(context, std::move(draft));
+  return finish(context, std::move(draft), on_axis(base, 0.25 * height));
 }
 
 /// A ring of the sphere: the circle round the x axis through one corner of the half circle.
@@ -163,7 +187,7 @@ void add_ring(const Point3d& centre, double radius, const CirclePoint& corner, c
     draft.points.push_back(place.apply_rounded(Vec3{corner.cosine, on_ring.cosine, on_ring.sine}));
 }
 
-Result<Maybe<Volume3d>> make_sphere(Context& context, const Point3d& centre, double radius, std::int32_t corners) {
+Result<Maybe<Volume3d>> make_sphere(Context& context, const Point3d& centre, double radius, std::int64_t corners) {
   if (auto complaint = circle_complaint(radius, corners); !complaint.empty()) return undefined(std::move(complaint));
   const auto n = static_cast<std::uint32_t>(corners + corners % 2);
   if (std::int64_t{n} * (n - 2) > kMaxSphereTriangles)
@@ -187,7 +211,7 @@ Result<Maybe<Volume3d>> make_sphere(Context& context, const Point3d& centre, dou
       draft.quad(ring * n + j, (ring + 1) * n + j, (ring + 1) * n + next, ring * n + next);
     draft.triangles.push_back({last_pole, last_ring + next, last_ring + j});
   }
-  return finish(context, std::move(draft));
+  return finish(context, std::move(draft), centre.position.approx());
 }
 
 const std::string kRoundNote =

@@ -12,26 +12,26 @@
 namespace algebra3d {
 namespace {
 
-Result<Maybe<std::vector<Volume3d>>> split_solid(Context& context, const Volume3d& solid, const Plane3d& plane) {
-  ASSIGN_OR_RETURN(auto parts, split(context, solid, plane.plane));
-  if (!parts) return Maybe<std::vector<Volume3d>>(Undefined{parts.reason()});
-  return Maybe<std::vector<Volume3d>>(std::vector<Volume3d>{parts->first, parts->second});
+Result<std::vector<Volume3d>> split_solid(Context& context, const Volume3d& solid, const Plane3d& plane) {
+  ASSIGN_OR_RETURN(SolidParts parts, split(context, solid, plane.plane));
+  return std::vector<Volume3d>{std::move(parts.in_front), std::move(parts.behind)};
 }
 
 Result<Volume3d> clip_solid(Context& context, const Volume3d& solid, const Box3& box) {
   return clipped(context, solid, box);
 }
 
-Result<Maybe<Surface3d>> section_of(Context& context, const Volume3d& solid, const Plane3d& plane) {
+Result<Surface3d> section_of(Context& context, const Volume3d& solid, const Plane3d& plane) {
   return section(context, solid, plane.plane);
 }
 
 Result<std::vector<Surface3d>> shells_of(Context& context, const std::optional<Volume3d>& solid) {
   std::vector<Surface3d> shells;
   if (!solid) return shells;
+  SubmeshMaker maker(solid->mesh());
   for (const std::vector<FaceId>& faces : connected_components(solid->mesh()).faces()) {
     RETURN_IF_ERROR(context.check_cancelled());
-    shells.push_back(Surface3d::trusted(submesh(solid->mesh(), faces)));
+    shells.push_back(Surface3d::trusted(maker.make(faces)));
   }
   return shells;
 }

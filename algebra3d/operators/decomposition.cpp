@@ -15,7 +15,7 @@ Result<std::vector<std::vector<FaceId>>> component_faces(Context& /*context*/, c
   return connected_components(surface.mesh()).faces();
 }
 Result<std::vector<std::vector<FaceId>>> component_faces(Context& context, const Volume3d& solid) {
-  return solid_components(solid.mesh(), context.cancel);
+  return solid_components(solid.mesh(), solid.geometry().hierarchy(), context.cancel);
 }
 
 template <typename T>
@@ -24,11 +24,12 @@ Result<std::vector<T>> components_of(Context& context, const std::optional<T>& g
   ASSIGN_OR_RETURN(const auto components, component_faces(context, *geometry));
   if (components.size() == 1) return std::vector<T>{*geometry};
   std::vector<T> result;
+  SubmeshMaker maker(geometry->mesh());
   for (const std::vector<FaceId>& faces : components) {
     RETURN_IF_ERROR(context.check_cancelled());
     // No proof: triangles that are fine among others are so among fewer. A component of a volume holds the outer shell
     // of a body and the walls of its cavities, so next to these the winding numbers are what they were in the whole.
-    result.push_back(T::trusted(submesh(geometry->mesh(), faces)));
+    result.push_back(T::trusted(maker.make(faces)));
   }
   return result;
 }

@@ -11,6 +11,7 @@
 #include "algebra3d/base/number_text.h"
 #include "algebra3d/base/polygon_soup.h"
 #include "algebra3d/operators/all.h"
+#include "algebra3d/operators/export_solid.h"
 #include "algebra3d/operators/sample_values.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/repair/kept_shells.h"
@@ -42,7 +43,7 @@ PolygonSoup polygon_soup_of(const TriangleMesh& mesh) {
 }
 
 bool refuse(Context& context, const std::string& reason) {
-  context.diagnostics.report(reason);
+  context.diagnostics.report(reason, {}, Diagnostics::About::unwritten);
   return false;
 }
 
@@ -111,35 +112,40 @@ Result<bool> export_stl(Context& context, const std::optional<Volume3d>& solid, 
                         const std::optional<Text>& file, const std::optional<bool>& is_binary) {
   if (!solid) return refuse(context, "exportSTL: the solid is undefined");
   if (!name || !file || !is_binary) return refuse(context, "exportSTL: the name, the file or the format is undefined");
-  const stl::Format format = *is_binary ? stl::Format::binary : stl::Format::ascii;
-  return export_rounded(context, "exportSTL", *solid, file->content, floats(),
-                        [&](const std::filesystem::path& path, const TriangleMesh& mesh) {
-                          return stl::write_stl_file(path, triangle_soup_of(mesh), *name, format);
-                        });
+  return export_solid(context, "exportSTL", *solid, *name, file->content,
+                      {stl::MeshFormat::stl, *is_binary ? stl::Format::binary : stl::Format::ascii});
 }
 
 Result<bool> export_obj(Context& context, const std::optional<Volume3d>& solid, const std::optional<std::string>& name,
                         const std::optional<Text>& file) {
   if (!solid) return refuse(context, "exportOBJ: the solid is undefined");
   if (!name || !file) return refuse(context, "exportOBJ: the name or the file is undefined");
-  return export_rounded(context, "exportOBJ", *solid, file->content, doubles(),
-                        [&](const std::filesystem::path& path, const TriangleMesh& mesh) {
-                          return stl::write_obj_file(path, polygon_soup_of(mesh), *name);
-                        });
+  return export_solid(context, "exportOBJ", *solid, *name, file->content, {stl::MeshFormat::obj, stl::Format::ascii});
 }
 
 Result<bool> export_off(Context& context, const std::optional<Volume3d>& solid, const std::optional<Text>& file,
                         const std::optional<bool>& is_binary) {
   if (!solid) return refuse(context, "exportOFF: the solid is undefined");
   if (!file || !is_binary) return refuse(context, "exportOFF: the file or the format is undefined");
-  const stl::Format format = *is_binary ? stl::Format::binary : stl::Format::ascii;
-  return export_rounded(context, "exportOFF", *solid, file->content, *is_binary ? floats() : doubles(),
-                        [&](const std::filesystem::path& path, const TriangleMesh& mesh) {
-                          return stl::write_off_file(path, polygon_soup_of(mesh), format);
-                        });
+  return export_solid(context, "exportOFF", *solid, {}, file->content,
+                      {stl::MeshFormat::off, *is_binary ? stl::Format::binary : stl::Format::ascii});
 }
 
 }  // namespace
+
+Result<bool> export_solid(Context& context, const std::string& command, const Volume3d& solid, const std::string& name,
+                          const std::string& file, const MeshFileForm& form) {
+  const bool has_doubles = form.format == stl::MeshFormat::obj ||
+                           (form.format == stl::MeshFormat::off && form.encoding == stl::Format::ascii);
+  return export_rounded(context, command, solid, file, has_doubles ? doubles() : floats(),
+                        [&](const std::filesystem::path& path, const TriangleMesh& mesh) {
+                          if (form.format == stl::MeshFormat::stl)
+                            return stl::write_stl_file(path, triangle_soup_of(mesh), name, form.encoding);
+                          if (form.format == stl::MeshFormat::obj)
+                            return stl::write_obj_file(path, polygon_soup_of(mesh), name);
+                          return stl::write_off_file(path, polygon_soup_of(mesh), form.encoding);
+                        });
+}
 
 void register_exports(Registry& registry) {
   registry.add({

@@ -61,13 +61,12 @@ int side_of(const Box3& box, const ExactPlane& plane) {
   return is_in_front && is_behind ? 0 : is_behind ? -1 : 1;
 }
 
-Maybe<TriangleMesh> half_space_within(const Box3& box, const ExactPlane& plane) {
+TriangleMesh half_space_within(const Box3& box, const ExactPlane& plane) {
   const std::size_t axis = dominant_axis(plane.normal), next = (axis + 1) % 3, after = (axis + 2) % 3;
   const double size = bound_of(box);
   // The plane passes the box and rises by at most 1 along the other axes, so over the square of twice the bound it
   // stays within five times the bound.
   const double floor = 8 * size;
-  if (!std::isfinite(floor)) return Undefined{"the solid reaches beyond the range in which it can be cut"};
   const bool is_behind_below = plane.normal[axis].sign() > 0;
   PointArray points;
   for (unsigned i = 0; i < 8; ++i) {
@@ -80,7 +79,7 @@ Maybe<TriangleMesh> half_space_within(const Box3& box, const ExactPlane& plane) 
   std::vector<TriangleMesh::Triangle> triangles(kBoxTriangles.begin(), kBoxTriangles.end());
   if (!is_behind_below)
     for (auto& [a, b, c] : triangles) std::swap(b, c);
-  return TriangleMesh(std::move(points), triangles);
+  return {std::move(points), triangles};
 }
 
 TriangleMesh solid_of(const Box3& box) {

@@ -1,5 +1,6 @@
 #include "algebra3d/operators/import_solid.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "algebra3d/repair/surface_from_soup.h"
@@ -15,6 +16,7 @@ bool is_fault_of_file(const Error& error) {
 Result<ImportedSolid> refused_or_failed(Error error) {
   if (!is_fault_of_file(error)) return error;
   ImportedSolid result;
+  result.was_read = error.code == ErrorCode::file_format || error.code == ErrorCode::limit_exceeded;
   result.status = std::move(error.message);
   return result;
 }
@@ -26,22 +28,58 @@ Result<ImportedSurface> refused_surface_or_failed(Error error) {
   return result;
 }
 
+/// Tells of a wrong count, and refuses the solid for it if repair is not wanted: what is missing may belong to it.
+void judge_count(ImportedSolid& result, bool is_strict) {
+  if (!result.wrong_count) return;
+  const std::string text = result.wrong_count->text();
+  const bool is_refused = is_strict && result.solid;
+  result.status = is_refused ? text : result.status + "; " + text;
+  if (!is_refused) return;
+  result.solid.reset();
+  result.measures = {};
+}
+
+ImportMeasures measures_of(const SolidFromSoup& made) {
+  ImportMeasures measures;
+  measures.area_seen = made.area_seen;
+  measures.volume_after = made.volume;
+  measures.volume_before = made.repair ? made.repair->volume_before : made.volume;
+  if (made.mesh && !made.repair) {
+    measures.facets_dropped = 0;
+    measures.area_dropped = measures.area_added = measures.dropped_distance = measures.added_distance = 0;
+  }
+  if (!made.repair || !made.repair->amounts) return measures;
+  const RepairAmounts& amounts = *made.repair->amounts;
+  measures.facets_dropped = amounts.dropped.facet_count;
+  measures.area_dropped = amounts.dropped.area;
+  measures.area_added = amounts.added.area;
+  measures.dropped_distance = amounts.dropped.distance;
+  measures.added_distance = std::max(amounts.added.distance, made.repair->largest_move());
+  return measures;
+}
+
 }  // namespace
 
 Result<ImportedSolid> import_solid(const std::filesystem::path& path, std::optional<stl::MeshFormat> format,
                                    const RepairOptions& options, const Monitor& monitor) {
-  auto read = read_mesh_file(path, format, monitor.cancel());
+  return import_solid(read_mesh_file(path, format, monitor.cancel()), options, monitor);
+}
+
+Result<ImportedSolid> import_solid(Result<MeshFile> read, const RepairOptions& options, const Monitor& monitor) {
   if (!read.ok()) return refused_or_failed(std::move(read).error());
   auto made = solid_from_soup(read->soup, options, monitor);
   if (!made.ok()) return refused_or_failed(std::move(made).error());
   ImportedSolid result;
   result.status = made->status();
+  result.measures = measures_of(*made);
   result.remarks = std::move(read->remarks);
   for (std::string& remark : made->report.remarks()) result.remarks.push_back(std::move(remark));
   if (made->mesh && made->repair) result.remarks.push_back(result.status);
   if (made->mesh) result.solid = Volume3d::trusted(*std::move(made->mesh));
   result.found = std::move(made->report);
   result.repair = std::move(made->repair);
+  result.wrong_count = read->wrong_count;
+  judge_count(result, options.is_strict);
   return result;
 }
 

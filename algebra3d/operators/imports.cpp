@@ -60,7 +60,8 @@ Result<Maybe<Surface3d>> import_as_surface(Context& context, const Text& file) {
 constexpr const char* kRepairDetail =
     "Equal corners are welded, and a solid that is inside out is turned right side out; what is then a valid solid is "
     "accepted as it is, with its triangles in spatial order. Everything else is repaired: a diagnostic says what was "
-    "changed and how far from the facets, and `repairReport` says more. What cannot be repaired, a missing or "
+    "changed, what was left out and added, and how far that is away, and `repairReport` says more. What cannot be "
+    "repaired, a missing or "
     "malformed "
     "file too, is undefined, with the defects and the reason. A content that is without doubt of another of the three "
     "formats is read as what it is, and a diagnostic says so. A file without facets, or of which none has an area, is "
@@ -69,8 +70,12 @@ constexpr const char* kRepairDetail =
     "the "
     "diagonal), `holes=20` (diameter of the largest hole that is closed; by default all are), `cavities=drop` (they "
     "are "
-    "filled), `smallest=0.5` (bodies and cavities with less volume are left out), `work=500` (million pairs of near "
-    "triangles, after which a file is given up), `strict` (what is no solid is not repaired). Relative names start at "
+    "filled), `smallest=0.5` (bodies and cavities with less volume are left out), `dropped=0.9` (where a larger part "
+    "of "
+    "the area seen would be left out, there is no solid), `work=500` (million pairs of near "
+    "triangles, after which a file is given up), `strict` (what is no solid is not repaired, and a binary STL file "
+    "whose "
+    "header announces another count of triangles than it has is refused). Relative names start at "
     "the folder of the "
     "session.";
 
@@ -84,13 +89,13 @@ void register_import(Registry& registry, const std::string& doc, const std::stri
       .doc = doc,
       .detail = kRepairDetail,
       .exactness = Exactness::reported,
+      .reads_file = true,
       .overloads = {overload<&import_file<kFormat>>("file"), overload<&import_as_told<kFormat>>("file", "options")},
       .examples = {{"isEmpty(" + missing + ")", "TRUE"},
                    {missing, "undefined"},
                    {name + "('no such file" + ending + "', 'cracks=0.001; strict')", "undefined"},
                    {name + "([const text value undefined])", "undefined"}},
-      .errors = {{"query " + name + "(\"part" + ending + "\")",
-                  name + ": expected (text) or (text text), got (string)"},
+      .errors = {{"query " + name + "(5)", name + ": expected (text) or (text text), got (int)"},
                  {"query " + name + "('part" + ending + "', 'cracks=wide')",
                   name + ": option 'cracks' is 'wide'; expected a number from 0 on, without a unit"}},
   });
@@ -111,7 +116,9 @@ void register_imports(Registry& registry) {
       .name = "checkSTL",
       .syntax = "checkSTL(_)",
       .doc = "What an STL file is without repair: 'ok', or the defects that make it no valid solid.",
-      .detail = "Counts each kind of defect, and says where the first one is. Nothing is repaired.",
+      .detail =
+          "Counts each kind of defect, and says where the first one is. A count of triangles in the header of a binary "
+          "file that contradicts the file's size is told, too. Nothing is repaired.",
       .exactness = Exactness::exact,
       .overloads = {overload<&check_stl>("file")},
       .examples = {{"checkSTL('no such file.stl') contains 'No such file'", "TRUE"},
@@ -130,6 +137,7 @@ void register_imports(Registry& registry) {
           "and no hole is closed. Undefined, with the reason, for a file that cannot be read. The content of the file "
           "says which format it has or, if that leaves doubts, its name.",
       .exactness = Exactness::exact,
+      .reads_file = true,
       .overloads = {overload<&import_as_surface>("file")},
       .examples = {{"isdefined(importSurface('no such file.stl'))", "FALSE"},
                    {"importSurface('no such file.stl')", "undefined"},

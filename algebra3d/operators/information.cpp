@@ -12,9 +12,8 @@ namespace algebra3d {
 namespace {
 
 template <typename T>
-Maybe<std::int32_t> size_of(const HeaderOf<T>& geometry) {
-  if (geometry.header.size > 0x7FFFFFFF) return Undefined{"the result is beyond the range of ints"};
-  return static_cast<std::int32_t>(geometry.header.size);
+std::int64_t size_of(const HeaderOf<T>& geometry) {
+  return geometry.header.size;
 }
 
 template <typename T>
@@ -30,7 +29,8 @@ Maybe<Rect> rect_of(const HeaderOf<T>& geometry) {
 }
 
 template <typename T>
-bool is_empty(std::optional<HeaderOf<T>> geometry) {
+bool is_empty(Context& context, std::optional<HeaderOf<T>> geometry) {
+  if (!geometry) context.diagnostics.tally("isEmpty: {} undefined value{} counted as empty");
   return !geometry || geometry->header.box.is_empty();
 }
 
@@ -69,6 +69,9 @@ void register_sizes(Registry& registry) {
       .name = "isEmpty",
       .syntax = "isEmpty(_)",
       .doc = "True for the empty and for the undefined value.",
+      .detail =
+          "A statement in which it met undefined says so once, with their number. `isdefined(x) and isEmpty(x)` is "
+          "TRUE for empty values only.",
       .exactness = Exactness::exact,
       .overloads = {overload<&is_empty<Point3d>>("point"), overload<&is_empty<Points3d>>("points"),
                     overload<&is_empty<Surface3d>>("surface"), overload<&is_empty<Volume3d>>("solid"),
@@ -76,9 +79,24 @@ void register_sizes(Registry& registry) {
                     overload<&is_empty<MovingRegion>>("moving")},
       .examples = {{"isEmpty([const volume3d value ()])", "TRUE"},
                    {"isEmpty(makePoint3D(0, 0, 0))", "FALSE"},
-                   {"isEmpty([const volume3d value undefined])", "TRUE"}},
+                   {"isEmpty([const volume3d value undefined])", "TRUE"},
+                   {"isdefined([const volume3d value undefined]) and isEmpty([const volume3d value undefined])",
+                    "FALSE"}},
       .errors = {{"query isEmpty(1)", "isEmpty: expected (point3d)"}},
   });
+}
+
+// SECONDO's spelling.
+void register_isempty(Registry& registry) {
+  Operator alias = *registry.find_operator("isEmpty");
+  alias.name = "isempty";
+  alias.syntax = "isempty(_)";
+  alias.detail = "Another name of `isEmpty`.";
+  alias.examples = {{"isempty([const volume3d value ()])", "TRUE"},
+                    {"isempty(makePoint3D(0, 0, 0))", "FALSE"},
+                    {"isempty([const volume3d value undefined])", "TRUE"}};
+  alias.errors = {{"query isempty(1)", "isempty: expected (point3d)"}};
+  registry.add(std::move(alias));
 }
 
 void register_box_operator(Registry& registry, const std::string& name) {
@@ -107,6 +125,7 @@ void register_box_operator(Registry& registry, const std::string& name) {
 
 void register_information(Registry& registry) {
   register_sizes(registry);
+  register_isempty(registry);
   register_box_operator(registry, "bbox");
   register_box_operator(registry, "bbox3d");
   const std::string cube = "createCube(makePoint3D(0, 0, 0), makePoint3D(1, 1, 1))";

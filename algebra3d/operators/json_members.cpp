@@ -37,7 +37,8 @@ Result<Maybe<JsonMember>> json_member(const Context& context, const Text& object
       JsonMember{kind, kind == JsonKind::string ? tree->content(*member) : compact_json(tree->text(*member))});
 }
 
-Result<Maybe<Text>> json_text(const Context& context, const Text& object, std::string_view key) {
+Result<Maybe<Text>> json_text(Context& context, const Text& object, const Text& name) {
+  const std::string& key = name.content;
   ASSIGN_OR_RETURN(auto member, json_member(context, object, key));
   if (!member) return Maybe<Text>(Undefined{member.reason()});
   if (const std::size_t at = first_no_text(member->text); at != std::string::npos)
@@ -45,7 +46,8 @@ Result<Maybe<Text>> json_text(const Context& context, const Text& object, std::s
   return Maybe<Text>(Text{std::move(member->text)});
 }
 
-Result<Maybe<double>> json_number(const Context& context, const Text& object, std::string_view key) {
+Result<Maybe<double>> json_number(Context& context, const Text& object, const Text& name) {
+  const std::string& key = name.content;
   ASSIGN_OR_RETURN(const auto member, json_member(context, object, key));
   if (!member) return Maybe<double>(Undefined{member.reason()});
   if (member->kind != JsonKind::number)
@@ -53,19 +55,6 @@ Result<Maybe<double>> json_number(const Context& context, const Text& object, st
   const auto number = parse_real(member->text);
   if (!number) return Maybe<double>(Undefined{"the member " + quoted_key(key) + " is beyond the range of doubles"});
   return Maybe<double>(*number);
-}
-
-Result<Maybe<Text>> json_text_by_string(Context& context, const Text& object, const std::string& key) {
-  return json_text(context, object, key);
-}
-Result<Maybe<Text>> json_text_by_text(Context& context, const Text& object, const Text& key) {
-  return json_text(context, object, key.content);
-}
-Result<Maybe<double>> json_number_by_string(Context& context, const Text& object, const std::string& key) {
-  return json_number(context, object, key);
-}
-Result<Maybe<double>> json_number_by_text(Context& context, const Text& object, const Text& key) {
-  return json_number(context, object, key.content);
 }
 
 }  // namespace
@@ -80,14 +69,13 @@ void register_json_members(Registry& registry) {
           "null is 'null'. Undefined if there is no such member, if the text is no JSON object, or for a string with "
           "the character zero, which no text has.",
       .sources = {"rfc8259"},
-      .overloads = {overload<&json_text_by_string>("object", "name"), overload<&json_text_by_text>("object", "name")},
+      .overloads = {overload<&json_text>("object", "name")},
       .examples = {{R"(jsonText('{"name": "Green Park", "trees": [3, 4]}', "name"))", "'Green Park'"},
                    {R"(jsonText('{"name": "Green Park", "trees": [3, 4]}', 'trees'))", "'[3,4]'"},
                    {R"(jsonText('{"name": "Green Park"}', "Name"))", "undefined"},
                    {R"(jsonText([const text value undefined], "name"))", "undefined"},
                    {R"(jsonText('"name"', '{"name": 1}'))", "undefined"}},
-      .errors = {{R"(query jsonText('{"a": 1}', 1))",
-                  "jsonText: expected (text string) or (text text), got (text int)"}},
+      .errors = {{R"(query jsonText('{"a": 1}', 1))", "jsonText: expected (text text), got (text int)"}},
   });
   registry.add({
       .name = "jsonNumber",
@@ -97,14 +85,12 @@ void register_json_members(Registry& registry) {
                 "is no JSON object. Of several members with the name the last one counts.",
       .exactness = Exactness::rounded_once,
       .sources = {"rfc8259"},
-      .overloads = {overload<&json_number_by_string>("object", "name"),
-                    overload<&json_number_by_text>("object", "name")},
+      .overloads = {overload<&json_number>("object", "name")},
       .examples = {{R"(jsonNumber('{"name": "Green Park", "trees": 1e2}', "trees"))", "100.0"},
                    {R"(jsonNumber('{"trees": 7}', 'trees'))", "7.0"},
                    {R"(jsonNumber('{"name": "Green Park"}', "name"))", "undefined"},
                    {R"(jsonNumber([const text value undefined], "name"))", "undefined"}},
-      .errors = {{R"(query jsonNumber('{"a": 1}', 1))",
-                  "jsonNumber: expected (text string) or (text text), got (text int)"}},
+      .errors = {{R"(query jsonNumber('{"a": 1}', 1))", "jsonNumber: expected (text text), got (text int)"}},
   });
 }
 

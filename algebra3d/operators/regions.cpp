@@ -43,11 +43,11 @@ double perimeter_of(const Region& region) {
   return nearest_perimeter(region.polygons());
 }
 
-std::int32_t face_count_of(const Region& region) {
-  return static_cast<std::int32_t>(region.polygons().face_count());
+std::int64_t face_count_of(const Region& region) {
+  return static_cast<std::int64_t>(region.polygons().face_count());
 }
-std::int32_t hole_count_of(const Region& region) {
-  return static_cast<std::int32_t>(region.polygons().cycle_count() - region.polygons().face_count());
+std::int64_t hole_count_of(const Region& region) {
+  return static_cast<std::int64_t>(region.polygons().cycle_count() - region.polygons().face_count());
 }
 
 Result<Surface3d> surface_of(Context& context, const Region& region) {
@@ -61,12 +61,10 @@ Result<Maybe<Volume3d>> prism_of(Context& context, const Region& region, double 
   return Maybe<Volume3d>(Volume3d::trusted(std::move(mesh)));
 }
 
-Result<Maybe<Region>> slice_of(Context& context, const Volume3d& solid, double height) {
+Result<Region> slice_of(Context& context, const Volume3d& solid, double height) {
   const auto plane = ExactPlane::through(RationalVec3(Vec3{0, 0, height}), RationalVec3(Vec3{0, 0, 1}));
-  ASSIGN_OR_RETURN(const auto cut, section(context, solid, *plane));
-  if (!cut) return Maybe<Region>(Undefined{cut.reason()});
-  ASSIGN_OR_RETURN(Region region, covered_region(cut->mesh(), context.monitor()));
-  return Maybe<Region>(std::move(region));
+  ASSIGN_OR_RETURN(const Surface3d cut, section(context, solid, *plane));
+  return covered_region(cut.mesh(), context.monitor());
 }
 
 Result<Region> shadow_of_solid(Context& context, const Volume3d& solid) {
@@ -103,12 +101,14 @@ void register_making(Registry& registry) {
   });
   registry.add({
       .name = "rect2region",
-      .syntax = "rect2region(_)",
+      .syntax = "_ rect2region",
+      .also_prefix = true,
       .doc = "The rectangle as a region of one face.",
       .detail = "Undefined if the rectangle is flat.",
       .exactness = Exactness::exact,
       .overloads = {overload<&region_of_rect>("rectangle")},
       .examples = {{"rect2region(rectangle2(0, 1, 2, 4))", "((((0.0 2.0) (1.0 2.0) (1.0 4.0) (0.0 4.0))))"},
+                   {"rectangle2(0, 1, 2, 4) rect2region", "((((0.0 2.0) (1.0 2.0) (1.0 4.0) (0.0 4.0))))"},
                    {"rect2region(rectangle2(0, 0, 2, 4))", "undefined"},
                    {"rect2region([const rect value undefined])", "undefined"}},
       .errors = {{"query rect2region(1)", "rect2region: expected (rect), got (int)"}},

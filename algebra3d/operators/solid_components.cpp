@@ -11,15 +11,13 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <utility>
 
-#include "algebra3d/exact/exact_sum.h"
 #include "algebra3d/exact/plane.h"
 #include "algebra3d/exact/vertical_line.h"
-#include "algebra3d/halfedge/box_hierarchy.h"
 #include "algebra3d/halfedge/topology.h"
+#include "algebra3d/validity/shell_tops.h"
 
 namespace algebra3d {
 namespace {
@@ -33,36 +31,21 @@ ExactPoint inner_point(const TriangleRef& triangle, int attempt) {
   return ExactPoint(Rational(1, whole) * sum);
 }
 
-class ShellNesting {
+/// The bodies around a shell by counting all that a vertical ray passes: for the few shells whose tops touch others.
+class BodiesByRays {
  public:
-  ShellNesting(const TriangleMesh& mesh, const FaceComponents& shells, const std::vector<std::vector<FaceId>>& faces)
-      : mesh_(mesh), shells_(shells), faces_(faces), hierarchy_(mesh, all_faces(mesh)), is_body_(shells.count) {
-    for (std::size_t shell = 0; shell < shells.count; ++shell) is_body_[shell] = encloses_positive_volume(shell);
-  }
-
-  bool is_body(std::size_t shell) const { return is_body_[shell]; }
+  BodiesByRays(const TriangleMesh& mesh, const FaceComponents& shells, const std::vector<std::vector<FaceId>>& faces,
+               const BoxHierarchy& hierarchy, const std::vector<int>& orientations)
+      : mesh_(mesh), shells_(shells), faces_(faces), hierarchy_(hierarchy), orientations_(orientations) {}
 
   /// The body right around a cavity.
-  std::size_t body_around(std::size_t cavity) {
+  std::uint32_t body_around(std::uint32_t cavity) {
     const std::vector<std::uint32_t> bodies = bodies_around(cavity);
     // The chain from outside to inside: each further body is inside all the ones before it.
     return *std::ranges::max_element(bodies, {}, [&](std::uint32_t body) { return depth_of(body); });
   }
 
  private:
-  static std::vector<std::uint32_t> all_faces(const TriangleMesh& mesh) {
-    std::vector<std::uint32_t> faces(mesh.face_count());
-    std::iota(faces.begin(), faces.end(), 0U);
-    return faces;
-  }
-
-  bool encloses_positive_volume(std::size_t shell) const {
-    std::vector<TriangleMesh::Triangle> triangles;
-    triangles.reserve(faces_[shell].size());
-    for (const FaceId face : faces_[shell]) triangles.push_back(mesh_.triangle(face));
-    return exact_volume(mesh_.points(), triangles)->sign() > 0;
-  }
-
   std::size_t depth_of(std::uint32_t body) {
     const auto known = depths_.find(body);
     if (known != depths_.end()) return known->second;
@@ -70,7 +53,7 @@ class ShellNesting {
   }
 
   /// The other bodies inside of which a shell lies, ascending.
-  std::vector<std::uint32_t> bodies_around(std::size_t shell) const {
+  std::vector<std::uint32_t> bodies_around(std::uint32_t shell) const {
     const TriangleRef triangle = mesh_.corners(faces_[shell].front());
     // Another shell can touch the triangle in finitely many points only.
     for (int attempt = 0;; ++attempt)
@@ -78,12 +61,12 @@ class ShellNesting {
   }
 
   /// Nothing if the point lies on another shell.
-  std::optional<std::vector<std::uint32_t>> bodies_around(std::size_t shell, const ExactPoint& point) const {
+  std::optional<std::vector<std::uint32_t>> bodies_around(std::uint32_t shell, const ExactPoint& point) const {
     std::map<std::uint32_t, int> windings;
     bool is_on_other = false;
     hierarchy_.for_each_on_vertical_ray(box_of(point), 1, [&](std::uint32_t face) {
       const std::uint32_t other = shells_.of_face[face];
-      if (other == shell || !is_body_[other]) return;
+      if (other == shell || orientations_[other] < 0) return;
       const LineCrossing crossing = cross_vertical_line(point, mesh_.corners(FaceId(face)));
       if (crossing.sign == 0) return;
       if (crossing.side == 0) is_on_other = true;
@@ -99,8 +82,8 @@ class ShellNesting {
   const TriangleMesh& mesh_;
   const FaceComponents& shells_;
   const std::vector<std::vector<FaceId>>& faces_;
-  BoxHierarchy hierarchy_;
-  std::vector<bool> is_body_;
+  const BoxHierarchy& hierarchy_;
+  const std::vector<int>& orientations_;
   std::map<std::uint32_t, std::size_t> depths_;
 };
 
@@ -124,16 +107,25 @@ std::vector<std::vector<FaceId>> join_shells(std::vector<std::vector<FaceId>> sh
 
 }  // namespace
 
-Result<std::vector<std::vector<FaceId>>> solid_components(const TriangleMesh& mesh, const std::atomic<bool>* cancel) {
+Result<std::vector<std::vector<FaceId>>> solid_components(const TriangleMesh& mesh, const BoxHierarchy& hierarchy,
+                                                          const std::atomic<bool>* cancel) {
   const FaceComponents shells = connected_components(mesh);
   std::vector<std::vector<FaceId>> faces = shells.faces();
   if (shells.count <= 1) return faces;
-  ShellNesting nesting(mesh, shells, faces);
+  const ShellTops tops(mesh, hierarchy, shells.of_face, shells.count);
+  const std::vector<int> orientations = tops.orientations();
+  BodiesByRays rays(mesh, shells, faces, hierarchy, orientations);
   std::vector<std::size_t> leaders(shells.count);
-  for (std::size_t shell = 0; shell < shells.count; ++shell) {
+  for (const std::uint32_t shell : tops.from_highest()) {
     if (cancel != nullptr && cancel->load(std::memory_order_relaxed))
       return Error{ErrorCode::interrupted, "interrupted"};
-    leaders[shell] = nesting.is_body(shell) ? shell : nesting.body_around(shell);
+    leaders[shell] = shell;
+    if (orientations[shell] > 0) continue;
+    // Right above the top of a cavity is material, up to the wall that is met: of the body around, or of one of its
+    // other cavities.
+    const FaceOverhead above = tops.overhead(shell);
+    const bool is_found = above.is_known && above.face.is_valid();
+    leaders[shell] = is_found ? leaders[shells.of_face[above.face.index()]] : rays.body_around(shell);
   }
   return join_shells(std::move(faces), leaders);
 }

@@ -1,9 +1,13 @@
 #include "algebra3d/operators/solid_sets.h"
 
+#include <cmath>
+#include <utility>
 #include <vector>
 
 #include "algebra3d/arrangement/arrangement.h"
 #include "algebra3d/arrangement/reduction.h"
+#include "algebra3d/exact/affine_map.h"
+#include "algebra3d/halfedge/mesh_image.h"
 #include "algebra3d/operators/half_space.h"
 
 namespace algebra3d {
@@ -24,6 +28,47 @@ std::vector<Operand> operands_of(std::span<const Volume3d> solids) {
   std::vector<Operand> operands;
   for (const Volume3d& solid : solids) operands.push_back(operand_of(solid, 0));
   return operands;
+}
+
+// A solid that reaches near to the ends of the range of doubles has no room round it there for what is to cut it. Its
+// image under this map has; what is found there is mapped back. Both maps are exact for all coordinates.
+constexpr double kReduction = 0x1p-24;
+
+AffineMap scaling(double factor) {
+  const Rational f(factor);
+  return AffineMap::scaling(RationalVec3(), RationalVec3(f, f, f));
+}
+
+bool has_room(const Volume3d& solid) {
+  const auto is_within = [](const Vec3& corner) {
+    return std::abs(corner.x) <= kLargestWithRoom && std::abs(corner.y) <= kLargestWithRoom &&
+           std::abs(corner.z) <= kLargestWithRoom;
+  };
+  return is_within(solid.box().min) && is_within(solid.box().max);
+}
+
+/// The exact image, of which it is known that it stays within the range of doubles.
+template <typename T>
+Result<T> image_in_range(Context& context, const AffineMap& map, const T& geometry) {
+  ASSIGN_OR_RETURN(auto image, exact_image(map, geometry.mesh(), context.cancel));
+  if (!image) return Error{ErrorCode::internal, "cutting a solid: {}", image.reason()};
+  return T::trusted(*std::move(image));
+}
+
+Result<SolidParts> split_reduced(Context& context, const Volume3d& solid, const ExactPlane& plane) {
+  const AffineMap reduction = scaling(kReduction), back = scaling(1 / kReduction);
+  ASSIGN_OR_RETURN(const Volume3d reduced, image_in_range(context, reduction, solid));
+  ASSIGN_OR_RETURN(const SolidParts parts, split(context, reduced, reduction.apply(plane)));
+  ASSIGN_OR_RETURN(Volume3d in_front, image_in_range(context, back, parts.in_front));
+  ASSIGN_OR_RETURN(Volume3d behind, image_in_range(context, back, parts.behind));
+  return SolidParts{std::move(in_front), std::move(behind)};
+}
+
+Result<Surface3d> section_reduced(Context& context, const Volume3d& solid, const ExactPlane& plane) {
+  const AffineMap reduction = scaling(kReduction);
+  ASSIGN_OR_RETURN(const Volume3d reduced, image_in_range(context, reduction, solid));
+  ASSIGN_OR_RETURN(const Surface3d found, section(context, reduced, reduction.apply(plane)));
+  return image_in_range(context, scaling(1 / kReduction), found);
 }
 
 }  // namespace
@@ -57,22 +102,22 @@ Result<Surface3d> combined(Context& context, const Surface3d& a, const Surface3d
   return Surface3d::trusted(std::move(mesh));
 }
 
-Result<Maybe<std::pair<Volume3d, Volume3d>>> split(Context& context, const Volume3d& solid, const ExactPlane& plane) {
-  using Parts = std::pair<Volume3d, Volume3d>;
+Result<SolidParts> split(Context& context, const Volume3d& solid, const ExactPlane& plane) {
   const int side = solid.box().is_empty() ? 1 : side_of(solid.box(), plane);
-  if (side > 0) return Maybe<Parts>(Parts{solid, Volume3d()});
-  if (side < 0) return Maybe<Parts>(Parts{Volume3d(), solid});
-  const auto behind = half_space_within(solid.box(), plane);
-  if (!behind) return Maybe<Parts>(Undefined{behind.reason()});
-  const std::array<Operand, 2> operands{{operand_of(solid, 0), {&*behind, 1}}};
+  if (side > 0) return SolidParts{solid, Volume3d()};
+  if (side < 0) return SolidParts{Volume3d(), solid};
+  if (!has_room(solid)) return split_reduced(context, solid, plane);
+  const TriangleMesh behind = half_space_within(solid.box(), plane);
+  const std::array<Operand, 2> operands{{operand_of(solid, 0), {&behind, 1}}};
   ASSIGN_OR_RETURN(const SolidArrangement arrangement, SolidArrangement::make(operands, context.monitor()));
-  return Maybe<Parts>(
-      Parts{Volume3d::trusted(arrangement.solid([](const Holding& h) { return h[0] > 0 && h[1] == 0; })),
-            Volume3d::trusted(arrangement.solid([](const Holding& h) { return h[0] > 0 && h[1] > 0; }))});
+  ASSIGN_OR_RETURN(TriangleMesh front, arrangement.solid([](const Holding& h) { return h[0] > 0 && h[1] == 0; }));
+  ASSIGN_OR_RETURN(TriangleMesh back, arrangement.solid([](const Holding& h) { return h[0] > 0 && h[1] > 0; }));
+  return SolidParts{Volume3d::trusted(std::move(front)), Volume3d::trusted(std::move(back))};
 }
 
-Result<Maybe<Surface3d>> section(Context& context, const Volume3d& solid, const ExactPlane& plane) {
-  if (solid.box().is_empty()) return Maybe<Surface3d>(Surface3d());
+Result<Surface3d> section(Context& context, const Volume3d& solid, const ExactPlane& plane) {
+  if (solid.box().is_empty()) return Surface3d();
+  if (!has_room(solid)) return section_reduced(context, solid, plane);
   // A solid that lies on the plane with a face has this as its section, so the box is made larger than the solid.
   Box3 room = solid.box();
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -80,13 +125,14 @@ Result<Maybe<Surface3d>> section(Context& context, const Volume3d& solid, const 
     room.min[axis] -= margin;
     room.max[axis] += margin;
   }
-  if (side_of(room, plane) != 0) return Maybe<Surface3d>(Surface3d());
-  const auto behind = half_space_within(room, plane);
-  if (!behind) return Maybe<Surface3d>(Undefined{behind.reason()});
-  const std::array<Operand, 2> operands{{operand_of(solid, 0), {&*behind, 1}}};
+  if (side_of(room, plane) != 0) return Surface3d();
+  const TriangleMesh behind = half_space_within(room, plane);
+  const std::array<Operand, 2> operands{{operand_of(solid, 0), {&behind, 1}}};
   ASSIGN_OR_RETURN(const SolidArrangement arrangement, SolidArrangement::make(operands, context.monitor()));
-  return Maybe<Surface3d>(Surface3d::trusted(arrangement.faces(
-      [](const Holding& front, const Holding& back) { return front[0] > 0 || back[0] > 0 ? back[1] - front[1] : 0; })));
+  ASSIGN_OR_RETURN(TriangleMesh mesh, arrangement.faces([](const Holding& front, const Holding& back) {
+    return front[0] > 0 || back[0] > 0 ? back[1] - front[1] : 0;
+  }));
+  return Surface3d::trusted(std::move(mesh));
 }
 
 Result<Volume3d> clipped(Context& context, const Volume3d& solid, const Box3& box) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <span>
-#include <utility>
 
 #include "algebra3d/arrangement/surface_arrangement.h"
 #include "algebra3d/base/context.h"
@@ -23,10 +22,13 @@ Result<Volume3d> in_either(Context& context, const Volume3d& solid, const Volume
 /// On surfaces: triangles are divided at one another, and whole pieces are kept (language.md 7.3).
 Result<Surface3d> combined(Context& context, const Surface3d& a, const Surface3d& b, SurfaceRule rule);
 
-/// The parts of the solid in front of the plane and behind it; either may be empty.
-Result<Maybe<std::pair<Volume3d, Volume3d>>> split(Context& context, const Volume3d& solid, const ExactPlane& plane);
+/// The parts of a solid on both sides of a plane; either may be empty.
+struct SolidParts {
+  Volume3d in_front, behind;
+};
+Result<SolidParts> split(Context& context, const Volume3d& solid, const ExactPlane& plane);
 /// The part of the plane that lies in the solid, without lower-dimensional left-overs; its front is that of the plane.
-Result<Maybe<Surface3d>> section(Context& context, const Volume3d& solid, const ExactPlane& plane);
+Result<Surface3d> section(Context& context, const Volume3d& solid, const ExactPlane& plane);
 /// The part of the solid in the box.
 Result<Volume3d> clipped(Context& context, const Volume3d& solid, const Box3& box);
 

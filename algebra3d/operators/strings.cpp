@@ -12,9 +12,6 @@ bool string_starts(const std::string& whole, const std::string& start) {
 bool text_starts(const Text& whole, const Text& start) {
   return whole.content.starts_with(start.content);
 }
-bool text_starts_string(const Text& whole, const std::string& start) {
-  return whole.content.starts_with(start);
-}
 
 }  // namespace
 
@@ -24,13 +21,12 @@ void register_strings(Registry& registry) {
       .syntax = "_ startsWith _",
       .doc = "True if the first string or text begins with the second.",
       .exactness = Exactness::exact,
-      .overloads = {overload<&string_starts>("whole", "start"), overload<&text_starts>("whole", "start"),
-                    overload<&text_starts_string>("whole", "start")},
+      .overloads = {overload<&string_starts>("whole", "start"), overload<&text_starts>("whole", "start")},
       .examples = {{R"("gear.stl" startsWith "gear")", "TRUE"},
                    {R"('gear.stl' startsWith "cog")", "FALSE"},
                    {R"("a" startsWith [const string value undefined])", "undefined"}},
       .errors = {{R"(query "a" startsWith 1)",
-                  "startsWith: expected (string string), (text text) or (text string), got (string int)"}},
+                  "startsWith: expected (string string) or (text text), got (string int)"}},
   });
 }
 

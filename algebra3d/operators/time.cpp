@@ -30,19 +30,19 @@ Maybe<Instant> current_instant() {
 }
 
 template <std::int64_t CalendarTime::*part>
-std::int32_t part_of(const Instant& instant) {
-  return static_cast<std::int32_t>(instant.calendar().*part);
+std::int64_t part_of(const Instant& instant) {
+  return instant.calendar().*part;
 }
 
-std::int32_t weekday_of(const Instant& instant) {
+std::int64_t weekday_of(const Instant& instant) {
   return instant.weekday();
 }
 
 Maybe<Duration> duration_of_days(double days) {
   return Duration::rounded(Rational(days) * kMillisecondsPerDay);
 }
-Maybe<Duration> duration_of_parts(std::int32_t days, std::int32_t milliseconds) {
-  return Duration::make(days * kMillisecondsPerDay + milliseconds);
+Maybe<Duration> duration_of_parts(std::int64_t days, std::int64_t milliseconds) {
+  return Duration::of_parts(days, milliseconds);
 }
 double days_of(const Duration& duration) {
   return Rational(duration.milliseconds, kMillisecondsPerDay).nearest_double();
@@ -68,7 +68,7 @@ const std::string kUndefinedInstant = "[const instant value undefined]";
 const std::string kDay = R"([const interval value ("2011-07-08" "2011-07-09" TRUE FALSE)])";
 
 void register_instants(Registry& registry) {
-  using Int = std::int32_t;
+  using Int = std::int64_t;
   registry.add({
       .name = "theInstant",
       .syntax = "theInstant(_ ...)",
@@ -146,7 +146,7 @@ void register_durations(Registry& registry) {
       .name = "create_duration",
       .syntax = "create_duration(_ ...)",
       .doc = "The duration of so many days, or of so many days and milliseconds.",
-      .detail = "Rounded to the nearest millisecond. Undefined if the days are beyond the range of ints.",
+      .detail = "Rounded to the nearest millisecond. Undefined if the days are not between -2^31 and 2^31 - 1.",
       .exactness = Exactness::rounded_once,
       .overloads = {overload<&duration_of_days>("days"), overload<&duration_of_parts>("days", "milliseconds")},
       .examples = {{"create_duration(1.5)", "(1 43200000)"},

@@ -46,7 +46,7 @@ std::string cell(const std::string& text) {
 }
 
 std::string operator_section(const Operator& op) {
-  std::string text = "\n### `" + op.name + "`\n\n`" + op.syntax + "`\n\n" + op.doc;
+  std::string text = "\n### `" + op.name + "`\n\n`" + op.written() + "`\n\n" + op.doc;
   if (!op.detail.empty()) text += " " + op.detail;
   text += " " + undefined_sentence(op) + "\n\n";
   for (const std::string& signature : shown_signatures(op)) text += "- `" + signature + "`\n";
@@ -68,7 +68,7 @@ std::string type_row(const Type& type) {
 }  // namespace
 
 std::string help_text(const Operator& op) {
-  std::string text = op.name + "    " + op.syntax + "\n\n  " + op.doc + "\n";
+  std::string text = op.name + "    " + op.written() + "\n\n  " + op.doc + "\n";
   if (!op.detail.empty()) text += "  " + op.detail + "\n";
   text += "  " + undefined_sentence(op) + "\n\nSignatures\n";
   for (const std::string& signature : shown_signatures(op)) text += "  " + signature + "\n";
@@ -81,17 +81,33 @@ std::string help_text(const Operator& op) {
   return text;
 }
 
-std::string help_overview(const Registry& registry) {
+std::string help_overview(const std::vector<const Operator*>& operators) {
   std::size_t width = 0;
-  for (const Operator* op : registry.operators()) width = std::max(width, op->syntax.size());
+  for (const Operator* op : operators) width = std::max(width, op->written().size());
   width = std::min<std::size_t>(width, 40);
   std::string text;
-  for (const Operator* op : registry.operators()) {
-    text += "  " + op->syntax;
-    text += op->syntax.size() > width ? "\n  " + std::string(width, ' ') : std::string(width - op->syntax.size(), ' ');
+  for (const Operator* op : operators) {
+    const std::string written = op->written();
+    text += "  " + written;
+    text += written.size() > width ? "\n  " + std::string(width, ' ') : std::string(width - written.size(), ' ');
     text += "  " + op->doc + "\n";
   }
   return text;
+}
+
+std::string help_overview(const Registry& registry) {
+  std::string text;
+  for (const std::string& family : registry.families())
+    text += "\n" + family + "\n" + help_overview(operators_of_family(registry, family));
+  const auto others = operators_of_family(registry, "");
+  return others.empty() ? text : text + "\nothers\n" + help_overview(others);
+}
+
+std::vector<const Operator*> operators_of_family(const Registry& registry, const std::string& family) {
+  std::vector<const Operator*> members;
+  for (const Operator* op : registry.operators())
+    if (op->family == family) members.push_back(op);
+  return members;
 }
 
 std::string reference_page(const Registry& registry) {

@@ -42,6 +42,14 @@ bool Operator::accepts_undefined() const {
          });
 }
 
+std::string Operator::written() const {
+  if (!also_prefix) return syntax;
+  std::string places;
+  for (const char c : syntax)
+    if (c == '_') places += places.empty() ? "_" : ", _";
+  return syntax + ", " + name + "(" + places + ")";
+}
+
 std::vector<std::string> Operator::all_signatures() const {
   std::vector<std::string> all = signatures;
   for (const Overload& overload : overloads) all.push_back(overload.signature());

@@ -48,6 +48,7 @@ struct Overload {
   std::vector<Parameter> parameters;
   const Type* result = nullptr;
   bool result_is_stream = false;  ///< a stream of `result`
+  bool is_total = false;          ///< never undefined for arguments that it is called with
   bool is_symmetric = false;      ///< of two parameters of one type, which may change places without any difference
   /// Arguments have exactly the parameter types; undefined ones only where accepted. Loads what it needs.
   std::function<Result<Outcome>(std::span<const Value>, Context&)> function;
@@ -82,13 +83,16 @@ struct ErrorExample {
 /// The one description of an operator, from which help texts, reference page, tests and SQL derive.
 struct Operator {
   std::string name = {};
-  std::string syntax = {};  ///< see SyntaxPattern
-  std::string doc = {};     ///< one sentence: what it gives, in which unit
-  std::string detail = {};  ///< domain, special cases, what is undefined; may be empty
+  std::string syntax = {};   ///< see SyntaxPattern
+  bool also_prefix = false;  ///< a postfix operator without brackets that may also be written `name(...)`
+  std::string family = {};   ///< what it stands with in lists; set by the registry
+  std::string doc = {};      ///< one sentence: what it gives, in which unit
+  std::string detail = {};   ///< domain, special cases, what is undefined; may be empty
   Exactness exactness = Exactness::not_numeric;
   FrameUse frame_use = FrameUse::none;
-  std::vector<std::string> sources = {};                         ///< keys of docs/references.md
-  std::vector<Overload> overloads = {};                          ///< of a value operator
+  bool reads_file = false;                ///< an undefined result tells that a file gives no value
+  std::vector<std::string> sources = {};  ///< keys of docs/references.md
+  std::vector<Overload> overloads = {};   ///< of a value operator
   std::shared_ptr<const StreamImplementation> stream = nullptr;  ///< of a stream operator
   std::vector<std::string> signatures = {};  ///< of a stream operator, for people; value operators deduce theirs
   bool handles_undefined = false;            ///< of a stream operator; value operators deduce it from their parameters
@@ -96,6 +100,8 @@ struct Operator {
   std::vector<ErrorExample> errors = {};
 
   bool accepts_undefined() const;
+  /// "_ rect2region, rect2region(_)": all ways to write it.
+  std::string written() const;
   std::vector<std::string> all_signatures() const;
 };
 

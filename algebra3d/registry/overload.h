@@ -52,6 +52,7 @@ template <typename T>
 struct ResultOf {
   using Content = T;
   static constexpr bool kIsStream = false;
+  static constexpr bool kIsTotal = !std::is_same_v<T, double>;
   static Result<Outcome> outcome(T result) {
     if constexpr (std::is_same_v<T, double>)
       if (!std::isfinite(result)) return Outcome(Undefined{"the result is no finite number"});
@@ -63,6 +64,7 @@ template <typename T>
 struct ResultOf<Maybe<T>> {
   using Content = typename ResultOf<T>::Content;
   static constexpr bool kIsStream = ResultOf<T>::kIsStream;
+  static constexpr bool kIsTotal = false;
   static Result<Outcome> outcome(Maybe<T> result) {
     if (!result) return Outcome(Undefined{result.reason()});
     return ResultOf<T>::outcome(std::move(result).value());
@@ -73,6 +75,7 @@ template <typename T>
 struct ResultOf<Result<T>> {
   using Content = typename ResultOf<T>::Content;
   static constexpr bool kIsStream = ResultOf<T>::kIsStream;
+  static constexpr bool kIsTotal = false;
   static Result<Outcome> outcome(Result<T> result) {
     if (!result) return std::move(result).error();
     return ResultOf<T>::outcome(std::move(result).value());
@@ -83,6 +86,7 @@ template <typename T>
 struct ResultOf<std::vector<T>> {
   using Content = T;
   static constexpr bool kIsStream = true;
+  static constexpr bool kIsTotal = false;
   static Result<Outcome> outcome(std::vector<T> result) {
     std::vector<Value> values;
     values.reserve(result.size());
@@ -136,6 +140,7 @@ struct OverloadMaker {
      ...);
     overload.result = &TypeOf<typename Results::Content>::type();
     overload.result_is_stream = Results::kIsStream;
+    overload.is_total = Results::kIsTotal;
     overload.function = [](std::span<const Value> values, Context& context) {
       return call(values, context, std::index_sequence_for<Parameters...>());
     };

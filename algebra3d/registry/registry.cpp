@@ -4,22 +4,21 @@
 #include <cassert>
 #include <optional>
 
-#include "algebra3d/types/scalars.h"
+#include "algebra3d/registry/conversion.h"
 
 namespace algebra3d {
 namespace {
 
-// Number of promotions that make `arguments` fit, or nothing if they do not.
-std::optional<std::size_t> promotions(const Overload& overload, std::span<const TypeExpr> arguments) {
+// Cost of the conversions that make `arguments` fit, or nothing if they do not.
+std::optional<std::size_t> cost_of(const Overload& overload, std::span<const TypeExpr> arguments) {
   if (overload.parameters.size() != arguments.size()) return std::nullopt;
-  std::size_t count = 0;
+  std::size_t sum = 0;
   for (std::size_t place = 0; place < arguments.size(); ++place) {
-    const std::string_view wanted = overload.parameters[place].type->name();
-    if (arguments[place].is(wanted) && arguments[place].arguments().empty()) continue;
-    if (wanted != "real" || !arguments[place].is("int")) return std::nullopt;
-    ++count;
+    const auto cost = conversion_cost(arguments[place], overload.parameters[place].type->name());
+    if (!cost) return std::nullopt;
+    sum += *cost;
   }
-  return count;
+  return sum;
 }
 
 std::vector<std::string> expected_arguments(const Operator& op) {
@@ -33,28 +32,40 @@ std::vector<std::string> expected_arguments(const Operator& op) {
   return lists;
 }
 
-// Makes the arguments what the overload takes: reals of ints. False if an undefined one decides the result.
+// Converts the arguments to what the overload takes. False if an undefined one decides the result.
 bool prepare(const Overload& overload, std::span<Value> arguments) {
   for (std::size_t place = 0; place < arguments.size(); ++place) {
     Value& argument = arguments[place];
     const Parameter& parameter = overload.parameters[place];
     if (!argument.is_defined() && !parameter.accepts_undefined) return false;
     if (&argument.type() == parameter.type) continue;
-    argument = argument.is_defined() ? Value::of<double>(argument.get<std::int32_t>()) : Value(*parameter.type);
+    argument = converted(argument, *parameter.type);
   }
   return true;
 }
 
-std::size_t edit_distance(std::string_view a, std::string_view b) {
+void report(const Operator& op, const Undefined& undefined, Context& context) {
+  using About = Diagnostics::About;
+  context.diagnostics.report(op.name + ": " + undefined.reason, {},
+                             op.reads_file ? About::unreadable : About::undefined);
+}
+
+char lower_case(char c) {
+  return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+// Twice the edit distance, in which letters that differ only in case count half.
+std::size_t double_edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = 2 * j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
     std::size_t diagonal = row[0];
-    row[0] = i;
+    row[0] = 2 * i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      const std::size_t cost = a[i - 1] == b[j - 1] ? 0 : lower_case(a[i - 1]) == lower_case(b[j - 1]) ? 1 : 2;
+      const std::size_t substituted = diagonal + cost;
       diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
+      row[j] = std::min({row[j] + 2, row[j - 1] + 2, substituted});
     }
   }
   return row.back();
@@ -78,6 +89,8 @@ void Registry::add(Operator op) {
   assert(syntax.ok() && syntax->name == op.name);
   assert(std::ranges::all_of(op.overloads, can_be_as_symmetric_as_it_says));
   std::string name = op.name;
+  op.family = family_;
+  if (!family_.empty() && std::ranges::find(families_, family_) == families_.end()) families_.push_back(family_);
   [[maybe_unused]] const bool is_new =
       operators_.emplace(std::move(name), Entry{std::move(op), std::move(syntax).value()}).second;
   assert(is_new);
@@ -103,14 +116,18 @@ std::vector<const Operator*> Registry::operators() const {
   return all;
 }
 
+std::vector<std::string> Registry::families() const {
+  return families_;
+}
+
 Result<ResolvedCall> Registry::resolve(const Operator& op, std::span<const TypeExpr> arguments) const {
   const Overload* best = nullptr;
-  std::size_t fewest = 0;
+  std::size_t cheapest = 0;
   for (const Overload& overload : op.overloads) {
-    const auto count = promotions(overload, arguments);
-    if (!count || (best != nullptr && *count >= fewest)) continue;
+    const auto cost = cost_of(overload, arguments);
+    if (!cost || (best != nullptr && *cost >= cheapest)) continue;
     best = &overload;
-    fewest = *count;
+    cheapest = *cost;
   }
   if (best == nullptr)
     return Error{ErrorCode::type_error, "{}: expected {}, got {}", op.name, enumerate(expected_arguments(op)),
@@ -130,7 +147,7 @@ Result<std::variant<Value, std::vector<Value>>> Registry::call(const ResolvedCal
   if (!prepare(overload, values)) return Returned(std::vector<Value>());
   ASSIGN_OR_RETURN(Outcome outcome, overload.function(values, context));
   if (auto* elements = std::get_if<std::vector<Value>>(&outcome)) return Returned(std::move(*elements));
-  context.diagnostics.report(call.op->name + ": " + std::get<Undefined>(outcome).reason);
+  report(*call.op, std::get<Undefined>(outcome), context);
   return Returned(std::vector<Value>());
 }
 
@@ -140,13 +157,16 @@ Result<Value> Registry::call_for_value(const ResolvedCall& call, std::span<Value
   auto outcome = overload.function(arguments, context);
   if (!outcome) return std::move(outcome).error();
   if (auto* value = std::get_if<Value>(&*outcome)) return std::move(*value);
-  context.diagnostics.report(call.op->name + ": " + std::get<Undefined>(*outcome).reason);
+  report(*call.op, std::get<Undefined>(*outcome), context);
   return Value(*overload.result);
 }
 
+// Every word of two letters is near to `or` and `=`.
 std::string Registry::suggestion(std::string_view word) const {
+  constexpr std::size_t kShortest = 3;
   std::vector<std::string> names;
-  for (const auto& [name, entry] : operators_) names.push_back(name);
+  for (const auto& [name, entry] : operators_)
+    if (word.size() >= kShortest || is_equal_but_for_case(word, name)) names.push_back(name);
   return nearest_name(word, names);
 }
 
@@ -161,13 +181,19 @@ std::string enumerate(const std::vector<std::string>& items, std::size_t limit) 
   return text;
 }
 
+bool is_equal_but_for_case(std::string_view a, std::string_view b) {
+  return std::ranges::equal(a, b, {}, lower_case, lower_case);
+}
+
 std::string nearest_name(std::string_view word, std::span<const std::string> candidates) {
   std::string best;
   // Of a word of one letter nothing would be left.
   std::size_t best_distance = std::min(std::max<std::size_t>(1, word.size() / 3) + 1, word.size());
+  best_distance *= 2;
   for (const std::string& candidate : candidates) {
-    if (word.size() >= candidate.size() + best_distance) continue;
-    const std::size_t distance = edit_distance(word, candidate);
+    if (candidate != word && is_equal_but_for_case(word, candidate)) return candidate;
+    if (2 * word.size() >= 2 * candidate.size() + best_distance) continue;
+    const std::size_t distance = double_edit_distance(word, candidate);
     if (distance >= best_distance) continue;
     best = candidate;
     best_distance = distance;

@@ -13,7 +13,7 @@
 
 namespace algebra3d {
 
-/// An overload that accepts the given types, and which arguments are to be promoted from int to real.
+/// An overload that accepts the given types, if need be after a conversion (conversion.h).
 struct ResolvedCall {
   const Operator* op = nullptr;
   const Overload* overload = nullptr;
@@ -24,6 +24,8 @@ struct ResolvedCall {
 class Registry {
  public:
   void add(const Type& type);
+  /// The operators that are added from here on belong to this family, such as "joins".
+  void begin_family(std::string family) { family_ = std::move(family); }
   /// A name is added once and its syntax parses (asserted: the registry is our own text).
   void add(Operator op);
 
@@ -34,12 +36,14 @@ class Registry {
   const std::vector<const Type*>& types() const { return types_; }
   /// Sorted by name.
   std::vector<const Operator*> operators() const;
+  /// The families in the order in which they were begun; an operator of an empty family belongs to none.
+  std::vector<std::string> families() const;
 
-  /// The overload for these argument types: one that fits exactly, or else the one that fits with the fewest promotions
-  /// from int to real. Errors: type_error "volume: expected (volume3d), got (int)".
+  /// The overload for these argument types: one that fits exactly, or else the one that fits with the cheapest
+  /// conversions (conversion.h). Errors: type_error "volume: expected (volume3d), got (int)".
   Result<ResolvedCall> resolve(const Operator& op, std::span<const TypeExpr> arguments) const;
 
-  /// Calls an overload with arguments of the types for which it was resolved: promotes, gives undefined for undefined
+  /// Calls an overload with arguments of the types for which it was resolved: converts, gives undefined for undefined
   /// where the overload does not ask for it, and reports the reason of a new undefined as "NAME: reason".
   static Result<std::variant<Value, std::vector<Value>>> call(const ResolvedCall& call,
                                                               std::span<const Value> arguments, Context& context);
@@ -56,11 +60,16 @@ class Registry {
   };
   std::vector<const Type*> types_;
   std::map<std::string, Entry, std::less<>> operators_;
+  std::string family_;
+  std::vector<std::string> families_;  // that have an operator
 };
 
 /// "A, B or C", at most `limit` items and then how many more there are.
 std::string enumerate(const std::vector<std::string>& items, std::size_t limit = 8);
-/// The candidate with the smallest edit distance to `word` (a third of its length at most), or empty.
+/// True for words that differ in nothing but the case of letters, or not at all.
+bool is_equal_but_for_case(std::string_view a, std::string_view b);
+/// The candidate with the smallest edit distance to `word` (a third of its length at most), or empty. Letters that
+/// differ only in case count half; one that differs in nothing else is always near.
 std::string nearest_name(std::string_view word, std::span<const std::string> candidates);
 /// "(volume3d real)"
 std::string argument_list_text(std::span<const TypeExpr> types);

@@ -11,7 +11,8 @@ namespace algebra3d {
 /// How an operator is written: the parsed form of texts such as
 ///   `volume(_)`, `makeVector3D(_, _ ...)`, `_ + _`, `_ feed`, `_ _ product`, `_ rotate[_, _, _]`, `_
 ///   filter[fun(TUPLE)]`,
-///   `_ groupby[attributes; functions(GROUP)]`, `_ hashjoin[attribute, attribute ...]`.
+///   `_ groupby[attributes; functions(GROUP)]`, `_ hashjoin[attribute, attribute ...]`, `_ rduph[...]` (brackets that
+///   may be left out).
 /// Each operator has one pattern, shared by its overloads.
 struct SyntaxPattern {
   enum class Shape : std::uint8_t {

@@ -227,9 +227,14 @@ void drop_duplicate_facets(FacetList& facets, RepairReport& report) {
   std::vector<EqualFacets> opposed;
   std::ranges::copy_if(all, std::back_inserter(opposed), [](const EqualFacets& equal) { return equal.balance == 0; });
   const std::vector<std::uint32_t> kept = OpposedFacets(mesh, opposed, is_dropped).kept();
-  for (std::size_t i = 0; i < opposed.size(); ++i) drop_all_but(opposed[i], kept[i]);
+  std::vector<bool> is_opposed(facets.triangles.size());  // and the last of its kind
+  for (std::size_t i = 0; i < opposed.size(); ++i) {
+    drop_all_but(opposed[i], kept[i]);
+    if (kept[i] == kNone) is_opposed[opposed[i].facets.front()] = true;
+  }
   for (std::uint32_t f = 0; f < is_dropped.size(); ++f)
-    if (is_dropped[f]) report.add(RepairStep::duplicate_facets, facets.middle(f));
+    if (is_dropped[f])
+      report.add(is_opposed[f] ? RepairStep::opposed_facets : RepairStep::duplicate_facets, facets.middle(f));
   remove(facets, is_dropped);
 }
 

@@ -190,13 +190,14 @@ std::vector<bool> HoleCloser::are_sheets(const FaceComponents& parts, const std:
 }
 
 void HoleCloser::close(const Covered& covered) {
-  double farthest = 0;
+  HoleCover report{covered.hole.loop.corners[0], 0, {}};
   for (const auto& [a, b, c] : covered.cover) {
-    farthest = std::max(farthest, reach(facets_.points[a], facets_.points[b], facets_.points[c]));
+    report.triangles.push_back({facets_.points[a], facets_.points[b], facets_.points[c]});
+    report.farthest = std::max(report.farthest, reach(facets_.points[a], facets_.points[b], facets_.points[c]));
     facets_.triangles.push_back({a, b, c});
   }
   facets_.changed();
-  report_.add(RepairStep::holes, covered.hole.loop.corners[0], farthest);
+  report_.add(std::move(report));
 }
 
 /// The sheets, unless there is nothing else.

@@ -55,9 +55,16 @@ Status set_option(RepairOptions& options, const WrittenOption& option) {
     options.is_strict = true;
     return {};
   }
+  if (name == "dropped") {
+    const std::optional<double> part = option.value ? parse_real(*option.value) : std::nullopt;
+    if (!part || !(*part >= 0 && *part <= 1))
+      return wrong_value(option, "a number from 0 to 1, the part of the area seen");
+    options.most_dropped = *part;
+    return {};
+  }
   if (name != "cracks" && name != "holes" && name != "smallest" && name != "work")
     return Error{ErrorCode::invalid_value,
-                 "there is no option '{}'; expected cracks, holes, cavities, smallest, work or strict", name};
+                 "there is no option '{}'; expected cracks, holes, cavities, smallest, dropped, work or strict", name};
   ASSIGN_OR_RETURN(const double amount, parse_amount(option));
   if (name == "cracks") options.crack_tolerance = amount;
   if (name == "holes") options.largest_hole = amount;
@@ -95,6 +102,7 @@ std::string text_of(const RepairOptions& options) {
   if (options.largest_hole) add_amount("holes", *options.largest_hole);
   if (!options.keeps_cavities) add("cavities=drop");
   if (options.smallest_shell != defaults.smallest_shell) add_amount("smallest", options.smallest_shell);
+  if (options.most_dropped != defaults.most_dropped) add_amount("dropped", options.most_dropped);
   if (options.work_limit != defaults.work_limit) add_amount("work", options.work_limit);
   if (options.is_strict) add("strict");
   return text;

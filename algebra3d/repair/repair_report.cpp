@@ -1,6 +1,9 @@
 #include "algebra3d/repair/repair_report.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -15,16 +18,21 @@ constexpr std::array<StepWording, kRepairSteps> kStepWordings{{
     {"repeated corners", "facet that repeats a corner dropped", "facets that repeat a corner dropped"},
     {"collinear corners", "facet without area dropped", "facets without area dropped"},
     {"duplicate facets", "duplicate facet dropped", "duplicate facets dropped"},
+    {"opposed facets", "facet dropped with its duplicate since nothing lies between them",
+     "facets dropped with their duplicates since nothing lies between them"},
     {"divided edges", "edge divided at a vertex on it", "edges divided at vertices on them"},
     {"cracks", "vertex moved across a crack", "vertices moved across cracks"},
     {"turned facets", "facet turned over", "facets turned over"},
+    {"misfits", "facet that fits no neighbour replaced", "facets that fit no neighbours replaced"},
     {"fins", "facet of a fin dropped", "facets of fins dropped"},
     {"holes", "hole closed", "holes closed"},
     {"open holes", "hole left open", "holes left open"},
-    {"sheets", "sheet left open", "sheets left open"},
+    {"sheets", "sheet dropped", "sheets dropped"},
     {"turned shells", "shell turned right side out", "shells turned right side out"},
-    {"intersections", "facet divided at others", "facets divided at others"},
+    {"intersections", "facet divided where it meets others", "facets divided where they meet others"},
+    {"united bodies", "body united with another", "bodies united with others"},
     {"inner shells", "shell that bounds nothing dropped", "shells that bound nothing dropped"},
+    {"inner facets", "facet inside the solid removed", "facets inside the solid removed"},
     {"cavities", "cavity filled", "cavities filled"},
     {"small shells", "small shell dropped", "small shells dropped"},
 }};
@@ -33,17 +41,57 @@ const StepWording& wording_of(RepairStep step) {
   return kStepWordings[static_cast<std::size_t>(step)];
 }
 
+std::string text_of_dropped(const RepairAmounts& amounts, double size) {
+  const SurfaceAmount& dropped = amounts.dropped;
+  if (dropped.facet_count == 0) return {};
+  return fmt::format("left out: {} {}, area {:.3g} ({}), up to {:.3g} from the solid ({})", dropped.facet_count,
+                     dropped.facet_count == 1 ? "facet" : "facets", dropped.area, percent_text(amounts.dropped_part()),
+                     dropped.distance, near_text(dropped.where, size));
+}
+
+std::string text_of_added(const RepairAmounts& amounts) {
+  const SurfaceAmount& added = amounts.added;
+  if (added.facet_count == 0) return {};
+  return fmt::format("added: area {:.3g}, up to {:.3g} from the facets", added.area, added.distance);
+}
+
 }  // namespace
+
+std::string near_text(const Vec3& where, double size) {
+  const Vec3 place = short_place(where, size);
+  const auto number = [&](double x) { return size > 0 ? fmt::format("{}", x) : fmt::format("{:.6g}", x); };
+  return fmt::format("near ({} {} {})", number(place.x), number(place.y), number(place.z));
+}
+
+std::string percent_text(double part) {
+  const double rest = 1 - part;
+  if (part > 0.99 && rest > 0)
+    return fmt::format("{} %", 100 - std::strtod(fmt::format("{:.2g}", 100 * rest).c_str(), nullptr));
+  return fmt::format("{:.3g} %", 100 * part);
+}
 
 std::string_view name_of(RepairStep step) {
   return wording_of(step).name;
 }
 
-void RepairReport::add(RepairStep step, const Vec3& where, double distance) {
+void RepairReport::add(RepairStep step, const Vec3& where, double distance, std::uint64_t count) {
   auto place = std::ranges::lower_bound(entries, step, {}, &RepairEntry::step);
   if (place == entries.end() || place->step != step) place = entries.insert(place, {step, 0, where, 0});
-  ++place->count;
+  place->count += count;
   place->largest = std::max(place->largest, distance);
+}
+
+void RepairReport::add(HoleCover cover) {
+  add(RepairStep::holes, cover.where, cover.farthest);
+  covers.push_back(std::move(cover));
+}
+
+void RepairReport::keep_holes(const std::vector<bool>& are_there) {
+  std::erase_if(entries, [](const RepairEntry& entry) { return entry.step == RepairStep::holes; });
+  const std::vector<HoleCover> all = std::move(covers);
+  covers.clear();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (are_there[i]) add(all[i]);
 }
 
 const RepairEntry* RepairReport::find(RepairStep step) const {
@@ -57,14 +105,42 @@ double RepairReport::deviation() const {
   return largest;
 }
 
+double RepairReport::largest_move() const {
+  double largest = 0;
+  for (const RepairStep step : {RepairStep::divided_edges, RepairStep::cracks})
+    if (const RepairEntry* entry = find(step)) largest = std::max(largest, entry->largest);
+  return largest;
+}
+
+Vec3 short_place(const Vec3& where, double size) {
+  if (!(size > 0) || !std::isfinite(size)) return where;
+  const int decimals = std::clamp(5 - static_cast<int>(std::floor(std::log10(size))), 0, 300);
+  Vec3 result;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::string text = fmt::format("{:.{}f}", where[axis], decimals);
+    result[axis] = std::strtod(text.c_str(), nullptr) + 0.0;
+  }
+  return result;
+}
+
 std::string RepairReport::text() const {
   std::string text;
   for (const RepairEntry& entry : entries) {
     const StepWording& wording = wording_of(entry.step);
-    text += fmt::format("{}{} {} (near ({:.6g} {:.6g} {:.6g}))", text.empty() ? "" : ", ", entry.count,
-                        entry.count == 1 ? wording.one : wording.many, entry.where.x, entry.where.y, entry.where.z);
+    text += fmt::format("{}{} {} ({})", text.empty() ? "" : ", ", entry.count,
+                        entry.count == 1 ? wording.one : wording.many, near_text(entry.where, size));
   }
-  if (const double moved = deviation(); moved > 0) text += fmt::format("; at most {:.3g} from the facets", moved);
+  const auto add = [&](const std::string& part) {
+    if (!part.empty()) text += (text.empty() ? "" : "; ") + part;
+  };
+  if (amounts) {
+    add(text_of_dropped(*amounts, size));
+    add(text_of_added(*amounts));
+    if (const double moved = largest_move(); moved > 0) add(fmt::format("moved by {:.3g} at most", moved));
+  } else if (const double moved = deviation(); moved > 0) {
+    add(fmt::format("at most {:.3g} from the facets", moved));
+  }
+  if (text.empty()) return "facets joined anew where more than two meet; nothing moved, added or left out";
   return text;
 }
 

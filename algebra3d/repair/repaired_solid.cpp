@@ -21,7 +21,9 @@
 #include "algebra3d/repair/fins.h"
 #include "algebra3d/repair/holes.h"
 #include "algebra3d/repair/kept_shells.h"
+#include "algebra3d/repair/misfits.h"
 #include "algebra3d/repair/point_table.h"
+#include "algebra3d/repair/repair_amounts.h"
 #include "algebra3d/repair/rims.h"
 #include "algebra3d/repair/shell_orientation.h"
 #include "algebra3d/repair/spatial_order.h"
@@ -87,8 +89,16 @@ struct Approach {
   bool drops_open = true;         ///< fins, and sheets beside others
   bool closes_holes = true;       ///< else winding numbers alone tell what is inside
   bool covers_walls = false;      ///< that end at edges of more than two facets, so that winding numbers are whole
+  bool takes_shortcuts = false;   ///< covers end at edges that lack nothing, where that is shorter
   bool fills_inside_out = false;  ///< places about which the winding number is negative belong to the solid
 };
+
+/// For facets of which the usual way leaves something out, or covers long rims.
+constexpr std::array<Approach, 3> kCheapApproaches{{
+    {.drops_open = false},
+    {.drops_open = false, .takes_shortcuts = true},
+    {.drops_open = false, .covers_walls = true, .fills_inside_out = true},
+}};
 
 /// In the order in which they are tried.
 constexpr std::array<Approach, 6> kApproaches{{
@@ -112,11 +122,19 @@ class Repair {
   const TriangleMesh& solid() const { return solid_; }
   /// Then it encloses what they do; only small ones that became flat are left out, and copies of others.
   bool keeps_all_facets() const {
-    return is_proved_ && report_.find(RepairStep::fins) == nullptr && report_.find(RepairStep::sheets) == nullptr;
+    const auto has_none = [&](RepairStep step) { return report_.find(step) == nullptr; };
+    return is_proved_ && has_none(RepairStep::misfits) && has_none(RepairStep::fins) && has_none(RepairStep::sheets);
   }
   /// Not if it is out of reach, or open because the options say so.
   bool may_be_done_otherwise() const { return !is_beyond_limit_ && report_.find(RepairStep::open_holes) == nullptr; }
   Result<RepairedSolid> finish() &&;
+  /// Says what the solid leaves out and adds; once.
+  Status measure();
+  /// The area that was left out and that which was added.
+  double cost() const { return report_.amounts->dropped.area + report_.amounts->added.area; }
+  double cost_part() const { return report_.amounts->area_seen > 0 ? cost() / report_.amounts->area_seen : 0; }
+  bool has_covered_rims() const { return has_covered_rims_; }
+  double dropped_part() const { return report_.amounts->dropped_part(); }
   RepairedSolid nothing(std::string reason) { return {std::nullopt, std::move(reason), std::move(report_)}; }
 
  private:
@@ -131,7 +149,10 @@ class Repair {
   Status make_solid(bool may_cross);
   Result<bool> take_if_valid(const FaceSet& known);
   Status divide(const ValidParts& parts);
+  std::vector<bool> are_left(arrangement::DisjointSets& parts) const;
   void report_lost_shells();
+  void report_united_bodies();
+  std::string reason_for_limit() const;
   Result<bool> is_proved(const FaceSet& known);
   std::string reason_for_nothing() const;
 
@@ -144,8 +165,11 @@ class Repair {
   TriangleMesh solid_;
   bool is_proved_ = false;
   bool is_beyond_limit_ = false;
+  bool has_covered_rims_ = false;
+  bool has_lost_parts_ = false;
   std::optional<std::string> reason_;  // why there is no solid
   RepairReport report_;
+  std::vector<bool> are_holes_closed_;  // of the covers in the report, once that is measured
 };
 
 void Repair::drop_facets(bool has_degenerate, bool has_duplicates) {
@@ -186,8 +210,8 @@ void Repair::mend_boundaries() {
 }
 
 void Repair::orient() {
-  if (mesh().nonmanifold_edge_count() == 0) return;
-  orient_facets(facets_, report_);
+  if (mesh().nonmanifold_edge_count() > 0) orient_facets(facets_, report_);
+  if (approach_.drops_open && has_boundary(mesh())) drop_misfits(facets_, report_);
   if (approach_.drops_open && has_boundary(mesh()) && mesh().nonmanifold_edge_count() > 0) drop_fins(facets_, report_);
 }
 
@@ -200,11 +224,14 @@ Status Repair::close_holes() {
     if (round > 0) divide_edges(facets_, report_);
     const std::size_t facet_count = facets_.triangles.size();
     RETURN_IF_ERROR(algebra3d::close_holes(facets_, {largest, approach_.drops_open}, report_, monitor_));
-    RETURN_IF_ERROR(close_rims(facets_, {largest, false}, report_, monitor_));
+    const std::size_t hole_count = report_.covers.size();
+    RETURN_IF_ERROR(close_rims(facets_, {largest, false, approach_.takes_shortcuts}, report_, monitor_));
+    has_covered_rims_ = has_covered_rims_ || report_.covers.size() > hole_count;
     if (facets_.triangles.size() == facet_count || report_.find(RepairStep::open_holes) != nullptr) break;
     drop_what_became_flat();
   }
-  if (approach_.covers_walls) RETURN_IF_ERROR(close_rims(facets_, {largest, true}, report_, monitor_));
+  if (approach_.covers_walls)
+    RETURN_IF_ERROR(close_rims(facets_, {largest, true, approach_.takes_shortcuts}, report_, monitor_));
   drop_what_became_flat();
   return {};
 }
@@ -243,26 +270,86 @@ Status Repair::divide(const ValidParts& parts) {
   if (!solid) return std::move(solid).error();
   solid_ = *std::move(solid);
   report_lost_shells();
+  report_united_bodies();
   return {};
 }
 
-/// What hangs together across edges of two facets, and of which no corner is left.
-void Repair::report_lost_shells() {
+/// Per face of the mesh that is the first of its part: whether the solid has a corner of the part.
+std::vector<bool> Repair::are_left(arrangement::DisjointSets& parts) const {
   PointTable left(2 * solid_.points().size());
   for (std::size_t i = 0; i < solid_.points().size(); ++i)
     if (const Vec3& point = solid_.points().approx()[i]; solid_.points()[i].is_double())
       left.number_of(point, hash_of(point));
   const TriangleMesh& given = mesh();
-  arrangement::DisjointSets parts = parts_across_simple_edges(given);
-  std::vector<bool> is_left(given.face_count());  // of each part, at its number
+  std::vector<bool> is_left(given.face_count());
   const auto is_left_at = [&](const PointRef& corner) {
     return left.find(corner.approx, hash_of(corner.approx)) != PointTable::kNone;
   };
   for (std::uint32_t f = 0; f < given.face_count(); ++f)
     if (const std::uint32_t part = parts.find(f); !is_left[part])
       is_left[part] = std::ranges::any_of(given.corners(FaceId(f)), is_left_at);
-  for (std::uint32_t f = 0; f < given.face_count(); ++f)
-    if (parts.find(f) == f && !is_left[f]) report_.add(RepairStep::inner_shells, given.corners(FaceId(f))[0].approx);
+  return is_left;
+}
+
+/// Reports components, connected across edges of two facets, of which no corner is left.
+void Repair::report_lost_shells() {
+  const TriangleMesh& given = mesh();
+  arrangement::DisjointSets parts = parts_across_simple_edges(given);
+  const std::vector<bool> is_left = are_left(parts);
+  std::vector<bool> is_open(given.face_count());
+  for (std::uint32_t h = 0; h < given.halfedge_count(); ++h) {
+    const HalfedgeId halfedge(h);
+    const bool ends =
+        given.is_boundary(halfedge) || (given.is_nonmanifold(halfedge) && given.edge_halfedges(halfedge).size() > 2);
+    if (ends) is_open[parts.find(h / 3)] = true;
+  }
+  for (std::uint32_t f = 0; f < given.face_count(); ++f) {
+    if (parts.find(f) != f || is_left[f]) continue;
+    has_lost_parts_ = true;
+    // Others are walls, of which the area tells more.
+    if (!is_open[f]) report_.add(RepairStep::inner_shells, given.corners(FaceId(f))[0].approx);
+  }
+}
+
+/// Closed parts of which something is left, less the parts of the solid.
+void Repair::report_united_bodies() {
+  const TriangleMesh& given = mesh();
+  const FaceComponents components = connected_components(given);
+  std::vector<bool> is_open(components.count);
+  for (std::uint32_t h = 0; h < given.halfedge_count(); ++h)
+    if (given.is_boundary(HalfedgeId(h))) is_open[components.of_face[h / 3]] = true;
+  arrangement::DisjointSets parts(given.face_count());
+  std::vector<std::uint32_t> first(components.count, PointTable::kNone);
+  for (std::uint32_t f = 0; f < given.face_count(); ++f) {
+    std::uint32_t& known = first[components.of_face[f]];
+    if (known == PointTable::kNone) known = f;
+    parts.unite(known, f);
+  }
+  const std::vector<bool> is_left = are_left(parts);
+  std::size_t bodies = 0;
+  for (std::size_t c = 0; c < components.count; ++c) bodies += !is_open[c] && is_left[parts.find(first[c])] ? 1 : 0;
+  const std::size_t rest = connected_components(solid_).count;
+  if (bodies <= rest) return;
+  const RepairEntry* where = report_.find(RepairStep::intersections);
+  report_.add(RepairStep::united_bodies, where != nullptr ? where->where : given.corners(FaceId(0))[0].approx, 0,
+              bodies - rest);
+}
+
+Status Repair::measure() {
+  if (report_.amounts) return {};
+  ASSIGN_OR_RETURN(MeasuredRepair measured, measure_repair(*given_->mesh(), solid_, given_->recognise(solid_),
+                                                           report_.largest_move(), report_.covers, monitor_.silent()));
+  report_.amounts = measured.amounts;
+  are_holes_closed_ = std::move(measured.are_added);
+  return {};
+}
+
+std::string Repair::reason_for_limit() const {
+  const RepairAmounts& amounts = *report_.amounts;
+  return fmt::format(
+      "the solid would leave out {} of the area seen, up to {:.3g} from it; at most {:.3g} % may be (option "
+      "dropped)",
+      percent_text(amounts.dropped_part()), amounts.dropped.distance, 100 * options_.most_dropped);
 }
 
 std::string Repair::reason_for_nothing() const {
@@ -284,6 +371,7 @@ Result<bool> Repair::is_proved(const FaceSet& known) {
 }
 
 Status Repair::make(const ValidityReport& found) {
+  report_.size = diagonal(facets_);
   if (is_balanced(mesh())) report_.volume_before = given_->volume().abs().nearest_double();
   drop_facets(found.count(Defect::degenerate_triangle) > 0, found.count(Defect::duplicate_triangle) > 0);
   without_flat_ = facets_.mesh();
@@ -294,8 +382,7 @@ Status Repair::make(const ValidityReport& found) {
   is_beyond_limit_ = !made && made.error().code == ErrorCode::limit_exceeded;
   if (is_beyond_limit_) reason_ = made.error().message;
   if (!made && !is_beyond_limit_) return made;
-  const bool lacks_what_is_open =
-      report_.find(RepairStep::open_holes) != nullptr && report_.find(RepairStep::inner_shells) != nullptr;
+  const bool lacks_what_is_open = report_.find(RepairStep::open_holes) != nullptr && has_lost_parts_;
   const bool is_nothing = solid_.is_empty() && !facets_.triangles.empty();
   if (!is_beyond_limit_ && (is_nothing || lacks_what_is_open)) reason_ = reason_for_nothing();
   return {};
@@ -303,9 +390,19 @@ Status Repair::make(const ValidityReport& found) {
 
 Result<RepairedSolid> Repair::finish() && {
   if (reason_) return nothing(*reason_);
+  RETURN_IF_ERROR(measure());
+  if (dropped_part() > options_.most_dropped) return nothing(reason_for_limit());
   ASSIGN_OR_RETURN(const TriangleMesh kept, kept_shells(solid_, options_, report_, monitor_));
-  is_proved_ = is_proved_ && kept.face_count() == solid_.face_count();
+  const bool is_all_kept = kept.face_count() == solid_.face_count();
+  is_proved_ = is_proved_ && is_all_kept;
   solid_ = in_spatial_order(kept);
+  if (!is_all_kept) {
+    report_.amounts.reset();
+    RETURN_IF_ERROR(measure());
+  }
+  report_.keep_holes(are_holes_closed_);
+  if (const SurfaceAmount& inside = report_.amounts->inside; inside.facet_count > 0)
+    report_.add(RepairStep::inner_facets, inside.where, 0, inside.facet_count);
   const std::vector<std::uint32_t> recognised = given_->recognise(solid_);
   ASSIGN_OR_RETURN(const bool is_valid, is_proved(recognised_faces(recognised)));
   if (!is_valid) return nothing("the repair gave no valid solid");
@@ -314,20 +411,64 @@ Result<RepairedSolid> Repair::finish() && {
   return RepairedSolid{std::move(solid_), {}, std::move(report_)};
 }
 
-}  // namespace
+/// The search for the repair of the given facets that suits them, one way after the other.
+class RepairSearch {
+ public:
+  RepairSearch(const KnownFacets& given, const ValidityReport& found, const RepairOptions& options,
+               const Monitor& monitor)
+      : given_(given), found_(found), options_(options), monitor_(monitor) {}
 
-Result<RepairedSolid> repaired_solid(const KnownFacets& given, const ValidityReport& found,
-                                     const RepairOptions& options, const Monitor& monitor) {
-  std::optional<Enclosure> enclosure;
+  Result<RepairedSolid> run();
+
+ private:
+  Result<Repair> made(const Approach& approach) const;
+  Agreement agreement(const Repair& repair);
+  Result<RepairedSolid> cheapest(Repair usual);
+
+  const KnownFacets& given_;
+  const ValidityReport& found_;
+  const RepairOptions& options_;
+  const Monitor& monitor_;
+  std::optional<Enclosure> enclosure_;
+};
+
+Result<Repair> RepairSearch::made(const Approach& approach) const {
+  Repair repair(given_, approach, options_, monitor_);
+  RETURN_IF_ERROR(repair.make(found_));
+  return repair;
+}
+
+Agreement RepairSearch::agreement(const Repair& repair) {
+  if (!enclosure_) enclosure_.emplace(*given_.mesh());
+  return enclosure_->compare(repair.solid());
+}
+
+/// The usual repair, or a cheaper one: facets that the usual way leaves out may be a cap that lacks a narrow strip. If
+/// closing it adds less than leaving it out loses, it is closed.
+Result<RepairedSolid> RepairSearch::cheapest(Repair usual) {
+  constexpr double kWorthATry = 1e-3, kCheaper = 0.95;
+  if (!usual.has_solid() || !usual.may_be_done_otherwise()) return std::move(usual).finish();
+  RETURN_IF_ERROR(usual.measure());
+  const bool is_worth_it =
+      usual.dropped_part() > kWorthATry || (usual.has_covered_rims() && usual.cost_part() > kWorthATry);
+  if (!is_worth_it) return std::move(usual).finish();
+  for (const Approach& approach : kCheapApproaches) {
+    ASSIGN_OR_RETURN(Repair other, made(approach));
+    if (!other.has_solid() || agreement(other).is_doubtful()) continue;
+    RETURN_IF_ERROR(other.measure());
+    if (other.cost() < kCheaper * usual.cost()) usual = std::move(other);
+  }
+  return std::move(usual).finish();
+}
+
+Result<RepairedSolid> RepairSearch::run() {
   std::optional<Repair> usual, fair;
   for (const Approach& approach : kApproaches) {
-    Repair repair(given, approach, options, monitor);
-    RETURN_IF_ERROR(repair.make(found));
-    if (!usual && repair.keeps_all_facets()) return std::move(repair).finish();
-    if (!enclosure) enclosure.emplace(*given.mesh());
-    const Agreement agreement = enclosure->compare(repair.solid());
-    if (!agreement.is_doubtful() && (!usual || repair.has_solid())) return std::move(repair).finish();
-    if (!fair && !agreement.is_wrong() && repair.has_solid()) fair = repair;
+    ASSIGN_OR_RETURN(Repair repair, made(approach));
+    if (!usual && repair.keeps_all_facets()) return cheapest(std::move(repair));
+    const Agreement found = agreement(repair);
+    if (!found.is_doubtful() && (!usual || repair.has_solid())) return cheapest(std::move(repair));
+    if (!fair && !found.is_wrong() && repair.has_solid()) fair = repair;
     if (!usual) usual = std::move(repair);
     if (!usual->may_be_done_otherwise()) break;
   }
@@ -335,6 +476,13 @@ Result<RepairedSolid> repaired_solid(const KnownFacets& given, const ValidityRep
   if (usual->has_solid())
     return usual->nothing("every solid that was made of the facets lacks most of what they enclose, or adds as much");
   return std::move(*usual).finish();
+}
+
+}  // namespace
+
+Result<RepairedSolid> repaired_solid(const KnownFacets& given, const ValidityReport& found,
+                                     const RepairOptions& options, const Monitor& monitor) {
+  return RepairSearch(given, found, options, monitor).run();
 }
 
 }  // namespace algebra3d

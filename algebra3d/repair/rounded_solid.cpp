@@ -11,6 +11,7 @@
 #include "algebra3d/halfedge/topology.h"
 #include "algebra3d/repair/opposite_triangles.h"
 #include "algebra3d/repair/pressed_sheets.h"
+#include "algebra3d/repair/scaled_triangles.h"
 #include "algebra3d/repair/snapped_mesh.h"
 #include "algebra3d/repair/winding_solid.h"
 #include "algebra3d/validity/validity.h"
@@ -48,13 +49,6 @@ double distance(const PointRef& point, const Vec3& rounded) {
 /// Of a length that a few roundings may have made too small.
 double rounded_up(double length) {
   return length * (1 + 0x1p-40);
-}
-
-double largest_coordinate(const TriangleMesh& mesh) {
-  double largest = 0;
-  for (const Vec3& p : mesh.points().approx())
-    for (std::size_t axis = 0; axis < 3; ++axis) largest = std::max(largest, std::abs(p[axis]));
-  return largest;
 }
 
 struct RoundedVertices : MovedVertices {

@@ -10,6 +10,7 @@
 
 #include "algebra3d/exact/exact_sum.h"
 #include "algebra3d/repair/kept_shells.h"
+#include "algebra3d/repair/repair_amounts.h"
 #include "algebra3d/repair/repaired_solid.h"
 #include "algebra3d/repair/spatial_order.h"
 #include "algebra3d/repair/weld.h"
@@ -32,10 +33,8 @@ constexpr std::array<Wording, kDefectKinds> kWordings{{
     {"shell with a wrong winding number", "shells with a wrong winding number"},
 }};
 
-std::string place_text(const DefectExample& example) {
-  // Six digits are enough to find the place; mesh files hold floats, whose exact digits are long.
-  const std::string where =
-      fmt::format("near ({:.6g} {:.6g} {:.6g})", example.where.x, example.where.y, example.where.z);
+std::string place_text(const DefectExample& example, double size) {
+  const std::string where = near_text(example.where, size);
   if (!example.second.is_valid()) return fmt::format("facet {}, {}", example.first.index() + 1, where);
   return fmt::format("facets {} and {}, {}", example.first.index() + 1, example.second.index() + 1, where);
 }
@@ -46,6 +45,23 @@ void count_contradicting_normals(const TriangleSoup& soup, SoupReport& report) {
     if (!(dot(cross(b - a, c - a), soup.normals[i]) < 0)) continue;
     if (++report.contradicting_normal_count == 1) report.first_contradicting_facet = i + 1;
   }
+}
+
+/// Rounded.
+double area_of_mesh(const TriangleMesh& mesh) {
+  const std::vector<Vec3>& p = mesh.points().approx();
+  double sum = 0;
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    const auto& [a, b, c] = mesh.triangle(FaceId(f));
+    sum += length(cross(p[b] - p[a], p[c] - p[a])) / 2;
+  }
+  return sum;
+}
+
+double diagonal_of(const WeldedTriangles& welded) {
+  Box3 box;
+  for (const Vec3& point : welded.points.approx()) box.extend(point);
+  return box.is_empty() ? 0 : length(box.max - box.min);
 }
 
 /// The report of a mesh whose face i is facet order[i].
@@ -76,7 +92,7 @@ std::string SoupReport::defects() const {
     const Wording& wording = kWordings[static_cast<std::size_t>(example.kind)];
     const bool at_least = validity.is_cut_short && example.kind == Defect::intersecting_triangles;
     text += fmt::format("{}{}{} {} ({})", text.empty() ? "no valid solid: " : ", ", at_least ? "at least " : "", count,
-                        count == 1 ? wording.one : wording.many, place_text(example));
+                        count == 1 ? wording.one : wording.many, place_text(example, size));
   }
   return text;
 }
@@ -95,7 +111,8 @@ std::vector<std::string> SoupReport::remarks() const {
 
 std::string SolidFromSoup::status() const {
   if (!mesh) return reason.empty() ? report.defects() : report.defects() + "; not repaired: " + reason;
-  if (repair) return repair->is_empty() ? "repaired" : "repaired: " + repair->text();
+  if (repair) return "repaired: " + repair->text() + (mesh->is_empty() ? "; the solid is empty" : "");
+  if (mesh->is_empty()) return "ok: no facets, the solid is empty";
   return report.was_turned ? "ok: turned right side out" : "ok";
 }
 
@@ -106,6 +123,7 @@ Result<SolidFromSoup> solid_from_soup(const TriangleSoup& soup, const RepairOpti
   SolidFromSoup result;
   count_contradicting_normals(soup, result.report);
   WeldedTriangles welded = weld(soup.triangles);
+  result.report.size = diagonal_of(welded);
   ASSIGN_OR_RETURN(const Rational volume, exact_volume(welded.points, welded.triangles, monitor.cancel()));
   // What is not closed has no volume, and is refused below whichever way it is turned.
   const bool is_inside_out = volume.sign() < 0;
@@ -119,11 +137,18 @@ Result<SolidFromSoup> solid_from_soup(const TriangleSoup& soup, const RepairOpti
   result.report.was_turned = is_inside_out && validity.is_valid();
   if (validity.is_valid()) {
     RepairReport left_out;
+    result.area_seen = area_of_mesh(mesh);
     ASSIGN_OR_RETURN(mesh, kept_shells(std::move(mesh), options, left_out, monitor));
+    result.volume = volume.abs().nearest_double();
     result.mesh = left_out.is_empty() ? std::move(mesh) : in_spatial_order(mesh);
     if (left_out.is_empty()) return result;
-    left_out.volume_before = volume.abs().nearest_double();
-    ASSIGN_OR_RETURN(left_out.volume_after, nearest_volume(*result.mesh, monitor));
+    left_out.volume_before = result.volume;
+    left_out.size = result.report.size;
+    ASSIGN_OR_RETURN(result.volume, nearest_volume(*result.mesh, monitor));
+    left_out.volume_after = result.volume;
+    const TriangleMesh given(welded.points, welded.triangles);
+    ASSIGN_OR_RETURN(const MeasuredRepair measured, measure_repair(given, *result.mesh, {}, 0, {}, monitor));
+    left_out.amounts = measured.amounts;
     result.repair = std::move(left_out);
     return result;
   }
@@ -137,6 +162,8 @@ Result<SolidFromSoup> solid_from_soup(const TriangleSoup& soup, const RepairOpti
   const KnownFacets given(std::make_shared<const TriangleMesh>(std::move(mesh)), examined.free, volume);
   ASSIGN_OR_RETURN(RepairedSolid repaired, repaired_solid(given, validity, options, monitor));
   result.mesh = std::move(repaired.mesh);
+  result.volume = repaired.report.volume_after;
+  if (repaired.report.amounts) result.area_seen = repaired.report.amounts->area_seen;
   result.repair = std::move(repaired.report);
   result.reason = std::move(repaired.reason);
   return result;

@@ -20,6 +20,7 @@ namespace algebra3d {
 struct SoupReport {
   /// The defects after welding; the faces in the examples are facets of the soup, numbered from 0.
   ValidityReport validity;
+  double size = 0;  ///< diagonal of the box around the facets
   /// Facets whose given normal points to the other side than the order of their corners says; zero normals are ignored.
   std::uint64_t contradicting_normal_count = 0;
   std::size_t first_contradicting_facet = 0;  ///< from 1; 0 if there is none
@@ -42,9 +43,11 @@ struct SolidFromSoup {
   SoupReport report;                   ///< of the facets as given
   std::optional<RepairReport> repair;  ///< what was changed; none if nothing had to be, or nothing was to be
   std::string reason;                  ///< why the repair gave no solid
+  std::optional<double> volume;        ///< of the solid
+  std::optional<double> area_seen;     ///< of the facets as given, as in RepairAmounts; none if nothing was made
 
-  /// For people, one line: "ok", "ok: turned right side out", "repaired: 1 hole closed (near (0 0 1)); at most 0.2 from
-  /// the facets", or why there is no solid.
+  /// For people, one line: "ok", "ok: turned right side out", "ok: no facets, the solid is empty", "repaired: 1 hole
+  /// closed (near (0 0 1)); added: area 0.5, up to 0.2 from the facets", or why there is no solid.
   std::string status() const;
 };
 

@@ -10,7 +10,7 @@
 namespace algebra3d {
 
 std::vector<const Type*> all_types() {
-  return {&TypeOf<std::int32_t>::type(), &TypeOf<double>::type(),       &TypeOf<bool>::type(),
+  return {&TypeOf<std::int64_t>::type(), &TypeOf<double>::type(),       &TypeOf<bool>::type(),
           &TypeOf<std::string>::type(),  &TypeOf<Text>::type(),         &TypeOf<Point3d>::type(),
           &TypeOf<Points3d>::type(),     &TypeOf<Vector3d>::type(),     &TypeOf<Plane3d>::type(),
           &TypeOf<Box3>::type(),         &TypeOf<Surface3d>::type(),    &TypeOf<Volume3d>::type(),

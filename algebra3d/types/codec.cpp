@@ -10,7 +10,9 @@
 #include <xxhash.h>
 #include <zstd.h>
 
+#include "algebra3d/exact/rational_text.h"
 #include "algebra3d/types/binary_io.h"
+#include "algebra3d/types/codec_points.h"
 
 // The format is that of docs/file_format.md, which is changed first.
 
@@ -135,12 +137,21 @@ Result<Frame> read_frame(std::string_view bytes) {
   return frame;
 }
 
-/// A context for each thread, since making one costs more than compressing a small value.
+// A context for each thread, since making one costs more than compressing or decompressing a small value. Null without
+// memory.
 ZSTD_CCtx* compression_context() {
   struct Free {
     void operator()(ZSTD_CCtx* context) const { ZSTD_freeCCtx(context); }
   };
   thread_local const std::unique_ptr<ZSTD_CCtx, Free> context(ZSTD_createCCtx());
+  return context.get();
+}
+
+ZSTD_DCtx* decompression_context() {
+  struct Free {
+    void operator()(ZSTD_DCtx* context) const { ZSTD_freeDCtx(context); }
+  };
+  thread_local const std::unique_ptr<ZSTD_DCtx, Free> context(ZSTD_createDCtx());
   return context.get();
 }
 
@@ -181,9 +192,10 @@ Result<Buffer> decompress(std::string_view stored, std::uint64_t body_bytes) {
   const auto announced = ZSTD_getFrameContentSize(stored.data(), stored.size());
   if (announced != body_bytes) return corrupt(kCodecHeaderBytes, fmt::format("a frame of {} bytes", body_bytes));
   Buffer buffer{std::unique_ptr<char[]>(new (std::nothrow) char[body_bytes]), static_cast<std::size_t>(body_bytes)};
-  if (buffer.bytes == nullptr)
+  ZSTD_DCtx* const context = decompression_context();
+  if (buffer.bytes == nullptr || context == nullptr)
     return Error{ErrorCode::out_of_memory, "stored value: no memory for {} bytes", body_bytes};
-  const std::size_t size = ZSTD_decompress(buffer.bytes.get(), buffer.size, stored.data(), stored.size());
+  const std::size_t size = ZSTD_decompressDCtx(context, buffer.bytes.get(), buffer.size, stored.data(), stored.size());
   if (ZSTD_isError(size) != 0U)
     return corrupt(kCodecHeaderBytes, fmt::format("compressed bytes ({})", ZSTD_getErrorName(size)));
   if (size != buffer.size)
@@ -228,6 +240,16 @@ std::string encode(const Value& value) {
   writer.u64(checksum_of(bytes, body));
   writer.raw(body);
   return bytes;
+}
+
+Result<std::string> encode_to_store(const Value& value) {
+  take_longest_number();
+  std::string bytes = encode(value);
+  const std::size_t digits = take_longest_number();
+  if (digits <= kMaxNumberDigits) return bytes;
+  return Error{ErrorCode::limit_exceeded,
+               "a value of type {} has a number of {} digits; at most {} are stored; roundCoordinates makes them fewer",
+               value.type().name(), digits, kMaxNumberDigits};
 }
 
 Result<Value> decode(const Type& type, std::string_view bytes, Origin origin) {

@@ -14,6 +14,10 @@ enum class Origin : bool { own_store, elsewhere };
 /// The same value from the same command gives the same bytes. Requires a loaded value; undefined is encoded too.
 std::string encode(const Value& value);
 
+/// The same for a value that is to be stored, and so must be readable as a literal too. Errors: limit_exceeded for
+/// numbers of more than kMaxNumberDigits digits.
+Result<std::string> encode_to_store(const Value& value);
+
 /// Reads what `encode` wrote. Never crashes on any bytes. Errors: database_corrupt with the byte and the expectation,
 /// database_version for a newer format. A mesh from elsewhere that is not valid is an error, not undefined.
 Result<Value> decode(const Type& type, std::string_view bytes, Origin origin);

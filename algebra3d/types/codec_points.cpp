@@ -5,6 +5,9 @@
 #include <bit>
 #include <limits>
 #include <optional>
+#include <utility>
+
+#include "algebra3d/exact/rational_text.h"
 
 namespace algebra3d {
 namespace {
@@ -115,33 +118,14 @@ void read_axis(ByteReader& reader, std::vector<Vec3>& points, std::size_t axis) 
   }
 }
 
-// Texts longer than Rational::parse takes are read in pieces of this many digits.
-constexpr std::size_t kPiece = 9000;
-
-std::optional<Rational> parse_integer(std::string_view digits) {
-  if (digits.empty()) return std::nullopt;
-  Rational value;
-  for (std::size_t start = 0; start < digits.size(); start += kPiece) {
-    const std::string_view piece = digits.substr(start, kPiece);
-    if (!std::ranges::all_of(piece, [](char c) { return '0' <= c && c <= '9'; })) return std::nullopt;
-    value = value * *Rational::parse(fmt::format("1e{}", piece.size())) + *Rational::parse(piece);
-  }
-  return value;
-}
-
+// Any length: the bytes are at hand, and what was spilled need not be what can be stored.
 std::optional<Rational> parse_rational(std::string_view text) {
-  const bool negative = text.starts_with('-');
-  if (negative) text.remove_prefix(1);
-  const std::size_t slash = std::min(text.find('/'), text.size());
-  std::optional<Rational> value = parse_integer(text.substr(0, slash));
-  if (value && slash < text.size()) {
-    const std::optional<Rational> denominator = parse_integer(text.substr(slash + 1));
-    if (!denominator || denominator->sign() == 0) return std::nullopt;
-    *value /= *denominator;
-  }
-  if (value && negative) *value = -*value;
-  return value;
+  const bool is_plain =
+      std::ranges::all_of(text, [](char c) { return ('0' <= c && c <= '9') || c == '/' || c == '-'; });
+  return is_plain ? parse_long_rational(text) : std::nullopt;
 }
+
+thread_local std::size_t longest_number = 0;
 
 /// The three rationals of a point whose doubles are known: a coordinate that is its double is the empty text.
 void write_exact(ByteWriter& writer, const RationalVec3& exact) {
@@ -160,7 +144,6 @@ RationalVec3 read_exact(ByteReader& reader, const Vec3& approx) {
     exact[axis] = Rational(approx[axis]);
     const std::string_view text = reader.text();
     if (text.empty()) continue;
-    reader.require(text.size() <= kMaxRationalText, "a shorter number");
     const auto value = reader.ok() ? parse_rational(text) : std::nullopt;
     reader.require(value.has_value(), "a number p/q");
     if (!reader.ok()) break;
@@ -209,12 +192,17 @@ PointArray read_exact_table(ByteReader& reader, std::vector<Vec3> approx) {
 }  // namespace
 
 void write_rational(ByteWriter& writer, const Rational& value) {
-  writer.text(value.text());
+  const std::string text = value.text();
+  longest_number = std::max(longest_number, digit_count(text));
+  writer.text(text);
+}
+
+std::size_t take_longest_number() {
+  return std::exchange(longest_number, 0);
 }
 
 Rational read_rational(ByteReader& reader) {
   const std::string_view text = reader.text();
-  reader.require(text.size() <= kMaxRationalText, "a shorter number");
   const auto value = reader.ok() ? parse_rational(text) : std::nullopt;
   reader.require(value.has_value(), "a number p/q");
   return value.value_or(Rational());

@@ -5,10 +5,11 @@
 
 namespace algebra3d {
 
-/// A number as text `p/q` in lowest terms. Any length; reading takes at most kMaxRationalText characters.
+/// A number as text `p/q` in lowest terms. Any length.
 void write_rational(ByteWriter& writer, const Rational& value);
 Rational read_rational(ByteReader& reader);
-inline constexpr std::size_t kMaxRationalText = 10'000'000;
+/// The digits of the longest number that this thread has written since the last call.
+std::size_t take_longest_number();
 
 /// One point: its three doubles, or its three rationals. Reading fails on coordinates that are not finite.
 void write_point(ByteWriter& writer, const ExactPoint& point);

@@ -1,7 +1,12 @@
 #include "algebra3d/types/coordinate_text.h"
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <optional>
+
+#include "algebra3d/exact/rational_text.h"
 
 namespace algebra3d {
 
@@ -19,13 +24,21 @@ bool is_pair(const NestedList& list) {
   return list.is_list() && list.elements().size() == 2;
 }
 
+// True if one double is this integer.
+bool is_double(std::int64_t integer) {
+  const std::uint64_t size =
+      integer < 0 ? 0 - static_cast<std::uint64_t>(integer) : static_cast<std::uint64_t>(integer);
+  return size == 0 || std::bit_width(size) - std::countr_zero(size) <= std::numeric_limits<double>::digits;
+}
+
+// Nothing if no double is the number.
 std::optional<double> double_of(const NestedList& atom) {
   if (atom.is_real() && std::isfinite(atom.as_real())) return atom.as_real();
-  if (atom.is_int()) return atom.as_int();
+  if (atom.is_int() && is_double(atom.as_int())) return static_cast<double>(atom.as_int());
   return std::nullopt;
 }
 
-// Nothing if one of the coordinates is no int or real.
+// Nothing if one of the coordinates is no double.
 std::optional<Vec3> doubles_of(const NestedList& triple) {
   Vec3 result;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -37,7 +50,7 @@ std::optional<Vec3> doubles_of(const NestedList& triple) {
 }
 
 bool is_in_range(const Rational& number) {
-  return std::isfinite(number.nearest_double());
+  return std::isfinite(number.lower_double()) && std::isfinite(number.upper_double());
 }
 
 Result<ExactPoint> point_in_range(const RationalVec3& exact, const NestedList& list, std::string_view what) {
@@ -57,8 +70,12 @@ NestedList coordinate_to_nested(const Rational& number) {
 
 Result<Rational> coordinate_from_nested(const NestedList& atom, std::string_view what) {
   if (const auto number = double_of(atom)) return Rational(*number);
+  if (atom.is_int()) return Rational(atom.as_int());
   if (atom.is_symbol() && atom.as_symbol().find('/') != std::string::npos) {
-    if (auto number = Rational::parse(atom.as_symbol())) return *std::move(number);
+    if (const std::size_t digits = digit_count(atom.as_symbol()); digits > kMaxNumberDigits)
+      return Error{ErrorCode::limit_exceeded, "{}: a number has {} digits; at most {} are read and stored", what,
+                   digits, kMaxNumberDigits};
+    if (auto number = parse_long_rational(atom.as_symbol())) return *std::move(number);
   }
   return expected(what, "a number or a fraction p/q", atom);
 }
@@ -104,6 +121,7 @@ Result<ExactPoint> planar_point_from_nested(const NestedList& list, std::string_
 }
 
 Result<double> double_from_nested(const NestedList& atom, std::string_view what) {
+  if (atom.is_int()) return static_cast<double>(atom.as_int());
   if (const auto number = double_of(atom)) return *number;
   if (const auto whole = whole_number_from_nested(atom)) return *whole;
   return expected(what, "an int or a real", atom);

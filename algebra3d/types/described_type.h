@@ -48,7 +48,7 @@ class DescribedType : public Type {
   Error corrupt(std::string_view what) const { return {ErrorCode::database_corrupt, "{}: {}", name(), what}; }
   /// Undefined, with the reason reported; the offending list is its place.
   Value undefined(std::string_view reason, const NestedList& list, Context& context) const {
-    context.diagnostics.report(fmt::format("{}: {}", name(), reason), list.print_short());
+    context.diagnostics.report_undefined(fmt::format("{}: {}", name(), reason), list.print_short());
     return Value(*this);
   }
 

@@ -6,7 +6,7 @@ namespace algebra3d {
 
 namespace {
 
-constexpr std::string_view kOutsideOfDays = "the days of the duration are beyond the range of ints";
+constexpr std::string_view kOutsideOfDays = "the days of the duration are not between -2147483648 and 2147483647";
 
 class DurationType final : public DescribedType {
  public:
@@ -19,17 +19,15 @@ class DurationType final : public DescribedType {
 
   Result<Value> from_nested(const NestedList& list, Context& context) const override {
     if (!list.is_list() || list.elements().size() != 2 || !list.elements()[0].is_int() || !list.elements()[1].is_int())
-      return expected("(days milliseconds), two ints of 32 bits", list);
-    const auto duration =
-        Duration::make(list.elements()[0].as_int() * kMillisecondsPerDay + list.elements()[1].as_int());
+      return expected("(days milliseconds), two ints", list);
+    const auto duration = Duration::of_parts(list.elements()[0].as_int(), list.elements()[1].as_int());
     return duration ? Value::of(*duration) : undefined(duration.reason(), list, context);
   }
   /// With 0 <= milliseconds < 86400000.
   NestedList to_nested(const Value& value) const override {
     const std::int64_t all = value.get<Duration>().milliseconds - Duration::kLeast;
     const std::int64_t days = all / kMillisecondsPerDay + Duration::kLeast / kMillisecondsPerDay;
-    return NestedList::list(NestedList(static_cast<std::int32_t>(days)),
-                            NestedList(static_cast<std::int32_t>(all % kMillisecondsPerDay)));
+    return NestedList::list(NestedList(days), NestedList(all % kMillisecondsPerDay));
   }
 
   std::strong_ordering compare(const Value& a, const Value& b) const override {
@@ -50,7 +48,7 @@ class DurationType final : public DescribedType {
   Result<Value> decode(std::string_view bytes, bool /*trusted*/) const override {
     ByteReader reader(bytes, name());
     const auto duration = Duration::make(static_cast<std::int64_t>(reader.u64()));
-    reader.require(duration.is_defined(), "a duration whose days are in the range of ints");
+    reader.require(duration.is_defined(), "a duration whose days fit 32 bits");
     RETURN_IF_ERROR(reader.finish());
     return Value::of(*duration);
   }
@@ -61,6 +59,13 @@ class DurationType final : public DescribedType {
 Maybe<Duration> Duration::make(std::int64_t milliseconds) {
   if (milliseconds < kLeast || milliseconds > kGreatest) return Undefined{std::string(kOutsideOfDays)};
   return Duration{milliseconds};
+}
+
+Maybe<Duration> Duration::of_parts(std::int64_t days, std::int64_t milliseconds) {
+  std::int64_t sum = 0;
+  if (__builtin_mul_overflow(days, kMillisecondsPerDay, &sum) || __builtin_add_overflow(sum, milliseconds, &sum))
+    return Undefined{std::string(kOutsideOfDays)};
+  return make(sum);
 }
 
 Maybe<Duration> Duration::rounded(const Rational& milliseconds) {

@@ -6,7 +6,7 @@
 
 namespace algebra3d {
 
-/// `NestedList::parse` for a list that holds expressions, where an integer means an int: one beyond 32 bits does not
+/// `NestedList::parse` for a list that holds expressions, where an integer means an int: one beyond 64 bits does not
 /// become a real but the symbol `N/1`, as it was written, so that the reader of expressions can refuse it.
 Result<NestedList> parse_expression_list(std::string_view source, const SourcePlace& start = {{}, 1, 1});
 

@@ -5,6 +5,8 @@
 #include <fstream>
 #include <system_error>
 
+#include "algebra3d/base/open_databases.h"
+
 namespace algebra3d {
 
 NestedList file_atom(std::string_view path) {
@@ -30,6 +32,8 @@ Result<std::string> file_atom_content(const NestedList& atom, const Context& con
     return Error{ErrorCode::file_missing, "file atom '{}': there is no such file", path};
   if (!std::filesystem::is_regular_file(status))
     return Error{ErrorCode::io_error, "file atom '{}': expected a file, found something else", path};
+  if (open_database_with(file))
+    return Error{ErrorCode::io_error, "file atom '{}': this file holds the open database", path};
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (!error && size > kMaxFileAtomBytes)
     return Error{ErrorCode::limit_exceeded, "file atom '{}': the file has {} bytes, at most {} are read", path, size,

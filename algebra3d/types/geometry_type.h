@@ -18,7 +18,7 @@ class GeometryType : public DescribedType {
     ASSIGN_OR_RETURN(auto mesh, mesh_from_nested(list, name()));
     ASSIGN_OR_RETURN(auto proved, T::prove(std::move(mesh), {.cancel = context.cancel}));
     if (proved) return Value::of(std::move(proved).value());
-    context.diagnostics.report(proved.reason(), list.print_short());
+    context.diagnostics.report_undefined(proved.reason(), list.print_short());
     return Value(*this);
   }
   NestedList to_nested(const Value& value) const override { return mesh_to_nested(value.get<T>().mesh()); }

@@ -87,7 +87,7 @@ std::optional<CalendarTime> calendar_from_list(const NestedList::List& parts) {
 
 /// The number of days that an atom gives, if it is a number.
 std::optional<double> days_from_nested(const NestedList& list) {
-  if (list.is_int()) return list.as_int();
+  if (list.is_int()) return static_cast<double>(list.as_int());
   if (list.is_real()) return list.as_real();
   return whole_number_from_nested(list);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -29,7 +30,9 @@ class NestedList {
   static constexpr int kMaxDepth = 1000;
 
   NestedList() : content_(List{}) {}  ///< the empty list
-  explicit NestedList(std::int32_t value) : content_(value) {}
+  /// int atom
+  template <std::signed_integral Integer>
+  explicit NestedList(Integer value) : content_(std::int64_t{value}) {}
   explicit NestedList(double value) : content_(value) {}
   explicit NestedList(bool value) : content_(value) {}
   explicit NestedList(std::string value) : content_(std::move(value)) {}  ///< string atom
@@ -51,7 +54,7 @@ class NestedList {
   bool is_list() const { return std::holds_alternative<List>(content_); }
   bool is_symbol() const { return std::holds_alternative<Symbol>(content_); }
   bool is_symbol(std::string_view name) const { return is_symbol() && as_symbol() == name; }
-  bool is_int() const { return std::holds_alternative<std::int32_t>(content_); }
+  bool is_int() const { return std::holds_alternative<std::int64_t>(content_); }
   bool is_real() const { return std::holds_alternative<double>(content_); }
   bool is_bool() const { return std::holds_alternative<bool>(content_); }
   bool is_string() const { return std::holds_alternative<std::string>(content_); }
@@ -63,7 +66,7 @@ class NestedList {
   const List& elements() const { return std::get<List>(content_); }
   List& elements() { return std::get<List>(content_); }
   const std::string& as_symbol() const { return std::get<Symbol>(content_).name; }
-  std::int32_t as_int() const { return std::get<std::int32_t>(content_); }
+  std::int64_t as_int() const { return std::get<std::int64_t>(content_); }
   double as_real() const { return std::get<double>(content_); }
   bool as_bool() const { return std::get<bool>(content_); }
   const std::string& as_string() const { return std::get<std::string>(content_); }
@@ -71,7 +74,7 @@ class NestedList {
 
   /// Reads one list or atom that is all of `source` (white space and `_! ... !_` comments apart): lists in parentheses,
   /// ints, reals, TRUE/FALSE, "strings", 'texts' and <text>...</text--->, symbols (words, runs of special characters,
-  /// and `p/q`). An integer beyond 32 bits becomes a real. In strings and texts a backslash before the quote or another
+  /// and `p/q`). An integer beyond 64 bits becomes a real. In strings and texts a backslash before the quote or another
   /// backslash escapes it, any other stands for itself. Atoms are separated by white space, parentheses or comments.
   /// Errors: invalid_value with line and column of the source (which begins at `start`), what was found and what was
   /// expected; limit_exceeded. Invalid UTF-8 in strings and texts is an error. Cost: linear, no recursion.
@@ -87,7 +90,7 @@ class NestedList {
   friend bool operator==(const NestedList&, const NestedList&) = default;
 
  private:
-  std::variant<List, std::int32_t, double, bool, std::string, Text, Symbol> content_;
+  std::variant<List, std::int64_t, double, bool, std::string, Text, Symbol> content_;
 };
 
 }  // namespace algebra3d

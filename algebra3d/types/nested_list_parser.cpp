@@ -293,7 +293,7 @@ class Parser {
 
   // `token` is what was read last.
   Status read_number(std::string_view token) {
-    std::int32_t integer = 0;
+    std::int64_t integer = 0;
     const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), integer);
     if (error == std::errc{} && end == token.data() + token.size()) {
       complete_.emplace_back(integer);

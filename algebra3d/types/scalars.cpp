@@ -1,6 +1,7 @@
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/coordinate_text.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <xxhash.h>
@@ -18,36 +19,45 @@ class IntType final : public DescribedType {
  public:
   IntType()
       : DescribedType({.name = "int",
-                       .doc = "A whole number of 32 bits with sign.",
+                       .doc = "A whole number of 64 bits with sign.",
                        .notation = "digits with an optional minus",
                        .example = "-17",
                        .kinds = {Kind::data, Kind::numeric},
                        .storage = Storage::integer}) {}
 
   Result<Value> from_nested(const NestedList& list, Context& /*context*/) const override {
-    if (!list.is_int()) return expected("an integer between -2147483648 and 2147483647", list);
+    if (!list.is_int()) return expected("an integer between -9223372036854775808 and 9223372036854775807", list);
     return Value::of(list.as_int());
   }
-  NestedList to_nested(const Value& value) const override { return NestedList(value.get<std::int32_t>()); }
+  NestedList to_nested(const Value& value) const override { return NestedList(value.get<std::int64_t>()); }
 
   std::strong_ordering compare(const Value& a, const Value& b) const override {
-    return a.get<std::int32_t>() <=> b.get<std::int32_t>();
+    return a.get<std::int64_t>() <=> b.get<std::int64_t>();
   }
   std::size_t hash(const Value& value) const override {
-    return hash_word(static_cast<std::uint64_t>(value.get<std::int32_t>()));
+    return hash_word(static_cast<std::uint64_t>(value.get<std::int64_t>()));
   }
+  // 0 is left for undefined, so the two smallest numbers share a prefix.
   std::uint64_t order_prefix(const Value& value) const override {
-    return static_cast<std::uint64_t>(std::int64_t{value.get<std::int32_t>()} + (std::int64_t{1} << 31U) + 1);
+    constexpr std::uint64_t kSign = std::uint64_t{1} << 63U;
+    return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(value.get<std::int64_t>()) ^ kSign);
   }
-  bool is_whole_in_prefix() const override { return true; }
   std::size_t heap_bytes(const Value& /*value*/) const override { return 0; }
 
   void encode(const Value& value, std::string& bytes) const override {
-    ByteWriter(bytes).u32(static_cast<std::uint32_t>(value.get<std::int32_t>()));
+    const std::int64_t number = value.get<std::int64_t>();
+    ByteWriter writer(bytes);
+    if (number == static_cast<std::int32_t>(number))
+      writer.u32(static_cast<std::uint32_t>(number));
+    else
+      writer.u64(static_cast<std::uint64_t>(number));
   }
   Result<Value> decode(std::string_view bytes, bool /*trusted*/) const override {
     ByteReader reader(bytes, name());
-    const auto value = static_cast<std::int32_t>(reader.u32());
+    const bool is_short = bytes.size() <= sizeof(std::uint32_t);
+    const std::int64_t value =
+        is_short ? static_cast<std::int32_t>(reader.u32()) : static_cast<std::int64_t>(reader.u64());
+    reader.require(is_short || value != static_cast<std::int32_t>(value), "a number that does not fit 4 bytes");
     RETURN_IF_ERROR(reader.finish());
     return Value::of(value);
   }
@@ -195,7 +205,17 @@ class CharactersType final : public DescribedType {
 
 }  // namespace
 
-const Type& TypeOf<std::int32_t>::type() {
+std::strong_ordering compare(std::int64_t integer, double real) {
+  constexpr double kBeyond = 0x1p63;
+  if (real >= kBeyond) return std::strong_ordering::less;
+  if (real < -kBeyond) return std::strong_ordering::greater;
+  const double whole = std::trunc(real);
+  if (const auto order = integer <=> static_cast<std::int64_t>(whole); order != 0) return order;
+  if (real == whole) return std::strong_ordering::equal;
+  return real > whole ? std::strong_ordering::less : std::strong_ordering::greater;
+}
+
+const Type& TypeOf<std::int64_t>::type() {
   static const IntType the_type;
   return the_type;
 }

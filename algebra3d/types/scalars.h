@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <string>
 
@@ -7,14 +8,14 @@
 
 namespace algebra3d {
 
-/// The C++ classes of int, real and bool are std::int32_t, double and bool; that of string is std::string.
+/// The C++ classes of int, real and bool are std::int64_t, double and bool; that of string is std::string.
 /// The class of text is its own, since the language keeps the two apart.
 struct Text {
   std::string content;
 };
 
 template <>
-struct TypeOf<std::int32_t> {
+struct TypeOf<std::int64_t> {
   static const Type& type();
 };
 template <>
@@ -33,5 +34,8 @@ template <>
 struct TypeOf<Text> {
   static const Type& type();
 };
+
+/// The exact order of an int and a finite real, although few large ints are reals.
+std::strong_ordering compare(std::int64_t integer, double real);
 
 }  // namespace algebra3d

@@ -15,7 +15,7 @@ namespace algebra3d {
 
 inline constexpr std::int64_t kMillisecondsPerDay = 86'400'000;
 
-/// duration: a length of time, perhaps negative. As days and milliseconds its days fit an int.
+/// duration: a length of time, perhaps negative. As days and milliseconds its days fit 32 bits.
 struct Duration {
   static constexpr std::int64_t kLeast = -(std::int64_t{1} << 31U) * kMillisecondsPerDay;
   static constexpr std::int64_t kGreatest = (std::int64_t{1} << 31U) * kMillisecondsPerDay - 1;
@@ -24,6 +24,8 @@ struct Duration {
 
   /// Undefined beyond the range.
   static Maybe<Duration> make(std::int64_t milliseconds);
+  /// The same for days and milliseconds together, however large each of them is.
+  static Maybe<Duration> of_parts(std::int64_t days, std::int64_t milliseconds);
   /// The exact number of milliseconds, rounded to the nearest whole one, halves up. Undefined beyond the range.
   static Maybe<Duration> rounded(const Rational& milliseconds);
   friend auto operator<=>(const Duration&, const Duration&) = default;

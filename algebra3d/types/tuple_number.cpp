@@ -1,8 +1,6 @@
 #include "algebra3d/types/tuple_number.h"
 
 #include <cmath>
-#include <limits>
-#include <string>
 
 #include "algebra3d/base/number_text.h"
 #include "algebra3d/types/binary_io.h"
@@ -24,7 +22,7 @@ class TupleNumberType final : public DescribedType {
                        .kinds = {Kind::data}}) {}
 
   Result<Value> from_nested(const NestedList& list, Context& /*context*/) const override {
-    const double number = list.is_int()      ? list.as_int()
+    const double number = list.is_int()      ? static_cast<double>(list.as_int())
                           : list.is_real()   ? list.as_real()
                           : list.is_symbol() ? parse_real(list.as_symbol()).value_or(0)
                                              : 0.0;
@@ -32,12 +30,7 @@ class TupleNumberType final : public DescribedType {
       return expected("a positive integer", list);
     return Value::of(TupleNumber{static_cast<std::int64_t>(number)});
   }
-  // Beyond the range of ints the list has no atom that prints as digits alone but a symbol.
-  NestedList to_nested(const Value& value) const override {
-    const std::int64_t number = value.get<TupleNumber>().number;
-    if (number <= std::numeric_limits<std::int32_t>::max()) return NestedList(static_cast<std::int32_t>(number));
-    return NestedList::symbol(std::to_string(number));
-  }
+  NestedList to_nested(const Value& value) const override { return NestedList(value.get<TupleNumber>().number); }
 
   std::strong_ordering compare(const Value& a, const Value& b) const override {
     return a.get<TupleNumber>().number <=> b.get<TupleNumber>().number;

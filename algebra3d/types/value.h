@@ -145,23 +145,16 @@ class Value {
     if (is_shared()) leave();
   }
 
+  /// The value that holds this C++ object; a C++ `int` becomes an int of the language.
   template <typename T>
   static Value of(T content) {
-    Value value(TypeOf<T>::type());
-    if constexpr (std::is_same_v<T, bool>) {
-      value.form_ = Form::boolean;
-      value.content_.boolean = content;
-    } else if constexpr (std::is_same_v<T, std::int32_t>) {
-      value.form_ = Form::integer;
-      value.content_.integer = content;
-    } else if constexpr (std::is_same_v<T, double>) {
-      value.form_ = Form::real;
-      value.content_.real = content;
+    if constexpr (std::is_same_v<T, int>) {
+      return of<std::int64_t>(content);
     } else {
-      value.content_.shared = new SharedObjectOf<T>(std::move(content));
-      value.form_ = Form::object;
+      Value value(TypeOf<T>::type());
+      value.take(std::move(content));
+      return value;
     }
-    return value;
   }
   template <typename T>
   static Value of(Maybe<T> content) = delete;
@@ -177,7 +170,7 @@ class Value {
   const T& get() const {
     if constexpr (std::is_same_v<T, bool>) {
       return assert(form_ == Form::boolean), content_.boolean;
-    } else if constexpr (std::is_same_v<T, std::int32_t>) {
+    } else if constexpr (std::is_same_v<T, std::int64_t>) {
       return assert(form_ == Form::integer), content_.integer;
     } else if constexpr (std::is_same_v<T, double>) {
       return assert(form_ == Form::real), content_.real;
@@ -199,10 +192,28 @@ class Value {
   union Content {
     std::uint64_t nothing = 0;
     bool boolean;
-    std::int32_t integer;
+    std::int64_t integer;
     double real;
     const SharedObject* shared;
   };
+
+  // Of an undefined value.
+  template <typename T>
+  void take(T content) {
+    if constexpr (std::is_same_v<T, bool>) {
+      form_ = Form::boolean;
+      content_.boolean = content;
+    } else if constexpr (std::is_same_v<T, std::int64_t>) {
+      form_ = Form::integer;
+      content_.integer = content;
+    } else if constexpr (std::is_same_v<T, double>) {
+      form_ = Form::real;
+      content_.real = content;
+    } else {
+      content_.shared = new SharedObjectOf<T>(std::move(content));
+      form_ = Form::object;
+    }
+  }
 
   bool is_shared() const { return form_ >= Form::object; }
   void leave() const noexcept {

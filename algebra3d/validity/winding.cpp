@@ -22,6 +22,7 @@
 
 #include "algebra3d/exact/plane.h"
 #include "algebra3d/exact/vertical_line.h"
+#include "algebra3d/validity/shell_tops.h"
 
 namespace algebra3d {
 namespace {
@@ -141,6 +142,27 @@ std::vector<std::uint32_t> faces_to_ask(const TriangleMesh& mesh, const ShellWin
   return faces;
 }
 
+/// The numbers in front of shells by counting all that a ray passes: good for a few shells, and for any.
+class FrontsByRays {
+ public:
+  FrontsByRays(const TriangleMesh& mesh, const BoxHierarchy& hierarchy, const ShellWindings& shells)
+      : faces_(faces_to_ask(mesh, shells)), query_(mesh, hierarchy, shells) {}
+
+  int front(std::uint32_t shell) const { return query_.in_front_of(FaceId(faces_[shell])); }
+
+ private:
+  std::vector<std::uint32_t> faces_;
+  WindingQuery query_;
+};
+
+/// Up to so many shells, rays cost less than an order of the shells.
+constexpr std::size_t kFewShells = 64;
+
+Status end_if_cancelled(const std::atomic<bool>* cancel) {
+  if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return Error{ErrorCode::interrupted, "interrupted"};
+  return {};
+}
+
 }  // namespace
 
 bool ShellWindings::is_inside_out() const {
@@ -151,16 +173,27 @@ bool ShellWindings::is_inside_out() const {
 Result<ShellWindings> find_shell_windings(const TriangleMesh& mesh, const BoxHierarchy& hierarchy,
                                           const std::atomic<bool>* cancel) {
   ShellWindings shells = find_shells(mesh);
-  const std::vector<std::uint32_t> faces = faces_to_ask(mesh, shells);
-  const WindingQuery query(mesh, hierarchy, shells);
-  std::vector<int> fronts;
-  fronts.reserve(faces.size());
-  for (const std::uint32_t face : faces) {
-    if (cancel != nullptr && cancel->load(std::memory_order_relaxed))
-      return Error{ErrorCode::interrupted, "interrupted"};
-    fronts.push_back(query.in_front_of(FaceId(face)));
+  const std::size_t count = shells.first_faces.size();
+  const FrontsByRays rays(mesh, hierarchy, shells);
+  shells.fronts.assign(count, 0);
+  if (count <= kFewShells) {
+    for (std::uint32_t shell = 0; shell < count; ++shell) {
+      RETURN_IF_ERROR(end_if_cancelled(cancel));
+      shells.fronts[shell] = rays.front(shell);
+    }
+    return shells;
   }
-  shells.fronts = std::move(fronts);
+  // A shell of its own has 0 in front of it if it looks outward, else -1; to this comes what is right above it.
+  const ShellTops tops(mesh, hierarchy, shells.shell_of_face, count);
+  const std::vector<int> orientations = tops.orientations();
+  for (const std::uint32_t shell : tops.from_highest()) {
+    RETURN_IF_ERROR(end_if_cancelled(cancel));
+    const FaceOverhead above = tops.overhead(shell);
+    int outside = 0;
+    if (above.face.is_valid() && above.is_known)
+      outside = shells.fronts[shells.shell_of_face[above.face.index()]] + (above.sign > 0 ? 1 : 0);
+    shells.fronts[shell] = above.is_known ? outside + (orientations[shell] > 0 ? 0 : -1) : rays.front(shell);
+  }
   return shells;
 }
 

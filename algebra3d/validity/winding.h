@@ -22,7 +22,8 @@ struct ShellWindings {
 };
 
 /// Requires a mesh of which prove_volume finds no defect but wrong windings. Refers to `hierarchy` over all its faces.
-/// Errors: interrupted. Exact. Cost: linear for the shells, and one vertical line through the hierarchy for each.
+/// Errors: interrupted. Exact. Cost: linear for the shells; for each of a few shells one vertical ray, for each of many
+/// one search for the face above its top (shell_tops.h).
 Result<ShellWindings> find_shell_windings(const TriangleMesh& mesh, const BoxHierarchy& hierarchy,
                                           const std::atomic<bool>* cancel = nullptr);
 /// The same with a hierarchy of its own.

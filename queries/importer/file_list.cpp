@@ -1,10 +1,12 @@
 #include "queries/importer/file_list.h"
 
+#include <fnmatch.h>
 #include <glob.h>
 
 #include <algorithm>
 #include <cctype>
 #include <memory>
+#include <set>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -20,11 +22,25 @@ using algebra3d::ErrorCode;
 using algebra3d::Result;
 using algebra3d::Status;
 
-bool has_mesh_extension(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
+/// In lower case, with its point.
+std::string ending_of(const fs::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return extension == ".stl" || extension == ".obj" || extension == ".off";
+  return ending;
+}
+
+bool is_mesh_ending(const std::string& ending) {
+  return ending == ".stl" || ending == ".obj" || ending == ".off";
+}
+
+fs::path without_last_slash(const fs::path& path) {
+  return path.has_filename() || !path.has_relative_path() ? path : path.parent_path();
+}
+
+bool is_below(const fs::path& file, const fs::path& folder) {
+  const auto [in_folder, in_file] = std::ranges::mismatch(folder, file);
+  return in_folder == folder.end() && in_file != file.end();
 }
 
 Result<fs::path> normal_path(const fs::path& path) {
@@ -55,8 +71,10 @@ class FileLister {
   Status add_file(const fs::path& path);
   Status add_folder(const fs::path& folder);
   void add_entries(const fs::path& folder, std::vector<fs::path>& waiting);
+  void add_entry(const fs::directory_entry& entry, std::vector<fs::path>& waiting);
 
   FileList list_;
+  std::set<fs::path> seen_folders_;
 };
 
 Status FileLister::add(const std::string& given) {
@@ -78,6 +96,8 @@ Status FileLister::add_existing(const fs::path& path, fs::file_status status) {
 
 Status FileLister::add_matches(const std::string& pattern) {
   bool any = false;
+  ASSIGN_OR_RETURN(fs::path normal, normal_path(pattern));
+  list_.patterns.push_back(std::move(normal));
   for (const fs::path& path : matches_of(pattern)) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
@@ -100,7 +120,8 @@ Status FileLister::add_file(const fs::path& path) {
 
 Status FileLister::add_folder(const fs::path& folder) {
   ASSIGN_OR_RETURN(fs::path normal, normal_path(folder));
-  std::vector<fs::path> waiting{std::move(normal)};
+  list_.folders.push_back(without_last_slash(normal));
+  std::vector<fs::path> waiting{list_.folders.back()};
   while (!waiting.empty()) {
     const fs::path next = std::move(waiting.back());
     waiting.pop_back();
@@ -109,19 +130,30 @@ Status FileLister::add_folder(const fs::path& folder) {
   return {};
 }
 
+void FileLister::add_entry(const fs::directory_entry& entry, std::vector<fs::path>& waiting) {
+  std::error_code unknown;  // a file whose kind or size cannot be found out is listed: loading it gives the reason
+  const bool is_link = entry.is_symlink(unknown);
+  if (entry.is_directory(unknown)) {
+    if (is_link)
+      ++list_.skipped["link to a folder"];
+    else
+      waiting.push_back(entry.path());
+    return;
+  }
+  const std::string ending = ending_of(entry.path());
+  if (!is_mesh_ending(ending)) {
+    ++list_.skipped[ending.empty() ? "no ending" : path_text(ending)];
+    return;
+  }
+  const std::uintmax_t size = entry.file_size(unknown);
+  list_.files.push_back({entry.path(), unknown ? 0 : std::uint64_t{size}});
+}
+
 void FileLister::add_entries(const fs::path& folder, std::vector<fs::path>& waiting) {
+  if (!seen_folders_.insert(folder).second) return;
   std::error_code error;
   fs::directory_iterator entry(folder, error);
-  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
-    std::error_code unknown;  // a file whose kind or size cannot be found out is listed: loading it gives the reason
-    const bool is_link = entry->is_symlink(unknown);
-    if (entry->is_directory(unknown)) {
-      if (!is_link) waiting.push_back(entry->path());
-    } else if (has_mesh_extension(entry->path())) {
-      const std::uintmax_t size = entry->file_size(unknown);
-      list_.files.push_back({entry->path(), unknown ? 0 : std::uint64_t{size}});
-    }
-  }
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) add_entry(*entry, waiting);
   if (error) list_.unread_folders.push_back(fmt::format("{}: {}", path_text(folder), error.message()));
 }
 
@@ -145,8 +177,27 @@ Result<FileList> list_files(std::span<const std::string> paths) {
   if (!list.files.empty()) return list;
   if (!list.unread_folders.empty())
     return Error{ErrorCode::io_error, "{}, and there is no other file to import", list.unread_folders.front()};
-  return Error{ErrorCode::file_missing, "there is no file to import: no file below {} ends in .stl, .obj or .off",
-               paths.size() == 1 ? path_text(paths.front()) : "the given folders"};
+  return Error{ErrorCode::file_missing, "there is no file to import: no file below {} ends in .stl, .obj or .off{}",
+               paths.size() == 1 ? path_text(paths.front()) : "the given folders",
+               list.skipped.empty() ? "" : fmt::format(" (but {})", skipped_text(list.skipped))};
+}
+
+bool FileList::covers(const std::filesystem::path& file) const {
+  return std::ranges::any_of(folders, [&](const fs::path& folder) { return is_below(file, folder); }) ||
+         std::ranges::any_of(patterns, [&](const fs::path& pattern) {
+           return fnmatch(pattern.c_str(), file.c_str(), FNM_PATHNAME | FNM_PERIOD | FNM_LEADING_DIR) == 0;
+         });
+}
+
+std::string skipped_text(const std::map<std::string, std::uint64_t>& skipped) {
+  constexpr std::size_t kShown = 8;
+  std::vector<std::pair<std::string, std::uint64_t>> kinds(skipped.begin(), skipped.end());
+  std::ranges::stable_sort(kinds, std::ranges::greater(), &std::pair<std::string, std::uint64_t>::second);
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kinds.size(), kShown); ++i)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", kinds[i].second, kinds[i].first);
+  if (kinds.size() > kShown) text += fmt::format(" and {} other endings", kinds.size() - kShown);
+  return text;
 }
 
 std::string path_text(const std::filesystem::path& path) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,7 +20,17 @@ struct ListedFile {
 struct FileList {
   std::vector<ListedFile> files;            ///< sorted by the bytes of the path, each once
   std::vector<std::string> unread_folders;  ///< "FOLDER: reason", sorted
+  /// Files in folders that were not taken, by ending: ".txt" in lower case, "no ending", "link to a folder".
+  std::map<std::string, std::uint64_t> skipped;
+  std::vector<std::filesystem::path> folders;   ///< those given, absolute and lexically normal, without a last /
+  std::vector<std::filesystem::path> patterns;  ///< the same of the patterns given
+
+  /// Whether the file was meant by the given folders and patterns, be it there or not.
+  bool covers(const std::filesystem::path& file) const;
 };
+
+/// "3 .txt, 1 .ply", the most first.
+std::string skipped_text(const std::map<std::string, std::uint64_t>& skipped);
 
 /// The files that `paths` mean. A folder means all files below it whose names end in .stl, .obj or .off (upper or lower
 /// case); symbolic links to folders are not entered there. A file given by name or by a pattern is taken whatever its

@@ -12,7 +12,8 @@
 #include <tbb/task_arena.h>
 #include <xxhash.h>
 
-#include "stl/mapped_file.h"
+#include "stl/input_file.h"
+#include "stl/unwritten_file.h"
 
 namespace queries {
 namespace {
@@ -31,22 +32,42 @@ struct Slot {
   LoadedFile file;
 };
 
+/// Messages of readers begin with the path, which stands in the attribute File.
+std::string without_path(std::string text, const std::string& path) {
+  if (text.starts_with(path + ": ")) text.erase(0, path.size() + 2);
+  return text;
+}
+
 std::string reason_of(const Error& error) {
   return error.message.empty() ? std::string(algebra3d::describe(error.code).meaning) : error.message;
 }
 
+/// Path, size and hash of the content. A sparse file is refused before its zeros are read.
+Result<Store::ImportedFile> identity_of(const ListedFile& listed, const std::string& path, std::uint64_t seed,
+                                        const std::atomic<bool>* cancel) {
+  ASSIGN_OR_RETURN(const stl::InputFile file, stl::InputFile::open(listed.path));
+  RETURN_IF_ERROR(stl::refuse_unwritten(file));
+  const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(), &XXH3_freeState);
+  XXH3_64bits_reset_withSeed(state.get(), seed);
+  RETURN_IF_ERROR(file.for_each_block(cancel, [&](std::string_view block) {
+    XXH3_64bits_update(state.get(), block.data(), block.size());
+    return Status();
+  }));
+  return Store::ImportedFile{path, file.size(), XXH3_64bits_digest(state.get())};
+}
+
 /// Finds size and hash of the content. The hash is taken before the file is loaded: if it is changed in between, the
 /// next import sees another hash and imports it again.
-Slot::Stage hash(Slot& slot, std::uint64_t seed) {
+Slot::Stage hash(Slot& slot, std::uint64_t seed, const std::atomic<bool>* cancel) {
   LoadedFile& file = slot.file;
-  auto mapped = stl::MappedFile::open(slot.listed->path);
-  if (!mapped) {
-    file.status = reason_of(mapped.error());
+  auto identity = identity_of(*slot.listed, file.path, seed, cancel);
+  if (identity) {
+    file.size = identity->size;
+    file.identity = *std::move(identity);
     return Slot::Stage::hashed;
   }
-  const std::string_view bytes = mapped->bytes();
-  file.size = bytes.size();
-  file.identity = Store::ImportedFile{file.path, bytes.size(), XXH3_64bits_withSeed(bytes.data(), bytes.size(), seed)};
+  if (identity.error().code == ErrorCode::interrupted) return Slot::Stage::dropped;
+  file.status = without_path(reason_of(identity.error()), file.path);
   return Slot::Stage::hashed;
 }
 
@@ -186,7 +207,7 @@ void FileLoader::Work::run(Slot& slot, Slot::Stage stage) {
   }
   arena_.enqueue([this, &slot, stage] {
     Slot::Stage after = Slot::Stage::dropped;
-    if (!stop_.load()) after = stage == Slot::Stage::hashing ? hash(slot, options_.hash_seed) : load(slot);
+    if (!stop_.load()) after = stage == Slot::Stage::hashing ? hash(slot, options_.hash_seed, &stop_) : load(slot);
     // Notified under the lock: once it is released, the destructor may end the life of all this.
     const std::lock_guard lock(mutex_);
     slot.stage = after;
@@ -202,11 +223,13 @@ Slot::Stage FileLoader::Work::load(Slot& slot) {
     auto result = reader_(slot.listed->path, &stop_);
     if (result) {
       file.solid = std::move(result->solid);
-      file.status = std::move(result->status);
+      file.status = without_path(std::move(result->status), file.path);
+      file.measures = result->measures;
+      if (!result->was_read) file.identity.reset();
       return Slot::Stage::ready;
     }
     if (result.error().code == ErrorCode::interrupted) return Slot::Stage::dropped;
-    file.status = reason_of(result.error());
+    file.status = without_path(reason_of(result.error()), file.path);
   } catch (const std::bad_alloc&) {
     file.status = "memory is exhausted";
   } catch (const std::exception& exception) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "algebra3d/base/error.h"
+#include "algebra3d/operators/import_solid.h"
 #include "algebra3d/types/spatial.h"
 #include "queries/importer/file_list.h"
 #include "queries/store/store.h"
@@ -21,9 +22,11 @@ struct LoadedFile {
   std::string name;  ///< without folder and extension
   std::string path;  ///< as text; the value of File
   std::optional<algebra3d::Volume3d> solid;
-  std::string status;  ///< "ok", or what was changed, or why there is no solid
+  std::string status;  ///< "ok", or what was changed, or why there is no solid; without the path
+  algebra3d::ImportMeasures measures;
   std::uint64_t size = 0;
-  /// What the file held; none if that could not be read to the end, so that the next import tries again.
+  /// What the file held; none if that could not be read to the end, or changed meanwhile, so that the next import
+  /// tries again.
   std::optional<Store::ImportedFile> identity;
   bool is_known = false;  ///< imported before and unchanged; it was not loaded
 };
@@ -33,6 +36,8 @@ struct LoadedFile {
 struct SolidOrReason {
   std::optional<algebra3d::Volume3d> solid;
   std::string status;
+  bool was_read = true;  ///< false if the file could not be read to its end, or changed meanwhile
+  algebra3d::ImportMeasures measures = {};
 };
 using SolidReader =
     std::function<Result<SolidOrReason>(const std::filesystem::path& file, const std::atomic<bool>* cancel)>;

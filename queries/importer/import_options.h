@@ -13,6 +13,7 @@ struct ImportOptions {
   std::filesystem::path database;  ///< created if it is not there
   std::string relation;            ///< created if it is not there
   std::vector<std::string> paths;  ///< files, folders, patterns of glob(3)
+  bool drops_gone = false;         ///< tuples of files that are gone are dropped
   bool quiet = false;              ///< neither progress nor summary
   int jobs = 0;                    ///< threads that load files; 0: one for each core that the process may use
 

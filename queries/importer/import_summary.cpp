@@ -18,6 +18,7 @@ constexpr std::size_t kLongestReason = 72;
 constexpr std::string_view kDefects = "no valid solid: ";
 constexpr std::string_view kNotRepaired = "; not repaired: ";
 constexpr std::string_view kRepaired = "repaired";
+constexpr std::string_view kWrongCount = "wrong count: ";
 constexpr std::string_view kAtLeast = "at least ";
 
 bool is_digit(char letter) {
@@ -83,9 +84,18 @@ std::string without_numbers(std::string_view text) {
   return rest;
 }
 
+/// The kinds in front of the remark on the count, and that.
+std::vector<std::string> kinds_with_wrong_count(LoadedFile file, std::size_t at) {
+  constexpr std::string_view kSeparator = "; ";
+  file.status.resize(at > kSeparator.size() ? at - kSeparator.size() : 0);
+  std::vector<std::string> kinds = file.status.empty() ? std::vector<std::string>() : reason_kinds(file);
+  kinds.emplace_back("wrong counts of triangles in the header");
+  return kinds;
+}
+
 }  // namespace
 
-ImportSummary::ImportSummary(const FileList& list) : file_count(list.files.size()) {
+ImportSummary::ImportSummary(const FileList& list) : file_count(list.files.size()), skipped(list.skipped) {
   for (const ListedFile& file : list.files) byte_count += file.size;
 }
 
@@ -101,6 +111,7 @@ void ImportSummary::count(const LoadedFile& file, RelationWriter::Written writte
   if (file.solid) {
     ++solid_count;
     if (file.status.starts_with(kRepaired)) ++repaired_count;
+    if (file.status.find(kWrongCount) != std::string::npos) ++wrong_count;
     triangle_count += file.solid->mesh().face_count();
     return;
   }
@@ -114,6 +125,8 @@ double ImportSummary::megabytes_per_second() const {
 }
 
 std::vector<std::string> reason_kinds(const LoadedFile& file) {
+  if (const std::size_t at = file.status.find(kWrongCount); at != std::string::npos)
+    return kinds_with_wrong_count(file, at);
   if (const std::size_t at = file.status.find(kNotRepaired); at != std::string::npos)
     return {"not repaired: " + without_numbers(without_parentheses(file.status.substr(at + kNotRepaired.size())))};
   if (file.status.starts_with(kDefects)) return defect_kinds(std::string_view(file.status).substr(kDefects.size()));
@@ -144,13 +157,17 @@ std::string summary_table(const ImportSummary& summary, std::string_view relatio
   if (summary.known_count > 0) row("  imported before", grouped(summary.known_count));
   row("  solids", grouped(summary.solid_count));
   if (summary.repaired_count > 0) row("  of these repaired", grouped(summary.repaired_count));
+  if (summary.wrong_count > 0) row("  with a wrong count", grouped(summary.wrong_count));
   row("  undefined", grouped(summary.undefined_count));
   if (summary.replaced_count > 0) row("  of these replaced", grouped(summary.replaced_count));
   if (summary.kept_count > 0) row("  unreadable, left as before", grouped(summary.kept_count));
+  if (summary.dropped_count > 0) row("dropped, their files gone", grouped(summary.dropped_count));
   row("triangles", grouped(summary.triangle_count));
   row("batches", grouped(batch_count));
   row("seconds", fmt::format("{:.1f}", summary.seconds()));
   row("MB/s", fmt::format("{:.1f}", summary.megabytes_per_second()));
+  if (!summary.skipped.empty())
+    table += fmt::format("not looked at, for the endings of their names: {}\n", skipped_text(summary.skipped));
   if (summary.reasons.empty()) return table;
 
   std::vector<std::pair<std::string, std::uint64_t>> reasons(summary.reasons.begin(), summary.reasons.end());

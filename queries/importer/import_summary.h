@@ -27,9 +27,12 @@ struct ImportSummary {
   std::uint64_t kept_count = 0;       ///< could not be read; their tuples are those of an earlier import
   std::uint64_t solid_count = 0;      ///< of those inserted or replaced
   std::uint64_t repaired_count = 0;   ///< of the solids
+  std::uint64_t wrong_count = 0;      ///< of the solids: the file's header announces another count of triangles
   std::uint64_t undefined_count = 0;  ///< the others of those
+  std::uint64_t dropped_count = 0;    ///< tuples of files that are gone
   std::uint64_t triangle_count = 0;
   std::uint64_t done_bytes = 0;
+  std::map<std::string, std::uint64_t> skipped;  ///< files that were not looked at, by ending
   std::map<std::string, std::uint64_t> reasons;  ///< files by kind of reason; a file may have several
 
   ImportSummary() = default;

@@ -5,6 +5,8 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <string_view>
+#include <unordered_set>
 
 #include <fmt/format.h>
 #include <tbb/info.h>
@@ -35,7 +37,7 @@ constexpr std::chrono::milliseconds kPatience{100};
 SolidReader solid_reader(const algebra3d::RepairOptions& repair) {
   return [repair](const std::filesystem::path& file, const std::atomic<bool>* cancel) -> Result<SolidOrReason> {
     ASSIGN_OR_RETURN(algebra3d::ImportedSolid imported, algebra3d::import_solid(file, std::nullopt, repair, cancel));
-    return SolidOrReason{std::move(imported.solid), std::move(imported.status)};
+    return SolidOrReason{std::move(imported.solid), std::move(imported.status), imported.was_read, imported.measures};
   };
 }
 
@@ -45,13 +47,13 @@ std::uint64_t seed_of(const algebra3d::RepairOptions& repair) {
   return text.empty() ? 0 : XXH3_64bits(text.data(), text.size());
 }
 
-Status check_relation_name(const std::string& name, const algebra3d::Registry& registry) {
+Status check_relation_name(const std::string& name) {
   Scanner scanner(name);
   const Token word = scanner.take();
   if (word.kind != Token::Kind::word || word.text != name)
     return Error{ErrorCode::wrong_usage,
                  "'{}' cannot name a relation: a name is a letter, followed by letters, digits and _", name};
-  if (is_reserved(name, registry))
+  if (is_reserved(name))
     return Error{ErrorCode::reserved_name, "'{}' is a word of the language and cannot name a relation", name};
   return {};
 }
@@ -67,6 +69,7 @@ class Import {
   static ProgressDisplay::Style progress_style(const ImportOptions& options, const ImportHost& host);
   Status take_in(const FileList& list);
   Status pump(FileLoader& loader, RelationWriter& writer);
+  Status drop_gone(const FileList& list, RelationWriter& writer);
   int fail(const Error& error, int status);
   int conclude(const FileList& list);
 
@@ -85,8 +88,7 @@ ProgressDisplay::Style Import::progress_style(const ImportOptions& options, cons
 }
 
 int Import::run() {
-  if (const Status named = check_relation_name(options_.relation, host_.registry); !named)
-    return fail(named.error(), kWrongUsage);
+  if (const Status named = check_relation_name(options_.relation); !named) return fail(named.error(), kWrongUsage);
   const auto list = list_files(options_.paths);
   if (!list) return fail(list.error(), kFailed);
   summary_ = ImportSummary(*list);
@@ -100,15 +102,35 @@ Status Import::take_in(const FileList& list) {
   RelationWriter writer(*store, options_.relation,
                         {std::chrono::duration<double>(options_.batch_seconds), options_.batch_megabytes * 1e6});
   RETURN_IF_ERROR(writer.prepare());
+  if (writer.lacks_measures())
+    host_.err << fmt::format(
+        "note: '{}' was made by an earlier version and has no attributes for areas, distances and "
+        "volumes; an import into a new relation has them\n",
+        options_.relation);
   const int jobs = options_.jobs > 0 ? options_.jobs : tbb::info::default_concurrency();
   FileLoader loader(list.files, host_.reader ? host_.reader : solid_reader(options_.repair),
                     [&](const Store::ImportedFile& file) { return writer.is_known(file); },
                     {.jobs = jobs, .cancel = host_.cancel, .hash_seed = seed_of(options_.repair)});
   Status status = pump(loader, writer);
+  if (status && options_.drops_gone && !was_interrupted_) status = drop_gone(list, writer);
   if (status) status = writer.commit();
   committed_count_ = writer.committed_count();
   batch_count_ = writer.batch_count();
   return status;
+}
+
+// A file is gone if it was meant, and the system says that there is none: not if its folder could not be read.
+Status Import::drop_gone(const FileList& list, RelationWriter& writer) {
+  std::unordered_set<std::string> listed;
+  for (const ListedFile& file : list.files) listed.insert(path_text(file.path));
+  const auto is_gone = [&](const std::string& file) {
+    constexpr std::string_view kOtherByte = "\\x";  // of a name that is no UTF-8, so that the name is not known
+    if (listed.contains(file) || file.find(kOtherByte) != std::string::npos || !list.covers(file)) return false;
+    std::error_code error;
+    return std::filesystem::status(file, error).type() == std::filesystem::file_type::not_found;
+  };
+  ASSIGN_OR_RETURN(summary_.dropped_count, writer.drop(is_gone));
+  return {};
 }
 
 Status Import::pump(FileLoader& loader, RelationWriter& writer) {

@@ -1,5 +1,8 @@
 #include "queries/importer/relation_writer.h"
 
+#include <cstdint>
+#include <optional>
+
 #include "algebra3d/types/scalars.h"
 #include "queries/streams/relation.h"
 
@@ -11,14 +14,44 @@ using algebra3d::Volume3d;
 
 constexpr std::size_t kFileAttribute = 1;
 
-Tuple tuple_of(const LoadedFile& file) {
+Value real_or_undefined(const std::optional<double>& number) {
+  return number ? Value::of<double>(*number) : Value(algebra3d::TypeOf<double>::type());
+}
+
+Value count_or_undefined(const std::optional<std::uint64_t>& count) {
+  return count ? Value::of(static_cast<std::int64_t>(*count)) : Value(algebra3d::TypeOf<std::int64_t>::type());
+}
+
+Tuple tuple_of(const LoadedFile& file, bool has_measures) {
   Value solid = file.solid ? Value::of(*file.solid) : Value(algebra3d::TypeOf<Volume3d>::type());
-  return {{Value::of(file.name), Value::of(Text{file.path}), std::move(solid), Value::of(Text{file.status})}, 0};
+  Tuple tuple{{Value::of(file.name), Value::of(Text{file.path}), std::move(solid), Value::of(Text{file.status})}, 0};
+  if (!has_measures) return tuple;
+  const algebra3d::ImportMeasures& m = file.measures;
+  tuple.attributes.push_back(count_or_undefined(m.facets_dropped));
+  for (const auto& number : {m.area_seen, m.area_dropped, m.area_added, m.dropped_distance, m.added_distance,
+                             m.volume_before, m.volume_after})
+    tuple.attributes.push_back(real_or_undefined(number));
+  return tuple;
 }
 
 }  // namespace
 
 TypeExpr import_relation_type() {
+  return TypeExpr::rel(TypeExpr::tuple({{"Name", "string"},
+                                        {"File", "text"},
+                                        {"Solid", "volume3d"},
+                                        {"Status", "text"},
+                                        {"FacetsDropped", "int"},
+                                        {"AreaSeen", "real"},
+                                        {"AreaDropped", "real"},
+                                        {"AreaAdded", "real"},
+                                        {"DroppedDistance", "real"},
+                                        {"AddedDistance", "real"},
+                                        {"VolumeBefore", "real"},
+                                        {"VolumeAfter", "real"}}));
+}
+
+TypeExpr earlier_import_relation_type() {
   return TypeExpr::rel(
       TypeExpr::tuple({{"Name", "string"}, {"File", "text"}, {"Solid", "volume3d"}, {"Status", "text"}}));
 }
@@ -31,7 +64,8 @@ Status RelationWriter::prepare() {
   RETURN_IF_ERROR(enter(Mode::reading));
   ASSIGN_OR_RETURN(const auto existing, store_.find(relation_name_));
   leave();
-  const TypeExpr type = import_relation_type();
+  lacks_measures_ = existing && existing->type == earlier_import_relation_type();
+  const TypeExpr type = lacks_measures_ ? existing->type : import_relation_type();
   if (existing && !(existing->type == type))
     return Error{ErrorCode::type_error, "'{}' is of type {}; an import needs {}", relation_name_, existing->type.text(),
                  type.text()};
@@ -46,8 +80,8 @@ Status RelationWriter::prepare() {
 Status RelationWriter::create_relation() {
   algebra3d::Diagnostics diagnostics;
   const algebra3d::Context context{.diagnostics = diagnostics, .folder = {}};
-  const auto empty =
-      std::make_shared<MemoryRelation>(import_relation_type().element(), TupleBuffer(std::vector<TuplePtr>()));
+  const TypeExpr type = lacks_measures_ ? earlier_import_relation_type() : import_relation_type();
+  const auto empty = std::make_shared<MemoryRelation>(type.element(), TupleBuffer(std::vector<TuplePtr>()));
   RETURN_IF_ERROR(store_.assign(relation_name_, Datum{std::shared_ptr<Relation>(empty)}, context));
   RETURN_IF_ERROR(store_.commit());
   mode_ = Mode::none;
@@ -98,15 +132,33 @@ Result<RelationWriter::Written> RelationWriter::put(const LoadedFile& file) {
   RETURN_IF_ERROR(find_earlier_tuples());
   const auto earlier = earlier_tuples_.find(file.path);
   if (earlier == earlier_tuples_.end()) {
-    RETURN_IF_ERROR(relation_->insert(tuple_of(file)));
+    RETURN_IF_ERROR(relation_->insert(tuple_of(file, !lacks_measures_)));
     return Written::inserted;
   }
   // A disk that cannot be read today must not cost the solids that were imported yesterday.
   if (!file.identity) return Written::kept;
   const std::vector<TupleId>& ids = earlier->second;
-  RETURN_IF_ERROR(relation_->update(ids.front(), tuple_of(file)));
+  RETURN_IF_ERROR(relation_->update(ids.front(), tuple_of(file, !lacks_measures_)));
   for (std::size_t i = 1; i < ids.size(); ++i) RETURN_IF_ERROR(relation_->erase(ids[i]));
   return Written::replaced;
+}
+
+Result<std::uint64_t> RelationWriter::drop(const std::function<bool(const std::string& file)>& is_gone) {
+  RETURN_IF_ERROR(enter(Mode::writing));
+  RETURN_IF_ERROR(find_earlier_tuples());
+  std::uint64_t count = 0;
+  for (auto entry = earlier_tuples_.begin(); entry != earlier_tuples_.end();) {
+    const auto& [file, ids] = *entry;
+    if (!is_gone(file)) {
+      ++entry;
+      continue;
+    }
+    for (const TupleId id : ids) RETURN_IF_ERROR(relation_->erase(id));
+    RETURN_IF_ERROR(store_.forget_imported(relation_name_, file));
+    count += ids.size();
+    entry = earlier_tuples_.erase(entry);
+  }
+  return count;
 }
 
 // One pass before the first file is written, which reads no geometry: so a changed file finds its tuple without an

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -11,8 +12,11 @@
 
 namespace queries {
 
-/// The type of a relation of imported solids: Name: string, File: text, Solid: volume3d, Status: text.
+/// The type of a relation of imported solids: Name: string, File: text, Solid: volume3d, Status: text, FacetsDropped:
+/// int, and the reals AreaSeen, AreaDropped, AreaAdded, DroppedDistance, AddedDistance, VolumeBefore, VolumeAfter.
 TypeExpr import_relation_type();
+/// The same without the numbers, as earlier versions made it.
+TypeExpr earlier_import_relation_type();
 
 /// Writes imported files into a relation, in batches: each is one transaction and holds whole files, so that after a
 /// crash the database is as after some batch. A file whose path is in the relation already takes the place of that
@@ -40,10 +44,15 @@ class RelationWriter {
   /// Creates the relation if it is not there; the first call. Errors: type_error if there is another object of that
   /// name; those of the store.
   Status prepare();
+  /// Whether the relation is of an earlier version, so that numbers about the import are not written.
+  bool lacks_measures() const { return lacks_measures_; }
   /// Whether this very content of that path was imported into the relation.
   Result<bool> is_known(const Store::ImportedFile& file);
   /// Takes the file into the current batch.
   Result<Written> write(const LoadedFile& file);
+  /// Drops the tuples with a value of File for which `is_gone`, and forgets that these files were imported; gives the
+  /// number of tuples. Belongs to the current batch.
+  Result<std::uint64_t> drop(const std::function<bool(const std::string& file)>& is_gone);
   /// Commits the current batch if it has reached a limit.
   Status commit_if_due();
   /// Commits the current batch. The files written so far are durable then.
@@ -67,6 +76,7 @@ class RelationWriter {
   std::string relation_name_;
   Limits limits_;
 
+  bool lacks_measures_ = false;
   Mode mode_ = Mode::none;
   std::shared_ptr<Relation> relation_;  // while writing
   Clock::time_point batch_start_;

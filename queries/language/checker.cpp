@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include <fmt/ranges.h>
+
+#include "algebra3d/registry/conversion.h"
 #include "algebra3d/types/scalars.h"
 
 namespace queries {
@@ -18,7 +21,22 @@ bool is_pseudo_type(std::string_view name) {
   return name == "TUPLE" || name == "TUPLE2" || name == "STREAMELEM" || name == "GROUP";
 }
 
-std::optional<std::int32_t> int_literal(const Expression& expression) {
+bool has_attribute(const TypeExpr& type, const std::string& name) {
+  return type.is_tuple() &&
+         std::ranges::find(type.attributes(), name, &TypeExpr::Attribute::name) != type.attributes().end();
+}
+
+// Whether a parameter takes an argument, perhaps after a conversion.
+bool takes(const TypeExpr& parameter, const TypeExpr& argument) {
+  return parameter == argument ||
+         (parameter.arguments().empty() && algebra3d::conversion_cost(argument, parameter.name()));
+}
+
+bool is_literal(const Expression& expression) {
+  return std::holds_alternative<Literal>(expression.node) || std::holds_alternative<TypedLiteral>(expression.node);
+}
+
+std::optional<std::int64_t> int_literal(const Expression& expression) {
   const auto* literal = std::get_if<Literal>(&expression.node);
   if (literal == nullptr || !literal->atom.is_int()) return std::nullopt;
   return literal->atom.as_int();
@@ -37,24 +55,32 @@ Result<TypedPtr> Checker::check(const Literal& literal, const SourcePlace& place
                                 : atom.is_bool()   ? "bool"
                                 : atom.is_string() ? "string"
                                                    : "text";
-  return constant(TypeExpr(type), atom, place);
+  TypedLiteral typed;
+  typed.list = atom;
+  return constant(TypeExpr(type), typed, place);
 }
 
 Result<TypedPtr> Checker::check(const TypedLiteral& literal, const SourcePlace& place) {
   ASSIGN_OR_RETURN(const TypeExpr type, resolve(literal.type));
-  return constant(type, literal.list, place);
+  return constant(type, literal, place);
 }
 
 Result<TypedPtr> Checker::check(const NameUse& use, const SourcePlace& place) {
+  ASSIGN_OR_RETURN(TypedPtr found, find(use.name, place));
+  if (found == nullptr) return unknown_name(use.name, place);
+  return found;
+}
+
+// A parameter or else an object; null if there is neither.
+Result<TypedPtr> Checker::find(const std::string& name, const SourcePlace& place) {
   for (std::size_t level = 0; level < scopes_.size(); ++level) {
     const Scope& scope = scopes_[scopes_.size() - 1 - level];
-    const auto found = std::ranges::find(scope.parameters, use.name, &Parameter::name);
+    const auto found = std::ranges::find(scope.parameters, name, &Parameter::name);
     if (found != scope.parameters.end())
       return make_parameter(found->type, level, static_cast<std::size_t>(found - scope.parameters.begin()), place);
   }
-  ASSIGN_OR_RETURN(const auto type, objects_.type_of(use.name));
-  if (!type) return unknown_name(use.name, place);
-  return make_object(*type, use.name, objects_, place);
+  ASSIGN_OR_RETURN(const auto type, objects_.type_of(name));
+  return type ? make_object(*type, name, objects_, place) : TypedPtr();
 }
 
 Result<TypedPtr> Checker::implicit_parameter(int number, const SourcePlace& place, std::string_view shown) {
@@ -79,7 +105,15 @@ Result<TypedPtr> Checker::check(const AttributeUse& use, const SourcePlace& plac
   if (!tuple->type().is_tuple())
     return Error(ErrorCode::type_error, "'{}': expected a tuple, got {}", shown, tuple->type().text()).at(place);
   auto index = attribute_index(tuple->type(), use.name);
-  if (!index) return std::move(index).error().at(place);
+  if (!index) {
+    const int other = use.parameter == 1 ? 2 : 1;
+    const Scope& scope = *implicit_scope();
+    if (scope.parameters.size() >= 2 && use.parameter <= 2 && has_attribute(scope.parameters[other - 1].type, use.name))
+      return Error(ErrorCode::unknown_name, "unknown attribute '{}', did you mean '{}{}', of the {} stream?", shown,
+                   other == 2 ? ".." : ".", use.name, other == 2 ? "second" : "first")
+          .at(place);
+    return std::move(index).error().at(place);
+  }
   TypeExpr type = tuple->type().attributes()[*index].type;
   return make_attribute(std::move(type), std::move(tuple), *index, place);
 }
@@ -90,29 +124,70 @@ Result<TypedPtr> Checker::check(const ParameterUse& use, const SourcePlace& plac
 
 Result<TypedPtr> Checker::check(const Application& application, const SourcePlace& place) {
   const Operator& op = *registry_.find_operator(application.name);
-  const auto checked = [&](std::vector<TypeExpr>& types) {
-    return op.stream != nullptr ? stream_application(op, application, place, types)
-                                : value_application(op, application, place, types);
-  };
   std::vector<TypeExpr> types;
-  if (recorder_ == nullptr) return checked(types);
+  if (recorder_ == nullptr) return application_node(op, application, place, types);
   const std::size_t step = recorder_->begin(op.name);
-  ASSIGN_OR_RETURN(TypedPtr node, checked(types));
+  ASSIGN_OR_RETURN(TypedPtr node, application_node(op, application, place, types));
   std::string signature = algebra3d::argument_list_text(types) + " -> " + node->type().text();
   return recorder_->finish(step, std::move(signature), std::move(node));
 }
 
+Result<TypedPtr> Checker::application_node(const Operator& op, const Application& application, const SourcePlace& place,
+                                           std::vector<TypeExpr>& types) {
+  std::vector<TypedPtr> checked(application.arguments.size());
+  if (application.is_call) {
+    ASSIGN_OR_RETURN(TypedPtr call, call_of_function(application, place, checked));
+    if (call != nullptr) return call;
+  }
+  return op.stream != nullptr ? stream_application(op, application, checked, place, types)
+                              : value_application(op, application, std::move(checked), place, types);
+}
+
+// The call of a function that has the operator's name, if its parameters take the arguments, else null: a database that
+// had such a function before there was the operator keeps its meaning. No argument is checked twice, or nested calls
+// would take exponential time: `checked` gets the operands that were, and names where the operator expects some do not
+// decide.
+Result<TypedPtr> Checker::call_of_function(const Application& application, const SourcePlace& place,
+                                           std::vector<TypedPtr>& checked) {
+  ASSIGN_OR_RETURN(TypedPtr function, find(application.name, place));
+  if (function == nullptr || !function->type().is_function()) return TypedPtr();
+  const std::vector<TypeExpr> parameters = function->type().function_parameters();
+  if (parameters.size() != checked.size()) return TypedPtr();
+  bool fits = true;
+  for (std::size_t index = 0; index < checked.size(); ++index) {
+    const Argument& argument = application.arguments[index];
+    if (argument.kind != PlaceKind::value) {
+      fits = fits && (argument.value != nullptr || argument.as_operand != nullptr);
+      continue;
+    }
+    ASSIGN_OR_RETURN(checked[index], check(*argument.value));
+    fits = fits && takes(parameters[index], checked[index]->type());
+  }
+  if (!fits) return TypedPtr();
+  std::vector<TypedPtr> arguments = checked;
+  for (std::size_t index = 0; index < arguments.size(); ++index) {
+    const Argument& argument = application.arguments[index];
+    if (arguments[index] == nullptr) {
+      ASSIGN_OR_RETURN(arguments[index], check(argument.value ? *argument.value : *argument.as_operand));
+    }
+    ASSIGN_OR_RETURN(arguments[index], fitted(std::move(arguments[index]), parameters[index], application.name));
+  }
+  return make_function_call(std::move(function), std::move(arguments), place);
+}
+
+// `checked` holds the operands that are checked already.
 Result<TypedPtr> Checker::value_application(const Operator& op, const Application& application,
-                                            const SourcePlace& place, std::vector<TypeExpr>& types) {
-  std::vector<TypedPtr> arguments;
-  for (const Argument& argument : application.arguments) {
-    ASSIGN_OR_RETURN(TypedPtr node, check(*argument.value));
-    types.push_back(node->type());
-    arguments.push_back(std::move(node));
+                                            std::vector<TypedPtr> checked, const SourcePlace& place,
+                                            std::vector<TypeExpr>& types) {
+  for (std::size_t index = 0; index < checked.size(); ++index) {
+    if (checked[index] == nullptr) {
+      ASSIGN_OR_RETURN(checked[index], check(*application.arguments[index].value));
+    }
+    types.push_back(checked[index]->type());
   }
   auto call = registry_.resolve(op, types);
   if (!call) return std::move(call).error().at(place);
-  return make_value_call(*call, std::move(arguments), place);
+  return make_value_call(*call, std::move(checked), place);
 }
 
 Status Checker::check_place_count(const Operator& op, const Application& application, const SourcePlace& place) {
@@ -132,7 +207,8 @@ Status Checker::check_place_count(const Operator& op, const Application& applica
 }
 
 Result<TypedPtr> Checker::stream_application(const Operator& op, const Application& application,
-                                             const SourcePlace& place, std::vector<TypeExpr>& shown_types) {
+                                             const std::vector<TypedPtr>& checked, const SourcePlace& place,
+                                             std::vector<TypeExpr>& shown_types) {
   RETURN_IF_ERROR(check_place_count(op, application, place));
   const SyntaxPattern& pattern = registry_.syntax(op);
   static const std::vector<std::string> none;
@@ -145,7 +221,7 @@ Result<TypedPtr> Checker::stream_application(const Operator& op, const Applicati
     const bool is_declared = !is_operand && bracket < pattern.places.size();
     const FunctionPlace functions{is_declared ? pattern.places[bracket].parameters : none, operands};
     ArgumentType type;
-    auto node = checked_argument(application.arguments[index], functions, type);
+    auto node = checked_argument(application.arguments[index], checked[index], functions, type);
     if (!node) {
       Error error = std::move(node).error();
       if (!error.place.is_known()) error.message = op.name + ": " + error.message;
@@ -159,20 +235,27 @@ Result<TypedPtr> Checker::stream_application(const Operator& op, const Applicati
     nodes.push_back(std::move(node).value());
     types.push_back(std::move(type));
   }
-  auto plan = static_cast<const StreamOperator&>(*op.stream).mapping()(types);
+  auto plan = static_cast<const StreamOperator&>(*op.stream).plan(types, context_);
   if (!plan) return std::move(plan).error().at(place);
   return make_stream_call(std::move(plan).value(), std::move(nodes), place);
 }
 
-Result<TypedPtr> Checker::checked_argument(const Argument& argument, const FunctionPlace& function_place,
-                                           ArgumentType& type) {
+Result<TypedPtr> Checker::checked_argument(const Argument& argument, const TypedPtr& checked,
+                                           const FunctionPlace& function_place, ArgumentType& type) {
+  if (argument.misread) return *argument.misread;
   type.names = argument.names;
   type.modifiers = argument.modifiers;
   switch (argument.kind) {
     case PlaceKind::value: {
-      ASSIGN_OR_RETURN(TypedPtr node, check(*argument.value));
+      TypedPtr node = checked;
+      if (node == nullptr) {
+        ASSIGN_OR_RETURN(node, check(*argument.value));
+      }
       type.type = node->type();
       type.literal = int_literal(*argument.value);
+      // Outside of all functions nothing depends on a parameter.
+      if (scopes_.empty() || is_literal(*argument.value))
+        type.constant = [node, &context = context_] { return node->evaluate_value(nullptr, context); };
       return node;
     }
     case PlaceKind::function: {
@@ -260,7 +343,7 @@ Result<TypedPtr> Checker::check(const FunctionReference& reference, const Source
 
 Result<TypedPtr> Checker::fitted(TypedPtr argument, const TypeExpr& wanted, const std::string& what) {
   if (argument->type() == wanted) return argument;
-  if (wanted.is("real") && argument->type().is("int")) return make_promotion(std::move(argument));
+  if (takes(wanted, argument->type())) return make_conversion(std::move(argument), *registry_.find_type(wanted.name()));
   return Error(ErrorCode::type_error, "{}: expected {}, got {}", what, wanted.text(), argument->type().text())
       .at(argument->place());
 }
@@ -269,6 +352,10 @@ Result<TypedPtr> Checker::check(const FunctionCall& call, const SourcePlace& pla
   auto function = check(NameUse{call.name}, place);
   if (!function) {
     if (function.error().code != ErrorCode::unknown_name) return std::move(function).error();
+    if (const Operator* op = registry_.find_operator(call.name); op != nullptr)
+      return Error(ErrorCode::unknown_name, "there is no function '{}'; the operator of that name is written {}",
+                   call.name, op->written())
+          .at(place);
     const std::string suggestion = registry_.suggestion(call.name);
     return Error(ErrorCode::unknown_name, "unknown operator '{}'{}", call.name,
                  suggestion.empty() ? "" : ", did you mean '" + suggestion + "'?")
@@ -299,12 +386,51 @@ Result<TypedPtr> Checker::check(const ListExpression& list, const SourcePlace& p
 }
 
 Error Checker::unknown_name(const std::string& name, const SourcePlace& place) {
+  const std::vector<std::string> attributes = attributes_in_reach(name);
+  const Operator* op = registry_.find_operator(name);
   std::string message = "unknown name '" + name + "'";
-  const std::vector<std::string> names = objects_.names();
-  std::string suggestion = algebra3d::nearest_name(name, names);
-  if (suggestion.empty()) suggestion = registry_.suggestion(name);
-  if (!suggestion.empty()) message += ", did you mean '" + suggestion + "'?";
+  if (!attributes.empty())
+    message += fmt::format(", did you mean the attribute '{}'?", fmt::join(attributes, "' or '"));
+  else if (op != nullptr)
+    message = fmt::format("there is no object '{}'; the operator of that name is written {}", name, op->written());
+  else if (const std::string meant = name_meant(name); !meant.empty())
+    message += ", did you mean '" + meant + "'?";
   return Error(ErrorCode::unknown_name, message).at(place);
+}
+
+const Checker::Scope* Checker::implicit_scope() const {
+  const auto found =
+      std::find_if(scopes_.rbegin(), scopes_.rend(), [](const Scope& scope) { return scope.is_implicit; });
+  return found == scopes_.rend() ? nullptr : &*found;
+}
+
+// How attributes of that name are written here: `.Name`, `..Name`, attr(t, Name).
+std::vector<std::string> Checker::attributes_in_reach(const std::string& name) const {
+  std::vector<std::string> written;
+  const Scope* implicit = implicit_scope();
+  for (std::size_t i = 0; implicit != nullptr && i < implicit->parameters.size(); ++i)
+    if (has_attribute(implicit->parameters[i].type, name)) written.push_back((i == 0 ? "." : "..") + name);
+  if (!written.empty() || scopes_.empty()) return written;
+  for (const Parameter& parameter : scopes_.back().parameters)
+    if (has_attribute(parameter.type, name)) written.push_back("attr(" + parameter.name + ", " + name + ")");
+  return written;
+}
+
+// The nearest of the objects, else of the attributes, else of the operators that begin an operand.
+std::string Checker::name_meant(const std::string& name) {
+  if (algebra3d::is_equal_but_for_case(name, "TRUE")) return "TRUE";
+  if (algebra3d::is_equal_but_for_case(name, "FALSE")) return "FALSE";
+  std::string nearest = algebra3d::nearest_name(name, objects_.names());
+  if (!nearest.empty()) return nearest;
+  std::vector<std::string> attributes;
+  if (const Scope* implicit = implicit_scope(); implicit != nullptr && !implicit->parameters.empty())
+    if (const TypeExpr& type = implicit->parameters.front().type; type.is_tuple())
+      for (const TypeExpr::Attribute& attribute : type.attributes()) attributes.push_back(attribute.name);
+  nearest = algebra3d::nearest_name(name, attributes);
+  if (!nearest.empty()) return "." + nearest;
+  nearest = registry_.suggestion(name);
+  const Operator* op = registry_.find_operator(nearest);
+  return op != nullptr && registry_.syntax(*op).shape == SyntaxPattern::Shape::prefix ? nearest : "";
 }
 
 Result<std::size_t> attribute_index(const TypeExpr& tuple, const std::string& name) {

@@ -49,22 +49,33 @@ class Checker {
   Result<TypedPtr> check(const FunctionLiteral& function, const SourcePlace& place);
   Result<TypedPtr> check(const FunctionReference& reference, const SourcePlace& place);
 
+  Result<TypedPtr> application_node(const algebra3d::Operator& op, const Application& application,
+                                    const SourcePlace& place, std::vector<TypeExpr>& types);
+  Result<TypedPtr> call_of_function(const Application& application, const SourcePlace& place,
+                                    std::vector<TypedPtr>& checked);
   Result<TypedPtr> value_application(const algebra3d::Operator& op, const Application& application,
-                                     const SourcePlace& place, std::vector<TypeExpr>& types);
+                                     std::vector<TypedPtr> checked, const SourcePlace& place,
+                                     std::vector<TypeExpr>& types);
   Result<TypedPtr> stream_application(const algebra3d::Operator& op, const Application& application,
-                                      const SourcePlace& place, std::vector<TypeExpr>& shown_types);
-  Result<TypedPtr> checked_argument(const Argument& argument, const FunctionPlace& function_place, ArgumentType& type);
+                                      const std::vector<TypedPtr>& checked, const SourcePlace& place,
+                                      std::vector<TypeExpr>& shown_types);
+  Result<TypedPtr> checked_argument(const Argument& argument, const TypedPtr& checked,
+                                    const FunctionPlace& function_place, ArgumentType& type);
   Result<TypedPtr> function_argument(const Expression& expression, const FunctionPlace& place);
   Result<TypedPtr> explicit_function(const FunctionLiteral& function, const FunctionPlace& functions,
                                      const SourcePlace& place);
   Result<TypedPtr> make_checked_function(Scope scope, const Expression& body, const SourcePlace& place);
   Result<TypedPtr> implicit_parameter(int number, const SourcePlace& place, std::string_view shown);
-  Result<TypedPtr> constant(const TypeExpr& type, const NestedList& list, const SourcePlace& place);
-  Result<Datum> relation_constant(const TypeExpr& type, const NestedList& list, const SourcePlace& place);
+  Result<TypedPtr> constant(const TypeExpr& type, const TypedLiteral& literal, const SourcePlace& place);
+  Result<Datum> relation_constant(const TypeExpr& type, const TypedLiteral& literal, const SourcePlace& place);
   Result<TypedPtr> fitted(TypedPtr argument, const TypeExpr& wanted, const std::string& what);
   Status check_type_name(const TypeExpr& type, const SourcePlace& place);
   Status check_place_count(const algebra3d::Operator& op, const Application& application, const SourcePlace& place);
+  Result<TypedPtr> find(const std::string& name, const SourcePlace& place);
   algebra3d::Error unknown_name(const std::string& name, const SourcePlace& place);
+  std::string name_meant(const std::string& name);
+  std::vector<std::string> attributes_in_reach(const std::string& name) const;
+  const Scope* implicit_scope() const;
 
   const algebra3d::Registry& registry_;
   ObjectSource& objects_;

@@ -1,8 +1,10 @@
 #include "queries/language/command_parser.h"
 
+#include <algorithm>
 #include <array>
 
 #include "algebra3d/registry/registry.h"
+#include "queries/language/parser.h"
 
 namespace queries {
 
@@ -10,6 +12,20 @@ using algebra3d::Error;
 using algebra3d::ErrorCode;
 using algebra3d::Result;
 using algebra3d::Status;
+
+namespace {
+
+/// Commands of other languages, and what is written here.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kWordsOfOthers = {{
+    {"select", kInsteadOfSelect},
+    {"insert", "write query RELATION inserttuple[VALUES] consume"},
+    {"drop", "write delete NAME, or delete database NAME"},
+    {"show", "write list objects, or query NAME"},
+    {"use", "write open database NAME"},
+    {"print", "write query EXPRESSION"},
+}};
+
+}  // namespace
 
 Result<Command> CommandParser::parse() {
   ASSIGN_OR_RETURN(Command result, command());
@@ -68,12 +84,22 @@ CommandParser::Content CommandParser::content() {
   return unknown_command();
 }
 
+bool CommandParser::begins_command(std::string_view word) {
+  return std::ranges::find(forms(), word, &Form::word) != forms().end();
+}
+
 Error CommandParser::unknown_command() {
+  for (const auto& [word, right] : kWordsOfOthers)
+    if (algebra3d::is_equal_but_for_case(word, input_.shown_word()))
+      return Error(ErrorCode::syntax_error, "there is no command '{}'; {}", input_.shown_word(), right)
+          .at(input_.place());
   std::vector<std::string> words;
   for (const Form& form : forms()) words.emplace_back(form.word);
   const std::string suggestion = algebra3d::nearest_name(input_.shown_word(), words);
   Error error = input_.unexpected("a command (query, let, update, create, delete, open, list, ... see `help`)");
   if (!suggestion.empty()) error.message += "; did you mean '" + suggestion + "'?";
+  if (!suggestion.empty() && algebra3d::is_equal_but_for_case(suggestion, input_.shown_word()))
+    error.message += " Commands are written in lower case";
   return error;
 }
 

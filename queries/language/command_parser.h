@@ -18,6 +18,8 @@ class CommandParser {
 
   /// One command and nothing after it. Errors: syntax_error, unknown_name with the commands that there are.
   algebra3d::Result<Command> parse();
+  /// True for the words with which commands begin.
+  static bool begins_command(std::string_view word);
 
  private:
   using Content = algebra3d::Result<CommandContent>;

@@ -19,7 +19,7 @@ bool is_shell_command(std::string_view text) {
   if (text.starts_with('@') || text.starts_with('?')) return true;
   std::string word(text.substr(0, text.find_first_of(" \t\n;")));
   std::ranges::transform(word, word.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return word == "help" || word == "q" || word == "quit" || word == "debug" || word == "repeat";
+  return word == "help" || word == "q" || word == "quit" || word == "exit" || word == "debug" || word == "repeat";
 }
 
 std::vector<CommandText> CommandReader::add_line(std::string_view line) {

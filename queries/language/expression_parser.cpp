@@ -37,6 +37,37 @@ int precedence_of(std::string_view name) {
   return row == kPrecedences.end() ? 3 : row->second;
 }
 
+bool is_number(const Token& token) {
+  return token.kind == Kind::integer || token.kind == Kind::real;
+}
+
+// The operator of ours for one of other languages.
+std::string_view written_here(const Token& token) {
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kOperators = {{
+      {"==", "'=' for equality"},
+      {"!=", "'#' for inequality"},
+      {"<>", "'#' for inequality"},
+      {"=>", "'>='"},
+      {"=<", "'<='"},
+      {"&&", "'and'"},
+      {"&", "'and'"},
+      {"||", "'or'"},
+      {"!", "'not(...)'"},
+      {"~", "'not(...)'"},
+      {"%", "'mod'"},
+  }};
+  if (token.kind != Kind::special) return "";
+  const auto* const row = std::ranges::find(kOperators, token.text, [](const auto& entry) { return entry.first; });
+  return row == kOperators.end() ? "" : row->second;
+}
+
+// Of longer constants errors have the place of the whole.
+constexpr std::size_t kLongestKeptLiteral = 1'000'000;
+
+bool is_sql(std::string_view word) {
+  return word == "select" || word == "SELECT" || word == "Select";
+}
+
 Argument value_argument(ExpressionPtr value) {
   Argument argument;
   argument.place = value->place;
@@ -69,7 +100,12 @@ bool ExpressionParser::accept(std::string_view spelling) {
 Error ExpressionParser::unexpected(std::string_view what) {
   const Token& token = scanner_.peek();
   if (scanner_.error()) return *scanner_.error();
-  return Error(ErrorCode::syntax_error, "expected {}, found {}", what, token.shown()).at(token.place);
+  if (const std::string_view right = written_here(token); !right.empty())
+    return Error(ErrorCode::syntax_error, "there is no operator '{}'; write {}", token.text, right).at(token.place);
+  const bool has_dot = token.kind == Kind::attribute && what.find("attribute name") != std::string_view::npos;
+  return Error(ErrorCode::syntax_error, "expected {}, found {}{}", what, token.shown(),
+               has_dot ? "; it stands without a dot here" : "")
+      .at(token.place);
 }
 
 Status ExpressionParser::expect(std::string_view spelling, std::string_view context) {
@@ -83,7 +119,7 @@ Status ExpressionParser::expect_end() {
 }
 
 Result<std::string> ExpressionParser::name(std::string_view what) {
-  if (scanner_.peek().kind != Kind::word) return unexpected(what);
+  if (!scanner_.peek().is_name()) return unexpected(what);
   return scanner_.take().text;
 }
 
@@ -111,7 +147,8 @@ Result<ExpressionPtr> ExpressionParser::binary(int lowest_precedence) {
     if (precedence < lowest_precedence) break;
     const SourcePlace place = scanner_.take().place;
     ASSIGN_OR_RETURN(ExpressionPtr right, binary(precedence + 1));
-    left = make(place, Application{op->name, {value_argument(std::move(left)), value_argument(std::move(right))}});
+    left =
+        make(place, Application{op->name, {value_argument(std::move(left)), value_argument(std::move(right))}, false});
     RETURN_IF_ERROR(check_height(*left));
   }
   --depth_;
@@ -119,26 +156,71 @@ Result<ExpressionPtr> ExpressionParser::binary(int lowest_precedence) {
 }
 
 Result<ExpressionPtr> ExpressionParser::chain() {
+  if (at("-") && !is_number(scanner_.peek(1))) return negation();
+  const auto outer_suspicion = std::exchange(suspicion_, std::nullopt);
   ASSIGN_OR_RETURN(std::vector<ExpressionPtr> found, operands());
-  if (found.size() > 1) return not_an_operator(found[1]);
+  if (found.size() > 1) return suspicion_ ? *suspicion_ : not_an_operator(found[1]);
+  suspicion_ = outer_suspicion;
   return std::move(found.front());
+}
+
+// A minus before anything but a number: `-` with one operand. It binds looser than postfix operators.
+Result<ExpressionPtr> ExpressionParser::negation() {
+  RETURN_IF_ERROR(deeper());
+  ++depth_;
+  const SourcePlace place = scanner_.take().place;
+  ASSIGN_OR_RETURN(ExpressionPtr operand, chain());
+  --depth_;
+  ExpressionPtr negated = make(place, Application{"-", {value_argument(std::move(operand))}, false});
+  RETURN_IF_ERROR(check_height(*negated));
+  return negated;
 }
 
 // Operands side by side, consumed by the postfix operators that follow them.
 Result<std::vector<ExpressionPtr>> ExpressionParser::operands() {
   std::vector<ExpressionPtr> found;
   while (true) {
-    if (const Operator* op = operator_at(Shape::postfix); op != nullptr) {
+    if (const Operator* op = postfix_operator_at(found.size()); op != nullptr) {
       RETURN_IF_ERROR(postfix_application(*op, found));
     } else if (at("{") && !found.empty()) {
       RETURN_IF_ERROR(annotation(found.back()));
     } else if (found.empty() || starts_operand()) {
+      suspect_operator(found.size());
       ASSIGN_OR_RETURN(ExpressionPtr operand, primary());
       found.push_back(std::move(operand));
     } else {
       return found;
     }
   }
+}
+
+// With too few operands before it, the word is the name of an operand.
+const Operator* ExpressionParser::postfix_operator_at(std::size_t operand_count) {
+  const Operator* op = operator_at(Shape::postfix);
+  return op != nullptr && operand_count >= registry_.syntax(*op).operand_count ? op : nullptr;
+}
+
+// Called where an operand begins.
+void ExpressionParser::suspect_operator(std::size_t operand_count) {
+  const Token& word = scanner_.peek();
+  if (word.kind == Kind::word && !suspicion_ && is_sql(word.text))
+    suspicion_ =
+        Error(ErrorCode::syntax_error, "there is no '{}' here; {}", word.text, kInsteadOfSelect).at(word.place);
+  const Operator* op = word.kind == Kind::word && !suspicion_ ? registry_.find_operator(word.text) : nullptr;
+  if (op == nullptr) return;
+  const SyntaxPattern& pattern = registry_.syntax(*op);
+  if (pattern.shape == Shape::prefix) {
+    const Token& next = scanner_.peek(1);
+    if (next.is("(") || scanner_.error()) return;
+    suspicion_ =
+        Error(ErrorCode::syntax_error, "expected '(' after the operator '{}', found {}", op->name, next.shown())
+            .at(next.place);
+    return;
+  }
+  const std::size_t expected = pattern.shape == Shape::infix ? 1 : pattern.operand_count;
+  suspicion_ = Error(ErrorCode::syntax_error, "{}: expected {} operand{} before it, found {} (syntax: {})", op->name,
+                     expected, expected == 1 ? "" : "s", operand_count, op->syntax)
+                   .at(word.place);
 }
 
 bool ExpressionParser::starts_operand() {
@@ -150,8 +232,7 @@ bool ExpressionParser::starts_operand() {
       return token.text == "(" || token.text == "[";
     case Kind::word: {
       if (token.text == "fun" || token.text == "group" || token.text == "tuple") return true;
-      const Operator* op = registry_.find_operator(token.text);
-      return op == nullptr ? !is_reserved(token.text, registry_) : registry_.syntax(*op).shape == Shape::prefix;
+      return !is_reserved(token.text) && operator_at(Shape::infix) == nullptr;
     }
     default:
       return true;
@@ -160,6 +241,7 @@ bool ExpressionParser::starts_operand() {
 
 // Two operands with nothing between them: the second is most likely a misspelt operator.
 Error ExpressionParser::not_an_operator(const ExpressionPtr& second) {
+  if (scanner_.error()) return *scanner_.error();
   std::string message = "expected an operator between two operands";
   std::string word;
   if (const auto* use = std::get_if<NameUse>(&second->node)) word = use->name;
@@ -194,8 +276,14 @@ Result<ExpressionPtr> ExpressionParser::primary() {
     }
     case Kind::parameter:
       return make(place, ParameterUse{scanner_.take().parameter});
+    case Kind::constant: {
+      ASSIGN_OR_RETURN(ExpressionNode constant, parameter_constant(parameters_, scanner_.take()));
+      return make(place, std::move(constant));
+    }
     case Kind::word:
       return word_primary();
+    case Kind::name:
+      return name_or_call(scanner_.take());
     default:
       break;
   }
@@ -221,9 +309,10 @@ Result<ExpressionPtr> ExpressionParser::signed_number() {
   const double value = is_negative ? -number.real : number.real;
   // `+5` is a real by the rules of the language.
   if (number.kind == Kind::real || (is_signed && !is_negative)) return make(place, Literal{NestedList(value)});
-  if (value > std::numeric_limits<std::int32_t>::max())
-    return Error(ErrorCode::syntax_error, "{}", int_range_text(fmt::format("{:.0f}", value))).at(place);
-  return make(place, Literal{NestedList(static_cast<std::int32_t>(value))});
+  if (is_negative) return make(place, Literal{NestedList(static_cast<std::int64_t>(0 - number.integer))});
+  if (number.integer > std::numeric_limits<std::int64_t>::max())
+    return Error(ErrorCode::syntax_error, "{}", int_range_text(std::to_string(number.integer))).at(place);
+  return make(place, Literal{NestedList(static_cast<std::int64_t>(number.integer))});
 }
 
 Result<ExpressionPtr> ExpressionParser::word_primary() {
@@ -233,23 +322,40 @@ Result<ExpressionPtr> ExpressionParser::word_primary() {
     scanner_.take();
     return make(token.place, ParameterUse{1});
   }
-  if (const Operator* op = operator_at(Shape::prefix); op != nullptr) return prefix_application(*op);
-  if (is_reserved(token.text, registry_))
-    return Error(ErrorCode::syntax_error, "{}", no_operand_text(token.text, registry_)).at(token.place);
+  if (is_reserved(token.text)) return Error(ErrorCode::syntax_error, "{}", no_operand_text(token.text)).at(token.place);
+  const Operator* op = registry_.find_operator(token.text);
   scanner_.take();
+  if (op != nullptr && at("(")) {
+    if (registry_.syntax(*op).shape == Shape::prefix) return prefix_application(*op, token.place);
+    if (op->also_prefix) return call_of_postfix(*op, token.place);
+  }
+  return name_or_call(token);
+}
+
+// `rect2region(r)` for `r rect2region`.
+Result<ExpressionPtr> ExpressionParser::call_of_postfix(const Operator& op, const SourcePlace& place) {
+  ASSIGN_OR_RETURN(const ExpressionPtr written, function_call(op.name, place));
+  Application application{op.name, {}, true};
+  for (const ExpressionPtr& operand : std::get<FunctionCall>(written->node).arguments)
+    application.arguments.push_back(value_argument(operand));
+  return make(place, std::move(application));
+}
+
+// The name, which is taken already, in operand position.
+Result<ExpressionPtr> ExpressionParser::name_or_call(const Token& token) {
   if (at("(")) return function_call(token.text, token.place);
   const bool is_operand = !at("[") || scanner_.peek(1).is("const");
   if (is_operand) return make(token.place, NameUse{token.text});
   // `feeed[...]`: a bracket after a name is the argument list of an operator that there is not.
+  if (suspicion_ && registry_.find_operator(token.text) != nullptr) return *suspicion_;
   return not_an_operator(make(token.place, NameUse{token.text}));
 }
 
-Result<ExpressionPtr> ExpressionParser::prefix_application(const Operator& op) {
-  const SourcePlace place = scanner_.take().place;
-  RETURN_IF_ERROR(expect("(", "after the operator '" + op.name + "'"));
-  Application application{op.name, {}};
+Result<ExpressionPtr> ExpressionParser::prefix_application(const Operator& op, SourcePlace place) {
+  scanner_.take();
+  Application application{op.name, {}, true};
   RETURN_IF_ERROR(places(registry_.syntax(op), ")", application.arguments));
-  return make(place, std::move(application));
+  return make(std::move(place), std::move(application));
 }
 
 Result<ExpressionPtr> ExpressionParser::function_call(std::string function, SourcePlace place) {
@@ -266,18 +372,15 @@ Result<ExpressionPtr> ExpressionParser::function_call(std::string function, Sour
 
 Status ExpressionParser::postfix_application(const Operator& op, std::vector<ExpressionPtr>& operands) {
   const SyntaxPattern& pattern = registry_.syntax(op);
-  const SourcePlace place = scanner_.peek().place;
-  if (operands.size() < pattern.operand_count)
-    return Error(ErrorCode::syntax_error, "{}: expected {} operand{} before it, found {} (syntax: {})", op.name,
-                 pattern.operand_count, pattern.operand_count == 1 ? "" : "s", operands.size(), op.syntax)
-        .at(place);
-  scanner_.take();
-  Application application{op.name, {}};
+  const SourcePlace place = scanner_.take().place;
+  Application application{op.name, {}, false};
   const auto first = operands.end() - static_cast<std::ptrdiff_t>(pattern.operand_count);
   for (auto operand = first; operand != operands.end(); ++operand)
     application.arguments.push_back(value_argument(std::move(*operand)));
   operands.erase(first, operands.end());
-  if (pattern.has_brackets) {
+  // `_ rduph[...]`: where nothing must stand in the brackets they may be left out.
+  const bool may_leave_out = pattern.places.empty() && !at("[");
+  if (pattern.has_brackets && !may_leave_out) {
     RETURN_IF_ERROR(expect("[", "after '" + op.name + "' (syntax: " + op.syntax + ")"));
     RETURN_IF_ERROR(places(pattern, "]", application.arguments));
   }
@@ -289,12 +392,12 @@ Status ExpressionParser::postfix_application(const Operator& op, std::vector<Exp
 Status ExpressionParser::annotation(ExpressionPtr& operand) {
   const SourcePlace place = scanner_.take().place;
   const Token first = scanner_.take();
-  if (first.kind == Kind::word && first.text != "memory") {
+  if (first.is_name() && !first.is("memory")) {
     Argument argument;
     argument.kind = SyntaxPattern::PlaceKind::name;
     argument.names = {first.text};
     argument.place = first.place;
-    operand = make(place, Application{"rename", {value_argument(operand), std::move(argument)}});
+    operand = make(place, Application{"rename", {value_argument(operand), std::move(argument)}, false});
     RETURN_IF_ERROR(check_height(*operand));
   } else {
     const bool is_memory = first.kind == Kind::word;
@@ -388,8 +491,7 @@ Status ExpressionParser::rename_list(Argument& argument) {
   do {
     ASSIGN_OR_RETURN(std::string renamed, name("the new name of an attribute"));
     RETURN_IF_ERROR(expect(":", "after the new name '" + renamed + "'"));
-    if (scanner_.peek().kind != Kind::word && scanner_.peek().kind != Kind::string)
-      return unexpected("an attribute name");
+    if (!scanner_.peek().is_name() && scanner_.peek().kind != Kind::string) return unexpected("an attribute name");
     argument.names.push_back(std::move(renamed));
     argument.modifiers.push_back(scanner_.take().text);
   } while (accept(","));
@@ -405,7 +507,7 @@ Result<ExpressionPtr> ExpressionParser::list() {
   ListExpression content;
   while (!at("]")) {
     ListExpression::Item item;
-    const bool is_named = scanner_.peek().kind == Kind::word && scanner_.peek(1).is(":");
+    const bool is_named = scanner_.peek().is_name() && scanner_.peek(1).is(":");
     if (is_named) {
       item.name = scanner_.take().text;
       scanner_.take();
@@ -441,13 +543,15 @@ Result<ExpressionPtr> ExpressionParser::typed_literal() {
   auto list = NestedList::parse(*raw, list_place);
   if (!list) return std::move(list).error();
   literal.list = std::move(list).value();
+  if (raw->size() <= kLongestKeptLiteral) literal.written = std::make_shared<const std::string>(*raw);
+  literal.list_place = list_place;
   RETURN_IF_ERROR(expect("]", "after the value of a constant"));
   return make(place, std::move(literal));
 }
 
 Result<ExpressionPtr> ExpressionParser::function_literal() {
   const SourcePlace place = scanner_.take().place;
-  if (scanner_.peek().kind == Kind::word) return make(place, FunctionReference{scanner_.take().text});
+  if (scanner_.peek().is_name()) return make(place, FunctionReference{scanner_.take().text});
   RETURN_IF_ERROR(expect("(", "or the name of a function object after 'fun'"));
   FunctionLiteral function;
   while (!at(")")) {
@@ -457,9 +561,8 @@ Result<ExpressionPtr> ExpressionParser::function_literal() {
       return Error(ErrorCode::reserved_name, "'{}' stands for an implicit parameter and cannot name another one",
                    parameter)
           .at(parameter_place);
-    if (is_reserved(parameter, registry_))
-      return Error(ErrorCode::reserved_name, "'{}' is {} and cannot name a parameter", parameter,
-                   why_reserved(parameter, registry_))
+    if (is_reserved(parameter))
+      return Error(ErrorCode::reserved_name, "'{}' is a word of the language and cannot name a parameter", parameter)
           .at(parameter_place);
     RETURN_IF_ERROR(expect(":", "after the parameter '" + parameter + "'"));
     ASSIGN_OR_RETURN(TypeSyntax parameter_type, type());

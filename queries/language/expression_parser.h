@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "algebra3d/registry/registry.h"
 #include "queries/language/scanner.h"
+#include "queries/language/session_parameters.h"
 #include "queries/language/syntax_tree.h"
 
 namespace queries {
@@ -15,9 +17,20 @@ using algebra3d::Status;
 
 /// Recursive descent over one scanner. Grammar: language.md 3.2 to 3.5 with conventional precedence (docs/language.md).
 /// Depth is limited by kMaxExpressionDepth.
+///
+/// Names of operators are no reserved words, so that a new operator breaks no script and no database: where a word
+/// stands decides what it is, without looking at the objects that there are.
+/// - Where an operand begins (at the beginning, after an infix operator, a bracket, a comma) a word is a name, and with
+///   `(` behind it a call. A call of a prefix operator's name is an Application with `is_call`: the checker gives it to
+///   a function of that name if the parameters take the arguments.
+/// - Behind an operand the name of an infix operator is that operator; so is the name of a postfix operator if as many
+///   operands stand before it as it takes. Any other word is one more operand of a postfix operator that follows.
+/// - A word in backquotes is a name wherever it stands. Words of the language are reserved (is_reserved).
 class ExpressionParser {
  public:
-  ExpressionParser(Scanner& scanner, const algebra3d::Registry& registry) : scanner_(scanner), registry_(registry) {}
+  /// `parameters`: what `$name` stands for; null for none.
+  ExpressionParser(Scanner& scanner, const algebra3d::Registry& registry, const SessionParameters* parameters = nullptr)
+      : scanner_(scanner), registry_(registry), parameters_(parameters) {}
 
   Result<ExpressionPtr> expression() { return binary(1); }
   Result<TypeSyntax> type();
@@ -26,18 +39,20 @@ class ExpressionParser {
   bool at(std::string_view spelling) { return scanner_.peek().is(spelling); }
   bool accept(std::string_view spelling);
   Status expect(std::string_view spelling, std::string_view context);
-  /// Any word, as a name; `what` is for the message ("an attribute name").
+  /// Any word, perhaps in backquotes, as a name; `what` is for the message ("an attribute name").
   Result<std::string> name(std::string_view what);
   Status expect_end();
   /// "expected WHAT, found TOKEN" at the next token.
   algebra3d::Error unexpected(std::string_view what);
   Scanner& scanner() { return scanner_; }
+  const SessionParameters* parameters() const { return parameters_; }
 
  private:
   using Place = algebra3d::SyntaxPattern::Place;
 
   Result<ExpressionPtr> binary(int lowest_precedence);
   Result<ExpressionPtr> chain();
+  Result<ExpressionPtr> negation();
   Result<std::vector<ExpressionPtr>> operands();
   Result<ExpressionPtr> primary();
   Result<ExpressionPtr> word_primary();
@@ -45,8 +60,10 @@ class ExpressionParser {
   Result<ExpressionPtr> list();
   Result<ExpressionPtr> typed_literal();
   Result<ExpressionPtr> function_literal();
-  Result<ExpressionPtr> prefix_application(const algebra3d::Operator& op);
+  Result<ExpressionPtr> name_or_call(const Token& token);
+  Result<ExpressionPtr> prefix_application(const algebra3d::Operator& op, SourcePlace place);
   Result<ExpressionPtr> function_call(std::string function, SourcePlace place);
+  Result<ExpressionPtr> call_of_postfix(const algebra3d::Operator& op, const SourcePlace& place);
   Status postfix_application(const algebra3d::Operator& op, std::vector<ExpressionPtr>& operands);
   Status annotation(ExpressionPtr& operand);
 
@@ -60,6 +77,8 @@ class ExpressionParser {
 
   bool starts_operand();
   const algebra3d::Operator* operator_at(algebra3d::SyntaxPattern::Shape shape);
+  const algebra3d::Operator* postfix_operator_at(std::size_t operand_count);
+  void suspect_operator(std::size_t operand_count);
   algebra3d::Error not_an_operator(const ExpressionPtr& second);
   ExpressionPtr make(SourcePlace place, ExpressionNode node) const;
   Status deeper();
@@ -67,7 +86,10 @@ class ExpressionParser {
 
   Scanner& scanner_;
   const algebra3d::Registry& registry_;
+  const SessionParameters* parameters_;
   int depth_ = 0;
+  /// What was most likely meant by the first operator's name that became an operand, if operands stand side by side.
+  std::optional<algebra3d::Error> suspicion_;
 };
 
 }  // namespace queries

@@ -40,6 +40,7 @@ bool is_call_without_arguments(const Expression& expression) {
 }
 
 NestedList nested(const Argument& argument) {
+  if (argument.misread) return to_nested(*argument.as_operand);
   NestedList::List items;
   switch (argument.kind) {
     case PlaceKind::value:

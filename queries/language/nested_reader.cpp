@@ -38,6 +38,13 @@ std::string name_in(const NestedList& list) {
   return is_identifier(name) ? name : "";
 }
 
+// `((Name e) ...)`; the names are looked at later.
+bool has_form_of_functions(const NestedList& list) {
+  return list.is_list() && std::ranges::all_of(list.elements(), [](const NestedList& element) {
+           return is_pair(element) && !element.elements()[0].is_list();
+         });
+}
+
 bool is_fraction(std::string_view symbol) {
   return symbol.find('/') != std::string_view::npos && symbol.find_first_of("0123456789") <= 1;
 }
@@ -105,12 +112,11 @@ Result<ExpressionPtr> NestedReader::symbol(const std::string& name) {
   if (algebra3d::is_file_atom(name)) return make(file_literal(NestedList::symbol(name), place_));
   if (is_fraction(name)) return no_operand(name);
   const bool is_bound = std::ranges::find(bound_, name) != bound_.end();
-  if (!is_bound && is_reserved(name, registry_))
-    return Error(ErrorCode::syntax_error, "{}", no_operand_text(name, registry_)).at(place_);
+  if (!is_bound && is_reserved(name)) return Error(ErrorCode::syntax_error, "{}", no_operand_text(name)).at(place_);
   return make(NameUse{name});
 }
 
-// `N/1` may be how an integer beyond 32 bits is read (expression_list.h).
+// `N/1` may be how an integer beyond 64 bits is read (expression_list.h).
 Error NestedReader::no_operand(const std::string& fraction) const {
   const std::string integer = fraction.substr(0, fraction.find('/'));
   const bool is_integer = fraction.ends_with("/1") && !algebra3d::parse_int(integer);
@@ -130,7 +136,7 @@ int NestedReader::implicit_parameter(std::string_view name) const {
 
 bool NestedReader::is_type_head(const NestedList& head) const {
   if (head.is_list()) return !head.elements().empty() && !is_symbol(head.elements().front(), "fun");
-  return head.is_symbol() && registry_.find_type(head.as_symbol()) != nullptr;
+  return head.is_symbol() && (registry_.find_type(head.as_symbol()) != nullptr || head.is_symbol("longint"));
 }
 
 Result<ExpressionPtr> NestedReader::constant(const NestedList& type_list, const NestedList& value) {
@@ -148,7 +154,7 @@ Result<ExpressionPtr> NestedReader::application(const Operator& op, const List& 
     if (const int parameter = implicit_parameter(items[1].as_symbol()); parameter > 0)
       return make(AttributeUse{parameter, items[2].as_symbol()});
   const SyntaxPattern& pattern = registry_.syntax(op);
-  Application result{op.name, {}};
+  Application result{op.name, {}, true};
   for (std::size_t index = 0; index + 1 < items.size(); ++index) {
     const std::size_t bracket = index - pattern.operand_count;
     const bool is_declared = index >= pattern.operand_count && bracket < pattern.places.size();
@@ -174,29 +180,36 @@ Result<Argument> NestedReader::argument(const std::string& op, const Place& plac
   Argument argument;
   argument.kind = place.kind;
   argument.place = place_;
-  switch (place.kind) {
-    case PlaceKind::value:
-    case PlaceKind::function: {
-      ASSIGN_OR_RETURN(argument.value, expression(item));
-      break;
-    }
-    case PlaceKind::attribute:
-    case PlaceKind::name:
-      argument.names = {name_in(item)};
-      if (argument.names.front().empty()) return error(op + ": a name", item);
-      break;
+  if (place.kind == PlaceKind::value || place.kind == PlaceKind::function) {
+    ASSIGN_OR_RETURN(argument.value, expression(item));
+    return argument;
+  }
+  // Lists of functions hold expressions, which would be read twice on every level.
+  if (place.kind == PlaceKind::functions && has_form_of_functions(item)) {
+    RETURN_IF_ERROR(functions(op, item, argument));
+    return argument;
+  }
+  Status read = names_at(op, item, argument);
+  auto operand = expression(item);
+  if (!read && !operand) return std::move(read).error();
+  if (!read) argument.misread = std::move(read).error();
+  if (operand) argument.as_operand = std::move(operand).value();
+  return argument;
+}
+
+Status NestedReader::names_at(const std::string& op, const NestedList& item, Argument& argument) {
+  switch (argument.kind) {
     case PlaceKind::attributes:
-      RETURN_IF_ERROR(names(op, item, argument));
-      break;
+      return names(op, item, argument);
     case PlaceKind::keys:
     case PlaceKind::renames:
-      RETURN_IF_ERROR(pairs(op, item, argument));
-      break;
+      return pairs(op, item, argument);
     case PlaceKind::functions:
-      RETURN_IF_ERROR(functions(op, item, argument));
-      break;
+      return error(op + ": a list of (name function)", item);
+    default:
+      argument.names = {name_in(item)};
+      return argument.names.front().empty() ? Status(error(op + ": a name", item)) : Status();
   }
-  return argument;
 }
 
 // `(A B)`
@@ -229,9 +242,8 @@ Status NestedReader::pairs(const std::string& op, const NestedList& item, Argume
 // `((Name e) ...)`
 // NOLINTNEXTLINE(misc-no-recursion)
 Status NestedReader::functions(const std::string& op, const NestedList& item, Argument& argument) {
-  if (!item.is_list()) return error(op + ": a list of (name function)", item);
   for (const NestedList& element : item.elements()) {
-    if (!is_pair(element) || name_in(element.elements()[0]).empty()) return error(op + ": (name function)", element);
+    if (name_in(element.elements()[0]).empty()) return error(op + ": (name function)", element);
     NamedExpression function{name_in(element.elements()[0]), nullptr};
     ASSIGN_OR_RETURN(function.value, expression(element.elements()[1]));
     argument.functions.push_back(std::move(function));

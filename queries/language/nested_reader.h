@@ -12,6 +12,10 @@ namespace queries {
 /// Reads expressions and types in their nested-list form, `(count (filter (feed R) (fun (t TUPLE) (> (attr t A) 3))))`:
 /// the inverse of `to_nested`. Nested lists do not know where their parts stood, so every error and every node has the
 /// place of the whole. Depth is limited as in texts.
+///
+/// The first symbol of a list is what is called, any other is a name: so objects and parameters may have the names of
+/// operators. Arguments of an operator are read by its pattern and, where that expects names, as operands too, since
+/// only the checker knows if there is a function of that name.
 class NestedReader {
  public:
   NestedReader(const algebra3d::Registry& registry, SourcePlace place)
@@ -34,6 +38,7 @@ class NestedReader {
   algebra3d::Result<ExpressionPtr> list_expression(const NestedList& list);
   const NestedList& in_brackets(const NestedList& item) const;
   algebra3d::Result<Argument> argument(const std::string& op, const Place& place, const NestedList& item);
+  algebra3d::Status names_at(const std::string& op, const NestedList& item, Argument& argument);
   algebra3d::Status names(const std::string& op, const NestedList& item, Argument& argument) const;
   algebra3d::Status pairs(const std::string& op, const NestedList& item, Argument& argument) const;
   algebra3d::Status functions(const std::string& op, const NestedList& item, Argument& argument);

@@ -28,14 +28,16 @@ constexpr std::array<std::string_view, 53> kReservedWords = {
 /// The words of a command as text.
 class TextInput final : public CommandInput {
  public:
-  TextInput(Scanner& scanner, const Registry& registry) : parser_(scanner, registry) {}
+  TextInput(Scanner& scanner, const Registry& registry, const SessionParameters* parameters)
+      : parser_(scanner, registry, parameters) {}
 
   bool at(std::string_view spelling) override { return parser_.at(spelling); }
   void skip() override { parser_.scanner().take(); }
   Result<std::string> name(std::string_view what) override { return parser_.name(what); }
   Result<std::string> word_or_text(std::string_view what) override {
-    const Token::Kind kind = parser_.scanner().peek().kind;
-    if (kind != Token::Kind::word && kind != Token::Kind::string && kind != Token::Kind::text)
+    const Token& next = parser_.scanner().peek();
+    if (next.kind == Token::Kind::constant) return parameter_text(parser_.parameters(), parser_.scanner().take());
+    if (!next.is_name() && next.kind != Token::Kind::string && next.kind != Token::Kind::text)
       return parser_.unexpected(what);
     return parser_.scanner().take().text;
   }
@@ -64,18 +66,58 @@ algebra3d::Status check_text(std::string_view text, const SourcePlace& start) {
       .at(algebra3d::place_behind(text.substr(0, wrong), start));
 }
 
+bool begins_command_or_ends(const Token& word) {
+  if (word.kind != Token::Kind::word) return false;
+  return CommandParser::begins_command(word.text) || word.text == "quit" || word.text == "exit" || word.text == "help";
+}
+
+bool ends_operand(const Token& token) {
+  return token.kind != Token::Kind::special || token.text == ")" || token.text == "]" || token.text == "}";
+}
+
+// Whether the message tells of something that stands where nothing was expected.
+bool is_of_surplus(std::string_view message) {
+  return message.starts_with("expected the end of the command") || message.starts_with("expected an operator") ||
+         message.starts_with("unknown operator") || message.starts_with("expected '(' after the operator") ||
+         message.find(" before it, found ") != std::string_view::npos;
+}
+
+// A `;` that is missing belongs behind what comes before the next command, which is where the error shows.
+Error with_missing_semicolon(Error error, std::string_view text, const SourcePlace& start) {
+  if (!is_of_surplus(error.message)) return error;
+  Scanner scanner(text, start);
+  Token before;
+  int depth = 0;
+  for (Token token = scanner.take(); token.kind != Token::Kind::end; token = scanner.take()) {
+    const bool is_there = token.place.line == error.place.line && token.place.column == error.place.column;
+    if (is_there) {
+      if (depth != 0 || before.end == 0 || !ends_operand(before) || !begins_command_or_ends(token)) return error;
+      return Error(error.code, "expected ';' at the end of the command: '{}'{} begins another one", token.text,
+                   token.place.line == before.place.line ? "" : fmt::format(" in line {}", token.place.line))
+          .at(algebra3d::place_behind(text.substr(0, before.end), start));
+    }
+    if (token.is("(") || token.is("[") || token.is("{")) ++depth;
+    if (token.is(")") || token.is("]") || token.is("}")) --depth;
+    before = std::move(token);
+  }
+  return error;
+}
+
 }  // namespace
 
 // A command never begins with a parenthesis, so one that does is a nested list.
-Result<Command> parse_command(std::string_view text, const Registry& registry, const SourcePlace& start) {
+Result<Command> parse_command(std::string_view text, const Registry& registry, const SourcePlace& start,
+                              const SessionParameters* parameters) {
   RETURN_IF_ERROR(check_text(text, start));
   if (is_nested_list(text)) {
     ASSIGN_OR_RETURN(const NestedList list, algebra3d::parse_expression_list(text, start));
     return command_of(list, registry, start);
   }
   Scanner scanner(text, start);
-  TextInput input(scanner, registry);
-  return CommandParser(input).parse();
+  TextInput input(scanner, registry, parameters);
+  auto command = CommandParser(input).parse();
+  if (!command) return with_missing_semicolon(std::move(command).error(), text, start);
+  return command;
 }
 
 Result<ExpressionPtr> parse_expression(std::string_view text, const Registry& registry, const SourcePlace& start) {
@@ -92,19 +134,13 @@ bool means_implicit_parameter(std::string_view word) {
   return word.size() == 6 && word.starts_with("tuple") && word.back() >= '1' && word.back() <= '9';
 }
 
-bool is_reserved(std::string_view word, const Registry& registry) {
-  return !why_reserved(word, registry).empty();
+bool is_reserved(std::string_view word) {
+  return std::ranges::find(kReservedWords, word) != kReservedWords.end() || means_implicit_parameter(word);
 }
 
-std::string_view why_reserved(std::string_view word, const Registry& registry) {
-  if (registry.find_operator(word) != nullptr) return "an operator";
-  const bool is_of_language = std::ranges::find(kReservedWords, word) != kReservedWords.end();
-  return is_of_language || means_implicit_parameter(word) ? "a word of the language" : "";
-}
-
-std::string no_operand_text(std::string_view word, const Registry& registry) {
+std::string no_operand_text(std::string_view word) {
   const std::string_view what =
-      word == "typeOf" ? "which stands for a type, as in [const typeOf(E) value L]" : why_reserved(word, registry);
+      word == "typeOf" ? "which stands for a type, as in [const typeOf(E) value L]" : "a word of the language";
   return fmt::format("expected an operand, found '{}', {}", word, what);
 }
 

@@ -5,6 +5,7 @@
 
 #include "algebra3d/registry/registry.h"
 #include "queries/language/command.h"
+#include "queries/language/session_parameters.h"
 #include "queries/language/syntax_tree.h"
 
 namespace queries {
@@ -18,8 +19,10 @@ inline constexpr int kMaxExpressionHeight = 400;
 /// Reads one command (without the `;` that ends it). Operators are recognised by the syntax patterns of `registry`.
 /// A text that begins with `(` is a command as a nested list, `(query (+ 1 2))`.
 /// Errors: syntax_error and unknown_name with line and column, what was found and what is possible.
+/// `parameters`: what `$name` stands for in a text; null for none.
 algebra3d::Result<Command> parse_command(std::string_view text, const algebra3d::Registry& registry,
-                                         const SourcePlace& start = {"", 1, 1});
+                                         const SourcePlace& start = {"", 1, 1},
+                                         const SessionParameters* parameters = nullptr);
 
 /// Reads one expression that is all of `text`.
 algebra3d::Result<ExpressionPtr> parse_expression(std::string_view text, const algebra3d::Registry& registry,
@@ -29,11 +32,13 @@ algebra3d::Result<ExpressionPtr> parse_expression(std::string_view text, const a
 /// parameter or an object of that name would capture what is written `.A` in a text.
 bool means_implicit_parameter(std::string_view word);
 
-/// True for words that cannot name an object: those of the language and every operator with a pattern.
-bool is_reserved(std::string_view word, const algebra3d::Registry& registry);
-/// What such a word is: "an operator" or "a word of the language"; empty for any other.
-std::string_view why_reserved(std::string_view word, const algebra3d::Registry& registry);
+/// What is written in place of SQL's `select`.
+inline constexpr std::string_view kInsteadOfSelect =
+    "write query RELATION feed filter[CONDITION] project[ATTRIBUTES] consume";
+
+/// True for the words of the language, which cannot name anything. Names of operators are not among them.
+bool is_reserved(std::string_view word);
 /// The message where a reserved word stands for an operand.
-std::string no_operand_text(std::string_view word, const algebra3d::Registry& registry);
+std::string no_operand_text(std::string_view word);
 
 }  // namespace queries

@@ -52,6 +52,7 @@ class MeasuredNode final : public TypedNode {
     if (!result) return result;
     return measured(std::move(result).value(), step_);
   }
+  bool is_always_defined() const override { return node_->is_always_defined(); }
 
  private:
   TypedPtr node_;

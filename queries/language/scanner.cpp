@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 
 #include "algebra3d/base/number_text.h"
 #include "algebra3d/types/file_atom.h"
@@ -12,6 +13,8 @@ namespace {
 
 using Kind = Token::Kind;
 
+constexpr std::uint64_t kLargestMagnitude = std::uint64_t{1} << 63U;
+
 bool is_letter(char c) {
   return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
@@ -21,6 +24,15 @@ bool is_digit(char c) {
 bool is_word(char c) {
   return is_letter(c) || is_digit(c);
 }
+// What a literal that is not closed has taken for its own, if that may be further commands.
+std::string swallowed_text(std::string_view literal, const SourcePlace& place) {
+  const auto line_count = std::ranges::count(literal, '\n');
+  if (line_count == 0 && literal.find(';') == std::string_view::npos) return "";
+  const std::string_view why = "was read as part of it, and not run";
+  if (line_count == 0) return fmt::format("; the rest of the line {}", why);
+  return fmt::format("; everything from there to the end of line {} {}", place.line + line_count, why);
+}
+
 bool is_operator_character(char c) {
   return std::string_view("+-*/<>=#:!?%&^~|@\\").find(c) != std::string_view::npos;
 }
@@ -38,7 +50,9 @@ bool is_identifier(std::string_view text) {
 std::string int_range_text(std::string_view digits) {
   constexpr std::size_t kShown = 40;
   return fmt::format(
-      "the integer {}{} is beyond the range of ints (-2147483648 to 2147483647); write it with a point for a real",
+      "the integer {}{} is beyond the range of ints (-9223372036854775808 to 9223372036854775807); write it with a "
+      "point "
+      "for a real",
       digits.substr(0, kShown), digits.size() > kShown ? "..." : "");
 }
 
@@ -60,6 +74,10 @@ std::string Token::shown() const {
       return fmt::format("'{}{}'", parameter == 2 ? ".." : ".", text);
     case Kind::parameter:
       return parameter == 1 ? "'.'" : parameter == 2 ? "'..'" : fmt::format("'${}'", parameter);
+    case Kind::name:
+      return fmt::format("`{}`", text);
+    case Kind::constant:
+      return fmt::format("'${}'", text);
     default:
       return fmt::format("'{}'", text);
   }
@@ -123,8 +141,12 @@ Token Scanner::scan() {
     token = scan_tagged(std::move(token), Kind::file);
   else if (c == '.')
     token = scan_dots(std::move(token));
+  else if (c == '`')
+    token = scan_name(std::move(token));
   else if (c == '$' && is_digit(at(position_ + 1)))
     token = scan_dollar(std::move(token));
+  else if (c == '$' && is_letter(at(position_ + 1)))
+    token = scan_constant(std::move(token));
   else
     token = scan_special(std::move(token));
   token.end = position_;
@@ -163,11 +185,10 @@ Token Scanner::scan_number(Token token) {
     return token;
   }
   // The magnitude of the smallest int is one more than that of the largest; the parser puts the sign in front.
-  const auto value = algebra3d::parse_real(spelling);
-  if (!value || *value > 2147483648.0) fail(token, int_range_text(spelling));
+  const auto [end, error] = std::from_chars(spelling.data(), spelling.data() + spelling.size(), token.integer);
+  if (error != std::errc() || token.integer > kLargestMagnitude) fail(token, int_range_text(spelling));
   token.kind = Kind::integer;
-  token.real = value.value_or(0);
-  token.integer = static_cast<std::int32_t>(std::min(token.real, 2147483647.0));
+  token.real = static_cast<double>(token.integer);
   return token;
 }
 
@@ -179,7 +200,8 @@ Token Scanner::scan_quoted(Token token, char quote) {
     token.text += source_[position_++];
   }
   if (position_ >= source_.size())
-    fail(token, std::string("a ") + (quote == '"' ? "string" : "text") + " is not closed: expected " + quote);
+    fail(token, std::string("a ") + (quote == '"' ? "string" : "text") + " is not closed: expected " + quote +
+                    swallowed_text(source_.substr(token.begin), token.place));
   else
     ++position_;
   return token;
@@ -193,7 +215,8 @@ Token Scanner::scan_tagged(Token token, Token::Kind kind) {
   token.kind = kind;
   const std::size_t end = source_.find(close, begin);
   if (end == std::string_view::npos) {
-    fail(token, std::string(is_file ? "a file atom" : "a text") + " is not closed: expected " + std::string(close));
+    fail(token, std::string(is_file ? "a file atom" : "a text") + " is not closed: expected " + std::string(close) +
+                    swallowed_text(source_.substr(token.begin), token.place));
     return token;
   }
   token.text = source_.substr(begin, end - begin);
@@ -212,6 +235,18 @@ Token Scanner::scan_dots(Token token) {
   return token;
 }
 
+Token Scanner::scan_name(Token token) {
+  token.kind = Kind::name;
+  const std::size_t begin = ++position_;
+  while (is_word(at(position_))) ++position_;
+  token.text = source_.substr(begin, position_ - begin);
+  if (at(position_) == '`' && is_identifier(token.text))
+    ++position_;
+  else
+    fail(token, "expected a name between backquotes: a letter, then letters, digits and _");
+  return token;
+}
+
 Token Scanner::scan_dollar(Token token) {
   token.parameter = at(position_ + 1) - '0';
   position_ += 2;
@@ -222,6 +257,14 @@ Token Scanner::scan_dollar(Token token) {
     token.text = source_.substr(begin, position_ - begin);
     token.kind = Kind::attribute;
   }
+  return token;
+}
+
+Token Scanner::scan_constant(Token token) {
+  token.kind = Kind::constant;
+  const std::size_t begin = ++position_;
+  while (is_word(at(position_))) ++position_;
+  token.text = source_.substr(begin, position_ - begin);
   return token;
 }
 

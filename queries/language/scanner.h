@@ -46,7 +46,9 @@ class Scanner {
   Token scan_quoted(Token token, char quote);
   Token scan_tagged(Token token, Token::Kind kind);
   Token scan_dots(Token token);
+  Token scan_name(Token token);
   Token scan_dollar(Token token);
+  Token scan_constant(Token token);
   Token scan_special(Token token);
   SourcePlace place_of(std::size_t offset);
   Token literal_at(std::size_t offset);

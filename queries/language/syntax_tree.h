@@ -46,6 +46,8 @@ struct Literal {
 struct TypedLiteral {
   TypeSyntax type;
   NestedList list;
+  std::shared_ptr<const std::string> written = nullptr;  ///< the list as a text, to find places in it; may be null
+  SourcePlace list_place = {};                           ///< where that begins
 };
 /// The text that a file atom (file_atom.h) stands for; the file is read when the literal is checked.
 TypedLiteral file_literal(NestedList atom, SourcePlace place);
@@ -75,13 +77,20 @@ struct Argument {
   std::vector<std::string> names;          ///< attribute, name, attributes, keys, renames (the new names)
   std::vector<std::string> modifiers;      ///< keys: asc or desc; renames: the old names
   SourcePlace place;
+  /// Of a nested list, where names are expected: the same read as an operand, for a function that has the operator's
+  /// name. May be null.
+  ExpressionPtr as_operand;
+  /// Why it cannot be read as what the operator expects; then `as_operand` is all there is.
+  std::optional<algebra3d::Error> misread;
 };
 /// An operator with its arguments in the order of its pattern.
 struct Application {
   std::string name;
   std::vector<Argument> arguments;
+  /// Written `name(...)`, or in a nested list: a function of that name goes first if its parameters take the arguments.
+  bool is_call = false;
 };
-/// `name(e1, e2)` where name is no operator: a function object or parameter.
+/// `name(e1, e2)` where name is no prefix operator, or stands in backquotes: a function object or parameter.
 struct FunctionCall {
   std::string name;
   std::vector<ExpressionPtr> arguments;

@@ -7,6 +7,7 @@
 #include <memory_resource>
 #include <utility>
 
+#include "algebra3d/registry/conversion.h"
 #include "algebra3d/types/scalars.h"
 
 namespace queries {
@@ -43,6 +44,10 @@ class ConstantNode final : public TypedNode {
   Result<Datum> evaluate(const Frame*, Context&) const override { return value_; }
   Result<Value> evaluate_value(const Frame*, Context&) const override { return value_.value(); }
   const Datum* find(const Frame*) const override { return &value_; }
+  bool is_always_defined() const override {
+    const auto* value = std::get_if<Value>(&value_.content);
+    return value != nullptr && value->is_defined();
+  }
 
  private:
   Datum value_;
@@ -138,10 +143,38 @@ class ValueCallNode final : public ValueNode {
     if (!value) return std::move(value).error().at(place());
     return value;
   }
+  bool is_always_defined() const override {
+    if (!call_.overload->is_total) return false;
+    for (std::size_t place = 0; place < arguments_.size(); ++place)
+      if (!call_.overload->parameters[place].accepts_undefined && !arguments_[place]->is_always_defined()) return false;
+    return true;
+  }
 
  private:
   ResolvedCall call_;
   std::vector<TypedPtr> arguments_;
+};
+
+/// `and` or `or` whose second operand is always defined, so that it does not matter where the first one decides: it is
+/// not evaluated then, and what it would note is not noted.
+class ShortCircuitNode final : public ValueNode {
+ public:
+  ShortCircuitNode(bool decisive, TypedPtr first, TypedPtr second, SourcePlace place)
+      : ValueNode("bool", std::move(place)),
+        decisive_(decisive),
+        first_(std::move(first)),
+        second_(std::move(second)) {}
+  Result<Value> evaluate_value(const Frame* frame, Context& context) const override {
+    ASSIGN_OR_RETURN(const Value first, first_->evaluate_value(frame, context));
+    if (!first.is_defined() || first.get<bool>() == decisive_) return first;
+    return second_->evaluate_value(frame, context);
+  }
+  bool is_always_defined() const override { return first_->is_always_defined(); }
+
+ private:
+  bool decisive_;
+  TypedPtr first_;
+  TypedPtr second_;
 };
 
 /// A call of a value operator that gives several values.
@@ -288,17 +321,19 @@ class FunctionCallNode final : public TypedNode {
   std::vector<TypedPtr> arguments_;
 };
 
-class PromotionNode final : public ValueNode {
+class ConversionNode final : public ValueNode {
  public:
-  explicit PromotionNode(TypedPtr argument) : ValueNode("real", argument->place()), argument_(std::move(argument)) {}
+  ConversionNode(TypedPtr argument, const algebra3d::Type& to)
+      : ValueNode(TypeExpr(to.name()), argument->place()), argument_(std::move(argument)), to_(to) {}
   Result<Value> evaluate_value(const Frame* frame, Context& context) const override {
     ASSIGN_OR_RETURN(const Value value, argument_->evaluate_value(frame, context));
-    if (!value.is_defined()) return Value(algebra3d::TypeOf<double>::type());
-    return Value::of<double>(value.get<std::int32_t>());
+    return algebra3d::converted(value, to_);
   }
+  bool is_always_defined() const override { return argument_->is_always_defined(); }
 
  private:
   TypedPtr argument_;
+  const algebra3d::Type& to_;
 };
 
 }  // namespace
@@ -327,6 +362,10 @@ TypedPtr make_attribute(TypeExpr type, TypedPtr tuple, std::size_t index, Source
 TypedPtr make_value_call(ResolvedCall call, std::vector<TypedPtr> arguments, SourcePlace place) {
   if (call.overload->result_is_stream)
     return std::make_shared<ValueStreamCallNode>(call, std::move(arguments), std::move(place));
+  const bool is_and = call.op->name == "and";
+  if ((is_and || call.op->name == "or") && arguments[1]->is_always_defined())
+    return std::make_shared<ShortCircuitNode>(!is_and, std::move(arguments[0]), std::move(arguments[1]),
+                                              std::move(place));
   return std::make_shared<ValueCallNode>(call, std::move(arguments), std::move(place));
 }
 
@@ -346,8 +385,8 @@ TypedPtr make_function_call(TypedPtr function, std::vector<TypedPtr> arguments, 
   return std::make_shared<FunctionCallNode>(std::move(function), std::move(arguments), std::move(place));
 }
 
-TypedPtr make_promotion(TypedPtr argument) {
-  return std::make_shared<PromotionNode>(std::move(argument));
+TypedPtr make_conversion(TypedPtr argument, const algebra3d::Type& type) {
+  return std::make_shared<ConversionNode>(std::move(argument), type);
 }
 
 }  // namespace queries

@@ -36,6 +36,8 @@ class TypedNode : public std::enable_shared_from_this<TypedNode> {
   virtual Result<Value> evaluate_value(const Frame* frame, Context& context) const;
   /// What it evaluates to, if that lies there already, else null. Valid as long as the frame.
   virtual const Datum* find(const Frame* /*frame*/) const { return nullptr; }
+  /// True if it is known to give a defined value, whatever it is evaluated with.
+  virtual bool is_always_defined() const { return false; }
 
  protected:
   TypedNode(TypeExpr type, SourcePlace place) : type_(std::move(type)), place_(std::move(place)) {}
@@ -81,6 +83,6 @@ inline constexpr int kMaxCallLevels = 2000;
 TypedPtr make_function(TypeExpr type, TypedPtr body, NestedList written, int height, SourcePlace place);
 TypedPtr make_function_call(TypedPtr function, std::vector<TypedPtr> arguments, SourcePlace place);
 /// An int where a real is expected.
-TypedPtr make_promotion(TypedPtr argument);
+TypedPtr make_conversion(TypedPtr argument, const algebra3d::Type& type);
 
 }  // namespace queries

@@ -32,6 +32,7 @@ class Collector {
     for (const ExpressionPtr& argument : call.arguments) visit(*argument);
   }
   void look_at(const Application& application) {
+    if (application.is_call) used_.calls.insert(application.name);
     for (const Argument& argument : application.arguments) {
       if (argument.value != nullptr) visit(*argument.value);
       for (const NamedExpression& function : argument.functions) visit(*function.value);

@@ -10,6 +10,7 @@ namespace queries {
 /// What an expression refers to beyond itself.
 struct UsedNames {
   std::set<std::string> objects;  ///< functions among them; the parameters of functions in the expression are none
+  std::set<std::string> calls;    ///< operators, of which functions may have the names
   std::set<std::string> types;    ///< all that are named, built-in ones too
 };
 

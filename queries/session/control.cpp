@@ -68,11 +68,12 @@ Status Session::run(const Sequence& command, Presenter& presenter, Context& cont
 
 Status Session::set_memory(const Value& value, const SourcePlace& place) {
   const bool is_int = value.type().name() == "int";
-  if (!value.is_defined() || !is_int || value.get<std::int32_t>() < 1)
-    return Error(ErrorCode::type_error, "set \"memory\": expected the limit in megabytes, an int from 1, got {}",
-                 value.to_nested().print_short())
+  constexpr std::int64_t kMost = std::int64_t{1} << 40U;
+  if (!value.is_defined() || !is_int || value.get<std::int64_t>() < 1 || value.get<std::int64_t>() > kMost)
+    return Error(ErrorCode::type_error, "set \"memory\": expected the limit in megabytes, an int from 1 to {}, got {}",
+                 kMost, value.to_nested().print_short())
         .at(place);
-  memory_.set_limit(static_cast<std::size_t>(value.get<std::int32_t>()) << 20U);
+  memory_.set_limit(static_cast<std::size_t>(value.get<std::int64_t>()) << 20U);
   return {};
 }
 

@@ -6,9 +6,6 @@
 
 namespace queries {
 
-/// Removes a database that nobody has open, with the files that SQLite keeps beside it. Errors: io_error.
-algebra3d::Status remove_database_files(const std::filesystem::path& file);
-
 /// Gives a complete database its name, which must be free. Errors: database_exists, io_error.
 algebra3d::Status put_in_place(const std::filesystem::path& made, const std::filesystem::path& file);
 

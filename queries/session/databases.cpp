@@ -1,8 +1,8 @@
 // The commands of a session that create, open, close and delete databases.
 #include <algorithm>
 
-#include "queries/session/database_files.h"
 #include "queries/session/session.h"
+#include "queries/store/database_creation.h"
 
 namespace queries {
 namespace {
@@ -17,6 +17,9 @@ std::string how_far(const CheckProgress& progress) {
 }  // namespace
 
 Status Session::require_closed() {
+  if (damaged_)
+    return Error{ErrorCode::database_open, "the damaged database '{}' is open; close it first with `close database`",
+                 damaged_->file.stem().string()};
   if (store_ == nullptr) return {};
   return Error{ErrorCode::database_open, "the database '{}' is open; close it first with `close database`",
                store_->file().stem().string()};
@@ -37,13 +40,16 @@ Status Session::run(const CreateDatabase& command, Presenter&, Context&) {
 Status Session::run(const OpenDatabase& command, Presenter&, Context& context) {
   RETURN_IF_ERROR(require_closed());
   ASSIGN_OR_RETURN(const auto file, database_file(command.name));
-  ASSIGN_OR_RETURN(store_,
-                   Store::open(file, options_.read_only ? OpenMode::read_only : OpenMode::read_write, registry_));
+  RETURN_IF_ERROR(open_store(file, options_.read_only ? OpenMode::read_only : OpenMode::read_write));
   if (!store_->opening_notice().empty()) context.diagnostics.report(store_->opening_notice());
   return {};
 }
 
 Status Session::run(const CloseDatabase&, Presenter&, Context&) {
+  if (damaged_) {
+    damaged_.reset();
+    return {};
+  }
   ASSIGN_OR_RETURN(const Store* const store, required_store());
   if (store->is_in_explicit_transaction())
     return Error{ErrorCode::wrong_usage,
@@ -52,13 +58,11 @@ Status Session::run(const CloseDatabase&, Presenter&, Context&) {
   return {};
 }
 
-// The file is opened first, so that nothing is removed that is no database of ours.
 Status Session::run(const DeleteDatabase& command, Presenter&, Context&) {
   RETURN_IF_ERROR(require_closed());
   if (options_.read_only) return Error{ErrorCode::database_read_only, "delete database: the session is read-only"};
   ASSIGN_OR_RETURN(const auto file, database_file(command.name));
-  RETURN_IF_ERROR(Store::open(file, OpenMode::read_write, registry_));
-  return remove_database_files(file);
+  return delete_database_file(file);
 }
 
 Status Session::run(const TransactionStep& command, Presenter&, Context&) {
@@ -74,18 +78,23 @@ Status Session::run(const TransactionStep& command, Presenter&, Context&) {
   return {};
 }
 
+// Nothing is written, so that the statement can end by going back; SQLite may refuse to commit after it met damage.
+Result<std::vector<Finding>> Session::findings(Presenter& presenter, Context& context) {
+  const auto report = [&presenter](const CheckProgress& progress) { presenter.advance(how_far(progress)); };
+  if (damaged_) return Store::check_damaged(damaged_->file, registry_, context, report);
+  ASSIGN_OR_RETURN(Store * store, required_store());
+  RETURN_IF_ERROR(store->begin(false));
+  auto found = store->check(context, report);
+  store->rollback();
+  return found;
+}
+
 // (inquiry (findings ((object tuple attribute 'what is wrong') ...))); a database with findings is an error.
 Status Session::run(const CheckDatabase&, Presenter& presenter, Context& context) {
-  ASSIGN_OR_RETURN(Store * store, required_store());
-  const auto report = [&presenter](const CheckProgress& progress) { presenter.advance(how_far(progress)); };
-  std::vector<Finding> findings;
-  RETURN_IF_ERROR(in_transaction(false, [&]() -> Status {
-    ASSIGN_OR_RETURN(findings, store->check(context, report));
-    return {};
-  }));
+  ASSIGN_OR_RETURN(const std::vector<Finding> found, findings(presenter, context));
   NestedList::List rows;
-  for (const Finding& finding : findings)
-    rows.push_back(NestedList::list(NestedList(finding.object), NestedList(static_cast<double>(finding.tuple)),
+  for (const Finding& finding : found)
+    rows.push_back(NestedList::list(NestedList(finding.object), NestedList(finding.tuple),
                                     NestedList(finding.attribute), NestedList::text(finding.message)));
   const std::size_t count = rows.size();
   RETURN_IF_ERROR(presenter.present_inquiry(NestedList::list(

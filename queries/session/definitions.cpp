@@ -23,24 +23,22 @@ std::optional<Definition> definition_of(const ObjectInfo& info, const algebra3d:
   return Definition{info.name, !info.derived_text.empty(), used_names(**expression)};
 }
 
-Result<Users> users(Store& store, const algebra3d::Registry& registry,
-                    const std::function<bool(const UsedNames&)>& are_meant) {
-  ASSIGN_OR_RETURN(const auto infos, store.objects());
-  Users result;
-  for (const ObjectInfo& info : infos) {
-    const auto definition = definition_of(info, registry);
-    if (definition && are_meant(definition->used))
-      (definition->is_derived ? result.derived : result.functions).push_back(info.name);
-  }
-  return result;
-}
-
 /// A way through definitions.
 struct Step {
   Definition definition;
   bool has_derived = false;  // here or before
   std::size_t before = 0;    // index of the step that leads here
 };
+
+// A call of an operator counts if there is a function of that name.
+Result<std::set<std::string>> used_objects(const UsedNames& used, Store& store) {
+  std::set<std::string> objects = used.objects;
+  for (const std::string& name : used.calls) {
+    ASSIGN_OR_RETURN(const auto info, store.find(name));
+    if (info && info->type.is_function()) objects.insert(name);
+  }
+  return objects;
+}
 
 std::string way_text(const std::deque<Step>& steps, std::size_t last, const std::string& end) {
   std::string text = end;
@@ -62,22 +60,12 @@ Result<ExpressionPtr> kept_expression(const ObjectInfo& info, const algebra3d::R
   return NestedReader(registry, place).expression(list);
 }
 
-Result<Users> users_of_objects(const std::set<std::string>& objects, Store& store,
-                               const algebra3d::Registry& registry) {
-  return users(store, registry, [&](const UsedNames& used) {
-    return std::ranges::any_of(objects, [&](const std::string& name) { return used.objects.contains(name); });
-  });
-}
-
-Result<Users> users_of_type(const std::string& type, Store& store, const algebra3d::Registry& registry) {
-  return users(store, registry, [&](const UsedNames& used) { return used.types.contains(type); });
-}
-
 Status check_no_circle(const Definition& definition, Store& store, const algebra3d::Registry& registry) {
   std::deque<Step> steps = {{definition, definition.is_derived, 0}};
   std::set<std::pair<std::string, bool>> seen;
   for (std::size_t at = 0; at < steps.size(); ++at) {
-    for (const std::string& name : steps[at].definition.used.objects) {
+    ASSIGN_OR_RETURN(const std::set<std::string> used, used_objects(steps[at].definition.used, store));
+    for (const std::string& name : used) {
       if (name == definition.name && steps[at].has_derived)
         return Error{ErrorCode::wrong_usage, "'{}' would be derived from itself: {}", name, way_text(steps, at, name)};
       ASSIGN_OR_RETURN(const auto info, store.find(name));

@@ -12,16 +12,6 @@ namespace queries {
 /// The expression that a function or a derived object keeps. Errors: those of the parser.
 Result<ExpressionPtr> kept_expression(const ObjectInfo& info, const algebra3d::Registry& registry);
 
-/// The functions and derived objects of a database whose definitions use something.
-struct Users {
-  std::vector<std::string> functions;
-  std::vector<std::string> derived;
-};
-/// Those that use one of `objects`. Cost: linear in the catalogue.
-Result<Users> users_of_objects(const std::set<std::string>& objects, Store& store, const algebra3d::Registry& registry);
-/// Those that name the type.
-Result<Users> users_of_type(const std::string& type, Store& store, const algebra3d::Registry& registry);
-
 /// Something that is defined by an expression, or is about to be.
 struct Definition {
   std::string name;

@@ -52,7 +52,7 @@ Result<NestedList> types(Store& store) {
 NestedList counters() {
   const algebra3d::ExactCounters counts = algebra3d::exact_counters();
   const auto row = [](std::string_view name, std::uint64_t count) {
-    return NestedList::list(symbol(name), NestedList(static_cast<double>(count)));
+    return NestedList::list(symbol(name), NestedList(static_cast<std::int64_t>(count)));
   };
   return NestedList::list(row("predicate_calls", counts.calls), row("filter_failures", counts.filter_failures),
                           row("exact_fallbacks", counts.big_fallbacks), row("heap_rationals", counts.heap_rationals));

@@ -1,6 +1,7 @@
 // The commands of a session that make, change, rename and remove objects and named types.
-#include <algorithm>
+#include <fmt/format.h>
 
+#include "algebra3d/registry/conversion.h"
 #include "queries/language/checker.h"
 #include "queries/language/parser.h"
 #include "queries/session/definitions.h"
@@ -29,22 +30,18 @@ Result<std::string> function_text(const Expression& value, Store& store) {
   return to_nested(value).print();
 }
 
+// All of them: a name that is left out here could be lost without a word.
 std::string named_in_note(const std::vector<std::string>& names) {
-  constexpr std::size_t kMost = 20;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i) text += (i > 0 ? ", " : "") + names[i];
-  return names.size() <= kMost ? text : fmt::format("{} and {} more", text, names.size() - kMost);
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
-// The functions and derived objects that are left without something that they use.
-void report_users(const Users& users, std::string_view command, Context& context) {
-  if (!users.functions.empty())
-    context.diagnostics.report(
-        fmt::format("{}: these functions use it and fail from now on: {}", command, named_in_note(users.functions)));
-  if (!users.derived.empty())
-    context.diagnostics.report(fmt::format(
-        "{}: these objects are derived from it; they keep their values, and `restore` will leave them out: {}", command,
-        named_in_note(users.derived)));
+// A new function whose name an operator has, if it is not null.
+void report_operator(const algebra3d::Operator* op, std::string_view command, Context& context) {
+  if (op == nullptr) return;
+  context.diagnostics.report(
+      fmt::format("{0}: '{1}' is an operator, too; {1}(...) is from now on a call of the function wherever its "
+                  "parameters take the arguments",
+                  command, op->name));
 }
 
 Error no_object(const std::string& name) {
@@ -54,8 +51,8 @@ Error no_object(const std::string& name) {
 }  // namespace
 
 Status Session::check_new_name(const std::string& name, std::string_view what) {
-  if (is_reserved(name, registry_))
-    return Error{ErrorCode::reserved_name, "'{}' is {} and cannot name {}", name, why_reserved(name, registry_), what};
+  if (is_reserved(name))
+    return Error{ErrorCode::reserved_name, "'{}' is a word of the language and cannot name {}", name, what};
   return {};
 }
 
@@ -82,9 +79,11 @@ Status Session::run(const LetObject& command, Presenter&, Context& context) {
                    command.name};
     // The new value may come out of the old one, so it is made under another name before the old one goes.
     const std::string interim = " " + command.name;
-    RETURN_IF_ERROR(define(command.name, *command.value, false, context, interim));
-    RETURN_IF_ERROR(remove(command.name, false, "let_", context));
-    return store->rename(interim, command.name);
+    return change_definitions("let_", context, [&]() -> Status {
+      RETURN_IF_ERROR(define(command.name, *command.value, false, context, interim));
+      RETURN_IF_ERROR(remove(command.name, false, "let_", context));
+      return store->rename(interim, command.name);
+    });
   });
 }
 
@@ -112,10 +111,13 @@ Status Session::define(const std::string& final_name, const Expression& value, b
     RETURN_IF_ERROR(
         check_no_circle({final_name, is_derived && !type.is_function(), used_names(value)}, *store_, registry_));
   if (type.is_function()) {
+    report_operator(registry_.find_operator(final_name), is_derived ? "derive" : "let", context);
     ASSIGN_OR_RETURN(const std::string text, function_text(value, *store_));
     return store_->create_function(name, type, text);
   }
+  const OwnResult result(context);
   ASSIGN_OR_RETURN(const Datum datum, node->evaluate(nullptr, context));
+  judge(result, datum);
   if (is_derived && store_->has_written())
     return Error{
         ErrorCode::wrong_usage,
@@ -136,7 +138,10 @@ Status Session::run(const UpdateObject& command, Presenter&, Context& context) {
       return Error{ErrorCode::wrong_usage,
                    "update: '{}' is derived from other objects; delete it and use let for a value of its own",
                    command.name};
-    ASSIGN_OR_RETURN(const TypedPtr node, Checker(registry_, objects, context).check(*command.value));
+    ASSIGN_OR_RETURN(TypedPtr node, Checker(registry_, objects, context).check(*command.value));
+    if (const bool are_characters = existing->type.is("string") || existing->type.is("text");
+        are_characters && algebra3d::conversion_cost(node->type(), existing->type.name()))
+      node = make_conversion(std::move(node), *registry_.find_type(existing->type.name()));
     if (!(node->type() == existing->type))
       return Error{ErrorCode::type_error, "update: '{}' is of type {}, the new value of type {}", command.name,
                    existing->type.text(), node->type().text()};
@@ -146,27 +151,48 @@ Status Session::run(const UpdateObject& command, Presenter&, Context& context) {
       RETURN_IF_ERROR(store->remove(command.name));
       return store->create_function(command.name, existing->type, text);
     }
+    const OwnResult result(context);
     ASSIGN_OR_RETURN(const Datum value, node->evaluate(nullptr, context));
+    judge(result, value);
     return store->assign(command.name, value, context);
   });
 }
 
-// Indexes go with their relation; functions and derived objects stay, and those that are left without something that
-// they use are named. A replaced object is still there for them.
+// Indexes go with their relation.
 Status Session::remove(const std::string& name, bool kills, std::string_view command, Context& context) {
   ASSIGN_OR_RETURN(const auto before, store_->objects());
   RETURN_IF_ERROR(kills ? store_->kill(name) : store_->remove(name));
-  std::set<std::string> gone;
+  std::vector<std::string> gone;
   for (const ObjectInfo& info : before) {
     ASSIGN_OR_RETURN(const auto found, store_->find(info.name));
-    if (!found && info.name != name) gone.insert(info.name);
+    if (!found && info.name != name) gone.push_back(info.name);
   }
   if (!gone.empty())
-    context.diagnostics.report(
-        fmt::format("{}: its indexes are deleted, too: {}", command, named_in_note({gone.begin(), gone.end()})));
-  if (command != "let_") gone.insert(name);
-  ASSIGN_OR_RETURN(const Users users, users_of_objects(gone, *store_, registry_));
-  report_users(users, command, context);
+    context.diagnostics.report(fmt::format("{}: its indexes are deleted, too: {}", command, named_in_note(gone)));
+  return {};
+}
+
+// Functions and derived objects stay when something that they need goes.
+Status Session::change_definitions(std::string_view command, Context& context, const std::function<Status()>& change) {
+  ASSIGN_OR_RETURN(const auto objects, store_->objects());
+  ASSIGN_OR_RETURN(const UnusableDefinitions before, unusable_definitions(context));
+  RETURN_IF_ERROR(change());
+  GoneNames gone;
+  for (const ObjectInfo& info : objects) {
+    ASSIGN_OR_RETURN(const auto found, store_->find(info.name));
+    if (found) continue;
+    gone.all.insert(info.name);
+    if (info.type.is_function()) gone.functions.insert(info.name);
+  }
+  ASSIGN_OR_RETURN(const UnusableDefinitions now, unusable_definitions(context, gone));
+  const UnusableDefinitions newly = newly_unusable(before, now);
+  if (!newly.functions.empty())
+    context.diagnostics.show(
+        fmt::format("{}: these functions use it and fail from now on: {}", command, named_in_note(newly.functions)));
+  if (!newly.underivable.empty())
+    context.diagnostics.show(fmt::format(
+        "{}: these objects are derived from it; they keep their values, and `restore` will leave them out: {}", command,
+        named_in_note(newly.underivable_names())));
   return {};
 }
 
@@ -175,7 +201,8 @@ Status Session::run(const DeleteObject& command, Presenter&, Context& context) {
   return in_transaction(true, [&]() -> Status {
     ASSIGN_OR_RETURN(const auto existing, store->find(command.name));
     if (!existing) return no_object(command.name);
-    return remove(command.name, command.kills, command.kills ? "kill" : "delete", context);
+    const std::string_view verb = command.kills ? "kill" : "delete";
+    return change_definitions(verb, context, [&] { return remove(command.name, command.kills, verb, context); });
   });
 }
 
@@ -185,18 +212,17 @@ Status Session::run(const RenameObject& command, Presenter&, Context& context) {
   return in_transaction(true, [&]() -> Status {
     ASSIGN_OR_RETURN(const auto existing, store->find(command.old_name));
     if (!existing) return no_object(command.old_name);
-    RETURN_IF_ERROR(store->rename(command.old_name, command.new_name));
-    RETURN_IF_ERROR(check_no_circle(command.new_name, *store, registry_));
-    ASSIGN_OR_RETURN(const Users users, users_of_objects({command.old_name}, *store, registry_));
-    report_users(users, "changename", context);
-    return {};
+    return change_definitions("changename", context, [&]() -> Status {
+      RETURN_IF_ERROR(store->rename(command.old_name, command.new_name));
+      return check_no_circle(command.new_name, *store, registry_);
+    });
   });
 }
 
 Status Session::run(const DefineType& command, Presenter&, Context& context) {
   ASSIGN_OR_RETURN(Store * store, required_store());
   RETURN_IF_ERROR(check_new_name(command.name, "a type"));
-  if (registry_.find_type(command.name) != nullptr)
+  if (registry_.find_type(command.name) != nullptr || command.name == "longint")
     return Error{ErrorCode::name_exists, "there is a type '{}' already", command.name};
   return in_transaction(true, [&]() -> Status {
     Objects objects(registry_, store, context);
@@ -209,10 +235,7 @@ Status Session::run(const DefineType& command, Presenter&, Context& context) {
 Status Session::run(const DeleteType& command, Presenter&, Context& context) {
   ASSIGN_OR_RETURN(Store * store, required_store());
   return in_transaction(true, [&]() -> Status {
-    RETURN_IF_ERROR(store->remove_type(command.name));
-    ASSIGN_OR_RETURN(const Users users, users_of_type(command.name, *store, registry_));
-    report_users(users, "delete type", context);
-    return {};
+    return change_definitions("delete type", context, [&] { return store->remove_type(command.name); });
   });
 }
 

@@ -22,8 +22,8 @@ NestedList plan_list(const PlanRecorder& recorder) {
   NestedList::List rows;
   for (const PlanStep& step : recorder.steps())
     rows.push_back(NestedList::list(NestedList(step.depth), NestedList::symbol(step.name),
-                                    NestedList::text(step.signature), NestedList(static_cast<double>(step.calls)),
-                                    NestedList(static_cast<double>(step.tuples)),
+                                    NestedList::text(step.signature), NestedList(static_cast<std::int64_t>(step.calls)),
+                                    NestedList(static_cast<std::int64_t>(step.tuples)),
                                     NestedList(step.seconds * kMillisecondsPerSecond)));
   return NestedList::list(NestedList::symbol("inquiry"),
                           NestedList::list(NestedList::symbol("plan"), NestedList(std::move(rows))));

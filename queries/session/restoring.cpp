@@ -2,39 +2,61 @@
 // tuple by tuple; everything happens in one transaction.
 #include <unistd.h>
 
+#include <algorithm>
+#include <system_error>
+
+#include <fmt/format.h>
+
 #include "queries/language/checker.h"
+#include "queries/language/list_pieces.h"
 #include "queries/language/nested_reader.h"
 #include "queries/language/parser.h"
 #include "queries/session/database_files.h"
-#include "queries/session/list_pieces.h"
 #include "queries/session/objects.h"
 #include "queries/session/saved_list.h"
 #include "queries/session/session.h"
 #include "queries/session/variables.h"
+#include "queries/store/database_creation.h"
 #include "queries/streams/mapping.h"
-#include "stl/mapped_file.h"
+#include "stl/file_content.h"
 
 namespace queries {
 namespace {
 
-/// The text of a saved list: mapped, or copied where variables had to be replaced.
+/// A free name beside the database, which says that it is being restored.
+std::filesystem::path interim_name(const std::filesystem::path& file) {
+  const std::string begin = fmt::format("{}{}{}", file.string(), kRestoreMark, getpid());
+  std::filesystem::path name = begin;
+  std::error_code error;
+  for (int number = 0; std::filesystem::exists(name, error); ++number) name = fmt::format("{}-{}", begin, number);
+  return name;
+}
+
+/// An error of the interim file as one of the database that the user named.
+Error told_of(const std::filesystem::path& file, const std::filesystem::path& interim, Error error) {
+  const std::size_t at = error.message.find(interim.string());
+  if (at != std::string::npos) error.message.replace(at, interim.string().size(), file.string());
+  return error;
+}
+
+/// The text of a saved list, with the values of variables where it has any.
 class SavedText {
  public:
-  static Result<SavedText> open(const std::filesystem::path& file) {
-    auto mapped = stl::MappedFile::open(file);
-    if (!mapped) return std::move(mapped).error();
-    return SavedText(std::move(mapped).value());
+  static Result<SavedText> open(const std::filesystem::path& file, const std::atomic<bool>* cancel) {
+    auto content = stl::FileContent::read(file, cancel);
+    if (!content) return std::move(content).error();
+    return SavedText(std::move(content).value());
   }
   std::string_view text() const { return is_copied_ ? std::string_view(copy_) : file_.bytes(); }
 
  private:
-  explicit SavedText(stl::MappedFile file) : file_(std::move(file)) {
+  explicit SavedText(stl::FileContent file) : file_(std::move(file)) {
     const std::string_view bytes = file_.bytes();
     is_copied_ = !bytes.starts_with(kSavedHere) && bytes.find("$(") != std::string_view::npos;
     if (is_copied_) copy_ = with_variables(bytes);
   }
 
-  stl::MappedFile file_;
+  stl::FileContent file_;
   std::string copy_;
   bool is_copied_ = false;
 };
@@ -51,8 +73,8 @@ class Session::Restorer {
   Status database();
   /// `(OBJECT name () type value ())`, under another name if one is given.
   Status object(const std::string& new_name);
-  /// Objects that depend on others, once those are there.
-  Status dependent_objects();
+  /// The objects that could not be derived again, by name; the context has been told why.
+  const std::vector<std::string>& left_out() const { return left_out_; }
 
  private:
   struct Dependent {
@@ -63,6 +85,7 @@ class Session::Restorer {
   };
 
   Status section();
+  Status dependent_objects();
   Status named_type();
   Status object_content(std::string name);
   Status value_of(const std::string& name, const TypeExpr& type);
@@ -77,7 +100,8 @@ class Session::Restorer {
   ListPieces& pieces_;
   Context& context_;
   Objects objects_;
-  std::vector<Dependent> dependents_;
+  std::vector<Dependent> dependents_;  // to be made when the others are there
+  std::vector<std::string> left_out_;
 };
 
 Result<std::string> Session::Restorer::symbol(std::string_view what) {
@@ -146,9 +170,8 @@ Status Session::Restorer::object_content(std::string name) {
     return Error(ErrorCode::invalid_value, "expected OBJECT or DERIVED, found {}", head).at(place);
   ASSIGN_OR_RETURN(const std::string saved_name, symbol("the name of an object"));
   if (name.empty()) name = saved_name;
-  if (is_reserved(name, registry_))
-    return Error(ErrorCode::reserved_name, "'{}' is {} and cannot name an object", name, why_reserved(name, registry_))
-        .at(place);
+  if (is_reserved(name))
+    return Error(ErrorCode::reserved_name, "'{}' is a word of the language and cannot name an object", name).at(place);
   if (head == "DERIVED") {
     ASSIGN_OR_RETURN(NestedList expression, pieces_.read("an expression"));
     dependents_.push_back({name, std::move(expression), std::nullopt, place});
@@ -246,6 +269,7 @@ Status Session::Restorer::dependent_objects() {
     }
     if (later.size() == dependents_.size()) {
       for (const std::string& reason : reasons) context_.diagnostics.report(reason);
+      for (const Dependent& dependent : later) left_out_.push_back(dependent.name);
       return {};
     }
     dependents_ = std::move(later);
@@ -270,52 +294,81 @@ Status Session::Restorer::define(const Dependent& dependent) {
 Status Session::run(const RestoreObject& command, Presenter&, Context& context) {
   ASSIGN_OR_RETURN(Store * store, required_store());
   RETURN_IF_ERROR(check_new_name(command.name));
-  ASSIGN_OR_RETURN(const SavedText saved, SavedText::open(context.resolve(command.file)));
+  ASSIGN_OR_RETURN(const SavedText saved, SavedText::open(context.resolve(command.file), context.cancel));
   return in_transaction(true, [&]() -> Status {
     ASSIGN_OR_RETURN(const auto existing, store->find(command.name));
     if (existing)
       return Error{ErrorCode::name_exists, "there is an object '{}' already; delete it first", command.name};
     ListPieces pieces(saved.text(), command.file);
-    return Restorer(registry_, *store, pieces, context).object(command.name);
+    Restorer restorer(registry_, *store, pieces, context);
+    RETURN_IF_ERROR(restorer.object(command.name));
+    if (restorer.left_out().empty()) return {};
+    return Error{ErrorCode::not_evaluable, "restore: '{}' cannot be derived again; nothing was restored", command.name};
   });
 }
 
 // A new database is made beside its place and appears when it is complete; an existing one is emptied and filled in one
-// transaction. Either way it is open afterwards.
+// transaction. Either way it is open afterwards. Objects that cannot be derived again are missing in a new database,
+// and the command fails all the same; in place of an existing one that still has their values it does nothing.
 Status Session::run(const RestoreDatabase& command, Presenter&, Context& context) {
   RETURN_IF_ERROR(require_closed());
   if (options_.read_only) return Error{ErrorCode::database_read_only, "restore database: the session is read-only"};
-  ASSIGN_OR_RETURN(const SavedText saved, SavedText::open(context.resolve(command.file)));
+  ASSIGN_OR_RETURN(const SavedText saved, SavedText::open(context.resolve(command.file), context.cancel));
   ASSIGN_OR_RETURN(const auto file, database_file(command.name));
-  const bool is_new = !std::filesystem::exists(file);
-  const std::filesystem::path interim = file.string() + ".restore-" + std::to_string(getpid());
-  auto status = restore_into(is_new ? interim : file, is_new, saved.text(), command.file, context);
+  std::error_code error;
+  const bool is_new = !std::filesystem::exists(file, error);
+  const std::filesystem::path interim = interim_name(file);
+  auto left_out = restore_into(is_new ? interim : file, is_new, saved.text(), command.file, context);
+  Status status = left_out ? Status() : Status(left_out.error());
   if (is_new && status) status = put_in_place(interim, file);
   if (!status) {
-    const Status removed = is_new ? remove_database_files(interim) : Status();
+    const bool is_left = is_new && std::filesystem::exists(interim, error);
+    const Status removed = is_left ? delete_database_file(interim) : Status();
     if (!removed) context.diagnostics.report(removed.error().message);
-    return status;
+    return told_of(file, interim, status.error());
   }
   ASSIGN_OR_RETURN(store_, Store::open(file, OpenMode::read_write, registry_));
-  return {};
+  if (left_out->empty()) return {};
+  return Error{ErrorCode::not_evaluable,
+               "restore: the database '{}' was restored and is open, without these objects, which cannot be derived "
+               "again: {}",
+               command.name, fmt::join(*left_out, ", ")};
 }
 
-Status Session::restore_into(const std::filesystem::path& file, bool is_new, std::string_view text,
-                             const std::string& name, Context& context) {
+Result<std::vector<std::string>> Session::restore_into(const std::filesystem::path& file, bool is_new,
+                                                       std::string_view text, const std::string& name,
+                                                       Context& context) {
   ASSIGN_OR_RETURN(store_, Store::open(file, is_new ? OpenMode::create : OpenMode::read_write, registry_));
-  Status status = in_transaction(true, [&]() -> Status {
-    ASSIGN_OR_RETURN(const auto objects, store_->objects());
-    for (const ObjectInfo& info : objects) {
-      ASSIGN_OR_RETURN(const auto present, store_->find(info.name));  // indexes go with their relation
-      if (present) RETURN_IF_ERROR(store_->kill(info.name));
-    }
-    ASSIGN_OR_RETURN(const auto types, store_->types());
-    for (const NamedType& type : types) RETURN_IF_ERROR(store_->remove_type(type.name));
+  std::vector<std::string> left_out;
+  const Status status = in_transaction(true, [&]() -> Status {
+    ASSIGN_OR_RETURN(const auto before, store_->objects());
+    RETURN_IF_ERROR(empty_database());
     ListPieces pieces(text, name);
-    return Restorer(registry_, *store_, pieces, context).database();
+    Restorer restorer(registry_, *store_, pieces, context);
+    RETURN_IF_ERROR(restorer.database());
+    left_out = restorer.left_out();
+    const bool loses_some = std::ranges::any_of(
+        before, [&](const ObjectInfo& info) { return std::ranges::find(left_out, info.name) != left_out.end(); });
+    if (!loses_some) return {};
+    return Error{ErrorCode::not_evaluable,
+                 "restore: nothing was changed, since these objects cannot be derived again, and the existing database "
+                 "would lose those that it has: {}; delete it first, or restore under another name",
+                 fmt::join(left_out, ", ")};
   });
   store_.reset();
-  return status;
+  if (!status) return status.error();
+  return left_out;
+}
+
+Status Session::empty_database() {
+  ASSIGN_OR_RETURN(const auto objects, store_->objects());
+  for (const ObjectInfo& info : objects) {
+    ASSIGN_OR_RETURN(const auto present, store_->find(info.name));  // indexes go with their relation
+    if (present) RETURN_IF_ERROR(store_->kill(info.name));
+  }
+  ASSIGN_OR_RETURN(const auto types, store_->types());
+  for (const NamedType& type : types) RETURN_IF_ERROR(store_->remove_type(type.name));
+  return {};
 }
 
 }  // namespace queries

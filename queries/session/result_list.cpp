@@ -19,7 +19,7 @@ template <typename Index>
 NestedList index_list(const Index& index) {
   return NestedList::list(NestedList::symbol(index.is_definition() ? index.relation() : "frozen"),
                           NestedList::symbol(index.attribute()),
-                          NestedList(static_cast<std::int32_t>(index.tree().size())));
+                          NestedList(static_cast<std::int64_t>(index.tree().size())));
 }
 
 Result<NestedList> relation_list(Relation& relation, Context& context) {

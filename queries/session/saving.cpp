@@ -1,5 +1,7 @@
 // The commands of a session that save a database or an object as a nested list. The text is written object by object
 // and tuple by tuple, into a file that appears when it is whole, so that a failure leaves what was there.
+#include <fmt/format.h>
+
 #include "queries/session/objects.h"
 #include "queries/session/saved_list.h"
 #include "queries/session/session.h"
@@ -13,21 +15,10 @@ Error cannot_write(const Error& reason) {
   return {reason.code, "save: the file cannot be written: {}", reason.message};
 }
 
-/// Whether SQLite keeps the open database in this file, or in the files beside it.
-bool is_part_of(const Store& store, const std::filesystem::path& file) {
-  for (const char* ending : {"", "-wal", "-shm", "-journal"}) {
-    std::error_code none_there;
-    if (equivalent(store.file().string() + ending, file, none_there)) return true;
-  }
-  return false;
-}
-
 /// The file being saved, with the error that is told of it.
 class ListFile {
  public:
-  static Result<ListFile> create(const std::filesystem::path& path, const Store& store) {
-    if (is_part_of(store, path))
-      return Error{ErrorCode::wrong_usage, "save: '{}' holds the open database; save to another file", path.string()};
+  static Result<ListFile> create(const std::filesystem::path& path) {
     auto file = stl::AtomicFile::create(path);
     if (!file) return cannot_write(file.error());
     return ListFile(std::move(file).value());
@@ -117,10 +108,24 @@ class ObjectWriter {
 
 }  // namespace
 
+// Their values are not saved, as those of no derived object are.
+Status Session::note_underivable(const std::string& name, Context& context) {
+  ASSIGN_OR_RETURN(UnusableDefinitions unusable, unusable_definitions(context));
+  if (!name.empty()) std::erase_if(unusable.underivable, [&](const Underivable& each) { return each.name != name; });
+  if (unusable.underivable.empty()) return {};
+  context.diagnostics.show(
+      fmt::format("save: these objects cannot be derived again, and `restore` will leave them out: {}",
+                  fmt::join(unusable.underivable_names(), ", ")));
+  for (const Underivable& each : unusable.underivable)
+    context.diagnostics.report(fmt::format("save: '{}' cannot be derived again: {}", each.name, each.reason));
+  return {};
+}
+
 Status Session::run(const SaveDatabase& command, Presenter&, Context& context) {
   ASSIGN_OR_RETURN(Store * store, required_store());
-  ASSIGN_OR_RETURN(ListFile file, ListFile::create(context.resolve(command.file), *store));
+  ASSIGN_OR_RETURN(ListFile file, ListFile::create(context.resolve(command.file)));
   Status status = in_transaction(false, [&]() -> Status {
+    RETURN_IF_ERROR(note_underivable({}, context));
     RETURN_IF_ERROR(
         file.write(kSavedHere, "\n(DATABASE ", store->file().stem().string(), "\n  (DESCRIPTIVE ALGEBRA)\n  (TYPES"));
     ASSIGN_OR_RETURN(const auto types, store->types());
@@ -137,10 +142,11 @@ Status Session::run(const SaveDatabase& command, Presenter&, Context& context) {
 
 Status Session::run(const SaveObject& command, Presenter&, Context& context) {
   ASSIGN_OR_RETURN(Store * store, required_store());
-  ASSIGN_OR_RETURN(ListFile file, ListFile::create(context.resolve(command.file), *store));
+  ASSIGN_OR_RETURN(ListFile file, ListFile::create(context.resolve(command.file)));
   Status status = in_transaction(false, [&]() -> Status {
     ASSIGN_OR_RETURN(const auto info, store->find(command.name));
     if (!info) return Error{ErrorCode::unknown_name, "there is no object '{}'", command.name};
+    RETURN_IF_ERROR(note_underivable(command.name, context));
     RETURN_IF_ERROR(file.write(kSavedHere, "\n"));
     return ObjectWriter(*store, file, context).write(*info);
   });

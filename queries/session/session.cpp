@@ -18,14 +18,26 @@ Session::~Session() = default;
 
 Status Session::open_file(const std::filesystem::path& file) {
   RETURN_IF_ERROR(require_closed());
-  ASSIGN_OR_RETURN(store_,
-                   Store::open(file, options_.read_only ? OpenMode::read_only : OpenMode::open_or_create, registry_));
-  return {};
+  return open_store(file, options_.read_only ? OpenMode::read_only : OpenMode::open_or_create);
+}
+
+Status Session::open_store(const std::filesystem::path& file, OpenMode mode) {
+  auto store = Store::open(file, mode, registry_);
+  if (store) {
+    store_ = *std::move(store);
+    return {};
+  }
+  Error error = std::move(store).error();
+  if (error.code != ErrorCode::database_corrupt) return error;
+  damaged_ = Damaged{file, error};
+  error.message += "; `check database` says what can still be read";
+  return error;
 }
 
 Status Session::execute(std::string_view text, const SourcePlace& start, Presenter& presenter, Context& context) {
+  failed_result_ = {};
   try {
-    ASSIGN_OR_RETURN(const Command command, parse_command(text, registry_, start));
+    ASSIGN_OR_RETURN(const Command command, parse_command(text, registry_, start, &options_.parameters));
     Context own = context;
     own.memory = &memory_;
     return run(command, presenter, own);
@@ -45,6 +57,7 @@ Status Session::run(const Command& command, Presenter& presenter, Context& conte
 }
 
 Status Session::in_transaction(bool writes, const std::function<Status()>& work) {
+  if (damaged_) return damaged_->error;
   if (store_ == nullptr) return work();
   RETURN_IF_ERROR(store_->begin(writes));
   Status status = work();
@@ -53,8 +66,14 @@ Status Session::in_transaction(bool writes, const std::function<Status()>& work)
   return status;
 }
 
+// Of several statements in one, the first counts.
+void Session::judge(const OwnResult& result, const Datum& value) {
+  if (failed_result_.empty()) failed_result_ = result.failure(value);
+}
+
 Result<Store*> Session::required_store() {
   if (store_ != nullptr) return store_.get();
+  if (damaged_) return damaged_->error;
   return Error{ErrorCode::no_database,
                "no database is open; start with --db FILE, or use `create database N` and "
                "`open database N`"};
@@ -70,7 +89,9 @@ Status Session::run(const Query& command, Presenter& presenter, Context& context
     if (node->type().is_stream() || node->type().is_tuple())
       return Error{ErrorCode::not_evaluable, "a result of type {} cannot be shown; end a stream with consume or count",
                    node->type().text()};
+    const OwnResult result(context);
     ASSIGN_OR_RETURN(const Datum value, node->evaluate(nullptr, context));
+    judge(result, value);
     has_shown = true;
     return presenter.present(node->type(), value, context);
   };

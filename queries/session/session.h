@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -10,7 +11,10 @@
 #include "algebra3d/base/work_memory.h"
 #include "algebra3d/registry/registry.h"
 #include "queries/language/command.h"
+#include "queries/language/session_parameters.h"
 #include "queries/language/typed_tree.h"
+#include "queries/session/own_result.h"
+#include "queries/session/unusable.h"
 #include "queries/store/store.h"
 
 namespace queries {
@@ -41,6 +45,8 @@ struct SessionOptions {
   /// ones.
   bool shows_timing = false;
   bool uses_pager = true;
+  /// What `$name` stands for in commands.
+  SessionParameters parameters = {};
 };
 
 /// One user's state: the open database, if any. Runs statements from text to result; each is one transaction, which
@@ -57,6 +63,9 @@ class Session {
   /// Runs one command. Reasons of undefined values and remarks go to `context.diagnostics`. Never throws: exhausted
   /// memory becomes error out_of_memory. After an error the database is as before the command.
   Status execute(std::string_view text, const SourcePlace& start, Presenter& presenter, Context& context);
+  /// How the statement that was executed last tells by its own result that it has failed, since a file could not be
+  /// read or written: "undefined" or "FALSE"; empty if it does not. The statement has happened all the same.
+  std::string_view failed_result() const { return failed_result_; }
 
   /// Null while no database is open.
   Store* store() { return store_.get(); }
@@ -67,6 +76,7 @@ class Session {
  private:
   class Objects;
   class Restorer;
+  class UnusableSearch;
 
   Status run(const Command& command, Presenter& presenter, Context& context);
 
@@ -110,15 +120,27 @@ class Session {
   Result<Value> evaluate_alone(const Expression& expression, Context& context);
   Status set_memory(const Value& value, const SourcePlace& place);
   Result<bool> holds(const Expression& condition, std::string_view command, Context& context);
+  void judge(const OwnResult& result, const Datum& value);
   Result<Store*> required_store();
   Status check_new_name(const std::string& name, std::string_view what = "an object");
   Status require_closed();
+  Status open_store(const std::filesystem::path& file, OpenMode mode);
+  Result<std::vector<Finding>> findings(Presenter& presenter, Context& context);
   Result<std::filesystem::path> database_file(const std::string& name) const;
-  Status restore_into(const std::filesystem::path& file, bool is_new, std::string_view text, const std::string& name,
-                      Context& context);
+  /// The names of the objects that had to be left out.
+  Result<std::vector<std::string>> restore_into(const std::filesystem::path& file, bool is_new, std::string_view text,
+                                                const std::string& name, Context& context);
+  Status empty_database();
   /// The value is made under the name `interim`, if there is one.
   Status define(const std::string& name, const Expression& value, bool is_derived, Context& context,
                 const std::string& interim = {});
+  /// The functions that fail and the objects that cannot be derived again, within a statement.
+  /// `gone` are names that were those of objects until now.
+  Result<UnusableDefinitions> unusable_definitions(Context& context, const GoneNames& gone = {});
+  /// Notes of all objects, or of one, which of them `restore` will leave out.
+  Status note_underivable(const std::string& name, Context& context);
+  /// Runs `change` and notes which of them it made so.
+  Status change_definitions(std::string_view command, Context& context, const std::function<Status()>& change);
   /// Removes an object and notes what goes with it.
   Status remove(const std::string& name, bool kills, std::string_view command, Context& context);
 
@@ -126,6 +148,14 @@ class Session {
   SessionOptions options_;
   algebra3d::WorkMemory memory_;
   std::unique_ptr<Store> store_;
+  std::string_view failed_result_;
+  /// A database that did not open since it is damaged: `check database` looks at it, and nothing else is done before it
+  /// is closed.
+  struct Damaged {
+    std::filesystem::path file;
+    Error error;
+  };
+  std::optional<Damaged> damaged_;
 };
 
 /// The result list `(T V)` of a query. Streams and tuples have none: error not_evaluable.

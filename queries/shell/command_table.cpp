@@ -1,6 +1,7 @@
 #include "queries/shell/command_table.h"
 
 #include <array>
+#include <cctype>
 #include <vector>
 
 #include <fmt/format.h>
@@ -50,8 +51,9 @@ constexpr auto kCommands = std::to_array<CommandDescription>({
     {"set \"memory\" = INT", "Limit in megabytes for sorting, grouping and hashing"},
     {"@FILE", "Run a script; @@FILE stops at its first error; @%FILE, @&FILE: the same, without // and /* */"},
     {"repeat INT COMMAND", "Run a command several times"},
-    {"help OPERATOR", "Explain an operator or a command (also `? NAME`)"},
-    {"quit", "Leave (also `q`, or Ctrl-D on an empty line)"},
+    {"help OPERATOR", "Explain an operator, a command or a family of operators, or find a word (also `? NAME`)"},
+    {"help families", "List the families of operators"},
+    {"quit", "Leave (also `q`, `exit`, or Ctrl-D on an empty line)"},
 });
 
 constexpr std::string_view kPromptHelp =
@@ -73,6 +75,61 @@ std::string command_lines(std::string_view word) {
   return text;
 }
 
+std::string in_lower_case(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+bool contains(std::string_view text, const std::string& lower_case_part) {
+  return in_lower_case(text).find(lower_case_part) != std::string::npos;
+}
+
+std::string families_text(const algebra3d::Registry& registry) {
+  std::string text = "Families of operators (`help FAMILY` lists one)\n";
+  for (const std::string& family : registry.families()) {
+    std::string names;
+    for (const algebra3d::Operator* op : algebra3d::operators_of_family(registry, family))
+      names += (names.empty() ? "" : ", ") + op->name;
+    text += fmt::format("  {}: {}\n", family, names);
+  }
+  return text;
+}
+
+// Empty if there is no such family.
+std::string family_text(const std::string& name, const algebra3d::Registry& registry) {
+  for (const std::string& family : registry.families())
+    if (algebra3d::is_equal_but_for_case(family, name))
+      return fmt::format("Operators: {}\n{}", family,
+                         algebra3d::help_overview(algebra3d::operators_of_family(registry, family)));
+  return "";
+}
+
+// Operators and commands that a word leads to; empty if there is none.
+std::string search_text(const std::string& word, const algebra3d::Registry& registry) {
+  const std::string part = in_lower_case(word);
+  std::vector<const algebra3d::Operator*> named;
+  std::vector<const algebra3d::Operator*> described;
+  for (const algebra3d::Operator* op : registry.operators()) {
+    if (contains(op->name, part) || contains(op->family, part))
+      named.push_back(op);
+    else if (contains(op->doc, part) || contains(op->detail, part))
+      described.push_back(op);
+  }
+  std::string commands;
+  for (const auto& [syntax, meaning] : kCommands)
+    if (contains(syntax, part) || contains(meaning, part))
+      commands += fmt::format("  {:{}}  {}\n", syntax, 32, meaning);
+  std::string text;
+  if (!named.empty())
+    text += fmt::format("Operators with '{}' in their names\n{}", word, algebra3d::help_overview(named));
+  if (!described.empty())
+    text += fmt::format("{}Operators with '{}' in their descriptions\n{}", text.empty() ? "" : "\n", word,
+                        algebra3d::help_overview(described));
+  if (!commands.empty()) text += fmt::format("{}Commands with '{}'\n{}", text.empty() ? "" : "\n", word, commands);
+  return text;
+}
+
 }  // namespace
 
 std::span<const CommandDescription> command_table() {
@@ -80,21 +137,33 @@ std::span<const CommandDescription> command_table() {
 }
 
 std::string shell_help(const algebra3d::Registry& registry) {
-  return fmt::format("Commands (`help NAME` explains a command or an operator)\n{}\nThe prompt\n{}\nOperators\n{}",
-                     command_lines(""), kPromptHelp, algebra3d::help_overview(registry));
+  return fmt::format(
+      "New here? docs/tutorial.md leads to answers on your own files in a quarter of an hour.\n\n"
+      "Commands (`help NAME` explains a command or an operator, `help WORD` finds one)\n{}\nThe "
+      "prompt\n{}\nOperators\n{}",
+      command_lines(""), kPromptHelp, algebra3d::help_overview(registry));
 }
 
-algebra3d::Result<std::string> shell_help(const std::string& name, const algebra3d::Registry& registry) {
+std::string exact_help(const std::string& name, const algebra3d::Registry& registry) {
   std::string text = command_lines(name);
   const algebra3d::Operator* op = registry.find_operator(name);
   if (op != nullptr) text += (text.empty() ? "" : "\n") + algebra3d::help_text(*op);
+  return text;
+}
+
+algebra3d::Result<std::string> shell_help(const std::string& name, const algebra3d::Registry& registry) {
+  if (name == "families") return families_text(registry);
+  std::string text = exact_help(name, registry);
+  if (text.empty()) text = family_text(name, registry);
+  if (text.empty()) text = search_text(name, registry);
   if (!text.empty()) return text;
   std::vector<std::string> names;
   for (const algebra3d::Operator* each : registry.operators()) names.push_back(each->name);
   for (const auto& [syntax, meaning] : kCommands) names.push_back(first_word(syntax));
   const std::string nearest = algebra3d::nearest_name(name, names);
-  return algebra3d::Error{algebra3d::ErrorCode::unknown_name, "there is no operator or command '{}'{}", name,
-                          nearest.empty() ? "" : ", did you mean '" + nearest + "'?"};
+  return algebra3d::Error{algebra3d::ErrorCode::unknown_name,
+                          "there is no operator or command '{}', and no description has the word{}", name,
+                          nearest.empty() ? "" : "; did you mean '" + nearest + "'?"};
 }
 
 }  // namespace queries

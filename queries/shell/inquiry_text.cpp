@@ -69,7 +69,7 @@ std::string constructors_text(const NestedList& content, std::size_t columns) {
 std::string counters_text(const NestedList& content, std::size_t columns) {
   TextTable table({"Counter", "Count"}, {false, true});
   for (const NestedList& item : content.elements())
-    table.add({atom_text(item.elements()[0]), fmt::format("{:.0f}", item.elements()[1].as_real())});
+    table.add({atom_text(item.elements()[0]), std::to_string(item.elements()[1].as_int())});
   return table.print(columns);
 }
 
@@ -80,11 +80,11 @@ std::string plan_text(const NestedList& content, std::size_t columns) {
     const auto& cells = step.elements();
     const std::string indentation(static_cast<std::size_t>(2 * cells[0].as_int()), ' ');
     // Only streams give tuples.
-    const double tuples = cells[4].as_real();
+    const std::int64_t tuples = cells[4].as_int();
     const bool is_stream = atom_text(cells[2]).find("-> (stream") != std::string::npos;
-    table.add(
-        {indentation + atom_text(cells[1]), one_line(atom_text(cells[2])), fmt::format("{:.0f}", cells[3].as_real()),
-         tuples == 0 && !is_stream ? "" : fmt::format("{:.0f}", tuples), fmt::format("{:.1f}", cells[5].as_real())});
+    table.add({indentation + atom_text(cells[1]), one_line(atom_text(cells[2]), columns),
+               std::to_string(cells[3].as_int()), tuples == 0 && !is_stream ? "" : std::to_string(tuples),
+               fmt::format("{:.1f}", cells[5].as_real())});
   }
   return table_or(table, content.elements().size(), "no operators: the value is a constant or an object", columns);
 }
@@ -94,8 +94,7 @@ std::string findings_text(const NestedList& content) {
   std::string text;
   for (const NestedList& item : content.elements()) {
     const auto& parts = item.elements();
-    const Finding finding{parts[0].as_string(), static_cast<TupleId>(parts[1].as_real()), parts[2].as_string(),
-                          parts[3].as_text()};
+    const Finding finding{parts[0].as_string(), parts[1].as_int(), parts[2].as_string(), parts[3].as_text()};
     text += printable(finding.text()) + "\n";
   }
   return text.empty() ? "no findings\n" : text;

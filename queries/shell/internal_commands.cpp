@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "queries/shell/command_table.h"
+#include "queries/shell/file_arguments.h"
 #include "queries/shell/statement_runner.h"
 
 namespace queries {
@@ -68,6 +69,7 @@ RunResult StatementRunner::run_shell_command(const CommandText& command) {
     console_.errors << "note: debug: there are no debug levels here; see `explain` and `list counters`\n";
     return RunResult::ok;
   }
+  if (word == "exit" && rest.empty()) console_.errors << "note: `exit` means `quit` here\n";
   return rest.empty() ? RunResult::quit
                       : complain(word + ": expected nothing after it, found '" + rest + "'", command.start);
 }
@@ -88,6 +90,13 @@ RunResult StatementRunner::help(const std::string& name) {
     show_help(shell_help(session_.registry()));
     return RunResult::ok;
   }
+  const auto of_program = console_.program_help ? console_.program_help(name) : std::nullopt;
+  if (of_program) {
+    const std::string own = exact_help(name, session_.registry());
+    show_help((own.empty() ? "" : own + "\n") + "A command of the program: `algebra3d " + name + " ...`\n" +
+              *of_program);
+    return RunResult::ok;
+  }
   const auto text = shell_help(name, session_.registry());
   if (!text) return complain(text.error().message);
   show_help(*text);
@@ -102,11 +111,11 @@ RunResult StatementRunner::include(const CommandText& command) {
   const std::string file = trimmed(text.substr(has_mode ? 2 : 1));
   if (file.empty()) return complain("@: expected the name of a script after it", command.start);
   const bool skips = mode == '%' || mode == '&';
-  const bool stopped_before = stops_on_error_;
-  stops_on_error_ = stopped_before || mode == '@' || mode == '&';
+  const bool stopped_before = rules_.stops_on_error;
+  rules_.stops_on_error = stopped_before || mode == '@' || mode == '&';
   const RunResult result =
       run_file(file, skips ? CommandReader::Skipping::marked_blocks : CommandReader::Skipping::comments, command.start);
-  stops_on_error_ = stopped_before;
+  rules_.stops_on_error = stopped_before;
   return result;
 }
 
@@ -117,6 +126,8 @@ RunResult StatementRunner::run_file(const std::string& file, CommandReader::Skip
   if (std::filesystem::is_directory(file, error))
     return refuse("cannot read the script '" + file + "': it is a folder");
   if (is_device(file)) return refuse("cannot read the script '" + file + "': it is a device");
+  if (const std::string why = why_no_script(file); !why.empty())
+    return refuse("cannot read the script '" + file + "': " + why);
   errno = 0;
   std::ifstream script(file);
   if (!script) return refuse("cannot read the script '" + file + "': " + std::generic_category().message(errno));

@@ -51,6 +51,7 @@ Status TablePresenter::present(const TypeExpr& type, const Datum& value, Context
 Status TablePresenter::present_relation(const TypeExpr& tuple, Relation& relation, Context& context) {
   ASSIGN_OR_RETURN(const TupleStreamPtr tuples, relation.scan());
   const std::size_t width = columns_();
+  const std::size_t longest = width == kNoLimit ? kNoLimit : kLongestCell;
   std::size_t count = 0;
   TextTable table = empty_table(tuple);
   while (true) {
@@ -58,7 +59,7 @@ Status TablePresenter::present_relation(const TypeExpr& tuple, Relation& relatio
     ASSIGN_OR_RETURN(const TuplePtr next, tuples->next());
     if (next != nullptr) {
       std::vector<std::string> row;
-      for (const Value& attribute : next->attributes) row.push_back(display_text(attribute));
+      for (const Value& attribute : next->attributes) row.push_back(display_text(attribute, longest));
       table.add(std::move(row));
       if (++count % kRowsPerPiece != 0) continue;
     }

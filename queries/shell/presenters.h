@@ -20,7 +20,7 @@ class ListPresenter final : public Presenter {
 
 /// Results for people: relations as tables that fit the terminal, a long one in pieces of some hundred rows; inquiries
 /// as tables of their own. Once the stream fails (the user has left the pager) the rest is not read. `columns` is asked
-/// for each result.
+/// for each result; with kNoLimit no cell is cut.
 class TablePresenter final : public Presenter {
  public:
   TablePresenter(std::ostream& out, std::function<std::size_t()> columns) : out_(out), columns_(std::move(columns)) {}

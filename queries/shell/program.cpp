@@ -8,6 +8,8 @@
 #include <fstream>
 #include <functional>
 #include <iostream>
+#include <optional>
+#include <sstream>
 #include <system_error>
 #include <thread>
 
@@ -15,10 +17,11 @@
 #include "algebra3d/registry/documentation.h"
 #include "queries/importer/import_command.h"
 #include "queries/shell/command_table.h"
+#include "queries/shell/file_arguments.h"
 #include "queries/shell/interactive.h"
 #include "queries/shell/interruption.h"
-#include "queries/shell/presenters.h"
-#include "queries/shell/screen.h"
+#include "queries/shell/mesh_commands.h"
+#include "queries/shell/result_format.h"
 #include "queries/streams/all.h"
 #include "queries/test_runner/test_runner.h"
 
@@ -33,8 +36,9 @@ constexpr int kInterrupted = 130;
 struct Options {
   std::string database;
   std::string folder;
-  std::string commands;
-  std::string format = "auto";
+  std::vector<std::string> commands;
+  std::vector<std::string> parameters;
+  ResultFormat format;
   std::vector<std::string> scripts;
   std::vector<std::string> test_files;
   std::string test_filter;
@@ -44,18 +48,12 @@ struct Options {
   std::string help_operator;
   bool help_as_markdown = false;
   bool is_read_only = false;
-  bool stops_on_error = false;
+  FailureRules failure_rules;
 };
 
 int exit_status(RunResult result) {
   if (result == RunResult::failed) return kFailed;
   return result == RunResult::interrupted ? kInterrupted : kOk;
-}
-
-std::unique_ptr<Presenter> make_presenter(const Options& options, std::ostream& out) {
-  const bool as_table = options.format == "table" || (options.format == "auto" && isatty(STDOUT_FILENO) != 0);
-  if (as_table) return std::make_unique<TablePresenter>(out, [] { return screen_size().columns; });
-  return std::make_unique<ListPresenter>(out);
 }
 
 // A pager and a line that comes and goes are for people.
@@ -75,18 +73,31 @@ std::filesystem::path database_folder(const Options& options) {
 int run_scripts(const Options& options, StatementRunner& runner) {
   int worst = kOk;
   for (const std::string& name : options.scripts) {
-    const RunResult result = runner.run_file(name);
+    const RunResult result = name == "-" ? runner.run_script(std::cin, "stdin") : runner.run_file(name);
     if (result == RunResult::interrupted) return kInterrupted;
     if (result == RunResult::failed) worst = kFailed;
-    if (result == RunResult::failed && options.stops_on_error) return worst;
+    if (result == RunResult::failed && options.failure_rules.stops_on_error) return worst;
+  }
+  return worst;
+}
+
+/// Each `-c` in its order. An error in one does not keep the next from running, as in a script.
+int run_commands(const Options& options, StatementRunner& runner) {
+  int worst = kOk;
+  for (const std::string& text : options.commands) {
+    std::istringstream commands(text);
+    const RunResult result = runner.run_script(commands, "-c");
+    if (result == RunResult::interrupted) return kInterrupted;
+    if (result == RunResult::failed) worst = kFailed;
+    if (result == RunResult::quit || (result == RunResult::failed && options.failure_rules.stops_on_error))
+      return worst;
   }
   return worst;
 }
 
 int run_statements(const Options& options, Session& session, StatementRunner& runner, std::ostream& out) {
   if (!options.commands.empty()) {
-    std::istringstream commands(options.commands);
-    const int status = exit_status(runner.run_script(commands, "-c"));
+    const int status = run_commands(options, runner);
     if (status != kOk || options.scripts.empty()) return status;
   }
   if (!options.scripts.empty()) return run_scripts(options, runner);
@@ -101,26 +112,54 @@ bool is_transaction_lost(Session& session) {
   return true;
 }
 
-int run_session(const Options& options, const algebra3d::Registry& registry) {
-  Session session(registry, {.folder = database_folder(options), .read_only = options.is_read_only});
+Result<SessionParameters> session_parameters(const std::vector<std::string>& given,
+                                             const algebra3d::Registry& registry) {
+  SessionParameters parameters;
+  for (const std::string& text : given) {
+    ASSIGN_OR_RETURN(auto parameter, parse_session_parameter(text, registry));
+    if (!parameters.insert(parameter).second)
+      return Error{ErrorCode::wrong_usage, "-p {}: the parameter is given twice", parameter.first};
+  }
+  return parameters;
+}
+
+std::optional<std::string> subcommand_help(const CLI::App& app, const std::string& name) {
+  for (const CLI::App* command : app.get_subcommands({}))
+    if (command->get_name() == name) return command->help();
+  return std::nullopt;
+}
+
+int run_session(const CLI::App& app, const Options& options, const algebra3d::Registry& registry) {
+  auto parameters = session_parameters(options.parameters, registry);
+  if (!parameters) {
+    std::cerr << "error: " << parameters.error().message << "\n";
+    return kWrongUsage;
+  }
+  Session session(
+      registry,
+      {.folder = database_folder(options), .read_only = options.is_read_only, .parameters = *std::move(parameters)});
+  bool is_damaged = false;
   if (!options.database.empty()) {
     const Status opened = session.open_file(options.database);
-    if (!opened) {
-      std::cerr << "error: " << opened.error().message << "\n";
-      return kFailed;
-    }
-    if (const std::string& notice = session.store()->opening_notice(); !notice.empty())
+    is_damaged = !opened && opened.error().code == ErrorCode::database_corrupt;
+    if (!opened) std::cerr << "error: " << opened.error().message << "\n";
+    if (!opened && !is_damaged) return kFailed;
+    if (const std::string notice = is_damaged ? "" : session.store()->opening_notice(); !notice.empty())
       std::cerr << "note: " << notice << "\n";
   }
   TerminalOutput terminal(std::cout, terminal_settings());
   std::ostream terminal_stream(&terminal);
   const bool is_terminal = isatty(STDOUT_FILENO) != 0;
   std::ostream& out = is_terminal ? terminal_stream : std::cout;
-  const auto presenter = make_presenter(options, out);
-  StatementRunner runner(session, *presenter, {out, std::cerr, is_terminal ? &terminal : nullptr},
-                         options.stops_on_error);
+  FormattedResults results(options.format, registry, out);
+  // The shell has a `help` of its own.
+  const auto program_help = [&app](const std::string& name) {
+    return name == "help" ? std::nullopt : subcommand_help(app, name);
+  };
+  StatementRunner runner(session, results.presenter(),
+                         {out, std::cerr, is_terminal ? &terminal : nullptr, program_help}, options.failure_rules);
   const int status = run_statements(options, session, runner, out);
-  return is_transaction_lost(session) && status == kOk ? kFailed : status;
+  return (is_damaged || is_transaction_lost(session)) && status == kOk ? kFailed : status;
 }
 
 int run_tests(const Options& options, const algebra3d::Registry& registry) {
@@ -140,11 +179,11 @@ int run_help(const CLI::App& app, const Options& options, const algebra3d::Regis
     std::cout << shell_help(registry);
     return kOk;
   }
-  for (const CLI::App* command : app.get_subcommands({}))
-    if (command->get_name() == options.help_operator) {
-      std::cout << command->help();
-      return kOk;
-    }
+  if (const auto text = subcommand_help(app, options.help_operator)) {
+    std::cout << *text;
+    if (const std::string own = exact_help(options.help_operator, registry); !own.empty()) std::cout << "\n" << own;
+    return kOk;
+  }
   const auto text = shell_help(options.help_operator, registry);
   if (text) {
     std::cout << *text;
@@ -161,11 +200,46 @@ void add_options(CLI::App& app, Options& options) {
                  "Folder of the databases of `create`, `open` and `delete database` (default: that of --db, else here)")
       ->type_name("DIR");
   app.add_flag("--read-only", options.is_read_only, "Change nothing");
-  app.add_option("-c", options.commands, "Commands to run, separated by ';'")->type_name("'COMMAND; ...'");
-  app.add_option("--format", options.format, "Results as nested lists or as tables (default: tables on a terminal)")
-      ->check(CLI::IsMember({"auto", "list", "table"}));
-  app.add_flag("--stop-on-error", options.stops_on_error, "End a script at its first error");
-  app.add_option("SCRIPT", options.scripts, "Scripts to run; without any, and on a terminal: the interactive shell");
+  app.add_option("-c", options.commands, "Commands to run, separated by ';'; may be given several times")
+      ->type_name("'COMMAND; ...'")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->allow_extra_args(false);
+  app.add_option("-p,--param", options.parameters,
+                 "What $NAME stands for in commands and scripts: a number, TRUE or FALSE, else a string; of a stated "
+                 "type with NAME:TYPE=VALUE. May be repeated")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  add_format_options(app, options.format);
+  app.add_flag("--stop-on-error", options.failure_rules.stops_on_error,
+               "End a script at its first error, or failed import or export");
+  app.add_flag("--fail-on-undefined", options.failure_rules.fails_on_undefined,
+               "A statement fails wherever a value turns undefined with a reason, also inside streams");
+  app.add_option("FILE", options.scripts,
+                 "Scripts to run (- is standard input), a database to open, or STL, OBJ and OFF files to look at;\n"
+                 "without any, and on a terminal: the interactive shell")
+      ->type_name("");
+}
+
+/// Finds out by their contents what the named files are; mesh files are shown. The exit status if that was all.
+std::optional<int> take_files(Options& options, const MeshConsole& console) {
+  auto files = sort_named_files(options.scripts);
+  const auto refuse = [&](const std::string& why) {
+    console.errors << "error: " << why << "\n";
+    return kWrongUsage;
+  };
+  if (!files) return refuse(files.error().message);
+  if (!files->meshes.empty()) {
+    if (!options.database.empty() || !options.commands.empty())
+      return refuse("'" + files->meshes.front() + "' is a mesh file, and is looked at without --db and -c");
+    return show_mesh_files(files->meshes, console);
+  }
+  options.scripts = std::move(files->scripts);
+  if (files->database.empty()) return std::nullopt;
+  if (!options.database.empty())
+    return refuse("'" + options.database + "' and '" + files->database + "' are databases; one can be open");
+  options.database = std::move(files->database);
+  return std::nullopt;
 }
 
 const CLI::App* add_test_command(CLI::App& app, Options& options) {
@@ -195,6 +269,7 @@ int run_arguments(int argc, char** argv) {
   ImportOptions import_options;
   CLI::App app{"algebra3d: solids and surfaces as values in a database, with exact geometry"};
   app.footer(
+      "New here? docs/tutorial.md leads to answers on your own files in a quarter of an hour.\n\n"
       "The interactive shell completes with Tab, keeps its history in ~/.local/state/algebra3d (or $XDG_STATE_HOME),\n"
       "sends long results through $PAGER, and ends a statement with Ctrl-C; `help` there tells the rest.\n"
       "Exit status: 0 all went well, 1 a command failed, 2 wrong usage, 130 interrupted.");
@@ -203,22 +278,28 @@ int run_arguments(int argc, char** argv) {
   add_options(app, options);
   const CLI::App* import = add_import_command(app, import_options);
   const CLI::App* test = add_test_command(app, options);
+  MeshCommands meshes;
+  meshes.add_to(app);
   CLI::App* help = app.add_subcommand("help", "Explain an operator or a command, or list all of them");
   help->add_option("OPERATOR", options.help_operator,
                    "Name of an operator or a command, such as volume, let or import");
   help->add_flag("--markdown", options.help_as_markdown, "The whole reference page");
   try {
     app.parse(argc, argv);
+    check_format_options(options.format);
   } catch (const CLI::ParseError& error) {
     const int status = app.exit(error);
     return status == 0 ? kOk : kWrongUsage;
   }
+  const MeshConsole console{std::cout, std::cerr, &Interruption::flag()};
+  if (const auto status = meshes.run(console)) return *status;
   algebra3d::Registry registry = algebra3d::make_registry();
   register_stream_operators(registry);
   if (import->parsed()) return run_import(import_options, registry, &Interruption::flag());
   if (test->parsed()) return run_tests(options, registry);
   if (help->parsed()) return run_help(app, options, registry);
-  return run_session(options, registry);
+  if (const auto status = take_files(options, console)) return *status;
+  return run_session(app, options, registry);
 }
 
 // How deep expressions and calls may be nested is fixed, and must not depend on the user's `ulimit -s`: the work is

@@ -107,7 +107,23 @@ RunResult StatementRunner::run(const CommandText& command) {
   Context context{diagnostics, &Interruption::flag(), {}};
   const Status status = execute(command, context);
   for (const std::string& line : diagnostics.summary()) console_.errors << "note: " << shown(line) << "\n";
-  return conclude(command, status);
+  const RunResult result = conclude(command, status);
+  return result == RunResult::ok ? judge_values(command, diagnostics) : result;
+}
+
+// A script is asked whether it did what it was to do, so a file that could not be read or written is a failure of the
+// statement that was to do just this. At the prompt the note says it.
+RunResult StatementRunner::judge_values(const CommandText& command, const Diagnostics& diagnostics) {
+  using About = Diagnostics::About;
+  if (script_depth_ == 0) return RunResult::ok;
+  if (const std::string_view failed = session_.failed_result(); !failed.empty())
+    return complain(fmt::format("the statement has failed: its result is {}", failed), command.start);
+  const std::uint64_t count =
+      diagnostics.count(About::undefined) + diagnostics.count(About::unreadable) + diagnostics.count(About::unwritten);
+  if (!rules_.fails_on_undefined || count == 0) return RunResult::ok;
+  return complain(fmt::format("{} value{} undefined, or FALSE for a file that was not written (--fail-on-undefined)",
+                              count, count == 1 ? " is" : "s are"),
+                  command.start);
 }
 
 RunResult StatementRunner::conclude(const CommandText& command, const Status& status) {
@@ -184,7 +200,7 @@ RunResult StatementRunner::run_all(const std::vector<CommandText>& commands, boo
     const RunResult result = run(command);
     has_failed = has_failed || result == RunResult::failed;
     if (result == RunResult::quit || result == RunResult::interrupted) return result;
-    if (result == RunResult::failed && stops_on_error_) return result;
+    if (result == RunResult::failed && rules_.stops_on_error) return result;
   }
   return RunResult::ok;
 }

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <istream>
 #include <optional>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "queries/language/command_reader.h"
@@ -21,13 +23,21 @@ struct Console {
   std::ostream& out;                   ///< what the presenter writes to, and `help`
   std::ostream& errors;                ///< errors, notes, times
   TerminalOutput* terminal = nullptr;  ///< what `out` writes to if it is a terminal
+  /// The help of a subcommand of the program, such as import; nothing for any other word. May be empty.
+  std::function<std::optional<std::string>(const std::string& name)> program_help = {};
+};
+
+/// When a script has failed, and when it ends.
+struct FailureRules {
+  bool stops_on_error = false;
+  bool fails_on_undefined = false;  ///< a reason why any value is undefined makes a statement fail
 };
 
 /// Runs commands one after the other: results to the presenter, errors and notes to `errors` with file, line, column.
 class StatementRunner {
  public:
-  StatementRunner(Session& session, Presenter& presenter, Console console, bool stops_on_error)
-      : session_(session), presenter_(presenter), console_(console), stops_on_error_(stops_on_error) {}
+  StatementRunner(Session& session, Presenter& presenter, Console console, FailureRules rules)
+      : session_(session), presenter_(presenter), console_(std::move(console)), rules_(rules) {}
 
   /// One command, `help` and `quit` included.
   RunResult run(const CommandText& command);
@@ -41,6 +51,7 @@ class StatementRunner {
  private:
   Status execute(const CommandText& command, Context& context);
   RunResult conclude(const CommandText& command, const Status& status);
+  RunResult judge_values(const CommandText& command, const algebra3d::Diagnostics& diagnostics);
   RunResult run_lines(std::istream& script, CommandReader& reader);
   RunResult run_all(const std::vector<CommandText>& commands, bool& has_failed);
   RunResult refuse(const CommandText& command);
@@ -55,7 +66,7 @@ class StatementRunner {
   Session& session_;
   Presenter& presenter_;
   Console console_;
-  bool stops_on_error_;
+  FailureRules rules_;
   std::vector<std::filesystem::path> scripts_;  // that run at the moment, the innermost last
   int script_depth_ = 0;                        // the same with those that are no files
   std::optional<SourcePlace> failed_begin_;     // what follows in the script, up to its end, is not run on its own

@@ -39,11 +39,13 @@ std::string summary(const Value& value) {
 // Long columns share what the short ones leave, none falls below a readable width.
 constexpr std::size_t kSmallestColumn = 6;
 
+// Lists that are cut show their beginning alone.
+constexpr std::size_t kLongestList = 120;
+
 }  // namespace
 
-std::string one_line(std::string_view text) {
-  constexpr std::size_t kLongest = 1000;
-  const std::string_view kept = algebra3d::utf8_prefix(text, kLongest);
+std::string one_line(std::string_view text, std::size_t longest) {
+  const std::string_view kept = algebra3d::utf8_prefix(text, longest);
   std::string line = printable(kept);
   std::ranges::replace_if(
       line, [](char c) { return c == '\n' || c == '\t'; }, ' ');
@@ -55,15 +57,16 @@ bool is_large(const Value& value) {
   return name == "surface3d" || name == "volume3d" || name == "points3d";
 }
 
-std::string display_text(const Value& value) {
+std::string display_text(const Value& value, std::size_t longest) {
   if (!value.is_defined()) return "undefined";
   if (is_large(value)) return summary(value);
   const algebra3d::Type* type = &value.type();
-  if (type == &TypeOf<std::string>::type()) return one_line(value.get<std::string>());
-  if (type == &TypeOf<algebra3d::Text>::type()) return one_line(value.get<algebra3d::Text>().content);
+  if (type == &TypeOf<std::string>::type()) return one_line(value.get<std::string>(), longest);
+  if (type == &TypeOf<algebra3d::Text>::type()) return one_line(value.get<algebra3d::Text>().content, longest);
   if (type == &TypeOf<double>::type()) return fmt::format("{:.6g}", value.get<double>());
   if (type == &TypeOf<Box3>::type()) return box_text(value.get<Box3>());
-  return one_line(value.to_nested().print_short(120));
+  const NestedList list = value.to_nested();
+  return one_line(longest == kNoLimit ? list.print() : list.print_short(kLongestList), longest);
 }
 
 std::vector<std::size_t> TextTable::column_widths(std::size_t width) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,13 +13,18 @@ namespace queries {
 /// True for values whose text may be very long: geometry of any size.
 bool is_large(const Value& value);
 
-/// A value as people read it in a table: one line, reals with six significant digits, large values as a summary
-/// (`volume3d: 12 triangles, box (0 1) (0 1) (0 1)`). Reads no geometry.
-std::string display_text(const Value& value);
+/// As the width of a table, or the length of a cell: nothing is cut.
+inline constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
+/// Longest text that a terminal is to show in a cell, in bytes.
+inline constexpr std::size_t kLongestCell = 1000;
 
-/// Text in one line of a table: line ends are blanks, control characters are made visible, and what is too long for any
-/// terminal is cut and marked with `…`.
-std::string one_line(std::string_view text);
+/// A value as people read it in a table: one line, reals with six significant digits, large values as a summary
+/// (`volume3d: 12 triangles, box (0 1) (0 1) (0 1)`). Reads no geometry. Other lists are cut as `one_line` does it.
+std::string display_text(const Value& value, std::size_t longest = kLongestCell);
+
+/// Text in one line of a table: line ends are blanks, control characters are made visible, and what is longer than
+/// `longest` bytes is cut and marked with `…`.
+std::string one_line(std::string_view text, std::size_t longest = kLongestCell);
 
 /// Rows of cells as an aligned table of at most `width` columns of a terminal: long cells are cut and marked with `…`.
 /// Numbers stand to the right.

@@ -1,7 +1,10 @@
 #include "queries/store/catalogue.h"
 
+#include <algorithm>
 #include <array>
+#include <functional>
 
+#include "queries/store/sqlite_error.h"
 #include "queries/store/tables.h"
 
 namespace queries {
@@ -40,6 +43,12 @@ Error corrupt(const SqliteConnection& connection, std::string_view what) {
   return {ErrorCode::database_corrupt, "{}: {}", connection.file(), what};
 }
 
+// SQLite's own words name no table.
+Error in_catalogue(Error error) {
+  if (error.message.find("catalogue") == std::string::npos) error.message += " (in the catalogue of objects)";
+  return error;
+}
+
 Result<TypeExpr> type_from(std::string_view text) {
   ASSIGN_OR_RETURN(const algebra3d::NestedList list, algebra3d::NestedList::parse(text));
   return TypeExpr::from_nested(list);
@@ -52,7 +61,7 @@ Result<CatalogueEntry> entry_from(const SqliteConnection& connection, const Sqli
   const std::string name(row[1].bytes);
   const Cell checksum = statement.column(static_cast<int>(column_count));
   if (!checksum.is(Cell::Kind::integer) || as_unsigned(checksum.integer) != checksum_of(row))
-    return corrupt(connection, "the catalogue's row of the object '" + name + "' is not what was written");
+    return corrupt(connection, "the catalogue's row of the object '" + ascii_text(name) + "' is not what was written");
   auto type = type_from(row[2].bytes);
   if (!type) return corrupt(connection, "the type of the object '" + name + "': " + type.error().message);
   return CatalogueEntry{row[0].integer,
@@ -85,10 +94,33 @@ std::uint64_t type_checksum(std::string_view name, std::string_view type) {
 Status Catalogue::load() {
   if (is_loaded_) return {};
   forget();
-  Status status = read_all();
+  Status status = is_tolerant_ ? read_readable() : read_all();
   if (!status) forget();
   is_loaded_ = status.ok();
   return status;
+}
+
+void Catalogue::remember_damage(const Error& error) {
+  std::string_view message = error.message;
+  if (message.starts_with(connection_.file() + ": ")) message.remove_prefix(connection_.file().size() + 2);
+  if (std::ranges::find(damage_, message) == damage_.end()) damage_.emplace_back(message);
+}
+
+// From both ends, so that what lies behind a damaged page is found too.
+Status Catalogue::read_readable() {
+  damage_.clear();
+  const auto version = connection_.integer("PRAGMA user_version");
+  version_ = version ? *version : kDatabaseVersion;
+  for (const auto& read : std::initializer_list<std::function<Status()>>{
+           [&] { return version ? Status() : Status(version.error()); }, [&] { return read_entries(false); },
+           [&] { return damage_.empty() ? Status() : read_entries(true); },
+           [&] { return version_ > 1 ? read_types() : Status(); }, [&] { return check_sum(); }}) {
+    Status status = read();
+    if (status) continue;
+    if (status.error().code == ErrorCode::interrupted) return status;
+    remember_damage(status.error());
+  }
+  return {};
 }
 
 // Another process may have upgraded the file since it was opened, also one with a newer program.
@@ -99,24 +131,31 @@ Status Catalogue::read_all() {
     return Error{ErrorCode::database_version,
                  "{}: the database has version {}, this program reads versions up to {}; use a newer algebra3d",
                  connection_.file(), version_, kDatabaseVersion};
-  RETURN_IF_ERROR(read_entries());
-  if (version_ > 1) RETURN_IF_ERROR(read_types());
-  return check_sum();
+  Status status = read_entries();
+  if (status && version_ > 1) status = read_types();
+  if (status) status = check_sum();
+  return status ? status : in_catalogue(status.error());
 }
 
-Status Catalogue::read_entries() {
+Status Catalogue::read_entries(bool backwards) {
   const std::size_t column_count = version_ == 1 ? kColumnsOfVersion1 : kColumns;
-  ASSIGN_OR_RETURN(SqliteStatement rows,
-                   connection_.use(fmt::format("SELECT id, name, type, has_value, function_text, table_number, "
-                                               "tuple_count, next_tuple, tuple_sum, index_relation, index_attribute, "
-                                               "value_sum, {}checksum FROM catalogue NOT INDEXED",
-                                               version_ == 1 ? "" : "derived_text, ")));
+  ASSIGN_OR_RETURN(
+      SqliteStatement rows,
+      connection_.use(fmt::format("SELECT id, name, type, has_value, function_text, table_number, "
+                                  "tuple_count, next_tuple, tuple_sum, index_relation, index_attribute, "
+                                  "value_sum, {}checksum FROM catalogue NOT INDEXED{}",
+                                  version_ == 1 ? "" : "derived_text, ", backwards ? " ORDER BY id DESC" : "")));
   while (true) {
     ASSIGN_OR_RETURN(const bool has_row, rows.step());
     if (!has_row) return {};
-    ASSIGN_OR_RETURN(CatalogueEntry entry, entry_from(connection_, rows, column_count));
-    std::string name = entry.name;
-    entries_.emplace(std::move(name), std::move(entry));
+    auto entry = entry_from(connection_, rows, column_count);
+    if (!entry && !is_tolerant_) return std::move(entry).error();
+    if (entry) {
+      std::string name = entry->name;
+      entries_.emplace(std::move(name), *std::move(entry));
+    } else {
+      remember_damage(entry.error());
+    }
   }
 }
 
@@ -129,7 +168,8 @@ Status Catalogue::read_types() {
     const Cell text = rows.column(1);
     const Cell checksum = rows.column(2);
     if (!checksum.is(Cell::Kind::integer) || as_unsigned(checksum.integer) != type_checksum(name.bytes, text.bytes))
-      return corrupt(connection_, fmt::format("the row of the type '{}' is not what was written", name.bytes));
+      return corrupt(connection_, fmt::format("the catalogue's row of the type '{}' is not what was written",
+                                              ascii_text(name.bytes)));
     auto type = type_from(text.bytes);
     if (!type) return corrupt(connection_, fmt::format("the type '{}': {}", name.bytes, type.error().message));
     types_.insert_or_assign(std::string(name.bytes), *std::move(type));

@@ -40,6 +40,11 @@ class Catalogue {
   /// Reads it unless it is at hand, from a file of this version or an older one. Call within a transaction.
   /// Errors: database_corrupt, database_version.
   algebra3d::Status load();
+  /// From now on damage keeps nothing from being read: `load` takes the rows that are whole and remembers the rest. For
+  /// looking only.
+  void tolerate_damage() { is_tolerant_ = true; }
+  /// What `load` found damaged, once damage is tolerated.
+  const std::vector<std::string>& damage() const { return damage_; }
   /// Forgets everything: after a rollback, or when another process has written.
   void forget();
   bool is_loaded() const { return is_loaded_; }
@@ -68,7 +73,9 @@ class Catalogue {
 
  private:
   algebra3d::Status read_all();
-  algebra3d::Status read_entries();
+  algebra3d::Status read_entries(bool backwards = false);
+  algebra3d::Status read_readable();
+  void remember_damage(const algebra3d::Error& error);
   algebra3d::Status read_types();
   algebra3d::Status check_sum();
   algebra3d::Status write(const CatalogueEntry& entry);
@@ -85,6 +92,8 @@ class Catalogue {
   std::set<std::string> edited_types_;  // made, changed or removed
   std::int64_t next_number_ = 1;
   bool is_loaded_ = false;
+  bool is_tolerant_ = false;
+  std::vector<std::string> damage_;
   bool is_changed_ = false;
 };
 

@@ -2,27 +2,41 @@
 
 #include "algebra3d/types/codec.h"
 #include "queries/store/chunks.h"
-#include "queries/store/database_file.h"
 
 namespace queries {
 
 Result<std::shared_ptr<Database>> Database::open(const std::filesystem::path& file, OpenMode mode,
                                                  const algebra3d::Registry& registry, const StoreOptions& options) {
-  ASSIGN_OR_RETURN(auto connection, open_database_file(file, mode, options));
-  std::shared_ptr<Database> database(new Database(std::move(connection), file, registry, options));
+  ASSIGN_OR_RETURN(OpenedFile opened, open_database_file(file, mode, options));
+  std::shared_ptr<Database> database(new Database(std::move(opened), file, registry, options));
   // A damaged catalogue is found now, not in the middle of somebody's work.
   RETURN_IF_ERROR(database->upgrade());
   RETURN_IF_ERROR(database->begin(false));
   RETURN_IF_ERROR(database->commit());
+  // From here on nobody deletes it: its lock is held.
+  if (database->connection_->has_moved())
+    return Error{ErrorCode::database_missing, "{}: another process has deleted the database", file.string()};
   return database;
 }
 
-Database::Database(std::unique_ptr<SqliteConnection> connection, std::filesystem::path file,
-                   const algebra3d::Registry& registry, const StoreOptions& options)
+Result<std::shared_ptr<Database>> Database::open_damaged(const std::filesystem::path& file,
+                                                         const algebra3d::Registry& registry) {
+  const StoreOptions options;
+  auto opened = open_database_file(file, OpenMode::read_only, options);
+  if (!opened) return with_lost_bytes(file, std::move(opened).error());
+  std::shared_ptr<Database> database(new Database(*std::move(opened), file, registry, options));
+  database->is_read_only_ = true;
+  database->catalogue_.tolerate_damage();
+  return database;
+}
+
+Database::Database(OpenedFile opened, std::filesystem::path file, const algebra3d::Registry& registry,
+                   const StoreOptions& options)
     : file_(std::move(file)),
       registry_(registry),
       options_(options),
-      connection_(std::move(connection)),
+      draft_(std::move(opened.draft)),
+      connection_(std::move(opened.connection)),
       is_read_only_(connection_->is_read_only()),
       catalogue_(*connection_),
       cache_(options.cache_bytes) {}

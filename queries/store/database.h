@@ -10,6 +10,7 @@
 
 #include "queries/store/catalogue.h"
 #include "queries/store/change_log.h"
+#include "queries/store/database_file.h"
 #include "queries/store/index_cache.h"
 #include "queries/store/kept_rows.h"
 #include "queries/store/relation_layout.h"
@@ -36,6 +37,10 @@ class Database : public std::enable_shared_from_this<Database> {
  public:
   static Result<std::shared_ptr<Database>> open(const std::filesystem::path& file, OpenMode mode,
                                                 const algebra3d::Registry& registry, const StoreOptions& options);
+  /// One whose catalogue is damaged, for looking only: it knows the objects that can still be read. Errors: those of a
+  /// file that cannot be opened at all.
+  static Result<std::shared_ptr<Database>> open_damaged(const std::filesystem::path& file,
+                                                        const algebra3d::Registry& registry);
   ~Database();
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
@@ -95,14 +100,15 @@ class Database : public std::enable_shared_from_this<Database> {
   std::uint64_t geometry_loads() const { return geometry_loads_; }
 
  private:
-  Database(std::unique_ptr<SqliteConnection> connection, std::filesystem::path file,
-           const algebra3d::Registry& registry, const StoreOptions& options);
+  Database(OpenedFile opened, std::filesystem::path file, const algebra3d::Registry& registry,
+           const StoreOptions& options);
   Status upgrade();
   Status start_statement();
   Status begin_within_transaction();
   void rollback_within_transaction();
   void end_transaction();
   Status write_end();
+  Status check_place() const;
   bool is_outdated(const RelationLayout& layout, TupleId tuple) const;
   Status notice_other_processes();
   void forget_everything();
@@ -114,6 +120,7 @@ class Database : public std::enable_shared_from_this<Database> {
   const std::filesystem::path file_;
   const algebra3d::Registry& registry_;
   const StoreOptions options_;
+  std::optional<algebra3d::DraftFile> draft_;  // of a file that was made now: says that its maker lives
   std::unique_ptr<SqliteConnection> connection_;
   bool is_read_only_ = false;
   Catalogue catalogue_;

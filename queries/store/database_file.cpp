@@ -8,6 +8,9 @@
 
 #include <unistd.h>
 
+#include "algebra3d/base/file_error.h"
+#include "algebra3d/base/open_databases.h"
+#include "queries/store/database_creation.h"
 #include "queries/store/tables.h"
 
 namespace queries {
@@ -28,7 +31,8 @@ Error foreign(const fs::path& file, std::string_view found) {
 
 Error unusable(const fs::path& file, int reason) {
   return {reason == EACCES || reason == EPERM ? ErrorCode::file_missing : ErrorCode::io_error,
-          "{}: cannot open the database: {}", file.string(), std::generic_category().message(reason)};
+          "{}: cannot open the database: {}", file.string(),
+          reason == EACCES ? "there is no permission to read it" : algebra3d::write_obstacle(file, reason)};
 }
 
 std::uint32_t big_endian(const std::array<char, kHeaderBytes>& header, std::size_t offset) {
@@ -50,7 +54,9 @@ Status check_version(const fs::path& file, std::int64_t version) {
 
 // The bytes are looked at before SQLite sees them: opening another program's database could already change it, by
 // rolling back what that program left behind.
+// One that this process has open is not opened here: closing it would give up SQLite's locks.
 Status check_header(const fs::path& file) {
+  if (algebra3d::open_database_with(file)) return {};
   std::array<char, kHeaderBytes> header{};
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return unusable(file, errno);
@@ -73,8 +79,8 @@ Status check_missing(const fs::path& file, OpenMode mode) {
   const fs::path folder = fs::absolute(file).parent_path();
   std::error_code error;
   if (!fs::is_directory(folder, error))
-    return Error{may_create(mode) ? ErrorCode::file_missing : ErrorCode::database_missing,
-                 "{}: there is no folder '{}'", file.string(), folder.string()};
+    return Error{may_create(mode) ? ErrorCode::file_missing : ErrorCode::database_missing, "{}: {}", file.string(),
+                 algebra3d::write_obstacle(fs::absolute(file), ENOENT)};
   if (!may_create(mode)) return Error{ErrorCode::database_missing, "{}: there is no such file", file.string()};
   return {};
 }
@@ -112,18 +118,6 @@ Access read_access(const fs::path& file) {
   return ::access(folder.c_str(), W_OK) != 0 && !has_log ? Access::immutable : Access::read_only;
 }
 
-Status make_tables(SqliteConnection& connection) {
-  RETURN_IF_ERROR(connection.execute("BEGIN EXCLUSIVE"));
-  // Another process may have been faster.
-  ASSIGN_OR_RETURN(const std::int64_t application, connection.integer("PRAGMA application_id"));
-  if (application != kApplicationId) {
-    RETURN_IF_ERROR(connection.execute(fmt::format("PRAGMA application_id = {}", kApplicationId)));
-    RETURN_IF_ERROR(connection.execute(fmt::format("PRAGMA user_version = {}", kDatabaseVersion)));
-    for (const char* table : kCreateTables) RETURN_IF_ERROR(connection.execute(table));
-  }
-  return connection.execute("COMMIT");
-}
-
 Status use_write_ahead_log(SqliteConnection& connection) {
   ASSIGN_OR_RETURN(SqliteStatement statement, connection.use("PRAGMA journal_mode = WAL"));
   ASSIGN_OR_RETURN(const bool has_row, statement.step());
@@ -149,49 +143,57 @@ Status prepare_for_writing(SqliteConnection& connection) {
   return use_write_ahead_log(connection);
 }
 
-Status move_into_place(const fs::path& made, const fs::path& file, Found found) {
-  // A link does not replace a database that another process has made meanwhile; that one is then used.
-  const bool is_empty_file = found == Found::empty;
-  const int code = is_empty_file ? ::rename(made.c_str(), file.c_str()) : ::link(made.c_str(), file.c_str());
-  const int problem = code == 0 ? 0 : errno;
-  std::error_code ignored;
-  fs::remove(made, ignored);
-  if (problem == 0 || problem == EEXIST) return {};
-  return unusable(file, problem);
-}
-
-// A database appears under its name only when it is complete, so that a process which is killed meanwhile leaves no
-// half of one. The tables are made with a rollback journal, so that the header is in the file itself and not in a log.
-Status create_file(const fs::path& file, Found found, const StoreOptions& options) {
-  const fs::path draft = file.string() + ".new-" + std::to_string(::getpid());
-  Status status;
-  {
-    auto connection = SqliteConnection::open(draft, Access::create, options.busy_milliseconds);
-    if (!connection) return std::move(connection).error();
-    status = (*connection)->execute("PRAGMA synchronous = FULL");
-    if (status) status = make_tables(**connection);
-  }
-  if (status) return move_into_place(draft, file, found);
-  std::error_code ignored;
-  fs::remove(draft, ignored);
-  return status;
+// SQLite keeps its log beside the file, so that the folder must take files too.
+Status check_writable(const fs::path& file) {
+  const fs::path target = fs::absolute(file);
+  const int reason = ::access(file.c_str(), W_OK) != 0 ? errno : algebra3d::folder_obstacle(target);
+  if (reason == 0) return {};
+  return Error{ErrorCode::database_read_only, "{}: the database cannot be written: {}; open it with --read-only",
+               file.string(), algebra3d::write_obstacle(target, reason)};
 }
 
 }  // namespace
 
-Result<std::unique_ptr<SqliteConnection>> open_database_file(const fs::path& file, OpenMode mode,
-                                                             const StoreOptions& options) {
-  ASSIGN_OR_RETURN(const Found found, inspect(file, mode));
+// A log may still hold what a file lacks, so that this is no error by itself.
+Error with_lost_bytes(const fs::path& file, Error error) {
+  constexpr std::size_t kPageSizeOffset = 16;
+  constexpr std::size_t kPageCountOffset = 28;
+  std::array<char, kHeaderBytes> header{};
+  std::error_code unknown;
+  const std::uintmax_t found = fs::file_size(file, unknown);
+  if (unknown || algebra3d::open_database_with(file)) return error;
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream.read(header.data(), header.size())) return error;
+  const std::uint32_t page_bytes = big_endian(header, kPageSizeOffset) >> 16;
+  const std::uintmax_t expected =
+      std::uintmax_t{page_bytes == 1 ? 65536 : page_bytes} * big_endian(header, kPageCountOffset);
+  if (found < expected)
+    error.message += fmt::format("; the file ends after {} bytes of the {} that its header tells", found, expected);
+  return error;
+}
+
+Status check_database_header(const fs::path& file) {
+  return check_header(file);
+}
+
+Result<OpenedFile> open_database_file(const fs::path& file, OpenMode mode, const StoreOptions& options) {
   const bool writes = mode != OpenMode::read_only;
-  if (found != Found::database) RETURN_IF_ERROR(create_file(file, found, options));
+  if (writes) remove_database_leftovers(file);
+  ASSIGN_OR_RETURN(const Found found, inspect(file, mode));
+  OpenedFile opened;
+  if (found != Found::database) {
+    ASSIGN_OR_RETURN(auto draft, create_database_file(file, found == Found::empty, options));
+    opened.draft.emplace(std::move(draft));
+  }
+  if (writes) RETURN_IF_ERROR(check_writable(file));
   const Access access = writes ? Access::read_write : read_access(file);
-  ASSIGN_OR_RETURN(auto connection, SqliteConnection::open(file, access, options.busy_milliseconds));
-  if (writes && connection->is_read_only())
+  ASSIGN_OR_RETURN(opened.connection, SqliteConnection::open(file, access, options.busy_milliseconds));
+  if (writes && opened.connection->is_read_only())
     return Error{ErrorCode::database_read_only, "{}: the file cannot be written; open it with --read-only",
                  file.string()};
-  if (writes) RETURN_IF_ERROR(prepare_for_writing(*connection));
-  RETURN_IF_ERROR(configure(*connection, options));
-  return connection;
+  if (writes) RETURN_IF_ERROR(prepare_for_writing(*opened.connection));
+  RETURN_IF_ERROR(configure(*opened.connection, options));
+  return opened;
 }
 
 }  // namespace queries

@@ -18,6 +18,7 @@ void Database::close() {
   forget_everything();
   original_.reset();
   connection_.reset();
+  draft_.reset();
 }
 
 Status Database::upgrade() {
@@ -125,6 +126,7 @@ void Database::forget_everything() {
 
 Status Database::commit() {
   Status status = failure_ ? Status(*failure_) : check_reading();
+  if (status && has_written_) status = check_place();
   if (status && has_written_) status = write_end();
   if (status) status = connection_->execute(is_explicit_ ? kEndStatement : "COMMIT");
   if (!status) {
@@ -135,6 +137,14 @@ Status Database::commit() {
   if (is_explicit_) earlier_.add(changes_);
   end_statement();
   return {};
+}
+
+// A file that was removed behind our back would take with it what is written to it now.
+Status Database::check_place() const {
+  if (!connection_->has_moved()) return {};
+  return Error{ErrorCode::io_error,
+               "{}: the file of the database was deleted or moved while it was open; the statement is undone",
+               file_.string()};
 }
 
 Status Database::write_end() {

@@ -34,10 +34,11 @@ Result<std::vector<Finding>> IntegrityCheck::run() {
   const auto& entries = database_->catalogue().entries();
   for (const auto& [name, entry] : entries)
     done_.total += 1 + (entry.type.is_relation() ? static_cast<std::uint64_t>(entry.tuple_count) : 0);
-  RETURN_IF_ERROR(check_sqlite());
   RETURN_IF_ERROR(check_catalogue());
+  RETURN_IF_ERROR(check_pages());
   for (const auto& [name, entry] : entries) RETURN_IF_ERROR(check_object(entry));
   RETURN_IF_ERROR(check_schema());
+  RETURN_IF_ERROR(check_columns());
   RETURN_IF_ERROR(check_numbers("object_values", "id"));
   RETURN_IF_ERROR(check_numbers("imported_files", "relation"));
   RETURN_IF_ERROR(check_chunks());
@@ -72,30 +73,18 @@ Status IntegrityCheck::advance(const std::string& object) {
   return {};
 }
 
-Status IntegrityCheck::check_sqlite() {
-  SqliteConnection& connection = database_->connection();
-  ASSIGN_OR_RETURN(SqliteStatement statement, connection.use("PRAGMA integrity_check"));
-  connection.end_when(context_.cancel);
-  Status status;
-  while (true) {
-    const auto has_row = statement.step();
-    if (!has_row) status = add({.message = "SQLite: "}, has_row.error());
-    if (!has_row || !*has_row) break;
-    if (const auto text = statement.column(0).bytes; text != "ok") add({.message = fmt::format("SQLite: {}", text)});
-  }
-  connection.end_when(nullptr);
-  return status;
-}
-
 // What is in memory was proved when it was read, which may be long ago.
 Status IntegrityCheck::check_catalogue() {
+  for (const std::string& damage : database_->catalogue().damage())
+    add({.message = std::string(kCatalogueFinding) + damage});
   Catalogue fresh(database_->connection());
-  if (const Status status = fresh.load(); !status) RETURN_IF_ERROR(add({}, status.error()));
+  const Status status = database_->catalogue().damage().empty() ? fresh.load() : Status();
+  if (!status) RETURN_IF_ERROR(add({.message = kCatalogueFinding}, status.error()));
   auto statement = database_->connection().use("SELECT number FROM abandoned");
   if (!statement) return {};  // version 1
   while (true) {
     const auto has_row = statement->step();
-    if (!has_row) return add({}, has_row.error());
+    if (!has_row) return add({.message = kCatalogueFinding}, has_row.error());
     if (!*has_row) return {};
     abandoned_.insert(statement->column(0).integer);
   }
@@ -149,56 +138,36 @@ Status IntegrityCheck::check_definition(const CatalogueEntry& entry) {
   return {};
 }
 
-Status IntegrityCheck::check_schema() {
-  std::set<std::string> known = {"meta",           "catalogue",   "object_values", "chunks",
-                                 "imported_files", "named_types", "abandoned",     "chunks_by_place"};
-  for (const auto& [number, layout] : layouts_) known.insert(layout->table());
-  ASSIGN_OR_RETURN(SqliteStatement rows,
-                   database_->connection().use("SELECT type, name FROM sqlite_schema WHERE name NOT LIKE 'sqlite_%'"));
-  while (true) {
-    const auto has_row = rows.step();
-    if (!has_row) return add({}, has_row.error());
-    if (!*has_row) return {};
-    const std::string name(rows.column(1).bytes);
-    constexpr std::size_t kAfterPrefix = 4;
-    const bool is_relation = name.starts_with("rel_") && rows.column(0).bytes == "table";
-    const std::int64_t number = is_relation ? std::atoll(name.c_str() + kAfterPrefix) : 0;
-    if (known.contains(name) || abandoned_.contains(number)) continue;
-    // To SQLite a table has the same name in another case.
-    const auto layout = layouts_.find(number);
-    if (layout != layouts_.end() && sqlite3_stricmp(layout->second->table().c_str(), name.c_str()) == 0) continue;
-    add({.message = fmt::format("the {} {} belongs to no object", rows.column(0).bytes, name)});
-  }
-}
-
 Status IntegrityCheck::check_numbers(std::string_view table, std::string_view column) {
   std::set<std::int64_t> known = abandoned_;
   for (const auto& [name, entry] : database_->catalogue().entries()) known.insert(entry.id);
-  ASSIGN_OR_RETURN(SqliteStatement rows,
-                   database_->connection().use(fmt::format("SELECT DISTINCT {} FROM {} NOT INDEXED", column, table)));
+  auto rows = database_->connection().use(fmt::format("SELECT DISTINCT {} FROM {} NOT INDEXED", column, table));
+  const Finding place{.message = fmt::format("the table {}: ", table)};
+  if (!rows) return add(place, rows.error());
   while (true) {
     RETURN_IF_ERROR(context_.check_cancelled());
-    const auto has_row = rows.step();
-    if (!has_row) return add({}, has_row.error());
+    const auto has_row = rows->step();
+    if (!has_row) return add(place, has_row.error());
     if (!*has_row) return {};
-    const std::int64_t number = rows.column(0).integer;
+    const std::int64_t number = rows->column(0).integer;
     if (!known.contains(number))
       add({.message = fmt::format("the table {} has rows of the object number {}, which is not there", table, number)});
   }
 }
 
 Status IntegrityCheck::check_chunks() {
-  ASSIGN_OR_RETURN(SqliteStatement rows,
-                   database_->connection().use("SELECT DISTINCT owner, tuple, attribute FROM chunks"));
+  auto rows = database_->connection().use("SELECT DISTINCT owner, tuple, attribute FROM chunks");
+  const Finding where{.message = "the table chunks, which holds long values: "};
+  if (!rows) return add(where, rows.error());
   while (true) {
     RETURN_IF_ERROR(context_.check_cancelled());
-    const auto has_row = rows.step();
-    if (!has_row) return add({}, has_row.error());
+    const auto has_row = rows->step();
+    if (!has_row) return add(where, has_row.error());
     if (!*has_row) return {};
-    const std::array place = {rows.column(0).integer, rows.column(1).integer, rows.column(2).integer};
+    const std::array place = {rows->column(0).integer, rows->column(1).integer, rows->column(2).integer};
     if (abandoned_.contains(place[0] != 0 ? place[0] : place[1])) continue;
     const auto wanted = has_chunks(place[0], place[1], place[2]);
-    if (!wanted) RETURN_IF_ERROR(add({}, wanted.error()));
+    if (!wanted) RETURN_IF_ERROR(add(where, wanted.error()));
     if (wanted && !*wanted)
       add({.message = fmt::format("there are chunks of a value that is not there: owner {}, tuple {}, attribute {}",
                                   place[0], place[1], place[2])});

@@ -11,6 +11,9 @@
 
 namespace queries {
 
+/// How findings about the catalogue begin.
+inline constexpr const char* kCatalogueFinding = "the catalogue: ";
+
 /// Reads all of a database within a statement and lists what is wrong: what Store::check promises. For one run.
 /// What is damaged is a finding; an error is only what keeps the check from going on.
 class IntegrityCheck {
@@ -26,7 +29,15 @@ class IntegrityCheck {
   using Entries = std::vector<rtree::Entry<std::uint64_t>>;
   struct Walk;  // one relation that is being read
 
-  Status check_sqlite();
+  // integrity_check_tables.cpp
+  Status check_pages();
+  Result<bool> check_pages_of(std::string_view sql, const Finding& place);
+  Status check_schema();
+  Status check_columns();
+  Status check_columns_of(SqliteConnection& model, const std::string& table, const Finding& place);
+  Status check_meta();
+  std::vector<std::pair<std::string, Finding>> tables();
+
   Status check_catalogue();
   Status check_object(const CatalogueEntry& entry);
   Status check_value(const CatalogueEntry& entry);
@@ -34,13 +45,16 @@ class IntegrityCheck {
 
   Status check_relation(const CatalogueEntry& entry);
   Status check_rows(Walk& walk);
+  Result<bool> read_rows(Walk& walk, TupleId from);
+  TupleId first_readable(const Walk& walk, TupleId from);
+  bool can_be_read(const Walk& walk, TupleId from);
+  void add_readable(const Walk& walk);
   Status check_row(Walk& walk, const SqliteStatement& row);
   Status check_attribute(Walk& walk, const RowReader& reader, std::size_t attribute);
   Result<Value> proved(const Value& value);
   void check_totals(const Walk& walk);
   void check_trees(Walk& walk);
 
-  Status check_schema();
   Status check_numbers(std::string_view table, std::string_view column);
   Status check_chunks();
   Result<bool> has_chunks(std::int64_t owner, std::int64_t tuple, std::int64_t attribute);

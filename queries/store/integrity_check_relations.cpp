@@ -6,6 +6,16 @@
 #include "queries/store/stored_value.h"
 
 namespace queries {
+namespace {
+
+constexpr TupleId kEndless = INT64_MAX;
+
+std::string range_text(TupleId first, TupleId last) {
+  if (last == kEndless) return fmt::format("tuple {} and those that follow", first);
+  return first == last ? fmt::format("tuple {}", first) : fmt::format("tuples {} to {}", first, last);
+}
+
+}  // namespace
 
 struct IntegrityCheck::Walk {
   const CatalogueEntry& entry;
@@ -13,7 +23,13 @@ struct IntegrityCheck::Walk {
   std::int64_t count = 0;
   std::uint64_t sum = 0;
   TupleId last = 0;
-  bool is_complete = false;  ///< all rows could be read
+  /// Tuples that cannot be read, in ascending order; the last ones may be without an end.
+  struct Gap {
+    TupleId first = 0;
+    TupleId last = 0;
+  };
+  std::vector<Gap> gaps = {};
+  bool is_in_order = true;
   // By attribute, of those that have a tree in memory.
   std::map<std::size_t, Entries> boxes = {};
   std::map<std::size_t, std::vector<OrderedTree::Entry>> keys = {};
@@ -29,39 +45,99 @@ Status IntegrityCheck::check_relation(const CatalogueEntry& entry) {
   for (const std::size_t attribute : database_->indexes().ordered_attributes(entry.table_number))
     walk.keys[attribute] = {};
   RETURN_IF_ERROR(check_rows(walk));
-  if (!walk.is_complete) return {};
+  if (!walk.gaps.empty()) add_readable(walk);
+  if (!walk.gaps.empty() || !walk.is_in_order) return {};
   check_totals(walk);
   check_trees(walk);
   return {};
 }
 
+// A page that cannot be read takes the tuples on it away, and not those behind it: these are found by their numbers.
 Status IntegrityCheck::check_rows(Walk& walk) {
-  const std::string& name = walk.entry.name;
-  auto rows = database_->connection().use(walk.layout->page_sql());
-  if (!rows) return add({.object = name}, rows.error());
-  constexpr std::int64_t kAllRows = -1;
-  rows->bind(1, INT64_MIN).bind(2, INT64_MAX).bind(3, kAllRows);
+  TupleId from = INT64_MIN;
   walk.last = INT64_MIN;
   while (true) {
-    const auto has_row = rows->step();
-    if (!has_row)
-      return add({.object = name,
-                  .tuple = std::max<TupleId>(walk.last, 0),
-                  .message = "the tuples that follow cannot be read: "},
-                 has_row.error());
-    if (!*has_row) break;
-    RETURN_IF_ERROR(advance(name));
-    const TupleId id = rows->column(0).integer;
+    const auto read = read_rows(walk, from);
+    if (read) return {};
+    const TupleId first = std::max<TupleId>(walk.last, 0) + 1;
+    const TupleId next = first_readable(walk, first);
+    const TupleId last = next == kEndless ? kEndless : next - 1;
+    walk.gaps.push_back({first, last});
+    Finding gap{.object = walk.entry.name, .tuple = first};
+    gap.message = fmt::format("{} cannot be read: ", range_text(first, last));
+    RETURN_IF_ERROR(add(std::move(gap), read.error()));
+    if (next == kEndless) return {};
+    from = next;
+  }
+}
+
+/// Reads the rows from a tuple on, to the end or to the first that cannot be read, which is an error.
+Result<bool> IntegrityCheck::read_rows(Walk& walk, TupleId from) {
+  ASSIGN_OR_RETURN(SqliteStatement rows, database_->connection().use(walk.layout->tail_sql()));
+  constexpr std::int64_t kAllRows = -1;
+  rows.bind(1, from).bind(2, kAllRows);
+  while (true) {
+    ASSIGN_OR_RETURN(const bool has_row, rows.step());
+    if (!has_row) return true;
+    RETURN_IF_ERROR(advance(walk.entry.name));
+    const TupleId id = rows.column(0).integer;
     // A damaged tree could lead round in circles.
     if (id <= walk.last) {
-      add({.object = name, .tuple = id, .message = "the tuples are not in order"});
-      return {};
+      add({.object = walk.entry.name, .tuple = id, .message = "the tuples are not in order"});
+      walk.is_in_order = false;
+      return true;
     }
     walk.last = id;
-    RETURN_IF_ERROR(check_row(walk, *rows));
+    RETURN_IF_ERROR(check_row(walk, rows));
   }
-  walk.is_complete = true;
-  return {};
+}
+
+bool IntegrityCheck::can_be_read(const Walk& walk, TupleId from) {
+  auto rows = database_->connection().use(walk.layout->tail_sql());
+  if (!rows) return false;
+  rows->bind(1, from).bind(2, 1);
+  const auto has_row = rows->step();
+  // Behind the last one it says nothing if nothing is there.
+  return has_row && (*has_row || from >= walk.entry.next_tuple);
+}
+
+// One by one as far as a page may reach, then in steps that double, and back to the first of the readable ones.
+TupleId IntegrityCheck::first_readable(const Walk& walk, TupleId from) {
+  constexpr TupleId kOneByOne = 1000;
+  const TupleId end = walk.entry.next_tuple;
+  for (TupleId id = from + 1; id < std::min(from + kOneByOne, end); ++id)
+    if (can_be_read(walk, id)) return id;
+  TupleId unreadable = std::min(from + kOneByOne, end) - 1;
+  for (TupleId step = 1; unreadable + step < end; step *= 2) {
+    if (!can_be_read(walk, unreadable + step)) {
+      unreadable += step;
+      continue;
+    }
+    TupleId readable = unreadable + step;
+    while (readable - unreadable > 1) {
+      const TupleId middle = unreadable + (readable - unreadable) / 2;
+      (can_be_read(walk, middle) ? readable : unreadable) = middle;
+    }
+    return readable;
+  }
+  return kEndless;
+}
+
+void IntegrityCheck::add_readable(const Walk& walk) {
+  std::string ranges;
+  TupleId begin = 1;
+  const auto add_range = [&](TupleId first, TupleId last) {
+    if (first > last) return;
+    ranges += (ranges.empty() ? "" : ", ") + range_text(first, last);
+  };
+  for (const Walk::Gap& gap : walk.gaps) {
+    add_range(begin, gap.first - 1);
+    begin = gap.last == kEndless ? kEndless : gap.last + 1;
+  }
+  if (begin != kEndless) add_range(begin, walk.last);
+  add({.object = walk.entry.name,
+       .message = fmt::format("{} of {} tuples can still be read{}{}", walk.count, walk.entry.tuple_count,
+                              ranges.empty() ? "" : ": ", ranges)});
 }
 
 Status IntegrityCheck::check_row(Walk& walk, const SqliteStatement& row) {

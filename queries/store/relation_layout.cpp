@@ -132,6 +132,7 @@ void RelationLayout::add_statements() {
   std::string small = columns_[0];
   for (std::size_t i = 1; i < small_count_; ++i) small += ", " + columns_[i];
   page_sql_ = fmt::format("SELECT {} FROM {} WHERE id > ? AND id <= ? ORDER BY id LIMIT ?", small, table_);
+  tail_sql_ = fmt::format("SELECT {} FROM {} WHERE id >= ? ORDER BY id LIMIT ?", small, table_);
   if (small_count_ <= RowTaker::kMaxColumns)
     taken_sql_ =
         fmt::format("SELECT 1 FROM {} WHERE id > ? AND id <= ? AND take_row(?, {}) ORDER BY id", table_, small);

@@ -67,6 +67,7 @@ class RelationLayout {
   const std::string& insert_sql() const { return insert_sql_; }  ///< all columns
   const std::string& erase_sql() const { return erase_sql_; }    ///< id
   const std::string& page_sql() const { return page_sql_; }      ///< after this id, up to that one, at most so many
+  const std::string& tail_sql() const { return tail_sql_; }      ///< from this id on, at most so many
   /// After this id, up to that one, to this RowTaker until it has enough; empty if there are too many columns for it.
   const std::string& taken_sql() const { return taken_sql_; }
   const std::string& fetch_sql() const { return fetch_sql_; }                          ///< id
@@ -87,7 +88,7 @@ class RelationLayout {
   std::vector<std::string> columns_;
   std::vector<std::string> column_types_;
   std::size_t small_count_ = 0;
-  std::string insert_sql_, erase_sql_, page_sql_, taken_sql_, fetch_sql_;
+  std::string insert_sql_, erase_sql_, page_sql_, tail_sql_, taken_sql_, fetch_sql_;
 };
 
 }  // namespace queries

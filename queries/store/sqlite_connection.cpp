@@ -67,6 +67,7 @@ Result<std::unique_ptr<SqliteConnection>> SqliteConnection::open(const std::file
     return error;
   }
   auto connection = std::unique_ptr<SqliteConnection>(new SqliteConnection(handle, file.string(), access));
+  connection->announcement_.emplace(file);
   sqlite3_busy_timeout(handle, busy_milliseconds);
   harden(handle);
   if (const int added = SqliteStatement::add_row_function(handle); added != SQLITE_OK)
@@ -97,6 +98,11 @@ void SqliteConnection::end_when(const std::atomic<bool>* cancel) {
   };
   sqlite3_progress_handler(handle_, cancel != nullptr ? kStepsBetweenQuestions : 0, is_cancelled,
                            const_cast<std::atomic<bool>*>(cancel));  // NOLINT(cppcoreguidelines-pro-type-const-cast)
+}
+
+bool SqliteConnection::has_moved() const {
+  int moved = 0;
+  return sqlite3_file_control(handle_, "main", SQLITE_FCNTL_HAS_MOVED, &moved) == SQLITE_OK && moved != 0;
 }
 
 Error SqliteConnection::error(int code, std::string_view doing) const {

@@ -5,12 +5,14 @@
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 
 #include <sqlite3.h>
 
+#include "algebra3d/base/open_databases.h"
 #include "queries/store/sqlite_statement.h"
 
 namespace queries {
@@ -38,6 +40,8 @@ class SqliteConnection {
   const std::string& file() const { return file_; }
   /// Nobody writes through this connection: the system does not let it, or it was opened for reading.
   bool is_read_only() const { return access_ == Access::recovering || sqlite3_db_readonly(handle_, "main") == 1; }
+  /// The file that this connection reads and writes no longer has its name: it was deleted or moved.
+  bool has_moved() const;
   bool in_transaction() const { return sqlite3_get_autocommit(handle_) == 0; }
 
   /// Runs a statement whose rows are of no interest.
@@ -67,6 +71,7 @@ class SqliteConnection {
 
   sqlite3* handle_;
   std::string file_;
+  std::optional<algebra3d::OpenDatabase> announcement_;  // none: a temporary file
   Access access_;
   std::mutex mutex_;  // guards prepared_
   std::unordered_map<std::string, std::unique_ptr<Prepared>> prepared_;

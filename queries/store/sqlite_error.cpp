@@ -66,10 +66,17 @@ std::string message_of(sqlite3* connection, int code) {
                          ? sqlite3_errmsg(connection)
                          : sqlite3_errstr(code);
   sqlite3_mutex_leave(mutex);
-  return text;
+  return ascii_text(text);
 }
 
 }  // namespace
+
+std::string ascii_text(std::string_view text) {
+  std::string result(text);
+  for (char& c : result)
+    if (c < ' ' || c > '~') c = '?';
+  return result;
+}
 
 Error sqlite_error(sqlite3* connection, int code, std::string_view file, std::string_view doing) {
   if (code == SQLITE_BUSY_SNAPSHOT)
@@ -80,6 +87,17 @@ Error sqlite_error(sqlite3* connection, int code, std::string_view file, std::st
   if (kind == ErrorCode::database_busy)
     return {kind, "{}: {}: another process is writing to the database; try again when it has finished", file, doing};
   if (kind == ErrorCode::disk_full) return {kind, "{}: {}: the disk is full", file, doing};
+  if (kind == ErrorCode::database_read_only)
+    return {kind,
+            "{}: {}: the file, its folder or a file that SQLite keeps beside it cannot be written; look at the "
+            "permissions, or open it with --read-only",
+            file, doing};
+  if ((code & 0xff) == SQLITE_CANTOPEN)
+    return {
+        kind,
+        "{}: {}: the file, or one that SQLite keeps beside it (-wal, -shm, -journal), cannot be opened or made; look "
+        "at the permissions of the file and its folder",
+        file, doing};
   return {kind, "{}: {}: {}", file, doing, message_of(connection, code)};
 }
 

@@ -11,7 +11,7 @@ namespace queries {
 namespace {
 
 ObjectInfo info_of(const CatalogueEntry& entry) {
-  return {entry.name, entry.type, entry.has_value, entry.function_text, entry.derived_text};
+  return {entry.name, entry.type, entry.has_value, entry.function_text, entry.derived_text, entry.index_relation};
 }
 
 }  // namespace
@@ -141,12 +141,28 @@ Status SqliteStore::assign_value(CatalogueEntry& entry, const Value& value) {
     return Error{ErrorCode::internal, "{}: a value of type {}, expected {}", entry.name, value.type().name(),
                  entry.type.text()};
   ASSIGN_OR_RETURN(const Value loaded, value.loaded());
-  return write_object_bytes(*database_, entry, algebra3d::encode(loaded));
+  ASSIGN_OR_RETURN(const std::string bytes, algebra3d::encode_to_store(loaded));
+  return write_object_bytes(*database_, entry, bytes);
 }
 
 Result<std::vector<Finding>> SqliteStore::check(const algebra3d::Context& context,
                                                 const std::function<void(const CheckProgress&)>& progress) {
   return IntegrityCheck(database_, context, progress).run();
+}
+
+Result<std::vector<Finding>> Store::check_damaged(const std::filesystem::path& file,
+                                                  const algebra3d::Registry& registry,
+                                                  const algebra3d::Context& context,
+                                                  const std::function<void(const CheckProgress&)>& progress) {
+  const auto opened = Database::open_damaged(file, registry);
+  const Status begun = opened ? (*opened)->begin(false) : Status(opened.error());
+  if (!begun && begun.error().code == ErrorCode::database_corrupt)
+    return std::vector<Finding>{{.message = kCatalogueFinding + begun.error().message + "; nothing can be read"}};
+  RETURN_IF_ERROR(begun);
+  const auto& database = *opened;
+  auto findings = IntegrityCheck(database, context, progress).run();
+  database->close();
+  return findings;
 }
 
 Result<bool> SqliteStore::is_imported(const std::string& relation, const ImportedFile& file) {
@@ -166,6 +182,16 @@ Status SqliteStore::remember_imported(const std::string& relation, const Importe
     ASSIGN_OR_RETURN(SqliteStatement statement,
                      database_->connection().use("INSERT OR REPLACE INTO imported_files VALUES(?, ?, ?, ?)"));
     statement.bind(1, entry->id).bind(2, file.path).bind(3, as_signed(file.size)).bind(4, as_signed(file.hash));
+    return statement.run();
+  });
+}
+
+Status SqliteStore::forget_imported(const std::string& relation, const std::string& path) {
+  ASSIGN_OR_RETURN(const CatalogueEntry* entry, required(relation));
+  return database_->change([&]() -> Status {
+    ASSIGN_OR_RETURN(SqliteStatement statement,
+                     database_->connection().use("DELETE FROM imported_files WHERE relation = ? AND path = ?"));
+    statement.bind(1, entry->id).bind(2, path);
     return statement.run();
   });
 }

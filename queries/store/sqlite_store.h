@@ -47,6 +47,7 @@ class SqliteStore final : public Store {
   std::uint64_t geometry_loads() const override { return database_->geometry_loads(); }
   Result<bool> is_imported(const std::string& relation, const ImportedFile& file) override;
   Status remember_imported(const std::string& relation, const ImportedFile& file) override;
+  Status forget_imported(const std::string& relation, const std::string& path) override;
 
  private:
   Result<const CatalogueEntry*> required(const std::string& name);

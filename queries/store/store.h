@@ -24,9 +24,10 @@ inline bool is_index(const TypeExpr& type) {
 struct ObjectInfo {
   std::string name;
   TypeExpr type;
-  bool has_value = true;      ///< false after `create N : T` until the first `update`
-  std::string function_text;  ///< of a function: the text that it was written as; else empty
-  std::string derived_text;   ///< of a derived object: the expression that its value comes from; else empty
+  bool has_value = true;            ///< false after `create N : T` until the first `update`
+  std::string function_text;        ///< of a function: the text that it was written as; else empty
+  std::string derived_text;         ///< of a derived object: the expression that its value comes from; else empty
+  std::string index_relation = {};  ///< of an index that follows a relation: its name; else empty
 };
 
 /// A name for a type.
@@ -142,6 +143,12 @@ class Store {
   virtual Result<std::vector<Finding>> check(const algebra3d::Context& context,
                                              const std::function<void(const CheckProgress&)>& progress) = 0;
 
+  /// The same for a database that does not open since its catalogue is damaged: as far as it can be read.
+  static Result<std::vector<Finding>> check_damaged(const std::filesystem::path& file,
+                                                    const algebra3d::Registry& registry,
+                                                    const algebra3d::Context& context,
+                                                    const std::function<void(const CheckProgress&)>& progress);
+
   /// Geometry blobs read and decoded since the store was opened: for tests that filters read none.
   virtual std::uint64_t geometry_loads() const = 0;
 
@@ -153,6 +160,8 @@ class Store {
   };
   virtual Result<bool> is_imported(const std::string& relation, const ImportedFile& file) = 0;
   virtual Status remember_imported(const std::string& relation, const ImportedFile& file) = 0;
+  /// No content of that path counts as imported any more.
+  virtual Status forget_imported(const std::string& relation, const std::string& path) = 0;
 
  protected:
   Store() = default;

@@ -32,7 +32,7 @@ Result<std::string> encoded_bytes(const Database& database, const Value& value) 
     if (stored != nullptr && stored->database() == &database) return stored->encoded();
   }
   ASSIGN_OR_RETURN(const Value loaded, value.loaded());
-  return algebra3d::encode(loaded);
+  return algebra3d::encode_to_store(loaded);
 }
 
 }  // namespace
@@ -126,8 +126,8 @@ Result<Value> RowReader::value(std::size_t attribute) const {
   if (cell.is_null()) return Value(*columns.type);
   switch (columns.form) {
     case AttributeForm::integer:
-      if (!cell.is(Kind::integer) || cell.integer != static_cast<std::int32_t>(cell.integer)) break;
-      return Value::of(static_cast<std::int32_t>(cell.integer));
+      if (!cell.is(Kind::integer)) break;
+      return Value::of(cell.integer);
     case AttributeForm::boolean:
       if (!cell.is(Kind::integer) || (cell.integer != 0 && cell.integer != 1)) break;
       return Value::of(cell.integer == 1);
@@ -176,7 +176,7 @@ Status RowWriter::add(std::size_t attribute, const Value& value) {
   Cell& cell = cells_[columns.value];
   switch (columns.form) {
     case AttributeForm::integer:
-      cell = Cell::of(std::int64_t{value.get<std::int32_t>()});
+      cell = Cell::of(value.get<std::int64_t>());
       return {};
     case AttributeForm::boolean:
       cell = Cell::of(std::int64_t{value.get<bool>()});

@@ -46,23 +46,42 @@ Status for_each_defined(const Datum& stream, std::size_t attribute, Context& con
 }
 
 double as_real(const Value& value) {
-  return &value.type() == &TypeOf<double>::type() ? value.get<double>() : value.get<std::int32_t>();
+  return &value.type() == &TypeOf<double>::type() ? value.get<double>()
+                                                  : static_cast<double>(value.get<std::int64_t>());
 }
 
 Datum finite(double value, std::string_view op, Context& context) {
   if (std::isfinite(value)) return Datum{Value::of<double>(value)};
-  context.diagnostics.report(std::string(op) + ": the result is no finite number");
+  context.diagnostics.report_undefined(std::string(op) + ": the result is no finite number");
   return Datum{Value(TypeOf<double>::type())};
 }
 
+/// The exact sum of ints: as many as there can be do not leave 128 bits.
+struct IntSum {
+  __extension__ __int128 total = 0;
+  std::int64_t count = 0;
+};
+
+Result<IntSum> exact_sum(const Datum& stream, std::size_t attribute, Context& context) {
+  IntSum sum;
+  RETURN_IF_ERROR(for_each_defined(stream, attribute, context, [&](const Value& value) {
+    sum.total += value.get<std::int64_t>();
+    ++sum.count;
+  }));
+  return sum;
+}
+
 Result<Datum> sum_of_ints(const Datum& stream, std::size_t attribute, Context& context) {
-  std::int64_t total = 0;
-  RETURN_IF_ERROR(
-      for_each_defined(stream, attribute, context, [&](const Value& value) { total += value.get<std::int32_t>(); }));
-  if (total == static_cast<std::int32_t>(total))
-    return Datum{Value::of<std::int32_t>(static_cast<std::int32_t>(total))};
-  context.diagnostics.report("sum: the result " + std::to_string(total) + " is beyond the range of ints");
-  return Datum{Value(TypeOf<std::int32_t>::type())};
+  ASSIGN_OR_RETURN(const IntSum sum, exact_sum(stream, attribute, context));
+  if (const auto total = static_cast<std::int64_t>(sum.total); total == sum.total) return Datum{Value::of(total)};
+  context.diagnostics.report_undefined(fmt::format("sum: the result {} is beyond the range of ints", sum.total));
+  return Datum{Value(TypeOf<std::int64_t>::type())};
+}
+
+Datum mean(double total, std::int64_t count, Context& context) {
+  if (count > 0) return finite(total / static_cast<double>(count), "avg", context);
+  context.diagnostics.report_undefined("avg: there is no defined value");
+  return Datum{Value(TypeOf<double>::type())};
 }
 
 Result<CompensatedSum> sum_of_reals(const Datum& stream, std::size_t attribute, Context& context) {
@@ -94,13 +113,14 @@ Result<Plan> map_avg(std::span<const ArgumentType> arguments) {
   const MappingCheck check("avg", arguments);
   ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
   ASSIGN_OR_RETURN(const std::size_t index, numeric_attribute(check, tuple));
-  return Plan{"real", [index](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                ASSIGN_OR_RETURN(const CompensatedSum sum, sum_of_reals(given[0], index, context));
-                if (sum.count() == 0) {
-                  context.diagnostics.report("avg: there is no defined value");
-                  return Datum{Value(TypeOf<double>::type())};
+  const bool is_int = tuple.attributes()[index].type.is("int");
+  return Plan{"real", [index, is_int](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                if (is_int) {
+                  ASSIGN_OR_RETURN(const IntSum sum, exact_sum(given[0], index, context));
+                  return mean(static_cast<double>(sum.total), sum.count, context);
                 }
-                return finite(sum.total() / static_cast<double>(sum.count()), "avg", context);
+                ASSIGN_OR_RETURN(const CompensatedSum sum, sum_of_reals(given[0], index, context));
+                return mean(sum.total(), sum.count(), context);
               }};
 }
 
@@ -116,7 +136,7 @@ Result<Plan> map_extreme(const char* op, int wanted, std::span<const ArgumentTyp
                   if (!best || (wanted < 0 ? order < 0 : order > 0)) best = value;
                 }));
                 if (best) return Datum{*best};
-                context.diagnostics.report(std::string(op) + ": there is no defined value");
+                context.diagnostics.report_undefined(std::string(op) + ": there is no defined value");
                 return Datum{undefined_of(tuple.attributes()[index].type)};
               }};
 }
@@ -129,7 +149,7 @@ Result<Plan> map_extract(std::span<const ArgumentType> arguments) {
   return Plan{type, [=](std::vector<Datum> given, Context& context) -> Result<Datum> {
                 ASSIGN_OR_RETURN(const TuplePtr first, given[0].tuples()->next());
                 if (first != nullptr) return Datum{first->attributes[index]};
-                context.diagnostics.report("extract: the stream is empty");
+                context.diagnostics.report_undefined("extract: the stream is empty");
                 return Datum{undefined_of(type)};
               }};
 }

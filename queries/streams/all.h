@@ -24,6 +24,7 @@ void register_ordering(algebra3d::Registry& registry);
 void register_grouping(algebra3d::Registry& registry);
 void register_aggregates(algebra3d::Registry& registry);
 void register_set_aggregates(algebra3d::Registry& registry);
+void register_extremes(algebra3d::Registry& registry);
 void register_folding(algebra3d::Registry& registry);
 void register_joins(algebra3d::Registry& registry);
 void register_equi_joins(algebra3d::Registry& registry);
@@ -41,6 +42,8 @@ void register_spatial_join(algebra3d::Registry& registry);
 void register_ordered_indexes(algebra3d::Registry& registry);
 void register_repair_reports(algebra3d::Registry& registry);
 void register_geojson_features(algebra3d::Registry& registry);
+void register_csv_import(algebra3d::Registry& registry);
+void register_json_import(algebra3d::Registry& registry);
 void register_make_regions(algebra3d::Registry& registry);
 
 }  // namespace queries

@@ -4,6 +4,7 @@
 #include "queries/streams/all.h"
 #include "queries/streams/changed_tuples.h"
 #include "queries/streams/mapping.h"
+#include "queries/streams/relation.h"
 
 namespace queries {
 namespace {
@@ -74,6 +75,23 @@ Result<Plan> map_rename_attributes(std::span<const ArgumentType> arguments) {
   return same_tuples(std::move(attributes));
 }
 
+// `R feedproject[A]` is `R feed project[A]`.
+Result<Plan> map_feedproject(std::span<const ArgumentType> arguments) {
+  const MappingCheck check("feedproject", arguments);
+  ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(0));
+  ASSIGN_OR_RETURN(const auto indices, check.distinct_attributes(1, tuple));
+  return Plan{TypeExpr::stream(projected(tuple, indices)),
+              [indices](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                ASSIGN_OR_RETURN(TupleStreamPtr tuples, given[0].relation()->scan());
+                return changed_tuples(
+                    tuples,
+                    [indices, &context, step = 0U](const TuplePtr& from, std::vector<Value>& to) mutable -> Status {
+                      if (++step % 256 == 0) RETURN_IF_ERROR(context.check_cancelled());
+                      return append_attributes(*from, indices, to);
+                    });
+              }};
+}
+
 }  // namespace
 
 void register_attributes(algebra3d::Registry& registry) {
@@ -100,6 +118,20 @@ void register_attributes(algebra3d::Registry& registry) {
                    {"[const int value undefined] feed transformstream project[Elem] consume", "((undefined))"}},
       .errors = {{"query intstream(1, 2) transformstream project[Elm] count",
                   "project: unknown attribute 'Elm', did you mean 'Elem'?"}},
+  });
+  registry.add({
+      .name = "feedproject",
+      .syntax = "_ feedproject[attributes]",
+      .doc = "The tuples of a relation with the named attributes only: `feed` and `project` in one.",
+      .stream = stream_operator(map_feedproject),
+      .signatures = {"(rel(tuple) NAMES) -> stream(tuple)"},
+      .handles_undefined = true,
+      .examples = {{"[const rel(tuple([A: int, B: int])) value ((1 2) (3 undefined))] feedproject[B] consume",
+                    "((2) (undefined))"},
+                   {"[const rel(tuple([A: int, B: int])) value ((1 2))] feedproject[B, A] consume", "((2 1))"}},
+      .errors = {{"query [const rel(tuple([A: int])) value ((1))] feedproject[B] count",
+                  "feedproject: unknown attribute 'B'"},
+                 {"query 5 feedproject[B] count", "feedproject: expected a relation, got int"}},
   });
   registry.add({
       .name = "remove",

@@ -1,4 +1,5 @@
 // inserttuple, insert, deletesearch, deletedirect, deletebyid: tuples come into stored relations and go.
+#include <algorithm>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -16,18 +17,19 @@ Result<Plan> map_inserttuple(std::span<const ArgumentType> arguments) {
   if (check.count() != attributes.size() + 1)
     return check.error(
         fmt::format("expected {} values, one per attribute, got {}", attributes.size(), check.count() - 1));
-  std::vector<bool> to_real;
+  std::vector<Conversion> conversions;
   for (std::size_t i = 0; i < attributes.size(); ++i) {
     const TypeExpr& given = check[i + 1].type;
-    to_real.push_back(attributes[i].type.is("real") && given.is("int"));
-    if (!to_real.back() && !(given == attributes[i].type))
+    const auto conversion = conversion_to(attributes[i].type, given);
+    if (!conversion)
       return check.expected(attributes[i].type.text() + " for the attribute '" + attributes[i].name + "'", given);
+    conversions.push_back(*conversion);
   }
   ASSIGN_OR_RETURN(const TypeExpr result, check.with_id(tuple));
-  return Plan{TypeExpr::stream(result), [to_real](std::vector<Datum> given, Context&) -> Result<Datum> {
+  return Plan{TypeExpr::stream(result), [conversions](std::vector<Datum> given, Context&) -> Result<Datum> {
                 Tuple row;
-                for (std::size_t i = 0; i < to_real.size(); ++i)
-                  row.attributes.push_back(promoted(given[i + 1].value(), to_real[i]));
+                for (std::size_t i = 0; i < conversions.size(); ++i)
+                  row.attributes.push_back(converted(given[i + 1].value(), conversions[i]));
                 return Datum{make_stream([relation = given[0].relation(), row = std::move(row),
                                           is_done = false]() mutable -> Result<TuplePtr> {
                   if (is_done) return TuplePtr();
@@ -62,12 +64,40 @@ Result<TupleStreamPtr> insert_all(TupleStream& tuples, Relation& relation, const
       });
 }
 
+/// The conversions that make tuples of a stream those of a relation whose attributes have the same names.
+Result<std::vector<Conversion>> tuple_conversions(const MappingCheck& check, const TypeExpr& wanted,
+                                                  const TypeExpr& given) {
+  const auto& to = wanted.attributes();
+  const auto& from = given.attributes();
+  std::vector<Conversion> conversions;
+  for (std::size_t i = 0; i < std::min(to.size(), from.size()) && to[i].name == from[i].name; ++i)
+    if (const auto conversion = conversion_to(to[i].type, from[i].type)) conversions.push_back(*conversion);
+  if (conversions.size() == to.size() && to.size() == from.size()) return conversions;
+  return check.expected("a stream of " + wanted.text(), given);
+}
+
+TupleStreamPtr converted_tuples(const TupleStreamPtr& tuples, const std::vector<Conversion>& conversions) {
+  if (std::ranges::all_of(conversions, [](Conversion each) { return each == nullptr; })) return tuples;
+  return make_stream([tuples, conversions]() -> Result<TuplePtr> {
+    ASSIGN_OR_RETURN(const TuplePtr tuple, tuples->next());
+    if (tuple == nullptr) return tuple;
+    Tuple result;
+    for (std::size_t i = 0; i < conversions.size(); ++i)
+      result.attributes.push_back(converted(tuple->attributes[i], conversions[i]));
+    return TuplePtr(std::make_shared<const Tuple>(std::move(result)));
+  });
+}
+
 Result<Plan> map_insert(std::span<const ArgumentType> arguments) {
-  ASSIGN_OR_RETURN(const TypeExpr result, changed_type(MappingCheck("insert", arguments)));
-  return Plan{TypeExpr::stream(result), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                return Datum{made_when_asked([tuples = given[0].tuples(), relation = given[1].relation(), &context]() {
-                  return insert_all(*tuples, *relation, context);
-                })};
+  const MappingCheck check("insert", arguments);
+  ASSIGN_OR_RETURN(const TypeExpr given_tuple, check.stream(0));
+  ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(1));
+  ASSIGN_OR_RETURN(const auto conversions, tuple_conversions(check, tuple, given_tuple));
+  ASSIGN_OR_RETURN(const TypeExpr result, check.with_id(tuple));
+  return Plan{TypeExpr::stream(result), [conversions](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                return Datum{made_when_asked([tuples = converted_tuples(given[0].tuples(), conversions),
+                                              relation = given[1].relation(),
+                                              &context]() { return insert_all(*tuples, *relation, context); })};
               }};
 }
 
@@ -191,7 +221,8 @@ void register_changes(algebra3d::Registry& registry) {
       .doc = "Inserts all tuples of a stream into a stored relation and gives them with their new ids as TID; takes "
              "effect "
              "when consumed or counted.",
-      .detail = "The stream is read to its end first. Indexes on the relation follow.",
+      .detail = "The stream is read to its end first. Indexes on the relation follow. The attributes have the names of "
+                "the relation's, in their order; ints become reals there, and strings and texts each other.",
       .stream = stream_operator(map_insert),
       .signatures = {"(stream(tuple) rel(tuple)) -> stream(tuple)"},
       .handles_undefined = true,

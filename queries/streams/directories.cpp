@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "algebra3d/registry/conversion.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/utf8.h"
 #include "queries/streams/all.h"
@@ -28,7 +29,7 @@ Result<std::vector<std::string>> files_below(const std::filesystem::path& folder
     RETURN_IF_ERROR(context.check_cancelled());
     std::error_code ignored;  // a file that has gone meanwhile, or a dangling link, is no file
     if (!entry->is_regular_file(ignored)) continue;
-    if (fnmatch(pattern.c_str(), entry->path().filename().c_str(), 0) != 0) continue;
+    if (fnmatch(pattern.c_str(), entry->path().filename().c_str(), FNM_CASEFOLD) != 0) continue;
     const std::string name = (fs::path(shown) / entry->path().lexically_relative(folder)).string();
     files.push_back(algebra3d::shown_as_text(name));
     if (files.back() != name)
@@ -43,12 +44,12 @@ Result<std::vector<std::string>> files_below(const std::filesystem::path& folder
 Result<Plan> map_get_directory(std::span<const ArgumentType> arguments) {
   const MappingCheck check("getDirectory", arguments);
   RETURN_IF_ERROR(check.argument_count(1, 2));
-  for (std::size_t place = 0; place < check.count(); ++place) RETURN_IF_ERROR(check.type(place, "text"));
+  for (std::size_t place = 0; place < check.count(); ++place) RETURN_IF_ERROR(check.characters(place));
   return Plan{
       TypeExpr::stream("text"), [](const std::vector<Datum>& given, Context& context) -> Result<Datum> {
         std::vector<std::string> words;
         for (const Datum& word : given)
-          if (word.value().is_defined()) words.push_back(word.value().get<algebra3d::Text>().content);
+          if (word.value().is_defined()) words.push_back(algebra3d::characters_of(word.value()));
         std::vector<std::string> files;
         if (words.size() == given.size()) {
           const std::string pattern = words.size() == 2 ? words[1] : "*";
@@ -69,8 +70,9 @@ void register_directories(algebra3d::Registry& registry) {
       .syntax = "getDirectory(_ ...)",
       .doc = "The names of the files in a folder and below, sorted; with a pattern (such as '*.stl') only those that "
              "fit it.",
-      .detail =
-          "The pattern is matched against the file's own name: `*` any characters, `?` one, `[...]` one of a set.",
+      .detail = "The pattern is matched against the file's own name: `*` any characters, `?` one, `[...]` one of a "
+                "set; upper "
+                "and lower case are the same to it, as for `algebra3d import`.",
       .stream = stream_operator(map_get_directory),
       .signatures = {"(text) -> stream(text)", "(text text) -> stream(text)"},
       .handles_undefined = true,

@@ -1,4 +1,9 @@
-// intstream, transformstream and its relatives: streams of values and how they become tuples.
+// intstream, realstream, transformstream and its relatives: streams of values and how they become tuples.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
 #include "algebra3d/types/scalars.h"
 #include "queries/streams/all.h"
 #include "queries/streams/mapping.h"
@@ -14,13 +19,48 @@ Result<Plan> map_intstream(std::span<const ArgumentType> arguments) {
                 const Value& first = given[0].value();
                 const Value& last = given[1].value();
                 const bool is_empty = !first.is_defined() || !last.is_defined();
-                std::int64_t next = is_empty ? 1 : first.get<std::int32_t>();
-                const std::int64_t end = is_empty ? 0 : last.get<std::int32_t>();
+                std::int64_t next = is_empty ? 1 : first.get<std::int64_t>();
+                std::int64_t end = is_empty ? 0 : last.get<std::int64_t>();
                 return Datum{make_value_stream([next, end, &context]() mutable -> Result<std::optional<Value>> {
                   if (next > end) return std::optional<Value>();
                   if (next % 1024 == 0) RETURN_IF_ERROR(context.check_cancelled());
-                  return std::optional(Value::of<std::int32_t>(static_cast<std::int32_t>(next++)));
+                  const Value value = Value::of(next);
+                  // After the largest int comes nothing: an empty range.
+                  if (next < end)
+                    ++next;
+                  else
+                    end = std::numeric_limits<std::int64_t>::min();
+                  return std::optional(value);
                 })};
+              }};
+}
+
+// Every element is computed anew, so that rounding does not add up.
+Result<Plan> map_realstream(std::span<const ArgumentType> arguments) {
+  const MappingCheck check("realstream", arguments);
+  std::array<Conversion, 3> to_reals{};
+  for (std::size_t place = 0; place < 3; ++place) {
+    ASSIGN_OR_RETURN(to_reals[place], check.conversion(place, TypeExpr("real")));
+  }
+  return Plan{TypeExpr::stream("real"), [to_reals](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                const auto is_defined = [](const Datum& datum) { return datum.value().is_defined(); };
+                const bool is_empty = !std::ranges::all_of(given, is_defined);
+                const auto number = [&](std::size_t place) {
+                  return converted(given[place].value(), to_reals[place]).get<double>();
+                };
+                const double first = is_empty ? 0 : number(0);
+                const double last = is_empty ? 0 : number(1);
+                const double step = is_empty ? 0 : number(2);
+                if (!is_empty && step == 0)
+                  context.diagnostics.report("realstream: the step is 0, so there is no element");
+                return Datum{make_value_stream(
+                    [=, &context, count = std::uint64_t{0}]() mutable -> Result<std::optional<Value>> {
+                      const double next = first + static_cast<double>(count) * step;
+                      const bool is_over = step > 0 ? next > last : step < 0 ? next < last : true;
+                      if (is_over || !std::isfinite(next)) return std::optional<Value>();
+                      if (++count % 1024 == 0) RETURN_IF_ERROR(context.check_cancelled());
+                      return std::optional(Value::of<double>(next));
+                    })};
               }};
 }
 
@@ -85,6 +125,25 @@ void register_elements(algebra3d::Registry& registry) {
                    {"intstream(2, 1) count", "0"},
                    {"intstream([const int value undefined], 1) count", "0"}},
       .errors = {{"query intstream(1, 2.5) count", "intstream: expected int, got real"}},
+  });
+  registry.add({
+      .name = "realstream",
+      .syntax = "realstream(_, _, _)",
+      .doc = "The reals from the first to the second number, in steps of the third; downwards if that is negative.",
+      .detail =
+          "Element i is the first number plus i times the step, so rounding does not add up. No element for a step of "
+          "0 or an undefined argument.",
+      .exactness = algebra3d::Exactness::rounded_once,
+      .stream = stream_operator(map_realstream),
+      .signatures = {"(real real real) -> stream(real)"},
+      .handles_undefined = true,
+      .examples = {{"realstream(0.0, 1.0, 0.25) collect_vector", "(0.0 0.25 0.5 0.75 1.0)"},
+                   {"realstream(0.0, 1.000001, 0.1) count", "11"},
+                   {"realstream(1, -1, -0.5) count", "5"},
+                   {"realstream(1.0, 2.0, 0.0) count", "0"},
+                   {"realstream(1.0, [const real value undefined], 1.0) count", "0"}},
+      .errors = {{"query realstream(1.0, 2.0, TRUE) count", "realstream: expected real, got bool"},
+                 {"query realstream(1.0, 2.0) count", "realstream: expected 3 arguments, got 2"}},
   });
   registry.add({
       .name = "transformstream",

@@ -60,13 +60,26 @@ Result<Plan> map_replace(std::span<const ArgumentType> arguments) {
               }};
 }
 
-// Counts on beyond the range of ints, where the attribute is undefined.
-Value counter_value(std::int64_t counter, Context& context) {
-  if (counter <= std::numeric_limits<std::int32_t>::max())
-    return Value::of<std::int32_t>(static_cast<std::int32_t>(counter));
-  context.diagnostics.report("addcounter: the counter is beyond the range of ints");
-  return Value(algebra3d::TypeOf<std::int32_t>::type());
-}
+/// Counts to the largest int; what comes after it is undefined.
+class Counter {
+ public:
+  /// Without a start every number is undefined.
+  explicit Counter(std::optional<std::int64_t> start) : next_(start) {}
+  Value take(Context& context) {
+    if (!next_) return Value(algebra3d::TypeOf<std::int64_t>::type());
+    if (is_used_up_) {
+      context.diagnostics.report_undefined("addcounter: the counter is beyond the range of ints");
+      return Value(algebra3d::TypeOf<std::int64_t>::type());
+    }
+    const Value value = Value::of(*next_);
+    is_used_up_ = __builtin_add_overflow(*next_, 1, &*next_);
+    return value;
+  }
+
+ private:
+  std::optional<std::int64_t> next_;
+  bool is_used_up_ = false;
+};
 
 Result<Plan> map_addcounter(std::span<const ArgumentType> arguments) {
   const MappingCheck check("addcounter", arguments);
@@ -75,18 +88,18 @@ Result<Plan> map_addcounter(std::span<const ArgumentType> arguments) {
   if (check.count() == 3) RETURN_IF_ERROR(check.type(2, "int"));
   ASSIGN_OR_RETURN(const TypeExpr result,
                    check.concatenated(tuple, TypeExpr::tuple({{check[1].names[0], TypeExpr("int")}})));
-  return Plan{
-      TypeExpr::stream(result), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-        const bool is_started = given.size() < 3 || given[2].value().is_defined();
-        if (!is_started) context.diagnostics.report("addcounter: the start is undefined");
-        const std::int64_t start = given.size() < 3 || !is_started ? 1 : given[2].value().get<std::int32_t>();
-        return changed_tuples(given[0].tuples(), [is_started, &context, counter = start](
-                                                     const TuplePtr& from, std::vector<Value>& to) mutable {
-          to = extended_attributes(*from, 1);
-          to.push_back(is_started ? counter_value(counter++, context) : Value(algebra3d::TypeOf<std::int32_t>::type()));
-          return Status();
-        });
-      }};
+  return Plan{TypeExpr::stream(result), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                const bool is_started = given.size() < 3 || given[2].value().is_defined();
+                if (!is_started) context.diagnostics.report_undefined("addcounter: the start is undefined");
+                std::optional<std::int64_t> start;
+                if (is_started) start = given.size() < 3 ? 1 : given[2].value().get<std::int64_t>();
+                return changed_tuples(given[0].tuples(), [&context, counter = Counter(start)](
+                                                             const TuplePtr& from, std::vector<Value>& to) mutable {
+                  to = extended_attributes(*from, 1);
+                  to.push_back(counter.take(context));
+                  return Status();
+                });
+              }};
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
 // feed, consume, count: between relations and streams.
-#include <limits>
 #include <utility>
 
 #include "algebra3d/types/scalars.h"
@@ -48,25 +47,22 @@ Result<Plan> map_consume(const char* op, std::span<const ArgumentType> arguments
               }};
 }
 
-Result<Datum> counted(std::int64_t count, Context& context) {
-  if (count <= std::numeric_limits<std::int32_t>::max())
-    return Datum{Value::of<std::int32_t>(static_cast<std::int32_t>(count))};
-  context.diagnostics.report("count: the result " + std::to_string(count) + " is beyond the range of ints");
-  return Datum{Value(algebra3d::TypeOf<std::int32_t>::type())};
+Datum counted(std::int64_t count) {
+  return Datum{Value::of(count)};
 }
 
 Result<Datum> count_values(ValueStream& values, Context& context) {
   for (std::int64_t count = 0;; ++count) {
     if (count % 1024 == 0) RETURN_IF_ERROR(context.check_cancelled());
     ASSIGN_OR_RETURN(const auto value, values.next());
-    if (!value) return counted(count, context);
+    if (!value) return counted(count);
   }
 }
 
 Result<Datum> count_tuples(TupleStream& tuples, Context& context) {
   std::int64_t count = 0;
   RETURN_IF_ERROR(for_each_tuple(tuples, context, [&](const TuplePtr&) -> Status { return ++count, Status(); }));
-  return counted(count, context);
+  return counted(count);
 }
 
 Result<Plan> map_count(std::span<const ArgumentType> arguments) {
@@ -77,12 +73,12 @@ Result<Plan> map_count(std::span<const ArgumentType> arguments) {
   return Plan{"int", [](std::vector<Datum> given, Context& context) -> Result<Datum> {
                 if (const auto* relation = std::get_if<RelationPtr>(&given[0].content)) {
                   ASSIGN_OR_RETURN(const std::int64_t count, (*relation)->count());
-                  return counted(count, context);
+                  return counted(count);
                 }
                 if (const auto* values = std::get_if<ValueStreamPtr>(&given[0].content))
                   return count_values(**values, context);
                 if (const auto* collection = std::get_if<Value>(&given[0].content))
-                  return counted(static_cast<std::int64_t>(collection->get<Collection>().elements.size()), context);
+                  return counted(static_cast<std::int64_t>(collection->get<Collection>().elements.size()));
                 return count_tuples(*given[0].tuples(), context);
               }};
 }

@@ -1,7 +1,8 @@
-// aggregateB: a function of two values over all values of an attribute.
+// aggregateB, extend_aggr: a function of two values over the values of an attribute.
 #include <array>
 
 #include "queries/streams/all.h"
+#include "queries/streams/changed_tuples.h"
 #include "queries/streams/mapping.h"
 
 namespace queries {
@@ -51,20 +52,95 @@ Result<Plan> map_aggregate(std::span<const ArgumentType> arguments) {
   const TypeExpr type = tuple.attributes()[index].type;
   const TypeExpr wanted = TypeExpr::map({type, type}, type);
   if (!(check[2].type == wanted)) return check.expected("a function of type " + wanted.text(), check[2].type);
-  ASSIGN_OR_RETURN(const bool to_real, check.promotion(3, type));
+  ASSIGN_OR_RETURN(const Conversion conversion, check.conversion(3, type));
   return Plan{type, [=](std::vector<Datum> given, Context& context) -> Result<Datum> {
                 BalancedFold fold(given[2].function());
                 RETURN_IF_ERROR(for_each_tuple(*given[0].tuples(), context, [&](const TuplePtr& next) {
                   return fold.add(next->attributes[index]);
                 }));
                 ASSIGN_OR_RETURN(const auto result, fold.finish());
-                return Datum{result ? *result : promoted(given[3].value(), to_real)};
+                return Datum{result ? *result : converted(given[3].value(), conversion)};
+              }};
+}
+
+/// The attributes that extend_aggr works on.
+struct RunningFold {
+  std::size_t attribute;
+  std::optional<std::size_t> restart;  // a bool: where it is TRUE the fold begins anew
+};
+
+Result<RunningFold> running_fold(const MappingCheck& check, const TypeExpr& tuple) {
+  ASSIGN_OR_RETURN(const auto attributes, check.attributes(1, tuple));
+  if (attributes.empty() || attributes.size() > 2)
+    return check.error("expected one attribute, or two of which the second is a bool, before the semicolon");
+  RunningFold fold{attributes[0], std::nullopt};
+  if (attributes.size() == 1) return fold;
+  const TypeExpr& type = tuple.attributes()[attributes[1]].type;
+  if (!type.is("bool")) return check.expected("a second attribute of type bool", type);
+  fold.restart = attributes[1];
+  return fold;
+}
+
+Result<Plan> map_extend_aggr(std::span<const ArgumentType> arguments) {
+  const MappingCheck check("extend_aggr", arguments);
+  ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
+  ASSIGN_OR_RETURN(const RunningFold fold, running_fold(check, tuple));
+  const TypeExpr type = tuple.attributes()[fold.attribute].type;
+  if (check[2].names.size() != 1)
+    return check.error("expected one function, as in extend_aggr[A; B: fun(a: int, b: int) a + b]");
+  const TypeExpr wanted = TypeExpr::map({type, type}, type);
+  if (!(check[2].types[0] == wanted)) return check.expected("a function of type " + wanted.text(), check[2].types[0]);
+  ASSIGN_OR_RETURN(const TypeExpr result, check.concatenated(tuple, TypeExpr::tuple({{check[2].names[0], type}})));
+  return Plan{TypeExpr::stream(result), [fold](std::vector<Datum> given, Context&) -> Result<Datum> {
+                const auto function = given[2].list()[0].function_ptr();
+                return changed_tuples(given[0].tuples(),
+                                      [fold, function, so_far = std::optional<Value>()](
+                                          const TuplePtr& from, std::vector<Value>& to) mutable -> Status {
+                                        const Value& next = from->attributes[fold.attribute];
+                                        const bool begins =
+                                            !so_far || (fold.restart && is_true(from->attributes[*fold.restart]));
+                                        if (!begins) {
+                                          const std::array<Datum, 2> both = {Datum{*so_far}, Datum{next}};
+                                          ASSIGN_OR_RETURN(so_far, function->call_for_value(both));
+                                        } else {
+                                          so_far = next;
+                                        }
+                                        to = extended_attributes(*from, 1);
+                                        to.push_back(*so_far);
+                                        return {};
+                                      });
               }};
 }
 
 }  // namespace
 
 void register_folding(algebra3d::Registry& registry) {
+  const std::string runs = "[const rel(tuple([A: int, R: bool])) value ((1 FALSE) (2 FALSE) (3 TRUE) (4 FALSE))] feed ";
+  registry.add({
+      .name = "extend_aggr",
+      .syntax = "_ extend_aggr[attributes; functions]",
+      .doc =
+          "The tuples with a new attribute: what a function of two values makes of all values of an attribute so far.",
+      .detail =
+          "The first tuple gets its own value, every further one the function of the value before and its own. Where "
+          "a second attribute, a bool, is TRUE, that begins anew. Undefined values are given to the function like "
+          "others.",
+      .stream = stream_operator(map_extend_aggr),
+      .signatures = {"(stream(tuple) NAMES ((NAME (map DATA DATA DATA)))) -> stream(tuple)"},
+      .handles_undefined = true,
+      .examples =
+          {{runs + "extend_aggr[A; S: fun(a: int, b: int) a + b] project[S] consume", "((1) (3) (6) (10))"},
+           {runs + "extend_aggr[A, R; S: fun(a: int, b: int) a + b] project[S] consume", "((1) (3) (3) (7))"},
+           {"[const rel(tuple([A: int])) value ((1) (undefined) (2))] feed extend_aggr[A; S: fun(a: int, b: int) "
+            "a + b] consume",
+            "((1 1) (undefined undefined) (2 undefined))"}},
+      .errors = {{"query " + runs + "extend_aggr[R; S: fun(a: int, b: int) a + b] count",
+                  "extend_aggr: expected a function of type (map bool bool bool), got (map int int int)"},
+                 {"query " + runs + "extend_aggr[A, A; S: fun(a: int, b: int) a + b] count",
+                  "extend_aggr: expected a second attribute of type bool, got int"},
+                 {"query " + runs + "extend_aggr[A; R: fun(a: int, b: int) a + b] count",
+                  "extend_aggr: the attribute 'R' would stand twice"}},
+  });
   registry.add({
       .name = "aggregateB",
       .syntax = "_ aggregateB[attribute; fun; _]",

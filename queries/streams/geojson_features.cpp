@@ -10,7 +10,7 @@
 #include "algebra3d/types/scalars.h"
 #include "queries/streams/all.h"
 #include "queries/streams/mapping.h"
-#include "stl/mapped_file.h"
+#include "stl/file_content.h"
 
 namespace queries {
 namespace {
@@ -31,12 +31,12 @@ TypeExpr feature_type() {
 /// The features lie in the file's bytes.
 struct FeatureFile {
   std::string name;  // as the user wrote it
-  stl::MappedFile file;
+  stl::FileContent file;
   GeoFeatures features;
 };
 
 Result<std::shared_ptr<const FeatureFile>> open_features(const std::string& name, const Context& context) {
-  ASSIGN_OR_RETURN(stl::MappedFile file, stl::MappedFile::open(context.resolve(name)));
+  ASSIGN_OR_RETURN(stl::FileContent file, stl::FileContent::read(context.resolve(name), context.cancel));
   Result<GeoFeatures> features = GeoFeatures::find(file.bytes(), context.monitor());
   if (!features && features.error().code == algebra3d::ErrorCode::interrupted) return features.error();
   if (!features) return Error{features.error().code, "{} {}", name, features.error().message};
@@ -51,11 +51,11 @@ Value text_or_undefined(std::optional<std::string> text) {
 Result<TuplePtr> feature_tuple(const FeatureFile& from, std::size_t index, Context& context) {
   ASSIGN_OR_RETURN(GeoFeature feature, from.features.feature(index, context.monitor()));
   if (!feature.shape)
-    context.diagnostics.report("importGeoJSON: " + feature.shape.reason(),
-                               fmt::format("{}, feature {}", from.name, index + 1));
+    context.diagnostics.report_undefined("importGeoJSON: " + feature.shape.reason(),
+                                         fmt::format("{}, feature {}", from.name, index + 1));
   Value shape = feature.shape ? Value::of<Region>(*std::move(feature.shape)) : Value(TypeOf<Region>::type());
   return std::make_shared<const Tuple>(
-      Tuple{{Value::of<std::int32_t>(static_cast<std::int32_t>(index + 1)), text_or_undefined(std::move(feature.id)),
+      Tuple{{Value::of(static_cast<std::int64_t>(index + 1)), text_or_undefined(std::move(feature.id)),
              text_or_undefined(std::move(feature.properties)), std::move(shape)}});
 }
 
@@ -68,7 +68,8 @@ Result<Datum> run_import(const std::vector<Datum>& given, Context& context) {
   const auto opened = open_features(given[0].value().get<Text>().content, context);
   if (!opened) {
     if (opened.error().code == algebra3d::ErrorCode::interrupted) return opened.error();
-    context.diagnostics.report("importGeoJSON: " + opened.error().message);
+    context.diagnostics.report("importGeoJSON: " + opened.error().message, {},
+                               algebra3d::Diagnostics::About::unreadable);
     return Datum{no_tuples()};
   }
   return Datum{make_stream([from = *opened, &context, index = std::size_t{0}]() mutable -> Result<TuplePtr> {
@@ -81,7 +82,7 @@ Result<Datum> run_import(const std::vector<Datum>& given, Context& context) {
 Result<Plan> map_import_geojson(std::span<const ArgumentType> arguments) {
   const MappingCheck check("importGeoJSON", arguments);
   RETURN_IF_ERROR(check.argument_count(1, 1));
-  RETURN_IF_ERROR(check.type(0, "text"));
+  RETURN_IF_ERROR(check.characters(0));
   return Plan{TypeExpr::stream(feature_type()), run_import};
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 Value id_of_tuple(const Tuple& tuple, std::string_view op, Context& context) {
   if (tuple.id != 0) return id_value(tuple.id);
-  context.diagnostics.report(std::string(op) + ": the tuple does not come straight from a stored relation");
+  context.diagnostics.report_undefined(std::string(op) + ": the tuple does not come straight from a stored relation");
   return Value(algebra3d::TypeOf<algebra3d::TupleNumber>::type());
 }
 

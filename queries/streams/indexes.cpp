@@ -119,7 +119,7 @@ TypeMapping map_distancescan(const algebra3d::Registry& registry) {
                   const Box3 box = window_of(given[2].value());
                   std::int64_t left = std::numeric_limits<std::int64_t>::max();
                   if (given.size() == 4)
-                    left = given[3].value().is_defined() ? given[3].value().get<std::int32_t>() : 0;
+                    left = given[3].value().is_defined() ? given[3].value().get<std::int64_t>() : 0;
                   if (box.is_empty()) left = 0;
                   return Datum{fetched(
                       given[1].relation(),

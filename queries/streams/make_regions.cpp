@@ -41,7 +41,7 @@ Result<Plan> map_make_region(std::span<const ArgumentType> arguments) {
                 ASSIGN_OR_RETURN(const Polygons polygons, cycle_of(given[0], attribute, context));
                 ASSIGN_OR_RETURN(const Maybe<Region> region, Region::prove(polygons, context.monitor()));
                 if (region) return Datum{Value::of<Region>(*region)};
-                context.diagnostics.report("makeRegion: " + region.reason());
+                context.diagnostics.report_undefined("makeRegion: " + region.reason());
                 return Datum{Value(algebra3d::TypeOf<Region>::type())};
               }};
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "algebra3d/registry/conversion.h"
 #include "algebra3d/types/all.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/tuple_number.h"
@@ -130,11 +131,15 @@ Status MappingCheck::id_argument(std::size_t position) const {
   return expected("tid or int", given);
 }
 
-Result<bool> MappingCheck::promotion(std::size_t position, const TypeExpr& wanted) const {
+Result<Conversion> MappingCheck::conversion(std::size_t position, const TypeExpr& wanted) const {
   const TypeExpr& given = arguments_[position].type;
-  if (given == wanted) return false;
-  if (wanted.is("real") && given.is("int")) return true;
+  if (const auto found = conversion_to(wanted, given)) return *found;
   return expected(wanted.text(), given);
+}
+
+Status MappingCheck::characters(std::size_t position) const {
+  RETURN_IF_ERROR(conversion(position, TypeExpr("text")));
+  return {};
 }
 
 Result<TypeExpr> MappingCheck::concatenated(const TypeExpr& left, const TypeExpr& right) const {
@@ -185,10 +190,14 @@ TuplePtr concatenated(const Tuple& left, const Tuple& right) {
   return std::make_shared<const Tuple>(std::move(joined));
 }
 
-Value promoted(const Value& value, bool to_real) {
-  if (!to_real) return value;
-  if (!value.is_defined()) return Value(algebra3d::TypeOf<double>::type());
-  return Value::of<double>(value.get<std::int32_t>());
+std::optional<Conversion> conversion_to(const TypeExpr& wanted, const TypeExpr& given) {
+  if (given == wanted) return nullptr;
+  if (!wanted.arguments().empty() || !algebra3d::conversion_cost(given, wanted.name())) return std::nullopt;
+  return &undefined_of(wanted).type();
+}
+
+Value converted(const Value& value, Conversion conversion) {
+  return conversion == nullptr ? value : algebra3d::converted(value, *conversion);
 }
 
 Value id_value(TupleId id) {
@@ -198,7 +207,7 @@ Value id_value(TupleId id) {
 TupleId id_of(const Value& value) {
   if (&value.type() == &algebra3d::TypeOf<algebra3d::TupleNumber>::type())
     return value.get<algebra3d::TupleNumber>().number;
-  return std::max(value.get<std::int32_t>(), 0);
+  return std::max<TupleId>(value.get<std::int64_t>(), 0);
 }
 
 TypeExpr projected(const TypeExpr& tuple, const std::vector<std::size_t>& indices) {

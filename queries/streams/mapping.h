@@ -10,6 +10,9 @@ namespace queries {
 
 using algebra3d::Context;
 
+/// The type that values become which are accepted in its place (registry/conversion.h); null: they stay as they are.
+using Conversion = const algebra3d::Type*;
+
 /// What type mappings of stream operators have in common: the checks, and the errors "OP: expected ..., got ...".
 /// Positions count operands first, then the places in the brackets.
 class MappingCheck {
@@ -42,8 +45,10 @@ class MappingCheck {
   Result<std::size_t> id_attribute(const TypeExpr& tuple) const;
   /// The value at `position` is an id of a tuple: a tid, or an int that stands for one.
   Status id_argument(std::size_t position) const;
-  /// The value at `position` is of that type, or an int where it is real: then it is to be promoted.
-  Result<bool> promotion(std::size_t position, const TypeExpr& wanted) const;
+  /// The value at `position` is of that type or can be converted to it.
+  Result<Conversion> conversion(std::size_t position, const TypeExpr& wanted) const;
+  /// The value at `position` is a string or a text.
+  Status characters(std::size_t position) const;
   /// Both tuples side by side. Error if a name occurs twice.
   Result<TypeExpr> concatenated(const TypeExpr& left, const TypeExpr& right) const;
   /// `tuple` with an attribute TID of type tid at its end.
@@ -111,8 +116,10 @@ Status for_each_tuple(TupleStream& stream, const Context& context, Visit visit) 
 }
 /// The attributes of both, without an id.
 TuplePtr concatenated(const Tuple& left, const Tuple& right);
-/// The value, as a real if it is an int that was accepted for one.
-Value promoted(const Value& value, bool to_real);
+/// The conversion that makes values of one type what another one is, or nothing if there is none.
+std::optional<Conversion> conversion_to(const TypeExpr& wanted, const TypeExpr& given);
+/// The value after the conversion.
+Value converted(const Value& value, Conversion conversion);
 /// The value of type tid.
 Value id_value(TupleId id);
 /// The id that a defined value of type tid or int holds; 0 for none.

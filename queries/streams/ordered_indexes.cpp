@@ -37,15 +37,15 @@ struct Bounds {
 };
 
 /// The key that an argument stands for; nothing if there is no such bound.
-std::optional<Value> bound(const std::vector<Datum>& given, std::size_t position, bool to_real) {
-  return position == 0 ? std::optional<Value>() : promoted(given[position].value(), to_real);
+std::optional<Value> bound(const std::vector<Datum>& given, std::size_t position, Conversion conversion) {
+  return position == 0 ? std::optional<Value>() : converted(given[position].value(), conversion);
 }
 
-Result<Datum> found(const std::vector<Datum>& given, const Bounds& bounds, const std::vector<bool>& to_real) {
+Result<Datum> found(const std::vector<Datum>& given, const Bounds& bounds, const std::vector<Conversion>& conversions) {
   const auto& index = given[0].ordered_index();
   RETURN_IF_ERROR(check_fits(*index, *given[1].relation(), bounds.op));
-  std::optional<Value> low = bound(given, bounds.low, to_real[bounds.low]);
-  std::optional<Value> high = bound(given, bounds.high, to_real[bounds.high]);
+  std::optional<Value> low = bound(given, bounds.low, conversions[bounds.low]);
+  std::optional<Value> high = bound(given, bounds.high, conversions[bounds.high]);
   // Nothing lies beside an undefined bound.
   for (std::optional<Value>* each : {&low, &high}) {
     if (!*each) continue;
@@ -63,12 +63,13 @@ TypeMapping map_search(Bounds bounds) {
     ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(1));
     if (!(index.arguments()[0] == tuple))
       return check.error("expected an index on the relation's tuples, got " + index.text());
-    std::vector<bool> to_real(check.count());
+    std::vector<Conversion> conversions(check.count());
     for (std::size_t position = 2; position < check.count(); ++position) {
-      ASSIGN_OR_RETURN(to_real[position], check.promotion(position, index.arguments()[1]));
+      ASSIGN_OR_RETURN(conversions[position], check.conversion(position, index.arguments()[1]));
     }
-    return Plan{TypeExpr::stream(tuple),
-                [bounds, to_real](const std::vector<Datum>& given, Context&) { return found(given, bounds, to_real); }};
+    return Plan{TypeExpr::stream(tuple), [bounds, conversions](const std::vector<Datum>& given, Context&) {
+                  return found(given, bounds, conversions);
+                }};
   };
 }
 
@@ -139,9 +140,10 @@ void register_ordered_indexes(algebra3d::Registry& registry) {
         .name = name,
         .syntax = "_ _ " + name + "[" + texts.places + "]",
         .doc = texts.doc,
-        .detail =
-            "In the order of the indexed values, then of the tuples. An int is accepted where the values are real. "
-            "An undefined argument gives nothing.",
+        .detail = "In the order of the indexed values, then of the tuples. An int is accepted where the values are "
+                  "real, strings "
+                  "and texts are for each other. "
+                  "An undefined argument gives nothing.",
         .stream = stream_operator(map_search(texts.bounds)),
         .signatures = {std::string("(btree(tuple DATA) rel(tuple) ") + texts.signature + ") -> stream(tuple)"},
         .handles_undefined = true,

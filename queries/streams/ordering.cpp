@@ -1,4 +1,5 @@
-// sortby, sort, rdup, krdup, krduph: order, and what is equal.
+// sortby, sort, rdup, rduph, krdup, krduph: order, and what is equal.
+#include <numeric>
 #include <utility>
 
 #include "queries/streams/all.h"
@@ -159,6 +160,19 @@ Result<Plan> map_krduph(std::span<const ArgumentType> arguments) {
               }};
 }
 
+// The number of buckets that SECONDO takes means nothing here.
+Result<Plan> map_rduph(std::span<const ArgumentType> arguments) {
+  const MappingCheck check("rduph", arguments);
+  ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
+  RETURN_IF_ERROR(check.argument_count(1, 2));
+  if (check.count() == 2) RETURN_IF_ERROR(check.type(1, "int"));
+  std::vector<std::size_t> all(tuple.attributes().size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return Plan{TypeExpr::stream(tuple), [all](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                return Datum{TupleStreamPtr(std::make_shared<FirstOfEachKey>(given[0].tuples(), all, context))};
+              }};
+}
+
 }  // namespace
 
 void register_ordering(algebra3d::Registry& registry) {
@@ -199,6 +213,21 @@ void register_ordering(algebra3d::Registry& registry) {
       .examples = {{pairs + "sort rdup consume", "((undefined 5) (1 7) (2 0) (2 1))"},
                    {pairs + "projecttransformstream[A] rdup count", "5"}},
       .errors = {{"query 5 rdup", "rdup: expected a stream, got int"}},
+  });
+  registry.add({
+      .name = "rduph",
+      .syntax = "_ rduph[...]",
+      .doc = "The tuples without those that equal any tuple before; needs no order.",
+      .detail =
+          "The first of equal tuples stays. Undefined equals undefined. A number of buckets in brackets, as SECONDO "
+          "takes it, is accepted and changes nothing.",
+      .stream = stream_operator(map_rduph),
+      .signatures = {"(stream(tuple)) -> stream(tuple)", "(stream(tuple) int) -> stream(tuple)"},
+      .handles_undefined = true,
+      .examples = {{pairs + "rduph consume", "((2 1) (undefined 5) (1 7) (2 0))"},
+                   {pairs + "project[A] rduph[997] consume", "((2) (undefined) (1))"}},
+      .errors = {{"query 5 rduph", "rduph: expected a stream of tuples, got int"},
+                 {"query " + pairs + "rduph[TRUE] count", "rduph: expected int, got bool"}},
   });
   registry.add({
       .name = "krdup",

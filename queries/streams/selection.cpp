@@ -37,7 +37,7 @@ Result<Plan> map_filter(std::span<const ArgumentType> arguments) {
 // A number of elements: none for an undefined or negative one.
 std::size_t element_count(const Datum& datum) {
   const Value& value = datum.value();
-  return value.is_defined() ? static_cast<std::size_t>(std::max(0, value.get<std::int32_t>())) : 0;
+  return value.is_defined() ? static_cast<std::size_t>(std::max<std::int64_t>(0, value.get<std::int64_t>())) : 0;
 }
 
 Result<Plan> map_head(std::span<const ArgumentType> arguments) {

@@ -74,7 +74,7 @@ Plan intersection_plan(const TypeExpr& type, std::size_t attribute) {
   return {type, [=](std::vector<Datum> given, Context& context) -> Result<Datum> {
             ASSIGN_OR_RETURN(const auto values, defined_values<T>(given[0], attribute, "intersection_aggr", context));
             if (values.empty()) {
-              context.diagnostics.report("intersection_aggr: there is no defined value");
+              context.diagnostics.report_undefined("intersection_aggr: there is no defined value");
               return Datum{Value(algebra3d::TypeOf<T>::type())};
             }
             ASSIGN_OR_RETURN(T common, common_values(values, context));

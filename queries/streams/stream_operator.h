@@ -24,7 +24,10 @@ struct ArgumentType {
   /// `functions`: the type `(map P... R)` per name.
   std::vector<TypeExpr> types;
   /// For an int constant written as a literal: its value (node sizes, bucket counts and the like).
-  std::optional<std::int32_t> literal;
+  std::optional<std::int64_t> literal;
+  /// Gives the value of an operand or `_` place that is the same whenever the query runs: of a literal, or of what
+  /// stands in no function. Null for all others. Costs what its evaluation costs.
+  std::function<Result<Value>()> constant;
 };
 
 /// A checked application: its type, and how it is evaluated. `arguments` holds per place: the evaluated expression
@@ -37,18 +40,31 @@ struct Plan {
 /// The type mapping: from argument types to the plan. Errors: type_error "filter: expected ..., got ...".
 using TypeMapping = std::function<Result<Plan>(std::span<const ArgumentType> arguments)>;
 
+/// The same for an operator whose result type depends on more than types: it may read files, and it reports to
+/// `context`, which outlives the call.
+using ReadingTypeMapping =
+    std::function<Result<Plan>(std::span<const ArgumentType> arguments, algebra3d::Context& context)>;
+
 /// The implementation of an operator over streams, relations, tuples and functions.
 class StreamOperator final : public algebra3d::StreamImplementation {
  public:
-  explicit StreamOperator(TypeMapping mapping) : mapping_(std::move(mapping)) {}
-  const TypeMapping& mapping() const { return mapping_; }
+  explicit StreamOperator(ReadingTypeMapping mapping) : mapping_(std::move(mapping)) {}
+  Result<Plan> plan(std::span<const ArgumentType> arguments, algebra3d::Context& context) const {
+    return mapping_(arguments, context);
+  }
 
  private:
-  TypeMapping mapping_;
+  ReadingTypeMapping mapping_;
 };
 
-inline std::shared_ptr<const algebra3d::StreamImplementation> stream_operator(TypeMapping mapping) {
+inline std::shared_ptr<const algebra3d::StreamImplementation> reading_stream_operator(ReadingTypeMapping mapping) {
   return std::make_shared<StreamOperator>(std::move(mapping));
+}
+inline std::shared_ptr<const algebra3d::StreamImplementation> stream_operator(TypeMapping mapping) {
+  return reading_stream_operator(
+      [mapping = std::move(mapping)](std::span<const ArgumentType> arguments, algebra3d::Context& /*context*/) {
+        return mapping(arguments);
+      });
 }
 
 /// The type that a pseudo parameter type of a syntax pattern stands for, given the operand types: TUPLE (tuple type of

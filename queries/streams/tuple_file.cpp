@@ -56,9 +56,9 @@ void TupleFile::append_value(const Value& value) {
   const auto form = [&](Form which) { writer.u8(static_cast<std::uint8_t>(which)); };
   if (!value.is_defined()) return form(Form::undefined);
   if (const auto deferred = value.deferred()) return form(Form::deferred), append_deferred(*deferred);
-  if (is_of<std::int32_t>(value.type())) {
+  if (is_of<std::int64_t>(value.type())) {
     form(Form::integer);
-    return writer.u32(static_cast<std::uint32_t>(value.get<std::int32_t>()));
+    return writer.u64(static_cast<std::uint64_t>(value.get<std::int64_t>()));
   }
   if (is_of<double>(value.type())) return form(Form::real), writer.f64(value.get<double>());
   if (is_of<bool>(value.type())) return form(Form::boolean), writer.u8(value.get<bool>() ? 1 : 0);
@@ -125,7 +125,7 @@ Result<Value> TupleFile::Scan::read_value(const algebra3d::Type& type, ByteReade
     case Form::undefined:
       return Value(type);
     case Form::integer:
-      return Value::of(static_cast<std::int32_t>(reader.u32()));
+      return Value::of(static_cast<std::int64_t>(reader.u64()));
     case Form::real:
       return Value::of(reader.f64());
     case Form::boolean:

@@ -5,10 +5,10 @@
 namespace queries {
 namespace {
 
-/// The attributes that a list of functions sets, and whether the results are to become reals.
+/// The attributes that a list of functions sets, and what the results are to become.
 struct Assignments {
   std::vector<std::size_t> attributes;
-  std::vector<bool> to_real;
+  std::vector<Conversion> conversions;
 };
 
 Result<Assignments> assignments(const MappingCheck& check, std::size_t position, const TypeExpr& tuple) {
@@ -18,9 +18,9 @@ Result<Assignments> assignments(const MappingCheck& check, std::size_t position,
     const auto& [name, wanted] = tuple.attributes()[result.attributes[i]];
     RETURN_IF_ERROR(check.takes(check[position].types[i], {tuple}));
     const TypeExpr& given = check[position].types[i].function_result();
-    result.to_real.push_back(wanted.is("real") && given.is("int"));
-    if (!result.to_real.back() && !(given == wanted))
-      return check.expected(wanted.text() + " for the attribute '" + name + "'", given);
+    const auto conversion = conversion_to(wanted, given);
+    if (!conversion) return check.expected(wanted.text() + " for the attribute '" + name + "'", given);
+    result.conversions.push_back(*conversion);
   }
   return result;
 }
@@ -42,7 +42,7 @@ Result<TupleStreamPtr> update_all(const TupleBuffer& old_tuples, Relation& relat
     RETURN_IF_ERROR(append_results(functions, Datum{old}, values));
     Tuple made = *old;
     for (std::size_t i = 0; i < values.size(); ++i)
-      made.attributes[assignments.attributes[i]] = promoted(values[i], assignments.to_real[i]);
+      made.attributes[assignments.attributes[i]] = converted(values[i], assignments.conversions[i]);
     ASSIGN_OR_RETURN(TuplePtr loaded, loaded_tuple(made));
     return new_tuples.add(std::move(loaded));
   };

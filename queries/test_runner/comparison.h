@@ -29,7 +29,8 @@ struct Difference {
   std::string text() const;
 };
 
-/// Compares structure and atoms; atoms of different kinds never agree. Nothing if the lists agree.
+/// Compares structure and atoms. An integer agrees with a real of the same value, other atoms of different kinds never
+/// agree. Nothing if the lists agree.
 std::optional<Difference> first_difference(const NestedList& expected, const NestedList& found, Tolerance tolerance);
 
 /// The list as text, if it is short; otherwise the neighbourhood of the place, after its path.

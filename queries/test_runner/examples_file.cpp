@@ -188,12 +188,11 @@ class ExamplesReader {
     if (!list) return error(line, "Result: " + list.error().message);
     const bool is_choice = list->is_list() && !list->elements().empty() && list->elements()[0].is_symbol("platform");
     if (is_choice) return add_platform_result(block, *list, line);
-    const char* type = list->is_int()      ? "int"
-                       : list->is_real()   ? "real"
-                       : list->is_bool()   ? "bool"
-                       : list->is_string() ? "string"
-                       : list->is_text()   ? "text"
-                                           : nullptr;
+    if (list->is_int() || list->is_real()) {
+      add("yields", "number " + list->print(), line);
+      return true;
+    }
+    const char* type = list->is_bool() ? "bool" : list->is_string() ? "string" : list->is_text() ? "text" : nullptr;
     if (type == nullptr && !list->is_list())
       return error(line, "expected an atom, a list (T V), file, bug, unpredictable, crashes or (platform ...), found " +
                              list->print_short());

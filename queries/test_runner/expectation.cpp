@@ -31,6 +31,14 @@ Verdict judge_undefined(const std::string& text, const NestedList& result, const
   return wrong("expected a note that contains " + quoted(text));
 }
 
+// An int or a real of that value.
+Verdict judge_number(const NestedList& expected, const NestedList& result, Tolerance tolerance) {
+  const bool is_number = result.is_list() && result.elements().size() == 2 &&
+                         (result.elements()[0].is_symbol("int") || result.elements()[0].is_symbol("real"));
+  if (!is_number) return wrong("expected a number, found " + result.print_short(200));
+  return compare(expected, result.elements()[1], tolerance);
+}
+
 Expectation with_quoted_text(Kind kind, const std::string& written) {
   auto parsed = NestedList::parse(written);
   if (!parsed || !parsed->is_string()) return Expectation::with_problem("#yields: expected a string, got " + written);
@@ -52,6 +60,7 @@ Expectation Expectation::parse(const std::string& text) {
   if (text.starts_with("undefined ")) return with_quoted_text(Kind::undefined, text.substr(10));
   if (text.starts_with("equal ")) return {.kind = Kind::equal, .text = text.substr(6)};
   if (text.starts_with("set ")) return with_value(Kind::set, text.substr(4));
+  if (text.starts_with("number ")) return with_value(Kind::number, text.substr(7));
   if (text.starts_with('(')) return with_value(Kind::value, text);
   return with_problem("unknown yields value: " + text);
 }
@@ -74,6 +83,7 @@ std::string Expectation::shown(const Difference& difference) const {
     case Kind::equal:
       return "the value of " + text;
     case Kind::set:
+    case Kind::number:
     case Kind::value:
       break;
   }
@@ -91,6 +101,7 @@ Verdict judge(const Expectation& expectation, const algebra3d::Result<NestedList
   if (!result) return wrong("expected no error");
   if (expectation.kind == Kind::success) return {};
   if (expectation.kind == Kind::undefined) return judge_undefined(expectation.text, *result, notes);
+  if (expectation.kind == Kind::number) return judge_number(expectation.value, *result, tolerance);
   return compare(expectation.value, *result, tolerance);
 }
 

@@ -12,9 +12,9 @@ namespace queries {
 /// What the next command is to give (language.md 5.1, 5.2): the state that `#yields` sets. The kinds success and error
 /// persist; a value, an error text and an expression are used up by a command.
 struct Expectation {
-  enum class Kind : std::uint8_t { value, set, equal, undefined, success, error };
+  enum class Kind : std::uint8_t { value, set, number, equal, undefined, success, error };
   Kind kind = Kind::value;
-  NestedList value = {};     ///< kinds value and set; () if none was given
+  NestedList value = {};     ///< kinds value, set and number; () if none was given
   std::string text = {};     ///< a part of the error message or of the note; the expression of kind equal
   std::string problem = {};  ///< why the directive could not be understood; empty if it could
 

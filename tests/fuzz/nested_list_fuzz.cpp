@@ -53,7 +53,7 @@ void check_value(const algebra3d::Type& type, const NestedList& list) {
 
 void check_values(const NestedList& list) {
   using algebra3d::TypeOf;
-  check_value(TypeOf<std::int32_t>::type(), list);
+  check_value(TypeOf<std::int64_t>::type(), list);
   check_value(TypeOf<double>::type(), list);
   check_value(TypeOf<bool>::type(), list);
   check_value(TypeOf<std::string>::type(), list);

@@ -20,10 +20,13 @@ using Shape = SyntaxPattern::Shape;
 
 constexpr int kDepth = 3;
 
-const std::vector<std::string> kNumbers = {"0",    "1",   "-1",  "2",     "3",          "7",          "100",
-                                           "1000", "0.0", "0.5", "-1.5",  "1e300",      "2147483647", "-2147483648",
-                                           "1e-9", ".5",  "5.",  "32767", "4294967296", "0.1",        "+5"};
-const std::vector<std::string> kIntegers = {"0", "1", "2", "3", "5", "-1", "10", "64", "2147483647", "-2147483648"};
+const std::vector<std::string> kNumbers = {"0",    "1",     "-1",         "2",           "3",
+                                           "7",    "100",   "1000",       "0.0",         "0.5",
+                                           "-1.5", "1e300", "2147483647", "-2147483648", "9223372036854775807",
+                                           "1e-9", ".5",    "5.",         "32767",       "4294967296",
+                                           "0.1",  "+5"};
+const std::vector<std::string> kIntegers = {
+    "0", "1", "2", "3", "5", "-1", "10", "64", "2147483648", "9223372036854775807", "-9223372036854775808"};
 const std::vector<std::string> kReals = {"0.0", "0.5", "1.0", "-1.5", "1e300", "0.1", "1e-300", "3.0"};
 const std::vector<std::string> kStrings = {"\"a\"", "\"\"", "\"b\\\"c\"", "\"abc\"", "\"é\""};
 const std::vector<std::string> kTexts = {"'a'", "''", "'some text'", "'it\\'s'", "'cube.stl'", "<text>a 'b'</text--->"};
@@ -245,6 +248,7 @@ std::string QueryGrammar::value_call(Dice& dice, const Operator& op, const Overl
   const auto first = arguments.begin() + static_cast<std::ptrdiff_t>(std::min(pattern.operand_count, arguments.size()));
   const std::string inner = fmt::format("{}", fmt::join(first, arguments.end(), ", "));
   if (pattern.shape == Shape::prefix) return op.name + "(" + inner + ")";
+  if (pattern.shape == Shape::infix && arguments.size() == 1) return "(" + op.name + " " + arguments.front() + ")";
   if (pattern.shape == Shape::infix) return "(" + fmt::format("{}", fmt::join(arguments, " " + op.name + " ")) + ")";
   const std::string operands = fmt::format("{}", fmt::join(arguments.begin(), first, " "));
   return "(" + operands + " " + op.name + (pattern.has_brackets ? "[" + inner + "]" : "") + ")";

@@ -19,7 +19,7 @@ using algebra3d::Outcome;
 using algebra3d::Overload;
 using algebra3d::Registry;
 
-constexpr std::int32_t kLargestCount = 40;
+constexpr std::int64_t kLargestCount = 40;
 
 // One object of each kind, small enough that a product of them is nothing.
 constexpr const char* kScript[] = {
@@ -61,7 +61,7 @@ Overload with_small_results(const Overload& overload) {
   Overload small = overload;
   small.function = [run = overload.function](std::span<const Value> arguments, Context& context) -> Result<Outcome> {
     for (const Value& argument : arguments)
-      if (argument.type().name() == "int" && argument.is_defined() && argument.get<std::int32_t>() > kLargestCount)
+      if (argument.type().name() == "int" && argument.is_defined() && argument.get<std::int64_t>() > kLargestCount)
         return Outcome(algebra3d::Undefined{"too many corners for a fuzzer"});
     return run(arguments, context);
   };

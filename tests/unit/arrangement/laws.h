@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "unit/arrangement/minimality.h"
 #include "unit/arrangement/random_solids.h"
 
 namespace algebra3d::solids {
@@ -24,6 +25,7 @@ class LawTrial {
     differences();
     three_operands();
     many_operands();
+    minimal_results();
   }
 
   std::size_t check_count() const { return check_count_; }
@@ -87,6 +89,27 @@ class LawTrial {
     expect_same(engine_.subtract(world, ab), engine_.intersect(not_a, not_b), "W-(A+B) = (W-A)*(W-B)");
     expect_same(engine_.subtract(world, a_b), engine_.unite(not_a, not_b), "W-(A*B) = (W-A)+(W-B)");
     expect_same(engine_.subtract(a_, bc), engine_.subtract(engine_.subtract(a_, b_), c_), "A-(B+C) = (A-B)-C");
+  }
+
+  /// Operands with superfluous corners keep those where nothing touches them, so they lose them first.
+  void minimal_results() {
+    const TriangleMesh a = engine_.unite(a_, a_), b = engine_.unite(b_, b_), c = engine_.unite(c_, c_);
+    const TriangleMesh either = engine_.difference_of_both(a, b), both = engine_.unite(a, b),
+                       common = engine_.intersect(a, b), rest = engine_.subtract(a, b),
+                       other_rest = engine_.subtract(b, a);
+    for (const TriangleMesh* mesh : {&a, &b, &either, &both, &common, &rest})
+      expect(Superfluity(*mesh).triangle_count() == 0, "no triangle is superfluous");
+    const auto expect_as_many = [&](const TriangleMesh& one, const TriangleMesh& other, const char* law) {
+      expect(one.face_count() == other.face_count(), law);
+    };
+    expect_as_many(either, engine_.unite(rest, other_rest), "A^B and (A-B)+(B-A) have as many triangles");
+    expect_as_many(either, engine_.subtract(both, common), "A^B and (A+B)-(A*B) have as many triangles");
+    expect_as_many(a, engine_.unite(rest, common), "A and (A-B)+(A*B) have as many triangles");
+    const TriangleMesh all = engine_.unite(both, c);
+    expect_as_many(all, engine_.unite(a, engine_.unite(b, c)), "(A+B)+C and A+(B+C) have as many triangles");
+    expect_as_many(all, engine_.unite_all({&c, &a, &b}), "one union and a chain have as many triangles");
+    expect_as_many(engine_.intersect(common, c), engine_.intersect(a, engine_.intersect(b, c)),
+                   "(A*B)*C and A*(B*C) have as many triangles");
   }
 
   void many_operands() {

@@ -43,6 +43,7 @@ class Plane {
     return triangles;
   }
 
+  std::uint32_t size() const { return static_cast<std::uint32_t>(places_.size()); }
   const Grid& place(std::uint32_t vertex) const { return places_[vertex]; }
   bool are_on_a_line(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     return doubled_area(places_[a], places_[b], places_[c]) == 0;
@@ -98,35 +99,41 @@ class RandomRegions {
     count_inner_vertices();
   }
 
-  /// Takes out corners on straight edges at which nothing else ends, each with the probability.
+  /// Leads straight edges past corners, each with the probability, where the region on their left is half a disc; other
+  /// edges that end there then touch them from outside.
   void straighten(double share) {
     std::map<std::uint32_t, std::set<std::uint32_t>> outgoing, incoming;
     for (const auto& [from, to] : edges_) {
       outgoing[from].insert(to);
       incoming[to].insert(from);
     }
-    std::set<DirectedEdge> left(edges_.begin(), edges_.end());
-    for (auto& [vertex, targets] : outgoing) {
-      auto& sources = incoming[vertex];
+    for (std::uint32_t vertex = 0; vertex < plane_.size(); ++vertex) {
+      const std::set<std::uint32_t> sources = incoming[vertex], targets = outgoing[vertex];
       std::set<std::uint32_t> ends = targets;
       ends.insert(sources.begin(), sources.end());
-      if (ends.size() != 2 || !plane_.are_on_a_line(*ends.begin(), vertex, *ends.rbegin()) || !is_chosen(share))
-        continue;
-      // Each way through the vertex is straight, and so half a turn of some region.
-      triangle_count_ -= targets.size();
-      for (const std::uint32_t source : sources) {
-        const std::uint32_t target = source == *ends.begin() ? *ends.rbegin() : *ends.begin();
-        left.erase({source, vertex});
-        left.erase({vertex, target});
-        left.emplace(source, target);
+      const auto pass = [&](std::uint32_t source, std::uint32_t target) {
+        --triangle_count_;  // half a turn
         outgoing[source].erase(vertex);
         outgoing[source].insert(target);
         incoming[target].erase(vertex);
         incoming[target].insert(source);
-      }
-      targets.clear();
+        incoming[vertex].erase(source);
+        outgoing[vertex].erase(target);
+      };
+      for (const std::uint32_t source : sources)
+        for (const std::uint32_t target : targets) {
+          if (!incoming[vertex].contains(source) || !is_straight(source, vertex, target)) continue;
+          const bool is_slit = targets.contains(source) || sources.contains(target);
+          if (is_slit && !(targets.contains(source) && sources.contains(target))) continue;
+          if (has_end_on_left(source, vertex, ends) || (is_slit && has_end_on_left(target, vertex, ends))) continue;
+          if (!is_chosen(share)) continue;
+          pass(source, target);
+          if (is_slit) pass(target, source);
+        }
     }
-    edges_.assign(left.begin(), left.end());
+    edges_.clear();
+    for (const auto& [from, targets] : outgoing)
+      for (const std::uint32_t to : targets) edges_.emplace_back(from, to);
   }
 
   std::vector<DirectedEdge>& edges() { return edges_; }
@@ -135,6 +142,15 @@ class RandomRegions {
   std::int64_t area() const { return area_; }
 
  private:
+  bool is_straight(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    const Grid &p = plane_.place(a), &q = plane_.place(b), &r = plane_.place(c);
+    return a != c && plane_.are_on_a_line(a, b, c) && (p < q) == (q < r);
+  }
+  bool has_end_on_left(std::uint32_t from, std::uint32_t vertex, const std::set<std::uint32_t>& ends) const {
+    return std::ranges::any_of(ends, [&](std::uint32_t end) {
+      return doubled_area(plane_.place(from), plane_.place(vertex), plane_.place(end)) > 0;
+    });
+  }
   bool is_chosen(double share) { return static_cast<double>(random_() % 1000) < 1000 * share; }
 
   void make_vertices(int columns, int rows) {
@@ -289,6 +305,16 @@ TEST(Triangulation, gives_n_plus_2h_minus_2_triangles) {
        10,
        60 - 16},
       {"star", {{{0, 3}, {-1, 1}, {-3, 0}, {-1, -1}, {0, -3}, {1, -1}, {3, 0}, {1, 1}}}, 6, 24},
+      {"a corner on the edge of another", {square, {{8, 4}, {10, 3}, {10, 5}}}, 3, 128 + 4},
+      {"two corners on one edge", {square, {{4, 8}, {3, 10}, {2, 10}}, {{4, 8}, {6, 10}, {5, 10}}}, 4, 128 + 2 + 2},
+      {"corners on two edges",
+       {{{0, 0}, {8, 0}, {4, 4}}, {{3, 3}, {1, 7}, {1, 5}}, {{4, 0}, {3, -2}, {5, -2}}},
+       3,
+       32 + 4 + 4},
+      {"a tooth that touches the region's own edge",
+       {{{0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 6}, {6, 6}, {6, 2}, {5, 2}, {6, 4}, {4, 2}, {0, 2}}},
+       9,
+       82},
       {"nothing", {}, 0, 0},
   };
   for (const Shape& shape : shapes) {

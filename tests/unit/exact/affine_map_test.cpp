@@ -413,5 +413,27 @@ TEST(AffineMap, composition_and_image_of_planes_agree_with_images_of_points) {
   }
 }
 
+TEST(affine_map, dyadic_matrices_are_those_of_translations_dyadic_scales_and_turns_of_the_axes) {
+  const RationalVec3 centre(Rational(1, 3), 2, -5);
+  const auto turn = [&](const RationalVec3& axis, double degrees) {
+    return AffineMap::rotation(centre, axis, degrees)->has_dyadic_matrix();
+  };
+  const auto mirror = [&](const RationalVec3& normal) {
+    return AffineMap::reflection(*ExactPlane::through(centre, normal)).has_dyadic_matrix();
+  };
+  EXPECT_TRUE(AffineMap::translation(RationalVec3(Rational(1, 3), 0, 0)).has_dyadic_matrix());
+  EXPECT_TRUE(AffineMap::scaling(centre, RationalVec3(Vec3{0.1, -2, 1e-300})).has_dyadic_matrix());
+  EXPECT_FALSE(AffineMap::scaling(centre, RationalVec3(1, 1, Rational(1, 3))).has_dyadic_matrix());
+  for (const double degrees : {90.0, -90.0, 180.0, 270.0, 360.0, 450.0}) EXPECT_TRUE(turn({0, -7, 0}, degrees));
+  EXPECT_TRUE(turn({1, 1, 0}, 180));
+  EXPECT_FALSE(turn({1, 1, 1}, 180));
+  EXPECT_FALSE(turn({1, 2, 0}, 180));
+  EXPECT_FALSE(turn({0, 0, 1}, 45));
+  EXPECT_FALSE(turn({0, 0, 1}, 37));
+  EXPECT_FALSE(turn({1, 1, 0}, 90));
+  EXPECT_TRUE(mirror({0, 0, 4}) && mirror({0, -3, 3}) && mirror({1, 0, 1}));
+  EXPECT_FALSE(mirror({1, 1, 1}) || mirror({1, 2, 0}) || mirror({0, 3, 4}));
+}
+
 }  // namespace
 }  // namespace algebra3d

@@ -9,6 +9,7 @@
 #include <map>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "algebra3d/operators/all.h"
 #include "algebra3d/types/scalars.h"
@@ -70,7 +71,10 @@ struct ImportedRow {
   std::string status;
   std::uint32_t size = 0;  ///< of the solid
   bool is_defined = false;
+  std::vector<double> numbers;  ///< after Status; kUndefinedNumber where there is none
 };
+
+constexpr double kUndefinedNumber = -1;
 
 /// A folder that goes away with the test, the database beside it, and imports into its relation Parts.
 class ImportFolder : public ::testing::Test {
@@ -147,6 +151,13 @@ class ImportFolder : public ::testing::Test {
     row.is_defined = tuple.attributes[2].is_defined();
     if (row.is_defined) row.size = tuple.attributes[2].header().size;
     row.status = tuple.attributes[3].loaded().value().get<algebra3d::Text>().content;
+    for (std::size_t i = 4; i < tuple.attributes.size(); ++i) {
+      const auto value = tuple.attributes[i].loaded().value();
+      const bool is_count = i == 4;
+      row.numbers.push_back(!value.is_defined() ? kUndefinedNumber
+                            : is_count          ? static_cast<double>(value.get<std::int64_t>())
+                                                : value.get<double>());
+    }
     const auto file = tuple.attributes[1].loaded().value().get<algebra3d::Text>().content;
     EXPECT_TRUE(rows.emplace(file.substr(parts().string().size() + 1), row).second) << file << " is there twice";
   }

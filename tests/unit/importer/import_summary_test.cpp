@@ -23,6 +23,11 @@ TEST(ImportSummary, files_with_the_same_trouble_share_a_kind) {
       (std::vector<std::string>{"boundary edges", "intersecting pairs", "shells with a wrong winding number"}));
   EXPECT_EQ(kinds_of("part7.stl: byte 84: header announces 12 triangles"),
             std::vector<std::string>{"FILE: byte N: header announces N triangles"});
+  EXPECT_EQ(kinds_of("wrong count: header announces 24 triangles, file has 12, and may be cut short"),
+            std::vector<std::string>{"wrong counts of triangles in the header"});
+  EXPECT_EQ(kinds_of("no valid solid: 12 boundary edges (facet 17, near (0 0.5 1)); wrong count: header announces 0 "
+                     "triangles, file has 7"),
+            (std::vector<std::string>{"boundary edges", "wrong counts of triangles in the header"}));
   EXPECT_EQ(kinds_of("/some/folder/part7.stl: Permission denied"), std::vector<std::string>{"FILE: Permission denied"});
 }
 
@@ -46,6 +51,7 @@ TEST(ImportSummary, the_table_counts_what_was_counted) {
   solid.solid = algebra3d::Volume3d();
   LoadedFile bad;
   bad.status = "no valid solid: 2 boundary edges (facet 1, near (0 0 0))";
+  solid.status = "ok; wrong count: header announces 24 triangles, file has 12, and may be cut short";
   summary.count(solid, RelationWriter::Written::inserted);
   summary.count(bad, RelationWriter::Written::replaced);
   summary.count(solid, RelationWriter::Written::known);
@@ -54,8 +60,8 @@ TEST(ImportSummary, the_table_counts_what_was_counted) {
   for (const char* row :
        {"files                                    3\n", "  not reached                            1\n",
         "  imported before                        1\n", "  solids                                 1\n",
-        "  undefined                              1\n", "  of these replaced                      1\n",
-        "         1  boundary edges\n"})
+        "  with a wrong count                     1\n", "  undefined                              1\n",
+        "  of these replaced                      1\n", "         1  boundary edges\n"})
     EXPECT_NE(table.find(row), std::string::npos) << row << table;
 }
 

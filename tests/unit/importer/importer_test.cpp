@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <new>
 
 #include "import_folder.h"
@@ -81,9 +82,67 @@ TEST_F(Importer, refuses_a_path_that_does_not_exist_and_makes_no_database) {
   EXPECT_FALSE(std::filesystem::exists(database()));
 }
 
+TEST_F(Importer, counts_what_it_skips_by_ending) {
+  write("box.stl", box_stl(1, 2, 3));
+  write("a.TXT", "x");
+  write("sub/b.txt", "x");
+  write("c.ply", "x");
+  write("Makefile", "x");
+  std::filesystem::create_directory_symlink(parts() / "sub", parts() / "link");
+  ImportOptions twice = options();
+  twice.paths.push_back((parts() / "sub").string());
+  EXPECT_EQ(import(twice), 0) << err_;
+  EXPECT_NE(
+      out_.find("not looked at, for the endings of their names: 2 .txt, 1 .ply, 1 link to a folder, 1 no ending\n"),
+      std::string::npos)
+      << out_;
+}
+
+TEST_F(Importer, drops_tuples_of_files_that_are_gone_if_told) {
+  write("kept.stl", box_stl(1, 2, 3));
+  write("gone.stl", box_stl(1, 2, 3));
+  write("sub/a1.stl", box_stl(1, 2, 3));
+  write("sub/a2.stl", box_stl(1, 2, 3));
+  EXPECT_EQ(import(options()), 0) << err_;
+  std::filesystem::remove(parts() / "gone.stl");
+  std::filesystem::remove(parts() / "sub" / "a1.stl");
+  EXPECT_EQ(import(options()), 0) << err_;
+  EXPECT_EQ(rows().size(), 4);
+
+  ImportOptions pattern = options();
+  pattern.drops_gone = true;
+  pattern.paths = {(parts() / "sub" / "a*.stl").string()};
+  EXPECT_EQ(import(pattern), 0) << err_;
+  EXPECT_EQ(rows().size(), 3);
+  EXPECT_NE(out_.find("dropped, their files gone                1\n"), std::string::npos) << out_;
+
+  ImportOptions folder = options();
+  folder.drops_gone = true;
+  EXPECT_EQ(import(folder), 0) << err_;
+  EXPECT_EQ(rows().size(), 2);
+  EXPECT_TRUE(rows().contains("kept.stl"));
+  // A file that comes back is imported again.
+  write("gone.stl", box_stl(1, 2, 3));
+  EXPECT_EQ(import(folder), 0) << err_;
+  EXPECT_EQ(rows().size(), 3);
+  EXPECT_TRUE(rows().at("gone.stl").is_defined);
+}
+
+TEST_F(Importer, a_file_that_changed_while_it_was_read_is_tried_again) {
+  write("box.stl", box_stl(1, 2, 3));
+  const SolidReader changing = [](const std::filesystem::path&, const std::atomic<bool>*) -> Result<SolidOrReason> {
+    return SolidOrReason{std::nullopt, "the file was changed while it was read", false};
+  };
+  EXPECT_EQ(import(options(), changing), 0) << err_;
+  EXPECT_EQ(rows().at("box.stl").status, "the file was changed while it was read");
+  EXPECT_EQ(import(options()), 0) << err_;
+  EXPECT_EQ(rows().at("box.stl").status, "ok");
+}
+
 TEST_F(Importer, says_that_a_folder_has_no_files_to_import) {
   write("readme.txt", "no mesh");
   EXPECT_EQ(import(options()), 1);
+  EXPECT_NE(err_.find("(but 1 .txt)"), std::string::npos) << err_;
   EXPECT_NE(err_.find("there is no file to import"), std::string::npos) << err_;
   EXPECT_FALSE(std::filesystem::exists(database()));
 }
@@ -113,7 +172,8 @@ TEST_F(Importer, refuses_an_object_of_another_type) {
   EXPECT_EQ(import(options()), 1);
   EXPECT_EQ(err_,
             "error: import: 'Parts' is of type int; an import needs (rel (tuple ((Name string) (File text) "
-            "(Solid volume3d) (Status text))))\n");
+            "(Solid volume3d) (Status text) (FacetsDropped int) (AreaSeen real) (AreaDropped real) (AreaAdded real) "
+            "(DroppedDistance real) (AddedDistance real) (VolumeBefore real) (VolumeAfter real))))\n");
 }
 
 TEST_F(Importer, takes_over_a_relation_that_was_created_without_a_value) {
@@ -129,6 +189,33 @@ TEST_F(Importer, takes_over_a_relation_that_was_created_without_a_value) {
   }
   EXPECT_EQ(import(options()), 0) << err_;
   EXPECT_EQ(rows().size(), 1);
+  EXPECT_EQ(err_,
+            "note: 'Parts' was made by an earlier version and has no attributes for areas, distances and volumes; an "
+            "import into a new relation has them\n");
+  // And again, now that it has a tuple.
+  write("box.stl", box_stl(1, 1, 2));
+  write("bad.stl", "");
+  EXPECT_EQ(import(options()), 0) << err_;
+  EXPECT_EQ(rows().size(), 2);
+}
+
+TEST_F(Importer, tells_in_numbers_what_was_left_out_and_added) {
+  write("box.stl", box_stl(1, 2, 3));
+  write("open.stl", open_box_stl());
+  write("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 x\n");
+  EXPECT_EQ(import(options()), 0) << err_;
+  const auto found = rows();
+  // FacetsDropped, AreaSeen, AreaDropped, AreaAdded, DroppedDistance, AddedDistance, VolumeBefore, VolumeAfter
+  EXPECT_EQ(found.at("box.stl").numbers, (std::vector<double>{0, 22, 0, 0, 0, 0, 6, 6}));
+  const std::vector<double> open = found.at("open.stl").numbers;
+  EXPECT_EQ(std::vector(open.begin(), open.begin() + 5), (std::vector<double>{0, 5.5, 0, 0.5, 0}));
+  // The radius of the circle within the missing triangle, and what is told above it.
+  EXPECT_GE(open[5], (1 - 1e-12) * (1 - std::sqrt(0.5)));
+  EXPECT_LE(open[5], 1.011 * (1 - std::sqrt(0.5)));
+  EXPECT_EQ(open[6], kUndefinedNumber);
+  EXPECT_EQ(open[7], 1);
+  EXPECT_EQ(found.at("bad.off").numbers, std::vector<double>(8, kUndefinedNumber));
+  EXPECT_EQ(found.at("bad.off").status, "byte 26, line 5: vertex 3 of 3: expected a number, found 'x'");
 }
 
 TEST_F(Importer, says_that_the_database_file_is_foreign) {

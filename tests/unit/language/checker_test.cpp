@@ -48,6 +48,57 @@ TEST(Checker, parameters_hide_objects) {
   EXPECT_EQ(type_of("fun(Limit: string) Limit"), "(map string string)");
 }
 
+TEST(Checker, objects_may_have_the_names_of_operators) {
+  EXPECT_EQ(type_of("area + 1"), "int");
+  EXPECT_EQ(type_of("union union union"), "rect3");
+  EXPECT_EQ(type_of("Parts feed extend[area: area(.Solid) + area] extract[area]"), "real");
+  EXPECT_EQ(type_of("fun(area: string) area"), "(map string string)");
+}
+
+TEST(Checker, a_function_takes_the_calls_of_its_name_that_fit) {
+  EXPECT_EQ(type_of("length(1)"), "string");
+  EXPECT_EQ(type_of("length(makeVector3D(1, 2, 3))"), "real");
+  EXPECT_EQ(type_of("`length`(1)"), "string");
+  EXPECT_EQ(type_of("between(1, 2)"), "int");
+  EXPECT_EQ(type_of("1 between[0, 2]"), "bool");
+  EXPECT_EQ(type_of("fun(size: map(int, bool)) size(1)"), "(map (map int bool) bool)");
+  EXPECT_EQ(type_of("fun(length: vector3d) length(length)"), "(map vector3d real)");
+}
+
+TEST(CheckerErrors, names_of_operators_that_are_no_objects) {
+  EXPECT_EQ(type_of("1 + volume"),
+            "error 1:5 there is no object 'volume'; the operator of that name is written volume(_)");
+  EXPECT_EQ(type_of("feed"), "error 1:1 there is no object 'feed'; the operator of that name is written _ feed");
+  EXPECT_EQ(type_of("count(Parts)"),
+            "error 1:1 there is no function 'count'; the operator of that name is written _ count");
+  EXPECT_EQ(type_of("`volume`(1)"),
+            "error 1:1 there is no function 'volume'; the operator of that name is written volume(_)");
+  EXPECT_EQ(type_of("`length`(TRUE)"), "error 1:10 length: expected int, got bool");
+}
+
+TEST(Hints, attributes_that_lack_their_dot_or_have_the_wrong_one) {
+  EXPECT_EQ(type_of("Parts feed filter[Name = \"a\"] count"),
+            "error 1:19 unknown name 'Name', did you mean the attribute '.Name'?");
+  EXPECT_EQ(type_of("Parts feed filter[fun(t: TUPLE) Name = \"a\"] count"),
+            "error 1:33 unknown name 'Name', did you mean the attribute 'attr(t, Name)'?");
+  EXPECT_EQ(type_of("Parts feed filter[name = \"a\"] count"), "error 1:19 unknown name 'name', did you mean '.Name'?");
+  EXPECT_EQ(type_of("Parts feed {a} Parts feed {b} symmjoin[.Name_b = \"x\"] count"),
+            "error 1:40 unknown attribute '.Name_b', did you mean '..Name_b', of the second stream?");
+  EXPECT_EQ(type_of("Parts feed {a} Parts feed {b} symmjoin[.Name_a = ..Name_a] count"),
+            "error 1:50 unknown attribute '..Name_a', did you mean '.Name_a', of the first stream?");
+  EXPECT_EQ(type_of("Parts feed {a} Parts feed {b} symmjoin[Name_b = \"x\"] count"),
+            "error 1:40 unknown name 'Name_b', did you mean the attribute '..Name_b'?");
+}
+
+TEST(Hints, near_misses_of_objects_come_before_operators) {
+  EXPECT_EQ(type_of("rr"), "error 1:1 unknown name 'rr'");
+  EXPECT_EQ(type_of("Count"), "error 1:1 unknown name 'Count'");
+  EXPECT_EQ(type_of("Volume"), "error 1:1 unknown name 'Volume', did you mean 'volume'?");
+  EXPECT_EQ(type_of("parts feed count"), "error 1:1 unknown name 'parts', did you mean 'Parts'?");
+  EXPECT_EQ(type_of("limt"), "error 1:1 unknown name 'limt', did you mean 'Limit'?");
+  EXPECT_EQ(type_of("true"), "error 1:1 unknown name 'true', did you mean 'TRUE'?");
+}
+
 TEST(CheckerErrors, unknown_names) {
   EXPECT_EQ(type_of("1 + limit"), "error 1:5 unknown name 'limit', did you mean 'Limit'?");
   EXPECT_EQ(type_of("Part feed count"), "error 1:1 unknown name 'Part', did you mean 'Parts'?");
@@ -88,12 +139,26 @@ TEST(CheckerErrors, implicit_parameters_out_of_place) {
 }
 
 TEST(CheckerErrors, constants) {
-  EXPECT_EQ(type_of("[const point3d value (1 2)]"), "error 1:2 point3d: expected (x y z), got (1 2)");
+  EXPECT_EQ(type_of("[const point3d value (1 2)]"), "error 1:22 point3d: expected (x y z), got (1 2)");
   EXPECT_EQ(type_of("[const stream(int) value ()]"), "error 1:2 a constant cannot be of type (stream int)");
   EXPECT_EQ(type_of("[const rel(tuple([A: int, A: real])) value ()]"),
             "error 1:18 tuple: the attribute 'A' stands twice");
   EXPECT_EQ(type_of("[const rel(tuple([A: rel(tuple([B: int]))])) value ()]").substr(0, 63),
             "error 1:18 tuple: attribute 'A': expected a type of kind DATA, ");
+}
+
+TEST(CheckerErrors, wrong_elements_of_constants_have_their_place) {
+  const auto place = [](const std::string& text) {
+    const std::string shown = type_of(text);
+    return shown.substr(0, shown.find(' ', 6));
+  };
+  EXPECT_EQ(place("[const point3d value (1 x 3)]"), "error 1:25");
+  EXPECT_EQ(place("[const points3d value ((1 2 3)\n (4 5) (6 7 8))]"), "error 2:2");
+  EXPECT_EQ(place("[const volume3d value (((0 0 0) (1 0 0) (0 1 0))\n ((0 0 0) (1 'a' 0) (0 1 0)))]"), "error 2:14");
+  EXPECT_EQ(place("[const rel(tuple([A: int, P: point3d])) value ((1 (0 0 0))\n (2 (0 \"y\" 0)) (3 4))]"), "error 2:8");
+  EXPECT_EQ(place("[const rel(tuple([A: int, B: bool])) value ((1 TRUE)\n (2 3) (4 TRUE))]"), "error 2:5");
+  EXPECT_EQ(place("[const rel(tuple([A: int, B: bool])) value ((1 TRUE)\n (2))]"), "error 2:2");
+  EXPECT_EQ(place("[const int value \"a\"]"), "error 1:18");
 }
 
 TEST(CheckerErrors, lists_are_no_values) {

@@ -56,7 +56,11 @@ inline TypesOnly sample_objects() {
   const TypeExpr tuple = TypeExpr::tuple({{"Name", TypeExpr("string")}, {"Solid", TypeExpr("volume3d")}});
   return TypesOnly({{"Parts", TypeExpr::rel(tuple)},
                     {"Limit", TypeExpr("int")},
-                    {"twice", TypeExpr::map({TypeExpr("int")}, TypeExpr("int"))}});
+                    {"twice", TypeExpr::map({TypeExpr("int")}, TypeExpr("int"))},
+                    {"area", TypeExpr("int")},
+                    {"union", TypeExpr("rect3")},
+                    {"length", TypeExpr::map({TypeExpr("int")}, TypeExpr("string"))},
+                    {"between", TypeExpr::map({TypeExpr("int"), TypeExpr("int")}, TypeExpr("int"))}});
 }
 
 /// The type of an expression over `sample_objects`, or `error LINE:COLUMN MESSAGE`.

@@ -58,11 +58,25 @@ TEST(NestedReader, other_spellings_are_accepted) {
   EXPECT_EQ(read_and_written("(sortby s (A (B desc)))"), "(sortby s ((A asc) (B desc)))");
 }
 
+TEST(NestedReader, names_of_operators_are_names_but_at_the_head_of_a_list) {
+  for (const char* nested :
+       {"(+ area 1)", "(count count)", "(fun (union int) (union union union))", "(project count (area))",
+        "(extend s ((count (fun (feed TUPLE) (attr feed count)))))", "(translate v area)"})
+    EXPECT_EQ(read_and_written(nested), nested);
+}
+
+TEST(NestedReader, arguments_of_an_operator_may_be_those_of_a_function_of_its_name) {
+  for (const char* nested : {"(project s 5)", "(extend (+ 1 2) (+ 1 2))", "(sum s (+ 1 2))", "(renameAttr s \"x\")",
+                             "(groupby s (now) 1.5)"})
+    EXPECT_EQ(read_and_written(nested), nested);
+}
+
 TEST(NestedReader, errors_say_what_was_expected) {
   EXPECT_EQ(read_and_written("()"), "error expected an expression, found ()");
   EXPECT_EQ(read_and_written("(1 2)"),
             "error expected an operator, a function or a type as the first element of a list, found (1 2)");
-  EXPECT_EQ(read_and_written("(project s A)"), "error expected project: a list of attribute names, found A");
+  EXPECT_EQ(read_and_written("(project s ())"), "(project s ())");
+  EXPECT_EQ(read_and_written("(project s let)"), "error expected project: a list of attribute names, found let");
   EXPECT_EQ(read_and_written("(fun (x) x)"), "error expected (parameter type), found (x)");
   EXPECT_EQ(read_and_written("(+ let 1)"), "error expected an operand, found 'let', a word of the language");
   std::string deep = "1";

@@ -94,8 +94,11 @@ TEST(Patterns, braces_rename_or_change_nothing) {
 TEST(Expressions, literals) {
   EXPECT_EQ(parsed("-12"), "-12");
   EXPECT_EQ(parsed("- 12"), "-12");
+  EXPECT_EQ(parsed("-x"), "(- x)");
+  EXPECT_EQ(parsed("- r count"), "(- (count r))");
+  EXPECT_EQ(parsed("a - -b * c"), "(- a (* (- b) c))");
   EXPECT_EQ(parsed("+5"), "5.0");
-  EXPECT_EQ(parsed("-2147483648"), "-2147483648");
+  EXPECT_EQ(parsed("-9223372036854775808"), "-9223372036854775808");
   EXPECT_EQ(parsed("\"a\""), "\"a\"");
   EXPECT_EQ(parsed("'a'"), "'a'");
   EXPECT_EQ(parsed("TRUE"), "TRUE");
@@ -152,10 +155,10 @@ TEST(SyntaxErrors, say_where_what_was_found_and_what_is_possible) {
   EXPECT_EQ(parsed("fun(a int) a"), "error 1:7 expected ':' after the parameter 'a', found 'int'");
   EXPECT_EQ(parsed("[1, 2"), "error 1:6 expected ']' to close the list, found the end of the command");
   EXPECT_EQ(parsed("let"), "error 1:1 expected an operand, found 'let', a word of the language");
-  EXPECT_EQ(parsed("- x"), "error 1:3 expected a number after the sign, found 'x'");
-  EXPECT_EQ(parsed("+2147483648 - 2147483648"),
-            "error 1:15 the integer 2147483648 is beyond the range of ints (-2147483648 to 2147483647); "
-            "write it with a point for a real");
+  EXPECT_EQ(parsed("+ x"), "error 1:3 expected a number after the sign, found 'x'");
+  EXPECT_EQ(parsed("+9223372036854775808 - 9223372036854775808"),
+            "error 1:24 the integer 9223372036854775808 is beyond the range of ints (-9223372036854775808 to "
+            "9223372036854775807); write it with a point for a real");
 }
 
 TEST(SyntaxErrors, suggest_the_operator_that_was_meant) {
@@ -165,8 +168,14 @@ TEST(SyntaxErrors, suggest_the_operator_that_was_meant) {
 }
 
 TEST(SyntaxErrors, operands_that_are_missing) {
-  EXPECT_EQ(parsed("feed"), "error 1:1 feed: expected 1 operand before it, found 0 (syntax: _ feed)");
+  EXPECT_EQ(parsed("feed a"), "error 1:1 feed: expected 1 operand before it, found 0 (syntax: _ feed)");
   EXPECT_EQ(parsed("a product"), "error 1:3 product: expected 2 operands before it, found 1 (syntax: _ _ product)");
+  EXPECT_EQ(parsed("a feed product count"),
+            "error 1:8 product: expected 2 operands before it, found 1 (syntax: _ _ product)");
+  EXPECT_EQ(parsed("union b"), "error 1:1 union: expected 1 operand before it, found 0 (syntax: _ union _)");
+  EXPECT_EQ(parsed("a and or b"), "error 1:7 or: expected 1 operand before it, found 0 (syntax: _ or _)");
+  EXPECT_EQ(parsed("1 + rotate[a, b, 1.0]"),
+            "error 1:5 rotate: expected 1 operand before it, found 0 (syntax: _ rotate[_, _, _])");
 }
 
 TEST(SyntaxErrors, constants_name_the_place_inside_of_the_list) {
@@ -291,11 +300,107 @@ TEST(Commands, errors) {
   EXPECT_EQ(command_error("let 5 = 1"), "1:5 expected the name of an object, found '5'");
 }
 
-TEST(ReservedWords, words_of_the_language_and_operators) {
-  for (const char* word : {"let", "tuple", "group", "value", "TRUE", "size", "feed", "count", "union", "mod"})
-    EXPECT_TRUE(is_reserved(word, full_registry())) << word;
-  for (const char* word : {"Parts", "sizes", "Let", "int", "volume3d", "x"})
-    EXPECT_FALSE(is_reserved(word, full_registry())) << word;
+TEST(Hints, a_missing_semicolon_is_shown_where_it_belongs) {
+  EXPECT_EQ(command_error("query 1 + 2\nquery 3"),
+            "1:12 expected ';' at the end of the command: 'query' in line 2 begins another one");
+  EXPECT_EQ(command_error("let a = volume(S)  \n\n  let b = 2"),
+            "1:18 expected ';' at the end of the command: 'let' in line 3 begins another one");
+  EXPECT_EQ(command_error("query R feed count\nexplain R count"),
+            "1:19 expected ';' at the end of the command: 'explain' in line 2 begins another one");
+  EXPECT_EQ(command_error("query r\nquit"),
+            "1:8 expected ';' at the end of the command: 'quit' in line 2 begins another one");
+  EXPECT_EQ(command_error("query 1 query 2"), "1:8 expected ';' at the end of the command: 'query' begins another one");
+  EXPECT_EQ(command_error("query 1 +\nlet a = 2"), "2:1 expected an operand, found 'let', a word of the language");
+  EXPECT_EQ(command_error("query size(r\nlet a = 2"), "2:1 expected ')' in the arguments of 'size', found 'let'");
+  EXPECT_EQ(command_error("if TRUE query 1 endif"), "1:9 expected 'then' after the condition, found 'query'");
+}
+
+TEST(Hints, a_literal_that_is_not_closed_says_what_it_has_taken) {
+  EXPECT_EQ(
+      command_error("query 'abc;\nquery 2;\nquery 3"),
+      "1:7 a text is not closed: expected '; everything from there to the end of line 3 was read as part of it, and "
+      "not run");
+  EXPECT_EQ(command_error("query \"abc; query 2"),
+            "1:7 a string is not closed: expected \"; the rest of the line was read as part of it, and not run");
+  EXPECT_EQ(command_error("query size(a) b 'c\n"),
+            "1:17 a text is not closed: expected '; everything from there to the end of line 2 was read as part of it, "
+            "and not run");
+}
+
+TEST(Hints, operators_of_other_languages) {
+  EXPECT_EQ(parsed("a == b"), "error 1:3 there is no operator '=='; write '=' for equality");
+  EXPECT_EQ(parsed("R feed filter[.A != 1]"), "error 1:18 there is no operator '!='; write '#' for inequality");
+  EXPECT_EQ(parsed("(a && b)"), "error 1:4 there is no operator '&&'; write 'and'");
+  EXPECT_EQ(parsed("a || b"), "error 1:3 there is no operator '||'; write 'or'");
+  EXPECT_EQ(parsed("!a"), "error 1:1 there is no operator '!'; write 'not(...)'");
+  EXPECT_EQ(parsed("a % b"), "error 1:3 there is no operator '%'; write 'mod'");
+  EXPECT_EQ(parsed("a AND b"), "error 1:3 unknown operator 'AND', did you mean 'and'?");
+  EXPECT_EQ(parsed("s project[.A]"), "error 1:11 expected an attribute name, found '.A'; it stands without a dot here");
+}
+
+TEST(Hints, commands_of_other_languages) {
+  const std::string instead = "write query RELATION feed filter[CONDITION] project[ATTRIBUTES] consume";
+  EXPECT_EQ(command_error("select Name from Parts"), "1:1 there is no command 'select'; " + instead);
+  EXPECT_EQ(command_error("query select Name from Parts"), "1:7 there is no 'select' here; " + instead);
+  EXPECT_EQ(command_error("DROP a"), "1:1 there is no command 'DROP'; write delete NAME, or delete database NAME");
+  const std::string upper = command_error("QUERY 1");
+  EXPECT_TRUE(upper.ends_with("found 'QUERY'; did you mean 'query'? Commands are written in lower case")) << upper;
+}
+
+TEST(NamesOfOperators, a_postfix_operator_may_also_be_a_call_if_it_says_so) {
+  EXPECT_EQ(parsed("r rect2region"), "(rect2region r)");
+  EXPECT_EQ(parsed("rect2region(r)"), "(rect2region r)");
+  EXPECT_EQ(parsed("rect2region + 1"), "(+ rect2region 1)");
+}
+
+TEST(Patterns, brackets_that_may_be_left_out) {
+  EXPECT_EQ(parsed("r feed rduph count"), "(count (rduph (feed r)))");
+  EXPECT_EQ(parsed("r feed rduph[97] count"), "(count (rduph (feed r) 97))");
+}
+
+TEST(ReservedWords, words_of_the_language_alone) {
+  for (const char* word : {"let", "tuple", "group", "value", "TRUE", "tuple1"}) EXPECT_TRUE(is_reserved(word)) << word;
+  for (const char* word : {"Parts", "sizes", "Let", "int", "volume3d", "x", "size", "feed", "count", "union", "mod"})
+    EXPECT_FALSE(is_reserved(word)) << word;
+}
+
+TEST(NamesOfOperators, are_names_where_an_operand_begins) {
+  EXPECT_EQ(parsed("area + 1"), "(+ area 1)");
+  EXPECT_EQ(parsed("1 + area"), "(+ 1 area)");
+  EXPECT_EQ(parsed("(union) * mod"), "(* union mod)");
+  EXPECT_EQ(parsed("union union union"), "(union union union)");
+  EXPECT_EQ(parsed("feed feed count"), "(count (feed feed))");
+  EXPECT_EQ(parsed("count count"), "(count count)");
+  EXPECT_EQ(parsed("not(not)"), "(not not)");
+  EXPECT_EQ(parsed("s extend[count: count, V: volume(volume)]"), "(extend s ((count count) (V (volume volume))))");
+  EXPECT_EQ(parsed("s project[count, area] {union}"), "(rename (project s (count area)) union)");
+  EXPECT_EQ(parsed("fun(area: real, count: int) area * count"), "(fun (area real) (count int) (* area count))");
+}
+
+TEST(NamesOfOperators, are_calls_before_a_bracket) {
+  EXPECT_EQ(parsed("area(area)"), "(area area)");
+  EXPECT_EQ(parsed("union(a, b)"), "(union a b)");
+  EXPECT_EQ(parsed("a union (b)"), "(union a b)");
+}
+
+TEST(NamesOfOperators, are_further_operands_where_no_operator_fits) {
+  EXPECT_EQ(parsed("a product"), "error 1:3 product: expected 2 operands before it, found 1 (syntax: _ _ product)");
+  EXPECT_EQ(parsed("R product product"), "(product R product)");
+  EXPECT_EQ(parsed("R area product"), "(product R area)");
+  EXPECT_EQ(parsed("R feed product feed product count"), "(count (product (feed R) (feed product)))");
+}
+
+TEST(NamesOfOperators, stand_in_backquotes_where_an_operator_would_be_read) {
+  EXPECT_EQ(parsed("R `feed` product"), "(product R feed)");
+  EXPECT_EQ(parsed("R feed `union` feed product"), "(product (feed R) (feed union))");
+  EXPECT_EQ(parsed("`area`"), "area");
+  EXPECT_EQ(parsed("`area`(1, 2)"), "(area 1 2)");
+  EXPECT_EQ(parsed("fun(`mod`: int) `mod` mod `mod`"), "(fun (mod int) (mod mod mod))");
+  EXPECT_EQ(parsed("s project[`count`] {`x`}"), "(rename (project s (count)) x)");
+  EXPECT_EQ(content_of<LetObject>("let `union` = 1").name, "union");
+  EXPECT_EQ(parsed("`a b`"), "error 1:1 expected a name between backquotes: a letter, then letters, digits and _");
+  EXPECT_EQ(parsed("1 + `a"), "error 1:5 expected a name between backquotes: a letter, then letters, digits and _");
+  EXPECT_EQ(parsed("``"), "error 1:1 expected a name between backquotes: a letter, then letters, digits and _");
 }
 
 }  // namespace

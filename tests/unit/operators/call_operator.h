@@ -19,7 +19,7 @@ inline Value value(Value v) {
   return v;
 }
 inline Value value(int i) {
-  return Value::of<std::int32_t>(i);
+  return Value::of<std::int64_t>(i);
 }
 inline Value value(const char* text) {
   return Value::of<Text>({text});

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "algebra3d/exact/trigonometry.h"
 #include "algebra3d/halfedge/topology.h"
 #include "unit/operators/call_operator.h"
 
@@ -53,6 +54,35 @@ TEST(CreateCone, has_the_volume_of_the_pyramid) {
     EXPECT_NEAR(call("volume", solid).get<double>(), 0.5 * n * 4 * std::sin(2 * kPi / n) * 5 / 3, 1e-13 * 20);
     EXPECT_EQ(solid.box().max.z, 8.0);
   }
+}
+
+// The circle's points are those of circle_point, though most are mirrored.
+TEST(CreateCylinder, has_the_corners_of_the_regular_polygon) {
+  for (int n = 3; n <= 200; ++n) {
+    const auto solid = call("createCylinder", point(0, 0, 0), 1.0, 1.0, n).get<Volume3d>();
+    for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(n); ++i) {
+      const CirclePoint corner = circle_point(i, n);
+      ASSERT_EQ(solid.mesh().point(VertexId(i)).approx, (Vec3{corner.cosine, corner.sine, 0})) << i << " of " << n;
+    }
+  }
+}
+
+// Proofs by star shape where they hold, else in full; the verdict is the same.
+TEST(CreateRound, what_rounding_has_left_is_valid_or_undefined) {
+  int undefined_count = 0, defined_count = 0;
+  for (const double far : {0.0, 1e3, 1e8, 1e15, 1e16, 4e16}) {
+    for (const double size : {1e-3, 1.0, 5.0, 40.0}) {
+      const auto where = point(far, -far, far);
+      for (const auto& answer : {call("createSphere", where, size, 10), call("createCone", where, size, size, 7),
+                                 call("createCylinder", where, size, size, 9)}) {
+        const bool is_defined = answer.is_defined();
+        ++(is_defined ? defined_count : undefined_count);
+        EXPECT_TRUE(!is_defined || prove_volume(answer.get<Volume3d>().mesh())->is_valid());
+      }
+    }
+  }
+  EXPECT_GT(undefined_count, 10);
+  EXPECT_GT(defined_count, 30);
 }
 
 TEST(CreateSphere, has_its_triangles_and_nearly_the_volume_of_a_ball) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "algebra3d/exact/counters.h"
 #include "algebra3d/exact/exact_sum.h"
 #include "algebra3d/halfedge/mesh_triangles.h"
 #include "unit/operators/call_operator.h"
@@ -143,6 +144,55 @@ TEST(Area, agrees_with_long_double_heron_on_needles) {
     const RationalVec3 normal = cross(RationalVec3(b) - RationalVec3(a), RationalVec3(c) - RationalVec3(a));
     const double expected = (dot(normal, normal) / Rational(4)).nearest_root();
     EXPECT_EQ(*nearest_area(mesh.points(), triangles_of(mesh)), expected);
+  }
+}
+
+TEST(Area, of_many_triangles_is_the_exact_sum_rounded_once) {
+  // Half the lengths of two legs at a right angle, in planes parallel to an axis: the areas are known exactly.
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (const int bits : {24, 50, 53}) {
+    const auto any = [&] { return std::ldexp(std::round(std::ldexp(number(random), bits)), -bits); };
+    for (int round = 0; round < 50; ++round) {
+      std::vector<Vec3> points;
+      std::vector<TriangleMesh::Triangle> triangles;
+      Rational expected;
+      for (std::uint32_t i = 0; i < 40; ++i) {
+        const Vec3 a{any(), any(), any()};
+        points.insert(points.end(), {a, {any(), a.y, a.z}, {a.x, any(), a.z}});
+        triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+        const Rational width = Rational(points[3 * i + 1].x) - Rational(a.x);
+        const Rational height = Rational(points[3 * i + 2].y) - Rational(a.y);
+        expected += (width * height).abs() / Rational(2);
+      }
+      EXPECT_EQ(*nearest_area(PointArray(points), triangles), expected.nearest_double());
+    }
+  }
+}
+
+TEST(Area, halfway_between_two_doubles_is_rounded_to_even) {
+  for (const double odd : {0x1p53 + 2, 0x1p53 + 4}) {
+    // Triangles of the areas odd and 1.
+    const PointArray points({{0, 0, 0}, {odd, 0, 0}, {0, 2, 0}, {5, 5, 1}, {6, 5, 1}, {5, 7, 1}});
+    const std::vector<TriangleMesh::Triangle> triangles{{0, 1, 2}, {3, 4, 5}};
+    EXPECT_EQ(*nearest_area(points, triangles), (Rational(odd) + 1).nearest_double());
+  }
+}
+
+TEST(Area, of_a_smooth_solid_takes_no_long_roots) {
+  const TriangleMesh mesh = samples::torus(100, 60, {0.1, 20.3, -7.7});
+  reset_exact_counters();
+  EXPECT_GT(*nearest_area(mesh.points(), triangles_of(mesh)), 0);
+  EXPECT_EQ(exact_counters().big_fallbacks, 0U);
+}
+
+TEST(Area, at_the_ends_of_the_range_is_that_of_the_scaled_solid) {
+  const TriangleMesh mesh = samples::torus(20, 12);
+  const double area = *nearest_area(mesh.points(), triangles_of(mesh));
+  for (const int exponent : {-500, -300, -120, 100, 199, 400, 500}) {
+    std::vector<Vec3> points;
+    for (const Vec3& p : mesh.points().approx()) points.push_back(std::ldexp(1.0, exponent) * p);
+    EXPECT_EQ(*nearest_area(PointArray(points), triangles_of(mesh)), std::ldexp(area, 2 * exponent)) << exponent;
   }
 }
 

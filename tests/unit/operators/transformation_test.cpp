@@ -1,7 +1,10 @@
 #include <cmath>
+#include <functional>
+#include <random>
 
 #include <gtest/gtest.h>
 
+#include "algebra3d/halfedge/audit.h"
 #include "unit/operators/call_operator.h"
 #include "unit/validity/sample_meshes.h"
 
@@ -128,6 +131,114 @@ TEST(Scale, to_subnormal_size_keeps_a_valid_solid) {
   const Answer answer = call("scale", part(), point(0, 0, 0), 1e-320);
   ASSERT_TRUE(answer.is_defined());
   EXPECT_TRUE((*Volume3d::prove(answer.get<Volume3d>().mesh())).is_defined());
+}
+
+/// Random tetrahedra with small integers as coordinates: unions and intersections of them have fractions.
+class RandomSolids {
+ public:
+  Volume3d tetrahedron() {
+    for (;;) {
+      samples::MeshMaker maker;
+      maker.tetrahedron(corner(), corner(), corner(), corner());
+      if (auto solid = Volume3d::prove(maker.mesh()); solid.ok() && solid->is_defined()) return **solid;
+    }
+  }
+  Vec3 corner() { return {coordinate(), coordinate(), coordinate()}; }
+
+ private:
+  double coordinate() { return static_cast<double>(random_() % 17) - 8; }
+
+  std::mt19937 random_{5};  // NOLINT(cert-msc51-cpp): the same numbers each time
+};
+
+bool has_fractions(const Volume3d& solid) {
+  return solid.mesh().points().exact_count() > 0;
+}
+
+using Motion = std::function<Volume3d(const Volume3d&)>;
+
+/// Maps that give doubles for small integers, exactly.
+std::vector<Motion> exact_motions() {
+  const auto motion = [](const char* name, auto... arguments) {
+    return Motion([=](const Volume3d& solid) { return call(name, solid, arguments...).template get<Volume3d>(); });
+  };
+  const auto plane = [](const char* text) { return literal<Plane3d>(text); };
+  return {motion("rotate", point(0, 0, 0), vector(0, 0, 1), 90.0),
+          motion("rotate", point(1, -2, 0.5), vector(0, 3, 0), -90.0),
+          motion("rotate", point(1, -2, 0.5), vector(1, 0, 0), 180.0),
+          motion("rotate", point(3, 0, 0), vector(1, 0, -1), 180.0),
+          motion("mirror", plane("(0 0 0 1)")),
+          motion("mirror", plane("(-7 0 -2 0)")),
+          motion("mirror", plane("((1 2 3) (1 1 0))")),
+          motion("translate", vector(0.5, -1024, 3)),
+          motion("translate", vector(0x1p40, 0, 0x1p-20)),
+          motion("scale", point(0, 0, 0), 0.25),
+          motion("scale", point(1, 1, 1), -3.0),
+          motion("scaleDir", point(1, 2, 3), vector(2, -0.5, 1))};
+}
+
+TEST(ExactImages, of_set_operations_are_those_of_the_moved_operands) {
+  RandomSolids random;
+  const std::vector<Motion> motions = exact_motions();
+  std::size_t with_fractions = 0;
+  for (int i = 0; i < 60; ++i) {
+    const Volume3d a = random.tetrahedron(), b = random.tetrahedron();
+    const Motion& move = motions[static_cast<std::size_t>(i) % motions.size()];
+    for (const char* operation : {"union", "intersection", "minus"}) {
+      const Volume3d together = call(operation, a, b).get<Volume3d>(), image = move(together);
+      expect_equal(image, call(operation, move(a), move(b)).get<Volume3d>());
+      with_fractions += has_fractions(together) ? 1 : 0;
+      EXPECT_TRUE(audit(image.mesh()).empty());
+      EXPECT_TRUE((*Volume3d::prove(image.mesh())).is_defined());
+    }
+  }
+  EXPECT_GT(with_fractions, 60U);
+}
+
+TEST(ExactImages, of_surfaces_are_those_of_the_moved_operands) {
+  const auto a = literal<Surface3d>("(((0 0 0) (7 1 0) (2 5 1)) ((0 0 3) (7 1 3) (2 5 5)))");
+  const auto b = literal<Surface3d>("(((1 0 -3) (4 1 8) (2 6 1)))");
+  const Surface3d cut = call("union", a, b).get<Surface3d>();
+  ASSERT_GT(cut.mesh().points().exact_count(), 0U);
+  const auto turn = [](const Surface3d& s) {
+    return call("rotate", s, point(1, 2, 0.5), vector(0, 1, 0), 90.0).get<Surface3d>();
+  };
+  EXPECT_EQ(compare(Value::of(turn(cut)), call("union", turn(a), turn(b)).single()), std::strong_ordering::equal);
+}
+
+TEST(ExactImages, there_and_back_is_the_same_value) {
+  RandomSolids random;
+  std::mt19937_64 numbers(9);
+  std::uniform_real_distribution<double> any(-1e3, 1e3);
+  for (int i = 0; i < 40; ++i) {
+    const Volume3d solid = call("union", random.tetrahedron(), random.tetrahedron()).get<Volume3d>();
+    if (!has_fractions(solid)) continue;
+    const double x = any(numbers), y = any(numbers), z = any(numbers);
+    const Volume3d moved = call("translate", solid, vector(x, y, z)).get<Volume3d>();
+    expect_equal(call("translate", moved, vector(-x, -y, -z)).get<Volume3d>(), solid);
+    const Volume3d grown = call("scale", solid, point(x, y, z), -4.0).get<Volume3d>();
+    expect_equal(call("scale", grown, point(x, y, z), -0.25).get<Volume3d>(), solid);
+    Volume3d turned = solid;
+    for (int k = 0; k < 4; ++k) turned = call("rotate", turned, point(x, y, z), vector(0, z, 0), 90.0).get<Volume3d>();
+    expect_equal(turned, solid);
+  }
+}
+
+TEST(ExactImages, of_points_with_fractions) {
+  const auto third = literal<Point3d>("(1/3 0 0.1)");
+  EXPECT_EQ(call("rotate", third, point(1, 0, 0), vector(0, 0, 1), 90.0).text(), "(1.0 -2/3 0.1)");
+  EXPECT_EQ(call("translate", third, vector(1, 2, 3)).text().substr(0, 9), "(4/3 2.0 ");
+  EXPECT_EQ(call("scale", third, point(0, 0, 0), 0.5).text(), "(1/6 0.0 0.05)");
+  // Sets: each point by itself, so that sets of points and their unions are moved alike.
+  const auto set = literal<Points3d>("((0.1 0 0) (1/3 0 0))");
+  EXPECT_EQ(call("translate", set, vector(0.2, 0, 0)).text(),
+            "((0.30000000000000004 0.0 0.0) (" + (Rational(1, 3) + Rational(0.2)).text() + " 0.0 0.0))");
+}
+
+TEST(ExactImages, other_maps_round_fractions_once) {
+  const auto thirds = literal<Point3d>("(1/3 1/7 0)");
+  EXPECT_TRUE(call("rotate", thirds, point(0, 0, 0), vector(0, 0, 1), 37.0).get<Point3d>().position.is_double());
+  EXPECT_TRUE(call("mirror", thirds, literal<Plane3d>("((0 0 0) (1 1 1))")).get<Point3d>().position.is_double());
 }
 
 }  // namespace

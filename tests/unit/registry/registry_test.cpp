@@ -11,7 +11,7 @@ namespace {
 double half(double x) {
   return x / 2;
 }
-std::int32_t twice(std::int32_t x) {
+std::int64_t twice(std::int64_t x) {
   return 2 * x;
 }
 Maybe<double> inverse(double x) {
@@ -27,7 +27,7 @@ bool is_missing(std::optional<double> x) {
 Result<double> failing(double) {
   return Error{ErrorCode::io_error, "the disk is gone"};
 }
-std::vector<std::int32_t> both(std::int32_t a, std::int32_t b) {
+std::vector<std::int64_t> both(std::int64_t a, std::int64_t b) {
   return {a, b};
 }
 
@@ -51,14 +51,14 @@ class RegistryTest : public testing::Test {
 
 TEST_F(RegistryTest, an_exact_overload_wins_over_promotion) {
   add("f", {overload<&half>("x"), overload<&twice>("x")});
-  EXPECT_EQ(single("f", Value::of<std::int32_t>(3)).get<std::int32_t>(), 6);
+  EXPECT_EQ(single("f", Value::of<std::int64_t>(3)).get<std::int64_t>(), 6);
   EXPECT_EQ(single("f", Value::of<double>(3)).get<double>(), 1.5);
 }
 
 TEST_F(RegistryTest, int_is_promoted_to_real) {
   add("f", {overload<&half>("x")});
-  EXPECT_EQ(single("f", Value::of<std::int32_t>(3)).get<double>(), 1.5);
-  EXPECT_FALSE(single("f", Value(TypeOf<std::int32_t>::type())).is_defined());
+  EXPECT_EQ(single("f", Value::of<std::int64_t>(3)).get<double>(), 1.5);
+  EXPECT_FALSE(single("f", Value(TypeOf<std::int64_t>::type())).is_defined());
 }
 
 TEST_F(RegistryTest, wrong_types_are_an_error_that_says_what_is_possible) {
@@ -97,7 +97,7 @@ TEST_F(RegistryTest, errors_stay_errors) {
 TEST_F(RegistryTest, a_vector_is_a_stream) {
   add("f", {overload<&both>("a", "b")});
   EXPECT_EQ(registry.find_operator("f")->overloads[0].signature(), "(int int) -> (stream int)");
-  const auto result = call("f", {Value::of<std::int32_t>(1), Value::of<std::int32_t>(2)});
+  const auto result = call("f", {Value::of<std::int64_t>(1), Value::of<std::int64_t>(2)});
   EXPECT_EQ(std::get<std::vector<Value>>(*result).size(), 2U);
 }
 
@@ -106,6 +106,29 @@ TEST(NearestName, finds_slips_and_nothing_far) {
   EXPECT_EQ(nearest_name("volum", names), "volume");
   EXPECT_EQ(nearest_name("fillter", names), "filter");
   EXPECT_EQ(nearest_name("banana", names), "");
+}
+
+TEST(NearestName, letters_that_differ_only_in_case_are_nearer) {
+  const std::vector<std::string> names = {"R", "or", "select"};
+  EXPECT_EQ(nearest_name("rr", names), "or");
+  EXPECT_EQ(nearest_name("rr", std::vector<std::string>{"R"}), "R");
+  EXPECT_EQ(nearest_name("SELECT", names), "select");
+  EXPECT_EQ(nearest_name("r", names), "R");
+  EXPECT_EQ(nearest_name("q", names), "");
+}
+
+TEST(NearestName, short_words_are_near_to_no_operator) {
+  Registry registry;
+  for (const char* name : {"or", "and"}) {
+    Operator op;
+    op.name = name;
+    op.syntax = std::string("_ ") + name + " _";
+    registry.add(std::move(op));
+  }
+  EXPECT_EQ(registry.suggestion("rr"), "");
+  EXPECT_EQ(registry.suggestion("OR"), "or");
+  EXPECT_EQ(registry.suggestion("adn"), "");
+  EXPECT_EQ(registry.suggestion("annd"), "and");
 }
 
 }  // namespace

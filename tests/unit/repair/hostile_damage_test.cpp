@@ -179,9 +179,18 @@ TEST(HostileDamage, sheets_through_a_body_cut_nothing_off) {
       for (const double margin : {0.1, 1.0, 100.0}) {
         const TriangleSoup sheet = wall_at(height, -margin, -margin, 4 + margin, 4 + margin);
         const TriangleSoup soup = joined(squared_box(4, 4), looks_down ? turned(sheet) : sheet);
-        const SolidFromSoup made = repaired(soup);
+        const SolidFromSoup made = repaired(soup, with(&RepairOptions::most_dropped, 1));
         EXPECT_EQ(volume_of(made), Rational(64)) << made.status();
         EXPECT_EQ(count_of(*made.repair, RepairStep::sheets), 1U);
+        // The frame round the box, and how far its corner is from that.
+        const RepairAmounts& amounts = *made.repair->amounts;
+        EXPECT_NEAR(amounts.area_seen, 96 + (4 + 2 * margin) * (4 + 2 * margin), 1e-9 * amounts.area_seen);
+        EXPECT_NEAR(amounts.dropped.area, (4 + 2 * margin) * (4 + 2 * margin) - 16, 1e-9 * amounts.area_seen);
+        EXPECT_GE(amounts.dropped.distance, margin * std::sqrt(2) * (1 - 1e-12));
+        EXPECT_LE(amounts.dropped.distance, margin * std::sqrt(2) * 1.011);
+        EXPECT_EQ(amounts.dropped.facet_count, 2U);
+        EXPECT_EQ(amounts.added.area, 0);
+        EXPECT_EQ(made.repair->find(RepairStep::holes), nullptr) << made.status();
       }
 }
 

@@ -52,8 +52,9 @@ TEST(RepairOptions, are_read_in_any_order_and_with_blanks) {
 
 TEST(RepairOptions, that_make_no_sense_are_refused_with_what_was_found_and_expected) {
   EXPECT_EQ(complaint_about("crack=1"),
-            "there is no option 'crack'; expected cracks, holes, cavities, smallest, work or strict");
-  EXPECT_EQ(complaint_about("=1"), "there is no option ''; expected cracks, holes, cavities, smallest, work or strict");
+            "there is no option 'crack'; expected cracks, holes, cavities, smallest, dropped, work or strict");
+  EXPECT_EQ(complaint_about("=1"),
+            "there is no option ''; expected cracks, holes, cavities, smallest, dropped, work or strict");
   EXPECT_EQ(complaint_about("holes=1;holes=1"), "option 'holes' is given twice");
   EXPECT_EQ(complaint_about("strict;strict"), "option 'strict' is given twice");
   EXPECT_EQ(complaint_about("cavities=fill"), "option 'cavities' is 'fill'; expected 'keep' or 'drop'");

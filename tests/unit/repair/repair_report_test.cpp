@@ -1,6 +1,7 @@
 #include "algebra3d/repair/repair_report.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@ namespace {
 TEST(RepairReport, of_nothing_is_empty) {
   const RepairReport report;
   EXPECT_TRUE(report.is_empty());
-  EXPECT_EQ(report.text(), "");
+  EXPECT_EQ(report.text(), "facets joined anew where more than two meet; nothing moved, added or left out");
   EXPECT_EQ(report.deviation(), 0);
   EXPECT_EQ(report.find(RepairStep::holes), nullptr);
 }
@@ -35,6 +36,40 @@ TEST(RepairReport, counts_by_step_with_the_first_place_and_the_largest_distance)
       report.text(),
       "1 duplicate facet dropped (near (0 0 1)), 1 vertex moved across a crack (near (4 5 6)), 3 holes closed (near "
       "(1 2 3)); at most 2 from the facets");
+}
+
+TEST(RepairReport, places_are_short) {
+  const Vec3 place = short_place({1.0 / 3, -1e-9, 1234.56789012}, 95);
+  EXPECT_EQ(place, (Vec3{0.3333, 0, 1234.5679}));
+  EXPECT_FALSE(std::signbit(place.y));
+  EXPECT_EQ(short_place({512345.6789, 0.75, 1}, 1e6), (Vec3{512346, 1, 1}));
+  EXPECT_EQ(short_place({0.1234567, 2, 3}, 0), (Vec3{0.1234567, 2, 3}));
+  EXPECT_EQ(short_place({1.23456789e-7, 0, 0}, 1e-6), (Vec3{1.2346e-7, 0, 0}));
+}
+
+TEST(RepairReport, says_what_was_left_out_and_added) {
+  RepairReport report;
+  report.size = 10;
+  report.amounts = RepairAmounts{16, {2, 10, 9, {0, 0, 10}}, {}, {1, 0.25, 0.5, {}}, 0};
+  EXPECT_EQ(report.text(),
+            "left out: 2 facets, area 10 (62.5 %), up to 9 from the solid (near (0 0 10)); added: area 0.25, up to 0.5 "
+            "from the facets");
+  EXPECT_EQ(percent_text(0.99994), "99.994 %");
+  EXPECT_EQ(percent_text(0.9999999999), "99.99999999 %");
+  EXPECT_EQ(percent_text(1), "100 %");
+}
+
+TEST(RepairReport, holes_that_the_solid_does_not_have_are_not_told) {
+  RepairReport report;
+  report.add(HoleCover{{1, 0, 0}, 3, {}});
+  report.add(HoleCover{{2, 0, 0}, 1, {}});
+  report.keep_holes({false, true});
+  ASSERT_NE(report.find(RepairStep::holes), nullptr);
+  EXPECT_EQ(report.find(RepairStep::holes)->count, 1U);
+  EXPECT_EQ(report.find(RepairStep::holes)->where, (Vec3{2, 0, 0}));
+  EXPECT_EQ(report.deviation(), 1);
+  report.keep_holes({false});
+  EXPECT_TRUE(report.is_empty());
 }
 
 TEST(RepairReport, entries_are_in_the_order_of_the_steps_however_they_come) {

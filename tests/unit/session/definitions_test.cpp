@@ -51,6 +51,71 @@ TEST_F(Definitions, a_relation_that_is_replaced_loses_its_indexes) {
   EXPECT_EQ(session_.run("query Size(1)"), "2");
 }
 
+TEST_F(Definitions, what_needs_it_at_second_hand_is_named_too) {
+  for (const char* command :
+       {"derive First = R feed consume", "derive Second = First count", "derive Third = Size(Second)",
+        "let OfFirst = First createbtree[Elem]", "let g = fun(x: int) Size(x)", "let h = fun(x: int) Third + x",
+        "let Own = Second + 1", "derive Fourth = h(1)"})
+    EXPECT_EQ(session_.run(command), "") << command;
+  EXPECT_EQ(session_.run("delete R"), "");
+  EXPECT_EQ(session_.notes(),
+            "delete: its indexes are deleted, too: ByElem\n"
+            "delete: these functions use it and fail from now on: Find, Size, g\n"
+            "delete: these objects are derived from it; they keep their values, and `restore` will leave them out: "
+            "Count, First, Fourth, OfFirst, Second, Third\n");
+  EXPECT_EQ(session_.run("save database to 'all'"), "");
+  EXPECT_TRUE(session_.notes().starts_with(
+      "save: these objects cannot be derived again, and `restore` will leave them out: Count, First, Fourth, OfFirst, "
+      "Second, Third\nsave: 'Count' cannot be derived again: unknown name 'R'\n"))
+      << session_.notes();
+  EXPECT_EQ(session_.run("save Own to 'own'"), "");
+  EXPECT_EQ(session_.notes(), "");
+  EXPECT_EQ(session_.run("save Second to 'second'"), "");
+  EXPECT_TRUE(session_.notes().ends_with("save: 'Second' cannot be derived again: unknown name 'First'\n"));
+  EXPECT_EQ(session_.run("save Count to 'count'"), "");
+  EXPECT_EQ(session_.run("delete Count"), "");
+  EXPECT_EQ(session_.notes(), "");
+  EXPECT_EQ(session_.run("restore Count from 'count'"),
+            "error: restore: 'Count' cannot be derived again; nothing was restored");
+  EXPECT_EQ(session_.run("query Count"), "error: unknown name 'Count'");
+}
+
+TEST_F(Definitions, a_restore_that_leaves_something_out_fails) {
+  for (const char* command :
+       {"derive Twice = Count * 2", "let Own = 1", "delete R", "save database to 'all'", "close database"})
+    EXPECT_EQ(session_.run(command), "") << command;
+  const std::string names = "Count, Twice";
+  EXPECT_EQ(session_.run("restore database d from 'all'"),
+            "error: restore: nothing was changed, since these objects cannot be derived again, and the existing "
+            "database would lose those that it has: " +
+                names + "; delete it first, or restore under another name");
+  EXPECT_EQ(session_.run("open database d"), "");
+  EXPECT_EQ(session_.run("query Twice"), "6");
+  EXPECT_EQ(session_.run("close database"), "");
+  for (const char* name : {"new", "empty"}) {
+    if (name == std::string("empty")) {
+      EXPECT_EQ(session_.run("create database empty"), "");
+    }
+    EXPECT_EQ(session_.run(fmt::format("restore database {} from 'all'", name)),
+              fmt::format("error: restore: the database '{}' was restored and is open, without these objects, which "
+                          "cannot be derived again: {}",
+                          name, names));
+    EXPECT_EQ(session_.run("query Own"), "1");
+    EXPECT_EQ(session_.run("query Twice"), "error: unknown name 'Twice'");
+    EXPECT_EQ(session_.run("close database"), "");
+  }
+}
+
+TEST_F(Definitions, a_relation_of_another_type_is_noticed) {
+  EXPECT_EQ(session_.run("derive Sum = R feed sum[Elem]"), "");
+  EXPECT_EQ(session_.run("let_ R = R feed projectextend[; Other: .Elem] consume"), "");
+  EXPECT_EQ(
+      session_.notes(),
+      "let_: its indexes are deleted, too: ByElem\n"
+      "let_: these functions use it and fail from now on: Find\n"
+      "let_: these objects are derived from it; they keep their values, and `restore` will leave them out: Sum\n");
+}
+
 TEST_F(Definitions, what_nothing_needs_goes_without_a_word) {
   EXPECT_EQ(session_.run("delete Count"), "");
   EXPECT_EQ(session_.notes(), "");

@@ -58,6 +58,9 @@ struct Model {
       indexes.insert(std::move(node));
     }
   }
+  bool has_underivable() const {
+    return std::ranges::any_of(derived, [&](const auto& object) { return find(object.second.relation) == nullptr; });
+  }
   /// As a database is restored: derived objects are evaluated again, and left out where that is impossible.
   void restore() {
     std::erase_if(derived, [&](const auto& object) { return find(object.second.relation) == nullptr; });

@@ -6,6 +6,7 @@
 #include "queries/language/command_reader.h"
 #include "queries/language/parser.h"
 #include "queries/shell/command_table.h"
+#include "queries/streams/all.h"
 
 namespace queries {
 namespace {
@@ -123,9 +124,35 @@ TEST(CommandTable, help_finds_operators_and_commands_and_suggests_the_nearest) {
   const algebra3d::Registry registry = algebra3d::make_registry();
   EXPECT_NE(shell_help("volume", registry).value().find("volume(_)"), std::string::npos);
   EXPECT_NE(shell_help("let", registry).value().find("let NAME = EXPRESSION"), std::string::npos);
-  const auto unknown = shell_help("volum", registry);
+  const auto unknown = shell_help("volumme", registry);
   ASSERT_FALSE(unknown);
-  EXPECT_EQ(unknown.error().message, "there is no operator or command 'volum', did you mean 'volume'?");
+  EXPECT_EQ(unknown.error().message,
+            "there is no operator or command 'volumme', and no description has the word; did you mean 'volume'?");
+}
+
+TEST(CommandTable, help_finds_parts_of_names_and_words_of_descriptions) {
+  algebra3d::Registry registry = algebra3d::make_registry();
+  register_stream_operators(registry);
+  const std::string sphere = shell_help("SPHERE", registry).value();
+  EXPECT_TRUE(sphere.starts_with("Operators with 'SPHERE' in their names\n  createSphere(_, _, _)")) << sphere;
+  const std::string duplicates = shell_help("equal any tuple before", registry).value();
+  EXPECT_NE(duplicates.find("Operators with 'equal any tuple before' in their descriptions\n  _ rduph"),
+            std::string::npos)
+      << duplicates;
+  EXPECT_NE(shell_help("transaction", registry).value().find("commit transaction"), std::string::npos);
+}
+
+TEST(CommandTable, help_lists_families_of_operators) {
+  algebra3d::Registry registry = algebra3d::make_registry();
+  register_stream_operators(registry);
+  const std::string families = shell_help("families", registry).value();
+  EXPECT_NE(families.find("\n  set operations: "), std::string::npos) << families;
+  EXPECT_NE(families.find("\n  joins: hashjoin, itHashJoin"), std::string::npos) << families;
+  const std::string joins = shell_help("Joins", registry).value();
+  EXPECT_TRUE(joins.starts_with("Operators: joins\n")) << joins;
+  EXPECT_NE(joins.find("_ _ symmjoin[fun(TUPLE, TUPLE2)]"), std::string::npos);
+  EXPECT_EQ(joins.find("createCube"), std::string::npos);
+  for (const algebra3d::Operator* op : registry.operators()) EXPECT_FALSE(op->family.empty()) << op->name;
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ TEST(InquiryText, named_types_are_a_table) {
 }
 
 TEST(InquiryText, a_plan_is_an_indented_tree) {
-  EXPECT_EQ(shown("(inquiry (plan ((0 count 'x' 1.0 0.0 2.25) (1 feed 'y' 1.0 7.0 0.5))))"),
+  EXPECT_EQ(shown("(inquiry (plan ((0 count 'x' 1 0 2.25) (1 feed 'y' 1 7 0.5))))"),
             "Operator | Signature | Calls | Tuples |  ms\n"
             "---------+-----------+-------+--------+----\n"
             "count    | x         |     1 |        | 2.2\n"
@@ -37,7 +37,7 @@ TEST(InquiryText, a_plan_is_an_indented_tree) {
 }
 
 TEST(InquiryText, findings_and_names_stand_one_per_line) {
-  EXPECT_EQ(shown("(inquiry (findings ((\"Parts\" 3.0 \"Solid\" 'damaged') (\"\" 0.0 \"\" 'a page is lost'))))"),
+  EXPECT_EQ(shown("(inquiry (findings ((\"Parts\" 3 \"Solid\" 'damaged') (\"\" 0 \"\" 'a page is lost'))))"),
             "Parts: tuple 3: 'Solid': damaged\na page is lost\n");
   EXPECT_EQ(shown("(inquiry (findings ()))"), "no findings\n");
   EXPECT_EQ(shown("(inquiry (databases (a b)))"), "a\nb\n");

@@ -35,13 +35,14 @@ class ScriptCommands : public testing::Test {
   RunResult run(const std::string& text) {
     Session session(registry(), {.folder = folder_, .read_only = false});
     ListPresenter presenter(out_);
-    StatementRunner runner(session, presenter, {out_, errors_}, false);
+    StatementRunner runner(session, presenter, {out_, errors_}, rules_);
     std::istringstream script(text);
     return runner.run_script(script, "script");
   }
 
   std::filesystem::path folder_ =
       std::filesystem::temp_directory_path() / ("algebra3d-scripts-" + std::to_string(getpid()));
+  FailureRules rules_;
   std::ostringstream out_;
   std::ostringstream errors_;
 };
@@ -189,10 +190,67 @@ TEST_F(ScriptCommands, repeat_runs_a_command_several_times) {
             "script:1:1: error: repeat: expected a number of times and a command, found 'many query 7'\n");
 }
 
+TEST_F(ScriptCommands, an_import_or_export_that_fails_is_a_failure_of_the_statement_whose_result_it_is) {
+  const std::string missing = "importSTL('" + path("missing.stl") + "')";
+  const std::string unwritten = "exportSTL[\"c\", '" + path("no/folder/c.stl") + "', TRUE]";
+  for (const std::string& statement :
+       {"query " + missing, "query volume(" + missing + ")", "query importSurface('" + path("missing.stl") + "')",
+        "query createCube(makePoint3D(0, 0, 0), makePoint3D(1, 1, 1)) " + unwritten,
+        "query " + missing + " " + unwritten, "{ query 1 | query " + missing + " }",
+        "create database a; open database a; let M = " + missing,
+        "create database b; open database b; derive M = " + missing,
+        "create database c; open database c; let M = createCube(makePoint3D(0, 0, 0), makePoint3D(1, 1, 1)); update M "
+        ":= " +
+            missing}) {
+    rules_ = {};
+    EXPECT_EQ(run(statement + "; query 77"), RunResult::failed) << statement;
+    EXPECT_TRUE(out_.str().ends_with("(int 77)\n")) << statement;
+    for (const char* name : {"a", "b", "c"}) std::filesystem::remove(folder_ / (std::string(name) + ".db"));
+    out_.str("");
+    rules_.stops_on_error = true;
+    EXPECT_EQ(run(statement + "; query 77"), RunResult::failed) << statement;
+    EXPECT_EQ(out_.str().find("77"), std::string::npos) << statement;
+    EXPECT_NE(errors_.str().find("error: the statement has failed: its result is "), std::string::npos) << statement;
+    out_.str("");
+    errors_.str("");
+  }
+}
+
+TEST_F(ScriptCommands, undefined_values_of_other_kinds_are_answers) {
+  const std::string missing = "importSTL('" + path("missing.stl") + "')";
+  rules_.stops_on_error = true;
+  for (const std::string& statement :
+       {std::string("query 1 div 0"), std::string("query [const point3d value undefined]"),
+        "query isdefined(" + missing + ")", "query isEmpty(" + missing + ")",
+        "query [const rel(tuple([F: text])) value (('" + path("missing.stl") +
+            "'))] feed extend[S: importSTL(.F)] consume"})
+    EXPECT_EQ(run(statement + "; query 77"), RunResult::ok) << statement << errors_.str();
+}
+
+TEST_F(ScriptCommands, a_script_may_fail_wherever_a_value_is_undefined_for_a_reason) {
+  const std::string files = "[const rel(tuple([F: text])) value (('" + path("a.stl") + "') ('" + path("b.stl") + "'))]";
+  rules_ = {.stops_on_error = true, .fails_on_undefined = true};
+  EXPECT_EQ(run("query " + files + " feed extend[S: importSTL(.F)] count; query 77"), RunResult::failed);
+  EXPECT_EQ(out_.str(), "(int 2)\n");
+  EXPECT_NE(errors_.str().find("script:1:1: error: 2 values are undefined"), std::string::npos) << errors_.str();
+  EXPECT_EQ(run("query 1 div 0; query 77"), RunResult::failed);
+  EXPECT_EQ(run("query [const int value undefined] + 1; query 77"), RunResult::ok);
+  EXPECT_TRUE(out_.str().ends_with("(int undefined)\n(int 77)\n")) << out_.str();
+  rules_.stops_on_error = false;
+  EXPECT_EQ(run("query intstream(1, 3) filter[. div 0 = 1] count; query 78"), RunResult::failed);
+  EXPECT_TRUE(out_.str().ends_with("(int 78)\n")) << out_.str();
+}
+
+TEST_F(ScriptCommands, exit_is_quit) {
+  EXPECT_EQ(run("query 1;\nexit\nquery 2;"), RunResult::quit);
+  EXPECT_EQ(out_.str(), "(int 1)\n");
+  EXPECT_EQ(errors_.str(), "note: `exit` means `quit` here\n");
+}
+
 TEST_F(ScriptCommands, words_of_the_shell_need_no_semicolon) {
   EXPECT_EQ(run("Query 1;\nDEBUG 1\nquery 2;\nQUIT\nquery 3;"), RunResult::failed);
   EXPECT_EQ(out_.str(), "(int 2)\n");
-  EXPECT_EQ(run("? volume\nHELP nothing\n"), RunResult::failed);
+  EXPECT_EQ(run("? volume\nHELP no_such_thing\n"), RunResult::failed);
   EXPECT_NE(out_.str().find("The enclosed volume "), std::string::npos);
 }
 

@@ -148,9 +148,16 @@ TEST_F(Terminal, banner_tells_the_next_step_and_quit_leaves) {
 }
 
 TEST_F(Terminal, help_also_explains_the_commands_of_the_command_line) {
-  for (const std::string command : {"import", "test", "help"}) {
+  for (const std::string command : {"import", "test", "check", "repair", "convert"}) {
     Shell shell(folder_, {"help", command});
     shell.wait_for("Usage: ");
+    EXPECT_EQ(shell.exit_status(), 0);
+  }
+  {
+    Shell shell(folder_, {});
+    shell.type("set \"paging\" = FALSE;\nhelp import\n");
+    shell.wait_for("--relation");
+    shell.type("exit\n");
     EXPECT_EQ(shell.exit_status(), 0);
   }
   Shell shell(folder_, {"help", "no_such_thing"});
@@ -203,7 +210,7 @@ TEST_F(Terminal, tab_completes_commands_operators_objects_attributes_and_files) 
   Shell shell(folder_, {"--db", "parts.db"});
   shell.type("let Bolts = intstream(1, 3) transformstream extend[Weight: 20000 + .Elem] consume;\n");
   // The operators bring their brackets.
-  shell.type("que\tBol\tfe\tfilt\t.Wei\t > 0] extr\tWei\t];\n");
+  shell.type("que\tBol\tfe\t filt\t.Wei\t > 0] extr\tWei\t];\n");
   shell.wait_for("\n20001\r\n");
   shell.type("@ans\t\n");
   shell.wait_for("\n60061\r\n");

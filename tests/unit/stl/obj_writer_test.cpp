@@ -123,8 +123,9 @@ TEST_F(ObjWriter, what_cannot_be_written_is_named_and_the_old_file_stays) {
 
 TEST_F(ObjWriter, places_that_cannot_be_written_are_named) {
   const auto missing = folder_.path("no such folder") / "out.obj";
-  expect_error(missing, {}, ErrorCode::file_missing, missing.string() + ": No such file or directory");
-  expect_error(folder_.path(""), {}, ErrorCode::io_error, folder_.path("").string() + ": Is a directory");
+  expect_error(missing, {}, ErrorCode::file_missing,
+               missing.string() + ": there is no folder '" + missing.parent_path().string() + "'");
+  expect_error(folder_.path(""), {}, ErrorCode::io_error, folder_.path("").string() + ": it is a folder and no file");
 }
 
 }  // namespace

@@ -119,7 +119,8 @@ TEST_F(OffWriter, what_cannot_be_written_is_named_and_the_old_file_stays) {
 
 TEST_F(OffWriter, places_that_cannot_be_written_are_named) {
   const auto missing = folder_.path("no such folder") / "out.off";
-  expect_error(missing, {}, Format::ascii, ErrorCode::file_missing, missing.string() + ": No such file or directory");
+  expect_error(missing, {}, Format::ascii, ErrorCode::file_missing,
+               missing.string() + ": there is no folder '" + missing.parent_path().string() + "'");
 }
 
 }  // namespace

@@ -257,9 +257,10 @@ TEST_F(StlWriter, places_that_cannot_be_written_are_named) {
   folder_.write("file", "x");
   const std::string folder = folder_.path("").string();
   expect_error(folder_.path("none/out.stl"), kOne, ErrorCode::file_missing,
-               folder + "none/out.stl: No such file or directory");
-  expect_error(folder_.path("file/out.stl"), kOne, ErrorCode::file_missing, folder + "file/out.stl: Not a directory");
-  expect_error(folder_.path(""), kOne, ErrorCode::io_error, folder + ": Is a directory");
+               folder + "none/out.stl: there is no folder '" + folder + "none'");
+  expect_error(folder_.path("file/out.stl"), kOne, ErrorCode::file_missing,
+               folder + "file/out.stl: '" + folder + "file' is a file and no folder");
+  expect_error(folder_.path(""), kOne, ErrorCode::io_error, folder + ": it is a folder and no file");
   expect_error("/dev/full", kOne, ErrorCode::io_error, "/dev/full: Not a regular file (but a pipe or device)");
   expect_error("", kOne, ErrorCode::io_error, "the file name is empty");
 }
@@ -269,7 +270,7 @@ TEST_F(StlWriter, protected_files_and_folders_are_left_alone) {
   folder_.write("out.stl", "old");
   std::filesystem::permissions(folder_.path("out.stl"), std::filesystem::perms::owner_read);
   expect_error(folder_.path("out.stl"), kOne, ErrorCode::io_error,
-               folder_.path("out.stl").string() + ": Permission denied");
+               folder_.path("out.stl").string() + ": there is no permission to write this file");
   EXPECT_EQ(folder_.bytes("out.stl"), "old");
 }
 
@@ -283,8 +284,8 @@ TEST_F(StlWriter, a_write_that_fails_half_way_leaves_the_old_file_and_nothing_el
   rlimit small = before;
   small.rlim_cur = 1'500'000;
   ::setrlimit(RLIMIT_FSIZE, &small);
-  expect_error(folder_.path("out.stl"), many, ErrorCode::io_error,
-               folder_.path("out.stl").string() + ": File too large");
+  expect_error(folder_.path("out.stl"), many, ErrorCode::disk_full,
+               folder_.path("out.stl").string() + ": the file would exceed the limit on the size of files");
   ::setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, handler);
   EXPECT_EQ(folder_.bytes("out.stl"), "old");

@@ -13,7 +13,7 @@ class StoredCatalogue : public StoreTest {
 
   void let_number(const std::string& name, int value) {
     ok(store_->create(name, "int"));
-    ok(store_->assign(name, Datum{Value::of(std::int32_t{value})}, context_));
+    ok(store_->assign(name, Datum{Value::of(std::int64_t{value})}, context_));
   }
   std::string table_of(const std::string& relation) {
     return sql("SELECT name FROM sqlite_schema WHERE name LIKE 'rel_%_" + relation + "'");
@@ -28,7 +28,7 @@ class StoredCatalogue : public StoreTest {
 TEST_F(StoredCatalogue, a_derived_object_keeps_its_expression_and_its_value) {
   write([&] {
     ok(store_->create_derived("d", "int", "x + 1"));
-    ok(store_->assign("d", Datum{Value::of(std::int32_t{8})}, context_));
+    ok(store_->assign("d", Datum{Value::of(std::int64_t{8})}, context_));
     let_number("x", 7);
   });
   reopen();
@@ -68,7 +68,7 @@ TEST_F(StoredCatalogue, types_that_were_changed_or_lost_in_the_file_are_missed) 
   store_.reset();
   sql("UPDATE named_types SET type = 'int'");
   EXPECT_EQ(open_error(path(), OpenMode::read_write).message,
-            path().string() + ": the row of the type 'length' is not what was written");
+            path().string() + ": the catalogue's row of the type 'length' is not what was written");
   sql("DELETE FROM named_types");
   EXPECT_EQ(open_error(path(), OpenMode::read_write).message,
             path().string() + ": the catalogue is not what was written: objects are missing or there are too many");

@@ -68,7 +68,7 @@ class StoreDamage : public StoreTest {
       ok(store_->assign("v", Datum{value("volume3d", solid(4))}, context_));
       ok(store_->create_type("t", type("(rel (tuple ((A int))))")));
       ok(store_->create_derived("d", "int", "1 + 1"));
-      ok(store_->assign("d", Datum{Value::of(std::int32_t{2})}, context_));
+      ok(store_->assign("d", Datum{Value::of(std::int64_t{2})}, context_));
     });
     store_.reset();
   }

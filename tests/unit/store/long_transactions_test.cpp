@@ -11,7 +11,7 @@ class LongTransactions : public StoreTest {
  protected:
   LongTransactions() { reopen(); }
 
-  Datum number(int value) { return Datum{Value::of(std::int32_t{value})}; }
+  Datum number(int value) { return Datum{Value::of(std::int64_t{value})}; }
   void expect_rows(Store& store, std::vector<int> parts) {
     std::vector<std::string> expected;
     for (const int each : parts) expected.push_back(text(part(each)));

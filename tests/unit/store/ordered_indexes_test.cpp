@@ -51,7 +51,7 @@ class StoredOrderedIndexes : public StoreTest {
   }
   void expect_indexes_equal_scan() {
     const auto stored = tuples(*relation("R"));
-    const auto numbers = expected<int>(stored, 0, [](const Value& value) { return value.get<std::int32_t>(); });
+    const auto numbers = expected<int>(stored, 0, [](const Value& value) { return value.get<std::int64_t>(); });
     const auto words = expected<std::string>(stored, 1, [](const Value& value) { return value.get<std::string>(); });
     EXPECT_EQ(ordered("N")->tree().range({}, {}), ids(numbers));
     EXPECT_EQ(ordered("W")->tree().range({}, {}), ids(words));
@@ -71,7 +71,7 @@ TEST_F(StoredOrderedIndexes, a_definition_is_remembered_and_built_when_it_is_use
       EXPECT_EQ(ordered("N")->relation(), "R");
       EXPECT_EQ(ordered("N")->attribute(), "No");
       expect_indexes_equal_scan();
-      const Value five = Value::of(std::int32_t{5});
+      const Value five = Value::of(std::int64_t{5});
       const auto found = ordered("N")->tree().range(five, five);
       ASSERT_EQ(found.size(), 1U);
       EXPECT_EQ(text((*relation("R")->fetch(found[0]))->attributes[0]), "5");
@@ -171,7 +171,7 @@ TEST_F(StoredOrderedIndexes, a_frozen_copy_keeps_its_entries_and_its_damage_is_f
 TEST_F(StoredOrderedIndexes, an_index_in_memory_that_missed_a_change_is_found) {
   write([&] { let_rows(4); });
   read([&] {
-    ordered("N")->tree().insert(Value::of(std::int32_t{77}), 2);
+    ordered("N")->tree().insert(Value::of(std::int64_t{77}), 2);
     const auto found = store_->check(context_, {});
     ASSERT_EQ(found->size(), 1U);
     EXPECT_EQ(found->front().text(), "R: 'No': the ordered index in memory does not have the values of the relation");

@@ -17,7 +17,7 @@ namespace {
 
 class StoreProcesses : public StoreTest {
  protected:
-  static Datum number(int value) { return Datum{Value::of(std::int32_t{value})}; }
+  static Datum number(int value) { return Datum{Value::of(std::int64_t{value})}; }
 
   /// Runs `work` in another process, which tells by its exit status whether all went well.
   template <typename Work>
@@ -44,7 +44,7 @@ class StoreProcesses : public StoreTest {
   }
   Status count_once(Store& store) {
     ASSIGN_OR_RETURN(const Datum a, store.read("a"));
-    const int next = a.value().get<std::int32_t>() + 1;
+    const int next = static_cast<int>(a.value().get<std::int64_t>()) + 1;
     RETURN_IF_ERROR(store.assign("a", number(next), context_));
     ASSIGN_OR_RETURN(const Datum relation, store.read("R"));
     RETURN_IF_ERROR(relation.relation()->insert(part(next)));
@@ -84,13 +84,13 @@ class StoreProcesses : public StoreTest {
       if (tuple == nullptr) break;
       ++tuples_seen;
       ASSIGN_OR_RETURN(const Value solid, tuple->attributes[1].loaded());
-      if (tuple->attributes[0].get<std::int32_t>() != tuples_seen)
+      if (tuple->attributes[0].get<std::int64_t>() != tuples_seen)
         return Error{ErrorCode::internal, "tuple {} has number {}", tuples_seen, text(tuple->attributes[0])};
     }
     ASSIGN_OR_RETURN(const Datum b, store.read("b"));
     RETURN_IF_ERROR(store.commit());
-    const int first = a.value().get<std::int32_t>();
-    if (first != b.value().get<std::int32_t>() || first != tuples_seen)
+    const auto first = static_cast<int>(a.value().get<std::int64_t>());
+    if (first != b.value().get<std::int64_t>() || first != tuples_seen)
       return Error{ErrorCode::internal, "{}, {} and {} tuples", first, text(b.value()), tuples_seen};
     return first;
   }

@@ -11,7 +11,7 @@ class StoreTransactions : public StoreTest {
  protected:
   StoreTransactions() { reopen(); }
 
-  Value number(int value) { return Value::of(std::int32_t{value}); }
+  Value number(int value) { return Value::of(std::int64_t{value}); }
   void let_number(const std::string& name, int value) {
     ok(store_->create(name, "int"));
     ok(store_->assign(name, Datum{number(value)}, context_));

@@ -15,6 +15,8 @@ class StoredValues : public StoreTest {
 const std::vector<std::pair<std::string, std::string>> kValues = {
     {"int", "-2147483648"},
     {"int", "2147483647"},
+    {"int", "9223372036854775807"},
+    {"int", "-9223372036854775808"},
     {"int", "undefined"},
     {"real", "0.1"},
     {"real", "-0.0"},

@@ -16,8 +16,8 @@ namespace {
 class Buffering : public StreamTest {
  protected:
   Row random_row() {
-    const auto key = static_cast<std::int32_t>(random_() % 12);
-    return {key == 0 ? std::nullopt : std::optional(key), static_cast<std::int32_t>(++serial_)};
+    const auto key = static_cast<std::int64_t>(random_() % 12);
+    return {key == 0 ? std::nullopt : std::optional(key), static_cast<std::int64_t>(++serial_)};
   }
   Rows random_rows(std::size_t count) {
     Rows result;
@@ -30,7 +30,7 @@ class Buffering : public StreamTest {
 
  private:
   std::mt19937 random_{3};
-  std::int32_t serial_ = 0;
+  std::int64_t serial_ = 0;
 };
 
 TEST_F(Buffering, a_buffer_is_read_any_number_of_times) {
@@ -81,7 +81,7 @@ TEST_F(Buffering, a_hash_table_finds_what_a_loop_finds) {
   const auto is_last = parts.fill(hash_table, context);
   ASSERT_TRUE(is_last.ok() && *is_last);
   hash_table.finish();
-  for (std::int32_t number = 0; number < 14; ++number) {
+  for (std::int64_t number = 0; number < 14; ++number) {
     Rows expected;
     for (const Row& each : table)
       if (each[0] == number) expected.push_back(each);
@@ -96,7 +96,7 @@ TEST_F(Buffering, a_hash_table_finds_what_a_loop_finds) {
 TEST_F(Buffering, keys_are_new_once) {
   using Answer = SeenKeys::Answer;
   SeenKeys seen(context);
-  const Value undefined(algebra3d::TypeOf<std::int32_t>::type());
+  const Value undefined(algebra3d::TypeOf<std::int64_t>::type());
   EXPECT_EQ(seen.add({Value::of(1), undefined}), Answer::is_new);
   EXPECT_EQ(seen.add({Value::of(1), undefined}), Answer::was_seen);
   EXPECT_EQ(seen.add({undefined, Value::of(1)}), Answer::is_new);

@@ -11,20 +11,20 @@
 namespace queries {
 namespace {
 
-Value key(std::int32_t number) {
+Value key(std::int64_t number) {
   return Value::of(number);
 }
 
 /// The oracle: numbers and ids in a vector that is searched from end to end.
 class PlainIndex {
  public:
-  void insert(std::int32_t number, TupleId id) {
+  void insert(std::int64_t number, TupleId id) {
     if (std::ranges::find(entries_, std::pair(number, id)) == entries_.end()) entries_.emplace_back(number, id);
   }
-  void erase(std::int32_t number, TupleId id) { std::erase(entries_, std::pair(number, id)); }
+  void erase(std::int64_t number, TupleId id) { std::erase(entries_, std::pair(number, id)); }
   std::size_t size() const { return entries_.size(); }
-  std::vector<TupleId> range(std::optional<std::int32_t> low, std::optional<std::int32_t> high) const {
-    std::vector<std::pair<std::int32_t, TupleId>> found;
+  std::vector<TupleId> range(std::optional<std::int64_t> low, std::optional<std::int64_t> high) const {
+    std::vector<std::pair<std::int64_t, TupleId>> found;
     for (const auto& entry : entries_)
       if ((!low || *low <= entry.first) && (!high || entry.first <= *high)) found.push_back(entry);
     std::ranges::sort(found);
@@ -39,16 +39,16 @@ class PlainIndex {
   }
 
  private:
-  std::vector<std::pair<std::int32_t, TupleId>> entries_;
+  std::vector<std::pair<std::int64_t, TupleId>> entries_;
 };
 
 void expect_same(const OrderedTree& tree, const PlainIndex& plain) {
   EXPECT_EQ(tree.size(), plain.size());
   EXPECT_EQ(tree.range({}, {}), plain.range({}, {}));
-  for (std::int32_t low = -1; low <= 20; low += 3) {
+  for (std::int64_t low = -1; low <= 20; low += 3) {
     EXPECT_EQ(tree.range(key(low), {}), plain.range(low, {}));
     EXPECT_EQ(tree.range({}, key(low)), plain.range({}, low));
-    for (std::int32_t high = low - 1; high <= 20; high += 4)
+    for (std::int64_t high = low - 1; high <= 20; high += 4)
       EXPECT_EQ(tree.range(key(low), key(high)), plain.range(low, high));
   }
 }
@@ -62,7 +62,7 @@ TEST(OrderedTree, follows_insertions_and_erasures) {
   OrderedTree tree;
   PlainIndex plain;
   for (int step = 0; step < 2000; ++step) {
-    const auto number = static_cast<std::int32_t>(random() % 20);
+    const auto number = static_cast<std::int64_t>(random() % 20);
     const auto id = static_cast<TupleId>(1 + random() % 30);
     if (random() % 3 == 0) {
       tree.erase(key(number), id);
@@ -80,7 +80,7 @@ TEST(OrderedTree, bulk_load_equals_insertion) {
   std::mt19937 random(11);
   PlainIndex plain;
   for (int step = 0; step < 500; ++step)
-    plain.insert(static_cast<std::int32_t>(random() % 20), static_cast<TupleId>(1 + random() % 100));
+    plain.insert(static_cast<std::int64_t>(random() % 20), static_cast<TupleId>(1 + random() % 100));
   expect_same(OrderedTree::bulk_load(plain.entries()), plain);
 }
 
@@ -99,9 +99,9 @@ TEST(OrderedTree, entries_come_in_order) {
   tree.insert(key(5), 1);
   tree.insert(key(3), 9);
   tree.insert(key(3), 2);
-  std::vector<std::pair<std::int32_t, TupleId>> found;
-  for (const auto& entry : tree.entries()) found.emplace_back(entry.key.get<std::int32_t>(), entry.id);
-  EXPECT_EQ(found, (std::vector<std::pair<std::int32_t, TupleId>>{{3, 2}, {3, 9}, {5, 1}}));
+  std::vector<std::pair<std::int64_t, TupleId>> found;
+  for (const auto& entry : tree.entries()) found.emplace_back(entry.key.get<std::int64_t>(), entry.id);
+  EXPECT_EQ(found, (std::vector<std::pair<std::int64_t, TupleId>>{{3, 2}, {3, 9}, {5, 1}}));
 }
 
 }  // namespace

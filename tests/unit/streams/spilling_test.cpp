@@ -28,11 +28,11 @@ class Spilling : public StreamTest {
   Spilling() { context.memory = &memory_; }
   ~Spilling() override { EXPECT_EQ(memory_.used(), 0U) << "an account was not given back"; }
 
-  Rows random_rows(std::size_t count, std::int32_t keys) {
+  Rows random_rows(std::size_t count, std::int64_t keys) {
     Rows result;
     for (std::size_t i = 0; i < count; ++i) {
-      const auto key = static_cast<std::int32_t>(random_() % static_cast<unsigned>(keys));
-      result.push_back({key == 0 ? std::nullopt : std::optional(key - keys / 2), static_cast<std::int32_t>(i)});
+      const auto key = static_cast<std::int64_t>(random_() % static_cast<unsigned>(keys));
+      result.push_back({key == 0 ? std::nullopt : std::optional(key - keys / 2), static_cast<std::int64_t>(i)});
     }
     return result;
   }
@@ -45,21 +45,21 @@ class Spilling : public StreamTest {
 
 TEST_F(Spilling, a_buffer_gives_everything_in_its_order_and_finds_by_id) {
   TupleBuffer buffer(context);
-  for (std::int32_t i = 0; i < 5000; ++i)
+  for (std::int64_t i = 0; i < 5000; ++i)
     ASSERT_TRUE(buffer.add(std::make_shared<const Tuple>(Tuple{{Value::of(i)}, i + 1})).ok());
   EXPECT_LT(memory_.used(), 70'000U);
   const TupleStreamPtr one = buffer.scan();
   const TupleStreamPtr other = buffer.scan();
-  for (std::int32_t i = 0; i < 5000; ++i) {
+  for (std::int64_t i = 0; i < 5000; ++i) {
     const auto next = one->next();
     ASSERT_TRUE(next.ok() && *next != nullptr);
-    EXPECT_EQ((*next)->attributes[0].get<std::int32_t>(), i);
+    EXPECT_EQ((*next)->attributes[0].get<std::int64_t>(), i);
     EXPECT_EQ((*next)->id, i + 1);
     EXPECT_TRUE(i % 2 == 1 || other->next().ok());
   }
   EXPECT_EQ(*one->next(), nullptr);
-  EXPECT_EQ((*buffer.find(1))->attributes[0].get<std::int32_t>(), 0);
-  EXPECT_EQ((*buffer.find(4999))->attributes[0].get<std::int32_t>(), 4998);
+  EXPECT_EQ((*buffer.find(1))->attributes[0].get<std::int64_t>(), 0);
+  EXPECT_EQ((*buffer.find(4999))->attributes[0].get<std::int64_t>(), 4998);
   EXPECT_EQ(*buffer.find(5001), nullptr);
 }
 
@@ -91,7 +91,7 @@ TEST_F(Spilling, a_partwise_join_finds_every_pair_once) {
     const Rows passing = random_rows(2000, 400);
     const auto combine = [](const Tuple& a, const Tuple& b) { return concatenated(a, b); };
     Rows found = rows(*partwise_join(stream(held), stream(passing), HashTable(0, 0, context), combine, context));
-    std::multimap<std::int32_t, Row> by_key;
+    std::multimap<std::int64_t, Row> by_key;
     for (const Row& each : held)
       if (each[0]) by_key.emplace(*each[0], each);
     Rows expected;
@@ -109,7 +109,7 @@ TEST_F(Spilling, a_partwise_join_finds_every_pair_once) {
 
 TEST_F(Spilling, a_hash_join_finds_every_pair_once) {
   // 20 keys: files that do not fit into memory either.
-  for (const std::int32_t keys : {20, 3000}) {
+  for (const std::int64_t keys : {20, 3000}) {
     const Rows held = random_rows(3000, keys);
     const Rows passing = random_rows(1000, keys);
     HashJoin join(stream(passing), stream(held), 0, 0, context);
@@ -150,7 +150,7 @@ TEST_F(Spilling, groups_larger_than_the_memory_are_whole) {
 }
 
 TEST_F(Spilling, tuples_of_every_type_come_back_equal) {
-  std::vector<const algebra3d::Type*> types = {&algebra3d::TypeOf<std::int32_t>::type(),
+  std::vector<const algebra3d::Type*> types = {&algebra3d::TypeOf<std::int64_t>::type(),
                                                &algebra3d::TypeOf<double>::type(),
                                                &algebra3d::TypeOf<bool>::type(),
                                                &algebra3d::TypeOf<std::string>::type(),
@@ -225,18 +225,18 @@ class DeferredNumber final : public algebra3d::DeferredValue {
 
 TEST_F(Spilling, deferred_values_are_put_aside_by_reference_and_sorted_by_content) {
   const auto source = std::make_shared<NumberSource>();
-  std::int32_t next = 0;
+  std::int64_t next = 0;
   const TupleStreamPtr tuples = make_stream([&]() -> Result<TuplePtr> {
     if (next == 3000) return TuplePtr();
     const auto deferred = std::make_shared<DeferredNumber>((next++ * 7) % 3000, source);
-    return TuplePtr(std::make_shared<const Tuple>(Tuple{{Value(algebra3d::TypeOf<std::int32_t>::type(), deferred)}}));
+    return TuplePtr(std::make_shared<const Tuple>(Tuple{{Value(algebra3d::TypeOf<std::int64_t>::type(), deferred)}}));
   });
   const auto result = sorted(*tuples, {{0, false}}, context);
   ASSERT_TRUE(result.ok());
-  for (std::int32_t i = 0; i < 3000; ++i) {
+  for (std::int64_t i = 0; i < 3000; ++i) {
     const auto found = (*result)->next();
     ASSERT_TRUE(found.ok() && *found != nullptr);
-    EXPECT_EQ((*found)->attributes[0].get<std::int32_t>(), i);
+    EXPECT_EQ((*found)->attributes[0].get<std::int64_t>(), i);
   }
 }
 

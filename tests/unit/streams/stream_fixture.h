@@ -11,7 +11,7 @@
 
 namespace queries {
 
-using Row = std::vector<std::optional<std::int32_t>>;
+using Row = std::vector<std::optional<std::int64_t>>;
 using Rows = std::vector<Row>;
 
 /// Streams of tuples of ints from tables, and back.
@@ -22,7 +22,7 @@ class StreamTest : public testing::Test {
       if (position == rows.size()) return TuplePtr();
       Tuple tuple;
       for (const auto& cell : rows[position])
-        tuple.attributes.push_back(cell ? Value::of(*cell) : Value(algebra3d::TypeOf<std::int32_t>::type()));
+        tuple.attributes.push_back(cell ? Value::of(*cell) : Value(algebra3d::TypeOf<std::int64_t>::type()));
       ++position;
       return TuplePtr(std::make_shared<const Tuple>(std::move(tuple)));
     });
@@ -30,7 +30,7 @@ class StreamTest : public testing::Test {
   static Row row(const Tuple& tuple) {
     Row result;
     for (const Value& value : tuple.attributes)
-      result.push_back(value.is_defined() ? std::optional(value.get<std::int32_t>()) : std::nullopt);
+      result.push_back(value.is_defined() ? std::optional(value.get<std::int64_t>()) : std::nullopt);
     return result;
   }
   Rows rows(TupleStream& tuples) {

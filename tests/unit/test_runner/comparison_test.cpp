@@ -17,10 +17,20 @@ TEST(Comparison, equal_lists_do_not_differ) {
 }
 
 TEST(Comparison, atoms_of_different_kinds_differ) {
-  EXPECT_EQ(difference("(1 2)", "(1 2.0)"), "at /2: expected 2, found 2.0");
+  EXPECT_EQ(difference("(1 2)", "(1 \"2\")"), "at /2: expected 2, found \"2\"");
   EXPECT_EQ(difference("(a \"x\")", "(a 'x')"), "at /2: expected \"x\", found 'x'");
   EXPECT_EQ(difference("a", "b"), "expected a, found b");
   EXPECT_EQ(difference("(a)", "a"), "expected (a), found a");
+}
+
+TEST(Comparison, numbers_are_compared_by_value) {
+  EXPECT_EQ(difference("(real 1)", "(real 1.0)"), "");
+  EXPECT_EQ(difference("(int 1.0)", "(int 1)"), "");
+  EXPECT_EQ(difference("(2 (3 -4))", "(2.0 (3.0 -4.0))"), "");
+  EXPECT_EQ(difference("(real 1)", "(real 1.5)"), "at /2: expected 1, found 1.5");
+  EXPECT_EQ(difference("(real 1)", "(real 1.5)", {1, false}), "");
+  EXPECT_EQ(difference("(int 1)", "(int 2)", {5, false}), "at /2: expected 1, found 2");
+  EXPECT_EQ(difference("(int 1)", "(real 1.0)"), "at /1: expected int, found real");
 }
 
 TEST(Comparison, the_first_difference_has_its_path) {
@@ -38,7 +48,8 @@ TEST(Comparison, absolute_tolerance_excludes_its_bound) {
   const Tolerance half{0.5, false};
   EXPECT_EQ(difference("1.0", "1.25", half), "");
   EXPECT_NE(difference("1.0", "1.5", half), "");
-  EXPECT_NE(difference("1", "1.25", half), "");
+  EXPECT_EQ(difference("1", "1.25", half), "");
+  EXPECT_NE(difference("1", "1.5", half), "");
 }
 
 TEST(Comparison, relative_tolerance_is_of_the_expected_magnitude) {

@@ -22,10 +22,14 @@ std::string verdict_of(const std::string& example, const std::string& result, co
   return fmt::format("{}/{}", run.outcome.passed, run.outcome.failed);
 }
 
-TEST(Examples, an_atom_is_compared_with_its_type) {
+TEST(Examples, an_atom_is_compared_with_its_type_and_a_number_by_its_value) {
   EXPECT_EQ(verdict_of("query 1 + 2", "3"), "1/0");
   EXPECT_EQ(verdict_of("query 1 + 2.0", "3.0"), "1/0");
-  EXPECT_EQ(verdict_of("query 1 + 2.0", "3"), "0/1");
+  EXPECT_EQ(verdict_of("query 1 + 2.0", "3"), "1/0");
+  EXPECT_EQ(verdict_of("query 1 + 2", "3.0"), "1/0");
+  EXPECT_EQ(verdict_of("query 1 + 2", "4.0"), "0/1");
+  EXPECT_EQ(verdict_of("query 1 = 1", "1"), "0/1");
+  EXPECT_EQ(verdict_of("query \"3\"", "3"), "0/1");
   EXPECT_EQ(verdict_of("query \"a\" + \"b\";", "\"ab\""), "1/0");
   EXPECT_EQ(verdict_of("query 'a' + 'b'", "'ab'"), "1/0");
   EXPECT_EQ(verdict_of("query 1 = 1", "TRUE"), "1/0");

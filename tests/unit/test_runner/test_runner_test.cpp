@@ -19,7 +19,8 @@ TEST(TestRunner, a_value_is_compared_with_its_type) {
   EXPECT_EQ(verdict("#testcase a\n#yields (int 3)\nquery 1 + 2;"), "1/0");
   EXPECT_EQ(verdict("#testcase a\n#yields (int 4)\nquery 1 + 2;"), "0/1");
   EXPECT_EQ(verdict("#testcase a\n#yields (real 3.0)\nquery 1 + 2;"), "0/1");
-  EXPECT_EQ(verdict("#testcase a\n#yields (int 3.0)\nquery 1 + 2;"), "0/1");
+  EXPECT_EQ(verdict("#testcase a\n#yields (int 3.0)\nquery 1 + 2;"), "1/0");
+  EXPECT_EQ(verdict("#testcase a\n#yields (int 3.5)\nquery 1 + 2;"), "0/1");
 }
 
 TEST(TestRunner, a_value_is_used_up_by_a_command) {

@@ -77,7 +77,9 @@ void expect_same_mesh(const TriangleMesh& a, const TriangleMesh& b) {
 
 const std::vector<std::pair<const Type*, std::string_view>>& samples() {
   static const std::vector<std::pair<const Type*, std::string_view>> list{
-      {&TypeOf<std::int32_t>::type(), "-2147483648"},
+      {&TypeOf<std::int64_t>::type(), "-2147483648"},
+      {&TypeOf<std::int64_t>::type(), "2147483648"},
+      {&TypeOf<std::int64_t>::type(), "-9223372036854775808"},
       {&TypeOf<double>::type(), "0.1"},
       {&TypeOf<bool>::type(), "TRUE"},
       {&TypeOf<std::string>::type(), "\"gr\xC3\xBC\xC3\x9F\""},

@@ -49,15 +49,16 @@ TEST(nested_list, atoms_have_the_kind_that_their_spelling_says) {
   EXPECT_EQ(parsed("-7/5"), List::symbol("-7/5"));
 }
 
-TEST(nested_list, integers_beyond_32_bits_are_reals) {
-  EXPECT_EQ(parsed("2147483647"), List(std::numeric_limits<std::int32_t>::max()));
-  EXPECT_EQ(parsed("-2147483648"), List(std::numeric_limits<std::int32_t>::min()));
-  EXPECT_EQ(parsed("2147483648"), List(2147483648.0));
+TEST(nested_list, integers_beyond_64_bits_are_reals) {
+  EXPECT_EQ(parsed("9223372036854775807"), List(std::numeric_limits<std::int64_t>::max()));
+  EXPECT_EQ(parsed("-9223372036854775808"), List(std::numeric_limits<std::int64_t>::min()));
+  EXPECT_EQ(parsed("9223372036854775808"), List(0x1p63));
   EXPECT_EQ(parsed("-100000000000000000000"), List(-1e20));
 }
 
 TEST(nested_list, integers_that_are_no_doubles_stay_exact) {
-  EXPECT_EQ(parsed("9007199254740993"), List::symbol("9007199254740993/1"));
+  EXPECT_EQ(parsed("9007199254740993"), List(std::int64_t{9007199254740993}));
+  EXPECT_EQ(parsed("9223372036854775809"), List::symbol("9223372036854775809/1"));
   EXPECT_EQ(parsed("-99999999999999999999"), List::symbol("-99999999999999999999/1"));
 }
 
@@ -130,12 +131,14 @@ TEST(nested_list, print_short_cuts_and_says_so) {
 }
 
 TEST(nested_list, of_expressions_keeps_integers_beyond_ints) {
-  const auto list = parse_expression_list("(2147483647 -2147483648 2147483648 -9007199254740993 3e9 +3000000000)");
+  const auto list =
+      parse_expression_list("(9223372036854775807 9223372036854775808 -9223372036854775809 3e9 +3000000000)");
   ASSERT_TRUE(list);
-  EXPECT_EQ(list->print(), "(2147483647 -2147483648 2147483648/1 -9007199254740993/1 3e+09 3e+09)");
+  EXPECT_EQ(list->print(), "(9223372036854775807 9223372036854775808/1 -9223372036854775809/1 3e+09 3e+09)");
   auto constant = *list;
   read_large_integers_as_reals(constant);
-  EXPECT_EQ(constant, *NestedList::parse("(2147483647 -2147483648 2147483648 -9007199254740993 3e9 +3000000000)"));
+  EXPECT_EQ(constant,
+            *NestedList::parse("(9223372036854775807 9223372036854775808 -9223372036854775809 3e9 +3000000000)"));
 }
 
 TEST(nested_list, errors_say_where_what_was_found_and_what_was_expected) {
@@ -237,7 +240,7 @@ class RandomLists {
     }
     switch (kind) {
       case 0:
-        return List(static_cast<std::int32_t>(random_()));
+        return List(static_cast<std::int64_t>(random_()));
       case 1:
         return List(finite_double());
       case 2:

@@ -20,7 +20,7 @@ namespace {
 
 const Type& type_named(std::string_view name) {
   const std::vector<const Type*> types{
-      &TypeOf<std::int32_t>::type(), &TypeOf<double>::type(),  &TypeOf<bool>::type(),     &TypeOf<std::string>::type(),
+      &TypeOf<std::int64_t>::type(), &TypeOf<double>::type(),  &TypeOf<bool>::type(),     &TypeOf<std::string>::type(),
       &TypeOf<Text>::type(),         &TypeOf<Point3d>::type(), &TypeOf<Points3d>::type(), &TypeOf<Vector3d>::type(),
       &TypeOf<Plane3d>::type(),      &TypeOf<Box3>::type()};
   for (const auto* type : types)
@@ -56,7 +56,15 @@ struct Ascending {
 
 const std::vector<Ascending>& ascending_values() {
   static const std::vector<Ascending> values{
-      {"int", {{"-2147483648"}, {"-1"}, {"0", "-0"}, {"1", "001"}, {"2147483647"}}},
+      {"int",
+       {{"-9223372036854775808"},
+        {"-9223372036854775807"},
+        {"-2147483649"},
+        {"-1"},
+        {"0", "-0"},
+        {"1", "001"},
+        {"2147483648"},
+        {"9223372036854775807"}}},
       {"real",
        {{"-1.7976931348623157e308"},
         {"-1", "-1.0", "-10e-1"},
@@ -185,9 +193,10 @@ TEST(small_types, print_as_the_language_says) {
 
 TEST(small_types, malformed_lists_are_errors_that_say_what_was_expected) {
   const std::vector<std::array<std::string_view, 3>> rows{
-      {"int", "1.0", "int: expected an integer between -2147483648 and 2147483647, got 1.0"},
-      {"int", "2147483648", "int: expected an integer between -2147483648 and 2147483647, got 2147483648.0"},
-      {"int", "(1)", "int: expected an integer between -2147483648 and 2147483647, got (1)"},
+      {"int", "1.0", "int: expected an integer between -9223372036854775808 and 9223372036854775807, got 1.0"},
+      {"int", "9223372036854775808",
+       "int: expected an integer between -9223372036854775808 and 9223372036854775807, got 9223372036854775808.0"},
+      {"int", "(1)", "int: expected an integer between -9223372036854775808 and 9223372036854775807, got (1)"},
       {"real", "1/3", "real: expected an int or a real, got 1/3"},
       {"real", "\"1\"", "real: expected an int or a real, got \"1\""},
       {"bool", "true", "bool: expected TRUE or FALSE, got true"},
@@ -349,7 +358,8 @@ TEST(small_types, any_change_of_the_bytes_gives_a_value_or_an_error) {
       const auto bytes = bytes_of(value_of(type, group[0]));
       for (std::size_t length = 0; length < bytes.size(); ++length) {
         const auto cut = type_named(type).decode(std::string_view(bytes).substr(0, length), false);
-        EXPECT_TRUE(!cut.ok() || type == "string" || type == "text") << type << " " << group[0] << " " << length;
+        EXPECT_TRUE(!cut.ok() || type == "string" || type == "text" || type == "int")
+            << type << " " << group[0] << " " << length;
       }
       EXPECT_TRUE(!type_named(type).decode(bytes + '\0', false).ok() || type == "string" || type == "text");
       for (std::size_t bit = 0; bit < bytes.size() * 8; ++bit) {

@@ -26,7 +26,8 @@ void expect_prefixes_in_order(const std::vector<T>& contents) {
 }
 
 TEST(OrderPrefix, agrees_with_the_order_of_values) {
-  expect_prefixes_in_order<std::int32_t>({-2147483647 - 1, -5, -1, 0, 1, 2, 2147483647});
+  expect_prefixes_in_order<std::int64_t>(
+      {INT64_MIN, INT64_MIN + 1, -5'000'000'000, -5, -1, 0, 1, 2, 5'000'000'000, INT64_MAX - 1, INT64_MAX});
   expect_prefixes_in_order<double>({-1e300, -1.5, -1e-300, -0.0, 0.0, 1e-300, 2.0, 2.5, 1e300});
   expect_prefixes_in_order<bool>({false, true});
   expect_prefixes_in_order<std::string>(

@@ -1,4 +1,4 @@
-#include "queries/session/list_pieces.h"
+#include "queries/language/list_pieces.h"
 
 #include <algorithm>
 
@@ -18,12 +18,12 @@ using algebra3d::Status;
 constexpr std::string_view kBlanks = " \t\n\r\v\f";
 constexpr std::string_view kCommentBegin = "_!";
 constexpr std::string_view kCommentEnd = "!_";
-constexpr std::string_view kTextBegin = "<text>";
-constexpr std::string_view kTextEnd = "</text--->";
+constexpr std::string_view kTagBegin = "<text>";
+constexpr std::string_view kTagEnd = "</text--->";
 
 // What closes a text in tags, a file atom or a comment that begins here; empty if none does.
 std::string_view closing_of(std::string_view rest) {
-  if (rest.starts_with(kTextBegin)) return kTextEnd;
+  if (rest.starts_with(kTagBegin)) return kTagEnd;
   if (rest.starts_with(algebra3d::kFileAtomBegin)) return algebra3d::kFileAtomEnd;
   return rest.starts_with(kCommentBegin) ? kCommentEnd : "";
 }

@@ -1,0 +1,116 @@
+// What `algebra3d part.stl` shows.
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "algebra3d/base/box3.h"
+#include "algebra3d/exact/exact_sum.h"
+#include "algebra3d/halfedge/mesh_triangles.h"
+#include "algebra3d/operators/import_solid.h"
+#include "algebra3d/repair/kept_shells.h"
+#include "queries/shell/mesh_commands.h"
+#include "queries/shell/mesh_input.h"
+#include "queries/shell/screen.h"
+
+namespace queries {
+namespace {
+
+using algebra3d::Box3;
+using algebra3d::ImportedSolid;
+using algebra3d::MeshFile;
+using algebra3d::Result;
+using algebra3d::Status;
+using algebra3d::TriangleSoup;
+using algebra3d::Vec3;
+
+/// What is known of a file before anything is made of it.
+struct FileFacts {
+  std::string form;  // "STL, binary, 684 bytes"
+  std::size_t triangle_count = 0;
+  Box3 box;
+  double area = 0;
+};
+
+FileFacts facts_of(const MeshFile& mesh, std::size_t byte_count) {
+  FileFacts facts;
+  facts.form = form_text({mesh.format, mesh.is_binary ? stl::Format::binary : stl::Format::ascii});
+  facts.form += fmt::format(", {} bytes", byte_count);
+  facts.triangle_count = mesh.soup.triangles.size();
+  for (const TriangleSoup::Triangle& triangle : mesh.soup.triangles) {
+    for (const Vec3& corner : triangle) facts.box.extend(corner);
+    facts.area += length(cross(triangle[1] - triangle[0], triangle[2] - triangle[0])) / 2;
+  }
+  return facts;
+}
+
+std::string row(std::string_view label, const std::string& value) {
+  return fmt::format("  {:<10} {}\n", label, printable(value));
+}
+
+std::string size_text(const Box3& box) {
+  if (box.is_empty()) return "empty";
+  const Vec3 size = box.max - box.min;
+  return fmt::format("({:.10g} {:.10g} {:.10g}) to ({:.10g} {:.10g} {:.10g}); {:.6g} x {:.6g} x {:.6g}", box.min.x,
+                     box.min.y, box.min.z, box.max.x, box.max.y, box.max.z, size.x, size.y, size.z);
+}
+
+std::string repair_text(const ImportedSolid& imported) {
+  if (!imported.solid) {
+    const std::size_t reason = imported.status.find("not repaired: ");
+    return imported.status.substr(reason == std::string::npos ? 0 : reason);
+  }
+  const bool is_empty = !imported.repair || imported.repair->is_empty();
+  return "would give a solid: " + (is_empty ? imported.status : imported.repair->text());
+}
+
+/// Volume and area of the solid, or the area of the facets.
+Result<std::string> measures(const ImportedSolid& imported, const FileFacts& facts, const MeshConsole& console) {
+  if (!imported.solid) return row("area", fmt::format("{:.10g}, of the facets", facts.area));
+  const algebra3d::TriangleMesh& mesh = imported.solid->mesh();
+  ASSIGN_OR_RETURN(const double volume, algebra3d::nearest_volume(mesh, console.cancel));
+  ASSIGN_OR_RETURN(const double area,
+                   algebra3d::nearest_area(mesh.points(), algebra3d::triangles_of(mesh), console.cancel));
+  const std::string when = imported.repair ? " after the repair" : "";
+  return row("volume", fmt::format("{:.10g}{}", volume, when)) + row("area", fmt::format("{:.10g}{}", area, when));
+}
+
+Status show_mesh_file(const std::string& name, const MeshConsole& console) {
+  ASSIGN_OR_RETURN(const MeshInput input, MeshInput::open(name, console.cancel));
+  ASSIGN_OR_RETURN(MeshFile mesh, algebra3d::read_mesh(input.bytes(), input.name(), std::nullopt, console.cancel));
+  const FileFacts facts = facts_of(mesh, input.bytes().size());
+  const std::vector<std::string> remarks = mesh.remarks;
+  console.out << printable(input.name()) << "\n"
+              << row("format", facts.form) << row("triangles", std::to_string(facts.triangle_count))
+              << row("box", size_text(facts.box)) << std::flush;
+  ASSIGN_OR_RETURN(const ImportedSolid imported, algebra3d::import_solid(std::move(mesh), {}, console.cancel));
+  const bool is_valid = imported.solid && !imported.repair;
+  const std::string remark = imported.status == "ok" ? "" : " (" + imported.status + ")";
+  console.out << row("validity", is_valid ? "a valid solid" + remark : imported.found.defects());
+  if (!is_valid) console.out << row("repair", repair_text(imported));
+  ASSIGN_OR_RETURN(const std::string measured, measures(imported, facts, console));
+  console.out << measured;
+  for (const std::string& note : remarks) console.out << row("note", note);
+  if (!is_valid && imported.solid && name != "-")
+    console.out << row("", fmt::format("`algebra3d repair {} -o OUT.stl` writes that solid", name));
+  return {};
+}
+
+}  // namespace
+
+int show_mesh_files(std::span<const std::string> files, const MeshConsole& console) {
+  constexpr int kInterruptedHere = 130;
+  int worst = 0;
+  for (const std::string& file : files) {
+    const Status status = show_mesh_file(file, console);
+    console.out.flush();
+    if (status) continue;
+    console.errors << "error: " << printable(status.error().message) << "\n";
+    if (status.error().code == algebra3d::ErrorCode::interrupted) return kInterruptedHere;
+    worst = 1;
+  }
+  return worst;
+}
+
+}  // namespace queries

@@ -1,0 +1,192 @@
+// importJSON: the records of a JSON file as tuples.
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "algebra3d/registry/conversion.h"
+#include "queries/streams/all.h"
+#include "queries/streams/import_columns.h"
+#include "queries/streams/json_layout.h"
+#include "queries/streams/json_values.h"
+
+namespace queries {
+namespace {
+
+using algebra3d::JsonKind;
+using algebra3d::JsonTree;
+using algebra3d::Type;
+
+Error in_json_file(const std::string& name, const Error& error) {
+  if (error.code == ErrorCode::interrupted) return error;
+  const bool is_named = error.code == ErrorCode::file_missing || error.code == ErrorCode::io_error;
+  return {error.code, "importJSON: {}{}", is_named ? "" : name + " ", error.message};
+}
+
+// A member is found by its name, or by the attribute name that is made from it.
+std::unordered_map<std::string, std::size_t> positions_of(const JsonLayout& layout) {
+  std::unordered_map<std::string, std::size_t> positions;
+  for (std::size_t i = 0; i < layout.columns.size(); ++i) positions.emplace(layout.columns[i], i);
+  return positions;
+}
+
+/// The tuples of a JSON file, read as they are asked for.
+class JsonTuples final : public TupleStream {
+ public:
+  JsonTuples(std::string name, JsonRecords records, const JsonLayout& layout, bool errors_are_undefined,
+             Context& context)
+      : name_(std::move(name)),
+        records_(std::move(records)),
+        columns_(layout.columns),
+        types_(attribute_types(layout.tuple)),
+        positions_(positions_of(layout)),
+        errors_are_undefined_(errors_are_undefined),
+        context_(context) {}
+
+  Result<TuplePtr> next() override {
+    RETURN_IF_ERROR(context_.check_cancelled());
+    const auto has_record = records_.next(record_);
+    if (!has_record) return in_json_file(name_, has_record.error());
+    if (!*has_record) return TuplePtr();
+    const auto tree = tree_of_record(record_, context_);
+    if (!tree) return in_json_file(name_, tree.error());
+    Tuple made;
+    for (const Type* type : types_) made.attributes.emplace_back(*type);
+    RETURN_IF_ERROR(fill(*tree, made));
+    return std::make_shared<const Tuple>(std::move(made));
+  }
+
+ private:
+  Status fill(const JsonTree& tree, Tuple& made) {
+    if (tree.kind(0) != JsonKind::object) return set(std::string(kJsonValueColumn), tree.text(0), made);
+    for (std::size_t key = JsonTree::first(0); key != tree.end(0);) {
+      const std::size_t value = tree.after(key);
+      RETURN_IF_ERROR(set(tree.content(key), tree.text(value), made));
+      key = tree.after(value);
+    }
+    return {};
+  }
+
+  Status set(const std::string& member, std::string_view json, Tuple& made) {
+    const auto position = position_of(member);
+    if (!position) return {};
+    const Type& type = *types_[*position];
+    auto value = value_of_json(type, json, context_);
+    if (value) {
+      made.attributes[*position] = std::move(value).value();
+      return {};
+    }
+    const std::string place = fmt::format("line {}, member {}", record_.line, columns_[*position]);
+    if (!errors_are_undefined_ || value.error().code == ErrorCode::interrupted)
+      return in_json_file(name_, {value.error().code, place + ": " + value.error().message});
+    made.attributes[*position] = Value(type);
+    context_.diagnostics.report_undefined("importJSON: " + value.error().message, name_ + " " + place);
+    return {};
+  }
+
+  // Members that no attribute stands for are remembered, too.
+  std::optional<std::size_t> position_of(const std::string& member) {
+    constexpr auto kNone = static_cast<std::size_t>(-1);
+    auto found = positions_.find(member);
+    if (found == positions_.end()) {
+      const auto named = positions_.find(attribute_names_of({member}).front());
+      const std::size_t position = named == positions_.end() ? kNone : named->second;
+      if (positions_.size() >= kMostMembers) return position == kNone ? std::nullopt : std::optional(position);
+      found = positions_.emplace(member, position).first;
+    }
+    return found->second == kNone ? std::nullopt : std::optional(found->second);
+  }
+
+  static constexpr std::size_t kMostMembers = 100'000;
+
+  std::string name_;
+  JsonRecords records_;
+  std::vector<std::string> columns_;
+  std::vector<const Type*> types_;
+  std::unordered_map<std::string, std::size_t> positions_;
+  bool errors_are_undefined_;
+  Context& context_;
+  JsonRecord record_;
+};
+
+TupleStreamPtr no_json_tuples() {
+  return make_stream([]() -> Result<TuplePtr> { return TuplePtr(); });
+}
+
+JsonLayout stated_json_layout(const TypeExpr& tuple) {
+  JsonLayout layout{tuple, {}};
+  for (const auto& attribute : tuple.attributes()) layout.columns.push_back(attribute.name);
+  return layout;
+}
+
+Result<JsonLayout> guessed_json_layout(const MappingCheck& check, const JsonOptions& options, Context& context) {
+  ASSIGN_OR_RETURN(const std::string name, constant_file_name(check, "importJSON"));
+  auto layout = guess_json_layout(context.resolve(name), options, context);
+  if (!layout) return in_json_file(name, layout.error());
+  std::vector<std::string> attributes;
+  for (const auto& attribute : layout->tuple.attributes()) attributes.push_back(attribute.name);
+  const std::string note = renaming_note("importJSON", layout->columns, attributes);
+  if (!note.empty()) context.diagnostics.report(note);
+  return layout;
+}
+
+Result<Plan> map_import_json(std::span<const ArgumentType> arguments, Context& context) {
+  const MappingCheck check("importJSON", arguments);
+  ASSIGN_OR_RETURN(const ImportArguments given, import_arguments(check));
+  const auto options = parse_json_options(given.options);
+  if (!options) return check.error(options.error().message);
+  auto layout = given.tuple ? Result<JsonLayout>(stated_json_layout(*given.tuple))
+                            : guessed_json_layout(check, *options, context);
+  if (!layout) return std::move(layout).error();
+  return Plan{
+      TypeExpr::stream(layout->tuple),
+      [options = *options, layout = *layout](const std::vector<Datum>& values, Context& running) -> Result<Datum> {
+        const Value& file = values[0].value();
+        if (!file.is_defined()) return Datum{no_json_tuples()};
+        const std::string& name = algebra3d::characters_of(file);
+        auto opened = TextFile::open(running.resolve(name));
+        if (!opened) return in_json_file(name, opened.error());
+        return Datum{
+            TupleStreamPtr(std::make_shared<JsonTuples>(name, JsonRecords(std::move(opened).value(), options.path),
+                                                        layout, options.errors_are_undefined, running))};
+      }};
+}
+
+}  // namespace
+
+void register_json_import(algebra3d::Registry& registry) {
+  registry.add({
+      .name = "importJSON",
+      .syntax = "importJSON(_ ...)",
+      .doc = "The records of a JSON file as tuples, in their order; types are guessed, or those of a relation.",
+      .detail =
+          "Records are the elements of the array that is the file, or values that follow each other (JSON lines); with "
+          "the option 'records=data.items' those of the array that is the member items of the member data. "
+          "`importJSON(FILE)` reads the file when the command is checked: its attributes are the members of all "
+          "records, "
+          "of type int, real, bool or string; objects and arrays are texts, for jsonText and jsonNumber. "
+          "`importJSON(FILE, R)` takes the attributes and types of the relation R, whose tuples do not count; other "
+          "members are left out. Arrays are value lists there, as in [1, 2, 3] for a point3d, or texts such as \"(1 2 "
+          "3)\". A member that is missing or null is undefined; a record that is no object is the attribute Value. "
+          "With "
+          "the option 'errors=undefined' a value of another type is undefined, with a diagnostic that names the line; "
+          "else it is an error. Relative names start at the folder of the session.",
+      .exactness = algebra3d::Exactness::exact,
+      .frame_use = algebra3d::FrameUse::coordinates,
+      .sources = {"rfc8259"},
+      .stream = reading_stream_operator(map_import_json),
+      .signatures = {"(text) -> stream(tuple)", "(text rel) -> stream(tuple)", "(text text) -> stream(tuple)",
+                     "(text rel text) -> stream(tuple)"},
+      .handles_undefined = true,
+      .examples = {{"importJSON([const text value undefined], [const rel(tuple([Name: string])) value ()]) count",
+                    "0"}},
+      .errors = {{"query importJSON(5) count", "importJSON: expected text, got int"},
+                 {"query importJSON('no such file.json') count", "no such file.json: No such file or directory"},
+                 {"query importJSON('a.json', 'header=no') count",
+                  "importJSON: unknown option 'header'; there are records and errors"}},
+  });
+}
+
+}  // namespace queries

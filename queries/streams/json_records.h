@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "queries/streams/text_file.h"
+
+namespace queries {
+
+/// One record of a JSON file: the text of a value, which has not been checked yet.
+struct JsonRecord {
+  std::string text;
+  std::size_t line = 0;  ///< where it begins, from 1
+};
+
+/// Cuts a JSON file into its records, which are read one after the other: the elements of the array that is the whole
+/// file, or values that follow each other (JSON lines). With a path, those of the array below these members of the
+/// object that is the whole file; what stands behind the array is not looked at. Source: [rfc8259].
+class JsonRecords {
+ public:
+  /// `path`: names of members, from the outermost on; mostly empty.
+  JsonRecords(TextFile file, std::vector<std::string> path) : file_(std::move(file)), path_(std::move(path)) {}
+
+  /// The next record, or nothing at the end. Errors: file_format "line 7: ..." with what was found and expected;
+  /// limit_exceeded for a record of more than 64 MB; io_error.
+  algebra3d::Result<bool> next(JsonRecord& record);
+
+ private:
+  algebra3d::Status begin();
+  algebra3d::Status enter_member(const std::string& name);
+  algebra3d::Result<bool> take_separator();
+  algebra3d::Result<bool> end();
+  algebra3d::Status take_value(std::string& text);
+  algebra3d::Status take_string(std::string& text);
+  void skip_blanks();
+  int peek_value();
+  algebra3d::Error expected(std::string_view what);
+
+  TextFile file_;
+  std::vector<std::string> path_;
+  bool has_begun_ = false;
+  bool is_array_ = false;
+  bool is_first_ = true;
+  bool is_at_end_ = false;
+};
+
+}  // namespace queries

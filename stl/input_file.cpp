@@ -1,0 +1,139 @@
+#include "stl/input_file.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <memory>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "algebra3d/base/open_databases.h"
+#include "stl/text.h"
+
+namespace stl {
+
+using algebra3d::Error;
+using algebra3d::ErrorCode;
+using algebra3d::Result;
+using algebra3d::Status;
+
+namespace {
+
+/// Large enough that system calls do not count, small enough that an interruption is soon noticed.
+constexpr std::size_t kBlockBytes = std::size_t{4} << 20;
+
+Error reading_error(const std::filesystem::path& path, int reason) {
+  const bool missing = reason == ENOENT || reason == ENOTDIR;
+  return {missing ? ErrorCode::file_missing : ErrorCode::io_error, "{}: {}", path.string(),
+          std::generic_category().message(reason)};
+}
+
+bool is_set(const std::atomic<bool>* cancel) {
+  return cancel != nullptr && cancel->load(std::memory_order_relaxed);
+}
+
+}  // namespace
+
+Descriptor::Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+
+Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
+  std::swap(number_, other.number_);
+  return *this;
+}
+
+Descriptor::~Descriptor() {
+  if (number_ >= 0) ::close(number_);
+}
+
+Result<InputFile> InputFile::open(const std::filesystem::path& path) {
+  if (const auto database = algebra3d::open_database_with(path))
+    return Error{ErrorCode::io_error, "{}: this file holds the open database '{}'", path.string(), database->string()};
+  // O_NONBLOCK: opening a pipe that nobody writes to must not wait for a writer.
+  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));  // NOLINT(*-vararg)
+  if (file.number() < 0) return reading_error(path, errno);
+  struct stat facts {};
+  if (::fstat(file.number(), &facts) != 0) return reading_error(path, errno);
+  if (S_ISDIR(facts.st_mode)) return reading_error(path, EISDIR);
+  if (!S_ISREG(facts.st_mode))
+    return Error{ErrorCode::io_error, "{}: Not a regular file (but a pipe or device)", path.string()};
+  ::posix_fadvise(file.number(), 0, 0, POSIX_FADV_SEQUENTIAL);  // a hint: reads ahead in larger steps
+  return InputFile(std::move(file), path, static_cast<std::size_t>(facts.st_size), facts.st_mtim);
+}
+
+/// As many bytes as there are, at most `count`.
+Result<std::size_t> InputFile::read_at(std::size_t offset, char* room, std::size_t count) const {
+  std::size_t done = 0;
+  while (done < count) {
+    const auto read = ::pread(file_.number(), room + done, count - done, static_cast<off_t>(offset + done));
+    if (read < 0 && errno == EINTR) continue;
+    if (read < 0) return reading_error(path_, errno);
+    if (read == 0) break;
+    done += static_cast<std::size_t>(read);
+  }
+  return done;
+}
+
+Result<std::string> InputFile::head(std::size_t count) const {
+  std::string bytes(std::min(count, size_), '\0');
+  ASSIGN_OR_RETURN(const std::size_t found, read_at(0, bytes.data(), bytes.size()));
+  bytes.resize(found);
+  return bytes;
+}
+
+Status InputFile::check_unchanged() const {
+  struct stat facts {};
+  if (::fstat(file_.number(), &facts) != 0) return reading_error(path_, errno);
+  const auto size = static_cast<std::size_t>(facts.st_size);
+  if (size != size_)
+    return Error{ErrorCode::io_error, "{}: the file was changed while it was read: it had {} bytes, and has {} now",
+                 path_.string(), size_, size};
+  if (facts.st_mtim.tv_sec != changed_.tv_sec || facts.st_mtim.tv_nsec != changed_.tv_nsec)
+    return Error{ErrorCode::io_error, "{}: the file was changed while it was read: others wrote to it", path_.string()};
+  return {};
+}
+
+Status InputFile::ends_early(std::size_t offset) const {
+  RETURN_IF_ERROR(check_unchanged());
+  return Error{ErrorCode::io_error, "{}: reading ends at byte {}; expected {} bytes", path_.string(), offset, size_};
+}
+
+Status InputFile::for_each_block(const std::atomic<bool>* cancel, const TakeBlock& take) const {
+  const std::size_t block_bytes = std::min(kBlockBytes, size_);
+  const auto block = std::make_unique_for_overwrite<char[]>(block_bytes);  // NOLINT(*-avoid-c-arrays)
+  for (std::size_t offset = 0; offset < size_;) {
+    if (is_set(cancel)) return interrupted(path_.string());
+    ASSIGN_OR_RETURN(const std::size_t found, read_at(offset, block.get(), std::min(block_bytes, size_ - offset)));
+    if (found == 0) return ends_early(offset);
+    RETURN_IF_ERROR(take({block.get(), found}));
+    offset += found;
+  }
+  return check_unchanged();
+}
+
+Status InputFile::read_into(char* room, const std::atomic<bool>* cancel) const {
+  for (std::size_t offset = 0; offset < size_;) {
+    if (is_set(cancel)) return interrupted(path_.string());
+    ASSIGN_OR_RETURN(const std::size_t found, read_at(offset, room + offset, std::min(kBlockBytes, size_ - offset)));
+    if (found == 0) return ends_early(offset);
+    offset += found;
+  }
+  return check_unchanged();
+}
+
+std::uint64_t InputFile::hole_bytes(std::uint64_t enough) const {
+  std::uint64_t sum = 0;
+  const auto end = static_cast<off_t>(size_);
+  for (off_t position = 0; position < end && sum < enough;) {
+    const off_t hole = ::lseek(file_.number(), position, SEEK_HOLE);
+    if (hole < 0 || hole >= end) break;
+    const off_t data = ::lseek(file_.number(), hole, SEEK_DATA);  // fails with ENXIO where the rest is a hole
+    position = data < 0 ? end : std::min(data, end);
+    sum += static_cast<std::uint64_t>(position - hole);
+  }
+  return sum;
+}
+
+}  // namespace stl

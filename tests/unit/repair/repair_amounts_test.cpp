@@ -1,0 +1,80 @@
+// Amounts of repairs, compared with what is known of boxes and sheets by formulas.
+#include "algebra3d/repair/repair_amounts.h"
+
+#include <cmath>
+
+#include "unit/repair/repaired.h"
+
+namespace algebra3d::soups {
+namespace {
+
+RepairAmounts amounts_of(const TriangleSoup& soup) {
+  const SolidFromSoup made = repaired(soup, with(&RepairOptions::most_dropped, 1));
+  if (!made.repair || !made.repair->amounts) return {};
+  return *made.repair->amounts;
+}
+
+TEST(RepairAmounts, of_a_sheet_that_stands_on_a_box) {
+  // [0,1]^3, and {0.5}x[0,1]x[1,11] in any number of copies that look either way.
+  TriangleSoup sheet;
+  sheet.triangles = {{Vec3{0.5, 0, 1}, Vec3{0.5, 1, 1}, Vec3{0.5, 1, 11}},
+                     {Vec3{0.5, 0, 1}, Vec3{0.5, 1, 11}, Vec3{0.5, 0, 11}}};
+  TriangleSoup otherwise;
+  otherwise.triangles = {{Vec3{0.5, 0, 1}, Vec3{0.5, 0, 11}, Vec3{0.5, 1, 1}},
+                         {Vec3{0.5, 1, 1}, Vec3{0.5, 0, 11}, Vec3{0.5, 1, 11}}};
+  const TriangleSoup box = cube_soup(0, 1);
+  for (const TriangleSoup& sheets : {sheet, joined(sheet, turned(sheet)), joined(sheet, otherwise)}) {
+    const RepairAmounts amounts = amounts_of(joined(box, sheets));
+    EXPECT_NEAR(amounts.area_seen, 16, 1e-9);
+    EXPECT_NEAR(amounts.dropped.area, 10, 1e-9);
+    EXPECT_EQ(amounts.dropped.facet_count, sheets.triangles.size());
+    EXPECT_GE(amounts.dropped.distance, 10 * (1 - 1e-12));
+    EXPECT_LE(amounts.dropped.distance, 10 * 1.011);
+    EXPECT_EQ(amounts.inside.area, 0);
+    EXPECT_EQ(amounts.added.area, 0);
+  }
+}
+
+// Of units whose squares are doubles.
+TEST(RepairAmounts, do_not_depend_on_the_unit) {
+  for (const double unit : {1e-150, 1e-30, 1.0, 1e30, 1e150}) {
+    SCOPED_TRACE(unit);
+    const TriangleSoup soup =
+        joined(box_soup({0, 0, 0}, {unit, unit, unit}), wall_at(unit / 2, -unit, -unit, 2 * unit, 2 * unit));
+    const RepairAmounts amounts = amounts_of(soup);
+    EXPECT_NEAR(amounts.dropped_part(), 8.0 / 15, 1e-9);
+    EXPECT_NEAR(amounts.dropped.distance / unit, std::sqrt(2), 0.016);
+  }
+}
+
+TEST(RepairAmounts, of_boxes_that_overlap_count_what_is_inside) {
+  // [0,2]^3 and [1,3]^3: three unit squares of each are within the other.
+  const RepairAmounts amounts = amounts_of(joined(cube_soup(0, 2), cube_soup(1, 3)));
+  EXPECT_NEAR(amounts.area_seen, 48, 1e-9);
+  EXPECT_NEAR(amounts.inside.area, 6, 1e-9);
+  EXPECT_EQ(amounts.dropped.facet_count, 0U);
+  EXPECT_EQ(amounts.added.facet_count, 0U);
+}
+
+TEST(RepairAmounts, of_a_lid_that_was_added) {
+  TriangleSoup open = cube_soup(0, 2);
+  std::erase_if(open.triangles, [](const SoupTriangle& t) { return t[0].z == 2 && t[1].z == 2 && t[2].z == 2; });
+  const RepairAmounts amounts = amounts_of(open);
+  EXPECT_NEAR(amounts.area_seen, 20, 1e-9);
+  EXPECT_NEAR(amounts.added.area, 4, 1e-9);
+  // The middle of the lid is 1 from its rim.
+  EXPECT_GE(amounts.added.distance, 1);
+  EXPECT_LE(amounts.added.distance, 1.011);
+}
+
+TEST(RepairAmounts, where_more_is_gone_than_may_be_there_is_no_solid) {
+  const TriangleSoup soup = joined(cube_soup(0, 1), wall_at(0.5, -1, -1, 2, 2));  // 8 of 15
+  EXPECT_TRUE(solid_from_soup(soup, with(&RepairOptions::most_dropped, 0.534))->mesh);
+  const auto none = solid_from_soup(soup, with(&RepairOptions::most_dropped, 0.533));
+  ASSERT_TRUE(none.ok());
+  EXPECT_FALSE(none->mesh);
+  EXPECT_EQ(none->reason.find("the solid would leave out 53.3 % of the area seen, up to "), 0U) << none->reason;
+}
+
+}  // namespace
+}  // namespace algebra3d::soups

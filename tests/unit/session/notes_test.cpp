@@ -1,0 +1,52 @@
+// Notes of statements, and integers in inquiries.
+#include "unit/session/example_session.h"
+
+namespace queries {
+namespace {
+
+class Notes : public testing::Test {
+ protected:
+  Notes() {
+    EXPECT_TRUE(session_.session().open_file(folder_.path() / "notes.db").ok());
+    EXPECT_EQ(session_.run("let Shapes = [const rel(tuple([No: int, Shape: points3d])) value "
+                           "((1 ()) (2 undefined) (3 ((0 0 0))) (4 undefined) (5 undefined))]"),
+              "");
+  }
+
+  TestFolder folder_;
+  TestSession session_{folder_.path()};
+};
+
+TEST_F(Notes, is_empty_counts_undefined_values_once_in_a_statement) {
+  EXPECT_EQ(session_.run("query Shapes feed filter[isEmpty(.Shape)] count"), "4");
+  EXPECT_EQ(session_.notes(), "isEmpty: 3 undefined values counted as empty\n");
+  EXPECT_EQ(session_.run("query isEmpty([const volume3d value undefined])"), "TRUE");
+  EXPECT_EQ(session_.notes(), "isEmpty: 1 undefined value counted as empty\n");
+  EXPECT_EQ(session_.run("query Shapes feed Shapes feed {b} symmjoin[isEmpty(.Shape minus ..Shape_b)] count"), "24");
+  EXPECT_EQ(session_.notes(), "isEmpty: 21 undefined values counted as empty\n");
+  EXPECT_EQ(session_.run("query isEmpty([const volume3d value ()])"), "TRUE");
+  EXPECT_EQ(session_.notes(), "");
+}
+
+TEST_F(Notes, what_is_not_evaluated_notes_nothing) {
+  EXPECT_EQ(session_.run("query Shapes feed filter[isdefined(.Shape) and isEmpty(.Shape)] count"), "1");
+  EXPECT_EQ(session_.notes(), "");
+  EXPECT_EQ(session_.run("query Shapes feed filter[not(isdefined(.Shape)) or not(isEmpty(.Shape))] count"), "4");
+  EXPECT_EQ(session_.notes(), "");
+  // Where the second operand may be undefined, it decides, too.
+  EXPECT_EQ(session_.run("query (1 = 2) and [const bool value undefined]"), "undefined");
+  EXPECT_EQ(session_.run("query (1 = 1) or (1 / 0 > 1)"), "undefined");
+  EXPECT_EQ(session_.notes(), "/: division by zero\n");
+}
+
+TEST_F(Notes, inquiries_give_integers) {
+  const std::string plan = session_.run("explain Shapes feed count");
+  EXPECT_TRUE(plan.starts_with("(inquiry (plan ((0 count '((stream (tuple ((No int) (Shape points3d))))) -> int' 1 0 "))
+      << plan;
+  EXPECT_NE(plan.find(" 1 5 "), std::string::npos) << plan;
+  const std::string counters = session_.run("list counters");
+  EXPECT_EQ(counters.find('.'), std::string::npos) << counters;
+}
+
+}  // namespace
+}  // namespace queries
