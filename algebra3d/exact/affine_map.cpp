@@ -39,6 +39,10 @@ Rows rows_of_quaternion(const Rational& w, const RationalVec3& v) {
           RationalVec3(entry(2, 0) - turn.y, entry(2, 1) + turn.x, entry(2, 2) + straight)};
 }
 
+Rows cofactors(const Rows& rows) {
+  return {cross(rows[1], rows[2]), cross(rows[2], rows[0]), cross(rows[0], rows[1])};
+}
+
 }  // namespace
 
 AffineMap::AffineMap(std::array<RationalVec3, 3> rows, RationalVec3 shift)
@@ -76,8 +80,18 @@ std::optional<AffineMap> AffineMap::rotation(const RationalVec3& centre, const R
   return AffineMap(std::move(rows), std::move(shift));
 }
 
-int AffineMap::orientation() const {
-  return dot(rows_[0], cross(rows_[1], rows_[2])).sign();
+Rational AffineMap::determinant() const {
+  return dot(rows_[0], cross(rows_[1], rows_[2]));
+}
+
+// |x| = |M^-1 Mx| <= |M^-1| |Mx|, and the Frobenius norm of M^-1, which is at most sqrt(3) times its norm, is that of
+// the cofactors over the determinant.
+double AffineMap::least_stretch() const {
+  double squares = 0;
+  for (const RationalVec3& row : cofactors(rows_))
+    for (std::size_t i = 0; i < 3; ++i) squares += std::pow(row[i].abs().upper_double(), 2);
+  const double stretch = determinant().abs().lower_double() / std::sqrt(squares) * (1 - 0x1p-40);
+  return std::isfinite(squares) && std::isnormal(squares) && std::isnormal(stretch) ? stretch : 0;
 }
 
 // An orthogonal matrix of dyadic numbers has integer entries, and is so a signed permutation: were 2^k, k > 0, the
@@ -106,11 +120,10 @@ std::optional<ExactPoint> AffineMap::apply(const ExactPoint& point) const {
 // With C the matrix of cofactors, det M * M^-T: (Mx).(Cn) = det M (x.n), so y.(Cn) - c' = det M (x.n - c) for y = Mx +
 // t and c' = det M c + t.(Cn). The sign of det M turns the positive side to where it belongs.
 ExactPlane AffineMap::apply(const ExactPlane& plane) const {
-  const Rows cofactors = {cross(rows_[1], rows_[2]), cross(rows_[2], rows_[0]), cross(rows_[0], rows_[1])};
-  const Rational determinant = dot(rows_[0], cofactors[0]);
-  assert(determinant.sign() != 0);
-  const RationalVec3 normal = Rational(determinant.sign()) * product(cofactors, plane.normal);
-  return {normal, determinant.abs() * plane.offset + dot(shift_, normal)};
+  const Rational factor = determinant();
+  assert(factor.sign() != 0);
+  const RationalVec3 normal = Rational(factor.sign()) * product(cofactors(rows_), plane.normal);
+  return {normal, factor.abs() * plane.offset + dot(shift_, normal)};
 }
 
 AffineMap AffineMap::then(const AffineMap& next) const {

@@ -22,8 +22,12 @@ class AffineMap {
   /// about a diagonal of the cube). The entries come from MPFR, so they do not depend on the C library.
   static std::optional<AffineMap> rotation(const RationalVec3& centre, const RationalVec3& axis, double angle_degrees);
 
+  Rational determinant() const;
   /// Sign of the determinant: -1 mirrors, 0 flattens.
-  int orientation() const;
+  int orientation() const { return determinant().sign(); }
+  /// A factor s such that images of points are at least s times as far apart as the points: at least a third of the
+  /// largest such factor, but 0 if the map flattens or intermediate results leave the range of doubles. It is proved.
+  double least_stretch() const;
   /// True if the entries of the matrix M are dyadic: integers over powers of two. This is so for every translation and
   /// every scaling by doubles. Of rotations and reflections it is so for those that map the coordinate axes to each
   /// other: quarter turns about them and what these make together, reflections in planes whose normal is parallel to an

@@ -58,17 +58,19 @@ void sort_ties(std::vector<CodedFace>& faces, std::span<const std::uint64_t> cod
   }
 }
 
-/// Not the smallest box: made without a look at exact coordinates, which would have to be fetched from far off.
-Box3 wide_box_of(const PointRef& point) {
+/// A box that reaches at least `margin` beyond the point. Not the smallest: made without a look at exact coordinates,
+/// which would have to be fetched from far off.
+Box3 wide_box_of(const PointRef& point, double margin) {
   Box3 box = Box3::of(point.approx);
-  if (point.is_double()) return box;
+  if (point.is_double() && margin == 0) return box;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    // Rounding moved it by 2^-53 of it at most, or by half the smallest double.
-    const double margin = 0x1p-52 * std::abs(point.approx[axis]) + std::numeric_limits<double>::denorm_min();
+    // Rounding moved it by 2^-53 of it at most, or by half the smallest double; the sums here are rounded too.
+    const double width =
+        margin + margin * 0x1p-50 + 0x1p-51 * std::abs(point.approx[axis]) + std::numeric_limits<double>::denorm_min();
     // Never infinite; so the ends of the range of doubles stand for what may lie beyond them.
     constexpr double kLargest = std::numeric_limits<double>::max();
-    box.min[axis] = std::max(box.min[axis] - margin, -kLargest);
-    box.max[axis] = std::min(box.max[axis] + margin, kLargest);
+    box.min[axis] = std::max(box.min[axis] - width, -kLargest);
+    box.max[axis] = std::min(box.max[axis] + width, kLargest);
   }
   return box;
 }
@@ -82,12 +84,13 @@ void BoxHierarchy::Box::extend(const Box& other) {
   }
 }
 
-BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> faces) : faces_(std::move(faces)) {
+BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> faces, double margin)
+    : faces_(std::move(faces)) {
   if (faces_.empty()) return;
   const PointArray& points = mesh.points();
-  choose_scale(points);
+  choose_scale(points, margin);
   std::vector<Box> corners(points.size()), boxes(faces_.size());
-  in_halves(points.size(), kWorthAThread, [&](std::size_t i) { corners[i] = scaled(wide_box_of(points[i])); });
+  in_halves(points.size(), kWorthAThread, [&](std::size_t i) { corners[i] = scaled(wide_box_of(points[i], margin)); });
   in_halves(faces_.size(), kWorthAThread, [&](std::size_t i) {
     const TriangleMesh::Triangle triangle = mesh.triangle(FaceId(faces_[i]));
     boxes[i] = corners[triangle[0]];
@@ -98,9 +101,9 @@ BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> 
   build_levels();
 }
 
-void BoxHierarchy::choose_scale(const PointArray& points) {
+void BoxHierarchy::choose_scale(const PointArray& points, double margin) {
   Box3 bounds;
-  for (std::size_t i = 0; i < points.size(); ++i) bounds.extend(wide_box_of(points[i]));
+  for (std::size_t i = 0; i < points.size(); ++i) bounds.extend(wide_box_of(points[i], margin));
   origin_ = bounds.min;
   // Halved first, so that the extent of the largest doubles is finite. A power of two, so that few coordinates are
   // rounded; 2^20 units are what the codes can tell apart.

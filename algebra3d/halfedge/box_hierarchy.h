@@ -29,8 +29,9 @@ class BoxHierarchy {
   static constexpr std::size_t kLeafSize = 8;
   static constexpr std::uint32_t kNoGroup = 0xFFFFFFFF;
 
-  /// Over `faces` of `mesh`. Cost: linear (radix sort).
-  BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> faces);
+  /// Over `faces` of `mesh`. Boxes are `margin` larger on each side, so that those of faces that are at most two
+  /// margins apart meet. Cost: linear (radix sort).
+  BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> faces, double margin = 0);
 
   std::size_t face_count() const { return faces_.size(); }
   std::size_t leaf_count() const { return (faces_.size() + kLeafSize - 1) / kLeafSize; }
@@ -98,7 +99,7 @@ class BoxHierarchy {
     Box box;
   };
 
-  void choose_scale(const PointArray& points);
+  void choose_scale(const PointArray& points, double margin);
   /// Rounding of functions that grow: never decreasing.
   float scaled(double coordinate, std::size_t axis) const {
     return static_cast<float>((coordinate / 2 - origin_[axis] / 2) * scale_);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <span>
 #include <vector>
 
 #include "algebra3d/base/error.h"
@@ -26,5 +27,18 @@ Result<Maybe<PointArray>> exact_images(const AffineMap& map, const PointArray& p
 /// inside. Undefined and errors as `exact_images`. Cost: the same, and that of linking the triangles.
 Result<Maybe<TriangleMesh>> exact_image(const AffineMap& map, const TriangleMesh& mesh,
                                         const std::atomic<bool>* cancel = nullptr);
+
+/// The valid mesh that was mapped, as a help in a proof of its rounded image: where its triangles are far apart, those
+/// of the image are apart too.
+struct Preimage {
+  const TriangleMesh* mesh = nullptr;  ///< null: none
+  double reach = 0;  ///< triangles of the image only meet if those of the mesh are no farther apart than this
+  int turn = 1;      ///< -1 if the image mirrors, so that its triangles are turned over
+};
+
+/// The mesh as a preimage of the triangles over `rounded`, the images of its points each rounded once. None where it is
+/// no help: the boxes of its triangles take nearly as much room as those of the image, or the map flattens. Proved.
+/// Cost: linear, some nanoseconds for each triangle.
+Preimage preimage_of(const AffineMap& map, const TriangleMesh& mesh, std::span<const Vec3> rounded);
 
 }  // namespace algebra3d

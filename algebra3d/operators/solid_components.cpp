@@ -113,7 +113,7 @@ Result<std::vector<std::vector<FaceId>>> solid_components(const TriangleMesh& me
   std::vector<std::vector<FaceId>> faces = shells.faces();
   if (shells.count <= 1) return faces;
   const ShellTops tops(mesh, hierarchy, shells.of_face, shells.count);
-  const std::vector<int> orientations = tops.orientations();
+  const std::vector<int> orientations = shell_orientations(mesh, shells.of_face, shells.count);
   BodiesByRays rays(mesh, shells, faces, hierarchy, orientations);
   std::vector<std::size_t> leaders(shells.count);
   for (const std::uint32_t shell : tops.from_highest()) {

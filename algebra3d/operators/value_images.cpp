@@ -70,7 +70,9 @@ Result<Maybe<T>> image_of_mesh(Context& context, const AffineMap& map, const T& 
   const std::vector<TriangleMesh::Triangle> triangles = image_triangles(map, mesh);
   // Only rounding can break an image.
   if (rounded.are_exact) return Maybe<T>(T::trusted(TriangleMesh(PointArray(std::move(rounded.points)), triangles)));
-  const ProofOptions options{.thoroughness = Thoroughness::first_defect, .cancel = context.cancel};
+  const ProofOptions options{.thoroughness = Thoroughness::first_defect,
+                             .cancel = context.cancel,
+                             .preimage = preimage_of(map, mesh, rounded.points)};
   ASSIGN_OR_RETURN(auto proved, T::prove(rounded_mesh(rounded.points, triangles), options));
   if (proved) return proved;
   ASSIGN_OR_RETURN(auto exact, exact_image_of(context, map, geometry));

@@ -149,20 +149,23 @@ FaceOverhead ShellTops::overhead(std::uint32_t shell) const {
   return search.found;
 }
 
-std::vector<int> ShellTops::orientations() const {
-  std::vector<EstimatedSum> sums(tops_.size());
-  for (std::uint32_t face = 0; face < mesh_.face_count(); ++face) {
-    const std::uint32_t shell = shell_of_face_[face];
-    sums[shell].add(mesh_.corners(FaceId(face)), mesh_.point(tops_[shell]));
+std::vector<int> shell_orientations(const TriangleMesh& mesh, std::span<const std::uint32_t> shell_of_face,
+                                    std::size_t shell_count) {
+  std::vector<EstimatedSum> sums(shell_count);
+  std::vector<VertexId> origins(shell_count);
+  for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
+    const std::uint32_t shell = shell_of_face[face];
+    if (!origins[shell].is_valid()) origins[shell] = mesh.origin(TriangleMesh::halfedge(FaceId(face), 0));
+    sums[shell].add(mesh.corners(FaceId(face)), mesh.point(origins[shell]));
   }
   std::vector<int> signs;
   for (const EstimatedSum& sum : sums) signs.push_back(sum.sign());
   if (std::ranges::find(signs, detail::kUndecided) == signs.end()) return signs;
-  std::vector<LooseTriangles> undecided(tops_.size());
-  for (std::uint32_t face = 0; face < mesh_.face_count(); ++face)
-    if (const std::uint32_t shell = shell_of_face_[face]; signs[shell] == detail::kUndecided)
-      undecided[shell].add(mesh_.corners(FaceId(face)));
-  for (std::size_t shell = 0; shell < signs.size(); ++shell)
+  std::vector<LooseTriangles> undecided(shell_count);
+  for (std::uint32_t face = 0; face < mesh.face_count(); ++face)
+    if (const std::uint32_t shell = shell_of_face[face]; signs[shell] == detail::kUndecided)
+      undecided[shell].add(mesh.corners(FaceId(face)));
+  for (std::size_t shell = 0; shell < shell_count; ++shell)
     if (signs[shell] == detail::kUndecided)
       signs[shell] = exact_volume(undecided[shell].points, undecided[shell].triangles)->sign();
   return signs;

@@ -34,10 +34,6 @@ class ShellTops {
   /// there, and that of the shell itself is 0. Exact. Cost: the faces whose boxes lie around the line up to the face.
   FaceOverhead overhead(std::uint32_t shell) const;
 
-  /// Per shell: 1 if its faces look outward, so that it encloses a positive volume, else -1. Exact. Cost: linear, some
-  /// nanoseconds per face; that of the exact volume for shells that are nearly flat.
-  std::vector<int> orientations() const;
-
  private:
   struct Search;
 
@@ -46,5 +42,10 @@ class ShellTops {
   std::span<const std::uint32_t> shell_of_face_;
   std::vector<VertexId> tops_;
 };
+
+/// Per shell: 1 if its faces look outward, so that it encloses a positive volume, else -1. `shell_of_face` as above.
+/// Exact. Cost: linear, some nanoseconds per face; that of the exact volume for shells that are nearly flat.
+std::vector<int> shell_orientations(const TriangleMesh& mesh, std::span<const std::uint32_t> shell_of_face,
+                                    std::size_t shell_count);
 
 }  // namespace algebra3d

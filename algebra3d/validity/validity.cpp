@@ -1,5 +1,7 @@
 #include "algebra3d/validity/validity.h"
 
+#include <cassert>
+
 #include "algebra3d/halfedge/box_hierarchy.h"
 #include "algebra3d/validity/edges.h"
 #include "algebra3d/validity/intersections.h"
@@ -18,17 +20,23 @@ Status check_cancelled(const ProofOptions& options) {
   return {};
 }
 
-BoxHierarchy hierarchy_of(const TriangleMesh& mesh, const SoundFaces& sound) {
+std::vector<std::uint32_t> list_of(const SoundFaces& sound) {
   std::vector<std::uint32_t> faces;
-  faces.reserve(mesh.face_count());
-  for (std::uint32_t face = 0; face < mesh.face_count(); ++face)
+  faces.reserve(sound.size());
+  for (std::uint32_t face = 0; face < sound.size(); ++face)
     if (sound[face]) faces.push_back(face);
-  return {mesh, std::move(faces)};
+  return faces;
+}
+
+Result<ShellWindings> find_windings(const TriangleMesh& mesh, const BoxHierarchy& hierarchy,
+                                    const ProofOptions& options) {
+  if (options.preimage.mesh == nullptr) return find_shell_windings(mesh, hierarchy, options.cancel);
+  return find_shell_windings(mesh, options.preimage, hierarchy, options.cancel);
 }
 
 Status check_windings(const TriangleMesh& mesh, const BoxHierarchy& hierarchy, const ProofOptions& options,
                       ValidityReport& report) {
-  ASSIGN_OR_RETURN(const ShellWindings shells, find_shell_windings(mesh, hierarchy, options.cancel));
+  ASSIGN_OR_RETURN(const ShellWindings shells, find_windings(mesh, hierarchy, options));
   for (std::size_t shell = 0; shell < shells.fronts.size(); ++shell) {
     if (shells.fronts[shell] == 0) continue;
     const FaceId face(shells.first_faces[shell]);
@@ -39,6 +47,12 @@ Status check_windings(const TriangleMesh& mesh, const BoxHierarchy& hierarchy, c
 
 EmbeddedStars stars_of(const TriangleMesh& mesh, const FaceSet& known) {
   return known.is_empty() ? EmbeddedStars(mesh) : EmbeddedStars(mesh, known);
+}
+
+BoxHierarchy hierarchy_for_pairs(const TriangleMesh& mesh, const SoundFaces& sound, const Preimage& preimage) {
+  if (preimage.mesh == nullptr) return {mesh, list_of(sound)};
+  assert(preimage.mesh->face_count() == mesh.face_count());
+  return {*preimage.mesh, list_of(sound), preimage.reach / 2};
 }
 
 /// Leaves in `free` the faces that get along with each other, unless it is empty.
@@ -53,7 +67,7 @@ Result<ValidityReport> prove(const TriangleMesh& mesh, Kind kind, const ProofOpt
   if (kind == Kind::volume) check_edges(mesh, sound, report);
   if (is_done()) return report;
   RETURN_IF_ERROR(check_cancelled(options));
-  BoxHierarchy hierarchy = hierarchy_of(mesh, sound);
+  BoxHierarchy hierarchy = hierarchy_for_pairs(mesh, sound, options.preimage);
   RETURN_IF_ERROR(find_intersections(mesh, stars, hierarchy, options, report, free));
   // Off the beaten track a winding number means nothing.
   if (kind == Kind::volume && report.is_valid()) RETURN_IF_ERROR(check_windings(mesh, hierarchy, options, report));
@@ -76,7 +90,7 @@ Result<std::vector<Entanglement>> disentangle(const TriangleMesh& mesh, const st
       if (sound[f] && !mesh.opposite(TriangleMesh::halfedge(FaceId(f), corner)).is_valid())
         result[f] = Entanglement::entangled;
   }
-  BoxHierarchy hierarchy = hierarchy_of(mesh, sound);
+  BoxHierarchy hierarchy(mesh, list_of(sound));
   const auto part_from_first = [&](FaceId first, FaceId second) {
     if (result[first.index()] == Entanglement::none) result[second.index()] = Entanglement::entangled;
     return true;

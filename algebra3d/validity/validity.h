@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "algebra3d/base/error.h"
+#include "algebra3d/halfedge/mesh_image.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
 #include "algebra3d/validity/face_set.h"
 #include "algebra3d/validity/report.h"
@@ -25,6 +26,9 @@ struct ProofOptions {
   /// Faces that are known to be a valid surface by themselves, from an earlier proof: they are not looked at again
   /// beside each other. A wrong set makes a wrong proof.
   FaceSet known = {};
+  /// A valid surface or volume with the same faces, in their order, of which the mesh is the rounded image, if there is
+  /// one.
+  Preimage preimage = {};
 };
 
 /// Proves or refutes that `mesh` is a valid surface3d: no degenerate triangles; two triangles share no area, and if

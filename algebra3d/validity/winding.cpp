@@ -18,6 +18,7 @@
 #include "algebra3d/validity/winding.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "algebra3d/exact/plane.h"
@@ -155,11 +156,93 @@ class FrontsByRays {
   WindingQuery query_;
 };
 
+constexpr int kUnknown = std::numeric_limits<int>::max();
+
+/// The number in front of a shell of its own that looks outward (1) or inward (-1).
+int own_front(int orientation) {
+  return orientation > 0 ? 0 : -1;
+}
+
 /// Up to so many shells, rays cost less than an order of the shells.
 constexpr std::size_t kFewShells = 64;
 
 Status end_if_cancelled(const std::atomic<bool>* cancel) {
   if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return Error{ErrorCode::interrupted, "interrupted"};
+  return {};
+}
+
+std::vector<std::uint32_t> all_faces(const TriangleMesh& mesh) {
+  std::vector<std::uint32_t> faces(mesh.face_count());
+  std::iota(faces.begin(), faces.end(), 0U);
+  return faces;
+}
+
+/// Finds the fronts that are unknown.
+Status ask_for_unknown(const TriangleMesh& mesh, const BoxHierarchy& hierarchy, const std::atomic<bool>* cancel,
+                       ShellWindings& shells) {
+  const std::size_t count = shells.first_faces.size();
+  const FrontsByRays rays(mesh, hierarchy, shells);
+  if (count <= kFewShells) {
+    for (std::uint32_t shell = 0; shell < count; ++shell) {
+      RETURN_IF_ERROR(end_if_cancelled(cancel));
+      shells.fronts[shell] = rays.front(shell);
+    }
+    return {};
+  }
+  // To the number in front of a shell of its own comes what is right above it.
+  const ShellTops tops(mesh, hierarchy, shells.shell_of_face, count);
+  const std::vector<int> orientations = shell_orientations(mesh, shells.shell_of_face, count);
+  for (const std::uint32_t shell : tops.from_highest()) {
+    RETURN_IF_ERROR(end_if_cancelled(cancel));
+    if (shells.fronts[shell] != kUnknown) continue;
+    const FaceOverhead above = tops.overhead(shell);
+    int outside = 0;
+    if (above.face.is_valid() && above.is_known)
+      outside = shells.fronts[shells.shell_of_face[above.face.index()]] + (above.sign > 0 ? 1 : 0);
+    shells.fronts[shell] = above.is_known ? outside + own_front(orientations[shell]) : rays.front(shell);
+  }
+  return {};
+}
+
+/// Per shell: true if a face of it and one of another shell have a common vertex or are a pair of `near`.
+Result<std::vector<bool>> shells_near_others(const TriangleMesh& mesh, const ShellWindings& shells,
+                                             const BoxHierarchy& near, const std::atomic<bool>* cancel) {
+  std::vector<bool> are_near(shells.first_faces.size());
+  const auto compare_shells = [&](std::uint32_t a, std::uint32_t b) {
+    if (a != b) are_near[a] = are_near[b] = true;
+  };
+  std::vector<std::uint32_t> shell_at(mesh.vertex_count(), kNoShell);
+  for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
+    for (const std::uint32_t vertex : mesh.triangle(FaceId(face))) {
+      if (shell_at[vertex] == kNoShell) shell_at[vertex] = shells.shell_of_face[face];
+      compare_shells(shell_at[vertex], shells.shell_of_face[face]);
+    }
+  }
+  Status ended;
+  near.for_each_pair(
+      [&](std::uint32_t f, std::uint32_t g) {
+        compare_shells(shells.shell_of_face[f], shells.shell_of_face[g]);
+        return true;
+      },
+      [&] {
+        ended = end_if_cancelled(cancel);
+        return ended.ok();
+      });
+  RETURN_IF_ERROR(std::move(ended));
+  return are_near;
+}
+
+/// Sets the fronts of shells that are near no other. While rounding moves the corners of the image on straight ways to
+/// where they come to lie, such a shell meets no other; so the winding number of the others does not change along it.
+/// In the preimage it is 0 less the shell's own.
+Status take_over(const TriangleMesh& mesh, const Preimage& preimage, const BoxHierarchy& near,
+                 const std::atomic<bool>* cancel, ShellWindings& shells) {
+  const std::size_t count = shells.first_faces.size();
+  ASSIGN_OR_RETURN(const std::vector<bool> are_near, shells_near_others(mesh, shells, near, cancel));
+  const std::vector<int> before = shell_orientations(*preimage.mesh, shells.shell_of_face, count);
+  const std::vector<int> after = shell_orientations(mesh, shells.shell_of_face, count);
+  for (std::size_t shell = 0; shell < count; ++shell)
+    if (!are_near[shell]) shells.fronts[shell] = own_front(after[shell]) - own_front(before[shell]);
   return {};
 }
 
@@ -173,34 +256,23 @@ bool ShellWindings::is_inside_out() const {
 Result<ShellWindings> find_shell_windings(const TriangleMesh& mesh, const BoxHierarchy& hierarchy,
                                           const std::atomic<bool>* cancel) {
   ShellWindings shells = find_shells(mesh);
-  const std::size_t count = shells.first_faces.size();
-  const FrontsByRays rays(mesh, hierarchy, shells);
-  shells.fronts.assign(count, 0);
-  if (count <= kFewShells) {
-    for (std::uint32_t shell = 0; shell < count; ++shell) {
-      RETURN_IF_ERROR(end_if_cancelled(cancel));
-      shells.fronts[shell] = rays.front(shell);
-    }
-    return shells;
-  }
-  // A shell of its own has 0 in front of it if it looks outward, else -1; to this comes what is right above it.
-  const ShellTops tops(mesh, hierarchy, shells.shell_of_face, count);
-  const std::vector<int> orientations = tops.orientations();
-  for (const std::uint32_t shell : tops.from_highest()) {
-    RETURN_IF_ERROR(end_if_cancelled(cancel));
-    const FaceOverhead above = tops.overhead(shell);
-    int outside = 0;
-    if (above.face.is_valid() && above.is_known)
-      outside = shells.fronts[shells.shell_of_face[above.face.index()]] + (above.sign > 0 ? 1 : 0);
-    shells.fronts[shell] = above.is_known ? outside + (orientations[shell] > 0 ? 0 : -1) : rays.front(shell);
-  }
+  shells.fronts.assign(shells.first_faces.size(), kUnknown);
+  RETURN_IF_ERROR(ask_for_unknown(mesh, hierarchy, cancel, shells));
+  return shells;
+}
+
+Result<ShellWindings> find_shell_windings(const TriangleMesh& mesh, const Preimage& preimage, const BoxHierarchy& near,
+                                          const std::atomic<bool>* cancel) {
+  ShellWindings shells = find_shells(mesh);
+  shells.fronts.assign(shells.first_faces.size(), kUnknown);
+  if (shells.first_faces.size() > kFewShells) RETURN_IF_ERROR(take_over(mesh, preimage, near, cancel, shells));
+  if (std::ranges::find(shells.fronts, kUnknown) != shells.fronts.end())
+    RETURN_IF_ERROR(ask_for_unknown(mesh, BoxHierarchy(mesh, all_faces(mesh)), cancel, shells));
   return shells;
 }
 
 Result<ShellWindings> find_shell_windings(const TriangleMesh& mesh, const std::atomic<bool>* cancel) {
-  std::vector<std::uint32_t> faces(mesh.face_count());
-  std::iota(faces.begin(), faces.end(), 0U);
-  return find_shell_windings(mesh, BoxHierarchy(mesh, std::move(faces)), cancel);
+  return find_shell_windings(mesh, BoxHierarchy(mesh, all_faces(mesh)), cancel);
 }
 
 }  // namespace algebra3d

@@ -6,6 +6,7 @@
 
 #include "algebra3d/base/error.h"
 #include "algebra3d/halfedge/box_hierarchy.h"
+#include "algebra3d/halfedge/mesh_image.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
 
 namespace algebra3d {
@@ -25,6 +26,11 @@ struct ShellWindings {
 /// Errors: interrupted. Exact. Cost: linear for the shells; for each of a few shells one vertical ray, for each of many
 /// one search for the face above its top (shell_tops.h).
 Result<ShellWindings> find_shell_windings(const TriangleMesh& mesh, const BoxHierarchy& hierarchy,
+                                          const std::atomic<bool>* cancel = nullptr);
+/// The same for the rounded image of a valid volume. `near` is over the faces of the preimage, with boxes that meet if
+/// the faces are within reach. Cost: linear, and the pairs whose boxes meet; that of the other functions for shells of
+/// which such a pair joins one to another.
+Result<ShellWindings> find_shell_windings(const TriangleMesh& mesh, const Preimage& preimage, const BoxHierarchy& near,
                                           const std::atomic<bool>* cancel = nullptr);
 /// The same with a hierarchy of its own.
 Result<ShellWindings> find_shell_windings(const TriangleMesh& mesh, const std::atomic<bool>* cancel = nullptr);

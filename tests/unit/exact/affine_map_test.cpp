@@ -435,5 +435,20 @@ TEST(affine_map, dyadic_matrices_are_those_of_translations_dyadic_scales_and_tur
   EXPECT_FALSE(mirror({1, 1, 1}) || mirror({1, 2, 0}) || mirror({0, 3, 4}));
 }
 
+TEST(affine_map, least_stretch_is_a_bound_on_how_near_images_come) {
+  MapSource source;
+  for (int round = 0; round < 500; ++round) {
+    const AffineMap map = source.map();
+    const Rational stretch(map.least_stretch());
+    EXPECT_EQ(stretch.sign() > 0, map.orientation() != 0);
+    const RationalVec3 from = source.rational(), to = source.rational();
+    const RationalVec3 before = to - from, after = map.apply(to) - map.apply(from);
+    EXPECT_GE(dot(after, after), stretch * stretch * dot(before, before));
+  }
+  const auto turn = AffineMap::rotation({1, 2, 3}, {1, 2, 3}, 37);
+  EXPECT_GT(turn->least_stretch(), 0.57);  // 1 over the root of 3
+  EXPECT_EQ(AffineMap::scaling({}, RationalVec3(Vec3{1e300, 1e300, 1e300})).least_stretch(), 0);
+}
+
 }  // namespace
 }  // namespace algebra3d

@@ -60,5 +60,29 @@ TEST(MeshImage, interrupted) {
   EXPECT_EQ(exact_image(maps()[0], thirds(), &cancel).error().code, ErrorCode::interrupted);
 }
 
+std::vector<Vec3> rounded_points(const AffineMap& map, const TriangleMesh& mesh) {
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) points.push_back(map.apply_rounded(mesh.points()[i]));
+  return points;
+}
+
+TEST(MeshImage, preimage_helps_where_triangles_are_parallel_to_axes) {
+  const std::vector<Vec3> corners{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
+  const std::vector<TriangleMesh::Triangle> halves{{0, 1, 2}, {0, 2, 3}};
+  const TriangleMesh square(PointArray(corners), halves);
+  const auto preimage = [&](const AffineMap& map, const TriangleMesh& mesh) {
+    return preimage_of(map, mesh, rounded_points(map, mesh));
+  };
+  const AffineMap slanted = *AffineMap::rotation(RationalVec3(), RationalVec3(1, 2, 3), 37);
+  const Preimage found = preimage(slanted, square);
+  EXPECT_EQ(found.mesh, &square);
+  EXPECT_GT(found.reach, 0x1p-53);
+  EXPECT_LT(found.reach, 0x1p-46);
+  // Scaled, the boxes are flat as before; flattened, nothing is far from anything.
+  EXPECT_EQ(preimage(AffineMap::scaling(RationalVec3(), RationalVec3(3, 3, 3)), square).mesh, nullptr);
+  EXPECT_EQ(preimage(AffineMap::scaling(RationalVec3(), RationalVec3(1, 0, 1)), square).mesh, nullptr);
+  EXPECT_EQ(preimage(slanted, thirds()).mesh, nullptr);
+}
+
 }  // namespace
 }  // namespace algebra3d

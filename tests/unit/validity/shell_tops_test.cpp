@@ -100,7 +100,7 @@ TEST(ShellTops, touching_tops_are_not_known) {
   EXPECT_FALSE(tops.overhead(0).face.is_valid());
   EXPECT_FALSE(tops.overhead(1).is_known);
   EXPECT_TRUE(tops.overhead(2).is_known);
-  EXPECT_EQ(tops.orientations(), (std::vector<int>{1, 1, 1}));
+  EXPECT_EQ(shell_orientations(mesh, shells.shell_of_face, 3), (std::vector<int>{1, 1, 1}));
   EXPECT_EQ(tops.from_highest(), (std::vector<std::uint32_t>{0, 1, 2}));
 }
 
@@ -132,6 +132,73 @@ TEST(ShellTops, proving_slanted_nested_shells_needs_no_rationals) {
   reset_exact_counters();
   EXPECT_TRUE(prove_volume(mesh)->is_valid());
   EXPECT_LT(exact_counters().big_fallbacks, mesh.face_count());
+}
+
+/// What a proof of the rounded image says with the help of the mesh, and without.
+struct Verdicts {
+  bool with, without;
+};
+
+Verdicts verdicts(const AffineMap& map, const TriangleMesh& mesh) {
+  const TriangleMesh image = rounded(mesh, map);
+  const Preimage preimage = preimage_of(map, mesh, image.points().approx());
+  EXPECT_NE(preimage.mesh, nullptr);
+  return {prove_volume(image, {.preimage = preimage})->is_valid(), prove_volume(image)->is_valid()};
+}
+
+TEST(Preimage, a_proof_with_its_help_finds_what_rounding_broke) {
+  // Thin walls, turned about a centre far away, where doubles are farther apart.
+  int broken = 0;
+  for (int steps = 1; steps < 60; ++steps) {
+    const double thin = steps * 0x1p-46;
+    const TriangleMesh mesh = MeshMaker()
+                                  .box({1, 1, 1}, {3, 3, 3})
+                                  .box({1 + thin, 1 + thin, 1 + thin}, {3 - thin, 3 - thin, 3 - thin}, true)
+                                  .mesh();
+    for (int degrees = 1; degrees < 30; degrees += 4) {
+      const AffineMap map = *AffineMap::rotation({3000, 1000, 2000}, RationalVec3(1, 2, 3), degrees);
+      const auto [with, without] = verdicts(map, mesh);
+      EXPECT_EQ(with, without) << steps << " steps, " << degrees << " degrees";
+      if (!without) ++broken;
+    }
+  }
+  EXPECT_GT(broken, 20);
+  EXPECT_LT(broken, 59 * 8 - 20);
+}
+
+TEST(Preimage, windings_of_shells_far_from_others_are_taken_over) {
+  // Nested boxes, some of which touch others in corners, and one turned over as no rounding does.
+  MeshMaker maker;
+  for (int i = 0; i < 40; ++i) {
+    const double k = 8 * i;
+    maker.box({k, k, k}, {k + 8, k + 8, k + 8}).box({k + 1, k + 1, k + 1}, {k + 7, k + 7, k + 7}, true);
+  }
+  for (int i = 0; i < 40; ++i) maker.box({16.0 * i, -9, 0}, {16.0 * i + 3, -2, 5});
+  const TriangleMesh mesh = maker.mesh();
+  auto triangles = image_triangles(slanted(false), mesh);
+  for (std::size_t f = 95UL * 12; f < 96UL * 12; ++f) std::swap(triangles[f][1], triangles[f][2]);
+  const TriangleMesh image(PointArray(rounded(mesh, slanted(false)).points().approx()), triangles);
+  const Preimage preimage = preimage_of(slanted(false), mesh, image.points().approx());
+  std::vector<std::uint32_t> faces(mesh.face_count());
+  std::iota(faces.begin(), faces.end(), 0U);
+  const BoxHierarchy near(mesh, faces, preimage.reach / 2);
+  std::vector<int> fronts(120, 0);
+  fronts[95] = -1;
+  EXPECT_EQ(find_shell_windings(image)->fronts, fronts);
+  EXPECT_EQ(find_shell_windings(image, preimage, near)->fronts, fronts);
+}
+
+TEST(Preimage, spares_a_proof_the_pairs_of_slanted_boxes) {
+  const AffineMap map = *AffineMap::rotation({}, RationalVec3(1, 2, 3), 37);
+  const auto questions = [&](int count, bool helps) {
+    const TriangleMesh mesh = nested_cubes(count), image = rounded(mesh, map);
+    const Preimage preimage = helps ? preimage_of(map, mesh, image.points().approx()) : Preimage{};
+    reset_exact_counters();
+    EXPECT_TRUE(prove_volume(image, {.preimage = preimage})->is_valid());
+    return exact_counters().calls;
+  };
+  EXPECT_LT(questions(200, true), 6 * questions(50, true));
+  EXPECT_GT(questions(200, false), 12 * questions(50, false));
 }
 
 }  // namespace
