@@ -83,16 +83,12 @@ std::size_t digit_count(std::string_view text) {
   return text.size() - (text.find('/') != std::string_view::npos ? 1 : 0);
 }
 
-std::optional<Rational> parse_long_rational(std::string_view text) {
+std::optional<Rational> Rational::parse(std::string_view text) {
   const bool negative = take(text, '-');
   RationalAccess::Owner big = RationalAccess::make();
   if (!set_unsigned(big->value, text)) return std::nullopt;
   if (negative) mpq_neg(big->value, big->value);
   return RationalAccess::take(std::move(big));
-}
-
-std::optional<Rational> Rational::parse(std::string_view text) {
-  return text.size() <= kMaxDigits ? parse_long_rational(text) : std::nullopt;
 }
 
 std::string Rational::text() const {

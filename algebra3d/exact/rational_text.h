@@ -1,10 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string_view>
-
-#include "algebra3d/exact/rational.h"
 
 namespace algebra3d {
 
@@ -14,9 +11,5 @@ inline constexpr std::size_t kMaxNumberDigits = 10'000'000;
 
 /// The length of `p/q` or `p` without sign, stroke, and a denominator of 1: what kMaxNumberDigits limits.
 std::size_t digit_count(std::string_view text);
-
-/// As Rational::parse, for text of any length. Cost: that of GMP's conversion and of one greatest common divisor; some
-/// seconds for ten million digits.
-std::optional<Rational> parse_long_rational(std::string_view text);
 
 }  // namespace algebra3d

@@ -122,7 +122,7 @@ void read_axis(ByteReader& reader, std::vector<Vec3>& points, std::size_t axis) 
 std::optional<Rational> parse_rational(std::string_view text) {
   const bool is_plain =
       std::ranges::all_of(text, [](char c) { return ('0' <= c && c <= '9') || c == '/' || c == '-'; });
-  return is_plain ? parse_long_rational(text) : std::nullopt;
+  return is_plain ? Rational::parse(text) : std::nullopt;
 }
 
 thread_local std::size_t longest_number = 0;

@@ -75,7 +75,7 @@ Result<Rational> coordinate_from_nested(const NestedList& atom, std::string_view
     if (const std::size_t digits = digit_count(atom.as_symbol()); digits > kMaxNumberDigits)
       return Error{ErrorCode::limit_exceeded, "{}: a number has {} digits; at most {} are read and stored", what,
                    digits, kMaxNumberDigits};
-    if (auto number = parse_long_rational(atom.as_symbol())) return *std::move(number);
+    if (auto number = Rational::parse(atom.as_symbol())) return *std::move(number);
   }
   return expected(what, "a number or a fraction p/q", atom);
 }
