@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "algebra3d/base/open_databases.h"
 #include "algebra3d/types/utf8.h"
 #include "stl/input_file.h"
 #include "stl/mesh_format.h"
@@ -85,6 +86,7 @@ FileArgument examine_file(const std::string& name) {
 }
 
 std::string why_no_script(const std::string& name) {
+  if (algebra3d::open_database_with(name)) return "it holds the open database";
   const FileArgument argument = examine_file(name);
   if (argument.kind == FileKind::mesh) return "it is a mesh file; `query importSTL('" + name + "')` reads such files";
   if (argument.kind == FileKind::database) return "it is a database; `algebra3d --db " + name + "` opens it";

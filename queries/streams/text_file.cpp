@@ -8,6 +8,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "algebra3d/base/open_databases.h"
+
 namespace queries {
 
 using algebra3d::Error;
@@ -28,6 +30,8 @@ Error text_file_error(const std::filesystem::path& path, int reason) {
 }  // namespace
 
 Result<TextFile> TextFile::open(const std::filesystem::path& path) {
+  if (const auto database = algebra3d::open_database_with(path))
+    return Error{ErrorCode::io_error, "{}: this file holds the open database '{}'", path.string(), database->string()};
   // O_NONBLOCK: opening a pipe that nobody writes to must not wait for a writer.
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);  // NOLINT(*-vararg)
   if (descriptor < 0) return text_file_error(path, errno);

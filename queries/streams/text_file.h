@@ -15,8 +15,8 @@ class TextFile {
  public:
   static constexpr int kEnd = -1;
 
-  /// Domain: a regular file. Errors: file_missing, io_error (a folder, a pipe, no permission), file_format (the byte
-  /// order mark of UTF-16); all name the path.
+  /// Domain: a regular file. Errors: file_missing, io_error (a folder, a pipe, no permission, part of the open
+  /// database), file_format (the byte order mark of UTF-16); all name the path.
   static algebra3d::Result<TextFile> open(const std::filesystem::path& path);
 
   TextFile(TextFile&& other) noexcept;
