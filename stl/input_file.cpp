@@ -10,6 +10,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <fmt/format.h>
+
 #include "algebra3d/base/open_databases.h"
 #include "stl/text.h"
 
@@ -29,6 +31,10 @@ Error reading_error(const std::filesystem::path& path, int reason) {
   const bool missing = reason == ENOENT || reason == ENOTDIR;
   return {missing ? ErrorCode::file_missing : ErrorCode::io_error, "{}: {}", path.string(),
           std::generic_category().message(reason)};
+}
+
+FileState state_of(const struct stat& facts) {
+  return {static_cast<std::size_t>(facts.st_size), facts.st_mtim};
 }
 
 bool is_set(const std::atomic<bool>* cancel) {
@@ -60,10 +66,9 @@ Result<InputFile> InputFile::open(const std::filesystem::path& path) {
   if (!S_ISREG(facts.st_mode))
     return Error{ErrorCode::io_error, "{}: Not a regular file (but a pipe or device)", path.string()};
   ::posix_fadvise(file.number(), 0, 0, POSIX_FADV_SEQUENTIAL);  // a hint: reads ahead in larger steps
-  return InputFile(std::move(file), path, static_cast<std::size_t>(facts.st_size), facts.st_mtim);
+  return InputFile(std::move(file), path, state_of(facts));
 }
 
-/// As many bytes as there are, at most `count`.
 Result<std::size_t> InputFile::read_at(std::size_t offset, char* room, std::size_t count) const {
   std::size_t done = 0;
   while (done < count) {
@@ -77,7 +82,7 @@ Result<std::size_t> InputFile::read_at(std::size_t offset, char* room, std::size
 }
 
 Result<std::string> InputFile::head(std::size_t count) const {
-  std::string bytes(std::min(count, size_), '\0');
+  std::string bytes(std::min(count, state_.size), '\0');
   ASSIGN_OR_RETURN(const std::size_t found, read_at(0, bytes.data(), bytes.size()));
   bytes.resize(found);
   return bytes;
@@ -86,26 +91,27 @@ Result<std::string> InputFile::head(std::size_t count) const {
 Status InputFile::check_unchanged() const {
   struct stat facts {};
   if (::fstat(file_.number(), &facts) != 0) return reading_error(path_, errno);
-  const auto size = static_cast<std::size_t>(facts.st_size);
-  if (size != size_)
-    return Error{ErrorCode::io_error, "{}: the file was changed while it was read: it had {} bytes, and has {} now",
-                 path_.string(), size_, size};
-  if (facts.st_mtim.tv_sec != changed_.tv_sec || facts.st_mtim.tv_nsec != changed_.tv_nsec)
-    return Error{ErrorCode::io_error, "{}: the file was changed while it was read: others wrote to it", path_.string()};
-  return {};
+  const FileState now = state_of(facts);
+  if (now == state_) return {};
+  const std::string how = now.size == state_.size
+                              ? "others wrote to it"
+                              : fmt::format("it had {} bytes, and has {} now", state_.size, now.size);
+  return Error{ErrorCode::io_error, "{}: the file was changed while it was read: {}", path_.string(), how};
 }
 
 Status InputFile::ends_early(std::size_t offset) const {
   RETURN_IF_ERROR(check_unchanged());
-  return Error{ErrorCode::io_error, "{}: reading ends at byte {}; expected {} bytes", path_.string(), offset, size_};
+  return Error{ErrorCode::io_error, "{}: reading ends at byte {}; expected {} bytes", path_.string(), offset,
+               state_.size};
 }
 
 Status InputFile::for_each_block(const std::atomic<bool>* cancel, const TakeBlock& take) const {
-  const std::size_t block_bytes = std::min(kBlockBytes, size_);
+  const std::size_t block_bytes = std::min(kBlockBytes, state_.size);
   const auto block = std::make_unique_for_overwrite<char[]>(block_bytes);  // NOLINT(*-avoid-c-arrays)
-  for (std::size_t offset = 0; offset < size_;) {
+  for (std::size_t offset = 0; offset < state_.size;) {
     if (is_set(cancel)) return interrupted(path_.string());
-    ASSIGN_OR_RETURN(const std::size_t found, read_at(offset, block.get(), std::min(block_bytes, size_ - offset)));
+    ASSIGN_OR_RETURN(const std::size_t found,
+                     read_at(offset, block.get(), std::min(block_bytes, state_.size - offset)));
     if (found == 0) return ends_early(offset);
     RETURN_IF_ERROR(take({block.get(), found}));
     offset += found;
@@ -114,9 +120,10 @@ Status InputFile::for_each_block(const std::atomic<bool>* cancel, const TakeBloc
 }
 
 Status InputFile::read_into(char* room, const std::atomic<bool>* cancel) const {
-  for (std::size_t offset = 0; offset < size_;) {
+  for (std::size_t offset = 0; offset < state_.size;) {
     if (is_set(cancel)) return interrupted(path_.string());
-    ASSIGN_OR_RETURN(const std::size_t found, read_at(offset, room + offset, std::min(kBlockBytes, size_ - offset)));
+    ASSIGN_OR_RETURN(const std::size_t found,
+                     read_at(offset, room + offset, std::min(kBlockBytes, state_.size - offset)));
     if (found == 0) return ends_early(offset);
     offset += found;
   }
@@ -125,7 +132,7 @@ Status InputFile::read_into(char* room, const std::atomic<bool>* cancel) const {
 
 std::uint64_t InputFile::hole_bytes(std::uint64_t enough) const {
   std::uint64_t sum = 0;
-  const auto end = static_cast<off_t>(size_);
+  const auto end = static_cast<off_t>(state_.size);
   for (off_t position = 0; position < end && sum < enough;) {
     const off_t hole = ::lseek(file_.number(), position, SEEK_HOLE);
     if (hole < 0 || hole >= end) break;

@@ -30,6 +30,16 @@ class Descriptor {
   int number_;
 };
 
+/// What tells that a file was written to: its size, and the time of its last change.
+struct FileState {
+  std::size_t size = 0;
+  timespec changed = {};
+
+  friend bool operator==(const FileState& a, const FileState& b) {
+    return a.size == b.size && a.changed.tv_sec == b.changed.tv_sec && a.changed.tv_nsec == b.changed.tv_nsec;
+  }
+};
+
 /// A regular file that is open for reading, and its size when it was opened.
 /// Another process may change the file meanwhile: what reads all of it tells that as an error (by size and time of
 /// change), since bytes from before and after do not belong together. Reading from several threads is safe.
@@ -40,8 +50,14 @@ class InputFile {
   static algebra3d::Result<InputFile> open(const std::filesystem::path& path);
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] std::size_t size() const { return state_.size; }
+  /// As it was when the file was opened.
+  [[nodiscard]] const FileState& state() const { return state_; }
 
+  /// Reads up to `count` bytes to `room`; fewer only at the end of the file. Errors: io_error.
+  [[nodiscard]] algebra3d::Result<std::size_t> read_at(std::size_t offset, char* room, std::size_t count) const;
+  /// Errors: io_error if the file was changed since it was opened; says how.
+  [[nodiscard]] algebra3d::Status check_unchanged() const;
   /// The first bytes, `count` of them or as many as there are. Errors: io_error.
   [[nodiscard]] algebra3d::Result<std::string> head(std::size_t count) const;
 
@@ -58,16 +74,13 @@ class InputFile {
   [[nodiscard]] std::uint64_t hole_bytes(std::uint64_t enough) const;
 
  private:
-  InputFile(Descriptor file, std::filesystem::path path, std::size_t size, timespec changed)
-      : file_(std::move(file)), path_(std::move(path)), size_(size), changed_(changed) {}
-  [[nodiscard]] algebra3d::Result<std::size_t> read_at(std::size_t offset, char* room, std::size_t count) const;
-  [[nodiscard]] algebra3d::Status check_unchanged() const;
+  InputFile(Descriptor file, std::filesystem::path path, FileState state)
+      : file_(std::move(file)), path_(std::move(path)), state_(state) {}
   [[nodiscard]] algebra3d::Status ends_early(std::size_t offset) const;
 
   Descriptor file_;
   std::filesystem::path path_;
-  std::size_t size_;
-  timespec changed_;  // the time of the last change when the file was opened
+  FileState state_;
 };
 
 }  // namespace stl

@@ -211,6 +211,7 @@ class AsciiReader {
   }
 
   void add_remarks() {
+    if (missing_end_count_ > 0) read_.wrong_count = WrongCount{.missing_ends = missing_end_count_};
     if (missing_end_count_ == 1) read_.remarks.emplace_back("missing endsolid");
     if (missing_end_count_ > 1)
       read_.remarks.push_back(fmt::format("missing endsolid in {} solids", missing_end_count_));

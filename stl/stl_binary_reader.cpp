@@ -92,7 +92,8 @@ class BinaryReader {
                    "of {}",
                    file_name_, behind, kBinaryFacetBytes};
     const std::size_t trailing = behind - announced * kBinaryFacetBytes;
-    if (whole > announced) read_.wrong_count = WrongCount{announced, whole, announced};
+    read_.wrong_count = WrongCount{announced, whole, announced};
+    if (whole == announced) read_.wrong_count->trailing_bytes = trailing;
     remark(fmt::format("{} after the last facet ignored", counted(trailing, "trailing byte")));
     return announced;
   }
@@ -181,6 +182,12 @@ bool is_placeholder(std::uint64_t count) {
 }  // namespace
 
 std::string WrongCount::text() const {
+  if (missing_ends > 0)
+    return fmt::format("missing endsolid{}: the file may be cut short",
+                       missing_ends == 1 ? "" : fmt::format(" in {} solids", missing_ends));
+  if (trailing_bytes > 0)
+    return fmt::format("wrong count: header announces {}, after which {}", counted(announced, "triangle"),
+                       trailing_bytes == 1 ? "1 byte follows" : fmt::format("{} bytes follow", trailing_bytes));
   return fmt::format("wrong count: header announces {}, file has {}{}{}", counted(announced, "triangle"),
                      read == by_size ? "" : "room for ", by_size,
                      announced > by_size && !is_placeholder(announced) ? ", and may be cut short" : "");

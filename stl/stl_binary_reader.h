@@ -25,7 +25,7 @@ std::size_t announced_facet_count(std::string_view bytes);
 /// - more bytes than announced, no whole number of facets: the rest is ignored, with a remark; but an announced 0
 ///   followed by a facet or more is an error, since neither number can be believed.
 /// - fewer bytes than announced, no whole number of facets, or none at all: the file is truncated, an error.
-/// What is read although the two numbers differ by a facet or more has that in `wrong_count`.
+/// What is read although the two numbers contradict each other has that in `wrong_count`.
 /// Coordinates that are NaN or infinite are an error; such normals become zero, with a remark; attributes are ignored,
 /// with a remark.
 algebra3d::Result<ReadStl> read_binary(std::string_view bytes, std::string_view file_name,

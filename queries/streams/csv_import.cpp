@@ -110,6 +110,7 @@ Result<Datum> run_csv_import(const Value& file, const CsvOptions& options, const
   if (!layout) return in_file(name, layout.error());
   auto reader = open_csv(path, layout->separator, options);
   if (!reader) return in_file(name, reader.error());
+  if (const auto same = reader->file().check_state(layout->guessed_from); !same) return in_file(name, same.error());
   return Datum{TupleStreamPtr(
       std::make_shared<CsvTuples>(name, std::move(reader).value(), std::move(layout).value(), options, context))};
 }

@@ -238,6 +238,7 @@ Result<CsvLayout> guess_csv_layout(const std::filesystem::path& path, const CsvO
   for (std::size_t i = 0; i < kinds.size(); ++i) attributes.push_back({names[i], kinds[i].type()});
   open.layout.tuple = TypeExpr::tuple(std::move(attributes));
   open.layout.sources = all_columns(kinds.size());
+  open.layout.guessed_from = open.reader.file().state();
   return std::move(open.layout);
 }
 

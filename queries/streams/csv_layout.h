@@ -28,8 +28,9 @@ struct CsvLayout {
   char separator = ',';
   bool has_header = false;
   TypeExpr tuple;
-  std::vector<std::size_t> sources;  ///< the column of each attribute
-  std::vector<std::string> columns;  ///< as the header names them; Column1, ... without one
+  std::vector<std::size_t> sources;                 ///< the column of each attribute
+  std::vector<std::string> columns;                 ///< as the header names them; Column1, ... without one
+  std::optional<stl::FileState> guessed_from = {};  ///< the file, if the types are guessed
 };
 
 /// Opens the file behind the lines to skip. Errors: those of TextFile.

@@ -87,6 +87,7 @@ Status CsvReader::read_quoted(CsvCell& cell, std::size_t number) {
   file_.take();
   while (true) {
     const int next = file_.take();
+    if (next == TextFile::kEnd && !file_.status().ok()) return file_.status();
     if (next == TextFile::kEnd)
       return Error{ErrorCode::file_format, "line {}, column {}: the quote that begins the cell is not closed", line,
                    number};

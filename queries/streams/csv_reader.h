@@ -32,6 +32,7 @@ class CsvReader {
   /// Errors: file_format "line 7: ..." (a quote that is not closed, something behind a closing quote, bytes that are no
   /// UTF-8); limit_exceeded for a record of more than 64 MB; io_error.
   algebra3d::Result<bool> next(CsvRecord& record);
+  const TextFile& file() const { return file_; }
   /// Skips that many lines, whatever they hold.
   void skip_lines(std::size_t count);
 

@@ -116,7 +116,8 @@ TupleStreamPtr no_json_tuples() {
 }
 
 JsonLayout stated_json_layout(const TypeExpr& tuple) {
-  JsonLayout layout{tuple, {}};
+  JsonLayout layout;
+  layout.tuple = tuple;
   for (const auto& attribute : tuple.attributes()) layout.columns.push_back(attribute.name);
   return layout;
 }
@@ -148,6 +149,7 @@ Result<Plan> map_import_json(std::span<const ArgumentType> arguments, Context& c
         const std::string& name = algebra3d::characters_of(file);
         auto opened = TextFile::open(running.resolve(name));
         if (!opened) return in_json_file(name, opened.error());
+        if (const auto same = opened->check_state(layout.guessed_from); !same) return in_json_file(name, same.error());
         return Datum{
             TupleStreamPtr(std::make_shared<JsonTuples>(name, JsonRecords(std::move(opened).value(), options.path),
                                                         layout, options.errors_are_undefined, running))};

@@ -66,7 +66,7 @@ class JsonColumns {
     const std::vector<std::string> attributes = attribute_names_of(names_);
     std::vector<TypeExpr::Attribute> typed;
     for (std::size_t i = 0; i < names_.size(); ++i) typed.push_back({attributes[i], type_of(kinds_[i])});
-    return {TypeExpr::tuple(std::move(typed)), std::move(names_)};
+    return {.tuple = TypeExpr::tuple(std::move(typed)), .columns = std::move(names_)};
   }
   bool empty() const { return names_.empty(); }
 
@@ -128,6 +128,7 @@ Result<JsonTree> tree_of_record(const JsonRecord& record, const Context& context
 Result<JsonLayout> guess_json_layout(const std::filesystem::path& path, const JsonOptions& options,
                                      const Context& context) {
   ASSIGN_OR_RETURN(TextFile file, TextFile::open(path));
+  const stl::FileState state = file.state();
   JsonRecords records(std::move(file), options.path);
   JsonRecord record;
   JsonColumns columns;
@@ -142,7 +143,9 @@ Result<JsonLayout> guess_json_layout(const std::filesystem::path& path, const Js
     return Error{ErrorCode::file_format,
                  "has no records with members, so there is nothing to guess types from; expected "
                  "an array of objects, or objects that follow each other"};
-  return std::move(columns).layout();
+  JsonLayout layout = std::move(columns).layout();
+  layout.guessed_from = state;
+  return layout;
 }
 
 }  // namespace queries

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,7 +25,8 @@ Result<JsonOptions> parse_json_options(std::string_view text);
 /// column `Value`.
 struct JsonLayout {
   TypeExpr tuple;
-  std::vector<std::string> columns;  ///< the member of each attribute; of stated types, its name
+  std::vector<std::string> columns;                 ///< the member of each attribute; of stated types, its name
+  std::optional<stl::FileState> guessed_from = {};  ///< the file, if the types are guessed
 };
 
 /// A record as a tree, one level deep. Errors: file_format with the line in the file.

@@ -44,13 +44,18 @@ int JsonRecords::peek_value() {
   return file_.peek();
 }
 
+// A file that was cut short meanwhile is not to blame for what is missing.
+Error JsonRecords::not_closed(std::string_view what, std::size_t line) const {
+  if (!file_.status().ok()) return file_.status().error();
+  return {ErrorCode::file_format, "line {}: the {} that begins here is not closed", line, what};
+}
+
 Status JsonRecords::take_string(std::string& text) {
   const std::size_t line = file_.line();
   text += static_cast<char>(file_.take());
   while (true) {
     const int next = file_.take();
-    if (next == TextFile::kEnd)
-      return Error{ErrorCode::file_format, "line {}: the string that begins here is not closed", line};
+    if (next == TextFile::kEnd) return not_closed("string", line);
     if (next == '\n') file_.count_line();
     text += static_cast<char>(next);
     if (text.size() > kMostJsonBytes)
@@ -67,8 +72,7 @@ Status JsonRecords::take_value(std::string& text) {
   std::size_t depth = 0;
   do {
     const int next = file_.peek();
-    if (next == TextFile::kEnd)
-      return Error{ErrorCode::file_format, "line {}: the value that begins here is not closed", line};
+    if (next == TextFile::kEnd) return not_closed("value", line);
     if (next == '"') {
       RETURN_IF_ERROR(take_string(text));
       continue;

@@ -36,6 +36,7 @@ class JsonRecords {
   void skip_blanks();
   int peek_value();
   algebra3d::Error expected(std::string_view what);
+  algebra3d::Error not_closed(std::string_view what, std::size_t line) const;
 
   TextFile file_;
   std::vector<std::string> path_;

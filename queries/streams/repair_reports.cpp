@@ -63,11 +63,20 @@ void add_amounts(std::vector<ReportRow>& rows, const algebra3d::RepairAmounts& a
     rows.push_back({"distance", name, {}, place(amount), amount.distance});
 }
 
+void add_wrong_count(std::vector<ReportRow>& rows, const stl::WrongCount& wrong) {
+  const auto add = [&](const char* name, std::uint64_t count) {
+    rows.push_back({"file", name, as_int(count), {}, {}});
+  };
+  if (wrong.missing_ends > 0) return add("solids without an end", wrong.missing_ends);
+  add("announced triangles", wrong.announced);
+  add("triangles by size", wrong.by_size);
+  if (wrong.trailing_bytes > 0) add("trailing bytes", wrong.trailing_bytes);
+}
+
 std::vector<ReportRow> rows_of(const ImportedSolid& imported) {
   std::vector<ReportRow> rows;
   if (const auto& wrong = imported.wrong_count) {
-    rows.push_back({"file", "announced triangles", as_int(wrong->announced), {}, {}});
-    rows.push_back({"file", "triangles by size", as_int(wrong->by_size), {}, {}});
+    add_wrong_count(rows, *wrong);
   }
   const double size = imported.found.size;
   std::optional<Defect> previous;
