@@ -27,7 +27,8 @@ struct JsonLayout {
   std::vector<std::string> columns;  ///< the member of each attribute; of stated types, its name
 };
 
-/// A record as a tree, one level deep. Errors: file_format with the line in the file.
+/// A record as a tree, one level deep. Errors: file_format with the line in the file; also for a member that stands
+/// twice in the record.
 Result<algebra3d::JsonTree> tree_of_record(const JsonRecord& record, const Context& context);
 
 /// Name of the only attribute of records that are no objects.
