@@ -6,6 +6,7 @@
 
 #include "stl/ascii_cursor.h"
 #include "stl/file_content.h"
+#include "stl/foreign_file.h"
 #include "stl/obj_statement.h"
 #include "stl/off_header.h"
 #include "stl/stl_binary_reader.h"
@@ -70,6 +71,7 @@ std::optional<MeshFormat> format_of_content(std::string_view bytes) {
 
 Result<MeshFormat> detect_mesh_format(std::string_view bytes, std::string_view file_name) {
   if (const auto format = format_of_content(bytes)) return *format;
+  RETURN_IF_ERROR(refuse_foreign(bytes, file_name));
   if (const auto format = format_of_name(file_name)) return *format;
   if (const auto format = detect_format(bytes, file_name); format && *format == Format::binary) return MeshFormat::stl;
   return Error{ErrorCode::file_format, "{}: neither content nor name is that of a mesh file; expected STL, OBJ or OFF",

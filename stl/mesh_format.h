@@ -24,9 +24,10 @@ std::optional<MeshFormat> format_of_content(std::string_view bytes);
 ///    STL file; a header line of binary OFF; or, in a file of text, the first word behind a byte order mark, white
 ///    space and comments from `#`: `OFF` with its letters (see `off_header`) for OFF, `solid` in any case for STL, a
 ///    keyword of OBJ (`v`, `f`, `o`, `g`, `mtllib`, ...) for OBJ. What is text, says `detect_format`.
-/// 2. Else the name decides by its ending `.stl`, `.obj` or `.off`, in any case: so an OFF file may begin with its
+/// 2. Else a file of another program is refused, whatever its name says; see `refuse_foreign`.
+/// 3. Else the name decides by its ending `.stl`, `.obj` or `.off`, in any case: so an OFF file may begin with its
 ///    counts, an OBJ file hold comments alone, and a faulty file has its error from the reader it was meant for.
-/// 3. Else what is no text in its first 1024 bytes, and at least 84 bytes long, is binary STL with a wrong count.
+/// 4. Else what is no text in its first 1024 bytes, and at least 84 bytes long, is binary STL with a wrong count.
 ///
 /// Errors: file_format for everything else.
 /// Cost: constant but for the comments.

@@ -7,6 +7,7 @@
 
 #include "algebra3d/repair/polygon_triangles.h"
 #include "stl/file_content.h"
+#include "stl/foreign_file.h"
 #include "stl/obj_reader.h"
 #include "stl/off_header.h"
 #include "stl/off_reader.h"
@@ -48,7 +49,9 @@ Result<MeshFile> read_mesh(std::string_view bytes, const std::string& name, std:
     ASSIGN_OR_RETURN(const MeshFormat detected, stl::detect_mesh_format(bytes, name));
     return read_as(detected, bytes, name, cancel);
   }
-  const MeshFormat found = stl::format_of_content(bytes).value_or(*format);
+  const auto known = stl::format_of_content(bytes);
+  if (!known) RETURN_IF_ERROR(stl::refuse_foreign(bytes, name));
+  const MeshFormat found = known.value_or(*format);
   auto read = read_as(found, bytes, name, cancel);
   if (found == *format) return read;
   const std::string other = fmt::format("the content is {}, not {}", name_of(found), name_of(*format));

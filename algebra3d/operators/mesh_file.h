@@ -25,7 +25,8 @@ struct MeshFile {
 
 /// Reads a mesh file of the format or, if none is given, of the one that its content and name say (stl/mesh_format.h).
 /// A content that is without doubt of another format than the given one is read as what it is, with a remark, or the
-/// error says so. Errors: those of FileContent, refuse_unwritten and the readers of stl/, which name the file.
+/// error says so. Errors: those of FileContent, refuse_unwritten, refuse_foreign and the readers of stl/, which name
+/// the file.
 Result<MeshFile> read_mesh_file(const std::filesystem::path& path, std::optional<stl::MeshFormat> format,
                                 const std::atomic<bool>* cancel = nullptr);
 

@@ -54,18 +54,31 @@ char lower_case(char c) {
   return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-// Twice the edit distance, in which letters that differ only in case count half.
+std::size_t double_letter_distance(char a, char b) {
+  return a == b ? 0 : lower_case(a) == lower_case(b) ? 1 : 2;
+}
+
+// Whether the letters in front of the ends `i` and `j` are the same two the other way round.
+bool are_swapped(std::string_view a, std::size_t i, std::string_view b, std::size_t j) {
+  return i > 1 && j > 1 && lower_case(a[i - 1]) == lower_case(b[j - 2]) &&
+         lower_case(a[i - 2]) == lower_case(b[j - 1]) && lower_case(a[i - 1]) != lower_case(a[i - 2]);
+}
+
+// Twice the edit distance, in which letters that differ only in case count half, and two neighbours that are swapped
+// count as one edit.
 std::size_t double_edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> before(b.size() + 1);  // the row of i - 2
+  std::vector<std::size_t> last(b.size() + 1);
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = 2 * j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
+    std::swap(before, last);
+    std::swap(last, row);
     row[0] = 2 * i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t cost = a[i - 1] == b[j - 1] ? 0 : lower_case(a[i - 1]) == lower_case(b[j - 1]) ? 1 : 2;
-      const std::size_t substituted = diagonal + cost;
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 2, row[j - 1] + 2, substituted});
+      const std::size_t substituted = last[j - 1] + double_letter_distance(a[i - 1], b[j - 1]);
+      row[j] = std::min({last[j] + 2, row[j - 1] + 2, substituted});
+      if (are_swapped(a, i, b, j)) row[j] = std::min(row[j], before[j - 2] + 2);
     }
   }
   return row.back();

@@ -13,6 +13,12 @@ constexpr std::string_view kTextBegin = "<text>";
 constexpr std::string_view kFileBegin = "<file>";
 constexpr std::string_view kFileEnd = "</file--->";
 
+std::string_view blanks_at_end(std::string_view line) {
+  std::size_t begin = line.size();
+  while (begin > 0 && is_blank(line[begin - 1])) --begin;
+  return line.substr(begin);
+}
+
 }  // namespace
 
 bool is_shell_command(std::string_view text) {
@@ -26,7 +32,9 @@ std::vector<CommandText> CommandReader::add_line(std::string_view line) {
   ++line_;
   // Editors on Windows begin a file with this mark of UTF-8.
   if (line_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
-  while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  const std::string_view blanks = blanks_at_end(line);
+  line.remove_suffix(blanks.size());
   std::vector<CommandText> complete;
   if (is_skipped(line)) return complete;
   if (line.empty()) {
@@ -35,6 +43,8 @@ std::vector<CommandText> CommandReader::add_line(std::string_view line) {
   }
   if (!text_.empty()) text_ += '\n';
   for (std::size_t position = 0; position < line.size();) add_character(line, position, complete);
+  // They belong to a literal that goes on in the next line.
+  if (literal_ != Literal::none && literal_ != Literal::comment) text_ += blanks;
   return complete;
 }
 

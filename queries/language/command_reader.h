@@ -17,7 +17,8 @@ struct CommandText {
 
 /// Assembles commands from lines (language.md 1.1): a line that begins with `#` is skipped, `;` outside of brackets and
 /// literals ends a command, and so does an empty line. The commands of 1.2 (`help`, `quit`, `@FILE`, ...) need no `;`
-/// and end with their line. Works for scripts, test files and terminals alike.
+/// and end with their line. White space at the end of a line counts in literals alone, except for a carriage return.
+/// Works for scripts, test files and terminals alike.
 class CommandReader {
  public:
   /// Lines that are skipped besides those that begin with `#`.

@@ -192,6 +192,13 @@ Token Scanner::scan_number(Token token) {
   return token;
 }
 
+// A quote that was forgotten is noticed late: each that follows closes what it should open.
+std::string Scanner::other_unclosed_quote() const {
+  if (!long_literal_) return "";
+  return fmt::format("; perhaps it is the one at {}:{} that is not closed, whose text runs over a line end",
+                     long_literal_->line, long_literal_->column);
+}
+
 Token Scanner::scan_quoted(Token token, char quote) {
   token.kind = quote == '"' ? Kind::string : Kind::text;
   ++position_;
@@ -199,11 +206,14 @@ Token Scanner::scan_quoted(Token token, char quote) {
     if (source_[position_] == '\\' && (at(position_ + 1) == quote || at(position_ + 1) == '\\')) ++position_;
     token.text += source_[position_++];
   }
-  if (position_ >= source_.size())
+  if (position_ >= source_.size()) {
     fail(token, std::string("a ") + (quote == '"' ? "string" : "text") + " is not closed: expected " + quote +
-                    swallowed_text(source_.substr(token.begin), token.place));
-  else
-    ++position_;
+                    swallowed_text(source_.substr(token.begin), token.place) + other_unclosed_quote());
+    return token;
+  }
+  ++position_;
+  const bool has_line_end = source_.substr(token.begin, position_ - token.begin).find('\n') != std::string_view::npos;
+  if (!long_literal_ && has_line_end) long_literal_ = token.place;
   return token;
 }
 

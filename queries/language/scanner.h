@@ -52,6 +52,7 @@ class Scanner {
   Token scan_special(Token token);
   SourcePlace place_of(std::size_t offset);
   Token literal_at(std::size_t offset);
+  std::string other_unclosed_quote() const;
   void fail(const Token& token, std::string message);
   void rewind_to_next();
   bool starts_with(std::string_view text) const { return source_.substr(position_).starts_with(text); }
@@ -63,6 +64,7 @@ class Scanner {
   std::size_t position_ = 0;
   std::deque<Token> buffer_;
   std::optional<algebra3d::Error> error_;
+  std::optional<SourcePlace> long_literal_;  // the first in quotes that runs over a line end
 };
 
 }  // namespace queries

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "algebra3d/types/utf8.h"
 #include "queries/language/scanner.h"
 #include "queries/streams/plain_text.h"
 
@@ -11,12 +12,22 @@ using algebra3d::Error;
 using algebra3d::ErrorCode;
 using algebra3d::Registry;
 using algebra3d::Result;
+using algebra3d::Status;
 using algebra3d::Type;
 
 namespace {
 
 Error wrong_parameter(std::string_view text, std::string_view why) {
   return {ErrorCode::wrong_usage, "-p {}: {}", quoted_excerpt(text), why};
+}
+
+// As for commands: a string that is no text could be stored, but neither saved and restored nor shown.
+Status check_is_text(std::string_view text) {
+  const std::size_t wrong = algebra3d::first_no_text(text);
+  if (wrong == std::string_view::npos) return {};
+  const SourcePlace place = algebra3d::place_behind(text.substr(0, wrong), {"", 1, 1});
+  return wrong_parameter(algebra3d::shown_as_text(text),
+                         fmt::format("{}:{}: {}", place.line, place.column, algebra3d::no_text_message(text[wrong])));
 }
 
 std::string_view guessed_type(std::string_view value) {
@@ -67,6 +78,7 @@ Result<const SessionParameter*> find_parameter(const SessionParameters* paramete
 
 Result<std::pair<std::string, SessionParameter>> parse_session_parameter(std::string_view text,
                                                                          const Registry& registry) {
+  RETURN_IF_ERROR(check_is_text(text));
   const std::size_t equals = text.find('=');
   if (equals == std::string_view::npos) return wrong_parameter(text, "expected NAME=VALUE or NAME:TYPE=VALUE");
   const std::string_view left = text.substr(0, equals);

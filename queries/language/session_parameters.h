@@ -20,7 +20,8 @@ struct SessionParameter {
 using SessionParameters = std::map<std::string, SessionParameter, std::less<>>;
 
 /// Reads `NAME=VALUE` (a number is an int or a real, TRUE and FALSE are bools, anything else is a string, see
-/// plain_kind) or `NAME:TYPE=VALUE` (list_of_text). Errors: wrong_usage, with what was found and expected.
+/// plain_kind) or `NAME:TYPE=VALUE` (list_of_text). Errors: wrong_usage, with what was found and expected; also for
+/// bytes that are no text.
 algebra3d::Result<std::pair<std::string, SessionParameter>> parse_session_parameter(
     std::string_view text, const algebra3d::Registry& registry);
 

@@ -44,10 +44,6 @@ void report_operator(const algebra3d::Operator* op, std::string_view command, Co
                   command, op->name));
 }
 
-Error no_object(const std::string& name) {
-  return {ErrorCode::unknown_name, "there is no object '{}'", name};
-}
-
 }  // namespace
 
 Status Session::check_new_name(const std::string& name, std::string_view what) {
@@ -132,8 +128,7 @@ Status Session::run(const UpdateObject& command, Presenter&, Context& context) {
   return in_transaction(true, [&]() -> Status {
     Objects objects(registry_, store, context);
     ASSIGN_OR_RETURN(const auto existing, store->find(command.name));
-    if (!existing)
-      return Error{ErrorCode::unknown_name, "there is no object '{}'; use let to create one", command.name};
+    if (!existing) return no_object(command.name, *store, "; use let to create one");
     if (!existing->derived_text.empty())
       return Error{ErrorCode::wrong_usage,
                    "update: '{}' is derived from other objects; delete it and use let for a value of its own",
@@ -200,7 +195,7 @@ Status Session::run(const DeleteObject& command, Presenter&, Context& context) {
   ASSIGN_OR_RETURN(Store * store, required_store());
   return in_transaction(true, [&]() -> Status {
     ASSIGN_OR_RETURN(const auto existing, store->find(command.name));
-    if (!existing) return no_object(command.name);
+    if (!existing) return no_object(command.name, *store);
     const std::string_view verb = command.kills ? "kill" : "delete";
     return change_definitions(verb, context, [&] { return remove(command.name, command.kills, verb, context); });
   });
@@ -211,7 +206,7 @@ Status Session::run(const RenameObject& command, Presenter&, Context& context) {
   RETURN_IF_ERROR(check_new_name(command.new_name));
   return in_transaction(true, [&]() -> Status {
     ASSIGN_OR_RETURN(const auto existing, store->find(command.old_name));
-    if (!existing) return no_object(command.old_name);
+    if (!existing) return no_object(command.old_name, *store);
     return change_definitions("changename", context, [&]() -> Status {
       RETURN_IF_ERROR(store->rename(command.old_name, command.new_name));
       return check_no_circle(command.new_name, *store, registry_);

@@ -12,6 +12,15 @@ constexpr std::size_t kMaxFunctionsInMaking = 100;
 
 }  // namespace
 
+Error no_object(const std::string& name, Store& store, std::string_view advice) {
+  std::vector<std::string> names;
+  if (const auto objects = store.objects())  // only the hint comes from here
+    for (const ObjectInfo& info : *objects) names.push_back(info.name);
+  const std::string nearest = algebra3d::nearest_name(name, names);
+  return {ErrorCode::unknown_name, "there is no object '{}'{}{}", name,
+          nearest.empty() ? "" : ", did you mean '" + nearest + "'?", nearest.empty() ? advice : ""};
+}
+
 Result<std::optional<TypeExpr>> Session::Objects::type_of(const std::string& name) {
   if (store_ == nullptr) return std::optional<TypeExpr>();
   ASSIGN_OR_RETURN(const auto info, store_->find(name));

@@ -2,12 +2,16 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "queries/language/typed_tree.h"
 #include "queries/session/session.h"
 
 namespace queries {
+
+/// "there is no object 'Pars', did you mean 'Parts'?"; `advice` stands where no name is near.
+algebra3d::Error no_object(const std::string& name, Store& store, std::string_view advice = {});
 
 /// The objects of the open database as the checker sees them, for one statement: values are read once and remembered,
 /// functions are made from their text. Without a database there are no objects.

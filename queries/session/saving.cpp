@@ -145,7 +145,7 @@ Status Session::run(const SaveObject& command, Presenter&, Context& context) {
   ASSIGN_OR_RETURN(ListFile file, ListFile::create(context.resolve(command.file)));
   Status status = in_transaction(false, [&]() -> Status {
     ASSIGN_OR_RETURN(const auto info, store->find(command.name));
-    if (!info) return Error{ErrorCode::unknown_name, "there is no object '{}'", command.name};
+    if (!info) return no_object(command.name, *store);
     RETURN_IF_ERROR(note_underivable(command.name, context));
     RETURN_IF_ERROR(file.write(kSavedHere, "\n"));
     return ObjectWriter(*store, file, context).write(*info);

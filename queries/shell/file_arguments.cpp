@@ -1,7 +1,6 @@
 #include "queries/shell/file_arguments.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <filesystem>
 #include <system_error>
@@ -11,6 +10,7 @@
 
 #include "algebra3d/base/open_databases.h"
 #include "algebra3d/types/utf8.h"
+#include "stl/foreign_file.h"
 #include "stl/input_file.h"
 #include "stl/mesh_format.h"
 #include "stl/stl_binary_reader.h"
@@ -27,32 +27,16 @@ constexpr std::size_t kSampleBytes = std::size_t{64} << 10U;
 constexpr std::string_view kExpected =
     "expected a script of commands, a database of algebra3d, or an STL, OBJ or OFF file";
 
-/// How files of other programs begin.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kOtherFiles{{
-    {"PK\x03\x04", "a ZIP archive (as .3mf and .xlsx files are)"},
-    {"\x1f\x8b", "compressed by gzip"},
-    {"\x28\xb5\x2f\xfd", "compressed by zstd"},
-    {"\xfd"
-     "7zXZ",
-     "compressed by xz"},
-    {"BZh", "compressed by bzip2"},
-    {"7z\xbc\xaf", "a 7z archive"},
-    {"\x7f"
-     "ELF",
-     "a program"},
-    {"\x89PNG", "a PNG image"},
-    {"\xff\xd8\xff", "a JPEG image"},
-    {"%PDF", "a PDF document"},
-    {"glTF", "a binary glTF model"},
-    {"Kaydara FBX", "an FBX model"},
-    {"\xff\xfe", "text in UTF-16; scripts are UTF-8"},
-    {"\xfe\xff", "text in UTF-16; scripts are UTF-8"},
-}};
-
 bool has_mesh_ending(const std::string& name) {
   std::string ending = std::filesystem::path(name).extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return ending == ".stl" || ending == ".obj" || ending == ".off";
+}
+
+/// A file that is not there is known by its name alone.
+bool is_missing_mesh(const std::string& name) {
+  std::error_code error;
+  return has_mesh_ending(name) && !std::filesystem::exists(name, error);
 }
 
 bool is_binary_stl(std::string_view head, std::size_t size) {
@@ -68,8 +52,8 @@ bool is_binary(std::string_view head) {
 FileArgument kind_of(std::string_view head, std::size_t size, const std::string& name) {
   if (head.starts_with("SQLite format 3")) return {FileKind::database, {}};
   if (is_binary_stl(head, size) || has_mesh_ending(name) || stl::format_of_content(head)) return {FileKind::mesh, {}};
-  for (const auto& [begin, what] : kOtherFiles)
-    if (head.starts_with(begin)) return {FileKind::other, fmt::format("it is {}; {}", what, kExpected)};
+  if (const std::string_view kind = stl::foreign_kind(head); !kind.empty())
+    return {FileKind::other, fmt::format("it is {}; {}", kind, kExpected)};
   if (is_binary(head)) return {FileKind::other, fmt::format("it is a binary file of an unknown kind; {}", kExpected)};
   return {};
 }
@@ -97,7 +81,7 @@ Result<NamedFiles> sort_named_files(const std::vector<std::string>& names) {
   NamedFiles files;
   for (const std::string& name : names) {
     const FileKind kind = examine_file(name).kind;
-    if (kind == FileKind::mesh) {
+    if (kind == FileKind::mesh || is_missing_mesh(name)) {
       files.meshes.push_back(name);
     } else if (kind != FileKind::database) {
       files.scripts.push_back(name);

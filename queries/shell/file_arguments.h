@@ -29,8 +29,8 @@ std::string why_no_script(const std::string& name);
 
 /// The files named on a command line, by what is done with them.
 struct NamedFiles {
-  std::string database;  ///< to be opened; empty if none was named
-  std::vector<std::string> meshes;
+  std::string database;              ///< to be opened; empty if none was named
+  std::vector<std::string> meshes;   ///< also missing files with such an ending, which have an error of their own
   std::vector<std::string> scripts;  ///< and everything else, which is refused when it is run
 };
 

@@ -11,6 +11,7 @@
 #include "queries/importer/import_command.h"
 #include "queries/shell/mesh_input.h"
 #include "queries/shell/screen.h"
+#include "stl/text.h"
 
 namespace queries {
 namespace {
@@ -170,8 +171,8 @@ int MeshCommands::repair(const MeshConsole& console) const {
   tell(console, diagnostics.summary());
   if (!written) return fail_with(console, written.error());
   if (!*written) return fail_with(console, {ErrorCode::io_error, "{} was not written", output_.file});
-  console.out << fmt::format("{}: {}, {} triangles\n", printable(output_.file), form_text(*form),
-                             imported->solid->mesh().face_count());
+  console.out << fmt::format("{}: {}, {}\n", printable(output_.file), form_text(*form),
+                             stl::counted(imported->solid->mesh().face_count(), "triangle"));
   return 0;
 }
 
@@ -186,9 +187,9 @@ int MeshCommands::convert(const MeshConsole& console) const {
   if (!written) return fail_with(console, written.error());
   if (written->rounding > 0)
     tell(console, {fmt::format("coordinates were rounded to floats, by at most {:.3g}", written->rounding)});
-  const std::string points = written->point_count > 0 ? fmt::format("{} points, ", written->point_count) : "";
-  console.out << fmt::format("{}: {}, {}{} facets\n", printable(output_.file), form_text(*form), points,
-                             written->face_count);
+  const std::string points = written->point_count > 0 ? stl::counted(written->point_count, "point") + ", " : "";
+  console.out << fmt::format("{}: {}, {}{}\n", printable(output_.file), form_text(*form), points,
+                             stl::counted(written->face_count, "facet"));
   return 0;
 }
 

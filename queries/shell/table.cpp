@@ -8,6 +8,7 @@
 #include "algebra3d/types/spatial.h"
 #include "algebra3d/types/utf8.h"
 #include "queries/shell/screen.h"
+#include "stl/text.h"
 
 namespace queries {
 namespace {
@@ -32,8 +33,8 @@ std::string box_text(const Box3& box) {
 std::string summary(const Value& value) {
   const auto header = value.header();
   if (header.box.is_empty()) return fmt::format("{}: empty", value.type().name());
-  const std::string_view unit = value.type().name() == "points3d" ? "points" : "triangles";
-  return fmt::format("{}: {} {}, box {}", value.type().name(), header.size, unit, box_text(header.box));
+  const std::string_view unit = value.type().name() == "points3d" ? "point" : "triangle";
+  return fmt::format("{}: {}, box {}", value.type().name(), stl::counted(header.size, unit), box_text(header.box));
 }
 
 // Long columns share what the short ones leave, none falls below a readable width.

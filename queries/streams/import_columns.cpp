@@ -48,12 +48,17 @@ std::vector<std::string> attribute_names_of(const std::vector<std::string>& colu
 
 std::string renaming_note(std::string_view op, const std::vector<std::string>& columns,
                           const std::vector<std::string>& attributes) {
-  std::vector<std::string> renamed;
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    if (columns[i] != attributes[i])
-      renamed.push_back(fmt::format("{} is {}", quoted_excerpt(columns[i]), attributes[i]));
-  if (renamed.empty()) return {};
-  return fmt::format("{}: names of columns that are no names of attributes: {}", op, algebra3d::enumerate(renamed, 20));
+  constexpr std::size_t kMostShown = 20;
+  std::string renamed;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (columns[i] == attributes[i]) continue;
+    if (++count > kMostShown) continue;
+    renamed += fmt::format("{}{} to {}", count == 1 ? "" : ", ", quoted_excerpt(columns[i]), attributes[i]);
+  }
+  if (count == 0) return {};
+  if (count > kMostShown) renamed += fmt::format(" and {} more", count - kMostShown);
+  return fmt::format("{}: names that attributes cannot have were changed: {}", op, renamed);
 }
 
 Result<std::vector<std::pair<std::string, std::string>>> split_options(std::string_view text) {

@@ -60,28 +60,36 @@ class JsonTuples final : public TupleStream {
 
  private:
   Status fill(const JsonTree& tree, Tuple& made) {
-    if (tree.kind(0) != JsonKind::object) return set(std::string(kJsonValueColumn), tree.text(0), made);
+    if (tree.kind(0) != JsonKind::object) {
+      const auto position = position_of(std::string(kJsonValueColumn));
+      return position ? set(*position, tree.text(0), made) : Status();
+    }
+    std::vector<std::size_t> keys(types_.size());  // of each attribute, as parts of the tree; 0 if there is none
     for (std::size_t key = JsonTree::first(0); key != tree.end(0);) {
       const std::size_t value = tree.after(key);
-      RETURN_IF_ERROR(set(tree.content(key), tree.text(value), made));
+      if (const auto position = position_of(tree.content(key))) {
+        if (const std::size_t other = std::exchange(keys[*position], key); other != 0)
+          return in_json_file(
+              name_, {ErrorCode::file_format, "line {}, record {}: the members {} and {} both mean {}", record_.line,
+                      record_.number, tree.text(other), tree.text(key), columns_[*position]});
+        RETURN_IF_ERROR(set(*position, tree.text(value), made));
+      }
       key = tree.after(value);
     }
     return {};
   }
 
-  Status set(const std::string& member, std::string_view json, Tuple& made) {
-    const auto position = position_of(member);
-    if (!position) return {};
-    const Type& type = *types_[*position];
+  Status set(std::size_t position, std::string_view json, Tuple& made) {
+    const Type& type = *types_[position];
     auto value = value_of_json(type, json, context_);
     if (value) {
-      made.attributes[*position] = std::move(value).value();
+      made.attributes[position] = std::move(value).value();
       return {};
     }
-    const std::string place = fmt::format("line {}, member {}", record_.line, columns_[*position]);
+    const std::string place = fmt::format("line {}, member {}", record_.line, columns_[position]);
     if (!errors_are_undefined_ || value.error().code == ErrorCode::interrupted)
       return in_json_file(name_, {value.error().code, place + ": " + value.error().message});
-    made.attributes[*position] = Value(type);
+    made.attributes[position] = Value(type);
     context_.diagnostics.report_undefined("importJSON: " + value.error().message, name_ + " " + place);
     return {};
   }

@@ -1,7 +1,10 @@
 #include "queries/streams/json_layout.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -85,6 +88,21 @@ void add_record(const JsonTree& tree, JsonColumns& columns) {
     columns.add(tree.content(key), column_kind_of(tree, tree.after(key)));
 }
 
+// Either value could be meant, so none is taken.
+Status check_no_duplicate(const JsonTree& tree, const JsonRecord& record) {
+  if (tree.kind(0) != JsonKind::object) return {};
+  std::vector<std::pair<std::string, std::size_t>> keys;
+  for (std::size_t key = JsonTree::first(0); key != tree.end(0); key = tree.after(tree.after(key)))
+    keys.emplace_back(tree.content(key), key);
+  std::ranges::sort(keys);
+  const auto same = std::ranges::adjacent_find(keys, {}, &std::pair<std::string, std::size_t>::first);
+  if (same == keys.end()) return {};
+  const std::string_view before = std::string_view(record.text).substr(0, tree.begin(std::next(same)->second));
+  const auto line = record.line + static_cast<std::size_t>(std::ranges::count(before, '\n'));
+  return Error{ErrorCode::file_format, "line {}, record {}: the member {} stands there twice", line, record.number,
+               quoted_excerpt(same->first)};
+}
+
 std::vector<std::string> path_of(std::string_view text) {
   std::vector<std::string> path;
   while (!text.empty()) {
@@ -117,6 +135,7 @@ Result<JsonOptions> parse_json_options(std::string_view text) {
 // The tree counts lines from the beginning of the record.
 Result<JsonTree> tree_of_record(const JsonRecord& record, const Context& context) {
   auto tree = JsonTree::parse(record.text, 1, context.monitor());
+  if (tree) RETURN_IF_ERROR(check_no_duplicate(*tree, record));
   if (tree || tree.error().code == ErrorCode::interrupted) return tree;
   std::string message = tree.error().message;
   std::size_t line = 1;

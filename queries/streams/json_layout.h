@@ -29,7 +29,8 @@ struct JsonLayout {
   std::optional<stl::FileState> guessed_from = {};  ///< the file, if the types are guessed
 };
 
-/// A record as a tree, one level deep. Errors: file_format with the line in the file.
+/// A record as a tree, one level deep. Errors: file_format with the line in the file; also for a member that stands
+/// twice in the record.
 Result<algebra3d::JsonTree> tree_of_record(const JsonRecord& record, const Context& context);
 
 /// Name of the only attribute of records that are no objects.

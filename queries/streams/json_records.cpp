@@ -149,6 +149,7 @@ Result<bool> JsonRecords::next(JsonRecord& record) {
   if (next == TextFile::kEnd && !is_array_) return end();
   is_first_ = false;
   record.line = file_.line();
+  record.number = ++count_;
   if (ends_scalar(next) && next != '{' && next != '[' && next != '"') return expected("a value");
   RETURN_IF_ERROR(take_value(record.text));
   RETURN_IF_ERROR(file_.status());

@@ -11,7 +11,8 @@ namespace queries {
 /// One record of a JSON file: the text of a value, which has not been checked yet.
 struct JsonRecord {
   std::string text;
-  std::size_t line = 0;  ///< where it begins, from 1
+  std::size_t line = 0;    ///< where it begins, from 1
+  std::size_t number = 0;  ///< among the records of the file, from 1
 };
 
 /// Cuts a JSON file into its records, which are read one after the other: the elements of the array that is the whole
@@ -40,6 +41,7 @@ class JsonRecords {
 
   TextFile file_;
   std::vector<std::string> path_;
+  std::size_t count_ = 0;  // records so far
   bool has_begun_ = false;
   bool is_array_ = false;
   bool is_first_ = true;

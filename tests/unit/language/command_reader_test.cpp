@@ -77,6 +77,14 @@ TEST(CommandReader, literals_may_span_lines) {
   EXPECT_EQ(commands("query 'a;\nb';query 2;"), (Commands{"1:1 query 'a;\nb'", "2:4 query 2"}));
 }
 
+TEST(CommandReader, literals_keep_the_white_space_at_the_end_of_their_lines) {
+  EXPECT_EQ(commands("query 'a  \t\nb '  \n + 1;"), (Commands{"1:1 query 'a  \t\nb '\n + 1"}));
+  EXPECT_EQ(commands("query \"a  \r\nb\" ;\r\n"), (Commands{"1:1 query \"a  \nb\""}));
+  EXPECT_EQ(commands("query \"a\r\r\nb\";"), (Commands{"1:1 query \"a\r\nb\""}));
+  EXPECT_EQ(commands("query <text>a  \nb</text---> _! c  \nd !_;"),
+            (Commands{"1:1 query <text>a  \nb</text---> _! c\nd !_"}));
+}
+
 TEST(CommandReader, an_empty_line_ends_a_command_whose_bracket_was_forgotten) {
   EXPECT_EQ(commands("query (1;\n\nquery 2;"), (Commands{"1:1 query (1;", "3:1 query 2"}));
 }

@@ -327,6 +327,13 @@ TEST(Hints, a_literal_that_is_not_closed_says_what_it_has_taken) {
             "and not run");
 }
 
+TEST(Hints, a_quote_that_opens_late_names_the_one_that_may_have_been_forgotten) {
+  EXPECT_EQ(command_error("query \"abc;\nquery \"def\";\nquery 3;"),
+            "2:11 a string is not closed: expected \"; everything from there to the end of line 3 was read as part of "
+            "it, and not run; perhaps it is the one at 1:7 that is not closed, whose text runs over a line end");
+  EXPECT_EQ(command_error("query 'abc' + 'def"), "1:15 a text is not closed: expected '");
+}
+
 TEST(Hints, operators_of_other_languages) {
   EXPECT_EQ(parsed("a == b"), "error 1:3 there is no operator '=='; write '=' for equality");
   EXPECT_EQ(parsed("R feed filter[.A != 1]"), "error 1:18 there is no operator '!='; write '#' for inequality");

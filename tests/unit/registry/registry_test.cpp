@@ -108,6 +108,16 @@ TEST(NearestName, finds_slips_and_nothing_far) {
   EXPECT_EQ(nearest_name("banana", names), "");
 }
 
+TEST(NearestName, a_swap_of_neighbours_is_one_edit) {
+  const std::vector<std::string> names = {"Parts", "count", "Name", "Bolts"};
+  EXPECT_EQ(nearest_name("Parst", names), "Parts");
+  EXPECT_EQ(nearest_name("Prats", names), "Parts");
+  EXPECT_EQ(nearest_name("cuont", names), "count");
+  EXPECT_EQ(nearest_name("Nmae", names), "Name");
+  EXPECT_EQ(nearest_name("amNe", names), "");
+  EXPECT_EQ(nearest_name("ba", std::vector<std::string>{"ab", "aa"}), "ab");
+}
+
 TEST(NearestName, letters_that_differ_only_in_case_are_nearer) {
   const std::vector<std::string> names = {"R", "or", "select"};
   EXPECT_EQ(nearest_name("rr", names), "or");
@@ -127,7 +137,8 @@ TEST(NearestName, short_words_are_near_to_no_operator) {
   }
   EXPECT_EQ(registry.suggestion("rr"), "");
   EXPECT_EQ(registry.suggestion("OR"), "or");
-  EXPECT_EQ(registry.suggestion("adn"), "");
+  EXPECT_EQ(registry.suggestion("adn"), "and");
+  EXPECT_EQ(registry.suggestion("nda"), "");
   EXPECT_EQ(registry.suggestion("annd"), "and");
 }
 

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "algebra3d/types/utf8.h"
+#include "queries/language/session_parameters.h"
 #include "unit/session/example_session.h"
 
 namespace queries {
@@ -50,6 +51,18 @@ TEST_F(ForeignText, an_environment_variable_with_it_fails) {
   write("c.obj", "(OBJECT c () string \"$(ALGEBRA3D_TEST_BYTES)\" ())");
   EXPECT_EQ(failure("restore c from 'c.obj'"), "1:23 object 'c': expected UTF-8, found the byte 0xff");
   unsetenv("ALGEBRA3D_TEST_BYTES");
+}
+
+TEST_F(ForeignText, a_parameter_with_it_is_refused_with_its_place) {
+  const auto failure_of = [&](std::string_view given) {
+    const auto parameter = parse_session_parameter(given, session_.session().registry());
+    return parameter ? "no error" : parameter.error().message;
+  };
+  EXPECT_EQ(failure_of("a=caf\xE9"), R"(-p "a=caf\xe9": 1:6: expected UTF-8, found the byte 0xe9)");
+  EXPECT_EQ(failure_of("a:text=\xC3\xBC\n\xC3\xBC\xFF"),
+            R"(-p "a:text=ü ü\xff": 2:2: expected UTF-8, found the byte 0xff)");
+  EXPECT_EQ(failure_of("\xE9=1"), R"(-p "\xe9=1": 1:1: expected UTF-8, found the byte 0xe9)");
+  EXPECT_EQ(failure_of("a=caf\xC3\xA9"), "no error");
 }
 
 TEST_F(ForeignText, names_of_files_are_given_with_their_bytes_and_a_note) {

@@ -76,6 +76,27 @@ TEST(MeshFormatTest, what_is_no_text_and_has_no_ending_is_binary_stl) {
   EXPECT_EQ(*format, MeshFormat::stl);
 }
 
+TEST(MeshFormatTest, files_of_other_programs_are_refused_whatever_their_name) {
+  const std::string zeros(200, '\0');
+  for (const auto& [bytes, what] : std::vector<std::pair<std::string, std::string>>{
+           {"\x7f"
+            "ELF" +
+                zeros,
+            "a program"},
+           {"\x1f\x8b" + zeros, "compressed by gzip"},
+           {"SQLite format 3" + zeros, "a SQLite database"},
+           {stl_bytes::header("%PDF", 1) + stl_bytes::facets(2), "a PDF document"}}) {
+    for (const std::string name : {"a.stl", "a.obj", "a.off", "a"}) {
+      const auto format = detect_mesh_format(bytes, name);
+      ASSERT_FALSE(format);
+      EXPECT_EQ(format.error().code, ErrorCode::file_format);
+      EXPECT_EQ(format.error().message, name + ": it is " + what + "; expected an STL, OBJ or OFF file");
+    }
+  }
+  const auto exact = detect_mesh_format(stl_bytes::header("%PDF", 1) + stl_bytes::facets(1), "a");
+  EXPECT_TRUE(exact && *exact == MeshFormat::stl);
+}
+
 TEST(MeshFormatTest, anything_else_is_an_error) {
   for (const std::string& bytes : {std::string("Once upon a time"), std::string(), std::string("8 6 12\n"),
                                    std::string("# comment"), std::string("\0\1\2", 3)}) {
