@@ -43,7 +43,8 @@ Status TextFile::skip_byte_order_mark() {
   if (!fill()) return status();
   const std::string_view front(buffer_.data(), end_);
   if (front.starts_with("\xff\xfe") || front.starts_with("\xfe\xff"))
-    return Error{ErrorCode::file_format, "expected UTF-8, found UTF-16; convert it with iconv -f UTF-16 -t UTF-8"};
+    return Error{ErrorCode::file_format,
+                 "line 1: expected UTF-8, found UTF-16; convert it with iconv -f UTF-16 -t UTF-8"};
   if (front.starts_with("\xef\xbb\xbf")) position_ = 3;
   return {};
 }
