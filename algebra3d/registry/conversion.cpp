@@ -35,8 +35,4 @@ Value converted(const Value& value, const Type& to) {
   return Value::of(characters_of(value));
 }
 
-const std::string& characters_of(const Value& value) {
-  return &value.type() == &TypeOf<Text>::type() ? value.get<Text>().content : value.get<std::string>();
-}
-
 }  // namespace algebra3d

@@ -19,7 +19,4 @@ std::optional<std::size_t> conversion_cost(const TypeExpr& from, std::string_vie
 /// stays undefined.
 Value converted(const Value& value, const Type& to);
 
-/// The characters of a defined string or text.
-const std::string& characters_of(const Value& value);
-
 }  // namespace algebra3d

@@ -68,8 +68,8 @@ class Registry {
 std::string enumerate(const std::vector<std::string>& items, std::size_t limit = 8);
 /// True for words that differ in nothing but the case of letters, or not at all.
 bool is_equal_but_for_case(std::string_view a, std::string_view b);
-/// The candidate with the smallest edit distance to `word` (a third of its length at most), or empty. Letters that
-/// differ only in case count half; one that differs in nothing else is always near.
+/// The candidate with the smallest edit distance to `word` (a third of its length at most), or empty. Two neighbours
+/// that are swapped are one edit, letters that differ only in case half; what differs in nothing else is always near.
 std::string nearest_name(std::string_view word, std::span<const std::string> candidates);
 /// "(volume3d real)"
 std::string argument_list_text(std::span<const TypeExpr> types);

@@ -141,7 +141,8 @@ class BoolType final : public DescribedType {
   }
 };
 
-// string and text: the order of bytes, which for UTF-8 is that of the characters' numbers.
+// string and text, which are compared with each other, too: the order of bytes, which for UTF-8 is that of the
+// characters' numbers.
 template <typename T>
 class CharactersType final : public DescribedType {
  public:
@@ -168,7 +169,9 @@ class CharactersType final : public DescribedType {
     }
   }
 
-  std::strong_ordering compare(const Value& a, const Value& b) const override { return content(a) <=> content(b); }
+  std::strong_ordering compare(const Value& a, const Value& b) const override {
+    return characters_of(a) <=> characters_of(b);
+  }
   std::size_t hash(const Value& value) const override {
     return XXH3_64bits(content(value).data(), content(value).size());
   }
@@ -204,6 +207,10 @@ class CharactersType final : public DescribedType {
 };
 
 }  // namespace
+
+const std::string& characters_of(const Value& value) {
+  return &value.type() == &TypeOf<Text>::type() ? value.get<Text>().content : value.get<std::string>();
+}
 
 std::strong_ordering compare(std::int64_t integer, double real) {
   constexpr double kBeyond = 0x1p63;

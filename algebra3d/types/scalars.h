@@ -35,6 +35,9 @@ struct TypeOf<Text> {
   static const Type& type();
 };
 
+/// The characters of a defined string or text.
+const std::string& characters_of(const Value& value);
+
 /// The exact order of an int and a finite real, although few large ints are reals.
 std::strong_ordering compare(std::int64_t integer, double real);
 

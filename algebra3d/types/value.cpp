@@ -5,6 +5,14 @@
 
 namespace algebra3d {
 
+namespace {
+
+[[maybe_unused]] bool have_one_order(const Type& a, const Type& b) {
+  return &a == &b || (a.storage() == Type::Storage::text && b.storage() == Type::Storage::text);
+}
+
+}  // namespace
+
 bool Type::is_spatial() const {
   const auto is_of_space = [](Kind kind) { return kind == Kind::spatial2d || kind == Kind::spatial3d; };
   return std::ranges::any_of(kinds(), is_of_space);
@@ -44,7 +52,7 @@ NestedList Value::to_nested() const {
 }
 
 std::strong_ordering compare(const Value& a, const Value& b) {
-  assert(&a.type() == &b.type() && !a.is_deferred() && !b.is_deferred());
+  assert(have_one_order(a.type(), b.type()) && !a.is_deferred() && !b.is_deferred());
   if (!a.is_defined() || !b.is_defined()) return a.is_defined() <=> b.is_defined();
   return a.type().compare(a, b);
 }

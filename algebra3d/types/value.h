@@ -230,7 +230,7 @@ class Value {
   Content content_;
 };
 
-/// Order of two loaded values of one type; undefined comes first and equals undefined.
+/// Order of two loaded values of one type, or of strings and texts; undefined comes first and equals undefined.
 std::strong_ordering compare(const Value& a, const Value& b);
 std::size_t hash(const Value& value);
 /// Of a loaded value: if a < b then order_prefix(a) <= order_prefix(b). 0 if it is undefined.

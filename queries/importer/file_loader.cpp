@@ -12,6 +12,7 @@
 #include <tbb/task_arena.h>
 #include <xxhash.h>
 
+#include "algebra3d/types/utf8.h"
 #include "stl/input_file.h"
 #include "stl/unwritten_file.h"
 
@@ -32,8 +33,10 @@ struct Slot {
   LoadedFile file;
 };
 
-/// Messages of readers begin with the path, which stands in the attribute File.
-std::string without_path(std::string text, const std::string& path) {
+/// Messages of readers begin with the path, which stands in the attribute File. Their bytes are those of the name of
+/// the file, which may be no text.
+std::string without_path(std::string_view message, const std::string& path) {
+  std::string text = algebra3d::shown_as_text(message);
   if (text.starts_with(path + ": ")) text.erase(0, path.size() + 2);
   return text;
 }
@@ -223,7 +226,7 @@ Slot::Stage FileLoader::Work::load(Slot& slot) {
     auto result = reader_(slot.listed->path, &stop_);
     if (result) {
       file.solid = std::move(result->solid);
-      file.status = without_path(std::move(result->status), file.path);
+      file.status = without_path(result->status, file.path);
       file.measures = result->measures;
       if (!result->was_read) file.identity.reset();
       return Slot::Stage::ready;

@@ -356,7 +356,8 @@ Result<TypedPtr> Checker::check(const FunctionCall& call, const SourcePlace& pla
       return Error(ErrorCode::unknown_name, "there is no function '{}'; the operator of that name is written {}",
                    call.name, op->written())
           .at(place);
-    const std::string suggestion = registry_.suggestion(call.name);
+    std::string suggestion = registry_.suggestion(call.name);
+    if (suggestion.empty()) suggestion = algebra3d::nearest_name(call.name, objects_.names());
     return Error(ErrorCode::unknown_name, "unknown operator '{}'{}", call.name,
                  suggestion.empty() ? "" : ", did you mean '" + suggestion + "'?")
         .at(place);

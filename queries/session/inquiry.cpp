@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "algebra3d/exact/counters.h"
+#include "algebra3d/types/utf8.h"
 
 namespace queries {
 namespace {
@@ -20,7 +21,7 @@ NestedList databases(const std::filesystem::path& folder) {
   std::vector<std::string> names;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error))
-    if (entry.path().extension() == ".db") names.push_back(entry.path().stem().string());
+    if (entry.path().extension() == ".db") names.push_back(algebra3d::shown_as_text(entry.path().stem().string()));
   std::ranges::sort(names);
   NestedList::List list;
   for (const std::string& name : names) list.push_back(symbol(name));

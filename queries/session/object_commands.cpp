@@ -230,6 +230,8 @@ Status Session::run(const DefineType& command, Presenter&, Context& context) {
 Status Session::run(const DeleteType& command, Presenter&, Context& context) {
   ASSIGN_OR_RETURN(Store * store, required_store());
   return in_transaction(true, [&]() -> Status {
+    ASSIGN_OR_RETURN(const auto existing, store->find_type(command.name));
+    if (!existing) return no_type(command.name, *store);
     return change_definitions("delete type", context, [&] { return store->remove_type(command.name); });
   });
 }

@@ -10,15 +10,31 @@ namespace {
 
 constexpr std::size_t kMaxFunctionsInMaking = 100;
 
+Error nothing_named(std::string_view what, const std::string& name, const std::vector<std::string>& candidates,
+                    std::string_view advice) {
+  const std::string nearest = algebra3d::nearest_name(name, candidates);
+  return {ErrorCode::unknown_name,
+          "there is no {} '{}'{}{}",
+          what,
+          name,
+          nearest.empty() ? "" : ", did you mean '" + nearest + "'?",
+          nearest.empty() ? advice : ""};
+}
+
 }  // namespace
 
 Error no_object(const std::string& name, Store& store, std::string_view advice) {
   std::vector<std::string> names;
   if (const auto objects = store.objects())  // only the hint comes from here
     for (const ObjectInfo& info : *objects) names.push_back(info.name);
-  const std::string nearest = algebra3d::nearest_name(name, names);
-  return {ErrorCode::unknown_name, "there is no object '{}'{}{}", name,
-          nearest.empty() ? "" : ", did you mean '" + nearest + "'?", nearest.empty() ? advice : ""};
+  return nothing_named("object", name, names, advice);
+}
+
+Error no_type(const std::string& name, Store& store) {
+  std::vector<std::string> names;
+  if (const auto types = store.types())
+    for (const NamedType& type : *types) names.push_back(type.name);
+  return nothing_named("type", name, names, {});
 }
 
 Result<std::optional<TypeExpr>> Session::Objects::type_of(const std::string& name) {

@@ -12,6 +12,8 @@ namespace queries {
 
 /// "there is no object 'Pars', did you mean 'Parts'?"; `advice` stands where no name is near.
 algebra3d::Error no_object(const std::string& name, Store& store, std::string_view advice = {});
+/// "there is no type 'pari', did you mean 'pair'?"
+algebra3d::Error no_type(const std::string& name, Store& store);
 
 /// The objects of the open database as the checker sees them, for one statement: values are read once and remembered,
 /// functions are made from their text. Without a database there are no objects.

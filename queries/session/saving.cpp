@@ -1,7 +1,10 @@
 // The commands of a session that save a database or an object as a nested list. The text is written object by object
 // and tuple by tuple, into a file that appears when it is whole, so that a failure leaves what was there.
+#include <algorithm>
+
 #include <fmt/format.h>
 
+#include "queries/language/scanner.h"
 #include "queries/session/objects.h"
 #include "queries/session/saved_list.h"
 #include "queries/session/session.h"
@@ -13,6 +16,15 @@ namespace {
 
 Error cannot_write(const Error& reason) {
   return {reason.code, "save: the file cannot be written: {}", reason.message};
+}
+
+// Any file may hold a database, but a name in a list is a word. It is not used when the list is read.
+std::string word_of_database(const std::filesystem::path& file) {
+  std::string word = file.stem().string();
+  if (is_identifier(word)) return word;
+  std::ranges::replace_if(
+      word, [](char c) { return !is_identifier(std::string("_") + c); }, '_');
+  return is_identifier(word) ? word : "_" + word;
 }
 
 /// The file being saved, with the error that is told of it.
@@ -127,7 +139,7 @@ Status Session::run(const SaveDatabase& command, Presenter&, Context& context) {
   Status status = in_transaction(false, [&]() -> Status {
     RETURN_IF_ERROR(note_underivable({}, context));
     RETURN_IF_ERROR(
-        file.write(kSavedHere, "\n(DATABASE ", store->file().stem().string(), "\n  (DESCRIPTIVE ALGEBRA)\n  (TYPES"));
+        file.write(kSavedHere, "\n(DATABASE ", word_of_database(store->file()), "\n  (DESCRIPTIVE ALGEBRA)\n  (TYPES"));
     ASSIGN_OR_RETURN(const auto types, store->types());
     for (const NamedType& type : types)
       RETURN_IF_ERROR(file.write("\n    (TYPE ", type.name, " ", type.type.text(), ")"));

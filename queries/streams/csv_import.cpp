@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/registry/conversion.h"
 #include "algebra3d/types/scalars.h"
 #include "queries/streams/all.h"
 #include "queries/streams/csv_layout.h"

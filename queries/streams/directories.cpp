@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <system_error>
 
-#include "algebra3d/registry/conversion.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/utf8.h"
 #include "queries/streams/all.h"

@@ -8,11 +8,34 @@
 namespace queries {
 namespace {
 
+/// A function of two values of a type that gives one of it, but for conversions.
+struct FoldFunction {
+  Conversion first, second, result;
+
+  static Result<FoldFunction> make(const MappingCheck& check, const TypeExpr& function, const TypeExpr& type) {
+    const TypeExpr wanted = TypeExpr::map({type, type}, type);
+    const auto parameters = function.is_function() ? function.function_parameters() : std::vector<TypeExpr>();
+    if (parameters.size() != 2) return check.expected("a function of type " + wanted.text(), function);
+    const auto first = conversion_to(parameters[0], type);
+    const auto second = conversion_to(parameters[1], type);
+    const auto result = conversion_to(type, function.function_result());
+    if (!first || !second || !result) return check.expected("a function of type " + wanted.text(), function);
+    return FoldFunction{*first, *second, *result};
+  }
+  Result<Value> call(const Function& function, const Value& a, const Value& b) const {
+    ASSIGN_OR_RETURN(Value left, loaded_as(a, first));
+    ASSIGN_OR_RETURN(Value right, loaded_as(b, second));
+    const std::array<Datum, 2> both = {Datum{std::move(left)}, Datum{std::move(right)}};
+    ASSIGN_OR_RETURN(const Value value, function.call_for_value(both));
+    return loaded_as(value, result);
+  }
+};
+
 /// Folds values pairwise, so that every value takes part in no more than log n applications: what matters when the
 /// results grow, as unions of solids do. Neighbours are combined only, the earlier one first.
 class BalancedFold {
  public:
-  explicit BalancedFold(const Function& function) : function_(function) {}
+  BalancedFold(const Function& function, const FoldFunction& call) : function_(function), call_(call) {}
 
   Status add(Value value) {
     results_.push_back({std::move(value), 0});
@@ -34,14 +57,14 @@ class BalancedFold {
 
   Status combine_last() {
     Partial& left = results_[results_.size() - 2];
-    const std::array<Datum, 2> both = {Datum{left.value}, Datum{results_.back().value}};
-    ASSIGN_OR_RETURN(Datum combined, function_.call(both));
-    left = {std::get<Value>(std::move(combined.content)), left.level + 1};
+    ASSIGN_OR_RETURN(Value combined, call_.call(function_, left.value, results_.back().value));
+    left = {std::move(combined), left.level + 1};
     results_.pop_back();
     return {};
   }
 
   const Function& function_;
+  const FoldFunction& call_;
   std::vector<Partial> results_;  // levels descend
 };
 
@@ -50,11 +73,10 @@ Result<Plan> map_aggregate(std::span<const ArgumentType> arguments) {
   ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
   ASSIGN_OR_RETURN(const std::size_t index, check.attribute(1, tuple));
   const TypeExpr type = tuple.attributes()[index].type;
-  const TypeExpr wanted = TypeExpr::map({type, type}, type);
-  if (!(check[2].type == wanted)) return check.expected("a function of type " + wanted.text(), check[2].type);
+  ASSIGN_OR_RETURN(const FoldFunction call, FoldFunction::make(check, check[2].type, type));
   ASSIGN_OR_RETURN(const Conversion conversion, check.conversion(3, type));
   return Plan{type, [=](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                BalancedFold fold(given[2].function());
+                BalancedFold fold(given[2].function(), call);
                 RETURN_IF_ERROR(for_each_tuple(*given[0].tuples(), context, [&](const TuplePtr& next) {
                   return fold.add(next->attributes[index]);
                 }));
@@ -88,20 +110,18 @@ Result<Plan> map_extend_aggr(std::span<const ArgumentType> arguments) {
   const TypeExpr type = tuple.attributes()[fold.attribute].type;
   if (check[2].names.size() != 1)
     return check.error("expected one function, as in extend_aggr[A; B: fun(a: int, b: int) a + b]");
-  const TypeExpr wanted = TypeExpr::map({type, type}, type);
-  if (!(check[2].types[0] == wanted)) return check.expected("a function of type " + wanted.text(), check[2].types[0]);
+  ASSIGN_OR_RETURN(const FoldFunction call, FoldFunction::make(check, check[2].types[0], type));
   ASSIGN_OR_RETURN(const TypeExpr result, check.concatenated(tuple, TypeExpr::tuple({{check[2].names[0], type}})));
-  return Plan{TypeExpr::stream(result), [fold](std::vector<Datum> given, Context&) -> Result<Datum> {
+  return Plan{TypeExpr::stream(result), [fold, call](std::vector<Datum> given, Context&) -> Result<Datum> {
                 const auto function = given[2].list()[0].function_ptr();
                 return changed_tuples(given[0].tuples(),
-                                      [fold, function, so_far = std::optional<Value>()](
+                                      [fold, call, function, so_far = std::optional<Value>()](
                                           const TuplePtr& from, std::vector<Value>& to) mutable -> Status {
                                         const Value& next = from->attributes[fold.attribute];
                                         const bool begins =
                                             !so_far || (fold.restart && is_true(from->attributes[*fold.restart]));
                                         if (!begins) {
-                                          const std::array<Datum, 2> both = {Datum{*so_far}, Datum{next}};
-                                          ASSIGN_OR_RETURN(so_far, function->call_for_value(both));
+                                          ASSIGN_OR_RETURN(so_far, call.call(*function, *so_far, next));
                                         } else {
                                           so_far = next;
                                         }

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/registry/conversion.h"
 #include "algebra3d/types/scalars.h"
 #include "queries/streams/plain_text.h"
 

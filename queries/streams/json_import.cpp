@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/registry/conversion.h"
+#include "algebra3d/types/scalars.h"
 #include "queries/streams/all.h"
 #include "queries/streams/import_columns.h"
 #include "queries/streams/json_layout.h"

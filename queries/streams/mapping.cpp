@@ -200,6 +200,17 @@ Value converted(const Value& value, Conversion conversion) {
   return conversion == nullptr ? value : algebra3d::converted(value, *conversion);
 }
 
+Result<Value> loaded_as(const Value& value, Conversion conversion) {
+  if (conversion == nullptr) return value;
+  ASSIGN_OR_RETURN(const Value loaded, value.loaded());
+  return algebra3d::converted(loaded, *conversion);
+}
+
+bool are_comparable(const TypeExpr& a, const TypeExpr& b) {
+  const auto are_characters = [](const TypeExpr& type) { return type.is("string") || type.is("text"); };
+  return a == b || (are_characters(a) && are_characters(b));
+}
+
 Value id_value(TupleId id) {
   return Value::of(algebra3d::TupleNumber{id});
 }

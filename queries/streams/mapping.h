@@ -120,6 +120,10 @@ TuplePtr concatenated(const Tuple& left, const Tuple& right);
 std::optional<Conversion> conversion_to(const TypeExpr& wanted, const TypeExpr& given);
 /// The value after the conversion.
 Value converted(const Value& value, Conversion conversion);
+/// The same of a value that may not be loaded yet. Errors: those of loading.
+Result<Value> loaded_as(const Value& value, Conversion conversion);
+/// Whether values of the two types are compared: those of one type, and strings and texts.
+bool are_comparable(const TypeExpr& a, const TypeExpr& b);
 /// The value of type tid.
 Value id_value(TupleId id);
 /// The id that a defined value of type tid or int holds; 0 for none.

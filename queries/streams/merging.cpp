@@ -1,4 +1,7 @@
 // concat, mergesec, mergediff, mergeunion: two streams of one type become one.
+#include <algorithm>
+#include <optional>
+
 #include "queries/streams/all.h"
 #include "queries/streams/any_stream.h"
 #include "queries/streams/sorting.h"
@@ -6,19 +9,70 @@
 namespace queries {
 namespace {
 
-/// Element type of both streams; of tuples the names of the first.
-Result<TypeExpr> common_type(const MappingCheck& check) {
-  ASSIGN_OR_RETURN(TypeExpr first, check.any_stream(0));
-  ASSIGN_OR_RETURN(const TypeExpr second, check.any_stream(1));
-  bool is_same = first == second;
-  if (first.is_tuple() && second.is_tuple() && first.attributes().size() == second.attributes().size()) {
-    is_same = true;
-    for (std::size_t i = 0; i < first.attributes().size(); ++i)
-      is_same = is_same && first.attributes()[i].type == second.attributes()[i].type;
+/// The type that the elements of two streams become; of tuples with the names of the first.
+struct CommonElement {
+  TypeExpr type;
+  std::vector<Conversion> first, second;  // of each attribute, or of the value
+};
+
+/// The types of the attributes, or that of the value.
+std::vector<TypeExpr> types_within(const TypeExpr& element) {
+  if (!element.is_tuple()) return {element};
+  std::vector<TypeExpr> types;
+  for (const auto& attribute : element.attributes()) types.push_back(attribute.type);
+  return types;
+}
+
+// Strings beside texts become texts.
+std::optional<CommonElement> common_element(const TypeExpr& first, const TypeExpr& second) {
+  std::vector<TypeExpr> left = types_within(first);
+  const std::vector<TypeExpr> right = types_within(second);
+  if (first.is_tuple() != second.is_tuple() || left.size() != right.size()) return std::nullopt;
+  CommonElement common;
+  std::vector<TypeExpr::Attribute> attributes;
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    if (!are_comparable(left[i], right[i])) return std::nullopt;
+    const TypeExpr type = left[i] == right[i] ? left[i] : TypeExpr("text");
+    common.first.push_back(*conversion_to(type, left[i]));
+    common.second.push_back(*conversion_to(type, right[i]));
+    if (first.is_tuple()) attributes.push_back({first.attributes()[i].name, type});
+    left[i] = type;
   }
-  if (is_same) return first;
+  common.type = first.is_tuple() ? TypeExpr::tuple(std::move(attributes)) : left.front();
+  return common;
+}
+
+Result<CommonElement> common_element(const MappingCheck& check) {
+  ASSIGN_OR_RETURN(const TypeExpr first, check.any_stream(0));
+  ASSIGN_OR_RETURN(const TypeExpr second, check.any_stream(1));
+  if (auto common = common_element(first, second)) return *std::move(common);
   return check.error("expected two streams with elements of the same types, got " + first.text() + " and " +
                      second.text());
+}
+
+Result<TuplePtr> element_as(const std::vector<Conversion>& conversions, const TuplePtr& from) {
+  Tuple tuple;
+  tuple.attributes.reserve(from->attributes.size());
+  for (std::size_t i = 0; i < conversions.size(); ++i) {
+    ASSIGN_OR_RETURN(Value value, loaded_as(from->attributes[i], conversions[i]));
+    tuple.attributes.push_back(std::move(value));
+  }
+  return std::make_shared<const Tuple>(std::move(tuple));
+}
+
+Result<std::optional<Value>> element_as(const std::vector<Conversion>& conversions, const std::optional<Value>& from) {
+  ASSIGN_OR_RETURN(Value value, loaded_as(*from, conversions.front()));
+  return std::optional(std::move(value));
+}
+
+template <typename Stream>
+std::shared_ptr<Stream> stream_as(const std::vector<Conversion>& conversions, const std::shared_ptr<Stream>& stream) {
+  if (std::ranges::all_of(conversions, [](Conversion conversion) { return conversion == nullptr; })) return stream;
+  return make_stream_of<Stream>([conversions, stream]() -> Result<ElementOf<Stream>> {
+    ASSIGN_OR_RETURN(ElementOf<Stream> element, stream->next());
+    if (!element) return element;
+    return element_as(conversions, element);
+  });
 }
 
 // A mapping in which `merge(first, second, context)` gives the stream for two of the same kind.
@@ -26,11 +80,13 @@ template <typename Merge>
 TypeMapping merging(const char* op, Merge merge) {
   return [op, merge](std::span<const ArgumentType> arguments) -> Result<Plan> {
     const MappingCheck check(op, arguments);
-    ASSIGN_OR_RETURN(const TypeExpr element, common_type(check));
-    return Plan{TypeExpr::stream(element), [merge](std::vector<Datum> given, Context& context) -> Result<Datum> {
+    ASSIGN_OR_RETURN(const CommonElement common, common_element(check));
+    return Plan{TypeExpr::stream(common.type),
+                [merge, common](std::vector<Datum> given, Context& context) -> Result<Datum> {
                   return visit_stream(given[0], [&]<typename Stream>(const std::shared_ptr<Stream>& first) {
                     const auto& second = std::get<std::shared_ptr<Stream>>(given[1].content);
-                    return Result<Datum>(Datum{merge(first, second, context)});
+                    return Result<Datum>(
+                        Datum{merge(stream_as(common.first, first), stream_as(common.second, second), context)});
                   });
                 }};
   };
@@ -152,7 +208,8 @@ void register_merging(algebra3d::Registry& registry) {
       .name = "concat",
       .syntax = "_ _ concat",
       .doc = "The elements of the first stream, then those of the second.",
-      .detail = "Both have elements of the same types; the attributes have the names of the first.",
+      .detail = "Both have elements of the same types, but strings beside texts become texts; the attributes have the "
+                "names of the first.",
       .stream = stream_operator(merging("concat", Concatenation())),
       .signatures = {"(stream(tuple) stream(tuple)) -> stream(tuple)", "(stream(DATA) stream(DATA)) -> stream(DATA)"},
       .handles_undefined = true,

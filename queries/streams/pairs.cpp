@@ -36,7 +36,7 @@ Result<JoinKeys> join_keys(const MappingCheck& check, const JoinTypes& types) {
   ASSIGN_OR_RETURN(keys.right, check.attribute(3, types.right));
   const TypeExpr& left = types.left.attributes()[keys.left].type;
   const TypeExpr& right = types.right.attributes()[keys.right].type;
-  if (left == right) return keys;
+  if (are_comparable(left, right)) return keys;
   return check.error("expected attributes of one type, got " + left.text() + " and " + right.text());
 }
 

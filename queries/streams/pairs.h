@@ -34,7 +34,8 @@ struct JoinTypes {
 };
 Result<JoinTypes> join_types(const MappingCheck& check);
 
-/// Positions of the two attributes that an equi-join compares: those that places 2 and 3 name. Both are of one type.
+/// Positions of the two attributes that an equi-join compares: those that places 2 and 3 name. Their types are
+/// comparable.
 struct JoinKeys {
   std::size_t left = 0;
   std::size_t right = 0;

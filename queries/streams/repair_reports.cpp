@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "algebra3d/operators/import_solid.h"
-#include "algebra3d/registry/conversion.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
 #include "queries/streams/all.h"

@@ -424,5 +424,11 @@ TEST_F(Importer, a_file_name_that_is_no_utf8_is_written_so_that_it_is) {
   EXPECT_EQ(rows().begin()->first, "p\\xe9.stl");
 }
 
+TEST_F(Importer, nor_has_the_status_of_such_a_file_its_bytes) {
+  write("p\xE9.stl", "solid\nfac\xE9t\n");
+  ASSERT_EQ(import(options()), 0) << err_;
+  EXPECT_EQ(rows().begin()->second.status, R"(byte 6, line 2: expected 'facet' or 'endsolid', found 'fac\xe9t')");
+}
+
 }  // namespace
 }  // namespace queries

@@ -74,6 +74,21 @@ TEST_F(ForeignText, names_of_files_are_given_with_their_bytes_and_a_note) {
   EXPECT_NE(session_.notes().find("the name of a file is no UTF-8"), std::string::npos) << session_.notes();
 }
 
+TEST_F(ForeignText, a_database_in_a_file_of_any_name_is_saved_and_restored) {
+  for (const std::string name : {"caf\xE9", "my parts", "a(b", "it's", "5x", "a;b"}) {
+    TestSession session(folder_.path());
+    ASSERT_TRUE(session.session().open_file(folder_.path() / (name + ".db")).ok());
+    EXPECT_EQ(session.run("let a = 'x'"), "");
+    EXPECT_EQ(session.run("save database to 'saved.list'"), "");
+    EXPECT_EQ(algebra3d::first_no_text(session.run("list databases")), std::string_view::npos);
+    EXPECT_EQ(session.run("close database"), "");
+    EXPECT_EQ(session.run("restore database copy from 'saved.list'"), "") << name;
+    EXPECT_EQ(session.run("query a"), "'x'");
+    EXPECT_EQ(session.run("close database"), "");
+    EXPECT_EQ(session.run("delete database copy"), "");
+  }
+}
+
 TEST_F(ForeignText, the_name_in_an_stl_file_may_be_anything) {
   write("named.stl", "solid caf\xE9\nendsolid\n");
   EXPECT_EQ(session_.run("query importSTL('named.stl')"), "()");
