@@ -121,5 +121,28 @@ TEST_F(Definitions, what_nothing_needs_goes_without_a_word) {
   EXPECT_EQ(session_.notes(), "");
 }
 
+std::string sum_of(std::size_t count) {
+  std::string sum = "1";
+  while (--count > 0) sum += "+1";
+  return sum;
+}
+
+// What is stored can be evaluated, saved and restored: one limit, met when the object is made.
+TEST_F(Definitions, the_highest_expression_that_is_stored_is_read_again) {
+  const std::string highest = "let Highest = fun(x: int) " + sum_of(399);
+  EXPECT_EQ(session_.run(highest + " + 1"),
+            "error: the expression is more than 400 levels high (brackets, or operators in a row); split it with let");
+  EXPECT_EQ(session_.run(highest), "");
+  EXPECT_EQ(session_.run("derive High = Highest(2) + " + sum_of(398)), "");
+  EXPECT_EQ(session_.run("query Highest(1) + High"), std::to_string(399 + 399 + 398));
+  EXPECT_EQ(session_.run("save Highest to 'highest.txt'"), "");
+  EXPECT_EQ(session_.run("restore Again from 'highest.txt'"), "");
+  EXPECT_EQ(session_.run("query Again(1)"), "399");
+  EXPECT_EQ(session_.run("save database to 'all.txt'"), "");
+  EXPECT_EQ(session_.run("close database"), "");
+  EXPECT_EQ(session_.run("restore database e from 'all.txt'"), "");
+  EXPECT_EQ(session_.run("query Highest(1) + High"), std::to_string(399 + 399 + 398));
+}
+
 }  // namespace
 }  // namespace queries
