@@ -75,8 +75,8 @@ struct Neighbor {
 };
 
 /// Entries by growing distance from a box, equal distances by payload; each step does only the work that it needs.
-/// Distances are rounded and compared as rounded, at any size of the coordinates; beyond the largest
-/// double they are infinite. Lifetime: as WindowCursor.
+/// Distances are rounded and compared as rounded, at any size of the coordinates. Those beyond the largest double are
+/// handed out as infinite, but are in order, too. Lifetime: as WindowCursor.
 /// Source: [hjaltason1999].
 template <typename Payload>
 class NearestCursor {
@@ -89,7 +89,7 @@ class NearestCursor {
 
  private:
   struct Candidate {
-    double distance;
+    double distance;  // or what stands for it in a search that reaches far
     Payload reference;
     std::uint32_t level;  ///< 0: an entry; else one above the level of the node
 
@@ -105,10 +105,12 @@ class NearestCursor {
   void push(const Candidate& candidate);
   Candidate pop();
   void lower_bound(double distance);
+  double far_code(const Box3& to, double distance) const;
 
   const Storage<Payload>* storage_;
   Box3 box_;
   std::size_t limit_;               // entries still to be handed out
+  bool is_far_ = false;             // distances may be beyond the largest double
   double bound_ = Box3::kInfinity;  // nothing farther away can be among them
   double square_bound_ = Box3::kInfinity;
   std::vector<double> bounds_;   // distances of the nearest entries seen, the largest first; for small limits

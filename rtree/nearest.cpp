@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "rtree/cursors.h"
 
@@ -30,6 +32,40 @@ double scaled_distance(const Box3& a, const Box3& b, double scale) {
   return std::sqrt(sum) / scale;
 }
 
+// The same for large gaps: coordinates are scaled before they are subtracted, and the result stays scaled.
+double scaled_large_distance(const Box3& a, const Box3& b, double scale) {
+  double sum = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double above = scale * a.min[axis] - scale * b.max[axis];
+    const double below = scale * b.min[axis] - scale * a.max[axis];
+    const double gap = above > 0 ? above : below > 0 ? below : 0;
+    sum += gap * gap;
+  }
+  return std::sqrt(sum);
+}
+
+// Distances between boxes up to here are finite.
+constexpr double kNoOverflow = 0x1p1020;
+// No distance between finite boxes leaves the range of doubles when it is multiplied by this.
+constexpr double kFarScale = 0x1p-4;
+
+// What stands for a distance below 1 where those from 1 on are scaled: the negative numbers, in the same order. No
+// digit is lost at either end.
+double near_code(double distance) {
+  return -std::bit_cast<double>(std::bit_cast<std::uint64_t>(1.0) - std::bit_cast<std::uint64_t>(distance));
+}
+
+double distance_of_far_code(double code) {
+  if (code >= 0) return code / kFarScale;
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(1.0) - std::bit_cast<std::uint64_t>(-code));
+}
+
+bool reaches_far(const Box3& box) {
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (box.min[axis] < -kNoOverflow || box.max[axis] > kNoOverflow) return true;
+  return false;
+}
+
 }  // namespace
 
 template <typename Payload>
@@ -41,6 +77,7 @@ NearestCursor<Payload>::NearestCursor(const Storage<Payload>& storage, const Box
     bounds_.reserve(limit);
   }
   heap_.reserve(128);
+  is_far_ = reaches_far(box) || reaches_far(storage.bounds(storage.root));
   expand(storage.root, static_cast<std::uint32_t>(storage.height()));
 }
 
@@ -50,7 +87,7 @@ std::optional<Neighbor<Payload>> NearestCursor<Payload>::next() {
     const Candidate nearest = pop();
     if (nearest.level == 0) {
       --limit_;
-      return Neighbor<Payload>{nearest.reference, nearest.distance};
+      return Neighbor<Payload>{nearest.reference, is_far_ ? distance_of_far_code(nearest.distance) : nearest.distance};
     }
     // What is nearest now is most likely expanded next.
     if (!heap_.empty() && heap_.front().level == 1)
@@ -70,11 +107,20 @@ void NearestCursor<Payload>::expand(NodeIndex node_index, std::uint32_t level) {
     if (square > square_bound_) continue;
     double distance = std::sqrt(square);
     if (square < kSmallSquare) distance = scaled_distance(node.box(slot), box_, 0x1p600);
-    if (square > kLargeSquare) distance = scaled_distance(node.box(slot), box_, 0x1p-600);
+    if (square > kLargeSquare) distance = scaled_large_distance(node.box(slot), box_, 0x1p-600) / 0x1p-600;
+    if (is_far_) distance = far_code(node.box(slot), distance);
     if (distance > bound_) continue;
     push({distance, node.reference[slot], level});
     if (level == 0 && bounds_size_ > 0) lower_bound(distance);
   }
+}
+
+// A distance may be beyond the largest double, and is to be told from others that are.
+template <typename Payload>
+double NearestCursor<Payload>::far_code(const Box3& to, double distance) const {
+  if (distance < 1) return near_code(distance);
+  if (distance < kNoOverflow) return distance * kFarScale;
+  return scaled_large_distance(to, box_, 0x1p-600) * (kFarScale * 0x1p600);
 }
 
 // The bound is the largest of the nearest distances seen, once there are as many as are asked for.
@@ -89,6 +135,7 @@ void NearestCursor<Payload>::lower_bound(double distance) {
   std::ranges::push_heap(bounds_);
   if (bounds_.size() < bounds_size_) return;
   bound_ = bounds_.front();
+  if (is_far_) return;
   // A little more than the square, whatever was rounded: it only spares the root.
   square_bound_ = std::max(bound_ * bound_, kSmallSquare) * (1 + 0x1p-48);
 }

@@ -10,7 +10,7 @@ namespace algebra3d {
 namespace {
 
 /// Beyond it a double may stand for several numbers.
-constexpr double kLargestNumber = 9007199254740992.0;
+constexpr std::int64_t kLargestNumber = std::int64_t{1} << 53U;
 
 class TupleNumberType final : public DescribedType {
  public:
@@ -26,8 +26,9 @@ class TupleNumberType final : public DescribedType {
                           : list.is_real()   ? list.as_real()
                           : list.is_symbol() ? parse_real(list.as_symbol()).value_or(0)
                                              : 0.0;
-    if (number < 1 || number > kLargestNumber || number != std::floor(number))
-      return expected("a positive integer", list);
+    const bool is_rounded = list.is_int() && list.as_int() > kLargestNumber;
+    if (number < 1 || number > static_cast<double>(kLargestNumber) || number != std::floor(number) || is_rounded)
+      return expected(fmt::format("an integer from 1 to {}", kLargestNumber), list);
     return Value::of(TupleNumber{static_cast<std::int64_t>(number)});
   }
   NestedList to_nested(const Value& value) const override { return NestedList(value.get<TupleNumber>().number); }

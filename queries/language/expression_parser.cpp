@@ -85,10 +85,7 @@ ExpressionPtr ExpressionParser::make(SourcePlace place, ExpressionNode node) con
 // Operators in a row make deep trees without nesting, and whatever walks a tree recurses on its height.
 Status ExpressionParser::check_height(const Expression& expression) const {
   if (expression.height <= kMaxExpressionHeight) return {};
-  return Error(ErrorCode::limit_exceeded,
-               "the expression is more than {} levels high (brackets, or operators in a row); split it with let",
-               kMaxExpressionHeight)
-      .at(expression.place);
+  return too_high(expression.place);
 }
 
 bool ExpressionParser::accept(std::string_view spelling) {
@@ -124,8 +121,8 @@ Result<std::string> ExpressionParser::name(std::string_view what) {
 }
 
 Status ExpressionParser::deeper() {
-  if (depth_ < kMaxExpressionDepth) return {};
-  return Error(ErrorCode::limit_exceeded, "the expression is nested deeper than {} levels", kMaxExpressionDepth)
+  if (depth_ < kMaxBracketDepth) return {};
+  return Error(ErrorCode::limit_exceeded, "brackets are nested deeper than {} levels", kMaxBracketDepth)
       .at(scanner_.peek().place);
 }
 

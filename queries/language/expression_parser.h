@@ -16,7 +16,7 @@ using algebra3d::Result;
 using algebra3d::Status;
 
 /// Recursive descent over one scanner. Grammar: language.md 3.2 to 3.5 with conventional precedence (docs/language.md).
-/// Depth is limited by kMaxExpressionDepth.
+/// Depth is limited by kMaxBracketDepth.
 ///
 /// Names of operators are no reserved words, so that a new operator breaks no script and no database: where a word
 /// stands decides what it is, without looking at the objects that there are.

@@ -38,6 +38,10 @@ std::string name_in(const NestedList& list) {
   return is_identifier(name) ? name : "";
 }
 
+bool is_in_spare_parentheses(const NestedList& list) {
+  return list.is_list() && list.elements().size() == 1 && list.elements().front().is_list();
+}
+
 // `((Name e) ...)`; the names are looked at later.
 bool has_form_of_functions(const NestedList& list) {
   return list.is_list() && std::ranges::all_of(list.elements(), [](const NestedList& element) {
@@ -58,11 +62,7 @@ class NestedReader::Deeper {
   ~Deeper() { --depth_; }
   Deeper(const Deeper&) = delete;
   Deeper& operator=(const Deeper&) = delete;
-  Status check(const SourcePlace& place) const {
-    if (depth_ <= kMaxExpressionDepth) return {};
-    return Error(ErrorCode::limit_exceeded, "the expression is nested deeper than {} levels", kMaxExpressionDepth)
-        .at(place);
-  }
+  Status check(const SourcePlace& place) const { return depth_ <= kMaxExpressionHeight ? Status() : too_high(place); }
 
  private:
   int& depth_;
@@ -76,13 +76,13 @@ Result<ExpressionPtr> NestedReader::make(ExpressionNode node) const {
   const int height = 1 + height_below(node);
   if (height <= kMaxExpressionHeight)
     return std::make_shared<const Expression>(Expression{place_, std::move(node), height});
-  return Error(ErrorCode::limit_exceeded, "the expression is more than {} levels high; split it with let",
-               kMaxExpressionHeight)
-      .at(place_);
+  return too_high(place_);
 }
 
-// Recursion follows the nesting, which is bounded. NOLINTNEXTLINE(misc-no-recursion)
+// Each level makes a node, so a tree that is too high is refused on the way down, before much stack is used.
+// NOLINTNEXTLINE(misc-no-recursion)
 Result<ExpressionPtr> NestedReader::expression(const NestedList& list) {
+  if (is_in_spare_parentheses(list)) return expression(list.elements().front());
   const Deeper level(*this);
   RETURN_IF_ERROR(level.check(place_));
   if (list.is_symbol()) return symbol(list.as_symbol());
@@ -95,7 +95,6 @@ Result<ExpressionPtr> NestedReader::list_expression(const NestedList& list) {
   const List& items = list.elements();
   if (items.empty()) return error("an expression", list);
   const NestedList& head = items.front();
-  if (head.is_list() && items.size() == 1) return expression(head);
   if (head.is_symbol()) {
     if (is_symbol(head, "fun")) return function(items);
     if (is_symbol(head, "const") && items.size() == 4 && is_symbol(items[2], "value"))
@@ -281,8 +280,6 @@ Result<ExpressionPtr> NestedReader::function_call(const List& items) {
 
 // NOLINTNEXTLINE(misc-no-recursion)
 Result<TypeSyntax> NestedReader::type(const NestedList& list) {
-  const Deeper level(*this);
-  RETURN_IF_ERROR(level.check(place_));
   TypeSyntax syntax;
   syntax.place = place_;
   if (list.is_symbol()) {

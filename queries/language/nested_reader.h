@@ -11,7 +11,7 @@ namespace queries {
 
 /// Reads expressions and types in their nested-list form, `(count (filter (feed R) (fun (t TUPLE) (> (attr t A) 3))))`:
 /// the inverse of `to_nested`. Nested lists do not know where their parts stood, so every error and every node has the
-/// place of the whole. Depth is limited as in texts.
+/// place of the whole. Trees are limited in height as those of texts (kMaxExpressionHeight).
 ///
 /// The first symbol of a list is what is called, any other is a name: so objects and parameters may have the names of
 /// operators. Arguments of an operator are read by its pattern and, where that expects names, as operands too, since
@@ -26,9 +26,9 @@ class NestedReader {
   algebra3d::Result<TypeSyntax> type(const NestedList& list);
 
  private:
+  class Deeper;
   using Place = algebra3d::SyntaxPattern::Place;
   using List = NestedList::List;
-  class Deeper;
 
   algebra3d::Result<ExpressionPtr> symbol(const std::string& name);
   algebra3d::Result<ExpressionPtr> application(const algebra3d::Operator& op, const List& items);
@@ -52,7 +52,7 @@ class NestedReader {
   const algebra3d::Registry& registry_;
   const SourcePlace place_;
   std::vector<std::string> bound_;  // the parameters of the functions around
-  int depth_ = 0;
+  int depth_ = 0;                   // nodes above, and this one
 };
 
 /// A command whose words and parts are the elements of a list, `(let n = (+ 1 2))`.

@@ -105,6 +105,13 @@ Error with_missing_semicolon(Error error, std::string_view text, const SourcePla
 
 }  // namespace
 
+Error too_high(const SourcePlace& place) {
+  return Error(ErrorCode::limit_exceeded,
+               "the expression is more than {} levels high (brackets, or operators in a row); split it with let",
+               kMaxExpressionHeight)
+      .at(place);
+}
+
 // A command never begins with a parenthesis, so one that does is a nested list.
 Result<Command> parse_command(std::string_view text, const Registry& registry, const SourcePlace& start,
                               const SessionParameters* parameters) {

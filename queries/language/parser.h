@@ -10,11 +10,15 @@
 
 namespace queries {
 
-/// Deepest nesting of brackets in an expression or type; beyond it: error limit_exceeded. With it the parser needs some
-/// 3 MB of stack in the sanitizer build, and a tenth of that otherwise. The program has a stack of its own for this.
-inline constexpr int kMaxExpressionDepth = 200;
-/// Highest expression tree, to which operators in a row contribute; beyond it: error limit_exceeded.
+/// Deepest nesting of brackets in the text of an expression or type; beyond it: error limit_exceeded. With it the
+/// parser needs some 3 MB of stack in the sanitizer build, and a tenth of that otherwise. The program has a stack of
+/// its own for this.
+inline constexpr int kMaxBracketDepth = 200;
+/// Highest expression tree, to which operators in a row contribute, in a text and in a nested list alike; beyond it:
+/// error limit_exceeded.
 inline constexpr int kMaxExpressionHeight = 400;
+/// The error that tells of a tree beyond kMaxExpressionHeight.
+algebra3d::Error too_high(const SourcePlace& place);
 
 /// Reads one command (without the `;` that ends it). Operators are recognised by the syntax patterns of `registry`.
 /// A text that begins with `(` is a command as a nested list, `(query (+ 1 2))`.

@@ -45,6 +45,7 @@ Status Session::run(const Loop& command, Presenter& presenter, Context& context)
     ASSIGN_OR_RETURN(const bool is_true, holds(*command.condition, "while", context));
     if (!is_true) return {};
     RETURN_IF_ERROR(run(*command.body, presenter, context));
+    if (has_failed_by_result(presenter)) return {};
   }
 }
 
@@ -52,6 +53,7 @@ Status Session::run(const Sequence& command, Presenter& presenter, Context& cont
   Status first;
   for (const CommandPtr& each : command.commands) {
     Status status = run(*each, presenter, context);
+    if (status && !command.goes_on_after_errors && has_failed_by_result(presenter)) return {};
     if (status) continue;
     if (!command.goes_on_after_errors || status.error().code == ErrorCode::interrupted) return status;
     if (first)

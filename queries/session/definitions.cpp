@@ -60,6 +60,13 @@ Result<ExpressionPtr> kept_expression(const ObjectInfo& info, const algebra3d::R
   return NestedReader(registry, place).expression(list);
 }
 
+Result<std::string> text_to_keep(const Expression& expression, const algebra3d::Registry& registry) {
+  std::string text = to_nested(expression).print();
+  ASSIGN_OR_RETURN(const NestedList list, NestedList::parse(text, expression.place));
+  RETURN_IF_ERROR(NestedReader(registry, expression.place).expression(list));
+  return text;
+}
+
 Status check_no_circle(const Definition& definition, Store& store, const algebra3d::Registry& registry) {
   std::deque<Step> steps = {{definition, definition.is_derived, 0}};
   std::set<std::pair<std::string, bool>> seen;

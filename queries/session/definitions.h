@@ -12,6 +12,10 @@ namespace queries {
 /// The expression that a function or a derived object keeps. Errors: those of the parser.
 Result<ExpressionPtr> kept_expression(const ObjectInfo& info, const algebra3d::Registry& registry);
 
+/// The text that a function or a derived object keeps of its expression: the nested list. It can be read back; an
+/// expression for which that fails is refused. Errors: those of the nested reader, limit_exceeded.
+Result<std::string> text_to_keep(const Expression& expression, const algebra3d::Registry& registry);
+
 /// Something that is defined by an expression, or is about to be.
 struct Definition {
   std::string name;

@@ -22,12 +22,12 @@ Error cannot_be_stored(std::string_view command, const TypeExpr& type) {
 }
 
 // What a function object keeps. Another one's name stands for what that one keeps, so that it may be deleted.
-Result<std::string> function_text(const Expression& value, Store& store) {
+Result<std::string> function_text(const Expression& value, Store& store, const algebra3d::Registry& registry) {
   if (const auto* use = std::get_if<NameUse>(&value.node)) {
     ASSIGN_OR_RETURN(const auto named, store.find(use->name));
     if (named && !named->function_text.empty()) return named->function_text;
   }
-  return to_nested(value).print();
+  return text_to_keep(value, registry);
 }
 
 // All of them: a name that is left out here could be lost without a word.
@@ -108,8 +108,12 @@ Status Session::define(const std::string& final_name, const Expression& value, b
         check_no_circle({final_name, is_derived && !type.is_function(), used_names(value)}, *store_, registry_));
   if (type.is_function()) {
     report_operator(registry_.find_operator(final_name), is_derived ? "derive" : "let", context);
-    ASSIGN_OR_RETURN(const std::string text, function_text(value, *store_));
+    ASSIGN_OR_RETURN(const std::string text, function_text(value, *store_, registry_));
     return store_->create_function(name, type, text);
+  }
+  std::string kept_text;
+  if (is_derived) {
+    ASSIGN_OR_RETURN(kept_text, text_to_keep(value, registry_));
   }
   const OwnResult result(context);
   ASSIGN_OR_RETURN(const Datum datum, node->evaluate(nullptr, context));
@@ -118,8 +122,7 @@ Status Session::define(const std::string& final_name, const Expression& value, b
     return Error{
         ErrorCode::wrong_usage,
         "derive: the expression changes a relation, which it would do again whenever it is evaluated; use let"};
-  RETURN_IF_ERROR(is_derived ? store_->create_derived(name, type, to_nested(value).print())
-                             : store_->create(name, type));
+  RETURN_IF_ERROR(is_derived ? store_->create_derived(name, type, kept_text) : store_->create(name, type));
   return store_->assign(name, datum, context);
 }
 
@@ -142,7 +145,7 @@ Status Session::run(const UpdateObject& command, Presenter&, Context& context) {
                    existing->type.text(), node->type().text()};
     if (existing->type.is_function()) {
       RETURN_IF_ERROR(check_no_circle({command.name, false, used_names(*command.value)}, *store, registry_));
-      ASSIGN_OR_RETURN(const std::string text, function_text(*command.value, *store));
+      ASSIGN_OR_RETURN(const std::string text, function_text(*command.value, *store, registry_));
       RETURN_IF_ERROR(store->remove(command.name));
       return store->create_function(command.name, existing->type, text);
     }

@@ -1,5 +1,7 @@
 #include "queries/session/plan.h"
 
+#include <cmath>
+
 #include "queries/streams/mapping.h"
 #include "queries/streams/relation.h"
 
@@ -17,14 +19,22 @@ Status exhaust(const Datum& value, const Context& context) {
   return {};
 }
 
+namespace {
+
+// To the microsecond, so three digits behind the point.
+double in_milliseconds(double seconds) {
+  return std::round(seconds * 1e6) / 1e3;
+}
+
+}  // namespace
+
 NestedList plan_list(const PlanRecorder& recorder) {
-  constexpr double kMillisecondsPerSecond = 1000;
   NestedList::List rows;
   for (const PlanStep& step : recorder.steps())
     rows.push_back(NestedList::list(NestedList(step.depth), NestedList::symbol(step.name),
                                     NestedList::text(step.signature), NestedList(static_cast<std::int64_t>(step.calls)),
                                     NestedList(static_cast<std::int64_t>(step.tuples)),
-                                    NestedList(step.seconds * kMillisecondsPerSecond)));
+                                    NestedList(in_milliseconds(step.seconds))));
   return NestedList::list(NestedList::symbol("inquiry"),
                           NestedList::list(NestedList::symbol("plan"), NestedList(std::move(rows))));
 }

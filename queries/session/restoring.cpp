@@ -61,6 +61,28 @@ class SavedText {
   bool is_copied_ = false;
 };
 
+/// Whether an error of an expression tells of the machine or the database, so that others would meet it, too.
+bool ends_restoring(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::interrupted:
+    case ErrorCode::out_of_memory:
+    case ErrorCode::disk_full:
+    case ErrorCode::internal:
+    case ErrorCode::database_corrupt:
+    case ErrorCode::database_busy:
+    case ErrorCode::database_read_only:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// Whether what the expression lacks may be there when other objects have been made.
+bool may_wait_for_another(ErrorCode code) {
+  return code == ErrorCode::unknown_name || code == ErrorCode::syntax_error || code == ErrorCode::type_error ||
+         code == ErrorCode::not_evaluable;
+}
+
 }  // namespace
 
 /// Reads objects out of a saved list into the store. Lives for one statement.
@@ -82,6 +104,11 @@ class Session::Restorer {
     NestedList expression;
     std::optional<TypeExpr> index_type;  // of an index, which is an object as any other; none: derived
     SourcePlace place;
+    bool was_defined = false;
+  };
+  struct Evaluated {
+    TypeExpr type;
+    Datum value;
   };
 
   Status section();
@@ -91,7 +118,8 @@ class Session::Restorer {
   Status value_of(const std::string& name, const TypeExpr& type);
   Status relation_value(const std::string& name, const TypeExpr& type);
   Status rest_of_object();
-  Status define(const Dependent& dependent);
+  Result<Evaluated> evaluate(const Dependent& dependent);
+  Status store(const Dependent& dependent, const Evaluated& evaluated);
   Result<TypeExpr> type();
   Result<std::string> symbol(std::string_view what);
 
@@ -174,8 +202,9 @@ Status Session::Restorer::object_content(std::string name) {
     return Error(ErrorCode::reserved_name, "'{}' is a word of the language and cannot name an object", name).at(place);
   if (head == "DERIVED") {
     ASSIGN_OR_RETURN(NestedList expression, pieces_.read("an expression"));
-    dependents_.push_back({name, std::move(expression), std::nullopt, place});
-    return rest_of_object();
+    ASSIGN_OR_RETURN(const auto mark, pieces_.next());
+    dependents_.push_back({name, std::move(expression), std::nullopt, place, mark == kWasDefined});
+    return mark ? rest_of_object() : pieces_.leave();
   }
   RETURN_IF_ERROR(pieces_.read("the name of the type, or ()"));
   ASSIGN_OR_RETURN(const TypeExpr object_type, type());
@@ -203,7 +232,7 @@ Status Session::Restorer::value_of(const std::string& name, const TypeExpr& type
   if (!piece) return store_.create(name, type);
   ASSIGN_OR_RETURN(NestedList list, pieces_.parse(*piece));
   if (is_index(type)) {
-    dependents_.push_back({name, std::move(list), type, place});
+    dependents_.push_back({name, std::move(list), type, place, false});
     return {};
   }
   if (type.is_function()) {
@@ -250,45 +279,58 @@ Status Session::Restorer::relation_value(const std::string& name, const TypeExpr
 }
 
 // They may depend on each other in any order: those that can be made are made, until none is left or none can. One that
-// was broken already when it was saved, since something that it uses was renamed or made anew without a value, must not
+// cannot, since something that it uses was renamed, made anew without a value, or lies in a file that is gone, must not
 // keep the rest away.
 Status Session::Restorer::dependent_objects() {
-  while (!dependents_.empty()) {
+  std::vector<std::string> reasons;
+  for (bool is_new = true; is_new;) {
+    is_new = false;
+    reasons.clear();
     std::vector<Dependent> later;
-    std::vector<std::string> reasons;
-    for (Dependent& dependent : dependents_) {
-      const Status status = define(dependent);
-      if (status) continue;
-      const ErrorCode code = status.error().code;
-      if (code != ErrorCode::unknown_name && code != ErrorCode::syntax_error && code != ErrorCode::type_error &&
-          code != ErrorCode::not_evaluable)
-        return Error(status.error()).at(dependent.place);
-      reasons.push_back("restore: '" + dependent.name +
-                        "' is left out, it cannot be derived again: " + status.error().message);
-      later.push_back(std::move(dependent));
-    }
-    if (later.size() == dependents_.size()) {
-      for (const std::string& reason : reasons) context_.diagnostics.report(reason);
-      for (const Dependent& dependent : later) left_out_.push_back(dependent.name);
-      return {};
+    for (Dependent& dependent : std::exchange(dependents_, {})) {
+      const auto evaluated = evaluate(dependent);
+      if (evaluated) {
+        RETURN_IF_ERROR(store(dependent, *evaluated));
+        is_new = true;
+        continue;
+      }
+      const ErrorCode code = evaluated.error().code;
+      if (ends_restoring(code)) return Error(evaluated.error()).at(dependent.place);
+      std::string reason =
+          "restore: '" + dependent.name + "' is left out, it cannot be derived again: " + evaluated.error().message;
+      if (may_wait_for_another(code)) {
+        reasons.push_back(std::move(reason));
+        later.push_back(std::move(dependent));
+      } else {
+        context_.diagnostics.report(std::move(reason));
+        left_out_.push_back(dependent.name);
+      }
     }
     dependents_ = std::move(later);
   }
+  for (std::string& reason : reasons) context_.diagnostics.report(std::move(reason));
+  for (const Dependent& dependent : dependents_) left_out_.push_back(dependent.name);
+  std::ranges::sort(left_out_);
   return {};
 }
 
-Status Session::Restorer::define(const Dependent& dependent) {
+Result<Session::Restorer::Evaluated> Session::Restorer::evaluate(const Dependent& dependent) {
   Objects objects(registry_, &store_, context_);
   ASSIGN_OR_RETURN(const ExpressionPtr expression,
                    NestedReader(registry_, dependent.place).expression(dependent.expression));
   ASSIGN_OR_RETURN(const TypedPtr node, Checker(registry_, objects, context_).check(*expression));
-  ASSIGN_OR_RETURN(const Datum value, node->evaluate(nullptr, context_));
-  if (dependent.index_type) {
-    RETURN_IF_ERROR(store_.create(dependent.name, node->type()));
-  } else {
-    RETURN_IF_ERROR(store_.create_derived(dependent.name, node->type(), dependent.expression.print()));
-  }
-  return store_.assign(dependent.name, value, context_);
+  ASSIGN_OR_RETURN(Datum value, node->evaluate(nullptr, context_));
+  const auto* single = std::get_if<Value>(&value.content);
+  if (dependent.was_defined && single != nullptr && !single->is_defined())
+    return Error{ErrorCode::invalid_value, "it had a value when it was saved, and is undefined now"};
+  return Evaluated{node->type(), std::move(value)};
+}
+
+Status Session::Restorer::store(const Dependent& dependent, const Evaluated& evaluated) {
+  RETURN_IF_ERROR(dependent.index_type
+                      ? store_.create(dependent.name, evaluated.type)
+                      : store_.create_derived(dependent.name, evaluated.type, dependent.expression.print()));
+  return store_.assign(dependent.name, evaluated.value, context_);
 }
 
 Status Session::run(const RestoreObject& command, Presenter&, Context& context) {

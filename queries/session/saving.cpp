@@ -59,13 +59,27 @@ class ObjectWriter {
 
   Status write(const ObjectInfo& info) {
     RETURN_IF_ERROR(context_.check_cancelled());
-    if (!info.derived_text.empty()) return file_.write("    (DERIVED ", info.name, " ", info.derived_text, ")\n");
+    if (!info.derived_text.empty()) return write_derived(info);
     RETURN_IF_ERROR(file_.write("    (OBJECT ", info.name, " () ", info.type.text()));
     if (info.has_value) RETURN_IF_ERROR(write_value(info));
     return file_.write(")\n");
   }
 
  private:
+  Status write_derived(const ObjectInfo& info) {
+    RETURN_IF_ERROR(file_.write("    (DERIVED ", info.name, " ", info.derived_text));
+    if (is_defined(info)) RETURN_IF_ERROR(file_.write(" ", kWasDefined));
+    return file_.write(")\n");
+  }
+
+  // Of a derived object. What cannot be read is derived again all the same.
+  bool is_defined(const ObjectInfo& info) {
+    if (!info.has_value || info.type.is_relation() || is_index(info.type)) return false;
+    const auto value = store_.read(info.name);
+    const auto* single = value ? std::get_if<Value>(&value->content) : nullptr;
+    return single != nullptr && single->is_defined();
+  }
+
   Status write_value(const ObjectInfo& info) {
     if (info.type.is_function()) return file_.write(" ", info.function_text, " ()");
     ASSIGN_OR_RETURN(const Datum value, store_.read(info.name));

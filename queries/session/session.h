@@ -30,6 +30,9 @@ class Presenter {
   virtual Status present(const TypeExpr& type, const Datum& value, Context& context) = 0;
   /// The result list of an inquiry, `(inquiry (...))`.
   virtual Status present_inquiry(const NestedList& result) = 0;
+  /// Whether a command of a sequence or loop that had no error has failed all the same by its result
+  /// (`Session::failed_result`), so that the rest does not run.
+  virtual bool ends_at_failed_result() const { return false; }
   /// How far a long statement has come, for people: "42 % (Parts)". Comes many times a second.
   virtual void advance(const std::string& /*how_far*/) {}
 };
@@ -121,6 +124,9 @@ class Session {
   Status set_memory(const Value& value, const SourcePlace& place);
   Result<bool> holds(const Expression& condition, std::string_view command, Context& context);
   void judge(const OwnResult& result, const Datum& value);
+  bool has_failed_by_result(const Presenter& presenter) const {
+    return !failed_result_.empty() && presenter.ends_at_failed_result();
+  }
   Result<Store*> required_store();
   Status check_new_name(const std::string& name, std::string_view what = "an object");
   Status require_closed();

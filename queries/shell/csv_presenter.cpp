@@ -16,7 +16,7 @@ Status CsvPresenter::present(const TypeExpr& type, const Datum& value, Context& 
   if (type.is_relation()) return present_relation(type.element(), *value.relation(), context);
   std::string csv;
   if (const auto* single = std::get_if<Value>(&value.content)) {
-    RETURN_IF_ERROR(values_.append_csv(*single, "value", context, csv));
+    RETURN_IF_ERROR(values_.append_csv_result(*single, context, csv));
   } else {
     ASSIGN_OR_RETURN(const NestedList list, value_list(type, value, context));
     append_csv_text(csv, list.print());

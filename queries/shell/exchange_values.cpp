@@ -56,6 +56,23 @@ std::string csv_text_of(const NestedList& list) {
   return list.print();
 }
 
+// What the file of a result is named after that is no attribute.
+constexpr const char* kResultName = "value";
+
+// Undefined in a row has a note beside it; as all of a result it would look like an answer.
+template <typename Append>
+Status written_or_error(Context& context, const Append& append) {
+  using About = algebra3d::Diagnostics::About;
+  algebra3d::Diagnostics own;
+  Context writing{own, context.cancel, context.folder, context.memory, context.report};
+  RETURN_IF_ERROR(append(writing));
+  const std::vector<std::string> lines = own.summary();
+  if (own.count(About::unwritten) > 0 || own.count(About::undefined) > 0)
+    return Error{ErrorCode::io_error, "--geometry-dir: the solid is not written: {}", fmt::join(lines, "; ")};
+  for (const std::string& line : lines) context.diagnostics.show(line);
+  return {};
+}
+
 }  // namespace
 
 void append_csv_text(std::string& csv, std::string_view text) {
@@ -119,6 +136,14 @@ Status ExchangeValues::append_csv(const Value& value, const std::string& name, C
   else if (!form.list.is_undefined())
     append_csv_text(csv, csv_text_of(form.list));
   return {};
+}
+
+Status ExchangeValues::append_json_result(const Value& value, Context& context, std::string& json) {
+  return written_or_error(context, [&](Context& writing) { return append_json(value, kResultName, writing, json); });
+}
+
+Status ExchangeValues::append_csv_result(const Value& value, Context& context, std::string& csv) {
+  return written_or_error(context, [&](Context& writing) { return append_csv(value, kResultName, writing, csv); });
 }
 
 }  // namespace queries

@@ -37,6 +37,10 @@ class ExchangeValues {
   /// the empty string. Values without a form of their own are value lists, as in `(1.0 2.0 3.0)`.
   Status append_csv(const Value& value, const std::string& name, Context& context, std::string& csv);
 
+  /// The same where the value is all of the result. Errors: besides, io_error for a solid whose file cannot be written.
+  Status append_json_result(const Value& value, Context& context, std::string& json);
+  Status append_csv_result(const Value& value, Context& context, std::string& csv);
+
   const ExchangeOptions& options() const { return options_; }
 
  private:

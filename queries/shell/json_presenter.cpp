@@ -19,7 +19,7 @@ Status JsonPresenter::present(const TypeExpr& type, const Datum& value, Context&
   if (type.is_relation()) return present_relation(type.element(), *value.relation(), context);
   std::string json;
   if (const auto* single = std::get_if<Value>(&value.content)) {
-    RETURN_IF_ERROR(values_.append_json(*single, "value", context, json));
+    RETURN_IF_ERROR(values_.append_json_result(*single, context, json));
   } else {
     ASSIGN_OR_RETURN(const NestedList list, value_list(type, value, context));
     // A function is a text of the language; the parts of an index are names and a number.

@@ -66,11 +66,13 @@ std::optional<TransactionStep::Step> transaction_step(const CommandText& command
 /// Results as the user wants them, and how far a statement has come to the terminal.
 class TerminalPresenter final : public Presenter {
  public:
-  TerminalPresenter(Presenter& results, TerminalOutput* terminal) : results_(results), terminal_(terminal) {}
+  TerminalPresenter(Presenter& results, TerminalOutput* terminal, bool is_script)
+      : results_(results), terminal_(terminal), is_script_(is_script) {}
   Status present(const TypeExpr& type, const Datum& value, Context& context) override {
     return results_.present(type, value, context);
   }
   Status present_inquiry(const NestedList& result) override { return results_.present_inquiry(result); }
+  bool ends_at_failed_result() const override { return is_script_; }
   void advance(const std::string& how_far) override {
     if (terminal_ != nullptr) terminal_->advance(how_far);
   }
@@ -78,6 +80,7 @@ class TerminalPresenter final : public Presenter {
  private:
   Presenter& results_;
   TerminalOutput* terminal_;
+  bool is_script_;
 };
 
 }  // namespace
@@ -85,7 +88,7 @@ class TerminalPresenter final : public Presenter {
 Status StatementRunner::execute(const CommandText& command, Context& context) {
   const auto start = std::chrono::steady_clock::now();
   if (console_.terminal != nullptr) console_.terminal->begin_statement(command.text, session_.options().uses_pager);
-  TerminalPresenter presenter(presenter_, console_.terminal);
+  TerminalPresenter presenter(presenter_, console_.terminal, script_depth_ > 0);
   const algebra3d::Monitor::Report report = [&](const std::string& how_far) { presenter.advance(how_far); };
   context.report = &report;
   Status status = session_.execute(command.text, command.start, presenter, context);

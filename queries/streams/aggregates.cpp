@@ -3,6 +3,7 @@
 #include <limits>
 #include <optional>
 
+#include "algebra3d/exact/real_sum.h"
 #include "algebra3d/types/scalars.h"
 #include "queries/streams/all.h"
 #include "queries/streams/mapping.h"
@@ -10,25 +11,9 @@
 namespace queries {
 namespace {
 
+using algebra3d::Rational;
+using algebra3d::RealSum;
 using algebra3d::TypeOf;
-
-// Sum of doubles with the rounding errors kept apart. Source: [neumaier1974].
-class CompensatedSum {
- public:
-  void add(double value) {
-    const double total = sum_ + value;
-    correction_ += std::abs(sum_) >= std::abs(value) ? (sum_ - total) + value : (value - total) + sum_;
-    sum_ = total;
-    ++count_;
-  }
-  double total() const { return std::isfinite(sum_) ? sum_ + correction_ : sum_; }
-  std::int64_t count() const { return count_; }
-
- private:
-  double sum_ = 0;
-  double correction_ = 0;
-  std::int64_t count_ = 0;
-};
 
 /// Calls `visit` with each defined value of an attribute, loaded.
 template <typename Visit>
@@ -45,11 +30,6 @@ Status for_each_defined(const Datum& stream, std::size_t attribute, Context& con
   });
 }
 
-double as_real(const Value& value) {
-  return &value.type() == &TypeOf<double>::type() ? value.get<double>()
-                                                  : static_cast<double>(value.get<std::int64_t>());
-}
-
 Datum finite(double value, std::string_view op, Context& context) {
   if (std::isfinite(value)) return Datum{Value::of<double>(value)};
   context.diagnostics.report_undefined(std::string(op) + ": the result is no finite number");
@@ -59,7 +39,7 @@ Datum finite(double value, std::string_view op, Context& context) {
 /// The exact sum of ints: as many as there can be do not leave 128 bits.
 struct IntSum {
   __extension__ __int128 total = 0;
-  std::int64_t count = 0;
+  std::uint64_t count = 0;
 };
 
 Result<IntSum> exact_sum(const Datum& stream, std::size_t attribute, Context& context) {
@@ -78,15 +58,23 @@ Result<Datum> sum_of_ints(const Datum& stream, std::size_t attribute, Context& c
   return Datum{Value(TypeOf<std::int64_t>::type())};
 }
 
-Datum mean(double total, std::int64_t count, Context& context) {
-  if (count > 0) return finite(total / static_cast<double>(count), "avg", context);
+Rational total_of(const IntSum& sum) {
+  constexpr unsigned kHalf = 64;
+  const Rational half = Rational(std::int64_t{1} << (kHalf / 2));
+  return Rational(static_cast<std::int64_t>(sum.total >> kHalf)) * half * half +
+         Rational(static_cast<std::uint64_t>(sum.total));
+}
+
+Datum mean(const Rational& total, std::uint64_t count, Context& context) {
+  if (count > 0) return finite((total / Rational(count)).nearest_double(), "avg", context);
   context.diagnostics.report_undefined("avg: there is no defined value");
   return Datum{Value(TypeOf<double>::type())};
 }
 
-Result<CompensatedSum> sum_of_reals(const Datum& stream, std::size_t attribute, Context& context) {
-  CompensatedSum sum;
-  RETURN_IF_ERROR(for_each_defined(stream, attribute, context, [&](const Value& value) { sum.add(as_real(value)); }));
+Result<RealSum> sum_of_reals(const Datum& stream, std::size_t attribute, Context& context) {
+  RealSum sum;
+  RETURN_IF_ERROR(
+      for_each_defined(stream, attribute, context, [&](const Value& value) { sum.add(value.get<double>()); }));
   return sum;
 }
 
@@ -104,8 +92,8 @@ Result<Plan> map_sum(std::span<const ArgumentType> arguments) {
   const TypeExpr type = tuple.attributes()[index].type;
   return Plan{type, [index, is_int = type.is("int")](std::vector<Datum> given, Context& context) -> Result<Datum> {
                 if (is_int) return sum_of_ints(given[0], index, context);
-                ASSIGN_OR_RETURN(const CompensatedSum sum, sum_of_reals(given[0], index, context));
-                return finite(sum.total(), "sum", context);
+                ASSIGN_OR_RETURN(const RealSum sum, sum_of_reals(given[0], index, context));
+                return finite(sum.total().nearest_double(), "sum", context);
               }};
 }
 
@@ -117,9 +105,9 @@ Result<Plan> map_avg(std::span<const ArgumentType> arguments) {
   return Plan{"real", [index, is_int](std::vector<Datum> given, Context& context) -> Result<Datum> {
                 if (is_int) {
                   ASSIGN_OR_RETURN(const IntSum sum, exact_sum(given[0], index, context));
-                  return mean(static_cast<double>(sum.total), sum.count, context);
+                  return mean(total_of(sum), sum.count, context);
                 }
-                ASSIGN_OR_RETURN(const CompensatedSum sum, sum_of_reals(given[0], index, context));
+                ASSIGN_OR_RETURN(const RealSum sum, sum_of_reals(given[0], index, context));
                 return mean(sum.total(), sum.count(), context);
               }};
 }
@@ -163,9 +151,10 @@ void register_aggregates(algebra3d::Registry& registry) {
       .name = "sum",
       .syntax = "_ sum[attribute]",
       .doc = "The sum of the defined values of a numeric attribute; 0 if there are none.",
-      .detail = "A sum of ints beyond the range of ints is undefined.",
-      .exactness = algebra3d::Exactness::two_ulp,
-      .sources = {"neumaier1974"},
+      .detail =
+          "The exact sum, for reals rounded once, whatever the order. A sum beyond the range of the type is undefined.",
+      .exactness = algebra3d::Exactness::rounded_once,
+      .sources = {"neal2015"},
       .stream = stream_operator(map_sum),
       .signatures = {"(stream(tuple) NAME) -> int", "(stream(tuple) NAME) -> real"},
       .handles_undefined = true,
@@ -177,8 +166,9 @@ void register_aggregates(algebra3d::Registry& registry) {
       .name = "avg",
       .syntax = "_ avg[attribute]",
       .doc = "The mean of the defined values of a numeric attribute; undefined if there are none.",
-      .exactness = algebra3d::Exactness::two_ulp,
-      .sources = {"neumaier1974"},
+      .detail = "The exact mean, rounded once.",
+      .exactness = algebra3d::Exactness::rounded_once,
+      .sources = {"neal2015"},
       .stream = stream_operator(map_avg),
       .signatures = {"(stream(tuple) NAME) -> real"},
       .handles_undefined = true,

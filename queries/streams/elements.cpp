@@ -55,7 +55,8 @@ Result<Plan> map_realstream(std::span<const ArgumentType> arguments) {
                   context.diagnostics.report("realstream: the step is 0, so there is no element");
                 return Datum{make_value_stream(
                     [=, &context, count = std::uint64_t{0}]() mutable -> Result<std::optional<Value>> {
-                      const double next = first + static_cast<double>(count) * step;
+                      // Rounded once; the product alone may be beyond the range of doubles.
+                      const double next = std::fma(static_cast<double>(count), step, first);
                       const bool is_over = step > 0 ? next > last : step < 0 ? next < last : true;
                       if (is_over || !std::isfinite(next)) return std::optional<Value>();
                       if (++count % 1024 == 0) RETURN_IF_ERROR(context.check_cancelled());

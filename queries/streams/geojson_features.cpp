@@ -38,7 +38,7 @@ struct FeatureFile {
 Result<std::shared_ptr<const FeatureFile>> open_features(const std::string& name, const Context& context) {
   ASSIGN_OR_RETURN(stl::FileContent file, stl::FileContent::read(context.resolve(name), context.cancel));
   Result<GeoFeatures> features = GeoFeatures::find(file.bytes(), context.monitor());
-  if (!features && features.error().code == algebra3d::ErrorCode::interrupted) return features.error();
+  if (!features && features.error().code == ErrorCode::interrupted) return features.error();
   if (!features) return Error{features.error().code, "{} {}", name, features.error().message};
   // Moving the file keeps the address of its bytes.
   return std::make_shared<const FeatureFile>(FeatureFile{name, std::move(file), *std::move(features)});
@@ -66,12 +66,8 @@ TupleStreamPtr no_tuples() {
 Result<Datum> run_import(const std::vector<Datum>& given, Context& context) {
   if (!given[0].value().is_defined()) return Datum{no_tuples()};
   const auto opened = open_features(given[0].value().get<Text>().content, context);
-  if (!opened) {
-    if (opened.error().code == algebra3d::ErrorCode::interrupted) return opened.error();
-    context.diagnostics.report("importGeoJSON: " + opened.error().message, {},
-                               algebra3d::Diagnostics::About::unreadable);
-    return Datum{no_tuples()};
-  }
+  if (!opened && opened.error().code == ErrorCode::interrupted) return opened.error();
+  if (!opened) return Error{opened.error().code, "importGeoJSON: {}", opened.error().message};
   return Datum{make_stream([from = *opened, &context, index = std::size_t{0}]() mutable -> Result<TuplePtr> {
     if (index == from->features.size()) return TuplePtr();
     RETURN_IF_ERROR(context.check_cancelled());
@@ -98,7 +94,8 @@ void register_geojson_features(algebra3d::Registry& registry) {
           "undefined if it has none; its properties as JSON, for `jsonText` and `jsonNumber`. The file holds a "
           "FeatureCollection, one Feature, or a bare geometry. Shape is read as `geojson2region` does it, and is "
           "undefined, with a diagnostic that names the feature, where the geometry is none of polygons, is malformed, "
-          "or bounds no region. A file that cannot be read or is no GeoJSON has no tuples; a diagnostic says why. "
+          "or bounds no region. A file that cannot be read or is no GeoJSON is an error; an undefined name has no "
+          "tuples. "
           "Relative names start at the folder of the session.",
       .exactness = algebra3d::Exactness::exact,
       .frame_use = algebra3d::FrameUse::coordinates,
@@ -106,8 +103,7 @@ void register_geojson_features(algebra3d::Registry& registry) {
       .stream = stream_operator(map_import_geojson),
       .signatures = {"(text) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{"importGeoJSON('no such file.geojson') count", "0"},
-                   {"importGeoJSON([const text value undefined]) count", "0"}},
+      .examples = {{"importGeoJSON([const text value undefined]) count", "0"}},
       .errors = {{"query importGeoJSON(5) count", "importGeoJSON: expected text, got int"}},
   });
 }

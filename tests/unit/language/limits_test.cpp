@@ -23,7 +23,7 @@ void expect_limit(const std::string& text) {
 constexpr std::size_t kMany = 100'000;
 
 TEST(Limits, nesting_up_to_the_limit_is_accepted) {
-  const std::size_t count = kMaxExpressionDepth - 10;
+  const std::size_t count = kMaxBracketDepth - 10;
   EXPECT_EQ(type_of(repeated("(", count) + "1" + repeated(")", count)), "int");
   EXPECT_EQ(type_of(repeated("not(", count) + "TRUE" + repeated(")", count)), "bool");
   const std::size_t long_count = kMaxExpressionHeight - 10;

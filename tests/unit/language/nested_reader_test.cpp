@@ -79,9 +79,20 @@ TEST(NestedReader, errors_say_what_was_expected) {
   EXPECT_EQ(read_and_written("(project s let)"), "error expected project: a list of attribute names, found let");
   EXPECT_EQ(read_and_written("(fun (x) x)"), "error expected (parameter type), found (x)");
   EXPECT_EQ(read_and_written("(+ let 1)"), "error expected an operand, found 'let', a word of the language");
-  std::string deep = "1";
-  for (int level = 0; level < 300; ++level) deep = "(+ 1 " + deep + ")";
-  EXPECT_EQ(read_and_written(deep), "error the expression is nested deeper than 200 levels");
+}
+
+// A stored function once held more levels than could be read back.
+TEST(NestedReader, trees_may_be_as_high_as_those_of_texts) {
+  const auto sum_of_height = [](int height) {
+    std::string sum = "1";
+    for (int level = 1; level < height; ++level) sum = "(+ 1 " + sum + ")";
+    return sum;
+  };
+  EXPECT_EQ(read_and_written(sum_of_height(400)), sum_of_height(400));
+  const std::string refused =
+      "error the expression is more than 400 levels high (brackets, or operators in a row); split it with let";
+  EXPECT_EQ(read_and_written(sum_of_height(401)), refused);
+  EXPECT_EQ(read_and_written(sum_of_height(1000)), refused);
 }
 
 }  // namespace

@@ -107,6 +107,31 @@ TEST(Nearest, distances_whose_squares_underflow_or_overflow_keep_their_order) {
   }
 }
 
+// Beyond the largest double, too, distances were equal once.
+TEST(Nearest, distances_that_overflow_keep_their_order) {
+  constexpr double kMax = std::numeric_limits<double>::max();
+  constexpr double kLeast = std::numeric_limits<double>::denorm_min();
+  const std::vector<algebra3d::Vec3> points = {
+      {-kMax, -kMax, -kMax},  {-kMax, -kMax, 0},         {0, -kMax, 0},     {1e308, 0, 0}, {kMax, kMax, 1e308},
+      {kMax, kMax, kMax / 2}, {kMax, kMax, 0.75 * kMax}, {kMax, kMax, kMax}};
+  Tree tree;
+  for (std::uint64_t id = 0; id < points.size(); ++id) tree.insert(Box3::of(points[id]), id);
+  for (const std::size_t limit : {points.size(), std::size_t{1000}}) {
+    auto cursor = tree.nearest(Box3::of({kMax, kMax, kMax}), limit);
+    for (const std::uint64_t id : {7, 6, 4, 5, 3, 2, 1, 0}) ASSERT_EQ(cursor.next()->payload, id);
+  }
+  for (std::uint64_t id = 0; id < 5; ++id) tree.insert(Box3::of({static_cast<double>(5 - id) * kLeast, 0, 0}), 10 + id);
+  tree.insert(Box3::of({0.75, 0, 0}), 20);
+  tree.insert(Box3::of({1, 0, 0}), 21);
+  tree.insert(Box3::of({0, 1.5, 0}), 22);
+  auto cursor = tree.nearest(Box3::of({0, 0, 0}), 8);
+  for (std::uint64_t id = 5; id-- > 0;)
+    ASSERT_EQ(cursor.next(), (Neighbor<std::uint64_t>{10 + id, static_cast<double>(5 - id) * kLeast}));
+  ASSERT_EQ(cursor.next(), (Neighbor<std::uint64_t>{20, 0.75}));
+  ASSERT_EQ(cursor.next(), (Neighbor<std::uint64_t>{21, 1}));
+  ASSERT_EQ(cursor.next(), (Neighbor<std::uint64_t>{22, 1.5}));
+}
+
 TEST(Nearest, infinite_boxes_have_distances_too) {
   constexpr double kInfinity = Box3::kInfinity;
   Tree tree;

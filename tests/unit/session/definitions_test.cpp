@@ -1,4 +1,6 @@
 // What a command says of the objects that it leaves without something that they need.
+#include <fstream>
+
 #include "unit/session/example_session.h"
 
 namespace queries {
@@ -106,6 +108,59 @@ TEST_F(Definitions, a_restore_that_leaves_something_out_fails) {
   }
 }
 
+// A file is needed as an object is.
+TEST_F(Definitions, what_was_made_of_a_file_that_is_gone_is_left_out) {
+  const std::filesystem::path table = folder_.path() / "table.csv";
+  const std::filesystem::path stated = folder_.path() / "stated.csv";
+  for (const auto& file : {table, stated}) std::ofstream(file) << "A\n1\n2\n";
+  for (const char* command :
+       {"derive Table = importCSV('table.csv') consume", "derive Rows = Table count",
+        "derive Stated = importCSV('stated.csv', [const rel(tuple([A: int])) value ()]) consume", "let Own = 1"})
+    EXPECT_EQ(session_.run(command), "") << command;
+  std::filesystem::remove(table);
+  std::ofstream(stated) << "A\n1\nx\n";
+  EXPECT_EQ(session_.run("save database to 'all'"), "");
+  EXPECT_TRUE(session_.notes().starts_with(
+      "save: these objects cannot be derived again, and `restore` will leave them out: Rows, Table\n"))
+      << session_.notes();
+  EXPECT_EQ(session_.run("close database"), "");
+  EXPECT_EQ(session_.run("restore database new from 'all'"),
+            "error: restore: the database 'new' was restored and is open, without these objects, which cannot be "
+            "derived again: Rows, Stated, Table");
+  EXPECT_NE(session_.notes().find("restore: 'Stated' is left out, it cannot be derived again: importCSV: stated.csv "
+                                  "line 3, column A: "),
+            std::string::npos)
+      << session_.notes();
+  EXPECT_EQ(session_.run("query Own + Count"), "4");
+}
+
+TEST_F(Definitions, what_had_a_value_and_is_undefined_at_restore_is_left_out) {
+  const std::filesystem::path part = folder_.path() / "part.off";
+  for (const char* command : {"query createCube(makePoint3D(0, 0, 0), makePoint3D(1, 1, 1)) exportOFF['part.off', TRUE]",
+                              "derive Part = importOFF('part.off')", "derive Big = volume(Part)",
+                              "derive Gone = importOFF('gone.off')", "derive NoSize = volume(Gone)"})
+    EXPECT_TRUE(!session_.run(command).starts_with("error")) << command;
+  std::filesystem::remove(part);
+  for (const char* command : {"save database to 'all'", "save Part to 'part'", "close database"})
+    EXPECT_EQ(session_.run(command), "") << command;
+  EXPECT_EQ(session_.run("restore database d from 'all'"),
+            "error: restore: nothing was changed, since these objects cannot be derived again, and the existing "
+            "database would lose those that it has: Big, Part; delete it first, or restore under another name");
+  EXPECT_EQ(session_.run("open database d"), "");
+  EXPECT_EQ(session_.run("query Big"), "1.0");
+  EXPECT_EQ(session_.run("restore Again from 'part'"),
+            "error: restore: 'Again' cannot be derived again; nothing was restored");
+  EXPECT_EQ(session_.run("close database"), "");
+  EXPECT_EQ(session_.run("restore database new from 'all'"),
+            "error: restore: the database 'new' was restored and is open, without these objects, which cannot be "
+            "derived again: Big, Part");
+  EXPECT_NE(session_.notes().find("restore: 'Part' is left out, it cannot be derived again: it had a value when it was "
+                                  "saved, and is undefined now\n"),
+            std::string::npos)
+      << session_.notes();
+  EXPECT_EQ(session_.run("query NoSize"), "undefined");
+}
+
 TEST_F(Definitions, a_relation_of_another_type_is_noticed) {
   EXPECT_EQ(session_.run("derive Sum = R feed sum[Elem]"), "");
   EXPECT_EQ(session_.run("let_ R = R feed projectextend[; Other: .Elem] consume"), "");
@@ -119,6 +174,29 @@ TEST_F(Definitions, a_relation_of_another_type_is_noticed) {
 TEST_F(Definitions, what_nothing_needs_goes_without_a_word) {
   EXPECT_EQ(session_.run("delete Count"), "");
   EXPECT_EQ(session_.notes(), "");
+}
+
+std::string sum_of(std::size_t count) {
+  std::string sum = "1";
+  while (--count > 0) sum += "+1";
+  return sum;
+}
+
+// What is stored can be evaluated, saved and restored: one limit, met when the object is made.
+TEST_F(Definitions, the_highest_expression_that_is_stored_is_read_again) {
+  const std::string highest = "let Highest = fun(x: int) " + sum_of(399);
+  EXPECT_EQ(session_.run(highest + " + 1"),
+            "error: the expression is more than 400 levels high (brackets, or operators in a row); split it with let");
+  EXPECT_EQ(session_.run(highest), "");
+  EXPECT_EQ(session_.run("derive High = Highest(2) + " + sum_of(398)), "");
+  EXPECT_EQ(session_.run("query Highest(1) + High"), std::to_string(399 + 399 + 398));
+  EXPECT_EQ(session_.run("save Highest to 'highest.txt'"), "");
+  EXPECT_EQ(session_.run("restore Again from 'highest.txt'"), "");
+  EXPECT_EQ(session_.run("query Again(1)"), "399");
+  EXPECT_EQ(session_.run("save database to 'all.txt'"), "");
+  EXPECT_EQ(session_.run("close database"), "");
+  EXPECT_EQ(session_.run("restore database e from 'all.txt'"), "");
+  EXPECT_EQ(session_.run("query Highest(1) + High"), std::to_string(399 + 399 + 398));
 }
 
 }  // namespace

@@ -1,4 +1,6 @@
 // Notes of statements, and integers in inquiries.
+#include <regex>
+
 #include "unit/session/example_session.h"
 
 namespace queries {
@@ -46,6 +48,16 @@ TEST_F(Notes, inquiries_give_integers) {
   EXPECT_NE(plan.find(" 1 5 "), std::string::npos) << plan;
   const std::string counters = session_.run("list counters");
   EXPECT_EQ(counters.find('.'), std::string::npos) << counters;
+}
+
+// Once times came as `0.05001100000000001`.
+TEST_F(Notes, times_of_a_plan_are_whole_microseconds) {
+  const std::string plan = session_.run("explain intstream(1, 2000) transformstream sortby[Elem desc] count");
+  const std::regex row(R"( \d+ \d+ (\d+\.(\d+))\))");
+  std::size_t rows = 0;
+  for (std::sregex_iterator found(plan.begin(), plan.end(), row), end; found != end; ++found, ++rows)
+    EXPECT_LE((*found)[2].length(), 3) << (*found)[1];
+  EXPECT_EQ(rows, 4U) << plan;
 }
 
 }  // namespace

@@ -7,7 +7,9 @@
 #include <sstream>
 
 #include "algebra3d/operators/all.h"
+#include "queries/shell/csv_presenter.h"
 #include "queries/shell/interruption.h"
+#include "queries/shell/json_presenter.h"
 #include "queries/shell/presenters.h"
 #include "queries/shell/statement_runner.h"
 #include "queries/streams/all.h"
@@ -60,6 +62,44 @@ TEST_F(ScriptCommands, a_script_may_end_at_its_first_error) {
   EXPECT_EQ(run("@@" + path("inner.q") + "\nquery 5;"), RunResult::failed);
   EXPECT_EQ(out_.str(), "(int 3)\n(int 5)\n");
   EXPECT_NE(errors_.str().find("inner.q:1:7: error: unknown name 'nope'"), std::string::npos) << errors_.str();
+}
+
+TEST_F(ScriptCommands, a_sequence_ends_at_a_failed_result_as_at_an_error) {
+  for (const char* first : {"query importSTL('no.stl')", "query nosuch"}) {
+    const std::string command = first;
+    out_.str("");
+    EXPECT_EQ(run("{ " + command + " | query 2 }"), RunResult::failed);
+    EXPECT_EQ(run("while TRUE do { " + command + " | query 2 } endwhile"), RunResult::failed);
+    EXPECT_EQ(out_.str().find("(int 2)"), std::string::npos) << out_.str();
+    EXPECT_EQ(run("{{ " + command + " | query 3 }}"), RunResult::failed);
+    EXPECT_NE(out_.str().find("(int 3)"), std::string::npos) << out_.str();
+  }
+}
+
+TEST_F(ScriptCommands, features_that_cannot_be_read_are_an_error) {
+  rules_.stops_on_error = true;
+  EXPECT_EQ(run("query 1; query importGeoJSON('no.geojson') consume; query 2;"), RunResult::failed);
+  EXPECT_EQ(out_.str(), "(int 1)\n");
+}
+
+TEST_F(ScriptCommands, a_solid_that_is_the_result_and_not_written_is_an_error) {
+  std::filesystem::create_directories(folder_ / "value_1.obj" / "in the way");
+  Session session(registry(), {.folder = folder_, .read_only = false});
+  ExchangeOptions options;
+  options.geometry = ExchangeOptions::Geometry::file;
+  options.folder = folder_;
+  for (const bool is_json : {true, false}) {
+    ExchangeValues values(registry(), options);
+    JsonPresenter json(out_, values, JsonPresenter::Layout::document);
+    CsvPresenter csv(out_, values);
+    Presenter& presenter = is_json ? static_cast<Presenter&>(json) : csv;
+    StatementRunner runner(session, presenter, {out_, errors_}, rules_);
+    std::istringstream script("query createCube(makePoint3D(0, 0, 0), makePoint3D(1, 1, 1))");
+    EXPECT_EQ(runner.run_script(script, "script"), RunResult::failed);
+  }
+  EXPECT_EQ(out_.str(), "");
+  EXPECT_NE(errors_.str().find("error: --geometry-dir: the solid is not written: exportOBJ: "), std::string::npos)
+      << errors_.str();
 }
 
 TEST_F(ScriptCommands, marked_comments_are_skipped_on_demand) {
