@@ -11,6 +11,7 @@
 #include "algebra3d/base/file_error.h"
 #include "algebra3d/base/open_databases.h"
 #include "queries/store/database_creation.h"
+#include "queries/store/database_draft.h"
 #include "queries/store/tables.h"
 
 namespace queries {
@@ -41,6 +42,11 @@ std::uint32_t big_endian(const std::array<char, kHeaderBytes>& header, std::size
   return value;
 }
 
+// One whose maker was killed just when it was complete has the mark of a draft until somebody writes to it.
+bool is_ours(std::int64_t application) {
+  return application == kApplicationId || application == kDraftApplicationId;
+}
+
 bool may_create(OpenMode mode) {
   return mode == OpenMode::create || mode == OpenMode::open_or_create;
 }
@@ -69,7 +75,7 @@ Status check_header(const fs::path& file) {
     return Error{ErrorCode::database_corrupt, "{}: the file ends after {} bytes, within the header of a database",
                  file.string(), size};
   const std::uint32_t application = big_endian(header, kApplicationIdOffset);
-  if (application != kApplicationId)
+  if (!is_ours(application))
     return foreign(file, application == 0 ? "a SQLite database of another program"
                                           : fmt::format("a SQLite database of application {:#x}", application));
   return check_version(file, big_endian(header, kUserVersionOffset));
@@ -129,7 +135,7 @@ Status configure(SqliteConnection& connection, const StoreOptions& options) {
   RETURN_IF_ERROR(connection.execute("PRAGMA cell_size_check = ON"));
   RETURN_IF_ERROR(connection.execute(fmt::format("PRAGMA cache_size = -{}", options.page_cache_kilobytes)));
   ASSIGN_OR_RETURN(const std::int64_t application, connection.integer("PRAGMA application_id"));
-  if (application != kApplicationId) return foreign(connection.file(), "a SQLite database of another program");
+  if (!is_ours(application)) return foreign(connection.file(), "a SQLite database of another program");
   ASSIGN_OR_RETURN(const std::int64_t version, connection.integer("PRAGMA user_version"));
   RETURN_IF_ERROR(check_version(connection.file(), version));
   if (options.max_pages > 0)
@@ -176,24 +182,22 @@ Status check_database_header(const fs::path& file) {
   return check_header(file);
 }
 
-Result<OpenedFile> open_database_file(const fs::path& file, OpenMode mode, const StoreOptions& options) {
+Result<std::unique_ptr<SqliteConnection>> open_database_file(const fs::path& file, OpenMode mode,
+                                                             const StoreOptions& options) {
   const bool writes = mode != OpenMode::read_only;
   if (writes) remove_database_leftovers(file);
   ASSIGN_OR_RETURN(const Found found, inspect(file, mode));
-  OpenedFile opened;
-  if (found != Found::database) {
-    ASSIGN_OR_RETURN(auto draft, create_database_file(file, found == Found::empty, options));
-    opened.draft.emplace(std::move(draft));
-  }
+  if (found != Found::database) RETURN_IF_ERROR(create_database_file(file, found == Found::empty));
   if (writes) RETURN_IF_ERROR(check_writable(file));
+  if (writes && mode != OpenMode::draft) RETURN_IF_ERROR(finish_database(file, options.busy_milliseconds));
   const Access access = writes ? Access::read_write : read_access(file);
-  ASSIGN_OR_RETURN(opened.connection, SqliteConnection::open(file, access, options.busy_milliseconds));
-  if (writes && opened.connection->is_read_only())
+  ASSIGN_OR_RETURN(auto connection, SqliteConnection::open(file, access, options.busy_milliseconds));
+  if (writes && connection->is_read_only())
     return Error{ErrorCode::database_read_only, "{}: the file cannot be written; open it with --read-only",
                  file.string()};
-  if (writes) RETURN_IF_ERROR(prepare_for_writing(*opened.connection));
-  RETURN_IF_ERROR(configure(*opened.connection, options));
-  return opened;
+  if (writes) RETURN_IF_ERROR(prepare_for_writing(*connection));
+  RETURN_IF_ERROR(configure(*connection, options));
+  return connection;
 }
 
 }  // namespace queries

@@ -169,4 +169,12 @@ Result<std::int64_t> SqliteConnection::integer(std::string_view sql) {
   return statement.column(0).integer;
 }
 
+Result<std::string> SqliteConnection::image() {
+  sqlite3_int64 size = 0;
+  const std::unique_ptr<unsigned char, decltype(&sqlite3_free)> bytes(sqlite3_serialize(handle_, "main", &size, 0),
+                                                                      &sqlite3_free);
+  if (bytes == nullptr) return error(SQLITE_NOMEM, "copying the database");
+  return std::string(bytes.get(), bytes.get() + size);
+}
+
 }  // namespace queries

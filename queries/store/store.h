@@ -41,6 +41,7 @@ enum class OpenMode : std::uint8_t {
   read_write,  ///< error database_missing if it is not
   open_or_create,
   read_only,
+  draft,  ///< as read_write, of a database that this process makes under an interim name
 };
 
 /// One thing that is wrong with a database.
