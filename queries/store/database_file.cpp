@@ -6,6 +6,7 @@
 #include <fstream>
 #include <system_error>
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "algebra3d/base/file_error.h"
@@ -158,6 +159,17 @@ Status check_writable(const fs::path& file) {
                file.string(), algebra3d::write_obstacle(target, reason)};
 }
 
+// SQLite names the log after the file: under each name there would be another one, and statements in one would not be
+// seen through the other, neither by a writer nor by a reader. Where the other names are, nothing tells.
+Status check_names(const fs::path& file) {
+  struct stat facts {};
+  if (::stat(file.c_str(), &facts) != 0 || facts.st_nlink <= 1) return {};
+  return Error{ErrorCode::io_error,
+               "{}: the file has {} names (hard links), and each would get a log of its own, so that statements would "
+               "be lost; remove the other names, or copy the file and use the copy; a symbolic link does no harm",
+               file.string(), facts.st_nlink};
+}
+
 }  // namespace
 
 // A log may still hold what a file lacks, so that this is no error by itself.
@@ -190,6 +202,7 @@ Result<std::unique_ptr<SqliteConnection>> open_database_file(const fs::path& fil
   if (found != Found::database) RETURN_IF_ERROR(create_database_file(file, found == Found::empty));
   if (writes) RETURN_IF_ERROR(check_writable(file));
   if (writes && mode != OpenMode::draft) RETURN_IF_ERROR(finish_database(file, options.busy_milliseconds));
+  RETURN_IF_ERROR(check_names(file));
   const Access access = writes ? Access::read_write : read_access(file);
   ASSIGN_OR_RETURN(auto connection, SqliteConnection::open(file, access, options.busy_milliseconds));
   if (writes && connection->is_read_only())
