@@ -90,19 +90,6 @@ Status write_all(const fs::path& file, int descriptor, std::string_view bytes) {
   return ::fsync(descriptor) == 0 ? Status() : write_error(file, errno);
 }
 
-Status check_name_length(const fs::path& file) {
-  struct statvfs facts {};
-  if (::statvfs(algebra3d::folder_of(file).c_str(), &facts) != 0) return {};
-  const std::size_t most = facts.f_namemax - kLongestEnding;
-  const std::size_t length = file.filename().string().size();
-  if (length <= most) return {};
-  return Error{
-      ErrorCode::io_error,
-      "{}: the name of the file has {} bytes; a database's may have {}, since files with longer names are kept "
-      "beside it",
-      file.string(), length, most};
-}
-
 // Two names for a moment where the file system knows no better: a process that is killed then leaves the interim one,
 // with the mark, and the next one removes it.
 int give_name(const fs::path& made, const fs::path& file, bool replaces_empty) {
@@ -165,6 +152,19 @@ Result<DraftState> finish_ownerless(const fs::path& file) {
 }
 
 }  // namespace
+
+Status check_name_length(const fs::path& file) {
+  struct statvfs facts {};
+  if (::statvfs(algebra3d::folder_of(file).c_str(), &facts) != 0) return {};
+  const std::size_t most = facts.f_namemax - kLongestEnding;
+  const std::size_t length = file.filename().string().size();
+  if (length <= most) return {};
+  return Error{
+      ErrorCode::io_error,
+      "{}: the name of the file has {} bytes; a database's may have {}, since files with longer names are kept "
+      "beside it",
+      file.string(), length, most};
+}
 
 Result<DatabaseDraft> DatabaseDraft::create(const fs::path& file, std::string_view ending) {
   RETURN_IF_ERROR(check_name_length(file));

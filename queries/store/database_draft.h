@@ -43,6 +43,9 @@ class DatabaseDraft {
   algebra3d::DraftFile draft_;
 };
 
+/// Error if the name of a new database is so long that the files beside it would have names that no file may have.
+Status check_name_length(const std::filesystem::path& file);
+
 /// If `file` has its name and still the mark of a draft: waits for its owner to take it away or, if that one was
 /// killed, does so itself. Errors: database_busy, io_error.
 Status finish_database(const std::filesystem::path& file, int busy_milliseconds);

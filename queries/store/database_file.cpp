@@ -98,6 +98,7 @@ enum class Found : std::uint8_t { nothing, empty, database };
 Result<Found> inspect(const fs::path& file, OpenMode mode) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
+  if (may_create(mode) && !fs::exists(status)) RETURN_IF_ERROR(check_name_length(file));
   if (status.type() == fs::file_type::not_found) {
     RETURN_IF_ERROR(check_missing(file, mode));
     return Found::nothing;
