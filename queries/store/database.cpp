@@ -22,9 +22,8 @@ Result<std::shared_ptr<Database>> Database::open(const std::filesystem::path& fi
 Result<std::shared_ptr<Database>> Database::open_damaged(const std::filesystem::path& file,
                                                          const algebra3d::Registry& registry) {
   const StoreOptions options;
-  auto connection = open_database_file(file, OpenMode::read_only, options);
-  if (!connection) return with_lost_bytes(file, std::move(connection).error());
-  std::shared_ptr<Database> database(new Database(*std::move(connection), file, registry, options));
+  ASSIGN_OR_RETURN(auto connection, open_database_file(file, OpenMode::read_damaged, options));
+  std::shared_ptr<Database> database(new Database(std::move(connection), file, registry, options));
   database->is_read_only_ = true;
   database->catalogue_.tolerate_damage();
   return database;

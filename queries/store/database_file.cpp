@@ -174,21 +174,20 @@ Status check_names(const fs::path& file) {
 }  // namespace
 
 // A log may still hold what a file lacks, so that this is no error by itself.
-Error with_lost_bytes(const fs::path& file, Error error) {
+std::string lost_bytes(const fs::path& file) {
   constexpr std::size_t kPageSizeOffset = 16;
   constexpr std::size_t kPageCountOffset = 28;
   std::array<char, kHeaderBytes> header{};
   std::error_code unknown;
   const std::uintmax_t found = fs::file_size(file, unknown);
-  if (unknown || algebra3d::open_database_with(file)) return error;
+  if (unknown || algebra3d::open_database_with(file)) return {};
   std::ifstream stream(file, std::ios::binary);
-  if (!stream.read(header.data(), header.size())) return error;
+  if (!stream.read(header.data(), header.size())) return {};
   const std::uint32_t page_bytes = big_endian(header, kPageSizeOffset) >> 16;
   const std::uintmax_t expected =
       std::uintmax_t{page_bytes == 1 ? 65536 : page_bytes} * big_endian(header, kPageCountOffset);
-  if (found < expected)
-    error.message += fmt::format("; the file ends after {} bytes of the {} that its header tells", found, expected);
-  return error;
+  if (found >= expected) return {};
+  return fmt::format("the file ends after {} bytes of the {} that its header tells", found, expected);
 }
 
 Status check_database_header(const fs::path& file) {
@@ -197,7 +196,7 @@ Status check_database_header(const fs::path& file) {
 
 Result<std::unique_ptr<SqliteConnection>> open_database_file(const fs::path& file, OpenMode mode,
                                                              const StoreOptions& options) {
-  const bool writes = mode != OpenMode::read_only;
+  const bool writes = mode != OpenMode::read_only && mode != OpenMode::read_damaged;
   if (writes) remove_database_leftovers(file);
   ASSIGN_OR_RETURN(const Found found, inspect(file, mode));
   if (found != Found::database) RETURN_IF_ERROR(create_database_file(file, found == Found::empty));
@@ -206,6 +205,7 @@ Result<std::unique_ptr<SqliteConnection>> open_database_file(const fs::path& fil
   RETURN_IF_ERROR(check_names(file));
   const Access access = writes ? Access::read_write : read_access(file);
   ASSIGN_OR_RETURN(auto connection, SqliteConnection::open(file, access, options.busy_milliseconds));
+  if (mode == OpenMode::read_damaged) connection->tolerate_missing_pages();
   if (writes && connection->is_read_only())
     return Error{ErrorCode::database_read_only, "{}: the file cannot be written; open it with --read-only",
                  file.string()};

@@ -13,8 +13,8 @@ namespace queries {
 Result<std::unique_ptr<SqliteConnection>> open_database_file(const std::filesystem::path& file, OpenMode mode,
                                                              const StoreOptions& options);
 
-/// The error of a damaged file, with the number of bytes that it lacks by its own header, if it lacks any.
-Error with_lost_bytes(const std::filesystem::path& file, Error error);
+/// What the file lacks by its own header, as a sentence; empty: nothing, or this process has it open.
+std::string lost_bytes(const std::filesystem::path& file);
 
 /// Error unless the file begins as a database of ours does, of a version that is known.
 Status check_database_header(const std::filesystem::path& file);
