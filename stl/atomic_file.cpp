@@ -1,5 +1,6 @@
 #include "stl/atomic_file.h"
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <mutex>
@@ -59,6 +60,14 @@ bool is_draft(std::string_view name) {
   return algebra3d::is_draft_number(name);
 }
 
+// A database may have any name, that of a draft too; no export begins as one does.
+bool is_no_database(int descriptor) {
+  constexpr std::string_view kSqliteMagic("SQLite format 3\0", 16);
+  std::array<char, kSqliteMagic.size()> bytes{};
+  const ssize_t size = ::pread(descriptor, bytes.data(), bytes.size(), 0);
+  return size >= 0 && std::string_view(bytes.data(), static_cast<std::size_t>(size)) != kSqliteMagic;
+}
+
 // Once for each folder: a program that writes ten thousand files into one must not read its names as often.
 void remove_leftovers(const fs::path& folder) {
   static std::mutex mutex;
@@ -71,7 +80,7 @@ void remove_leftovers(const fs::path& folder) {
   }
   std::error_code error;
   for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator(); entry.increment(error))
-    if (is_draft(entry->path().filename().string())) algebra3d::remove_if_abandoned(entry->path(), "");
+    if (is_draft(entry->path().filename().string())) algebra3d::remove_if_abandoned(entry->path(), is_no_database);
 }
 
 /// The file that a path means, whether it is there or not: links are followed to their end.

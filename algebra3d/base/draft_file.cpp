@@ -24,7 +24,7 @@ constexpr off_t kSqliteLocks = 0x40000000;
 constexpr off_t kSqliteLockBytes = 512;
 constexpr int kMostAttempts = 10'000;
 
-bool lock(int descriptor, off_t start, off_t length) {
+bool lock_range(int descriptor, off_t start, off_t length) {
   struct flock range {};
   range.l_type = F_WRLCK;
   range.l_whence = SEEK_SET;
@@ -40,15 +40,6 @@ bool is_file_at(const fs::path& path, int descriptor) {
          named.st_ino == open.st_ino;
 }
 
-bool begins_with(int descriptor, std::string_view beginning) {
-  struct stat facts {};
-  if (::fstat(descriptor, &facts) != 0 || !S_ISREG(facts.st_mode)) return false;
-  if (facts.st_size == 0) return true;
-  std::string bytes(beginning.size(), '\0');
-  const auto size = static_cast<ssize_t>(bytes.size());
-  return ::pread(descriptor, bytes.data(), bytes.size(), 0) == size && bytes == beginning;
-}
-
 }  // namespace
 
 // Between creating and locking, another process may take the file for a leftover and remove it; then another one is
@@ -61,7 +52,7 @@ Result<DraftFile> DraftFile::create(const fs::path& target, std::string_view pre
     DraftFile draft(path, ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666));  // NOLINT(*-vararg)
     if (draft.descriptor_ < 0 && errno == EEXIST) continue;
     if (draft.descriptor_ < 0) return write_error(target, errno);
-    const bool has_lock = lock(draft.descriptor_, kLockByte, 1) || (errno != EAGAIN && errno != EACCES);
+    const bool has_lock = lock(draft.descriptor_) || (errno != EAGAIN && errno != EACCES);
     if (has_lock && is_file_at(path, draft.descriptor_)) return draft;
   }
   return Error{ErrorCode::io_error, "{}: no interim name is free in its folder", target.string()};
@@ -87,13 +78,19 @@ void DraftFile::remove() {
   path_.clear();
 }
 
-void remove_if_abandoned(const fs::path& draft, std::string_view beginning) {
+bool DraftFile::lock(int descriptor) {
+  return lock_range(descriptor, kLockByte, 1);
+}
+
+// Looked at before it is locked too, so that a file of somebody else is not locked even for a moment.
+void remove_if_abandoned(const fs::path& draft, const std::function<bool(int descriptor)>& is_draft) {
   struct stat facts {};
   if (::lstat(draft.c_str(), &facts) != 0 || !S_ISREG(facts.st_mode) || open_database_with(draft)) return;
   const int descriptor = ::open(draft.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);  // NOLINT(*-vararg)
   if (descriptor < 0) return;
-  const bool is_ownerless = lock(descriptor, kLockByte, 1) && lock(descriptor, kSqliteLocks, kSqliteLockBytes);
-  if (is_ownerless && begins_with(descriptor, beginning) && is_file_at(draft, descriptor)) {
+  const bool is_ownerless =
+      is_draft(descriptor) && DraftFile::lock(descriptor) && lock_range(descriptor, kSqliteLocks, kSqliteLockBytes);
+  if (is_ownerless && is_draft(descriptor) && is_file_at(draft, descriptor)) {
     for (const char* ending : kSidecarEndings) ::unlink((draft.string() + ending).c_str());
     ::unlink(draft.c_str());
   }

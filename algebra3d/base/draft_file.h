@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -30,6 +31,8 @@ class DraftFile {
 
   const std::filesystem::path& path() const { return path_; }
   int descriptor() const { return descriptor_; }
+  /// Takes the lock of a draft on another descriptor of its file; false: its owner has it, or there are no locks.
+  static bool lock(int descriptor);
   /// Removes the name, if the file still has it.
   void remove();
 
@@ -41,8 +44,9 @@ class DraftFile {
 };
 
 /// Removes a file with the name of a draft, and what SQLite keeps beside it, if its owner is gone: if nobody holds its
-/// lock, nobody has it open as a database, and it is empty or begins with `beginning`. Everything else is left alone.
-void remove_if_abandoned(const std::filesystem::path& draft, std::string_view beginning);
+/// lock, nobody has it open as a database, and `is_draft` says that its content is that of a draft, which neither the
+/// name nor the lock proves. Everything else is left alone.
+void remove_if_abandoned(const std::filesystem::path& draft, const std::function<bool(int descriptor)>& is_draft);
 
 /// Whether all of `text` is a process id and perhaps a number, as in names of drafts: `123` or `123-4`.
 bool is_draft_number(std::string_view text);

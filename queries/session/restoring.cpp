@@ -1,7 +1,5 @@
 // The commands of a session that restore a database or an object from a nested list. It is read object by object and
 // tuple by tuple; everything happens in one transaction.
-#include <unistd.h>
-
 #include <algorithm>
 #include <system_error>
 
@@ -11,26 +9,16 @@
 #include "queries/language/list_pieces.h"
 #include "queries/language/nested_reader.h"
 #include "queries/language/parser.h"
-#include "queries/session/database_files.h"
 #include "queries/session/objects.h"
 #include "queries/session/saved_list.h"
 #include "queries/session/session.h"
 #include "queries/session/variables.h"
-#include "queries/store/database_creation.h"
+#include "queries/store/database_draft.h"
 #include "queries/streams/mapping.h"
 #include "stl/file_content.h"
 
 namespace queries {
 namespace {
-
-/// A free name beside the database, which says that it is being restored.
-std::filesystem::path interim_name(const std::filesystem::path& file) {
-  const std::string begin = fmt::format("{}{}{}", file.string(), kRestoreMark, getpid());
-  std::filesystem::path name = begin;
-  std::error_code error;
-  for (int number = 0; std::filesystem::exists(name, error); ++number) name = fmt::format("{}-{}", begin, number);
-  return name;
-}
 
 /// An error of the interim file as one of the database that the user named.
 Error told_of(const std::filesystem::path& file, const std::filesystem::path& interim, Error error) {
@@ -359,28 +347,31 @@ Status Session::run(const RestoreDatabase& command, Presenter&, Context& context
   ASSIGN_OR_RETURN(const auto file, database_file(command.name));
   std::error_code error;
   const bool is_new = !std::filesystem::exists(file, error);
-  const std::filesystem::path interim = interim_name(file);
-  auto left_out = restore_into(is_new ? interim : file, is_new, saved.text(), command.file, context);
-  Status status = left_out ? Status() : Status(left_out.error());
-  if (is_new && status) status = put_in_place(interim, file);
-  if (!status) {
-    const bool is_left = is_new && std::filesystem::exists(interim, error);
-    const Status removed = is_left ? delete_database_file(interim) : Status();
-    if (!removed) context.diagnostics.report(removed.error().message);
-    return told_of(file, interim, status.error());
-  }
+  ASSIGN_OR_RETURN(const auto left_out,
+                   is_new ? restore_new(file, saved.text(), command.file, context)
+                          : restore_into(file, OpenMode::read_write, saved.text(), command.file, context));
   ASSIGN_OR_RETURN(store_, Store::open(file, OpenMode::read_write, registry_));
-  if (left_out->empty()) return {};
+  if (left_out.empty()) return {};
   return Error{ErrorCode::not_evaluable,
                "restore: the database '{}' was restored and is open, without these objects, which cannot be derived "
                "again: {}",
-               command.name, fmt::join(*left_out, ", ")};
+               command.name, fmt::join(left_out, ", ")};
 }
 
-Result<std::vector<std::string>> Session::restore_into(const std::filesystem::path& file, bool is_new,
+Result<std::vector<std::string>> Session::restore_new(const std::filesystem::path& file, std::string_view text,
+                                                      const std::string& name, Context& context) {
+  remove_database_leftovers(file);
+  ASSIGN_OR_RETURN(DatabaseDraft draft, DatabaseDraft::create(file, kRestoreEnding));
+  auto left_out = restore_into(draft.path(), OpenMode::draft, text, name, context);
+  if (!left_out) return told_of(file, draft.path(), std::move(left_out).error());
+  RETURN_IF_ERROR(draft.publish(false));
+  return left_out;
+}
+
+Result<std::vector<std::string>> Session::restore_into(const std::filesystem::path& file, OpenMode mode,
                                                        std::string_view text, const std::string& name,
                                                        Context& context) {
-  ASSIGN_OR_RETURN(store_, Store::open(file, is_new ? OpenMode::create : OpenMode::read_write, registry_));
+  ASSIGN_OR_RETURN(store_, Store::open(file, mode, registry_));
   std::vector<std::string> left_out;
   const Status status = in_transaction(true, [&]() -> Status {
     ASSIGN_OR_RETURN(const auto before, store_->objects());

@@ -134,8 +134,10 @@ class Session {
   Result<std::vector<Finding>> findings(Presenter& presenter, Context& context);
   Result<std::filesystem::path> database_file(const std::string& name) const;
   /// The names of the objects that had to be left out.
-  Result<std::vector<std::string>> restore_into(const std::filesystem::path& file, bool is_new, std::string_view text,
+  Result<std::vector<std::string>> restore_into(const std::filesystem::path& file, OpenMode mode, std::string_view text,
                                                 const std::string& name, Context& context);
+  Result<std::vector<std::string>> restore_new(const std::filesystem::path& file, std::string_view text,
+                                               const std::string& name, Context& context);
   Status empty_database();
   /// The value is made under the name `interim`, if there is one.
   Status define(const std::string& name, const Expression& value, bool is_derived, Context& context,

@@ -58,6 +58,11 @@ class Catalogue {
   /// The named types, in the order of names.
   const std::map<std::string, algebra3d::TypeExpr>& types() const { return types_; }
 
+  /// Whether it keeps what can be read of a damaged one.
+  bool is_tolerant() const { return is_tolerant_; }
+  /// What `take_number` gives next.
+  std::int64_t next_number() const { return next_number_; }
+
   // Changes. Each takes effect in the file with `flush`.
   CatalogueEntry& add(CatalogueEntry entry);
   /// For changing; null if there is none.

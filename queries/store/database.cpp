@@ -7,8 +7,8 @@ namespace queries {
 
 Result<std::shared_ptr<Database>> Database::open(const std::filesystem::path& file, OpenMode mode,
                                                  const algebra3d::Registry& registry, const StoreOptions& options) {
-  ASSIGN_OR_RETURN(OpenedFile opened, open_database_file(file, mode, options));
-  std::shared_ptr<Database> database(new Database(std::move(opened), file, registry, options));
+  ASSIGN_OR_RETURN(auto connection, open_database_file(file, mode, options));
+  std::shared_ptr<Database> database(new Database(std::move(connection), file, registry, options));
   // A damaged catalogue is found now, not in the middle of somebody's work.
   RETURN_IF_ERROR(database->upgrade());
   RETURN_IF_ERROR(database->begin(false));
@@ -22,21 +22,19 @@ Result<std::shared_ptr<Database>> Database::open(const std::filesystem::path& fi
 Result<std::shared_ptr<Database>> Database::open_damaged(const std::filesystem::path& file,
                                                          const algebra3d::Registry& registry) {
   const StoreOptions options;
-  auto opened = open_database_file(file, OpenMode::read_only, options);
-  if (!opened) return with_lost_bytes(file, std::move(opened).error());
-  std::shared_ptr<Database> database(new Database(*std::move(opened), file, registry, options));
+  ASSIGN_OR_RETURN(auto connection, open_database_file(file, OpenMode::read_damaged, options));
+  std::shared_ptr<Database> database(new Database(std::move(connection), file, registry, options));
   database->is_read_only_ = true;
   database->catalogue_.tolerate_damage();
   return database;
 }
 
-Database::Database(OpenedFile opened, std::filesystem::path file, const algebra3d::Registry& registry,
-                   const StoreOptions& options)
+Database::Database(std::unique_ptr<SqliteConnection> connection, std::filesystem::path file,
+                   const algebra3d::Registry& registry, const StoreOptions& options)
     : file_(std::move(file)),
       registry_(registry),
       options_(options),
-      draft_(std::move(opened.draft)),
-      connection_(std::move(opened.connection)),
+      connection_(std::move(connection)),
       is_read_only_(connection_->is_read_only()),
       catalogue_(*connection_),
       cache_(options.cache_bytes) {}

@@ -100,8 +100,8 @@ class Database : public std::enable_shared_from_this<Database> {
   std::uint64_t geometry_loads() const { return geometry_loads_; }
 
  private:
-  Database(OpenedFile opened, std::filesystem::path file, const algebra3d::Registry& registry,
-           const StoreOptions& options);
+  Database(std::unique_ptr<SqliteConnection> connection, std::filesystem::path file,
+           const algebra3d::Registry& registry, const StoreOptions& options);
   Status upgrade();
   Status start_statement();
   Status begin_within_transaction();
@@ -120,7 +120,6 @@ class Database : public std::enable_shared_from_this<Database> {
   const std::filesystem::path file_;
   const algebra3d::Registry& registry_;
   const StoreOptions options_;
-  std::optional<algebra3d::DraftFile> draft_;  // of a file that was made now: says that its maker lives
   std::unique_ptr<SqliteConnection> connection_;
   bool is_read_only_ = false;
   Catalogue catalogue_;

@@ -6,11 +6,13 @@
 #include <fstream>
 #include <system_error>
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "algebra3d/base/file_error.h"
 #include "algebra3d/base/open_databases.h"
 #include "queries/store/database_creation.h"
+#include "queries/store/database_draft.h"
 #include "queries/store/tables.h"
 
 namespace queries {
@@ -41,6 +43,11 @@ std::uint32_t big_endian(const std::array<char, kHeaderBytes>& header, std::size
   return value;
 }
 
+// One whose maker was killed just when it was complete has the mark of a draft until somebody writes to it.
+bool is_ours(std::int64_t application) {
+  return application == kApplicationId || application == kDraftApplicationId;
+}
+
 bool may_create(OpenMode mode) {
   return mode == OpenMode::create || mode == OpenMode::open_or_create;
 }
@@ -69,7 +76,7 @@ Status check_header(const fs::path& file) {
     return Error{ErrorCode::database_corrupt, "{}: the file ends after {} bytes, within the header of a database",
                  file.string(), size};
   const std::uint32_t application = big_endian(header, kApplicationIdOffset);
-  if (application != kApplicationId)
+  if (!is_ours(application))
     return foreign(file, application == 0 ? "a SQLite database of another program"
                                           : fmt::format("a SQLite database of application {:#x}", application));
   return check_version(file, big_endian(header, kUserVersionOffset));
@@ -91,6 +98,7 @@ enum class Found : std::uint8_t { nothing, empty, database };
 Result<Found> inspect(const fs::path& file, OpenMode mode) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
+  if (may_create(mode) && !fs::exists(status)) RETURN_IF_ERROR(check_name_length(file));
   if (status.type() == fs::file_type::not_found) {
     RETURN_IF_ERROR(check_missing(file, mode));
     return Found::nothing;
@@ -129,7 +137,7 @@ Status configure(SqliteConnection& connection, const StoreOptions& options) {
   RETURN_IF_ERROR(connection.execute("PRAGMA cell_size_check = ON"));
   RETURN_IF_ERROR(connection.execute(fmt::format("PRAGMA cache_size = -{}", options.page_cache_kilobytes)));
   ASSIGN_OR_RETURN(const std::int64_t application, connection.integer("PRAGMA application_id"));
-  if (application != kApplicationId) return foreign(connection.file(), "a SQLite database of another program");
+  if (!is_ours(application)) return foreign(connection.file(), "a SQLite database of another program");
   ASSIGN_OR_RETURN(const std::int64_t version, connection.integer("PRAGMA user_version"));
   RETURN_IF_ERROR(check_version(connection.file(), version));
   if (options.max_pages > 0)
@@ -152,48 +160,58 @@ Status check_writable(const fs::path& file) {
                file.string(), algebra3d::write_obstacle(target, reason)};
 }
 
+// SQLite names the log after the file: under each name there would be another one, and statements in one would not be
+// seen through the other, neither by a writer nor by a reader. Where the other names are, nothing tells.
+Status check_names(const fs::path& file) {
+  struct stat facts {};
+  if (::stat(file.c_str(), &facts) != 0 || facts.st_nlink <= 1) return {};
+  return Error{ErrorCode::io_error,
+               "{}: the file has {} names (hard links), and each would get a log of its own, so that statements would "
+               "be lost; remove the other names, or copy the file and use the copy; a symbolic link does no harm",
+               file.string(), facts.st_nlink};
+}
+
 }  // namespace
 
 // A log may still hold what a file lacks, so that this is no error by itself.
-Error with_lost_bytes(const fs::path& file, Error error) {
+std::string lost_bytes(const fs::path& file) {
   constexpr std::size_t kPageSizeOffset = 16;
   constexpr std::size_t kPageCountOffset = 28;
   std::array<char, kHeaderBytes> header{};
   std::error_code unknown;
   const std::uintmax_t found = fs::file_size(file, unknown);
-  if (unknown || algebra3d::open_database_with(file)) return error;
+  if (unknown || algebra3d::open_database_with(file)) return {};
   std::ifstream stream(file, std::ios::binary);
-  if (!stream.read(header.data(), header.size())) return error;
+  if (!stream.read(header.data(), header.size())) return {};
   const std::uint32_t page_bytes = big_endian(header, kPageSizeOffset) >> 16;
   const std::uintmax_t expected =
       std::uintmax_t{page_bytes == 1 ? 65536 : page_bytes} * big_endian(header, kPageCountOffset);
-  if (found < expected)
-    error.message += fmt::format("; the file ends after {} bytes of the {} that its header tells", found, expected);
-  return error;
+  if (found >= expected) return {};
+  return fmt::format("the file ends after {} bytes of the {} that its header tells", found, expected);
 }
 
 Status check_database_header(const fs::path& file) {
   return check_header(file);
 }
 
-Result<OpenedFile> open_database_file(const fs::path& file, OpenMode mode, const StoreOptions& options) {
-  const bool writes = mode != OpenMode::read_only;
+Result<std::unique_ptr<SqliteConnection>> open_database_file(const fs::path& file, OpenMode mode,
+                                                             const StoreOptions& options) {
+  const bool writes = mode != OpenMode::read_only && mode != OpenMode::read_damaged;
   if (writes) remove_database_leftovers(file);
   ASSIGN_OR_RETURN(const Found found, inspect(file, mode));
-  OpenedFile opened;
-  if (found != Found::database) {
-    ASSIGN_OR_RETURN(auto draft, create_database_file(file, found == Found::empty, options));
-    opened.draft.emplace(std::move(draft));
-  }
+  if (found != Found::database) RETURN_IF_ERROR(create_database_file(file, found == Found::empty));
   if (writes) RETURN_IF_ERROR(check_writable(file));
+  if (writes && mode != OpenMode::draft) RETURN_IF_ERROR(finish_database(file, options.busy_milliseconds));
+  RETURN_IF_ERROR(check_names(file));
   const Access access = writes ? Access::read_write : read_access(file);
-  ASSIGN_OR_RETURN(opened.connection, SqliteConnection::open(file, access, options.busy_milliseconds));
-  if (writes && opened.connection->is_read_only())
+  ASSIGN_OR_RETURN(auto connection, SqliteConnection::open(file, access, options.busy_milliseconds));
+  if (mode == OpenMode::read_damaged) connection->tolerate_missing_pages();
+  if (writes && connection->is_read_only())
     return Error{ErrorCode::database_read_only, "{}: the file cannot be written; open it with --read-only",
                  file.string()};
-  if (writes) RETURN_IF_ERROR(prepare_for_writing(*opened.connection));
-  RETURN_IF_ERROR(configure(*opened.connection, options));
-  return opened;
+  if (writes) RETURN_IF_ERROR(prepare_for_writing(*connection));
+  RETURN_IF_ERROR(configure(*connection, options));
+  return connection;
 }
 
 }  // namespace queries

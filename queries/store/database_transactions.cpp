@@ -18,7 +18,6 @@ void Database::close() {
   forget_everything();
   original_.reset();
   connection_.reset();
-  draft_.reset();
 }
 
 Status Database::upgrade() {

@@ -42,6 +42,8 @@ Result<std::vector<Finding>> IntegrityCheck::run() {
   RETURN_IF_ERROR(check_numbers("object_values", "id"));
   RETURN_IF_ERROR(check_numbers("imported_files", "relation"));
   RETURN_IF_ERROR(check_chunks());
+  RETURN_IF_ERROR(check_abandoned());
+  add_readable_objects();
   for (const auto& [name, count] : finding_counts_)
     if (count > kFindingsPerObject)
       findings_.push_back({name, 0, "", fmt::format("{} more findings", count - kFindingsPerObject)});
@@ -88,6 +90,20 @@ Status IntegrityCheck::check_catalogue() {
     if (!*has_row) return {};
     abandoned_.insert(statement->column(0).integer);
   }
+}
+
+// Of a database that does not open, what is not said to be damaged is what can be saved.
+void IntegrityCheck::add_readable_objects() {
+  if (!database_->catalogue().is_tolerant() || findings_.empty()) return;
+  const auto is_damaged = [&](const std::string& name) { return !name.empty() && finding_counts_.contains(name); };
+  std::string readable;
+  for (const auto& [name, entry] : database_->catalogue().entries()) {
+    if (is_damaged(name) || is_damaged(entry.index_relation)) continue;
+    readable += (readable.empty() ? "" : ", ") + name;
+    if (entry.type.is_relation()) readable += fmt::format(" ({} tuples)", entry.tuple_count);
+  }
+  add({.message = kCatalogueFinding + (readable.empty() ? "no object can be read completely"
+                                                        : "these objects can still be read completely: " + readable)});
 }
 
 Status IntegrityCheck::check_object(const CatalogueEntry& entry) {

@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -36,6 +37,10 @@ class IntegrityCheck {
   Status check_columns();
   Status check_columns_of(SqliteConnection& model, const std::string& table, const Finding& place);
   Status check_meta();
+  Status check_indexes(SqliteConnection& model);
+  Status check_abandoned();
+  Result<bool> has_rows(std::int64_t number);
+  void add_page_finding(const Finding& place, std::string_view line);
   std::vector<std::pair<std::string, Finding>> tables();
 
   Status check_catalogue();
@@ -47,8 +52,9 @@ class IntegrityCheck {
   Status check_rows(Walk& walk);
   Result<bool> read_rows(Walk& walk, TupleId from);
   TupleId first_readable(const Walk& walk, TupleId from);
-  bool can_be_read(const Walk& walk, TupleId from);
+  std::optional<TupleId> readable_from(const Walk& walk, TupleId from);
   void add_readable(const Walk& walk);
+  void add_readable_objects();
   Status check_row(Walk& walk, const SqliteStatement& row);
   Status check_attribute(Walk& walk, const RowReader& reader, std::size_t attribute);
   Result<Value> proved(const Value& value);

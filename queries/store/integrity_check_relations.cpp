@@ -29,7 +29,6 @@ struct IntegrityCheck::Walk {
     TupleId last = 0;
   };
   std::vector<Gap> gaps = {};
-  bool is_in_order = true;
   // By attribute, of those that have a tree in memory.
   std::map<std::size_t, Entries> boxes = {};
   std::map<std::size_t, std::vector<OrderedTree::Entry>> keys = {};
@@ -46,7 +45,7 @@ Status IntegrityCheck::check_relation(const CatalogueEntry& entry) {
     walk.keys[attribute] = {};
   RETURN_IF_ERROR(check_rows(walk));
   if (!walk.gaps.empty()) add_readable(walk);
-  if (!walk.gaps.empty() || !walk.is_in_order) return {};
+  if (!walk.gaps.empty()) return {};
   check_totals(walk);
   check_trees(walk);
   return {};
@@ -82,23 +81,23 @@ Result<bool> IntegrityCheck::read_rows(Walk& walk, TupleId from) {
     RETURN_IF_ERROR(advance(walk.entry.name));
     const TupleId id = rows.column(0).integer;
     // A damaged tree could lead round in circles.
-    if (id <= walk.last) {
-      add({.object = walk.entry.name, .tuple = id, .message = "the tuples are not in order"});
-      walk.is_in_order = false;
-      return true;
-    }
+    if (id <= walk.last || id < from)
+      return Error{ErrorCode::database_corrupt, "the tuples are not in order: tuple {} comes next", id};
     walk.last = id;
     RETURN_IF_ERROR(check_row(walk, rows));
   }
 }
 
-bool IntegrityCheck::can_be_read(const Walk& walk, TupleId from) {
+/// The first tuple from `from` on, if it can be read; behind the last one, `from` itself.
+std::optional<TupleId> IntegrityCheck::readable_from(const Walk& walk, TupleId from) {
   auto rows = database_->connection().use(walk.layout->tail_sql());
-  if (!rows) return false;
+  if (!rows) return std::nullopt;
   rows->bind(1, from).bind(2, 1);
   const auto has_row = rows->step();
-  // Behind the last one it says nothing if nothing is there.
-  return has_row && (*has_row || from >= walk.entry.next_tuple);
+  if (!has_row) return std::nullopt;
+  const TupleId found = *has_row ? rows->column(0).integer : from;
+  const bool is_right = *has_row ? found >= from : from >= walk.entry.next_tuple;
+  return is_right ? std::optional(found) : std::nullopt;
 }
 
 // One by one as far as a page may reach, then in steps that double, and back to the first of the readable ones.
@@ -106,19 +105,19 @@ TupleId IntegrityCheck::first_readable(const Walk& walk, TupleId from) {
   constexpr TupleId kOneByOne = 1000;
   const TupleId end = walk.entry.next_tuple;
   for (TupleId id = from + 1; id < std::min(from + kOneByOne, end); ++id)
-    if (can_be_read(walk, id)) return id;
+    if (const auto found = readable_from(walk, id)) return *found;
   TupleId unreadable = std::min(from + kOneByOne, end) - 1;
   for (TupleId step = 1; unreadable + step < end; step *= 2) {
-    if (!can_be_read(walk, unreadable + step)) {
+    if (!readable_from(walk, unreadable + step)) {
       unreadable += step;
       continue;
     }
     TupleId readable = unreadable + step;
     while (readable - unreadable > 1) {
       const TupleId middle = unreadable + (readable - unreadable) / 2;
-      (can_be_read(walk, middle) ? readable : unreadable) = middle;
+      (readable_from(walk, middle) ? readable : unreadable) = middle;
     }
-    return readable;
+    return readable_from(walk, readable).value_or(kEndless);
   }
   return kEndless;
 }

@@ -1,5 +1,6 @@
 // The part of the integrity check that looks at SQLite's pages, and at what tables and columns there are.
 #include <algorithm>
+#include <optional>
 
 #include "queries/store/integrity_check.h"
 #include "queries/store/sqlite_error.h"
@@ -22,6 +23,46 @@ constexpr std::pair<const char*, const char*> kOwnTables[] = {
 bool is_about_free_pages(std::string_view text) {
   const auto has = [text](std::string_view part) { return text.find(part) != std::string_view::npos; };
   return has("is never used") || has("reelist") || has("ist trunk") || has("reserved page") || has("ointer map");
+}
+
+/// The number behind `word` in a line of SQLite's check, and what follows.
+struct Numbered {
+  std::string number;
+  std::string_view rest;
+};
+
+std::optional<Numbered> number_after(std::string_view line, std::string_view word) {
+  const std::size_t at = line.find(word);
+  if (at == std::string_view::npos) return std::nullopt;
+  Numbered found;
+  found.rest = line.substr(at + word.size());
+  while (!found.rest.empty() && found.rest.front() >= '0' && found.rest.front() <= '9') {
+    found.number += found.rest.front();
+    found.rest.remove_prefix(1);
+  }
+  return found.number.empty() ? std::nullopt : std::optional(found);
+}
+
+/// A line of SQLite's check in plain words. Lines are `Page 12: btreeInitPage() returns error code 11`, `On tree page 4
+/// cell 2: ...`, `Tree 4 page 4 cell 2: ...`, or sentences.
+std::string plain_words(std::string_view line) {
+  if (line == sqlite3_errstr(SQLITE_CORRUPT)) return "a page is damaged";
+  if (const auto missing = number_after(line, "unable to get the page. error code="))
+    if (const auto page = number_after(line, "age ")) return fmt::format("page {} is damaged or missing", page->number);
+  if (const auto missing = number_after(line, "failed to get page "))
+    return fmt::format("page {} is damaged or missing", missing->number);
+  if (const auto missing = number_after(line, "invalid page number "))
+    return fmt::format("page {} is missing", missing->number);
+  for (const std::string_view word : {"Page ", "page "}) {
+    const auto page = number_after(line, word);
+    if (!page || page->rest.find(": ") == std::string_view::npos) continue;
+    const std::string_view problem = page->rest.substr(page->rest.find(": ") + 2);
+    if (problem.starts_with("btreeInitPage()")) return fmt::format("page {} is damaged", page->number);
+    return fmt::format("page {} is damaged (SQLite: {})", page->number, ascii_text(problem));
+  }
+  if (const auto page = number_after(line, " on page "); page && page->rest.empty())
+    return fmt::format("page {} is damaged (SQLite: {})", page->number, ascii_text(line));
+  return "SQLite: " + ascii_text(line);
 }
 
 Result<std::vector<std::string>> column_names(SqliteConnection& connection, const std::string& table) {
@@ -77,11 +118,9 @@ Status IntegrityCheck::check_pages() {
 /// Whether SQLite finds nothing.
 Result<bool> IntegrityCheck::check_pages_of(std::string_view sql, const Finding& place) {
   SqliteConnection& connection = database_->connection();
-  Finding finding = place;
-  finding.message += "SQLite: ";
   auto statement = connection.use(sql);
   if (!statement) {
-    RETURN_IF_ERROR(add(finding, statement.error()));
+    RETURN_IF_ERROR(add(place, statement.error()));
     return false;
   }
   connection.end_when(context_.cancel);
@@ -89,19 +128,33 @@ Result<bool> IntegrityCheck::check_pages_of(std::string_view sql, const Finding&
   Status status;
   while (true) {
     const auto has_row = statement->step();
-    if (!has_row) status = add(finding, has_row.error());
+    // An error after lines about damaged pages says nothing more.
+    if (!has_row && (is_sound || has_row.error().code != ErrorCode::database_corrupt))
+      status = add(place, has_row.error());
     is_sound = is_sound && has_row.ok();
     if (!has_row || !*has_row) break;
-    const std::string text = ascii_text(statement->column(0).bytes);
+    std::string_view text = statement->column(0).bytes;
     if (text == "ok") continue;
     is_sound = false;
-    Finding found = finding;
-    found.message += text;
-    add(std::move(found));
+    while (!text.empty()) {
+      const std::string_view line = text.substr(0, text.find('\n'));
+      add_page_finding(place, line);
+      text.remove_prefix(std::min(text.size(), line.size() + 1));
+    }
   }
   connection.end_when(nullptr);
   if (!status) return status.error();
   return is_sound;
+}
+
+void IntegrityCheck::add_page_finding(const Finding& place, std::string_view line) {
+  if (line.empty() || line.starts_with("*** in database")) return;
+  Finding found = place;
+  found.message += plain_words(line);
+  const bool is_told =
+      !findings_.empty() && findings_.back().object == found.object && findings_.back().message == found.message;
+  if (is_told) return;
+  add(std::move(found));
 }
 
 Status IntegrityCheck::check_schema() {
@@ -139,7 +192,28 @@ Status IntegrityCheck::check_columns() {
                         });
     if (is_new) RETURN_IF_ERROR(check_columns_of(*model, table, place));
   }
+  RETURN_IF_ERROR(check_indexes(*model));
   return check_meta();
+}
+
+// SQLite does not miss an index that is no part of its table, only the time that it saves and the proof of uniqueness.
+Status IntegrityCheck::check_indexes(SqliteConnection& model) {
+  ASSIGN_OR_RETURN(SqliteStatement expected,
+                   model.use("SELECT name, tbl_name, sql FROM sqlite_schema WHERE type = 'index' AND sql IS NOT NULL"));
+  while (true) {
+    ASSIGN_OR_RETURN(const bool has_row, expected.step());
+    if (!has_row) return {};
+    const std::string name(expected.column(0).bytes);
+    const std::string table(expected.column(1).bytes);
+    auto found = database_->connection().use("SELECT sql FROM sqlite_schema WHERE type = 'index' AND name = ?");
+    if (!found) return add({.message = kCatalogueFinding}, found.error());
+    const auto is_there = found->bind(1, std::string_view(name)).step();
+    if (!is_there) return add({.message = kCatalogueFinding}, is_there.error());
+    const bool is_same = *is_there && found->column(0).bytes == expected.column(2).bytes;
+    if (!is_same)
+      add({.message = fmt::format("the table {}: its index {} is {}", table, name,
+                                  *is_there ? "not as it was made" : "not there")});
+  }
 }
 
 // A table that is not there is told where it is read.
@@ -155,6 +229,41 @@ Status IntegrityCheck::check_columns_of(SqliteConnection& model, const std::stri
     add(std::move(added));
   }
   return {};
+}
+
+// What `kill` left: numbers that were given, of no object that is there, whose rows are there.
+Status IntegrityCheck::check_abandoned() {
+  std::set<std::int64_t> in_use;
+  for (const auto& [name, entry] : database_->catalogue().entries())
+    in_use.insert(entry.type.is_relation() ? entry.table_number : entry.id);
+  const bool knows_next = database_->catalogue().damage().empty();
+  for (const std::int64_t number : abandoned_) {
+    std::string_view wrong;
+    if (in_use.contains(number)) {
+      wrong = "which belongs to an object that is there";
+    } else if (number < 1 || (knows_next && number >= database_->catalogue().next_number())) {
+      wrong = "which was never given";
+    } else {
+      const auto found = has_rows(number);
+      if (!found) RETURN_IF_ERROR(add({.message = "the catalogue (table abandoned): "}, found.error()));
+      if (found && !*found) wrong = "of which nothing is there";
+    }
+    if (!wrong.empty())
+      add({.message =
+               fmt::format("the catalogue (table abandoned): there is a row of the number {}, {}", number, wrong)});
+  }
+  return {};
+}
+
+/// Whether there is a table of this number, or a value of an object of this number.
+Result<bool> IntegrityCheck::has_rows(std::int64_t number) {
+  ASSIGN_OR_RETURN(const std::int64_t tables,
+                   database_->connection().integer(fmt::format(
+                       "SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name GLOB 'rel_{}_*'", number)));
+  if (tables > 0) return true;
+  ASSIGN_OR_RETURN(const std::int64_t values, database_->connection().integer(fmt::format(
+                                                  "SELECT count(*) FROM object_values WHERE id = {}", number)));
+  return values > 0;
 }
 
 Status IntegrityCheck::check_meta() {

@@ -169,4 +169,19 @@ Result<std::int64_t> SqliteConnection::integer(std::string_view sql) {
   return statement.column(0).integer;
 }
 
+// With a schema that may be written, SQLite no longer compares the number of pages with the header's, nor parses all of
+// the schema or none; the pages that are there it reads as ever.
+void SqliteConnection::tolerate_missing_pages() {
+  sqlite3_db_config(handle_, SQLITE_DBCONFIG_DEFENSIVE, 0, nullptr);
+  sqlite3_db_config(handle_, SQLITE_DBCONFIG_WRITABLE_SCHEMA, 1, nullptr);
+}
+
+Result<std::string> SqliteConnection::image() {
+  sqlite3_int64 size = 0;
+  const std::unique_ptr<unsigned char, decltype(&sqlite3_free)> bytes(sqlite3_serialize(handle_, "main", &size, 0),
+                                                                      &sqlite3_free);
+  if (bytes == nullptr) return error(SQLITE_NOMEM, "copying the database");
+  return std::string(bytes.get(), bytes.get() + size);
+}
+
 }  // namespace queries

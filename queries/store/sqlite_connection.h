@@ -51,6 +51,12 @@ class SqliteConnection {
   /// The first column of the first row, an integer. Error if there is no row.
   algebra3d::Result<std::int64_t> integer(std::string_view sql);
 
+  /// All bytes of the database, as a file would have them.
+  algebra3d::Result<std::string> image();
+
+  /// From now on a file that ends before its last page is read as far as it goes. For reading alone.
+  void tolerate_missing_pages();
+
   /// While `cancel` is true, what runs ends with the error `interrupted`; null: nothing ends it.
   void end_when(const std::atomic<bool>* cancel);
 

@@ -154,14 +154,17 @@ Result<std::vector<Finding>> Store::check_damaged(const std::filesystem::path& f
                                                   const algebra3d::Registry& registry,
                                                   const algebra3d::Context& context,
                                                   const std::function<void(const CheckProgress&)>& progress) {
+  const std::string lost = lost_bytes(file);
   const auto opened = Database::open_damaged(file, registry);
   const Status begun = opened ? (*opened)->begin(false) : Status(opened.error());
   if (!begun && begun.error().code == ErrorCode::database_corrupt)
-    return std::vector<Finding>{{.message = kCatalogueFinding + begun.error().message + "; nothing can be read"}};
+    return std::vector<Finding>{{.message = kCatalogueFinding + begun.error().message + (lost.empty() ? "" : "; ") +
+                                            lost + "; no object can be found"}};
   RETURN_IF_ERROR(begun);
   const auto& database = *opened;
   auto findings = IntegrityCheck(database, context, progress).run();
   database->close();
+  if (findings && !findings->empty() && !lost.empty()) findings->insert(findings->begin(), {.message = lost});
   return findings;
 }
 

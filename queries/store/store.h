@@ -41,6 +41,8 @@ enum class OpenMode : std::uint8_t {
   read_write,  ///< error database_missing if it is not
   open_or_create,
   read_only,
+  read_damaged,  ///< as read_only, as far as a damaged file can be read
+  draft,         ///< as read_write, of a database that this process makes under an interim name
 };
 
 /// One thing that is wrong with a database.

@@ -7,6 +7,8 @@ namespace queries {
 
 /// In the header of every database of ours: "A3DB".
 inline constexpr std::int64_t kApplicationId = 0x41334442;
+/// The same while a database is being made, until it has its name: "A3DR".
+inline constexpr std::int64_t kDraftApplicationId = 0x41334452;
 /// Version of the tables, docs/file_format.md. A newer one is refused, an older one is upgraded by the first who
 /// writes.
 inline constexpr std::int64_t kDatabaseVersion = 2;
