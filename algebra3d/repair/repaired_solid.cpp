@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "algebra3d/halfedge/topology.h"
+#include "algebra3d/repair/convex_polygon.h"
 #include "algebra3d/repair/cracks.h"
 #include "algebra3d/repair/degenerate_facets.h"
 #include "algebra3d/repair/enclosure.h"
@@ -130,9 +131,11 @@ class Repair {
   Result<RepairedSolid> finish() &&;
   /// Says what the solid leaves out and adds; once.
   Status measure();
-  /// The area that was left out and that which was added.
-  double cost() const { return report_.amounts->dropped.area + report_.amounts->added.area; }
-  double cost_part() const { return report_.amounts->area_seen > 0 ? cost() / report_.amounts->area_seen : 0; }
+  /// The area that was left out and that which was added, as a part of the area seen.
+  double cost() const {
+    const RepairAmounts& amounts = *report_.amounts;
+    return amounts.part_of_seen(amounts.dropped) + amounts.part_of_seen(amounts.added);
+  }
   bool has_covered_rims() const { return has_covered_rims_; }
   double dropped_part() const { return report_.amounts->dropped_part(); }
   RepairedSolid nothing(std::string reason) { return {std::nullopt, std::move(reason), std::move(report_)}; }
@@ -152,6 +155,7 @@ class Repair {
   std::vector<bool> are_left(arrangement::DisjointSets& parts) const;
   void report_lost_shells();
   void report_united_bodies();
+  Status report_division();
   std::string reason_for_limit() const;
   Result<bool> is_proved(const FaceSet& known);
   std::string reason_for_nothing() const;
@@ -163,6 +167,8 @@ class Repair {
   FacetList facets_;
   std::shared_ptr<const TriangleMesh> without_flat_;  // the facets when those were dropped last
   TriangleMesh solid_;
+  std::vector<bool> met_others_;  // per facet: divided at others; empty if none was
+  std::vector<bool> is_in_lost_shell_;
   bool is_proved_ = false;
   bool is_beyond_limit_ = false;
   bool has_covered_rims_ = false;
@@ -182,7 +188,11 @@ void Repair::drop_facets(bool has_degenerate, bool has_duplicates) {
   // Closed shells that share facets would be open without them, and winding numbers count them all. Where half of them
   // or more would go, everything is double, and balances for that reason alone.
   const bool is_double = 2 * rest.triangles.size() <= facets_.triangles.size();
-  if (!is_double && is_balanced(mesh()) && has_open_edges(*rest.mesh())) return;
+  if (!is_double && is_balanced(mesh()) && has_open_edges(*rest.mesh())) {
+    // Those that balance each other change no winding number.
+    drop_opposed_facets(facets_, report_);
+    return;
+  }
   facets_ = std::move(rest);
   report_ = std::move(report);
 }
@@ -262,8 +272,8 @@ Status Repair::make_solid(bool may_cross) {
 
 Status Repair::divide(const ValidParts& parts) {
   const bool is_closed = is_balanced(mesh());
-  for (const FaceId face : parts.lone_faces())
-    if (has_manifold_edges(mesh(), face)) report_.add(RepairStep::intersections, facets_.middle(face.index()));
+  met_others_.assign(facets_.triangles.size(), false);
+  for (const FaceId face : parts.lone_faces()) met_others_[face.index()] = has_manifold_edges(mesh(), face);
   const auto is_inside = [&](int winding) { return winding > 0 || approach_.fills_inside_out; };
   auto solid = is_closed ? winding_solid(parts, is_inside, monitor_, work_limits(options_))
                          : tolerant_solid(facets_, parts, monitor_, work_limits(options_), options_.work_limit * 1e6);
@@ -303,12 +313,17 @@ void Repair::report_lost_shells() {
         given.is_boundary(halfedge) || (given.is_nonmanifold(halfedge) && given.edge_halfedges(halfedge).size() > 2);
     if (ends) is_open[parts.find(h / 3)] = true;
   }
+  std::vector<bool> is_lost_shell(given.face_count());
   for (std::uint32_t f = 0; f < given.face_count(); ++f) {
     if (parts.find(f) != f || is_left[f]) continue;
     has_lost_parts_ = true;
     // Others are walls, of which the area tells more.
-    if (!is_open[f]) report_.add(RepairStep::inner_shells, given.corners(FaceId(f))[0].approx);
+    if (is_open[f]) continue;
+    report_.add(RepairStep::inner_shells, given.corners(FaceId(f))[0].approx);
+    is_lost_shell[f] = true;
   }
+  is_in_lost_shell_.clear();
+  for (std::uint32_t f = 0; f < given.face_count(); ++f) is_in_lost_shell_.push_back(is_lost_shell[parts.find(f)]);
 }
 
 /// Closed parts of which something is left, less the parts of the solid.
@@ -330,8 +345,10 @@ void Repair::report_united_bodies() {
   for (std::size_t c = 0; c < components.count; ++c) bodies += !is_open[c] && is_left[parts.find(first[c])] ? 1 : 0;
   const std::size_t rest = connected_components(solid_).count;
   if (bodies <= rest) return;
-  const RepairEntry* where = report_.find(RepairStep::intersections);
-  report_.add(RepairStep::united_bodies, where != nullptr ? where->where : given.corners(FaceId(0))[0].approx, 0,
+  const auto meeting = std::ranges::find(met_others_, true) - met_others_.begin();
+  const bool is_known = meeting < std::ssize(met_others_);
+  report_.add(RepairStep::united_bodies,
+              is_known ? facets_.middle(static_cast<std::size_t>(meeting)) : given.corners(FaceId(0))[0].approx, 0,
               bodies - rest);
 }
 
@@ -344,12 +361,33 @@ Status Repair::measure() {
   return {};
 }
 
+/// Reports what became of facets that were divided at one another.
+Status Repair::report_division() {
+  if (met_others_.empty()) return {};
+  if (report_.has_kept_sheets) report_.forget(RepairStep::sheets);
+  ASSIGN_OR_RETURN(const FacetFates fates, facet_fates(mesh(), solid_, report_.largest_move(), monitor_.silent()));
+  const std::vector<Triangle3> covers = report_.cover_triangles();
+  // Facets may have been divided at vertices since they were read.
+  std::uint64_t outside_left = report_.amounts->dropped.facet_count;
+  for (std::size_t f = 0; f < facets_.triangles.size(); ++f) {
+    if (met_others_[f] && fates.are_divided[f]) report_.add(RepairStep::intersections, facets_.middle(f));
+    if (!fates.are_outside[f] || is_in_lost_shell_[f] || outside_left == 0) continue;
+    Triangle3 key{facets_.corner(f, 0), facets_.corner(f, 1), facets_.corner(f, 2)};
+    std::ranges::sort(key);
+    if (std::ranges::binary_search(covers, key)) continue;
+    report_.add(RepairStep::outer_facets, facets_.middle(f));
+    --outside_left;
+  }
+  return {};
+}
+
 std::string Repair::reason_for_limit() const {
   const RepairAmounts& amounts = *report_.amounts;
+  const auto [dropped, most] = percents_above_limit(amounts.dropped_part(), options_.most_dropped);
   return fmt::format(
-      "the solid would leave out {} of the area seen, up to {:.3g} from it; at most {:.3g} % may be (option "
+      "the solid would leave out {} of the area seen, up to {} from it; at most {} may be (option "
       "dropped)",
-      percent_text(amounts.dropped_part()), amounts.dropped.distance, 100 * options_.most_dropped);
+      dropped, length_text(amounts.dropped.distance, 3), most);
 }
 
 std::string Repair::reason_for_nothing() const {
@@ -372,7 +410,7 @@ Result<bool> Repair::is_proved(const FaceSet& known) {
 
 Status Repair::make(const ValidityReport& found) {
   report_.size = diagonal(facets_);
-  if (is_balanced(mesh())) report_.volume_before = given_->volume().abs().nearest_double();
+  if (is_balanced(mesh())) report_.volume_before = Amount::nearest(given_->volume().abs());
   drop_facets(found.count(Defect::degenerate_triangle) > 0, found.count(Defect::duplicate_triangle) > 0);
   without_flat_ = facets_.mesh();
   mend_boundaries();
@@ -392,6 +430,7 @@ Result<RepairedSolid> Repair::finish() && {
   if (reason_) return nothing(*reason_);
   RETURN_IF_ERROR(measure());
   if (dropped_part() > options_.most_dropped) return nothing(reason_for_limit());
+  RETURN_IF_ERROR(report_division());
   ASSIGN_OR_RETURN(const TriangleMesh kept, kept_shells(solid_, options_, report_, monitor_));
   const bool is_all_kept = kept.face_count() == solid_.face_count();
   is_proved_ = is_proved_ && is_all_kept;
@@ -407,7 +446,7 @@ Result<RepairedSolid> Repair::finish() && {
   ASSIGN_OR_RETURN(const bool is_valid, is_proved(recognised_faces(recognised)));
   if (!is_valid) return nothing("the repair gave no valid solid");
   ASSIGN_OR_RETURN(const Rational volume, given_->volume_of(solid_, recognised, monitor_.cancel()));
-  report_.volume_after = volume.nearest_double();
+  report_.volume_after = Amount::nearest(volume);
   return RepairedSolid{std::move(solid_), {}, std::move(report_)};
 }
 
@@ -449,8 +488,7 @@ Result<RepairedSolid> RepairSearch::cheapest(Repair usual) {
   constexpr double kWorthATry = 1e-3, kCheaper = 0.95;
   if (!usual.has_solid() || !usual.may_be_done_otherwise()) return std::move(usual).finish();
   RETURN_IF_ERROR(usual.measure());
-  const bool is_worth_it =
-      usual.dropped_part() > kWorthATry || (usual.has_covered_rims() && usual.cost_part() > kWorthATry);
+  const bool is_worth_it = usual.dropped_part() > kWorthATry || (usual.has_covered_rims() && usual.cost() > kWorthATry);
   if (!is_worth_it) return std::move(usual).finish();
   for (const Approach& approach : kCheapApproaches) {
     ASSIGN_OR_RETURN(Repair other, made(approach));
