@@ -94,6 +94,9 @@ struct Approach {
   bool fills_inside_out = false;  ///< places about which the winding number is negative belong to the solid
 };
 
+/// What is preferred for its cost costs less than this part of the other one.
+constexpr double kCheaper = 0.95;
+
 /// For facets of which the usual way leaves something out, or covers long rims.
 constexpr std::array<Approach, 3> kCheapApproaches{{
     {.drops_open = false},
@@ -137,6 +140,7 @@ class Repair {
     return amounts.part_of_seen(amounts.dropped) + amounts.part_of_seen(amounts.added);
   }
   bool has_covered_rims() const { return has_covered_rims_; }
+  bool has_replaced_misfits() const { return report_.find(RepairStep::misfits) != nullptr; }
   double dropped_part() const { return report_.amounts->dropped_part(); }
   RepairedSolid nothing(std::string reason) { return {std::nullopt, std::move(reason), std::move(report_)}; }
 
@@ -463,12 +467,16 @@ class RepairSearch {
   Result<Repair> made(const Approach& approach) const;
   Agreement agreement(const Repair& repair);
   Result<RepairedSolid> cheapest(Repair usual);
+  Result<RepairedSolid> finish(Repair repair);
 
   const KnownFacets& given_;
   const ValidityReport& found_;
   const RepairOptions& options_;
   const Monitor& monitor_;
   std::optional<Enclosure> enclosure_;
+  /// A repair that did not agree so well, since facets with wrong corners were replaced that what the facets enclose
+  /// was estimated with.
+  std::optional<Repair> without_misfits_;
 };
 
 Result<Repair> RepairSearch::made(const Approach& approach) const {
@@ -482,21 +490,30 @@ Agreement RepairSearch::agreement(const Repair& repair) {
   return enclosure_->compare(repair.solid());
 }
 
+/// The repair, or that without misfits if it is cheaper.
+Result<RepairedSolid> RepairSearch::finish(Repair repair) {
+  if (!without_misfits_ || !repair.has_solid()) return std::move(repair).finish();
+  RETURN_IF_ERROR(repair.measure());
+  RETURN_IF_ERROR(without_misfits_->measure());
+  if (without_misfits_->cost() < kCheaper * repair.cost()) repair = *std::move(without_misfits_);
+  return std::move(repair).finish();
+}
+
 /// The usual repair, or a cheaper one: facets that the usual way leaves out may be a cap that lacks a narrow strip. If
 /// closing it adds less than leaving it out loses, it is closed.
 Result<RepairedSolid> RepairSearch::cheapest(Repair usual) {
-  constexpr double kWorthATry = 1e-3, kCheaper = 0.95;
-  if (!usual.has_solid() || !usual.may_be_done_otherwise()) return std::move(usual).finish();
+  constexpr double kWorthATry = 1e-3;
+  if (!usual.has_solid() || !usual.may_be_done_otherwise()) return finish(std::move(usual));
   RETURN_IF_ERROR(usual.measure());
   const bool is_worth_it = usual.dropped_part() > kWorthATry || (usual.has_covered_rims() && usual.cost() > kWorthATry);
-  if (!is_worth_it) return std::move(usual).finish();
+  if (!is_worth_it) return finish(std::move(usual));
   for (const Approach& approach : kCheapApproaches) {
     ASSIGN_OR_RETURN(Repair other, made(approach));
     if (!other.has_solid() || agreement(other).is_doubtful()) continue;
     RETURN_IF_ERROR(other.measure());
     if (other.cost() < kCheaper * usual.cost()) usual = std::move(other);
   }
-  return std::move(usual).finish();
+  return finish(std::move(usual));
 }
 
 Result<RepairedSolid> RepairSearch::run() {
@@ -506,7 +523,9 @@ Result<RepairedSolid> RepairSearch::run() {
     if (!usual && repair.keeps_all_facets()) return cheapest(std::move(repair));
     const Agreement found = agreement(repair);
     if (!found.is_doubtful() && (!usual || repair.has_solid())) return cheapest(std::move(repair));
-    if (!fair && !found.is_wrong() && repair.has_solid()) fair = repair;
+    const bool is_fair = !found.is_wrong() && repair.has_solid();
+    if (!fair && is_fair) fair = repair;
+    if (!without_misfits_ && is_fair && repair.has_replaced_misfits()) without_misfits_ = repair;
     if (!usual) usual = std::move(repair);
     if (!usual->may_be_done_otherwise()) break;
   }
