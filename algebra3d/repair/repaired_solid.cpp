@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "algebra3d/halfedge/topology.h"
+#include "algebra3d/repair/bands.h"
 #include "algebra3d/repair/convex_polygon.h"
 #include "algebra3d/repair/cracks.h"
 #include "algebra3d/repair/degenerate_facets.h"
@@ -89,6 +90,7 @@ struct Approach {
   bool joins_cracks = true;       ///< else steps 3 and 4 divide edges at most
   bool drops_open = true;         ///< fins, and sheets beside others
   bool closes_holes = true;       ///< else winding numbers alone tell what is inside
+  bool closes_bands = false;      ///< between boundaries that run close to each other; else there is no solid
   bool covers_walls = false;      ///< that end at edges of more than two facets, so that winding numbers are whole
   bool takes_shortcuts = false;   ///< covers end at edges that lack nothing, where that is shorter
   bool fills_inside_out = false;  ///< places about which the winding number is negative belong to the solid
@@ -96,6 +98,9 @@ struct Approach {
 
 /// What is preferred for its cost costs less than this part of the other one.
 constexpr double kCheaper = 0.95;
+
+/// For facets of which the usual way leaves something out, or adds much.
+constexpr Approach kWithBands{.closes_bands = true};
 
 /// For facets of which the usual way leaves something out, or covers long rims.
 constexpr std::array<Approach, 3> kCheapApproaches{{
@@ -105,13 +110,14 @@ constexpr std::array<Approach, 3> kCheapApproaches{{
 }};
 
 /// In the order in which they are tried.
-constexpr std::array<Approach, 6> kApproaches{{
+constexpr std::array<Approach, 7> kApproaches{{
     {},
     {.fills_inside_out = true},
     {.joins_cracks = false},
     {.drops_open = false},
     {.drops_open = false, .covers_walls = true, .fills_inside_out = true},
     {.joins_cracks = false, .drops_open = false, .closes_holes = false},
+    kWithBands,
 }};
 
 class Repair {
@@ -151,6 +157,8 @@ class Repair {
   void drop_what_became_flat();
   void mend_boundaries();
   void orient();
+  /// False if there are none.
+  Result<bool> close_bands();
   Status close_holes();
   /// Whoever knows that facets cross spares the attempt to prove that they do not.
   Status make_solid(bool may_cross);
@@ -227,6 +235,13 @@ void Repair::orient() {
   if (mesh().nonmanifold_edge_count() > 0) orient_facets(facets_, report_);
   if (approach_.drops_open && has_boundary(mesh())) drop_misfits(facets_, report_);
   if (approach_.drops_open && has_boundary(mesh()) && mesh().nonmanifold_edge_count() > 0) drop_fins(facets_, report_);
+}
+
+Result<bool> Repair::close_bands() {
+  const double largest = options_.largest_hole.value_or(std::numeric_limits<double>::infinity());
+  ASSIGN_OR_RETURN(const bool has_some, algebra3d::close_bands(facets_, largest, report_, monitor_));
+  if (has_some) drop_what_became_flat();
+  return has_some;
 }
 
 Status Repair::close_holes() {
@@ -419,6 +434,11 @@ Status Repair::make(const ValidityReport& found) {
   without_flat_ = facets_.mesh();
   mend_boundaries();
   orient();
+  if (approach_.closes_bands) {
+    ASSIGN_OR_RETURN(const bool has_bands, close_bands());
+    if (!has_bands) reason_ = reason_for_nothing();
+    if (!has_bands) return {};
+  }
   RETURN_IF_ERROR(close_holes());
   Status made = make_solid(found.count(Defect::intersecting_triangles) > 0);
   is_beyond_limit_ = !made && made.error().code == ErrorCode::limit_exceeded;
@@ -468,6 +488,8 @@ class RepairSearch {
   Agreement agreement(const Repair& repair);
   Result<RepairedSolid> cheapest(Repair usual);
   Result<RepairedSolid> finish(Repair repair);
+  /// Puts what another approach gives in place of the repair, if that is cheaper.
+  Status try_for_cost(const Approach& approach, Repair& repair);
 
   const KnownFacets& given_;
   const ValidityReport& found_;
@@ -499,20 +521,24 @@ Result<RepairedSolid> RepairSearch::finish(Repair repair) {
   return std::move(repair).finish();
 }
 
+Status RepairSearch::try_for_cost(const Approach& approach, Repair& repair) {
+  ASSIGN_OR_RETURN(Repair other, made(approach));
+  if (!other.has_solid() || agreement(other).is_doubtful()) return {};
+  RETURN_IF_ERROR(other.measure());
+  if (other.cost() < kCheaper * repair.cost()) repair = std::move(other);
+  return {};
+}
+
 /// The usual repair, or a cheaper one: facets that the usual way leaves out may be a cap that lacks a narrow strip. If
 /// closing it adds less than leaving it out loses, it is closed.
 Result<RepairedSolid> RepairSearch::cheapest(Repair usual) {
   constexpr double kWorthATry = 1e-3;
   if (!usual.has_solid() || !usual.may_be_done_otherwise()) return finish(std::move(usual));
   RETURN_IF_ERROR(usual.measure());
+  if (usual.cost() > kWorthATry) RETURN_IF_ERROR(try_for_cost(kWithBands, usual));
   const bool is_worth_it = usual.dropped_part() > kWorthATry || (usual.has_covered_rims() && usual.cost() > kWorthATry);
   if (!is_worth_it) return finish(std::move(usual));
-  for (const Approach& approach : kCheapApproaches) {
-    ASSIGN_OR_RETURN(Repair other, made(approach));
-    if (!other.has_solid() || agreement(other).is_doubtful()) continue;
-    RETURN_IF_ERROR(other.measure());
-    if (other.cost() < kCheaper * usual.cost()) usual = std::move(other);
-  }
+  for (const Approach& approach : kCheapApproaches) RETURN_IF_ERROR(try_for_cost(approach, usual));
   return finish(std::move(usual));
 }
 
