@@ -1,6 +1,8 @@
 #include "algebra3d/operators/import_solid.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <utility>
 
 #include "algebra3d/repair/surface_from_soup.h"
@@ -39,11 +41,19 @@ void judge_count(ImportedSolid& result, bool is_strict) {
   result.measures = {};
 }
 
+std::optional<double> in_doubles(const std::optional<Amount>& amount) {
+  return amount ? amount->in_doubles() : std::nullopt;
+}
+
+std::optional<double> finite(double length) {
+  return std::isfinite(length) ? std::optional(length) : std::nullopt;
+}
+
 ImportMeasures measures_of(const SolidFromSoup& made) {
   ImportMeasures measures;
-  measures.area_seen = made.area_seen;
-  measures.volume_after = made.volume;
-  measures.volume_before = made.repair ? made.repair->volume_before : made.volume;
+  measures.area_seen = in_doubles(made.area_seen);
+  measures.volume_after = in_doubles(made.volume);
+  measures.volume_before = in_doubles(made.repair ? made.repair->volume_before : made.volume);
   if (made.mesh && !made.repair) {
     measures.facets_dropped = 0;
     measures.area_dropped = measures.area_added = measures.dropped_distance = measures.added_distance = 0;
@@ -51,10 +61,10 @@ ImportMeasures measures_of(const SolidFromSoup& made) {
   if (!made.repair || !made.repair->amounts) return measures;
   const RepairAmounts& amounts = *made.repair->amounts;
   measures.facets_dropped = amounts.dropped.facet_count;
-  measures.area_dropped = amounts.dropped.area;
-  measures.area_added = amounts.added.area;
-  measures.dropped_distance = amounts.dropped.distance;
-  measures.added_distance = std::max(amounts.added.distance, made.repair->largest_move());
+  measures.area_dropped = amounts.dropped.area.in_doubles();
+  measures.area_added = amounts.added.area.in_doubles();
+  measures.dropped_distance = finite(amounts.dropped.distance);
+  measures.added_distance = finite(std::max(amounts.added.distance, made.repair->largest_move()));
   return measures;
 }
 

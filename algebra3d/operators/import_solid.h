@@ -15,7 +15,7 @@
 
 namespace algebra3d {
 
-/// Numbers about an import. Each is none where there is nothing to say.
+/// Numbers about an import, all finite. Each is none where there is nothing to say, or a double cannot hold it.
 struct ImportMeasures {
   std::optional<std::uint64_t> facets_dropped;  ///< facets of the file outside the solid, at least in part
   std::optional<double> area_seen;              ///< of the facets of the file; what lies upon each other counts once

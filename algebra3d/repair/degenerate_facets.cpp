@@ -208,6 +208,20 @@ bool has_duplicate_facets(const TriangleMesh& mesh) {
   return !equal_facets(mesh).empty();
 }
 
+void drop_opposed_facets(FacetList& facets, RepairReport& report) {
+  const auto linked = facets.mesh();
+  std::vector<bool> is_dropped(facets.triangles.size());
+  for (const EqualFacets& equal : equal_facets(*linked)) {
+    if (equal.balance != 0) continue;
+    for (const std::uint32_t facet : equal.facets) {
+      is_dropped[facet] = true;
+      const bool is_first = facet == equal.facets.front();
+      report.add(is_first ? RepairStep::opposed_facets : RepairStep::duplicate_facets, facets.middle(facet));
+    }
+  }
+  remove(facets, is_dropped);
+}
+
 void drop_duplicate_facets(FacetList& facets, RepairReport& report) {
   const auto linked = facets.mesh();
   const TriangleMesh& mesh = *linked;

@@ -15,6 +15,10 @@ void drop_degenerate_facets(FacetList& facets, RepairReport& report);
 /// the facets at edges that are not manifold.
 void drop_duplicate_facets(FacetList& facets, RepairReport& report);
 
+/// Of facets with the same three corners all are dropped if as many look one way as the other; the others stay. No
+/// winding number changes. Cost: as before.
+void drop_opposed_facets(FacetList& facets, RepairReport& report);
+
 /// True if two faces have the same three corners. Cost: as before.
 bool has_duplicate_facets(const TriangleMesh& mesh);
 

@@ -12,6 +12,7 @@
 #include "algebra3d/halfedge/boxes.h"
 #include "algebra3d/halfedge/topology.h"
 #include "algebra3d/repair/loop_triangulation.h"
+#include "algebra3d/repair/scaled_triangles.h"
 #include "rtree/rtree.h"
 
 namespace algebra3d {
@@ -82,15 +83,15 @@ double reach(const Vec3& a, const Vec3& b, const Vec3& c) {
   return x * y * z / (2 * doubled_area) * longest;
 }
 
-double area(const FacetList& facets, const TriangleMesh::Triangle& t) {
-  const Vec3 doubled = cross(facets.points[t[1]] - facets.points[t[0]], facets.points[t[2]] - facets.points[t[0]]);
-  return length(doubled) / 2;
-}
-
 class HoleCloser {
  public:
   HoleCloser(FacetList& facets, const HoleLimits& limits, RepairReport& report)
-      : facets_(facets), limits_(limits), report_(report), linked_(facets.mesh()), mesh_(*linked_) {}
+      : facets_(facets),
+        limits_(limits),
+        report_(report),
+        linked_(facets.mesh()),
+        mesh_(*linked_),
+        scale_(largest_coordinate(mesh_)) {}
 
   Status run(const Monitor& monitor);
 
@@ -105,6 +106,10 @@ class HoleCloser {
   Covered cover(Hole hole);
   bool cuts_surface(const std::vector<TriangleMesh::Triangle>& cover);
   bool cut_each_other(const TriangleMesh::Triangle& triangle, std::uint32_t facet) const;
+  double area(const TriangleMesh::Triangle& t) const {
+    return area_of({scale_.scaled(facets_.points[t[0]]), scale_.scaled(facets_.points[t[1]]),
+                    scale_.scaled(facets_.points[t[2]])});
+  }
   std::vector<bool> are_sheets(const FaceComponents& parts, const std::vector<Covered>& holes) const;
   void close(const Covered& covered);
   void drop(const std::vector<bool>& are_sheets, const FaceComponents& parts);
@@ -115,6 +120,7 @@ class HoleCloser {
   RepairReport& report_;
   std::shared_ptr<const TriangleMesh> linked_;  // the facets as given
   const TriangleMesh& mesh_;
+  BinaryScale scale_;  // of areas
   FacetTree tree_;
 };
 
@@ -176,12 +182,12 @@ std::vector<bool> HoleCloser::are_sheets(const FaceComponents& parts, const std:
   constexpr double kMostOfArea = 0.75;
   std::vector<double> own(parts.count), added(parts.count);
   std::vector<std::uint32_t> hole_count(parts.count);
-  for (std::uint32_t f = 0; f < mesh_.face_count(); ++f) own[parts.of_face[f]] += area(facets_, facets_.triangles[f]);
+  for (std::uint32_t f = 0; f < mesh_.face_count(); ++f) own[parts.of_face[f]] += area(facets_.triangles[f]);
   for (const Covered& covered : holes) {
     const std::uint32_t part = parts.of_face[covered.hole.facet];
     ++hole_count[part];
     if (!covered.cuts_surface) continue;
-    for (const TriangleMesh::Triangle& triangle : covered.cover) added[part] += area(facets_, triangle);
+    for (const TriangleMesh::Triangle& triangle : covered.cover) added[part] += area(triangle);
   }
   std::vector<bool> result;
   for (std::size_t part = 0; part < parts.count; ++part)
@@ -200,9 +206,13 @@ void HoleCloser::close(const Covered& covered) {
   report_.add(std::move(report));
 }
 
-/// The sheets, unless there is nothing else.
+/// The sheets, if they are to go and there is something else.
 void HoleCloser::drop(const std::vector<bool>& are_sheets, const FaceComponents& parts) {
-  if (std::ranges::count(are_sheets, true) == 0 || std::ranges::count(are_sheets, false) == 0) return;
+  if (std::ranges::count(are_sheets, true) == 0) return;
+  if (!limits_.drops_sheets || std::ranges::count(are_sheets, false) == 0) {
+    report_.has_kept_sheets = true;
+    return;
+  }
   std::size_t kept = 0;
   for (std::size_t f = 0; f < facets_.triangles.size(); ++f)
     if (f >= mesh_.face_count() || !are_sheets[parts.of_face[f]]) facets_.triangles[kept++] = facets_.triangles[f];
@@ -231,7 +241,7 @@ Status HoleCloser::run(const Monitor& monitor) {
     else
       close(covered);
   }
-  if (limits_.drops_sheets) drop(are_left_open, parts);
+  drop(are_left_open, parts);
   return {};
 }
 

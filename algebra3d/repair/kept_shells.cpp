@@ -39,4 +39,9 @@ Result<double> nearest_volume(const TriangleMesh& mesh, const Monitor& monitor) 
   return volume.nearest_double();
 }
 
+Result<Amount> measured_volume(const TriangleMesh& mesh, const Monitor& monitor) {
+  ASSIGN_OR_RETURN(const Rational volume, exact_volume(mesh.points(), triangles_of(mesh), monitor.cancel()));
+  return Amount::nearest(volume);
+}
+
 }  // namespace algebra3d

@@ -14,7 +14,10 @@ namespace algebra3d {
 Result<TriangleMesh> kept_shells(TriangleMesh solid, const RepairOptions& options, RepairReport& report,
                                  const Monitor& monitor = {});
 
-/// The volume that a closed mesh encloses, rounded once. Errors: interrupted. Cost: that of exact_volume.
+/// The volume that a closed mesh encloses, rounded once; infinite beyond the range of doubles. Errors: interrupted.
+/// Cost: that of exact_volume.
 Result<double> nearest_volume(const TriangleMesh& mesh, const Monitor& monitor = {});
+/// The same, of any size.
+Result<Amount> measured_volume(const TriangleMesh& mesh, const Monitor& monitor = {});
 
 }  // namespace algebra3d

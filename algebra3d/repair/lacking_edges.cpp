@@ -7,13 +7,18 @@
 #include <tuple>
 #include <utility>
 
+#include "algebra3d/halfedge/topology.h"
+
 namespace algebra3d {
 
 LackingEdges::LackingEdges(const TriangleMesh& mesh) {
+  std::vector<bool> ends_at_wall(mesh.halfedge_count());
+  for (const BoundaryLoop& run : boundary_loops(mesh))
+    for (const HalfedgeId h : run.halfedges) ends_at_wall[h.index()] = !run.is_closed;
   for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
     const HalfedgeId halfedge(h);
     if (!mesh.is_boundary(halfedge)) continue;
-    add({mesh.target(halfedge).index(), mesh.origin(halfedge).index(), true});
+    add({mesh.target(halfedge).index(), mesh.origin(halfedge).index(), true, ends_at_wall[h]});
     has_boundary = true;
   }
   for (std::size_t n = 0; n < mesh.nonmanifold_edge_count(); ++n) {
@@ -40,12 +45,13 @@ void LackingEdges::add_chords(const TriangleMesh& mesh) {
     if (!is_end(mesh.origin(halfedge)) || !is_end(mesh.target(halfedge))) continue;
     const bool is_even = mesh.opposite(halfedge).is_valid() ||
                          (mesh.is_nonmanifold(halfedge) && mesh.edge_halfedges(halfedge)[0] == halfedge);
-    if (is_even) chords.push_back({mesh.origin(halfedge).index(), mesh.target(halfedge).index(), false, true});
+    if (is_even) chords.push_back({mesh.origin(halfedge).index(), mesh.target(halfedge).index(), false, false, true});
   }
   for (const LackingEdge& chord : chords) add(chord);
 }
 
-std::vector<std::uint32_t> LackingEdges::shortest_loop(std::uint32_t start, const std::vector<Vec3>& points) const {
+std::vector<std::uint32_t> LackingEdges::shortest_loop(std::uint32_t start, const std::vector<Vec3>& points,
+                                                       Way way) const {
   constexpr std::size_t kMostVertices = 2000;                     // what is longer is no hole
   using Step = std::tuple<double, std::uint32_t, std::uint32_t>;  // length so far, vertex, edge that leads there
   std::priority_queue<Step, std::vector<Step>, std::greater<>> steps;
@@ -60,7 +66,8 @@ std::vector<std::uint32_t> LackingEdges::shortest_loop(std::uint32_t start, cons
     if (next == from_.end()) continue;
     for (const std::uint32_t i : next->second) {
       const bool leads_back = edges[i].is_chord && edges[i].to == edges[by].from;
-      if (!edges[i].is_covered && !leads_back)
+      const bool is_open_to = way == Way::any || edges[i].is_boundary;
+      if (is_open_to && !edges[i].is_covered && !leads_back)
         steps.emplace(so_far + length(points[edges[i].to] - points[vertex]), edges[i].to, i);
     }
   }

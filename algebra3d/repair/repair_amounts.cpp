@@ -101,6 +101,7 @@ class RepairMeasure {
   }
 
   Result<MeasuredRepair> run(const std::vector<std::uint32_t>& recognised, std::span<const HoleCover> covers);
+  Result<FacetFates> fates();
 
  private:
   void match(const std::vector<std::uint32_t>& recognised);
@@ -108,6 +109,7 @@ class RepairMeasure {
   ConvexPolygon whole(const MeasuredFacet& facet) const { return {{facet.corners.begin(), facet.corners.end()}}; }
   Result<std::vector<LeftPart>> parts_of_given();
   Status sort_parts_of_given(const std::vector<LeftPart>& parts);
+  std::vector<bool> with_doubles(std::vector<bool> are_counted) const;
   std::uint64_t count_with_doubles(std::vector<bool> are_counted) const;
   Result<std::vector<LeftPart>> parts_of_solid();
   Status sort_parts_of_solid(const std::vector<LeftPart>& parts);
@@ -129,6 +131,7 @@ class RepairMeasure {
   std::vector<MeasuredFacet> near_faces_;  // of the solid, near lone facets of the file
   std::vector<bool> near_is_lone_;         // of each
   NumberTree near_tree_;
+  std::vector<bool> are_covered_;  // lone facets of the file, by faces that only the solid has
   std::vector<std::pair<std::uint32_t, std::uint32_t>> upon_;  // lone facets that lie upon earlier ones
   std::vector<std::uint32_t> added_faces_;                     // numbers in lone_solid_
   RepairAmounts amounts_;
@@ -195,6 +198,7 @@ double area_of_parts(const std::vector<ConvexPolygon>& parts) {
 Result<std::vector<LeftPart>> RepairMeasure::parts_of_given() {
   constexpr std::size_t kMostParts = 2000;
   std::vector<LeftPart> result;
+  are_covered_.assign(lone_given_.facets.size(), false);
   for (std::uint32_t i = 0; i < lone_given_.facets.size(); ++i) {
     RETURN_IF_ERROR(pause());
     const MeasuredFacet& facet = lone_given_.facets[i];
@@ -217,8 +221,12 @@ Result<std::vector<LeftPart>> RepairMeasure::parts_of_given() {
       }
       const double before = area_of_parts(parts);
       subtract(parts, facet, near_faces_[face], tolerance_);
+      const double covered = before - area_of_parts(parts);
       // A facet that the two have in common has been seen before.
-      if (!near_is_lone_[face]) seen_ -= before - area_of_parts(parts);
+      if (!near_is_lone_[face])
+        seen_ -= covered;
+      else if (covered > tolerance_ * tolerance_)
+        are_covered_[i] = true;
     }
     for (const std::uint32_t face : crossing) {
       if (parts.empty()) break;
@@ -286,10 +294,16 @@ void RepairMeasure::measure_distance(const TriangleMesh& mesh, const std::vector
   amount.where = scale_.point(farthest.where);
 }
 
-/// How many facets of the file those lone ones are, with others that lie upon them.
-std::uint64_t RepairMeasure::count_with_doubles(std::vector<bool> are_counted) const {
+/// Those lone facets of the file, and others that lie upon them.
+std::vector<bool> RepairMeasure::with_doubles(std::vector<bool> are_counted) const {
   for (const auto& [facet, other] : upon_)
     if (are_counted[other]) are_counted[facet] = true;
+  return are_counted;
+}
+
+/// How many facets of the file those are.
+std::uint64_t RepairMeasure::count_with_doubles(std::vector<bool> are_counted) const {
+  are_counted = with_doubles(std::move(are_counted));
   std::uint64_t count = 0;
   for (std::size_t i = 0; i < are_counted.size(); ++i)
     if (are_counted[i]) count += lone_given_.copies[i];
@@ -303,16 +317,19 @@ Status RepairMeasure::sort_parts_of_given(const std::vector<LeftPart>& parts) {
   std::vector<LeftPart> outside;
   std::array<std::vector<bool>, 2> are_there;  // lone facets: outside, inside
   are_there.fill(std::vector<bool>(lone_given_.facets.size()));
+  std::array<double, 2> areas{};
   for (const LeftPart& part : far) {
     RETURN_IF_ERROR(pause());
     const Vec3 middle = scale_.point(part.polygon.middle());
     const bool is_inside = test.holds(middle);
     SurfaceAmount& amount = is_inside ? amounts_.inside : amounts_.dropped;
-    if (is_inside && amount.area == 0) amount.where = middle;
-    amount.area += part.polygon.area();
+    if (is_inside && areas[1] == 0) amount.where = middle;
+    areas[is_inside ? 1 : 0] += part.polygon.area();
     are_there[is_inside ? 1 : 0][part.facet] = true;
     if (!is_inside) outside.push_back(part);
   }
+  amounts_.dropped.area = scale_.area(areas[0]);
+  amounts_.inside.area = scale_.area(areas[1]);
   amounts_.dropped.facet_count = count_with_doubles(std::move(are_there[0]));
   amounts_.inside.facet_count = count_with_doubles(std::move(are_there[1]));
   measure_distance(solid_, outside, amounts_.dropped);
@@ -339,10 +356,12 @@ Result<std::vector<LeftPart>> RepairMeasure::parts_of_solid() {
 
 Status RepairMeasure::sort_parts_of_solid(const std::vector<LeftPart>& parts) {
   ASSIGN_OR_RETURN(const std::vector<LeftPart> far, far_parts(given_, parts));
+  double area = 0;
   for (const LeftPart& part : far) {
-    amounts_.added.area += part.polygon.area();
+    area += part.polygon.area();
     if (added_faces_.empty() || added_faces_.back() != part.facet) added_faces_.push_back(part.facet);
   }
+  amounts_.added.area = scale_.area(area);
   amounts_.added.facet_count = added_faces_.size();
   measure_distance(given_, far, amounts_.added);
   return {};
@@ -378,13 +397,42 @@ Result<MeasuredRepair> RepairMeasure::run(const std::vector<std::uint32_t>& reco
   ASSIGN_OR_RETURN(const std::vector<LeftPart> made, parts_of_solid());
   RETURN_IF_ERROR(sort_parts_of_solid(made));
   amounts_.area_seen = scale_.area(seen_);
-  for (SurfaceAmount* amount : {&amounts_.dropped, &amounts_.inside, &amounts_.added})
-    amount->area = scale_.area(amount->area);
   amounts_.tolerance = scale_.length(tolerance_);
   return MeasuredRepair{amounts_, find_added(covers)};
 }
 
+Result<FacetFates> RepairMeasure::fates() {
+  match({});
+  index_near_faces();
+  ASSIGN_OR_RETURN(const std::vector<LeftPart> left, parts_of_given());
+  ASSIGN_OR_RETURN(const std::vector<LeftPart> far, far_parts(solid_, left));
+  std::vector<bool> are_outside(lone_given_.facets.size());
+  const InsideTest test(solid_);
+  for (const LeftPart& part : far) {
+    RETURN_IF_ERROR(pause());
+    if (!are_outside[part.facet] && !test.holds(scale_.point(part.polygon.middle()))) are_outside[part.facet] = true;
+  }
+  are_outside = with_doubles(std::move(are_outside));
+  const std::vector<bool> are_divided = with_doubles(are_covered_);
+  FacetFates result;
+  const auto corners_of = [](const MeasuredFacet& facet) { return facet.corners; };
+  for (std::uint32_t f = 0; f < given_.face_count(); ++f) {
+    const Triangle3 key = key_of(scale_.scaled(given_, f));
+    const auto place = std::ranges::lower_bound(lone_given_.facets, key, {}, corners_of);
+    const bool is_lone = place != lone_given_.facets.end() && place->corners == key;
+    const auto i = static_cast<std::size_t>(place - lone_given_.facets.begin());
+    result.are_divided.push_back(is_lone && are_divided[i]);
+    result.are_outside.push_back(is_lone && are_outside[i]);
+  }
+  return result;
+}
+
 }  // namespace
+
+Result<FacetFates> facet_fates(const TriangleMesh& facets, const TriangleMesh& solid, double moved,
+                               const Monitor& monitor) {
+  return RepairMeasure(facets, solid, moved, monitor).fates();
+}
 
 Result<MeasuredRepair> measure_repair(const TriangleMesh& given, const TriangleMesh& solid,
                                       const std::vector<std::uint32_t>& recognised, double moved,

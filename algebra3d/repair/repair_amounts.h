@@ -28,4 +28,14 @@ Result<MeasuredRepair> measure_repair(const TriangleMesh& given, const TriangleM
                                       const std::vector<std::uint32_t>& recognised, double moved,
                                       std::span<const HoleCover> covers, const Monitor& monitor = {});
 
+/// What became of facets that were divided at one another, or left out. Each flag is per facet.
+struct FacetFates {
+  std::vector<bool> are_divided;  ///< the solid has it, at least in part, in other pieces than that facet
+  std::vector<bool> are_outside;  ///< at least in part
+};
+
+/// Compares all facets of a mesh with a solid that was made of them, as measure_repair does.
+Result<FacetFates> facet_fates(const TriangleMesh& facets, const TriangleMesh& solid, double moved,
+                               const Monitor& monitor = {});
+
 }  // namespace algebra3d

@@ -33,6 +33,7 @@ constexpr std::array<StepWording, kRepairSteps> kStepWordings{{
     {"united bodies", "body united with another", "bodies united with others"},
     {"inner shells", "shell that bounds nothing dropped", "shells that bound nothing dropped"},
     {"inner facets", "facet inside the solid removed", "facets inside the solid removed"},
+    {"outer facets", "facet outside the solid dropped", "facets outside the solid dropped"},
     {"cavities", "cavity filled", "cavities filled"},
     {"small shells", "small shell dropped", "small shells dropped"},
 }};
@@ -44,15 +45,16 @@ const StepWording& wording_of(RepairStep step) {
 std::string text_of_dropped(const RepairAmounts& amounts, double size) {
   const SurfaceAmount& dropped = amounts.dropped;
   if (dropped.facet_count == 0) return {};
-  return fmt::format("left out: {} {}, area {:.3g} ({}), up to {:.3g} from the solid ({})", dropped.facet_count,
-                     dropped.facet_count == 1 ? "facet" : "facets", dropped.area, percent_text(amounts.dropped_part()),
-                     dropped.distance, near_text(dropped.where, size));
+  return fmt::format("left out: {} {}, area {} ({}), up to {} from the solid ({})", dropped.facet_count,
+                     dropped.facet_count == 1 ? "facet" : "facets", dropped.area.text(3),
+                     percent_text(amounts.dropped_part()), length_text(dropped.distance, 3),
+                     near_text(dropped.where, size));
 }
 
 std::string text_of_added(const RepairAmounts& amounts) {
   const SurfaceAmount& added = amounts.added;
   if (added.facet_count == 0) return {};
-  return fmt::format("added: area {:.3g}, up to {:.3g} from the facets", added.area, added.distance);
+  return fmt::format("added: area {}, up to {} from the facets", added.area.text(3), length_text(added.distance, 3));
 }
 
 }  // namespace
@@ -68,6 +70,16 @@ std::string percent_text(double part) {
   if (part > 0.99 && rest > 0)
     return fmt::format("{} %", 100 - std::strtod(fmt::format("{:.2g}", 100 * rest).c_str(), nullptr));
   return fmt::format("{:.3g} %", 100 * part);
+}
+
+std::pair<std::string, std::string> percents_above_limit(double part, double limit) {
+  constexpr int kMostDigits = 17;
+  const std::string limit_text = fmt::format("{:.15g} %", 100 * limit);
+  std::string text = percent_text(part);
+  const auto number = [](const std::string& percent) { return std::strtod(percent.c_str(), nullptr); };
+  for (int digits = 4; !(number(text) > number(limit_text)) && digits <= kMostDigits; ++digits)
+    text = fmt::format("{:.{}g} %", 100 * part, digits);
+  return {text, limit_text};
 }
 
 std::string_view name_of(RepairStep step) {
@@ -86,8 +98,23 @@ void RepairReport::add(HoleCover cover) {
   covers.push_back(std::move(cover));
 }
 
+std::vector<std::array<Vec3, 3>> RepairReport::cover_triangles() const {
+  std::vector<std::array<Vec3, 3>> result;
+  for (const HoleCover& cover : covers)
+    for (std::array<Vec3, 3> triangle : cover.triangles) {
+      std::ranges::sort(triangle);
+      result.push_back(triangle);
+    }
+  std::ranges::sort(result);
+  return result;
+}
+
+void RepairReport::forget(RepairStep step) {
+  std::erase_if(entries, [&](const RepairEntry& entry) { return entry.step == step; });
+}
+
 void RepairReport::keep_holes(const std::vector<bool>& are_there) {
-  std::erase_if(entries, [](const RepairEntry& entry) { return entry.step == RepairStep::holes; });
+  forget(RepairStep::holes);
   const std::vector<HoleCover> all = std::move(covers);
   covers.clear();
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -136,9 +163,9 @@ std::string RepairReport::text() const {
   if (amounts) {
     add(text_of_dropped(*amounts, size));
     add(text_of_added(*amounts));
-    if (const double moved = largest_move(); moved > 0) add(fmt::format("moved by {:.3g} at most", moved));
+    if (const double moved = largest_move(); moved > 0) add(fmt::format("moved by {} at most", length_text(moved, 3)));
   } else if (const double moved = deviation(); moved > 0) {
-    add(fmt::format("at most {:.3g} from the facets", moved));
+    add(fmt::format("at most {} from the facets", length_text(moved, 3)));
   }
   if (text.empty()) return "facets joined anew where more than two meet; nothing moved, added or left out";
   return text;

@@ -5,9 +5,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "algebra3d/base/vec3.h"
+#include "algebra3d/repair/amount.h"
 
 namespace algebra3d {
 
@@ -30,10 +32,11 @@ enum class RepairStep : std::uint8_t {
   united_bodies,      ///< bodies that became one with others
   inner_shells,       ///< shells that bound nothing, dropped
   inner_facets,       ///< facets within the solid, removed
+  outer_facets,       ///< facets that lie outside the solid, at least in part, and were not dropped by another step
   cavities,           ///< cavities filled, because the options say so
   small_shells,       ///< shells dropped, because the options say so
 };
-inline constexpr std::size_t kRepairSteps = 19;
+inline constexpr std::size_t kRepairSteps = 20;
 
 /// A place in decimals that are short, but fine enough to find it: no coarser than a 100,000th of the size given, the
 /// diagonal of a file.
@@ -44,6 +47,9 @@ std::string near_text(const Vec3& where, double size);
 
 /// A part of 1 in percent: "62.5 %"; less than all is never rounded to 100 %.
 std::string percent_text(double part);
+
+/// A part of 1 and a limit that it exceeds in percent, the part with so many digits that this can be seen.
+std::pair<std::string, std::string> percents_above_limit(double part, double limit);
 
 /// The step's name as people see it: "cracks".
 std::string_view name_of(RepairStep step);
@@ -66,8 +72,8 @@ struct HoleCover {
 /// How much of some facets, or of a solid, and how far away from the other one.
 struct SurfaceAmount {
   std::uint64_t facet_count = 0;  ///< that lie there at least in part
-  double area = 0;
-  double distance = 0;  ///< the largest one, as an upper bound (FarthestPoint)
+  Amount area;
+  double distance = 0;  ///< the largest one, as an upper bound (FarthestPoint); may be infinite
   Vec3 where;           ///< the point that is farthest away; of what lies inside any point
 };
 
@@ -75,23 +81,28 @@ struct SurfaceAmount {
 /// other surface than `tolerance` belong to it. Facets that lie upon each other count once, whichever way they look
 /// and however they are divided into triangles.
 struct RepairAmounts {
-  double area_seen = 0;   ///< of all facets as given
+  Amount area_seen;       ///< of all facets as given
   SurfaceAmount dropped;  ///< facets outside the solid
   SurfaceAmount inside;   ///< facets within the solid, such as inner walls; no distance
   SurfaceAmount added;    ///< of the boundary of the solid, where there is no facet
   double tolerance = 0;   ///< in coordinate units
 
   /// The part of the area seen that lies outside the solid: from 0 to 1.
-  double dropped_part() const { return area_seen > 0 ? dropped.area / area_seen : 0; }
+  double dropped_part() const { return part_of_seen(dropped); }
+  /// May be larger than 1 of what was added; 0 if nothing has an area.
+  double part_of_seen(const SurfaceAmount& amount) const {
+    return area_seen.is_zero() ? 0 : amount.area.ratio_to(area_seen);
+  }
 };
 
 /// All that a repair found and did. Steps that had nothing to do are left out; entries are in the order of the steps.
 struct RepairReport {
   std::vector<RepairEntry> entries;
   double size = 0;                       ///< diagonal of the box around the facets; 0 if not known
-  std::optional<double> volume_before;   ///< of the facets as given; none if they are not closed
-  std::optional<double> volume_after;    ///< of the solid; none if there is none
+  std::optional<Amount> volume_before;   ///< of the facets as given; none if they are not closed
+  std::optional<Amount> volume_after;    ///< of the solid; none if there is none
   std::optional<RepairAmounts> amounts;  ///< what was left out and added; none if there is no solid
+  bool has_kept_sheets = false;          ///< sheets that `entries` counts are still there
   std::vector<HoleCover> covers;         ///< of the closed holes, in the order in which they were closed
 
   void add(RepairStep step, const Vec3& where, double distance = 0, std::uint64_t count = 1);
@@ -99,6 +110,10 @@ struct RepairReport {
   void add(HoleCover cover);
   /// Takes back the holes whose covers the solid does not have.
   void keep_holes(const std::vector<bool>& are_there);
+  /// The triangles of all covers, their corners ascending, in ascending order.
+  std::vector<std::array<Vec3, 3>> cover_triangles() const;
+  /// Takes back what a step reported.
+  void forget(RepairStep step);
   const RepairEntry* find(RepairStep step) const;
   bool is_empty() const { return entries.empty(); }
   /// The largest distance over all steps by which they moved or added anything; an upper bound.

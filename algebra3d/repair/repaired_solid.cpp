@@ -13,6 +13,8 @@
 #include <fmt/format.h>
 
 #include "algebra3d/halfedge/topology.h"
+#include "algebra3d/repair/bands.h"
+#include "algebra3d/repair/convex_polygon.h"
 #include "algebra3d/repair/cracks.h"
 #include "algebra3d/repair/degenerate_facets.h"
 #include "algebra3d/repair/enclosure.h"
@@ -88,10 +90,17 @@ struct Approach {
   bool joins_cracks = true;       ///< else steps 3 and 4 divide edges at most
   bool drops_open = true;         ///< fins, and sheets beside others
   bool closes_holes = true;       ///< else winding numbers alone tell what is inside
+  bool closes_bands = false;      ///< between boundaries that run close to each other; else there is no solid
   bool covers_walls = false;      ///< that end at edges of more than two facets, so that winding numbers are whole
   bool takes_shortcuts = false;   ///< covers end at edges that lack nothing, where that is shorter
   bool fills_inside_out = false;  ///< places about which the winding number is negative belong to the solid
 };
+
+/// What is preferred for its cost costs less than this part of the other one.
+constexpr double kCheaper = 0.95;
+
+/// For facets of which the usual way leaves something out, or adds much.
+constexpr Approach kWithBands{.closes_bands = true};
 
 /// For facets of which the usual way leaves something out, or covers long rims.
 constexpr std::array<Approach, 3> kCheapApproaches{{
@@ -101,13 +110,14 @@ constexpr std::array<Approach, 3> kCheapApproaches{{
 }};
 
 /// In the order in which they are tried.
-constexpr std::array<Approach, 6> kApproaches{{
+constexpr std::array<Approach, 7> kApproaches{{
     {},
     {.fills_inside_out = true},
     {.joins_cracks = false},
     {.drops_open = false},
     {.drops_open = false, .covers_walls = true, .fills_inside_out = true},
     {.joins_cracks = false, .drops_open = false, .closes_holes = false},
+    kWithBands,
 }};
 
 class Repair {
@@ -130,10 +140,13 @@ class Repair {
   Result<RepairedSolid> finish() &&;
   /// Says what the solid leaves out and adds; once.
   Status measure();
-  /// The area that was left out and that which was added.
-  double cost() const { return report_.amounts->dropped.area + report_.amounts->added.area; }
-  double cost_part() const { return report_.amounts->area_seen > 0 ? cost() / report_.amounts->area_seen : 0; }
+  /// The area that was left out and that which was added, as a part of the area seen.
+  double cost() const {
+    const RepairAmounts& amounts = *report_.amounts;
+    return amounts.part_of_seen(amounts.dropped) + amounts.part_of_seen(amounts.added);
+  }
   bool has_covered_rims() const { return has_covered_rims_; }
+  bool has_replaced_misfits() const { return report_.find(RepairStep::misfits) != nullptr; }
   double dropped_part() const { return report_.amounts->dropped_part(); }
   RepairedSolid nothing(std::string reason) { return {std::nullopt, std::move(reason), std::move(report_)}; }
 
@@ -144,6 +157,8 @@ class Repair {
   void drop_what_became_flat();
   void mend_boundaries();
   void orient();
+  /// False if there are none.
+  Result<bool> close_bands();
   Status close_holes();
   /// Whoever knows that facets cross spares the attempt to prove that they do not.
   Status make_solid(bool may_cross);
@@ -152,6 +167,7 @@ class Repair {
   std::vector<bool> are_left(arrangement::DisjointSets& parts) const;
   void report_lost_shells();
   void report_united_bodies();
+  Status report_division();
   std::string reason_for_limit() const;
   Result<bool> is_proved(const FaceSet& known);
   std::string reason_for_nothing() const;
@@ -163,6 +179,8 @@ class Repair {
   FacetList facets_;
   std::shared_ptr<const TriangleMesh> without_flat_;  // the facets when those were dropped last
   TriangleMesh solid_;
+  std::vector<bool> met_others_;  // per facet: divided at others; empty if none was
+  std::vector<bool> is_in_lost_shell_;
   bool is_proved_ = false;
   bool is_beyond_limit_ = false;
   bool has_covered_rims_ = false;
@@ -182,7 +200,11 @@ void Repair::drop_facets(bool has_degenerate, bool has_duplicates) {
   // Closed shells that share facets would be open without them, and winding numbers count them all. Where half of them
   // or more would go, everything is double, and balances for that reason alone.
   const bool is_double = 2 * rest.triangles.size() <= facets_.triangles.size();
-  if (!is_double && is_balanced(mesh()) && has_open_edges(*rest.mesh())) return;
+  if (!is_double && is_balanced(mesh()) && has_open_edges(*rest.mesh())) {
+    // Those that balance each other change no winding number.
+    drop_opposed_facets(facets_, report_);
+    return;
+  }
   facets_ = std::move(rest);
   report_ = std::move(report);
 }
@@ -213,6 +235,13 @@ void Repair::orient() {
   if (mesh().nonmanifold_edge_count() > 0) orient_facets(facets_, report_);
   if (approach_.drops_open && has_boundary(mesh())) drop_misfits(facets_, report_);
   if (approach_.drops_open && has_boundary(mesh()) && mesh().nonmanifold_edge_count() > 0) drop_fins(facets_, report_);
+}
+
+Result<bool> Repair::close_bands() {
+  const double largest = options_.largest_hole.value_or(std::numeric_limits<double>::infinity());
+  ASSIGN_OR_RETURN(const bool has_some, algebra3d::close_bands(facets_, largest, report_, monitor_));
+  if (has_some) drop_what_became_flat();
+  return has_some;
 }
 
 Status Repair::close_holes() {
@@ -262,8 +291,8 @@ Status Repair::make_solid(bool may_cross) {
 
 Status Repair::divide(const ValidParts& parts) {
   const bool is_closed = is_balanced(mesh());
-  for (const FaceId face : parts.lone_faces())
-    if (has_manifold_edges(mesh(), face)) report_.add(RepairStep::intersections, facets_.middle(face.index()));
+  met_others_.assign(facets_.triangles.size(), false);
+  for (const FaceId face : parts.lone_faces()) met_others_[face.index()] = has_manifold_edges(mesh(), face);
   const auto is_inside = [&](int winding) { return winding > 0 || approach_.fills_inside_out; };
   auto solid = is_closed ? winding_solid(parts, is_inside, monitor_, work_limits(options_))
                          : tolerant_solid(facets_, parts, monitor_, work_limits(options_), options_.work_limit * 1e6);
@@ -303,12 +332,17 @@ void Repair::report_lost_shells() {
         given.is_boundary(halfedge) || (given.is_nonmanifold(halfedge) && given.edge_halfedges(halfedge).size() > 2);
     if (ends) is_open[parts.find(h / 3)] = true;
   }
+  std::vector<bool> is_lost_shell(given.face_count());
   for (std::uint32_t f = 0; f < given.face_count(); ++f) {
     if (parts.find(f) != f || is_left[f]) continue;
     has_lost_parts_ = true;
     // Others are walls, of which the area tells more.
-    if (!is_open[f]) report_.add(RepairStep::inner_shells, given.corners(FaceId(f))[0].approx);
+    if (is_open[f]) continue;
+    report_.add(RepairStep::inner_shells, given.corners(FaceId(f))[0].approx);
+    is_lost_shell[f] = true;
   }
+  is_in_lost_shell_.clear();
+  for (std::uint32_t f = 0; f < given.face_count(); ++f) is_in_lost_shell_.push_back(is_lost_shell[parts.find(f)]);
 }
 
 /// Closed parts of which something is left, less the parts of the solid.
@@ -330,8 +364,10 @@ void Repair::report_united_bodies() {
   for (std::size_t c = 0; c < components.count; ++c) bodies += !is_open[c] && is_left[parts.find(first[c])] ? 1 : 0;
   const std::size_t rest = connected_components(solid_).count;
   if (bodies <= rest) return;
-  const RepairEntry* where = report_.find(RepairStep::intersections);
-  report_.add(RepairStep::united_bodies, where != nullptr ? where->where : given.corners(FaceId(0))[0].approx, 0,
+  const auto meeting = std::ranges::find(met_others_, true) - met_others_.begin();
+  const bool is_known = meeting < std::ssize(met_others_);
+  report_.add(RepairStep::united_bodies,
+              is_known ? facets_.middle(static_cast<std::size_t>(meeting)) : given.corners(FaceId(0))[0].approx, 0,
               bodies - rest);
 }
 
@@ -344,12 +380,33 @@ Status Repair::measure() {
   return {};
 }
 
+/// Reports what became of facets that were divided at one another.
+Status Repair::report_division() {
+  if (met_others_.empty()) return {};
+  if (report_.has_kept_sheets) report_.forget(RepairStep::sheets);
+  ASSIGN_OR_RETURN(const FacetFates fates, facet_fates(mesh(), solid_, report_.largest_move(), monitor_.silent()));
+  const std::vector<Triangle3> covers = report_.cover_triangles();
+  // Facets may have been divided at vertices since they were read.
+  std::uint64_t outside_left = report_.amounts->dropped.facet_count;
+  for (std::size_t f = 0; f < facets_.triangles.size(); ++f) {
+    if (met_others_[f] && fates.are_divided[f]) report_.add(RepairStep::intersections, facets_.middle(f));
+    if (!fates.are_outside[f] || is_in_lost_shell_[f] || outside_left == 0) continue;
+    Triangle3 key{facets_.corner(f, 0), facets_.corner(f, 1), facets_.corner(f, 2)};
+    std::ranges::sort(key);
+    if (std::ranges::binary_search(covers, key)) continue;
+    report_.add(RepairStep::outer_facets, facets_.middle(f));
+    --outside_left;
+  }
+  return {};
+}
+
 std::string Repair::reason_for_limit() const {
   const RepairAmounts& amounts = *report_.amounts;
+  const auto [dropped, most] = percents_above_limit(amounts.dropped_part(), options_.most_dropped);
   return fmt::format(
-      "the solid would leave out {} of the area seen, up to {:.3g} from it; at most {:.3g} % may be (option "
+      "the solid would leave out {} of the area seen, up to {} from it; at most {} may be (option "
       "dropped)",
-      percent_text(amounts.dropped_part()), amounts.dropped.distance, 100 * options_.most_dropped);
+      dropped, length_text(amounts.dropped.distance, 3), most);
 }
 
 std::string Repair::reason_for_nothing() const {
@@ -372,11 +429,16 @@ Result<bool> Repair::is_proved(const FaceSet& known) {
 
 Status Repair::make(const ValidityReport& found) {
   report_.size = diagonal(facets_);
-  if (is_balanced(mesh())) report_.volume_before = given_->volume().abs().nearest_double();
+  if (is_balanced(mesh())) report_.volume_before = Amount::nearest(given_->volume().abs());
   drop_facets(found.count(Defect::degenerate_triangle) > 0, found.count(Defect::duplicate_triangle) > 0);
   without_flat_ = facets_.mesh();
   mend_boundaries();
   orient();
+  if (approach_.closes_bands) {
+    ASSIGN_OR_RETURN(const bool has_bands, close_bands());
+    if (!has_bands) reason_ = reason_for_nothing();
+    if (!has_bands) return {};
+  }
   RETURN_IF_ERROR(close_holes());
   Status made = make_solid(found.count(Defect::intersecting_triangles) > 0);
   is_beyond_limit_ = !made && made.error().code == ErrorCode::limit_exceeded;
@@ -392,6 +454,7 @@ Result<RepairedSolid> Repair::finish() && {
   if (reason_) return nothing(*reason_);
   RETURN_IF_ERROR(measure());
   if (dropped_part() > options_.most_dropped) return nothing(reason_for_limit());
+  RETURN_IF_ERROR(report_division());
   ASSIGN_OR_RETURN(const TriangleMesh kept, kept_shells(solid_, options_, report_, monitor_));
   const bool is_all_kept = kept.face_count() == solid_.face_count();
   is_proved_ = is_proved_ && is_all_kept;
@@ -407,7 +470,7 @@ Result<RepairedSolid> Repair::finish() && {
   ASSIGN_OR_RETURN(const bool is_valid, is_proved(recognised_faces(recognised)));
   if (!is_valid) return nothing("the repair gave no valid solid");
   ASSIGN_OR_RETURN(const Rational volume, given_->volume_of(solid_, recognised, monitor_.cancel()));
-  report_.volume_after = volume.nearest_double();
+  report_.volume_after = Amount::nearest(volume);
   return RepairedSolid{std::move(solid_), {}, std::move(report_)};
 }
 
@@ -424,12 +487,18 @@ class RepairSearch {
   Result<Repair> made(const Approach& approach) const;
   Agreement agreement(const Repair& repair);
   Result<RepairedSolid> cheapest(Repair usual);
+  Result<RepairedSolid> finish(Repair repair);
+  /// Puts what another approach gives in place of the repair, if that is cheaper.
+  Status try_for_cost(const Approach& approach, Repair& repair);
 
   const KnownFacets& given_;
   const ValidityReport& found_;
   const RepairOptions& options_;
   const Monitor& monitor_;
   std::optional<Enclosure> enclosure_;
+  /// A repair that did not agree so well, since facets with wrong corners were replaced that what the facets enclose
+  /// was estimated with.
+  std::optional<Repair> without_misfits_;
 };
 
 Result<Repair> RepairSearch::made(const Approach& approach) const {
@@ -443,22 +512,34 @@ Agreement RepairSearch::agreement(const Repair& repair) {
   return enclosure_->compare(repair.solid());
 }
 
+/// The repair, or that without misfits if it is cheaper.
+Result<RepairedSolid> RepairSearch::finish(Repair repair) {
+  if (!without_misfits_ || !repair.has_solid()) return std::move(repair).finish();
+  RETURN_IF_ERROR(repair.measure());
+  RETURN_IF_ERROR(without_misfits_->measure());
+  if (without_misfits_->cost() < kCheaper * repair.cost()) repair = *std::move(without_misfits_);
+  return std::move(repair).finish();
+}
+
+Status RepairSearch::try_for_cost(const Approach& approach, Repair& repair) {
+  ASSIGN_OR_RETURN(Repair other, made(approach));
+  if (!other.has_solid() || agreement(other).is_doubtful()) return {};
+  RETURN_IF_ERROR(other.measure());
+  if (other.cost() < kCheaper * repair.cost()) repair = std::move(other);
+  return {};
+}
+
 /// The usual repair, or a cheaper one: facets that the usual way leaves out may be a cap that lacks a narrow strip. If
 /// closing it adds less than leaving it out loses, it is closed.
 Result<RepairedSolid> RepairSearch::cheapest(Repair usual) {
-  constexpr double kWorthATry = 1e-3, kCheaper = 0.95;
-  if (!usual.has_solid() || !usual.may_be_done_otherwise()) return std::move(usual).finish();
+  constexpr double kWorthATry = 1e-3;
+  if (!usual.has_solid() || !usual.may_be_done_otherwise()) return finish(std::move(usual));
   RETURN_IF_ERROR(usual.measure());
-  const bool is_worth_it =
-      usual.dropped_part() > kWorthATry || (usual.has_covered_rims() && usual.cost_part() > kWorthATry);
-  if (!is_worth_it) return std::move(usual).finish();
-  for (const Approach& approach : kCheapApproaches) {
-    ASSIGN_OR_RETURN(Repair other, made(approach));
-    if (!other.has_solid() || agreement(other).is_doubtful()) continue;
-    RETURN_IF_ERROR(other.measure());
-    if (other.cost() < kCheaper * usual.cost()) usual = std::move(other);
-  }
-  return std::move(usual).finish();
+  if (usual.cost() > kWorthATry) RETURN_IF_ERROR(try_for_cost(kWithBands, usual));
+  const bool is_worth_it = usual.dropped_part() > kWorthATry || (usual.has_covered_rims() && usual.cost() > kWorthATry);
+  if (!is_worth_it) return finish(std::move(usual));
+  for (const Approach& approach : kCheapApproaches) RETURN_IF_ERROR(try_for_cost(approach, usual));
+  return finish(std::move(usual));
 }
 
 Result<RepairedSolid> RepairSearch::run() {
@@ -468,7 +549,9 @@ Result<RepairedSolid> RepairSearch::run() {
     if (!usual && repair.keeps_all_facets()) return cheapest(std::move(repair));
     const Agreement found = agreement(repair);
     if (!found.is_doubtful() && (!usual || repair.has_solid())) return cheapest(std::move(repair));
-    if (!fair && !found.is_wrong() && repair.has_solid()) fair = repair;
+    const bool is_fair = !found.is_wrong() && repair.has_solid();
+    if (!fair && is_fair) fair = repair;
+    if (!without_misfits_ && is_fair && repair.has_replaced_misfits()) without_misfits_ = repair;
     if (!usual) usual = std::move(repair);
     if (!usual->may_be_done_otherwise()) break;
   }

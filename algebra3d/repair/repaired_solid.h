@@ -36,6 +36,8 @@ struct RepairedSolid {
 ///     positive (winding_solid.h) or, if along some edge more facets run one way than the other, those that are mostly
 ///     inside (tolerant_solid.h);
 ///  9. cavities and small shells are left out, as the options say.
+/// Where that leaves out or adds much, a band between boundaries that run close to each other (bands.h), and other ways
+/// to close what is open are tried, and the cheapest is taken.
 /// What does not keep all facets is compared with what they enclose (enclosure.h). If it lacks much of that, other
 /// approaches are tried in a fixed order (see the source), and the first that agrees is taken; there is no solid if all
 /// of them lack most of it. Where facets are divided, those in one plane are brought together and triangulated anew.

@@ -15,8 +15,9 @@ struct RimLimits {
 
 /// Closes holes whose rim runs along edges of more than two facets in part, of which more run one way than the other:
 /// what boundaries and such edges lack to balance are closed loops always, and each that has edges of both kinds and
-/// whose box has a diameter up to the largest is covered with triangles, shortest loops first found. Loops of boundary
-/// edges alone are those of `close_holes`, loops without them the rims of inner walls; both stay,
+/// whose box has a diameter up to the largest is covered with triangles, shortest loops first found. Boundaries that
+/// are no loops by themselves, as each ends at an inner wall, may be one together: it is covered if that takes less
+/// area. Closed boundaries are those of `close_holes`, loops without boundary edges the rims of inner walls; both stay,
 /// unless the latter are to be covered: every edge balances then. With shortcuts, the strip that a cap over an inner
 /// wall lacks is covered, and not the whole rim of the wall with it. Requires oriented facets. The distance in the
 /// report is the diameter of the loop. Errors: interrupted. Cost: linear, and that of the loops.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/repair/amount.h"
 #include "algebra3d/repair/convex_polygon.h"
 
 namespace algebra3d {
@@ -21,7 +22,7 @@ class BinaryScale {
   double scaled(double length) const { return std::ldexp(length, -exponent_); }
   Vec3 point(const Vec3& p) const { return times(p, exponent_); }
   double length(double l) const { return std::ldexp(l, exponent_); }
-  double area(double a) const { return std::ldexp(a, 2 * exponent_); }
+  Amount area(double a) const { return {a, 2 * exponent_}; }
 
   Triangle3 scaled(const TriangleMesh& mesh, std::uint32_t face) const {
     const TriangleRef corners = mesh.corners(FaceId(face));
@@ -35,6 +36,13 @@ class BinaryScale {
 
   int exponent_ = 0;
 };
+
+/// The sum over all faces, rounded.
+inline Amount area_of(const TriangleMesh& mesh, const BinaryScale& scale) {
+  double sum = 0;
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) sum += area_of(scale.scaled(mesh, f));
+  return scale.area(sum);
+}
 
 /// The largest size of a coordinate.
 inline double largest_coordinate(const TriangleMesh& mesh) {

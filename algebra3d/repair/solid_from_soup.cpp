@@ -12,6 +12,7 @@
 #include "algebra3d/repair/kept_shells.h"
 #include "algebra3d/repair/repair_amounts.h"
 #include "algebra3d/repair/repaired_solid.h"
+#include "algebra3d/repair/scaled_triangles.h"
 #include "algebra3d/repair/spatial_order.h"
 #include "algebra3d/repair/weld.h"
 #include "algebra3d/validity/validity.h"
@@ -45,17 +46,6 @@ void count_contradicting_normals(const TriangleSoup& soup, SoupReport& report) {
     if (!(dot(cross(b - a, c - a), soup.normals[i]) < 0)) continue;
     if (++report.contradicting_normal_count == 1) report.first_contradicting_facet = i + 1;
   }
-}
-
-/// Rounded.
-double area_of_mesh(const TriangleMesh& mesh) {
-  const std::vector<Vec3>& p = mesh.points().approx();
-  double sum = 0;
-  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
-    const auto& [a, b, c] = mesh.triangle(FaceId(f));
-    sum += length(cross(p[b] - p[a], p[c] - p[a])) / 2;
-  }
-  return sum;
 }
 
 double diagonal_of(const WeldedTriangles& welded) {
@@ -137,14 +127,14 @@ Result<SolidFromSoup> solid_from_soup(const TriangleSoup& soup, const RepairOpti
   result.report.was_turned = is_inside_out && validity.is_valid();
   if (validity.is_valid()) {
     RepairReport left_out;
-    result.area_seen = area_of_mesh(mesh);
+    result.area_seen = area_of(mesh, BinaryScale(largest_coordinate(mesh)));
     ASSIGN_OR_RETURN(mesh, kept_shells(std::move(mesh), options, left_out, monitor));
-    result.volume = volume.abs().nearest_double();
+    result.volume = Amount::nearest(volume.abs());
     result.mesh = left_out.is_empty() ? std::move(mesh) : in_spatial_order(mesh);
     if (left_out.is_empty()) return result;
     left_out.volume_before = result.volume;
     left_out.size = result.report.size;
-    ASSIGN_OR_RETURN(result.volume, nearest_volume(*result.mesh, monitor));
+    ASSIGN_OR_RETURN(result.volume, measured_volume(*result.mesh, monitor));
     left_out.volume_after = result.volume;
     const TriangleMesh given(welded.points, welded.triangles);
     ASSIGN_OR_RETURN(const MeasuredRepair measured, measure_repair(given, *result.mesh, {}, 0, {}, monitor));

@@ -10,6 +10,7 @@
 #include "algebra3d/base/monitor.h"
 #include "algebra3d/base/triangle_soup.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/repair/amount.h"
 #include "algebra3d/repair/repair_options.h"
 #include "algebra3d/repair/repair_report.h"
 #include "algebra3d/validity/report.h"
@@ -43,8 +44,8 @@ struct SolidFromSoup {
   SoupReport report;                   ///< of the facets as given
   std::optional<RepairReport> repair;  ///< what was changed; none if nothing had to be, or nothing was to be
   std::string reason;                  ///< why the repair gave no solid
-  std::optional<double> volume;        ///< of the solid
-  std::optional<double> area_seen;     ///< of the facets as given, as in RepairAmounts; none if nothing was made
+  std::optional<Amount> volume;        ///< of the solid
+  std::optional<Amount> area_seen;     ///< of the facets as given, as in RepairAmounts; none if nothing was made
 
   /// For people, one line: "ok", "ok: turned right side out", "ok: no facets, the solid is empty", "repaired: 1 hole
   /// closed (near (0 0 1)); added: area 0.5, up to 0.2 from the facets", or why there is no solid.

@@ -1,5 +1,6 @@
 #include "queries/importer/relation_writer.h"
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -15,7 +16,7 @@ using algebra3d::Volume3d;
 constexpr std::size_t kFileAttribute = 1;
 
 Value real_or_undefined(const std::optional<double>& number) {
-  return number ? Value::of<double>(*number) : Value(algebra3d::TypeOf<double>::type());
+  return number && std::isfinite(*number) ? Value::of<double>(*number) : Value(algebra3d::TypeOf<double>::type());
 }
 
 Value count_or_undefined(const std::optional<std::uint64_t>& count) {

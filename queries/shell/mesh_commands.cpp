@@ -54,8 +54,8 @@ void add_output_options(CLI::App& command, MeshOutput& output) {
   command.add_flag("--force", output.may_replace, "Replace OUT if it is there, even if it is FILE itself");
 }
 
-std::string volume_text(const std::optional<double>& volume) {
-  return volume ? fmt::format("{:.10g}", *volume) : "unknown, since the facets are not closed";
+std::string volume_text(const std::optional<algebra3d::Amount>& volume) {
+  return volume ? volume->text(10) : "unknown, since the facets are not closed";
 }
 
 void print_repair(const MeshConsole& console, const std::string& name, const ImportedSolid& imported) {
@@ -63,7 +63,7 @@ void print_repair(const MeshConsole& console, const std::string& name, const Imp
                                    ? imported.status
                                    : imported.found.defects());
   if (!imported.repair) return;
-  if (!imported.repair->is_empty()) console.out << "  changed  " << printable(imported.repair->text()) << "\n";
+  console.out << "  changed  " << printable(imported.repair->text()) << "\n";
   console.out << "  volume   before: " << volume_text(imported.repair->volume_before)
               << "; after: " << volume_text(imported.repair->volume_after) << "\n";
 }

@@ -1,4 +1,5 @@
 // What `algebra3d part.stl` shows.
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -6,10 +7,9 @@
 #include <fmt/format.h>
 
 #include "algebra3d/base/box3.h"
-#include "algebra3d/exact/exact_sum.h"
-#include "algebra3d/halfedge/mesh_triangles.h"
 #include "algebra3d/operators/import_solid.h"
 #include "algebra3d/repair/kept_shells.h"
+#include "algebra3d/repair/scaled_triangles.h"
 #include "queries/shell/mesh_commands.h"
 #include "queries/shell/mesh_input.h"
 #include "queries/shell/screen.h"
@@ -30,18 +30,31 @@ struct FileFacts {
   std::string form;  // "STL, binary, 684 bytes"
   std::size_t triangle_count = 0;
   Box3 box;
-  double area = 0;
+  algebra3d::Amount area;
 };
+
+double farthest_coordinate(const Box3& box) {
+  double farthest = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    farthest = std::max({farthest, std::abs(box.min[axis]), std::abs(box.max[axis])});
+  return farthest;
+}
+
+algebra3d::Amount area_of(const TriangleSoup& soup, const algebra3d::BinaryScale& scale) {
+  double sum = 0;
+  for (const auto& [a, b, c] : soup.triangles)
+    sum += algebra3d::area_of({scale.scaled(a), scale.scaled(b), scale.scaled(c)});
+  return scale.area(sum);
+}
 
 FileFacts facts_of(const MeshFile& mesh, std::size_t byte_count) {
   FileFacts facts;
   facts.form = form_text({mesh.format, mesh.is_binary ? stl::Format::binary : stl::Format::ascii});
   facts.form += fmt::format(", {} bytes", byte_count);
   facts.triangle_count = mesh.soup.triangles.size();
-  for (const TriangleSoup::Triangle& triangle : mesh.soup.triangles) {
+  for (const TriangleSoup::Triangle& triangle : mesh.soup.triangles)
     for (const Vec3& corner : triangle) facts.box.extend(corner);
-    facts.area += length(cross(triangle[1] - triangle[0], triangle[2] - triangle[0])) / 2;
-  }
+  facts.area = area_of(mesh.soup, algebra3d::BinaryScale(facts.box.is_empty() ? 0 : farthest_coordinate(facts.box)));
   return facts;
 }
 
@@ -61,19 +74,17 @@ std::string repair_text(const ImportedSolid& imported) {
     const std::size_t reason = imported.status.find("not repaired: ");
     return imported.status.substr(reason == std::string::npos ? 0 : reason);
   }
-  const bool is_empty = !imported.repair || imported.repair->is_empty();
-  return "would give a solid: " + (is_empty ? imported.status : imported.repair->text());
+  return "would give a solid: " + (imported.repair ? imported.repair->text() : imported.status);
 }
 
 /// Volume and area of the solid, or the area of the facets.
 Result<std::string> measures(const ImportedSolid& imported, const FileFacts& facts, const MeshConsole& console) {
-  if (!imported.solid) return row("area", fmt::format("{:.10g}, of the facets", facts.area));
+  if (!imported.solid) return row("area", facts.area.text(10) + ", of the facets");
   const algebra3d::TriangleMesh& mesh = imported.solid->mesh();
-  ASSIGN_OR_RETURN(const double volume, algebra3d::nearest_volume(mesh, console.cancel));
-  ASSIGN_OR_RETURN(const double area,
-                   algebra3d::nearest_area(mesh.points(), algebra3d::triangles_of(mesh), console.cancel));
+  ASSIGN_OR_RETURN(const algebra3d::Amount volume, algebra3d::measured_volume(mesh, console.cancel));
+  const algebra3d::Amount area = area_of(mesh, algebra3d::BinaryScale(largest_coordinate(mesh)));
   const std::string when = imported.repair ? " after the repair" : "";
-  return row("volume", fmt::format("{:.10g}{}", volume, when)) + row("area", fmt::format("{:.10g}{}", area, when));
+  return row("volume", volume.text(10) + when) + row("area", area.text(10) + when);
 }
 
 Status show_mesh_file(const std::string& name, const MeshConsole& console) {

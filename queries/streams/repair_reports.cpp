@@ -1,7 +1,9 @@
 // repairReport: what was found in a mesh file, and what was changed, as tuples.
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,16 +52,24 @@ std::int64_t as_int(std::uint64_t count) {
   return static_cast<std::int64_t>(count);
 }
 
+std::optional<double> in_doubles(const std::optional<algebra3d::Amount>& amount) {
+  return amount ? amount->in_doubles() : std::nullopt;
+}
+
+std::optional<double> finite(double length) {
+  return std::isfinite(length) ? std::optional(length) : std::nullopt;
+}
+
 void add_amounts(std::vector<ReportRow>& rows, const algebra3d::RepairAmounts& amounts, double size) {
   const auto place = [&](const algebra3d::SurfaceAmount& amount) -> std::optional<Point3d> {
     if (amount.facet_count == 0) return {};
     return Point3d{algebra3d::short_place(amount.where, size)};
   };
-  rows.push_back({"area", "seen", {}, {}, amounts.area_seen});
+  rows.push_back({"area", "seen", {}, {}, amounts.area_seen.in_doubles()});
   for (const auto& [name, amount] : {std::pair("left out", amounts.dropped), std::pair("added", amounts.added)})
-    rows.push_back({"area", name, as_int(amount.facet_count), {}, amount.area});
+    rows.push_back({"area", name, as_int(amount.facet_count), {}, amount.area.in_doubles()});
   for (const auto& [name, amount] : {std::pair("left out", amounts.dropped), std::pair("added", amounts.added)})
-    rows.push_back({"distance", name, {}, place(amount), amount.distance});
+    rows.push_back({"distance", name, {}, place(amount), finite(amount.distance)});
 }
 
 void add_wrong_count(std::vector<ReportRow>& rows, const stl::WrongCount& wrong) {
@@ -91,10 +101,10 @@ std::vector<ReportRow> rows_of(const ImportedSolid& imported) {
   if (!imported.repair) return rows;
   for (const algebra3d::RepairEntry& entry : imported.repair->entries)
     rows.push_back({"changed", std::string(name_of(entry.step)), as_int(entry.count),
-                    Point3d{algebra3d::short_place(entry.where, size)}, entry.largest});
+                    Point3d{algebra3d::short_place(entry.where, size)}, finite(entry.largest)});
   if (imported.repair->amounts) add_amounts(rows, *imported.repair->amounts, size);
-  rows.push_back({"volume", "before", {}, {}, imported.repair->volume_before});
-  if (imported.solid) rows.push_back({"volume", "after", {}, {}, imported.repair->volume_after});
+  rows.push_back({"volume", "before", {}, {}, in_doubles(imported.repair->volume_before)});
+  if (imported.solid) rows.push_back({"volume", "after", {}, {}, in_doubles(imported.repair->volume_after)});
   return rows;
 }
 

@@ -218,6 +218,30 @@ TEST_F(Importer, tells_in_numbers_what_was_left_out_and_added) {
   EXPECT_EQ(found.at("bad.off").status, "byte 26, line 5: vertex 3 of 3: expected a number, found 'x'");
 }
 
+TEST_F(Importer, stores_no_number_that_a_double_cannot_hold) {
+  const auto box_and_sheet = [](const std::string& e) {
+    const std::string unit = "1" + e, twice = "2" + e, triple = "3" + e;
+    return "OFF\n12 8 0\n0 0 0\n0 " + unit + " 0\n" + unit + " " + unit + " 0\n" + unit + " 0 0\n0 0 " + unit + "\n0 " +
+           unit + " " + unit + "\n" + unit + " " + unit + " " + unit + "\n" + unit + " 0 " + unit + "\n" + twice +
+           " 0 0\n" + triple + " 0 0\n" + triple + " " + triple + " 0\n" + twice + " " + triple +
+           " 0\n4 0 1 2 3\n4 4 7 6 5\n4 0 3 7 4\n4 3 2 6 7\n4 2 1 5 6\n4 1 0 4 5\n3 8 9 10\n3 8 10 11\n";
+  };
+  write("large.off", box_and_sheet("e200"));
+  write("small.off", box_and_sheet("e-200"));
+  EXPECT_EQ(import(options()), 0) << err_;
+  for (const auto& [name, row] : rows()) {
+    EXPECT_TRUE(row.is_defined) << row.status;
+    const double unit = name == "large.off" ? 1e200 : 1e-200;
+    const std::vector<double>& found = row.numbers;
+    EXPECT_EQ(std::vector(found.begin(), found.begin() + 4),
+              (std::vector<double>{2, kUndefinedNumber, kUndefinedNumber, 0}));
+    EXPECT_NEAR(found[4] / unit, std::sqrt(8.0), 0.03);
+    EXPECT_EQ(std::vector(found.begin() + 5, found.end()),
+              (std::vector<double>{0, kUndefinedNumber, kUndefinedNumber}));
+    EXPECT_NE(row.status.find("area beyond the range of doubles (33.3 %)"), std::string::npos) << row.status;
+  }
+}
+
 TEST_F(Importer, says_that_the_database_file_is_foreign) {
   write("box.stl", box_stl(1, 1, 1));
   std::ofstream(database()) << "this is a letter, and it is longer than the header of a database file would be.";

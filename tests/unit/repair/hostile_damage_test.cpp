@@ -184,12 +184,14 @@ TEST(HostileDamage, sheets_through_a_body_cut_nothing_off) {
         EXPECT_EQ(count_of(*made.repair, RepairStep::sheets), 1U);
         // The frame round the box, and how far its corner is from that.
         const RepairAmounts& amounts = *made.repair->amounts;
-        EXPECT_NEAR(amounts.area_seen, 96 + (4 + 2 * margin) * (4 + 2 * margin), 1e-9 * amounts.area_seen);
-        EXPECT_NEAR(amounts.dropped.area, (4 + 2 * margin) * (4 + 2 * margin) - 16, 1e-9 * amounts.area_seen);
+        EXPECT_NEAR(value_of(amounts.area_seen), 96 + (4 + 2 * margin) * (4 + 2 * margin),
+                    1e-9 * value_of(amounts.area_seen));
+        EXPECT_NEAR(value_of(amounts.dropped.area), (4 + 2 * margin) * (4 + 2 * margin) - 16,
+                    1e-9 * value_of(amounts.area_seen));
         EXPECT_GE(amounts.dropped.distance, margin * std::sqrt(2) * (1 - 1e-12));
         EXPECT_LE(amounts.dropped.distance, margin * std::sqrt(2) * 1.011);
         EXPECT_EQ(amounts.dropped.facet_count, 2U);
-        EXPECT_EQ(amounts.added.area, 0);
+        EXPECT_EQ(value_of(amounts.added.area), 0);
         EXPECT_EQ(made.repair->find(RepairStep::holes), nullptr) << made.status();
       }
 }

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
+#include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -57,6 +60,27 @@ TEST(RepairReport, says_what_was_left_out_and_added) {
   EXPECT_EQ(percent_text(0.99994), "99.994 %");
   EXPECT_EQ(percent_text(0.9999999999), "99.99999999 %");
   EXPECT_EQ(percent_text(1), "100 %");
+  using Texts = std::pair<std::string, std::string>;
+  EXPECT_EQ(percents_above_limit(0.5, 0.4999), (Texts{"50 %", "49.99 %"}));
+  EXPECT_EQ(percents_above_limit(0.50004, 0.5), (Texts{"50.004 %", "50 %"}));
+  EXPECT_EQ(percents_above_limit(0.533333, 0.5332), (Texts{"53.33 %", "53.32 %"}));
+}
+
+TEST(RepairReport, amounts_beyond_the_range_of_doubles) {
+  RepairReport report;
+  const double infinite = std::numeric_limits<double>::infinity();
+  report.amounts = RepairAmounts{{16, 1100}, {2, {10, 1100}, infinite, {}}, {}, {1, {0.25, -1100}, 0.5, {}}, 0};
+  EXPECT_EQ(report.text(),
+            "left out: 2 facets, area beyond the range of doubles (62.5 %), up to beyond the range of doubles from the "
+            "solid (near (0 0 0)); added: area beyond the range of doubles, up to 0.5 from the facets");
+  EXPECT_EQ(Amount(0.25, -1070).in_doubles(), 0x1p-1072);
+  EXPECT_EQ(Amount(1.5, 1023).in_doubles(), 0x1.8p1023);
+  EXPECT_EQ(Amount(0, 5000).in_doubles(), 0.0);
+  EXPECT_EQ(Amount(2, 5000).ratio_to({8, 4999}), 0.5);
+  EXPECT_EQ(Amount::nearest(Rational(-3)).in_doubles(), -3.0);
+  const Rational large(0x1p1000);
+  EXPECT_EQ(Amount::nearest(large * large * Rational(3)).ratio_to({1, 2000}), 3);
+  EXPECT_EQ(Amount::nearest(Rational(3) / large / large).ratio_to({1, -2000}), 3);
 }
 
 TEST(RepairReport, holes_that_the_solid_does_not_have_are_not_told) {

@@ -25,6 +25,11 @@ inline double deviation_of(const SolidFromSoup& made) {
   return made.repair ? made.repair->deviation() : 0;
 }
 
+/// -1 if a double cannot hold it.
+inline double value_of(const Amount& amount) {
+  return amount.in_doubles().value_or(-1);
+}
+
 template <typename T>
 RepairOptions with(T RepairOptions::*option, double value) {
   RepairOptions options;
