@@ -113,7 +113,8 @@ class ScriptTrial {
     require(kept == seen, "the file holds what the session saw", seen, kept);
   }
 
-  // Derived objects may have become others, or impossible; so only the values themselves are compared.
+  // Derived objects may have become others, or impossible, and are left out then; so only the values themselves are
+  // compared.
   void restore_elsewhere() {
     if (history_.size() % 4 != 0) return;
     const std::string saved = session_.run_to_the_end("save database to 'end.list'");
@@ -121,7 +122,8 @@ class ScriptTrial {
     const std::string seen = content(*session_.store(), false);
     SilentSession other(fuzz_registry(), folder_, nullptr);
     const std::string restored = other.run_to_the_end("restore database elsewhere from 'end.list'");
-    require(restored.empty(), "a saved database can be restored", "", restored);
+    const bool is_restored = restored.empty() || restored.find("which cannot be derived again") != std::string::npos;
+    require(is_restored, "a saved database can be restored", "", restored);
     const std::string again = content(*other.store(), false);
     require(again == seen, "a restored database equals the saved one", seen, again);
   }
