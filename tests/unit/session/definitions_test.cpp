@@ -136,9 +136,10 @@ TEST_F(Definitions, what_was_made_of_a_file_that_is_gone_is_left_out) {
 
 TEST_F(Definitions, what_had_a_value_and_is_undefined_at_restore_is_left_out) {
   const std::filesystem::path part = folder_.path() / "part.off";
-  for (const char* command : {"query createCube(makePoint3D(0, 0, 0), makePoint3D(1, 1, 1)) exportOFF['part.off', TRUE]",
-                              "derive Part = importOFF('part.off')", "derive Big = volume(Part)",
-                              "derive Gone = importOFF('gone.off')", "derive NoSize = volume(Gone)"})
+  for (const char* command :
+       {"query createCube(makePoint3D(0, 0, 0), makePoint3D(1, 1, 1)) exportOFF['part.off', TRUE]",
+        "derive Part = importOFF('part.off')", "derive Big = volume(Part)", "derive Gone = importOFF('gone.off')",
+        "derive NoSize = volume(Gone)"})
     EXPECT_TRUE(!session_.run(command).starts_with("error")) << command;
   std::filesystem::remove(part);
   for (const char* command : {"save database to 'all'", "save Part to 'part'", "close database"})
