@@ -10,12 +10,12 @@ Result<std::shared_ptr<Database>> Database::open(const std::filesystem::path& fi
   ASSIGN_OR_RETURN(auto connection, open_database_file(file, mode, options));
   std::shared_ptr<Database> database(new Database(std::move(connection), file, registry, options));
   // A damaged catalogue is found now, not in the middle of somebody's work.
-  RETURN_IF_ERROR(database->upgrade());
-  RETURN_IF_ERROR(database->begin(false));
-  RETURN_IF_ERROR(database->commit());
+  Status status = database->upgrade();
+  if (status) status = database->begin(false);
+  if (status) status = database->commit();
   // From here on nobody deletes it: its lock is held.
-  if (database->connection_->has_moved())
-    return Error{ErrorCode::database_missing, "{}: another process has deleted the database", file.string()};
+  if (database->connection_->has_moved()) return deleted_meanwhile(file);
+  if (!status) return std::move(status).error();
   return database;
 }
 

@@ -17,6 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+Error deleted_already(const fs::path& file) {
+  return {ErrorCode::database_missing, "{}: another process has deleted the database already", file.string()};
+}
+
 Status open_elsewhere(const fs::path& file) {
   return Error{ErrorCode::database_open,
                "{}: another process has the database open; delete it when that process has closed it", file.string()};
@@ -50,11 +54,14 @@ Status delete_database_file(const fs::path& name) {
   std::error_code error;
   if (!fs::exists(name, error)) return Error{ErrorCode::database_missing, "{}: there is no such file", name.string()};
   const fs::path file = fs::canonical(name, error);
+  if (error == std::errc::no_such_file_or_directory) return deleted_already(name);
   if (error) return algebra3d::write_error(name, error.value());
   if (algebra3d::open_database_with(file)) return open_elsewhere(file);
-  RETURN_IF_ERROR(check_database_header(file));
+  const Status known = check_database_header(file);
+  if (!known && known.error().code == ErrorCode::database_missing) return deleted_already(name);
+  RETURN_IF_ERROR(known);
   const int descriptor = ::open(file.c_str(), O_RDWR | O_CLOEXEC);  // NOLINT(*-vararg)
-  if (descriptor < 0) return algebra3d::write_error(file, errno);
+  if (descriptor < 0) return errno == ENOENT ? deleted_already(name) : algebra3d::write_error(file, errno);
   Status status = lock_out_others(descriptor) ? Status() : open_elsewhere(file);
   for (const char* ending : {"-wal", "-shm", "-journal", ""}) {
     const std::string doomed = file.string() + ending;

@@ -4,7 +4,9 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <optional>
 #include <system_error>
+#include <utility>
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -31,7 +33,9 @@ Error foreign(const fs::path& file, std::string_view found) {
   return {ErrorCode::database_foreign, "{}: expected an algebra3d database, found {}", file.string(), found};
 }
 
+// It was there a moment ago.
 Error unusable(const fs::path& file, int reason) {
+  if (reason == ENOENT) return deleted_meanwhile(file);
   return {reason == EACCES || reason == EPERM ? ErrorCode::file_missing : ErrorCode::io_error,
           "{}: cannot open the database: {}", file.string(),
           reason == EACCES ? "there is no permission to read it" : algebra3d::write_obstacle(file, reason)};
@@ -160,6 +164,17 @@ Status check_writable(const fs::path& file) {
                file.string(), algebra3d::write_obstacle(target, reason)};
 }
 
+bool may_write(OpenMode mode) {
+  return mode != OpenMode::read_only && mode != OpenMode::read_damaged;
+}
+
+/// Device and inode; none: there is no such file.
+std::optional<std::pair<dev_t, ino_t>> identity_of(const fs::path& file) {
+  struct stat facts {};
+  if (::stat(file.c_str(), &facts) != 0) return std::nullopt;
+  return std::pair(facts.st_dev, facts.st_ino);
+}
+
 // SQLite names the log after the file: under each name there would be another one, and statements in one would not be
 // seen through the other, neither by a writer nor by a reader. Where the other names are, nothing tells.
 Status check_names(const fs::path& file) {
@@ -169,6 +184,22 @@ Status check_names(const fs::path& file) {
                "{}: the file has {} names (hard links), and each would get a log of its own, so that statements would "
                "be lost; remove the other names, or copy the file and use the copy; a symbolic link does no harm",
                file.string(), facts.st_nlink};
+}
+
+Result<std::unique_ptr<SqliteConnection>> connect(const fs::path& file, OpenMode mode, const StoreOptions& options) {
+  const bool writes = may_write(mode);
+  if (writes) RETURN_IF_ERROR(check_writable(file));
+  if (writes && mode != OpenMode::draft) RETURN_IF_ERROR(finish_database(file, options.busy_milliseconds));
+  RETURN_IF_ERROR(check_names(file));
+  const Access access = writes ? Access::read_write : read_access(file);
+  ASSIGN_OR_RETURN(auto connection, SqliteConnection::open(file, access, options.busy_milliseconds));
+  if (mode == OpenMode::read_damaged) connection->tolerate_missing_pages();
+  if (writes && connection->is_read_only())
+    return Error{ErrorCode::database_read_only, "{}: the file cannot be written; open it with --read-only",
+                 file.string()};
+  if (writes) RETURN_IF_ERROR(prepare_for_writing(*connection));
+  RETURN_IF_ERROR(configure(*connection, options));
+  return connection;
 }
 
 }  // namespace
@@ -194,23 +225,21 @@ Status check_database_header(const fs::path& file) {
   return check_header(file);
 }
 
+Error deleted_meanwhile(const fs::path& file) {
+  return {ErrorCode::database_missing, "{}: another process has deleted the database while it was being opened",
+          file.string()};
+}
+
 Result<std::unique_ptr<SqliteConnection>> open_database_file(const fs::path& file, OpenMode mode,
                                                              const StoreOptions& options) {
-  const bool writes = mode != OpenMode::read_only && mode != OpenMode::read_damaged;
-  if (writes) remove_database_leftovers(file);
+  if (may_write(mode)) remove_database_leftovers(file);
   ASSIGN_OR_RETURN(const Found found, inspect(file, mode));
   if (found != Found::database) RETURN_IF_ERROR(create_database_file(file, found == Found::empty));
-  if (writes) RETURN_IF_ERROR(check_writable(file));
-  if (writes && mode != OpenMode::draft) RETURN_IF_ERROR(finish_database(file, options.busy_milliseconds));
-  RETURN_IF_ERROR(check_names(file));
-  const Access access = writes ? Access::read_write : read_access(file);
-  ASSIGN_OR_RETURN(auto connection, SqliteConnection::open(file, access, options.busy_milliseconds));
-  if (mode == OpenMode::read_damaged) connection->tolerate_missing_pages();
-  if (writes && connection->is_read_only())
-    return Error{ErrorCode::database_read_only, "{}: the file cannot be written; open it with --read-only",
-                 file.string()};
-  if (writes) RETURN_IF_ERROR(prepare_for_writing(*connection));
-  RETURN_IF_ERROR(configure(*connection, options));
+  const auto before = identity_of(file);
+  if (!before) return deleted_meanwhile(file);
+  auto connection = connect(file, mode, options);
+  // What goes wrong on a file that somebody deletes has this one reason, whatever it looks like.
+  if (!connection && identity_of(file) != before) return deleted_meanwhile(file);
   return connection;
 }
 

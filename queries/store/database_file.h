@@ -13,6 +13,9 @@ namespace queries {
 Result<std::unique_ptr<SqliteConnection>> open_database_file(const std::filesystem::path& file, OpenMode mode,
                                                              const StoreOptions& options);
 
+/// The error of a database that was there when it was to be opened and no longer is.
+Error deleted_meanwhile(const std::filesystem::path& file);
+
 /// What the file lacks by its own header, as a sentence; empty: nothing, or this process has it open.
 std::string lost_bytes(const std::filesystem::path& file);
 

@@ -181,7 +181,7 @@ TEST_F(StoreIntegrity, damaged_pages_are_found_by_sqlite_and_the_rest_is_still_c
   write_bytes(path(), content);
   const Texts found = findings();
   ASSERT_GE(found.size(), 4U);
-  EXPECT_TRUE(found[0].starts_with("R: SQLite: ")) << found[0];
+  EXPECT_TRUE(found[0].starts_with("R: page ")) << found[0];
   EXPECT_TRUE(std::all_of(found.begin(), found.end() - 1, [](const auto& each) {
     return each.starts_with("R: ") || each.starts_with("the free pages of the file");
   }));
