@@ -62,10 +62,10 @@ bool is_draft(std::string_view name) {
 
 // A database may have any name, that of a draft too; no export begins as one does.
 bool is_no_database(int descriptor) {
-  constexpr std::string_view kSqliteMagic("SQLite format 3\0", 16);
-  std::array<char, kSqliteMagic.size()> bytes{};
+  constexpr std::string_view kDatabaseMagic("SQLite format 3\0", 16);
+  std::array<char, kDatabaseMagic.size()> bytes{};
   const ssize_t size = ::pread(descriptor, bytes.data(), bytes.size(), 0);
-  return size >= 0 && std::string_view(bytes.data(), static_cast<std::size_t>(size)) != kSqliteMagic;
+  return size >= 0 && std::string_view(bytes.data(), static_cast<std::size_t>(size)) != kDatabaseMagic;
 }
 
 // Once for each folder: a program that writes ten thousand files into one must not read its names as often.

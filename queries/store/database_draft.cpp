@@ -35,7 +35,7 @@ constexpr std::size_t kLongestEnding = 60;
 constexpr std::string_view kJournalMagic("\xd9\xd5\x05\xf9\x20\xa1\x63\xd7", 8);
 constexpr std::uintmax_t kEmptyJournalBytes = 512;
 
-std::array<char, 4> big_endian(std::int64_t number) {
+std::array<char, 4> mark_bytes(std::int64_t number) {
   std::array<char, 4> bytes{};
   for (char& byte : bytes) {
     byte = static_cast<char>(number >> 24 & 0xff);
@@ -52,15 +52,15 @@ std::string first_bytes(int descriptor, std::size_t count) {
 }
 
 bool has_draft_mark(int descriptor) {
-  constexpr std::string_view kSqliteMagic("SQLite format 3\0", 16);
-  const auto mark = big_endian(kDraftApplicationId);
+  constexpr std::string_view kFileMagic("SQLite format 3\0", 16);
+  const auto mark = mark_bytes(kDraftApplicationId);
   const std::string header = first_bytes(descriptor, kApplicationIdPlace + mark.size());
-  return header.size() == kApplicationIdPlace + mark.size() && header.starts_with(kSqliteMagic) &&
+  return header.size() == kApplicationIdPlace + mark.size() && header.starts_with(kFileMagic) &&
          std::memcmp(header.data() + kApplicationIdPlace, mark.data(), mark.size()) == 0;
 }
 
 Status take_mark_away(const fs::path& file, int descriptor) {
-  const auto mark = big_endian(kApplicationId);
+  const auto mark = mark_bytes(kApplicationId);
   const auto size = static_cast<ssize_t>(mark.size());
   errno = 0;
   if (::pwrite(descriptor, mark.data(), mark.size(), kApplicationIdPlace) != size || ::fsync(descriptor) != 0)

@@ -59,12 +59,12 @@ ErrorCode error_code(sqlite3* connection, int code) {
 }
 
 /// Whether SQLite says no more than that the file is damaged.
-bool is_plain(sqlite3* connection, int code) {
+bool says_only_damage(sqlite3* connection, int code) {
   return std::string_view(sqlite3_errmsg(connection)) == sqlite3_errstr(code & 0xff);
 }
 
 std::string message_of(sqlite3* connection, int code) {
-  if ((code & 0xff) == SQLITE_CORRUPT && (connection == nullptr || is_plain(connection, code)))
+  if ((code & 0xff) == SQLITE_CORRUPT && (connection == nullptr || says_only_damage(connection, code)))
     return "the file is damaged";
   if (connection == nullptr) return sqlite3_errstr(code);
   sqlite3_mutex* const mutex = sqlite3_db_mutex(connection);
