@@ -7,6 +7,9 @@
 #include "algebra3d/types/codec.h"
 #include "algebra3d/types/nested_list.h"
 
+// The analyzer does not follow how many values share an object.
+// NOLINTBEGIN(clang-analyzer-cplusplus.NewDeleteLeaks,clang-analyzer-cplusplus.NewDelete)
+
 namespace algebra3d::detail {
 namespace {
 
@@ -19,6 +22,7 @@ using Outcome = std::variant<Value, std::vector<Value>>;
 
 Result<Outcome> outcome_of(std::string_view name, const std::vector<Value>& arguments, Context& context) {
   std::vector<TypeExpr> types;
+  types.reserve(arguments.size());
   for (const Value& argument : arguments) types.emplace_back(argument.type().name());
   const Operator* op = operators().find_operator(name);
   if (op == nullptr) return Error{ErrorCode::internal, "there is no operator '{}'", name};
@@ -34,7 +38,7 @@ Error Surroundings::reason(std::string_view otherwise) const {
   return {ErrorCode::invalid_value, text.empty() ? std::string(otherwise) : text};
 }
 
-Result<Value> call_operator(std::string_view name, std::vector<Value> arguments, const Monitor& monitor) {
+Result<Value> call_operator(std::string_view name, const std::vector<Value>& arguments, const Monitor& monitor) {
   Surroundings surroundings(monitor);
   ASSIGN_OR_RETURN(Outcome outcome, outcome_of(name, arguments, surroundings.context));
   auto& result = std::get<Value>(outcome);
@@ -42,7 +46,7 @@ Result<Value> call_operator(std::string_view name, std::vector<Value> arguments,
   return std::move(result);
 }
 
-Result<std::vector<Value>> call_for_values(std::string_view name, std::vector<Value> arguments,
+Result<std::vector<Value>> call_for_values(std::string_view name, const std::vector<Value>& arguments,
                                            const Monitor& monitor) {
   Surroundings surroundings(monitor);
   ASSIGN_OR_RETURN(Outcome outcome, outcome_of(name, arguments, surroundings.context));
@@ -76,3 +80,5 @@ Result<Plane3d> plane_through(const Vec3& point, const Vec3& normal) {
 }
 
 }  // namespace algebra3d::detail
+
+// NOLINTEND(clang-analyzer-cplusplus.NewDeleteLeaks,clang-analyzer-cplusplus.NewDelete)

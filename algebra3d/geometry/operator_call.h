@@ -31,14 +31,15 @@ struct Surroundings {
 };
 
 /// The result of the operator of that name. Errors: its own; invalid_value with the reasons if it is undefined.
-Result<Value> call_operator(std::string_view name, std::vector<Value> arguments, const Monitor& monitor);
+Result<Value> call_operator(std::string_view name, const std::vector<Value>& arguments, const Monitor& monitor);
 /// The elements of the stream that the operator gives.
-Result<std::vector<Value>> call_for_values(std::string_view name, std::vector<Value> arguments, const Monitor& monitor);
+Result<std::vector<Value>> call_for_values(std::string_view name, const std::vector<Value>& arguments,
+                                           const Monitor& monitor);
 
 /// `T` is the class of the result's type.
 template <typename T>
-Result<T> call(std::string_view name, std::vector<Value> arguments, const Monitor& monitor = {}) {
-  ASSIGN_OR_RETURN(const Value result, call_operator(name, std::move(arguments), monitor));
+Result<T> call(std::string_view name, const std::vector<Value>& arguments, const Monitor& monitor = {}) {
+  ASSIGN_OR_RETURN(const Value result, call_operator(name, arguments, monitor));
   return result.get<T>();
 }
 

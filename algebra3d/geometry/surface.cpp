@@ -10,6 +10,9 @@
 #include "algebra3d/operators/solid_sets.h"
 #include "algebra3d/types/codec.h"
 
+// The analyzer does not follow how many values share an object.
+// NOLINTBEGIN(clang-analyzer-cplusplus.NewDeleteLeaks,clang-analyzer-cplusplus.NewDelete)
+
 namespace algebra3d {
 namespace {
 
@@ -146,3 +149,5 @@ std::ostream& operator<<(std::ostream& out, const Surface& surface) {
 }
 
 }  // namespace algebra3d
+
+// NOLINTEND(clang-analyzer-cplusplus.NewDeleteLeaks,clang-analyzer-cplusplus.NewDelete)

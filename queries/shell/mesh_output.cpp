@@ -115,7 +115,7 @@ Result<MeshFileForm> form_of(const MeshOutput& output) {
 }
 
 std::string form_text(const MeshFileForm& form) {
-  const std::string name(name_of(form.format));
+  std::string name(name_of(form.format));
   if (form.format == MeshFormat::obj) return name;
   return name + (form.encoding == stl::Format::binary ? ", binary" : ", ASCII");
 }
