@@ -43,6 +43,8 @@ std::optional<MeshFormat> format_of_text(std::string_view bytes) {
   return std::nullopt;
 }
 
+}  // namespace
+
 std::optional<MeshFormat> format_of_name(std::string_view file_name) {
   std::string ending = std::filesystem::path(file_name).extension().string();
   for (char& c : ending)
@@ -52,8 +54,6 @@ std::optional<MeshFormat> format_of_name(std::string_view file_name) {
   if (ending == ".off") return MeshFormat::off;
   return std::nullopt;
 }
-
-}  // namespace
 
 std::string_view name_of(MeshFormat format) {
   return format == MeshFormat::stl ? "STL" : format == MeshFormat::obj ? "OBJ" : "OFF";

@@ -14,6 +14,9 @@ enum class MeshFormat { stl, obj, off };
 /// "STL", "OBJ" or "OFF".
 std::string_view name_of(MeshFormat format);
 
+/// The format that the ending of a file's name says, in any case: .stl, .obj or .off.
+std::optional<MeshFormat> format_of_name(std::string_view file_name);
+
 /// The format that a content has without doubt, whatever the name of its file; see the first rule of
 /// `detect_mesh_format`. Cost: constant but for the comments.
 std::optional<MeshFormat> format_of_content(std::string_view bytes);

@@ -22,6 +22,7 @@ class Monitor {
       : cancel_(cancel), report_(report) {}
 
   const std::atomic<bool>* cancel() const { return cancel_; }
+  const Report* report() const { return report_; }
   bool is_cancelled() const { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
   /// The error `interrupted` once the host has asked to stop.
   Status check() const {

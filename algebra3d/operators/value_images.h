@@ -11,8 +11,7 @@ namespace algebra3d {
 
 // Images of values under affine maps, rounded by the rule of language.md 7.3:
 // - A value of doubles: each coordinate of the image is rounded once. Where that would break a surface, solid or
-// region,
-//   the exact image is kept and a diagnostic says so.
+//   region, the exact image is kept and a diagnostic says so.
 // - A value that holds a coordinate which is no double: the exact image, if the matrix of the map is dyadic
 //   (AffineMap::has_dyadic_matrix); else rounded like a value of doubles. Of a set each point is such a value.
 // Undefined if a coordinate of the image is beyond the range of doubles, and for a surface, solid or region under a map

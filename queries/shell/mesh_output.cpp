@@ -30,11 +30,7 @@ using stl::MeshFormat;
 namespace {
 
 Result<MeshFormat> format_by_ending(const std::string& file) {
-  std::string ending = std::filesystem::path(file).extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (ending == ".stl") return MeshFormat::stl;
-  if (ending == ".obj") return MeshFormat::obj;
-  if (ending == ".off") return MeshFormat::off;
+  if (const auto format = stl::format_of_name(file)) return *format;
   return Error{ErrorCode::wrong_usage, "{}: the ending says which format to write; expected .stl, .obj or .off", file};
 }
 
@@ -119,7 +115,7 @@ Result<MeshFileForm> form_of(const MeshOutput& output) {
 }
 
 std::string form_text(const MeshFileForm& form) {
-  const std::string name(name_of(form.format));
+  std::string name(name_of(form.format));
   if (form.format == MeshFormat::obj) return name;
   return name + (form.encoding == stl::Format::binary ? ", binary" : ", ASCII");
 }

@@ -43,7 +43,7 @@ bool lock_out_others(int descriptor) {
 // half of one.
 Status create_database_file(const fs::path& file, bool replaces_empty) {
   ASSIGN_OR_RETURN(DatabaseDraft draft, DatabaseDraft::create(file, kNewEnding));
-  const Status status = draft.publish(replaces_empty);
+  Status status = draft.publish(replaces_empty);
   if (status || status.error().code == ErrorCode::database_exists) return {};
   return status;
 }

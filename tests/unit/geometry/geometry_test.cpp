@@ -1,0 +1,152 @@
+#include <filesystem>
+#include <sstream>
+#include <unordered_set>
+
+#include <gtest/gtest.h>
+
+#include "algebra3d/geometry/box_index.h"
+#include "algebra3d/geometry/mesh_files.h"
+#include "algebra3d/geometry/solid.h"
+#include "algebra3d/geometry/surface.h"
+
+namespace algebra3d {
+namespace {
+
+const std::vector<Vec3> kCorners{{0, 0, 0}, {6, 0, 0}, {0, 6, 0}, {0, 0, 6}};
+const std::vector<std::array<std::uint32_t, 3>> kTetrahedron{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+
+Solid box(double low, double high) {
+  return *Solid::box({low, low, low}, {high, high, high});
+}
+
+TEST(Solid, measures_of_a_tetrahedron) {
+  const Solid solid = *Solid::of_triangles(kCorners, kTetrahedron);
+  EXPECT_EQ(solid.triangle_count(), 4U);
+  EXPECT_EQ(solid.point_count(), 4U);
+  EXPECT_EQ(solid.volume(), 36);
+  EXPECT_EQ(solid.exact_volume(), "36");
+  EXPECT_EQ(*solid.centroid(), (Vec3{1.5, 1.5, 1.5}));
+  EXPECT_EQ(solid.box(), (Box3{{0, 0, 0}, {6, 6, 6}}));
+  EXPECT_FALSE(solid.has_fractions());
+}
+
+TEST(Solid, what_bounds_none_is_an_error) {
+  const auto open = Solid::of_triangles(kCorners, std::span(kTetrahedron).first(3));
+  ASSERT_FALSE(open.ok());
+  EXPECT_EQ(open.error().code, ErrorCode::invalid_value);
+  EXPECT_NE(open.error().message.find("boundary edges"), std::string::npos) << open.error().message;
+  const std::vector<std::array<std::uint32_t, 3>> wrong{{0, 1, 4}};
+  EXPECT_EQ(Solid::of_triangles(kCorners, wrong).error().message,
+            "triangle 0: there is no point 4; there are 4, numbered from 0");
+  EXPECT_EQ(Solid::box({0, 0, 0}, {1, 0, 1}).error().code, ErrorCode::invalid_value);
+  EXPECT_EQ(Solid::box({0, 0, 0}, {Box3::kInfinity, 1, 1}).error().code, ErrorCode::invalid_value);
+}
+
+TEST(Solid, set_operations_obey_the_laws) {
+  const Solid a = box(0, 2), b = box(1, 3);
+  const Solid both = *intersect(a, b), either = *unite(a, b);
+  EXPECT_EQ(both, box(1, 2));
+  EXPECT_EQ(either.volume(), 15);
+  EXPECT_EQ(*unite(*subtract(a, b), both), a);
+  EXPECT_EQ(*symmetric_difference(a, b), *subtract(either, both));
+  EXPECT_EQ(*unite(std::vector{a, b, both}), either);
+  EXPECT_EQ(intersect(std::span<const Solid>()).error().code, ErrorCode::wrong_usage);
+  EXPECT_TRUE(unite(std::span<const Solid>())->is_empty());
+}
+
+TEST(Solid, is_equal_ordered_and_hashed_by_its_points) {
+  const Solid whole = box(0, 2);
+  const Solid halves = *unite(*Solid::box({0, 0, 0}, {1, 2, 2}), *Solid::box({1, 0, 0}, {2, 2, 2}));
+  EXPECT_EQ(whole, halves);
+  EXPECT_EQ(whole.hash(), halves.hash());
+  EXPECT_NE(whole, box(0, 1));
+  EXPECT_TRUE((whole < box(0, 1)) != (box(0, 1) < whole));
+  EXPECT_EQ((std::unordered_set<Solid>{whole, halves, box(0, 1)}).size(), 2U);
+}
+
+TEST(Solid, goes_through_bytes_and_text_unchanged) {
+  const Solid turned = *box(0, 2).rotated({0, 0, 0}, {1, 2, 3}, 30);
+  const Solid cut = *intersect(turned, box(-1, 1));
+  EXPECT_TRUE(cut.has_fractions());
+  EXPECT_EQ(*Solid::of_bytes(cut.bytes()), cut);
+  EXPECT_EQ(*Solid::of_text(cut.text()), cut);
+  std::ostringstream out;
+  out << cut;
+  EXPECT_EQ(out.str(), cut.text());
+  EXPECT_EQ(Solid::of_bytes("nothing").error().code, ErrorCode::database_corrupt);
+  EXPECT_FALSE(Solid::of_text("((").ok());
+  EXPECT_FALSE(cut.rounded()->has_fractions());
+}
+
+TEST(Solid, motions) {
+  const Solid unit = box(0, 1);
+  EXPECT_EQ(*unit.translated({2, 2, 2}), box(2, 3));
+  EXPECT_EQ(*unit.scaled({0, 0, 0}, {3, 3, 3}), box(0, 3));
+  EXPECT_EQ(*unit.mirrored({0, 0, 0}, {1, 0, 0}), *Solid::box({-1, 0, 0}, {0, 1, 1}));
+  EXPECT_EQ(*unit.rotated({0, 0, 0}, {0, 0, 1}, 90), *Solid::box({-1, 0, 0}, {0, 1, 1}));
+  EXPECT_EQ(unit.rotated({0, 0, 0}, {0, 0, 0}, 90).error().message, "rotate: the axis is the zero vector");
+  EXPECT_EQ(unit.scaled({0, 0, 0}, {1, 0, 1}).error().code, ErrorCode::invalid_value);
+}
+
+TEST(Solid, parts) {
+  const SplitSolid parts = *split(box(0, 2), {0, 0, 0.5}, {0, 0, 1});
+  EXPECT_EQ(parts.in_front.volume(), 6);
+  EXPECT_EQ(parts.behind.volume(), 2);
+  const auto bodies = unite(box(0, 1), box(5, 6))->components();
+  EXPECT_EQ(std::unordered_set<Solid>(bodies->begin(), bodies->end()),
+            (std::unordered_set<Solid>{box(0, 1), box(5, 6)}));
+}
+
+TEST(Solid, work_that_is_cancelled_is_an_error) {
+  const std::atomic<bool> cancel = true;
+  EXPECT_EQ(unite(*Solid::sphere({0, 0, 0}, 1, 200), *Solid::sphere({1, 0, 0}, 1, 200), &cancel).error().code,
+            ErrorCode::interrupted);
+}
+
+TEST(Surface, of_a_solid_and_of_triangles) {
+  const Surface shell = boundary(box(0, 1));
+  EXPECT_EQ(shell.area(), 6);
+  EXPECT_EQ(section(box(0, 2), {0, 0, 1}, {0, 0, 1})->area(), 4);
+  const Surface triangle = *Surface::of_triangles(kCorners, std::span(kTetrahedron).first(1));
+  EXPECT_EQ(triangle.area(), 18);
+  EXPECT_EQ(*Surface::of_bytes(triangle.bytes()), triangle);
+  EXPECT_EQ(*intersect(triangle, triangle), triangle);
+  EXPECT_TRUE(subtract(triangle, triangle)->is_empty());
+}
+
+TEST(MeshFiles, are_written_and_read_again) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "geometry_test";
+  std::filesystem::create_directories(folder);
+  for (const char* name : {"part.stl", "part.OBJ", "part.off"}) {
+    const Status written = write_solid(box(0, 2), folder / name);
+    ASSERT_TRUE(written.ok()) << written.error().message;
+    const ReadSolid read = *read_solid(folder / name);
+    EXPECT_EQ(read.status, "ok");
+    EXPECT_EQ(read.solid, box(0, 2));
+    EXPECT_EQ(read_surface(folder / name)->area(), 24);
+  }
+  EXPECT_EQ(write_solid(box(0, 2), folder / "part.ply").error().code, ErrorCode::wrong_usage);
+  EXPECT_EQ(read_solid(folder / "part.stl", "cracks=many").error().code, ErrorCode::invalid_value);
+  EXPECT_FALSE(read_solid(folder / "none.stl")->solid.has_value());
+  std::filesystem::remove_all(folder);
+}
+
+TEST(BoxIndex, finds_what_meets_and_what_is_near) {
+  std::vector<Box3> boxes;
+  for (int i = 0; i < 100; ++i) boxes.push_back({{2.0 * i, 0, 0}, {2.0 * i + 1, 1, 1}});
+  BoxIndex index(boxes);
+  EXPECT_EQ(index.size(), 100U);
+  EXPECT_EQ(index.meeting({{3, 0, 0}, {4, 1, 1}}).size(), 2U);
+  const auto near = index.nearest(Box3::of({-1, 0, 0}), 2);
+  ASSERT_EQ(near.size(), 2U);
+  EXPECT_EQ(near[1].number, 1U);
+  EXPECT_EQ(near[1].distance, 3);
+  EXPECT_TRUE(index.meeting_pairs().empty());
+  EXPECT_TRUE(index.insert({{0.5, 0, 0}, {2.5, 1, 1}}, 100));
+  EXPECT_EQ(index.meeting_pairs().size(), 2U);
+  EXPECT_TRUE(index.erase({{0.5, 0, 0}, {2.5, 1, 1}}, 100));
+  EXPECT_EQ(index.meeting_pairs(BoxIndex(boxes)).size(), 100U);
+}
+
+}  // namespace
+}  // namespace algebra3d
