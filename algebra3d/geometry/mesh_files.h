@@ -11,14 +11,14 @@
 
 namespace algebra3d {
 
-/// What was read from a mesh file: STL, OBJ or OFF, as its content and its name say.
+/// The outcome of reading a mesh file as a solid. The format (STL, OBJ or OFF) follows from content and name.
 struct ReadSolid {
   std::optional<Solid> solid;
   /// One line for people: `ok`, `repaired: ...` with what was changed, left out and added, or why there is no solid.
   std::string status;
-  /// What was tolerated in the file, one sentence each.
+  /// Irregularities of the file that were tolerated, one sentence each.
   std::vector<std::string> remarks;
-  // Of a repair; none where there is nothing to say.
+  // Amounts of the repair; without a value if they were not measured.
   std::optional<double> area_dropped;      ///< of the facets of the file, outside the solid
   std::optional<double> area_added;        ///< of the solid, where the file has no facet
   std::optional<double> dropped_distance;  ///< no point that was left out is farther from the solid

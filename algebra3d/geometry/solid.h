@@ -47,7 +47,7 @@ class Solid {
   static Result<Solid> of_triangles(std::span<const Vec3> points,
                                     std::span<const std::array<std::uint32_t, 3>> triangles,
                                     const Monitor& monitor = {});
-  /// What `bytes` or `text` gave. Errors: database_corrupt, database_version; invalid_value.
+  /// The solid that `bytes` or `text` was called on. Errors: database_corrupt, database_version; invalid_value.
   static Result<Solid> of_bytes(std::string_view bytes);
   static Result<Solid> of_text(std::string_view text);
 
@@ -60,7 +60,7 @@ class Solid {
   double volume() const;
   /// The exact volume as `p` or `p/q`.
   std::string exact_volume() const;
-  /// Of the boundary, cavities included; the relative error is below 2^-52. Cost: linear.
+  /// The area of the boundary, cavities included; the relative error is below 2^-52. Cost: linear.
   double area() const;
   /// Errors: invalid_value for the empty solid. Cost: linear.
   Result<Vec3> centroid() const;
@@ -104,7 +104,7 @@ class Solid {
 Result<Solid> unite(const Solid& a, const Solid& b, const Monitor& monitor = {});
 Result<Solid> unite(std::span<const Solid> solids, const Monitor& monitor = {});
 Result<Solid> intersect(const Solid& a, const Solid& b, const Monitor& monitor = {});
-/// Of at least one solid. Errors: also wrong_usage for none.
+/// The common part of one or more solids. Errors: also wrong_usage for none.
 Result<Solid> intersect(std::span<const Solid> solids, const Monitor& monitor = {});
 Result<Solid> subtract(const Solid& a, const Solid& b, const Monitor& monitor = {});
 Result<Solid> symmetric_difference(const Solid& a, const Solid& b, const Monitor& monitor = {});
