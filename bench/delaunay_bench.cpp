@@ -150,7 +150,7 @@ Polygons saws(std::int64_t corners) {
   return shapes::polygons_of(faces);
 }
 
-#define PEERS(shape)                                                                                   \
+#define ALGEBRA3D_PEERS(shape)                                                                         \
   void shape##_ours(benchmark::State& state) {                                                         \
     ours(state, shape(state.range(0)));                                                                \
   }                                                                                                    \
@@ -169,11 +169,11 @@ void shaken_maze_noded_boundary(benchmark::State& state) {
 BENCHMARK(shaken_maze_defect)->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
 BENCHMARK(shaken_maze_noded_boundary)->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
 
-PEERS(shaken_maze);
-PEERS(maze);
-PEERS(snowflake);
-PEERS(rings);
-PEERS(comb);
-PEERS(saws);
+ALGEBRA3D_PEERS(shaken_maze);
+ALGEBRA3D_PEERS(maze);
+ALGEBRA3D_PEERS(snowflake);
+ALGEBRA3D_PEERS(rings);
+ALGEBRA3D_PEERS(comb);
+ALGEBRA3D_PEERS(saws);
 
 }  // namespace

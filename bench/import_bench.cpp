@@ -14,8 +14,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "algebra3d/operators/import_solid.h"
-#include "algebra3d/repair/weld.h"
+#include "algebra3d/formats/import_solid.h"
+#include "algebra3d/soup/weld.h"
 #include "import_files.h"
 #include "import_peers.h"
 

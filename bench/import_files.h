@@ -13,11 +13,13 @@
 
 #include <unistd.h>
 
+#include "algebra3d/base/box_corners.h"
 #include "algebra3d/base/polygon_soup.h"
 #include "algebra3d/base/triangle_soup.h"
-#include "stl/obj_writer.h"
-#include "stl/off_writer.h"
-#include "stl/stl_writer.h"
+#include "mesh_files/obj/obj_writer.h"
+#include "mesh_files/off/off_writer.h"
+#include "mesh_files/stl/stl_writer.h"
+#include "removed_file.h"
 
 /// Mesh files for import_bench: a knobbly torus, clean or with defects at places that are spread over it evenly.
 namespace bench {
@@ -92,23 +94,10 @@ inline PolygonSoup Torus::polygons() const {
 }
 
 inline void add_cube(TriangleSoup& soup, const Vec3& middle, double size) {
-  std::array<Vec3, 8> p;
-  for (unsigned i = 0; i < 8; ++i)
-    p[i] = as_floats(
-        middle + (size / 2) * Vec3{(i & 1U) != 0 ? 1.0 : -1.0, (i & 2U) != 0 ? 1.0 : -1.0, (i & 4U) != 0 ? 1.0 : -1.0});
-  constexpr std::array<std::array<std::uint8_t, 3>, 12> kFaces{{{0, 2, 3},
-                                                                {0, 3, 1},
-                                                                {4, 5, 7},
-                                                                {4, 7, 6},
-                                                                {0, 1, 5},
-                                                                {0, 5, 4},
-                                                                {2, 6, 7},
-                                                                {2, 7, 3},
-                                                                {0, 4, 6},
-                                                                {0, 6, 2},
-                                                                {1, 3, 7},
-                                                                {1, 7, 5}}};
-  for (const auto& [a, b, c] : kFaces) soup.triangles.push_back({p[a], p[b], p[c]});
+  const Vec3 half{size / 2, size / 2, size / 2};
+  const algebra3d::Box3 box{middle - half, middle + half};
+  const auto corner = [&](unsigned i) { return as_floats(algebra3d::corner_of(box, i)); };
+  for (const auto& [a, b, c] : algebra3d::kBoxTriangles) soup.triangles.push_back({corner(a), corner(b), corner(c)});
 }
 
 /// The triangles of a square with a defect that is no hole.
@@ -148,28 +137,21 @@ inline TriangleSoup faulty_torus(std::uint32_t steps, Defect defect, std::uint32
   return soup;
 }
 
-/// A file that is removed at the end.
-class TemporaryFile {
+/// A file of one format.
+class TemporaryFile : public RemovedFile {
  public:
   /// Of a clean torus.
-  TemporaryFile(Format format, std::uint32_t steps) : path_(path_for(format)) {
+  TemporaryFile(Format format, std::uint32_t steps) : RemovedFile(path_for(format)) {
     const Torus torus(steps);
-    if (format == Format::obj) is_written_ = stl::write_obj_file(path_, torus.polygons(), "torus").ok();
-    if (format == Format::off) is_written_ = stl::write_off_file(path_, torus.polygons(), stl::Format::ascii).ok();
+    if (format == Format::obj) set_written(mesh_files::write_obj_file(path(), torus.polygons(), "torus").ok());
+    if (format == Format::off)
+      set_written(mesh_files::write_off_file(path(), torus.polygons(), mesh_files::Encoding::ascii).ok());
     if (format == Format::stl || format == Format::ascii_stl) write_stl(format, faulty_torus(steps, Defect::all, 0));
   }
   /// Of triangles, as binary STL.
-  explicit TemporaryFile(const TriangleSoup& soup) : path_(path_for(Format::stl)) { write_stl(Format::stl, soup); }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  ~TemporaryFile() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
+  explicit TemporaryFile(const TriangleSoup& soup) : RemovedFile(path_for(Format::stl)) {
+    write_stl(Format::stl, soup);
   }
-
-  const std::filesystem::path& path() const { return path_; }
-  bool is_written() const { return is_written_; }
-  std::int64_t bytes() const { return static_cast<std::int64_t>(std::filesystem::file_size(path_)); }
 
  private:
   static std::filesystem::path path_for(Format format) {
@@ -177,12 +159,9 @@ class TemporaryFile {
     return std::filesystem::temp_directory_path() / ("import_bench_" + std::to_string(getpid()) + ending);
   }
   void write_stl(Format format, const TriangleSoup& soup) {
-    const auto form = format == Format::ascii_stl ? stl::Format::ascii : stl::Format::binary;
-    is_written_ = stl::write_stl_file(path_, soup, "torus", form).ok();
+    const auto form = format == Format::ascii_stl ? mesh_files::Encoding::ascii : mesh_files::Encoding::binary;
+    set_written(mesh_files::write_stl_file(path(), soup, "torus", form).ok());
   }
-
-  std::filesystem::path path_;
-  bool is_written_ = false;
 };
 
 }  // namespace bench

@@ -18,12 +18,13 @@
 
 #include <benchmark/benchmark.h>
 
-#include "stl/obj_reader.h"
-#include "stl/obj_writer.h"
-#include "stl/off_reader.h"
-#include "stl/off_writer.h"
-#include "stl/stl_reader.h"
-#include "stl/stl_writer.h"
+#include "mesh_files/obj/obj_reader.h"
+#include "mesh_files/obj/obj_writer.h"
+#include "mesh_files/off/off_reader.h"
+#include "mesh_files/off/off_writer.h"
+#include "mesh_files/stl/stl_reader.h"
+#include "mesh_files/stl/stl_writer.h"
+#include "removed_file.h"
 
 namespace {
 
@@ -93,16 +94,16 @@ bool write_stl_with_decimals(const std::filesystem::path& path, const algebra3d:
 bool write_stl_with_all_digits(const std::filesystem::path& path, const algebra3d::PolygonSoup& soup) {
   algebra3d::TriangleSoup triangles;
   for (std::size_t i = 0; i < soup.face_count(); ++i) triangles.triangles.push_back(triangle_of(soup, i));
-  return stl::write_stl_file(path, triangles, "torus", stl::Format::ascii).ok();
+  return mesh_files::write_stl_file(path, triangles, "torus", mesh_files::Encoding::ascii).ok();
 }
 
 bool write(FileKind kind, const std::filesystem::path& path, const algebra3d::PolygonSoup& soup) {
   if (kind == FileKind::stl) return write_stl_with_decimals(path, soup);
   if (kind == FileKind::stl_all_digits) return write_stl_with_all_digits(path, soup);
-  if (kind == FileKind::obj) return stl::write_obj_file(path, soup, "torus").ok();
+  if (kind == FileKind::obj) return mesh_files::write_obj_file(path, soup, "torus").ok();
   if (kind == FileKind::obj_with_attributes) return write_with_attributes(path, soup);
-  const auto format = kind == FileKind::off ? stl::Format::ascii : stl::Format::binary;
-  return stl::write_off_file(path, soup, format).ok();
+  const auto format = kind == FileKind::off ? mesh_files::Encoding::ascii : mesh_files::Encoding::binary;
+  return mesh_files::write_off_file(path, soup, format).ok();
 }
 
 bool is_stl(FileKind kind) {
@@ -113,37 +114,24 @@ bool is_obj(FileKind kind) {
   return kind == FileKind::obj || kind == FileKind::obj_with_attributes;
 }
 
-/// A place for one file, which is removed at the end.
-class TorusFile {
+/// The torus in a file.
+class TorusFile : public RemovedFile {
  public:
   explicit TorusFile(FileKind kind)
-      : path_(std::filesystem::temp_directory_path() / (is_stl(kind)   ? "mesh_files.stl"
-                                                        : is_obj(kind) ? "mesh_files.obj"
-                                                                       : "mesh_files.off")),
-        is_written_(write(kind, path_, torus())) {}
-  TorusFile(const TorusFile&) = delete;
-  TorusFile& operator=(const TorusFile&) = delete;
-  ~TorusFile() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
+      : RemovedFile(std::filesystem::temp_directory_path() / (is_stl(kind)   ? "mesh_files.stl"
+                                                              : is_obj(kind) ? "mesh_files.obj"
+                                                                             : "mesh_files.off")) {
+    set_written(write(kind, path(), torus()));
   }
-
-  const std::filesystem::path& path() const { return path_; }
-  bool is_written() const { return is_written_; }
-  std::int64_t bytes() const { return static_cast<std::int64_t>(std::filesystem::file_size(path_)); }
-
- private:
-  std::filesystem::path path_;
-  bool is_written_;
 };
 
 /// The number of faces that we read, 0 for an error.
 std::size_t faces_read(FileKind kind, const std::filesystem::path& path) {
   if (is_stl(kind)) {
-    const auto read = stl::read_stl_file(path);
+    const auto read = mesh_files::read_stl_file(path);
     return read ? read->soup.triangles.size() : 0;
   }
-  const auto read = is_obj(kind) ? stl::read_obj_file(path) : stl::read_off_file(path);
+  const auto read = is_obj(kind) ? mesh_files::read_obj_file(path) : mesh_files::read_off_file(path);
   return read ? read->soup.face_count() : 0;
 }
 

@@ -137,13 +137,13 @@ void cgal_epick_triangles(benchmark::State& state) {
   report(state);
 }
 
-#define FOR_EACH_INPUT(function) \
+#define ALGEBRA3D_FOR_EACH_INPUT(function) \
   BENCHMARK(function)->ArgName("input")->Arg(random_doubles)->Arg(coplanar_integers)->Arg(coplanar_floats)
-FOR_EACH_INPUT(ours);
-FOR_EACH_INPUT(ours_by_reference);
-FOR_EACH_INPUT(cgal_epick);
-FOR_EACH_INPUT(ours_rational);
-FOR_EACH_INPUT(cgal_epeck_rational);
+ALGEBRA3D_FOR_EACH_INPUT(ours);
+ALGEBRA3D_FOR_EACH_INPUT(ours_by_reference);
+ALGEBRA3D_FOR_EACH_INPUT(cgal_epick);
+ALGEBRA3D_FOR_EACH_INPUT(ours_rational);
+ALGEBRA3D_FOR_EACH_INPUT(cgal_epeck_rational);
 BENCHMARK(ours_triangles);
 BENCHMARK(cgal_epick_triangles);
 

@@ -21,18 +21,18 @@
 #include <string>
 
 #include "algebra3d/arrangement/arrangement.h"
-#include "algebra3d/arrangement/reduction.h"
+#include "algebra3d/arrangement/divide_and_conquer.h"
 #include "algebra3d/repair/solid_from_soup.h"
+#include "mesh_files/stl/stl_reader.h"
 #include "shapes.h"
-#include "stl/stl_reader.h"
 
 namespace {
 
 using namespace bench;
 using algebra3d::BoxHierarchy;
-using algebra3d::Holding;
 using algebra3d::KeepRule;
 using algebra3d::Operand;
+using algebra3d::WindingVector;
 namespace pmp = CGAL::Polygon_mesh_processing;
 using Inexact = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
@@ -56,10 +56,10 @@ struct Solid {
   Operand operand(std::uint32_t group) const { return {&mesh, group, hierarchy.get()}; }
 };
 
-bool in_any(const Holding& h) {
+bool in_any(const WindingVector& h) {
   return h[0] + h[1] > 0;
 }
-bool in_first_only(const Holding& h) {
+bool in_first_only(const WindingVector& h) {
   return h[0] > 0 && h[1] == 0;
 }
 
@@ -306,7 +306,7 @@ const std::vector<Shape>& models() {
     const char* names = std::getenv("ALGEBRA3D_MODELS");
     std::istringstream list(names != nullptr ? names : "");
     for (std::string name; std::getline(list, name, ':');) {
-      const auto file = stl::read_stl_file(name);
+      const auto file = mesh_files::read_stl_file(name);
       if (!file.ok()) continue;
       const auto solid = algebra3d::solid_from_soup(file->soup);
       if (!solid.ok() || !solid->mesh) continue;

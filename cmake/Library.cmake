@@ -1,32 +1,127 @@
-# What other programs link: the target algebra3d::geometry, in this build and in an installation.
+# What other programs link: the targets algebra3d::geometry and algebra3d::database, in this build, in an installation,
+# and by pkg-config.
 #
-# One archive of all layers up to `geometry`; the headers of that layer and those of `base` that they include are the
-# only ones that are installed. GMP, MPFR, zstd and xxhash are linked, but named in no installed header.
+# A public library is one archive of its layers. Its headers are the only ones that a user sees; libraries that are
+# named in none of them are linked all the same.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(geometry_layers base stl rtree exact halfedge planar validity arrangement repair types registry operators geometry)
-add_library(algebra3d_geometry STATIC)
-add_library(algebra3d::geometry ALIAS algebra3d_geometry)
-foreach(layer ${geometry_layers})
-  target_sources(algebra3d_geometry PRIVATE $<TARGET_OBJECTS:${layer}>)
-endforeach()
-# No source is this target's own.
-set_target_properties(algebra3d_geometry PROPERTIES EXPORT_NAME geometry LINKER_LANGUAGE CXX UNITY_BUILD OFF)
-target_compile_features(algebra3d_geometry PUBLIC cxx_std_20)
-# Inline functions of the headers compute as the library does.
-target_compile_options(algebra3d_geometry INTERFACE ${ALGEBRA3D_ARITHMETIC_FLAGS})
-target_include_directories(algebra3d_geometry PUBLIC $<BUILD_INTERFACE:${CMAKE_BINARY_DIR}/include/base>
-                           $<BUILD_INTERFACE:${CMAKE_BINARY_DIR}/include/geometry> $<INSTALL_INTERFACE:include>)
-target_link_libraries(algebra3d_geometry PUBLIC fmt::fmt mpfr gmp zstd xxhash)
+set(ALGEBRA3D_PACKAGE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/algebra3d)
+configure_file(cmake/version.h.in ${PROJECT_BINARY_DIR}/include/base/algebra3d/version.h)
+configure_file(cmake/version.h.in ${PROJECT_BINARY_DIR}/public/algebra3d/version.h)
 
-install(TARGETS algebra3d_geometry EXPORT algebra3d-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-foreach(header base/error.h base/vec3.h base/box3.h base/monitor.h geometry/solid.h geometry/surface.h
-        geometry/mesh_files.h geometry/box_index.h)
-  cmake_path(GET header PARENT_PATH folder)
-  install(FILES algebra3d/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/algebra3d/${folder})
-endforeach()
-install(EXPORT algebra3d-targets NAMESPACE algebra3d:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/algebra3d)
-write_basic_package_version_file(${CMAKE_BINARY_DIR}/algebra3d-config-version.cmake COMPATIBILITY SameMinorVersion)
-install(FILES cmake/algebra3d-config.cmake ${CMAKE_BINARY_DIR}/algebra3d-config-version.cmake
-        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/algebra3d)
+# add_public_library(NAME [USES library...] HEADERS file...)
+#
+# The library algebra3d::NAME of the layer NAME and those below it, without those of the libraries that it uses. HEADERS
+# are those that its users may include, from the folder algebra3d/ on.
+function(add_public_library name)
+  cmake_parse_arguments(library "" "" "USES;HEADERS" ${ARGN})
+  set(target algebra3d_${name}_library)
+  set(uses ${library_USES})
+  list(TRANSFORM uses REPLACE "(.+)" "algebra3d_\\1_library")
+  get_property(layers GLOBAL PROPERTY ALGEBRA3D_LAYERS_OF_${name})
+  get_property(dependencies GLOBAL PROPERTY ALGEBRA3D_DEPENDENCIES_OF_${name})
+  foreach(used ${library_USES})
+    get_property(below GLOBAL PROPERTY ALGEBRA3D_LAYERS_OF_${used})
+    list(REMOVE_ITEM layers ${below})
+  endforeach()
+
+  add_library(${target} STATIC)
+  add_library(algebra3d::${name} ALIAS ${target})
+  foreach(layer ${layers})
+    get_target_property(kind algebra3d_${layer} TYPE)
+    if(kind STREQUAL STATIC_LIBRARY)
+      target_sources(${target} PRIVATE $<TARGET_OBJECTS:algebra3d_${layer}>)
+    endif()
+  endforeach()
+  # No source is this target's own. The archive of the layer of this name lies elsewhere.
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} OUTPUT_NAME algebra3d_${name} LINKER_LANGUAGE CXX
+                        UNITY_BUILD OFF ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/public)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  # Inline functions of the headers compute as the library does.
+  target_compile_options(${target} INTERFACE "$<$<COMPILE_LANGUAGE:CXX>:${ALGEBRA3D_ARITHMETIC_FLAGS}>")
+  target_include_directories(${target} INTERFACE $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/public>
+                             $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  binary_dependencies(dependencies ${dependencies})
+  link_by_name(${target} PUBLIC ${uses} ${dependencies})
+  set_property(GLOBAL APPEND PROPERTY ALGEBRA3D_PUBLIC_LIBRARIES ${name})
+
+  # A user sees only these, wherever the library comes from.
+  foreach(header ${library_HEADERS})
+    cmake_path(GET header PARENT_PATH folder)
+    file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/public/algebra3d/${folder})
+    file(CREATE_LINK ${PROJECT_SOURCE_DIR}/algebra3d/${header} ${PROJECT_BINARY_DIR}/public/algebra3d/${header} SYMBOLIC)
+    if(ALGEBRA3D_INSTALL)
+      install(FILES algebra3d/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/algebra3d/${folder}
+              COMPONENT development)
+    endif()
+  endforeach()
+  if(ALGEBRA3D_INSTALL)
+    install_public_library(${name} ${target} "${library_USES}" "${dependencies}")
+  endif()
+endfunction()
+
+# Those of the dependencies that a program is linked with.
+function(binary_dependencies result)
+  set(found)
+  foreach(name ${ARGN})
+    algebra3d_dependency_property(module ${name} PKG_CONFIG)
+    if(module)
+      list(APPEND found ${name})
+    endif()
+  endforeach()
+  set(${result} ${found} PARENT_SCOPE)
+endfunction()
+
+function(install_public_library name target uses dependencies)
+  install(TARGETS ${target} EXPORT algebra3d-${name}-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+          COMPONENT development)
+  install(EXPORT algebra3d-${name}-targets NAMESPACE algebra3d:: DESTINATION ${ALGEBRA3D_PACKAGE_FOLDER}
+          COMPONENT development)
+  set(modules)
+  foreach(used ${uses})
+    list(APPEND modules "algebra3d-${used} = ${PROJECT_VERSION}")
+  endforeach()
+  foreach(dependency ${dependencies})
+    algebra3d_dependency_property(module ${dependency} PKG_CONFIG)
+    algebra3d_dependency_property(version ${dependency} VERSION)
+    list(APPEND modules "${module} >= ${version}")
+  endforeach()
+  write_pkg_config_file(algebra3d-${name} "-lalgebra3d_${name}" "${modules}")
+endfunction()
+
+# write_pkg_config_file(NAME "library" "required modules")
+function(write_pkg_config_file name libraries modules)
+  list(JOIN modules ", " modules)
+  list(JOIN ALGEBRA3D_ARITHMETIC_FLAGS " " flags)
+  set(folder ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+  file(RELATIVE_PATH up /${folder} /)  # so that the installed tree may be moved
+  configure_file(cmake/algebra3d.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${folder} COMPONENT development)
+endfunction()
+
+add_public_library(geometry HEADERS
+                   base/error.h base/vec3.h base/box3.h base/monitor.h
+                   geometry/shape.h geometry/solid.h geometry/surface.h geometry/mesh_files.h geometry/box_index.h)
+add_public_library(database USES geometry HEADERS database/database.h database/rows.h database/value.h)
+
+# What find_package(algebra3d) and `pkg-config algebra3d` read.
+if(ALGEBRA3D_INSTALL)
+  get_property(components GLOBAL PROPERTY ALGEBRA3D_PUBLIC_LIBRARIES)
+  set(modules ${components})
+  list(TRANSFORM modules REPLACE "(.+)" "algebra3d-\\1 = ${PROJECT_VERSION}")
+  write_pkg_config_file(algebra3d "" "${modules}")
+  set(component_dependencies "")
+  foreach(name ${components})
+    get_property(dependencies GLOBAL PROPERTY ALGEBRA3D_DEPENDENCIES_OF_${name})
+    binary_dependencies(dependencies ${dependencies})
+    string(APPEND component_dependencies "set(algebra3d_dependencies_of_${name} ${dependencies})\n")
+  endforeach()
+  configure_file(cmake/algebra3d-config.cmake.in ${PROJECT_BINARY_DIR}/algebra3d-config.cmake @ONLY)
+  write_basic_package_version_file(${PROJECT_BINARY_DIR}/algebra3d-config-version.cmake COMPATIBILITY SameMinorVersion)
+  install(FILES cmake/algebra3d-dependencies.cmake ${PROJECT_BINARY_DIR}/algebra3d-config.cmake
+          ${PROJECT_BINARY_DIR}/algebra3d-config-version.cmake DESTINATION ${ALGEBRA3D_PACKAGE_FOLDER}
+          COMPONENT development)
+  install(FILES ${PROJECT_BINARY_DIR}/public/algebra3d/version.h
+          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/algebra3d COMPONENT development)
+endif()

@@ -1,12 +1,17 @@
-# Compiler options of the whole build, and the proof that they keep floating-point arithmetic true.
-
-find_package(fmt REQUIRED)
+# Compiler options of this folder and those below it, and the proof that they keep floating-point arithmetic true. A
+# project that this one is a part of gets none of them; what links the library gets ALGEBRA3D_ARITHMETIC_FLAGS.
 
 # -frounding-math: interval code switches the rounding mode. -ffp-contract=off: no fused operation where the source has
 # two roundings. The predicates' error bounds hold only under both.
 set(ALGEBRA3D_ARITHMETIC_FLAGS -ffp-contract=off -frounding-math -fno-fast-math)
-add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror
-                    -fno-math-errno ${ALGEBRA3D_ARITHMETIC_FLAGS})
+set(warnings)
+if(PROJECT_IS_TOP_LEVEL)
+  set(warnings -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+endif()
+if(ALGEBRA3D_WERROR)
+  list(APPEND warnings -Werror)
+endif()
+add_compile_options(${warnings} -fno-math-errno ${ALGEBRA3D_ARITHMETIC_FLAGS})
 
 # g++ 12 sees overlapping copies in string concatenations (its bug 105651) and uninitialised members in variants where
 # there are none; the sanitizers and clang-tidy look for the real ones.
@@ -26,18 +31,19 @@ if(ALGEBRA3D_SANITIZE)
   add_link_options(-fsanitize=address,undefined)
 endif()
 
-find_program(CCACHE ccache)
-if(CCACHE)
+find_program(ALGEBRA3D_CCACHE ccache)
+mark_as_advanced(ALGEBRA3D_CCACHE)
+if(ALGEBRA3D_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   # The sloppiness lets ccache remember what was compiled with precompiled headers.
-  set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_SLOPPINESS=pch_defines,time_macros ${ALGEBRA3D_CCACHE})
 endif()
 
 # Configure-time proof: a program built with these very flags shows that products are rounded before they are added and
 # that the rounding mode is respected.
 string(JOIN " " arithmetic_flags ${ALGEBRA3D_ARITHMETIC_FLAGS})
 if(NOT DEFINED ALGEBRA3D_ARITHMETIC_IS_TRUE)
-  try_run(arithmetic_result arithmetic_compiled ${CMAKE_BINARY_DIR}/arithmetic_check
-          ${CMAKE_SOURCE_DIR}/cmake/arithmetic_check.cpp
+  try_run(arithmetic_result arithmetic_compiled ${PROJECT_BINARY_DIR}/arithmetic_check
+          ${PROJECT_SOURCE_DIR}/cmake/arithmetic_check.cpp
           CMAKE_FLAGS "-DCMAKE_CXX_FLAGS=${CMAKE_CXX_FLAGS} -O3 ${arithmetic_flags}"
           RUN_OUTPUT_VARIABLE arithmetic_output COMPILE_OUTPUT_VARIABLE arithmetic_compile_output)
   if(NOT arithmetic_compiled OR NOT arithmetic_result EQUAL 0)

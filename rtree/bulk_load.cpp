@@ -2,8 +2,8 @@
 #include <array>
 #include <cassert>
 
-#include "rtree/selection.h"
-#include "rtree/storage.h"
+#include "rtree/detail/selection.h"
+#include "rtree/detail/storage.h"
 
 namespace rtree {
 namespace {

@@ -3,8 +3,8 @@
 #include <cassert>
 #include <optional>
 
-#include "rtree/split.h"
-#include "rtree/storage.h"
+#include "rtree/detail/split.h"
+#include "rtree/detail/storage.h"
 
 namespace rtree {
 namespace {

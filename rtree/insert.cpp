@@ -2,9 +2,9 @@
 #include <array>
 #include <cassert>
 
-#include "rtree/box_size.h"
-#include "rtree/split.h"
-#include "rtree/storage.h"
+#include "rtree/detail/box_size.h"
+#include "rtree/detail/split.h"
+#include "rtree/detail/storage.h"
 
 namespace rtree {
 namespace {

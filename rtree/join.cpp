@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "rtree/cursors.h"
+#include "rtree/detail/cursors.h"
 
 namespace rtree {
 namespace {

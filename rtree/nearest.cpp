@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "rtree/cursors.h"
+#include "rtree/detail/cursors.h"
 
 namespace rtree {
 namespace {

@@ -4,38 +4,36 @@
 #include <string>
 #include <vector>
 
-#include "rtree/cursors.h"
+#include "rtree/detail/cursors.h"
 
 namespace rtree {
 
-/// R-tree in memory over closed boxes in space, each with a payload: std::uint32_t (element of a mesh) or
+/// An R-tree in memory over closed boxes in space, each with a payload: std::uint32_t (element of a mesh) or
 /// std::uint64_t (tuple).
 ///
-/// Touching boxes meet. The same entry may be stored several times. Entries with an empty box are not stored: what
-/// has no box meets nothing. At most 2^32 - 1 entries can be bulk loaded, and 2^32 - 1 nodes stored.
-/// The same operations in the same order give the same results in the same order; a bulk-loaded tree does not depend
-/// on the order of its entries.
-/// A cursor refers to the tree, which must outlive it and must not be changed while it is in use. Const members may
-/// run in parallel.
+/// Touching boxes meet. Equal entries may be stored several times. Entries with an empty box are not stored, since they
+/// meet nothing. At most 2^32 - 1 entries can be bulk loaded, and 2^32 - 1 nodes stored. Deterministic; a bulk-loaded
+/// tree does not depend on the order of its entries. The tree must outlive its cursors and must not be changed while
+/// they are in use. Concurrent calls of const members are safe.
 template <typename Payload>
 class RTree {
  public:
   RTree() = default;
 
-  /// A tree over all `entries` at once: fuller nodes, and faster to build and to search, than one made by inserts.
+  /// Builds a tree over all `entries`: its nodes are fuller, and it is faster to build and to search than by inserts.
   /// Cost: n log n.
   static RTree bulk_load(std::span<const Entry<Payload>> entries);
 
   /// Stores the entry; false if the box is empty. Cost: logarithmic.
   bool insert(const Box3& box, Payload payload);
-  /// Removes one entry of this very box and payload; false if there is none.
-  /// Cost: logarithmic as long as few boxes cover the place.
+  /// Removes one entry with exactly this box and payload; false if there is none. Cost: logarithmic if few boxes
+  /// overlap there.
   bool erase(const Box3& box, Payload payload);
   void clear() { storage_ = {}; }
 
   /// The entries that meet `window`: `for (auto id : tree.window(box))`.
   WindowCursor<Payload> window(const Box3& window) const { return {storage_, window}; }
-  /// The entries by growing distance from `box`, equal distances by payload; no more than `limit`.
+  /// At most `limit` entries by ascending distance from `box`, then by payload.
   NearestCursor<Payload> nearest(const Box3& box, std::size_t limit = SIZE_MAX) const { return {storage_, box, limit}; }
   /// The pairs of an entry of this tree and an entry of `other` that meet.
   JoinCursor<Payload> join(const RTree& other) const { return {storage_, other.storage_}; }
@@ -46,7 +44,7 @@ class RTree {
   bool empty() const { return size() == 0; }
   /// Smallest box around all entries.
   Box3 bounds() const;
-  /// Bytes on the heap, reserved ones included.
+  /// Bytes on the heap, with unused capacity.
   std::size_t heap_bytes() const;
 
   /// The nodes, for `audit`.
@@ -65,10 +63,10 @@ void for_each_pair(const RTree<Payload>& tree, Visit visit) {
     for (const auto& [first, second] : batch) visit(first, second);
 }
 
-/// Every violated invariant of Storage, in words; empty if all is well. Cost: linear.
+/// Lists every violated invariant of Storage; empty if all hold. Cost: linear.
 template <typename Payload>
 std::vector<std::string> audit(const RTree<Payload>& tree);
-/// The same on bare nodes.
+/// The same for a Storage.
 template <typename Payload>
 std::vector<std::string> audit(const Storage<Payload>& storage);
 

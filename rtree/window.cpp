@@ -1,4 +1,4 @@
-#include "rtree/cursors.h"
+#include "rtree/detail/cursors.h"
 
 namespace rtree {
 

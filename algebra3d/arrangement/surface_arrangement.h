@@ -1,26 +1,32 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
-#include "algebra3d/arrangement/arrangement.h"
+#include "algebra3d/arrangement/operand.h"
+#include "algebra3d/base/error.h"
+#include "algebra3d/base/monitor.h"
 
 namespace algebra3d {
 
-/// What a set operation on two surfaces keeps.
+/// The parts that a set operation on two surfaces keeps: those that either, both, only the first, or exactly one of
+/// them covers.
 enum class SurfaceRule : std::uint8_t { either, both, first_only, exactly_one };
 
-/// The set operation on two surfaces: their triangles are divided at one another, and the pieces that the rule names
-/// are kept, each once: `both` means pieces of planes that both cover. Where both cover a piece, it is turned as in the
-/// first. Edges in which kept pieces of several planes meet are edges of the result; pieces of one plane that nothing
-/// parts are brought together where the surfaces touch. No orientation is assumed, boundaries and edges with any number
-/// of faces are allowed; groups of the operands mean nothing.
-/// The result is a valid surface. Exactness: exact, for all valid operands. Errors: interrupted; limit_exceeded beyond
-/// TriangleMesh::kMaxFaces. Cost: near-linear where the surfaces meet, linear elsewhere.
+/// The set operation on two surfaces: their triangles are divided at one another, and the parts that the rule names are
+/// kept, each once. `both` keeps where the two lie upon each other in a plane, not lines in which they cross. A part
+/// that both cover is oriented as in the first one. Edges in which kept parts of several planes meet are edges of the
+/// result; parts of one plane that nothing divides are merged where the surfaces touch. No orientation is assumed;
+/// boundaries and edges with any number of faces are allowed; groups of the operands mean nothing. The result is a
+/// valid surface. Runs stages 0 to 7 and 9 of docs/set-operations.md.
+/// Exactness: exact, for all valid operands. Errors: interrupted; limit_exceeded beyond TriangleMesh::kMaxFaces faces;
+/// internal if operands are not valid, as far as that is noticed. Cost: near-linear where the surfaces meet, linear
+/// elsewhere.
 Result<TriangleMesh> combine_surfaces(const Operand& first, const Operand& second, SurfaceRule rule,
                                       const Monitor& monitor = {});
 
-/// All triangles of any number of surfaces, divided at one another as above, what several cover once: turned as in the
-/// first of them. Of the options, the limits count. Errors: besides those above, limit_exceeded beyond them.
+/// The union of any number of surfaces, as above. A part that several cover is oriented as in the first of them. Only
+/// the limits of `limits` are used. Errors: also limit_exceeded beyond them.
 Result<TriangleMesh> unite_surfaces(std::span<const Operand> surfaces, const Monitor& monitor = {},
                                     const ArrangementOptions& limits = {});
 

@@ -6,9 +6,8 @@
 
 namespace algebra3d {
 
-/// Axis-parallel closed box; the only box type. Touching counts as intersecting.
-/// The default box is empty (min above max on every axis), the neutral element of `unite`.
-/// Where a box encloses exact coordinates, its maker rounds it outward.
+/// A closed axis-parallel box. Touching counts as intersecting. The default box is empty (min above max on every axis)
+/// and is the neutral element of `unite`. Boxes around exact coordinates are rounded outward.
 struct Box3 {
   Vec3 min{kInfinity, kInfinity, kInfinity};
   Vec3 max{-kInfinity, -kInfinity, -kInfinity};
@@ -25,7 +24,7 @@ struct Box3 {
   bool contains(const Vec3& p) const {
     return min.x <= p.x && p.x <= max.x && min.y <= p.y && p.y <= max.y && min.z <= p.z && p.z <= max.z;
   }
-  /// True if every point of `other` lies in this box; an empty box lies in every box.
+  /// True if this box contains every point of `other`; every box contains the empty box.
   bool contains(const Box3& other) const { return other.is_empty() || (contains(other.min) && contains(other.max)); }
 
   void extend(const Vec3& point);
@@ -36,11 +35,11 @@ struct Box3 {
 
 /// Smallest box around both.
 Box3 unite(const Box3& a, const Box3& b);
-/// Common part; empty if they do not meet.
+/// Intersection; empty if they do not meet.
 Box3 intersect(const Box3& a, const Box3& b);
 /// Smallest Euclidean distance between points of the boxes; 0 if they meet. Both must not be empty. Rounded.
 double distance(const Box3& a, const Box3& b);
-/// Square of `distance`, without the root: for ordering.
+/// Square of `distance`, for comparisons.
 double squared_distance(const Box3& a, const Box3& b);
 
 }  // namespace algebra3d

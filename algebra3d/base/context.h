@@ -9,27 +9,30 @@
 
 namespace algebra3d {
 
-class WorkMemory;  // work_memory.h
+class FailedCalls;  // registry/failed_calls.h
+class WorkMemory;   // work_memory.h
 
-/// What a running operator may use of its surroundings, apart from its arguments.
-/// The host (shell, server, PostgreSQL) owns everything that is referred to, for longer than the call.
+/// The environment of a running operator. The host (shell, server, PostgreSQL) owns all objects that it refers to; they
+/// outlive the call.
 struct Context {
   Diagnostics& diagnostics;
   /// Set by the host from another thread or a signal handler to end the statement; null: never.
   const std::atomic<bool>* cancel = nullptr;
-  /// Relative file names in operators are taken from here; empty: the process's working directory.
+  /// Folder of relative file names in operators; empty: the process's working directory.
   std::filesystem::path folder;
-  /// What operators that keep many values may keep in memory; null: without a limit.
+  /// Memory limit of operators that keep many values; null: no limit.
   WorkMemory* memory = nullptr;
-  /// Takes how far the statement has come; null: nobody wants to know.
+  /// Receives the progress of the statement; may be null.
   const Monitor::Report* report = nullptr;
+  /// Takes the calls of operators that end with the error internal; null: nobody wants to repeat them.
+  FailedCalls* failed_calls = nullptr;
 
   Monitor monitor() const { return {cancel, report}; }
   bool is_cancelled() const { return monitor().is_cancelled(); }
-  /// The error `interrupted` once the host has asked to stop. Long loops ask every few thousand steps.
+  /// The error `interrupted` if the host has cancelled the statement. Long loops call it every few thousand steps.
   Status check_cancelled() const { return monitor().check(); }
 
-  /// `name` as the file that it means here.
+  /// The path of the file `name`, relative to `folder`.
   std::filesystem::path resolve(const std::filesystem::path& name) const { return folder / name; }
 };
 

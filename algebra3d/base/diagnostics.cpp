@@ -45,6 +45,8 @@ Diagnostics::Entry* Diagnostics::entry_of(std::string&& text, Kind* kind) {
 void Diagnostics::report(std::string text, std::string place, About about) {
   const std::scoped_lock lock(mutex_);
   ++counts_[static_cast<std::size_t>(about)];
+  if (about == About::undefined || about == About::unreadable)
+    last_reason_ = place.empty() ? text : text + " (" + place + ")";
   auto kind = kinds_.find(without_numbers(text));
   if (kind == kinds_.end() && entries_.size() < kTextsKept) kind = kinds_.emplace(without_numbers(text), Kind()).first;
   Entry* const entry = entry_of(std::move(text), kind == kinds_.end() ? nullptr : &kind->second);
@@ -80,6 +82,11 @@ std::uint64_t Diagnostics::count(About about) const {
   return counts_[static_cast<std::size_t>(about)];
 }
 
+std::string Diagnostics::last_reason() const {
+  const std::scoped_lock lock(mutex_);
+  return last_reason_;
+}
+
 bool Diagnostics::empty() const {
   const std::scoped_lock lock(mutex_);
   return entries_.empty() && tallies_.empty();
@@ -91,6 +98,7 @@ void Diagnostics::clear() {
   position_of_.clear();
   kinds_.clear();
   dropped_count_ = 0;
+  last_reason_.clear();
   tallies_.clear();
   counts_ = {};
 }

@@ -11,8 +11,7 @@
 
 namespace algebra3d {
 
-/// What went wrong, as a fixed list: each code has a row in the table of `describe`, and a message says the
-/// particulars.
+/// The kinds of errors. Each code has a row in the table of `describe`; the message of an error has the details.
 enum class ErrorCode {
   syntax_error,
   unknown_name,
@@ -53,7 +52,7 @@ struct ErrorDescription {
 /// The row of `code`. Cost: constant.
 const ErrorDescription& describe(ErrorCode code);
 
-/// A place in query text: line and column count from 1, 0 means unknown; `file` is empty for typed text.
+/// A position in query text: line and column count from 1, 0 means unknown; `file` is empty for typed text.
 struct SourcePlace {
   std::string file;
   int line = 0;
@@ -74,11 +73,11 @@ struct Error {
   Error(ErrorCode error_code, fmt::format_string<Args...> format, Args&&... args) requires(sizeof...(Args) > 0)
       : code(error_code), message(fmt::format(format, std::forward<Args>(args)...)) {}
 
-  /// This error at `where`, unless it already names a place.
+  /// The error with the position `where`, unless it has one already.
   Error at(SourcePlace where) &&;
 };
 
-/// A value or an error. Never both, never neither.
+/// Either a value or an error.
 template <typename T>
 class [[nodiscard]] Result {
  public:
@@ -134,7 +133,7 @@ struct Undefined {
   std::string reason;
 };
 
-/// A defined value or *undefined* with its reason: what an operator returns whose domain the language cuts short.
+/// A defined value, or *undefined* with its reason: the result of an operator that is not defined for all arguments.
 template <typename T>
 class [[nodiscard]] Maybe {
  public:
@@ -164,21 +163,21 @@ class [[nodiscard]] Maybe {
 
 }  // namespace algebra3d
 
-// Propagation of errors, in the form that the field knows. NOLINTBEGIN(cppcoreguidelines-macro-usage)
+// Macros for the propagation of errors. NOLINTBEGIN(cppcoreguidelines-macro-usage)
 #define ALGEBRA3D_CONCAT_(a, b) a##b
 #define ALGEBRA3D_CONCAT(a, b) ALGEBRA3D_CONCAT_(a, b)
 
-/// Leaves the function with the error of `expression`, if it has one.
-#define RETURN_IF_ERROR(expression)                                               \
+/// Returns the error of `expression`, if it has one, from the function.
+#define ALGEBRA3D_RETURN_IF_ERROR(expression)                                     \
   do {                                                                            \
     if (auto status_ = (expression); !status_) return std::move(status_).error(); \
   } while (false)
 
-/// Assigns the value of `expression` (a Result) to `target`, or leaves the function with its error.
-#define ASSIGN_OR_RETURN(target, expression) \
-  ASSIGN_OR_RETURN_(target, expression, ALGEBRA3D_CONCAT(result_at_line_, __LINE__))
-#define ASSIGN_OR_RETURN_(target, expression, result) \
-  auto result = (expression);                         \
-  if (!result) return std::move(result).error();      \
+/// Assigns the value of `expression` (a Result) to `target`, or returns its error from the function.
+#define ALGEBRA3D_ASSIGN_OR_RETURN(target, expression) \
+  ALGEBRA3D_ASSIGN_OR_RETURN_(target, expression, ALGEBRA3D_CONCAT(result_at_line_, __LINE__))
+#define ALGEBRA3D_ASSIGN_OR_RETURN_(target, expression, result) \
+  auto result = (expression);                                   \
+  if (!result) return std::move(result).error();                \
   target = std::move(result).value()
 // NOLINTEND(cppcoreguidelines-macro-usage)

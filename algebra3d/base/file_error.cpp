@@ -27,7 +27,7 @@ std::string missing_folder(const fs::path& folder) {
   std::error_code error;
   if (fs::is_directory(bad, error)) return fmt::format("the folder '{}' takes no new files", bad.string());
   if (!fs::exists(bad, error)) return fmt::format("there is no folder '{}'", bad.string());
-  return fmt::format("'{}' is a file and no folder", bad.string());
+  return fmt::format("'{}' is a file, not a folder", bad.string());
 }
 
 /// The part of a path that no file system takes, and the limit.
@@ -61,7 +61,7 @@ std::string write_obstacle(const fs::path& file, int reason) {
     case ENAMETOOLONG:
       return too_long(file);
     case EISDIR:
-      return "it is a folder and no file";
+      return "it is a folder, not a file";
     case EACCES:
       return no_permission(file);
     case EPERM:
@@ -76,7 +76,7 @@ std::string write_obstacle(const fs::path& file, int reason) {
     case EFBIG:
       return "the file would exceed the limit on the size of files";
     case ELOOP:
-      return "its symbolic links lead round in a circle";
+      return "its symbolic links form a cycle";
     case EMFILE:
     case ENFILE:
       return "too many files are open";
@@ -90,6 +90,10 @@ Error write_error(const fs::path& file, int reason) {
   if (reason == ENOSPC || reason == EDQUOT || reason == EFBIG) code = ErrorCode::disk_full;
   if (reason == ENOENT || reason == ENOTDIR) code = ErrorCode::file_missing;
   return {code, "{}: {}", file.string(), write_obstacle(file, reason)};
+}
+
+Error interrupted_reading(std::string_view file_name) {
+  return {ErrorCode::interrupted, "{}: interrupted", file_name};
 }
 
 int folder_obstacle(const fs::path& file) {

@@ -26,6 +26,16 @@ std::string real_text(double value) {
   return text;
 }
 
+void append_number(std::string& text, double value) {
+  std::array<char, 24> digits;  // -2.2250738585072014e-308
+  text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
+}
+
+void append_number(std::string& text, std::uint32_t value) {
+  std::array<char, 10> digits;
+  text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
+}
+
 std::optional<double> parse_real(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
   if (text.empty() || text.starts_with('+')) return std::nullopt;

@@ -5,11 +5,10 @@
 
 namespace algebra3d {
 
-/// The announcement that this process has a database open, as long as the object lives. Safe to use from several
-/// threads.
+/// Registers a database as open in this process, during the lifetime of the object. Thread-safe.
 ///
-/// Whatever opens files by names that users give asks `open_database_with` first: SQLite's locks are POSIX locks, and
-/// closing any descriptor of a file gives up all locks that the process has on it.
+/// Call `open_database_with` before opening a file named by a user: SQLite's locks are POSIX locks, and closing any
+/// descriptor of a file releases all locks of the process on it.
 class OpenDatabase {
  public:
   explicit OpenDatabase(const std::filesystem::path& file);
@@ -21,11 +20,11 @@ class OpenDatabase {
   std::filesystem::path file_;
 };
 
-/// Endings of the names of the files that SQLite keeps beside a database.
+/// Name endings of SQLite's files beside a database.
 inline constexpr const char* kSidecarEndings[] = {"-wal", "-shm", "-journal"};
 
-/// The database open in this process that is kept in the file at `path` or in one beside it, be it by way of links, or
-/// that would be if the file were made. Files are compared by device and inode; never opened.
+/// The open database to which the file at `path` belongs, as the database itself or a file beside it, also through
+/// links, or to which it would belong if it were created. Files are compared by device and inode and never opened.
 std::optional<std::filesystem::path> open_database_with(const std::filesystem::path& path);
 
 }  // namespace algebra3d

@@ -11,22 +11,22 @@
 
 namespace algebra3d {
 
-/// Points, and polygons that name their corners among them, as a mesh file gives them: in the order of the file
-/// (corners counter-clockwise seen from outside, if the file is right). Nothing is known of the shapes: corners may
-/// repeat or be collinear, a polygon need be neither plane nor simple, points may be equal or unused. Invariants, which
-/// readers keep and writers check: coordinates are finite; `face_starts` begins with 0, ascends, and ends with the
-/// number of corners; every corner is the index of a point.
+/// The points and polygons of a mesh file, in the order of the file (corners counter-clockwise seen from outside, if
+/// the file is correct). Nothing is assumed of the shapes: corners may repeat or be collinear, polygons may be
+/// non-planar or self-intersecting, points may be equal or unused. Invariants, which readers keep and writers check:
+/// coordinates are finite; `face_starts` begins with 0, ascends, and ends with the number of corners; every corner is
+/// the index of a point.
 struct PolygonSoup {
   std::vector<Vec3> points;
-  /// Where the corners of each face begin, and behind the last face where they end.
+  /// Per face: the index of its first corner; and the number of corners at the end.
   std::vector<std::uint32_t> face_starts = {0};
-  /// Indices of points, face after face.
+  /// Indices of points, face by face.
   std::vector<std::uint32_t> corners;
   /// Name of the first object, as written; may be empty.
   std::string name;
 
   [[nodiscard]] std::size_t face_count() const { return face_starts.size() - 1; }
-  /// The corners of the face at `index`, at least 3 if a reader gave it. Cost: constant.
+  /// The corners of a face, at least 3 in soups from readers. Cost: constant.
   [[nodiscard]] std::span<const std::uint32_t> face(std::size_t index) const {
     assert(index < face_count());
     return {corners.data() + face_starts[index], corners.data() + face_starts[index + 1]};

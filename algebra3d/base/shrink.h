@@ -4,7 +4,7 @@
 
 namespace algebra3d {
 
-/// Gives back spare capacity if that is more than a sixteenth: less is not worth a copy.
+/// Releases unused capacity if it is more than a sixteenth; less is not worth a copy.
 template <typename T>
 void shrink(std::vector<T>& values) {
   if (values.capacity() - values.size() > values.size() / 16) values.shrink_to_fit();

@@ -5,7 +5,7 @@
 
 namespace algebra3d {
 
-/// Three doubles: a position or a direction. No invariant; ordered lexicographically.
+/// Three doubles: a position or a direction. No invariant; lexicographic order.
 struct Vec3 {
   double x = 0;
   double y = 0;
@@ -20,7 +20,7 @@ struct Vec3 {
   friend Vec3 operator*(double factor, const Vec3& v) { return {factor * v.x, factor * v.y, factor * v.z}; }
 };
 
-/// Rounded in every operation: for display and filters, never for decisions.
+/// Rounded in every operation: only for display and filters, never for decisions.
 inline double dot(const Vec3& a, const Vec3& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
@@ -28,7 +28,7 @@ inline Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// Rounded; neither overflows nor vanishes where the length itself does not.
+/// The length, rounded; intermediate results do not over- or underflow.
 double length(const Vec3& v);
 
 /// True if no coordinate is NaN or infinite.

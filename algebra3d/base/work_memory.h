@@ -5,24 +5,24 @@
 
 namespace algebra3d {
 
-/// What the operators of a statement may keep in memory, all together, and the folder of the temporary files that take
-/// the rest. Owned by the session, for longer than any account. Used by one thread.
+/// The memory limit of all operators of a statement together, and the folder of the temporary files for the rest. Owned
+/// by the session; outlives all accounts. Used by one thread.
 class WorkMemory {
  public:
-  /// A limit in bytes; `folder` is where temporary files go.
+  /// `limit` in bytes; `folder`: folder of temporary files.
   WorkMemory(std::size_t limit, std::filesystem::path folder) : limit_(limit), folder_(std::move(folder)) {}
   WorkMemory(const WorkMemory&) = delete;
   WorkMemory& operator=(const WorkMemory&) = delete;
 
   std::size_t limit() const { return limit_; }
-  /// From now on; accounts keep what they have.
+  /// Changes the limit; existing accounts keep their memory.
   void set_limit(std::size_t limit) { limit_ = limit; }
   std::size_t used() const { return used_; }
   const std::filesystem::path& folder() const { return folder_; }
 
   /// A quarter of the machine's memory.
   static std::size_t default_limit();
-  /// Where the system wants large temporary files: TMPDIR, else /var/tmp, else /tmp.
+  /// The system's folder of large temporary files: TMPDIR, else /var/tmp, else /tmp.
   static std::filesystem::path default_folder();
 
  private:
@@ -32,13 +32,13 @@ class WorkMemory {
   std::size_t used_ = 0;
 };
 
-/// What one operator keeps of a WorkMemory; given back when the account goes.
+/// The share of one operator in a WorkMemory; returned at the end of the account.
 ///
-/// An account may grow to half of what the others leave. So however many operators a statement has, the limit holds,
-/// and none of them finds nothing: the first may take a half, the next one a quarter, and so on.
+/// An account may grow to half of the memory that the others leave: the first may take a half, the next a quarter, and
+/// so on. So the limit holds for any number of operators, and each of them gets some memory.
 class MemoryAccount {
  public:
-  /// Without a WorkMemory (null) there is no limit.
+  /// If `memory` is null, there is no limit.
   explicit MemoryAccount(WorkMemory* memory) : memory_(memory) {}
   ~MemoryAccount() { clear(); }
   MemoryAccount(MemoryAccount&& other) noexcept;
@@ -46,10 +46,10 @@ class MemoryAccount {
   MemoryAccount(const MemoryAccount&) = delete;
   MemoryAccount& operator=(const MemoryAccount&) = delete;
 
-  /// Takes `bytes` if they are to be had. If not, nothing is taken, and the operator puts something aside first. The
-  /// first `kLeast` bytes are always to be had.
+  /// Takes `bytes` if available. If not, nothing is taken, and the operator must write something to a file first. The
+  /// first `kLeast` bytes are always available.
   bool take(std::size_t bytes);
-  /// Gives everything back.
+  /// Returns all memory.
   void clear();
   std::size_t used() const { return used_; }
 

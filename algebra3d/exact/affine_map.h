@@ -8,11 +8,11 @@
 
 namespace algebra3d {
 
-/// Exact affine map x -> Mx + t with rational entries. A value; calls on one map may run in parallel.
+/// An exact affine map x -> Mx + t with rational entries. A value; concurrent calls are safe.
 class AffineMap {
  public:
   static AffineMap translation(const RationalVec3& by);
-  /// p + f(x - p), componentwise factors.
+  /// The map x -> p + f(x - p) with componentwise factors.
   static AffineMap scaling(const RationalVec3& centre, const RationalVec3& factors);
   static AffineMap reflection(const ExactPlane& plane);
   /// Right-handed rotation by `angle_degrees` about the axis through `centre` with direction `axis` (any length, not
@@ -23,21 +23,19 @@ class AffineMap {
   static std::optional<AffineMap> rotation(const RationalVec3& centre, const RationalVec3& axis, double angle_degrees);
 
   Rational determinant() const;
-  /// Sign of the determinant: -1 mirrors, 0 flattens.
+  /// Sign of the determinant: -1 for a mirroring map, 0 for a singular one.
   int orientation() const { return determinant().sign(); }
-  /// A factor s such that images of points are at least s times as far apart as the points: at least a third of the
-  /// largest such factor, but 0 if the map flattens or intermediate results leave the range of doubles. It is proved.
+  /// A proved lower bound of the factor by which distances grow: at least a third of the best bound, but 0 if the map
+  /// is singular or intermediate results leave the range of doubles.
   double least_stretch() const;
-  /// True if the entries of the matrix M are dyadic: integers over powers of two. This is so for every translation and
-  /// every scaling by doubles. Of rotations and reflections it is so for those that map the coordinate axes to each
-  /// other: quarter turns about them and what these make together, reflections in planes whose normal is parallel to an
-  /// axis or halves the angle between two.
+  /// True if the entries of the matrix M are dyadic, that is, integers over powers of two: so for translations,
+  /// scalings by doubles, and rotations and reflections that map the coordinate axes to each other.
   bool has_dyadic_matrix() const;
   /// The exact image.
   RationalVec3 apply(const RationalVec3& point) const;
   /// The exact image as a point; nothing if it leaves the range of doubles.
   std::optional<ExactPoint> apply(const ExactPoint& point) const;
-  /// The image of a plane, with the image of its positive side on its positive side. The map must not flatten.
+  /// The image of a plane; positive sides map to positive sides. The map must not be singular.
   ExactPlane apply(const ExactPlane& plane) const;
   /// The exact image, each coordinate rounded once to nearest; infinite where it leaves the range of doubles. Never a
   /// negative zero. Cost: some 50 nanoseconds when a double-double filter decides the rounding, rationals otherwise
@@ -45,7 +43,7 @@ class AffineMap {
   Vec3 apply_rounded(PointRef point) const;
   /// True if `rounded` is the exact image of this point. Cost: as `apply_rounded`.
   bool image_is_double(PointRef point, const Vec3& rounded) const;
-  /// First this map, then `next`.
+  /// The composition: first this map, then `next`.
   AffineMap then(const AffineMap& next) const;
 
   const std::array<RationalVec3, 3>& rows() const { return rows_; }
@@ -56,8 +54,8 @@ class AffineMap {
 
   std::array<RationalVec3, 3> rows_;
   RationalVec3 shift_;
-  // An entry for the filter of apply_rounded: nearest double (and its halves, products of which are exact), the double
-  // nearest to what that leaves, and what both leave at most.
+  // An entry for the filter of apply_rounded: the nearest double (and its two halves, whose products are exact), the
+  // double nearest to the remainder, and a bound of the rest.
   struct Split {
     double high = 0, high_head = 0, high_tail = 0, low = 0, error = 0;
   };

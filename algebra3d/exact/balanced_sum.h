@@ -8,8 +8,8 @@
 
 namespace algebra3d::detail {
 
-/// Sum of rationals in a balanced tree: denominators that have nothing in common grow with the number of terms, and so
-/// the large ones are added few times.
+/// A sum of rationals in a balanced tree. Denominators grow with the number of terms, so few of the additions are of
+/// large numbers.
 class BalancedSum {
  public:
   void add(Rational term) {

@@ -5,22 +5,22 @@
 
 namespace algebra3d {
 
-/// Counts of this process that show what exactness costs; each thread adds to its own and they are summed on reading.
+/// Counters of the cost of exact arithmetic in this process. Each thread has its own; reading sums them.
 struct ExactCounters {
   std::uint64_t calls = 0;            ///< predicate calls
   std::uint64_t filter_failures = 0;  ///< calls that the floating-point filter could not decide
-  std::uint64_t big_fallbacks = 0;    ///< calls that came down to rationals or big integers
-  std::uint64_t heap_rationals = 0;   ///< rationals made that did not fit 64 bits
+  std::uint64_t big_fallbacks = 0;    ///< calls that needed rationals or big integers
+  std::uint64_t heap_rationals = 0;   ///< rationals created that did not fit 64 bits
 };
 
-/// Sum over all threads, ended ones included. Counts of calls that run meanwhile may be missing. Cost: one lock.
+/// The sum over all threads, ended ones included. Concurrent calls may be missing. Cost: one lock.
 ExactCounters exact_counters();
-/// Sets the counts of all threads to zero. A call that runs meanwhile may bring back its thread's old count.
+/// Sets the counts of all threads to zero. A concurrent call may restore its thread's old count.
 void reset_exact_counters();
 
 namespace detail {
 
-/// The counts of one thread. Written by that thread alone, read by any: so an increment is a plain load and store.
+/// The counts of one thread. Only that thread writes them, so an increment is a plain load and store.
 struct ThreadCounters {
   std::atomic<std::uint64_t> calls{0};
   std::atomic<std::uint64_t> filter_failures{0};
@@ -30,7 +30,7 @@ struct ThreadCounters {
 
 /// The counts of the calling thread while it is registered; null before its first count.
 extern constinit thread_local ThreadCounters* thread_counters;  // NOLINT(readability-identifier-naming)
-/// Registers the calling thread, so that its counts are seen, and kept when it ends.
+/// Registers the calling thread, so that its counts are included, also after its end.
 ThreadCounters& register_thread_counters();
 
 inline void increment(std::atomic<std::uint64_t> ThreadCounters::*count, std::uint64_t by = 1) {

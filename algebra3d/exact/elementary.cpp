@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "algebra3d/base/number_text.h"
-#include "algebra3d/exact/mpfr_float.h"
-#include "algebra3d/exact/rational_big.h"
+#include "algebra3d/exact/detail/mpfr_float.h"
+#include "algebra3d/exact/detail/rational_big.h"
 
 namespace algebra3d {
 namespace {
@@ -116,7 +116,7 @@ Maybe<double> natural_logarithm(double x) {
 
 Maybe<double> logarithm(double x, double base) {
   if (!(x > 0)) return outside(x, "has no logarithm");
-  if (!(base > 0) || base == 1) return outside(base, "is no base of logarithms");
+  if (!(base > 0) || base == 1) return outside(base, "is not a base of logarithms");
   MpfrFloat numerator(kManyBits), denominator(kManyBits);
   mpfr_log(numerator.get(), set(numerator, x).get(), MPFR_RNDN);
   mpfr_log(denominator.get(), set(denominator, base).get(), MPFR_RNDN);
@@ -127,8 +127,8 @@ Maybe<double> logarithm(double x, double base) {
 Maybe<double> power(double base, double exponent) {
   if (base == 0 && exponent < 0) return Undefined{"division by zero"};
   if (base < 0 && exponent != std::trunc(exponent))
-    return Undefined{
-        fmt::format("{} has no power with the exponent {}, which is no integer", real_text(base), real_text(exponent))};
+    return Undefined{fmt::format("{} has no power with the exponent {}, which is not an integer", real_text(base),
+                                 real_text(exponent))};
   return value_of<mpfr_pow>(base, exponent);
 }
 
@@ -143,11 +143,11 @@ Maybe<double> tangent(double angle_radians) {
 }
 
 Maybe<double> arc_sine(double x) {
-  if (std::abs(x) > 1) return outside(x, "is no sine of an angle");
+  if (std::abs(x) > 1) return outside(x, "is not a sine of an angle");
   return value_of<mpfr_asin>(x);
 }
 Maybe<double> arc_cosine(double x) {
-  if (std::abs(x) > 1) return outside(x, "is no cosine of an angle");
+  if (std::abs(x) > 1) return outside(x, "is not a cosine of an angle");
   return value_of<mpfr_acos>(x);
 }
 Maybe<double> arc_tangent(double x) {

@@ -7,8 +7,8 @@
 namespace algebra3d {
 
 // Elementary functions of doubles. Exactness: the double nearest to the true value, computed by MPFR, so that the bits
-// do not depend on the C library. Domain: finite arguments. Undefined, with the reason, where the true value is none or
-// is beyond the range of doubles. Cost: some microseconds. Angles are in radians.
+// do not depend on the C library. Domain: finite arguments. Undefined, with the reason, where the function has no value
+// or one beyond the range of doubles. Cost: some microseconds. Angles are in radians.
 
 Maybe<double> square_root(double x);
 Maybe<double> exponential(double x);
@@ -30,8 +30,8 @@ Maybe<double> radians_to_degrees(double angle_radians);
 double circle_constant();   ///< pi
 double natural_constant();  ///< e
 
-/// The decimal number with so many digits after the point (before it, if negative) that is nearest to x, of two equally
-/// near ones the one farther from zero; of it the nearest double.
+/// Rounds x to `digits` digits after the decimal point (before it, if negative), ties away from zero, and the result to
+/// the nearest double.
 Maybe<double> rounded_to_digits(double x, std::int64_t digits);
 
 }  // namespace algebra3d

@@ -5,15 +5,14 @@
 #include <vector>
 
 #include "algebra3d/exact/balanced_sum.h"
-#include "algebra3d/exact/exact_sum_integers.h"
-#include "algebra3d/exact/exact_sum_wide.h"
-#include "algebra3d/exact/homogeneous.h"
-#include "algebra3d/exact/rational_big.h"
+#include "algebra3d/exact/detail/exact_sum_integers.h"
+#include "algebra3d/exact/detail/exact_sum_wide.h"
+#include "algebra3d/exact/detail/homogeneous.h"
+#include "algebra3d/exact/detail/rational_big.h"
 
 namespace algebra3d {
 namespace {
 
-using detail::BigInteger;
 using detail::BitRange;
 using Triangle = std::array<std::uint32_t, 3>;
 
@@ -48,8 +47,10 @@ class FixedSums {
         moments_[axis].add(product * detail::WideSum<Limbs>().add(a[axis]).add(b[axis]).add(c[axis]).total());
     }
   }
-  void get_volume(mpz_ptr result) const { detail::set_integer(result, volume_.total()); }
-  void get_moment(std::size_t axis, mpz_ptr result) const { detail::set_integer(result, moments_[axis].total()); }
+  void get_volume(mpz_class& result) const { detail::set_integer(result.get_mpz_t(), volume_.total()); }
+  void get_moment(std::size_t axis, mpz_class& result) const {
+    detail::set_integer(result.get_mpz_t(), moments_[axis].total());
+  }
 
  private:
   using Point = std::array<detail::WideInteger<Limbs>, 3>;
@@ -59,18 +60,6 @@ class FixedSums {
   detail::WideSum<3 * Limbs + 1> volume_;
   std::array<detail::WideSum<4 * Limbs + 1>, 3> moments_;
 };
-
-/// Of three rows of integers; `minor` is room for what comes between.
-template <typename Row>
-void set_determinant(mpz_ptr result, mpz_ptr minor, const Row& a, const Row& b, const Row& c) {
-  mpz_set_ui(result, 0);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    mpz_mul(minor, b[j], c[k]);
-    mpz_submul(minor, b[k], c[j]);
-    mpz_addmul(result, a[i], minor);
-  }
-}
 
 /// The same for integers of any size.
 class LongSums {
@@ -83,25 +72,23 @@ class LongSums {
       for (std::size_t axis = 0; axis < 3; ++axis)
         detail::set_integer(corners_[corner][axis], points_.approx()[t[corner]][axis], ranges_[axis].exponent());
     const auto& [a, b, c] = corners_;
-    set_determinant(determinant_, minor_, a, b, c);
-    mpz_add(volume_, volume_, determinant_);
+    determinant_ = a[0] * (b[1] * c[2] - b[2] * c[1]);
+    determinant_ += a[1] * (b[2] * c[0] - b[0] * c[2]);
+    determinant_ += a[2] * (b[0] * c[1] - b[1] * c[0]);
+    volume_ += determinant_;
     if constexpr (kMoments) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        mpz_add(minor_, a[axis], b[axis]);
-        mpz_add(minor_, minor_, c[axis]);
-        mpz_addmul(moments_[axis], determinant_, minor_);
-      }
+      for (std::size_t axis = 0; axis < 3; ++axis) moments_[axis] += determinant_ * (a[axis] + b[axis] + c[axis]);
     }
   }
-  void get_volume(mpz_ptr result) const { mpz_set(result, volume_); }
-  void get_moment(std::size_t axis, mpz_ptr result) const { mpz_set(result, moments_[axis]); }
+  void get_volume(mpz_class& result) const { result = volume_; }
+  void get_moment(std::size_t axis, mpz_class& result) const { result = moments_[axis]; }
 
  private:
   const PointArray& points_;
   AxisRanges ranges_;
-  std::array<std::array<BigInteger, 3>, 3> corners_;
-  BigInteger minor_, determinant_, volume_;
-  std::array<BigInteger, 3> moments_;
+  std::array<std::array<mpz_class, 3>, 3> corners_;
+  mpz_class determinant_, volume_;
+  std::array<mpz_class, 3> moments_;
 };
 
 /// The same for triangles with a corner that is no double.
@@ -126,16 +113,29 @@ class RationalSums {
  private:
   /// With a common denominator, so that common divisors are looked for but once.
   Rational determinant_of(const Triangle& t) {
-    const detail::HomogeneousView a(points_[t[0]], rooms_[0]), b(points_[t[1]], rooms_[1]), c(points_[t[2]], rooms_[2]);
-    set_determinant(numerator_, minor_, a, b, c);
-    mpz_mul(denominator_, a[3], b[3]);
-    mpz_mul(denominator_, denominator_, c[3]);
-    return RationalAccess::quotient(numerator_, denominator_);
+    const detail::HomogeneousView a(points_[t[0]], buffers_[0]), b(points_[t[1]], buffers_[1]),
+        c(points_[t[2]], buffers_[2]);
+    set_numerator(a, b, c);
+    mpz_mul(denominator_.get_mpz_t(), a[3], b[3]);
+    mpz_mul(denominator_.get_mpz_t(), denominator_.get_mpz_t(), c[3]);
+    return RationalAccess::quotient(numerator_.get_mpz_t(), denominator_.get_mpz_t());
+  }
+
+  /// The determinant of the rows (X, Y, Z).
+  void set_numerator(const detail::HomogeneousView& a, const detail::HomogeneousView& b,
+                     const detail::HomogeneousView& c) {
+    numerator_ = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      mpz_mul(minor_.get_mpz_t(), b[j], c[k]);
+      mpz_submul(minor_.get_mpz_t(), b[k], c[j]);
+      mpz_addmul(numerator_.get_mpz_t(), a[i], minor_.get_mpz_t());
+    }
   }
 
   const PointArray& points_;
-  std::array<detail::HomogeneousPoint, 3> rooms_;
-  BigInteger minor_, numerator_, denominator_;
+  std::array<detail::HomogeneousPoint, 3> buffers_;
+  mpz_class minor_, numerator_, denominator_;
   detail::BalancedSum volume_;
   std::array<detail::BalancedSum, 3> moments_;
 };
@@ -152,14 +152,14 @@ Result<SolidMoments> sum_with(const PointArray& points, const AxisRanges& ranges
                               const std::atomic<bool>* cancel) {
   Sums sums(points, ranges);
   RationalSums rational(points);
-  RETURN_IF_ERROR(detail::for_each_triangle(triangles, cancel, [&](const Triangle& t) {
+  ALGEBRA3D_RETURN_IF_ERROR(detail::for_each_triangle(triangles, cancel, [&](const Triangle& t) {
     if (detail::has_exact_corner(points, t))
       rational.template add<kMoments>(t);
     else
       sums.template add<kMoments>(t);
   }));
   const long exponent = long{ranges[0].exponent()} + ranges[1].exponent() + ranges[2].exponent();
-  BigInteger total;
+  mpz_class total;
   sums.get_volume(total);
   SolidMoments result;
   result.volume = detail::scaled_rational(total, exponent, 6) + rational.volume() / Rational(6);
@@ -186,7 +186,7 @@ Result<SolidMoments> sum(const PointArray& points, IndexTriangles triangles, con
 }  // namespace
 
 Result<Rational> exact_volume(const PointArray& points, IndexTriangles triangles, const std::atomic<bool>* cancel) {
-  ASSIGN_OR_RETURN(SolidMoments sums, sum<false>(points, triangles, cancel));
+  ALGEBRA3D_ASSIGN_OR_RETURN(SolidMoments sums, sum<false>(points, triangles, cancel));
   return std::move(sums.volume);
 }
 

@@ -15,11 +15,10 @@ namespace algebra3d {
 using IndexTriangles = std::span<const std::array<std::uint32_t, 3>>;
 
 /// Volume enclosed by a closed oriented mesh (negative if it is inside out): a sixth of the sum of the determinants of
-/// all triangles. Units: cubed coordinate units. Domain: any triangles; what is not closed has a volume that depends on
-/// the origin. Exactness: exact. Errors: interrupted, once `*cancel` is set (null: never).
-/// Cost: linear; per triangle tens of nanoseconds where the coordinates of each axis are less than 60 bits apart (as
-/// floats mostly are), about a hundred up to 124 bits, more beyond, microseconds at corners that are no doubles.
-/// Source: [lien1984].
+/// all triangles. Units: cubed coordinate units. Domain: any triangles; if they are not closed, the volume depends on
+/// the origin. Exactness: exact. Errors: interrupted, once `*cancel` is set (null: never). Cost: linear; per triangle
+/// tens of nanoseconds where the coordinates of each axis are less than 60 bits apart (as floats mostly are), about a
+/// hundred up to 124 bits, more beyond, microseconds at corners that are no doubles. Source: [lien1984].
 Result<Rational> exact_volume(const PointArray& points, IndexTriangles triangles,
                               const std::atomic<bool>* cancel = nullptr);
 
@@ -28,15 +27,15 @@ struct SolidMoments {
   Rational volume;
   RationalVec3 first;
 };
-/// As `exact_volume`, at about twice the cost.
+/// Volume and first moments. As `exact_volume`, at about twice the cost.
 Result<SolidMoments> exact_moments(const PointArray& points, IndexTriangles triangles,
                                    const std::atomic<bool>* cancel = nullptr);
 
-/// Sum of the areas of the triangles, in squared coordinate units; infinite beyond the range of doubles.
-/// Exactness: rounded once if the area of each triangle is a double (or any other multiple of a power of two).
-/// Otherwise the sum has a relative error below 2^-90 before it is rounded. Errors: interrupted. Cost: linear, some
-/// tens of nanoseconds per triangle of doubles between 2^-100 and 2^200; some 400 where the result lies next to the
-/// middle between two doubles (counted in `exact_counters().filter_failures`), and for other doubles.
+/// Sum of the areas of the triangles, in squared coordinate units; infinite beyond the range of doubles. Exactness:
+/// rounded once if the area of each triangle is a double (or any other multiple of a power of two). Otherwise the sum
+/// has a relative error below 2^-90 before it is rounded. Errors: interrupted. Cost: linear, some tens of nanoseconds
+/// per triangle of doubles between 2^-100 and 2^200; some 400 where the result is very close to the middle between two
+/// doubles (counted in `exact_counters().filter_failures`), and for other doubles.
 Result<double> nearest_area(const PointArray& points, IndexTriangles triangles,
                             const std::atomic<bool>* cancel = nullptr);
 

@@ -2,14 +2,13 @@
 #include <utility>
 
 #include "algebra3d/exact/counters.h"
+#include "algebra3d/exact/detail/exact_sum_integers.h"
+#include "algebra3d/exact/detail/length_estimate.h"
 #include "algebra3d/exact/exact_sum.h"
-#include "algebra3d/exact/exact_sum_integers.h"
-#include "algebra3d/exact/length_estimate.h"
 
 namespace algebra3d {
 namespace {
 
-using detail::BigInteger;
 using detail::BitRange;
 using Triangle = std::array<std::uint32_t, 3>;
 
@@ -29,14 +28,12 @@ class LengthSum {
       detail::set_integer(origin_, a[axis], range_.exponent());
       detail::set_integer(u_[axis], b[axis], range_.exponent());
       detail::set_integer(v_[axis], c[axis], range_.exponent());
-      mpz_sub(u_[axis], u_[axis], origin_);
-      mpz_sub(v_[axis], v_[axis], origin_);
+      u_[axis] -= origin_;
+      v_[axis] -= origin_;
     }
-    mpz_set_ui(square_, 0);
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-      mpz_mul(normal_[i], u_[j], v_[k]);
-      mpz_submul(normal_[i], u_[k], v_[j]);
+      normal_[i] = u_[j] * v_[k] - u_[k] * v_[j];
     }
     add_length();
   }
@@ -46,24 +43,21 @@ class LengthSum {
 
  private:
   void add_length() {
-    const auto zeros = std::ranges::count_if(normal_, [](const BigInteger& c) { return c.sign() == 0; });
+    const auto zeros = std::ranges::count_if(normal_, [](const mpz_class& c) { return sgn(c) == 0; });
     if (zeros >= 2) {
       // Parallel to two axes, as most triangles of most parts: no root to take.
-      for (const BigInteger& component : normal_) mpz_add(square_, square_, component);
-      mpz_abs(square_, square_);
-      mpz_mul_2exp(square_, square_, kFractionBits);
+      sum_ += abs(normal_[0] + normal_[1] + normal_[2]) << kFractionBits;
     } else {
-      for (const BigInteger& component : normal_) mpz_addmul(square_, component, component);
-      mpz_mul_2exp(square_, square_, 2 * kFractionBits);
-      mpz_sqrt(square_, square_);
+      square_ = normal_[0] * normal_[0] + normal_[1] * normal_[1] + normal_[2] * normal_[2];
+      square_ <<= 2 * kFractionBits;
+      sum_ += sqrt(square_);
     }
-    mpz_add(sum_, sum_, square_);
   }
 
   const PointArray& points_;
   BitRange range_;
-  BigInteger origin_, square_, sum_;
-  std::array<BigInteger, 3> u_, v_, normal_;
+  mpz_class origin_, square_, sum_;
+  std::array<mpz_class, 3> u_, v_, normal_;
 };
 
 /// Root of a rational: cut off behind 128 bits at least, exact if it has no more and its denominator is a power of two.
@@ -74,11 +68,10 @@ Rational long_root(const Rational& square) {
   const auto denominator_bits = static_cast<long>(mpz_sizeinbase(view.denominator(), 2));
   // Half the bits of the quotient's scale, so that the root has a whole scale; large enough for any dyadic square.
   const long half_scale = std::max(0L, (260L + denominator_bits - numerator_bits) / 2 + 1) + denominator_bits;
-  BigInteger quotient;
-  mpz_mul_2exp(quotient, view.numerator(), 2 * static_cast<mp_bitcnt_t>(half_scale));
-  mpz_tdiv_q(quotient, quotient, view.denominator());
-  mpz_sqrt(quotient, quotient);
-  return detail::scaled_rational(quotient, -half_scale, 1);
+  mpz_class quotient(view.numerator());
+  quotient <<= 2 * static_cast<mp_bitcnt_t>(half_scale);
+  quotient /= mpz_class(view.denominator());
+  return detail::scaled_rational(sqrt(quotient), -half_scale, 1);
 }
 
 Rational double_area(const PointArray& points, const Triangle& t) {
@@ -105,7 +98,7 @@ Result<Rational> long_sum(const PointArray& points, IndexTriangles triangles, co
   for (const Vec3& p : points.approx())
     for (std::size_t axis = 0; axis < 3; ++axis) range.extend(p[axis]);
   LengthSum sum(points, range);
-  RETURN_IF_ERROR(detail::for_each_triangle(triangles, cancel, [&](const Triangle& t) {
+  ALGEBRA3D_RETURN_IF_ERROR(detail::for_each_triangle(triangles, cancel, [&](const Triangle& t) {
     if (!detail::has_exact_corner(points, t)) sum.add(t);
   }));
   return sum.total();
@@ -117,7 +110,7 @@ Result<double> nearest_area(const PointArray& points, IndexTriangles triangles, 
   const bool is_estimated = are_in_range(points);
   detail::LengthEstimate estimate;
   Rational doubled;
-  RETURN_IF_ERROR(detail::for_each_triangle(triangles, cancel, [&](const Triangle& t) {
+  ALGEBRA3D_RETURN_IF_ERROR(detail::for_each_triangle(triangles, cancel, [&](const Triangle& t) {
     if (detail::has_exact_corner(points, t))
       doubled += double_area(points, t);
     else if (is_estimated)
@@ -128,7 +121,7 @@ Result<double> nearest_area(const PointArray& points, IndexTriangles triangles, 
     const double high = half(estimate.upper() + doubled).nearest_double();
     if (low == high) return high;
   }
-  ASSIGN_OR_RETURN(const Rational sum, long_sum(points, triangles, cancel));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Rational sum, long_sum(points, triangles, cancel));
   return half(sum + doubled).nearest_double();
 }
 

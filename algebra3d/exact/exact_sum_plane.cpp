@@ -5,14 +5,13 @@
 #include <vector>
 
 #include "algebra3d/exact/balanced_sum.h"
-#include "algebra3d/exact/exact_sum_integers.h"
-#include "algebra3d/exact/exact_sum_wide.h"
+#include "algebra3d/exact/detail/exact_sum_integers.h"
+#include "algebra3d/exact/detail/exact_sum_wide.h"
 #include "algebra3d/exact/expansion.h"
 
 namespace algebra3d {
 namespace {
 
-using detail::BigInteger;
 using detail::BitRange;
 using detail::two_product;
 using detail::two_sum;
@@ -33,7 +32,7 @@ class WideDeterminants {
     sum_.add(wide(a.x) * wide(b.y));
     sum_.subtract(wide(b.x) * wide(a.y));
   }
-  void get(mpz_ptr result) const { detail::set_integer(result, sum_.total()); }
+  void get(mpz_class& result) const { detail::set_integer(result.get_mpz_t(), sum_.total()); }
 
  private:
   detail::WideInteger<Limbs> wide(double value) const { return detail::wide_integer<Limbs>(value, exponent_); }
@@ -50,16 +49,16 @@ class LongDeterminants {
   void add(const Vec3& a, const Vec3& b) {
     detail::set_integer(first_, a.x, exponent_);
     detail::set_integer(second_, b.y, exponent_);
-    mpz_addmul(sum_, first_, second_);
+    sum_ += first_ * second_;
     detail::set_integer(first_, b.x, exponent_);
     detail::set_integer(second_, a.y, exponent_);
-    mpz_submul(sum_, first_, second_);
+    sum_ -= first_ * second_;
   }
-  void get(mpz_ptr result) const { mpz_set(result, sum_); }
+  void get(mpz_class& result) const { result = sum_; }
 
  private:
   int exponent_;
-  BigInteger first_, second_, sum_;
+  mpz_class first_, second_, sum_;
 };
 
 template <typename Determinants>
@@ -73,7 +72,7 @@ Rational doubled_area_with(const PointArray& points, std::size_t begin, std::siz
     else
       rational.add(from.coordinate(0) * to.coordinate(1) - to.coordinate(0) * from.coordinate(1));
   });
-  BigInteger sum;
+  mpz_class sum;
   determinants.get(sum);
   return detail::scaled_rational(sum, 2L * long{exponent}, 1) + rational.total();
 }

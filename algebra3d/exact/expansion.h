@@ -15,7 +15,7 @@ inline bool is_safe(double coordinate) {
   return size == 0 || (size >= kSmallestSafe && size <= kLargestSafe);
 }
 
-/// A rounded result and what rounding took from it: their exact sum is the true result.
+/// A rounded result and its rounding error: their exact sum is the true result.
 struct Rounded {
   double value, rest;
 };
@@ -46,13 +46,13 @@ inline Rounded two_product(double a, double b, const Rounded& b_halves) {
   return {product, a_low * b_halves.rest - missing};
 }
 
-/// An exact number as a sum of at most `Capacity` doubles that overlap in no bit, by ascending magnitude, without
-/// zeros; the empty sum is zero. Exact as long as nothing overflows or underflows (see `is_safe`) and the rounding mode
-/// is to nearest. Cost: the number of terms that are there, not the capacity. Source: [shewchuk1997], section 2.
+/// An exact number as a sum of at most `Capacity` doubles with non-overlapping bits, in ascending magnitude, without
+/// zeros; the empty sum is zero. Exact unless an operation overflows or underflows (see `is_safe`); requires rounding
+/// to nearest. Cost: linear in the terms, whatever the capacity. Source: [shewchuk1997], section 2.
 template <std::size_t Capacity>
 class Expansion {
  public:
-  Expansion() {}  // NOLINT(modernize-use-equals-default): this one leaves the terms as they are
+  Expansion() {}  // NOLINT(modernize-use-equals-default): this one leaves the terms uninitialised
 
   std::size_t size() const { return size_; }
   double operator[](std::size_t index) const { return terms_[index]; }
@@ -65,7 +65,7 @@ class Expansion {
   int sign() const { return size_ == 0 ? 0 : terms_[size_ - 1] > 0 ? 1 : -1; }
 
  private:
-  std::array<double, Capacity + 1> terms_;  // filled as far as size_; one more for a zero that append drops
+  std::array<double, Capacity + 1> terms_;  // filled up to size_; one more for a zero that append drops
   std::size_t size_ = 0;
 };
 

@@ -3,15 +3,15 @@
 #include <array>
 #include <cstdint>
 
+#include "algebra3d/exact/detail/homogeneous.h"
+#include "algebra3d/exact/detail/predicates_integers.h"
 #include "algebra3d/exact/expansion.h"
-#include "algebra3d/exact/homogeneous.h"
 #include "algebra3d/exact/interval.h"
-#include "algebra3d/exact/predicates_integers.h"
 
 namespace algebra3d::detail {
 namespace {
 
-/// Sum of products of 123 bits, kept as three numbers of 64 bits with room for what they carry.
+/// Sum of products of 123 bits, kept as three numbers of 64 bits with capacity for carries.
 class ProductSum {
  public:
   /// `square` is not negative; both are below 2^123.
@@ -71,37 +71,41 @@ int in_circle_by_expansions(const Vec3& a, const Vec3& b, const Vec3& c, const V
 
 /// Differences from d with a common divisor per point: (x, y) = (X, Y) / W.
 struct IntegerDifference {
-  BigInteger x, y, w, square;
+  mpz_class x, y, w, square;
 
   void set(const HomogeneousView& p, const HomogeneousView& d) {
-    mpz_mul(x, p[0], d[3]);
-    mpz_submul(x, d[0], p[3]);
-    mpz_mul(y, p[1], d[3]);
-    mpz_submul(y, d[1], p[3]);
-    mpz_mul(w, p[3], d[3]);
-    mpz_mul(square, x, x);
-    mpz_addmul(square, y, y);
+    set_difference(x, p, d, 0);
+    set_difference(y, p, d, 1);
+    mpz_mul(w.get_mpz_t(), p[3], d[3]);
+    square = x * x;
+    mpz_addmul(square.get_mpz_t(), y.get_mpz_t(), y.get_mpz_t());
+  }
+
+ private:
+  static void set_difference(mpz_class& result, const HomogeneousView& p, const HomogeneousView& d, std::size_t axis) {
+    mpz_mul(result.get_mpz_t(), p[axis], d[3]);
+    mpz_submul(result.get_mpz_t(), d[axis], p[3]);
   }
 };
 
 /// The determinant of rows (x w, y w, x^2 + y^2), which are the true ones times w^2.
 int in_circle_by_integers(const std::array<const PointRef*, 4>& points) {
-  thread_local HomogeneousPoint room, room_of_d;
+  thread_local HomogeneousPoint buffer, buffer_of_d;
   thread_local std::array<IntegerDifference, 3> rows;
-  thread_local BigInteger minor, term, sum;
+  thread_local mpz_class minor, term, sum;
   count_big_fallback();
-  const HomogeneousView d(*points[3], room_of_d);
-  for (std::size_t i = 0; i < 3; ++i) rows[i].set(HomogeneousView(*points[i], room), d);
-  mpz_set_ui(sum, 0);
+  const HomogeneousView d(*points[3], buffer_of_d);
+  for (std::size_t i = 0; i < 3; ++i) rows[i].set(HomogeneousView(*points[i], buffer), d);
+  sum = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const IntegerDifference &u = rows[i], &v = rows[(i + 1) % 3], &w = rows[(i + 2) % 3];
-    mpz_mul(minor, v.x, w.y);
-    mpz_submul(minor, w.x, v.y);
-    mpz_mul(term, v.w, w.w);
-    mpz_mul(term, term, u.square);
-    mpz_addmul(sum, term, minor);
+    minor = v.x * w.y;
+    mpz_submul(minor.get_mpz_t(), w.x.get_mpz_t(), v.y.get_mpz_t());
+    term = v.w * w.w;
+    term *= u.square;
+    mpz_addmul(sum.get_mpz_t(), term.get_mpz_t(), minor.get_mpz_t());
   }
-  return sum.sign();
+  return sgn(sum);
 }
 
 int in_circle_by_intervals(const std::array<const PointRef*, 4>& points) {

@@ -10,7 +10,7 @@ namespace algebra3d {
 
 namespace detail {
 
-/// A point of the plane, as the filter takes it.
+/// A point of the plane, for the filter.
 struct PlaneVec {
   double x, y;
 };
@@ -19,8 +19,8 @@ struct PlaneVec {
 // all signs made positive; the unit more covers the roundings of the bound itself.
 inline constexpr double kInCircleError = 11 * 0x1p-53;
 
-/// Sign of the in-circle determinant, or kUndecided. An operation that underflows is off by at most 2^-1075, which a
-/// minor or a squared length may enlarge; an overflow makes the bound infinite or NaN, and each comparison false.
+/// Sign of the in-circle determinant, or kUndecided. An underflow causes an error of at most 2^-1075, which a minor or
+/// a squared length may enlarge; an overflow makes the bound infinite or NaN, so all comparisons are false.
 inline int filter_in_circle(PlaneVec a, PlaneVec b, PlaneVec c, PlaneVec d) {
   const double adx = a.x - d.x, ady = a.y - d.y;
   const double bdx = b.x - d.x, bdy = b.y - d.y;
@@ -43,19 +43,18 @@ inline int filter_in_circle(PlaneVec a, PlaneVec b, PlaneVec c, PlaneVec d) {
   return kUndecided;
 }
 
-// The ways out, for what the filter leaves open.
+// Decides what the filter leaves undecided.
 int decide_in_circle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 int in_circle_of_rationals(const PointRef& a, const PointRef& b, const PointRef& c, const PointRef& d);
 
 }  // namespace detail
 
-/// Where d lies in the projection to the plane z = 0: 1 if inside the circle through a, b and c, 0 if on it, -1 if
-/// outside, where abc turns counter-clockwise; the opposite where it turns clockwise. Of three points on a line it is
-/// the sign of the in-circle determinant, which changes its sign whenever two of the four are exchanged. Exact for all
-/// finite input, subnormal and huge values included. Cost: about ten nanoseconds when the filter decides; some fifty
-/// where it does not and all coordinates are multiples of one power of two not 60 bits apart; microseconds for other
-/// doubles. Rationals are decided by intervals if possible, else by big integers.
-/// Source: [shewchuk1997], [bronnimann2001].
+/// The in-circle test in the projection to the plane z = 0: 1 if d is inside the circle through a, b and c, 0 if on it,
+/// -1 if outside, for abc counter-clockwise; the opposite for clockwise. For collinear a, b, c it is the sign of the
+/// in-circle determinant, which changes whenever two of the four points are exchanged. Exact for all finite input,
+/// subnormal and huge values included. Cost: about ten nanoseconds when the filter decides; some fifty if not and all
+/// coordinates are multiples of one power of two within 60 bits; microseconds for other doubles. Rationals are decided
+/// by intervals if possible, else by big integers. Source: [shewchuk1997], [bronnimann2001].
 inline int in_circle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   detail::count_call();
   const int sign = detail::filter_in_circle({a.x, a.y}, {b.x, b.y}, {c.x, c.y}, {d.x, d.y});

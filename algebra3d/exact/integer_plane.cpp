@@ -7,12 +7,11 @@
 #include <utility>
 
 #include "algebra3d/exact/counters.h"
-#include "algebra3d/exact/homogeneous.h"
-#include "algebra3d/exact/rational_big.h"
+#include "algebra3d/exact/detail/homogeneous.h"
+#include "algebra3d/exact/detail/rational_big.h"
 
 namespace algebra3d {
 
-using detail::BigInteger;
 using detail::HomogeneousPoint;
 using detail::HomogeneousView;
 
@@ -42,27 +41,28 @@ void IntegerPlane::Form::finish() {
     rounded[i] = std::ldexp(mantissas[i], static_cast<int>(std::clamp(shift, -2000L, 2000L)));
     is_in_range = is_in_range && (mantissas[i] == 0 || shift >= kSmallestShift);
   }
-  if (!is_in_range) rounded[3] = std::numeric_limits<double>::infinity();
+  // Of one sign, so that equal planes have equal numbers however they came about.
+  if (!is_in_range || std::isinf(rounded[3])) rounded[3] = std::numeric_limits<double>::infinity();
 }
 
 IntegerPlane IntegerPlane::through(const TriangleRef& triangle) {
-  thread_local std::array<HomogeneousPoint, 3> rooms;
+  thread_local std::array<HomogeneousPoint, 3> buffers;
   const auto form = std::make_shared<Form>();
   const auto& [a, b, c] = triangle;
   if (a.is_double() && b.is_double() && c.is_double())
     detail::join(form->numbers, a.approx, b.approx, c.approx);
   else
-    detail::join(form->numbers, {a, rooms[0]}, {b, rooms[1]}, {c, rooms[2]});
+    detail::join(form->numbers, {a, buffers[0]}, {b, buffers[1]}, {c, buffers[2]});
   form->finish();
   return IntegerPlane(form);
 }
 
 IntegerPlane IntegerPlane::along_axis(PointRef p, PointRef q, std::size_t axis) {
-  thread_local std::array<HomogeneousPoint, 2> rooms;
+  thread_local std::array<HomogeneousPoint, 2> buffers;
   thread_local HomogeneousPoint at_infinity;  // of the axis
   for (std::size_t i = 0; i < 4; ++i) mpz_set_ui(at_infinity[i], i == axis ? 1 : 0);
   const auto form = std::make_shared<Form>();
-  detail::join(form->numbers, {p, rooms[0]}, {q, rooms[1]}, at_infinity);
+  detail::join(form->numbers, {p, buffers[0]}, {q, buffers[1]}, at_infinity);
   form->finish();
   return IntegerPlane(form);
 }
@@ -112,30 +112,30 @@ std::array<int, 3> IntegerPlane::sides(const TriangleRef& points) const {
 int IntegerPlane::side_by_integers(const Form& form, const PointRef& point) {
   detail::count_filter_failure();
   detail::count_big_fallback();
-  thread_local HomogeneousPoint room;
-  thread_local BigInteger sum;
-  const HomogeneousView view(point, room);
+  thread_local HomogeneousPoint buffer;
+  thread_local mpz_class sum;
+  const HomogeneousView view(point, buffer);
   detail::dot(sum, form.numbers, view);
-  return sum.sign();
+  return sgn(sum);
 }
 
 IntegerPlane IntegerPlane::flipped() const {
   const auto form = std::make_shared<Form>();
   for (std::size_t i = 0; i < 4; ++i) {
     mpz_neg(form->numbers[i], form_->numbers[i]);
-    form->rounded[i] = -form_->rounded[i];
+    // An infinite offset stands for one that no double tells, and has one sign in all planes.
+    form->rounded[i] = std::isinf(form_->rounded[i]) ? form_->rounded[i] : -form_->rounded[i];
   }
   return IntegerPlane(form);
 }
 
 ExactPlane IntegerPlane::exact() const {
-  thread_local BigInteger one;
-  mpz_set_ui(one, 1);
-  const auto integer = [&](std::size_t i) { return RationalAccess::quotient(numbers()[i], one); };
+  const mpz_class one = 1;
+  const auto integer = [&](std::size_t i) { return RationalAccess::quotient(coefficients()[i], one.get_mpz_t()); };
   return {RationalVec3(integer(0), integer(1), integer(2)), -integer(3)};
 }
 
-const HomogeneousPoint& IntegerPlane::numbers() const {
+const HomogeneousPoint& IntegerPlane::coefficients() const {
   return form_->numbers;
 }
 
@@ -143,7 +143,7 @@ bool operator==(const IntegerPlane& a, const IntegerPlane& b) {
   if (a.form_ == b.form_) return true;
   if (a.is_null() || b.is_null() || a.form_->rounded != b.form_->rounded) return false;
   for (std::size_t i = 0; i < 4; ++i)
-    if (mpz_cmp(a.numbers()[i], b.numbers()[i]) != 0) return false;
+    if (mpz_cmp(a.coefficients()[i], b.coefficients()[i]) != 0) return false;
   return true;
 }
 

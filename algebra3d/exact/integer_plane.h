@@ -13,37 +13,37 @@ namespace detail {
 struct HomogeneousPoint;
 }
 
-/// An oriented plane by four integers without a common divisor: a x + b y + c z = d, in front where the left side is
-/// the larger one. Points are computed from these without fractions, whose common divisors would have to be searched
-/// after every step. Cheap to copy; null by default.
+/// An oriented plane given by four integers without a common divisor: a x + b y + c z = d; the front is where the left
+/// side is larger. Points are computed from them without fractions, and so without greatest common divisors. Cheap to
+/// copy; null by default.
 class IntegerPlane {
  public:
   IntegerPlane() = default;
-  /// Through the corners of a triangle that is not degenerate, in front where it turns counter-clockwise.
+  /// The plane through the corners of a triangle that is not degenerate; from the front it turns counter-clockwise.
   /// Cost: some hundred nanoseconds for doubles, microseconds for other points.
   static IntegerPlane through(const TriangleRef& triangle);
-  /// Through two different points, parallel to an axis (0: x, 1: y, 2: z) to which their line is not parallel.
+  /// The plane through two different points and parallel to an axis (0: x, 1: y, 2: z), which their line must not be.
   static IntegerPlane along_axis(PointRef p, PointRef q, std::size_t axis);
 
-  /// The same plane with the same front.
+  /// Converts an ExactPlane; same front.
   static IntegerPlane of(const ExactPlane& plane);
 
-  /// On the heap, of a plane whose numbers are not long.
+  /// Typical heap size of a plane.
   static constexpr std::size_t kTypicalBytes = 256;
 
   bool is_null() const { return form_ == nullptr; }
-  /// On which side the point lies: 1 in front, 0 in the plane, -1 behind. Exact: orient3d of three points in it. Cost:
-  /// some nanoseconds if rounded numbers tell, else four products of integers.
+  /// The side on which the point lies: 1 in front, 0 in the plane, -1 behind. Exact: orient3d of three points in it.
+  /// Cost: some nanoseconds if rounded numbers decide, else four products of integers.
   int side(const PointRef& point) const;
-  /// The same of three points.
+  /// The sides of three points.
   std::array<int, 3> sides(const TriangleRef& points) const;
-  /// The same plane with the other front.
+  /// The same plane with front and back exchanged.
   IntegerPlane flipped() const;
   ExactPlane exact() const;
   /// a, b, c, -d.
-  const detail::HomogeneousPoint& numbers() const;
+  const detail::HomogeneousPoint& coefficients() const;
 
-  /// The same plane with the same front: planes have one form.
+  /// Same plane, same front: the form is unique.
   friend bool operator==(const IntegerPlane& a, const IntegerPlane& b);
 
  private:

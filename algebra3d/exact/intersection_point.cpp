@@ -2,13 +2,12 @@
 
 #include <utility>
 
-#include "algebra3d/exact/exact_coordinates.h"
-#include "algebra3d/exact/homogeneous.h"
+#include "algebra3d/exact/detail/exact_coordinates.h"
+#include "algebra3d/exact/detail/homogeneous.h"
 
 namespace algebra3d {
 namespace {
 
-using detail::BigInteger;
 using detail::HomogeneousPoint;
 using detail::HomogeneousView;
 
@@ -21,22 +20,22 @@ ExactPoint point_at(HomogeneousPoint& numbers) {
 }  // namespace
 
 ExactPoint intersect_line_plane(PointRef a, PointRef b, const IntegerPlane& plane) {
-  thread_local HomogeneousPoint room_of_a, room_of_b, met;
-  thread_local BigInteger at_from, at_to;
-  const HomogeneousView from(a, room_of_a), to(b, room_of_b);
-  detail::dot(at_from, plane.numbers(), from);
-  detail::dot(at_to, plane.numbers(), to);
+  thread_local HomogeneousPoint buffer_of_a, buffer_of_b, met;
+  thread_local mpz_class at_from, at_to;
+  const HomogeneousView from(a, buffer_of_a), to(b, buffer_of_b);
+  detail::dot(at_from, plane.coefficients(), from);
+  detail::dot(at_to, plane.coefficients(), to);
   // The combination of the two points at which the equation holds.
   for (std::size_t i = 0; i < 4; ++i) {
-    mpz_mul(met[i], at_to, from[i]);
-    mpz_submul(met[i], at_from, to[i]);
+    mpz_mul(met[i], at_to.get_mpz_t(), from[i]);
+    mpz_submul(met[i], at_from.get_mpz_t(), to[i]);
   }
   return point_at(met);
 }
 
 ExactPoint intersect_planes(const IntegerPlane& p, const IntegerPlane& q, const IntegerPlane& r) {
   thread_local HomogeneousPoint met;
-  detail::join(met, p.numbers(), q.numbers(), r.numbers());
+  detail::join(met, p.coefficients(), q.coefficients(), r.coefficients());
   return point_at(met);
 }
 

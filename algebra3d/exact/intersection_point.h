@@ -4,10 +4,10 @@
 
 namespace algebra3d {
 
-/// The point in which the line through a and b meets the plane. They must not be parallel. Exact, in lowest terms.
+/// The intersection of the line through a and b with the plane. They must not be parallel. Exact, in lowest terms.
 ExactPoint intersect_line_plane(PointRef a, PointRef b, const IntegerPlane& plane);
 
-/// The point that three planes have in common. Their normals must be linearly independent. Exact, in lowest terms.
+/// The common point of three planes. Their normals must be linearly independent. Exact, in lowest terms.
 ExactPoint intersect_planes(const IntegerPlane& p, const IntegerPlane& q, const IntegerPlane& r);
 
 }  // namespace algebra3d

@@ -2,15 +2,15 @@
 
 #include <cmath>
 
-#include "algebra3d/exact/exact_coordinates.h"
+#include "algebra3d/exact/detail/exact_coordinates.h"
 #include "algebra3d/exact/point.h"
 #include "algebra3d/exact/predicates_filter.h"
 
 namespace algebra3d::detail {
 
-/// The interval [centre - radius, centre + radius], which holds the exact number that it stands for. Radii are rounded
-/// up by a factor instead of switching the rounding mode. A radius of 0 says that the centre is the number itself.
-/// Beyond the range of doubles the radius becomes infinite or NaN, which decides nothing.
+/// The interval [centre - radius, centre + radius] around an exact number. Radii are rounded up by a factor, without
+/// switching the rounding mode. Radius 0: the number is the centre. Beyond the range of doubles the radius becomes
+/// infinite or NaN, and the sign is undecided.
 struct Interval {
   double centre = 0;
   double radius = 0;
@@ -20,8 +20,8 @@ struct Interval {
   int sign() const { return centre > radius ? 1 : centre < -radius ? -1 : is_zero() ? 0 : kUndecided; }
 };
 
-// `roundings` of 2^-53 each happen in computing a radius; 2^-50 covers up to seven of them. The second term covers what
-// underflow may take, and keeps the radii out of the slow subnormal range.
+// The factor 1 + 2^-50 covers up to seven roundings of 2^-53 in a radius. The second term covers underflow, and keeps
+// the radii out of the slow subnormal range.
 inline Interval widened(double centre, double radius) {
   return {centre, (radius + 0x1p-53 * std::abs(centre)) * (1 + 0x1p-50) + 0x1p-1000};
 }
@@ -42,7 +42,7 @@ inline Interval operator*(const Interval& a, const Interval& b) {
   return widened(a.centre * b.centre, from_radii);
 }
 
-/// Interval of one coordinate of a point; of radius 0 for a coordinate that is a double.
+/// Interval of one coordinate of a point; the radius is 0 for a double.
 inline Interval interval_of(const PointRef& point, std::size_t axis) {
   const double rounded = point.approx[axis];
   return point.is_double() || point.exact->beyond(axis) == 0 ? Interval{rounded, 0} : widened(rounded, 0);

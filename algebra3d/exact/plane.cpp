@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "algebra3d/exact/rational_big.h"
+#include "algebra3d/exact/detail/rational_big.h"
 
 namespace algebra3d {
 

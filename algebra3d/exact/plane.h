@@ -6,7 +6,7 @@
 
 namespace algebra3d {
 
-/// Oriented plane: the points x with x.n = c, exactly. The normal is not zero; its length means nothing.
+/// An oriented plane: the points x with x.n = c, exactly. The normal is not zero; its length has no meaning.
 struct ExactPlane {
   RationalVec3 normal;
   Rational offset;
@@ -15,18 +15,18 @@ struct ExactPlane {
   static std::optional<ExactPlane> through(const RationalVec3& point, const RationalVec3& normal);
   /// Through `point`, spanned by two directions, normal u x v; nothing if they are parallel or zero.
   static std::optional<ExactPlane> spanned(const RationalVec3& point, const RationalVec3& u, const RationalVec3& v);
-  /// From the notation (d nx ny nz): d is the distance from the origin along the normalised normal; the offset is the
-  /// double nearest to d|n|. Nothing for a zero or infinite normal, or if d|n| is no finite double.
+  /// Converts the notation (d nx ny nz): d is the distance from the origin along the normalised normal; the offset is
+  /// the double nearest to d|n|. Nothing for a zero or infinite normal, or if d|n| is beyond the range of doubles.
   static std::optional<ExactPlane> from_distance(double distance, const Vec3& normal);
 
   /// Exact value of p.n - c: positive on the side to which the normal points.
   Rational evaluate(const RationalVec3& p) const;
-  /// The same plane with the same positive side and a primitive normal: two planes are the same oriented plane exactly
-  /// if their canonical forms are equal in both members.
+  /// The same oriented plane with a primitive normal: two oriented planes are the same if and only if their canonical
+  /// forms are equal.
   ExactPlane canonical() const;
 };
 
-/// The vector of integers without a common divisor that points the same way; `v` is not zero.
+/// The primitive integer vector with the direction of `v`, which must not be zero.
 RationalVec3 primitive_direction(const RationalVec3& v);
 bool is_zero(const RationalVec3& v);
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "algebra3d/base/shrink.h"
-#include "algebra3d/exact/exact_coordinates.h"
-#include "algebra3d/exact/homogeneous.h"
+#include "algebra3d/exact/detail/exact_coordinates.h"
+#include "algebra3d/exact/detail/homogeneous.h"
 #include "algebra3d/exact/predicates.h"
 
 namespace algebra3d {

@@ -27,7 +27,7 @@ struct RationalVec3 {
 
 class ExactCoordinates;
 
-/// An owner of exact coordinates, one of perhaps many; or of none. Copying counts, and copies nothing.
+/// A reference-counted pointer to exact coordinates; may be null. Copying does not copy the coordinates.
 class SharedCoordinates {
  public:
   SharedCoordinates() = default;
@@ -55,8 +55,8 @@ class SharedCoordinates {
   const ExactCoordinates* coordinates_ = nullptr;
 };
 
-/// A vertex as the predicates take it: a view that owns nothing, three words and a pointer to pass by value.
-/// `approx` is the correctly rounded double triple; `exact` is null if that is the point itself.
+/// A non-owning view of a point, the argument type of the predicates: three doubles and a pointer, passed by value.
+/// `approx` is the correctly rounded point; `exact` is null if that is the point itself.
 struct PointRef {
   Vec3 approx;
   const ExactCoordinates* exact = nullptr;
@@ -65,24 +65,24 @@ struct PointRef {
   PointRef(const Vec3& rounded, const ExactCoordinates* coordinates) : approx(rounded), exact(coordinates) {}
 
   bool is_double() const { return exact == nullptr; }
-  /// One exact coordinate. Cost: of a point that is no double, a search for a common divisor.
+  /// One exact coordinate. Cost: a greatest common divisor unless the point is a triple of doubles.
   Rational coordinate(std::size_t axis) const;
   RationalVec3 rational() const { return {coordinate(0), coordinate(1), coordinate(2)}; }
 };
 
-/// A point (or vector) with exact coordinates, as a value: what PointRef refers to, with ownership. Cheap to copy.
-/// Invariant: every `approx` coordinate is finite and is the exact one rounded to nearest; an exact triple is held only
-/// if at least one coordinate is no double. Negative zero is stored as zero, so that equal points have equal bytes.
+/// A point (or vector) with exact coordinates, as a value: the owning counterpart of PointRef. Cheap to copy.
+/// Invariant: every `approx` coordinate is finite and is the exact one rounded to nearest; exact coordinates are stored
+/// only if at least one is not a double. Negative zero is stored as zero, so that equal points have equal bytes.
 class ExactPoint {
  public:
   ExactPoint() = default;
-  /// Exactly these doubles, which must be finite.
+  /// From doubles, which must be finite.
   ExactPoint(const Vec3& doubles);  // NOLINT(google-explicit-constructor)
-  /// Exactly these rationals, which must lie within the range of doubles.
+  /// From rationals, which must lie within the range of doubles.
   explicit ExactPoint(const RationalVec3& exact);
-  /// The same point, whose coordinates it then owns as well.
+  /// From a view; shares the ownership of the coordinates.
   explicit ExactPoint(const PointRef& point) : approx_(point.approx), exact_(point.exact) {}
-  /// Of coordinates that belong together, as ExactCoordinates::make gives them.
+  /// From matching coordinates, as ExactCoordinates::make returns them.
   ExactPoint(const Vec3& approx, SharedCoordinates exact) : approx_(approx), exact_(std::move(exact)) {}
 
   const Vec3& approx() const { return approx_; }
@@ -101,18 +101,18 @@ class ExactPoint {
   SharedCoordinates exact_;
 };
 
-/// The points of a mesh: 24 bytes each if all are doubles, else 8 more and the exact coordinates of those that are
-/// none, which copies share. Indexed from 0.
+/// The points of a mesh: 24 bytes each if all are doubles, else 8 more, and the exact coordinates of the others, which
+/// copies share. Indexed from 0.
 class PointArray {
  public:
   PointArray() = default;
-  /// Exactly these doubles, which must be finite; negative zeros become zeros.
+  /// From doubles, which must be finite; negative zeros become zeros.
   explicit PointArray(std::vector<Vec3> doubles);
 
   std::size_t size() const { return approx_.size(); }
   void reserve(std::size_t count) { approx_.reserve(count); }
   void push_back(const PointRef& point);
-  /// Gives back spare capacity that is worth it.
+  /// Releases unused capacity if there is much of it.
   void shrink();
   PointRef operator[](std::size_t index) const {
     assert(index < approx_.size());
@@ -120,7 +120,7 @@ class PointArray {
   }
   ExactPoint point(std::size_t index) const { return ExactPoint((*this)[index]); }
   const std::vector<Vec3>& approx() const { return approx_; }
-  /// Number of points that are no doubles.
+  /// Number of points that are not triples of doubles.
   std::size_t exact_count() const { return exact_count_; }
   /// Bytes on the heap, as if nothing were shared.
   std::size_t heap_bytes() const;
@@ -137,7 +137,7 @@ namespace detail {
 Box3 box_around(const PointRef& point);
 }
 
-/// Smallest box of doubles that holds the exact point: outward-rounded where the point is no double.
+/// The smallest box of doubles around an exact point, outward-rounded.
 inline Box3 box_of(const PointRef& point) {
   return point.is_double() ? Box3::of(point.approx) : detail::box_around(point);
 }

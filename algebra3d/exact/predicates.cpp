@@ -5,10 +5,10 @@
 #include <cmath>
 #include <utility>
 
+#include "algebra3d/exact/detail/homogeneous.h"
+#include "algebra3d/exact/detail/predicates_integers.h"
 #include "algebra3d/exact/expansion.h"
-#include "algebra3d/exact/homogeneous.h"
 #include "algebra3d/exact/interval.h"
-#include "algebra3d/exact/predicates_integers.h"
 
 namespace algebra3d {
 

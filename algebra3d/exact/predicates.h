@@ -13,7 +13,7 @@ namespace algebra3d {
 using TriangleRef = std::array<PointRef, 3>;
 
 namespace detail {
-// The ways out of the inline functions below, for what the filter leaves open.
+// Decide what the filters of the inline functions below leave undecided.
 int decide_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 int decide_orient2d(Projection plane, const Vec3& a, const Vec3& b, const Vec3& c);
 int orient3d_of_rationals(const PointRef& a, const PointRef& b, const PointRef& c, const PointRef& d);
@@ -22,10 +22,10 @@ int orient2d_of_rationals(Projection plane, const PointRef& a, const PointRef& b
 
 /// Sign of the volume of the tetrahedron abcd: 1 if d lies on the side of plane abc to which the normal (b-a)x(c-a)
 /// points, 0 if the four are coplanar, -1 otherwise. Exact for all finite input, subnormal and huge values included.
-/// Cost: about five nanoseconds when the filter decides; some fifty where it does not and the coordinates of each axis
-/// are multiples of one power of two not 60 bits apart; half a microsecond for other doubles between 2^-200 and 2^300.
-/// Rationals serve beyond that range and for points that are no doubles, if intervals do not decide: microseconds.
-/// Source: [shewchuk1997], [bronnimann2001].
+/// Cost: about five nanoseconds when the filter decides; some fifty if not and the coordinates of each axis are
+/// multiples of one power of two within 60 bits; half a microsecond for other doubles between 2^-200 and 2^300;
+/// microseconds beyond that range and for exact points that intervals do not decide. Source: [shewchuk1997],
+/// [bronnimann2001].
 inline int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   detail::count_call();
   const int sign = detail::filter_orient3d(a, b, c, d);
@@ -51,8 +51,8 @@ inline int orient2d(Projection plane, const PointRef& a, const PointRef& b, cons
   return detail::orient2d_of_rationals(plane, a, b, c);
 }
 
-/// Sides of the plane of `base`, which is not degenerate, on which the corners of `triangle` lie: three times orient3d,
-/// with what belongs to the plane done once.
+/// The sides of the plane of `base` on which the corners of `triangle` lie: three orient3d with shared work. `base`
+/// must not be degenerate.
 std::array<int, 3> sides_of_plane(const TriangleRef& base, const TriangleRef& triangle);
 
 /// Compare one exact coordinate (axis 0, 1, 2), or all lexicographically.
@@ -61,45 +61,42 @@ std::strong_ordering compare(PointRef a, PointRef b);
 bool equal(PointRef a, PointRef b);
 /// True if the three lie on a line (equal points included).
 bool collinear(PointRef a, PointRef b, PointRef c);
-/// A projection in which the triangle keeps a positive area: its area's sign there is exact and not 0. Requires that
-/// the three are not collinear.
+/// A projection in which the triangle is not degenerate. Requires that the three points are not collinear.
 Projection dominant_projection(const PointRef& a, const PointRef& b, const PointRef& c);
-/// The same, and the sign of the area there.
+/// A projection and the sign of the triangle's area in it.
 struct ProjectedTurn {
   Projection projection;
   int sign;
 };
 ProjectedTurn dominant_turn(const TriangleRef& triangle);
 
-/// What two closed sets have in common: nothing, one point, a segment, or a part of positive area.
+/// The kind of the intersection of two closed sets: empty, a point, a segment, or a part of positive area.
 enum class Contact : std::uint8_t { none, point, segment, area };
 
-/// Common part of two segments (collinear overlap included). Neither may be a single point.
+/// The intersection of two segments (collinear overlap included). Neither may be a single point.
 Contact intersect_segments(PointRef a, PointRef b, PointRef c, PointRef d);
-/// Common part of segment pq (p != q) and a triangle that is not degenerate.
+/// The intersection of segment pq (p != q) and a triangle that is not degenerate.
 Contact intersect_segment_triangle(PointRef p, PointRef q, const TriangleRef& triangle);
-/// Common part of two triangles that are not degenerate; shared corners and edges count like any other common point.
-/// Cost: three to eight calls of orient3d for triangles in different planes, three if one lies on one side of the
-/// other's plane; some twenty of orient2d in a common plane.
-/// Source: [guigue2003] for the order of the tests; decided by signs of orient3d and orient2d and by comparison alone.
+/// The intersection of two triangles that are not degenerate; shared corners and edges count as intersections. Cost:
+/// three to eight calls of orient3d for triangles in different planes, three if one lies on one side of the other's
+/// plane; some twenty of orient2d in a common plane. Source: [guigue2003] for the order of the tests, which use
+/// orient3d, orient2d and comparisons only.
 Contact intersect_triangles(const TriangleRef& s, const TriangleRef& t);
 
-/// True if the triangles (shared, s1, s2) and (shared, t1, t2) have more in common than the corner `shared`; it is then
-/// a segment or an area. Neither may be degenerate. Cost: two to four calls of orient3d unless they are coplanar.
+/// True if the triangles (shared, s1, s2) and (shared, t1, t2) share more than the corner `shared`, that is, a segment
+/// or an area. Neither may be degenerate. Cost: two to four calls of orient3d unless they are coplanar.
 bool meet_beyond_shared_vertex(PointRef shared, PointRef s1, PointRef s2, PointRef t1, PointRef t2);
-/// True if the triangles (e0, e1, s) and (e0, e1, t) have more in common than the edge, which is then an area: they lie
-/// in one plane and on the same side of the edge. Neither may be degenerate. Cost: one orient3d unless coplanar.
+/// True if the triangles (e0, e1, s) and (e0, e1, t) share more than the edge, that is, an area: they are coplanar and
+/// on the same side of the edge. Neither may be degenerate. Cost: one orient3d unless coplanar.
 bool overlap_beyond_shared_edge(PointRef e0, PointRef e1, PointRef s, PointRef t);
 
-/// Radial order round the directed edge e0 -> e1. Each point off its line spans a half-plane with it; the angle of a
-/// point is that by which the half-plane of `origin` has to turn counter-clockwise (as seen by someone towards whom the
-/// edge points: right-handed about e1 - e0) to arrive at the point's half-plane, in [0, 360) degrees. Compares the
-/// angles of b and c. Requires e0 != e1 and no point on the line. Exact.
-/// For a fixed edge and origin this is a strict weak order, fit for sorting the faces at an edge by their third
-/// corners.
+/// Compares b and c in radial order around the directed edge e0 -> e1. Each point off the edge's line spans a
+/// half-plane with it. The angle of a point, in [0, 360) degrees, is that from the half-plane of `origin` to its own,
+/// right-handed about e1 - e0. Requires e0 != e1 and no point on the line. Exact. For a fixed edge and origin a strict
+/// weak order, for sorting the faces at an edge by their third corners.
 std::weak_ordering compare_around_edge(PointRef e0, PointRef e1, PointRef origin, PointRef b, PointRef c);
-/// True if the half-plane of a, turning as above, passes that of c strictly after its start and strictly before it
-/// arrives at that of b. If a and b span the same half-plane, the turn is a whole one. Same requirements.
+/// True if the half-plane of a, turning as above, passes that of c strictly before it reaches that of b. If a and b
+/// span the same half-plane, it makes a whole turn. Same requirements.
 bool in_counterclockwise_order(PointRef e0, PointRef e1, PointRef a, PointRef b, PointRef c);
 
 }  // namespace algebra3d

@@ -21,20 +21,20 @@ inline constexpr std::size_t second_axis(Projection plane) {
 
 namespace detail {
 
-/// What a filter answers that cannot tell the sign.
+/// The answer of a filter that cannot determine the sign.
 inline constexpr int kUndecided = 2;
 
-// Relative error of the determinants below, in terms of the same sum with all signs made positive. A product of three
-// differences carries at most 8 roundings of 2^-53 before the last addition, which cannot change a sign, and a product
-// of two at most 3 ([shewchuk1997], section 4); the unit more covers the roundings of the bound itself.
+// Error bounds of the determinants below, relative to the same sums with all signs positive. A product of three
+// differences has at most 8 roundings of 2^-53 before the last addition, which cannot change a sign, and a product of
+// two at most 3 ([shewchuk1997], section 4); one more unit covers the roundings of the bound itself.
 inline constexpr double kOrient3dError = 9 * 0x1p-53;
 inline constexpr double kOrient2dError = 4 * 0x1p-53;
-// An operation that underflows is off by at most 2^-1075, which the further factor may enlarge. The term is far larger,
-// so that the bound itself does not have to compute with subnormal numbers, which is slow. An overflow makes the bound
-// infinite or NaN, and each comparison false.
+// An underflow causes an error of at most 2^-1075, which the next factor may enlarge. This term is far larger, so that
+// the bound is not computed with subnormal numbers, which is slow. An overflow makes the bound infinite or NaN, so all
+// comparisons are false.
 inline constexpr double kUnderflowError = 0x1p-1000;
 
-/// The filter of orient3d with what belongs to the plane abc computed once.
+/// The filter of orient3d for a fixed plane abc.
 class PlaneFilter {
  public:
   PlaneFilter(const Vec3& a, const Vec3& b, const Vec3& c) : a_(a) {
@@ -83,9 +83,9 @@ inline double largest(const Vec3& v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-/// The same for points of which the nearest doubles are given. A difference of two is off by four roundings of the
-/// largest coordinate m at most, d = 2^-51 m; so with differences up to A, B, C, each product of three is off by less
-/// than (A + d)(B + d)(C + d) - ABC, and six of them carry fewer than 40 roundings of ABC.
+/// The filter of orient3d for points given by their nearest doubles. A difference has an error of at most four
+/// roundings of the largest coordinate m, d = 2^-51 m; so with differences up to A, B, C, the error of each product of
+/// three is less than (A + d)(B + d)(C + d) - ABC, and six of them have fewer than 40 roundings of ABC.
 inline int filter_rounded_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 u = b - a, v = c - a, w = d - a;
   const double off = 0x1p-51 * std::max({largest(a), largest(b), largest(c), largest(d)});

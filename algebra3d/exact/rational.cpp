@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "algebra3d/exact/counters.h"
-#include "algebra3d/exact/rational_big.h"
+#include "algebra3d/exact/detail/rational_big.h"
 
 namespace algebra3d {
 

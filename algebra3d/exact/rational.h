@@ -11,11 +11,11 @@
 
 namespace algebra3d {
 
-/// Exact rational number in lowest terms, denominator positive. A regular value type; a moved-from number is zero.
-/// Numerators and denominators that fit 64 bits are held in place; larger ones are GMP numbers on the heap, counted in
-/// `exact_counters().heap_rationals` (copies included). Which of the two holds a value is decided by the value alone,
-/// so equality and hash need no conversion. Zero has denominator 1. Errors: division by zero is a mistake of the
-/// caller. Cost: in place a few nanoseconds per operation.
+/// An exact rational number in lowest terms with a positive denominator. A regular value type; a moved-from number is
+/// zero. Numerators and denominators that fit 64 bits are stored in place; larger ones are GMP numbers on the heap,
+/// counted in `exact_counters().heap_rationals` (copies included). The representation depends only on the value, so
+/// equality and hash need no conversion. Zero has denominator 1. Precondition: no division by zero. Cost: a few
+/// nanoseconds per operation in place.
 class Rational {
  public:
   Rational() = default;
@@ -27,9 +27,9 @@ class Rational {
       *this = from_unsigned(static_cast<std::uint64_t>(integer));
     }
   }
-  /// The quotient; `denominator` is not zero, and may be negative.
+  /// The quotient; `denominator` must not be zero, but may be negative.
   Rational(std::int64_t numerator, std::int64_t denominator);
-  /// Exactly `value`, which must be finite.
+  /// From a double, which must be finite; exact.
   explicit Rational(double value);
   Rational(const Rational& other)
       : numerator_(other.numerator_),
@@ -54,10 +54,10 @@ class Rational {
     if (big_ != nullptr) destroy(big_);
   }
 
-  /// Reads `p`, `-p` or `p/q` (decimal digits, q > 0, lowest terms not required) or a decimal number such as
-  /// `-1.25e-3`, `.5` or `5.`; all of `text`. Nothing on any other text; a leading `+` or blank is other text.
-  /// Any length; exponents are limited to +-kMaxExponent. Cost: that of GMP's conversion and of one greatest common
-  /// divisor; some seconds for ten million digits.
+  /// Parses a text: `p`, `-p` or `p/q` (decimal digits, q > 0, lowest terms not required) or a decimal number such as
+  /// `-1.25e-3`, `.5` or `5.`. Nothing for any other text, also one with a leading `+` or a blank. Any length;
+  /// exponents are limited to +-kMaxExponent. Cost: GMP's conversion and one greatest common divisor; some seconds for
+  /// ten million digits.
   static std::optional<Rational> parse(std::string_view text);
   static constexpr int kMaxExponent = 10'000;
 
@@ -68,12 +68,12 @@ class Rational {
   /// Largest double <= this, smallest double >= this.
   double lower_double() const;
   double upper_double() const;
-  /// Nearest double to the square root of this, which must not be negative; ties to even.
+  /// Nearest double to the square root; ties to even. The number must not be negative.
   double nearest_root() const;
   bool is_double() const;  ///< exactly representable as a finite double
   bool is_dyadic() const;  ///< an integer over a power of two, as every double is
   bool is_integer() const;
-  /// True if both terms are held in place.
+  /// True if both terms are stored in place.
   bool is_small() const { return big_ == nullptr; }
   int sign() const { return big_ == nullptr ? (numerator_ > 0) - (numerator_ < 0) : big_sign(); }  ///< -1, 0 or 1
   std::size_t hash() const;
@@ -98,7 +98,7 @@ class Rational {
   friend std::strong_ordering operator<=>(const Rational& a, const Rational& b);
 
  private:
-  struct Big;  // a GMP rational; only exact/rational*.cpp know its inside
+  struct Big;  // a GMP rational; its definition is known to exact/rational*.cpp only
   friend class RationalAccess;
 
   static Rational from_unsigned(std::uint64_t integer);
@@ -114,7 +114,7 @@ class Rational {
 
   std::int64_t numerator_ = 0;
   std::int64_t denominator_ = 1;
-  Big* big_ = nullptr;  // owned; if set, the two integers mean nothing
+  Big* big_ = nullptr;  // owned; if set, the two integers are unused
 };
 
 }  // namespace algebra3d

@@ -4,9 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "algebra3d/exact/big_integer.h"
+#include <gmpxx.h>
+
+#include "algebra3d/exact/detail/rational_big.h"
 #include "algebra3d/exact/rational.h"
-#include "algebra3d/exact/rational_big.h"
 
 namespace algebra3d {
 
@@ -60,13 +61,13 @@ Leading leading_of(std::uint64_t numerator, std::uint64_t denominator) {
 
 /// The `count` <= 128 leading bits of a positive number; zeros follow one that has fewer.
 UInt128 leading_bits(mpz_srcptr number, long count) {
-  thread_local detail::BigInteger shifted;
+  thread_local mpz_class shifted;
   const auto bits = static_cast<long>(mpz_sizeinbase(number, 2));
   if (bits >= count)
-    mpz_tdiv_q_2exp(shifted, number, static_cast<mp_bitcnt_t>(bits - count));
+    mpz_tdiv_q_2exp(shifted.get_mpz_t(), number, static_cast<mp_bitcnt_t>(bits - count));
   else
-    mpz_mul_2exp(shifted, number, static_cast<mp_bitcnt_t>(count - bits));
-  return UInt128{mpz_getlimbn(shifted, 1)} << 64U | mpz_getlimbn(shifted, 0);
+    mpz_mul_2exp(shifted.get_mpz_t(), number, static_cast<mp_bitcnt_t>(count - bits));
+  return UInt128{mpz_getlimbn(shifted.get_mpz_t(), 1)} << 64U | mpz_getlimbn(shifted.get_mpz_t(), 0);
 }
 
 /// Of positive numbers. From their first bits alone, where these tell.
@@ -83,11 +84,11 @@ Leading leading_of(mpz_srcptr numerator, mpz_srcptr denominator) {
     return {quotient >> kUnsureBits, false,
             kDividendBits - kDivisorBits - kUnsureBits - (numerator_bits - denominator_bits)};
   const long scale = kQuotientBits - (numerator_bits - denominator_bits);
-  thread_local detail::BigInteger dividend, divisor;
-  mpz_mul_2exp(dividend, numerator, static_cast<mp_bitcnt_t>(std::max(scale, 0L)));
-  mpz_mul_2exp(divisor, denominator, static_cast<mp_bitcnt_t>(std::max(-scale, 0L)));
-  mpz_tdiv_qr(dividend, divisor, dividend, divisor);
-  return {mpz_get_ui(dividend), divisor.sign() == 0, scale};
+  thread_local mpz_class dividend, divisor;
+  mpz_mul_2exp(dividend.get_mpz_t(), numerator, static_cast<mp_bitcnt_t>(std::max(scale, 0L)));
+  mpz_mul_2exp(divisor.get_mpz_t(), denominator, static_cast<mp_bitcnt_t>(std::max(-scale, 0L)));
+  mpz_tdiv_qr(dividend.get_mpz_t(), divisor.get_mpz_t(), dividend.get_mpz_t(), divisor.get_mpz_t());
+  return {dividend.get_ui(), sgn(divisor) == 0, scale};
 }
 
 double round_magnitude(const Rational& number, Rounding rounding) {
@@ -99,9 +100,9 @@ double round_magnitude(const Rational& number, Rounding rounding) {
         .value;
   }
   const RationalAccess::View view(number);
-  thread_local detail::BigInteger numerator;
-  mpz_abs(numerator, view.numerator());
-  return round_leading(leading_of(numerator, view.denominator()), rounding).value;
+  thread_local mpz_class numerator;
+  mpz_abs(numerator.get_mpz_t(), view.numerator());
+  return round_leading(leading_of(numerator.get_mpz_t(), view.denominator()), rounding).value;
 }
 
 }  // namespace
@@ -109,9 +110,9 @@ double round_magnitude(const Rational& number, Rounding rounding) {
 RoundedQuotient round_quotient(mpz_srcptr numerator, mpz_srcptr denominator) {
   const int sign = mpz_sgn(numerator);
   if (sign == 0) return {0, 0};
-  thread_local detail::BigInteger magnitude;
-  mpz_abs(magnitude, numerator);
-  const RoundedQuotient rounded = round_leading(leading_of(magnitude, denominator), Rounding::nearest);
+  thread_local mpz_class magnitude;
+  mpz_abs(magnitude.get_mpz_t(), numerator);
+  const RoundedQuotient rounded = round_leading(leading_of(magnitude.get_mpz_t(), denominator), Rounding::nearest);
   return {sign * rounded.value + 0.0, sign * rounded.beyond};
 }
 

@@ -2,8 +2,8 @@
 #include <charconv>
 #include <string>
 
+#include "algebra3d/exact/detail/rational_big.h"
 #include "algebra3d/exact/rational.h"
-#include "algebra3d/exact/rational_big.h"
 #include "algebra3d/exact/rational_text.h"
 
 namespace algebra3d {

@@ -2,10 +2,9 @@
 
 #include <bit>
 
-#include <gmp.h>
+#include <gmpxx.h>
 
-#include "algebra3d/exact/big_integer.h"
-#include "algebra3d/exact/exact_sum_integers.h"
+#include "algebra3d/exact/detail/exact_sum_integers.h"
 
 namespace algebra3d {
 namespace {
@@ -37,6 +36,16 @@ void RealSum::add(double value) {
   if (++count_ % kAddsUntilCarry == 0) carry();
 }
 
+// After a carry every digit but the top one has 32 bits; the sum of two of them and of all summands until the next
+// carry stays below 63.
+void RealSum::add(const RealSum& other) {
+  RealSum carried = other;
+  carried.carry();
+  carry();
+  for (std::size_t i = 0; i < kDigits; ++i) digits_[i] += carried.digits_[i];
+  count_ += other.count_;
+}
+
 void RealSum::carry() {
   for (std::size_t i = 0; i + 1 < kDigits; ++i) {
     const std::int64_t above = digits_[i] >> kDigitBits;  // rounded down, so that what stays is not negative
@@ -46,12 +55,10 @@ void RealSum::carry() {
 }
 
 Rational RealSum::total() const {
-  detail::BigInteger sum;
-  detail::BigInteger digit;
+  mpz_class sum;
   for (std::size_t i = kDigits; i-- > 0;) {
-    mpz_mul_2exp(sum, sum, kDigitBits);
-    mpz_set_si(digit, digits_[i]);
-    mpz_add(sum, sum, digit);
+    sum <<= kDigitBits;
+    sum += digits_[i];
   }
   return detail::scaled_rational(sum, kLowestExponent, 1);
 }

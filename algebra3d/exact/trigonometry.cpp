@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "algebra3d/exact/mpfr_float.h"
-#include "algebra3d/exact/rational_big.h"
+#include "algebra3d/exact/detail/mpfr_float.h"
+#include "algebra3d/exact/detail/rational_big.h"
 
 namespace algebra3d {
 

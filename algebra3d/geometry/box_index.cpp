@@ -19,12 +19,17 @@ std::vector<std::pair<BoxIndex::Number, BoxIndex::Number>> all_pairs(rtree::Join
 
 }  // namespace
 
-BoxIndex::BoxIndex() : tree_(std::make_unique<Tree>()) {}
+const BoxIndex::Tree& BoxIndex::tree() const {
+  static const Tree empty;
+  return tree_ ? *tree_ : empty;
+}
+
+BoxIndex::BoxIndex() = default;
 BoxIndex::~BoxIndex() = default;
 BoxIndex::BoxIndex(BoxIndex&& other) noexcept = default;
 BoxIndex& BoxIndex::operator=(BoxIndex&& other) noexcept = default;
 
-BoxIndex::BoxIndex(std::span<const Box3> boxes) : BoxIndex() {
+BoxIndex::BoxIndex(std::span<const Box3> boxes) : tree_(std::make_unique<Tree>()) {
   std::vector<rtree::Entry<Number>> entries;
   entries.reserve(boxes.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) entries.push_back({boxes[i], i});
@@ -32,36 +37,37 @@ BoxIndex::BoxIndex(std::span<const Box3> boxes) : BoxIndex() {
 }
 
 std::size_t BoxIndex::size() const {
-  return tree_->entries.size();
+  return tree().entries.size();
 }
 
 bool BoxIndex::insert(const Box3& box, Number number) {
+  if (!tree_) tree_ = std::make_unique<Tree>();
   return tree_->entries.insert(box, number);
 }
 
 bool BoxIndex::erase(const Box3& box, Number number) {
-  return tree_->entries.erase(box, number);
+  return tree_ && tree_->entries.erase(box, number);
 }
 
 std::vector<BoxIndex::Number> BoxIndex::meeting(const Box3& window) const {
   std::vector<Number> numbers;
-  for (const Number number : tree_->entries.window(window)) numbers.push_back(number);
+  for (const Number number : tree().entries.window(window)) numbers.push_back(number);
   return numbers;
 }
 
 std::vector<BoxIndex::Neighbour> BoxIndex::nearest(const Box3& box, std::size_t limit) const {
   std::vector<Neighbour> neighbours;
-  auto cursor = tree_->entries.nearest(box, limit);
+  auto cursor = tree().entries.nearest(box, limit);
   while (const auto next = cursor.next()) neighbours.push_back({next->payload, next->distance});
   return neighbours;
 }
 
 std::vector<std::pair<BoxIndex::Number, BoxIndex::Number>> BoxIndex::meeting_pairs() const {
-  return all_pairs(tree_->entries.self_join());
+  return all_pairs(tree().entries.self_join());
 }
 
 std::vector<std::pair<BoxIndex::Number, BoxIndex::Number>> BoxIndex::meeting_pairs(const BoxIndex& other) const {
-  return all_pairs(tree_->entries.join(other.tree_->entries));
+  return all_pairs(tree().entries.join(other.tree().entries));
 }
 
 }  // namespace algebra3d

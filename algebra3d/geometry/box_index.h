@@ -11,8 +11,8 @@
 
 namespace algebra3d {
 
-/// An R-tree in memory over numbered boxes: which of them meet a box, which are nearest, which pairs meet. Closed
-/// boxes: touching ones meet. An empty box meets nothing. Constant members may be used by any number of threads.
+/// An R-tree in memory over numbered boxes: finds the boxes that meet a box, the nearest ones, and the pairs that meet.
+/// Boxes are closed: touching boxes meet. An empty box meets nothing. Concurrent calls of const members are safe.
 class BoxIndex {
  public:
   using Number = std::uint64_t;
@@ -22,20 +22,21 @@ class BoxIndex {
   };
 
   BoxIndex();
-  /// The boxes are numbered from 0. Cost: n log n; fuller nodes than those that inserting makes.
+  /// Builds the index; the boxes are numbered from 0. Cost: n log n. Nodes are fuller than after insertions.
   explicit BoxIndex(std::span<const Box3> boxes);
   ~BoxIndex();
+  /// A moved-from index is empty.
   BoxIndex(BoxIndex&& other) noexcept;
   BoxIndex& operator=(BoxIndex&& other) noexcept;
 
   std::size_t size() const;
-  /// False if the box is empty, and so was not stored.
+  /// Inserts a box; false if it is empty and so is not stored.
   bool insert(const Box3& box, Number number);
-  /// Removes one entry of that box and number; false if there is none.
+  /// Removes one entry with this box and number; false if there is none.
   bool erase(const Box3& box, Number number);
 
   std::vector<Number> meeting(const Box3& window) const;
-  /// By growing distance, equal distances by number; at most `limit`.
+  /// At most `limit` entries by ascending distance, then by number.
   std::vector<Neighbour> nearest(const Box3& box, std::size_t limit) const;
   /// Pairs of different entries that meet, each once, the smaller number first.
   std::vector<std::pair<Number, Number>> meeting_pairs() const;
@@ -44,7 +45,9 @@ class BoxIndex {
 
  private:
   struct Tree;
-  std::unique_ptr<Tree> tree_;
+  const Tree& tree() const;
+
+  std::unique_ptr<Tree> tree_;  // null: empty
 };
 
 }  // namespace algebra3d

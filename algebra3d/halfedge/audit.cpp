@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/halfedge/nonmanifold_tables.h"
+#include "algebra3d/halfedge/detail/nonmanifold_tables.h"
 
 namespace algebra3d {
 namespace {

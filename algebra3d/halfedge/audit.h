@@ -7,13 +7,13 @@
 
 namespace algebra3d {
 
-/// Every violated invariant of `mesh`, one sentence each with the elements concerned; empty if all hold. The edges are
-/// grouped and the fans walked anew, so that nothing rests on the code that built the mesh:
-/// sizes of the arrays; origins below the vertex count; each half-edge's state (manifold, boundary, non-manifold) as
-/// its edge demands; opposites mutual and in reverse direction; the outgoing half-edge leaves its vertex and starts its
-/// first fan, and only isolated vertices have none; non-manifold edges and vertices listed, each once, sorted and
-/// complete, with one entry for each fan of a non-manifold vertex; no side tables where nothing is non-manifold; known
-/// planes are those of the corners. Where sizes or origins are wrong, the rest is not examined. Cost: O(n log n).
+/// Lists every violated invariant of `mesh`, one sentence each with the elements concerned; empty if all hold. Edges
+/// and fans are recomputed, independent of the code that built the mesh. Checked are: sizes of the arrays; origins
+/// below the vertex count; each half-edge's state (manifold, boundary, non-manifold) as its edge demands; opposites
+/// mutual and in reverse direction; the outgoing half-edge leaves its vertex and starts its first fan, and only
+/// isolated vertices have none; non-manifold edges and vertices listed, each once, sorted and complete, with one entry
+/// for each fan of a non-manifold vertex; no side tables where nothing is non-manifold; known planes are those of the
+/// corners. If sizes or origins are wrong, the rest is not checked. Cost: O(n log n).
 std::vector<std::string> audit(const TriangleMesh& mesh);
 
 }  // namespace algebra3d

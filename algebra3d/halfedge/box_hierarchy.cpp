@@ -5,14 +5,14 @@
 #include <limits>
 #include <utility>
 
-#include "algebra3d/base/parallel.h"
+#include "algebra3d/base/scheduler.h"
 #include "algebra3d/halfedge/boxes.h"
 
 namespace algebra3d {
 namespace {
 
-/// From so many faces or points on, a second thread saves more than it costs.
-constexpr std::size_t kWorthAThread = 20000;
+/// Faces or points of one task.
+constexpr std::size_t kFacesPerTask = 10000;
 
 /// Upper 32 bits of a Morton code, and the position of its face in the lower half.
 using CodedFace = std::uint64_t;
@@ -90,8 +90,9 @@ BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> 
   const PointArray& points = mesh.points();
   choose_scale(points, margin);
   std::vector<Box> corners(points.size()), boxes(faces_.size());
-  in_halves(points.size(), kWorthAThread, [&](std::size_t i) { corners[i] = scaled(wide_box_of(points[i], margin)); });
-  in_halves(faces_.size(), kWorthAThread, [&](std::size_t i) {
+  parallel_for(points.size(), kFacesPerTask,
+               [&](std::size_t i) { corners[i] = scaled(wide_box_of(points[i], margin)); });
+  parallel_for(faces_.size(), kFacesPerTask, [&](std::size_t i) {
     const TriangleMesh::Triangle triangle = mesh.triangle(FaceId(faces_[i]));
     boxes[i] = corners[triangle[0]];
     boxes[i].extend(corners[triangle[1]]);
@@ -205,7 +206,7 @@ void BoxHierarchy::push_cross_children(const BoxHierarchy& other, const FrameCha
 void BoxHierarchy::sort_faces(std::vector<Box>& boxes) {
   std::vector<std::uint64_t> codes(boxes.size());
   std::vector<CodedFace> coded(boxes.size());
-  in_halves(boxes.size(), kWorthAThread, [&](std::size_t i) {
+  parallel_for(boxes.size(), kFacesPerTask, [&](std::size_t i) {
     // Sums of two coordinates up to 2^20; 21 bits hold all but the very last value.
     const auto cell = [&box = boxes[i]](std::size_t axis) {
       return std::min(static_cast<std::uint64_t>(box.min[axis] + box.max[axis]), std::uint64_t{0x1FFFFF});
@@ -218,7 +219,7 @@ void BoxHierarchy::sort_faces(std::vector<Box>& boxes) {
   sort_ties(coded, codes);
   std::vector<std::uint32_t> sorted_faces(coded.size());
   face_boxes_.resize(coded.size());
-  in_halves(coded.size(), kWorthAThread, [&](std::size_t i) {
+  parallel_for(coded.size(), kFacesPerTask, [&](std::size_t i) {
     sorted_faces[i] = faces_[static_cast<std::uint32_t>(coded[i])];
     face_boxes_[i] = boxes[static_cast<std::uint32_t>(coded[i])];
   });

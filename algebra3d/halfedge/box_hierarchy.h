@@ -17,20 +17,20 @@
 
 namespace algebra3d {
 
-/// Implicit box hierarchy over triangles of one mesh: triangles in Morton order, kLeafSize to a leaf, and a complete
-/// binary tree of boxes over the leaves, all in flat arrays without pointers.
+/// An implicit bounding volume hierarchy over triangles of one mesh: triangles in Morton order, kLeafSize per leaf, and
+/// a complete binary tree of boxes over the leaves, in flat arrays without pointers.
 ///
-/// Boxes are floats, scaled to the mesh: every coordinate goes through one map that never decreases (subtract, scale,
-/// round), so that boxes which touch or overlap still do after it; a query may name too many candidates, never too few,
-/// however far from the origin the mesh lies. Immutable after construction and `set_groups`; refers to nothing.
-/// Memory: 50 bytes per triangle. Deterministic. Source: [lauterbach2009] for the order of the triangles.
+/// Boxes are floats, scaled to the mesh by a monotonic map (subtract, scale, round), so boxes that touch or overlap
+/// still do so afterwards: a query may find too many candidates, never too few, however far from the origin the mesh
+/// lies. Immutable after construction and `set_groups`; refers to nothing. Memory: 50 bytes per triangle.
+/// Deterministic. Source: [lauterbach2009] for the order of the triangles.
 class BoxHierarchy {
  public:
   static constexpr std::size_t kLeafSize = 8;
   static constexpr std::uint32_t kNoGroup = 0xFFFFFFFF;
 
-  /// Over `faces` of `mesh`. Boxes are `margin` larger on each side, so that those of faces that are at most two
-  /// margins apart meet. Cost: linear (radix sort).
+  /// Builds the hierarchy over `faces` of `mesh`. Boxes are enlarged by `margin` on each side, so that boxes of faces
+  /// up to two margins apart meet. Cost: linear (radix sort).
   BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> faces, double margin = 0);
 
   std::size_t face_count() const { return faces_.size(); }
@@ -38,27 +38,27 @@ class BoxHierarchy {
   /// Faces of a leaf: at most kLeafSize.
   std::span<const std::uint32_t> leaf_faces(std::size_t leaf) const;
 
-  /// Gives each leaf a group or kNoGroup. A node whose leaves are all of one group is of that group; pairs within one
-  /// group are left out of `for_each_pair`, without being enumerated.
+  /// Assigns each leaf a group or kNoGroup. A node whose leaves are all in one group is in that group; `for_each_pair`
+  /// skips pairs within a group without enumerating them.
   void set_groups(std::span<const std::uint32_t> leaf_groups);
 
-  /// Calls visit(f, g) once for each pair of different faces whose boxes meet (and for some more whose boxes nearly do)
-  /// and which are not both in leaves of one group; ends early when it returns false. `pause` is called after every few
-  /// thousand steps and ends the search when it returns false. Order: depends on the mesh alone. No recursion.
+  /// Calls visit(f, g) once for each pair of different faces whose boxes meet (and for some whose boxes nearly meet),
+  /// except pairs in leaves of one group. Ends when it returns false. `pause` is called every few thousand steps and
+  /// ends the search when it returns false. The order depends on the mesh only. No recursion.
   template <typename Visit, typename Pause>
   void for_each_pair(Visit visit, Pause pause) const;
 
-  /// A part of a search, so that several threads can share it: the `index`-th of `count`.
+  /// The `index`-th of `count` parts of a search, for several threads.
   struct Share {
     std::uint32_t index, count;
   };
 
-  /// The same for each pair of a face of this hierarchy and a face of another one, whatever the groups. Each pair is in
-  /// one share, which one depends on the meshes and the number of shares alone.
+  /// The same for pairs of a face of this hierarchy and a face of another one, regardless of groups. Each pair is in
+  /// one share, which depends only on the meshes and the number of shares.
   template <typename Visit, typename Pause>
   void for_each_pair_with(const BoxHierarchy& other, Visit visit, Pause pause, Share share = {0, 1}) const;
 
-  /// A box around all faces, somewhat larger than the smallest one; empty if there are none.
+  /// A box around all faces, slightly larger than the smallest one; empty without faces.
   Box3 bounds() const;
 
   /// Calls visit(f) for each face whose box meets the vertical ray from `where` (a box around a point in the mesh's
@@ -66,13 +66,13 @@ class BoxHierarchy {
   template <typename Visit>
   void for_each_on_vertical_ray(const Box3& where, int upward, Visit visit) const;
 
-  /// The same for the ray upwards, nodes with lower boxes first. visit(f) gives the height up to which faces matter
-  /// from then on (infinite: all): those whose boxes lie above it are left out.
+  /// The same for the ray upwards, nodes with lower boxes first. visit(f) returns a height (infinite: none); faces
+  /// whose boxes lie above it are skipped from then on.
   template <typename Visit>
   void for_each_above(const Box3& where, Visit visit) const;
 
  private:
-  /// The fourth numbers are 0: four fill a register, and three of four comparisons cost as much as all.
+  /// The fourth numbers are 0, so that each triple fills a SIMD register.
   struct alignas(16) Box {
     std::array<float, 4> min, max;
 
@@ -87,7 +87,7 @@ class BoxHierarchy {
   struct NodePair {
     std::uint32_t level, first, second;
   };
-  /// Nodes of one height above the leaves; node i has the children 2i and 2i + 1 in the level below, if they exist.
+  /// The nodes of one level; node i has the children 2i and 2i + 1 in the level below, if they exist.
   struct Level {
     std::vector<Box> boxes;
     std::vector<std::uint32_t> groups;  // empty: none
@@ -100,14 +100,15 @@ class BoxHierarchy {
   };
 
   void choose_scale(const PointArray& points, double margin);
-  /// Rounding of functions that grow: never decreasing.
+  /// Maps a coordinate to the scaled frame; monotonic.
   float scaled(double coordinate, std::size_t axis) const {
     return static_cast<float>((coordinate / 2 - origin_[axis] / 2) * scale_);
   }
   Box scaled(const Box3& box) const;
-  /// A box around everything that `scaled` maps into the box.
+  /// A box around all points that `scaled` maps into `box`.
   Box3 unscaled(const Box& box) const;
-  /// From the frame of another hierarchy to this one's: a factor (a power of two), and where the other's origin lies.
+  /// The map from the frame of another hierarchy to this one: a factor (a power of two) and the position of the other's
+  /// origin.
   struct FrameChange {
     std::array<float, 4> factor, shift;
     bool is_known;  ///< false if the frames are too different for floats
@@ -115,9 +116,9 @@ class BoxHierarchy {
 
   FrameChange change_from(const BoxHierarchy& other) const;
   static Box changed(const FrameChange& change, const Box& box);
-  /// Pairs of nodes that meet, some dozens if there are as many, which hold all pairs of faces that meet.
+  /// Pairs of nodes that meet, up to some dozens; together they contain all pairs of faces that meet.
   std::vector<CrossPair> cross_roots(const BoxHierarchy& other, const FrameChange& change) const;
-  /// Those of the children that meet.
+  /// Pushes the pairs of children that meet.
   void push_cross_children(const BoxHierarchy& other, const FrameChange& change, const CrossPair& pair,
                            std::vector<CrossPair>& stack) const;
   void sort_faces(std::vector<Box>& boxes);
@@ -126,9 +127,9 @@ class BoxHierarchy {
     return !level.groups.empty() && level.groups[a] != kNoGroup && level.groups[a] == level.groups[b];
   }
   void push_children(NodePair pair, std::vector<NodePair>& stack) const;
-  /// The children of a node above the leaves, that with the lower box last.
+  /// Pushes the children of an inner node, the one with the lower box last.
   void push_from_highest(const Node& node, std::vector<Node>& stack) const;
-  /// The positions of those of the leaf's faces whose boxes meet `box`; written to `positions`.
+  /// Writes to `positions` the positions of the leaf's faces whose boxes meet `box`.
   std::span<const std::uint32_t> reaching(std::size_t leaf, const Box& box,
                                           std::array<std::uint32_t, kLeafSize>& positions) const;
   template <typename Visit>
@@ -151,7 +152,8 @@ inline bool BoxHierarchy::Box::meets(const Box& other) const {
   const __m128 above = _mm_cmple_ps(_mm_load_ps(other.min.data()), _mm_load_ps(max.data()));
   return _mm_movemask_ps(_mm_and_ps(below, above)) == 0xF;
 #else
-  // Without short cuts: the outcome is unpredictable, and six comparisons cost less than a wrong guess.
+  // No short-circuit evaluation: the result is unpredictable, and six comparisons cost less than a branch
+  // misprediction.
   return (min[0] <= other.max[0]) & (other.min[0] <= max[0]) & (min[1] <= other.max[1]) & (other.min[1] <= max[1]) &
          (min[2] <= other.max[2]) & (other.min[2] <= max[2]);
 #endif
@@ -159,7 +161,7 @@ inline bool BoxHierarchy::Box::meets(const Box& other) const {
 
 template <typename Visit>
 bool BoxHierarchy::visit_hits(std::size_t face, std::span<const std::uint32_t> others, Visit& visit) const {
-  // First all comparisons, then all visits: whether two boxes meet cannot be predicted, so no branch depends on it.
+  // First all comparisons, then all visits, so that no unpredictable branch is needed.
   std::array<std::uint32_t, kLeafSize> hits{};
   std::size_t hit_count = 0;
   const Box box = face_boxes_[face];
@@ -184,7 +186,7 @@ bool BoxHierarchy::visit_leaf(std::size_t leaf, Visit& visit) const {
 
 template <typename Visit>
 bool BoxHierarchy::visit_leaf_pair(std::size_t a, std::size_t b, Visit& visit) const {
-  // Of neighbouring leaves few triangles reach into the other's box; only those are paired.
+  // Few triangles of a leaf reach into the box of the other; only those are paired.
   std::array<std::uint32_t, kLeafSize> from_a{}, from_b{};
   const std::span<const std::uint32_t> reaching_a = reaching(a, levels_[0].boxes[b], from_a);
   const std::span<const std::uint32_t> reaching_b = reaching(b, levels_[0].boxes[a], from_b);

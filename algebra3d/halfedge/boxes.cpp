@@ -1,11 +1,21 @@
 #include "algebra3d/halfedge/boxes.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace algebra3d {
 
 Box3 box_of_triangle(const TriangleRef& corners) {
   Box3 box;
   for (const PointRef& corner : corners) box.extend(box_of(corner));
   return box;
+}
+
+double largest_coordinate(const TriangleMesh& mesh) {
+  double largest = 0;
+  for (const Vec3& p : mesh.points().approx())
+    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  return largest;
 }
 
 }  // namespace algebra3d

@@ -5,7 +5,11 @@
 
 namespace algebra3d {
 
-/// The smallest box of doubles that holds a triangle.
+/// The smallest box of doubles around a triangle.
 Box3 box_of_triangle(const TriangleRef& corners);
+
+/// The largest absolute value of a coordinate of the points of a mesh, unused points included; 0 without points.
+/// Rounded where points are exact. Cost: linear.
+double largest_coordinate(const TriangleMesh& mesh);
 
 }  // namespace algebra3d

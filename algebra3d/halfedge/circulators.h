@@ -4,16 +4,15 @@
 #include <ranges>
 #include <span>
 
-#include "algebra3d/halfedge/cursor_range.h"
+#include "algebra3d/halfedge/detail/cursor_range.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
 
 /// Neighbourhoods and elements of a mesh as lazy ranges: forward (all elements of a kind: random access), without
-/// allocation, to be composed with std::views. They refer to the mesh, not to each other: iterators outlive their range
-/// but not the mesh. Where a function takes a handle, that must be a valid one of the mesh.
+/// allocation, for use with std::views. Iterators may outlive their range but not the mesh. Handles that are passed
+/// must be valid in the mesh.
 ///
-/// Round a vertex the order is counter-clockwise, fan after fan in the order of `TriangleMesh::fans`; each fan starts
-/// at its first half-edge. So all fans of a non-manifold vertex are met, and an isolated vertex has empty
-/// neighbourhoods.
+/// Around a vertex the order is counter-clockwise, fan by fan in the order of `TriangleMesh::fans`; each fan starts at
+/// its first half-edge. All fans of a non-manifold vertex are included; an isolated vertex has empty neighbourhoods.
 namespace algebra3d {
 namespace circulators {
 
@@ -63,8 +62,8 @@ struct FaceCursor : CornerCursor {
   FaceId get() const { return TriangleMesh::face(CornerCursor::get()); }
 };
 
-/// Walks over the edges at a vertex and sees their other ends: each half-edge that leaves it, and in an open fan the
-/// last one that comes in.
+/// Walks over the neighbours of a vertex: the target of each outgoing half-edge, and in an open fan the origin of the
+/// last incoming one.
 class NeighbourCursor {
  public:
   using value_type = VertexId;
@@ -157,7 +156,7 @@ class EdgeCursor {
   std::size_t halfedge_ = 0;
 };
 
-/// Walks over half-edges by index and sees their origins.
+/// Walks over the origins of half-edges by index.
 class OriginCursor {
  public:
   using value_type = VertexId;
@@ -186,7 +185,7 @@ CursorRange<Cursor> around(const TriangleMesh& mesh, VertexId v) {
 inline auto outgoing_halfedges(const TriangleMesh& mesh, VertexId v) {
   return circulators::around<circulators::CornerCursor>(mesh, v);
 }
-/// Half-edges that end in `v`, one per corner at `v`: those before `outgoing_halfedges`.
+/// Half-edges that end in `v`, one per corner at `v`: the predecessors of `outgoing_halfedges`.
 inline auto incoming_halfedges(const TriangleMesh& mesh, VertexId v) {
   return circulators::around<circulators::IncomingCursor>(mesh, v);
 }
@@ -194,8 +193,8 @@ inline auto incoming_halfedges(const TriangleMesh& mesh, VertexId v) {
 inline auto faces_around(const TriangleMesh& mesh, VertexId v) {
   return circulators::around<circulators::FaceCursor>(mesh, v);
 }
-/// One-ring of `v`: the other end of each edge at `v`. Each neighbour once, unless a non-manifold edge leads to it:
-/// then once per side of a fan that this edge bounds.
+/// One-ring of `v`: the other end of each edge at `v`, each once; across a non-manifold edge once per side of a fan
+/// that the edge bounds.
 inline auto adjacent_vertices(const TriangleMesh& mesh, VertexId v) {
   return circulators::around<circulators::NeighbourCursor>(mesh, v);
 }
@@ -210,8 +209,8 @@ inline auto vertices_of(const TriangleMesh& mesh, FaceId f) {
   const std::size_t first = TriangleMesh::halfedge(f).index();
   return CursorRange<OriginCursor>(OriginCursor(mesh, first), OriginCursor(mesh, first + 3));
 }
-/// Faces that share an edge with `f`, itself excluded: edge by edge from half-edge 0, across a non-manifold edge all
-/// others along it, ascending. A face that shares two edges appears twice.
+/// Faces that share an edge with `f`, without `f`: edge by edge from half-edge 0; across a non-manifold edge all other
+/// faces, ascending. A face that shares two edges appears twice.
 inline auto adjacent_faces(const TriangleMesh& mesh, FaceId f) {
   using circulators::AdjacentFaceCursor;
   const std::size_t first = TriangleMesh::halfedge(f).index();
@@ -229,7 +228,7 @@ inline HandleRange<FaceId> faces(const TriangleMesh& mesh) {
 inline HandleRange<HalfedgeId> halfedges(const TriangleMesh& mesh) {
   return {0, mesh.halfedge_count()};
 }
-/// One half-edge per undirected edge, non-manifold ones included: the first along it; ascending.
+/// One half-edge per undirected edge, the first along it; ascending. Non-manifold edges are included.
 inline auto edges(const TriangleMesh& mesh) {
   using circulators::EdgeCursor;
   return CursorRange<EdgeCursor>(EdgeCursor(mesh, 0), EdgeCursor(mesh, mesh.halfedge_count()));

@@ -9,30 +9,29 @@
 
 namespace algebra3d {
 
-/// The planes of faces, as far as they are known. They follow from the corners, but where these are no doubles it takes
-/// microseconds to compute them, and the plane of the input has fewer digits than its corners.
-/// Memory: none while no plane is known.
+/// Known planes of faces, kept because computing them from exact corners takes microseconds, and the plane of the input
+/// has fewer digits than its corners. Memory: none while no plane is known.
 class FacePlanes {
  public:
   static constexpr std::uint32_t kUnknown = 0xFFFFFFFF;
 
-  /// Null if it is unknown.
+  /// The plane of a face; null if it is unknown.
   const IntegerPlane* find(std::size_t face) const {
     const std::uint32_t plane = number(face);
     return plane == kUnknown ? nullptr : &planes_[plane];
   }
-  /// Faces with the same number lie in one plane and look the same way.
+  /// The number of the plane of a face. Faces with the same number lie in one plane and have the same orientation.
   std::uint32_t number(std::size_t face) const { return face < of_faces_.size() ? of_faces_[face] : kUnknown; }
   const IntegerPlane& operator[](std::uint32_t number) const { return planes_[number]; }
   /// Number of planes.
   std::size_t size() const { return planes_.size(); }
 
-  /// Gives its number.
+  /// Adds a plane and returns its number.
   std::uint32_t add(IntegerPlane plane) {
     planes_.push_back(std::move(plane));
     return static_cast<std::uint32_t>(planes_.size() - 1);
   }
-  /// The face lies in this plane and looks to its front.
+  /// Sets the plane of a face, whose normal must point to the front of the plane.
   void set(std::size_t face, std::uint32_t number) {
     if (of_faces_.size() <= face) of_faces_.resize(face + 1, kUnknown);
     of_faces_[face] = number;
@@ -44,7 +43,7 @@ class FacePlanes {
 
  private:
   std::vector<IntegerPlane> planes_;
-  std::vector<std::uint32_t> of_faces_;  // ends with the last one that is known
+  std::vector<std::uint32_t> of_faces_;  // ends with the last known plane
 };
 
 }  // namespace algebra3d

@@ -7,7 +7,7 @@
 
 namespace algebra3d {
 
-/// Index of one kind of mesh element: distinct kinds are distinct types, and the default handle is invalid.
+/// The index of a mesh element. Each kind of element has its own handle type; the default handle is invalid.
 template <typename Kind>
 class Handle {
  public:

@@ -9,13 +9,12 @@
 
 namespace algebra3d {
 
-/// In place of a face: there was none.
+/// In place of a face: the triangle is new.
 inline constexpr std::uint32_t kNewFace = 0xFFFFFFFF;
 
-/// A mesh of triangles most of which are faces of another mesh, whose links are taken over. `was` says which: per
-/// triangle the face with the same corners in the same order, or kNewFace. Vertices may have other numbers, but equal
-/// ones stand for equal ones.
-/// The same mesh as without `before`. Cost: a few passes, and linking what is new or has lost a neighbour.
+/// Builds a mesh most of whose triangles are faces of another mesh, and reuses its links. `was`: per triangle the face
+/// of `before` with the same corners in the same order, or kNewFace. Vertices may be renumbered one to one. The result
+/// is the same as without `before`. Cost: a few passes, and linking new triangles and those that lost a neighbour.
 TriangleMesh relinked(const TriangleMesh& before, std::vector<std::uint32_t> was, PointArray points,
                       std::span<const TriangleMesh::Triangle> triangles, FacePlanes planes = {});
 

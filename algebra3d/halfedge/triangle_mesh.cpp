@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "algebra3d/halfedge/nonmanifold_tables.h"
+#include "algebra3d/halfedge/detail/nonmanifold_tables.h"
 
 namespace algebra3d {
 namespace {

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "algebra3d/base/indices.h"
 #include "algebra3d/exact/point.h"
 #include "algebra3d/exact/predicates.h"
 #include "algebra3d/halfedge/face_planes.h"
@@ -13,33 +14,33 @@
 
 namespace algebra3d {
 
-/// Triangle mesh as directed edges: half-edge 3f+i leaves corner i of face f, so that next, previous and face are
-/// arithmetic; the origin and the opposite of each half-edge are stored. Source: [campagna1998].
+/// A triangle mesh as directed edges: half-edge 3f+i leaves corner i of face f, so next, previous and face are
+/// computed; the origin and the opposite of each half-edge are stored. Source: [campagna1998].
 ///
-/// Any list of triangles is representable, nothing is dropped. An edge is *manifold* if exactly two half-edges run
-/// along it, in opposite directions; *boundary* if exactly one does; every other edge is *non-manifold*, its half-edges
-/// stand in a side table and have no opposite. A half-edge from a vertex to itself (a triangle that repeats a corner)
-/// is non-manifold, be it alone or not. A vertex is *non-manifold* if its faces form more than one fan (faces linked
-/// across manifold edges); a side table then holds one half-edge per fan. Invariants: `audit` (audit.h) lists them and
-/// finds every violation. Memory: 24 bytes per triangle and 28 per vertex where all coordinates are doubles and the
-/// mesh is manifold. Immutable after construction; concurrent reading is safe. At most kMaxFaces faces.
+/// Any list of triangles can be represented. An edge is *manifold* if exactly two half-edges run along it, in opposite
+/// directions; *boundary* if exactly one does; every other edge is *non-manifold*: its half-edges are in a side table
+/// and have no opposite. A half-edge from a vertex to itself (a triangle that repeats a corner) is always non-manifold.
+/// A vertex is *non-manifold* if its faces form more than one fan (faces linked across manifold edges); a side table
+/// then has one half-edge per fan. Invariants: see `audit` (audit.h), which checks them. Memory: 24 bytes per triangle
+/// and 28 per vertex where all coordinates are doubles and the mesh is manifold. Immutable after construction;
+/// concurrent reading is safe. At most kMaxFaces faces.
 class TriangleMesh {
  public:
-  using Triangle = std::array<std::uint32_t, 3>;
+  using Triangle = IndexTriangle;
   static constexpr std::size_t kMaxFaces = (std::size_t{1} << 31) / 3 - 1;
 
   /// The empty mesh.
   TriangleMesh() = default;
-  /// Links the triangles along common edges. Every index is below points.size() (asserted). Points that no triangle
-  /// uses are kept as isolated vertices. Cost: linear expected (sorting per vertex), no recursion.
-  /// Planes that are known must be those of the corners.
+  /// Links the triangles along common edges. Every index must be below points.size() (asserted). Unused points are kept
+  /// as isolated vertices. Known planes must be those of the corners. Cost: linear expected (sorting per vertex), no
+  /// recursion.
   TriangleMesh(PointArray points, std::span<const Triangle> triangles, FacePlanes planes = {});
 
-  /// In `opposites`: the half-edge's edge is still to be looked for.
+  /// In `opposites`: the half-edge is not linked yet.
   static constexpr std::uint32_t kUnlinked = 0xFFFFFFFE;
-  /// The same for triangles that are linked in part: three origins to a triangle, and for each half-edge its opposite
-  /// or kUnlinked. Nothing else may run along an edge that is linked, and a vertex is manifold if all half-edges that
-  /// leave it are. Cost: a few passes, and what there is to link.
+  /// The same for partly linked triangles: three origins per triangle, and per half-edge its opposite or kUnlinked. A
+  /// linked edge must have no further half-edges, and a vertex must be manifold if all half-edges that leave it are
+  /// linked. Cost: a few passes, and that of linking the rest.
   TriangleMesh(PointArray points, std::vector<std::uint32_t> origins, std::vector<std::uint32_t> opposites,
                FacePlanes planes);
 
@@ -70,14 +71,14 @@ class TriangleMesh {
   /// Half-edges of the n-th non-manifold edge, in order of first half-edge.
   std::span<const HalfedgeId> nonmanifold_edge(std::size_t n) const;
 
-  /// Some half-edge that leaves `v`; at a boundary vertex the one from which a counter-clockwise walk sees the whole
-  /// fan. Invalid at an isolated vertex.
+  /// A half-edge that leaves `v`; at a boundary vertex the first of its fan counter-clockwise. Invalid at an isolated
+  /// vertex.
   HalfedgeId outgoing(VertexId v) const { return outgoing_[v.index()]; }
   bool is_isolated(VertexId v) const { return !outgoing(v).is_valid(); }
   bool is_nonmanifold(VertexId v) const;
   /// One half-edge per fan of `v`, each the first of its fan; one entry at a manifold vertex, none at an isolated one.
   std::span<const HalfedgeId> fans(VertexId v) const;
-  /// Ascending.
+  /// The non-manifold vertices, ascending.
   std::vector<VertexId> nonmanifold_vertices() const;
 
   PointRef point(VertexId v) const { return points_[v.index()]; }
@@ -85,10 +86,10 @@ class TriangleMesh {
   Triangle triangle(FaceId f) const;
   TriangleRef corners(FaceId f) const;
 
-  /// Known planes of faces; none has to be. Volumes and surfaces are the same whether they are known or not.
+  /// Known planes of faces, possibly none. Results do not depend on them.
   const FacePlanes& planes() const { return planes_; }
 
-  /// Bytes on the heap, as counted from the containers' capacities, without those of large rationals.
+  /// Bytes on the heap by the capacities of the containers, without large rationals.
   std::size_t heap_bytes() const;
 
  private:

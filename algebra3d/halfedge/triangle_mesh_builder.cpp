@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "algebra3d/base/shrink.h"
-#include "algebra3d/halfedge/nonmanifold_tables.h"
+#include "algebra3d/halfedge/detail/nonmanifold_tables.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
 
 namespace algebra3d {

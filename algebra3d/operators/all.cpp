@@ -1,5 +1,6 @@
 #include "algebra3d/operators/all.h"
 
+#include "algebra3d/registry/operator.h"
 #include "algebra3d/types/all.h"
 
 namespace algebra3d {
@@ -7,49 +8,66 @@ namespace algebra3d {
 Registry make_registry() {
   Registry registry;
   for (const Type* type : all_types()) registry.add(*type);
-  registry.begin_family("arithmetic");
+  registry.begin_family(
+      {"arithmetic", "Sums, differences, products and quotients of numbers, times and texts.", Cost::constant});
   register_arithmetic(registry);
-  registry.begin_family("functions of numbers");
+  registry.begin_family(
+      {"functions of numbers", "Roots, powers, logarithms, angles, rounding, and numbers as texts.", Cost::constant});
   register_numbers(registry);
   register_mathematics(registry);
-  registry.begin_family("comparison");
+  registry.begin_family({"comparison", "Equality and order of values of every type.", Cost::linear});
   register_comparison(registry);
-  registry.begin_family("logic");
+  registry.begin_family({"logic", "Truth values.", Cost::constant});
   register_logic(registry);
-  registry.begin_family("strings and texts");
+  registry.begin_family({"strings and texts", "Searches in strings and texts.", Cost::linear});
   register_strings(registry);
-  registry.begin_family("points, vectors and planes");
+  registry.begin_family({"points, vectors and planes",
+                         "Points, vectors and planes from numbers, and their coordinates.", Cost::constant});
   register_points(registry);
-  registry.begin_family("boxes");
+  registry.begin_family({"boxes", "Axis-parallel boxes.", Cost::constant});
   register_boxes(registry);
-  registry.begin_family("facts about values");
+  registry.begin_family({"facts about values", "Sizes, boxes and emptiness of spatial values.", Cost::constant});
   register_information(registry);
-  registry.begin_family("measures");
+  registry.begin_family({"measures", "Volume, area and centre of solids, surfaces and regions.", Cost::linear});
   register_measure(registry);
-  registry.begin_family("creation of solids");
+  registry.begin_family({"creation of solids", "Cubes, cylinders, cones and spheres.", Cost::linear});
   register_creation(registry);
-  registry.begin_family("transformations");
+  registry.begin_family({"transformations", "Translation, rotation, reflection and scaling.", Cost::linear});
   register_transformation(registry);
-  registry.begin_family("set operations");
+  registry.begin_family(
+      {"set operations", "Unions, intersections, differences and cuts, all exact.", Cost::arrangement});
   register_set_operations(registry);
   register_cuts(registry);
-  registry.begin_family("parts of solids");
+  registry.begin_family({"parts of solids", "The parts of a surface or solid.", Cost::linear});
   register_decomposition(registry);
-  registry.begin_family("mesh files");
+  registry.begin_family({"mesh files",
+                         "Import of solids and surfaces from STL, OBJ and OFF files, with repair and reports.",
+                         Cost::file});
   register_imports(registry);
   register_exports(registry);
-  registry.begin_family("rounding");
+  register_repair_reports(registry);
+  registry.begin_family({"rounding", "Solids with short coordinates.", Cost::arrangement});
   register_rounding(registry);
-  registry.begin_family("regions");
+  registry.begin_family(
+      {"regions", "Polygons with holes in the plane, and solids and surfaces made of them.", Cost::sorting});
   register_regions(registry);
   register_space_time(registry);
-  registry.begin_family("region files");
+  registry.begin_family({"region files", "Regions from WKT and GeoJSON, and back.", Cost::linear});
   register_region_texts(registry);
   register_json_members(registry);
-  registry.begin_family("time");
+  register_geojson_features(registry);
+  register_make_regions(registry);
+  registry.begin_family({"time", "Instants, durations and intervals.", Cost::constant});
   register_time(registry);
-  registry.begin_family("moving regions");
+  registry.begin_family({"moving regions", "Regions that move over time.", Cost::linear});
   register_moving_regions(registry);
+  registry.begin_family({"aggregates", "One value of many.", Cost::linear});
+  register_aggregates(registry);
+  register_set_aggregates(registry);
+  registry.begin_family({"sequences", "Sequences of numbers.", Cost::linear});
+  register_sequences(registry);
+  registry.begin_family({"files and folders", "Names of files.", Cost::file});
+  register_directories(registry);
   return registry;
 }
 

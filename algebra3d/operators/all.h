@@ -4,7 +4,7 @@
 
 namespace algebra3d {
 
-/// A registry with every type and value operator of this library.
+/// A registry with every type and every operator over values.
 Registry make_registry();
 
 // The families, one file each.
@@ -32,5 +32,12 @@ void register_region_texts(Registry& registry);
 void register_json_members(Registry& registry);
 void register_time(Registry& registry);
 void register_moving_regions(Registry& registry);
+void register_aggregates(Registry& registry);
+void register_set_aggregates(Registry& registry);
+void register_make_regions(Registry& registry);
+void register_sequences(Registry& registry);
+void register_repair_reports(Registry& registry);
+void register_geojson_features(Registry& registry);
+void register_directories(Registry& registry);
 
 }  // namespace algebra3d

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "algebra3d/operators/all.h"
+#include "algebra3d/registry/operator.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/time.h"
@@ -97,29 +98,31 @@ Maybe<std::int64_t> modulo(std::int64_t a, std::int64_t b) {
 void register_arithmetic(Registry& registry) {
   registry.add({
       .name = "+",
+      .host_name = "plus",
       .syntax = "_ + _",
       .doc =
           "The sum of two numbers or durations, two strings or texts one after the other, or the instant after a time.",
-      .detail = "Undefined if an int is beyond the range of ints, an instant outside of the years 1 to 9999, or if the "
-                "days of a duration do not fit 32 bits. An int beside a real counts as the nearest real.",
+      .detail = "Undefined if an int is beyond the range of ints, an instant outside of the years 1 to 9999, or if "
+                "the days of a duration do not fit 32 bits. An int with a real is converted to the nearest real.",
       .exactness = Exactness::rounded_once,
       .overloads = {symmetric(overload<&add_ints>("a", "b")), symmetric(overload<&add>("a", "b")),
                     overload<&concatenate>("a", "b"), overload<&concatenate_texts>("a", "b"),
                     overload<&instant_later>("instant", "duration"), symmetric(overload<&add_durations>("a", "b"))},
-      .examples = {{"1 + 2", "3"},
-                   {"1 + 0.5", "1.5"},
-                   {R"("ab" + "c")", R"("abc")"},
-                   {"'ab' + 'c'", "'abc'"},
-                   {"theInstant(2012, 2, 28) + create_duration(1.5)", R"("2012-02-29-12:00")"},
-                   {"create_duration(1.5) + create_duration(0.75)", "(2 21600000)"},
-                   {"9223372036854775807 + 1", "undefined"},
-                   {"1 + [const int value undefined]", "undefined"}},
-      .errors = {{"query 1 + TRUE",
+      .examples = {{{"1", "2"}, "3"},
+                   {{"1", "0.5"}, "1.5"},
+                   {{R"("ab")", R"("c")"}, R"("abc")"},
+                   {{"'ab'", "'c'"}, "'abc'"},
+                   {{"(theInstant 2012 2 28)", "(create_duration 1.5)"}, R"("2012-02-29-12:00")"},
+                   {{"(create_duration 1.5)", "(create_duration 0.75)"}, "(2 21600000)"},
+                   {{"9223372036854775807", "1"}, "undefined"},
+                   {{"1", "(int undefined)"}, "undefined"}},
+      .errors = {{{"1", "TRUE"},
                   "+: expected (int int), (real real), (string string), (text text), (instant duration) or (duration "
                   "duration), got (int bool)"}},
   });
   registry.add({
       .name = "-",
+      .host_name = "minus",
       .syntax = "_ - _",
       .doc = "The difference of two numbers or durations, the time between two instants, or the instant a time before; "
              "`-x` is a number or duration with the other sign.",
@@ -129,21 +132,21 @@ void register_arithmetic(Registry& registry) {
                     overload<&subtract_ints>("a", "b"), overload<&subtract>("a", "b"),
                     overload<&time_between>("end", "start"), overload<&instant_earlier>("instant", "duration"),
                     overload<&subtract_durations>("a", "b")},
-      .examples = {{"10 - 4 - 3", "3"},
-                   {"1.5 - 1", "0.5"},
-                   {"theInstant(2013) - theInstant(2012)", "(366 0)"},
-                   {"theInstant(2012) - create_duration(0.25)", R"("2011-12-31-18:00")"},
-                   {"create_duration(1) - create_duration(1.5)", "(-1 43200000)"},
-                   {"-(2 + 3)", "-5"},
-                   {"-create_duration(1.5)", "(-2 43200000)"},
-                   {"1 - [const real value undefined]", "undefined"}},
-      .errors =
-          {{R"(query 1 - "a")",
-            "-: expected (int), (real), (duration), (int int), (real real), (instant instant), (instant duration) or "
-            "(duration duration), got (int string)"}},
+      .examples = {{{"(- 10 4)", "3"}, "3"},
+                   {{"1.5", "1"}, "0.5"},
+                   {{"(theInstant 2013)", "(theInstant 2012)"}, "(366 0)"},
+                   {{"(theInstant 2012)", "(create_duration 0.25)"}, R"("2011-12-31-18:00")"},
+                   {{"(create_duration 1)", "(create_duration 1.5)"}, "(-1 43200000)"},
+                   {{"(+ 2 3)"}, "-5"},
+                   {{"(create_duration 1.5)"}, "(-2 43200000)"},
+                   {{"1", "(real undefined)"}, "undefined"}},
+      .errors = {{{"1", R"("a")"},
+                  "-: expected (int), (real), (duration), (int int), (real real), (instant instant), (instant "
+                  "duration) or (duration duration), got (int string)"}},
   });
   registry.add({
       .name = "*",
+      .host_name = "times",
       .syntax = "_ * _",
       .doc = "The product of two numbers, or of a duration and a number.",
       .detail =
@@ -152,49 +155,48 @@ void register_arithmetic(Registry& registry) {
       .exactness = Exactness::rounded_once,
       .overloads = {symmetric(overload<&multiply_ints>("a", "b")), symmetric(overload<&multiply>("a", "b")),
                     overload<&multiply_duration>("duration", "factor")},
-      .examples = {{"2 * 3 + 1", "7"},
-                   {"0.5 * 4", "2.0"},
-                   {"create_duration(2) * 0.75", "(1 43200000)"},
-                   {"65536 * 65536", "4294967296"},
-                   {"4294967296 * 4294967296", "undefined"},
-                   {"2 * [const int value undefined]", "undefined"}},
-      .errors = {{R"(query 1 * "a")", "*: expected (int int), (real real) or (duration real), got (int string)"}},
+      .examples = {{{"2", "3"}, "7", "(+ _ 1)"},
+                   {{"0.5", "4"}, "2.0"},
+                   {{"(create_duration 2)", "0.75"}, "(1 43200000)"},
+                   {{"65536", "65536"}, "4294967296"},
+                   {{"4294967296", "4294967296"}, "undefined"},
+                   {{"2", "(int undefined)"}, "undefined"}},
+      .errors = {{{"1", R"("a")"}, "*: expected (int int), (real real) or (duration real), got (int string)"}},
   });
   registry.add({
       .name = "/",
+      .host_name = "divide",
       .syntax = "_ / _",
       .doc = "The quotient of two numbers, always a real.",
       .detail = "Division by zero is undefined.",
       .exactness = Exactness::rounded_once,
       .overloads = {overload<&divide>("a", "b")},
-      .examples = {{"1 / 4", "0.25"}, {"1 / 0", "undefined"}, {"[const real value undefined] / 2", "undefined"}},
-      .errors = {{R"(query 1 / "a")", "/: expected (real real), got (int string)"}},
+      .examples = {{{"1", "4"}, "0.25"}, {{"1", "0"}, "undefined"}, {{"(real undefined)", "2"}, "undefined"}},
+      .errors = {{{"1", R"("a")"}, "/: expected (real real), got (int string)"}},
   });
   registry.add({
       .name = "div",
+      .host_name = "integer_quotient",
       .syntax = "_ div _",
       .doc = "The integer part of a quotient of ints, rounded towards zero.",
       .detail = "Undefined: division by zero, and a quotient of 2^63.",
       .exactness = Exactness::exact,
       .overloads = {overload<&divide_ints>("a", "b")},
-      .examples = {{"7 div 2", "3"},
-                   {"-7 div 2", "-3"},
-                   {"7 div 0", "undefined"},
-                   {"[const int value undefined] div 2", "undefined"}},
-      .errors = {{"query 7.5 div 2", "div: expected (int int), got (real int)"}},
+      .examples =
+          {{{"7", "2"}, "3"}, {{"-7", "2"}, "-3"}, {{"7", "0"}, "undefined"}, {{"(int undefined)", "2"}, "undefined"}},
+      .errors = {{{"7.5", "2"}, "div: expected (int int), got (real int)"}},
   });
   registry.add({
       .name = "mod",
+      .host_name = "remainder",
       .syntax = "_ mod _",
       .doc = "The remainder of `div`, with the sign of the first operand.",
       .detail = "Division by zero is undefined.",
       .exactness = Exactness::exact,
       .overloads = {overload<&modulo>("a", "b")},
-      .examples = {{"7 mod 2", "1"},
-                   {"-7 mod 2", "-1"},
-                   {"7 mod 0", "undefined"},
-                   {"[const int value undefined] mod 2", "undefined"}},
-      .errors = {{"query 7.5 mod 2", "mod: expected (int int), got (real int)"}},
+      .examples =
+          {{{"7", "2"}, "1"}, {{"-7", "2"}, "-1"}, {{"7", "0"}, "undefined"}, {{"(int undefined)", "2"}, "undefined"}},
+      .errors = {{{"7.5", "2"}, "mod: expected (int int), got (real int)"}},
   });
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "algebra3d/operators/all.h"
+#include "algebra3d/registry/operator.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
@@ -63,16 +64,9 @@ Maybe<double> upper_bound(const Box3& box, std::int64_t dimension) {
   return bound(box.max, dimension);
 }
 
-constexpr std::string_view kUndefinedBox = "[const rect3 value undefined]";
-constexpr std::string_view kUnit = "rectangle3(0, 1, 0, 1, 0, 1)";
-constexpr std::string_view kShifted = "rectangle3(1, 2, 0, 1, 0, 1)";
-
-std::string call(std::string_view op, std::string_view a, std::string_view b) {
-  return std::string(op) + "(" + std::string(a) + ", " + std::string(b) + ")";
-}
-std::string infix(std::string_view a, std::string_view op, std::string_view b) {
-  return std::string(a) + " " + std::string(op) + " " + std::string(b);
-}
+const std::string kUndefinedBox = "(rect3 undefined)";
+const std::string kUnit = "(rectangle3 0 1 0 1 0 1)";
+const std::string kShifted = "(rectangle3 1 2 0 1 0 1)";
 
 void register_box_predicates(Registry& registry) {
   registry.add({
@@ -81,38 +75,37 @@ void register_box_predicates(Registry& registry) {
       .doc = "True if the boxes have a point in common; touching counts.",
       .exactness = Exactness::exact,
       .overloads = {symmetric(overload<&boxes_intersect>("a", "b"))},
-      .examples = {{infix(kUnit, "intersects", kShifted), "TRUE"},
-                   {infix(kUnit, "intersects", "rectangle3(2, 3, 0, 1, 0, 1)"), "FALSE"},
-                   {infix(kUnit, "intersects", kUndefinedBox), "undefined"}},
-      .errors = {{"query " + infix(kUnit, "intersects", "1"), "intersects: expected (rect3 rect3), got (rect3 int)"}},
+      .examples = {{{kUnit, kShifted}, "TRUE"},
+                   {{kUnit, "(rectangle3 2 3 0 1 0 1)"}, "FALSE"},
+                   {{kUnit, kUndefinedBox}, "undefined"}},
+      .errors = {{{kUnit, "1"}, "intersects: expected (rect3 rect3), got (rect3 int)"}},
   });
   registry.add({
       .name = "inside",
       .syntax = "_ inside _",
-      .doc = "True if every point of the first box lies in the second, or if the instant belongs to the interval.",
-      .detail = "Common boundaries of boxes count.",
+      .doc = "True if every point of the first box lies in the second, or the instant in the interval.",
+      .detail = "Boxes may share boundaries.",
       .exactness = Exactness::exact,
       .overloads = {overload<&box_inside>("inner", "outer"), overload<&instant_inside>("instant", "interval")},
-      .examples = {{infix(kUnit, "inside", "rectangle3(0, 2, 0, 2, 0, 2)"), "TRUE"},
-                   {infix(kUnit, "inside", kShifted), "FALSE"},
-                   {R"(theInstant(2012) inside [const interval value ("2011-01-01" "2012-01-01" TRUE FALSE)])",
-                    "FALSE"},
-                   {infix(kUnit, "inside", kUndefinedBox), "undefined"}},
-      .errors = {{"query " + infix(kUnit, "inside", "1"),
-                  "inside: expected (rect3 rect3) or (instant interval), got (rect3 int)"}},
+      .examples = {{{kUnit, "(rectangle3 0 2 0 2 0 2)"}, "TRUE"},
+                   {{kUnit, kShifted}, "FALSE"},
+                   {{"(theInstant 2012)", R"((interval ("2011-01-01" "2012-01-01" TRUE FALSE)))"}, "FALSE"},
+                   {{kUnit, kUndefinedBox}, "undefined"}},
+      .errors = {{{kUnit, "1"}, "inside: expected (rect3 rect3) or (instant interval), got (rect3 int)"}},
   });
   registry.add({
       .name = "contains",
       .syntax = "_ contains _",
-      .doc = "True if the first box holds every point of the second, or if the first string or text holds the second.",
+      .doc = "True if the first box contains every point of the second, or the first string or text contains the "
+             "second.",
       .exactness = Exactness::exact,
       .overloads = {overload<&box_contains>("outer", "inner"), overload<&string_contains>("whole", "part"),
                     overload<&text_contains>("whole", "part")},
-      .examples = {{infix("rectangle3(0, 2, 0, 2, 0, 2)", "contains", kUnit), "TRUE"},
-                   {R"("gearbox" contains "box")", "TRUE"},
-                   {R"('gearbox.stl' contains "cog")", "FALSE"},
-                   {infix(kUnit, "contains", kUndefinedBox), "undefined"}},
-      .errors = {{"query " + infix(kUnit, "contains", "1"), "contains: expected (rect3 rect3)"}},
+      .examples = {{{"(rectangle3 0 2 0 2 0 2)", kUnit}, "TRUE"},
+                   {{R"("gearbox")", R"("box")"}, "TRUE"},
+                   {{"'gearbox.stl'", R"("cog")"}, "FALSE"},
+                   {{kUnit, kUndefinedBox}, "undefined"}},
+      .errors = {{{kUnit, "1"}, "contains: expected (rect3 rect3)"}},
   });
 }
 
@@ -122,29 +115,28 @@ void register_boxes(Registry& registry) {
   registry.add({
       .name = "rectangle3",
       .syntax = "rectangle3(_, _, _, _, _, _)",
-      .doc = "The box with these bounds: minimum and maximum of x, of y, of z.",
+      .doc = "The box with the given minimum and maximum of x, of y, and of z.",
       .detail = "Undefined if a minimum is above its maximum.",
       .exactness = Exactness::exact,
       .overloads = {overload<&make_box>("minX", "maxX", "minY", "maxY", "minZ", "maxZ")},
-      .examples = {{"rectangle3(0, 1, 0, 2, 0, 3)", "(0.0 1.0 0.0 2.0 0.0 3.0)"},
-                   {"rectangle3(1, 0, 0, 2, 0, 3)", "undefined"},
-                   {"rectangle3(0, 1, 0, 2, 0, [const real value undefined])", "undefined"}},
-      .errors = {{"query rectangle3(0, 1)", "rectangle3: expected (real real real real real real), got (int int)"}},
+      .examples = {{{"0", "1", "0", "2", "0", "3"}, "(0.0 1.0 0.0 2.0 0.0 3.0)"},
+                   {{"1", "0", "0", "2", "0", "3"}, "undefined"},
+                   {{"0", "1", "0", "2", "0", "(real undefined)"}, "undefined"}},
+      .errors = {{{"0", "1"}, "rectangle3: expected (real real real real real real), got (int int)"}},
   });
   register_box_predicates(registry);
   registry.add({
       .name = "enlargeRect",
       .syntax = "enlargeRect(_, _, _, _)",
       .doc = "The box with every bound moved outward by the distance given for its axis; negative distances shrink it.",
-      .detail = "Undefined if nothing is left.",
+      .detail = "Undefined if the result is empty.",
       .exactness = Exactness::outward,
       .frame_use = FrameUse::axes,
       .overloads = {overload<&enlarged>("box", "dx", "dy", "dz")},
-      .examples = {{call("enlargeRect", kUnit, "1, 0, 0.5"), "(-1.0 2.0 0.0 1.0 -0.5 1.5)"},
-                   {call("enlargeRect", kUnit, "-1, 0, 0"), "undefined"},
-                   {call("enlargeRect", kUndefinedBox, "1, 1, 1"), "undefined"}},
-      .errors = {{"query " + call("enlargeRect", kUnit, "1"),
-                  "enlargeRect: expected (rect3 real real real), got (rect3 int)"}},
+      .examples = {{{kUnit, "1", "0", "0.5"}, "(-1.0 2.0 0.0 1.0 -0.5 1.5)"},
+                   {{kUnit, "-1", "0", "0"}, "undefined"},
+                   {{kUndefinedBox, "1", "1", "1"}, "undefined"}},
+      .errors = {{{kUnit, "1"}, "enlargeRect: expected (rect3 real real real), got (rect3 int)"}},
   });
   registry.add({
       .name = "minD",
@@ -153,10 +145,8 @@ void register_boxes(Registry& registry) {
       .exactness = Exactness::exact,
       .frame_use = FrameUse::coordinates,
       .overloads = {overload<&lower_bound>("box", "dimension")},
-      .examples = {{call("minD", kShifted, "1"), "1.0"},
-                   {call("minD", kShifted, "4"), "undefined"},
-                   {call("minD", kUndefinedBox, "1"), "undefined"}},
-      .errors = {{"query " + call("minD", kUnit, "1.5"), "minD: expected (rect3 int), got (rect3 real)"}},
+      .examples = {{{kShifted, "1"}, "1.0"}, {{kShifted, "4"}, "undefined"}, {{kUndefinedBox, "1"}, "undefined"}},
+      .errors = {{{kUnit, "1.5"}, "minD: expected (rect3 int), got (rect3 real)"}},
   });
   registry.add({
       .name = "maxD",
@@ -165,10 +155,8 @@ void register_boxes(Registry& registry) {
       .exactness = Exactness::exact,
       .frame_use = FrameUse::coordinates,
       .overloads = {overload<&upper_bound>("box", "dimension")},
-      .examples = {{call("maxD", kShifted, "1"), "2.0"},
-                   {call("maxD", kShifted, "0"), "undefined"},
-                   {call("maxD", kUndefinedBox, "1"), "undefined"}},
-      .errors = {{"query " + call("maxD", kUnit, "1.5"), "maxD: expected (rect3 int), got (rect3 real)"}},
+      .examples = {{{kShifted, "1"}, "2.0"}, {{kShifted, "0"}, "undefined"}, {{kUndefinedBox, "1"}, "undefined"}},
+      .errors = {{{kUnit, "1.5"}, "maxD: expected (rect3 int), got (rect3 real)"}},
   });
 }
 

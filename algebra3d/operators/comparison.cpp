@@ -2,6 +2,7 @@
 #include <array>
 
 #include "algebra3d/operators/all.h"
+#include "algebra3d/registry/operator.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/types/scalars.h"
 
@@ -33,8 +34,8 @@ Overload comparison(const Type& left, const Type& right, Test holds) {
   overload.function = [holds](std::span<const Value> values, Context&) -> Result<Outcome> {
     if (!values[0].is_deferred() && !values[1].is_deferred())
       return Outcome(Value::of<bool>(holds(order_of(values[0], values[1]))));
-    ASSIGN_OR_RETURN(const Value a, values[0].loaded());
-    ASSIGN_OR_RETURN(const Value b, values[1].loaded());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Value a, values[0].loaded());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Value b, values[1].loaded());
     return Outcome(Value::of<bool>(holds(order_of(a, b))));
   };
   return overload;
@@ -46,9 +47,9 @@ Overload range_test(const Type& type, const Type& lower, const Type& upper) {
   overload.parameters = {{"x", &type}, {"low", &lower}, {"high", &upper}};
   overload.result = &TypeOf<bool>::type();
   overload.function = [](std::span<const Value> values, Context&) -> Result<Outcome> {
-    ASSIGN_OR_RETURN(const Value x, values[0].loaded());
-    ASSIGN_OR_RETURN(const Value low, values[1].loaded());
-    ASSIGN_OR_RETURN(const Value high, values[2].loaded());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Value x, values[0].loaded());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Value low, values[1].loaded());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Value high, values[2].loaded());
     return Outcome(Value::of<bool>(order_of(low, x) <= 0 && order_of(x, high) <= 0));
   };
   return overload;
@@ -104,25 +105,50 @@ std::vector<Overload> range_tests(const Registry& registry) {
 
 struct Comparison {
   const char* name;
+  const char* host_name;
   const char* doc;
   Test holds;
-  const char* yes;
-  const char* no;
+  std::array<const char*, 2> yes;
+  std::array<const char*, 2> no;
 };
 
 constexpr std::array kComparisons = {
-    Comparison{"=", "True if both values are equal.", [](std::strong_ordering o) { return o == 0; }, "1 = 1.0",
-               "1 = 2"},
-    Comparison{"#", "True if the values differ.", [](std::strong_ordering o) { return o != 0; }, R"("a" # "b")",
-               "1 # 1"},
-    Comparison{"<", "True if the first value comes before the second in the order of their type.",
-               [](std::strong_ordering o) { return o < 0; }, "1 < 1.5", "2 < 1"},
-    Comparison{"<=", "True if the first value does not come after the second.",
-               [](std::strong_ordering o) { return o <= 0; }, "1 <= 1", R"("b" <= "a")"},
-    Comparison{">", "True if the first value comes after the second.", [](std::strong_ordering o) { return o > 0; },
-               "TRUE > FALSE", "1 > 1"},
-    Comparison{">=", "True if the first value does not come before the second.",
-               [](std::strong_ordering o) { return o >= 0; }, "2 >= 1", "0.5 >= 1"},
+    Comparison{"=",
+               "equals",
+               "True if both values are equal.",
+               [](std::strong_ordering o) { return o == 0; },
+               {"1", "1.0"},
+               {"1", "2"}},
+    Comparison{"#",
+               "not_equals",
+               "True if the values differ.",
+               [](std::strong_ordering o) { return o != 0; },
+               {R"("a")", R"("b")"},
+               {"1", "1"}},
+    Comparison{"<",
+               "less_than",
+               "True if the first value comes before the second in the order of their type.",
+               [](std::strong_ordering o) { return o < 0; },
+               {"1", "1.5"},
+               {"2", "1"}},
+    Comparison{"<=",
+               "less_or_equal",
+               "True if the first value does not come after the second.",
+               [](std::strong_ordering o) { return o <= 0; },
+               {"1", "1"},
+               {R"("b")", R"("a")"}},
+    Comparison{">",
+               "greater_than",
+               "True if the first value comes after the second.",
+               [](std::strong_ordering o) { return o > 0; },
+               {"TRUE", "FALSE"},
+               {"1", "1"}},
+    Comparison{">=",
+               "greater_or_equal",
+               "True if the first value does not come before the second.",
+               [](std::strong_ordering o) { return o >= 0; },
+               {"2", "1"},
+               {"0.5", "1"}},
 };
 
 }  // namespace
@@ -131,48 +157,52 @@ void register_comparison(Registry& registry) {
   for (const Comparison& row : kComparisons)
     registry.add({
         .name = row.name,
+        .host_name = row.host_name,
         .syntax = std::string("_ ") + row.name + " _",
         .doc = row.doc,
         .detail =
-            "Both are of one type, or an int and a real, whose values are compared, or a string and a text. Points, "
-            "surfaces and volumes are equal when they are the same point set, however it is cut into triangles.",
+            "Both values have one type, or are an int and a real, whose values are compared, or a string and a text. "
+            "Points, surfaces and solids are equal if they are the same point set, whatever the triangles.",
         .exactness = Exactness::exact,
         .overloads = comparisons(registry, row.holds),
-        .examples = {{row.yes, "TRUE"},
-                     {row.no, "FALSE"},
-                     {std::string("1 ") + row.name + " [const int value undefined]", "undefined"}},
-        .errors = {{std::string("query 1 ") + row.name + R"( "a")", std::string(row.name) + ": expected (int int)"}},
+        .examples = {{{row.yes[0], row.yes[1]}, "TRUE"},
+                     {{row.no[0], row.no[1]}, "FALSE"},
+                     {{"1", "(int undefined)"}, "undefined"}},
+        .errors = {{{"1", R"("a")"}, std::string(row.name) + ": expected (int int)"}},
     });
   registry.add({
       .name = "between",
+      .host_name = "is_between",
       .syntax = "_ between[_, _]",
-      .doc = "True if the value lies between the bounds, or is one of them, in the order of its type.",
+      .doc = "True if the value lies between the bounds, both included, in the order of its type.",
       .exactness = Exactness::exact,
       .overloads = range_tests(registry),
-      .examples = {{"2 between[1, 3]", "TRUE"},
-                   {"0.5 between[1, 3]", "FALSE"},
-                   {"2 between[1, [const int value undefined]]", "undefined"}},
-      .errors = {{R"(query 2 between[1, "a"])", "between: expected (int int int)"}},
+      .examples = {{{"2", "1", "3"}, "TRUE"},
+                   {{"0.5", "1", "3"}, "FALSE"},
+                   {{"2", "1", "(int undefined)"}, "undefined"}},
+      .errors = {{{"2", "1", R"("a")"}, "between: expected (int int int)"}},
   });
   registry.add({
       .name = "isdefined",
+      .host_name = "is_defined",
       .syntax = "isdefined(_)",
       .doc = "True if the value is not undefined.",
       .exactness = Exactness::exact,
       .overloads = for_all_types(registry, definedness),
-      .examples = {{"isdefined(1)", "TRUE"}, {"isdefined([const point3d value undefined])", "FALSE"}},
-      .errors = {{"query isdefined(1, 2)", "isdefined: expected (int)"}},
+      .examples = {{{"1"}, "TRUE"}, {{"(point3d undefined)"}, "FALSE"}},
+      .errors = {{{"1", "2"}, "isdefined: expected (int)"}},
   });
   registry.add({
       .name = "ifthenelse",
+      .host_name = "if_then_else",
       .syntax = "ifthenelse(_, _, _)",
       .doc = "The second argument if the condition is TRUE, the third if it is FALSE.",
       .detail = "Undefined if the condition is. Both branches are evaluated.",
       .overloads = for_all_types(registry, choice),
-      .examples = {{R"(ifthenelse(1 < 2, "yes", "no"))", R"("yes")"},
-                   {"ifthenelse(TRUE, 1, [const int value undefined])", "1"},
-                   {"ifthenelse([const bool value undefined], 1, 2)", "undefined"}},
-      .errors = {{R"(query ifthenelse(TRUE, 1, "a"))", "ifthenelse: expected (bool int int)"}},
+      .examples = {{{"(< 1 2)", R"("yes")", R"("no")"}, R"("yes")"},
+                   {{"TRUE", "1", "(int undefined)"}, "1"},
+                   {{"(bool undefined)", "1", "2"}, "undefined"}},
+      .errors = {{{"TRUE", "1", R"("a")"}, "ifthenelse: expected (bool int int)"}},
   });
 }
 

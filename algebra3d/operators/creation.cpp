@@ -7,9 +7,10 @@
 #include "algebra3d/exact/affine_map.h"
 #include "algebra3d/exact/trigonometry.h"
 #include "algebra3d/operators/all.h"
-#include "algebra3d/operators/sample_values.h"
+#include "algebra3d/operators/detail/sample_values.h"
+#include "algebra3d/registry/operator.h"
 #include "algebra3d/registry/overload.h"
-#include "algebra3d/repair/weld.h"
+#include "algebra3d/soup/weld.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
 #include "algebra3d/validity/star_shape.h"
@@ -50,9 +51,9 @@ Result<Maybe<Volume3d>> prove(Context& context, TriangleMesh mesh, const Vec3& c
 Result<Maybe<Volume3d>> finish(Context& context, Draft draft, const Vec3& centre) {
   for (const Vec3& p : draft.points)
     if (!is_finite(p)) return undefined("a corner is beyond the range of doubles");
-  RETURN_IF_ERROR(context.check_cancelled());
-  ASSIGN_OR_RETURN(auto proved,
-                   prove(context, TriangleMesh(PointArray(std::move(draft.points)), draft.triangles), centre));
+  ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+  ALGEBRA3D_ASSIGN_OR_RETURN(
+      auto proved, prove(context, TriangleMesh(PointArray(std::move(draft.points)), draft.triangles), centre));
   if (proved) return proved;
   return undefined("the shape collapses when its corners are rounded to doubles");
 }
@@ -112,7 +113,7 @@ Result<std::vector<CirclePoint>> unit_circle(Context& context, std::uint32_t cou
   std::vector<CirclePoint> circle;
   circle.reserve(count);
   for (std::uint32_t i = 0; i < count; ++i) {
-    if (i % 8192 == 0) RETURN_IF_ERROR(context.check_cancelled());
+    if (i % 8192 == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
     circle.push_back(next_corner(circle, i, count));
   }
   return circle;
@@ -150,7 +151,7 @@ Result<Maybe<Volume3d>> make_cylinder(Context& context, const Point3d& base, dou
   const auto n = static_cast<std::uint32_t>(corners);
   const AffineMap place = placement(base, radius, height);
   Draft draft;
-  ASSIGN_OR_RETURN(const std::vector<CirclePoint> circle, unit_circle(context, n));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<CirclePoint> circle, unit_circle(context, n));
   add_circle(place, 0, circle, draft);
   add_circle(place, 1, circle, draft);
   add_disc(0, n, false, draft);
@@ -169,7 +170,7 @@ Result<Maybe<Volume3d>> make_cone(Context& context, const Point3d& base, double 
   const auto n = static_cast<std::uint32_t>(corners);
   const AffineMap place = placement(base, radius, height);
   Draft draft;
-  ASSIGN_OR_RETURN(const std::vector<CirclePoint> circle, unit_circle(context, n));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<CirclePoint> circle, unit_circle(context, n));
   add_circle(place, 0, circle, draft);
   draft.points.push_back(place.apply_rounded(Vec3{0, 0, 1}));
   add_disc(0, n, false, draft);
@@ -196,9 +197,9 @@ Result<Maybe<Volume3d>> make_sphere(Context& context, const Point3d& centre, dou
   const AffineMap place = placement(centre, radius, radius);
   const std::uint32_t rings = n / 2 - 1;
   Draft draft;
-  ASSIGN_OR_RETURN(const std::vector<CirclePoint> circle, unit_circle(context, n));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<CirclePoint> circle, unit_circle(context, n));
   for (std::uint32_t i = 1; i <= rings; ++i) {
-    RETURN_IF_ERROR(context.check_cancelled());
+    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
     add_ring(centre, radius, circle[i], circle, draft);
   }
   const std::uint32_t first_pole = rings * n, last_pole = first_pole + 1;
@@ -223,18 +224,17 @@ void register_round_prism(Registry& registry) {
       .name = "createCylinder",
       .syntax = "createCylinder(_, _, _, _)",
       .doc = "An upright prism over a regular polygon: centre of its base, radius, height and number of corners.",
-      .detail =
-          "The base lies in the plane z = that of the centre, its first corner in direction +x; 4n - 4 triangles. " +
-          kRoundNote,
+      .detail = "The base lies in the horizontal plane of the centre, with its first corner in direction +x; 4n - 4 "
+                "triangles. " +
+                kRoundNote,
       .exactness = Exactness::rounded_once,
       .frame_use = FrameUse::axes,
       .overloads = {overload<&make_cylinder>("base", "radius", "height", "n")},
-      .examples = {{"volume(createCylinder(" + kOrigin + ", 1, 3, 4))", "6.0"},
-                   {"size(createCylinder(" + kOrigin + ", 1, 3, 12))", "44"},
-                   {"createCylinder(" + kOrigin + ", 1, 3, 2)", "undefined"},
-                   {"createCylinder(" + kUndefinedPoint + ", 1, 3, 12)", "undefined"}},
-      .errors = {{"query createCylinder(" + kOrigin + ", 1, 3)",
-                  "createCylinder: expected (point3d real real int), got (point3d int int)"}},
+      .examples = {{{kOrigin, "1", "3", "4"}, "6.0", "(volume _)"},
+                   {{kOrigin, "1", "3", "12"}, "44", "(size _)"},
+                   {{kOrigin, "1", "3", "2"}, "undefined"},
+                   {{kUndefinedPoint, "1", "3", "12"}, "undefined"}},
+      .errors = {{{kOrigin, "1", "3"}, "createCylinder: expected (point3d real real int), got (point3d int int)"}},
   });
   registry.add({
       .name = "createCone",
@@ -244,12 +244,11 @@ void register_round_prism(Registry& registry) {
       .exactness = Exactness::rounded_once,
       .frame_use = FrameUse::axes,
       .overloads = {overload<&make_cone>("base", "radius", "height", "n")},
-      .examples = {{"volume(createCone(" + kOrigin + ", 1, 3, 4))", "2.0"},
-                   {"size(createCone(" + kOrigin + ", 1, 3, 12))", "22"},
-                   {"createCone(" + kOrigin + ", 0, 3, 12)", "undefined"},
-                   {"createCone(" + kUndefinedPoint + ", 1, 3, 12)", "undefined"}},
-      .errors = {{"query createCone(" + kOrigin + ", 1, 3)",
-                  "createCone: expected (point3d real real int), got (point3d int int)"}},
+      .examples = {{{kOrigin, "1", "3", "4"}, "2.0", "(volume _)"},
+                   {{kOrigin, "1", "3", "12"}, "22", "(size _)"},
+                   {{kOrigin, "0", "3", "12"}, "undefined"},
+                   {{kUndefinedPoint, "1", "3", "12"}, "undefined"}},
+      .errors = {{{kOrigin, "1", "3"}, "createCone: expected (point3d real real int), got (point3d int int)"}},
   });
 }
 
@@ -263,33 +262,32 @@ void register_creation(Registry& registry) {
       .detail = "Undefined if the box has no extent along an axis.",
       .exactness = Exactness::exact,
       .overloads = {symmetric(overload<&make_cube>("p", "q"))},
-      .examples = {{"volume(createCube(makePoint3D(1, 1, 1), makePoint3D(0, -1, 4)))", "6.0"},
-                   {"size(createCube(" + kOrigin + ", makePoint3D(1, 1, 1)))", "12"},
-                   {"createCube(" + kOrigin + ", makePoint3D(1, 0, 1))", "undefined"},
-                   {"createCube(" + kOrigin + ", " + kUndefinedPoint + ")", "undefined"}},
-      .errors = {{"query createCube(" + kOrigin + ", 1)", "createCube: expected (point3d point3d), got (point3d int)"}},
+      .examples = {{{"(makePoint3D 1 1 1)", "(makePoint3D 0 -1 4)"}, "6.0", "(volume _)"},
+                   {{kOrigin, "(makePoint3D 1 1 1)"}, "12", "(size _)"},
+                   {{kOrigin, "(makePoint3D 1 0 1)"}, "undefined"},
+                   {{kOrigin, kUndefinedPoint}, "undefined"}},
+      .errors = {{{kOrigin, "1"}, "createCube: expected (point3d point3d), got (point3d int)"}},
   });
   register_round_prism(registry);
   registry.add({
       .name = "createSphere",
       .syntax = "createSphere(_, _, _)",
-      .doc = "A ball of flat triangles: centre, radius and number of corners of its circles.",
+      .doc = "A polyhedron that approximates a sphere: centre, radius and number of corners of its circles.",
       .detail =
-          "The number of corners n is made even by adding 1. A half circle of n/2 steps from (1, 0, 0) to (-1, 0, "
-          "0) is turned about the x axis in n steps, scaled by the radius and moved to the centre; n(n - 2) "
-          "triangles, at most 40 million. " +
+          "An odd number of corners n is increased by 1. A half circle of n/2 steps from (1, 0, 0) to (-1, 0, 0) is "
+          "turned about the x axis in n steps, scaled by the radius and moved to the centre; n(n - 2) triangles, at "
+          "most 40 million. " +
           kRoundNote,
       .exactness = Exactness::rounded_once,
       .frame_use = FrameUse::axes,
       .overloads = {overload<&make_sphere>("centre", "radius", "n")},
       // With 4 corners, the octahedron: 4/3 r^3.
-      .examples = {{"volume(createSphere(" + kOrigin + ", 3, 4))", "36.0"},
-                   {"size(createSphere(" + kOrigin + ", 1, 11))", "120"},
-                   {"bbox(createSphere(makePoint3D(1, 2, 3), 0.5, 8))", "(0.5 1.5 1.5 2.5 2.5 3.5)"},
-                   {"createSphere(" + kOrigin + ", -1, 8)", "undefined"},
-                   {"createSphere(" + kUndefinedPoint + ", 1, 8)", "undefined"}},
-      .errors = {{"query createSphere(" + kOrigin + ", 1)",
-                  "createSphere: expected (point3d real int), got (point3d int)"}},
+      .examples = {{{kOrigin, "3", "4"}, "36.0", "(volume _)"},
+                   {{kOrigin, "1", "11"}, "120", "(size _)"},
+                   {{"(makePoint3D 1 2 3)", "0.5", "8"}, "(0.5 1.5 1.5 2.5 2.5 3.5)", "(bbox _)"},
+                   {{kOrigin, "-1", "8"}, "undefined"},
+                   {{kUndefinedPoint, "1", "8"}, "undefined"}},
+      .errors = {{{kOrigin, "1"}, "createSphere: expected (point3d real int), got (point3d int)"}},
   });
 }
 

@@ -2,9 +2,10 @@
 #include <optional>
 #include <vector>
 
+#include "algebra3d/constructions/solid_components.h"
 #include "algebra3d/halfedge/topology.h"
 #include "algebra3d/operators/all.h"
-#include "algebra3d/operators/solid_components.h"
+#include "algebra3d/registry/operator.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/types/spatial.h"
 
@@ -21,12 +22,12 @@ Result<std::vector<std::vector<FaceId>>> component_faces(Context& context, const
 template <typename T>
 Result<std::vector<T>> components_of(Context& context, const std::optional<T>& geometry) {
   if (!geometry) return std::vector<T>();
-  ASSIGN_OR_RETURN(const auto components, component_faces(context, *geometry));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto components, component_faces(context, *geometry));
   if (components.size() == 1) return std::vector<T>{*geometry};
   std::vector<T> result;
   SubmeshMaker maker(geometry->mesh());
   for (const std::vector<FaceId>& faces : components) {
-    RETURN_IF_ERROR(context.check_cancelled());
+    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
     // No proof: triangles that are fine among others are so among fewer. A component of a volume holds the outer shell
     // of a body and the walls of its cavities, so next to these the winding numbers are what they were in the whole.
     result.push_back(T::trusted(maker.make(faces)));
@@ -34,8 +35,8 @@ Result<std::vector<T>> components_of(Context& context, const std::optional<T>& g
   return result;
 }
 
-const std::string kTwoTriangles = "[const surface3d value (((0 0 0) (1 0 0) (0 1 0)) ((0 0 0) (0 -1 0) (-1 0 0)))]";
-const std::string kSquare = "[const surface3d value (((0 0 0) (1 0 0) (1 1 0)) ((0 0 0) (1 1 0) (0 1 0)))]";
+const std::string kTwoTriangles = "(surface3d (((0 0 0) (1 0 0) (0 1 0)) ((0 0 0) (0 -1 0) (-1 0 0))))";
+const std::string kSquare = "(surface3d (((0 0 0) (1 0 0) (1 1 0)) ((0 0 0) (1 1 0) (0 1 0))))";
 
 }  // namespace
 
@@ -43,18 +44,17 @@ void register_decomposition(Registry& registry) {
   registry.add({
       .name = "components",
       .syntax = "components(_)",
-      .doc = "The parts of a surface or solid that are connected across common edges, as a stream.",
-      .detail = "Triangles that share just a point are not connected. The wall of a cavity belongs to the solid around "
-                "it; a solid within a cavity is a part of its own. Parts come in order of their first triangles; an "
-                "undefined or empty argument has none.",
+      .doc = "The parts of a surface or solid that are connected across common edges.",
+      .detail = "Triangles that share only a point are not connected. The boundary of a cavity belongs to the body "
+                "around it; a body in a cavity is a separate part. Parts are in the order of their first triangles; "
+                "an undefined or empty argument has none.",
       .exactness = Exactness::exact,
       .overloads = {overload<&components_of<Surface3d>>("surface"), overload<&components_of<Volume3d>>("solid")},
-      .examples = {{"components(" + kTwoTriangles + ") count", "2"},
-                   {"components(" + kSquare + ") count", "1"},
-                   {"components(createCube(makePoint3D(0, 0, 0), makePoint3D(1, 1, 1))) count", "1"},
-                   {"components([const volume3d value undefined]) count", "0"}},
-      .errors = {{"query components(makePoint3D(0, 0, 0)) count",
-                  "components: expected (surface3d) or (volume3d), got (point3d)"}},
+      .examples = {{{kTwoTriangles}, "2", "(count _)"},
+                   {{kSquare}, "1", "(count _)"},
+                   {{"(createCube (makePoint3D 0 0 0) (makePoint3D 1 1 1))"}, "1", "(count _)"},
+                   {{"(volume3d undefined)"}, "0", "(count _)"}},
+      .errors = {{{"(makePoint3D 0 0 0)"}, "components: expected (surface3d) or (volume3d), got (point3d)"}},
   });
 }
 

@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "algebra3d/operators/all.h"
+#include "algebra3d/registry/operator.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/types/moving_region.h"
 #include "algebra3d/types/planar.h"
@@ -50,39 +51,36 @@ void register_sizes(Registry& registry) {
   registry.add({
       .name = "size",
       .syntax = "size(_)",
-      .doc = "The number of points or triangles; of a region, also one that moves, that of its segments.",
+      .doc = "The number of points or triangles; for a region or moving region the number of segments.",
       .detail = "A point3d has size 1. Reads no geometry.",
       .exactness = Exactness::exact,
       .overloads = {overload<&size_of<Point3d>>("point"), overload<&size_of<Points3d>>("points"),
                     overload<&size_of<Surface3d>>("surface"), overload<&size_of<Volume3d>>("solid"),
                     overload<&size_of<Region>>("region"), overload<&size_of<RegionUnit>>("unit"),
                     overload<&size_of<MovingRegion>>("moving")},
-      .examples = {{"size(createCube(makePoint3D(0, 0, 0), makePoint3D(1, 1, 1)))", "12"},
-                   {"size([const surface3d value ()])", "0"},
-                   {"size([const volume3d value undefined])", "undefined"}},
-      .errors =
-          {{"query size(1)",
-            "size: expected (point3d), (points3d), (surface3d), (volume3d), (region), (uregion) or (mregion), got "
-            "(int)"}},
+      .examples = {{{"(createCube (makePoint3D 0 0 0) (makePoint3D 1 1 1))"}, "12"},
+                   {{"(surface3d ())"}, "0"},
+                   {{"(volume3d undefined)"}, "undefined"}},
+      .errors = {{{"1"},
+                  "size: expected (point3d), (points3d), (surface3d), (volume3d), (region), (uregion) or (mregion), "
+                  "got (int)"}},
   });
   registry.add({
       .name = "isEmpty",
       .syntax = "isEmpty(_)",
       .doc = "True for the empty and for the undefined value.",
-      .detail =
-          "A statement in which it met undefined says so once, with their number. `isdefined(x) and isEmpty(x)` is "
-          "TRUE for empty values only.",
+      .detail = "A note gives the number of undefined values in a statement. `isdefined(x) and isEmpty(x)` is TRUE for "
+                "empty values only.",
       .exactness = Exactness::exact,
       .overloads = {overload<&is_empty<Point3d>>("point"), overload<&is_empty<Points3d>>("points"),
                     overload<&is_empty<Surface3d>>("surface"), overload<&is_empty<Volume3d>>("solid"),
                     overload<&is_empty<Box3>>("box"), overload<&is_empty<Region>>("region"),
                     overload<&is_empty<MovingRegion>>("moving")},
-      .examples = {{"isEmpty([const volume3d value ()])", "TRUE"},
-                   {"isEmpty(makePoint3D(0, 0, 0))", "FALSE"},
-                   {"isEmpty([const volume3d value undefined])", "TRUE"},
-                   {"isdefined([const volume3d value undefined]) and isEmpty([const volume3d value undefined])",
-                    "FALSE"}},
-      .errors = {{"query isEmpty(1)", "isEmpty: expected (point3d)"}},
+      .examples = {{{"(volume3d ())"}, "TRUE"},
+                   {{"(makePoint3D 0 0 0)"}, "FALSE"},
+                   {{"(volume3d undefined)"}, "TRUE"},
+                   {{"(volume3d undefined)"}, "FALSE", "(and (isdefined (volume3d undefined)) _)"}},
+      .errors = {{{"1"}, "isEmpty: expected (point3d)"}},
   });
 }
 
@@ -90,12 +88,12 @@ void register_sizes(Registry& registry) {
 void register_isempty(Registry& registry) {
   Operator alias = *registry.find_operator("isEmpty");
   alias.name = "isempty";
+  alias.host_name.clear();
   alias.syntax = "isempty(_)";
   alias.detail = "Another name of `isEmpty`.";
-  alias.examples = {{"isempty([const volume3d value ()])", "TRUE"},
-                    {"isempty(makePoint3D(0, 0, 0))", "FALSE"},
-                    {"isempty([const volume3d value undefined])", "TRUE"}};
-  alias.errors = {{"query isempty(1)", "isempty: expected (point3d)"}};
+  alias.examples = {
+      {{"(volume3d ())"}, "TRUE"}, {{"(makePoint3D 0 0 0)"}, "FALSE"}, {{"(volume3d undefined)"}, "TRUE"}};
+  alias.errors = {{{"1"}, "isempty: expected (point3d)"}};
   registry.add(std::move(alias));
 }
 
@@ -103,21 +101,21 @@ void register_box_operator(Registry& registry, const std::string& name) {
   registry.add({
       .name = name,
       .syntax = name + "(_)",
-      .doc = "The smallest box of doubles around a geometry; a rectangle around one in the plane, at all times.",
-      .detail = "Outward-rounded where coordinates are no doubles. Undefined for an empty value. Reads no geometry. "
-                "`bbox` and "
-                "`bbox3d` are the same operator.",
+      .doc = "The smallest box of doubles around a geometry; for a geometry in the plane a rectangle, over all times.",
+      .detail =
+          "Rounded outward if coordinates are not doubles. Undefined for an empty value. Reads no geometry. `bbox` "
+          "and `bbox3d` are the same operator.",
       .exactness = Exactness::outward,
       .overloads = {overload<&box_of<Point3d>>("point"), overload<&box_of<Points3d>>("points"),
                     overload<&box_of<Surface3d>>("surface"), overload<&box_of<Volume3d>>("solid"),
                     overload<&box_of<Box3>>("box"), overload<&rect_of<Point2d>>("point"),
                     overload<&rect_of<Region>>("region"), overload<&rect_of<Rect>>("rectangle"),
                     overload<&rect_of<RegionUnit>>("unit"), overload<&rect_of<MovingRegion>>("moving")},
-      .examples = {{name + "(createCube(makePoint3D(0, 0, 0), makePoint3D(1, 2, 3)))", "(0.0 1.0 0.0 2.0 0.0 3.0)"},
-                   {name + "([const region value ((((0 0) (4 0) (4 3))))])", "(0.0 4.0 0.0 3.0)"},
-                   {name + "([const volume3d value ()])", "undefined"},
-                   {name + "([const volume3d value undefined])", "undefined"}},
-      .errors = {{"query " + name + "(1)", name + ": expected (point3d)"}},
+      .examples = {{{"(createCube (makePoint3D 0 0 0) (makePoint3D 1 2 3))"}, "(0.0 1.0 0.0 2.0 0.0 3.0)"},
+                   {{"(region ((((0 0) (4 0) (4 3)))))"}, "(0.0 4.0 0.0 3.0)"},
+                   {{"(volume3d ())"}, "undefined"},
+                   {{"(volume3d undefined)"}, "undefined"}},
+      .errors = {{{"1"}, name + ": expected (point3d)"}},
   });
 }
 
@@ -128,7 +126,7 @@ void register_information(Registry& registry) {
   register_isempty(registry);
   register_box_operator(registry, "bbox");
   register_box_operator(registry, "bbox3d");
-  const std::string cube = "createCube(makePoint3D(0, 0, 0), makePoint3D(1, 1, 1))";
+  const std::string cube = "(createCube (makePoint3D 0 0 0) (makePoint3D 1 1 1))";
   registry.add({
       .name = "bboxDistance",
       .syntax = "bboxDistance(_, _)",
@@ -139,11 +137,11 @@ void register_information(Registry& registry) {
                     overload<&box_distance<Points3d>>("points", "box"),
                     overload<&box_distance<Surface3d>>("surface", "box"),
                     overload<&box_distance<Volume3d>>("solid", "box"), overload<&box_distance<Box3>>("other", "box")},
-      .examples = {{"bboxDistance(" + cube + ", rectangle3(4, 5, 5, 6, 0, 1))", "5.0"},
-                   {"bboxDistance([const volume3d value undefined], rectangle3(4, 5, 5, 6, 0, 1))", "-1.0"},
-                   {"bboxDistance([const rect3 value undefined], rectangle3(4, 5, 5, 6, 0, 1))", "-1.0"},
-                   {"bboxDistance(" + cube + ", [const rect3 value undefined])", "undefined"}},
-      .errors = {{"query bboxDistance(" + cube + ", 1)", "bboxDistance: expected (point3d rect3)"}},
+      .examples = {{{cube, "(rectangle3 4 5 5 6 0 1)"}, "5.0"},
+                   {{"(volume3d undefined)", "(rectangle3 4 5 5 6 0 1)"}, "-1.0"},
+                   {{"(rect3 undefined)", "(rectangle3 4 5 5 6 0 1)"}, "-1.0"},
+                   {{cube, "(rect3 undefined)"}, "undefined"}},
+      .errors = {{{cube, "1"}, "bboxDistance: expected (point3d rect3)"}},
   });
   registry.add({
       .name = "bboxIntersects",
@@ -156,11 +154,11 @@ void register_information(Registry& registry) {
                     overload<&box_intersects<Surface3d>>("surface", "box"),
                     overload<&box_intersects<Volume3d>>("solid", "box"),
                     symmetric(overload<&box_intersects<Box3>>("other", "box"))},
-      .examples = {{"bboxIntersects(" + cube + ", rectangle3(1, 2, 1, 2, 1, 2))", "TRUE"},
-                   {"bboxIntersects(rectangle3(0, 1, 0, 1, 0, 1), rectangle3(2, 3, 0, 1, 0, 1))", "FALSE"},
-                   {"bboxIntersects([const volume3d value ()], rectangle3(1, 2, 1, 2, 1, 2))", "FALSE"},
-                   {"bboxIntersects([const volume3d value undefined], rectangle3(1, 2, 1, 2, 1, 2))", "undefined"}},
-      .errors = {{"query bboxIntersects(" + cube + ", 1)", "bboxIntersects: expected (point3d rect3)"}},
+      .examples = {{{cube, "(rectangle3 1 2 1 2 1 2)"}, "TRUE"},
+                   {{"(rectangle3 0 1 0 1 0 1)", "(rectangle3 2 3 0 1 0 1)"}, "FALSE"},
+                   {{"(volume3d ())", "(rectangle3 1 2 1 2 1 2)"}, "FALSE"},
+                   {{"(volume3d undefined)", "(rectangle3 1 2 1 2 1 2)"}, "undefined"}},
+      .errors = {{{cube, "1"}, "bboxIntersects: expected (point3d rect3)"}},
   });
 }
 

@@ -5,12 +5,13 @@
 #include <fmt/format.h>
 
 #include "algebra3d/base/number_text.h"
+#include "algebra3d/base/text.h"
+#include "algebra3d/formats/json_tree.h"
 #include "algebra3d/operators/all.h"
-#include "algebra3d/operators/json_tree.h"
+#include "algebra3d/registry/operator.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/utf8.h"
-#include "stl/text.h"
 
 namespace algebra3d {
 namespace {
@@ -22,7 +23,7 @@ struct JsonMember {
 };
 
 std::string quoted_key(std::string_view key) {
-  return fmt::format("\"{}\"", utf8_prefix(stl::one_line(key), 60));
+  return fmt::format("\"{}\"", utf8_prefix(one_line(key), 60));
 }
 
 Result<Maybe<JsonMember>> json_member(const Context& context, const Text& object, std::string_view key) {
@@ -39,7 +40,7 @@ Result<Maybe<JsonMember>> json_member(const Context& context, const Text& object
 
 Result<Maybe<Text>> json_text(Context& context, const Text& object, const Text& name) {
   const std::string& key = name.content;
-  ASSIGN_OR_RETURN(auto member, json_member(context, object, key));
+  ALGEBRA3D_ASSIGN_OR_RETURN(auto member, json_member(context, object, key));
   if (!member) return Maybe<Text>(Undefined{member.reason()});
   if (const std::size_t at = first_no_text(member->text); at != std::string::npos)
     return Maybe<Text>(Undefined{"the member " + quoted_key(key) + ": " + no_text_message(member->text[at])});
@@ -48,7 +49,7 @@ Result<Maybe<Text>> json_text(Context& context, const Text& object, const Text& 
 
 Result<Maybe<double>> json_number(Context& context, const Text& object, const Text& name) {
   const std::string& key = name.content;
-  ASSIGN_OR_RETURN(const auto member, json_member(context, object, key));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto member, json_member(context, object, key));
   if (!member) return Maybe<double>(Undefined{member.reason()});
   if (member->kind != JsonKind::number)
     return Maybe<double>(Undefined{"the member " + quoted_key(key) + " is no number"});
@@ -63,34 +64,34 @@ void register_json_members(Registry& registry) {
   registry.add({
       .name = "jsonText",
       .syntax = "jsonText(_, _)",
-      .doc = "The member of that name of a JSON object: a string as it is, anything else as JSON.",
+      .doc = "The member of this name of a JSON object: a string unchanged, any other value as JSON.",
       .detail =
-          "Of several members with the name the last one counts. JSON is given without white space between its parts; "
-          "null is 'null'. Undefined if there is no such member, if the text is no JSON object, or for a string with "
-          "the character zero, which no text has.",
+          "Of several members with the name the last one is taken. JSON has no white space between its parts; null "
+          "is 'null'. Undefined if there is no such member, if the text is not a JSON object, or for a string with a "
+          "zero character, which texts cannot have.",
       .sources = {"rfc8259"},
       .overloads = {overload<&json_text>("object", "name")},
-      .examples = {{R"(jsonText('{"name": "Green Park", "trees": [3, 4]}', "name"))", "'Green Park'"},
-                   {R"(jsonText('{"name": "Green Park", "trees": [3, 4]}', 'trees'))", "'[3,4]'"},
-                   {R"(jsonText('{"name": "Green Park"}', "Name"))", "undefined"},
-                   {R"(jsonText([const text value undefined], "name"))", "undefined"},
-                   {R"(jsonText('"name"', '{"name": 1}'))", "undefined"}},
-      .errors = {{R"(query jsonText('{"a": 1}', 1))", "jsonText: expected (text text), got (text int)"}},
+      .examples = {{{R"('{"name": "Green Park", "trees": [3, 4]}')", R"("name")"}, "'Green Park'"},
+                   {{R"('{"name": "Green Park", "trees": [3, 4]}')", "'trees'"}, "'[3,4]'"},
+                   {{R"('{"name": "Green Park"}')", R"("Name")"}, "undefined"},
+                   {{"(text undefined)", R"("name")"}, "undefined"},
+                   {{R"('"name"')", R"('{"name": 1}')"}, "undefined"}},
+      .errors = {{{R"('{"a": 1}')", "1"}, "jsonText: expected (text text), got (text int)"}},
   });
   registry.add({
       .name = "jsonNumber",
       .syntax = "jsonNumber(_, _)",
-      .doc = "The number of that name in a JSON object, as the nearest real.",
-      .detail = "Undefined if there is no such member, if it is no number or beyond the range of reals, or if the text "
-                "is no JSON object. Of several members with the name the last one counts.",
+      .doc = "The number of this name in a JSON object, as the nearest real.",
+      .detail = "Undefined if there is no such member, if it is not a number or beyond the range of reals, or if the "
+                "text is not a JSON object. Of several members with the name the last one is taken.",
       .exactness = Exactness::rounded_once,
       .sources = {"rfc8259"},
       .overloads = {overload<&json_number>("object", "name")},
-      .examples = {{R"(jsonNumber('{"name": "Green Park", "trees": 1e2}', "trees"))", "100.0"},
-                   {R"(jsonNumber('{"trees": 7}', 'trees'))", "7.0"},
-                   {R"(jsonNumber('{"name": "Green Park"}', "name"))", "undefined"},
-                   {R"(jsonNumber([const text value undefined], "name"))", "undefined"}},
-      .errors = {{R"(query jsonNumber('{"a": 1}', 1))", "jsonNumber: expected (text text), got (text int)"}},
+      .examples = {{{R"('{"name": "Green Park", "trees": 1e2}')", R"("trees")"}, "100.0"},
+                   {{R"('{"trees": 7}')", "'trees'"}, "7.0"},
+                   {{R"('{"name": "Green Park"}')", R"("name")"}, "undefined"},
+                   {{"(text undefined)", R"("name")"}, "undefined"}},
+      .errors = {{{R"('{"a": 1}')", "1"}, "jsonNumber: expected (text text), got (text int)"}},
   });
 }
 

@@ -1,5 +1,6 @@
 // and, or, not.
 #include "algebra3d/operators/all.h"
+#include "algebra3d/registry/operator.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/types/scalars.h"
 
@@ -21,36 +22,39 @@ bool negated(bool a) {
 void register_logic(Registry& registry) {
   registry.add({
       .name = "and",
+      .host_name = "logical_and",
       .syntax = "_ and _",
       .doc = "True if both are.",
-      .detail = "If the second operand cannot be undefined it is evaluated only where the first one is TRUE.",
+      .detail = "If the second operand cannot be undefined, it is evaluated only if the first one is TRUE.",
       .exactness = Exactness::exact,
       .overloads = {symmetric(overload<&both>("a", "b"))},
-      .examples = {{"1 < 2 and 6 / 2 = 3", "TRUE"},
-                   {"TRUE and FALSE", "FALSE"},
-                   {"FALSE and [const bool value undefined]", "undefined"}},
-      .errors = {{"query TRUE and 1", "and: expected (bool bool), got (bool int)"}},
+      .examples = {{{"(< 1 2)", "(= (/ 6 2) 3)"}, "TRUE"},
+                   {{"TRUE", "FALSE"}, "FALSE"},
+                   {{"FALSE", "(bool undefined)"}, "undefined"}},
+      .errors = {{{"TRUE", "1"}, "and: expected (bool bool), got (bool int)"}},
   });
   registry.add({
       .name = "or",
+      .host_name = "logical_or",
       .syntax = "_ or _",
-      .doc = "True if one of them is.",
-      .detail = "If the second operand cannot be undefined it is evaluated only where the first one is FALSE.",
+      .doc = "True if at least one operand is TRUE.",
+      .detail = "If the second operand cannot be undefined, it is evaluated only if the first one is FALSE.",
       .exactness = Exactness::exact,
       .overloads = {symmetric(overload<&either>("a", "b"))},
-      .examples = {{"1 > 2 or 6 / 2 = 3", "TRUE"},
-                   {"FALSE or FALSE", "FALSE"},
-                   {"TRUE or [const bool value undefined]", "undefined"}},
-      .errors = {{"query TRUE or 1", "or: expected (bool bool), got (bool int)"}},
+      .examples = {{{"(> 1 2)", "(= (/ 6 2) 3)"}, "TRUE"},
+                   {{"FALSE", "FALSE"}, "FALSE"},
+                   {{"TRUE", "(bool undefined)"}, "undefined"}},
+      .errors = {{{"TRUE", "1"}, "or: expected (bool bool), got (bool int)"}},
   });
   registry.add({
       .name = "not",
+      .host_name = "logical_not",
       .syntax = "not(_)",
       .doc = "True if the argument is FALSE.",
       .exactness = Exactness::exact,
       .overloads = {overload<&negated>("a")},
-      .examples = {{"not(1 = 2)", "TRUE"}, {"not([const bool value undefined])", "undefined"}},
-      .errors = {{"query not(1)", "not: expected (bool), got (int)"}},
+      .examples = {{{"(= 1 2)"}, "TRUE"}, {{"(bool undefined)"}, "undefined"}},
+      .errors = {{{"1"}, "not: expected (bool), got (int)"}},
   });
 }
 

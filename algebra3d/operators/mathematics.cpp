@@ -3,6 +3,7 @@
 
 #include "algebra3d/exact/elementary.h"
 #include "algebra3d/operators/all.h"
+#include "algebra3d/registry/operator.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/types/scalars.h"
 
@@ -28,9 +29,8 @@ void add_function(Registry& registry, const NumberFunction& row, Overload functi
       .detail = row.detail,
       .exactness = Exactness::rounded_once,
       .overloads = {std::move(function)},
-      .examples = {{name + "(" + row.argument + ")", row.result},
-                   {name + "([const real value undefined])", "undefined"}},
-      .errors = {{"query " + name + "(TRUE)", name + ": expected (real), got (bool)"}},
+      .examples = {{{row.argument}, row.result}, {{"(real undefined)"}, "undefined"}},
+      .errors = {{{"TRUE"}, name + ": expected (real), got (bool)"}},
   });
 }
 
@@ -38,10 +38,9 @@ void register_powers(Registry& registry) {
   add_function(registry,
                {"sqrt", "The square root of a number.", "Undefined for a negative number.", "2", "1.4142135623730951"},
                overload<&square_root>("x"));
-  add_function(
-      registry,
-      {"exp", "The power of e with this exponent.", "Undefined beyond the range of reals.", "1", "2.718281828459045"},
-      overload<&exponential>("x"));
+  add_function(registry,
+               {"exp", "e raised to this exponent.", "Undefined beyond the range of reals.", "1", "2.718281828459045"},
+               overload<&exponential>("x"));
   constexpr const char* kLogarithm =
       "Undefined for a number that is not positive. `ln` and `log` are the same operator; see `logB` for other bases.";
   for (const char* name : {"ln", "log"})
@@ -49,30 +48,29 @@ void register_powers(Registry& registry) {
                  overload<&natural_logarithm>("x"));
   registry.add({
       .name = "logB",
+      .host_name = "log_to_base",
       .syntax = "logB(_, _)",
       .doc = "The logarithm of a number to a base.",
       .detail = "Undefined for a number or base that is not positive, and for the base 1.",
       .exactness = Exactness::rounded_once,
       .overloads = {overload<&logarithm>("x", "base")},
-      .examples = {{"logB(1024, 2)", "10.0"},
-                   {"logB(1000, 10)", "3.0"},
-                   {"logB(2, [const real value undefined])", "undefined"}},
-      .errors = {{"query logB(2)", "logB: expected (real real), got (int)"}},
+      .examples = {{{"1024", "2"}, "10.0"}, {{"1000", "10"}, "3.0"}, {{"2", "(real undefined)"}, "undefined"}},
+      .errors = {{{"2"}, "logB: expected (real real), got (int)"}},
   });
   registry.add({
       .name = "pow",
       .syntax = "pow(_, _)",
-      .doc = "The power of a number, the base, with an exponent; always a real.",
+      .doc = "A number, the base, raised to an exponent; always a real.",
       .detail =
-          "Undefined for a negative base and an exponent that is no integer, for 0 and a negative exponent, and beyond "
-          "the range of reals.",
+          "Undefined for a negative base and an exponent that is not an integer, for 0 and a negative exponent, and "
+          "beyond the range of reals.",
       .exactness = Exactness::rounded_once,
       .overloads = {overload<&power>("base", "exponent")},
-      .examples = {{"pow(2, 10)", "1024.0"},
-                   {"pow(2, 0.5)", "1.4142135623730951"},
-                   {"pow(-8, 1 / 3)", "undefined"},
-                   {"pow(2, [const real value undefined])", "undefined"}},
-      .errors = {{"query pow(2)", "pow: expected (real real), got (int)"}},
+      .examples = {{{"2", "10"}, "1024.0"},
+                   {{"2", "0.5"}, "1.4142135623730951"},
+                   {{"-8", "(/ 1 3)"}, "undefined"},
+                   {{"2", "(real undefined)"}, "undefined"}},
+      .errors = {{{"2"}, "pow: expected (real real), got (int)"}},
   });
 }
 
@@ -108,38 +106,39 @@ void register_trigonometry(Registry& registry) {
     registry.add({
         .name = name,
         .syntax = name + "(_, _)",
-        .doc = "The angle in radians of the direction whose second coordinate comes first: arctan2(y, x).",
+        .doc = "The angle in radians of the direction (x, y), written arctan2(y, x).",
         .detail = "From -pi to pi. `arctan2` and `atan2` are the same operator.",
         .exactness = Exactness::rounded_once,
         .overloads = {overload<&arc_tangent_of_quotient>("y", "x")},
-        .examples = {{name + "(1, -1)", "2.356194490192345"},
-                     {name + "(0, [const real value undefined])", "undefined"}},
-        .errors = {{"query " + name + "(1)", name + ": expected (real real), got (int)"}},
+        .examples = {{{"1", "-1"}, "2.356194490192345"}, {{"0", "(real undefined)"}, "undefined"}},
+        .errors = {{{"1"}, name + ": expected (real real), got (int)"}},
     });
 }
 
 void register_angles(Registry& registry) {
-  add_function(registry, {"deg2rad", "An angle in degrees as one in radians.", "", "180", "3.141592653589793"},
+  add_function(registry, {"deg2rad", "Converts an angle from degrees to radians.", "", "180", "3.141592653589793"},
                overload<&degrees_to_radians>("degrees"));
-  add_function(registry, {"rad2deg", "An angle in radians as one in degrees.", "", "1", "57.29577951308232"},
+  add_function(registry, {"rad2deg", "Converts an angle from radians to degrees.", "", "1", "57.29577951308232"},
                overload<&radians_to_degrees>("radians"));
   registry.add({
       .name = "const_pi",
+      .host_name = "pi",
       .syntax = "const_pi()",
       .doc = "The number pi.",
       .exactness = Exactness::rounded_once,
       .overloads = {overload<&circle_constant>()},
-      .examples = {{"const_pi()", "3.141592653589793"}, {"const_pi() * [const real value undefined]", "undefined"}},
-      .errors = {{"query const_pi(1)", "const_pi: expected (), got (int)"}},
+      .examples = {{{}, "3.141592653589793"}},
+      .errors = {{{"1"}, "const_pi: expected (), got (int)"}},
   });
   registry.add({
       .name = "const_e",
+      .host_name = "e",
       .syntax = "const_e()",
       .doc = "The number e, the base of natural logarithms.",
       .exactness = Exactness::rounded_once,
       .overloads = {overload<&natural_constant>()},
-      .examples = {{"const_e()", "2.718281828459045"}, {"const_e() * [const real value undefined]", "undefined"}},
-      .errors = {{"query const_e(1)", "const_e: expected (), got (int)"}},
+      .examples = {{{}, "2.718281828459045"}},
+      .errors = {{{"1"}, "const_e: expected (), got (int)"}},
   });
 }
 

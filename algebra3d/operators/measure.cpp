@@ -2,8 +2,9 @@
 #include "algebra3d/exact/exact_sum.h"
 #include "algebra3d/halfedge/mesh_triangles.h"
 #include "algebra3d/operators/all.h"
-#include "algebra3d/operators/sample_values.h"
+#include "algebra3d/operators/detail/sample_values.h"
 #include "algebra3d/planar/polygon_measures.h"
+#include "algebra3d/registry/operator.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/types/planar.h"
 #include "algebra3d/types/scalars.h"
@@ -17,12 +18,12 @@ Result<Rational> rational_volume(Context& context, const Volume3d& solid) {
 }
 
 Result<double> volume_of(Context& context, const Volume3d& solid) {
-  ASSIGN_OR_RETURN(const Rational volume, rational_volume(context, solid));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Rational volume, rational_volume(context, solid));
   return volume.nearest_double();
 }
 
 Result<Text> volume_text(Context& context, const Volume3d& solid) {
-  ASSIGN_OR_RETURN(const Rational volume, rational_volume(context, solid));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Rational volume, rational_volume(context, solid));
   return Text{volume.text()};
 }
 
@@ -37,8 +38,8 @@ double area_of_region(const Region& region) {
 
 Result<Maybe<Point3d>> centroid_of(Context& context, const Volume3d& solid) {
   if (solid.mesh().is_empty()) return Maybe<Point3d>(Undefined{"an empty solid has no centroid"});
-  ASSIGN_OR_RETURN(const SolidMoments moments,
-                   exact_moments(solid.mesh().points(), triangles_of(solid.mesh()), context.cancel));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const SolidMoments moments,
+                             exact_moments(solid.mesh().points(), triangles_of(solid.mesh()), context.cancel));
   // A valid solid that is not empty has a positive volume, and its centroid lies in its box.
   const auto coordinate = [&](std::size_t axis) { return (moments.first[axis] / moments.volume).nearest_double(); };
   return Maybe<Point3d>(Point3d{ExactPoint(Vec3{coordinate(0), coordinate(1), coordinate(2)})});
@@ -46,9 +47,9 @@ Result<Maybe<Point3d>> centroid_of(Context& context, const Volume3d& solid) {
 
 // Three and four long at the right angle, five high: 1/6 * 3 * 4 * 5.
 const std::string kCorner =
-    "[const volume3d value (((0 0 0) (0 4 0) (3 0 0)) ((0 0 0) (3 0 0) (0 0 5)) ((0 0 0) (0 0 5) (0 4 0)) "
-    "((3 0 0) (0 4 0) (0 0 5)))]";
-const std::string kTriangle = "[const surface3d value (((0 0 0) (3 0 0) (0 4 0)))]";
+    "(volume3d (((0 0 0) (0 4 0) (3 0 0)) ((0 0 0) (3 0 0) (0 0 5)) ((0 0 0) (0 0 5) (0 4 0)) ((3 0 0) (0 4 0) (0 0 "
+    "5))))";
+const std::string kTriangle = "(surface3d (((0 0 0) (3 0 0) (0 4 0))))";
 
 }  // namespace
 
@@ -61,12 +62,12 @@ void register_measure(Registry& registry) {
       .exactness = Exactness::rounded_once,
       .sources = {"lien1984"},
       .overloads = {overload<&volume_of>("solid")},
-      .examples = {{"volume(" + kCubeOfTwo + ")", "8.0"},
-                   {"volume(createCube(makePoint3D(1e9, 0, 0), makePoint3D(1000000002, 2, 2)))", "8.0"},
-                   {"volume(" + kCorner + ")", "10.0"},
-                   {"volume([const volume3d value ()])", "0.0"},
-                   {"volume(" + kUndefinedSolid + ")", "undefined"}},
-      .errors = {{"query volume(" + kTriangle + ")", "volume: expected (volume3d), got (surface3d)"}},
+      .examples = {{{kCubeOfTwo}, "8.0"},
+                   {{"(createCube (makePoint3D 1e9 0 0) (makePoint3D 1000000002 2 2))"}, "8.0"},
+                   {{kCorner}, "10.0"},
+                   {{"(volume3d ())"}, "0.0"},
+                   {{kUndefinedSolid}, "undefined"}},
+      .errors = {{{kTriangle}, "volume: expected (volume3d), got (surface3d)"}},
   });
   registry.add({
       .name = "volumeExact",
@@ -75,42 +76,41 @@ void register_measure(Registry& registry) {
       .exactness = Exactness::exact,
       .sources = {"lien1984"},
       .overloads = {overload<&volume_text>("solid")},
-      .examples = {{"volumeExact(" + kCubeOfTwo + ")", "'8'"},
-                   {"volumeExact(createCube(makePoint3D(0, 0, 0), makePoint3D(0.5, 0.5, 3)))", "'3/4'"},
-                   {"volumeExact(" + kUndefinedSolid + ")", "undefined"}},
-      .errors = {{"query volumeExact(" + kTriangle + ")", "volumeExact: expected (volume3d), got (surface3d)"}},
+      .examples = {{{kCubeOfTwo}, "'8'"},
+                   {{"(createCube (makePoint3D 0 0 0) (makePoint3D 0.5 0.5 3))"}, "'3/4'"},
+                   {{kUndefinedSolid}, "undefined"}},
+      .errors = {{{kTriangle}, "volumeExact: expected (volume3d), got (surface3d)"}},
   });
   registry.add({
       .name = "area",
       .syntax = "area(_)",
       .doc = "The area of a region, or of all triangles of a surface or solid, in squared coordinate units.",
       .detail =
-          "Exact, rounded once, for regions, and if the area of every triangle is a double. The walls of cavities "
-          "count.",
+          "Exact, rounded once, for regions, and if the area of every triangle is a double. Boundaries of cavities "
+          "are included.",
       .exactness = Exactness::two_ulp,
       .overloads = {overload<&area_of<Surface3d>>("surface"), overload<&area_of<Volume3d>>("solid"),
                     overload<&area_of_region>("region")},
-      .examples = {{"area(" + kCubeOfTwo + ")", "24.0"},
-                   {"area(" + kTriangle + ")", "6.0"},
-                   {"area([const region value ((((0 0) (3 0) (0 4))))])", "6.0"},
-                   {"area([const surface3d value ()])", "0.0"},
-                   {"area(" + kUndefinedSolid + ")", "undefined"}},
-      .errors = {{"query area(makePoint3D(0, 0, 0))",
-                  "area: expected (surface3d), (volume3d) or (region), got (point3d)"}},
+      .examples = {{{kCubeOfTwo}, "24.0"},
+                   {{kTriangle}, "6.0"},
+                   {{"(region ((((0 0) (3 0) (0 4)))))"}, "6.0"},
+                   {{"(surface3d ())"}, "0.0"},
+                   {{kUndefinedSolid}, "undefined"}},
+      .errors = {{{"(makePoint3D 0 0 0)"}, "area: expected (surface3d), (volume3d) or (region), got (point3d)"}},
   });
   registry.add({
       .name = "centroid",
       .syntax = "centroid(_)",
-      .doc = "The centre of mass of a solid of even density.",
+      .doc = "The centre of mass of a solid of uniform density.",
       .detail = "Each coordinate is the exact one, rounded once. Undefined for the empty solid.",
       .exactness = Exactness::rounded_once,
       .sources = {"lien1984"},
       .overloads = {overload<&centroid_of>("solid")},
-      .examples = {{"centroid(" + kCubeOfTwo + ")", "(1.0 1.0 1.0)"},
-                   {"centroid(" + kCorner + ")", "(0.75 1.0 1.25)"},
-                   {"centroid([const volume3d value ()])", "undefined"},
-                   {"centroid(" + kUndefinedSolid + ")", "undefined"}},
-      .errors = {{"query centroid(" + kTriangle + ")", "centroid: expected (volume3d), got (surface3d)"}},
+      .examples = {{{kCubeOfTwo}, "(1.0 1.0 1.0)"},
+                   {{kCorner}, "(0.75 1.0 1.25)"},
+                   {{"(volume3d ())"}, "undefined"},
+                   {{kUndefinedSolid}, "undefined"}},
+      .errors = {{{kTriangle}, "centroid: expected (volume3d), got (surface3d)"}},
   });
 }
 

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "algebra3d/operators/all.h"
+#include "algebra3d/registry/operator.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/types/moving_region.h"
 
@@ -9,7 +10,7 @@ namespace algebra3d {
 namespace {
 
 Result<Maybe<Region>> region_of_unit(Context& context, const RegionUnit& unit, Instant instant) {
-  ASSIGN_OR_RETURN(Region region, unit.at(instant, context.monitor()));
+  ALGEBRA3D_ASSIGN_OR_RETURN(Region region, unit.at(instant, context.monitor()));
   return Maybe<Region>(std::move(region));
 }
 
@@ -46,50 +47,52 @@ std::vector<RegionUnit> units_of(const MovingRegion& moving) {
 // A square that goes one to the right within a day, and from then on vanishes into its middle.
 const std::string kUnitA = "((0 1 TRUE FALSE) ((((0 0 1 0) (2 0 3 0) (2 2 3 2) (0 2 1 2)))))";
 const std::string kUnitB = "((1 2 TRUE TRUE) ((((1 0 2 1) (3 0 2 1) (3 2 2 1) (1 2 2 1)))))";
-const std::string kSquareOnItsWay = "[const mregion value (" + kUnitA + " " + kUnitB + ")]";
-const std::string kNeverDefined = "[const mregion value undefined]";
+const std::string kSquareOnItsWay =
+    "(mregion (((0 1 TRUE FALSE) ((((0 0 1 0) (2 0 3 0) (2 2 3 2) (0 2 1 2))))) ((1 2 TRUE TRUE) ((((1 0 2 1) (3 0 2 "
+    "1) (3 2 2 1) (1 2 2 1)))))))";
+const std::string kNeverDefined = "(mregion undefined)";
 
 void register_states(Registry& registry) {
   registry.add({
       .name = "atinstant",
       .syntax = "atinstant(_, _)",
-      .doc = "What a moving region is at an instant.",
+      .doc = "The region of a moving region at an instant.",
       .detail =
-          "Undefined at instants that do not belong to it. Where parts collapse or come to lie on each other at the "
-          "end of a unit they bound nothing.",
+          "Undefined at instants at which the moving region is undefined. Parts that collapse or overlap at the end "
+          "of a unit are dropped.",
       .exactness = Exactness::exact,
       .overloads = {overload<&at_instant>("moving", "instant"), overload<&unit_at_instant>("unit", "instant")},
-      .examples = {{"atinstant(" + kSquareOnItsWay + ", [const instant value 0.5])",
-                    "((((0.5 0.0) (2.5 0.0) (2.5 2.0) (0.5 2.0))))"},
-                   {"atinstant(" + kSquareOnItsWay + ", [const instant value 2])", "()"},
-                   {"atinstant(" + kSquareOnItsWay + ", [const instant value 3])", "undefined"},
-                   {"atinstant(" + kNeverDefined + ", [const instant value 0])", "undefined"}},
-      .errors = {{"query atinstant(" + kSquareOnItsWay + ", 0.5)",
+      .examples = {{{kSquareOnItsWay, "(instant 0.5)"}, "((((0.5 0.0) (2.5 0.0) (2.5 2.0) (0.5 2.0))))"},
+                   {{kSquareOnItsWay, "(instant 2)"}, "()"},
+                   {{kSquareOnItsWay, "(instant 3)"}, "undefined"},
+                   {{kNeverDefined, "(instant 0)"}, "undefined"}},
+      .errors = {{{kSquareOnItsWay, "0.5"},
                   "atinstant: expected (mregion instant) or (uregion instant), got (mregion real)"}},
   });
   registry.add({
       .name = "initial",
       .syntax = "initial(_)",
-      .doc = "What a moving region is at its beginning.",
-      .detail = "If the beginning does not belong to it, what it comes from there. Undefined without a unit.",
+      .doc = "The region of a moving region at its beginning.",
+      .detail = "If the beginning is not included, the limit there. Undefined without a unit.",
       .exactness = Exactness::exact,
       .overloads = {overload<&initial_region>("moving")},
-      .examples = {{"initial(" + kSquareOnItsWay + ")", "((((0.0 0.0) (2.0 0.0) (2.0 2.0) (0.0 2.0))))"},
-                   {"initial([const mregion value ()])", "undefined"},
-                   {"initial(" + kNeverDefined + ")", "undefined"}},
-      .errors = {{"query initial(1)", "initial: expected (mregion), got (int)"}},
+      .examples = {{{kSquareOnItsWay}, "((((0.0 0.0) (2.0 0.0) (2.0 2.0) (0.0 2.0))))"},
+                   {{"(mregion ())"}, "undefined"},
+                   {{kNeverDefined}, "undefined"}},
+      .errors = {{{"1"}, "initial: expected (mregion), got (int)"}},
   });
   registry.add({
       .name = "final",
       .syntax = "final(_)",
-      .doc = "What a moving region is at its end.",
-      .detail = "If the end does not belong to it, what it comes to there. Undefined without a unit.",
+      .doc = "The region of a moving region at its end.",
+      .detail = "If the end is not included, the limit there. Undefined without a unit.",
       .exactness = Exactness::exact,
       .overloads = {overload<&final_region>("moving")},
-      .examples = {{"final([const mregion value (" + kUnitA + ")])", "((((1.0 0.0) (3.0 0.0) (3.0 2.0) (1.0 2.0))))"},
-                   {"final(" + kSquareOnItsWay + ")", "()"},
-                   {"final(" + kNeverDefined + ")", "undefined"}},
-      .errors = {{"query final(1)", "final: expected (mregion), got (int)"}},
+      .examples = {{{"(mregion (((0 1 TRUE FALSE) ((((0 0 1 0) (2 0 3 0) (2 2 3 2) (0 2 1 2)))))))"},
+                    "((((1.0 0.0) (3.0 0.0) (3.0 2.0) (1.0 2.0))))"},
+                   {{kSquareOnItsWay}, "()"},
+                   {{kNeverDefined}, "undefined"}},
+      .errors = {{{"1"}, "final: expected (mregion), got (int)"}},
   });
 }
 
@@ -100,23 +103,24 @@ void register_moving_regions(Registry& registry) {
   registry.add({
       .name = "deftime",
       .syntax = "deftime(_)",
-      .doc = "The interval of a unit, or the times at which a moving region is defined, as a stream of intervals.",
-      .detail = "Intervals that meet are one; they come in the order of time.",
+      .doc = "The interval of a unit, or the intervals during which a moving region is defined.",
+      .detail = "Adjacent intervals are joined; they are in order of time.",
       .exactness = Exactness::exact,
-      .overloads = {overload<&times_of>("moving"), overload<&interval_of_unit>("unit")},
-      .examples = {{"deftime([const uregion value " + kUnitA + "])", R"(("2000-01-03" "2000-01-04" TRUE FALSE))"},
-                   {"deftime(" + kSquareOnItsWay + ") count", "1"},
-                   {"deftime([const uregion value undefined])", "undefined"}},
-      .errors = {{"query deftime(1)", "deftime: expected (mregion) or (uregion), got (int)"}},
+      .overloads = {overload<&interval_of_unit>("unit"), overload<&times_of>("moving")},
+      .examples = {{{"(uregion ((0 1 TRUE FALSE) ((((0 0 1 0) (2 0 3 0) (2 2 3 2) (0 2 1 2))))))"},
+                    R"(("2000-01-03" "2000-01-04" TRUE FALSE))"},
+                   {{kSquareOnItsWay}, "1", "(count _)"},
+                   {{"(uregion undefined)"}, "undefined"}},
+      .errors = {{{"1"}, "deftime: expected (uregion) or (mregion), got (int)"}},
   });
   registry.add({
       .name = "units",
       .syntax = "units(_)",
-      .doc = "The units of a moving region in the order of time, as a stream.",
+      .doc = "The units of a moving region in order of time.",
       .exactness = Exactness::exact,
       .overloads = {overload<&units_of>("moving")},
-      .examples = {{"units(" + kSquareOnItsWay + ") count", "2"}, {"units(" + kNeverDefined + ") count", "0"}},
-      .errors = {{"query units(1) count", "units: expected (mregion), got (int)"}},
+      .examples = {{{kSquareOnItsWay}, "2", "(count _)"}, {{kNeverDefined}, "0", "(count _)"}},
+      .errors = {{{"1"}, "units: expected (mregion), got (int)"}},
   });
 }
 

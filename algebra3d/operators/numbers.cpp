@@ -6,6 +6,7 @@
 #include "algebra3d/base/number_text.h"
 #include "algebra3d/exact/elementary.h"
 #include "algebra3d/operators/all.h"
+#include "algebra3d/registry/operator.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/types/scalars.h"
 
@@ -88,45 +89,44 @@ void register_rounded(Registry& registry) {
       .detail = "Undefined for the smallest int.",
       .exactness = Exactness::exact,
       .overloads = {overload<&size_of_int>("x"), overload<&size_of_real>("x")},
-      .examples = {{"abs(-4)", "4"}, {"abs(-3.1)", "3.1"}, {"abs([const int value undefined])", "undefined"}},
-      .errors = {{"query abs(TRUE)", "abs: expected (int) or (real), got (bool)"}},
+      .examples = {{{"-4"}, "4"}, {{"-3.1"}, "3.1"}, {{"(int undefined)"}, "undefined"}},
+      .errors = {{{"TRUE"}, "abs: expected (int) or (real), got (bool)"}},
   });
   registry.add({
       .name = "floor",
       .syntax = "floor(_)",
       .doc = "The largest integer that is not greater than a number, as a real.",
-      .detail = "`real2int` makes an int of it.",
+      .detail = "`real2int` converts it to an int.",
       .exactness = Exactness::exact,
       .overloads = {overload<&floor_of_real>("x")},
-      .examples = {{"floor(-1.2)", "-2.0"}, {"floor([const real value undefined])", "undefined"}},
-      .errors = {{"query floor(TRUE)", "floor: expected (real), got (bool)"}},
+      .examples = {{{"-1.2"}, "-2.0"}, {{"(real undefined)"}, "undefined"}},
+      .errors = {{{"TRUE"}, "floor: expected (real), got (bool)"}},
   });
   registry.add({
       .name = "ceil",
       .syntax = "ceil(_)",
       .doc = "The smallest integer that is not less than a number, as a real.",
-      .detail = "`real2int` makes an int of it.",
+      .detail = "`real2int` converts it to an int.",
       .exactness = Exactness::exact,
       .overloads = {overload<&ceiling_of_real>("x")},
-      .examples = {{"ceil(-1.2)", "-1.0"}, {"ceil([const real value undefined])", "undefined"}},
-      .errors = {{"query ceil(TRUE)", "ceil: expected (real), got (bool)"}},
+      .examples = {{{"-1.2"}, "-1.0"}, {{"(real undefined)"}, "undefined"}},
+      .errors = {{{"TRUE"}, "ceil: expected (real), got (bool)"}},
   });
   registry.add({
       .name = "round",
       .syntax = "round(_ ...)",
-      .doc =
-          "The nearest number with so many decimal digits after the point; a negative count stands for digits before "
-          "the point, none for 0.",
+      .doc = "The nearest number with the given number of digits after the decimal point: by default 0; negative for "
+             "digits before the point.",
       .detail =
-          "A number in the middle goes away from zero. It is the value of the real that counts: 2.675 is a little "
-          "less than it looks, and rounds to 2.67.",
+          "Ties are rounded away from zero. The exact value of the real is rounded: 2.675 is slightly less than it "
+          "looks, and rounds to 2.67.",
       .exactness = Exactness::rounded_once,
       .overloads = {overload<&rounded_to_integer>("x"), overload<&rounded_to_digits>("x", "digits")},
-      .examples = {{"round(10.123, 2)", "10.12"},
-                   {"round(4321.123, -2)", "4300.0"},
-                   {"round(2.5)", "3.0"},
-                   {"round(2.5, [const int value undefined])", "undefined"}},
-      .errors = {{"query round(1.5, 0.5)", "round: expected (real) or (real int), got (real real)"}},
+      .examples = {{{"10.123", "2"}, "10.12"},
+                   {{"4321.123", "-2"}, "4300.0"},
+                   {{"2.5"}, "3.0"},
+                   {{"2.5", "(int undefined)"}, "undefined"}},
+      .errors = {{{"1.5", "0.5"}, "round: expected (real) or (real int), got (real real)"}},
   });
 }
 
@@ -137,8 +137,8 @@ void register_number_types(Registry& registry) {
       .doc = "The real nearest to an int.",
       .exactness = Exactness::rounded_once,
       .overloads = {overload<&real_of_int>("x")},
-      .examples = {{"int2real(-2)", "-2.0"}, {"int2real([const int value undefined])", "undefined"}},
-      .errors = {{"query int2real(1.5)", "int2real: expected (int), got (real)"}},
+      .examples = {{{"-2"}, "-2.0"}, {{"(int undefined)"}, "undefined"}},
+      .errors = {{{"1.5"}, "int2real: expected (int), got (real)"}},
   });
   registry.add({
       .name = "real2int",
@@ -147,10 +147,8 @@ void register_number_types(Registry& registry) {
       .detail = "Undefined beyond the range of ints. See `round`, `floor` and `ceil` for other roundings.",
       .exactness = Exactness::exact,
       .overloads = {overload<&int_of_real>("x")},
-      .examples = {{"real2int(-1.2)", "-1"},
-                   {"real2int(1e19)", "undefined"},
-                   {"real2int([const real value undefined])", "undefined"}},
-      .errors = {{"query real2int(TRUE)", "real2int: expected (real), got (bool)"}},
+      .examples = {{{"-1.2"}, "-1"}, {{"1e19"}, "undefined"}, {{"(real undefined)"}, "undefined"}},
+      .errors = {{{"TRUE"}, "real2int: expected (real), got (bool)"}},
   });
   registry.add({
       .name = "int2bool",
@@ -158,10 +156,8 @@ void register_number_types(Registry& registry) {
       .doc = "FALSE for 0, TRUE for every other int.",
       .exactness = Exactness::exact,
       .overloads = {overload<&bool_of_int>("x")},
-      .examples = {{"int2bool(-5)", "TRUE"},
-                   {"int2bool(0)", "FALSE"},
-                   {"int2bool([const int value undefined])", "undefined"}},
-      .errors = {{"query int2bool(1.5)", "int2bool: expected (int), got (real)"}},
+      .examples = {{{"-5"}, "TRUE"}, {{"0"}, "FALSE"}, {{"(int undefined)"}, "undefined"}},
+      .errors = {{{"1.5"}, "int2bool: expected (int), got (real)"}},
   });
   registry.add({
       .name = "bool2int",
@@ -169,8 +165,8 @@ void register_number_types(Registry& registry) {
       .doc = "1 for TRUE, 0 for FALSE.",
       .exactness = Exactness::exact,
       .overloads = {overload<&int_of_bool>("x")},
-      .examples = {{"bool2int(TRUE)", "1"}, {"bool2int([const bool value undefined])", "undefined"}},
-      .errors = {{"query bool2int(1)", "bool2int: expected (bool), got (int)"}},
+      .examples = {{{"TRUE"}, "1"}, {{"(bool undefined)"}, "undefined"}},
+      .errors = {{{"1"}, "bool2int: expected (bool), got (int)"}},
   });
 }
 
@@ -178,64 +174,60 @@ void register_number_texts(Registry& registry) {
   registry.add({
       .name = "num2string",
       .syntax = "num2string(_)",
-      .doc = "A number as a string, written as it prints: `str2int` and `str2real` read it back.",
+      .doc = "A number as a string, as it prints; `str2int` and `str2real` read it back.",
       .exactness = Exactness::exact,
       .overloads = {overload<&string_of_int>("x"), overload<&string_of_real>("x")},
-      .examples = {{"num2string(-684)", R"("-684")"},
-                   {"num2string(-684.25)", R"("-684.25")"},
-                   {"num2string([const int value undefined])", "undefined"}},
-      .errors = {{"query num2string(TRUE)", "num2string: expected (int) or (real), got (bool)"}},
+      .examples = {{{"-684"}, R"("-684")"}, {{"-684.25"}, R"("-684.25")"}, {{"(int undefined)"}, "undefined"}},
+      .errors = {{{"TRUE"}, "num2string: expected (int) or (real), got (bool)"}},
   });
   registry.add({
       .name = "str2real",
       .syntax = "str2real(_)",
-      .doc = "The real nearest to the decimal number that a string or text is.",
-      .detail = "White space around it is ignored. Undefined, with the reason, for anything else.",
+      .doc = "Converts a string or text with a decimal number to the nearest real.",
+      .detail = "Surrounding white space is ignored. Undefined, with the reason, for other texts.",
       .exactness = Exactness::rounded_once,
       .overloads = {overload<&real_of_text>("text")},
-      .examples = {{R"(str2real("2.5e1"))", "25.0"},
-                   {"str2real(' 7 ')", "7.0"},
-                   {R"(str2real("1,5"))", "undefined"},
-                   {"str2real([const string value undefined])", "undefined"}},
-      .errors = {{"query str2real(1)", "str2real: expected (text), got (int)"}},
+      .examples = {{{R"("2.5e1")"}, "25.0"},
+                   {{"' 7 '"}, "7.0"},
+                   {{R"("1,5")"}, "undefined"},
+                   {{"(string undefined)"}, "undefined"}},
+      .errors = {{{"1"}, "str2real: expected (text), got (int)"}},
   });
   registry.add({
       .name = "str2int",
       .syntax = "str2int(_)",
-      .doc = "The int that a string or text is.",
+      .doc = "Converts a string or text to an int.",
       .detail =
-          "White space around it is ignored. Undefined, with the reason, for anything else, and beyond the range of "
+          "Surrounding white space is ignored. Undefined, with the reason, for other texts and beyond the range of "
           "ints.",
       .exactness = Exactness::exact,
       .overloads = {overload<&int_of_text>("text")},
-      .examples = {{R"(str2int("-12"))", "-12"},
-                   {"str2int('2.5')", "undefined"},
-                   {"str2int([const text value undefined])", "undefined"}},
-      .errors = {{"query str2int(1)", "str2int: expected (text), got (int)"}},
+      .examples = {{{R"("-12")"}, "-12"}, {{"'2.5'"}, "undefined"}, {{"(text undefined)"}, "undefined"}},
+      .errors = {{{"1"}, "str2int: expected (text), got (int)"}},
   });
   registry.add({
       .name = "tostring",
+      .host_name = "to_string",
       .syntax = "tostring(_)",
       .doc = "A text, a number or a truth value as a string.",
-      .detail =
-          "Numbers and truth values are written as they print. Where a string is expected a text is taken as it is.",
+      .detail = "Numbers and truth values are written as they print. Where a string is expected, a text is accepted "
+                "without conversion.",
       .exactness = Exactness::exact,
       .overloads = {overload<&string_of_text>("text"), overload<&string_of_int>("x"), overload<&string_of_real>("x"),
                     overload<&string_of_bool>("x")},
-      .examples = {{"tostring('gear')", R"("gear")"},
-                   {"tostring(1 / 4)", R"("0.25")"},
-                   {"tostring([const text value undefined])", "undefined"}},
-      .errors = {{"query tostring(1, 2)", "tostring: expected (text), (int), (real) or (bool), got (int int)"}},
+      .examples = {{{"'gear'"}, R"("gear")"}, {{"(/ 1 4)"}, R"("0.25")"}, {{"(text undefined)"}, "undefined"}},
+      .errors = {{{"1", "2"}, "tostring: expected (text), (int), (real) or (bool), got (int int)"}},
   });
   registry.add({
       .name = "totext",
+      .host_name = "to_text",
       .syntax = "totext(_)",
       .doc = "A string as a text.",
-      .detail = "Where a text is expected a string is taken as it is.",
+      .detail = "Where a text is expected, a string is accepted without conversion.",
       .exactness = Exactness::exact,
       .overloads = {overload<&text_of_string>("string")},
-      .examples = {{R"(totext("gear"))", "'gear'"}, {"totext([const string value undefined])", "undefined"}},
-      .errors = {{"query totext(1)", "totext: expected (string), got (int)"}},
+      .examples = {{{R"("gear")"}, "'gear'"}, {{"(string undefined)"}, "undefined"}},
+      .errors = {{{"1"}, "totext: expected (string), got (int)"}},
   });
 }
 

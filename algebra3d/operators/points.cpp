@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "algebra3d/operators/all.h"
+#include "algebra3d/registry/operator.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
@@ -63,22 +64,23 @@ Maybe<Vector3d> vector_product(const Vector3d& v, const Vector3d& w) {
   return as_vector(cross(v.components.rational(), w.components.rational()));
 }
 
-constexpr std::string_view kThird = "[const vector3d value (1/3 0 0)]";
+const std::string kThird = "(vector3d (1/3 0 0))";
 
 template <std::size_t kAxis>
 void register_coordinate(Registry& registry, const std::string& name, const std::string& axis,
                          const std::string& value) {
   registry.add({
       .name = name,
+      .host_name = axis,
       .syntax = name + "(_)",
       .doc = "The " + axis + " coordinate of a point, or component of a vector, in coordinate units.",
       .exactness = Exactness::rounded_once,
       .frame_use = FrameUse::coordinates,
       .overloads = {overload<&point_coordinate<kAxis>>("point"), overload<&vector_component<kAxis>>("vector")},
-      .examples = {{name + "(makePoint3D(1, 2, 3))", value},
-                   {name + "(makeVector3D(1, 2, 3))", value},
-                   {name + "([const point3d value undefined])", "undefined"}},
-      .errors = {{"query " + name + "(1)", name + ": expected (point3d) or (vector3d), got (int)"}},
+      .examples = {{{"(makePoint3D 1 2 3)"}, value},
+                   {{"(makeVector3D 1 2 3)"}, value},
+                   {{"(point3d undefined)"}, "undefined"}},
+      .errors = {{{"1"}, name + ": expected (point3d) or (vector3d), got (int)"}},
   });
 }
 
@@ -94,9 +96,8 @@ void register_points(Registry& registry) {
       .doc = "The point with these coordinates.",
       .exactness = Exactness::exact,
       .overloads = {overload<&make_point>("x", "y", "z")},
-      .examples = {{"makePoint3D(1, 2.5, -3)", "(1.0 2.5 -3.0)"},
-                   {"makePoint3D(1, 2, [const real value undefined])", "undefined"}},
-      .errors = {{"query makePoint3D(1, 2)", "makePoint3D: expected (real real real), got (int int)"}},
+      .examples = {{{"1", "2.5", "-3"}, "(1.0 2.5 -3.0)"}, {{"1", "2", "(real undefined)"}, "undefined"}},
+      .errors = {{{"1", "2"}, "makePoint3D: expected (real real real), got (int int)"}},
   });
   registry.add({
       .name = "makeVector3D",
@@ -104,11 +105,10 @@ void register_points(Registry& registry) {
       .doc = "The vector with these components, or the vector from the first point to the second.",
       .exactness = Exactness::exact,
       .overloads = {overload<&make_vector>("x", "y", "z"), overload<&vector_between>("from", "to")},
-      .examples = {{"makeVector3D(1, 2.5, -3)", "(1.0 2.5 -3.0)"},
-                   {"makeVector3D(makePoint3D(1, 1, 1), makePoint3D(4, 1, 0))", "(3.0 0.0 -1.0)"},
-                   {"makeVector3D(makePoint3D(1, 1, 1), [const point3d value undefined])", "undefined"}},
-      .errors = {{"query makeVector3D(1, 2)",
-                  "makeVector3D: expected (real real real) or (point3d point3d), got (int int)"}},
+      .examples = {{{"1", "2.5", "-3"}, "(1.0 2.5 -3.0)"},
+                   {{"(makePoint3D 1 1 1)", "(makePoint3D 4 1 0)"}, "(3.0 0.0 -1.0)"},
+                   {{"(makePoint3D 1 1 1)", "(point3d undefined)"}, "undefined"}},
+      .errors = {{{"1", "2"}, "makeVector3D: expected (real real real) or (point3d point3d), got (int int)"}},
   });
   registry.add({
       .name = "makePlane3D",
@@ -117,11 +117,10 @@ void register_points(Registry& registry) {
       .detail = "Undefined for a zero normal and for parallel directions.",
       .exactness = Exactness::exact,
       .overloads = {overload<&plane_through>("point", "normal"), overload<&plane_spanned>("point", "u", "v")},
-      .examples = {{"makePlane3D(makePoint3D(0, 0, 2), makeVector3D(0, 0, 1)) = [const plane3d value (2 0 0 1)]",
-                    "TRUE"},
-                   {"makePlane3D(makePoint3D(0, 0, 0), makeVector3D(1, 0, 0), makeVector3D(2, 0, 0))", "undefined"},
-                   {"makePlane3D([const point3d value undefined], makeVector3D(0, 0, 1))", "undefined"}},
-      .errors = {{"query makePlane3D(makePoint3D(0, 0, 2), 1)",
+      .examples = {{{"(makePoint3D 0 0 2)", "(makeVector3D 0 0 1)"}, "TRUE", "(= _ (plane3d (2 0 0 1)))"},
+                   {{"(makePoint3D 0 0 0)", "(makeVector3D 1 0 0)", "(makeVector3D 2 0 0)"}, "undefined"},
+                   {{"(point3d undefined)", "(makeVector3D 0 0 1)"}, "undefined"}},
+      .errors = {{{"(makePoint3D 0 0 2)", "1"},
                   "makePlane3D: expected (point3d vector3d) or (point3d vector3d vector3d), got (point3d int)"}},
   });
   registry.add({
@@ -130,32 +129,34 @@ void register_points(Registry& registry) {
       .doc = "The Euclidean length of a vector, in coordinate units.",
       .exactness = Exactness::rounded_once,
       .overloads = {overload<&vector_length>("vector")},
-      .examples = {{"length(makeVector3D(3, 0, 4))", "5.0"},
-                   {"length(makeVector3D(1, 1, 0))", "1.4142135623730951"},
-                   {"length([const vector3d value undefined])", "undefined"}},
-      .errors = {{"query length(1)", "length: expected (vector3d), got (int)"}},
+      .examples = {{{"(makeVector3D 3 0 4)"}, "5.0"},
+                   {{"(makeVector3D 1 1 0)"}, "1.4142135623730951"},
+                   {{"(vector3d undefined)"}, "undefined"}},
+      .errors = {{{"1"}, "length: expected (vector3d), got (int)"}},
   });
   registry.add({
       .name = "dot",
+      .host_name = "dot_product",
       .syntax = "dot(_, _)",
       .doc = "The scalar product of two vectors, in squared coordinate units.",
       .exactness = Exactness::rounded_once,
       .overloads = {symmetric(overload<&scalar_product>("v", "w"))},
-      .examples = {{"dot(makeVector3D(1, 2, 3), makeVector3D(4, 5, 6))", "32.0"},
-                   {"dot(makeVector3D(1e10, 1, 1), makeVector3D(1e10, 1, -1e20))", "1.0"},
-                   {"dot([const vector3d value undefined], makeVector3D(1, 0, 0))", "undefined"}},
-      .errors = {{"query dot(makeVector3D(1, 2, 3), 1)", "dot: expected (vector3d vector3d), got (vector3d int)"}},
+      .examples = {{{"(makeVector3D 1 2 3)", "(makeVector3D 4 5 6)"}, "32.0"},
+                   {{"(makeVector3D 1e10 1 1)", "(makeVector3D 1e10 1 -1e20)"}, "1.0"},
+                   {{"(vector3d undefined)", "(makeVector3D 1 0 0)"}, "undefined"}},
+      .errors = {{{"(makeVector3D 1 2 3)", "1"}, "dot: expected (vector3d vector3d), got (vector3d int)"}},
   });
   registry.add({
       .name = "cross",
+      .host_name = "cross_product",
       .syntax = "cross(_, _)",
       .doc = "The vector product of two vectors, by the right-hand rule.",
       .exactness = Exactness::exact,
       .overloads = {overload<&vector_product>("v", "w")},
-      .examples = {{"cross(makeVector3D(1, 0, 0), makeVector3D(0, 1, 0))", "(0.0 0.0 1.0)"},
-                   {"cross(makeVector3D(0, 3, 0), " + std::string(kThird) + ")", "(0.0 0.0 -1.0)"},
-                   {"cross([const vector3d value undefined], makeVector3D(1, 0, 0))", "undefined"}},
-      .errors = {{"query cross(makeVector3D(1, 2, 3), 1)", "cross: expected (vector3d vector3d), got (vector3d int)"}},
+      .examples = {{{"(makeVector3D 1 0 0)", "(makeVector3D 0 1 0)"}, "(0.0 0.0 1.0)"},
+                   {{"(makeVector3D 0 3 0)", kThird}, "(0.0 0.0 -1.0)"},
+                   {{"(vector3d undefined)", "(makeVector3D 1 0 0)"}, "undefined"}},
+      .errors = {{{"(makeVector3D 1 2 3)", "1"}, "cross: expected (vector3d vector3d), got (vector3d int)"}},
   });
 }
 

@@ -3,9 +3,10 @@
 
 #include <fmt/format.h>
 
+#include "algebra3d/formats/geojson.h"
+#include "algebra3d/formats/wkt.h"
 #include "algebra3d/operators/all.h"
-#include "algebra3d/operators/geojson.h"
-#include "algebra3d/operators/wkt.h"
+#include "algebra3d/registry/operator.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/types/planar.h"
 #include "algebra3d/types/scalars.h"
@@ -23,16 +24,16 @@ Result<Maybe<Region>> region_of_wkt(Context& context, const Text& text) {
 Status report_rounding(Context& context, const Polygons& polygons) {
   Polygons rounded = polygons;
   rounded.corners = PointArray(polygons.corners.approx());
-  ASSIGN_OR_RETURN(const auto region, Region::prove(rounded, context.monitor()));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto region, Region::prove(rounded, context.monitor()));
   const std::size_t count = polygons.corners.exact_count();
   context.diagnostics.report(fmt::format("region2wkt: rounded {} corner{} to doubles{}", count, count == 1 ? "" : "s",
-                                         region ? "" : "; what is written bounds no region: " + region.reason()));
+                                         region ? "" : "; the result bounds no region: " + region.reason()));
   return {};
 }
 
 Result<Text> wkt_of_region(Context& context, const Region& region) {
   const Polygons& polygons = region.polygons();
-  if (polygons.corners.exact_count() > 0) RETURN_IF_ERROR(report_rounding(context, polygons));
+  if (polygons.corners.exact_count() > 0) ALGEBRA3D_RETURN_IF_ERROR(report_rounding(context, polygons));
   return Text{wkt_of(polygons)};
 }
 
@@ -44,45 +45,44 @@ void register_wkt(Registry& registry) {
   registry.add({
       .name = "wkt2region",
       .syntax = "wkt2region(_)",
-      .doc = "The region that a POLYGON or MULTIPOLYGON in well-known text (WKT) is.",
+      .doc = "Converts a POLYGON or MULTIPOLYGON in well-known text (WKT) to a region.",
       .detail =
-          "Words in any case, white space anywhere, `SRID=n;` before it is skipped. Coordinates after the second (Z, "
-          "M, "
-          "ZM) are read and ignored. Rings repeat their first point; a point that is repeated directly is one corner. "
-          "Numbers become the nearest doubles. Undefined, with the character and what was expected there, for a text "
-          "that is malformed; and, with the segments named, for polygons that bound no region: so polygons that "
-          "overlap or share a side.",
+          "Words may be in any case, white space is ignored, and a prefix `SRID=n;` is skipped. Coordinates after "
+          "the second (Z, M, ZM) are ignored. Rings repeat their first point; adjacent equal points are one corner. "
+          "Numbers become the nearest doubles. Undefined, with the character and what was expected there, for a "
+          "malformed text; and, with the segments, for polygons that bound no region, such as polygons that overlap "
+          "or share a side.",
       .exactness = Exactness::exact,
       .frame_use = FrameUse::coordinates,
       .sources = {"ogc06103"},
       .overloads = {overload<&region_of_wkt>("text")},
-      .examples =
-          {{"wkt2region('POLYGON ((0 0, 4 0, 4 4, 0 0))')", "((((0.0 0.0) (4.0 0.0) (4.0 4.0))))"},
-           {"area(wkt2region('MultiPolygon Z (((0 0 7, 4 0 7, 4 4 7, 0 0 7)), ((5 0 7, 6 0 7, 6 1 7, 5 0 7)))'))",
-            "8.5"},
-           {"wkt2region('POLYGON EMPTY')", "()"},
-           {"wkt2region('POLYGON ((0 0, 4 0, 4 4))')", "undefined"},
-           {"wkt2region('POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))')", "undefined"},
-           {"wkt2region([const text value undefined])", "undefined"}},
-      .errors = {{"query wkt2region(1)", "wkt2region: expected (text), got (int)"}},
+      .examples = {{{"'POLYGON ((0 0, 4 0, 4 4, 0 0))'"}, "((((0.0 0.0) (4.0 0.0) (4.0 4.0))))"},
+                   {{"'MultiPolygon Z (((0 0 7, 4 0 7, 4 4 7, 0 0 7)), ((5 0 7, 6 0 7, 6 1 7, 5 0 7)))'"},
+                    "8.5",
+                    "(area _)"},
+                   {{"'POLYGON EMPTY'"}, "()"},
+                   {{"'POLYGON ((0 0, 4 0, 4 4))'"}, "undefined"},
+                   {{"'POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))'"}, "undefined"},
+                   {{"(text undefined)"}, "undefined"}},
+      .errors = {{{"1"}, "wkt2region: expected (text), got (int)"}},
   });
   registry.add({
       .name = "region2wkt",
       .syntax = "region2wkt(_)",
-      .doc = "The region in well-known text: POLYGON if it has one face, else MULTIPOLYGON.",
+      .doc = "A region as well-known text: POLYGON if it has one face, else MULTIPOLYGON.",
       .detail =
-          "Outer rings run counter-clockwise, holes clockwise. Numbers have the shortest digits that read back to "
-          "the same double. Coordinates that are no doubles are rounded to the nearest one; a diagnostic says so, "
-          "and whether what is written is still a region.",
+          "Outer rings run counter-clockwise, holes clockwise. Numbers have the shortest digits that read back as "
+          "the same double. Coordinates that are not doubles are rounded to the nearest double; a diagnostic says "
+          "so, and whether the result is still a region.",
       .exactness = Exactness::reported,
       .frame_use = FrameUse::coordinates,
       .sources = {"ogc06103"},
       .overloads = {overload<&wkt_of_region>("region")},
-      .examples = {{"region2wkt([const region value ((((0 0) (4 0) (4 4)) ((2 1) (3 1) (3 2.5))))])",
+      .examples = {{{"(region ((((0 0) (4 0) (4 4)) ((2 1) (3 1) (3 2.5)))))"},
                     "'POLYGON ((0 0, 4 0, 4 4, 0 0), (2 1, 3 2.5, 3 1, 2 1))'"},
-                   {"region2wkt([const region value ()])", "'MULTIPOLYGON EMPTY'"},
-                   {"region2wkt([const region value undefined])", "undefined"}},
-      .errors = {{"query region2wkt(1)", "region2wkt: expected (region), got (int)"}},
+                   {{"(region ())"}, "'MULTIPOLYGON EMPTY'"},
+                   {{"(region undefined)"}, "undefined"}},
+      .errors = {{{"1"}, "region2wkt: expected (region), got (int)"}},
   });
 }
 
@@ -93,21 +93,21 @@ void register_region_texts(Registry& registry) {
   registry.add({
       .name = "geojson2region",
       .syntax = "geojson2region(_)",
-      .doc = "The region that a GeoJSON geometry is, or the geometry of one Feature.",
+      .doc = "Converts a GeoJSON geometry, or the geometry of one Feature, to a region.",
       .detail =
-          "Polygon, MultiPolygon, or a GeometryCollection of these. Coordinates after the second are read and ignored. "
-          "Rings repeat their first position; a position that is repeated directly is one corner. Numbers become the "
-          "nearest doubles. Undefined, with the place and what was expected there, for anything else; and, with the "
-          "segments named, for polygons that bound no region. `importGeoJSON` reads files and collections of features.",
+          "The geometry is a Polygon, MultiPolygon, or a GeometryCollection of these. Coordinates after the second "
+          "are ignored. Rings repeat their first position; adjacent equal positions are one corner. Numbers become "
+          "the nearest doubles. Undefined, with the place and what was expected there, for other texts; and, with "
+          "the segments, for polygons that bound no region. `importGeoJSON` reads files and collections of features.",
       .exactness = Exactness::exact,
       .frame_use = FrameUse::coordinates,
       .sources = {"rfc7946"},
       .overloads = {overload<&region_of_geojson_text>("text")},
-      .examples = {{R"(geojson2region('{"type": "Polygon", "coordinates": [[[0, 0], [4, 0], [4, 4], [0, 0]]]}'))",
+      .examples = {{{R"('{"type": "Polygon", "coordinates": [[[0, 0], [4, 0], [4, 4], [0, 0]]]}')"},
                     "((((0.0 0.0) (4.0 0.0) (4.0 4.0))))"},
-                   {R"(geojson2region('{"type": "Point", "coordinates": [0, 0]}'))", "undefined"},
-                   {"geojson2region([const text value undefined])", "undefined"}},
-      .errors = {{"query geojson2region(1)", "geojson2region: expected (text), got (int)"}},
+                   {{R"('{"type": "Point", "coordinates": [0, 0]}')"}, "undefined"},
+                   {{"(text undefined)"}, "undefined"}},
+      .errors = {{{"1"}, "geojson2region: expected (text), got (int)"}},
   });
 }
 

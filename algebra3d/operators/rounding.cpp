@@ -7,9 +7,11 @@
 
 #include "algebra3d/base/number_text.h"
 #include "algebra3d/operators/all.h"
-#include "algebra3d/operators/sample_values.h"
+#include "algebra3d/operators/detail/sample_values.h"
+#include "algebra3d/registry/operator.h"
 #include "algebra3d/registry/overload.h"
-#include "algebra3d/repair/rounded_solid.h"
+#include "algebra3d/rounding/coordinate_grid.h"
+#include "algebra3d/rounding/rounded_solid.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
 
@@ -17,7 +19,7 @@ namespace algebra3d {
 namespace {
 
 Result<Maybe<Volume3d>> rounded_to(Context& context, const Volume3d& solid, const CoordinateGrid& grid) {
-  ASSIGN_OR_RETURN(RoundedSolid rounded, rounded_solid(solid.mesh(), grid, context.cancel));
+  ALGEBRA3D_ASSIGN_OR_RETURN(RoundedSolid rounded, rounded_solid(solid.mesh(), grid, context.cancel));
   if (!rounded.mesh) return Maybe<Volume3d>(Undefined{rounded.reason});
   if (rounded.moved_vertices == 0) return Maybe<Volume3d>(solid);
   std::string text =
@@ -45,23 +47,23 @@ void register_rounding(Registry& registry) {
   registry.add({
       .name = "roundCoordinates",
       .syntax = "roundCoordinates(_ ...)",
-      .doc = "The solid with all coordinates rounded to doubles, or to those that are nearest to multiples of a grid "
+      .doc = "The solid with all coordinates rounded to doubles, or to the doubles nearest to multiples of a grid "
              "width.",
       .detail =
-          "A diagnostic says how many vertices moved, and how far the boundary did at most. The result is a valid "
-          "solid: facets are triangulated anew, and where triangles would pass through each other, vertices are "
-          "rounded to a coarser grid, or facets that nearly touch are made to touch. What is thinner than the grid "
-          "vanishes. A solid whose coordinates fit is given back as it is. Undefined if a coordinate would be out of "
-          "range, or if no such solid is found.",
+          "A diagnostic gives the number of moved vertices, and the largest distance by which the boundary moved. "
+          "The result is a valid solid: facets are triangulated anew, and where triangles would cross each other, "
+          "vertices are rounded to a coarser grid, or facets that nearly touch are made to touch. Parts thinner than "
+          "the grid vanish. A solid whose coordinates are on the grid is unchanged. Undefined if a coordinate would "
+          "be out of range, or if no valid solid is found.",
       .exactness = Exactness::reported,
       .frame_use = FrameUse::coordinates,
       .overloads = {overload<&rounded_to_doubles>("solid"), overload<&rounded_to_multiples>("solid", "grid")},
-      .examples = {{"volume(roundCoordinates(" + kUnitCube + "))", "1.0"},
-                   {"volume(roundCoordinates(" + kUnitCube + ", 0.75))", "0.421875"},
-                   {"isEmpty(roundCoordinates(" + kUnitCube + ", 3.0))", "TRUE"},
-                   {"roundCoordinates(" + kUnitCube + ", 0.0)", "undefined"},
-                   {"roundCoordinates([const volume3d value undefined])", "undefined"}},
-      .errors = {{"query roundCoordinates(1)", "roundCoordinates: expected (volume3d) or (volume3d real), got (int)"}},
+      .examples = {{{kUnitCube}, "1.0", "(volume _)"},
+                   {{kUnitCube, "0.75"}, "0.421875", "(volume _)"},
+                   {{kUnitCube, "3.0"}, "TRUE", "(isEmpty _)"},
+                   {{kUnitCube, "0.0"}, "undefined"},
+                   {{"(volume3d undefined)"}, "undefined"}},
+      .errors = {{{"1"}, "roundCoordinates: expected (volume3d) or (volume3d real), got (int)"}},
   });
 }
 

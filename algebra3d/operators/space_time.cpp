@@ -3,9 +3,10 @@
 #include <utility>
 #include <vector>
 
+#include "algebra3d/constructions/moving_solid.h"
+#include "algebra3d/constructions/solid_sets.h"
 #include "algebra3d/operators/all.h"
-#include "algebra3d/operators/moving_solid.h"
-#include "algebra3d/operators/solid_sets.h"
+#include "algebra3d/registry/operator.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/types/moving_region.h"
 #include "algebra3d/types/scalars.h"
@@ -40,7 +41,7 @@ Result<Maybe<Volume3d>> solid_of_unit(const RegionUnit& unit, const TimeAxis& ax
   if (!std::isfinite(slab.to)) return Maybe<Volume3d>(Undefined{"its end is beyond the range of doubles"});
   if (!(slab.from < slab.to))
     return Maybe<Volume3d>(Undefined{"its height is too small to tell its end from its start"});
-  ASSIGN_OR_RETURN(auto mesh, swept_solid(slab, monitor));
+  ALGEBRA3D_ASSIGN_OR_RETURN(auto mesh, swept_solid(slab, monitor));
   if (!mesh) return Maybe<Volume3d>(Undefined{mesh.reason()});
   return Maybe<Volume3d>(Volume3d::trusted(*std::move(mesh)));
 }
@@ -57,17 +58,16 @@ Result<Maybe<Volume3d>> solid_swept_by(Context& context, const MovingRegion& reg
     if (!stage.begin_step()) return Monitor::interrupted();
     // A single instant sweeps nothing.
     if (units[i].interval().start == units[i].interval().end) continue;
-    ASSIGN_OR_RETURN(auto solid, solid_of_unit(units[i], axis, context.monitor().silent()));
+    ALGEBRA3D_ASSIGN_OR_RETURN(auto solid, solid_of_unit(units[i], axis, context.monitor().silent()));
     if (!solid) return Maybe<Volume3d>(Undefined{unit_text(i + 1, units[i]) + ": " + solid.reason()});
     solids.push_back(*std::move(solid));
   }
-  ASSIGN_OR_RETURN(Volume3d all, united(context, solids));
+  ALGEBRA3D_ASSIGN_OR_RETURN(Volume3d all, united(context, solids));
   return Maybe<Volume3d>(std::move(all));
 }
 
 const std::string kGrowing =
-    "[const mregion value (((\"2011-07-08\" \"2011-07-10\" TRUE FALSE) ((((1 1 0 0) (1 1 4 0) (1 1 4 4) (1 1 0 "
-    "4))))))]";
+    R"((mregion ((("2011-07-08" "2011-07-10" TRUE FALSE) ((((1 1 0 0) (1 1 4 0) (1 1 4 4) (1 1 0 4))))))))";
 
 }  // namespace
 
@@ -75,27 +75,26 @@ void register_space_time(Registry& registry) {
   registry.add({
       .name = "mregion2volume",
       .syntax = "mregion2volume(_, _)",
-      .doc = "The solid that a moving region sweeps while time runs along the third axis, with the height of a day.",
+      .doc = "The solid that a moving region sweeps with time as the third axis; the second argument is the height "
+             "of a day.",
       .detail =
           "The first unit starts at z = 0; gaps in time are gaps in height. Each height is rounded once. A unit is "
-          "bounded by its regions at start and end, and by two triangles for each moving segment, or one where its way "
-          "begins or ends in a point; the diagonal begins at the lexicographically smaller start corner. Where a "
-          "segment keeps its direction, the solid's `slice` is the region at that time; where it turns by the vector "
-          "d from start to end, it is off by at most |d| s (1 - s) at the fraction s of the unit. The solids of units "
-          "are united. Units of a single instant sweep nothing. Undefined if the height of a day is not positive, and "
-          "if the sides of a unit pass through one another.",
+          "bounded by its regions at start and end, and by two triangles for each moving segment, or one if it "
+          "begins or ends as a point; the diagonal begins at the lexicographically smaller start corner. If segments "
+          "keep their directions, the solid's `slice` is the region at that time; if the vector of a segment changes "
+          "by d from start to end, the error is at most |d| s (1 - s) at the fraction s of the unit. The solids of "
+          "units are united. Units of a single instant sweep nothing. Undefined if the height of a day is not "
+          "positive, and if the sides of a unit cross each other.",
       .exactness = Exactness::rounded_once,
       .frame_use = FrameUse::coordinates,
       .overloads = {overload<&solid_swept_by>("moving", "heightPerDay")},
       // A pyramid: 1/3 * 16 * 2.
-      .examples = {{"volume(mregion2volume(" + kGrowing + ", 1.5))", "16.0"},
-                   {"slice(mregion2volume(" + kGrowing + ", 1), 1) = atinstant(" + kGrowing +
-                        ", [const instant value \"2011-07-09\"])",
-                    "TRUE"},
-                   {"isEmpty(mregion2volume([const mregion value ()], 1))", "TRUE"},
-                   {"mregion2volume(" + kGrowing + ", 0)", "undefined"},
-                   {"mregion2volume([const mregion value undefined], 1)", "undefined"}},
-      .errors = {{"query mregion2volume(" + kGrowing + ")", "mregion2volume: expected (mregion real), got (mregion)"}},
+      .examples = {{{kGrowing, "1.5"}, "16.0", "(volume _)"},
+                   {{kGrowing, "1"}, "TRUE", "(= (slice _ 1) (atinstant " + kGrowing + R"( (instant "2011-07-09"))))"},
+                   {{"(mregion ())", "1"}, "TRUE", "(isEmpty _)"},
+                   {{kGrowing, "0"}, "undefined"},
+                   {{"(mregion undefined)", "1"}, "undefined"}},
+      .errors = {{{kGrowing}, "mregion2volume: expected (mregion real), got (mregion)"}},
   });
 }
 

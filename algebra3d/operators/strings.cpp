@@ -1,5 +1,6 @@
 // startsWith: strings and texts. (`contains` stands with the boxes, since one description holds all its overloads.)
 #include "algebra3d/operators/all.h"
+#include "algebra3d/registry/operator.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/types/scalars.h"
 
@@ -22,11 +23,10 @@ void register_strings(Registry& registry) {
       .doc = "True if the first string or text begins with the second.",
       .exactness = Exactness::exact,
       .overloads = {overload<&string_starts>("whole", "start"), overload<&text_starts>("whole", "start")},
-      .examples = {{R"("gear.stl" startsWith "gear")", "TRUE"},
-                   {R"('gear.stl' startsWith "cog")", "FALSE"},
-                   {R"("a" startsWith [const string value undefined])", "undefined"}},
-      .errors = {{R"(query "a" startsWith 1)",
-                  "startsWith: expected (string string) or (text text), got (string int)"}},
+      .examples = {{{R"("gear.stl")", R"("gear")"}, "TRUE"},
+                   {{"'gear.stl'", R"("cog")"}, "FALSE"},
+                   {{R"("a")", "(string undefined)"}, "undefined"}},
+      .errors = {{{R"("a")", "1"}, "startsWith: expected (string string) or (text text), got (string int)"}},
   });
 }
 

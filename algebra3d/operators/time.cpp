@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "algebra3d/operators/all.h"
+#include "algebra3d/registry/operator.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/time.h"
@@ -64,17 +65,18 @@ bool is_right_closed(const TimeInterval& interval) {
   return interval.right_closed;
 }
 
-const std::string kUndefinedInstant = "[const instant value undefined]";
-const std::string kDay = R"([const interval value ("2011-07-08" "2011-07-09" TRUE FALSE)])";
+const std::string kUndefinedInstant = "(instant undefined)";
+const std::string kDay = R"((interval ("2011-07-08" "2011-07-09" TRUE FALSE)))";
 
 void register_instants(Registry& registry) {
   using Int = std::int64_t;
   registry.add({
       .name = "theInstant",
       .syntax = "theInstant(_ ...)",
-      .doc = "The instant with this year, month, day, hour, minute, second and millisecond, as many as are given.",
-      .detail = "The others are the first ones: month and day 1, the rest 0. Years from 1 to 9999, in the Gregorian "
-                "calendar throughout. Undefined if there is no such day or time of day.",
+      .doc = "The instant with the given year, month, day, hour, minute, second and millisecond; all but the year "
+             "are optional.",
+      .detail = "By default month and day are 1, the others 0. Years are from 1 to 9999, in the proleptic Gregorian "
+                "calendar. Undefined if there is no such date or time of day.",
       .exactness = Exactness::exact,
       .overloads = {overload<&instant_of_parts<Int>>("year"), overload<&instant_of_parts<Int, Int>>("year", "month"),
                     overload<&instant_of_parts<Int, Int, Int>>("year", "month", "day"),
@@ -84,20 +86,21 @@ void register_instants(Registry& registry) {
                                                                               "second"),
                     overload<&instant_of_parts<Int, Int, Int, Int, Int, Int, Int>>("year", "month", "day", "hour",
                                                                                    "minute", "second", "millisecond")},
-      .examples = {{"theInstant(2011, 7, 8, 14)", R"("2011-07-08-14:00")"},
-                   {"theInstant(2012)", R"("2012-01-01")"},
-                   {"theInstant(2012, 7)", R"("2012-07-01")"},
-                   {"theInstant(2011, 2, 29)", "undefined"},
-                   {"theInstant(2011, [const int value undefined])", "undefined"}},
-      .errors = {{"query theInstant(2011.5)", "theInstant: expected (int), (int int), (int int int)"}},
+      .examples = {{{"2011", "7", "8", "14"}, R"("2011-07-08-14:00")"},
+                   {{"2012"}, R"("2012-01-01")"},
+                   {{"2012", "7"}, R"("2012-07-01")"},
+                   {{"2011", "2", "29"}, "undefined"},
+                   {{"2011", "(int undefined)"}, "undefined"}},
+      .errors = {{{"2011.5"}, "theInstant: expected (int), (int int), (int int int)"}},
   });
   registry.add({
       .name = "now",
       .syntax = "now()",
-      .doc = "The instant at which it is evaluated, by the computer's clock, in UTC.",
+      .doc = "The present instant by the computer's clock, in UTC.",
+      .is_pure = false,
       .overloads = {overload<&current_instant>()},
-      .examples = {{"now() > theInstant(2020)", "TRUE"}, {"now() - " + kUndefinedInstant, "undefined"}},
-      .errors = {{"query now(1)", "now: expected (), got (int)"}},
+      .examples = {{{}, "TRUE", "(> _ (theInstant 2020))"}},
+      .errors = {{{"1"}, "now: expected (), got (int)"}},
   });
 }
 
@@ -109,10 +112,8 @@ void register_part(Registry& registry, const Row& row, Overload part) {
       .doc = row.doc,
       .exactness = Exactness::exact,
       .overloads = {std::move(part)},
-      .examples = {{std::string(row.name) + "(theInstant(2011, 7, 8, 14, 5, 6, 7))", row.result},
-                   {std::string(row.name) + "(" + kUndefinedInstant + ")", "undefined"}},
-      .errors = {{std::string("query ") + row.name + "(2011)",
-                  std::string(row.name) + ": expected (instant), got (int)"}},
+      .examples = {{{"(theInstant 2011 7 8 14 5 6 7)"}, row.result}, {{kUndefinedInstant}, "undefined"}},
+      .errors = {{{"2011"}, std::string(row.name) + ": expected (instant), got (int)"}},
   });
 }
 
@@ -145,15 +146,15 @@ void register_durations(Registry& registry) {
   registry.add({
       .name = "create_duration",
       .syntax = "create_duration(_ ...)",
-      .doc = "The duration of so many days, or of so many days and milliseconds.",
+      .doc = "The duration of the given days, or days and milliseconds.",
       .detail = "Rounded to the nearest millisecond. Undefined if the days are not between -2^31 and 2^31 - 1.",
       .exactness = Exactness::rounded_once,
       .overloads = {overload<&duration_of_days>("days"), overload<&duration_of_parts>("days", "milliseconds")},
-      .examples = {{"create_duration(1.5)", "(1 43200000)"},
-                   {"create_duration(2, -1)", "(1 86399999)"},
-                   {"create_duration(1e10)", "undefined"},
-                   {"create_duration(1, [const int value undefined])", "undefined"}},
-      .errors = {{"query create_duration(TRUE)", "create_duration: expected (real) or (int int), got (bool)"}},
+      .examples = {{{"1.5"}, "(1 43200000)"},
+                   {{"2", "-1"}, "(1 86399999)"},
+                   {{"1e10"}, "undefined"},
+                   {{"1", "(int undefined)"}, "undefined"}},
+      .errors = {{{"TRUE"}, "create_duration: expected (real) or (int int), got (bool)"}},
   });
   registry.add({
       .name = "duration2real",
@@ -161,10 +162,10 @@ void register_durations(Registry& registry) {
       .doc = "A duration in days.",
       .exactness = Exactness::rounded_once,
       .overloads = {overload<&days_of>("duration")},
-      .examples = {{"duration2real(create_duration(1, 43200000))", "1.5"},
-                   {"duration2real(theInstant(2012) - theInstant(2013))", "-366.0"},
-                   {"duration2real([const duration value undefined])", "undefined"}},
-      .errors = {{"query duration2real(1)", "duration2real: expected (duration), got (int)"}},
+      .examples = {{{"(create_duration 1 43200000)"}, "1.5"},
+                   {{"(- (theInstant 2012) (theInstant 2013))"}, "-366.0"},
+                   {{"(duration undefined)"}, "undefined"}},
+      .errors = {{{"1"}, "duration2real: expected (duration), got (int)"}},
   });
 }
 
@@ -172,41 +173,38 @@ void register_interval_ends(Registry& registry) {
   registry.add({
       .name = "minimum",
       .syntax = "minimum(_)",
-      .doc = "The start of an interval, whether it belongs to it or not.",
+      .doc = "The start of an interval, included or not.",
       .exactness = Exactness::exact,
       .overloads = {overload<&interval_start>("interval")},
-      .examples = {{"minimum(" + kDay + ")", R"("2011-07-08")"},
-                   {"minimum([const interval value undefined])", "undefined"}},
-      .errors = {{"query minimum(1)", "minimum: expected (interval), got (int)"}},
+      .examples = {{{kDay}, R"("2011-07-08")"}, {{"(interval undefined)"}, "undefined"}},
+      .errors = {{{"1"}, "minimum: expected (interval), got (int)"}},
   });
   registry.add({
       .name = "maximum",
       .syntax = "maximum(_)",
-      .doc = "The end of an interval, whether it belongs to it or not.",
+      .doc = "The end of an interval, included or not.",
       .exactness = Exactness::exact,
       .overloads = {overload<&interval_end>("interval")},
-      .examples = {{"maximum(" + kDay + ")", R"("2011-07-09")"},
-                   {"maximum([const interval value undefined])", "undefined"}},
-      .errors = {{"query maximum(1)", "maximum: expected (interval), got (int)"}},
+      .examples = {{{kDay}, R"("2011-07-09")"}, {{"(interval undefined)"}, "undefined"}},
+      .errors = {{{"1"}, "maximum: expected (interval), got (int)"}},
   });
   registry.add({
       .name = "leftClosed",
       .syntax = "leftClosed(_)",
-      .doc = "True if the start of an interval belongs to it.",
+      .doc = "True if the start of an interval is included.",
       .exactness = Exactness::exact,
       .overloads = {overload<&is_left_closed>("interval")},
-      .examples = {{"leftClosed(" + kDay + ")", "TRUE"}, {"leftClosed([const interval value undefined])", "undefined"}},
-      .errors = {{"query leftClosed(1)", "leftClosed: expected (interval), got (int)"}},
+      .examples = {{{kDay}, "TRUE"}, {{"(interval undefined)"}, "undefined"}},
+      .errors = {{{"1"}, "leftClosed: expected (interval), got (int)"}},
   });
   registry.add({
       .name = "rightClosed",
       .syntax = "rightClosed(_)",
-      .doc = "True if the end of an interval belongs to it.",
+      .doc = "True if the end of an interval is included.",
       .exactness = Exactness::exact,
       .overloads = {overload<&is_right_closed>("interval")},
-      .examples = {{"rightClosed(" + kDay + ")", "FALSE"},
-                   {"rightClosed([const interval value undefined])", "undefined"}},
-      .errors = {{"query rightClosed(1)", "rightClosed: expected (interval), got (int)"}},
+      .examples = {{{kDay}, "FALSE"}, {{"(interval undefined)"}, "undefined"}},
+      .errors = {{{"1"}, "rightClosed: expected (interval), got (int)"}},
   });
 }
 
@@ -219,15 +217,17 @@ void register_time(Registry& registry) {
   registry.add({
       .name = "makeInterval",
       .syntax = "makeInterval(_, _, _, _)",
-      .doc = "The interval from one instant to another; the last two say whether start and end belong to it.",
-      .detail = "Undefined if the end comes before the start, or if both are one instant and not both belong to it.",
+      .doc = "The interval from one instant to another; the last two arguments say whether start and end are "
+             "included.",
+      .detail = "Undefined if the end comes before the start, or if both are the same instant and not both are "
+                "included.",
       .exactness = Exactness::exact,
       .overloads = {overload<&interval_of>("start", "end", "leftclosed", "rightclosed")},
-      .examples = {{"makeInterval(theInstant(2011), theInstant(2012), TRUE, FALSE)",
+      .examples = {{{"(theInstant 2011)", "(theInstant 2012)", "TRUE", "FALSE"},
                     R"(("2011-01-01" "2012-01-01" TRUE FALSE))"},
-                   {"makeInterval(theInstant(2012), theInstant(2011), TRUE, FALSE)", "undefined"},
-                   {"makeInterval(" + kUndefinedInstant + ", theInstant(2011), TRUE, FALSE)", "undefined"}},
-      .errors = {{"query makeInterval(1, 2, TRUE, TRUE)",
+                   {{"(theInstant 2012)", "(theInstant 2011)", "TRUE", "FALSE"}, "undefined"},
+                   {{kUndefinedInstant, "(theInstant 2011)", "TRUE", "FALSE"}, "undefined"}},
+      .errors = {{{"1", "2", "TRUE", "TRUE"},
                   "makeInterval: expected (instant instant bool bool), got (int int bool bool)"}},
   });
   register_interval_ends(registry);

@@ -1,7 +1,8 @@
 // rotate, mirror, translate, scale, scaleDir.
+#include "algebra3d/constructions/value_images.h"
 #include "algebra3d/operators/all.h"
-#include "algebra3d/operators/sample_values.h"
-#include "algebra3d/operators/value_images.h"
+#include "algebra3d/operators/detail/sample_values.h"
+#include "algebra3d/registry/operator.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/types/scalars.h"
 
@@ -47,67 +48,66 @@ Result<Maybe<T>> scaled_by_axis(Context& context, const T& geometry, const Point
   return image_of(context, AffineMap::scaling(centre.position.rational(), factors.components.rational()), geometry);
 }
 
-const std::string kCuboid = "createCube(makePoint3D(0, 0, 0), makePoint3D(1, 2, 3))";
-const std::string kPoint = "makePoint3D(1, 2, 3)";
+const std::string kCuboid = "(createCube (makePoint3D 0 0 0) (makePoint3D 1 2 3))";
+const std::string kPoint = "(makePoint3D 1 2 3)";
 const std::string kRounding =
-    "Each coordinate is rounded once; where that would break a surface or solid, its exact image is kept and a "
-    "diagnostic says so. A value with a coordinate that is no double, such as a union may have, gets its exact image "
-    "where the map is as exact: moved by any vector, scaled by doubles, turned by quarter turns about axes parallel to "
-    "the coordinate axes, mirrored at planes that map the directions of these axes to each other. Of points3d each "
-    "point is such a value. Triangles keep their order.";
+    "Each coordinate is rounded once; if that would make a surface or solid invalid, its exact image is kept, with a "
+    "diagnostic. A value with coordinates that are not doubles, such as a union may have, keeps its exact image if "
+    "the map is exact: a translation, a scaling by doubles, quarter turns about axes parallel to the coordinate "
+    "axes, and reflections that map the directions of these axes to each other. For points3d this is decided per "
+    "point. Triangles keep their order.";
 
 void register_motions(Registry& registry) {
   registry.add({
       .name = "rotate",
       .syntax = "_ rotate[_, _, _]",
-      .doc = "Turned about the axis through a point with a direction, right-handed, by an angle in degrees.",
-      .detail = "Exact for quarter turns about coordinate axes and half turns about any; other angles are met within "
-                "2^-50 rad. Undefined for a zero axis. " +
+      .doc = "Rotates about the axis through a point with a direction, right-handed, by an angle in degrees.",
+      .detail = "Exact for quarter turns about coordinate axes and half turns about any axis; other angles have an "
+                "error of at most 2^-50 rad. Undefined for a zero axis. " +
                 kRounding,
       .exactness = Exactness::rounded_once,
       .overloads = {overload<&rotated<Point3d>>("point", "centre", "axis", "degrees"),
                     overload<&rotated<Points3d>>("points", "centre", "axis", "degrees"),
                     overload<&rotated<Surface3d>>("surface", "centre", "axis", "degrees"),
                     overload<&rotated<Volume3d>>("solid", "centre", "axis", "degrees")},
-      .examples = {{kPoint + " rotate[" + kOrigin + ", makeVector3D(0, 0, 1), 90]", "(-2.0 1.0 3.0)"},
-                   {"bbox(" + kCuboid + " rotate[" + kOrigin + ", makeVector3D(1, 0, 0), 180])",
-                    "(0.0 1.0 -2.0 0.0 -3.0 0.0)"},
-                   {kPoint + " rotate[" + kOrigin + ", makeVector3D(0, 0, 0), 90]", "undefined"},
-                   {kUndefinedPoint + " rotate[" + kOrigin + ", makeVector3D(0, 0, 1), 90]", "undefined"}},
-      .errors = {{"query " + kPoint + " rotate[" + kOrigin + ", 90]",
-                  "rotate: expected (point3d point3d vector3d real)"}},
+      .examples = {{{kPoint, kOrigin, "(makeVector3D 0 0 1)", "90"}, "(-2.0 1.0 3.0)"},
+                   {{kCuboid, kOrigin, "(makeVector3D 1 0 0)", "180"}, "(0.0 1.0 -2.0 0.0 -3.0 0.0)", "(bbox _)"},
+                   {{kPoint, kOrigin, "(makeVector3D 0 0 0)", "90"}, "undefined"},
+                   {{kUndefinedPoint, kOrigin, "(makeVector3D 0 0 1)", "90"}, "undefined"}},
+      .errors = {{{kPoint, kOrigin, "90"}, "rotate: expected (point3d point3d vector3d real)"}},
   });
   registry.add({
       .name = "mirror",
       .syntax = "_ mirror[_]",
-      .doc = "The mirror image behind a plane; the outside of a solid stays outside.",
+      .doc = "The mirror image at a plane; the outside of a solid stays outside.",
       .detail = kRounding,
       .exactness = Exactness::rounded_once,
       .overloads = {overload<&mirrored<Point3d>>("point", "plane"), overload<&mirrored<Points3d>>("points", "plane"),
                     overload<&mirrored<Surface3d>>("surface", "plane"),
                     overload<&mirrored<Volume3d>>("solid", "plane")},
-      .examples = {{kPoint + " mirror[[const plane3d value (2 0 0 1)]]", "(1.0 2.0 1.0)"},
-                   {"volume(" + kCuboid + " mirror[[const plane3d value (0 1 1 0)]])", "6.0"},
-                   {kUndefinedPoint + " mirror[[const plane3d value (2 0 0 1)]]", "undefined"}},
-      .errors = {{"query " + kPoint + " mirror[1]", "mirror: expected (point3d plane3d)"}},
+      .examples = {{{kPoint, "(plane3d (2 0 0 1))"}, "(1.0 2.0 1.0)"},
+                   {{kCuboid, "(plane3d (0 1 1 0))"}, "6.0", "(volume _)"},
+                   {{kUndefinedPoint, "(plane3d (2 0 0 1))"}, "undefined"}},
+      .errors = {{{kPoint, "1"}, "mirror: expected (point3d plane3d)"}},
   });
   registry.add({
       .name = "translate",
       .syntax = "_ translate[_]",
       .doc = "Moved by a vector.",
-      .detail = kRounding +
-                " `X translate[v] translate[-v] = X` holds if no coordinate is rounded on the way: if the coordinates "
-                "of X moved by v are doubles, or if both X and X moved by v have one that is no double.",
+      .detail =
+          kRounding +
+          " Translation by v and then by -v restores X if nothing is rounded: if the coordinates of X moved by v are "
+          "doubles, or if both X and X moved by v have a coordinate that is not a double.",
       .exactness = Exactness::rounded_once,
       .overloads = {overload<&translated<Point3d>>("point", "by"), overload<&translated<Points3d>>("points", "by"),
                     overload<&translated<Surface3d>>("surface", "by"), overload<&translated<Volume3d>>("solid", "by"),
                     overload<&translated_region>("region", "by"), overload<&translated_motion>("moving", "by")},
-      .examples = {{kPoint + " translate[makeVector3D(1, 0, -3)]", "(2.0 2.0 0.0)"},
-                   {"bbox(" + kCuboid + " translate[[const vector3d value (10 0 0)]])", "(10.0 11.0 0.0 2.0 0.0 3.0)"},
-                   {"[const region value ((((0 0) (3 0) (0 4))))] translate[makeVector3D(1, -1, 0)]",
+      .examples = {{{kPoint, "(makeVector3D 1 0 -3)"}, "(2.0 2.0 0.0)"},
+                   {{kCuboid, "(vector3d (10 0 0))"}, "(10.0 11.0 0.0 2.0 0.0 3.0)", "(bbox _)"},
+                   {{"(region ((((0 0) (3 0) (0 4)))))", "(makeVector3D 1 -1 0)"},
                     "((((1.0 -1.0) (4.0 -1.0) (1.0 3.0))))"},
-                   {kUndefinedPoint + " translate[makeVector3D(1, 0, -3)]", "undefined"}},
-      .errors = {{"query " + kPoint + " translate[1]", "translate: expected (point3d vector3d)"}},
+                   {{kUndefinedPoint, "(makeVector3D 1 0 -3)"}, "undefined"}},
+      .errors = {{{kPoint, "1"}, "translate: expected (point3d vector3d)"}},
   });
 }
 
@@ -118,26 +118,26 @@ void register_transformation(Registry& registry) {
   registry.add({
       .name = "scale",
       .syntax = "_ scale[_, _]",
-      .doc = "Stretched from a point by a factor: p + f(x - p).",
-      .detail = "A factor of zero gives undefined for surfaces and solids; the outside of a solid stays outside for a "
-                "negative one. " +
+      .doc = "Scales from a point by a factor: p + f(x - p).",
+      .detail = "Undefined for surfaces and solids if the factor is zero; the outside of a solid stays outside if it "
+                "is negative. " +
                 kRounding,
       .exactness = Exactness::rounded_once,
       .overloads = {overload<&scaled<Point3d>>("point", "centre", "factor"),
                     overload<&scaled<Points3d>>("points", "centre", "factor"),
                     overload<&scaled<Surface3d>>("surface", "centre", "factor"),
                     overload<&scaled<Volume3d>>("solid", "centre", "factor")},
-      .examples = {{kPoint + " scale[makePoint3D(1, 1, 1), 2]", "(1.0 3.0 5.0)"},
-                   {"volume(" + kCuboid + " scale[" + kOrigin + ", -2])", "48.0"},
-                   {kCuboid + " scale[" + kOrigin + ", 0]", "undefined"},
-                   {kUndefinedPoint + " scale[" + kOrigin + ", 2]", "undefined"}},
-      .errors = {{"query " + kPoint + " scale[2]", "scale: expected (point3d point3d real)"}},
+      .examples = {{{kPoint, "(makePoint3D 1 1 1)", "2"}, "(1.0 3.0 5.0)"},
+                   {{kCuboid, kOrigin, "-2"}, "48.0", "(volume _)"},
+                   {{kCuboid, kOrigin, "0"}, "undefined"},
+                   {{kUndefinedPoint, kOrigin, "2"}, "undefined"}},
+      .errors = {{{kPoint, "2"}, "scale: expected (point3d point3d real)"}},
   });
   registry.add({
       .name = "scaleDir",
       .syntax = "_ scaleDir[_, _]",
-      .doc = "Stretched from a point by a factor for each axis: p + v(x - p), componentwise.",
-      .detail = "A zero factor gives undefined for surfaces and solids; the outside of a solid stays outside where the "
+      .doc = "Scales from a point by a factor per axis: p + v(x - p), componentwise.",
+      .detail = "Undefined for surfaces and solids if a factor is zero; the outside of a solid stays outside if the "
                 "factors mirror it. " +
                 kRounding,
       .exactness = Exactness::rounded_once,
@@ -145,12 +145,11 @@ void register_transformation(Registry& registry) {
                     overload<&scaled_by_axis<Points3d>>("points", "centre", "factors"),
                     overload<&scaled_by_axis<Surface3d>>("surface", "centre", "factors"),
                     overload<&scaled_by_axis<Volume3d>>("solid", "centre", "factors")},
-      .examples = {{kPoint + " scaleDir[" + kOrigin + ", makeVector3D(1, 0, -1)]", "(1.0 0.0 -3.0)"},
-                   {"bbox(" + kCuboid + " scaleDir[" + kOrigin + ", makeVector3D(2, 1, -1)])",
-                    "(0.0 2.0 0.0 2.0 -3.0 0.0)"},
-                   {kCuboid + " scaleDir[" + kOrigin + ", makeVector3D(2, 0, 1)]", "undefined"},
-                   {kUndefinedPoint + " scaleDir[" + kOrigin + ", makeVector3D(1, 1, 1)]", "undefined"}},
-      .errors = {{"query " + kPoint + " scaleDir[2]", "scaleDir: expected (point3d point3d vector3d)"}},
+      .examples = {{{kPoint, kOrigin, "(makeVector3D 1 0 -1)"}, "(1.0 0.0 -3.0)"},
+                   {{kCuboid, kOrigin, "(makeVector3D 2 1 -1)"}, "(0.0 2.0 0.0 2.0 -3.0 0.0)", "(bbox _)"},
+                   {{kCuboid, kOrigin, "(makeVector3D 2 0 1)"}, "undefined"},
+                   {{kUndefinedPoint, kOrigin, "(makeVector3D 1 1 1)"}, "undefined"}},
+      .errors = {{{kPoint, "2"}, "scaleDir: expected (point3d point3d vector3d)"}},
   });
 }
 

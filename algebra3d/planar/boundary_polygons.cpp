@@ -3,19 +3,20 @@
 #include <algorithm>
 #include <compare>
 
-#include "algebra3d/planar/edge_triangulation.h"
+#include "algebra3d/planar/detail/edge_triangulation.h"
 #include "algebra3d/planar/noding.h"
 
 namespace algebra3d {
 namespace {
 
-using planar::kNone;
+using planar::HalfedgeId;
 using planar::PlanePoints;
 using planar::Subdivision;
+using planar::VertexId;
 
 /// A cycle of vertices that touches itself nowhere and turns at each; the smallest comes first.
 struct TracedCycle {
-  std::vector<std::uint32_t> vertices;
+  std::vector<VertexId> vertices;
   bool is_hole;
 };
 using TracedFace = std::vector<TracedCycle>;
@@ -26,25 +27,25 @@ class BoundaryTracer {
   explicit BoundaryTracer(const planar::EdgeTriangulation& edges)
       : points_(edges.points()),
         triangulation_(edges.triangulation()),
-        is_traced_(triangulation_.halfedge_count()),
-        place_in_path_(triangulation_.vertex_count(), kNone) {}
+        is_traced_(triangulation_.halfedges().size()),
+        place_in_path_(points_.size(), kNone) {}
 
   /// The cycles of the patch of these triangles: the outer one, then holes in order.
-  TracedFace trace(std::span<const std::uint32_t> triangles);
+  TracedFace trace(std::span<const HalfedgeId> triangles);
   bool is_before(const TracedFace& a, const TracedFace& b) const { return is_before(a[0], b[0]); }
 
  private:
-  bool is_boundary(std::uint32_t h) const { return planar::mark_has_inside(triangulation_.mark(h)); }
+  bool is_boundary(HalfedgeId h) const { return planar::mark_has_inside(triangulation_.mark(h)); }
   bool is_before(const TracedCycle& a, const TracedCycle& b) const;
-  void walk(std::uint32_t start, TracedFace& face);
+  void walk(HalfedgeId start, TracedFace& face);
   void cut_off(std::size_t begin, TracedFace& face);
-  std::uint32_t next_on_boundary(std::uint32_t h) const;
+  HalfedgeId next_on_boundary(HalfedgeId h) const;
 
   const PlanePoints& points_;
   const Subdivision& triangulation_;
-  std::vector<bool> is_traced_;
-  std::vector<std::uint32_t> path_;           // vertices since the start, without the cycles that are cut off
-  std::vector<std::uint32_t> place_in_path_;  // of each vertex
+  IdVector<HalfedgeId, bool> is_traced_;
+  std::vector<VertexId> path_;                       // vertices since the start, without the cycles that are cut off
+  IdVector<VertexId, std::uint32_t> place_in_path_;  // kNone: it is not there
 };
 
 /// By the first two corners. Two cycles that begin in one corner go on to different ones.
@@ -54,8 +55,8 @@ bool BoundaryTracer::is_before(const TracedCycle& a, const TracedCycle& b) const
 }
 
 /// The half-edge that goes on at the target, with the same triangles between.
-std::uint32_t BoundaryTracer::next_on_boundary(std::uint32_t h) const {
-  std::uint32_t next = triangulation_.next(h);
+HalfedgeId BoundaryTracer::next_on_boundary(HalfedgeId h) const {
+  HalfedgeId next = triangulation_.next(h);
   while (!is_boundary(next)) next = triangulation_.next(Subdivision::twin(next));
   return next;
 }
@@ -76,11 +77,11 @@ void BoundaryTracer::cut_off(std::size_t begin, TracedFace& face) {
   face.push_back(std::move(cycle));
 }
 
-void BoundaryTracer::walk(std::uint32_t start, TracedFace& face) {
-  std::uint32_t h = start;
+void BoundaryTracer::walk(HalfedgeId start, TracedFace& face) {
+  HalfedgeId h = start;
   do {
     is_traced_[h] = true;
-    const std::uint32_t vertex = triangulation_.origin(h);
+    const VertexId vertex = triangulation_.origin(h);
     if (place_in_path_[vertex] != kNone) cut_off(place_in_path_[vertex], face);
     place_in_path_[vertex] = static_cast<std::uint32_t>(path_.size());
     path_.push_back(vertex);
@@ -89,11 +90,11 @@ void BoundaryTracer::walk(std::uint32_t start, TracedFace& face) {
   cut_off(0, face);
 }
 
-TracedFace BoundaryTracer::trace(std::span<const std::uint32_t> triangles) {
+TracedFace BoundaryTracer::trace(std::span<const HalfedgeId> triangles) {
   TracedFace face;
-  for (const std::uint32_t triangle : triangles) {
-    const std::uint32_t second = triangulation_.next(triangle);
-    for (const std::uint32_t h : {triangle, second, triangulation_.next(second)})
+  for (const HalfedgeId triangle : triangles) {
+    const HalfedgeId second = triangulation_.next(triangle);
+    for (const HalfedgeId h : {triangle, second, triangulation_.next(second)})
       if (is_boundary(h) && !is_traced_[h]) walk(h, face);
   }
   std::sort(face.begin(), face.end(), [&](const TracedCycle& a, const TracedCycle& b) {
@@ -104,7 +105,7 @@ TracedFace BoundaryTracer::trace(std::span<const std::uint32_t> triangles) {
 
 void append(const PlanePoints& points, const TracedFace& face, Polygons& polygons) {
   for (const TracedCycle& cycle : face) {
-    for (const std::uint32_t vertex : cycle.vertices) polygons.corners.push_back(points[vertex]);
+    for (const VertexId vertex : cycle.vertices) polygons.corners.push_back(points[vertex]);
     polygons.cycle_ends.push_back(static_cast<std::uint32_t>(polygons.corners.size()));
   }
   polygons.face_ends.push_back(static_cast<std::uint32_t>(polygons.cycle_ends.size()));
@@ -115,9 +116,9 @@ void append(const PlanePoints& points, const TracedFace& face, Polygons& polygon
 Result<Polygons> boundary_polygons(const PointArray& points, std::span<const DirectedEdge> noded_edges,
                                    const Monitor& monitor) {
   planar::EdgeTriangulation edges(points, noded_edges);
-  RETURN_IF_ERROR(edges.build(monitor));
-  RETURN_IF_ERROR(edges.check_one_direction());
-  ASSIGN_OR_RETURN(const planar::InsideTriangles inside, edges.find_inside());
+  ALGEBRA3D_RETURN_IF_ERROR(edges.build(monitor));
+  ALGEBRA3D_RETURN_IF_ERROR(edges.check_one_direction());
+  ALGEBRA3D_ASSIGN_OR_RETURN(const planar::InsideTriangles inside, edges.find_inside());
   BoundaryTracer tracer(edges);
   std::vector<TracedFace> faces;
   std::uint32_t begin = 0;
@@ -133,7 +134,8 @@ Result<Polygons> boundary_polygons(const PointArray& points, std::span<const Dir
 }
 
 Result<Polygons> boundary_polygons(const Polygons& oriented, const Monitor& monitor) {
-  ASSIGN_OR_RETURN(const std::vector<DirectedEdge> edges, noded(oriented.corners, segments_of(oriented), monitor));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<DirectedEdge> edges,
+                             noded(oriented.corners, segments_of(oriented), monitor));
   return boundary_polygons(oriented.corners, edges, monitor);
 }
 

@@ -4,13 +4,13 @@
 #include <array>
 #include <utility>
 
-#include "algebra3d/planar/cycles.h"
-#include "algebra3d/planar/edge_triangulation.h"
+#include "algebra3d/planar/detail/cycles.h"
+#include "algebra3d/planar/detail/edge_triangulation.h"
 
 namespace algebra3d {
 namespace {
 
-using Triangle = TriangleMesh::Triangle;
+using Triangle = IndexTriangle;
 
 /// Each begins with its lowest index: by that and the next. There are few of one first corner, so they are sorted by it
 /// in linear time.
@@ -29,26 +29,28 @@ std::vector<Triangle> in_order(const std::vector<Triangle>& triangles, std::size
 }
 
 /// By indices of points, each beginning with its lowest one.
-std::vector<Triangle> by_indices(const planar::PlanePoints& points, std::vector<Triangle> triangles) {
-  for (Triangle& t : triangles) {
-    t = {points.index(t[0]), points.index(t[1]), points.index(t[2])};
+std::vector<Triangle> by_indices(const planar::PlanePoints& points,
+                                 const std::vector<std::array<planar::VertexId, 3>>& triangles) {
+  std::vector<Triangle> result;
+  result.reserve(triangles.size());
+  for (const auto& [a, b, c] : triangles) {
+    Triangle& t = result.emplace_back(Triangle{points.index(a), points.index(b), points.index(c)});
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   }
-  return triangles;
+  return result;
 }
 
 }  // namespace
 
-Result<std::vector<TriangleMesh::Triangle>> constrained_delaunay(const PointArray& points,
-                                                                 std::span<const DirectedEdge> edges,
-                                                                 const Monitor& monitor) {
+Result<std::vector<IndexTriangle>> constrained_delaunay(const PointArray& points, std::span<const DirectedEdge> edges,
+                                                        const Monitor& monitor) {
   planar::EdgeTriangulation triangulation(points, edges);
-  RETURN_IF_ERROR(triangulation.build(monitor));
-  ASSIGN_OR_RETURN(planar::InsideTriangles inside, triangulation.find_inside());
-  return in_order(by_indices(triangulation.points(), std::move(inside.corners)), points.size());
+  ALGEBRA3D_RETURN_IF_ERROR(triangulation.build(monitor));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const planar::InsideTriangles inside, triangulation.find_inside());
+  return in_order(by_indices(triangulation.points(), inside.corners), points.size());
 }
 
-Result<std::vector<TriangleMesh::Triangle>> triangulate(const Polygons& valid, const Monitor& monitor) {
+Result<std::vector<IndexTriangle>> triangulate(const Polygons& valid, const Monitor& monitor) {
   return constrained_delaunay(valid.corners, planar::segments_of(valid, planar::reversed_cycles(valid)), monitor);
 }
 

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/planar/moving_pairs.h"
-#include "algebra3d/planar/moving_segments.h"
-#include "algebra3d/planar/polygon_places.h"
+#include "algebra3d/planar/detail/moving_pairs.h"
+#include "algebra3d/planar/detail/moving_segments.h"
+#include "algebra3d/planar/detail/polygon_places.h"
 #include "algebra3d/planar/polygon_validity.h"
 #include "algebra3d/planar/segment_text.h"
 
@@ -51,7 +51,7 @@ class MovingCheck {
       for (std::uint32_t cycle = polygons_.first_cycle(face); cycle < polygons_.face_ends[face]; ++cycle) {
         const std::uint32_t count = polygons_.cycle_ends[cycle] - polygons_.first_corner(cycle);
         if (count < 3)
-          return fmt::format("face {}, cycle {} has {} corners, expected 3 at least", face + 1,
+          return fmt::format("face {}, cycle {} has {} corners, expected at least 3", face + 1,
                              cycle - polygons_.first_cycle(face) + 1, count);
       }
     return std::nullopt;
@@ -67,7 +67,7 @@ class MovingCheck {
       const MovingSegment& next = segments_[j];
       if (surely_unfolded(segments_[i].from, next.from, next.to)) continue;
       if (const auto moment = first_fold(segments_[i].from, next.from, next.to))
-        return fmt::format("{} and {} lie on each other {}", segment_name(i), segment_name(j), time_text(*moment));
+        return fmt::format("{} and {} overlap {}", segment_name(i), segment_name(j), time_text(*moment));
     }
     return std::nullopt;
   }
@@ -91,9 +91,9 @@ class MovingCheck {
     if (surely_apart(segments_[i], segments_[j])) return std::nullopt;
     const auto clash = first_clash(segments_[i], segments_[j], !is_one_cycle);
     if (!clash) return std::nullopt;
-    const char* const verb = clash->meeting == Meeting::crossing  ? "cross"
-                             : clash->meeting == Meeting::overlap ? "overlap"
-                                                                  : "touch";
+    const char* const verb = clash->intersection == SegmentIntersection::crossing  ? "cross"
+                             : clash->intersection == SegmentIntersection::overlap ? "overlap"
+                                                                                   : "touch";
     return fmt::format("{} and {} {} {}", segment_name(i), segment_name(j), verb, time_text(clash->moment));
   }
 
@@ -133,9 +133,9 @@ Polygons at(const MovingPolygons& moving, const Rational& s) {
 Result<std::optional<std::string>> moving_polygon_defect(const MovingPolygons& moving, const Monitor& monitor) {
   assert(moving.start.cycle_ends == moving.end.cycle_ends && moving.start.face_ends == moving.end.face_ends);
   assert(moving.start.corners.size() == moving.end.corners.size());
-  ASSIGN_OR_RETURN(auto defect, MovingCheck(moving).defect(monitor));
+  ALGEBRA3D_ASSIGN_OR_RETURN(auto defect, MovingCheck(moving).defect(monitor));
   if (defect) return defect;
-  ASSIGN_OR_RETURN(defect, polygon_defect(at(moving, Rational(1, 2)), monitor));
+  ALGEBRA3D_ASSIGN_OR_RETURN(defect, polygon_defect(at(moving, Rational(1, 2)), monitor));
   if (defect) *defect += " in the middle of the unit";
   return defect;
 }

@@ -3,19 +3,21 @@
 #include <algorithm>
 #include <numeric>
 
-#include "algebra3d/planar/constraints.h"
-#include "algebra3d/planar/delaunay.h"
+#include "algebra3d/planar/detail/constraints.h"
+#include "algebra3d/planar/detail/delaunay.h"
 #include "algebra3d/planar/segment_text.h"
 
 namespace algebra3d {
 namespace {
 
+using planar::HalfedgeId;
 using planar::PlanePoints;
 using planar::Subdivision;
+using planar::VertexId;
 
 /// An edge and how often it occurs, less those of the opposite direction.
 struct CountedEdge {
-  std::uint32_t from, to;
+  VertexId from, to;
   std::int64_t count;
 };
 
@@ -24,7 +26,7 @@ std::vector<CountedEdge> counted(const PlanePoints& points, std::span<const Dire
   std::vector<CountedEdge> result;
   result.reserve(edges.size());
   for (const auto& [first, second] : edges) {
-    const std::uint32_t from = points.vertex_of(first), to = points.vertex_of(second);
+    const VertexId from = points.vertex_of(first), to = points.vertex_of(second);
     if (from != to) result.push_back(from < to ? CountedEdge{from, to, 1} : CountedEdge{to, from, -1});
   }
   std::sort(result.begin(), result.end(), [](const CountedEdge& a, const CountedEdge& b) {
@@ -54,9 +56,9 @@ class Noder {
  private:
   /// What lies on an edge of the triangulation; its number and one is the mark of the two half-edges.
   struct Load {
-    std::uint32_t halfedge;
-    std::int64_t count;      // in the direction of the half-edge
-    std::uint32_t from, to;  // ends of the first edge that lies here
+    HalfedgeId halfedge;
+    std::int64_t count;  // in the direction of the half-edge
+    VertexId from, to;   // ends of the first edge that lies here
   };
 
   const PlanePoints& points_;
@@ -72,7 +74,7 @@ Status Noder::insert(const CountedEdge& edge) {
                  planar::segment_text(points_[edge.from], points_[edge.to]),
                  planar::segment_text(points_[other.from], points_[other.to])};
   }
-  for (const std::uint32_t h : inserter_.along()) {
+  for (const HalfedgeId h : inserter_.along()) {
     const std::uint32_t mark = triangulation_.mark(h);
     if (mark != 0) {
       Load& load = loads_[mark - 1];
@@ -80,7 +82,7 @@ Status Noder::insert(const CountedEdge& edge) {
       continue;
     }
     loads_.push_back({h, edge.count, edge.from, edge.to});
-    for (const std::uint32_t side : {h, Subdivision::twin(h)})
+    for (const HalfedgeId side : {h, Subdivision::twin(h)})
       triangulation_.set_mark(side, static_cast<std::uint32_t>(loads_.size()));
   }
   return {};
@@ -89,7 +91,7 @@ Status Noder::insert(const CountedEdge& edge) {
 std::vector<DirectedEdge> Noder::result() const {
   std::vector<DirectedEdge> edges;
   for (const Load& load : loads_) {
-    const std::uint32_t h = load.count > 0 ? load.halfedge : Subdivision::twin(load.halfedge);
+    const HalfedgeId h = load.count > 0 ? load.halfedge : Subdivision::twin(load.halfedge);
     const DirectedEdge edge{points_.index(triangulation_.origin(h)), points_.index(triangulation_.target(h))};
     edges.insert(edges.end(), static_cast<std::size_t>(std::abs(load.count)), edge);
   }
@@ -104,13 +106,13 @@ Result<std::vector<DirectedEdge>> noded(const PointArray& points, std::span<cons
   std::vector<std::uint32_t> indices(points.size());
   std::iota(indices.begin(), indices.end(), 0U);
   const PlanePoints vertices(points, indices);
-  ASSIGN_OR_RETURN(Subdivision triangulation, planar::delaunay(vertices, monitor));
+  ALGEBRA3D_ASSIGN_OR_RETURN(Subdivision triangulation, planar::delaunay(vertices, monitor));
   const std::vector<CountedEdge> counted_edges = counted(vertices, edges);
   Stage stage(monitor, "dividing segments", counted_edges.size());
   Noder noder(vertices, triangulation);
   for (const CountedEdge& edge : counted_edges) {
     if (!stage.begin_step()) return Monitor::interrupted();
-    RETURN_IF_ERROR(noder.insert(edge));
+    ALGEBRA3D_RETURN_IF_ERROR(noder.insert(edge));
   }
   return noder.result();
 }

@@ -4,9 +4,9 @@
 
 namespace algebra3d {
 
-/// Twice the area of the polygons: of each face its outer cycle less its holes, whatever their sense of rotation; so it
-/// is positive unless there is no face. Units: squared coordinate units. Domain: no defect (polygon_validity.h).
-/// Exact. Cost: linear; see exact_doubled_area.
+/// Twice the area of the polygons: per face that of its outer cycle less its holes, whatever their orientation; 0 only
+/// without faces. Units: squared coordinate units. Domain: valid polygons (polygon_validity.h). Exact. Cost: linear;
+/// see exact_doubled_area.
 Rational doubled_area(const Polygons& valid);
 /// The area, rounded once; infinite beyond the range of doubles.
 double nearest_area(const Polygons& valid);

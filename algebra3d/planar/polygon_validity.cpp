@@ -8,19 +8,21 @@
 
 #include <fmt/format.h>
 
-#include "algebra3d/planar/constraints.h"
-#include "algebra3d/planar/cycles.h"
-#include "algebra3d/planar/delaunay.h"
-#include "algebra3d/planar/face_claims.h"
-#include "algebra3d/planar/polygon_places.h"
+#include "algebra3d/planar/detail/constraints.h"
+#include "algebra3d/planar/detail/cycles.h"
+#include "algebra3d/planar/detail/delaunay.h"
+#include "algebra3d/planar/detail/face_claims.h"
+#include "algebra3d/planar/detail/polygon_places.h"
 #include "algebra3d/planar/segment_text.h"
 
 namespace algebra3d {
 namespace {
 
-using planar::kNone;
+using planar::HalfedgeId;
 using planar::PlanePoints;
+using planar::SegmentId;
 using planar::Subdivision;
+using planar::VertexId;
 using Defect = std::optional<std::string>;
 
 std::vector<std::uint32_t> all_corners(const Polygons& polygons) {
@@ -37,10 +39,10 @@ Defect defect_of_cycles(const Polygons& polygons, const planar::PolygonPlaces& p
     for (std::uint32_t number = 1; cycle < polygons.face_ends[face]; ++cycle, ++number) {
       const std::uint32_t begin = polygons.first_corner(cycle), end = polygons.cycle_ends[cycle];
       if (end - begin < 3)
-        return fmt::format("face {}, cycle {} has {} corners, expected 3 at least", face + 1, number, end - begin);
+        return fmt::format("face {}, cycle {} has {} corners, expected at least 3", face + 1, number, end - begin);
       for (std::uint32_t i = begin; i < end; ++i)
         if (equal(polygons.corners[i], polygons.corners[places.after(i)]))
-          return places.segment_name(i) + " has no length";
+          return places.segment_name(SegmentId(i)) + " has no length";
     }
   }
   return std::nullopt;
@@ -56,20 +58,20 @@ class SegmentCheck {
         points_(points),
         triangulation_(triangulation),
         inserter_(points, triangulation),
-        passing_(points.size(), kNone) {}
+        passing_(points.size()) {}
 
   Defect defect_of_corners() const;
   /// The segment in its direction with the inside to its left.
-  Defect insert(std::uint32_t segment, const DirectedEdge& direction);
+  Defect insert(SegmentId segment, const DirectedEdge& direction);
 
  private:
-  Defect pass(std::uint32_t segment, std::uint32_t vertex);
-  std::uint32_t corner_of_cycle(std::uint32_t cycle, std::uint32_t vertex);
+  Defect pass(SegmentId segment, VertexId vertex);
+  std::uint32_t corner_of_cycle(std::uint32_t cycle, VertexId vertex);
   void list_corners();
-  std::string cross_text(std::uint32_t segment, std::uint32_t other) const {
+  std::string cross_text(SegmentId segment, SegmentId other) const {
     return places_.segment_name(segment) + " crosses " + places_.segment_name(other);
   }
-  std::string overlap_text(std::uint32_t segment, std::uint32_t other) const {
+  std::string overlap_text(SegmentId segment, SegmentId other) const {
     return places_.segment_name(segment) + " overlaps " + places_.segment_name(other);
   }
 
@@ -78,13 +80,14 @@ class SegmentCheck {
   const PlanePoints& points_;
   Subdivision& triangulation_;
   planar::ConstraintInserter inserter_;
-  std::vector<std::uint32_t> passing_;                   // of each vertex: a segment in which it lies
-  std::vector<std::uint32_t> corner_ends_, corners_at_;  // corners vertex by vertex; made when first asked for
+  IdVector<VertexId, SegmentId> passing_;          // a segment in which it lies
+  IdVector<VertexId, std::uint32_t> corner_ends_;  // of corners_at_; made when first asked for
+  std::vector<std::uint32_t> corners_at_;          // corners vertex by vertex
 };
 
 /// A corner of a cycle where it has been before.
 Defect SegmentCheck::defect_of_corners() const {
-  std::vector<std::uint32_t> latest(points_.size(), kNone);
+  IdVector<VertexId, std::uint32_t> latest(points_.size(), kNone);
   for (std::uint32_t corner = 0; corner < polygons_.corners.size(); ++corner) {
     std::uint32_t& cycle = latest[points_.vertex_of(corner)];
     if (cycle == places_.cycle_of(corner)) return places_.corner_name(corner) + " occurs twice";
@@ -94,49 +97,50 @@ Defect SegmentCheck::defect_of_corners() const {
 }
 
 void SegmentCheck::list_corners() {
-  corner_ends_.resize(points_.size() + 1);
+  corner_ends_.resize(points_.size());
   const auto count = static_cast<std::uint32_t>(polygons_.corners.size());
-  for (std::uint32_t corner = 0; corner < count; ++corner) ++corner_ends_[points_.vertex_of(corner) + 1];
-  std::partial_sum(corner_ends_.begin(), corner_ends_.end(), corner_ends_.begin());
+  for (std::uint32_t corner = 0; corner < count; ++corner) ++corner_ends_[points_.vertex_of(corner)];
+  std::exclusive_scan(corner_ends_.begin(), corner_ends_.end(), corner_ends_.begin(), 0U);
   corners_at_.resize(count);
   for (std::uint32_t corner = 0; corner < count; ++corner)
     corners_at_[corner_ends_[points_.vertex_of(corner)]++] = corner;
 }
 
 /// The cycle's corner at the vertex, kNone if it has none. Cost: the number of cycles that have one.
-std::uint32_t SegmentCheck::corner_of_cycle(std::uint32_t cycle, std::uint32_t vertex) {
+std::uint32_t SegmentCheck::corner_of_cycle(std::uint32_t cycle, VertexId vertex) {
   if (corner_ends_.empty()) list_corners();
-  const std::uint32_t begin = vertex == 0 ? 0 : corner_ends_[vertex - 1];
+  const std::uint32_t begin = vertex.index() == 0 ? 0 : corner_ends_[VertexId(vertex.index() - 1)];
   for (std::uint32_t i = begin; i < corner_ends_[vertex]; ++i)
     if (places_.cycle_of(corners_at_[i]) == cycle) return corners_at_[i];
   return kNone;
 }
 
 /// The segment goes through a vertex.
-Defect SegmentCheck::pass(std::uint32_t segment, std::uint32_t vertex) {
+Defect SegmentCheck::pass(SegmentId segment, VertexId vertex) {
   // Two segments within which a point lies cross there, unless they lie on one line, which is found at their edges.
-  const std::uint32_t other = std::exchange(passing_[vertex], segment);
-  if (other != kNone) {
-    const bool is_same_line = orient2d(Projection::xy, polygons_.corners[segment],
-                                       polygons_.corners[places_.after(segment)], polygons_.corners[other]) == 0;
+  const SegmentId other = std::exchange(passing_[vertex], segment);
+  const std::uint32_t begin = segment.index();  // its corner
+  if (!other.is_none()) {
+    const bool is_same_line = orient2d(Projection::xy, polygons_.corners[begin],
+                                       polygons_.corners[places_.after(begin)], polygons_.corners[other.index()]) == 0;
     return is_same_line ? overlap_text(segment, other) : cross_text(segment, other);
   }
-  const std::uint32_t corner = corner_of_cycle(places_.cycle_of(segment), vertex);
+  const std::uint32_t corner = corner_of_cycle(places_.cycle_of(begin), vertex);
   if (corner == kNone) return std::nullopt;
-  const std::uint32_t from = points_.vertex_of(segment);
+  const VertexId from = points_.vertex_of(begin);
   for (const std::uint32_t end : {places_.after(corner), places_.before(corner)})
     if (points_.turn(from, vertex, points_.vertex_of(end)) == 0)
-      return overlap_text(segment, end == places_.after(corner) ? corner : end);
+      return overlap_text(segment, SegmentId(end == places_.after(corner) ? corner : end));
   return places_.corner_name(corner) + " touches " + places_.segment_name(segment);
 }
 
-Defect SegmentCheck::insert(std::uint32_t segment, const DirectedEdge& direction) {
+Defect SegmentCheck::insert(SegmentId segment, const DirectedEdge& direction) {
   if (!inserter_.insert(points_.vertex_of(direction.first), points_.vertex_of(direction.second)))
     return cross_text(segment, planar::segment_of_mark(triangulation_.mark(inserter_.crossing())));
   const auto& along = inserter_.along();
   for (std::size_t i = 1; i < along.size(); ++i)
     if (auto defect = pass(segment, triangulation_.origin(along[i]))) return defect;
-  for (const std::uint32_t h : along) {
+  for (const HalfedgeId h : along) {
     if (const std::uint32_t mark = triangulation_.mark(h); mark != 0)
       return overlap_text(segment, planar::segment_of_mark(mark));
     planar::mark_segment(triangulation_, h, segment);
@@ -173,9 +177,9 @@ class ConflictText {
     Defect defect;
   };
   Membership membership(std::uint32_t face, const PointRef& point) const;
-  ExactPoint middle(std::uint32_t triangle) const;
-  Defect defect_at(const ExactPoint& point, std::uint32_t segment, std::uint32_t other) const;
-  std::uint32_t segment_at(std::uint32_t h) const { return planar::segment_of_mark(triangulation_.mark(h)); }
+  ExactPoint middle(HalfedgeId triangle) const;
+  Defect defect_at(const ExactPoint& point, SegmentId segment, SegmentId other) const;
+  SegmentId segment_at(HalfedgeId h) const { return planar::segment_of_mark(triangulation_.mark(h)); }
   std::string hole_text(std::uint32_t cycle) const {
     const std::uint32_t corner = polygons_.first_corner(cycle);
     return fmt::format("the hole with segment {} of {}",
@@ -203,10 +207,10 @@ ConflictText::Membership ConflictText::membership(std::uint32_t face, const Poin
 }
 
 /// The centre of gravity, which lies on no segment.
-ExactPoint ConflictText::middle(std::uint32_t triangle) const {
-  const std::uint32_t second = triangulation_.next(triangle);
+ExactPoint ConflictText::middle(HalfedgeId triangle) const {
+  const HalfedgeId second = triangulation_.next(triangle);
   RationalVec3 sum;
-  for (const std::uint32_t h : {triangle, second, triangulation_.next(second)}) {
+  for (const HalfedgeId h : {triangle, second, triangulation_.next(second)}) {
     const PointRef corner = points_[triangulation_.origin(h)];
     sum.x += corner.coordinate(0);
     sum.y += corner.coordinate(1);
@@ -214,13 +218,13 @@ ExactPoint ConflictText::middle(std::uint32_t triangle) const {
   return ExactPoint(RationalVec3(sum.x / Rational(3), sum.y / Rational(3), Rational()));
 }
 
-Defect ConflictText::defect_at(const ExactPoint& point, std::uint32_t segment, std::uint32_t other) const {
+Defect ConflictText::defect_at(const ExactPoint& point, SegmentId segment, SegmentId other) const {
   const Membership one = membership(places_.face_of(segment), point), two = membership(places_.face_of(other), point);
   if (one.defect) return one.defect;
   if (two.defect) return two.defect;
   if (places_.face_of(segment) == places_.face_of(other) || !one.is_inside || !two.is_inside) return std::nullopt;
-  const auto first_segment = [&](std::uint32_t of) {
-    return places_.segment_name(polygons_.first_corner(polygons_.first_cycle(places_.face_of(of))));
+  const auto first_segment = [&](SegmentId of) {
+    return places_.segment_name(SegmentId(polygons_.first_corner(polygons_.first_cycle(places_.face_of(of)))));
   };
   return fmt::format("{} and {} bound faces with common inner points", first_segment(std::min(segment, other)),
                      first_segment(std::max(segment, other)));
@@ -229,13 +233,13 @@ Defect ConflictText::defect_at(const ExactPoint& point, std::uint32_t segment, s
 /// The claims are wrong within the region or beyond one of the two half-edges: where one of them is right about the
 /// region and the other is not, the other is wrong about what lies behind it.
 std::string ConflictText::text(const planar::ClaimConflict& conflict) const {
-  const std::uint32_t segment = segment_at(conflict.first);
-  const std::uint32_t other = conflict.second == kNone ? segment : segment_at(conflict.second);
-  for (const std::uint32_t h : {conflict.first, conflict.second}) {
-    if (h == kNone) continue;
-    for (const std::uint32_t side : {h, Subdivision::twin(h)}) {
+  const SegmentId segment = segment_at(conflict.first);
+  const SegmentId other = conflict.second.is_none() ? segment : segment_at(conflict.second);
+  for (const HalfedgeId h : {conflict.first, conflict.second}) {
+    if (h.is_none()) continue;
+    for (const HalfedgeId side : {h, Subdivision::twin(h)}) {
       // The unbounded face is no triangle that turns counter-clockwise.
-      const std::uint32_t second = triangulation_.next(side);
+      const HalfedgeId second = triangulation_.next(side);
       if (points_.turn(triangulation_.origin(side), triangulation_.target(side), triangulation_.target(second)) <= 0)
         continue;
       if (auto defect = defect_at(middle(side), segment, other)) return *std::move(defect);
@@ -250,14 +254,14 @@ Result<std::optional<std::string>> polygon_defect(const Polygons& polygons, cons
   const planar::PolygonPlaces places(polygons);
   if (auto defect = defect_of_cycles(polygons, places)) return defect;
   const PlanePoints points(polygons.corners, all_corners(polygons));
-  ASSIGN_OR_RETURN(Subdivision triangulation, planar::delaunay(points, monitor));
+  ALGEBRA3D_ASSIGN_OR_RETURN(Subdivision triangulation, planar::delaunay(points, monitor));
   SegmentCheck check(polygons, places, points, triangulation);
   if (auto defect = check.defect_of_corners()) return defect;
   const std::vector<DirectedEdge> segments = planar::segments_of(polygons, planar::reversed_cycles(polygons));
   Stage stage(monitor, "checking segments", segments.size());
-  for (std::uint32_t segment = 0; segment < segments.size(); ++segment) {
+  for (const SegmentId segment : IdRange<SegmentId>(segments.size())) {
     if (!stage.begin_step()) return Monitor::interrupted();
-    if (auto defect = check.insert(segment, segments[segment])) return defect;
+    if (auto defect = check.insert(segment, segments[segment.index()])) return defect;
   }
   const auto conflict = planar::find_claim_conflict(triangulation, places.faces());
   if (!conflict) return Defect();

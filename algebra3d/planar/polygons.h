@@ -6,18 +6,18 @@
 #include <vector>
 
 #include "algebra3d/base/box3.h"
+#include "algebra3d/base/indices.h"
 #include "algebra3d/exact/point.h"
-#include "algebra3d/planar/directed_edge.h"
 
 namespace algebra3d {
 
 /// Polygons with holes in the plane z = 0: corners in cycles, cycles in faces. The first cycle of a face is its outer
-/// one, the others are its holes. Nothing is promised about their position and sense of rotation: polygon_validity.h
-/// tells whether they bound a region.
+/// one, the others are its holes. Position and orientation are not restricted: polygon_validity.h checks whether they
+/// bound a region.
 struct Polygons {
-  PointArray corners;                     ///< cycle after cycle, the first corner of a cycle not repeated; z is 0
-  std::vector<std::uint32_t> cycle_ends;  ///< of each cycle: one past its last corner
-  std::vector<std::uint32_t> face_ends;   ///< of each face: one past its last cycle
+  PointArray corners;                     ///< cycle by cycle, the first corner not repeated at the end; z is 0
+  std::vector<std::uint32_t> cycle_ends;  ///< per cycle: one past its last corner
+  std::vector<std::uint32_t> face_ends;   ///< per face: one past its last cycle
 
   std::size_t face_count() const { return face_ends.size(); }
   std::size_t cycle_count() const { return cycle_ends.size(); }
@@ -27,14 +27,14 @@ struct Polygons {
   std::size_t heap_bytes() const;
 
   friend bool operator==(const Polygons&, const Polygons&) = default;
-  /// By corners, then by cycles and faces.
+  /// Order by corners, then by cycles and faces.
   friend std::strong_ordering operator<=>(const Polygons& a, const Polygons& b);
 };
 
 /// Smallest box of doubles around all corners, flat at z = 0; outward-rounded.
 Box3 box_around(const Polygons& polygons);
 
-/// The segments of all cycles, as these run: segment i begins at corner i.
+/// The segments of all cycles: segment i begins at corner i.
 std::vector<DirectedEdge> segments_of(const Polygons& polygons);
 
 }  // namespace algebra3d

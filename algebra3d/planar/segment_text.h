@@ -6,9 +6,9 @@
 
 namespace algebra3d::planar {
 
-/// `(0.5 2)`: whole numbers without a point, what is no double as `p/q`.
+/// The text of a corner, `(0.5 2)`: whole numbers without a point, fractions that are not doubles as `p/q`.
 std::string corner_text(PointRef point);
-/// `(0 0)-(2 2)`.
+/// The text of a segment, `(0 0)-(2 2)`.
 std::string segment_text(PointRef from, PointRef to);
 
 }  // namespace algebra3d::planar

@@ -22,9 +22,51 @@ std::string_view describe(Exactness exactness) {
   return "";
 }
 
+std::string_view describe(OperatorKind kind) {
+  switch (kind) {
+    case OperatorKind::scalar:
+      return "scalar";
+    case OperatorKind::aggregate:
+      return "aggregate";
+    case OperatorKind::table:
+      return "table";
+    case OperatorKind::relational:
+      return "relational";
+  }
+  return "";
+}
+
+std::string_view describe(Cost cost) {
+  switch (cost) {
+    case Cost::unknown:
+      return "unknown";
+    case Cost::constant:
+      return "constant";
+    case Cost::linear:
+      return "linear";
+    case Cost::sorting:
+      return "that of sorting";
+    case Cost::pairs:
+      return "every pair";
+    case Cost::arrangement:
+      return "an exact arrangement";
+    case Cost::file:
+      return "linear in the size of the file";
+  }
+  return "";
+}
+
+OperatorKind Overload::kind() const {
+  if (start) return OperatorKind::aggregate;
+  return rows ? OperatorKind::table : OperatorKind::scalar;
+}
+
 TypeExpr Overload::result_type() const {
-  const TypeExpr type(result->name());
-  return result_is_stream ? TypeExpr::stream(type) : type;
+  if (kind() != OperatorKind::table) return {result->name()};
+  if (gives_elements) return TypeExpr::stream(columns.front().type->name());
+  std::vector<TypeExpr::Attribute> attributes;
+  for (const Column& column : columns) attributes.push_back({column.name, column.type->name()});
+  return TypeExpr::stream(TypeExpr::tuple(std::move(attributes)));
 }
 
 std::string Overload::signature() const {
@@ -33,7 +75,12 @@ std::string Overload::signature() const {
     if (text.size() > 1) text += ' ';
     text += parameter.type->name();
   }
+  if (kind() == OperatorKind::aggregate) text += '*';
   return text + ") -> " + result_type().text();
+}
+
+OperatorKind Operator::kind() const {
+  return stream != nullptr || overloads.empty() ? OperatorKind::relational : overloads.front().kind();
 }
 
 bool Operator::accepts_undefined() const {

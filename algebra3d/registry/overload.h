@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
 #include <string_view>
 #include <type_traits>
@@ -11,7 +13,7 @@
 
 namespace algebra3d {
 
-/// A parameter for which only box and count of the argument are needed: the operator then reads no geometry.
+/// A parameter of which only box and count are needed, so that its geometry is not loaded.
 template <typename T>
 struct HeaderOf {
   GeometryHeader header;
@@ -19,7 +21,7 @@ struct HeaderOf {
 
 namespace detail {
 
-// How a C++ parameter takes a Value.
+// The conversion of a Value to a C++ parameter.
 template <typename T>
 struct ArgumentOf {
   static constexpr bool kAcceptsUndefined = false;
@@ -47,64 +49,92 @@ struct ArgumentOf<std::optional<T>> {
   }
 };
 
-// What a C++ result means: the database type, whether it is a stream, and the outcome.
+// The conversion of a C++ result: its database type or columns, and its outcome.
 template <typename T>
 struct ResultOf {
   using Content = T;
-  static constexpr bool kIsStream = false;
+  using Returned = Outcome;
+  static constexpr bool kIsTable = false;
   static constexpr bool kIsTotal = !std::is_same_v<T, double>;
+  static void describe(Overload& overload) { overload.result = &TypeOf<T>::type(); }
   static Result<Outcome> outcome(T result) {
     if constexpr (std::is_same_v<T, double>)
-      if (!std::isfinite(result)) return Outcome(Undefined{"the result is no finite number"});
+      if (!std::isfinite(result)) return Outcome(Undefined{"the result is not a finite number"});
     return Outcome(Value::of<T>(std::move(result)));
   }
 };
 
-template <typename T>
-struct ResultOf<Maybe<T>> {
-  using Content = typename ResultOf<T>::Content;
-  static constexpr bool kIsStream = ResultOf<T>::kIsStream;
+// A table; the names of its columns are those of `table<...>`.
+template <typename... T>
+struct ResultOf<Rows<T...>> {
+  using Returned = TableOutcome;
+  static constexpr bool kIsTable = true;
   static constexpr bool kIsTotal = false;
-  static Result<Outcome> outcome(Maybe<T> result) {
-    if (!result) return Outcome(Undefined{result.reason()});
+  static void describe(Overload& overload) {
+    for (const Type* type : Rows<T...>::types()) overload.columns.push_back({"", type});
+  }
+  static Result<TableOutcome> outcome(Rows<T...> rows) { return TableOutcome(std::move(rows).source()); }
+};
+
+template <typename T>
+struct ResultOf<Elements<T>> : ResultOf<Rows<T>> {
+  static void describe(Overload& overload) {
+    overload.columns = {{"Elem", &TypeOf<T>::type()}};
+    overload.gives_elements = true;
+  }
+};
+
+template <typename T>
+struct ResultOf<std::vector<T>> : ResultOf<Elements<T>> {
+  static Result<TableOutcome> outcome(std::vector<T> result) {
+    using Elements = Elements<T>;
+    auto next = [elements = std::move(result), position = std::size_t{0}](Context&) mutable {
+      using Next = Result<std::optional<typename Elements::Cells>>;
+      return position == elements.size() ? Next(std::nullopt) : Next(std::tuple(std::move(elements[position++])));
+    };
+    return ResultOf<Elements>::outcome(Elements(std::move(next)));
+  }
+};
+
+// One row, for functions that return several numbers.
+template <typename... T>
+struct ResultOf<std::tuple<T...>> : ResultOf<Rows<T...>> {
+  static Result<TableOutcome> outcome(std::tuple<T...> row) {
+    return ResultOf<Rows<T...>>::outcome(Rows<T...>(std::vector{std::move(row)}));
+  }
+};
+
+template <typename T>
+struct ResultOf<Maybe<T>> : ResultOf<T> {
+  using Returned = typename ResultOf<T>::Returned;
+  static constexpr bool kIsTotal = false;
+  static Result<Returned> outcome(Maybe<T> result) {
+    if (!result) return Returned(Undefined{result.reason()});
     return ResultOf<T>::outcome(std::move(result).value());
   }
 };
 
 template <typename T>
-struct ResultOf<Result<T>> {
-  using Content = typename ResultOf<T>::Content;
-  static constexpr bool kIsStream = ResultOf<T>::kIsStream;
+struct ResultOf<Result<T>> : ResultOf<T> {
+  using Returned = typename ResultOf<T>::Returned;
   static constexpr bool kIsTotal = false;
-  static Result<Outcome> outcome(Result<T> result) {
+  static Result<Returned> outcome(Result<T> result) {
     if (!result) return std::move(result).error();
     return ResultOf<T>::outcome(std::move(result).value());
-  }
-};
-
-template <typename T>
-struct ResultOf<std::vector<T>> {
-  using Content = T;
-  static constexpr bool kIsStream = true;
-  static constexpr bool kIsTotal = false;
-  static Result<Outcome> outcome(std::vector<T> result) {
-    std::vector<Value> values;
-    values.reserve(result.size());
-    for (T& element : result) values.push_back(Value::of<T>(std::move(element)));
-    return Outcome(std::move(values));
   }
 };
 
 template <auto Function, bool kTakesContext, typename Return, typename... Parameters>
 struct OverloadMaker {
   using Results = ResultOf<std::remove_cvref_t<Return>>;
+  using Returned = typename Results::Returned;
 
   template <typename P>
   using Argument = ArgumentOf<std::remove_cvref_t<P>>;
 
   template <std::size_t... Index>
-  static Result<Outcome> call([[maybe_unused]] std::span<const Value> given, Context& context,
-                              std::index_sequence<Index...> places) {
+  static Result<Returned> call([[maybe_unused]] std::span<const Value> given, Context& context,
+                               std::index_sequence<Index...> places) {
     if (((Argument<Parameters>::kNeedsContent && given[Index].is_deferred()) || ...))
       return call_loaded(given, context, places);
     if constexpr (kTakesContext)
@@ -114,8 +144,8 @@ struct OverloadMaker {
   }
 
   template <std::size_t... Index>
-  static Result<Outcome> call_loaded(std::span<const Value> given, Context& context,
-                                     std::index_sequence<Index...> places) {
+  static Result<Returned> call_loaded(std::span<const Value> given, Context& context,
+                                      std::index_sequence<Index...> places) {
     std::vector<Value> values(given.begin(), given.end());
     Status loading;
     ((loading.ok() && Argument<Parameters>::kNeedsContent ? load(values[Index], loading) : void()), ...);
@@ -138,12 +168,15 @@ struct OverloadMaker {
     (overload.parameters.push_back(
          {std::string(names[place++]), &Argument<Parameters>::type(), Argument<Parameters>::kAcceptsUndefined}),
      ...);
-    overload.result = &TypeOf<typename Results::Content>::type();
-    overload.result_is_stream = Results::kIsStream;
+    Results::describe(overload);
     overload.is_total = Results::kIsTotal;
-    overload.function = [](std::span<const Value> values, Context& context) {
+    const auto implementation = [](std::span<const Value> values, Context& context) {
       return call(values, context, std::index_sequence_for<Parameters...>());
     };
+    if constexpr (Results::kIsTable)
+      overload.rows = implementation;
+    else
+      overload.function = implementation;
     return overload;
   }
 };
@@ -164,10 +197,10 @@ struct SignatureOf<Function, Return (*)(Context&, Parameters...)>
 
 }  // namespace detail
 
-/// The overload that calls `Function`, with one name per parameter for people. Parameters are read off the function:
-/// `const T&` or T (a defined value), `std::optional<T>` (undefined too), `HeaderOf<T>` (box and count, no geometry),
-/// each perhaps after a leading `Context&`. It returns T, `Maybe<T>`, `Result<...>` of these, or `std::vector<T>` (a
-/// stream). A real that is not finite becomes undefined.
+/// The overload that calls `Function`, with one name per parameter for people. Parameters are deduced from the
+/// function: `const T&` or T (a defined value), `std::optional<T>` (undefined too), `HeaderOf<T>` (box and count, no
+/// geometry), each perhaps after a leading `Context&`. It returns T, `Maybe<T>`, `Result<...>` of these, or
+/// `std::vector<T>` or Elements<T> (a table of one column, Elem). A real that is not finite becomes undefined.
 template <auto Function, typename... Names>
 Overload overload(Names... names) {
   using Signature = detail::SignatureOf<Function, decltype(Function)>;
@@ -175,7 +208,18 @@ Overload overload(Names... names) {
   return Signature::make({std::string_view(names)...});
 }
 
-/// The same overload, said to be symmetric in its two operands.
+/// The overload of a table operator that calls `Function`, with the names of its columns and one name per parameter.
+/// The function returns Rows<T...>, `std::tuple<T...>` (one row), or Maybe or Result of these.
+template <auto Function, typename... Names>
+Overload table(std::initializer_list<std::string_view> columns, Names... names) {
+  Overload made = overload<Function>(names...);
+  assert(made.columns.size() == columns.size() && !made.gives_elements);
+  std::size_t place = 0;
+  for (const std::string_view name : columns) made.columns[place++].name = name;
+  return made;
+}
+
+/// Marks an overload as symmetric in its two operands.
 inline Overload symmetric(Overload overload) {
   overload.is_symmetric = true;
   return overload;

@@ -4,7 +4,11 @@
 #include <cassert>
 #include <optional>
 
+#include "algebra3d/base/diagnostics.h"
 #include "algebra3d/registry/conversion.h"
+#include "algebra3d/registry/detail/guarded.h"
+#include "algebra3d/registry/detail/host_name.h"
+#include "algebra3d/registry/failed_calls.h"
 
 namespace algebra3d {
 namespace {
@@ -32,6 +36,13 @@ std::vector<std::string> expected_arguments(const Operator& op) {
   return lists;
 }
 
+// Of an aggregate: the types of which it takes values.
+std::vector<std::string> parameter_types(const Operator& op) {
+  std::vector<std::string> names;
+  for (const Overload& overload : op.overloads) names.emplace_back(overload.parameters.front().type->name());
+  return names;
+}
+
 // Converts the arguments to what the overload takes. False if an undefined one decides the result.
 bool prepare(const Overload& overload, std::span<Value> arguments) {
   for (std::size_t place = 0; place < arguments.size(); ++place) {
@@ -44,11 +55,31 @@ bool prepare(const Overload& overload, std::span<Value> arguments) {
   return true;
 }
 
-void report(const Operator& op, const Undefined& undefined, Context& context) {
-  using About = Diagnostics::About;
-  context.diagnostics.report(op.name + ": " + undefined.reason, {},
-                             op.reads_file ? About::unreadable : About::undefined);
+/// A table without rows.
+RowSourcePtr no_rows() {
+  class None final : public RowSource {
+   public:
+    Result<std::optional<Row>> next(Context& /*context*/) override { return std::optional<Row>(); }
+  };
+  return std::make_unique<None>();
 }
+
+/// The rows of a call, with its arguments at hand for when a row cannot be made.
+class RepeatableRows final : public RowSource {
+ public:
+  RepeatableRows(RowSourcePtr rows, const ResolvedCall& call, std::span<const Value> arguments)
+      : rows_(std::move(rows)), call_(call), arguments_(arguments.begin(), arguments.end()) {}
+  Result<std::optional<Row>> next(Context& context) override {
+    auto row = guarded(*call_.op, [&] { return rows_->next(context); });
+    if (!row) note_failed_call(call_, arguments_, row.error(), context);
+    return row;
+  }
+
+ private:
+  RowSourcePtr rows_;
+  ResolvedCall call_;
+  std::vector<Value> arguments_;
+};
 
 char lower_case(char c) {
   return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -84,6 +115,11 @@ std::size_t double_edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+// Of geometries at one instant and over time, an operator may give a value for the one and rows for the other.
+[[maybe_unused]] bool is_of_kind_of(const Operator& op, const Overload& overload) {
+  return (overload.kind() == OperatorKind::aggregate) == (op.kind() == OperatorKind::aggregate);
+}
+
 // Operands can change places only if both have one type.
 [[maybe_unused]] bool can_be_as_symmetric_as_it_says(const Overload& overload) {
   return !overload.is_symmetric ||
@@ -92,18 +128,35 @@ std::size_t double_edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
+void report_undefined(const Operator& op, const Undefined& undefined, Context& context) {
+  using About = Diagnostics::About;
+  context.diagnostics.report(op.name + ": " + undefined.reason, {},
+                             op.reads_files ? About::unreadable : About::undefined);
+}
+
 void Registry::add(const Type& type) {
   assert(find_type(type.name()) == nullptr);
   types_.push_back(&type);
 }
 
+void Registry::add_language_note(std::string_view name, std::string note) {
+  const auto found = operators_.find(name);
+  assert(found != operators_.end());
+  found->second.op.language_note = std::move(note);
+}
+
 void Registry::add(Operator op) {
+  if (op.kind() == OperatorKind::aggregate && op.syntax.empty()) op.syntax = "_ " + op.name + "[attribute]";
   auto syntax = SyntaxPattern::parse(op.syntax);
   assert(syntax.ok() && syntax->name == op.name);
   assert(std::ranges::all_of(op.overloads, can_be_as_symmetric_as_it_says));
+  assert(std::ranges::all_of(op.overloads, [&](const Overload& each) { return is_of_kind_of(op, each); }));
   std::string name = op.name;
-  op.family = family_;
-  if (!family_.empty() && std::ranges::find(families_, family_) == families_.end()) families_.push_back(family_);
+  op.family = family_.name;
+  if (op.cost == Cost::unknown) op.cost = family_.cost;
+  if (op.host_name.empty()) op.host_name = snake_case(name);
+  if (!op.family.empty() && std::ranges::find(families_, op.family, &Family::name) == families_.end())
+    families_.push_back(family_);
   [[maybe_unused]] const bool is_new =
       operators_.emplace(std::move(name), Entry{std::move(op), std::move(syntax).value()}).second;
   assert(is_new);
@@ -129,8 +182,11 @@ std::vector<const Operator*> Registry::operators() const {
   return all;
 }
 
-std::vector<std::string> Registry::families() const {
-  return families_;
+std::vector<const Operator*> Registry::operators_of(std::string_view family) const {
+  std::vector<const Operator*> members;
+  for (const auto& [name, entry] : operators_)
+    if (entry.op.family == family) members.push_back(&entry.op);
+  return members;
 }
 
 Result<ResolvedCall> Registry::resolve(const Operator& op, std::span<const TypeExpr> arguments) const {
@@ -142,36 +198,39 @@ Result<ResolvedCall> Registry::resolve(const Operator& op, std::span<const TypeE
     best = &overload;
     cheapest = *cost;
   }
+  if (best == nullptr && op.kind() == OperatorKind::aggregate)
+    return Error{ErrorCode::type_error, "{}: expected values of type {}, got {}", op.name,
+                 enumerate(parameter_types(op)), arguments.front().text()};
   if (best == nullptr)
     return Error{ErrorCode::type_error, "{}: expected {}, got {}", op.name, enumerate(expected_arguments(op)),
                  argument_list_text(arguments)};
   return ResolvedCall{&op, best};
 }
 
-Result<std::variant<Value, std::vector<Value>>> Registry::call(const ResolvedCall& call,
-                                                               std::span<const Value> arguments, Context& context) {
-  using Returned = std::variant<Value, std::vector<Value>>;
-  const Overload& overload = *call.overload;
-  std::vector<Value> values(arguments.begin(), arguments.end());
-  if (!overload.result_is_stream) {
-    ASSIGN_OR_RETURN(Value value, call_for_value(call, values, context));
-    return Returned(std::move(value));
-  }
-  if (!prepare(overload, values)) return Returned(std::vector<Value>());
-  ASSIGN_OR_RETURN(Outcome outcome, overload.function(values, context));
-  if (auto* elements = std::get_if<std::vector<Value>>(&outcome)) return Returned(std::move(*elements));
-  report(*call.op, std::get<Undefined>(outcome), context);
-  return Returned(std::vector<Value>());
-}
-
-Result<Value> Registry::call_for_value(const ResolvedCall& call, std::span<Value> arguments, Context& context) {
+Result<Value> Registry::call(const ResolvedCall& call, std::span<Value> arguments, Context& context) {
   const Overload& overload = *call.overload;
   if (!prepare(overload, arguments)) return Value(*overload.result);
-  auto outcome = overload.function(arguments, context);
-  if (!outcome) return std::move(outcome).error();
+  auto outcome = guarded(*call.op, [&] { return overload.function(arguments, context); });
+  if (!outcome) {
+    note_failed_call(call, arguments, outcome.error(), context);
+    return std::move(outcome).error();
+  }
   if (auto* value = std::get_if<Value>(&*outcome)) return std::move(*value);
-  report(*call.op, std::get<Undefined>(*outcome), context);
+  report_undefined(*call.op, std::get<Undefined>(*outcome), context);
   return Value(*overload.result);
+}
+
+Result<RowSourcePtr> Registry::rows(const ResolvedCall& call, std::span<Value> arguments, Context& context) {
+  if (!prepare(*call.overload, arguments)) return no_rows();
+  auto outcome = guarded(*call.op, [&] { return call.overload->rows(arguments, context); });
+  if (!outcome) {
+    note_failed_call(call, arguments, outcome.error(), context);
+    return std::move(outcome).error();
+  }
+  if (auto* rows = std::get_if<RowSourcePtr>(&*outcome))
+    return RowSourcePtr(std::make_unique<RepeatableRows>(std::move(*rows), call, arguments));
+  report_undefined(*call.op, std::get<Undefined>(*outcome), context);
+  return no_rows();
 }
 
 // Every word of two letters is near to `or` and `=`.

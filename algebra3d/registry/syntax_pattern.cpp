@@ -75,7 +75,7 @@ class PatternParser {
     }
     if (scanner_.at_end()) return misunderstood(text_, "");
     pattern_.name = std::string(scanner_.take());
-    RETURN_IF_ERROR(parse_rest());
+    ALGEBRA3D_RETURN_IF_ERROR(parse_rest());
     if (!scanner_.at_end()) return misunderstood(text_, scanner_.token());
     return std::move(pattern_);
   }
@@ -107,7 +107,7 @@ class PatternParser {
         pattern_.is_open_ended = true;
         continue;
       }
-      RETURN_IF_ERROR(parse_place(before));
+      ALGEBRA3D_RETURN_IF_ERROR(parse_place(before));
       if (scanner_.at(",") || scanner_.at(";"))
         before = scanner_.take().front();
       else if (!scanner_.at(close) && !scanner_.at("..."))

@@ -8,11 +8,10 @@
 
 namespace algebra3d {
 
-/// How an operator is written: the parsed form of texts such as
-///   `volume(_)`, `makeVector3D(_, _ ...)`, `_ + _`, `_ feed`, `_ _ product`, `_ rotate[_, _, _]`, `_
-///   filter[fun(TUPLE)]`,
-///   `_ groupby[attributes; functions(GROUP)]`, `_ hashjoin[attribute, attribute ...]`, `_ rduph[...]` (brackets that
-///   may be left out).
+/// The syntax of an operator: the parsed form of texts such as
+///   `volume(_)`, `makeVector3D(_, _ ...)`, `_ + _`, `_ feed`, `_ _ product`, `_ rotate[_, _, _]`,
+///   `_ filter[fun(TUPLE)]`, `_ groupby[attributes; functions(GROUP)]`, `_ hashjoin[attribute, attribute ...]`,
+///   `_ rduph[...]` (brackets that may be left out).
 /// Each operator has one pattern, shared by its overloads.
 struct SyntaxPattern {
   enum class Shape : std::uint8_t {
@@ -21,12 +20,12 @@ struct SyntaxPattern {
     postfix,  ///< a b op, a op[...]
   };
 
-  /// What stands at a place in parentheses or brackets.
+  /// The kind of a place in parentheses or brackets.
   enum class PlaceKind : std::uint8_t {
     value,       ///< `_`: an expression
     attribute,   ///< `attribute`: one attribute name
-    attributes,  ///< `attributes`: a list of attribute names, perhaps empty
-    keys,        ///< `keys`: attribute names, each perhaps followed by asc or desc
+    attributes,  ///< `attributes`: a list of attribute names, possibly empty
+    keys,        ///< `keys`: attribute names, optionally followed by asc or desc
     function,    ///< `fun(P, ...)`: a function whose parameters the expression may leave implicit
     functions,   ///< `functions(P)`: a list of `Name: expression`, each a function of implicit parameters
     renames,     ///< `renames`: a list of `New: Old`
@@ -44,10 +43,10 @@ struct SyntaxPattern {
   std::size_t operand_count = 0;  ///< operands outside of the brackets: 0 for prefix, 2 for infix
   bool has_brackets = false;      ///< postfix with [...]
   std::vector<Place> places;      ///< within the parentheses or brackets
-  bool is_open_ended = false;     ///< `...`: further values may follow, the overloads decide
+  bool is_open_ended = false;     ///< `...`: further values may follow, as the overloads say
   std::size_t place_count() const { return operand_count + places.size(); }
 
-  /// Errors: internal, with the part that is not understood.
+  /// Parses a pattern. Errors: internal, with the malformed part.
   static Result<SyntaxPattern> parse(std::string_view text);
 };
 

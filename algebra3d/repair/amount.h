@@ -7,22 +7,22 @@
 
 namespace algebra3d {
 
-/// A measured amount of any size, fraction * 2^exponent. Coordinates are doubles; areas and volumes of coordinates that
-/// are very large or very small may be beyond what a double can hold.
+/// A measured amount of any size: fraction * 2^exponent. The area or volume of very large or very small coordinates may
+/// be beyond the range of doubles.
 class Amount {
  public:
-  /// Requires a finite fraction.
+  /// The fraction is finite.
   Amount(double fraction = 0, int exponent = 0)  // NOLINT(google-explicit-constructor)
       : fraction_(fraction), exponent_(exponent) {}
-  /// Rounded.
+  /// The exact amount, rounded.
   static Amount nearest(Rational exact);
 
   bool is_zero() const { return fraction_ == 0; }
-  /// This over the other one, which must not be 0.
+  /// The quotient of this amount and another, which must not be 0.
   double ratio_to(const Amount& other) const;
-  /// The nearest double; none if that is infinite, or 0 while the amount is not.
+  /// The nearest double; nothing beyond the range of doubles.
   std::optional<double> in_doubles() const;
-  /// For people, with so many digits; "beyond the range of doubles".
+  /// The amount as text, with `digits` digits, or "beyond the range of doubles".
   std::string text(int digits) const;
 
  private:
@@ -30,7 +30,7 @@ class Amount {
   int exponent_;
 };
 
-/// A length in so many digits; "beyond the range of doubles" if it is infinite.
+/// A length as text, with `digits` digits, or "beyond the range of doubles" if it is infinite.
 std::string length_text(double length, int digits);
 
 }  // namespace algebra3d

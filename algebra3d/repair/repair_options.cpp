@@ -17,7 +17,7 @@ std::string_view without_blanks(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
-/// One option as it was written; no value if there is no `=`.
+/// An option as it was written; it has no value if there is no `=`.
 struct WrittenOption {
   std::string_view name;
   std::optional<std::string_view> value;
@@ -35,41 +35,60 @@ Error wrong_value(const WrittenOption& option, std::string_view expected) {
   return {ErrorCode::invalid_value, "option '{}' is '{}'; expected {}", option.name, *option.value, expected};
 }
 
+/// The name of an option; `cracks` is what `gaps` was called before.
+std::string_view current_name(std::string_view name) {
+  return name == "cracks" ? "gaps" : name;
+}
+
 Result<double> parse_amount(const WrittenOption& option) {
   const std::optional<double> number = option.value ? parse_real(*option.value) : std::nullopt;
-  if (!number || *number < 0) return wrong_value(option, "a number from 0 on, without a unit");
+  if (!number || *number < 0) return wrong_value(option, "a number of at least 0 without a unit");
   return *number;
 }
 
+/// Null if no option of this name has an amount.
+double* amount_option(RepairOptions& options, std::string_view name) {
+  if (name == "gaps") return &options.gap_tolerance.emplace();
+  if (name == "holes") return &options.largest_hole.emplace();
+  if (name == "smallest") return &options.smallest_shell;
+  if (name == "work") return &options.work_limit;
+  return nullptr;
+}
+
+Status set_cavities(RepairOptions& options, const WrittenOption& option) {
+  if (option.value != "keep" && option.value != "drop") return wrong_value(option, "'keep' or 'drop'");
+  options.keeps_cavities = option.value == "keep";
+  return {};
+}
+
+Status set_strict(RepairOptions& options, const WrittenOption& option) {
+  if (option.value)
+    return Error{ErrorCode::invalid_value, "option 'strict' takes no value, not even an empty one; found 'strict={}'",
+                 *option.value};
+  options.is_strict = true;
+  return {};
+}
+
+Status set_dropped(RepairOptions& options, const WrittenOption& option) {
+  const std::optional<double> part = option.value ? parse_real(*option.value) : std::nullopt;
+  if (!part || !(*part >= 0 && *part <= 1))
+    return wrong_value(option, "a number from 0 to 1, the part of the area seen");
+  options.most_dropped = *part;
+  return {};
+}
+
 Status set_option(RepairOptions& options, const WrittenOption& option) {
-  const std::string_view name = option.name;
-  if (name == "cavities") {
-    if (option.value != "keep" && option.value != "drop") return wrong_value(option, "'keep' or 'drop'");
-    options.keeps_cavities = option.value == "keep";
-    return {};
-  }
-  if (name == "strict") {
-    if (option.value)
-      return Error{ErrorCode::invalid_value, "option 'strict' takes no value, not even an empty one; found 'strict={}'",
-                   *option.value};
-    options.is_strict = true;
-    return {};
-  }
-  if (name == "dropped") {
-    const std::optional<double> part = option.value ? parse_real(*option.value) : std::nullopt;
-    if (!part || !(*part >= 0 && *part <= 1))
-      return wrong_value(option, "a number from 0 to 1, the part of the area seen");
-    options.most_dropped = *part;
-    return {};
-  }
-  if (name != "cracks" && name != "holes" && name != "smallest" && name != "work")
+  const std::string_view name = current_name(option.name);
+  if (name == "cavities") return set_cavities(options, option);
+  if (name == "strict") return set_strict(options, option);
+  if (name == "dropped") return set_dropped(options, option);
+  RepairOptions changed = options;
+  double* amount = amount_option(changed, name);
+  if (amount == nullptr)
     return Error{ErrorCode::invalid_value,
-                 "there is no option '{}'; expected cracks, holes, cavities, smallest, dropped, work or strict", name};
-  ASSIGN_OR_RETURN(const double amount, parse_amount(option));
-  if (name == "cracks") options.crack_tolerance = amount;
-  if (name == "holes") options.largest_hole = amount;
-  if (name == "smallest") options.smallest_shell = amount;
-  if (name == "work") options.work_limit = amount;
+                 "there is no option '{}'; expected gaps, holes, cavities, smallest, dropped, work or strict", name};
+  ALGEBRA3D_ASSIGN_OR_RETURN(*amount, parse_amount(option));
+  options = changed;
   return {};
 }
 
@@ -84,9 +103,9 @@ Result<RepairOptions> parse_repair_options(std::string_view text) {
     begin = end + 1;
     if (part.empty()) continue;
     const WrittenOption option = option_in(part);
-    if (!names.insert(option.name).second)
+    if (!names.insert(current_name(option.name)).second)
       return Error{ErrorCode::invalid_value, "option '{}' is given twice", option.name};
-    RETURN_IF_ERROR(set_option(options, option));
+    ALGEBRA3D_RETURN_IF_ERROR(set_option(options, option));
   }
   return options;
 }
@@ -98,7 +117,7 @@ std::string text_of(const RepairOptions& options) {
   const auto add_amount = [&](std::string_view name, double amount) {
     add(std::string(name) + "=" + real_text(amount + 0.0));  // -0 is 0
   };
-  if (options.crack_tolerance) add_amount("cracks", *options.crack_tolerance);
+  if (options.gap_tolerance) add_amount("cracks", *options.gap_tolerance);
   if (options.largest_hole) add_amount("holes", *options.largest_hole);
   if (!options.keeps_cavities) add("cavities=drop");
   if (options.smallest_shell != defaults.smallest_shell) add_amount("smallest", options.smallest_shell);

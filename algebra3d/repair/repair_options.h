@@ -8,25 +8,30 @@
 
 namespace algebra3d {
 
-/// What a repair may do. Lengths are in coordinate units.
+/// The options of a repair (docs/import.md, "Options"). Lengths are in coordinate units.
 struct RepairOptions {
-  /// Vertices and edges on boundaries that are closer than this are joined. By default 1e-4 of the diagonal of the box
-  /// around the file; never so far that an edge would vanish.
-  std::optional<double> crack_tolerance;
-  /// Holes with a larger diameter (of the box around the loop) are left open. By default none is for that reason.
+  /// Gaps up to this width are stitched: boundary vertices and edges within this distance are joined, but no vertex
+  /// moves by more than a third of a boundary edge at it, so that no edge vanishes. By default 1e-4 of the diagonal of
+  /// the box around the file.
+  std::optional<double> gap_tolerance;
+  /// Holes whose box has a longer diagonal than this stay open. By default all are closed.
   std::optional<double> largest_hole;
-  /// Cavities stay; if false, the solid is filled.
+  /// False: cavities are filled.
   bool keeps_cavities = true;
-  /// Bodies and cavities with less volume are left out.
+  /// Bodies and cavities with less volume are removed.
   double smallest_shell = 0;
-  /// If a larger part of the area seen would be left out of the solid, there is none; from 0 to 1.
+  /// The largest fraction of the area seen that may be left out, from 0 to 1; beyond it there is no solid.
   double most_dropped = 0.9;
-  /// No repair: what is no valid solid after welding equal corners is refused.
+  /// No repair: triangles that do not bound a valid solid after welding are refused.
   bool is_strict = false;
-  /// The most pairs of triangles whose boxes meet, of solid angles that are added up, and of thousandths of a cut where
-  /// triangles cross, in millions; beyond it the repair gives up.
+  /// Limit of the work, in millions of units: a pair of triangles whose boxes meet, or a solid angle, is one unit; a
+  /// cut where triangles cross is a thousand. Beyond it the repair fails.
   double work_limit = 500;
+  /// Later proofs skip pairs of triangles that the first proof found disjoint (known_triangles.h); false: every proof
+  /// tests all pairs. The result is the same. For tests; not part of the notation.
+  bool reuses_proofs = true;
 
+  /// The default options, but without a repair.
   static RepairOptions strict() {
     RepairOptions options;
     options.is_strict = true;
@@ -34,14 +39,14 @@ struct RepairOptions {
   }
 };
 
-/// Options as people write them, separated by semicolons, in any order and each at most once: "cracks=0.001",
-/// "holes=20", "cavities=keep" or "cavities=drop", "smallest=0.5", "dropped=0.5", "work=1000", "strict". Lengths,
-/// volumes and the work are real numbers that are not negative, `dropped` one from 0 to 1; all but `strict` have a
-/// value. The empty text has the defaults. Errors: invalid_value, naming what was found and what was expected.
+/// Parses options as people write them, separated by semicolons, in any order and each at most once: "gaps=0.001" (or
+/// by its old name "cracks=0.001"), "holes=20", "cavities=keep" or "cavities=drop", "smallest=0.5", "dropped=0.5",
+/// "work=1000", "strict". Lengths, volumes and the work are numbers from 0, `dropped` from 0 to 1; all but `strict`
+/// have a value. The empty text means the defaults. Errors: invalid_value, with what was found and what was expected.
 Result<RepairOptions> parse_repair_options(std::string_view text);
 
-/// The options in the notation of `parse_repair_options`, without those that have their default: the same text exactly
-/// for the same options, empty for the defaults.
+/// The options in the notation of `parse_repair_options`, without those that have their default. Equal options have
+/// equal texts. Databases store a hash of it, so each option keeps its first name here.
 std::string text_of(const RepairOptions& options);
 
 }  // namespace algebra3d

@@ -15,25 +15,25 @@ struct StepWording {
 };
 
 constexpr std::array<StepWording, kRepairSteps> kStepWordings{{
-    {"repeated corners", "facet that repeats a corner dropped", "facets that repeat a corner dropped"},
-    {"collinear corners", "facet without area dropped", "facets without area dropped"},
-    {"duplicate facets", "duplicate facet dropped", "duplicate facets dropped"},
-    {"opposed facets", "facet dropped with its duplicate since nothing lies between them",
-     "facets dropped with their duplicates since nothing lies between them"},
-    {"divided edges", "edge divided at a vertex on it", "edges divided at vertices on them"},
-    {"cracks", "vertex moved across a crack", "vertices moved across cracks"},
-    {"turned facets", "facet turned over", "facets turned over"},
-    {"misfits", "facet that fits no neighbour replaced", "facets that fit no neighbours replaced"},
-    {"fins", "facet of a fin dropped", "facets of fins dropped"},
+    {"repeated corners", "triangle that repeats a corner dropped", "triangles that repeat a corner dropped"},
+    {"collinear corners", "triangle without area dropped", "triangles without area dropped"},
+    {"duplicate triangles", "duplicate triangle dropped", "duplicate triangles dropped"},
+    {"opposite triangles", "triangle dropped with its duplicate since nothing lies between them",
+     "triangles dropped with their duplicates since nothing lies between them"},
+    {"T-junctions", "edge split at a vertex on it", "edges split at vertices on them"},
+    {"gaps", "vertex moved across a gap", "vertices moved across gaps"},
+    {"flipped triangles", "triangle flipped", "triangles flipped"},
+    {"misconnected triangles", "triangle with a wrong corner replaced", "triangles with a wrong corner replaced"},
+    {"dangling sheets", "triangle of a dangling sheet dropped", "triangles of dangling sheets dropped"},
     {"holes", "hole closed", "holes closed"},
     {"open holes", "hole left open", "holes left open"},
-    {"sheets", "sheet dropped", "sheets dropped"},
-    {"turned shells", "shell turned right side out", "shells turned right side out"},
-    {"intersections", "facet divided where it meets others", "facets divided where they meet others"},
+    {"open patches", "open patch dropped", "open patches dropped"},
+    {"flipped shells", "shell turned right side out", "shells turned right side out"},
+    {"intersections", "triangle divided where it meets others", "triangles divided where they meet others"},
     {"united bodies", "body united with another", "bodies united with others"},
     {"inner shells", "shell that bounds nothing dropped", "shells that bound nothing dropped"},
-    {"inner facets", "facet inside the solid removed", "facets inside the solid removed"},
-    {"outer facets", "facet outside the solid dropped", "facets outside the solid dropped"},
+    {"inner triangles", "triangle inside the solid removed", "triangles inside the solid removed"},
+    {"outer triangles", "triangle outside the solid dropped", "triangles outside the solid dropped"},
     {"cavities", "cavity filled", "cavities filled"},
     {"small shells", "small shell dropped", "small shells dropped"},
 }};
@@ -42,19 +42,19 @@ const StepWording& wording_of(RepairStep step) {
   return kStepWordings[static_cast<std::size_t>(step)];
 }
 
-std::string text_of_dropped(const RepairAmounts& amounts, double size) {
-  const SurfaceAmount& dropped = amounts.dropped;
-  if (dropped.facet_count == 0) return {};
-  return fmt::format("left out: {} {}, area {} ({}), up to {} from the solid ({})", dropped.facet_count,
-                     dropped.facet_count == 1 ? "facet" : "facets", dropped.area.text(3),
-                     percent_text(amounts.dropped_part()), length_text(dropped.distance, 3),
-                     near_text(dropped.where, size));
+std::string text_of_left_out(const RepairAmounts& amounts, double size) {
+  const SurfaceAmount& left_out = amounts.left_out;
+  if (left_out.triangle_count == 0) return {};
+  return fmt::format("left out: {} {}, area {} ({}), up to {} from the solid ({})", left_out.triangle_count,
+                     left_out.triangle_count == 1 ? "triangle" : "triangles", left_out.area.text(3),
+                     percent_text(amounts.left_out_part()), length_text(left_out.distance, 3),
+                     near_text(left_out.where, size));
 }
 
 std::string text_of_added(const RepairAmounts& amounts) {
   const SurfaceAmount& added = amounts.added;
-  if (added.facet_count == 0) return {};
-  return fmt::format("added: area {}, up to {} from the facets", added.area.text(3), length_text(added.distance, 3));
+  if (added.triangle_count == 0) return {};
+  return fmt::format("added: area {}, up to {} from the triangles", added.area.text(3), length_text(added.distance, 3));
 }
 
 }  // namespace
@@ -113,7 +113,7 @@ void RepairReport::forget(RepairStep step) {
   std::erase_if(entries, [&](const RepairEntry& entry) { return entry.step == step; });
 }
 
-void RepairReport::keep_holes(const std::vector<bool>& are_there) {
+void RepairReport::drop_missing_covers(const std::vector<bool>& are_there) {
   forget(RepairStep::holes);
   const std::vector<HoleCover> all = std::move(covers);
   covers.clear();
@@ -134,7 +134,7 @@ double RepairReport::deviation() const {
 
 double RepairReport::largest_move() const {
   double largest = 0;
-  for (const RepairStep step : {RepairStep::divided_edges, RepairStep::cracks})
+  for (const RepairStep step : {RepairStep::t_junctions, RepairStep::gaps})
     if (const RepairEntry* entry = find(step)) largest = std::max(largest, entry->largest);
   return largest;
 }
@@ -161,13 +161,13 @@ std::string RepairReport::text() const {
     if (!part.empty()) text += (text.empty() ? "" : "; ") + part;
   };
   if (amounts) {
-    add(text_of_dropped(*amounts, size));
+    add(text_of_left_out(*amounts, size));
     add(text_of_added(*amounts));
     if (const double moved = largest_move(); moved > 0) add(fmt::format("moved by {} at most", length_text(moved, 3)));
   } else if (const double moved = deviation(); moved > 0) {
-    add(fmt::format("at most {} from the facets", length_text(moved, 3)));
+    add(fmt::format("at most {} from the triangles", length_text(moved, 3)));
   }
-  if (text.empty()) return "facets joined anew where more than two meet; nothing moved, added or left out";
+  if (text.empty()) return "triangles linked anew where more than two meet; nothing moved, added or left out";
   return text;
 }
 

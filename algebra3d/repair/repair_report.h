@@ -13,116 +13,119 @@
 
 namespace algebra3d {
 
-/// What a repair does, in the order in which it does it.
+/// The steps of a repair, in the order in which the report lists them. That is roughly the order in which they are
+/// done: rounded corners, which are merged before T-junctions are split, count as gaps.
 enum class RepairStep : std::uint8_t {
-  repeated_corners,   ///< facets that repeat a corner, dropped
-  collinear_corners,  ///< facets with collinear corners, dropped
-  duplicate_facets,   ///< facets with the corners of an earlier one, dropped
-  opposed_facets,     ///< the last facets of those with the same corners, dropped since nothing lies between them
-  divided_edges,      ///< boundary edges divided at vertices that lie on them
-  cracks,             ///< vertices moved to others across a crack
-  turned_facets,      ///< facets turned over to agree with their neighbours
-  misfits,            ///< facets whose removal makes the rim of a hole shorter and its cover smaller, dropped
-  fins,               ///< facets that end in the open and hang on a surface that needs them not, dropped
-  holes,              ///< holes closed
-  open_holes,         ///< holes left open, because the options say so
-  sheets,             ///< sheets, dropped
-  turned_shells,      ///< facets of shells turned right side out
-  intersections,      ///< facets that passed through others or lay upon them, divided
-  united_bodies,      ///< bodies that became one with others
-  inner_shells,       ///< shells that bound nothing, dropped
-  inner_facets,       ///< facets within the solid, removed
-  outer_facets,       ///< facets that lie outside the solid, at least in part, and were not dropped by another step
-  cavities,           ///< cavities filled, because the options say so
-  small_shells,       ///< shells dropped, because the options say so
+  repeated_corners,        ///< triangles that repeat a corner, dropped
+  collinear_corners,       ///< triangles with collinear corners, dropped
+  duplicate_triangles,     ///< triangles with the corners of an earlier one, dropped
+  opposite_triangles,      ///< last copies of duplicates, dropped since the two orientations cancel out
+  t_junctions,             ///< boundary edges split at vertices that lie on them
+  gaps,                    ///< vertices moved to others across a gap
+  flipped_triangles,       ///< triangles flipped to agree with their neighbours
+  misconnected_triangles,  ///< triangles with a wrong corner, dropped; the hole beside them is closed
+  dangling_sheets,         ///< triangles of sheets that hang on a surface and enclose nothing, dropped
+  holes,                   ///< holes closed
+  open_holes,              ///< holes left open, because the options say so
+  open_patches,            ///< open patches, dropped
+  flipped_shells,          ///< shells turned right side out
+  intersections,           ///< triangles that crossed or overlapped others, divided
+  united_bodies,           ///< bodies united with others
+  inner_shells,            ///< shells that bound nothing, dropped
+  inner_triangles,         ///< triangles within the solid, removed
+  outer_triangles,         ///< triangles outside the solid, at least in part, that no other step dropped
+  cavities,                ///< cavities filled, because the options say so
+  small_shells,            ///< shells dropped, because the options say so
 };
 inline constexpr std::size_t kRepairSteps = 20;
 
-/// A place in decimals that are short, but fine enough to find it: no coarser than a 100,000th of the size given, the
-/// diagonal of a file.
+/// The point rounded to short decimals, no coarser than a 100,000th of `size`, the diagonal of the file.
 Vec3 short_place(const Vec3& where, double size);
 
-/// "near (0.5 0 1)", by a short place; of a size that is not known with six digits.
+/// "near (0.5 0 1)", by short_place; with six digits if the size is not known.
 std::string near_text(const Vec3& where, double size);
 
-/// A part of 1 in percent: "62.5 %"; less than all is never rounded to 100 %.
+/// A fraction in percent: "62.5 %". A fraction below 1 is never rounded to 100 %.
 std::string percent_text(double part);
 
-/// A part of 1 and a limit that it exceeds in percent, the part with so many digits that this can be seen.
+/// A fraction and the limit that it exceeds, both in percent; the fraction has enough digits to show that it is larger.
 std::pair<std::string, std::string> percents_above_limit(double part, double limit);
 
-/// The step's name as people see it: "cracks".
+/// The name of the step for people: "gaps".
 std::string_view name_of(RepairStep step);
 
-/// What one step found and did.
+/// The entry of one step in a report: how often it did something, and where first.
 struct RepairEntry {
   RepairStep step;
   std::uint64_t count = 0;
-  Vec3 where;          ///< the place of the first one
-  double largest = 0;  ///< how far a point was moved or added away from the surface, at most
+  Vec3 where;  ///< the place of the first one
+  double largest =
+      0;  ///< the largest distance of a moved point from its old place, or of an added one from the surface
 };
 
-/// Triangles by which one hole was closed.
+/// The triangles by which one hole was closed.
 struct HoleCover {
   Vec3 where;
-  double farthest = 0;  ///< no point of the cover is farther from the rim
+  double farthest = 0;  ///< upper bound of the distance from the boundary of the hole
   std::vector<std::array<Vec3, 3>> triangles;
 };
 
-/// How much of some facets, or of a solid, and how far away from the other one.
+/// Size of a part of a surface, and its distance from another surface.
 struct SurfaceAmount {
-  std::uint64_t facet_count = 0;  ///< that lie there at least in part
+  std::uint64_t triangle_count = 0;  ///< triangles that belong to it at least in part
   Amount area;
-  double distance = 0;  ///< the largest one, as an upper bound (FarthestPoint); may be infinite
-  Vec3 where;           ///< the point that is farthest away; of what lies inside any point
+  double distance = 0;  ///< upper bound of the largest distance of one of its points; may be infinite
+  Vec3 where;           ///< the farthest point; for parts inside a solid any point
 };
 
-/// Amounts by which a solid differs from the facets that it was made of. Parts of facets that are no farther from the
-/// other surface than `tolerance` belong to it. Facets that lie upon each other count once, whichever way they look
-/// and however they are divided into triangles.
+/// The differences between a solid and the triangles that it was made of. Parts within `tolerance` of the other surface
+/// count as parts of it. Overlapping triangles count once, whatever their orientation and division. "Left out" means:
+/// not in the solid, whatever the reason; "dropped" is only said of steps (RepairStep).
 struct RepairAmounts {
-  Amount area_seen;       ///< of all facets as given
-  SurfaceAmount dropped;  ///< facets outside the solid
-  SurfaceAmount inside;   ///< facets within the solid, such as inner walls; no distance
-  SurfaceAmount added;    ///< of the boundary of the solid, where there is no facet
-  double tolerance = 0;   ///< in coordinate units
+  Amount area_seen;        ///< of all triangles as given
+  SurfaceAmount left_out;  ///< triangles outside the solid
+  SurfaceAmount inside;    ///< triangles within the solid, such as interfaces; no distance
+  SurfaceAmount added;     ///< the boundary of the solid where there is no triangle
+  double tolerance = 0;    ///< MeasureFrame::tolerance, in coordinate units
 
-  /// The part of the area seen that lies outside the solid: from 0 to 1.
-  double dropped_part() const { return part_of_seen(dropped); }
-  /// May be larger than 1 of what was added; 0 if nothing has an area.
+  /// The fraction of the area seen that lies outside the solid, from 0 to 1.
+  double left_out_part() const { return part_of_seen(left_out); }
+  /// The amount divided by the area seen; above 1 if more was added than was there. 0 if the area seen is 0.
   double part_of_seen(const SurfaceAmount& amount) const {
     return area_seen.is_zero() ? 0 : amount.area.ratio_to(area_seen);
   }
 };
 
-/// All that a repair found and did. Steps that had nothing to do are left out; entries are in the order of the steps.
+/// The report of a repair. Entries are in the order of the steps; steps that changed nothing have none.
 struct RepairReport {
   std::vector<RepairEntry> entries;
-  double size = 0;                       ///< diagonal of the box around the facets; 0 if not known
-  std::optional<Amount> volume_before;   ///< of the facets as given; none if they are not closed
+  double size = 0;                       ///< diagonal of the box around the triangles; 0 if not known
+  std::optional<Amount> volume_before;   ///< of the triangles as given; nothing if they are not closed
   std::optional<Amount> volume_after;    ///< of the solid; none if there is none
-  std::optional<RepairAmounts> amounts;  ///< what was left out and added; none if there is no solid
-  bool has_kept_sheets = false;          ///< sheets that `entries` counts are still there
-  std::vector<HoleCover> covers;         ///< of the closed holes, in the order in which they were closed
+  std::optional<RepairAmounts> amounts;  ///< nothing if there is no solid
+  bool has_kept_open_patches = false;    ///< the open patches in `entries` were not dropped, but divided with the rest
+  std::vector<HoleCover> covers;         ///< of closed holes, in the order in which they were closed
 
+  /// Adds what a step did `count` times. The entry keeps the first place and the largest distance.
   void add(RepairStep step, const Vec3& where, double distance = 0, std::uint64_t count = 1);
-  /// A closed hole.
+  /// Adds a closed hole.
   void add(HoleCover cover);
-  /// Takes back the holes whose covers the solid does not have.
-  void keep_holes(const std::vector<bool>& are_there);
+  /// Removes the holes of whose covers nothing is in the solid. `are_there`: one flag per cover.
+  void drop_missing_covers(const std::vector<bool>& are_there);
   /// The triangles of all covers, their corners ascending, in ascending order.
   std::vector<std::array<Vec3, 3>> cover_triangles() const;
-  /// Takes back what a step reported.
+  /// Removes the entry of a step.
   void forget(RepairStep step);
+  /// The entry of a step; null if there is none.
   const RepairEntry* find(RepairStep step) const;
   bool is_empty() const { return entries.empty(); }
-  /// The largest distance over all steps by which they moved or added anything; an upper bound.
+  /// An upper bound of the distance by which any step moved or added a point.
   double deviation() const;
-  /// The largest distance over the steps that move corners.
+  /// The largest distance by which a corner was moved.
   double largest_move() const;
-  /// For people, one line: "3 duplicate facets dropped (near (0 0 1)), 1 hole closed (near (2 0 0)); left out: 2
-  /// facets, area 10 (62.5 %), up to 9 from the solid (near (0 0 10)); added: area 1, up to 0.5 from the facets". Never
-  /// empty.
+  /// The report for people, one line, never empty: "3 duplicate triangles dropped (near (0 0 1)), 1 hole closed (near
+  /// (2 0 0)); left out: 2 triangles, area 10 (62.5 %), up to 9 from the solid (near (0 0 10)); added: area 1, up to
+  /// 0.5 from the triangles".
   std::string text() const;
 };
 

@@ -1,52 +1,24 @@
 #include "algebra3d/repair/solid_from_soup.h"
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <tuple>
 #include <utility>
-
-#include <fmt/core.h>
+#include <vector>
 
 #include "algebra3d/exact/exact_sum.h"
-#include "algebra3d/repair/kept_shells.h"
-#include "algebra3d/repair/repair_amounts.h"
-#include "algebra3d/repair/repaired_solid.h"
+#include "algebra3d/halfedge/boxes.h"
+#include "algebra3d/repair/detail/repair_amounts.h"
+#include "algebra3d/repair/detail/repaired_solid.h"
+#include "algebra3d/repair/detail/shell_filter.h"
+#include "algebra3d/repair/mesh_volume.h"
 #include "algebra3d/repair/scaled_triangles.h"
-#include "algebra3d/repair/spatial_order.h"
-#include "algebra3d/repair/weld.h"
+#include "algebra3d/soup/spatial_order.h"
+#include "algebra3d/soup/weld.h"
 #include "algebra3d/validity/validity.h"
 
 namespace algebra3d {
 namespace {
-
-struct Wording {
-  const char* one;
-  const char* many;
-};
-constexpr std::array<Wording, kDefectKinds> kWordings{{
-    {"degenerate facet", "degenerate facets"},
-    {"duplicate facet", "duplicate facets"},
-    {"boundary edge", "boundary edges"},
-    {"non-manifold edge", "non-manifold edges"},
-    {"inconsistently oriented edge", "inconsistently oriented edges"},
-    {"intersecting pair", "intersecting pairs"},
-    {"shell with a wrong winding number", "shells with a wrong winding number"},
-}};
-
-std::string place_text(const DefectExample& example, double size) {
-  const std::string where = near_text(example.where, size);
-  if (!example.second.is_valid()) return fmt::format("facet {}, {}", example.first.index() + 1, where);
-  return fmt::format("facets {} and {}, {}", example.first.index() + 1, example.second.index() + 1, where);
-}
-
-void count_contradicting_normals(const TriangleSoup& soup, SoupReport& report) {
-  for (std::size_t i = 0; i < soup.normals.size(); ++i) {
-    const auto& [a, b, c] = soup.triangles[i];
-    if (!(dot(cross(b - a, c - a), soup.normals[i]) < 0)) continue;
-    if (++report.contradicting_normal_count == 1) report.first_contradicting_facet = i + 1;
-  }
-}
 
 double diagonal_of(const WeldedTriangles& welded) {
   Box3 box;
@@ -54,8 +26,32 @@ double diagonal_of(const WeldedTriangles& welded) {
   return box.is_empty() ? 0 : length(box.max - box.min);
 }
 
-/// The report of a mesh whose face i is facet order[i].
-ValidityReport in_facets(ValidityReport report, const std::vector<std::uint32_t>& order) {
+void flip_all(WeldedTriangles& welded) {
+  for (auto& [a, b, c] : welded.triangles) std::swap(b, c);
+}
+
+/// The triangles of a soup with shared points, in spatial order; all flipped if their volume was negative.
+struct OrderedTriangles {
+  WeldedTriangles welded;
+  std::vector<std::uint32_t> order;  ///< per triangle: its number in the soup
+  Rational volume;                   ///< of the triangles as given; means nothing if they are not closed
+  bool is_flipped = false;
+
+  TriangleMesh mesh() const { return {welded.points, welded.triangles}; }
+};
+
+Result<OrderedTriangles> ordered_triangles(WeldedTriangles welded, const Monitor& monitor) {
+  OrderedTriangles result;
+  ALGEBRA3D_ASSIGN_OR_RETURN(result.volume, exact_volume(welded.points, welded.triangles, monitor.cancel()));
+  result.is_flipped = result.volume.sign() < 0;
+  if (result.is_flipped) flip_all(welded);
+  result.order = spatial_order(welded.points.approx(), welded.triangles);
+  result.welded = reordered(welded, result.order);
+  return result;
+}
+
+/// The report with triangles of the soup in place of faces of the ordered mesh.
+ValidityReport in_soup_order(ValidityReport report, const std::vector<std::uint32_t>& order) {
   for (DefectExample& example : report.examples) {
     example.first = FaceId(order[example.first.index()]);
     if (!example.second.is_valid()) continue;
@@ -66,44 +62,52 @@ ValidityReport in_facets(ValidityReport report, const std::vector<std::uint32_t>
   return report;
 }
 
-}  // namespace
-
-std::string_view name_of(Defect kind) {
-  return kWordings[static_cast<std::size_t>(kind)].many;
+/// Takes a valid mesh over, without the shells that the options do not want.
+Status take_valid(TriangleMesh mesh, const OrderedTriangles& given, const RepairOptions& options,
+                  const Monitor& monitor, SolidFromSoup& result) {
+  RepairReport left_out;
+  result.area_seen = area_of(mesh, BinaryScale(largest_coordinate(mesh)));
+  ALGEBRA3D_ASSIGN_OR_RETURN(mesh, filter_shells(std::move(mesh), options, left_out, monitor));
+  result.volume = Amount::nearest(given.volume.abs());
+  result.mesh = left_out.is_empty() ? std::move(mesh) : in_spatial_order(mesh);
+  if (left_out.is_empty()) return {};
+  left_out.volume_before = result.volume;
+  left_out.size = result.report.size;
+  ALGEBRA3D_ASSIGN_OR_RETURN(result.volume, measured_volume(*result.mesh, monitor));
+  left_out.volume_after = result.volume;
+  ALGEBRA3D_ASSIGN_OR_RETURN(const MeasuredRepair measured,
+                             measure_repair(given.mesh(), *result.mesh, {}, 0, {}, monitor));
+  left_out.amounts = measured.amounts;
+  result.repair = std::move(left_out);
+  return {};
 }
 
-std::string SoupReport::defects() const {
-  std::string text;
-  Defect previous{kDefectKinds};
-  for (const DefectExample& example : validity.examples) {
-    if (example.kind == previous) continue;
-    previous = example.kind;
-    const std::uint64_t count = validity.count(example.kind);
-    const Wording& wording = kWordings[static_cast<std::size_t>(example.kind)];
-    const bool at_least = validity.is_cut_short && example.kind == Defect::intersecting_triangles;
-    text += fmt::format("{}{}{} {} ({})", text.empty() ? "no valid solid: " : ", ", at_least ? "at least " : "", count,
-                        count == 1 ? wording.one : wording.many, place_text(example, size));
+/// Repairs a mesh that the examination found to be no solid.
+Status repair(TriangleMesh mesh, OrderedTriangles given, const VolumeExamination& examined,
+              const RepairOptions& options, const Monitor& monitor, SolidFromSoup& result) {
+  // Which parts of it are inside out is found by the repair.
+  if (given.is_flipped) {
+    flip_all(given.welded);
+    mesh = given.mesh();
   }
-  return text;
+  const FaceSet& free = options.reuses_proofs ? examined.free : FaceSet();
+  const KnownTriangles known(std::make_shared<const TriangleMesh>(std::move(mesh)), free, given.volume);
+  ALGEBRA3D_ASSIGN_OR_RETURN(RepairedSolid repaired, repaired_solid(known, examined.report, options, monitor));
+  result.mesh = std::move(repaired.mesh);
+  result.volume = repaired.report.volume_after;
+  if (repaired.report.amounts) result.area_seen = repaired.report.amounts->area_seen;
+  result.repair = std::move(repaired.report);
+  result.reason = std::move(repaired.reason);
+  return {};
 }
 
-std::vector<std::string> SoupReport::remarks() const {
-  std::vector<std::string> remarks;
-  if (was_turned) remarks.emplace_back("turned right side out");
-  if (contradicting_normal_count == 1)
-    remarks.push_back(
-        fmt::format("1 facet normal contradicts the order of the corners (facet {})", first_contradicting_facet));
-  if (contradicting_normal_count > 1)
-    remarks.push_back(fmt::format("{} facet normals contradict the order of the corners (first: facet {})",
-                                  contradicting_normal_count, first_contradicting_facet));
-  return remarks;
-}
+}  // namespace
 
 std::string SolidFromSoup::status() const {
   if (!mesh) return reason.empty() ? report.defects() : report.defects() + "; not repaired: " + reason;
   if (repair) return "repaired: " + repair->text() + (mesh->is_empty() ? "; the solid is empty" : "");
-  if (mesh->is_empty()) return "ok: no facets, the solid is empty";
-  return report.was_turned ? "ok: turned right side out" : "ok";
+  if (mesh->is_empty()) return "ok: no triangles, the solid is empty";
+  return report.was_flipped ? "ok: turned right side out" : "ok";
 }
 
 Result<SolidFromSoup> solid_from_soup(const TriangleSoup& soup, const RepairOptions& options, const Monitor& monitor) {
@@ -111,51 +115,20 @@ Result<SolidFromSoup> solid_from_soup(const TriangleSoup& soup, const RepairOpti
     return Error{ErrorCode::limit_exceeded, "{} triangles; at most {} make a solid", soup.triangles.size(),
                  TriangleMesh::kMaxFaces};
   SolidFromSoup result;
-  count_contradicting_normals(soup, result.report);
+  result.report.count_contradicting_normals(soup);
   WeldedTriangles welded = weld(soup.triangles);
   result.report.size = diagonal_of(welded);
-  ASSIGN_OR_RETURN(const Rational volume, exact_volume(welded.points, welded.triangles, monitor.cancel()));
-  // What is not closed has no volume, and is refused below whichever way it is turned.
-  const bool is_inside_out = volume.sign() < 0;
-  if (is_inside_out)
-    for (auto& [a, b, c] : welded.triangles) std::swap(b, c);
-  const std::vector<std::uint32_t> order = spatial_order(welded.points.approx(), welded.triangles);
-  welded = reordered(welded, order);
-  TriangleMesh mesh(welded.points, welded.triangles);
-  ASSIGN_OR_RETURN(const VolumeExamination examined, examine_volume(mesh, monitor.cancel()));
-  const ValidityReport& validity = examined.report;
-  result.report.was_turned = is_inside_out && validity.is_valid();
-  if (validity.is_valid()) {
-    RepairReport left_out;
-    result.area_seen = area_of(mesh, BinaryScale(largest_coordinate(mesh)));
-    ASSIGN_OR_RETURN(mesh, kept_shells(std::move(mesh), options, left_out, monitor));
-    result.volume = Amount::nearest(volume.abs());
-    result.mesh = left_out.is_empty() ? std::move(mesh) : in_spatial_order(mesh);
-    if (left_out.is_empty()) return result;
-    left_out.volume_before = result.volume;
-    left_out.size = result.report.size;
-    ASSIGN_OR_RETURN(result.volume, measured_volume(*result.mesh, monitor));
-    left_out.volume_after = result.volume;
-    const TriangleMesh given(welded.points, welded.triangles);
-    ASSIGN_OR_RETURN(const MeasuredRepair measured, measure_repair(given, *result.mesh, {}, 0, {}, monitor));
-    left_out.amounts = measured.amounts;
-    result.repair = std::move(left_out);
+  ALGEBRA3D_ASSIGN_OR_RETURN(OrderedTriangles given, ordered_triangles(std::move(welded), monitor));
+  TriangleMesh mesh = given.mesh();
+  ALGEBRA3D_ASSIGN_OR_RETURN(const VolumeExamination examined, examine_volume(mesh, monitor.cancel()));
+  if (examined.report.is_valid()) {
+    result.report.was_flipped = given.is_flipped;
+    ALGEBRA3D_RETURN_IF_ERROR(take_valid(std::move(mesh), given, options, monitor, result));
     return result;
   }
-  result.report.validity = in_facets(validity, order);
+  result.report.validity = in_soup_order(examined.report, given.order);
   if (options.is_strict) return result;
-  // Which parts of it are inside out is found by the repair.
-  if (is_inside_out) {
-    for (auto& [a, b, c] : welded.triangles) std::swap(b, c);
-    mesh = TriangleMesh(welded.points, welded.triangles);
-  }
-  const KnownFacets given(std::make_shared<const TriangleMesh>(std::move(mesh)), examined.free, volume);
-  ASSIGN_OR_RETURN(RepairedSolid repaired, repaired_solid(given, validity, options, monitor));
-  result.mesh = std::move(repaired.mesh);
-  result.volume = repaired.report.volume_after;
-  if (repaired.report.amounts) result.area_seen = repaired.report.amounts->area_seen;
-  result.repair = std::move(repaired.report);
-  result.reason = std::move(repaired.reason);
+  ALGEBRA3D_RETURN_IF_ERROR(repair(std::move(mesh), std::move(given), examined, options, monitor, result));
   return result;
 }
 

@@ -3,37 +3,39 @@
 #include <utility>
 
 #include "algebra3d/arrangement/surface_arrangement.h"
-#include "algebra3d/repair/degenerate_facets.h"
-#include "algebra3d/repair/spatial_order.h"
-#include "algebra3d/repair/valid_parts.h"
-#include "algebra3d/repair/weld.h"
-#include "algebra3d/repair/work_limits.h"
+#include "algebra3d/autorefinement/valid_parts.h"
+#include "algebra3d/repair/detail/degenerate_triangles.h"
+#include "algebra3d/repair/detail/work_limits.h"
+#include "algebra3d/soup/spatial_order.h"
+#include "algebra3d/soup/weld.h"
 #include "algebra3d/validity/validity.h"
 
 namespace algebra3d {
+
 Result<SurfaceFromSoup> surface_from_soup(const TriangleSoup& soup, const RepairOptions& options,
                                           const Monitor& monitor) {
   if (soup.triangles.size() > TriangleMesh::kMaxFaces)
     return Error{ErrorCode::limit_exceeded, "{} triangles; at most {} make a surface", soup.triangles.size(),
                  TriangleMesh::kMaxFaces};
-  FacetList facets(weld(soup.triangles));
+  IndexedSoup indexed(weld(soup.triangles));
   SurfaceFromSoup result;
-  drop_degenerate_facets(facets, result.repair);
-  TriangleMesh given = in_spatial_order(*facets.mesh());
+  drop_degenerate_triangles(indexed, result.repair);
+  TriangleMesh given = in_spatial_order(*indexed.mesh());
   const ProofOptions first{.thoroughness = Thoroughness::first_defect, .cancel = monitor.cancel()};
-  ASSIGN_OR_RETURN(const ValidityReport found, prove_surface(given, first));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport found, prove_surface(given, first));
   if (found.is_valid()) {
     result.mesh = std::move(given);
     return result;
   }
-  ASSIGN_OR_RETURN(const ValidParts parts, ValidParts::make(given, monitor));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidParts parts, ValidParts::make(given, monitor));
   for (const FaceId face : parts.lone_faces())
     result.repair.add(RepairStep::intersections, given.corners(face)[0].approx);
-  ASSIGN_OR_RETURN(const TriangleMesh united, unite_surfaces(parts.operands(), monitor, work_limits(options)));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TriangleMesh united,
+                             unite_surfaces(parts.operands(), monitor, work_limits(options)));
   result.mesh = in_spatial_order(united);
-  ASSIGN_OR_RETURN(const ValidityReport proof, prove_surface(result.mesh, first));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport proof, prove_surface(result.mesh, first));
   if (!proof.is_valid())
-    return Error{ErrorCode::internal, "the facets divided at each other are no valid surface: {}", proof.text()};
+    return Error{ErrorCode::internal, "the triangles divided at one another are no valid surface: {}", proof.text()};
   return result;
 }
 

@@ -9,18 +9,18 @@
 
 namespace algebra3d {
 
-/// A surface, and what was changed to make it one.
+/// A surface made of a triangle soup, and the changes.
 struct SurfaceFromSoup {
   TriangleMesh mesh;  ///< proved to be a valid surface3d
   RepairReport repair;
 };
 
-/// A surface from the triangles of a mesh file: equal corners are welded; facets without area are dropped; facets that
-/// pass through each other, lie upon each other or touch an edge in its middle are divided there, and what several
-/// cover is there once. Nothing moves, nothing is added, nothing is turned over; a soup that is a surface comes out
-/// untouched, with its triangles in spatial order. A soup without triangles gives the empty surface. Exactness: exact.
-/// Errors: interrupted; limit_exceeded beyond TriangleMesh::kMaxFaces triangles, or the work limit of the options,
-/// which alone count. Cost: that of a proof, and of an arrangement of what touches more than it may.
+/// Makes a surface of the triangles of a mesh file (docs/import.md, "Surfaces"): equal corners are welded; degenerate
+/// triangles are dropped; triangles that cross, overlap or touch an edge in its middle are divided there, and overlaps
+/// are kept once. Nothing is moved, added or flipped. A valid surface is only brought into spatial order. A soup
+/// without triangles yields the empty surface. Exactness: exact. Errors: interrupted; limit_exceeded beyond
+/// TriangleMesh::kMaxFaces triangles, or beyond the work limit, the only option that is used. Cost: that of a proof,
+/// and of an arrangement of the triangles that touch others in more than an edge.
 Result<SurfaceFromSoup> surface_from_soup(const TriangleSoup& soup, const RepairOptions& options = {},
                                           const Monitor& monitor = {});
 

@@ -6,7 +6,7 @@
 
 namespace algebra3d {
 
-/// Every type of this library, in the order in which people read about them.
+/// All types, in the order of the documentation.
 std::vector<const Type*> all_types();
 
 }  // namespace algebra3d

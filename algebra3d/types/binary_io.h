@@ -11,7 +11,7 @@
 
 namespace algebra3d {
 
-/// Appends numbers to bytes that it does not own, little-endian on every machine. docs/file_format.md names the forms.
+/// Appends numbers to bytes of the caller, little-endian on every machine. docs/file_format.md describes the encodings.
 class ByteWriter {
  public:
   explicit ByteWriter(std::string& bytes) : bytes_(bytes) {}
@@ -21,13 +21,14 @@ class ByteWriter {
   void u32(std::uint32_t value) { fixed(value, 4); }
   void u64(std::uint64_t value) { fixed(value, 8); }
   void f64(double value);
-  /// Seven bits a byte, lowest first, the top bit set on all bytes but the last.
+  /// Appends a varint: seven bits per byte, lowest first, the top bit set on all bytes but the last.
   void varint(std::uint64_t value);
   void raw(std::string_view content) { bytes_.append(content); }
-  /// A length as varint, then the bytes.
+  /// Appends the length as a varint, then the bytes.
   void text(std::string_view content);
-  /// One byte for the width in bytes of the largest value (at least `min_width`), then that many planes: first the most
-  /// significant bytes of all values, last the least significant ones. The reader must know how many values there are.
+  /// Appends byte planes: one byte for the width of the largest value in bytes (at least `min_width`), then as many
+  /// planes, from the most significant bytes of all values to the least significant ones. The reader must know the
+  /// number of values.
   void planes(std::span<const std::uint64_t> values, int min_width = 0);
 
  private:
@@ -35,8 +36,8 @@ class ByteWriter {
   std::string& bytes_;
 };
 
-/// Reads what ByteWriter wrote, from bytes that may be anything. The first failure is remembered with its byte; from
-/// then on every member gives zero or nothing. Ask `status` before the values are used for more than counting.
+/// Reads the encodings of ByteWriter from arbitrary bytes. After the first failure, which is recorded with its
+/// position, every member returns zero or nothing. Check `status` before using values for more than counting.
 class ByteReader {
  public:
   /// `what` begins messages, as in "volume3d"; both are kept as views.
@@ -50,8 +51,8 @@ class ByteReader {
   std::uint64_t varint();
   std::string_view raw(std::uint64_t length);
   std::string_view text() { return raw(varint()); }
-  /// A varint that counts things of at least `bytes_each` bytes that follow: so no count asks for more memory than the
-  /// bytes at hand can fill.
+  /// A varint that counts following items of at least `bytes_each` bytes. Fails if the remaining bytes are too few, so
+  /// that a wrong count cannot exhaust memory.
   std::size_t count(std::size_t bytes_each);
   /// `count` values of ByteWriter::planes, each below 256^max_width.
   std::vector<std::uint64_t> planes(std::size_t count, int min_width, int max_width);
@@ -59,7 +60,7 @@ class ByteReader {
   std::size_t position() const { return position_; }
   std::size_t remaining() const { return bytes_.size() - position_; }
   bool ok() const { return expectation_.empty(); }
-  /// Records that what stands before the current position is not `expectation`, unless a failure is known already.
+  /// Records the failure "expected EXPECTATION" before the current position, unless there was a failure already.
   void fail(std::string expectation);
   void require(bool condition, const char* expectation) {
     if (!condition) fail(expectation);
@@ -78,7 +79,7 @@ class ByteReader {
   std::string expectation_;
 };
 
-/// Signed numbers as unsigned ones: 0, -1, 1, -2 ... become 0, 1, 2, 3 ...
+/// Encodes signed numbers as unsigned ones: 0, -1, 1, -2 ... become 0, 1, 2, 3 ...
 inline std::uint64_t zigzag(std::int64_t value) {
   return (static_cast<std::uint64_t>(value) << 1U) ^ static_cast<std::uint64_t>(value >> 63U);
 }

@@ -12,7 +12,7 @@
 
 #include "algebra3d/exact/rational_text.h"
 #include "algebra3d/types/binary_io.h"
-#include "algebra3d/types/codec_points.h"
+#include "algebra3d/types/detail/codec_points.h"
 
 // The format is that of docs/file_format.md, which is changed first.
 
@@ -119,7 +119,7 @@ Result<Frame> read_frame(std::string_view bytes) {
   if (bytes.size() < kCodecHeaderBytes)
     return corrupt(bytes.size(), fmt::format("{} bytes before the body, found the end", kCodecHeaderBytes));
   ByteReader reader(bytes, "stored value");
-  RETURN_IF_ERROR(read_version(reader));
+  ALGEBRA3D_RETURN_IF_ERROR(read_version(reader));
   Frame frame;
   frame.flags = reader.u16();
   if (frame.flags > (kDefined | kCompressed) || frame.flags == kCompressed)
@@ -129,10 +129,10 @@ Result<Frame> read_frame(std::string_view bytes) {
   if (frame.type.empty()) return corrupt(12, "the name of a type");
   frame.geometry.box.min = read_corner(reader);
   frame.geometry.box.max = read_corner(reader);
-  RETURN_IF_ERROR(check_box(frame.geometry.box));
+  ALGEBRA3D_RETURN_IF_ERROR(check_box(frame.geometry.box));
   frame.stored_bytes = reader.u64();
   frame.body_bytes = reader.u64();
-  RETURN_IF_ERROR(check_lengths(frame));
+  ALGEBRA3D_RETURN_IF_ERROR(check_lengths(frame));
   frame.checksum = reader.u64();
   return frame;
 }
@@ -206,7 +206,7 @@ Result<Buffer> decompress(std::string_view stored, std::uint64_t body_bytes) {
 Result<Value> decode_body(const Type& type, const Frame& frame, std::string_view stored, Origin origin) {
   const bool trusted = origin == Origin::own_store;
   if (!frame.is_compressed()) return type.decode(stored, trusted);
-  ASSIGN_OR_RETURN(const Buffer buffer, decompress(stored, frame.body_bytes));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Buffer buffer, decompress(stored, frame.body_bytes));
   return type.decode(buffer.view(), trusted);
 }
 
@@ -253,7 +253,7 @@ Result<std::string> encode_to_store(const Value& value) {
 }
 
 Result<Value> decode(const Type& type, std::string_view bytes, Origin origin) {
-  ASSIGN_OR_RETURN(const Frame frame, read_frame(bytes));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Frame frame, read_frame(bytes));
   if (frame.type != type.name()) return corrupt(12, fmt::format("type {}, found {}", type.name(), frame.type));
   const std::string_view stored = bytes.substr(kCodecHeaderBytes);
   if (stored.size() != frame.stored_bytes)
@@ -262,7 +262,7 @@ Result<Value> decode(const Type& type, std::string_view bytes, Origin origin) {
     return corrupt(kChecksumOffset, "the checksum of these bytes; they were changed");
   Value value(type);
   if (frame.is_defined()) {
-    ASSIGN_OR_RETURN(value, decode_body(type, frame, stored, origin));
+    ALGEBRA3D_ASSIGN_OR_RETURN(value, decode_body(type, frame, stored, origin));
   }
   const GeometryHeader header = header_of(value);
   if (header.size != frame.geometry.size) return corrupt(8, fmt::format("size {}", header.size));
@@ -271,7 +271,7 @@ Result<Value> decode(const Type& type, std::string_view bytes, Origin origin) {
 }
 
 Result<GeometryHeader> decode_header(std::string_view first_bytes) {
-  ASSIGN_OR_RETURN(const Frame frame, read_frame(first_bytes));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Frame frame, read_frame(first_bytes));
   return frame.geometry;
 }
 

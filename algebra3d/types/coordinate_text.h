@@ -9,9 +9,9 @@
 
 namespace algebra3d {
 
-// How exact coordinates are written in value lists (language.md 4.1): a real where the number is a double, the symbol
-// `p/q` in lowest terms otherwise. A whole number that is no double is written `p/1`: without its denominator it would
-// be read as the nearest double. What is printed reads back to an equal number, always.
+// Exact coordinates in value lists: a real if the number is a double, else the symbol `p/q` in lowest terms. A whole
+// number that is not a double is written `p/1`, since without a denominator it would be read as the nearest double.
+// Printed numbers always read back as equal numbers.
 
 /// The number as an atom.
 NestedList coordinate_to_nested(const Rational& number);
@@ -23,16 +23,17 @@ Result<Rational> coordinate_from_nested(const NestedList& atom, std::string_view
 NestedList point_to_nested(PointRef point);
 NestedList triple_to_nested(const RationalVec3& triple);
 
-/// Reads `(x y z)`, exactly three coordinates of any size. Errors: invalid_value; `what` begins the message.
+/// Reads `(x y z)`: three coordinates of any size. Errors: invalid_value; `what` begins the message.
 Result<RationalVec3> triple_from_nested(const NestedList& list, std::string_view what);
-/// The same within the range of doubles. Cost: no rational is made if all coordinates are ints or reals.
+/// The same within the range of doubles. Cost: no rationals if all coordinates are ints or reals.
 Result<ExactPoint> point_from_nested(const NestedList& list, std::string_view what);
 
 /// The same for points of the plane, as `(x y)`; z is 0.
 NestedList planar_point_to_nested(PointRef point);
 Result<ExactPoint> planar_point_from_nested(const NestedList& list, std::string_view what);
 
-/// The double nearest to a whole number that is none, which the parser gives as `p/1`; nothing for any other atom.
+/// The nearest double of a whole number that is not a double, which the parser returns as `p/1`; nothing for any other
+/// atom.
 std::optional<double> whole_number_from_nested(const NestedList& atom);
 
 /// Reads an int or a real; a fraction is an error. Errors: invalid_value; `what` begins the message.

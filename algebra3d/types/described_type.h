@@ -12,7 +12,7 @@
 
 namespace algebra3d {
 
-/// A type whose texts and properties are given as data. Each type of this folder derives from it in its own source.
+/// The base of all types in this folder: a type whose texts and properties are given as data.
 class DescribedType : public Type {
  public:
   struct Description {
@@ -22,6 +22,9 @@ class DescribedType : public Type {
     std::string_view example;
     std::vector<Kind> kinds;
     Storage storage = Storage::bytes;
+    bool is_large = false;
+    std::string_view summary_unit = {};
+    Coordinates coordinates = Coordinates::none;
   };
 
   std::string_view name() const override { return description_.name; }
@@ -30,8 +33,11 @@ class DescribedType : public Type {
   std::string_view example() const override { return description_.example; }
   std::vector<Kind> kinds() const override { return description_.kinds; }
   Storage storage() const override { return description_.storage; }
+  bool is_large() const override { return description_.is_large; }
+  std::string_view summary_unit() const override { return description_.summary_unit; }
+  Coordinates coordinates() const override { return description_.coordinates; }
 
-  /// Spatial types override it; of others nobody may ask.
+  /// Spatial types override it; it must not be called for others.
   GeometryHeader header(const Value& /*value*/) const override {
     assert(is_spatial());
     return {};
@@ -40,13 +46,13 @@ class DescribedType : public Type {
  protected:
   explicit DescribedType(Description description) : description_(std::move(description)) {}
 
-  /// The error of a list that is no value of this type.
+  /// The error for a list that is not a value of this type.
   Error expected(std::string_view what, const NestedList& found) const {
     return {ErrorCode::invalid_value, "{}: expected {}, got {}", name(), what, found.print_short()};
   }
-  /// The error of bytes that are no value of this type.
+  /// The error for bytes that are not a value of this type.
   Error corrupt(std::string_view what) const { return {ErrorCode::database_corrupt, "{}: {}", name(), what}; }
-  /// Undefined, with the reason reported; the offending list is its place.
+  /// An undefined value; reports the reason with the offending list as its place.
   Value undefined(std::string_view reason, const NestedList& list, Context& context) const {
     context.diagnostics.report_undefined(fmt::format("{}: {}", name(), reason), list.print_short());
     return Value(*this);
@@ -56,19 +62,19 @@ class DescribedType : public Type {
   Description description_;
 };
 
-/// What a value with an object of class T takes on the heap, besides what the object itself has there.
+/// Heap size of a value with an object of class T, without the heap memory of the object.
 template <typename T>
 constexpr std::size_t object_bytes() {
-  constexpr std::size_t kAllocation = 32;  // counters of references, the allocator's own
+  constexpr std::size_t kAllocation = 32;  // reference count and the allocator's overhead
   return sizeof(T) + kAllocation;
 }
 
-/// Order of defined reals: no NaN, and the two zeros are equal.
+/// Order of defined reals, which are never NaN; the two zeros are equal.
 inline std::strong_ordering compare_reals(double a, double b) {
   return a < b ? std::strong_ordering::less : a > b ? std::strong_ordering::greater : std::strong_ordering::equal;
 }
 
-/// Every bit of the word has an influence on every bit of the result.
+/// Mixes a word: every bit of it affects every bit of the result.
 constexpr std::size_t hash_word(std::uint64_t word) {
   word ^= word >> 30U;
   word *= 0xBF58476D1CE4E5B9U;
@@ -79,7 +85,7 @@ constexpr std::size_t hash_word(std::uint64_t word) {
 inline std::size_t hash_real(double value) {
   return hash_word(std::bit_cast<std::uint64_t>(value == 0 ? 0.0 : value));
 }
-/// Hash of a sequence, from that of what came before and that of the next element.
+/// Hash of a sequence, from the hash of its previous elements and that of the next one.
 constexpr std::size_t combine_hashes(std::size_t before, std::size_t next) {
   return hash_word(before + 0x9E3779B97F4A7C15U) ^ next;
 }

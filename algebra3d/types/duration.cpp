@@ -12,7 +12,7 @@ class DurationType final : public DescribedType {
  public:
   DurationType()
       : DescribedType({.name = "duration",
-                       .doc = "A length of time in days and milliseconds, perhaps negative.",
+                       .doc = "A length of time in days and milliseconds; may be negative.",
                        .notation = "(days milliseconds)",
                        .example = "(1 43200000)",
                        .kinds = {Kind::data}}) {}
@@ -49,7 +49,7 @@ class DurationType final : public DescribedType {
     ByteReader reader(bytes, name());
     const auto duration = Duration::make(static_cast<std::int64_t>(reader.u64()));
     reader.require(duration.is_defined(), "a duration whose days fit 32 bits");
-    RETURN_IF_ERROR(reader.finish());
+    ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
     return Value::of(*duration);
   }
 };

@@ -8,12 +8,12 @@
 
 namespace algebra3d {
 
-// `<file>path</file--->` stands for the content of a file. In a nested list it is a symbol of this spelling, so that
-// reading a list needs no files; the file is read where the atom becomes a value of type text.
+// File atoms: `<file>path</file--->` stands for the content of a file. In a nested list it is a symbol, so reading a
+// list needs no files; the file is read when the atom becomes a value of type text.
 
 inline constexpr std::string_view kFileAtomBegin = "<file>";
 inline constexpr std::string_view kFileAtomEnd = "</file--->";
-/// Largest file that an atom may stand for.
+/// Maximum size of the file of an atom.
 inline constexpr std::uintmax_t kMaxFileAtomBytes = std::uintmax_t{64} << 20U;
 
 NestedList file_atom(std::string_view path);
@@ -21,10 +21,10 @@ bool is_file_atom(const NestedList& list);
 bool is_file_atom(std::string_view symbol);
 
 /// The bytes of the file in base64, without line breaks; `atom` is a file atom. Relative paths are resolved by the
-/// context. Errors: file_missing; limit_exceeded; io_error for what is no regular file or cannot be read.
+/// context. Errors: file_missing; limit_exceeded; io_error for a file that is not regular or cannot be read.
 Result<std::string> file_atom_content(const NestedList& atom, const Context& context);
 
-/// Source: [rfc4648], section 4, with padding.
+/// Encodes bytes in base64 with padding. Source: [rfc4648], section 4.
 std::string base64(std::string_view bytes);
 
 }  // namespace algebra3d

@@ -108,7 +108,7 @@ class InstantType final : public DescribedType {
                        .kinds = {Kind::data}}) {}
 
   Result<Value> from_nested(const NestedList& list, Context& context) const override {
-    ASSIGN_OR_RETURN(const Maybe<Instant> instant, instant_from_nested(list, name()));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Maybe<Instant> instant, instant_from_nested(list, name()));
     return instant ? Value::of(*instant) : undefined(instant.reason(), list, context);
   }
   NestedList to_nested(const Value& value) const override { return instant_to_nested(value.get<Instant>()); }
@@ -132,7 +132,7 @@ class InstantType final : public DescribedType {
     ByteReader reader(bytes, name());
     const auto instant = Instant::make(static_cast<std::int64_t>(reader.u64()));
     reader.require(instant.is_defined(), "an instant of the years 1 to 9999");
-    RETURN_IF_ERROR(reader.finish());
+    ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
     return Value::of(*instant);
   }
 };

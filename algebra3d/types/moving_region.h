@@ -13,29 +13,29 @@
 
 namespace algebra3d {
 
-/// uregion: a region that moves over an interval, each corner evenly. Valid by construction: at every time between the
-/// ends of the interval the polygons bound a region (moving_polygons.h); at the ends themselves parts may have
-/// collapsed. Over a single instant nothing moves. Outer cycles run counter-clockwise, holes clockwise; corners and
-/// cycles keep the order that they were given. Immutable, cheap to copy. Equal means: the same interval, and the same
-/// cycles of moving corners, wherever they begin and in whatever order.
+/// uregion: a region that moves over an interval, each corner linearly. Valid by construction: at every time between
+/// the ends of the interval the polygons bound a region (moving_polygons.h); at the ends parts may have collapsed. Over
+/// a single instant nothing moves. Outer cycles run counter-clockwise, holes clockwise; corners and cycles keep their
+/// order. Immutable, cheap to copy. Units are equal if they have the same interval and the same cycles of moving
+/// corners, in any order and from any first corner.
 class RegionUnit {
  public:
-  /// Undefined, with segments and time named, if it is no valid unit. Exact. Errors: interrupted. Cost: n log n.
+  /// Proves a unit; undefined, with segments and time, if it is not valid. Exact. Errors: interrupted. Cost: n log n.
   static Result<Maybe<RegionUnit>> prove(const TimeInterval& interval, const MovingPolygons& polygons,
                                          const Monitor& monitor = {});
-  /// Takes oriented polygons without a proof: those that were proved before they were stored, or made to be valid.
+  /// Takes oriented polygons without a proof: polygons that were proved before storing, or are valid by construction.
   static RegionUnit trusted(const TimeInterval& interval, MovingPolygons polygons);
 
   const TimeInterval& interval() const;
   const MovingPolygons& polygons() const;
   std::size_t segment_count() const { return polygons().start.corners.size(); }
   const Box3& box() const;  ///< of all times; outward-rounded, flat at z = 0
-  /// The same for equal units of one interval: every cycle from its smallest moving corner on, all in a fixed order.
+  /// The canonical form: every cycle begins at its smallest moving corner, cycles and faces are in a fixed order.
   const MovingPolygons& canonical() const;
   std::size_t heap_bytes() const;
 
-  /// The region at an instant of the interval, or at one of its ends even if it is open there. What has collapsed at an
-  /// end is dropped, and segments that lie on each other there bound nothing. Exact. Errors: interrupted.
+  /// The region at an instant of the interval, or at an end, also an open one. Parts that have collapsed at an end and
+  /// segments that overlap there are dropped. Exact. Errors: interrupted.
   Result<Region> at(Instant instant, const Monitor& monitor = {}) const;
 
   friend std::strong_ordering operator<=>(const RegionUnit& a, const RegionUnit& b);
@@ -48,18 +48,18 @@ class RegionUnit {
   std::shared_ptr<const Content> content_;
 };
 
-/// mregion: a region that changes in the course of time, as units in the order of time. Their intervals have no instant
-/// in common; at instants that belong to none it is undefined. Cheap to copy. Equal means: equal units.
+/// mregion: a region that changes over time, as a list of units in order of time with disjoint intervals; undefined at
+/// all other instants. Cheap to copy. Equal if the units are equal.
 class MovingRegion {
  public:
-  MovingRegion() = default;  ///< never defined: no unit
-  /// Undefined, with the units named, if they are out of order or two of them share an instant.
+  MovingRegion() = default;  ///< without units: undefined at all times
+  /// Undefined, with the units, if they are out of order or two of them share an instant.
   static Maybe<MovingRegion> make(std::vector<RegionUnit> units);
 
   const std::vector<RegionUnit>& units() const { return *units_; }
   /// The unit whose interval contains the instant, or null.
   const RegionUnit* unit_at(Instant instant) const;
-  /// The times at which it is defined: maximal intervals in order.
+  /// The times of definition: maximal intervals in order.
   std::vector<TimeInterval> times() const;
 
  private:

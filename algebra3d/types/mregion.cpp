@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "algebra3d/types/described_type.h"
+#include "algebra3d/types/detail/moving_region_text.h"
 #include "algebra3d/types/moving_region.h"
-#include "algebra3d/types/moving_region_text.h"
 
 namespace algebra3d {
 
@@ -20,16 +20,17 @@ class MovingRegionType final : public DescribedType {
  public:
   MovingRegionType()
       : DescribedType({.name = "mregion",
-                       .doc = "A region that moves and changes in the course of time.",
-                       .notation = "(uregion*), in the order of time",
+                       .doc = "A region that moves and changes over time.",
+                       .notation = "(uregion*), in order of time",
                        .example = R"((((0 1 TRUE FALSE) ((((0 0 2 0) (4 0 6 0) (4 4 6 9)))))))",
-                       .kinds = {Kind::data, Kind::spatial2d}}) {}
+                       .kinds = {Kind::data, Kind::spatial2d},
+                       .is_large = true}) {}
 
   Result<Value> from_nested(const NestedList& list, Context& context) const override {
     if (!list.is_list()) return expected(notation(), list);
     std::vector<RegionUnit> units;
     for (const NestedList& element : list.elements()) {
-      ASSIGN_OR_RETURN(const auto unit, unit_from_nested(element, name(), context.monitor()));
+      ALGEBRA3D_ASSIGN_OR_RETURN(const auto unit, unit_from_nested(element, name(), context.monitor()));
       if (!unit) return undefined(fmt::format("unit {}: {}", units.size() + 1, unit.reason()), element, context);
       units.push_back(*unit);
     }
@@ -76,11 +77,11 @@ class MovingRegionType final : public DescribedType {
     std::vector<RegionUnit> units;
     const std::size_t count = reader.count(kSmallestUnit);
     for (std::size_t i = 0; i < count; ++i) {
-      ASSIGN_OR_RETURN(const auto unit, read_unit(reader, name(), trusted));
+      ALGEBRA3D_ASSIGN_OR_RETURN(const auto unit, read_unit(reader, name(), trusted));
       if (!reader.ok()) break;
       units.push_back(*unit);
     }
-    RETURN_IF_ERROR(reader.finish());
+    ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
     const auto region = MovingRegion::make(std::move(units));
     if (!region) return corrupt(region.reason());
     return Value::of(*region);
@@ -98,7 +99,7 @@ Maybe<MovingRegion> MovingRegion::make(std::vector<RegionUnit> units) {
     const TimeInterval& after = units[i].interval();
     if (is_before(before, after)) continue;
     return Undefined{fmt::format("unit {} ({}) {} unit {} ({})", i + 1, time_text(after),
-                                 is_before(after, before) ? "stands behind the later" : "shares an instant with", i,
+                                 is_before(after, before) ? "comes after the later" : "shares an instant with", i,
                                  time_text(before))};
   }
   MovingRegion result;

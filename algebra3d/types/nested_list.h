@@ -12,7 +12,7 @@
 
 namespace algebra3d {
 
-/// The language's external representation of everything: an atom or a list. A regular value type.
+/// A nested list: an atom or a list. The external representation of all data of the language. A regular value type.
 /// Equality is structural; atoms of different kinds are never equal (int 1 is not real 1.0).
 class NestedList {
  public:
@@ -62,7 +62,7 @@ class NestedList {
   /// `undefined` in any of the spellings that the language accepts on input.
   bool is_undefined() const;
 
-  // Each requires the kind that it names.
+  // Access to the content; requires the kind that the function names.
   const List& elements() const { return std::get<List>(content_); }
   List& elements() { return std::get<List>(content_); }
   const std::string& as_symbol() const { return std::get<Symbol>(content_).name; }
@@ -72,19 +72,19 @@ class NestedList {
   const std::string& as_string() const { return std::get<std::string>(content_); }
   const std::string& as_text() const { return std::get<Text>(content_).content; }
 
-  /// Reads one list or atom that is all of `source` (white space and `_! ... !_` comments apart): lists in parentheses,
-  /// ints, reals, TRUE/FALSE, "strings", 'texts' and <text>...</text--->, symbols (words, runs of special characters,
-  /// and `p/q`). An integer beyond 64 bits becomes a real. In strings and texts a backslash before the quote or another
-  /// backslash escapes it, any other stands for itself. Atoms are separated by white space, parentheses or comments.
-  /// Errors: invalid_value with line and column of the source (which begins at `start`), what was found and what was
-  /// expected; limit_exceeded. Invalid UTF-8 in strings and texts is an error. Cost: linear, no recursion.
+  /// Parses one list or atom, surrounded by white space and `_! ... !_` comments: lists in parentheses, ints, reals,
+  /// TRUE/FALSE, "strings", 'texts' and <text>...</text--->, symbols (words, runs of special characters, and `p/q`). An
+  /// integer beyond 64 bits becomes a real. In strings and texts a backslash escapes a quote or a backslash; any other
+  /// backslash is an ordinary character. Atoms are separated by white space, parentheses or comments. Errors:
+  /// invalid_value with line and column of the source (which begins at `start`), what was found and what was expected;
+  /// limit_exceeded. Invalid UTF-8 in strings and texts is an error. Cost: linear, no recursion.
   static Result<NestedList> parse(std::string_view source, const SourcePlace& start = {{}, 1, 1});
 
-  /// Text that `parse` reads back to an equal list; single blanks, and no line breaks but those inside strings and
-  /// texts. Requires finite reals and symbols as `parse` makes them.
+  /// Text that `parse` reads back as an equal list, with single blanks and without line breaks outside of strings and
+  /// texts. Requires finite reals and symbols that `parse` can return.
   std::string print() const;
   void print_to(std::string& text) const;
-  /// For messages: `print`, cut in the middle of nowhere after `limit` characters and marked with "...".
+  /// `print` for messages: cut after `limit` characters and marked with "...".
   std::string print_short(std::size_t limit = 60) const;
 
   friend bool operator==(const NestedList&, const NestedList&) = default;

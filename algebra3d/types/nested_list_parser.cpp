@@ -101,10 +101,10 @@ class Parser {
 
   Result<NestedList> run() {
     do {
-      RETURN_IF_ERROR(skip_blanks());
-      RETURN_IF_ERROR(read_token());
+      ALGEBRA3D_RETURN_IF_ERROR(skip_blanks());
+      ALGEBRA3D_RETURN_IF_ERROR(read_token());
     } while (!open_.empty());
-    RETURN_IF_ERROR(skip_blanks());
+    ALGEBRA3D_RETURN_IF_ERROR(skip_blanks());
     if (!at_end()) return expected("the end of the list", position_);
     return std::move(complete_.front());
   }
@@ -162,12 +162,12 @@ class Parser {
       case CharClass::close:
         return close_list();
       case CharClass::quote:
-        RETURN_IF_ERROR(read_quoted(source_[position_]));
+        ALGEBRA3D_RETURN_IF_ERROR(read_quoted(source_[position_]));
         break;
       case CharClass::other:
         return expected("a list or an atom", position_);
       default:
-        RETURN_IF_ERROR(read_unquoted());
+        ALGEBRA3D_RETURN_IF_ERROR(read_unquoted());
     }
     return check_separated();
   }
@@ -221,7 +221,7 @@ class Parser {
       if (source_[stop] == quote) break;
       content += escaped(quote);
     }
-    RETURN_IF_ERROR(check_text(begin, position_));
+    ALGEBRA3D_RETURN_IF_ERROR(check_text(begin, position_));
     if (quote == '"') {
       complete_.emplace_back(std::move(content));
     } else {
@@ -238,12 +238,12 @@ class Parser {
 
   Status read_unquoted() {
     if (rest().starts_with(kTextBegin)) {
-      ASSIGN_OR_RETURN(const std::string_view content, read_tagged(kTextBegin, kTextEnd, "text"));
+      ALGEBRA3D_ASSIGN_OR_RETURN(const std::string_view content, read_tagged(kTextBegin, kTextEnd, "text"));
       complete_.emplace_back(NestedList::Text{std::string(content)});
       return {};
     }
     if (rest().starts_with(kFileAtomBegin)) {
-      ASSIGN_OR_RETURN(const std::string_view path, read_tagged(kFileAtomBegin, kFileAtomEnd, "file atom"));
+      ALGEBRA3D_ASSIGN_OR_RETURN(const std::string_view path, read_tagged(kFileAtomBegin, kFileAtomEnd, "file atom"));
       complete_.push_back(file_atom(path));
       return {};
     }
@@ -255,7 +255,7 @@ class Parser {
     const auto end = source_.find(close, begin);
     if (end == kNowhere)
       return error_at(position_, ErrorCode::invalid_value, fmt::format("this {} is not closed by {}", what, close));
-    RETURN_IF_ERROR(check_text(begin, end));
+    ALGEBRA3D_RETURN_IF_ERROR(check_text(begin, end));
     position_ = end + close.size();
     return source_.substr(begin, end - begin);
   }

@@ -14,7 +14,7 @@
 
 namespace algebra3d {
 
-// Values in the plane. As boxes and for indexes they lie in space at z = 0.
+// Values in the plane. For boxes and indexes they lie in space at z = 0.
 
 /// point: a position in the plane with exact coordinates.
 struct Point2d {
@@ -32,20 +32,20 @@ struct Rect {
 };
 
 /// region: faces with holes in the plane, valid by construction (polygon_validity.h). Outer cycles run
-/// counter-clockwise, holes clockwise; corners and cycles keep the order that they were given. Cheap to copy.
-/// Equal means: the same points, whatever the corners.
+/// counter-clockwise, holes clockwise; corners and cycles keep their order. Cheap to copy. Equal if they are the same
+/// point sets, whatever the corners.
 class Region {
  public:
   Region();  ///< the empty region
-  /// Undefined, with the segments named, if the polygons bound no region. Exact. Errors: interrupted.
-  /// Cost: n log n.
+  /// Proves a region; undefined, with the segments, if the polygons bound no region. Exact. Errors: interrupted. Cost:
+  /// n log n.
   static Result<Maybe<Region>> prove(const Polygons& polygons, const Monitor& monitor = {});
-  /// Takes oriented polygons without a proof: those that were proved before they were stored, or made to be valid.
+  /// Takes oriented polygons without a proof: polygons that were proved before storing, or are valid by construction.
   static Region trusted(Polygons polygons);
 
   const Polygons& polygons() const;
   const Box3& box() const;  ///< outward-rounded, flat at z = 0; empty for the empty region
-  /// The same for equal regions: without corners in the middle of straight segments, everything in a fixed order.
+  /// The canonical form: without collinear corners, everything in a fixed order.
   const Polygons& canonical() const;
   std::size_t heap_bytes() const;
 

@@ -1,9 +1,9 @@
 #include <array>
 #include <optional>
 
-#include "algebra3d/types/codec_points.h"
 #include "algebra3d/types/coordinate_text.h"
 #include "algebra3d/types/described_type.h"
+#include "algebra3d/types/detail/codec_points.h"
 #include "algebra3d/types/spatial.h"
 
 namespace algebra3d {
@@ -45,7 +45,8 @@ class Plane3dType final : public DescribedType {
                        .notation = "(d nx ny nz) with d the distance from the origin along the normal, "
                                    "or ((px py pz) (nx ny nz)) with a point of the plane",
                        .example = "(2.0 0.0 0.0 1.0)",
-                       .kinds = {Kind::data}}) {}
+                       .kinds = {Kind::data},
+                       .coordinates = Coordinates::plane}) {}
 
   Result<Value> from_nested(const NestedList& list, Context& context) const override {
     const auto length = list.is_list() ? list.elements().size() : 0;
@@ -90,7 +91,7 @@ class Plane3dType final : public DescribedType {
   Result<Value> from_quadruple(const NestedList& list, Context& context) const {
     Quadruple quadruple{};
     for (std::size_t i = 0; i < quadruple.size(); ++i) {
-      ASSIGN_OR_RETURN(quadruple[i], double_from_nested(list.elements()[i], name()));
+      ALGEBRA3D_ASSIGN_OR_RETURN(quadruple[i], double_from_nested(list.elements()[i], name()));
     }
     if (auto plane = plane_from(quadruple)) return Value::of(*std::move(plane));
     const bool is_zero = normal_of(quadruple) == Vec3{};
@@ -99,8 +100,8 @@ class Plane3dType final : public DescribedType {
   }
 
   Result<Value> from_point_and_normal(const NestedList& list, Context& context) const {
-    ASSIGN_OR_RETURN(auto point, triple_from_nested(list.elements()[0], "plane3d: point"));
-    ASSIGN_OR_RETURN(auto normal, triple_from_nested(list.elements()[1], "plane3d: normal"));
+    ALGEBRA3D_ASSIGN_OR_RETURN(auto point, triple_from_nested(list.elements()[0], "plane3d: point"));
+    ALGEBRA3D_ASSIGN_OR_RETURN(auto normal, triple_from_nested(list.elements()[1], "plane3d: normal"));
     if (auto plane = plane_from(std::move(point), normal)) return Value::of(*std::move(plane));
     return undefined(kZeroNormal, list, context);
   }
@@ -147,7 +148,7 @@ Result<Value> Plane3dType::decode(std::string_view bytes, bool /*trusted*/) cons
     reader.fail("0 (quadruple) or 1 (point and normal)");
   }
   reader.require(plane.has_value(), "a normal that is not zero, and finite numbers");
-  RETURN_IF_ERROR(reader.finish());
+  ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
   return Value::of(*std::move(plane));
 }
 

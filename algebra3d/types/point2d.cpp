@@ -1,6 +1,6 @@
-#include "algebra3d/types/codec_points.h"
 #include "algebra3d/types/coordinate_text.h"
 #include "algebra3d/types/described_type.h"
+#include "algebra3d/types/detail/codec_points.h"
 #include "algebra3d/types/planar.h"
 
 namespace algebra3d {
@@ -16,7 +16,7 @@ class Point2dType final : public DescribedType {
                        .kinds = {Kind::data, Kind::spatial2d}}) {}
 
   Result<Value> from_nested(const NestedList& list, Context& /*context*/) const override {
-    ASSIGN_OR_RETURN(ExactPoint point, planar_point_from_nested(list, name()));
+    ALGEBRA3D_ASSIGN_OR_RETURN(ExactPoint point, planar_point_from_nested(list, name()));
     return Value::of(Point2d{std::move(point)});
   }
   NestedList to_nested(const Value& value) const override { return planar_point_to_nested(position_of(value)); }
@@ -39,7 +39,7 @@ class Point2dType final : public DescribedType {
     ByteReader reader(bytes, name());
     ExactPoint point = read_point(reader);
     reader.require(point.ref().coordinate(2).sign() == 0, "a point of the plane");
-    RETURN_IF_ERROR(reader.finish());
+    ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
     return Value::of(Point2d{std::move(point)});
   }
 

@@ -1,4 +1,4 @@
-#include "algebra3d/types/exact_triple_type.h"
+#include "algebra3d/types/detail/exact_triple_type.h"
 
 namespace algebra3d {
 
@@ -11,7 +11,8 @@ class Point3dType final : public ExactTripleType<Point3d, &Point3d::position> {
                          .doc = "A position in space with exact coordinates.",
                          .notation = "(x y z)",
                          .example = "(1.0 -2.5 1/3)",
-                         .kinds = {Kind::data, Kind::spatial3d}}) {}
+                         .kinds = {Kind::data, Kind::spatial3d},
+                         .coordinates = Coordinates::point}) {}
 
   GeometryHeader header(const Value& value) const override { return {box_of(value.get<Point3d>().position), 1}; }
 };

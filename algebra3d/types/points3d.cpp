@@ -2,9 +2,9 @@
 #include <functional>
 #include <limits>
 
-#include "algebra3d/types/codec_points.h"
 #include "algebra3d/types/coordinate_text.h"
 #include "algebra3d/types/described_type.h"
+#include "algebra3d/types/detail/codec_points.h"
 #include "algebra3d/types/spatial.h"
 
 namespace algebra3d {
@@ -22,14 +22,17 @@ class Points3dType final : public DescribedType {
                        .doc = "A set of positions in space with exact coordinates, in lexicographic order.",
                        .notation = "((x y z)*)",
                        .example = "((0.0 0.0 0.0) (1.0 0.0 0.0))",
-                       .kinds = {Kind::data, Kind::spatial3d}}) {}
+                       .kinds = {Kind::data, Kind::spatial3d},
+                       .is_large = true,
+                       .summary_unit = "point",
+                       .coordinates = Coordinates::points}) {}
 
   Result<Value> from_nested(const NestedList& list, Context& /*context*/) const override {
     if (!list.is_list()) return expected(notation(), list);
     std::vector<ExactPoint> points;
     points.reserve(list.elements().size());
     for (const auto& element : list.elements()) {
-      ASSIGN_OR_RETURN(auto point, point_from_nested(element, name()));
+      ALGEBRA3D_ASSIGN_OR_RETURN(auto point, point_from_nested(element, name()));
       points.push_back(std::move(point));
     }
     return Value::of(Points3d(std::move(points)));
@@ -75,7 +78,7 @@ class Points3dType final : public DescribedType {
   Result<Value> decode(std::string_view bytes, bool /*trusted*/) const override {
     ByteReader reader(bytes, name());
     const auto array = read_points(reader);
-    RETURN_IF_ERROR(reader.finish());
+    ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
     std::vector<ExactPoint> points;
     points.reserve(array.size());
     for (std::size_t i = 0; i < array.size(); ++i) points.push_back(array.point(i));

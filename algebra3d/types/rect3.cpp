@@ -28,13 +28,14 @@ class Rect3Type final : public DescribedType {
                        .doc = "An axis-parallel closed box; it may be flat.",
                        .notation = "(minX maxX minY maxY minZ maxZ)",
                        .example = "(0.0 1.0 0.0 2.0 -1.0 1.0)",
-                       .kinds = {Kind::data, Kind::spatial3d}}) {}
+                       .kinds = {Kind::data, Kind::spatial3d},
+                       .coordinates = Coordinates::box}) {}
 
   Result<Value> from_nested(const NestedList& list, Context& context) const override {
     if (!list.is_list() || list.elements().size() != 6) return expected(notation(), list);
     Bounds bounds{};
     for (std::size_t i = 0; i < bounds.size(); ++i) {
-      ASSIGN_OR_RETURN(bounds[i], double_from_nested(list.elements()[i], name()));
+      ALGEBRA3D_ASSIGN_OR_RETURN(bounds[i], double_from_nested(list.elements()[i], name()));
     }
     const auto box = box_from(bounds);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -82,7 +83,7 @@ class Rect3Type final : public DescribedType {
     }
     const auto box = box_from(bounds);
     reader.require(!box.is_empty(), "no minimum above its maximum");
-    RETURN_IF_ERROR(reader.finish());
+    ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
     return Value::of(box);
   }
 };

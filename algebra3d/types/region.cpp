@@ -6,8 +6,8 @@
 #include "algebra3d/planar/polygon_validity.h"
 #include "algebra3d/types/coordinate_text.h"
 #include "algebra3d/types/described_type.h"
+#include "algebra3d/types/detail/polygons_codec.h"
 #include "algebra3d/types/planar.h"
-#include "algebra3d/types/polygons_codec.h"
 
 namespace algebra3d {
 
@@ -29,11 +29,12 @@ class RegionType final : public DescribedType {
                        .doc = "Faces with holes in the plane, bounded by straight segments with exact coordinates.",
                        .notation = "(face*), face = (outer hole*), cycle = ((x y)+) with at least 3 corners",
                        .example = "((((0 0) (4 0) (4 4)) ((2 1) (3 1) (3 2))))",
-                       .kinds = {Kind::data, Kind::spatial2d}}) {}
+                       .kinds = {Kind::data, Kind::spatial2d},
+                       .is_large = true}) {}
 
   Result<Value> from_nested(const NestedList& list, Context& context) const override {
-    ASSIGN_OR_RETURN(const Polygons polygons, polygons_from(list));
-    ASSIGN_OR_RETURN(const auto region, Region::prove(polygons, context.monitor()));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Polygons polygons, polygons_from(list));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto region, Region::prove(polygons, context.monitor()));
     if (!region) return undefined(region.reason(), list, context);
     return Value::of(*region);
   }
@@ -71,7 +72,7 @@ Status RegionType::add_face(const NestedList& face, Polygons& polygons) const {
     if (!cycle.is_list() || cycle.elements().size() < 3)
       return expected("a cycle of at least 3 corners ((x y) (x y) (x y) ...)", cycle);
     for (const NestedList& corner : cycle.elements()) {
-      ASSIGN_OR_RETURN(const ExactPoint point, planar_point_from_nested(corner, name()));
+      ALGEBRA3D_ASSIGN_OR_RETURN(const ExactPoint point, planar_point_from_nested(corner, name()));
       polygons.corners.push_back(point);
     }
     polygons.cycle_ends.push_back(static_cast<std::uint32_t>(polygons.corners.size()));
@@ -83,7 +84,7 @@ Status RegionType::add_face(const NestedList& face, Polygons& polygons) const {
 Result<Polygons> RegionType::polygons_from(const NestedList& list) const {
   if (!list.is_list()) return expected(notation(), list);
   Polygons polygons;
-  for (const NestedList& face : list.elements()) RETURN_IF_ERROR(add_face(face, polygons));
+  for (const NestedList& face : list.elements()) ALGEBRA3D_RETURN_IF_ERROR(add_face(face, polygons));
   return polygons;
 }
 
@@ -111,10 +112,10 @@ void RegionType::encode(const Value& value, std::string& bytes) const {
 Result<Value> RegionType::decode(std::string_view bytes, bool trusted) const {
   ByteReader reader(bytes, name());
   Polygons polygons = read_polygons(reader);
-  RETURN_IF_ERROR(reader.finish());
+  ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
   if (trusted) return Value::of(Region::trusted(std::move(polygons)));
   if (!is_in_plane(polygons.corners)) return corrupt("expected corners in the plane");
-  ASSIGN_OR_RETURN(const auto region, Region::prove(polygons));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto region, Region::prove(polygons));
   if (!region) return Error{ErrorCode::database_corrupt, "{}: {}", name(), region.reason()};
   return Value::of(*region);
 }
@@ -128,7 +129,7 @@ Region::Region() {
 }
 
 Result<Maybe<Region>> Region::prove(const Polygons& polygons, const Monitor& monitor) {
-  ASSIGN_OR_RETURN(auto defect, polygon_defect(polygons, monitor));
+  ALGEBRA3D_ASSIGN_OR_RETURN(auto defect, polygon_defect(polygons, monitor));
   if (defect) return Maybe<Region>(Undefined{*std::move(defect)});
   return Maybe<Region>(trusted(oriented(polygons)));
 }

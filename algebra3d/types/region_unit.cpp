@@ -100,9 +100,9 @@ Result<std::optional<std::string>> defect_of_unit(const TimeInterval& interval, 
 
 /// A region of polygons that bound one as soon as what lies on each other is left out.
 Result<Region> regularised(const Polygons& polygons, const Monitor& monitor) {
-  ASSIGN_OR_RETURN(auto given, Region::prove(polygons, monitor));
+  ALGEBRA3D_ASSIGN_OR_RETURN(auto given, Region::prove(polygons, monitor));
   if (given) return *std::move(given);
-  ASSIGN_OR_RETURN(Polygons boundary, boundary_polygons(polygons, monitor));
+  ALGEBRA3D_ASSIGN_OR_RETURN(Polygons boundary, boundary_polygons(polygons, monitor));
   return Region::trusted(std::move(boundary));
 }
 
@@ -110,7 +110,7 @@ Result<Region> regularised(const Polygons& polygons, const Monitor& monitor) {
 
 Result<Maybe<RegionUnit>> RegionUnit::prove(const TimeInterval& interval, const MovingPolygons& polygons,
                                             const Monitor& monitor) {
-  ASSIGN_OR_RETURN(auto defect, defect_of_unit(interval, polygons, monitor));
+  ALGEBRA3D_ASSIGN_OR_RETURN(auto defect, defect_of_unit(interval, polygons, monitor));
   if (defect) return Maybe<RegionUnit>(Undefined{*std::move(defect)});
   return Maybe<RegionUnit>(trusted(interval, oriented_motion(polygons)));
 }

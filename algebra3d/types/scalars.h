@@ -8,8 +8,8 @@
 
 namespace algebra3d {
 
-/// The C++ classes of int, real and bool are std::int64_t, double and bool; that of string is std::string.
-/// The class of text is its own, since the language keeps the two apart.
+/// The C++ class of text. Those of int, real, bool and string are std::int64_t, double, bool and std::string; text has
+/// its own class, since the language distinguishes it from string.
 struct Text {
   std::string content;
 };
@@ -38,7 +38,7 @@ struct TypeOf<Text> {
 /// The characters of a defined string or text.
 const std::string& characters_of(const Value& value);
 
-/// The exact order of an int and a finite real, although few large ints are reals.
+/// Compares an int and a finite real exactly, although most large ints are not reals.
 std::strong_ordering compare(std::int64_t integer, double real);
 
 }  // namespace algebra3d

@@ -25,16 +25,17 @@ struct Vector3d {
   ExactPoint components;
 };
 
-/// plane3d: the points x with x.n = c, exactly, oriented by n. Remembers the quadruple that it was written as, if it
-/// was. Two planes are equal if they are the same points with the same orientation.
+/// plane3d: the points x with x.n = c, exactly, oriented by n. Keeps the quadruple of doubles that it was given as, if
+/// any. Two planes are equal if they have the same points and orientation.
 struct Plane3d {
   ExactPlane plane;
-  /// A point of the plane, as given or found; printed with the normal where no quadruple of doubles says the same.
+  /// A point of the plane, as given or computed; printed with the normal if no quadruple of doubles is equal to the
+  /// plane.
   RationalVec3 point;
-  std::shared_ptr<const std::array<double, 4>> quadruple;  ///< d, nx, ny, nz as given; null if it came from elsewhere
+  std::shared_ptr<const std::array<double, 4>> quadruple;  ///< d, nx, ny, nz as given; null for other planes
 };
 
-/// points3d: a set of points, in lexicographic order, each once.
+/// points3d: a set of points, in lexicographic order.
 class Points3d {
  public:
   Points3d() = default;
@@ -47,13 +48,13 @@ class Points3d {
   std::shared_ptr<const std::vector<ExactPoint>> points_ = std::make_shared<const std::vector<ExactPoint>>();
 };
 
-/// The triangles of a valid surface or volume, with what was computed once. Immutable and shared.
+/// The triangles of a valid surface or volume, with their box and hierarchy. Immutable and shared.
 struct Geometry {
   TriangleMesh mesh;
   Box3 box;  ///< outward-rounded; empty for the empty value
 
   Geometry(TriangleMesh triangles, const Box3& bounds) : mesh(std::move(triangles)), box(bounds) {}
-  /// Over all triangles; made when it is first asked for, by any thread. Cost: linear, the first time.
+  /// The hierarchy over all triangles, built at the first call, by any thread. Cost: linear at the first call.
   const BoxHierarchy& hierarchy() const;
 
  private:
@@ -61,14 +62,14 @@ struct Geometry {
   mutable std::unique_ptr<const BoxHierarchy> hierarchy_;
 };
 
-/// surface3d: valid by construction (language.md 7.2). Cheap to copy. Triangles keep the order that they were given.
-/// Equal means: the same points, whatever the triangles and their orientation.
+/// surface3d: a surface without the defects of validity/report.h, valid by construction. Cheap to copy. Triangles keep
+/// their order. Equal if they are the same point sets, whatever the triangles and their orientation.
 class Surface3d {
  public:
   Surface3d();  ///< the empty surface
-  /// Proves `mesh`; undefined with the defects named if it is no valid surface. Errors: interrupted.
+  /// Proves `mesh`; undefined, with the defects, if it is not a valid surface. Errors: interrupted.
   static Result<Maybe<Surface3d>> prove(TriangleMesh mesh, const ProofOptions& options = {});
-  /// Takes `mesh` without a proof: for bytes that were proved before they were stored, and parts of proved values.
+  /// Takes `mesh` without a proof: for meshes that were proved before storing, and parts of proved values.
   static Surface3d trusted(TriangleMesh mesh);
 
   const TriangleMesh& mesh() const { return geometry_->mesh; }
@@ -80,8 +81,8 @@ class Surface3d {
   std::shared_ptr<const Geometry> geometry_;
 };
 
-/// volume3d: a solid, valid by construction (language.md 7.2), oriented outward, cavities and several bodies included.
-/// Equal means: the same points, whatever the triangles.
+/// volume3d: a solid, valid by construction (validity/report.h) and oriented outward; may have cavities and several
+/// bodies. Equal if they are the same point sets, whatever the triangles.
 class Volume3d {
  public:
   Volume3d();  ///< the empty volume
@@ -97,7 +98,7 @@ class Volume3d {
   std::shared_ptr<const Geometry> geometry_;
 };
 
-/// rect3 is Box3 itself; an empty box does not occur as a defined value.
+/// The class of rect3 is Box3; a defined value is never an empty box.
 template <>
 struct TypeOf<Box3> {
   static const Type& type();

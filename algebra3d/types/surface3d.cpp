@@ -1,5 +1,5 @@
-#include "algebra3d/types/geometry.h"
-#include "algebra3d/types/geometry_type.h"
+#include "algebra3d/types/detail/geometry.h"
+#include "algebra3d/types/detail/geometry_type.h"
 #include "algebra3d/types/spatial.h"
 
 namespace algebra3d {
@@ -13,7 +13,10 @@ class Surface3dType final : public GeometryType<Surface3d> {
                              "exact coordinates.",
                       .notation = "(tri*), tri = (p1 p2 p3), p = (x y z)",
                       .example = "(((0 0 0) (1 0 0) (0 1 0)))",
-                      .kinds = {Kind::data, Kind::spatial3d}},
+                      .kinds = {Kind::data, Kind::spatial3d},
+                      .is_large = true,
+                      .summary_unit = "triangle",
+                      .coordinates = Coordinates::triangles},
                      Orientation::does_not_count) {}
 };
 
@@ -26,7 +29,7 @@ Surface3d::Surface3d() {
 }
 
 Result<Maybe<Surface3d>> Surface3d::prove(TriangleMesh mesh, const ProofOptions& options) {
-  ASSIGN_OR_RETURN(const auto report, prove_surface(mesh, options));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto report, prove_surface(mesh, options));
   if (!report.is_valid())
     return Maybe<Surface3d>(Undefined{fmt::format("surface3d: no valid surface: {}", report.text())});
   return Maybe<Surface3d>(trusted(std::move(mesh)));

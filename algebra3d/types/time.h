@@ -10,12 +10,12 @@
 
 namespace algebra3d {
 
-// instant, duration, interval: time in whole milliseconds, in the Gregorian calendar as if it had always been in use,
-// without time zones and leap seconds.
+// instant, duration, interval: time in whole milliseconds, in the proleptic Gregorian calendar, without time zones and
+// leap seconds.
 
 inline constexpr std::int64_t kMillisecondsPerDay = 86'400'000;
 
-/// duration: a length of time, perhaps negative. As days and milliseconds its days fit 32 bits.
+/// duration: a length of time, possibly negative. Its number of days fits 32 bits.
 struct Duration {
   static constexpr std::int64_t kLeast = -(std::int64_t{1} << 31U) * kMillisecondsPerDay;
   static constexpr std::int64_t kGreatest = (std::int64_t{1} << 31U) * kMillisecondsPerDay - 1;
@@ -24,14 +24,14 @@ struct Duration {
 
   /// Undefined beyond the range.
   static Maybe<Duration> make(std::int64_t milliseconds);
-  /// The same for days and milliseconds together, however large each of them is.
+  /// The sum of days and milliseconds, of any size. Undefined beyond the range.
   static Maybe<Duration> of_parts(std::int64_t days, std::int64_t milliseconds);
-  /// The exact number of milliseconds, rounded to the nearest whole one, halves up. Undefined beyond the range.
+  /// An exact number of milliseconds, rounded to the nearest integer, halves up. Undefined beyond the range.
   static Maybe<Duration> rounded(const Rational& milliseconds);
   friend auto operator<=>(const Duration&, const Duration&) = default;
 };
 
-/// An instant as the calendar and the clock tell it. Months and days are counted from 1.
+/// An instant as calendar date and time of day. Months and days are counted from 1.
 struct CalendarTime {
   std::int64_t year = 1;
   std::int64_t month = 1;
@@ -53,14 +53,14 @@ struct Instant {
 
   /// Undefined beyond the range.
   static Maybe<Instant> make(std::int64_t milliseconds);
-  /// Undefined if there is no such day or no such time of day, with what is wrong.
+  /// Undefined, with the reason, if there is no such date or time of day.
   static Maybe<Instant> at(const CalendarTime& time);
   CalendarTime calendar() const;
   int weekday() const;  ///< 1 for Monday to 7 for Sunday
   friend auto operator<=>(const Instant&, const Instant&) = default;
 };
 
-/// interval: the instants from `start` to `end`, each of which belongs to it if its side is closed. Never empty.
+/// interval: the instants from `start` to `end`; each end is included if its side is closed. Never empty.
 struct TimeInterval {
   Instant start;
   Instant end;
@@ -72,16 +72,16 @@ struct TimeInterval {
   bool contains(Instant instant) const {
     return (left_closed ? start <= instant : start < instant) && (right_closed ? instant <= end : instant < end);
   }
-  /// By start, a closed one first, then by end, an open one first.
+  /// Order by start, closed before open, then by end, open before closed.
   friend std::strong_ordering operator<=>(const TimeInterval& a, const TimeInterval& b);
   friend bool operator==(const TimeInterval&, const TimeInterval&) = default;
 };
 
-/// Reads `"YYYY-MM-DD-hh:mm:ss.mmm"`, days since 2000-01-03 or `(day month year [hour minute [second [ms]]])`.
-/// Errors: invalid_value, where it is none of these; `what` begins the message.
+/// Reads `"YYYY-MM-DD-hh:mm:ss.mmm"`, days since 2000-01-03 or `(day month year [hour minute [second [ms]]])`. Errors:
+/// invalid_value for other lists; `what` begins the message.
 Result<Maybe<Instant>> instant_from_nested(const NestedList& list, std::string_view what);
-/// The string, without the parts of the time that are zero to the end: "2011-07-08", "2011-07-08-14:00",
-/// "2011-07-08-14:00:09", "2011-07-08-14:00:00.009".
+/// The string, without trailing zero parts of the time: "2011-07-08", "2011-07-08-14:00", "2011-07-08-14:00:09",
+/// "2011-07-08-14:00:00.009".
 NestedList instant_to_nested(Instant instant);
 std::string instant_text(Instant instant);
 

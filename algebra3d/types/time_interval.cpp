@@ -12,13 +12,13 @@ class TimeIntervalType final : public DescribedType {
  public:
   TimeIntervalType()
       : DescribedType({.name = "interval",
-                       .doc = "The time from one instant to another; either end may belong to it or not.",
+                       .doc = "The time from one instant to another; each end is included or not.",
                        .notation = kIntervalNotation,
                        .example = R"(("2011-07-08" "2011-07-09-12:00" TRUE FALSE))",
                        .kinds = {Kind::data}}) {}
 
   Result<Value> from_nested(const NestedList& list, Context& context) const override {
-    ASSIGN_OR_RETURN(const Maybe<TimeInterval> interval, interval_from_nested(list, name()));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Maybe<TimeInterval> interval, interval_from_nested(list, name()));
     return interval ? Value::of(*interval) : undefined(interval.reason(), list, context);
   }
   NestedList to_nested(const Value& value) const override { return interval_to_nested(value.get<TimeInterval>()); }
@@ -39,7 +39,7 @@ class TimeIntervalType final : public DescribedType {
   Result<Value> decode(std::string_view bytes, bool /*trusted*/) const override {
     ByteReader reader(bytes, name());
     const TimeInterval interval = read_interval(reader);
-    RETURN_IF_ERROR(reader.finish());
+    ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
     return Value::of(interval);
   }
 };
@@ -71,8 +71,8 @@ Result<Maybe<TimeInterval>> interval_from_nested(const NestedList& list, std::st
   if (!list.is_list() || list.elements().size() != 4 || !list.elements()[2].is_bool() || !list.elements()[3].is_bool())
     return Error{ErrorCode::invalid_value, "{}: expected {}, got {}", what, kIntervalNotation, list.print_short()};
   const auto& parts = list.elements();
-  ASSIGN_OR_RETURN(const Maybe<Instant> start, instant_from_nested(parts[0], what));
-  ASSIGN_OR_RETURN(const Maybe<Instant> end, instant_from_nested(parts[1], what));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Maybe<Instant> start, instant_from_nested(parts[0], what));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Maybe<Instant> end, instant_from_nested(parts[1], what));
   if (!start) return Maybe<TimeInterval>(Undefined{start.reason()});
   if (!end) return Maybe<TimeInterval>(Undefined{end.reason()});
   return TimeInterval::make(*start, *end, parts[2].as_bool(), parts[3].as_bool());

@@ -53,7 +53,7 @@ class TupleNumberType final : public DescribedType {
     ByteReader reader(bytes, name());
     const std::uint64_t number = reader.u64();
     reader.require(0 < number && number <= static_cast<std::uint64_t>(kLargestNumber), "a positive number");
-    RETURN_IF_ERROR(reader.finish());
+    ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
     return Value::of(TupleNumber{static_cast<std::int64_t>(number)});
   }
 };

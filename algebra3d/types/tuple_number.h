@@ -6,8 +6,8 @@
 
 namespace algebra3d {
 
-/// The class of the database type `tid`: what names a tuple within its relation. Positive, never used again while the
-/// relation lives. A type of its own, so that operators find the attribute that holds it.
+/// The class of the database type `tid`: the id of a tuple within its relation. Positive, never reused while the
+/// relation exists. A separate type, so that operators can find the attribute with the id.
 struct TupleNumber {
   std::int64_t number = 0;
 };

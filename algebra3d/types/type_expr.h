@@ -10,8 +10,8 @@
 
 namespace algebra3d {
 
-/// A type of the language as a term: `volume3d`, `(stream real)`, `(rel (tuple ((Name string) (Vol volume3d))))`,
-/// `(map int bool)`. Immutable, cheap to copy, compared by structure. It says nothing about whether the names exist.
+/// A type of the language as a term: `volume3d`, `(stream real)`, `(rel (tuple ((Name string) (Vol volume3d))))`, `(map
+/// int bool)`. Immutable, cheap to copy, compared by structure. The names need not exist.
 class TypeExpr {
  public:
   struct Attribute;
@@ -34,16 +34,16 @@ class TypeExpr {
   bool is_stream() const { return is("stream") && arguments().size() == 1; }
   bool is_tuple_stream() const { return is_stream() && arguments()[0].is_tuple(); }
   bool is_function() const { return is("map"); }
-  /// Of a stream or relation: what it consists of.
+  /// The element type of a stream or relation.
   const TypeExpr& element() const { return arguments().front(); }
-  /// Of a function: the last argument of the term.
+  /// The result type of a function: the last argument of the term.
   const TypeExpr& function_result() const { return arguments().back(); }
   std::vector<TypeExpr> function_parameters() const;
 
   NestedList to_nested() const;
-  /// Errors: invalid_value with the part that is no type.
+  /// Reads a type. Errors: invalid_value with the part that is not a type.
   static Result<TypeExpr> from_nested(const NestedList& list);
-  /// The nested-list form, as messages and results show it.
+  /// The nested-list form, as in messages and results.
   std::string text() const { return to_nested().print(); }
 
   friend bool operator==(const TypeExpr& a, const TypeExpr& b);

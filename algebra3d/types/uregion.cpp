@@ -1,6 +1,6 @@
 #include "algebra3d/types/described_type.h"
+#include "algebra3d/types/detail/moving_region_text.h"
 #include "algebra3d/types/moving_region.h"
-#include "algebra3d/types/moving_region_text.h"
 
 namespace algebra3d {
 
@@ -10,14 +10,15 @@ class RegionUnitType final : public DescribedType {
  public:
   RegionUnitType()
       : DescribedType({.name = "uregion",
-                       .doc = "A region whose corners move evenly over an interval, with exact coordinates.",
+                       .doc = "A region whose corners move linearly over an interval, with exact coordinates.",
                        .notation = "(interval (face+)), face = (outer hole*), cycle = ((x1 y1 x2 y2)+) with at least 3 "
                                    "corners: where each is at the start and at the end",
                        .example = R"(((0 1 TRUE FALSE) ((((0 0 2 0) (4 0 6 0) (4 4 6 9))))))",
-                       .kinds = {Kind::data, Kind::spatial2d}}) {}
+                       .kinds = {Kind::data, Kind::spatial2d},
+                       .is_large = true}) {}
 
   Result<Value> from_nested(const NestedList& list, Context& context) const override {
-    ASSIGN_OR_RETURN(const auto unit, unit_from_nested(list, name(), context.monitor()));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto unit, unit_from_nested(list, name(), context.monitor()));
     return unit ? Value::of(*unit) : undefined(unit.reason(), list, context);
   }
   NestedList to_nested(const Value& value) const override { return unit_to_nested(value.get<RegionUnit>()); }
@@ -43,8 +44,8 @@ class RegionUnitType final : public DescribedType {
   }
   Result<Value> decode(std::string_view bytes, bool trusted) const override {
     ByteReader reader(bytes, name());
-    ASSIGN_OR_RETURN(const auto unit, read_unit(reader, name(), trusted));
-    RETURN_IF_ERROR(reader.finish());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto unit, read_unit(reader, name(), trusted));
+    ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
     return Value::of(*unit);
   }
 };

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <cassert>
 #include <compare>
 #include <cstdint>
@@ -13,25 +12,37 @@
 #include "algebra3d/base/box3.h"
 #include "algebra3d/base/context.h"
 #include "algebra3d/base/error.h"
+#include "algebra3d/base/reference_count.h"
 #include "algebra3d/types/nested_list.h"
 
 namespace algebra3d {
 
 class Value;
 
-/// What is known of a spatial value without its geometry.
+/// The header of a spatial value: what is known without its geometry.
 struct GeometryHeader {
   Box3 box;                ///< smallest box of doubles around the exact geometry; empty for an empty value
-  std::uint32_t size = 0;  ///< what the operator `size` gives: points or triangles
+  std::uint32_t size = 0;  ///< the result of the operator `size`: number of points or triangles
 };
 
-/// A database type: how its values are written, stored, compared. One immutable object per type, for the whole process.
-/// Values passed to the members are defined, loaded and of this type.
+/// A database type: notation, storage and order of its values. One immutable object per type and process. Values passed
+/// to the members must be defined, loaded and of this type.
 class Type {
  public:
   enum class Kind : std::uint8_t { data, spatial2d, spatial3d, numeric };
-  /// How a relation keeps it: in the columns of a native kind, or as bytes of the codec.
+  /// The storage in a relation: a column of a native kind, or the bytes of the codec.
   enum class Storage : std::uint8_t { integer, real, text, bytes };
+
+  /// The meaning of the numbers in a value list, which determines how the list changes with the frame of coordinates.
+  enum class Coordinates : std::uint8_t {
+    none,       ///< numbers that do not depend on the frame, or none
+    point,      ///< `(x y z)`
+    direction,  ///< `(x y z)`, independent of the origin
+    points,     ///< a list of points; their order depends on the frame
+    triangles,  ///< a list of triples of points; their order and first corners depend on the frame
+    plane,      ///< `(d nx ny nz)` or `(point normal)`
+    box,        ///< bounds along the axes: `(x_min x_max y_min y_max z_min z_max)`
+  };
 
   virtual ~Type() = default;
   Type(const Type&) = delete;
@@ -40,43 +51,49 @@ class Type {
   virtual std::string_view name() const = 0;
   virtual std::string_view doc() const = 0;       ///< one sentence
   virtual std::string_view notation() const = 0;  ///< the value list, as in "(x y z)"
-  virtual std::string_view example() const = 0;   ///< a value list that gives a defined value
+  virtual std::string_view example() const = 0;   ///< the value list of a defined value
   virtual std::vector<Kind> kinds() const = 0;
-  static std::string_view kind_name(Kind kind);  ///< as the language writes it
+  static std::string_view kind_name(Kind kind);  ///< the name in the language
   virtual Storage storage() const = 0;
   /// True for values in the plane or in space: they have a box.
   bool is_spatial() const;
+  /// True for spatial types with large values: a relation stores them outside the row, which has box and count.
+  virtual bool is_large() const { return false; }
+  /// The noun for GeometryHeader::size, in the singular ("triangle"), if tables show values as a summary (count and
+  /// box); empty if they show the value list.
+  virtual std::string_view summary_unit() const { return {}; }
+  virtual Coordinates coordinates() const { return Coordinates::none; }
 
-  /// Reads a value list; `undefined` is treated by the caller. Malformed: error invalid_value. Well-formed but no valid
-  /// value: undefined, with the reason reported to `context`.
+  /// Reads a value list; the caller handles `undefined`. Malformed lists: error invalid_value. Well-formed but invalid:
+  /// undefined, with the reason reported to `context`.
   virtual Result<Value> from_nested(const NestedList& list, Context& context) const = 0;
   virtual NestedList to_nested(const Value& value) const = 0;
 
   /// The canonical order: equality, order and hash agree with each other.
   virtual std::strong_ordering compare(const Value& a, const Value& b) const = 0;
   virtual std::size_t hash(const Value& value) const = 0;
-  /// The beginning of the value in its order: if a < b then order_prefix(a) <= order_prefix(b). 0 says nothing.
+  /// A prefix of the value for comparisons: if a < b then order_prefix(a) <= order_prefix(b). 0 is always allowed.
   virtual std::uint64_t order_prefix(const Value& /*value*/) const { return 0; }
-  /// True if the prefix is the whole value: it is never 0, and equal prefixes mean equal values.
+  /// True if the prefix determines the value: it is never 0, and equal prefixes mean equal values.
   virtual bool is_whole_in_prefix() const { return false; }
 
-  /// What the value takes on the heap, about; it may share it with others.
+  /// Estimated heap memory of the value, which other values may share.
   virtual std::size_t heap_bytes(const Value& value) const = 0;
 
   /// Box and count; only for spatial types.
   virtual GeometryHeader header(const Value& value) const = 0;
 
-  /// Body of the binary form, to which codec.h adds header and checksum; see docs/file_format.md.
+  /// Appends the body of the binary form, to which codec.h adds header and checksum; see docs/file_format.md.
   virtual void encode(const Value& value, std::string& bytes) const = 0;
-  /// `trusted`: the bytes are our own store's and their checksum was right, so that a proof of validity need not be
-  /// repeated. Never crashes on any bytes. Errors: database_corrupt.
+  /// Decodes a body. `trusted`: the bytes come from our own store with a correct checksum, so validity is not proved
+  /// again. Safe for any bytes. Errors: database_corrupt.
   virtual Result<Value> decode(std::string_view bytes, bool trusted) const = 0;
 
  protected:
   Type() = default;
 };
 
-/// What deferred values can be made from again, as long as their statement runs.
+/// A source from which deferred values can be restored while their statement runs.
 class DeferredSource {
  public:
   virtual ~DeferredSource() = default;
@@ -85,32 +102,31 @@ class DeferredSource {
   virtual Value value(std::string_view reference) const = 0;
 };
 
-/// A value that lies elsewhere: its header is at hand, the rest is loaded when first needed.
-/// Safe to share between threads. Owned by the values that refer to it.
+/// A deferred value: its header is known, the rest is loaded when first needed. Thread-safe. Owned by the values that
+/// refer to it.
 class DeferredValue {
  public:
   virtual ~DeferredValue() = default;
   virtual GeometryHeader header() const = 0;
-  /// The value, read now or taken from a cache.
+  /// Loads the value, or returns it from a cache.
   virtual Result<Value> load() const = 0;
-  /// How to put the value aside without loading it: `source()->value(reference)` is this value again.
+  /// The source from which the value can be restored without loading it: `source()->value(reference)` is this value.
   virtual std::shared_ptr<const DeferredSource> source() const = 0;
   virtual void append_reference(std::string& bytes) const = 0;
 };
 
-/// The C++ class T of a database type, and the database type of a C++ class: specialised next to each class with
-/// `static const Type& type()`.
+/// Maps a C++ class T to its database type; specialised next to each class with `static const Type& type()`.
 template <typename T>
 struct TypeOf;
 
-/// What values share: an object, and the number of values that refer to it.
+/// The shared content of values: an object and its reference count.
 struct SharedObject {
   SharedObject() = default;
   virtual ~SharedObject() = default;
   SharedObject(const SharedObject&) = delete;
   SharedObject& operator=(const SharedObject&) = delete;
 
-  mutable std::atomic<std::uint64_t> owner_count = 1;
+  mutable ReferenceCount<std::uint64_t> owners{1};
 };
 template <typename T>
 struct SharedObjectOf final : SharedObject {
@@ -119,17 +135,17 @@ struct SharedObjectOf final : SharedObject {
   const T content;
 };
 
-/// A value of some database type: defined, undefined, or defined and not yet loaded. Immutable, cheap to copy: three
-/// words; bool, int and real lie in it, everything else is shared. A value that was moved from is undefined.
+/// A value of a database type: defined, undefined, or deferred. Immutable, cheap to copy: three words; bool, int and
+/// real are stored in place, all others are shared. A moved-from value is undefined.
 class Value {
  public:
-  /// Undefined of a type.
+  /// The undefined value of a type.
   explicit Value(const Type& type) noexcept : type_(&type) {}
   Value(const Type& type, std::shared_ptr<const DeferredValue> deferred) : type_(&type), form_(Form::deferred) {
     content_.shared = new SharedObjectOf<std::shared_ptr<const DeferredValue>>(std::move(deferred));
   }
   Value(const Value& other) noexcept : type_(other.type_), form_(other.form_), content_(other.content_) {
-    if (is_shared()) content_.shared->owner_count.fetch_add(1, std::memory_order_relaxed);
+    if (is_shared()) content_.shared->owners.add();
   }
   Value(Value&& other) noexcept
       : type_(other.type_), form_(std::exchange(other.form_, Form::undefined)), content_(other.content_) {}
@@ -145,7 +161,7 @@ class Value {
     if (is_shared()) leave();
   }
 
-  /// The value that holds this C++ object; a C++ `int` becomes an int of the language.
+  /// A defined value from a C++ object; a C++ `int` becomes an int of the language.
   template <typename T>
   static Value of(T content) {
     if constexpr (std::is_same_v<T, int>) {
@@ -165,7 +181,7 @@ class Value {
   /// The deferred content, or null.
   std::shared_ptr<const DeferredValue> deferred() const;
 
-  /// The C++ object of a defined, loaded value of that very type (asserted).
+  /// The C++ object of a defined, loaded value of exactly this type (asserted).
   template <typename T>
   const T& get() const {
     if constexpr (std::is_same_v<T, bool>) {
@@ -179,12 +195,12 @@ class Value {
     }
   }
 
-  /// This value with its content at hand. Errors: those of the store.
+  /// The loaded value. Errors: those of the store.
   Result<Value> loaded() const;
-  /// Box and count of a defined value of a spatial type; reads no geometry.
+  /// Box and count of a defined spatial value; does not load geometry.
   GeometryHeader header() const;
 
-  /// The value list: `undefined`, or what the type prints. Requires a loaded value.
+  /// The value list, or `undefined`. Requires a loaded value.
   NestedList to_nested() const;
 
  private:
@@ -219,7 +235,7 @@ class Value {
   void leave() const noexcept {
     // The analyzer does not follow the atomic count: it takes the last but one owner's content for deleted.
     // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDelete)
-    if (content_.shared->owner_count.fetch_sub(1, std::memory_order_acq_rel) == 1) delete content_.shared;
+    if (content_.shared->owners.remove()) delete content_.shared;
   }
   const std::shared_ptr<const DeferredValue>& deferred_content() const {
     return static_cast<const SharedObjectOf<std::shared_ptr<const DeferredValue>>*>(content_.shared)->content;
@@ -230,14 +246,14 @@ class Value {
   Content content_;
 };
 
-/// Order of two loaded values of one type, or of strings and texts; undefined comes first and equals undefined.
+/// Compares two loaded values of one type, or strings and texts; undefined comes first and equals undefined.
 std::strong_ordering compare(const Value& a, const Value& b);
 std::size_t hash(const Value& value);
-/// Of a loaded value: if a < b then order_prefix(a) <= order_prefix(b). 0 if it is undefined.
+/// Type::order_prefix of a loaded value; 0 if it is undefined.
 inline std::uint64_t order_prefix(const Value& value) {
   return value.is_defined() ? value.type().order_prefix(value) : 0;
 }
-/// What the value takes on the heap, about: that of a deferred one without what it will load.
+/// Estimated heap memory of the value; for a deferred value without the content to be loaded.
 std::size_t heap_bytes(const Value& value);
 /// Reads a value list of `type`, `undefined` included.
 Result<Value> value_from_nested(const Type& type, const NestedList& list, Context& context);

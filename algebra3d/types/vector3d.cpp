@@ -1,4 +1,4 @@
-#include "algebra3d/types/exact_triple_type.h"
+#include "algebra3d/types/detail/exact_triple_type.h"
 
 namespace algebra3d {
 
@@ -11,7 +11,8 @@ class Vector3dType final : public ExactTripleType<Vector3d, &Vector3d::component
                          .doc = "A direction with a length, or a displacement, with exact components.",
                          .notation = "(x y z)",
                          .example = "(0.0 0.0 1.0)",
-                         .kinds = {Kind::data}}) {}
+                         .kinds = {Kind::data},
+                         .coordinates = Coordinates::direction}) {}
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-#include "algebra3d/types/geometry.h"
-#include "algebra3d/types/geometry_type.h"
+#include "algebra3d/types/detail/geometry.h"
+#include "algebra3d/types/detail/geometry_type.h"
 #include "algebra3d/types/spatial.h"
 
 namespace algebra3d {
@@ -14,7 +14,10 @@ class Volume3dType final : public GeometryType<Volume3d> {
                       .notation = "(tri*), tri = (p1 p2 p3), p = (x y z)",
                       .example = "(((0 0 0) (0 1 0) (1 0 0)) ((0 0 0) (1 0 0) (0 0 1)) ((0 0 0) (0 0 1) (0 1 0)) ((1 0 "
                                  "0) (0 1 0) (0 0 1)))",
-                      .kinds = {Kind::data, Kind::spatial3d}},
+                      .kinds = {Kind::data, Kind::spatial3d},
+                      .is_large = true,
+                      .summary_unit = "triangle",
+                      .coordinates = Coordinates::triangles},
                      Orientation::counts) {}
 };
 
@@ -27,7 +30,7 @@ Volume3d::Volume3d() {
 }
 
 Result<Maybe<Volume3d>> Volume3d::prove(TriangleMesh mesh, const ProofOptions& options) {
-  ASSIGN_OR_RETURN(const auto report, prove_volume(mesh, options));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto report, prove_volume(mesh, options));
   if (!report.is_valid()) return Maybe<Volume3d>(Undefined{fmt::format("volume3d: no valid solid: {}", report.text())});
   return Maybe<Volume3d>(trusted(std::move(mesh)));
 }

@@ -6,11 +6,11 @@
 
 namespace algebra3d {
 
-/// Some faces of one mesh. The empty set needs no mesh.
+/// A set of faces of one mesh. The empty set needs no mesh.
 class FaceSet {
  public:
   FaceSet() = default;
-  /// `are_in`, per face of the mesh.
+  /// `are_in`: one flag per face of the mesh.
   explicit FaceSet(std::vector<bool> are_in) : are_in_(std::move(are_in)) {}
 
   bool contains(std::uint32_t face) const { return !are_in_.empty() && are_in_[face]; }

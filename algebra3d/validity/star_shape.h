@@ -4,12 +4,11 @@
 
 namespace algebra3d {
 
-/// Whether the mesh is a valid volume (prove_volume) all of whose triangles turn their backs to `centre`, none of them
-/// in a plane with it: then every ray from the centre meets the boundary once, and the solid is star-shaped about it.
-/// So convex solids, their facets in as many triangles as one likes, about any inner point; others about a point from
-/// which all of the inside is seen. The argument stands in the source. False of every other mesh, valid or not, the
-/// empty one too. Exact. Cost: linear, some ten nanoseconds for each triangle if all coordinates are doubles.
-/// Source: [mehlhorn1999] and [devillers1998], where convex polytopes are checked so.
+/// Proves that the mesh is a valid volume (prove_volume) that is star-shaped about `centre`: the centre lies strictly
+/// behind the plane of every triangle, so every ray from it meets the boundary once. That holds for convex solids and
+/// any inner point, and for others and a point that sees the whole inside. The proof is in the source. False for every
+/// other mesh, valid or not, also for the empty one. Exact. Cost: linear, some ten nanoseconds per triangle if all
+/// coordinates are doubles. Source: [mehlhorn1999] and [devillers1998], who check convex polytopes this way.
 bool is_star_shaped(const TriangleMesh& mesh, const PointRef& centre);
 
 }  // namespace algebra3d

@@ -3,11 +3,11 @@
 #include <cassert>
 
 #include "algebra3d/halfedge/box_hierarchy.h"
-#include "algebra3d/validity/edges.h"
-#include "algebra3d/validity/intersections.h"
-#include "algebra3d/validity/triangles.h"
-#include "algebra3d/validity/vertex_stars.h"
-#include "algebra3d/validity/winding.h"
+#include "algebra3d/validity/detail/edges.h"
+#include "algebra3d/validity/detail/intersections.h"
+#include "algebra3d/validity/detail/triangles.h"
+#include "algebra3d/validity/detail/vertex_stars.h"
+#include "algebra3d/validity/detail/winding.h"
 
 namespace algebra3d {
 namespace {
@@ -36,7 +36,7 @@ Result<ShellWindings> find_windings(const TriangleMesh& mesh, const BoxHierarchy
 
 Status check_windings(const TriangleMesh& mesh, const BoxHierarchy& hierarchy, const ProofOptions& options,
                       ValidityReport& report) {
-  ASSIGN_OR_RETURN(const ShellWindings shells, find_windings(mesh, hierarchy, options));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const ShellWindings shells, find_windings(mesh, hierarchy, options));
   for (std::size_t shell = 0; shell < shells.fronts.size(); ++shell) {
     if (shells.fronts[shell] == 0) continue;
     const FaceId face(shells.first_faces[shell]);
@@ -60,17 +60,18 @@ Result<ValidityReport> prove(const TriangleMesh& mesh, Kind kind, const ProofOpt
   ValidityReport report;
   const auto is_done = [&] { return options.thoroughness == Thoroughness::first_defect && !report.is_valid(); };
   const EmbeddedStars stars = stars_of(mesh, options.known);
-  RETURN_IF_ERROR(check_cancelled(options));
+  ALGEBRA3D_RETURN_IF_ERROR(check_cancelled(options));
   const SoundFaces sound = check_triangles(mesh, stars, options.known, report);
   if (!free.is_empty()) free = FaceSet(sound);
   if (is_done()) return report;
   if (kind == Kind::volume) check_edges(mesh, sound, report);
   if (is_done()) return report;
-  RETURN_IF_ERROR(check_cancelled(options));
+  ALGEBRA3D_RETURN_IF_ERROR(check_cancelled(options));
   BoxHierarchy hierarchy = hierarchy_for_pairs(mesh, sound, options.preimage);
-  RETURN_IF_ERROR(find_intersections(mesh, stars, hierarchy, options, report, free));
+  ALGEBRA3D_RETURN_IF_ERROR(find_intersections(mesh, stars, hierarchy, options, report, free));
   // Off the beaten track a winding number means nothing.
-  if (kind == Kind::volume && report.is_valid()) RETURN_IF_ERROR(check_windings(mesh, hierarchy, options, report));
+  if (kind == Kind::volume && report.is_valid())
+    ALGEBRA3D_RETURN_IF_ERROR(check_windings(mesh, hierarchy, options, report));
   return report;
 }
 
@@ -95,7 +96,7 @@ Result<std::vector<Entanglement>> disentangle(const TriangleMesh& mesh, const st
     if (result[first.index()] == Entanglement::none) result[second.index()] = Entanglement::entangled;
     return true;
   };
-  RETURN_IF_ERROR(for_each_intersection(mesh, stars, known, hierarchy, cancel, part_from_first));
+  ALGEBRA3D_RETURN_IF_ERROR(for_each_intersection(mesh, stars, known, hierarchy, cancel, part_from_first));
   return result;
 }
 
@@ -111,7 +112,7 @@ Result<ValidityReport> prove_volume(const TriangleMesh& mesh, const ProofOptions
 
 Result<VolumeExamination> examine_volume(const TriangleMesh& mesh, const std::atomic<bool>* cancel) {
   VolumeExamination result{{}, FaceSet(std::vector<bool>(mesh.face_count(), true))};
-  ASSIGN_OR_RETURN(result.report, prove(mesh, Kind::volume, {.cancel = cancel}, result.free));
+  ALGEBRA3D_ASSIGN_OR_RETURN(result.report, prove(mesh, Kind::volume, {.cancel = cancel}, result.free));
   // Of pairs that were not met nothing is known.
   if (result.report.is_cut_short) result.free = {};
   return result;

@@ -11,19 +11,19 @@ using algebra3d::Status;
 namespace {
 
 Result<Solid> bracket() {
-  ASSIGN_OR_RETURN(const Solid foot, Solid::box({0, 0, 0}, {60, 30, 6}));
-  ASSIGN_OR_RETURN(const Solid wall, Solid::box({0, 0, 0}, {6, 30, 40}));
-  ASSIGN_OR_RETURN(const Solid drill, Solid::box({35, 10, -1}, {45, 20, 7}));
-  ASSIGN_OR_RETURN(const Solid hole, drill.rotated({40, 15, 0}, {0, 0, 1}, 30));
-  ASSIGN_OR_RETURN(const Solid body, unite(foot, wall));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Solid foot, Solid::box({0, 0, 0}, {60, 30, 6}));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Solid wall, Solid::box({0, 0, 0}, {6, 30, 40}));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Solid drill, Solid::box({35, 10, -1}, {45, 20, 7}));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Solid hole, drill.rotated({40, 15, 0}, {0, 0, 1}, 30));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Solid body, unite(foot, wall));
   return subtract(body, hole);
 }
 
 Status run() {
-  ASSIGN_OR_RETURN(const Solid part, bracket());
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Solid part, bracket());
   std::cout << "triangles " << part.triangle_count() << "\nvolume " << part.volume() << "\n";
-  RETURN_IF_ERROR(write_solid(part, "bracket.stl"));
-  ASSIGN_OR_RETURN(const algebra3d::ReadSolid read, algebra3d::read_solid("bracket.stl"));
+  ALGEBRA3D_RETURN_IF_ERROR(write_solid(part, "bracket.stl"));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const algebra3d::ReadSolid read, algebra3d::read_solid("bracket.stl"));
   std::cout << "read again: " << read.status << "\n";
   return {};
 }

@@ -1,7 +1,7 @@
 # Two storms that move and change their shape: where and when did both rain?
 # Run it with:   algebra3d --db storms.db storms.q
 #
-# Each storm is a moving region: units of time, and in each unit corners that move evenly, written (x y at the start,
+# Each storm is a moving region: units of time, and in each unit corners that move linearly, written (x y at the start,
 # x y at the end), in kilometres. The first one grows out of a point and travels to the north-east; at noon its eye opens.
 let Anna = [const mregion value (
   (("2011-07-08-06:00" "2011-07-08-12:00" TRUE FALSE)

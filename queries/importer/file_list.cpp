@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "algebra3d/types/utf8.h"
+#include "mesh_files/mesh_formats.h"
 
 namespace queries {
 namespace {
@@ -30,8 +31,8 @@ std::string ending_of(const fs::path& path) {
   return ending;
 }
 
-bool is_mesh_ending(const std::string& ending) {
-  return ending == ".stl" || ending == ".obj" || ending == ".off";
+bool has_mesh_ending(const fs::path& path) {
+  return mesh_files::known_mesh_formats().of_name(path.string()) != nullptr;
 }
 
 fs::path without_last_slash(const fs::path& path) {
@@ -96,14 +97,14 @@ Status FileLister::add_existing(const fs::path& path, fs::file_status status) {
 
 Status FileLister::add_matches(const std::string& pattern) {
   bool any = false;
-  ASSIGN_OR_RETURN(fs::path normal, normal_path(pattern));
+  ALGEBRA3D_ASSIGN_OR_RETURN(fs::path normal, normal_path(pattern));
   list_.patterns.push_back(std::move(normal));
   for (const fs::path& path : matches_of(pattern)) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (!fs::is_directory(status) && !fs::is_regular_file(status)) continue;
     any = true;
-    RETURN_IF_ERROR(add_existing(path, status));
+    ALGEBRA3D_RETURN_IF_ERROR(add_existing(path, status));
   }
   if (!any)
     return Error{ErrorCode::file_missing, "{}: no such file, and no file matches this pattern", path_text(pattern)};
@@ -111,7 +112,7 @@ Status FileLister::add_matches(const std::string& pattern) {
 }
 
 Status FileLister::add_file(const fs::path& path) {
-  ASSIGN_OR_RETURN(fs::path normal, normal_path(path));
+  ALGEBRA3D_ASSIGN_OR_RETURN(fs::path normal, normal_path(path));
   std::error_code error;
   const std::uintmax_t size = fs::file_size(normal, error);
   list_.files.push_back({std::move(normal), error ? 0 : std::uint64_t{size}});
@@ -119,7 +120,7 @@ Status FileLister::add_file(const fs::path& path) {
 }
 
 Status FileLister::add_folder(const fs::path& folder) {
-  ASSIGN_OR_RETURN(fs::path normal, normal_path(folder));
+  ALGEBRA3D_ASSIGN_OR_RETURN(fs::path normal, normal_path(folder));
   list_.folders.push_back(without_last_slash(normal));
   std::vector<fs::path> waiting{list_.folders.back()};
   while (!waiting.empty()) {
@@ -140,8 +141,8 @@ void FileLister::add_entry(const fs::directory_entry& entry, std::vector<fs::pat
       waiting.push_back(entry.path());
     return;
   }
-  const std::string ending = ending_of(entry.path());
-  if (!is_mesh_ending(ending)) {
+  if (!has_mesh_ending(entry.path())) {
+    const std::string ending = ending_of(entry.path());
     ++list_.skipped[ending.empty() ? "no ending" : path_text(ending)];
     return;
   }
@@ -172,13 +173,14 @@ FileList FileLister::finish() && {
 
 Result<FileList> list_files(std::span<const std::string> paths) {
   FileLister lister;
-  for (const std::string& path : paths) RETURN_IF_ERROR(lister.add(path));
+  for (const std::string& path : paths) ALGEBRA3D_RETURN_IF_ERROR(lister.add(path));
   FileList list = std::move(lister).finish();
   if (!list.files.empty()) return list;
   if (!list.unread_folders.empty())
     return Error{ErrorCode::io_error, "{}, and there is no other file to import", list.unread_folders.front()};
-  return Error{ErrorCode::file_missing, "there is no file to import: no file below {} ends in .stl, .obj or .off{}",
+  return Error{ErrorCode::file_missing, "there is no file to import: no file below {} ends in {}{}",
                paths.size() == 1 ? path_text(paths.front()) : "the given folders",
+               mesh_files::known_mesh_formats().endings("or"),
                list.skipped.empty() ? "" : fmt::format(" (but {})", skipped_text(list.skipped))};
 }
 

@@ -13,33 +13,33 @@ namespace queries {
 
 /// One file to be imported.
 struct ListedFile {
-  std::filesystem::path path;  ///< absolute and lexically normal; symbolic links stay as they were written
-  std::uint64_t size = 0;      ///< when it was listed, 0 if unknown: for the progress only
+  std::filesystem::path path;  ///< absolute and lexically normal; symbolic links are not resolved
+  std::uint64_t size = 0;      ///< when listed, 0 if unknown; for the progress only
 };
 
 struct FileList {
-  std::vector<ListedFile> files;            ///< sorted by the bytes of the path, each once
+  std::vector<ListedFile> files;            ///< sorted by the bytes of the path, without duplicates
   std::vector<std::string> unread_folders;  ///< "FOLDER: reason", sorted
-  /// Files in folders that were not taken, by ending: ".txt" in lower case, "no ending", "link to a folder".
+  /// Ignored files in folders, by ending: ".txt" in lower case, "no ending", "link to a folder".
   std::map<std::string, std::uint64_t> skipped;
-  std::vector<std::filesystem::path> folders;   ///< those given, absolute and lexically normal, without a last /
-  std::vector<std::filesystem::path> patterns;  ///< the same of the patterns given
+  std::vector<std::filesystem::path> folders;   ///< given folders, absolute and lexically normal, without a final /
+  std::vector<std::filesystem::path> patterns;  ///< given patterns, likewise
 
-  /// Whether the file was meant by the given folders and patterns, be it there or not.
+  /// Whether a file, existing or not, matches the given folders and patterns.
   bool covers(const std::filesystem::path& file) const;
 };
 
-/// "3 .txt, 1 .ply", the most first.
+/// The ignored files as text: "3 .txt, 1 .ply", the most frequent first.
 std::string skipped_text(const std::map<std::string, std::uint64_t>& skipped);
 
-/// The files that `paths` mean. A folder means all files below it whose names end in .stl, .obj or .off (upper or lower
-/// case); symbolic links to folders are not entered there. A file given by name or by a pattern is taken whatever its
-/// name. A path that exists is never read as a pattern. Changes nothing. Errors: file_missing for a path that does not
-/// exist, a pattern that nothing matches, or if all paths together mean no file; wrong_usage for a path that is neither
-/// file nor folder.
+/// Expands `paths` to files. A folder stands for all files below it with endings of mesh files
+/// (mesh_files/mesh_formats.h); symbolic links to folders are not followed. A file given by name or by a pattern is
+/// listed whatever its ending. An existing path is never treated as a pattern. Errors: file_missing for a path that
+/// does not exist, a pattern without matches, or no files at all; wrong_usage for a path that is neither file nor
+/// folder.
 algebra3d::Result<FileList> list_files(std::span<const std::string> paths);
 
-/// The path as UTF-8 text: bytes that are none become \xNN, so that different paths stay different in practice.
+/// The path as UTF-8 text: invalid bytes become \xNN, so that different paths stay different in practice.
 std::string path_text(const std::filesystem::path& path);
 
 }  // namespace queries

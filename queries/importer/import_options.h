@@ -8,20 +8,20 @@
 
 namespace queries {
 
-/// What `algebra3d import` was asked to do.
+/// The options of `algebra3d import`.
 struct ImportOptions {
-  std::filesystem::path database;  ///< created if it is not there
-  std::string relation;            ///< created if it is not there
+  std::filesystem::path database;  ///< created if it does not exist
+  std::string relation;            ///< created if it does not exist
   std::vector<std::string> paths;  ///< files, folders, patterns of glob(3)
-  bool drops_gone = false;         ///< tuples of files that are gone are dropped
-  bool quiet = false;              ///< neither progress nor summary
-  int jobs = 0;                    ///< threads that load files; 0: one for each core that the process may use
+  bool drops_gone = false;         ///< delete the tuples of deleted files
+  bool quiet = false;              ///< no progress and no summary
+  int jobs = 0;                    ///< number of loading threads; 0: one per core
 
-  algebra3d::RepairOptions repair;  ///< what may be done to files that are no solids
+  algebra3d::RepairOptions repair;  ///< repair of files that are not valid solids
 
-  // A batch of whole files is one transaction; it ends with the file that reaches a limit, or when its time is up.
+  // Limits of a batch of files, which is one transaction: it ends with the file that reaches a limit.
   double batch_seconds = 5;
-  double batch_megabytes = 256;  ///< 10^6 bytes of files as they lie on disk
+  double batch_megabytes = 256;  ///< 10^6 bytes of file size
 };
 
 }  // namespace queries

@@ -12,14 +12,16 @@
 #include <tbb/info.h>
 #include <xxhash.h>
 
-#include "algebra3d/operators/import_solid.h"
+#include "algebra3d/formats/import_solid.h"
+#include "queries/importer/detail/import_summary.h"
+#include "queries/importer/detail/progress_display.h"
+#include "queries/importer/detail/relation_writer.h"
 #include "queries/importer/file_list.h"
-#include "queries/importer/import_summary.h"
-#include "queries/importer/progress_display.h"
-#include "queries/importer/relation_writer.h"
 #include "queries/language/parser.h"
 #include "queries/language/scanner.h"
+#include "queries/language/token.h"
 #include "queries/store/store.h"
+#include "queries/store/store_options.h"
 
 namespace queries {
 namespace {
@@ -36,7 +38,8 @@ constexpr std::chrono::milliseconds kPatience{100};
 /// Reads files as the options say.
 SolidReader solid_reader(const algebra3d::RepairOptions& repair) {
   return [repair](const std::filesystem::path& file, const std::atomic<bool>* cancel) -> Result<SolidOrReason> {
-    ASSIGN_OR_RETURN(algebra3d::ImportedSolid imported, algebra3d::import_solid(file, std::nullopt, repair, cancel));
+    ALGEBRA3D_ASSIGN_OR_RETURN(algebra3d::ImportedSolid imported,
+                               algebra3d::import_solid(file, nullptr, repair, cancel));
     return SolidOrReason{std::move(imported.solid), std::move(imported.status), imported.was_read, imported.measures};
   };
 }
@@ -97,11 +100,12 @@ int Import::run() {
 }
 
 Status Import::take_in(const FileList& list) {
-  ASSIGN_OR_RETURN(const auto store, Store::open(options_.database, OpenMode::open_or_create, host_.registry));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto store,
+                             Store::open(options_.database, OpenMode::open_or_create, host_.registry));
   if (!store->opening_notice().empty()) host_.err << "note: " << store->opening_notice() << "\n";
   RelationWriter writer(*store, options_.relation,
                         {std::chrono::duration<double>(options_.batch_seconds), options_.batch_megabytes * 1e6});
-  RETURN_IF_ERROR(writer.prepare());
+  ALGEBRA3D_RETURN_IF_ERROR(writer.prepare());
   if (writer.lacks_measures())
     host_.err << fmt::format(
         "note: '{}' was made by an earlier version and has no attributes for areas, distances and "
@@ -129,13 +133,13 @@ Status Import::drop_gone(const FileList& list, RelationWriter& writer) {
     std::error_code error;
     return std::filesystem::status(file, error).type() == std::filesystem::file_type::not_found;
   };
-  ASSIGN_OR_RETURN(summary_.dropped_count, writer.drop(is_gone));
+  ALGEBRA3D_ASSIGN_OR_RETURN(summary_.dropped_count, writer.drop(is_gone));
   return {};
 }
 
 Status Import::pump(FileLoader& loader, RelationWriter& writer) {
   for (;;) {
-    ASSIGN_OR_RETURN(const FileLoader::Next next, loader.next(kPatience));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const FileLoader::Next next, loader.next(kPatience));
     if (next.state == FileLoader::State::finished) return {};
     if (next.state == FileLoader::State::interrupted) {
       was_interrupted_ = true;
@@ -144,11 +148,11 @@ Status Import::pump(FileLoader& loader, RelationWriter& writer) {
     if (next.state == FileLoader::State::loaded) {
       auto written = RelationWriter::Written::known;
       if (!next.file.is_known) {
-        ASSIGN_OR_RETURN(written, writer.write(next.file));
+        ALGEBRA3D_ASSIGN_OR_RETURN(written, writer.write(next.file));
       }
       summary_.count(next.file, written);
     }
-    RETURN_IF_ERROR(writer.commit_if_due());
+    ALGEBRA3D_RETURN_IF_ERROR(writer.commit_if_due());
     progress_.update(summary_, writer.pending_count());
   }
 }

@@ -5,7 +5,9 @@
 #include <fmt/ranges.h>
 
 #include "algebra3d/registry/conversion.h"
+#include "algebra3d/registry/operator.h"
 #include "algebra3d/types/scalars.h"
+#include "queries/streams/value_operators.h"
 
 namespace queries {
 namespace {
@@ -33,7 +35,8 @@ bool takes(const TypeExpr& parameter, const TypeExpr& argument) {
 }
 
 bool is_literal(const Expression& expression) {
-  return std::holds_alternative<Literal>(expression.node) || std::holds_alternative<TypedLiteral>(expression.node);
+  return std::holds_alternative<Literal>(expression.node) || std::holds_alternative<TypedLiteral>(expression.node) ||
+         std::holds_alternative<HostValue>(expression.node);
 }
 
 std::optional<std::int64_t> int_literal(const Expression& expression) {
@@ -61,12 +64,16 @@ Result<TypedPtr> Checker::check(const Literal& literal, const SourcePlace& place
 }
 
 Result<TypedPtr> Checker::check(const TypedLiteral& literal, const SourcePlace& place) {
-  ASSIGN_OR_RETURN(const TypeExpr type, resolve(literal.type));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr type, resolve(literal.type));
   return constant(type, literal, place);
 }
 
+Result<TypedPtr> Checker::check(const HostValue& given, const SourcePlace& place) {
+  return make_constant(TypeExpr(given.value.type().name()), Datum{given.value}, place);
+}
+
 Result<TypedPtr> Checker::check(const NameUse& use, const SourcePlace& place) {
-  ASSIGN_OR_RETURN(TypedPtr found, find(use.name, place));
+  ALGEBRA3D_ASSIGN_OR_RETURN(TypedPtr found, find(use.name, place));
   if (found == nullptr) return unknown_name(use.name, place);
   return found;
 }
@@ -79,7 +86,7 @@ Result<TypedPtr> Checker::find(const std::string& name, const SourcePlace& place
     if (found != scope.parameters.end())
       return make_parameter(found->type, level, static_cast<std::size_t>(found - scope.parameters.begin()), place);
   }
-  ASSIGN_OR_RETURN(const auto type, objects_.type_of(name));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto type, objects_.type_of(name));
   return type ? make_object(*type, name, objects_, place) : TypedPtr();
 }
 
@@ -101,7 +108,7 @@ Result<TypedPtr> Checker::implicit_parameter(int number, const SourcePlace& plac
 
 Result<TypedPtr> Checker::check(const AttributeUse& use, const SourcePlace& place) {
   const std::string shown = (use.parameter == 2 ? ".." : ".") + use.name;
-  ASSIGN_OR_RETURN(TypedPtr tuple, implicit_parameter(use.parameter, place, shown));
+  ALGEBRA3D_ASSIGN_OR_RETURN(TypedPtr tuple, implicit_parameter(use.parameter, place, shown));
   if (!tuple->type().is_tuple())
     return Error(ErrorCode::type_error, "'{}': expected a tuple, got {}", shown, tuple->type().text()).at(place);
   auto index = attribute_index(tuple->type(), use.name);
@@ -127,7 +134,7 @@ Result<TypedPtr> Checker::check(const Application& application, const SourcePlac
   std::vector<TypeExpr> types;
   if (recorder_ == nullptr) return application_node(op, application, place, types);
   const std::size_t step = recorder_->begin(op.name);
-  ASSIGN_OR_RETURN(TypedPtr node, application_node(op, application, place, types));
+  ALGEBRA3D_ASSIGN_OR_RETURN(TypedPtr node, application_node(op, application, place, types));
   std::string signature = algebra3d::argument_list_text(types) + " -> " + node->type().text();
   return recorder_->finish(step, std::move(signature), std::move(node));
 }
@@ -136,11 +143,11 @@ Result<TypedPtr> Checker::application_node(const Operator& op, const Application
                                            std::vector<TypeExpr>& types) {
   std::vector<TypedPtr> checked(application.arguments.size());
   if (application.is_call) {
-    ASSIGN_OR_RETURN(TypedPtr call, call_of_function(application, place, checked));
+    ALGEBRA3D_ASSIGN_OR_RETURN(TypedPtr call, call_of_function(application, place, checked));
     if (call != nullptr) return call;
   }
-  return op.stream != nullptr ? stream_application(op, application, checked, place, types)
-                              : value_application(op, application, std::move(checked), place, types);
+  return takes_streams(op) ? stream_application(op, application, checked, place, types)
+                           : value_application(op, application, std::move(checked), place, types);
 }
 
 // The call of a function that has the operator's name, if its parameters take the arguments, else null: a database that
@@ -149,7 +156,7 @@ Result<TypedPtr> Checker::application_node(const Operator& op, const Application
 // decide.
 Result<TypedPtr> Checker::call_of_function(const Application& application, const SourcePlace& place,
                                            std::vector<TypedPtr>& checked) {
-  ASSIGN_OR_RETURN(TypedPtr function, find(application.name, place));
+  ALGEBRA3D_ASSIGN_OR_RETURN(TypedPtr function, find(application.name, place));
   if (function == nullptr || !function->type().is_function()) return TypedPtr();
   const std::vector<TypeExpr> parameters = function->type().function_parameters();
   if (parameters.size() != checked.size()) return TypedPtr();
@@ -160,7 +167,7 @@ Result<TypedPtr> Checker::call_of_function(const Application& application, const
       fits = fits && (argument.value != nullptr || argument.as_operand != nullptr);
       continue;
     }
-    ASSIGN_OR_RETURN(checked[index], check(*argument.value));
+    ALGEBRA3D_ASSIGN_OR_RETURN(checked[index], check(*argument.value));
     fits = fits && takes(parameters[index], checked[index]->type());
   }
   if (!fits) return TypedPtr();
@@ -168,9 +175,10 @@ Result<TypedPtr> Checker::call_of_function(const Application& application, const
   for (std::size_t index = 0; index < arguments.size(); ++index) {
     const Argument& argument = application.arguments[index];
     if (arguments[index] == nullptr) {
-      ASSIGN_OR_RETURN(arguments[index], check(argument.value ? *argument.value : *argument.as_operand));
+      ALGEBRA3D_ASSIGN_OR_RETURN(arguments[index], check(argument.value ? *argument.value : *argument.as_operand));
     }
-    ASSIGN_OR_RETURN(arguments[index], fitted(std::move(arguments[index]), parameters[index], application.name));
+    ALGEBRA3D_ASSIGN_OR_RETURN(arguments[index],
+                               fitted(std::move(arguments[index]), parameters[index], application.name));
   }
   return make_function_call(std::move(function), std::move(arguments), place);
 }
@@ -181,7 +189,7 @@ Result<TypedPtr> Checker::value_application(const Operator& op, const Applicatio
                                             std::vector<TypeExpr>& types) {
   for (std::size_t index = 0; index < checked.size(); ++index) {
     if (checked[index] == nullptr) {
-      ASSIGN_OR_RETURN(checked[index], check(*application.arguments[index].value));
+      ALGEBRA3D_ASSIGN_OR_RETURN(checked[index], check(*application.arguments[index].value));
     }
     types.push_back(checked[index]->type());
   }
@@ -209,7 +217,7 @@ Status Checker::check_place_count(const Operator& op, const Application& applica
 Result<TypedPtr> Checker::stream_application(const Operator& op, const Application& application,
                                              const std::vector<TypedPtr>& checked, const SourcePlace& place,
                                              std::vector<TypeExpr>& shown_types) {
-  RETURN_IF_ERROR(check_place_count(op, application, place));
+  ALGEBRA3D_RETURN_IF_ERROR(check_place_count(op, application, place));
   const SyntaxPattern& pattern = registry_.syntax(op);
   static const std::vector<std::string> none;
   std::vector<TypedPtr> nodes;
@@ -235,9 +243,9 @@ Result<TypedPtr> Checker::stream_application(const Operator& op, const Applicati
     nodes.push_back(std::move(node).value());
     types.push_back(std::move(type));
   }
-  auto plan = static_cast<const StreamOperator&>(*op.stream).plan(types, context_);
-  if (!plan) return std::move(plan).error().at(place);
-  return make_stream_call(std::move(plan).value(), std::move(nodes), place);
+  auto bound = bind_operator(op, types, context_);
+  if (!bound) return std::move(bound).error().at(place);
+  return make_stream_call(std::move(bound).value(), std::move(nodes), place);
 }
 
 Result<TypedPtr> Checker::checked_argument(const Argument& argument, const TypedPtr& checked,
@@ -249,7 +257,7 @@ Result<TypedPtr> Checker::checked_argument(const Argument& argument, const Typed
     case PlaceKind::value: {
       TypedPtr node = checked;
       if (node == nullptr) {
-        ASSIGN_OR_RETURN(node, check(*argument.value));
+        ALGEBRA3D_ASSIGN_OR_RETURN(node, check(*argument.value));
       }
       type.type = node->type();
       type.literal = int_literal(*argument.value);
@@ -259,14 +267,14 @@ Result<TypedPtr> Checker::checked_argument(const Argument& argument, const Typed
       return node;
     }
     case PlaceKind::function: {
-      ASSIGN_OR_RETURN(TypedPtr node, function_argument(*argument.value, function_place));
+      ALGEBRA3D_ASSIGN_OR_RETURN(TypedPtr node, function_argument(*argument.value, function_place));
       type.type = node->type();
       return node;
     }
     case PlaceKind::functions: {
       std::vector<TypedPtr> functions;
       for (const auto& [name, value] : argument.functions) {
-        ASSIGN_OR_RETURN(TypedPtr node, function_argument(*value, function_place));
+        ALGEBRA3D_ASSIGN_OR_RETURN(TypedPtr node, function_argument(*value, function_place));
         type.names.push_back(name);
         type.types.push_back(node->type());
         functions.push_back(std::move(node));
@@ -290,7 +298,7 @@ Result<TypedPtr> Checker::function_argument(const Expression& expression, const 
   Scope scope;
   scope.is_implicit = true;
   for (const std::string& pseudo : place.pseudo_types) {
-    ASSIGN_OR_RETURN(TypeExpr type, pseudo_type(pseudo, place.operands));
+    ALGEBRA3D_ASSIGN_OR_RETURN(TypeExpr type, pseudo_type(pseudo, place.operands));
     scope.parameters.push_back({"", std::move(type)});
   }
   return make_checked_function(std::move(scope), expression, expression.place);
@@ -334,7 +342,7 @@ Result<TypedPtr> Checker::check(const FunctionLiteral& function, const SourcePla
 }
 
 Result<TypedPtr> Checker::check(const FunctionReference& reference, const SourcePlace& place) {
-  ASSIGN_OR_RETURN(TypedPtr node, check(NameUse{reference.name}, place));
+  ALGEBRA3D_ASSIGN_OR_RETURN(TypedPtr node, check(NameUse{reference.name}, place));
   if (!node->type().is_function())
     return Error(ErrorCode::type_error, "fun {}: expected a function, got {}", reference.name, node->type().text())
         .at(place);
@@ -372,8 +380,8 @@ Result<TypedPtr> Checker::check(const FunctionCall& call, const SourcePlace& pla
         .at(place);
   std::vector<TypedPtr> arguments;
   for (std::size_t index = 0; index < parameters.size(); ++index) {
-    ASSIGN_OR_RETURN(TypedPtr argument, check(*call.arguments[index]));
-    ASSIGN_OR_RETURN(argument, fitted(std::move(argument), parameters[index], call.name));
+    ALGEBRA3D_ASSIGN_OR_RETURN(TypedPtr argument, check(*call.arguments[index]));
+    ALGEBRA3D_ASSIGN_OR_RETURN(argument, fitted(std::move(argument), parameters[index], call.name));
     arguments.push_back(std::move(argument));
   }
   return make_function_call(std::move(function).value(), std::move(arguments), place);

@@ -3,24 +3,25 @@
 #include <string>
 #include <vector>
 
+#include "algebra3d/registry/operator.h"
 #include "algebra3d/registry/registry.h"
 #include "queries/language/plan_recorder.h"
 #include "queries/language/typed_tree.h"
 
 namespace queries {
 
-/// Turns parsed expressions into typed ones, by asking the registry for operators and the database for objects.
-/// The source, the registry and `context` outlive the typed nodes. Diagnostics of constants go to `context`.
+/// Converts parsed to typed expressions: resolves operators in the registry and objects in the database. The object
+/// source, the registry and `context` outlive the typed nodes. Diagnostics of constants go to `context`.
 class Checker {
  public:
-  /// With a recorder the operators of the expression are counted and timed when it runs; it outlives the nodes.
+  /// `recorder`, if given, counts and times the operators when the expression runs; it outlives the nodes.
   Checker(const algebra3d::Registry& registry, ObjectSource& objects, Context& context,
           PlanRecorder* recorder = nullptr)
       : registry_(registry), objects_(objects), context_(context), recorder_(recorder) {}
 
-  /// Errors: type_error, unknown_name and invalid_value, each with line and column.
+  /// Checks an expression. Errors: type_error, unknown_name and invalid_value, each with line and column.
   Result<TypedPtr> check(const Expression& expression);
-  /// The type that is written; `typeOf` is resolved. Errors: unknown_name for a type that does not exist.
+  /// The type of a type expression, `typeOf` included. Errors: unknown_name for a type that does not exist.
   Result<TypeExpr> resolve(const TypeSyntax& syntax);
 
  private:
@@ -32,7 +33,7 @@ class Checker {
     std::vector<Parameter> parameters;
     bool is_implicit = false;
   };
-  /// A function place of an operator: pseudo types, and what they stand for there.
+  /// A function place of an operator: its pseudo types and the types they stand for.
   struct FunctionPlace {
     const std::vector<std::string>& pseudo_types;
     const std::vector<TypeExpr>& operands;
@@ -40,6 +41,7 @@ class Checker {
 
   Result<TypedPtr> check(const Literal& literal, const SourcePlace& place);
   Result<TypedPtr> check(const TypedLiteral& literal, const SourcePlace& place);
+  Result<TypedPtr> check(const HostValue& given, const SourcePlace& place);
   Result<TypedPtr> check(const NameUse& use, const SourcePlace& place);
   Result<TypedPtr> check(const AttributeUse& use, const SourcePlace& place);
   Result<TypedPtr> check(const ParameterUse& use, const SourcePlace& place);
@@ -84,7 +86,7 @@ class Checker {
   std::vector<Scope> scopes_;  // innermost last
 };
 
-/// Position of an attribute in a tuple type. Errors: unknown_name with the nearest name and what there is.
+/// Index of an attribute in a tuple type. Errors: unknown_name with the most similar name and all names.
 Result<std::size_t> attribute_index(const TypeExpr& tuple, const std::string& name);
 
 }  // namespace queries

@@ -1,10 +1,12 @@
 // The part of the checker that makes constants and resolves types.
 #include <algorithm>
 
+#include "algebra3d/base/diagnostics.h"
 #include "algebra3d/types/utf8.h"
 #include "queries/language/checker.h"
 #include "queries/language/list_pieces.h"
 #include "queries/streams/relation.h"
+#include "queries/streams/tuple_buffer.h"
 
 namespace queries {
 namespace {
@@ -80,7 +82,7 @@ Path wrong_element(const algebra3d::Type& type, const NestedList& list) {
 Result<TypedPtr> Checker::constant(const TypeExpr& type, const TypedLiteral& literal, const SourcePlace& place) {
   const NestedList& list = literal.list;
   if (type.is_relation()) {
-    ASSIGN_OR_RETURN(Datum relation, relation_constant(type, literal, place));
+    ALGEBRA3D_ASSIGN_OR_RETURN(Datum relation, relation_constant(type, literal, place));
     return make_constant(type, std::move(relation), place);
   }
   const algebra3d::Type* value_type = type.arguments().empty() ? registry_.find_type(type.name()) : nullptr;
@@ -125,7 +127,7 @@ Result<Datum> Checker::relation_constant(const TypeExpr& type, const TypedLitera
 
 Result<TypeExpr> Checker::resolve(const TypeSyntax& syntax) {
   if (syntax.type_of != nullptr) {
-    ASSIGN_OR_RETURN(const TypedPtr node, check(*syntax.type_of));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const TypedPtr node, check(*syntax.type_of));
     return node->type();
   }
   if (!syntax.attributes.empty()) {
@@ -133,8 +135,9 @@ Result<TypeExpr> Checker::resolve(const TypeSyntax& syntax) {
     for (const auto& [name, attribute] : syntax.attributes) {
       for (const TypeExpr::Attribute& earlier : attributes)
         if (earlier.name == name)
-          return Error(ErrorCode::type_error, "tuple: the attribute '{}' stands twice", name).at(syntax.place);
-      ASSIGN_OR_RETURN(TypeExpr type, resolve(attribute));
+          return Error(ErrorCode::type_error, "tuple: duplicate attribute name '{}'; rename one of them", name)
+              .at(syntax.place);
+      ALGEBRA3D_ASSIGN_OR_RETURN(TypeExpr type, resolve(attribute));
       if (registry_.find_type(type.name()) == nullptr)
         return Error(ErrorCode::type_error, "tuple: attribute '{}': expected a type of kind DATA, got {}", name,
                      type.text())
@@ -145,17 +148,17 @@ Result<TypeExpr> Checker::resolve(const TypeSyntax& syntax) {
   }
   std::vector<TypeExpr> arguments;
   for (const TypeSyntax& argument : syntax.arguments) {
-    ASSIGN_OR_RETURN(TypeExpr type, resolve(argument));
+    ALGEBRA3D_ASSIGN_OR_RETURN(TypeExpr type, resolve(argument));
     arguments.push_back(std::move(type));
   }
   TypeExpr type(syntax.name, std::move(arguments));
   if (type.arguments().empty() && registry_.find_type(type.name()) == nullptr) {
-    ASSIGN_OR_RETURN(const auto named, objects_.named_type(type.name()));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto named, objects_.named_type(type.name()));
     if (named) return *named;
     // SECONDO's name for ints of 64 bits.
     if (type.is("longint")) return TypeExpr("int");
   }
-  RETURN_IF_ERROR(check_type_name(type, syntax.place));
+  ALGEBRA3D_RETURN_IF_ERROR(check_type_name(type, syntax.place));
   return type;
 }
 

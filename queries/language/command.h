@@ -45,7 +45,7 @@ struct LetObject {
   ExpressionPtr value;
   bool replaces = false;
 };
-/// `derive N = E`: the expression is remembered and evaluated again when the database is restored.
+/// `derive N = E`: the expression is stored, and evaluated again when the database is restored.
 struct DeriveObject {
   std::string name;
   ExpressionPtr value;
@@ -55,7 +55,7 @@ struct UpdateObject {
   std::string name;
   ExpressionPtr value;
 };
-/// `delete N`, or `kill N`, which does not look at the value.
+/// `delete N`, or `kill N`, which does not read the value.
 struct DeleteObject {
   std::string name;
   bool kills = false;
@@ -89,11 +89,11 @@ struct DeleteType {
 struct Query {
   ExpressionPtr value;
 };
-/// `explain E`: the checked tree, and after running it tuples and time per operator.
+/// `explain E`: runs the expression and shows tuples and time per operator.
 struct Explain {
   ExpressionPtr value;
 };
-/// `list objects` and its like
+/// `list objects` and the other `list` commands
 struct Inquiry {
   enum class Subject : std::uint8_t { databases, objects, types, operators, type_constructors, algebras, counters };
   Subject subject = Subject::objects;
@@ -122,7 +122,7 @@ struct Loop {
   ExpressionPtr condition;
   CommandPtr body;
 };
-/// `{ C | C }` ends at the first error; `{{ C | C }}` goes on, and gives the first error at the end.
+/// `{ C | C }` ends at the first error; `{{ C | C }}` runs all commands and returns the first error.
 struct Sequence {
   std::vector<CommandPtr> commands;
   bool goes_on_after_errors = false;

@@ -9,19 +9,19 @@
 
 namespace queries {
 
-/// One command as it was collected, without the `;`.
+/// The text of one command, without the `;`.
 struct CommandText {
   std::string text;
-  algebra3d::SourcePlace start;  ///< place of its first character
+  algebra3d::SourcePlace start;  ///< position of its first character
 };
 
-/// Assembles commands from lines (language.md 1.1): a line that begins with `#` is skipped, `;` outside of brackets and
-/// literals ends a command, and so does an empty line. The commands of 1.2 (`help`, `quit`, `@FILE`, ...) need no `;`
-/// and end with their line. White space at the end of a line counts in literals alone, except for a carriage return.
-/// Works for scripts, test files and terminals alike.
+/// Assembles commands from lines (docs/language.md, "Decided here"): a line that begins with `#` is skipped, `;`
+/// outside of brackets and literals ends a command, and so does an empty line. The commands of the shell (`help`,
+/// `quit`, `@FILE`, ...) need no `;` and end with their line. White space at the end of a line is kept within literals
+/// only, a carriage return never. Used for scripts, test files and terminals.
 class CommandReader {
  public:
-  /// Lines that are skipped besides those that begin with `#`.
+  /// Which lines are skipped besides those that begin with `#`.
   enum class Skipping : std::uint8_t {
     comments,
     marked_blocks,  ///< also lines that begin with `//`, and from a line that begins with `/*` to one with `*/`
@@ -29,15 +29,15 @@ class CommandReader {
   explicit CommandReader(std::string file = {}, Skipping skipping = Skipping::comments)
       : file_(std::move(file)), skipping_(skipping) {}
 
-  /// Takes the next line (without its line end) and gives the commands that it completes.
+  /// Adds a line (without its line end) and returns the commands that it completes.
   std::vector<CommandText> add_line(std::string_view line);
-  /// The command that was begun and not ended, at the end of the input.
+  /// At the end of the input: the last command, if it has no end.
   std::optional<CommandText> finish();
-  /// True while a command is begun: a terminal then shows that more is expected.
+  /// True while a command is incomplete; a terminal then shows a continuation prompt.
   bool is_pending() const { return !text_.empty(); }
   /// Bytes of that command so far.
   std::size_t pending_size() const { return text_.size(); }
-  /// Where the marked block began that is not closed yet, and in which everything is skipped.
+  /// The beginning of a marked block that is not closed; its lines are skipped.
   std::optional<algebra3d::SourcePlace> open_block() const;
   int line() const { return line_; }
   const std::string& file() const { return file_; }
@@ -62,8 +62,8 @@ class CommandReader {
   int depth_ = 0;
 };
 
-/// Whether a command is one of language.md 1.2, which the shell carries out itself: `?`, `help`, `q`, `quit`, `debug`,
-/// `repeat` in any case, and whatever begins with `@`.
+/// True for a command of the shell: `?`, `help`, `q`, `quit`, `debug`, `repeat` in upper or lower case, and any text
+/// that begins with `@`.
 bool is_shell_command(std::string_view text);
 
 }  // namespace queries

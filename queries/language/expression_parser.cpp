@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "algebra3d/registry/operator.h"
 #include "queries/language/parser.h"
 
 namespace queries {
@@ -135,18 +136,18 @@ const Operator* ExpressionParser::operator_at(Shape shape) {
 
 // Precedence climbing; all operators group to the left.
 Result<ExpressionPtr> ExpressionParser::binary(int lowest_precedence) {
-  RETURN_IF_ERROR(deeper());
+  ALGEBRA3D_RETURN_IF_ERROR(deeper());
   ++depth_;
-  ASSIGN_OR_RETURN(ExpressionPtr left, chain());
-  RETURN_IF_ERROR(check_height(*left));
+  ALGEBRA3D_ASSIGN_OR_RETURN(ExpressionPtr left, chain());
+  ALGEBRA3D_RETURN_IF_ERROR(check_height(*left));
   for (const Operator* op = operator_at(Shape::infix); op != nullptr; op = operator_at(Shape::infix)) {
     const int precedence = precedence_of(op->name);
     if (precedence < lowest_precedence) break;
     const SourcePlace place = scanner_.take().place;
-    ASSIGN_OR_RETURN(ExpressionPtr right, binary(precedence + 1));
+    ALGEBRA3D_ASSIGN_OR_RETURN(ExpressionPtr right, binary(precedence + 1));
     left =
         make(place, Application{op->name, {value_argument(std::move(left)), value_argument(std::move(right))}, false});
-    RETURN_IF_ERROR(check_height(*left));
+    ALGEBRA3D_RETURN_IF_ERROR(check_height(*left));
   }
   --depth_;
   return left;
@@ -155,7 +156,7 @@ Result<ExpressionPtr> ExpressionParser::binary(int lowest_precedence) {
 Result<ExpressionPtr> ExpressionParser::chain() {
   if (at("-") && !is_number(scanner_.peek(1))) return negation();
   const auto outer_suspicion = std::exchange(suspicion_, std::nullopt);
-  ASSIGN_OR_RETURN(std::vector<ExpressionPtr> found, operands());
+  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<ExpressionPtr> found, operands());
   if (found.size() > 1) return suspicion_ ? *suspicion_ : not_an_operator(found[1]);
   suspicion_ = outer_suspicion;
   return std::move(found.front());
@@ -163,13 +164,13 @@ Result<ExpressionPtr> ExpressionParser::chain() {
 
 // A minus before anything but a number: `-` with one operand. It binds looser than postfix operators.
 Result<ExpressionPtr> ExpressionParser::negation() {
-  RETURN_IF_ERROR(deeper());
+  ALGEBRA3D_RETURN_IF_ERROR(deeper());
   ++depth_;
   const SourcePlace place = scanner_.take().place;
-  ASSIGN_OR_RETURN(ExpressionPtr operand, chain());
+  ALGEBRA3D_ASSIGN_OR_RETURN(ExpressionPtr operand, chain());
   --depth_;
   ExpressionPtr negated = make(place, Application{"-", {value_argument(std::move(operand))}, false});
-  RETURN_IF_ERROR(check_height(*negated));
+  ALGEBRA3D_RETURN_IF_ERROR(check_height(*negated));
   return negated;
 }
 
@@ -178,12 +179,12 @@ Result<std::vector<ExpressionPtr>> ExpressionParser::operands() {
   std::vector<ExpressionPtr> found;
   while (true) {
     if (const Operator* op = postfix_operator_at(found.size()); op != nullptr) {
-      RETURN_IF_ERROR(postfix_application(*op, found));
+      ALGEBRA3D_RETURN_IF_ERROR(postfix_application(*op, found));
     } else if (at("{") && !found.empty()) {
-      RETURN_IF_ERROR(annotation(found.back()));
+      ALGEBRA3D_RETURN_IF_ERROR(annotation(found.back()));
     } else if (found.empty() || starts_operand()) {
       suspect_operator(found.size());
-      ASSIGN_OR_RETURN(ExpressionPtr operand, primary());
+      ALGEBRA3D_ASSIGN_OR_RETURN(ExpressionPtr operand, primary());
       found.push_back(std::move(operand));
     } else {
       return found;
@@ -274,7 +275,7 @@ Result<ExpressionPtr> ExpressionParser::primary() {
     case Kind::parameter:
       return make(place, ParameterUse{scanner_.take().parameter});
     case Kind::constant: {
-      ASSIGN_OR_RETURN(ExpressionNode constant, parameter_constant(parameters_, scanner_.take()));
+      ALGEBRA3D_ASSIGN_OR_RETURN(ExpressionNode constant, parameter_constant(parameters_, scanner_.take()));
       return make(place, std::move(constant));
     }
     case Kind::word:
@@ -287,8 +288,8 @@ Result<ExpressionPtr> ExpressionParser::primary() {
   if (at("-") || at("+")) return signed_number();
   if (at("[")) return list();
   if (accept("(")) {
-    ASSIGN_OR_RETURN(ExpressionPtr inner, expression());
-    RETURN_IF_ERROR(expect(")", "to close the bracket"));
+    ALGEBRA3D_ASSIGN_OR_RETURN(ExpressionPtr inner, expression());
+    ALGEBRA3D_RETURN_IF_ERROR(expect(")", "to close the bracket"));
     return inner;
   }
   return unexpected("an operand");
@@ -331,7 +332,7 @@ Result<ExpressionPtr> ExpressionParser::word_primary() {
 
 // `rect2region(r)` for `r rect2region`.
 Result<ExpressionPtr> ExpressionParser::call_of_postfix(const Operator& op, const SourcePlace& place) {
-  ASSIGN_OR_RETURN(const ExpressionPtr written, function_call(op.name, place));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const ExpressionPtr written, function_call(op.name, place));
   Application application{op.name, {}, true};
   for (const ExpressionPtr& operand : std::get<FunctionCall>(written->node).arguments)
     application.arguments.push_back(value_argument(operand));
@@ -351,7 +352,7 @@ Result<ExpressionPtr> ExpressionParser::name_or_call(const Token& token) {
 Result<ExpressionPtr> ExpressionParser::prefix_application(const Operator& op, SourcePlace place) {
   scanner_.take();
   Application application{op.name, {}, true};
-  RETURN_IF_ERROR(places(registry_.syntax(op), ")", application.arguments));
+  ALGEBRA3D_RETURN_IF_ERROR(places(registry_.syntax(op), ")", application.arguments));
   return make(std::move(place), std::move(application));
 }
 
@@ -359,11 +360,11 @@ Result<ExpressionPtr> ExpressionParser::function_call(std::string function, Sour
   scanner_.take();
   FunctionCall call{std::move(function), {}};
   while (!at(")")) {
-    ASSIGN_OR_RETURN(ExpressionPtr argument, expression());
+    ALGEBRA3D_ASSIGN_OR_RETURN(ExpressionPtr argument, expression());
     call.arguments.push_back(std::move(argument));
     if (!accept(",")) break;
   }
-  RETURN_IF_ERROR(expect(")", "to close the arguments of '" + call.name + "'"));
+  ALGEBRA3D_RETURN_IF_ERROR(expect(")", "to close the arguments of '" + call.name + "'"));
   return make(std::move(place), std::move(call));
 }
 
@@ -378,8 +379,8 @@ Status ExpressionParser::postfix_application(const Operator& op, std::vector<Exp
   // `_ rduph[...]`: where nothing must stand in the brackets they may be left out.
   const bool may_leave_out = pattern.places.empty() && !at("[");
   if (pattern.has_brackets && !may_leave_out) {
-    RETURN_IF_ERROR(expect("[", "after '" + op.name + "' (syntax: " + op.syntax + ")"));
-    RETURN_IF_ERROR(places(pattern, "]", application.arguments));
+    ALGEBRA3D_RETURN_IF_ERROR(expect("[", "after '" + op.name + "' (syntax: " + op.syntax + ")"));
+    ALGEBRA3D_RETURN_IF_ERROR(places(pattern, "]", application.arguments));
   }
   operands.push_back(make(place, std::move(application)));
   return check_height(*operands.back());
@@ -395,7 +396,7 @@ Status ExpressionParser::annotation(ExpressionPtr& operand) {
     argument.names = {first.text};
     argument.place = first.place;
     operand = make(place, Application{"rename", {value_argument(operand), std::move(argument)}, false});
-    RETURN_IF_ERROR(check_height(*operand));
+    ALGEBRA3D_RETURN_IF_ERROR(check_height(*operand));
   } else {
     const bool is_memory = first.kind == Kind::word;
     if (!is_memory && first.kind != Kind::integer && first.kind != Kind::real)
@@ -415,8 +416,8 @@ Status ExpressionParser::places(const SyntaxPattern& pattern, std::string_view c
     const Place place = is_declared ? pattern.places[index] : Place{};
     const bool may_be_empty = place.kind == SyntaxPattern::PlaceKind::attributes && index + 1 < pattern.places.size();
     if (at(close) && !may_be_empty) break;
-    if (index > 0) RETURN_IF_ERROR(expect(is_declared && place.before == ';' ? ";" : ",", context));
-    ASSIGN_OR_RETURN(Argument next, argument(place));
+    if (index > 0) ALGEBRA3D_RETURN_IF_ERROR(expect(is_declared && place.before == ';' ? ";" : ",", context));
+    ALGEBRA3D_ASSIGN_OR_RETURN(Argument next, argument(place));
     arguments.push_back(std::move(next));
     ++index;
     if (at(close) || at(",") || at(";")) continue;
@@ -434,26 +435,27 @@ Result<Argument> ExpressionParser::argument(const Place& place) {
   switch (place.kind) {
     case PlaceKind::value:
     case PlaceKind::function: {
-      ASSIGN_OR_RETURN(argument.value, expression());
+      ALGEBRA3D_ASSIGN_OR_RETURN(argument.value, expression());
       break;
     }
     case PlaceKind::attribute:
     case PlaceKind::name: {
-      ASSIGN_OR_RETURN(std::string word, name(place.kind == PlaceKind::name ? "a name" : "an attribute name"));
+      ALGEBRA3D_ASSIGN_OR_RETURN(std::string word,
+                                 name(place.kind == PlaceKind::name ? "a name" : "an attribute name"));
       argument.names = {std::move(word)};
       break;
     }
     case PlaceKind::attributes:
-      RETURN_IF_ERROR(attribute_names(argument, false));
+      ALGEBRA3D_RETURN_IF_ERROR(attribute_names(argument, false));
       break;
     case PlaceKind::keys:
-      RETURN_IF_ERROR(attribute_names(argument, true));
+      ALGEBRA3D_RETURN_IF_ERROR(attribute_names(argument, true));
       break;
     case PlaceKind::functions:
-      RETURN_IF_ERROR(function_list(argument));
+      ALGEBRA3D_RETURN_IF_ERROR(function_list(argument));
       break;
     case PlaceKind::renames:
-      RETURN_IF_ERROR(rename_list(argument));
+      ALGEBRA3D_RETURN_IF_ERROR(rename_list(argument));
       break;
   }
   return argument;
@@ -462,7 +464,7 @@ Result<Argument> ExpressionParser::argument(const Place& place) {
 Status ExpressionParser::attribute_names(Argument& argument, bool with_order) {
   if (at(";") || at("]")) return {};
   do {
-    ASSIGN_OR_RETURN(std::string attribute, name("an attribute name"));
+    ALGEBRA3D_ASSIGN_OR_RETURN(std::string attribute, name("an attribute name"));
     argument.names.push_back(std::move(attribute));
     if (!with_order) continue;
     const bool is_descending = accept("desc");
@@ -476,9 +478,9 @@ Status ExpressionParser::function_list(Argument& argument) {
   if (at("]")) return {};
   do {
     NamedExpression function;
-    ASSIGN_OR_RETURN(function.name, name("the name of a new attribute"));
-    RETURN_IF_ERROR(expect(":", "after the name of the new attribute '" + function.name + "'"));
-    ASSIGN_OR_RETURN(function.value, expression());
+    ALGEBRA3D_ASSIGN_OR_RETURN(function.name, name("the name of a new attribute"));
+    ALGEBRA3D_RETURN_IF_ERROR(expect(":", "after the name of the new attribute '" + function.name + "'"));
+    ALGEBRA3D_ASSIGN_OR_RETURN(function.value, expression());
     argument.functions.push_back(std::move(function));
   } while (accept(","));
   return {};
@@ -486,8 +488,8 @@ Status ExpressionParser::function_list(Argument& argument) {
 
 Status ExpressionParser::rename_list(Argument& argument) {
   do {
-    ASSIGN_OR_RETURN(std::string renamed, name("the new name of an attribute"));
-    RETURN_IF_ERROR(expect(":", "after the new name '" + renamed + "'"));
+    ALGEBRA3D_ASSIGN_OR_RETURN(std::string renamed, name("the new name of an attribute"));
+    ALGEBRA3D_RETURN_IF_ERROR(expect(":", "after the new name '" + renamed + "'"));
     if (!scanner_.peek().is_name() && scanner_.peek().kind != Kind::string) return unexpected("an attribute name");
     argument.names.push_back(std::move(renamed));
     argument.modifiers.push_back(scanner_.take().text);
@@ -498,7 +500,7 @@ Status ExpressionParser::rename_list(Argument& argument) {
 Result<ExpressionPtr> ExpressionParser::list() {
   const SourcePlace place = scanner_.take().place;
   if (at("const")) {
-    RETURN_IF_ERROR(deeper());
+    ALGEBRA3D_RETURN_IF_ERROR(deeper());
     return typed_literal();
   }
   ListExpression content;
@@ -510,20 +512,20 @@ Result<ExpressionPtr> ExpressionParser::list() {
       scanner_.take();
     }
     ++depth_;
-    RETURN_IF_ERROR(deeper());
+    ALGEBRA3D_RETURN_IF_ERROR(deeper());
     if (const auto second = scanner_.peek(1); !is_named && (second.is("asc") || second.is("desc"))) {
       const Token key = scanner_.take();
       const Token order = scanner_.take();
       item.value = make(key.place, NameUse{key.text});
       item.modifier = make(order.place, NameUse{order.text});
     } else {
-      ASSIGN_OR_RETURN(item.value, expression());
+      ALGEBRA3D_ASSIGN_OR_RETURN(item.value, expression());
     }
     --depth_;
     content.items.push_back(std::move(item));
     if (!accept(",")) break;
   }
-  RETURN_IF_ERROR(expect("]", "to close the list"));
+  ALGEBRA3D_RETURN_IF_ERROR(expect("]", "to close the list"));
   return make(place, std::move(content));
 }
 
@@ -531,8 +533,8 @@ Result<ExpressionPtr> ExpressionParser::list() {
 Result<ExpressionPtr> ExpressionParser::typed_literal() {
   const SourcePlace place = scanner_.take().place;
   TypedLiteral literal;
-  ASSIGN_OR_RETURN(literal.type, type());
-  RETURN_IF_ERROR(expect("value", "after the type of a constant"));
+  ALGEBRA3D_ASSIGN_OR_RETURN(literal.type, type());
+  ALGEBRA3D_RETURN_IF_ERROR(expect("value", "after the type of a constant"));
   const SourcePlace list_place = scanner_.peek().place;
   const auto raw = scanner_.take_raw_until(']');
   if (scanner_.error()) return *scanner_.error();
@@ -542,18 +544,18 @@ Result<ExpressionPtr> ExpressionParser::typed_literal() {
   literal.list = std::move(list).value();
   if (raw->size() <= kLongestKeptLiteral) literal.written = std::make_shared<const std::string>(*raw);
   literal.list_place = list_place;
-  RETURN_IF_ERROR(expect("]", "after the value of a constant"));
+  ALGEBRA3D_RETURN_IF_ERROR(expect("]", "after the value of a constant"));
   return make(place, std::move(literal));
 }
 
 Result<ExpressionPtr> ExpressionParser::function_literal() {
   const SourcePlace place = scanner_.take().place;
   if (scanner_.peek().is_name()) return make(place, FunctionReference{scanner_.take().text});
-  RETURN_IF_ERROR(expect("(", "or the name of a function object after 'fun'"));
+  ALGEBRA3D_RETURN_IF_ERROR(expect("(", "or the name of a function object after 'fun'"));
   FunctionLiteral function;
   while (!at(")")) {
     const SourcePlace parameter_place = scanner_.peek().place;
-    ASSIGN_OR_RETURN(std::string parameter, name("a parameter name"));
+    ALGEBRA3D_ASSIGN_OR_RETURN(std::string parameter, name("a parameter name"));
     if (means_implicit_parameter(parameter))
       return Error(ErrorCode::reserved_name, "'{}' stands for an implicit parameter and cannot name another one",
                    parameter)
@@ -561,13 +563,13 @@ Result<ExpressionPtr> ExpressionParser::function_literal() {
     if (is_reserved(parameter))
       return Error(ErrorCode::reserved_name, "'{}' is a word of the language and cannot name a parameter", parameter)
           .at(parameter_place);
-    RETURN_IF_ERROR(expect(":", "after the parameter '" + parameter + "'"));
-    ASSIGN_OR_RETURN(TypeSyntax parameter_type, type());
+    ALGEBRA3D_RETURN_IF_ERROR(expect(":", "after the parameter '" + parameter + "'"));
+    ALGEBRA3D_ASSIGN_OR_RETURN(TypeSyntax parameter_type, type());
     function.parameters.push_back({std::move(parameter), std::move(parameter_type)});
     if (!accept(",")) break;
   }
-  RETURN_IF_ERROR(expect(")", "to close the parameters"));
-  ASSIGN_OR_RETURN(function.body, expression());
+  ALGEBRA3D_RETURN_IF_ERROR(expect(")", "to close the parameters"));
+  ALGEBRA3D_ASSIGN_OR_RETURN(function.body, expression());
   return make(place, std::move(function));
 }
 

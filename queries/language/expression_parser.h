@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "algebra3d/registry/operator.h"
 #include "algebra3d/registry/registry.h"
 #include "queries/language/scanner.h"
 #include "queries/language/session_parameters.h"
@@ -15,20 +16,20 @@ namespace queries {
 using algebra3d::Result;
 using algebra3d::Status;
 
-/// Recursive descent over one scanner. Grammar: language.md 3.2 to 3.5 with conventional precedence (docs/language.md).
-/// Depth is limited by kMaxBracketDepth.
+/// A recursive-descent parser of expressions. The grammar is SECONDO's, with the precedence of docs/language.md,
+/// "Precedence". Depth is limited by kMaxBracketDepth.
 ///
-/// Names of operators are no reserved words, so that a new operator breaks no script and no database: where a word
-/// stands decides what it is, without looking at the objects that there are.
-/// - Where an operand begins (at the beginning, after an infix operator, a bracket, a comma) a word is a name, and with
+/// Names of operators are not reserved, so that a new operator breaks no script and no database. The position of a word
+/// decides what it is, independent of the objects in the database:
+/// - Where an operand begins (at the beginning, after an infix operator, a bracket, a comma) a word is a name, or with
 ///   `(` behind it a call. A call of a prefix operator's name is an Application with `is_call`: the checker gives it to
 ///   a function of that name if the parameters take the arguments.
-/// - Behind an operand the name of an infix operator is that operator; so is the name of a postfix operator if as many
-///   operands stand before it as it takes. Any other word is one more operand of a postfix operator that follows.
+/// - After an operand the name of an infix operator is that operator; so is the name of a postfix operator if it has
+///   enough operands before it. Any other word is a further operand of a following postfix operator.
 /// - A word in backquotes is a name wherever it stands. Words of the language are reserved (is_reserved).
 class ExpressionParser {
  public:
-  /// `parameters`: what `$name` stands for; null for none.
+  /// `parameters`: the values of `$name`; null for none.
   ExpressionParser(Scanner& scanner, const algebra3d::Registry& registry, const SessionParameters* parameters = nullptr)
       : scanner_(scanner), registry_(registry), parameters_(parameters) {}
 
@@ -39,10 +40,10 @@ class ExpressionParser {
   bool at(std::string_view spelling) { return scanner_.peek().is(spelling); }
   bool accept(std::string_view spelling);
   Status expect(std::string_view spelling, std::string_view context);
-  /// Any word, perhaps in backquotes, as a name; `what` is for the message ("an attribute name").
+  /// Reads a word, also one in backquotes, as a name; `what` is for the message ("an attribute name").
   Result<std::string> name(std::string_view what);
   Status expect_end();
-  /// "expected WHAT, found TOKEN" at the next token.
+  /// The error "expected WHAT, found TOKEN" at the next token.
   algebra3d::Error unexpected(std::string_view what);
   Scanner& scanner() { return scanner_; }
   const SessionParameters* parameters() const { return parameters_; }
@@ -88,7 +89,7 @@ class ExpressionParser {
   const algebra3d::Registry& registry_;
   const SessionParameters* parameters_;
   int depth_ = 0;
-  /// What was most likely meant by the first operator's name that became an operand, if operands stand side by side.
+  /// The likely mistake if two operands are adjacent: the first name of an operator that was read as an operand.
   std::optional<algebra3d::Error> suspicion_;
 };
 

@@ -56,7 +56,7 @@ Result<std::optional<std::string_view>> ListPieces::next() {
 }
 
 Result<NestedList> ListPieces::read(std::string_view what) {
-  ASSIGN_OR_RETURN(const auto piece, next());
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto piece, next());
   if (!piece) return error(what);
   return parse(*piece);
 }

@@ -9,28 +9,28 @@
 
 namespace queries {
 
-/// Walks through the text of a nested list element by element, so that a list that is larger than memory can be read
-/// piece by piece. Knows only as much of the notation as is needed to find where an element ends; `NestedList::parse`
-/// reads the pieces. The text outlives the reader. Used by one thread. Cost: linear, no recursion.
+/// Splits the text of a nested list into its elements, so that a list larger than memory can be read element by
+/// element. Finds only the ends of elements; `NestedList::parse` parses them. The text outlives the reader. Used by one
+/// thread. Cost: linear, no recursion.
 class ListPieces {
  public:
   /// `file` is the name for messages.
   ListPieces(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {}
 
-  /// Steps over `(`. Errors: invalid_value if something else comes next.
+  /// Skips `(`. Errors: invalid_value if the next character is another.
   algebra3d::Status enter();
-  /// Steps over `)`. Errors: invalid_value if the list goes on.
+  /// Skips `)`. Errors: invalid_value if the list has more elements.
   algebra3d::Status leave();
-  /// Steps over the next element, a list or an atom, and gives its text; nothing before `)`.
-  /// Errors: invalid_value at the end of the text.
+  /// Skips the next element, a list or an atom, and returns its text; nothing if the list ends. Errors: invalid_value
+  /// at the end of the text.
   algebra3d::Result<std::optional<std::string_view>> next();
-  /// An element that `next` gave, read as a nested list. Errors have their place in the whole text.
+  /// Parses an element from `next`. Errors have the position in the whole text.
   algebra3d::Result<algebra3d::NestedList> parse(std::string_view piece) const;
-  /// `next`, which must be there, read as a nested list.
+  /// Parses the next element. Errors: also "expected WHAT" if there is none.
   algebra3d::Result<algebra3d::NestedList> read(std::string_view what);
-  /// Whether nothing but blanks and comments follows.
+  /// Whether only blanks and comments follow.
   bool is_at_end();
-  /// The place of the next element.
+  /// The position of the next element.
   algebra3d::SourcePlace place();
 
  private:

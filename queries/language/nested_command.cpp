@@ -1,5 +1,5 @@
-// Commands as nested lists: the words of the text as a list (language.md 1.3).
-#include "queries/language/command_parser.h"
+// Commands as nested lists: the words of the text as a list.
+#include "queries/language/detail/command_parser.h"
 #include "queries/language/nested_reader.h"
 #include "queries/language/scanner.h"
 

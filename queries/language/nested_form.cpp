@@ -1,4 +1,4 @@
-// The nested-list form of parsed expressions (language.md 3.3).
+// The nested-list form of parsed expressions.
 #include "queries/language/syntax_tree.h"
 
 namespace queries {
@@ -19,6 +19,11 @@ NestedList nested(const Literal& literal) {
 }
 NestedList nested(const TypedLiteral& literal) {
   return NestedList::list(symbol("const"), to_nested(literal.type), symbol("value"), literal.list);
+}
+// A stored function keeps the value, not the name.
+NestedList nested(const HostValue& given) {
+  return NestedList::list(symbol("const"), symbol(std::string(given.value.type().name())), symbol("value"),
+                          given.value.to_nested());
 }
 NestedList nested(const NameUse& use) {
   return symbol(use.name);

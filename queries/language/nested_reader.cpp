@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "algebra3d/base/number_text.h"
+#include "algebra3d/registry/operator.h"
 #include "algebra3d/types/expression_list.h"
 #include "algebra3d/types/file_atom.h"
 #include "queries/language/parser.h"
@@ -84,7 +85,7 @@ Result<ExpressionPtr> NestedReader::make(ExpressionNode node) const {
 Result<ExpressionPtr> NestedReader::expression(const NestedList& list) {
   if (is_in_spare_parentheses(list)) return expression(list.elements().front());
   const Deeper level(*this);
-  RETURN_IF_ERROR(level.check(place_));
+  ALGEBRA3D_RETURN_IF_ERROR(level.check(place_));
   if (list.is_symbol()) return symbol(list.as_symbol());
   if (!list.is_list()) return make(Literal{list});
   return list_expression(list);
@@ -140,7 +141,7 @@ bool NestedReader::is_type_head(const NestedList& head) const {
 
 Result<ExpressionPtr> NestedReader::constant(const NestedList& type_list, const NestedList& value) {
   TypedLiteral literal;
-  ASSIGN_OR_RETURN(literal.type, type(type_list));
+  ALGEBRA3D_ASSIGN_OR_RETURN(literal.type, type(type_list));
   literal.list = value;
   algebra3d::read_large_integers_as_reals(literal.list);
   return make(std::move(literal));
@@ -161,7 +162,7 @@ Result<ExpressionPtr> NestedReader::application(const Operator& op, const List& 
     const bool is_bracket_value =
         index >= pattern.operand_count && pattern.has_brackets && place.kind == PlaceKind::value;
     const NestedList& item = is_bracket_value ? in_brackets(items[index + 1]) : items[index + 1];
-    ASSIGN_OR_RETURN(Argument next, argument(op.name, place, item));
+    ALGEBRA3D_ASSIGN_OR_RETURN(Argument next, argument(op.name, place, item));
     result.arguments.push_back(std::move(next));
   }
   return make(std::move(result));
@@ -180,12 +181,12 @@ Result<Argument> NestedReader::argument(const std::string& op, const Place& plac
   argument.kind = place.kind;
   argument.place = place_;
   if (place.kind == PlaceKind::value || place.kind == PlaceKind::function) {
-    ASSIGN_OR_RETURN(argument.value, expression(item));
+    ALGEBRA3D_ASSIGN_OR_RETURN(argument.value, expression(item));
     return argument;
   }
   // Lists of functions hold expressions, which would be read twice on every level.
   if (place.kind == PlaceKind::functions && has_form_of_functions(item)) {
-    RETURN_IF_ERROR(functions(op, item, argument));
+    ALGEBRA3D_RETURN_IF_ERROR(functions(op, item, argument));
     return argument;
   }
   Status read = names_at(op, item, argument);
@@ -244,7 +245,7 @@ Status NestedReader::functions(const std::string& op, const NestedList& item, Ar
   for (const NestedList& element : item.elements()) {
     if (name_in(element.elements()[0]).empty()) return error(op + ": (name function)", element);
     NamedExpression function{name_in(element.elements()[0]), nullptr};
-    ASSIGN_OR_RETURN(function.value, expression(element.elements()[1]));
+    ALGEBRA3D_ASSIGN_OR_RETURN(function.value, expression(element.elements()[1]));
     argument.functions.push_back(std::move(function));
   }
   return {};
@@ -259,11 +260,11 @@ Result<ExpressionPtr> NestedReader::function(const List& items) {
   for (std::size_t index = 1; index + 1 < items.size(); ++index) {
     if (!is_pair(items[index]) || !is_identifier(symbol_in(items[index].elements()[0])))
       return error("(parameter type)", items[index]);
-    ASSIGN_OR_RETURN(TypeSyntax parameter_type, type(items[index].elements()[1]));
+    ALGEBRA3D_ASSIGN_OR_RETURN(TypeSyntax parameter_type, type(items[index].elements()[1]));
     bound_.push_back(items[index].elements()[0].as_symbol());
     result.parameters.push_back({bound_.back(), std::move(parameter_type)});
   }
-  ASSIGN_OR_RETURN(result.body, expression(items.back()));
+  ALGEBRA3D_ASSIGN_OR_RETURN(result.body, expression(items.back()));
   bound_.resize(bound_before);
   return make(std::move(result));
 }
@@ -272,7 +273,7 @@ Result<ExpressionPtr> NestedReader::function(const List& items) {
 Result<ExpressionPtr> NestedReader::function_call(const List& items) {
   FunctionCall call{items.front().as_symbol(), {}};
   for (std::size_t index = 1; index < items.size(); ++index) {
-    ASSIGN_OR_RETURN(ExpressionPtr argument, expression(items[index]));
+    ALGEBRA3D_ASSIGN_OR_RETURN(ExpressionPtr argument, expression(items[index]));
     call.arguments.push_back(std::move(argument));
   }
   return make(std::move(call));
@@ -291,20 +292,20 @@ Result<TypeSyntax> NestedReader::type(const NestedList& list) {
   syntax.name = items.front().as_symbol();
   if (syntax.name == "typeOf" && items.size() == 2) {
     syntax.name.clear();
-    ASSIGN_OR_RETURN(syntax.type_of, expression(items[1]));
+    ALGEBRA3D_ASSIGN_OR_RETURN(syntax.type_of, expression(items[1]));
     return syntax;
   }
   if (syntax.name == "tuple") {
     if (items.size() != 2 || !items[1].is_list()) return error("(tuple ((Name type) ...))", list);
     for (const NestedList& element : items[1].elements()) {
       if (!is_pair(element) || !is_identifier(symbol_in(element.elements()[0]))) return error("(Name type)", element);
-      ASSIGN_OR_RETURN(TypeSyntax attribute, type(element.elements()[1]));
+      ALGEBRA3D_ASSIGN_OR_RETURN(TypeSyntax attribute, type(element.elements()[1]));
       syntax.attributes.push_back({element.elements()[0].as_symbol(), std::move(attribute)});
     }
     return syntax;
   }
   for (std::size_t index = 1; index < items.size(); ++index) {
-    ASSIGN_OR_RETURN(TypeSyntax argument, type(items[index]));
+    ALGEBRA3D_ASSIGN_OR_RETURN(TypeSyntax argument, type(items[index]));
     syntax.arguments.push_back(std::move(argument));
   }
   return syntax;

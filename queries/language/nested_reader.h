@@ -4,24 +4,25 @@
 #include <string_view>
 #include <vector>
 
+#include "algebra3d/registry/operator.h"
 #include "algebra3d/registry/registry.h"
 #include "queries/language/command.h"
 
 namespace queries {
 
-/// Reads expressions and types in their nested-list form, `(count (filter (feed R) (fun (t TUPLE) (> (attr t A) 3))))`:
-/// the inverse of `to_nested`. Nested lists do not know where their parts stood, so every error and every node has the
-/// place of the whole. Trees are limited in height as those of texts (kMaxExpressionHeight).
+/// Parses expressions and types in nested-list form, `(count (filter (feed R) (fun (t TUPLE) (> (attr t A) 3))))`: the
+/// inverse of `to_nested`. Nested lists have no positions, so every error and node has that of the whole list. The
+/// height of trees is limited as in texts (kMaxExpressionHeight).
 ///
-/// The first symbol of a list is what is called, any other is a name: so objects and parameters may have the names of
-/// operators. Arguments of an operator are read by its pattern and, where that expects names, as operands too, since
-/// only the checker knows if there is a function of that name.
+/// The first symbol of a list is called, all others are names, so objects and parameters may have names of operators.
+/// Arguments are read by the operator's pattern and, where that expects names, also as operands, since only the checker
+/// knows whether a function has this name.
 class NestedReader {
  public:
   NestedReader(const algebra3d::Registry& registry, SourcePlace place)
       : registry_(registry), place_(std::move(place)) {}
 
-  /// Errors: syntax_error with the part that is no expression, limit_exceeded.
+  /// Reads an expression. Errors: syntax_error with the part that is not an expression, limit_exceeded.
   algebra3d::Result<ExpressionPtr> expression(const NestedList& list);
   algebra3d::Result<TypeSyntax> type(const NestedList& list);
 
@@ -42,7 +43,7 @@ class NestedReader {
   algebra3d::Status names(const std::string& op, const NestedList& item, Argument& argument) const;
   algebra3d::Status pairs(const std::string& op, const NestedList& item, Argument& argument) const;
   algebra3d::Status functions(const std::string& op, const NestedList& item, Argument& argument);
-  /// The number of an implicit parameter that is written as `tuple1`; 0 for any other symbol.
+  /// The number of an implicit parameter such as `tuple1`; 0 for any other symbol.
   int implicit_parameter(std::string_view name) const;
   bool is_type_head(const NestedList& head) const;
   algebra3d::Result<ExpressionPtr> make(ExpressionNode node) const;
@@ -51,11 +52,11 @@ class NestedReader {
 
   const algebra3d::Registry& registry_;
   const SourcePlace place_;
-  std::vector<std::string> bound_;  // the parameters of the functions around
-  int depth_ = 0;                   // nodes above, and this one
+  std::vector<std::string> bound_;  // the parameters of the enclosing functions
+  int depth_ = 0;                   // number of enclosing nodes, with this one
 };
 
-/// A command whose words and parts are the elements of a list, `(let n = (+ 1 2))`.
+/// Parses a command in nested-list form, `(let n = (+ 1 2))`.
 algebra3d::Result<Command> command_of(const NestedList& list, const algebra3d::Registry& registry,
                                       const SourcePlace& place);
 

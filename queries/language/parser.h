@@ -10,39 +10,38 @@
 
 namespace queries {
 
-/// Deepest nesting of brackets in the text of an expression or type; beyond it: error limit_exceeded. With it the
-/// parser needs some 3 MB of stack in the sanitizer build, and a tenth of that otherwise. The program has a stack of
-/// its own for this.
+/// Deepest nesting of brackets in the text of an expression or type; beyond it: error limit_exceeded. At this depth the
+/// parser needs about 3 MB of stack in the sanitizer build, a tenth of that in others; the program runs on a larger
+/// stack.
 inline constexpr int kMaxBracketDepth = 200;
-/// Highest expression tree, to which operators in a row contribute, in a text and in a nested list alike; beyond it:
-/// error limit_exceeded.
+/// Maximum height of an expression tree, to which chained operators contribute; beyond it: error limit_exceeded.
 inline constexpr int kMaxExpressionHeight = 400;
-/// The error that tells of a tree beyond kMaxExpressionHeight.
+/// The error for a tree beyond kMaxExpressionHeight.
 algebra3d::Error too_high(const SourcePlace& place);
 
-/// Reads one command (without the `;` that ends it). Operators are recognised by the syntax patterns of `registry`.
-/// A text that begins with `(` is a command as a nested list, `(query (+ 1 2))`.
-/// Errors: syntax_error and unknown_name with line and column, what was found and what is possible.
-/// `parameters`: what `$name` stands for in a text; null for none.
+/// Parses one command (without the `;` that ends it). Operators are recognised by the syntax patterns of `registry`. A
+/// text that begins with `(` is a command in nested-list form, `(query (+ 1 2))`. `parameters`: the values of `$name`
+/// in a text; null for none. Errors: syntax_error and unknown_name with line and column, what was found and what was
+/// expected.
 algebra3d::Result<Command> parse_command(std::string_view text, const algebra3d::Registry& registry,
                                          const SourcePlace& start = {"", 1, 1},
                                          const SessionParameters* parameters = nullptr);
 
-/// Reads one expression that is all of `text`.
+/// Parses a text that is one expression.
 algebra3d::Result<ExpressionPtr> parse_expression(std::string_view text, const algebra3d::Registry& registry,
                                                   const SourcePlace& start = {"", 1, 1});
 
-/// True for the words that stand for implicit parameters in nested lists: `tuple1` to `tuple9`, `tuple`, `group`. A
-/// parameter or an object of that name would capture what is written `.A` in a text.
+/// True for the names of implicit parameters in nested lists: `tuple1` to `tuple9`, `tuple`, `group`. A parameter or an
+/// object of such a name would capture `.A` of a text.
 bool means_implicit_parameter(std::string_view word);
 
-/// What is written in place of SQL's `select`.
+/// The message for users who write SQL's `select`.
 inline constexpr std::string_view kInsteadOfSelect =
     "write query RELATION feed filter[CONDITION] project[ATTRIBUTES] consume";
 
-/// True for the words of the language, which cannot name anything. Names of operators are not among them.
+/// True for reserved words, which cannot be names. Names of operators are not reserved.
 bool is_reserved(std::string_view word);
-/// The message where a reserved word stands for an operand.
+/// The message for a reserved word in place of an operand.
 std::string no_operand_text(std::string_view word);
 
 }  // namespace queries

@@ -9,25 +9,25 @@
 
 namespace queries {
 
-/// One operator of a checked expression, with what it did while the expression ran.
+/// One operator of a query plan, with its counts and times.
 struct PlanStep {
   std::string name;       ///< of the operator
-  std::string signature;  ///< argument types and result type of the overload that was chosen
-  int depth = 0;          ///< below how many operators it stands
+  std::string signature;  ///< argument types and result type of the chosen overload
+  int depth = 0;          ///< number of enclosing operators
   std::uint64_t calls = 0;
-  std::uint64_t tuples = 0;  ///< that came out, of those whose result is a stream
-  double seconds = 0;        ///< spent in it and in what it calls
+  std::uint64_t tuples = 0;  ///< that it returned, if its result is a stream
+  double seconds = 0;        ///< including the operators below it
 };
 
-/// Collects the operators of an expression while it is checked, and wraps each so that its calls, tuples and time are
-/// counted while it runs. Lives as long as the expression. Used by one thread.
+/// Records the operators of an expression while it is checked, and wraps each to count its calls, tuples and time while
+/// it runs. Outlives the expression. Used by one thread.
 class PlanRecorder {
  public:
-  /// The steps in the order in which the operators were met: an operator stands before its arguments.
+  /// The steps in prefix order: an operator before its arguments.
   const std::deque<PlanStep>& steps() const { return steps_; }
 
-  /// Before the arguments of an operator are checked; `finish` after them. If they are wrong, the whole check has
-  /// failed.
+  /// To be called before the arguments of an operator are checked; `finish` after them. If they are wrong, the whole
+  /// check fails.
   std::size_t begin(const std::string& name);
   TypedPtr finish(std::size_t step, std::string signature, TypedPtr node);
 

@@ -51,8 +51,7 @@ std::string int_range_text(std::string_view digits) {
   constexpr std::size_t kShown = 40;
   return fmt::format(
       "the integer {}{} is beyond the range of ints (-9223372036854775808 to 9223372036854775807); write it with a "
-      "point "
-      "for a real",
+      "point for a real",
       digits.substr(0, kShown), digits.size() > kShown ? "..." : "");
 }
 

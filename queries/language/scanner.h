@@ -9,32 +9,32 @@
 
 namespace queries {
 
-/// True for a letter with letters, digits and `_` behind it: what names objects and attributes. Symbols of nested lists
-/// may be anything.
+/// True for a name of an object or attribute: a letter, then letters, digits and `_`. Symbols of nested lists are not
+/// restricted.
 bool is_identifier(std::string_view text);
 
 bool is_blank(char c);
 
-/// The message for an integer that is no int.
+/// The message for an integer beyond the range of int.
 std::string int_range_text(std::string_view digits);
 
-/// Cuts the text of one command into tokens, on demand, so that the parser may take raw text in between.
-/// The text outlives the scanner. Places count from `start`; columns count characters, not bytes. Cost: linear.
+/// Splits the text of one command into tokens, on demand, so that the parser can take raw text in between. The text
+/// outlives the scanner. Positions are relative to `start`; columns count characters, not bytes. Cost: linear.
 class Scanner {
  public:
   explicit Scanner(std::string_view source, SourcePlace start = {"", 1, 1});
 
-  /// The token `ahead` places after the next. Errors are given by `take` when they are reached.
+  /// The token `ahead` positions after the next. `take` returns errors when it reaches them.
   const Token& peek(std::size_t ahead = 0);
-  /// The next token; steps over it.
+  /// Returns and skips the next token.
   Token take();
-  /// The first thing that is no token (an unterminated string, a number out of range), if `peek` has come across one.
+  /// The first invalid token (an unterminated string, a number out of range) that `peek` has found, if any.
   const std::optional<algebra3d::Error>& error() const { return error_; }
 
-  /// The text from here to the bracket that closes the one around it, strings and comments of nested lists respected.
-  /// Steps over the text, not over the bracket. `closing` is ']' or ')'. Empty optional if the bracket is missing.
+  /// Returns and skips the text up to the enclosing bracket `closing` (']' or ')'), which stays. Brackets within
+  /// strings and comments of nested lists are ignored. Nothing if the bracket is missing.
   std::optional<std::string_view> take_raw_until(char closing);
-  /// The text of the nested list `(...)` that begins at the next token; steps over it.
+  /// Returns and skips the text of the nested list `(...)` that begins at the next token.
   std::optional<std::string_view> take_raw_list();
 
   std::string_view source() const { return source_; }
@@ -60,11 +60,11 @@ class Scanner {
 
   std::string_view source_;
   SourcePlace place_;             // of known_offset_
-  std::size_t known_offset_ = 0;  // places are counted from here on, so that long commands cost linear time
+  std::size_t known_offset_ = 0;  // positions are counted from here, so that long commands cost linear time
   std::size_t position_ = 0;
   std::deque<Token> buffer_;
   std::optional<algebra3d::Error> error_;
-  std::optional<SourcePlace> long_literal_;  // the first in quotes that runs over a line end
+  std::optional<SourcePlace> long_literal_;  // the first quoted literal with a line break
 };
 
 }  // namespace queries

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "algebra3d/base/diagnostics.h"
 #include "algebra3d/types/utf8.h"
 #include "queries/language/scanner.h"
 #include "queries/streams/plain_text.h"
@@ -54,31 +55,55 @@ Result<const Type*> known_type(std::string_view name, const Registry& registry) 
 
 // Whether it is a value of the type is found now, not by the first command that uses it.
 Result<SessionParameter> parameter_of(std::string_view type_name, std::string_view value, const Registry& registry) {
-  ASSIGN_OR_RETURN(const Type* type, known_type(type_name, registry));
-  ASSIGN_OR_RETURN(NestedList list, list_of_text(*type, value));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Type* type, known_type(type_name, registry));
+  ALGEBRA3D_ASSIGN_OR_RETURN(NestedList list, list_of_text(*type, value));
   algebra3d::Diagnostics reasons;  // come again when it is used
   algebra3d::Context context{reasons, nullptr, {}};
-  ASSIGN_OR_RETURN(const algebra3d::Value checked, algebra3d::value_from_nested(*type, list, context));
-  return SessionParameter{std::string(checked.type().name()), std::move(list)};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const algebra3d::Value checked, algebra3d::value_from_nested(*type, list, context));
+  return SessionParameter(WrittenConstant{std::string(checked.type().name()), std::move(list)});
 }
 
 Result<const SessionParameter*> find_parameter(const SessionParameters* parameters, const Token& token) {
   if (parameters != nullptr)
-    if (const auto found = parameters->find(token.text); found != parameters->end()) return &found->second;
+    if (const auto found = parameters->values.find(token.text); found != parameters->values.end())
+      return &found->second;
+  const SessionParameters none;
+  const SessionParameters& known = parameters != nullptr ? *parameters : none;
   std::vector<std::string> names;
-  if (parameters != nullptr)
-    for (const auto& [name, parameter] : *parameters) names.push_back("$" + name);
-  return Error(ErrorCode::unknown_name, "there is no parameter '${0}'; {1}", token.text,
-               names.empty() ? "start the program with -p " + token.text + "=VALUE"
+  for (const auto& [name, parameter] : known.values) names.push_back("$" + name);
+  return Error(ErrorCode::unknown_name, "there is no parameter '${}'; {}", token.text,
+               names.empty() ? fmt::format(fmt::runtime(known.advice), token.text)
                              : "the parameters are " + algebra3d::enumerate(names))
       .at(token.place);
+}
+
+// Of a type that has literals. Others may be large, and need not be written to be read again.
+bool may_be_literal(const algebra3d::Value& value) {
+  return value.is_defined() && value.type().storage() != Type::Storage::bytes;
+}
+
+// As a text has it; for a value that may be long, or is undefined, without its list.
+WrittenConstant written(const SessionParameter& parameter) {
+  if (const auto* constant = std::get_if<WrittenConstant>(&parameter)) return *constant;
+  const auto& value = std::get<algebra3d::Value>(parameter);
+  return {std::string(value.type().name()), may_be_literal(value) ? value.to_nested() : NestedList()};
+}
+
+// The type of a list that is a literal of the language; empty if it is none.
+std::string_view literal_type(const NestedList& list) {
+  return list.is_int()      ? "int"
+         : list.is_real()   ? "real"
+         : list.is_bool()   ? "bool"
+         : list.is_string() ? "string"
+         : list.is_text()   ? "text"
+                            : "";
 }
 
 }  // namespace
 
 Result<std::pair<std::string, SessionParameter>> parse_session_parameter(std::string_view text,
                                                                          const Registry& registry) {
-  RETURN_IF_ERROR(check_is_text(text));
+  ALGEBRA3D_RETURN_IF_ERROR(check_is_text(text));
   const std::size_t equals = text.find('=');
   if (equals == std::string_view::npos) return wrong_parameter(text, "expected NAME=VALUE or NAME:TYPE=VALUE");
   const std::string_view left = text.substr(0, equals);
@@ -95,27 +120,23 @@ Result<std::pair<std::string, SessionParameter>> parse_session_parameter(std::st
 }
 
 Result<ExpressionNode> parameter_constant(const SessionParameters* parameters, const Token& token) {
-  ASSIGN_OR_RETURN(const SessionParameter* parameter, find_parameter(parameters, token));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const SessionParameter* parameter, find_parameter(parameters, token));
+  WrittenConstant constant = written(*parameter);
   // A plain literal also counts where an operator asks for one that it can see before it runs.
-  const NestedList& value = parameter->value;
-  const std::string_view literal_type = value.is_int()      ? "int"
-                                        : value.is_real()   ? "real"
-                                        : value.is_bool()   ? "bool"
-                                        : value.is_string() ? "string"
-                                        : value.is_text()   ? "text"
-                                                            : "";
-  if (parameter->type == literal_type) return ExpressionNode(Literal{value});
+  if (constant.type == literal_type(constant.list)) return ExpressionNode(Literal{std::move(constant.list)});
+  if (const auto* value = std::get_if<algebra3d::Value>(parameter)) return ExpressionNode(HostValue{*value});
   TypeSyntax type;
-  type.name = parameter->type;
+  type.name = std::move(constant.type);
   type.place = token.place;
-  return ExpressionNode(TypedLiteral{std::move(type), value});
+  return ExpressionNode(TypedLiteral{std::move(type), std::move(constant.list)});
 }
 
 Result<std::string> parameter_text(const SessionParameters* parameters, const Token& token) {
-  ASSIGN_OR_RETURN(const SessionParameter* parameter, find_parameter(parameters, token));
-  if (parameter->value.is_string()) return parameter->value.as_string();
-  if (parameter->value.is_text()) return parameter->value.as_text();
-  return Error(ErrorCode::type_error, "'${}': expected a string or a text, got {}", token.text, parameter->type)
+  ALGEBRA3D_ASSIGN_OR_RETURN(const SessionParameter* parameter, find_parameter(parameters, token));
+  const WrittenConstant constant = written(*parameter);
+  if (constant.list.is_string()) return constant.list.as_string();
+  if (constant.list.is_text()) return constant.list.as_text();
+  return Error(ErrorCode::type_error, "'${}': expected a string or a text, got {}", token.text, constant.type)
       .at(token.place);
 }
 

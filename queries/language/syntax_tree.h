@@ -11,6 +11,7 @@
 #include "algebra3d/registry/syntax_pattern.h"
 #include "algebra3d/types/nested_list.h"
 #include "algebra3d/types/type_expr.h"
+#include "algebra3d/types/value.h"
 
 namespace queries {
 
@@ -23,12 +24,12 @@ using ExpressionPtr = std::shared_ptr<const Expression>;
 
 struct TypedName;
 
-/// A type as written: a term whose leaves are names, or the type of an expression.
+/// A type expression: a term whose leaves are names, or the type of an expression.
 struct TypeSyntax {
   std::string name;
   std::vector<TypeSyntax> arguments;
   std::vector<TypedName> attributes;  ///< of a tuple
-  ExpressionPtr type_of;              ///< typeOf(E); then nothing else is set
+  ExpressionPtr type_of;              ///< typeOf(E); then the other members are empty
   SourcePlace place;
 };
 
@@ -46,10 +47,14 @@ struct Literal {
 struct TypedLiteral {
   TypeSyntax type;
   NestedList list;
-  std::shared_ptr<const std::string> written = nullptr;  ///< the list as a text, to find places in it; may be null
-  SourcePlace list_place = {};                           ///< where that begins
+  std::shared_ptr<const std::string> written = nullptr;  ///< the list as text, to find positions in it; may be null
+  SourcePlace list_place = {};                           ///< its beginning
 };
-/// The text that a file atom (file_atom.h) stands for; the file is read when the literal is checked.
+/// `$name`: a value from the host of the session (session_parameters.h).
+struct HostValue {
+  algebra3d::Value value;
+};
+/// The literal for a file atom (file_atom.h): the content of the file, which is read when the literal is checked.
 TypedLiteral file_literal(NestedList atom, SourcePlace place);
 /// An object, or a parameter of an explicit function.
 struct NameUse {
@@ -69,7 +74,7 @@ struct NamedExpression {
   std::string name;
   ExpressionPtr value;
 };
-/// What stands at one place of an operator's syntax pattern; which members are set follows from the kind.
+/// The argument at one place of an operator's syntax pattern. The kind of the place says which members are set.
 struct Argument {
   algebra3d::SyntaxPattern::PlaceKind kind = algebra3d::SyntaxPattern::PlaceKind::value;
   ExpressionPtr value;                     ///< value, function
@@ -77,20 +82,21 @@ struct Argument {
   std::vector<std::string> names;          ///< attribute, name, attributes, keys, renames (the new names)
   std::vector<std::string> modifiers;      ///< keys: asc or desc; renames: the old names
   SourcePlace place;
-  /// Of a nested list, where names are expected: the same read as an operand, for a function that has the operator's
+  /// In a nested list, where names are expected: the argument read as an operand, for a function with the operator's
   /// name. May be null.
   ExpressionPtr as_operand;
-  /// Why it cannot be read as what the operator expects; then `as_operand` is all there is.
+  /// The error, if the argument is not what the operator expects; then only `as_operand` is set.
   std::optional<algebra3d::Error> misread;
 };
 /// An operator with its arguments in the order of its pattern.
 struct Application {
   std::string name;
   std::vector<Argument> arguments;
-  /// Written `name(...)`, or in a nested list: a function of that name goes first if its parameters take the arguments.
+  /// Written `name(...)`, or in a nested list: a function of this name is preferred if its parameters fit the
+  /// arguments.
   bool is_call = false;
 };
-/// `name(e1, e2)` where name is no prefix operator, or stands in backquotes: a function object or parameter.
+/// `name(e1, e2)` where name is not a prefix operator or is in backquotes: a call of a function object or parameter.
 struct FunctionCall {
   std::string name;
   std::vector<ExpressionPtr> arguments;
@@ -114,20 +120,20 @@ struct FunctionReference {
   std::string name;
 };
 
-using ExpressionNode = std::variant<Literal, TypedLiteral, NameUse, AttributeUse, ParameterUse, Application,
+using ExpressionNode = std::variant<Literal, TypedLiteral, HostValue, NameUse, AttributeUse, ParameterUse, Application,
                                     FunctionCall, ListExpression, FunctionLiteral, FunctionReference>;
 
-/// A parsed expression; nothing is known of types and objects yet. Immutable.
+/// A parsed expression, without types and objects. Immutable.
 struct Expression {
   SourcePlace place;
   ExpressionNode node;
-  int height = 1;  ///< levels of the tree from here down
+  int height = 1;  ///< height of the tree below this node, including it
 };
 
-/// Height of the highest expression directly below a node; 0 if there is none.
+/// Height of the highest child of a node; 0 if there is none.
 int height_below(const ExpressionNode& node);
 
-/// The nested-list form of an expression (language.md 3.3), `(op a b)`.
+/// The nested-list form of an expression, `(op a b)`.
 NestedList to_nested(const Expression& expression);
 NestedList to_nested(const TypeSyntax& type);
 

@@ -24,22 +24,22 @@ struct Token {
     attribute,  ///< .Name, ..Name, $2.Name: `parameter` and `text`
     parameter,  ///< ., .., $2: `parameter`
     special,    ///< brackets, separators, and runs of special characters
-    name,       ///< a name in backquotes, which is nothing else: no operator, no word of the language
+    name,       ///< a name in backquotes: never an operator or a reserved word
     constant,   ///< $name, a parameter of the session: `text`
   };
 
   Kind kind = Kind::end;
   std::string text;
-  std::uint64_t integer = 0;  ///< without a sign: at most 2^63
+  std::uint64_t integer = 0;  ///< absolute value, at most 2^63
   double real = 0;
   int parameter = 0;
   SourcePlace place;
   std::size_t begin = 0;  ///< offset in the source
-  std::size_t end = 0;    ///< offset behind the token
+  std::size_t end = 0;    ///< offset after the token
 
   bool is_name() const { return kind == Kind::word || kind == Kind::name; }
   bool is(std::string_view spelling) const { return (kind == Kind::word || kind == Kind::special) && text == spelling; }
-  /// For messages: the token as it was written, or "the end of the command".
+  /// The token for messages: as written, or "the end of the command".
   std::string shown() const;
 };
 

@@ -25,21 +25,21 @@ Result<TypeSyntax> ExpressionParser::type() {
   TypeSyntax syntax;
   syntax.place = scanner_.peek().place;
   if (accept("typeOf")) {
-    RETURN_IF_ERROR(expect("(", "after typeOf"));
-    ASSIGN_OR_RETURN(syntax.type_of, expression());
-    RETURN_IF_ERROR(expect(")", "to close typeOf"));
+    ALGEBRA3D_RETURN_IF_ERROR(expect("(", "after typeOf"));
+    ALGEBRA3D_ASSIGN_OR_RETURN(syntax.type_of, expression());
+    ALGEBRA3D_RETURN_IF_ERROR(expect(")", "to close typeOf"));
     return syntax;
   }
-  ASSIGN_OR_RETURN(syntax.name, name("a type"));
+  ALGEBRA3D_ASSIGN_OR_RETURN(syntax.name, name("a type"));
   if (!accept("(")) return syntax;
   ++depth_;
-  RETURN_IF_ERROR(deeper());
+  ALGEBRA3D_RETURN_IF_ERROR(deeper());
   do {
-    ASSIGN_OR_RETURN(TypeSyntax argument, type());
+    ALGEBRA3D_ASSIGN_OR_RETURN(TypeSyntax argument, type());
     syntax.arguments.push_back(std::move(argument));
   } while (accept(","));
   --depth_;
-  RETURN_IF_ERROR(expect(")", "to close the arguments of the type '" + syntax.name + "'"));
+  ALGEBRA3D_RETURN_IF_ERROR(expect(")", "to close the arguments of the type '" + syntax.name + "'"));
   // tuple([A: int]) is a tuple with attributes, not a term over a list.
   if (syntax.name == "tuple" && syntax.arguments.size() == 1 && !syntax.arguments[0].attributes.empty())
     return std::move(syntax.arguments[0]);
@@ -52,15 +52,15 @@ Result<TypeSyntax> ExpressionParser::bracketed_type() {
   syntax.name = "tuple";
   syntax.place = scanner_.take().place;
   ++depth_;
-  RETURN_IF_ERROR(deeper());
+  ALGEBRA3D_RETURN_IF_ERROR(deeper());
   do {
-    ASSIGN_OR_RETURN(std::string attribute, name("an attribute name"));
-    RETURN_IF_ERROR(expect(":", "after the attribute '" + attribute + "'"));
-    ASSIGN_OR_RETURN(TypeSyntax attribute_type, type());
+    ALGEBRA3D_ASSIGN_OR_RETURN(std::string attribute, name("an attribute name"));
+    ALGEBRA3D_RETURN_IF_ERROR(expect(":", "after the attribute '" + attribute + "'"));
+    ALGEBRA3D_ASSIGN_OR_RETURN(TypeSyntax attribute_type, type());
     syntax.attributes.push_back({std::move(attribute), std::move(attribute_type)});
   } while (accept(","));
   --depth_;
-  RETURN_IF_ERROR(expect("]", "to close the attributes"));
+  ALGEBRA3D_RETURN_IF_ERROR(expect("]", "to close the attributes"));
   return syntax;
 }
 

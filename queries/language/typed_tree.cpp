@@ -7,8 +7,11 @@
 #include <memory_resource>
 #include <utility>
 
+#include "algebra3d/arrangement/operand.h"
 #include "algebra3d/registry/conversion.h"
+#include "algebra3d/registry/operator.h"
 #include "algebra3d/types/scalars.h"
+#include "queries/streams/value_operators.h"
 
 namespace queries {
 namespace {
@@ -20,7 +23,7 @@ Result<std::vector<Datum>> evaluate_all(const std::vector<TypedPtr>& nodes, cons
   std::vector<Datum> values;
   values.reserve(nodes.size());
   for (const TypedPtr& node : nodes) {
-    ASSIGN_OR_RETURN(Datum value, node->evaluate(frame, context));
+    ALGEBRA3D_ASSIGN_OR_RETURN(Datum value, node->evaluate(frame, context));
     values.push_back(std::move(value));
   }
   return values;
@@ -31,7 +34,7 @@ class ValueNode : public TypedNode {
  public:
   using TypedNode::TypedNode;
   Result<Datum> evaluate(const Frame* frame, Context& context) const final {
-    ASSIGN_OR_RETURN(Value value, evaluate_value(frame, context));
+    ALGEBRA3D_ASSIGN_OR_RETURN(Value value, evaluate_value(frame, context));
     return Datum{std::move(value)};
   }
   Result<Value> evaluate_value(const Frame* frame, Context& context) const override = 0;
@@ -90,7 +93,7 @@ class AttributeNode final : public ValueNode {
       : ValueNode(std::move(type), std::move(place)), tuple_(std::move(tuple)), index_(index) {}
   Result<Value> evaluate_value(const Frame* frame, Context& context) const override {
     if (const Datum* const tuple = tuple_->find(frame)) return tuple->tuple()->attributes[index_];
-    ASSIGN_OR_RETURN(const Datum tuple, tuple_->evaluate(frame, context));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Datum tuple, tuple_->evaluate(frame, context));
     return tuple.tuple()->attributes[index_];
   }
 
@@ -99,26 +102,13 @@ class AttributeNode final : public ValueNode {
   std::size_t index_;
 };
 
-class VectorStream final : public ValueStream {
- public:
-  explicit VectorStream(std::vector<Value> values) : values_(std::move(values)) {}
-  Result<std::optional<Value>> next() override {
-    if (position_ == values_.size()) return std::optional<Value>();
-    return std::optional<Value>(std::move(values_[position_++]));
-  }
-
- private:
-  std::vector<Value> values_;
-  std::size_t position_ = 0;
-};
-
 /// The evaluated arguments of a call, on the stack if they are few: calls are made once per tuple.
 class Arguments {
  public:
   Result<std::span<Value>> evaluate(const std::vector<TypedPtr>& nodes, const Frame* frame, Context& context) {
     values_.reserve(nodes.size());
     for (const TypedPtr& node : nodes) {
-      ASSIGN_OR_RETURN(Value value, node->evaluate_value(frame, context));
+      ALGEBRA3D_ASSIGN_OR_RETURN(Value value, node->evaluate_value(frame, context));
       values_.push_back(std::move(value));
     }
     return std::span<Value>(values_);
@@ -138,8 +128,8 @@ class ValueCallNode final : public ValueNode {
       : ValueNode(call.overload->result_type(), std::move(place)), call_(call), arguments_(std::move(arguments)) {}
   Result<Value> evaluate_value(const Frame* frame, Context& context) const override {
     Arguments arguments;
-    ASSIGN_OR_RETURN(const std::span<Value> values, arguments.evaluate(arguments_, frame, context));
-    auto value = Registry::call_for_value(call_, values, context);
+    ALGEBRA3D_ASSIGN_OR_RETURN(const std::span<Value> values, arguments.evaluate(arguments_, frame, context));
+    auto value = Registry::call(call_, values, context);
     if (!value) return std::move(value).error().at(place());
     return value;
   }
@@ -165,7 +155,7 @@ class ShortCircuitNode final : public ValueNode {
         first_(std::move(first)),
         second_(std::move(second)) {}
   Result<Value> evaluate_value(const Frame* frame, Context& context) const override {
-    ASSIGN_OR_RETURN(const Value first, first_->evaluate_value(frame, context));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Value first, first_->evaluate_value(frame, context));
     if (!first.is_defined() || first.get<bool>() == decisive_) return first;
     return second_->evaluate_value(frame, context);
   }
@@ -177,17 +167,16 @@ class ShortCircuitNode final : public ValueNode {
   TypedPtr second_;
 };
 
-/// A call of a value operator that gives several values.
-class ValueStreamCallNode final : public TypedNode {
+class TableCallNode final : public TypedNode {
  public:
-  ValueStreamCallNode(ResolvedCall call, std::vector<TypedPtr> arguments, SourcePlace place)
+  TableCallNode(ResolvedCall call, std::vector<TypedPtr> arguments, SourcePlace place)
       : TypedNode(call.overload->result_type(), std::move(place)), call_(call), arguments_(std::move(arguments)) {}
   Result<Datum> evaluate(const Frame* frame, Context& context) const override {
     Arguments arguments;
-    ASSIGN_OR_RETURN(const std::span<Value> values, arguments.evaluate(arguments_, frame, context));
-    auto returned = Registry::call(call_, values, context);
-    if (!returned) return std::move(returned).error().at(place());
-    return Datum{ValueStreamPtr(std::make_shared<VectorStream>(std::get<std::vector<Value>>(std::move(*returned))))};
+    ALGEBRA3D_ASSIGN_OR_RETURN(const std::span<Value> values, arguments.evaluate(arguments_, frame, context));
+    auto rows = Registry::rows(call_, values, context);
+    if (!rows) return std::move(rows).error().at(place());
+    return stream_of(std::move(rows).value(), *call_.overload, context);
   }
 
  private:
@@ -197,17 +186,17 @@ class ValueStreamCallNode final : public TypedNode {
 
 class StreamCallNode final : public TypedNode {
  public:
-  StreamCallNode(Plan plan, std::vector<TypedPtr> arguments, SourcePlace place)
-      : TypedNode(plan.type, std::move(place)), plan_(std::move(plan)), arguments_(std::move(arguments)) {}
+  StreamCallNode(BoundOperator bound, std::vector<TypedPtr> arguments, SourcePlace place)
+      : TypedNode(bound.type, std::move(place)), bound_(std::move(bound)), arguments_(std::move(arguments)) {}
   Result<Datum> evaluate(const Frame* frame, Context& context) const override {
-    ASSIGN_OR_RETURN(std::vector<Datum> values, evaluate_all(arguments_, frame, context));
-    auto result = plan_.run(std::move(values), context);
+    ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Datum> values, evaluate_all(arguments_, frame, context));
+    auto result = bound_.run(std::move(values), context);
     if (!result) return std::move(result).error().at(place());
     return result;
   }
 
  private:
-  Plan plan_;
+  BoundOperator bound_;
   std::vector<TypedPtr> arguments_;
 };
 
@@ -216,7 +205,7 @@ class ListNode final : public TypedNode {
   ListNode(std::vector<TypedPtr> elements, SourcePlace place)
       : TypedNode("list", std::move(place)), elements_(std::move(elements)) {}
   Result<Datum> evaluate(const Frame* frame, Context& context) const override {
-    ASSIGN_OR_RETURN(std::vector<Datum> values, evaluate_all(elements_, frame, context));
+    ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Datum> values, evaluate_all(elements_, frame, context));
     return Datum{DatumList(std::move(values))};
   }
 
@@ -269,13 +258,13 @@ class Closure final : public Function {
   }
   Result<Datum> call(std::span<const Datum> arguments) const override {
     const CallLevels levels(node_->height());
-    RETURN_IF_ERROR(check_call());
+    ALGEBRA3D_RETURN_IF_ERROR(check_call());
     const Frame frame = frame_of(arguments);
     return node_->body().evaluate(&frame, context_);
   }
   Result<Value> call_for_value(std::span<const Datum> arguments) const override {
     const CallLevels levels(node_->height());
-    RETURN_IF_ERROR(check_call());
+    ALGEBRA3D_RETURN_IF_ERROR(check_call());
     const Frame frame = frame_of(arguments);
     return node_->body().evaluate_value(&frame, context_);
   }
@@ -311,8 +300,8 @@ class FunctionCallNode final : public TypedNode {
         function_(std::move(function)),
         arguments_(std::move(arguments)) {}
   Result<Datum> evaluate(const Frame* frame, Context& context) const override {
-    ASSIGN_OR_RETURN(const Datum function, function_->evaluate(frame, context));
-    ASSIGN_OR_RETURN(const std::vector<Datum> values, evaluate_all(arguments_, frame, context));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Datum function, function_->evaluate(frame, context));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Datum> values, evaluate_all(arguments_, frame, context));
     return function.function().call(values);
   }
 
@@ -326,7 +315,7 @@ class ConversionNode final : public ValueNode {
   ConversionNode(TypedPtr argument, const algebra3d::Type& to)
       : ValueNode(TypeExpr(to.name()), argument->place()), argument_(std::move(argument)), to_(to) {}
   Result<Value> evaluate_value(const Frame* frame, Context& context) const override {
-    ASSIGN_OR_RETURN(const Value value, argument_->evaluate_value(frame, context));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, argument_->evaluate_value(frame, context));
     return algebra3d::converted(value, to_);
   }
   bool is_always_defined() const override { return argument_->is_always_defined(); }
@@ -339,7 +328,7 @@ class ConversionNode final : public ValueNode {
 }  // namespace
 
 Result<Value> TypedNode::evaluate_value(const Frame* frame, Context& context) const {
-  ASSIGN_OR_RETURN(Datum datum, evaluate(frame, context));
+  ALGEBRA3D_ASSIGN_OR_RETURN(Datum datum, evaluate(frame, context));
   return std::get<Value>(std::move(datum.content));
 }
 
@@ -360,8 +349,8 @@ TypedPtr make_attribute(TypeExpr type, TypedPtr tuple, std::size_t index, Source
 }
 
 TypedPtr make_value_call(ResolvedCall call, std::vector<TypedPtr> arguments, SourcePlace place) {
-  if (call.overload->result_is_stream)
-    return std::make_shared<ValueStreamCallNode>(call, std::move(arguments), std::move(place));
+  if (call.overload->kind() == algebra3d::OperatorKind::table)
+    return std::make_shared<TableCallNode>(call, std::move(arguments), std::move(place));
   const bool is_and = call.op->name == "and";
   if ((is_and || call.op->name == "or") && arguments[1]->is_always_defined())
     return std::make_shared<ShortCircuitNode>(!is_and, std::move(arguments[0]), std::move(arguments[1]),
@@ -369,8 +358,8 @@ TypedPtr make_value_call(ResolvedCall call, std::vector<TypedPtr> arguments, Sou
   return std::make_shared<ValueCallNode>(call, std::move(arguments), std::move(place));
 }
 
-TypedPtr make_stream_call(Plan plan, std::vector<TypedPtr> arguments, SourcePlace place) {
-  return std::make_shared<StreamCallNode>(std::move(plan), std::move(arguments), std::move(place));
+TypedPtr make_stream_call(BoundOperator bound, std::vector<TypedPtr> arguments, SourcePlace place) {
+  return std::make_shared<StreamCallNode>(std::move(bound), std::move(arguments), std::move(place));
 }
 
 TypedPtr make_list(std::vector<TypedPtr> elements, SourcePlace place) {

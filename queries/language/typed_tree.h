@@ -14,15 +14,14 @@ namespace queries {
 
 using algebra3d::Context;
 
-/// The arguments of the functions that are being called, innermost first. Lives on the stack of the call; a closure
-/// that outlives the call takes a copy.
+/// The arguments of the functions that are being called, innermost first. It is on the stack of the call; a closure
+/// that outlives the call copies it.
 struct Frame {
   std::span<const Datum> arguments;
   const Frame* outer = nullptr;
 };
 
-/// A checked expression: it has a type, and evaluates without type errors. Immutable, shared by the closures that it
-/// makes.
+/// A checked expression: it has a type and evaluates without type errors. Immutable; shared by its closures.
 class TypedNode : public std::enable_shared_from_this<TypedNode> {
  public:
   virtual ~TypedNode() = default;
@@ -32,11 +31,11 @@ class TypedNode : public std::enable_shared_from_this<TypedNode> {
   const TypeExpr& type() const { return type_; }
   const SourcePlace& place() const { return place_; }
   virtual Result<Datum> evaluate(const Frame* frame, Context& context) const = 0;
-  /// The same for an expression that gives a value: most do, once per tuple, and so without the Datum around it.
+  /// Evaluates an expression whose result is a value, without wrapping it in a Datum: faster for expressions per tuple.
   virtual Result<Value> evaluate_value(const Frame* frame, Context& context) const;
-  /// What it evaluates to, if that lies there already, else null. Valid as long as the frame.
+  /// The result if it exists already, without evaluation; else null. Valid as long as the frame.
   virtual const Datum* find(const Frame* /*frame*/) const { return nullptr; }
-  /// True if it is known to give a defined value, whatever it is evaluated with.
+  /// True if the value is defined for all arguments.
   virtual bool is_always_defined() const { return false; }
 
  protected:
@@ -48,16 +47,16 @@ class TypedNode : public std::enable_shared_from_this<TypedNode> {
 };
 using TypedPtr = std::shared_ptr<const TypedNode>;
 
-/// What the checker and the evaluation know of the database: objects by name.
+/// The objects of the database by name, for the checker and the evaluation.
 class ObjectSource {
  public:
   virtual ~ObjectSource() = default;
   ObjectSource() = default;
   ObjectSource(const ObjectSource&) = delete;
   ObjectSource& operator=(const ObjectSource&) = delete;
-  /// The type of an object, or nothing if there is none of that name.
+  /// The type of an object, or nothing if there is none.
   virtual Result<std::optional<TypeExpr>> type_of(const std::string& name) = 0;
-  /// The value of an existing object. Errors: not_evaluable for one that was created and never given a value.
+  /// The value of an existing object. Errors: not_evaluable for an object that never got a value.
   virtual Result<Datum> value_of(const std::string& name) = 0;
   /// The type that a name stands for, or nothing.
   virtual Result<std::optional<TypeExpr>> named_type(const std::string& name) = 0;
@@ -69,20 +68,20 @@ class ObjectSource {
 
 TypedPtr make_constant(TypeExpr type, Datum value, SourcePlace place);
 TypedPtr make_object(TypeExpr type, std::string name, ObjectSource& objects, SourcePlace place);
-/// Argument `index` of the function `level` levels out.
+/// Argument `index` of the function `level` levels outward.
 TypedPtr make_parameter(TypeExpr type, std::size_t level, std::size_t index, SourcePlace place);
 /// Attribute of a tuple.
 TypedPtr make_attribute(TypeExpr type, TypedPtr tuple, std::size_t index, SourcePlace place);
 TypedPtr make_value_call(algebra3d::ResolvedCall call, std::vector<TypedPtr> arguments, SourcePlace place);
 /// `arguments` holds one node per place; a list of functions is a list node.
-TypedPtr make_stream_call(Plan plan, std::vector<TypedPtr> arguments, SourcePlace place);
+TypedPtr make_stream_call(BoundOperator bound, std::vector<TypedPtr> arguments, SourcePlace place);
 TypedPtr make_list(std::vector<TypedPtr> elements, SourcePlace place);
-/// Levels of evaluation that function calls within function calls may take together; beyond: error limit_exceeded.
+/// Maximum depth of evaluation in nested function calls; beyond it: error limit_exceeded.
 inline constexpr int kMaxCallLevels = 2000;
-/// `type` is `(map P... R)`; `written` its nested-list form; `height` the levels that one call takes.
+/// `type` is `(map P... R)`; `written` is the nested-list form; `height` the evaluation depth of one call.
 TypedPtr make_function(TypeExpr type, TypedPtr body, NestedList written, int height, SourcePlace place);
 TypedPtr make_function_call(TypedPtr function, std::vector<TypedPtr> arguments, SourcePlace place);
-/// An int where a real is expected.
+/// Converts an int where a real is expected.
 TypedPtr make_conversion(TypedPtr argument, const algebra3d::Type& type);
 
 }  // namespace queries

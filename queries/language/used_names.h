@@ -7,14 +7,14 @@
 
 namespace queries {
 
-/// What an expression refers to beyond itself.
+/// The names of objects, operators and types that an expression refers to.
 struct UsedNames {
-  std::set<std::string> objects;  ///< functions among them; the parameters of functions in the expression are none
-  std::set<std::string> calls;    ///< operators, of which functions may have the names
-  std::set<std::string> types;    ///< all that are named, built-in ones too
+  std::set<std::string> objects;  ///< including function objects, without parameters of functions in the expression
+  std::set<std::string> calls;    ///< operators that are called; function objects may have these names
+  std::set<std::string> types;    ///< including built-in types
 };
 
-/// Cost: linear in the expression. Recursion follows its height, which the parser bounds.
+/// Collects the names of an expression. Cost: linear. Recursion depth: its height, which the parser limits.
 UsedNames used_names(const Expression& expression);
 
 }  // namespace queries

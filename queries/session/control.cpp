@@ -2,28 +2,29 @@
 #include <map>
 
 #include "queries/language/checker.h"
-#include "queries/session/objects.h"
+#include "queries/language/syntax_tree.h"
+#include "queries/session/detail/objects.h"
 #include "queries/session/session.h"
 
 namespace queries {
 
 Result<Value> Session::evaluate_alone(const Expression& expression, Context& context) {
   std::optional<Value> result;
-  RETURN_IF_ERROR(in_transaction(false, [&]() -> Status {
+  ALGEBRA3D_RETURN_IF_ERROR(in_transaction(false, [&]() -> Status {
     Objects objects(registry_, store_.get(), context);
-    ASSIGN_OR_RETURN(const TypedPtr node, Checker(registry_, objects, context).check(expression));
-    ASSIGN_OR_RETURN(const Datum datum, node->evaluate(nullptr, context));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const TypedPtr node, Checker(registry_, objects, context).check(expression));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Datum datum, node->evaluate(nullptr, context));
     const auto* value = std::get_if<Value>(&datum.content);
     if (value == nullptr)
       return Error(ErrorCode::type_error, "expected a value, got {}", node->type().text()).at(expression.place);
-    ASSIGN_OR_RETURN(result, value->loaded());
+    ALGEBRA3D_ASSIGN_OR_RETURN(result, value->loaded());
     return {};
   }));
   return *std::move(result);
 }
 
 Result<bool> Session::holds(const Expression& condition, std::string_view command, Context& context) {
-  ASSIGN_OR_RETURN(const Value value, evaluate_alone(condition, context));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, evaluate_alone(condition, context));
   if (value.type().name() != "bool")
     return Error(ErrorCode::type_error, "{}: expected a condition of type bool, got {}", command, value.type().name())
         .at(condition.place);
@@ -33,7 +34,7 @@ Result<bool> Session::holds(const Expression& condition, std::string_view comman
 }
 
 Status Session::run(const Conditional& command, Presenter& presenter, Context& context) {
-  ASSIGN_OR_RETURN(const bool is_true, holds(*command.condition, "if", context));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_true, holds(*command.condition, "if", context));
   if (is_true) return run(*command.then_branch, presenter, context);
   if (command.else_branch != nullptr) return run(*command.else_branch, presenter, context);
   return {};
@@ -41,10 +42,10 @@ Status Session::run(const Conditional& command, Presenter& presenter, Context& c
 
 Status Session::run(const Loop& command, Presenter& presenter, Context& context) {
   while (true) {
-    RETURN_IF_ERROR(context.check_cancelled());
-    ASSIGN_OR_RETURN(const bool is_true, holds(*command.condition, "while", context));
+    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_true, holds(*command.condition, "while", context));
     if (!is_true) return {};
-    RETURN_IF_ERROR(run(*command.body, presenter, context));
+    ALGEBRA3D_RETURN_IF_ERROR(run(*command.body, presenter, context));
     if (has_failed_by_result(presenter)) return {};
   }
 }
@@ -82,7 +83,7 @@ Status Session::set_memory(const Value& value, const SourcePlace& place) {
 Status Session::run(const SetOption& command, Presenter&, Context& context) {
   static const std::map<std::string, bool SessionOptions::*, std::less<>> switches = {
       {"timing", &SessionOptions::shows_timing}, {"paging", &SessionOptions::uses_pager}};
-  ASSIGN_OR_RETURN(const Value value, evaluate_alone(*command.value, context));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, evaluate_alone(*command.value, context));
   if (command.name == "memory") return set_memory(value, command.value->place);
   const auto found = switches.find(command.name);
   if (found == switches.end()) {

@@ -3,6 +3,7 @@
 
 #include "queries/session/session.h"
 #include "queries/store/database_creation.h"
+#include "queries/store/store_options.h"
 
 namespace queries {
 namespace {
@@ -30,17 +31,17 @@ Result<std::filesystem::path> Session::database_file(const std::string& name) co
 }
 
 Status Session::run(const CreateDatabase& command, Presenter&, Context&) {
-  RETURN_IF_ERROR(require_closed());
+  ALGEBRA3D_RETURN_IF_ERROR(require_closed());
   if (options_.read_only) return Error{ErrorCode::database_read_only, "create database: the session is read-only"};
-  ASSIGN_OR_RETURN(const auto file, database_file(command.name));
-  RETURN_IF_ERROR(Store::open(file, OpenMode::create, registry_));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto file, database_file(command.name));
+  ALGEBRA3D_RETURN_IF_ERROR(Store::open(file, OpenMode::create, registry_));
   return {};
 }
 
 Status Session::run(const OpenDatabase& command, Presenter&, Context& context) {
-  RETURN_IF_ERROR(require_closed());
-  ASSIGN_OR_RETURN(const auto file, database_file(command.name));
-  RETURN_IF_ERROR(open_store(file, options_.read_only ? OpenMode::read_only : OpenMode::read_write));
+  ALGEBRA3D_RETURN_IF_ERROR(require_closed());
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto file, database_file(command.name));
+  ALGEBRA3D_RETURN_IF_ERROR(open_store(file, options_.read_only ? OpenMode::read_only : OpenMode::read_write));
   if (!store_->opening_notice().empty()) context.diagnostics.report(store_->opening_notice());
   return {};
 }
@@ -50,7 +51,7 @@ Status Session::run(const CloseDatabase&, Presenter&, Context&) {
     damaged_.reset();
     return {};
   }
-  ASSIGN_OR_RETURN(const Store* const store, required_store());
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Store* const store, required_store());
   if (store->is_in_explicit_transaction())
     return Error{ErrorCode::wrong_usage,
                  "a transaction is running; end it with `commit transaction` or `abort transaction` first"};
@@ -59,14 +60,14 @@ Status Session::run(const CloseDatabase&, Presenter&, Context&) {
 }
 
 Status Session::run(const DeleteDatabase& command, Presenter&, Context&) {
-  RETURN_IF_ERROR(require_closed());
+  ALGEBRA3D_RETURN_IF_ERROR(require_closed());
   if (options_.read_only) return Error{ErrorCode::database_read_only, "delete database: the session is read-only"};
-  ASSIGN_OR_RETURN(const auto file, database_file(command.name));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto file, database_file(command.name));
   return delete_database_file(file);
 }
 
 Status Session::run(const TransactionStep& command, Presenter&, Context&) {
-  ASSIGN_OR_RETURN(Store * store, required_store());
+  ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
   switch (command.step) {
     case TransactionStep::Step::begin:
       return store->begin_transaction();
@@ -82,8 +83,8 @@ Status Session::run(const TransactionStep& command, Presenter&, Context&) {
 Result<std::vector<Finding>> Session::findings(Presenter& presenter, Context& context) {
   const auto report = [&presenter](const CheckProgress& progress) { presenter.advance(how_far(progress)); };
   if (damaged_) return Store::check_damaged(damaged_->file, registry_, context, report);
-  ASSIGN_OR_RETURN(Store * store, required_store());
-  RETURN_IF_ERROR(store->begin(false));
+  ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
+  ALGEBRA3D_RETURN_IF_ERROR(store->begin(false));
   auto found = store->check(context, report);
   store->rollback();
   return found;
@@ -91,13 +92,13 @@ Result<std::vector<Finding>> Session::findings(Presenter& presenter, Context& co
 
 // (inquiry (findings ((object tuple attribute 'what is wrong') ...))); a database with findings is an error.
 Status Session::run(const CheckDatabase&, Presenter& presenter, Context& context) {
-  ASSIGN_OR_RETURN(const std::vector<Finding> found, findings(presenter, context));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Finding> found, findings(presenter, context));
   NestedList::List rows;
   for (const Finding& finding : found)
     rows.push_back(NestedList::list(NestedList(finding.object), NestedList(finding.tuple),
                                     NestedList(finding.attribute), NestedList::text(finding.message)));
   const std::size_t count = rows.size();
-  RETURN_IF_ERROR(presenter.present_inquiry(NestedList::list(
+  ALGEBRA3D_RETURN_IF_ERROR(presenter.present_inquiry(NestedList::list(
       NestedList::symbol("inquiry"), NestedList::list(NestedList::symbol("findings"), NestedList(std::move(rows))))));
   if (count == 0) return {};
   return Error{ErrorCode::database_corrupt, "check database: {} finding{}; they are listed above", count,

@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 
 #include "algebra3d/registry/conversion.h"
+#include "algebra3d/registry/operator.h"
 #include "queries/language/checker.h"
 #include "queries/language/parser.h"
-#include "queries/session/definitions.h"
-#include "queries/session/objects.h"
+#include "queries/language/syntax_tree.h"
+#include "queries/session/detail/definitions.h"
+#include "queries/session/detail/objects.h"
 #include "queries/session/session.h"
 
 namespace queries {
@@ -24,7 +26,7 @@ Error cannot_be_stored(std::string_view command, const TypeExpr& type) {
 // What a function object keeps. Another one's name stands for what that one keeps, so that it may be deleted.
 Result<std::string> function_text(const Expression& value, Store& store, const algebra3d::Registry& registry) {
   if (const auto* use = std::get_if<NameUse>(&value.node)) {
-    ASSIGN_OR_RETURN(const auto named, store.find(use->name));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto named, store.find(use->name));
     if (named && !named->function_text.empty()) return named->function_text;
   }
   return text_to_keep(value, registry);
@@ -53,11 +55,11 @@ Status Session::check_new_name(const std::string& name, std::string_view what) {
 }
 
 Status Session::run(const CreateObject& command, Presenter&, Context& context) {
-  ASSIGN_OR_RETURN(Store * store, required_store());
-  RETURN_IF_ERROR(check_new_name(command.name));
+  ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
+  ALGEBRA3D_RETURN_IF_ERROR(check_new_name(command.name));
   return in_transaction(true, [&]() -> Status {
     Objects objects(registry_, store, context);
-    ASSIGN_OR_RETURN(const TypeExpr type, Checker(registry_, objects, context).resolve(command.type));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr type, Checker(registry_, objects, context).resolve(command.type));
     if (!can_be_stored(type, registry_) || type.is_function() || is_index(type))
       return cannot_be_stored("create", type);
     return store->create(command.name, type);
@@ -65,10 +67,10 @@ Status Session::run(const CreateObject& command, Presenter&, Context& context) {
 }
 
 Status Session::run(const LetObject& command, Presenter&, Context& context) {
-  ASSIGN_OR_RETURN(Store * store, required_store());
-  RETURN_IF_ERROR(check_new_name(command.name));
+  ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
+  ALGEBRA3D_RETURN_IF_ERROR(check_new_name(command.name));
   return in_transaction(true, [&]() -> Status {
-    ASSIGN_OR_RETURN(const auto existing, store->find(command.name));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto existing, store->find(command.name));
     if (!existing) return define(command.name, *command.value, false, context);
     if (!command.replaces)
       return Error{ErrorCode::name_exists, "there is an object '{}' already; delete it first, or use let_",
@@ -76,18 +78,18 @@ Status Session::run(const LetObject& command, Presenter&, Context& context) {
     // The new value may come out of the old one, so it is made under another name before the old one goes.
     const std::string interim = " " + command.name;
     return change_definitions("let_", context, [&]() -> Status {
-      RETURN_IF_ERROR(define(command.name, *command.value, false, context, interim));
-      RETURN_IF_ERROR(remove(command.name, false, "let_", context));
+      ALGEBRA3D_RETURN_IF_ERROR(define(command.name, *command.value, false, context, interim));
+      ALGEBRA3D_RETURN_IF_ERROR(remove(command.name, false, "let_", context));
       return store->rename(interim, command.name);
     });
   });
 }
 
 Status Session::run(const DeriveObject& command, Presenter&, Context& context) {
-  ASSIGN_OR_RETURN(Store * store, required_store());
-  RETURN_IF_ERROR(check_new_name(command.name));
+  ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
+  ALGEBRA3D_RETURN_IF_ERROR(check_new_name(command.name));
   return in_transaction(true, [&]() -> Status {
-    ASSIGN_OR_RETURN(const auto existing, store->find(command.name));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto existing, store->find(command.name));
     if (existing)
       return Error{ErrorCode::name_exists, "there is an object '{}' already; delete it first", command.name};
     return define(command.name, *command.value, true, context);
@@ -100,43 +102,43 @@ Status Session::define(const std::string& final_name, const Expression& value, b
                        const std::string& interim) {
   const std::string& name = interim.empty() ? final_name : interim;
   Objects objects(registry_, store_.get(), context);
-  ASSIGN_OR_RETURN(const TypedPtr node, Checker(registry_, objects, context).check(value));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypedPtr node, Checker(registry_, objects, context).check(value));
   const TypeExpr& type = node->type();
   if (!can_be_stored(type, registry_)) return cannot_be_stored(is_derived ? "derive" : "let", type);
   if (is_derived || type.is_function())
-    RETURN_IF_ERROR(
+    ALGEBRA3D_RETURN_IF_ERROR(
         check_no_circle({final_name, is_derived && !type.is_function(), used_names(value)}, *store_, registry_));
   if (type.is_function()) {
     report_operator(registry_.find_operator(final_name), is_derived ? "derive" : "let", context);
-    ASSIGN_OR_RETURN(const std::string text, function_text(value, *store_, registry_));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const std::string text, function_text(value, *store_, registry_));
     return store_->create_function(name, type, text);
   }
   std::string kept_text;
   if (is_derived) {
-    ASSIGN_OR_RETURN(kept_text, text_to_keep(value, registry_));
+    ALGEBRA3D_ASSIGN_OR_RETURN(kept_text, text_to_keep(value, registry_));
   }
   const OwnResult result(context);
-  ASSIGN_OR_RETURN(const Datum datum, node->evaluate(nullptr, context));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Datum datum, node->evaluate(nullptr, context));
   judge(result, datum);
   if (is_derived && store_->has_written())
     return Error{
         ErrorCode::wrong_usage,
         "derive: the expression changes a relation, which it would do again whenever it is evaluated; use let"};
-  RETURN_IF_ERROR(is_derived ? store_->create_derived(name, type, kept_text) : store_->create(name, type));
+  ALGEBRA3D_RETURN_IF_ERROR(is_derived ? store_->create_derived(name, type, kept_text) : store_->create(name, type));
   return store_->assign(name, datum, context);
 }
 
 Status Session::run(const UpdateObject& command, Presenter&, Context& context) {
-  ASSIGN_OR_RETURN(Store * store, required_store());
+  ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
   return in_transaction(true, [&]() -> Status {
     Objects objects(registry_, store, context);
-    ASSIGN_OR_RETURN(const auto existing, store->find(command.name));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto existing, store->find(command.name));
     if (!existing) return no_object(command.name, *store, "; use let to create one");
     if (!existing->derived_text.empty())
       return Error{ErrorCode::wrong_usage,
                    "update: '{}' is derived from other objects; delete it and use let for a value of its own",
                    command.name};
-    ASSIGN_OR_RETURN(TypedPtr node, Checker(registry_, objects, context).check(*command.value));
+    ALGEBRA3D_ASSIGN_OR_RETURN(TypedPtr node, Checker(registry_, objects, context).check(*command.value));
     if (const bool are_characters = existing->type.is("string") || existing->type.is("text");
         are_characters && algebra3d::conversion_cost(node->type(), existing->type.name()))
       node = make_conversion(std::move(node), *registry_.find_type(existing->type.name()));
@@ -144,13 +146,13 @@ Status Session::run(const UpdateObject& command, Presenter&, Context& context) {
       return Error{ErrorCode::type_error, "update: '{}' is of type {}, the new value of type {}", command.name,
                    existing->type.text(), node->type().text()};
     if (existing->type.is_function()) {
-      RETURN_IF_ERROR(check_no_circle({command.name, false, used_names(*command.value)}, *store, registry_));
-      ASSIGN_OR_RETURN(const std::string text, function_text(*command.value, *store, registry_));
-      RETURN_IF_ERROR(store->remove(command.name));
+      ALGEBRA3D_RETURN_IF_ERROR(check_no_circle({command.name, false, used_names(*command.value)}, *store, registry_));
+      ALGEBRA3D_ASSIGN_OR_RETURN(const std::string text, function_text(*command.value, *store, registry_));
+      ALGEBRA3D_RETURN_IF_ERROR(store->remove(command.name));
       return store->create_function(command.name, existing->type, text);
     }
     const OwnResult result(context);
-    ASSIGN_OR_RETURN(const Datum value, node->evaluate(nullptr, context));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Datum value, node->evaluate(nullptr, context));
     judge(result, value);
     return store->assign(command.name, value, context);
   });
@@ -158,11 +160,11 @@ Status Session::run(const UpdateObject& command, Presenter&, Context& context) {
 
 // Indexes go with their relation.
 Status Session::remove(const std::string& name, bool kills, std::string_view command, Context& context) {
-  ASSIGN_OR_RETURN(const auto before, store_->objects());
-  RETURN_IF_ERROR(kills ? store_->kill(name) : store_->remove(name));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto before, store_->objects());
+  ALGEBRA3D_RETURN_IF_ERROR(kills ? store_->kill(name) : store_->remove(name));
   std::vector<std::string> gone;
   for (const ObjectInfo& info : before) {
-    ASSIGN_OR_RETURN(const auto found, store_->find(info.name));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto found, store_->find(info.name));
     if (!found && info.name != name) gone.push_back(info.name);
   }
   if (!gone.empty())
@@ -172,17 +174,17 @@ Status Session::remove(const std::string& name, bool kills, std::string_view com
 
 // Functions and derived objects stay when something that they need goes.
 Status Session::change_definitions(std::string_view command, Context& context, const std::function<Status()>& change) {
-  ASSIGN_OR_RETURN(const auto objects, store_->objects());
-  ASSIGN_OR_RETURN(const UnusableDefinitions before, unusable_definitions(context));
-  RETURN_IF_ERROR(change());
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto objects, store_->objects());
+  ALGEBRA3D_ASSIGN_OR_RETURN(const UnusableDefinitions before, unusable_definitions(context));
+  ALGEBRA3D_RETURN_IF_ERROR(change());
   GoneNames gone;
   for (const ObjectInfo& info : objects) {
-    ASSIGN_OR_RETURN(const auto found, store_->find(info.name));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto found, store_->find(info.name));
     if (found) continue;
     gone.all.insert(info.name);
     if (info.type.is_function()) gone.functions.insert(info.name);
   }
-  ASSIGN_OR_RETURN(const UnusableDefinitions now, unusable_definitions(context, gone));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const UnusableDefinitions now, unusable_definitions(context, gone));
   const UnusableDefinitions newly = newly_unusable(before, now);
   if (!newly.functions.empty())
     context.diagnostics.show(
@@ -195,9 +197,9 @@ Status Session::change_definitions(std::string_view command, Context& context, c
 }
 
 Status Session::run(const DeleteObject& command, Presenter&, Context& context) {
-  ASSIGN_OR_RETURN(Store * store, required_store());
+  ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
   return in_transaction(true, [&]() -> Status {
-    ASSIGN_OR_RETURN(const auto existing, store->find(command.name));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto existing, store->find(command.name));
     if (!existing) return no_object(command.name, *store);
     const std::string_view verb = command.kills ? "kill" : "delete";
     return change_definitions(verb, context, [&] { return remove(command.name, command.kills, verb, context); });
@@ -205,35 +207,35 @@ Status Session::run(const DeleteObject& command, Presenter&, Context& context) {
 }
 
 Status Session::run(const RenameObject& command, Presenter&, Context& context) {
-  ASSIGN_OR_RETURN(Store * store, required_store());
-  RETURN_IF_ERROR(check_new_name(command.new_name));
+  ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
+  ALGEBRA3D_RETURN_IF_ERROR(check_new_name(command.new_name));
   return in_transaction(true, [&]() -> Status {
-    ASSIGN_OR_RETURN(const auto existing, store->find(command.old_name));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto existing, store->find(command.old_name));
     if (!existing) return no_object(command.old_name, *store);
     return change_definitions("changename", context, [&]() -> Status {
-      RETURN_IF_ERROR(store->rename(command.old_name, command.new_name));
+      ALGEBRA3D_RETURN_IF_ERROR(store->rename(command.old_name, command.new_name));
       return check_no_circle(command.new_name, *store, registry_);
     });
   });
 }
 
 Status Session::run(const DefineType& command, Presenter&, Context& context) {
-  ASSIGN_OR_RETURN(Store * store, required_store());
-  RETURN_IF_ERROR(check_new_name(command.name, "a type"));
+  ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
+  ALGEBRA3D_RETURN_IF_ERROR(check_new_name(command.name, "a type"));
   if (registry_.find_type(command.name) != nullptr || command.name == "longint")
     return Error{ErrorCode::name_exists, "there is a type '{}' already", command.name};
   return in_transaction(true, [&]() -> Status {
     Objects objects(registry_, store, context);
-    ASSIGN_OR_RETURN(const TypeExpr type, Checker(registry_, objects, context).resolve(command.type));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr type, Checker(registry_, objects, context).resolve(command.type));
     return store->create_type(command.name, type);
   });
 }
 
 // Objects keep the type that the name stood for; only what is written down keeps the name.
 Status Session::run(const DeleteType& command, Presenter&, Context& context) {
-  ASSIGN_OR_RETURN(Store * store, required_store());
+  ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
   return in_transaction(true, [&]() -> Status {
-    ASSIGN_OR_RETURN(const auto existing, store->find_type(command.name));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto existing, store->find_type(command.name));
     if (!existing) return no_type(command.name, *store);
     return change_definitions("delete type", context, [&] { return store->remove_type(command.name); });
   });

@@ -12,8 +12,8 @@ Status exhaust(const Datum& value, const Context& context) {
     return for_each_tuple(**tuples, context, [](const TuplePtr&) { return Status(); });
   const auto* values = std::get_if<ValueStreamPtr>(&value.content);
   while (values != nullptr) {
-    RETURN_IF_ERROR(context.check_cancelled());
-    ASSIGN_OR_RETURN(const auto next, (*values)->next());
+    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto next, (*values)->next());
     if (!next) break;
   }
   return {};

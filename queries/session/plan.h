@@ -4,11 +4,11 @@
 
 namespace queries {
 
-/// Pulls everything out of a result, so that its operators have done their work.
+/// Pulls a result to its end, so that all its operators have run.
 algebra3d::Status exhaust(const Datum& value, const Context& context);
 
-/// The operators of an expression as a result list,
-/// `(inquiry (plan ((depth name 'signature' calls tuples milliseconds) ...)))`, each before its arguments.
+/// The operators of an expression as a result list, `(inquiry (plan ((depth name 'signature' calls tuples milliseconds)
+/// ...)))`, each operator before its arguments.
 NestedList plan_list(const PlanRecorder& recorder);
 
 }  // namespace queries

@@ -5,17 +5,19 @@
 
 #include <fmt/format.h>
 
+#include "algebra3d/base/file_content.h"
 #include "queries/language/checker.h"
 #include "queries/language/list_pieces.h"
 #include "queries/language/nested_reader.h"
 #include "queries/language/parser.h"
-#include "queries/session/objects.h"
-#include "queries/session/saved_list.h"
+#include "queries/language/syntax_tree.h"
+#include "queries/session/detail/objects.h"
+#include "queries/session/detail/saved_list.h"
 #include "queries/session/session.h"
 #include "queries/session/variables.h"
 #include "queries/store/database_draft.h"
+#include "queries/store/store_options.h"
 #include "queries/streams/mapping.h"
-#include "stl/file_content.h"
 
 namespace queries {
 namespace {
@@ -31,20 +33,20 @@ Error told_of(const std::filesystem::path& file, const std::filesystem::path& in
 class SavedText {
  public:
   static Result<SavedText> open(const std::filesystem::path& file, const std::atomic<bool>* cancel) {
-    auto content = stl::FileContent::read(file, cancel);
+    auto content = algebra3d::FileContent::read(file, cancel);
     if (!content) return std::move(content).error();
     return SavedText(std::move(content).value());
   }
   std::string_view text() const { return is_copied_ ? std::string_view(copy_) : file_.bytes(); }
 
  private:
-  explicit SavedText(stl::FileContent file) : file_(std::move(file)) {
+  explicit SavedText(algebra3d::FileContent file) : file_(std::move(file)) {
     const std::string_view bytes = file_.bytes();
     is_copied_ = !bytes.starts_with(kSavedHere) && bytes.find("$(") != std::string_view::npos;
     if (is_copied_) copy_ = with_variables(bytes);
   }
 
-  stl::FileContent file_;
+  algebra3d::FileContent file_;
   std::string copy_;
   bool is_copied_ = false;
 };
@@ -122,80 +124,80 @@ class Session::Restorer {
 
 Result<std::string> Session::Restorer::symbol(std::string_view what) {
   const SourcePlace place = pieces_.place();
-  ASSIGN_OR_RETURN(const NestedList list, pieces_.read(what));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const NestedList list, pieces_.read(what));
   if (list.is_symbol()) return list.as_symbol();
   return Error(ErrorCode::invalid_value, "expected {}, found {}", what, list.print_short()).at(place);
 }
 
 Result<TypeExpr> Session::Restorer::type() {
   const SourcePlace place = pieces_.place();
-  ASSIGN_OR_RETURN(NestedList list, pieces_.read("a type"));
+  ALGEBRA3D_ASSIGN_OR_RETURN(NestedList list, pieces_.read("a type"));
   // Types without arguments may stand in parentheses.
   if (list.is_list() && list.elements().size() == 1) list = NestedList(list.elements().front());
   // Types of indexes are made by operators and never written, so that the checker knows none.
   if (auto index = TypeExpr::from_nested(list); index && is_index(*index)) return index;
-  ASSIGN_OR_RETURN(const TypeSyntax syntax, NestedReader(registry_, place).type(list));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeSyntax syntax, NestedReader(registry_, place).type(list));
   return Checker(registry_, objects_, context_).resolve(syntax);
 }
 
 Status Session::Restorer::database() {
-  RETURN_IF_ERROR(pieces_.enter());
-  ASSIGN_OR_RETURN(const std::string head, symbol("DATABASE"));
+  ALGEBRA3D_RETURN_IF_ERROR(pieces_.enter());
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string head, symbol("DATABASE"));
   if (head != "DATABASE")
     return Error{ErrorCode::invalid_value, "restore: expected a list (DATABASE ...), found ({} ...)", head};
-  RETURN_IF_ERROR(symbol("the name of the database"));
-  RETURN_IF_ERROR(pieces_.read("(DESCRIPTIVE ALGEBRA)"));
-  RETURN_IF_ERROR(section());
-  RETURN_IF_ERROR(section());
-  RETURN_IF_ERROR(pieces_.leave());
+  ALGEBRA3D_RETURN_IF_ERROR(symbol("the name of the database"));
+  ALGEBRA3D_RETURN_IF_ERROR(pieces_.read("(DESCRIPTIVE ALGEBRA)"));
+  ALGEBRA3D_RETURN_IF_ERROR(section());
+  ALGEBRA3D_RETURN_IF_ERROR(section());
+  ALGEBRA3D_RETURN_IF_ERROR(pieces_.leave());
   return dependent_objects();
 }
 
 // `(TYPES (TYPE name type)...)` or `(OBJECTS (OBJECT ...)...)`
 Status Session::Restorer::section() {
-  RETURN_IF_ERROR(pieces_.enter());
-  ASSIGN_OR_RETURN(const std::string head, symbol("TYPES or OBJECTS"));
+  ALGEBRA3D_RETURN_IF_ERROR(pieces_.enter());
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string head, symbol("TYPES or OBJECTS"));
   if (head != "TYPES" && head != "OBJECTS")
     return Error{ErrorCode::invalid_value, "restore: expected TYPES or OBJECTS, found {}", head};
   while (pieces_.enter()) {
-    RETURN_IF_ERROR(context_.check_cancelled());
-    RETURN_IF_ERROR(head == "TYPES" ? named_type() : object_content({}));
+    ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
+    ALGEBRA3D_RETURN_IF_ERROR(head == "TYPES" ? named_type() : object_content({}));
   }
   return pieces_.leave();
 }
 
 Status Session::Restorer::named_type() {
-  RETURN_IF_ERROR(symbol("TYPE"));
-  ASSIGN_OR_RETURN(const std::string name, symbol("the name of a type"));
-  ASSIGN_OR_RETURN(const TypeExpr named, type());
-  RETURN_IF_ERROR(store_.create_type(name, named));
+  ALGEBRA3D_RETURN_IF_ERROR(symbol("TYPE"));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string name, symbol("the name of a type"));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr named, type());
+  ALGEBRA3D_RETURN_IF_ERROR(store_.create_type(name, named));
   return pieces_.leave();
 }
 
 Status Session::Restorer::object(const std::string& new_name) {
-  RETURN_IF_ERROR(pieces_.enter());
-  RETURN_IF_ERROR(object_content(new_name));
+  ALGEBRA3D_RETURN_IF_ERROR(pieces_.enter());
+  ALGEBRA3D_RETURN_IF_ERROR(object_content(new_name));
   return dependent_objects();
 }
 
 // What stands between the parentheses of an object, and the closing one.
 Status Session::Restorer::object_content(std::string name) {
   const SourcePlace place = pieces_.place();
-  ASSIGN_OR_RETURN(const std::string head, symbol("OBJECT or DERIVED"));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string head, symbol("OBJECT or DERIVED"));
   if (head != "OBJECT" && head != "DERIVED")
     return Error(ErrorCode::invalid_value, "expected OBJECT or DERIVED, found {}", head).at(place);
-  ASSIGN_OR_RETURN(const std::string saved_name, symbol("the name of an object"));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string saved_name, symbol("the name of an object"));
   if (name.empty()) name = saved_name;
   if (is_reserved(name))
     return Error(ErrorCode::reserved_name, "'{}' is a word of the language and cannot name an object", name).at(place);
   if (head == "DERIVED") {
-    ASSIGN_OR_RETURN(NestedList expression, pieces_.read("an expression"));
-    ASSIGN_OR_RETURN(const auto mark, pieces_.next());
+    ALGEBRA3D_ASSIGN_OR_RETURN(NestedList expression, pieces_.read("an expression"));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto mark, pieces_.next());
     dependents_.push_back({name, std::move(expression), std::nullopt, place, mark == kWasDefined});
     return mark ? rest_of_object() : pieces_.leave();
   }
-  RETURN_IF_ERROR(pieces_.read("the name of the type, or ()"));
-  ASSIGN_OR_RETURN(const TypeExpr object_type, type());
+  ALGEBRA3D_RETURN_IF_ERROR(pieces_.read("the name of the type, or ()"));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr object_type, type());
   auto status = value_of(name, object_type);
   if (!status) {
     Error error = std::move(status).error();
@@ -208,7 +210,7 @@ Status Session::Restorer::object_content(std::string name) {
 // Further elements say how the object was stored elsewhere.
 Status Session::Restorer::rest_of_object() {
   while (true) {
-    ASSIGN_OR_RETURN(const auto piece, pieces_.next());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto piece, pieces_.next());
     if (!piece) return pieces_.leave();
   }
 }
@@ -216,28 +218,28 @@ Status Session::Restorer::rest_of_object() {
 Status Session::Restorer::value_of(const std::string& name, const TypeExpr& type) {
   if (type.is_relation()) return relation_value(name, type);
   const SourcePlace place = pieces_.place();
-  ASSIGN_OR_RETURN(const auto piece, pieces_.next());
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto piece, pieces_.next());
   if (!piece) return store_.create(name, type);
-  ASSIGN_OR_RETURN(NestedList list, pieces_.parse(*piece));
+  ALGEBRA3D_ASSIGN_OR_RETURN(NestedList list, pieces_.parse(*piece));
   if (is_index(type)) {
     dependents_.push_back({name, std::move(list), type, place, false});
     return {};
   }
   if (type.is_function()) {
-    RETURN_IF_ERROR(NestedReader(registry_, place).expression(list));
+    ALGEBRA3D_RETURN_IF_ERROR(NestedReader(registry_, place).expression(list));
     return store_.create_function(name, type, list.print());
   }
-  RETURN_IF_ERROR(store_.create(name, type));
+  ALGEBRA3D_RETURN_IF_ERROR(store_.create(name, type));
   const algebra3d::Type* value_type = registry_.find_type(type.name());
   if (value_type == nullptr) return Error{ErrorCode::unknown_name, "unknown type {}", type.text()};
-  ASSIGN_OR_RETURN(Value value, algebra3d::value_from_nested(*value_type, list, context_));
+  ALGEBRA3D_ASSIGN_OR_RETURN(Value value, algebra3d::value_from_nested(*value_type, list, context_));
   return store_.assign(name, Datum{std::move(value)}, context_);
 }
 
 Status Session::Restorer::relation_value(const std::string& name, const TypeExpr& type) {
-  RETURN_IF_ERROR(store_.create(name, type));
+  ALGEBRA3D_RETURN_IF_ERROR(store_.create(name, type));
   if (!pieces_.enter()) {
-    ASSIGN_OR_RETURN(const auto piece, pieces_.next());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto piece, pieces_.next());
     if (!piece) return {};  // created and never given a value
     return Error{ErrorCode::invalid_value, "expected a list of tuples, found {}", piece->substr(0, 40)};
   }
@@ -245,10 +247,10 @@ Status Session::Restorer::relation_value(const std::string& name, const TypeExpr
   for (const auto& attribute : type.element().attributes()) types.push_back(registry_.find_type(attribute.type.name()));
   std::size_t number = 0;
   const auto tuples = make_stream([&]() -> Result<TuplePtr> {
-    ASSIGN_OR_RETURN(const auto piece, pieces_.next());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto piece, pieces_.next());
     if (!piece) return TuplePtr();
     ++number;
-    ASSIGN_OR_RETURN(const NestedList row, pieces_.parse(*piece));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const NestedList row, pieces_.parse(*piece));
     if (!row.is_list() || row.elements().size() != types.size())
       return Error{ErrorCode::invalid_value, "tuple {}: expected a list of {} values, got {}", number, types.size(),
                    row.print_short()};
@@ -262,7 +264,7 @@ Status Session::Restorer::relation_value(const std::string& name, const TypeExpr
     }
     return TuplePtr(std::move(tuple));
   });
-  RETURN_IF_ERROR(store_.assign(name, Datum{tuples}, context_));
+  ALGEBRA3D_RETURN_IF_ERROR(store_.assign(name, Datum{tuples}, context_));
   return pieces_.leave();
 }
 
@@ -278,7 +280,7 @@ Status Session::Restorer::dependent_objects() {
     for (Dependent& dependent : std::exchange(dependents_, {})) {
       const auto evaluated = evaluate(dependent);
       if (evaluated) {
-        RETURN_IF_ERROR(store(dependent, *evaluated));
+        ALGEBRA3D_RETURN_IF_ERROR(store(dependent, *evaluated));
         is_new = true;
         continue;
       }
@@ -304,34 +306,34 @@ Status Session::Restorer::dependent_objects() {
 
 Result<Session::Restorer::Evaluated> Session::Restorer::evaluate(const Dependent& dependent) {
   Objects objects(registry_, &store_, context_);
-  ASSIGN_OR_RETURN(const ExpressionPtr expression,
-                   NestedReader(registry_, dependent.place).expression(dependent.expression));
-  ASSIGN_OR_RETURN(const TypedPtr node, Checker(registry_, objects, context_).check(*expression));
-  ASSIGN_OR_RETURN(Datum value, node->evaluate(nullptr, context_));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const ExpressionPtr expression,
+                             NestedReader(registry_, dependent.place).expression(dependent.expression));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypedPtr node, Checker(registry_, objects, context_).check(*expression));
+  ALGEBRA3D_ASSIGN_OR_RETURN(Datum value, node->evaluate(nullptr, context_));
   const auto* single = std::get_if<Value>(&value.content);
   if (dependent.was_defined && single != nullptr && !single->is_defined())
-    return Error{ErrorCode::invalid_value, "it had a value when it was saved, and is undefined now"};
+    return Error{ErrorCode::invalid_value, "it had a value when it was saved and is undefined now"};
   return Evaluated{node->type(), std::move(value)};
 }
 
 Status Session::Restorer::store(const Dependent& dependent, const Evaluated& evaluated) {
-  RETURN_IF_ERROR(dependent.index_type
-                      ? store_.create(dependent.name, evaluated.type)
-                      : store_.create_derived(dependent.name, evaluated.type, dependent.expression.print()));
+  ALGEBRA3D_RETURN_IF_ERROR(dependent.index_type
+                                ? store_.create(dependent.name, evaluated.type)
+                                : store_.create_derived(dependent.name, evaluated.type, dependent.expression.print()));
   return store_.assign(dependent.name, evaluated.value, context_);
 }
 
 Status Session::run(const RestoreObject& command, Presenter&, Context& context) {
-  ASSIGN_OR_RETURN(Store * store, required_store());
-  RETURN_IF_ERROR(check_new_name(command.name));
-  ASSIGN_OR_RETURN(const SavedText saved, SavedText::open(context.resolve(command.file), context.cancel));
+  ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
+  ALGEBRA3D_RETURN_IF_ERROR(check_new_name(command.name));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const SavedText saved, SavedText::open(context.resolve(command.file), context.cancel));
   return in_transaction(true, [&]() -> Status {
-    ASSIGN_OR_RETURN(const auto existing, store->find(command.name));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto existing, store->find(command.name));
     if (existing)
       return Error{ErrorCode::name_exists, "there is an object '{}' already; delete it first", command.name};
     ListPieces pieces(saved.text(), command.file);
     Restorer restorer(registry_, *store, pieces, context);
-    RETURN_IF_ERROR(restorer.object(command.name));
+    ALGEBRA3D_RETURN_IF_ERROR(restorer.object(command.name));
     if (restorer.left_out().empty()) return {};
     return Error{ErrorCode::not_evaluable, "restore: '{}' cannot be derived again; nothing was restored", command.name};
   });
@@ -341,16 +343,16 @@ Status Session::run(const RestoreObject& command, Presenter&, Context& context) 
 // transaction. Either way it is open afterwards. Objects that cannot be derived again are missing in a new database,
 // and the command fails all the same; in place of an existing one that still has their values it does nothing.
 Status Session::run(const RestoreDatabase& command, Presenter&, Context& context) {
-  RETURN_IF_ERROR(require_closed());
+  ALGEBRA3D_RETURN_IF_ERROR(require_closed());
   if (options_.read_only) return Error{ErrorCode::database_read_only, "restore database: the session is read-only"};
-  ASSIGN_OR_RETURN(const SavedText saved, SavedText::open(context.resolve(command.file), context.cancel));
-  ASSIGN_OR_RETURN(const auto file, database_file(command.name));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const SavedText saved, SavedText::open(context.resolve(command.file), context.cancel));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto file, database_file(command.name));
   std::error_code error;
   const bool is_new = !std::filesystem::exists(file, error);
-  ASSIGN_OR_RETURN(const auto left_out,
-                   is_new ? restore_new(file, saved.text(), command.file, context)
-                          : restore_into(file, OpenMode::read_write, saved.text(), command.file, context));
-  ASSIGN_OR_RETURN(store_, Store::open(file, OpenMode::read_write, registry_));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto left_out,
+                             is_new ? restore_new(file, saved.text(), command.file, context)
+                                    : restore_into(file, OpenMode::read_write, saved.text(), command.file, context));
+  ALGEBRA3D_ASSIGN_OR_RETURN(store_, Store::open(file, OpenMode::read_write, registry_));
   if (left_out.empty()) return {};
   return Error{ErrorCode::not_evaluable,
                "restore: the database '{}' was restored and is open, without these objects, which cannot be derived "
@@ -361,24 +363,24 @@ Status Session::run(const RestoreDatabase& command, Presenter&, Context& context
 Result<std::vector<std::string>> Session::restore_new(const std::filesystem::path& file, std::string_view text,
                                                       const std::string& name, Context& context) {
   remove_database_leftovers(file);
-  ASSIGN_OR_RETURN(DatabaseDraft draft, DatabaseDraft::create(file, kRestoreEnding));
+  ALGEBRA3D_ASSIGN_OR_RETURN(DatabaseDraft draft, DatabaseDraft::create(file, kRestoreEnding));
   auto left_out = restore_into(draft.path(), OpenMode::draft, text, name, context);
   if (!left_out) return told_of(file, draft.path(), std::move(left_out).error());
-  RETURN_IF_ERROR(draft.publish(false));
+  ALGEBRA3D_RETURN_IF_ERROR(draft.publish(false));
   return left_out;
 }
 
 Result<std::vector<std::string>> Session::restore_into(const std::filesystem::path& file, OpenMode mode,
                                                        std::string_view text, const std::string& name,
                                                        Context& context) {
-  ASSIGN_OR_RETURN(store_, Store::open(file, mode, registry_));
+  ALGEBRA3D_ASSIGN_OR_RETURN(store_, Store::open(file, mode, registry_));
   std::vector<std::string> left_out;
   const Status status = in_transaction(true, [&]() -> Status {
-    ASSIGN_OR_RETURN(const auto before, store_->objects());
-    RETURN_IF_ERROR(empty_database());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto before, store_->objects());
+    ALGEBRA3D_RETURN_IF_ERROR(empty_database());
     ListPieces pieces(text, name);
     Restorer restorer(registry_, *store_, pieces, context);
-    RETURN_IF_ERROR(restorer.database());
+    ALGEBRA3D_RETURN_IF_ERROR(restorer.database());
     left_out = restorer.left_out();
     const bool loses_some = std::ranges::any_of(
         before, [&](const ObjectInfo& info) { return std::ranges::find(left_out, info.name) != left_out.end(); });
@@ -394,13 +396,13 @@ Result<std::vector<std::string>> Session::restore_into(const std::filesystem::pa
 }
 
 Status Session::empty_database() {
-  ASSIGN_OR_RETURN(const auto objects, store_->objects());
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto objects, store_->objects());
   for (const ObjectInfo& info : objects) {
-    ASSIGN_OR_RETURN(const auto present, store_->find(info.name));  // indexes go with their relation
-    if (present) RETURN_IF_ERROR(store_->kill(info.name));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto present, store_->find(info.name));  // indexes go with their relation
+    if (present) ALGEBRA3D_RETURN_IF_ERROR(store_->kill(info.name));
   }
-  ASSIGN_OR_RETURN(const auto types, store_->types());
-  for (const NamedType& type : types) RETURN_IF_ERROR(store_->remove_type(type.name));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto types, store_->types());
+  for (const NamedType& type : types) ALGEBRA3D_RETURN_IF_ERROR(store_->remove_type(type.name));
   return {};
 }
 

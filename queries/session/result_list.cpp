@@ -1,4 +1,4 @@
-// Results as nested lists (language.md 4).
+// Results as nested lists.
 #include "queries/session/session.h"
 #include "queries/streams/ordered_index.h"
 
@@ -9,7 +9,7 @@ Result<NestedList> tuple_list(const Tuple& tuple) {
   NestedList::List values;
   values.reserve(tuple.attributes.size());
   for (const Value& attribute : tuple.attributes) {
-    ASSIGN_OR_RETURN(const Value loaded, attribute.loaded());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, attribute.loaded());
     values.push_back(loaded.to_nested());
   }
   return NestedList(std::move(values));
@@ -23,13 +23,13 @@ NestedList index_list(const Index& index) {
 }
 
 Result<NestedList> relation_list(Relation& relation, Context& context) {
-  ASSIGN_OR_RETURN(const TupleStreamPtr tuples, relation.scan());
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TupleStreamPtr tuples, relation.scan());
   NestedList::List rows;
   while (true) {
-    RETURN_IF_ERROR(context.check_cancelled());
-    ASSIGN_OR_RETURN(const TuplePtr tuple, tuples->next());
+    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr tuple, tuples->next());
     if (tuple == nullptr) return NestedList(std::move(rows));
-    ASSIGN_OR_RETURN(NestedList row, tuple_list(*tuple));
+    ALGEBRA3D_ASSIGN_OR_RETURN(NestedList row, tuple_list(*tuple));
     rows.push_back(std::move(row));
   }
 }
@@ -43,12 +43,12 @@ Result<NestedList> value_list(const TypeExpr& type, const Datum& value, Context&
   if (type.is("btree")) return index_list(*value.ordered_index());
   if (!std::holds_alternative<Value>(value.content))
     return Error{ErrorCode::not_evaluable, "a result of type {} cannot be shown", type.text()};
-  ASSIGN_OR_RETURN(const Value loaded, value.value().loaded());
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.value().loaded());
   return loaded.to_nested();
 }
 
 Result<NestedList> result_list(const TypeExpr& type, const Datum& value, Context& context) {
-  ASSIGN_OR_RETURN(NestedList list, value_list(type, value, context));
+  ALGEBRA3D_ASSIGN_OR_RETURN(NestedList list, value_list(type, value, context));
   return NestedList::list(type.to_nested(), std::move(list));
 }
 

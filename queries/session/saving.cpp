@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
+#include "algebra3d/base/atomic_file.h"
 #include "queries/language/scanner.h"
-#include "queries/session/objects.h"
-#include "queries/session/saved_list.h"
+#include "queries/session/detail/objects.h"
+#include "queries/session/detail/saved_list.h"
 #include "queries/session/session.h"
 #include "queries/streams/ordered_index.h"
-#include "stl/atomic_file.h"
 
 namespace queries {
 namespace {
@@ -31,7 +31,7 @@ std::string word_of_database(const std::filesystem::path& file) {
 class ListFile {
  public:
   static Result<ListFile> create(const std::filesystem::path& path) {
-    auto file = stl::AtomicFile::create(path);
+    auto file = algebra3d::AtomicFile::create(path);
     if (!file) return cannot_write(file.error());
     return ListFile(std::move(file).value());
   }
@@ -48,9 +48,9 @@ class ListFile {
   }
 
  private:
-  explicit ListFile(stl::AtomicFile file) : file_(std::move(file)) {}
+  explicit ListFile(algebra3d::AtomicFile file) : file_(std::move(file)) {}
 
-  stl::AtomicFile file_;
+  algebra3d::AtomicFile file_;
 };
 
 class ObjectWriter {
@@ -58,17 +58,17 @@ class ObjectWriter {
   ObjectWriter(Store& store, ListFile& file, Context& context) : store_(store), file_(file), context_(context) {}
 
   Status write(const ObjectInfo& info) {
-    RETURN_IF_ERROR(context_.check_cancelled());
+    ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
     if (!info.derived_text.empty()) return write_derived(info);
-    RETURN_IF_ERROR(file_.write("    (OBJECT ", info.name, " () ", info.type.text()));
-    if (info.has_value) RETURN_IF_ERROR(write_value(info));
+    ALGEBRA3D_RETURN_IF_ERROR(file_.write("    (OBJECT ", info.name, " () ", info.type.text()));
+    if (info.has_value) ALGEBRA3D_RETURN_IF_ERROR(write_value(info));
     return file_.write(")\n");
   }
 
  private:
   Status write_derived(const ObjectInfo& info) {
-    RETURN_IF_ERROR(file_.write("    (DERIVED ", info.name, " ", info.derived_text));
-    if (is_defined(info)) RETURN_IF_ERROR(file_.write(" ", kWasDefined));
+    ALGEBRA3D_RETURN_IF_ERROR(file_.write("    (DERIVED ", info.name, " ", info.derived_text));
+    if (is_defined(info)) ALGEBRA3D_RETURN_IF_ERROR(file_.write(" ", kWasDefined));
     return file_.write(")\n");
   }
 
@@ -82,14 +82,14 @@ class ObjectWriter {
 
   Status write_value(const ObjectInfo& info) {
     if (info.type.is_function()) return file_.write(" ", info.function_text, " ()");
-    ASSIGN_OR_RETURN(const Datum value, store_.read(info.name));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Datum value, store_.read(info.name));
     if (info.type.is_relation()) {
       warn_of_tuple_numbers(info);
       return write_relation(*value.relation());
     }
     if (info.type.is("rtree3")) return write_index(info, *value.index(), "creatertree");
     if (info.type.is("btree")) return write_index(info, *value.ordered_index(), "createbtree");
-    ASSIGN_OR_RETURN(const Value loaded, value.value().loaded());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.value().loaded());
     return file_.write(" ", loaded.to_nested().print(), " ()");
   }
 
@@ -101,19 +101,19 @@ class ObjectWriter {
   }
 
   Status write_relation(Relation& relation) {
-    RETURN_IF_ERROR(file_.write(" ("));
-    ASSIGN_OR_RETURN(const TupleStreamPtr tuples, relation.scan());
+    ALGEBRA3D_RETURN_IF_ERROR(file_.write(" ("));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const TupleStreamPtr tuples, relation.scan());
     while (true) {
-      RETURN_IF_ERROR(context_.check_cancelled());
-      ASSIGN_OR_RETURN(const TuplePtr tuple, tuples->next());
+      ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
+      ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr tuple, tuples->next());
       if (tuple == nullptr) return file_.write(") ()");
       std::string row;
       for (const Value& attribute : tuple->attributes) {
-        ASSIGN_OR_RETURN(const Value loaded, attribute.loaded());
+        ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, attribute.loaded());
         if (!row.empty()) row += ' ';
         loaded.to_nested().print_to(row);
       }
-      RETURN_IF_ERROR(file_.write("\n      (", row, ")"));
+      ALGEBRA3D_RETURN_IF_ERROR(file_.write("\n      (", row, ")"));
     }
   }
 
@@ -122,7 +122,7 @@ class ObjectWriter {
   Status write_index(const ObjectInfo& info, const Index& index, std::string_view maker) {
     if (index.is_definition()) return file_.write(" (", maker, " ", index.relation(), " ", index.attribute(), ") ()");
     context_.diagnostics.report("save: '" + info.name +
-                                "' is a copy of a stream, with tuple numbers that mean nothing elsewhere; it is "
+                                "' is a copy of a stream, with tuple numbers that have no meaning elsewhere; it is "
                                 "saved without a value");
     return {};
   }
@@ -136,7 +136,7 @@ class ObjectWriter {
 
 // Their values are not saved, as those of no derived object are.
 Status Session::note_underivable(const std::string& name, Context& context) {
-  ASSIGN_OR_RETURN(UnusableDefinitions unusable, unusable_definitions(context));
+  ALGEBRA3D_ASSIGN_OR_RETURN(UnusableDefinitions unusable, unusable_definitions(context));
   if (!name.empty()) std::erase_if(unusable.underivable, [&](const Underivable& each) { return each.name != name; });
   if (unusable.underivable.empty()) return {};
   context.diagnostics.show(
@@ -148,32 +148,32 @@ Status Session::note_underivable(const std::string& name, Context& context) {
 }
 
 Status Session::run(const SaveDatabase& command, Presenter&, Context& context) {
-  ASSIGN_OR_RETURN(Store * store, required_store());
-  ASSIGN_OR_RETURN(ListFile file, ListFile::create(context.resolve(command.file)));
+  ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
+  ALGEBRA3D_ASSIGN_OR_RETURN(ListFile file, ListFile::create(context.resolve(command.file)));
   Status status = in_transaction(false, [&]() -> Status {
-    RETURN_IF_ERROR(note_underivable({}, context));
-    RETURN_IF_ERROR(
+    ALGEBRA3D_RETURN_IF_ERROR(note_underivable({}, context));
+    ALGEBRA3D_RETURN_IF_ERROR(
         file.write(kSavedHere, "\n(DATABASE ", word_of_database(store->file()), "\n  (DESCRIPTIVE ALGEBRA)\n  (TYPES"));
-    ASSIGN_OR_RETURN(const auto types, store->types());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto types, store->types());
     for (const NamedType& type : types)
-      RETURN_IF_ERROR(file.write("\n    (TYPE ", type.name, " ", type.type.text(), ")"));
-    RETURN_IF_ERROR(file.write(")\n  (OBJECTS\n"));
-    ASSIGN_OR_RETURN(const auto objects, store->objects());
+      ALGEBRA3D_RETURN_IF_ERROR(file.write("\n    (TYPE ", type.name, " ", type.type.text(), ")"));
+    ALGEBRA3D_RETURN_IF_ERROR(file.write(")\n  (OBJECTS\n"));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto objects, store->objects());
     ObjectWriter writer(*store, file, context);
-    for (const ObjectInfo& info : objects) RETURN_IF_ERROR(writer.write(info));
+    for (const ObjectInfo& info : objects) ALGEBRA3D_RETURN_IF_ERROR(writer.write(info));
     return file.write("  ))\n");
   });
   return status ? file.finish() : status;
 }
 
 Status Session::run(const SaveObject& command, Presenter&, Context& context) {
-  ASSIGN_OR_RETURN(Store * store, required_store());
-  ASSIGN_OR_RETURN(ListFile file, ListFile::create(context.resolve(command.file)));
+  ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
+  ALGEBRA3D_ASSIGN_OR_RETURN(ListFile file, ListFile::create(context.resolve(command.file)));
   Status status = in_transaction(false, [&]() -> Status {
-    ASSIGN_OR_RETURN(const auto info, store->find(command.name));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto info, store->find(command.name));
     if (!info) return no_object(command.name, *store);
-    RETURN_IF_ERROR(note_underivable(command.name, context));
-    RETURN_IF_ERROR(file.write(kSavedHere, "\n"));
+    ALGEBRA3D_RETURN_IF_ERROR(note_underivable(command.name, context));
+    ALGEBRA3D_RETURN_IF_ERROR(file.write(kSavedHere, "\n"));
     return ObjectWriter(*store, file, context).write(*info);
   });
   return status ? file.finish() : status;

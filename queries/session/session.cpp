@@ -4,9 +4,11 @@
 
 #include "queries/language/checker.h"
 #include "queries/language/parser.h"
-#include "queries/session/inquiry.h"
-#include "queries/session/objects.h"
+#include "queries/session/detail/failure_report.h"
+#include "queries/session/detail/inquiry.h"
+#include "queries/session/detail/objects.h"
 #include "queries/session/plan.h"
+#include "queries/store/store_options.h"
 
 namespace queries {
 Session::Session(const algebra3d::Registry& registry, SessionOptions options)
@@ -17,7 +19,7 @@ Session::Session(const algebra3d::Registry& registry, SessionOptions options)
 Session::~Session() = default;
 
 Status Session::open_file(const std::filesystem::path& file) {
-  RETURN_IF_ERROR(require_closed());
+  ALGEBRA3D_RETURN_IF_ERROR(require_closed());
   return open_store(file, options_.read_only ? OpenMode::read_only : OpenMode::open_or_create);
 }
 
@@ -36,17 +38,39 @@ Status Session::open_store(const std::filesystem::path& file, OpenMode mode) {
 
 Status Session::execute(std::string_view text, const SourcePlace& start, Presenter& presenter, Context& context) {
   failed_result_ = {};
+  algebra3d::FailedCalls failed_calls;
+  Context own = context;
+  own.memory = &memory_;
+  if (!options_.failure_folders.empty()) own.failed_calls = &failed_calls;
+  Status status = run_caught(text, start, presenter, own);
+  if (!status && status.error().code == ErrorCode::internal) report_failure(status.error(), text, own);
+  return status;
+}
+
+Status Session::run_caught(std::string_view text, const SourcePlace& start, Presenter& presenter, Context& context) {
   try {
-    ASSIGN_OR_RETURN(const Command command, parse_command(text, registry_, start, &options_.parameters));
-    Context own = context;
-    own.memory = &memory_;
-    return run(command, presenter, own);
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Command command, parse_command(text, registry_, start, &options_.parameters));
+    return run(command, presenter, context);
   } catch (const std::bad_alloc&) {
     if (store_ != nullptr) store_->rollback();
     return Error(ErrorCode::out_of_memory, "memory is exhausted").at(start);
   } catch (const std::exception& exception) {
     if (store_ != nullptr) store_->rollback();
     return Error(ErrorCode::internal, exception.what()).at(start);
+  }
+}
+
+void Session::report_failure(Error& error, std::string_view text, const Context& context) const {
+  if (context.failed_calls == nullptr) return;
+  try {
+    const std::filesystem::path database = store_ != nullptr ? store_->file() : std::filesystem::path();
+    const std::string report = failure_report(
+        {text, error.message, *context.failed_calls, options_.parameters, database, context.folder}, context);
+    const auto file = write_failure_report(report, options_.failure_folders);
+    error.message += file ? "; a script that repeats the failure is in " + file->string()
+                          : "; a report could not be written: " + file.error().message;
+  } catch (const std::exception& exception) {
+    error.message += std::string("; a report could not be made: ") + exception.what();
   }
 }
 
@@ -59,7 +83,7 @@ Status Session::run(const Command& command, Presenter& presenter, Context& conte
 Status Session::in_transaction(bool writes, const std::function<Status()>& work) {
   if (damaged_) return damaged_->error;
   if (store_ == nullptr) return work();
-  RETURN_IF_ERROR(store_->begin(writes));
+  ALGEBRA3D_RETURN_IF_ERROR(store_->begin(writes));
   Status status = work();
   if (status) status = store_->commit();
   if (!status) store_->rollback();
@@ -85,12 +109,12 @@ Status Session::run(const Query& command, Presenter& presenter, Context& context
   bool has_shown = false;
   const auto work = [&]() -> Status {
     Objects objects(registry_, store_.get(), context);
-    ASSIGN_OR_RETURN(const TypedPtr node, Checker(registry_, objects, context).check(*command.value));
-    if (node->type().is_stream() || node->type().is_tuple())
+    ALGEBRA3D_ASSIGN_OR_RETURN(const TypedPtr node, Checker(registry_, objects, context).check(*command.value));
+    if ((node->type().is_stream() && !presenter.takes_streams()) || node->type().is_tuple())
       return Error{ErrorCode::not_evaluable, "a result of type {} cannot be shown; end a stream with consume or count",
                    node->type().text()};
     const OwnResult result(context);
-    ASSIGN_OR_RETURN(const Datum value, node->evaluate(nullptr, context));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Datum value, node->evaluate(nullptr, context));
     judge(result, value);
     has_shown = true;
     return presenter.present(node->type(), value, context);
@@ -104,10 +128,11 @@ Status Session::run(const Query& command, Presenter& presenter, Context& context
 // (inquiry (plan ((depth operator 'signature' calls tuples milliseconds) ...)))
 Status Session::run(const Explain& command, Presenter& presenter, Context& context) {
   PlanRecorder recorder;
-  RETURN_IF_ERROR(in_transaction(false, [&]() -> Status {
+  ALGEBRA3D_RETURN_IF_ERROR(in_transaction(false, [&]() -> Status {
     Objects objects(registry_, store_.get(), context);
-    ASSIGN_OR_RETURN(const TypedPtr node, Checker(registry_, objects, context, &recorder).check(*command.value));
-    ASSIGN_OR_RETURN(const Datum value, node->evaluate(nullptr, context));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const TypedPtr node,
+                               Checker(registry_, objects, context, &recorder).check(*command.value));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Datum value, node->evaluate(nullptr, context));
     return exhaust(value, context);
   }));
   return presenter.present_inquiry(plan_list(recorder));
@@ -115,12 +140,12 @@ Status Session::run(const Explain& command, Presenter& presenter, Context& conte
 
 Status Session::run(const Inquiry& command, Presenter& presenter, Context&) {
   if (command.subject == Inquiry::Subject::objects || command.subject == Inquiry::Subject::types)
-    RETURN_IF_ERROR(required_store());
+    ALGEBRA3D_RETURN_IF_ERROR(required_store());
   if (!command.algebra.empty() && command.algebra != kAlgebra)
     return Error{ErrorCode::unknown_name, "there is no algebra '{}'; the only one is {}", command.algebra, kAlgebra};
   NestedList result;
-  RETURN_IF_ERROR(in_transaction(false, [&]() -> Status {
-    ASSIGN_OR_RETURN(result, inquire(command.subject, registry_, store_.get(), options_.folder));
+  ALGEBRA3D_RETURN_IF_ERROR(in_transaction(false, [&]() -> Status {
+    ALGEBRA3D_ASSIGN_OR_RETURN(result, inquire(command.subject, registry_, store_.get(), options_.folder));
     return {};
   }));
   return presenter.present_inquiry(result);

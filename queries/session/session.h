@@ -6,54 +6,61 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "algebra3d/base/context.h"
 #include "algebra3d/base/work_memory.h"
 #include "algebra3d/registry/registry.h"
 #include "queries/language/command.h"
 #include "queries/language/session_parameters.h"
+#include "queries/language/syntax_tree.h"
 #include "queries/language/typed_tree.h"
-#include "queries/session/own_result.h"
-#include "queries/session/unusable.h"
+#include "queries/session/detail/own_result.h"
+#include "queries/session/detail/unusable.h"
 #include "queries/store/store.h"
+#include "queries/store/store_options.h"
 
 namespace queries {
 
-/// Takes the result of a statement while it is being run: relations are pulled from the database by the presenter.
+/// Receives the result of a statement while the statement runs; the presenter pulls relations from the database.
 class Presenter {
  public:
   virtual ~Presenter() = default;
   Presenter() = default;
   Presenter(const Presenter&) = delete;
   Presenter& operator=(const Presenter&) = delete;
-  /// The result of a query.
+  /// Receives the result of a query.
   virtual Status present(const TypeExpr& type, const Datum& value, Context& context) = 0;
-  /// The result list of an inquiry, `(inquiry (...))`.
+  /// Receives the result list of an inquiry, `(inquiry (...))`.
   virtual Status present_inquiry(const NestedList& result) = 0;
-  /// Whether a command of a sequence or loop that had no error has failed all the same by its result
-  /// (`Session::failed_result`), so that the rest does not run.
+  /// Whether the result of a query may be a stream, which `present` then pulls. If not, queries must end with `consume`
+  /// or `count`.
+  virtual bool takes_streams() const { return false; }
+  /// Whether a sequence or loop ends at a command without an error whose result tells of a failure
+  /// (`Session::failed_result`).
   virtual bool ends_at_failed_result() const { return false; }
-  /// How far a long statement has come, for people: "42 % (Parts)". Comes many times a second.
+  /// Receives the progress of a long statement, for people: "42 % (Parts)". Called many times a second.
   virtual void advance(const std::string& /*how_far*/) {}
 };
 
 struct SessionOptions {
-  /// Folder of the databases that `create`, `open` and `delete database N` mean.
+  /// Folder of the databases of `create`, `open` and `delete database N`.
   std::filesystem::path folder = ".";
   bool read_only = false;
-  /// What operators that sort, group, hash or materialise may keep in memory, as long as `set "memory"` says nothing
-  /// else.
+  /// Memory limit of operators that sort, group, hash or materialise, unless `set "memory"` changes it.
   std::size_t memory_bytes = algebra3d::WorkMemory::default_limit();
-  /// What the face of a session does with results, as `set` says: tell how long each statement took, and page long
-  /// ones.
+  /// Options for the shell, changed by `set`: print the time of each statement, and page long results.
   bool shows_timing = false;
   bool uses_pager = true;
-  /// What `$name` stands for in commands.
+  /// Folders for the reports of statements that end with the error internal: the first that takes one gets it.
+  /// None: no reports are written.
+  std::vector<std::filesystem::path> failure_folders = {};
+  /// The values of `$name` in commands.
   SessionParameters parameters = {};
 };
 
-/// One user's state: the open database, if any. Runs statements from text to result; each is one transaction, which
-/// happens or does not. Used by one thread. The registry outlives the session.
+/// One user's session, with the open database, if any. Runs statements from text to result, each as one transaction.
+/// Used by one thread. The registry outlives the session.
 class Session {
  public:
   Session(const algebra3d::Registry& registry, SessionOptions options);
@@ -61,26 +68,32 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// Opens that file, and creates it if it is not there (unless read-only).
+  /// Opens a database file, and creates it if it does not exist (unless read-only).
   Status open_file(const std::filesystem::path& file);
   /// Runs one command. Reasons of undefined values and remarks go to `context.diagnostics`. Never throws: exhausted
-  /// memory becomes error out_of_memory. After an error the database is as before the command.
+  /// memory becomes error out_of_memory. After an error the database is as before the command. The message of an error
+  /// internal names the report, a script that repeats the failure, or says why there is none.
   Status execute(std::string_view text, const SourcePlace& start, Presenter& presenter, Context& context);
-  /// How the statement that was executed last tells by its own result that it has failed, since a file could not be
-  /// read or written: "undefined" or "FALSE"; empty if it does not. The statement has happened all the same.
+  /// The failure that the result of the last statement shows because a file could not be read or written: "undefined"
+  /// or "FALSE"; else empty. Such a statement is committed all the same.
   std::string_view failed_result() const { return failed_result_; }
 
   /// Null while no database is open.
   Store* store() { return store_.get(); }
   const algebra3d::Registry& registry() const { return registry_; }
-  /// As they are now: `set` changes some of them.
+  /// The present options; `set` changes some of them.
   const SessionOptions& options() const { return options_; }
+  /// Sets the values of `$name` for the following commands.
+  void set_parameters(SessionParameters parameters) { options_.parameters = std::move(parameters); }
 
  private:
   class Objects;
   class Restorer;
   class UnusableSearch;
 
+  Status run_caught(std::string_view text, const SourcePlace& start, Presenter& presenter, Context& context);
+  /// Writes the report of a failure, if there are folders for it, and names it in the message.
+  void report_failure(Error& error, std::string_view text, const Context& context) const;
   Status run(const Command& command, Presenter& presenter, Context& context);
 
   // databases.cpp
@@ -133,23 +146,23 @@ class Session {
   Status open_store(const std::filesystem::path& file, OpenMode mode);
   Result<std::vector<Finding>> findings(Presenter& presenter, Context& context);
   Result<std::filesystem::path> database_file(const std::string& name) const;
-  /// The names of the objects that had to be left out.
+  /// Restores objects from a file. Returns the names of the objects that had to be left out.
   Result<std::vector<std::string>> restore_into(const std::filesystem::path& file, OpenMode mode, std::string_view text,
                                                 const std::string& name, Context& context);
   Result<std::vector<std::string>> restore_new(const std::filesystem::path& file, std::string_view text,
                                                const std::string& name, Context& context);
   Status empty_database();
-  /// The value is made under the name `interim`, if there is one.
+  /// The value is stored under the name `interim` first, if given.
   Status define(const std::string& name, const Expression& value, bool is_derived, Context& context,
                 const std::string& interim = {});
-  /// The functions that fail and the objects that cannot be derived again, within a statement.
-  /// `gone` are names that were those of objects until now.
+  /// The functions that fail and the objects that can no longer be derived. Call within a statement. `gone`: names of
+  /// objects that are being deleted.
   Result<UnusableDefinitions> unusable_definitions(Context& context, const GoneNames& gone = {});
-  /// Notes of all objects, or of one, which of them `restore` will leave out.
+  /// Reports the objects that `restore` will leave out: all of them, or only `name`.
   Status note_underivable(const std::string& name, Context& context);
-  /// Runs `change` and notes which of them it made so.
+  /// Runs `change` and reports the definitions that it made unusable.
   Status change_definitions(std::string_view command, Context& context, const std::function<Status()>& change);
-  /// Removes an object and notes what goes with it.
+  /// Removes an object and reports what is removed with it.
   Status remove(const std::string& name, bool kills, std::string_view command, Context& context);
 
   const algebra3d::Registry& registry_;
@@ -157,8 +170,7 @@ class Session {
   algebra3d::WorkMemory memory_;
   std::unique_ptr<Store> store_;
   std::string_view failed_result_;
-  /// A database that did not open since it is damaged: `check database` looks at it, and nothing else is done before it
-  /// is closed.
+  /// A database that is too damaged to open. Only `check database` and closing it are possible.
   struct Damaged {
     std::filesystem::path file;
     Error error;
@@ -166,9 +178,9 @@ class Session {
   std::optional<Damaged> damaged_;
 };
 
-/// The result list `(T V)` of a query. Streams and tuples have none: error not_evaluable.
+/// The result list `(T V)` of a query. Errors: not_evaluable for streams and tuples.
 Result<NestedList> result_list(const TypeExpr& type, const Datum& value, Context& context);
-/// The value list V alone.
+/// The value list V of a result.
 Result<NestedList> value_list(const TypeExpr& type, const Datum& value, Context& context);
 
 }  // namespace queries

@@ -5,8 +5,8 @@
 
 namespace queries {
 
-/// The text with every `$(NAME)` replaced by the environment variable of that name, or by nothing if there is none. A
-/// `$(` that is not closed stands for itself. Cost: linear.
+/// Replaces every `$(NAME)` by the environment variable NAME, or by nothing if it is not set. A `$(` that is not closed
+/// stays. Cost: linear.
 std::string with_variables(std::string_view text);
 
 }  // namespace queries

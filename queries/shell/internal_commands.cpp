@@ -1,4 +1,4 @@
-// The commands that the shell carries out itself (language.md 1.2).
+// The commands that the shell carries out itself.
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -9,9 +9,9 @@
 #include <fstream>
 #include <system_error>
 
-#include "queries/shell/command_table.h"
-#include "queries/shell/file_arguments.h"
-#include "queries/shell/statement_runner.h"
+#include "queries/shell/detail/command_table.h"
+#include "queries/shell/detail/file_arguments.h"
+#include "queries/shell/detail/statement_runner.h"
 
 namespace queries {
 namespace {

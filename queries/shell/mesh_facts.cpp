@@ -7,12 +7,14 @@
 #include <fmt/format.h>
 
 #include "algebra3d/base/box3.h"
-#include "algebra3d/operators/import_solid.h"
-#include "algebra3d/repair/kept_shells.h"
+#include "algebra3d/formats/import_solid.h"
+#include "algebra3d/halfedge/boxes.h"
+#include "algebra3d/repair/amount.h"
+#include "algebra3d/repair/mesh_volume.h"
 #include "algebra3d/repair/scaled_triangles.h"
-#include "queries/shell/mesh_commands.h"
-#include "queries/shell/mesh_input.h"
-#include "queries/shell/screen.h"
+#include "queries/shell/detail/mesh_commands.h"
+#include "queries/shell/detail/mesh_input.h"
+#include "queries/shell/detail/screen.h"
 
 namespace queries {
 namespace {
@@ -49,7 +51,7 @@ algebra3d::Amount area_of(const TriangleSoup& soup, const algebra3d::BinaryScale
 
 FileFacts facts_of(const MeshFile& mesh, std::size_t byte_count) {
   FileFacts facts;
-  facts.form = form_text({mesh.format, mesh.is_binary ? stl::Format::binary : stl::Format::ascii});
+  facts.form = form_text({mesh.format, mesh.encoding});
   facts.form += fmt::format(", {} bytes", byte_count);
   facts.triangle_count = mesh.soup.triangles.size();
   for (const TriangleSoup::Triangle& triangle : mesh.soup.triangles)
@@ -77,30 +79,31 @@ std::string repair_text(const ImportedSolid& imported) {
   return "would give a solid: " + (imported.repair ? imported.repair->text() : imported.status);
 }
 
-/// Volume and area of the solid, or the area of the facets.
+/// Volume and area of the solid, or the area of the triangles.
 Result<std::string> measures(const ImportedSolid& imported, const FileFacts& facts, const MeshConsole& console) {
-  if (!imported.solid) return row("area", facts.area.text(10) + ", of the facets");
+  if (!imported.solid) return row("area", facts.area.text(10) + ", of the triangles");
   const algebra3d::TriangleMesh& mesh = imported.solid->mesh();
-  ASSIGN_OR_RETURN(const algebra3d::Amount volume, algebra3d::measured_volume(mesh, console.cancel));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const algebra3d::Amount volume, algebra3d::measured_volume(mesh, console.cancel));
   const algebra3d::Amount area = area_of(mesh, algebra3d::BinaryScale(largest_coordinate(mesh)));
   const std::string when = imported.repair ? " after the repair" : "";
   return row("volume", volume.text(10) + when) + row("area", area.text(10) + when);
 }
 
 Status show_mesh_file(const std::string& name, const MeshConsole& console) {
-  ASSIGN_OR_RETURN(const MeshInput input, MeshInput::open(name, console.cancel));
-  ASSIGN_OR_RETURN(MeshFile mesh, algebra3d::read_mesh(input.bytes(), input.name(), std::nullopt, console.cancel));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const MeshInput input, MeshInput::open(name, console.cancel));
+  ALGEBRA3D_ASSIGN_OR_RETURN(MeshFile mesh, algebra3d::read_mesh(input.bytes(), input.name(), nullptr, console.cancel));
   const FileFacts facts = facts_of(mesh, input.bytes().size());
   const std::vector<std::string> remarks = mesh.remarks;
   console.out << printable(input.name()) << "\n"
               << row("format", facts.form) << row("triangles", std::to_string(facts.triangle_count))
               << row("box", size_text(facts.box)) << std::flush;
-  ASSIGN_OR_RETURN(const ImportedSolid imported, algebra3d::import_solid(std::move(mesh), {}, console.cancel));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const ImportedSolid imported,
+                             algebra3d::import_solid(std::move(mesh), {}, console.cancel));
   const bool is_valid = imported.solid && !imported.repair;
   const std::string remark = imported.status == "ok" ? "" : " (" + imported.status + ")";
   console.out << row("validity", is_valid ? "a valid solid" + remark : imported.found.defects());
   if (!is_valid) console.out << row("repair", repair_text(imported));
-  ASSIGN_OR_RETURN(const std::string measured, measures(imported, facts, console));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string measured, measures(imported, facts, console));
   console.out << measured;
   for (const std::string& note : remarks) console.out << row("note", note);
   if (!is_valid && imported.solid && name != "-")

@@ -1,6 +1,5 @@
 #include "queries/shell/program.h"
 
-#include <pthread.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -10,18 +9,26 @@
 #include <iostream>
 #include <optional>
 #include <sstream>
-#include <system_error>
-#include <thread>
 
+#include "algebra3d/base/signal_block.h"
+#include "algebra3d/base/stack_thread.h"
+#include "algebra3d/base/work_memory.h"
 #include "algebra3d/operators/all.h"
-#include "algebra3d/registry/documentation.h"
+#include "algebra3d/version.h"
+#include "mesh_files/mesh_formats.h"
 #include "queries/importer/import_command.h"
-#include "queries/shell/command_table.h"
-#include "queries/shell/file_arguments.h"
-#include "queries/shell/interactive.h"
-#include "queries/shell/interruption.h"
-#include "queries/shell/mesh_commands.h"
-#include "queries/shell/result_format.h"
+#include "queries/importer/import_options.h"
+#include "queries/importer/importer.h"
+#include "queries/language/documentation.h"
+#include "queries/shell/detail/command_line.h"
+#include "queries/shell/detail/command_table.h"
+#include "queries/shell/detail/completion_script.h"
+#include "queries/shell/detail/file_arguments.h"
+#include "queries/shell/detail/interactive.h"
+#include "queries/shell/detail/interruption.h"
+#include "queries/shell/detail/man_page.h"
+#include "queries/shell/detail/mesh_commands.h"
+#include "queries/shell/detail/result_format.h"
 #include "queries/streams/all.h"
 #include "queries/test_runner/test_runner.h"
 
@@ -36,6 +43,7 @@ constexpr int kInterrupted = 130;
 struct Options {
   std::string database;
   std::string folder;
+  std::string failure_folder;
   std::vector<std::string> commands;
   std::vector<std::string> parameters;
   ResultFormat format;
@@ -47,6 +55,8 @@ struct Options {
   bool tests_vary = false;
   std::string help_operator;
   bool help_as_markdown = false;
+  bool help_as_man_page = false;
+  std::string completed_shell;
   bool is_read_only = false;
   FailureRules failure_rules;
 };
@@ -68,6 +78,12 @@ std::filesystem::path database_folder(const Options& options) {
   if (!options.folder.empty()) return options.folder;
   const auto parent = std::filesystem::path(options.database).parent_path();
   return parent.empty() ? "." : parent;
+}
+
+// Where the user looks first; a folder that takes no files must not lose the report.
+std::vector<std::filesystem::path> failure_folders(const Options& options) {
+  if (!options.failure_folder.empty()) return {options.failure_folder};
+  return {".", algebra3d::WorkMemory::default_folder()};
 }
 
 int run_scripts(const Options& options, StatementRunner& runner) {
@@ -108,7 +124,7 @@ int run_statements(const Options& options, Session& session, StatementRunner& ru
 /// True, and told, if the session ends in the middle of a transaction.
 bool is_transaction_lost(Session& session) {
   if (session.store() == nullptr || !session.store()->is_in_explicit_transaction()) return false;
-  std::cerr << "error: the transaction was not committed; what it changed is undone\n";
+  std::cerr << "error: the transaction was not committed; its changes are undone\n";
   return true;
 }
 
@@ -116,8 +132,8 @@ Result<SessionParameters> session_parameters(const std::vector<std::string>& giv
                                              const algebra3d::Registry& registry) {
   SessionParameters parameters;
   for (const std::string& text : given) {
-    ASSIGN_OR_RETURN(auto parameter, parse_session_parameter(text, registry));
-    if (!parameters.insert(parameter).second)
+    ALGEBRA3D_ASSIGN_OR_RETURN(auto parameter, parse_session_parameter(text, registry));
+    if (!parameters.values.insert(parameter).second)
       return Error{ErrorCode::wrong_usage, "-p {}: the parameter is given twice", parameter.first};
   }
   return parameters;
@@ -135,9 +151,10 @@ int run_session(const CLI::App& app, const Options& options, const algebra3d::Re
     std::cerr << "error: " << parameters.error().message << "\n";
     return kWrongUsage;
   }
-  Session session(
-      registry,
-      {.folder = database_folder(options), .read_only = options.is_read_only, .parameters = *std::move(parameters)});
+  Session session(registry, {.folder = database_folder(options),
+                             .read_only = options.is_read_only,
+                             .failure_folders = failure_folders(options),
+                             .parameters = *std::move(parameters)});
   bool is_damaged = false;
   if (!options.database.empty()) {
     const Status opened = session.open_file(options.database);
@@ -151,7 +168,7 @@ int run_session(const CLI::App& app, const Options& options, const algebra3d::Re
   std::ostream terminal_stream(&terminal);
   const bool is_terminal = isatty(STDOUT_FILENO) != 0;
   std::ostream& out = is_terminal ? terminal_stream : std::cout;
-  FormattedResults results(options.format, registry, out);
+  FormattedResults results(options.format, out);
   // The shell has a `help` of its own.
   const auto program_help = [&app](const std::string& name) {
     return name == "help" ? std::nullopt : subcommand_help(app, name);
@@ -172,7 +189,17 @@ int run_tests(const Options& options, const algebra3d::Registry& registry) {
 
 int run_help(const CLI::App& app, const Options& options, const algebra3d::Registry& registry) {
   if (options.help_as_markdown) {
-    std::cout << algebra3d::reference_page(registry);
+    std::cout << reference_page(registry);
+    return kOk;
+  }
+  if (options.help_as_man_page) {
+    std::cout << man_page(command_line_of(app), registry);
+    return kOk;
+  }
+  if (!options.completed_shell.empty()) {
+    const CommandLine program = command_line_of(app);
+    std::cout << (options.completed_shell == "bash" ? bash_completion(program, registry)
+                                                    : zsh_completion(program, registry));
     return kOk;
   }
   if (options.help_operator.empty()) {
@@ -194,7 +221,7 @@ int run_help(const CLI::App& app, const Options& options, const algebra3d::Regis
 }
 
 void add_options(CLI::App& app, Options& options) {
-  app.add_option("--db", options.database, "Database file to open from the start; made if it is not there")
+  app.add_option("--db", options.database, "Database file to open at the start; created if it does not exist")
       ->type_name("FILE");
   app.add_option("--dir", options.folder,
                  "Folder of the databases of `create`, `open` and `delete database` (default: that of --db, else here)")
@@ -206,7 +233,7 @@ void add_options(CLI::App& app, Options& options) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->allow_extra_args(false);
   app.add_option("-p,--param", options.parameters,
-                 "What $NAME stands for in commands and scripts: a number, TRUE or FALSE, else a string; of a stated "
+                 "Value of $NAME in commands and scripts: a number, TRUE or FALSE, else a string; of a stated "
                  "type with NAME:TYPE=VALUE. May be repeated")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
@@ -214,10 +241,15 @@ void add_options(CLI::App& app, Options& options) {
   app.add_flag("--stop-on-error", options.failure_rules.stops_on_error,
                "End a script at its first error, or failed import or export");
   app.add_flag("--fail-on-undefined", options.failure_rules.fails_on_undefined,
-               "A statement fails wherever a value turns undefined with a reason, also inside streams");
+               "A statement fails if any value becomes undefined, also inside streams");
+  app.add_option("--failure-folder", options.failure_folder,
+                 "Folder for reports of internal errors (default: the current folder, else that of temporary files)")
+      ->type_name("DIR");
   app.add_option("FILE", options.scripts,
-                 "Scripts to run (- is standard input), a database to open, or STL, OBJ and OFF files to look at;\n"
-                 "without any, and on a terminal: the interactive shell")
+                 "Scripts to run (- is standard input), a database to open, or " +
+                     mesh_files::known_mesh_formats().names("and") +
+                     " files to look at;\n"
+                     "without any, and on a terminal: the interactive shell")
       ->type_name("");
 }
 
@@ -231,7 +263,7 @@ std::optional<int> take_files(Options& options, const MeshConsole& console) {
   if (!files) return refuse(files.error().message);
   if (!files->meshes.empty()) {
     if (!options.database.empty() || !options.commands.empty())
-      return refuse("'" + files->meshes.front() + "' is a mesh file, and is looked at without --db and -c");
+      return refuse("'" + files->meshes.front() + "' is a mesh file, which is shown without --db and -c");
     return show_mesh_files(files->meshes, console);
   }
   options.scripts = std::move(files->scripts);
@@ -251,7 +283,7 @@ const CLI::App* add_test_command(CLI::App& app, Options& options) {
   test->add_flag("--keep", options.tests_keep_scratch, "Keep the folder of each run, and say where it is");
   test->add_option("--jobs", options.test_jobs, "Files to run at once")->check(CLI::Range(1, 256))->type_name("N");
   test->add_flag("--vary", options.tests_vary,
-                 "Repeat every case far from the origin, with the axes exchanged, and with operands swapped");
+                 "Repeat every case far from the origin, with permuted axes, and with swapped operands");
   return test;
 }
 
@@ -273,7 +305,7 @@ int run_arguments(int argc, char** argv) {
       "The interactive shell completes with Tab, keeps its history in ~/.local/state/algebra3d (or $XDG_STATE_HOME),\n"
       "sends long results through $PAGER, and ends a statement with Ctrl-C; `help` there tells the rest.\n"
       "Exit status: 0 all went well, 1 a command failed, 2 wrong usage, 130 interrupted.");
-  app.set_version_flag("--version", "algebra3d 0.1.0");
+  app.set_version_flag("--version", std::string("algebra3d ") + algebra3d::kVersion);
   app.require_subcommand(0, 1);  // so that `help test` asks for help
   add_options(app, options);
   const CLI::App* import = add_import_command(app, import_options);
@@ -284,6 +316,10 @@ int run_arguments(int argc, char** argv) {
   help->add_option("OPERATOR", options.help_operator,
                    "Name of an operator or a command, such as volume, let or import");
   help->add_flag("--markdown", options.help_as_markdown, "The whole reference page");
+  help->add_flag("--man", options.help_as_man_page, "The manual page, for the program man");
+  help->add_option("--completion", options.completed_shell, "The script by which a shell completes the command line")
+      ->check(CLI::IsMember({"bash", "zsh"}))
+      ->type_name("SHELL");
   try {
     app.parse(argc, argv);
     check_format_options(options.format);
@@ -305,28 +341,17 @@ int run_arguments(int argc, char** argv) {
 // How deep expressions and calls may be nested is fixed, and must not depend on the user's `ulimit -s`: the work is
 // done on a thread with a stack of its own, and so is that of all further threads.
 int on_own_stack(const std::function<int()>& work) {
-  constexpr std::size_t kStackBytes = std::size_t{64} << 20U;
-  pthread_attr_t attributes;
-  pthread_attr_init(&attributes);
-  pthread_attr_setstacksize(&attributes, kStackBytes);
-  pthread_setattr_default_np(&attributes);
-  pthread_attr_destroy(&attributes);
+  algebra3d::StackThread::make_default();
   // Signals are for that thread: they end its waiting for a key.
-  sigset_t all;
-  sigset_t before;
-  sigfillset(&all);
-  pthread_sigmask(SIG_SETMASK, &all, &before);
+  const algebra3d::SignalBlock block;
   int status = kFailed;
   const auto work_with_signals = [&] {
-    pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    pthread_sigmask(SIG_SETMASK, &block.before(), nullptr);
     status = work();
   };
-  try {
-    std::thread(work_with_signals).join();
-  } catch (const std::system_error&) {
-    work_with_signals();  // no room for the stack
-  }
-  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  algebra3d::StackThread thread;
+  if (!thread.start(work_with_signals)) work_with_signals();  // no room for the stack
+  thread.join();
   return status;
 }
 

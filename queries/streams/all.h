@@ -7,11 +7,11 @@
 
 namespace queries {
 
-/// Registers every operator over streams and relations. `registry` outlives all use of them.
+/// Registers every operator over streams, relations and functions. `registry` outlives all use of them.
 void register_stream_operators(algebra3d::Registry& registry);
 
-/// Commands that make the objects which examples of operators on stored relations use: the relation Boxes with the
-/// attributes No: int and B: rect3, and the index Boxes_B on it.
+/// Commands that create the objects of the examples on stored relations: the relation Boxes with the attributes No: int
+/// and B: rect3, and the index Boxes_B on it.
 std::vector<std::string> example_objects();
 
 // The families, one file each.
@@ -22,8 +22,7 @@ void register_extending(algebra3d::Registry& registry);
 void register_extending_streams(algebra3d::Registry& registry);
 void register_ordering(algebra3d::Registry& registry);
 void register_grouping(algebra3d::Registry& registry);
-void register_aggregates(algebra3d::Registry& registry);
-void register_set_aggregates(algebra3d::Registry& registry);
+void register_extracting(algebra3d::Registry& registry);
 void register_extremes(algebra3d::Registry& registry);
 void register_folding(algebra3d::Registry& registry);
 void register_joins(algebra3d::Registry& registry);
@@ -33,17 +32,14 @@ void register_merging(algebra3d::Registry& registry);
 void register_elements(algebra3d::Registry& registry);
 void register_using(algebra3d::Registry& registry);
 void register_collections(algebra3d::Registry& registry);
-void register_directories(algebra3d::Registry& registry);
 void register_ids(algebra3d::Registry& registry);
 void register_changes(algebra3d::Registry& registry);
 void register_updates(algebra3d::Registry& registry);
 void register_indexes(algebra3d::Registry& registry);
 void register_spatial_join(algebra3d::Registry& registry);
 void register_ordered_indexes(algebra3d::Registry& registry);
-void register_repair_reports(algebra3d::Registry& registry);
-void register_geojson_features(algebra3d::Registry& registry);
+void register_language_notes(algebra3d::Registry& registry);
 void register_csv_import(algebra3d::Registry& registry);
 void register_json_import(algebra3d::Registry& registry);
-void register_make_regions(algebra3d::Registry& registry);
 
 }  // namespace queries

@@ -1,24 +1,26 @@
 // attr, project, remove, rename, renameAttr: which attributes a tuple has, and their names.
 #include <algorithm>
 
+#include "algebra3d/registry/operator.h"
 #include "queries/streams/all.h"
-#include "queries/streams/changed_tuples.h"
+#include "queries/streams/detail/changed_tuples.h"
 #include "queries/streams/mapping.h"
 #include "queries/streams/relation.h"
 
 namespace queries {
 namespace {
 
-Result<Plan> map_attr(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_attr(std::span<const ArgumentType> arguments) {
   const MappingCheck check("attr", arguments);
   if (!check[0].type.is_tuple()) return check.expected("a tuple", check[0].type);
-  ASSIGN_OR_RETURN(const std::size_t index, check.attribute(1, check[0].type));
-  return Plan{check[0].type.attributes()[index].type, [index](std::vector<Datum> given, Context&) -> Result<Datum> {
-                return Datum{given[0].tuple()->attributes[index]};
-              }};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t index, check.attribute(1, check[0].type));
+  return BoundOperator{check[0].type.attributes()[index].type,
+                       [index](std::vector<Datum> given, Context&) -> Result<Datum> {
+                         return Datum{given[0].tuple()->attributes[index]};
+                       }};
 }
 
-Plan projection(const TypeExpr& tuple, const std::vector<std::size_t>& indices) {
+BoundOperator projection(const TypeExpr& tuple, const std::vector<std::size_t>& indices) {
   return {TypeExpr::stream(projected(tuple, indices)), [indices](std::vector<Datum> given, Context&) -> Result<Datum> {
             return changed_tuples(given[0].tuples(), [indices](const TuplePtr& from, std::vector<Value>& to) {
               return append_attributes(*from, indices, to);
@@ -26,17 +28,17 @@ Plan projection(const TypeExpr& tuple, const std::vector<std::size_t>& indices) 
           }};
 }
 
-Result<Plan> map_project(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_project(std::span<const ArgumentType> arguments) {
   const MappingCheck check("project", arguments);
-  ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ASSIGN_OR_RETURN(const auto indices, check.distinct_attributes(1, tuple));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto indices, check.distinct_attributes(1, tuple));
   return projection(tuple, indices);
 }
 
-Result<Plan> map_remove(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_remove(std::span<const ArgumentType> arguments) {
   const MappingCheck check("remove", arguments);
-  ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ASSIGN_OR_RETURN(const auto removed, check.distinct_attributes(1, tuple));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto removed, check.distinct_attributes(1, tuple));
   std::vector<std::size_t> kept;
   for (std::size_t index = 0; index < tuple.attributes().size(); ++index)
     if (std::ranges::find(removed, index) == removed.end()) kept.push_back(index);
@@ -44,26 +46,26 @@ Result<Plan> map_remove(std::span<const ArgumentType> arguments) {
   return projection(tuple, kept);
 }
 
-Plan same_tuples(std::vector<TypeExpr::Attribute> attributes) {
+BoundOperator same_tuples(std::vector<TypeExpr::Attribute> attributes) {
   return {TypeExpr::stream(TypeExpr::tuple(std::move(attributes))),
           [](std::vector<Datum> given, Context&) -> Result<Datum> { return given[0]; }};
 }
 
-Result<Plan> map_rename(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_rename(std::span<const ArgumentType> arguments) {
   const MappingCheck check("rename", arguments);
-  ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
   std::vector<TypeExpr::Attribute> attributes = tuple.attributes();
   for (auto& attribute : attributes) attribute.name += "_" + check[1].names[0];
   return same_tuples(std::move(attributes));
 }
 
-Result<Plan> map_rename_attributes(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_rename_attributes(std::span<const ArgumentType> arguments) {
   const MappingCheck check("renameAttr", arguments);
-  ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
   std::vector<TypeExpr::Attribute> attributes = tuple.attributes();
   std::vector<bool> is_renamed(attributes.size());
   for (std::size_t i = 0; i < check[1].names.size(); ++i) {
-    ASSIGN_OR_RETURN(const std::size_t index, check.attribute_named(check[1].modifiers[i], tuple));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t index, check.attribute_named(check[1].modifiers[i], tuple));
     if (is_renamed[index]) return check.error("the attribute '" + check[1].modifiers[i] + "' is renamed twice");
     is_renamed[index] = true;
     attributes[index].name = check[1].names[i];
@@ -71,25 +73,25 @@ Result<Plan> map_rename_attributes(std::span<const ArgumentType> arguments) {
   for (std::size_t i = 0; i < attributes.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (attributes[i].name == attributes[j].name)
-        return check.error("the attribute '" + attributes[i].name + "' would stand twice");
+        return check.error("duplicate attribute name '" + attributes[i].name + "'; choose another name");
   return same_tuples(std::move(attributes));
 }
 
 // `R feedproject[A]` is `R feed project[A]`.
-Result<Plan> map_feedproject(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_feedproject(std::span<const ArgumentType> arguments) {
   const MappingCheck check("feedproject", arguments);
-  ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(0));
-  ASSIGN_OR_RETURN(const auto indices, check.distinct_attributes(1, tuple));
-  return Plan{TypeExpr::stream(projected(tuple, indices)),
-              [indices](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                ASSIGN_OR_RETURN(TupleStreamPtr tuples, given[0].relation()->scan());
-                return changed_tuples(
-                    tuples,
-                    [indices, &context, step = 0U](const TuplePtr& from, std::vector<Value>& to) mutable -> Status {
-                      if (++step % 256 == 0) RETURN_IF_ERROR(context.check_cancelled());
-                      return append_attributes(*from, indices, to);
-                    });
-              }};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(0));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto indices, check.distinct_attributes(1, tuple));
+  return BoundOperator{
+      TypeExpr::stream(projected(tuple, indices)),
+      [indices](std::vector<Datum> given, Context& context) -> Result<Datum> {
+        ALGEBRA3D_ASSIGN_OR_RETURN(TupleStreamPtr tuples, given[0].relation()->scan());
+        return changed_tuples(
+            tuples, [indices, &context, step = 0U](const TuplePtr& from, std::vector<Value>& to) mutable -> Status {
+              if (++step % 256 == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+              return append_attributes(*from, indices, to);
+            });
+      }};
 }
 
 }  // namespace
@@ -99,13 +101,14 @@ void register_attributes(algebra3d::Registry& registry) {
       .name = "attr",
       .syntax = "attr(_, attribute)",
       .doc = "The value of an attribute of a tuple; `.Name` is short for `attr(., Name)`.",
+      .cost = algebra3d::Cost::constant,
       .stream = stream_operator(map_attr),
       .signatures = {"(tuple NAME) -> DATA"},
       .handles_undefined = true,
-      .examples = {{"intstream(1, 3) transformstream filter[fun(t: TUPLE) attr(t, Elem) = 2] consume", "((2))"},
-                   {"[const int value undefined] feed transformstream extend[X: attr(., Elem)] consume",
-                    "((undefined undefined))"}},
-      .errors = {{"query attr(5, X)", "attr: expected a tuple, got int"}},
+      .query_examples = {{"intstream(1, 3) transformstream filter[fun(t: TUPLE) attr(t, Elem) = 2] consume", "((2))"},
+                         {"[const int value undefined] feed transformstream extend[X: attr(., Elem)] consume",
+                          "((undefined undefined))"}},
+      .query_errors = {{"query attr(5, X)", "attr: expected a tuple, got int"}},
   });
   registry.add({
       .name = "project",
@@ -114,10 +117,10 @@ void register_attributes(algebra3d::Registry& registry) {
       .stream = stream_operator(map_project),
       .signatures = {"(stream(tuple) NAMES) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{"intstream(1, 2) transformstream extend[B: .Elem * 2] project[B] consume", "((2) (4))"},
-                   {"[const int value undefined] feed transformstream project[Elem] consume", "((undefined))"}},
-      .errors = {{"query intstream(1, 2) transformstream project[Elm] count",
-                  "project: unknown attribute 'Elm', did you mean 'Elem'?"}},
+      .query_examples = {{"intstream(1, 2) transformstream extend[B: .Elem * 2] project[B] consume", "((2) (4))"},
+                         {"[const int value undefined] feed transformstream project[Elem] consume", "((undefined))"}},
+      .query_errors = {{"query intstream(1, 2) transformstream project[Elm] count",
+                        "project: unknown attribute 'Elm', did you mean 'Elem'?"}},
   });
   registry.add({
       .name = "feedproject",
@@ -126,12 +129,12 @@ void register_attributes(algebra3d::Registry& registry) {
       .stream = stream_operator(map_feedproject),
       .signatures = {"(rel(tuple) NAMES) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{"[const rel(tuple([A: int, B: int])) value ((1 2) (3 undefined))] feedproject[B] consume",
-                    "((2) (undefined))"},
-                   {"[const rel(tuple([A: int, B: int])) value ((1 2))] feedproject[B, A] consume", "((2 1))"}},
-      .errors = {{"query [const rel(tuple([A: int])) value ((1))] feedproject[B] count",
-                  "feedproject: unknown attribute 'B'"},
-                 {"query 5 feedproject[B] count", "feedproject: expected a relation, got int"}},
+      .query_examples = {{"[const rel(tuple([A: int, B: int])) value ((1 2) (3 undefined))] feedproject[B] consume",
+                          "((2) (undefined))"},
+                         {"[const rel(tuple([A: int, B: int])) value ((1 2))] feedproject[B, A] consume", "((2 1))"}},
+      .query_errors = {{"query [const rel(tuple([A: int])) value ((1))] feedproject[B] count",
+                        "feedproject: unknown attribute 'B'"},
+                       {"query 5 feedproject[B] count", "feedproject: expected a relation, got int"}},
   });
   registry.add({
       .name = "remove",
@@ -140,12 +143,13 @@ void register_attributes(algebra3d::Registry& registry) {
       .stream = stream_operator(map_remove),
       .signatures = {"(stream(tuple) NAMES) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{"intstream(1, 2) transformstream extend[B: .Elem * 2] remove[Elem] consume", "((2) (4))"},
-                   {"[const rel(tuple([A: int, B: int])) value ((1 undefined))] feed remove[A] consume",
-                    "((undefined))"}},
-      .errors = {{"query intstream(1, 2) transformstream remove[Elem] count", "remove: no attribute would be left"},
-                 {"query intstream(1, 2) transformstream remove[Elm] count",
-                  "remove: unknown attribute 'Elm', did you mean 'Elem'?"}},
+      .query_examples = {{"intstream(1, 2) transformstream extend[B: .Elem * 2] remove[Elem] consume", "((2) (4))"},
+                         {"[const rel(tuple([A: int, B: int])) value ((1 undefined))] feed remove[A] consume",
+                          "((undefined))"}},
+      .query_errors = {{"query intstream(1, 2) transformstream remove[Elem] count",
+                        "remove: no attribute would be left"},
+                       {"query intstream(1, 2) transformstream remove[Elm] count",
+                        "remove: unknown attribute 'Elm', did you mean 'Elem'?"}},
   });
   registry.add({
       .name = "rename",
@@ -154,9 +158,9 @@ void register_attributes(algebra3d::Registry& registry) {
       .stream = stream_operator(map_rename),
       .signatures = {"(stream(tuple) NAME) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{"intstream(1, 2) transformstream rename[x] filter[.Elem_x = 2] consume", "((2))"},
-                   {"[const int value undefined] feed transformstream {a} consume", "((undefined))"}},
-      .errors = {{"query 5 rename[x]", "rename: expected a stream of tuples, got int"}},
+      .query_examples = {{"intstream(1, 2) transformstream rename[x] filter[.Elem_x = 2] consume", "((2))"},
+                         {"[const int value undefined] feed transformstream {a} consume", "((undefined))"}},
+      .query_errors = {{"query 5 rename[x]", "rename: expected a stream of tuples, got int"}},
   });
   registry.add({
       .name = "renameAttr",
@@ -166,13 +170,13 @@ void register_attributes(algebra3d::Registry& registry) {
       .stream = stream_operator(map_rename_attributes),
       .signatures = {"(stream(tuple) ((NAME NAME) ...)) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{"intstream(1, 2) transformstream renameAttr[No: Elem] filter[.No = 2] consume", "((2))"},
-                   {"[const int value undefined] feed transformstream renameAttr[A: \"Elem\"] consume",
-                    "((undefined))"}},
-      .errors = {{"query intstream(1, 2) transformstream extend[B: 1] renameAttr[B: Elem] count",
-                  "renameAttr: the attribute 'B' would stand twice"},
-                 {"query intstream(1, 2) transformstream renameAttr[A: Elm] count",
-                  "renameAttr: unknown attribute 'Elm', did you mean 'Elem'?"}},
+      .query_examples = {{"intstream(1, 2) transformstream renameAttr[No: Elem] filter[.No = 2] consume", "((2))"},
+                         {"[const int value undefined] feed transformstream renameAttr[A: \"Elem\"] consume",
+                          "((undefined))"}},
+      .query_errors = {{"query intstream(1, 2) transformstream extend[B: 1] renameAttr[B: Elem] count",
+                        "renameAttr: duplicate attribute name 'B'"},
+                       {"query intstream(1, 2) transformstream renameAttr[A: Elm] count",
+                        "renameAttr: unknown attribute 'Elm', did you mean 'Elem'?"}},
   });
 }
 

@@ -4,15 +4,15 @@
 #include <unordered_set>
 
 #include "queries/streams/all.h"
-#include "queries/streams/partwise_join.h"
-#include "queries/streams/relation_changes.h"
+#include "queries/streams/detail/block_join.h"
+#include "queries/streams/detail/relation_changes.h"
 
 namespace queries {
 namespace {
 
-Result<Plan> map_inserttuple(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_inserttuple(std::span<const ArgumentType> arguments) {
   const MappingCheck check("inserttuple", arguments);
-  ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(0));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(0));
   const auto& attributes = tuple.attributes();
   if (check.count() != attributes.size() + 1)
     return check.error(
@@ -25,41 +25,41 @@ Result<Plan> map_inserttuple(std::span<const ArgumentType> arguments) {
       return check.expected(attributes[i].type.text() + " for the attribute '" + attributes[i].name + "'", given);
     conversions.push_back(*conversion);
   }
-  ASSIGN_OR_RETURN(const TypeExpr result, check.with_id(tuple));
-  return Plan{TypeExpr::stream(result), [conversions](std::vector<Datum> given, Context&) -> Result<Datum> {
-                Tuple row;
-                for (std::size_t i = 0; i < conversions.size(); ++i)
-                  row.attributes.push_back(converted(given[i + 1].value(), conversions[i]));
-                return Datum{make_stream([relation = given[0].relation(), row = std::move(row),
-                                          is_done = false]() mutable -> Result<TuplePtr> {
-                  if (is_done) return TuplePtr();
-                  is_done = true;
-                  ASSIGN_OR_RETURN(const TupleId id, relation->insert(row));
-                  return tuple_with_id(row, id);
-                })};
-              }};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr result, check.with_id(tuple));
+  return BoundOperator{TypeExpr::stream(result), [conversions](std::vector<Datum> given, Context&) -> Result<Datum> {
+                         Tuple row;
+                         for (std::size_t i = 0; i < conversions.size(); ++i)
+                           row.attributes.push_back(converted(given[i + 1].value(), conversions[i]));
+                         return Datum{make_stream([relation = given[0].relation(), row = std::move(row),
+                                                   is_done = false]() mutable -> Result<TuplePtr> {
+                           if (is_done) return TuplePtr();
+                           is_done = true;
+                           ALGEBRA3D_ASSIGN_OR_RETURN(const TupleId id, relation->insert(row));
+                           return tuple_with_id(row, id);
+                         })};
+                       }};
 }
 
 /// The type of the result of an operator whose operands are a stream and a relation of the same tuples.
 Result<TypeExpr> changed_type(const MappingCheck& check) {
-  ASSIGN_OR_RETURN(const TypeExpr given, check.stream(0));
-  ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(1));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr given, check.stream(0));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(1));
   if (!(given == tuple)) return check.expected("a stream of " + tuple.text(), given);
   return check.with_id(tuple);
 }
 
 // Tuples come out with the ids that they have in the relation now.
 Result<TupleStreamPtr> insert_all(TupleStream& tuples, Relation& relation, const Context& context) {
-  ASSIGN_OR_RETURN(const TupleBuffer input, buffered(tuples, context));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TupleBuffer input, buffered(tuples, context));
   std::vector<TupleId> ids;
-  RETURN_IF_ERROR(for_each_tuple(*input.scan(), context, [&](const TuplePtr& tuple) -> Status {
-    ASSIGN_OR_RETURN(const TupleId id, relation.insert(*tuple));
+  ALGEBRA3D_RETURN_IF_ERROR(for_each_tuple(*input.scan(), context, [&](const TuplePtr& tuple) -> Status {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const TupleId id, relation.insert(*tuple));
     ids.push_back(id);
     return {};
   }));
   return make_stream(
       [scan = input.scan(), ids = std::move(ids), position = std::size_t{0}]() mutable -> Result<TuplePtr> {
-        ASSIGN_OR_RETURN(const TuplePtr next, scan->next());
+        ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr next, scan->next());
         return next == nullptr ? next : tuple_with_id(*next, ids[position++]);
       });
 }
@@ -79,7 +79,7 @@ Result<std::vector<Conversion>> tuple_conversions(const MappingCheck& check, con
 TupleStreamPtr converted_tuples(const TupleStreamPtr& tuples, const std::vector<Conversion>& conversions) {
   if (std::ranges::all_of(conversions, [](Conversion each) { return each == nullptr; })) return tuples;
   return make_stream([tuples, conversions]() -> Result<TuplePtr> {
-    ASSIGN_OR_RETURN(const TuplePtr tuple, tuples->next());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr tuple, tuples->next());
     if (tuple == nullptr) return tuple;
     Tuple result;
     for (std::size_t i = 0; i < conversions.size(); ++i)
@@ -88,20 +88,21 @@ TupleStreamPtr converted_tuples(const TupleStreamPtr& tuples, const std::vector<
   });
 }
 
-Result<Plan> map_insert(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_insert(std::span<const ArgumentType> arguments) {
   const MappingCheck check("insert", arguments);
-  ASSIGN_OR_RETURN(const TypeExpr given_tuple, check.stream(0));
-  ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(1));
-  ASSIGN_OR_RETURN(const auto conversions, tuple_conversions(check, tuple, given_tuple));
-  ASSIGN_OR_RETURN(const TypeExpr result, check.with_id(tuple));
-  return Plan{TypeExpr::stream(result), [conversions](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                return Datum{made_when_asked([tuples = converted_tuples(given[0].tuples(), conversions),
-                                              relation = given[1].relation(),
-                                              &context]() { return insert_all(*tuples, *relation, context); })};
-              }};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr given_tuple, check.stream(0));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(1));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto conversions, tuple_conversions(check, tuple, given_tuple));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr result, check.with_id(tuple));
+  return BoundOperator{
+      TypeExpr::stream(result), [conversions](std::vector<Datum> given, Context& context) -> Result<Datum> {
+        return Datum{
+            made_when_asked([tuples = converted_tuples(given[0].tuples(), conversions), relation = given[1].relation(),
+                             &context]() { return insert_all(*tuples, *relation, context); })};
+      }};
 }
 
-/// Tuples by their quick hash, as many as the work memory takes: the table of StreamParts.
+/// Tuples by their quick hash, as many as the work memory takes: the table of StreamBlocks.
 class WantedTuples {
  public:
   explicit WantedTuples(const Context& context) : account_(context.memory) {}
@@ -114,7 +115,7 @@ class WantedTuples {
   Result<bool> contains(const Tuple& tuple) const {
     const auto [first, last] = tuples_.equal_range(quick_hash(tuple));
     for (auto candidate = first; candidate != last; ++candidate) {
-      ASSIGN_OR_RETURN(const bool equal, are_equal(*candidate->second, tuple));
+      ALGEBRA3D_ASSIGN_OR_RETURN(const bool equal, are_equal(*candidate->second, tuple));
       if (equal) return true;
     }
     return false;
@@ -135,15 +136,15 @@ class WantedTuples {
 Result<TupleBuffer> equal_tuples(const TupleStreamPtr& wanted, Relation& relation, const Context& context) {
   TupleBuffer found(context);
   std::unordered_set<TupleId> known;
-  StreamParts parts(wanted);
+  StreamBlocks blocks(wanted);
   WantedTuples part(context);
   while (true) {
-    ASSIGN_OR_RETURN(const bool is_last, parts.fill(part, context));
-    ASSIGN_OR_RETURN(const TupleStreamPtr all, relation.scan());
-    RETURN_IF_ERROR(for_each_tuple(*all, context, [&](const TuplePtr& tuple) -> Status {
-      ASSIGN_OR_RETURN(const bool is_wanted, part.contains(*tuple));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_last, blocks.fill(part, context));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const TupleStreamPtr all, relation.scan());
+    ALGEBRA3D_RETURN_IF_ERROR(for_each_tuple(*all, context, [&](const TuplePtr& tuple) -> Status {
+      ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_wanted, part.contains(*tuple));
       if (!is_wanted || !known.insert(tuple->id).second) return {};
-      ASSIGN_OR_RETURN(TuplePtr loaded, loaded_tuple(*tuple));
+      ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr loaded, loaded_tuple(*tuple));
       return found.add(std::move(loaded));
     }));
     if (is_last) return found;
@@ -153,45 +154,47 @@ Result<TupleBuffer> equal_tuples(const TupleStreamPtr& wanted, Relation& relatio
 
 /// Erases the tuples, and passes them on with their ids.
 Result<TupleStreamPtr> erase_all(const TupleBuffer& doomed, Relation& relation, const Context& context) {
-  RETURN_IF_ERROR(
+  ALGEBRA3D_RETURN_IF_ERROR(
       for_each_tuple(*doomed.scan(), context, [&](const TuplePtr& tuple) { return relation.erase(tuple->id); }));
   return tuples_with_ids(doomed);
 }
 
-Result<Plan> map_deletesearch(std::span<const ArgumentType> arguments) {
-  ASSIGN_OR_RETURN(const TypeExpr result, changed_type(MappingCheck("deletesearch", arguments)));
-  return Plan{TypeExpr::stream(result), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                return Datum{made_when_asked(
-                    [tuples = given[0].tuples(), relation = given[1].relation(), &context]() -> Result<TupleStreamPtr> {
-                      ASSIGN_OR_RETURN(const TupleBuffer doomed, equal_tuples(tuples, *relation, context));
-                      return erase_all(doomed, *relation, context);
-                    })};
-              }};
+Result<BoundOperator> map_deletesearch(std::span<const ArgumentType> arguments) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr result, changed_type(MappingCheck("deletesearch", arguments)));
+  return BoundOperator{
+      TypeExpr::stream(result), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+        return Datum{made_when_asked(
+            [tuples = given[0].tuples(), relation = given[1].relation(), &context]() -> Result<TupleStreamPtr> {
+              ALGEBRA3D_ASSIGN_OR_RETURN(const TupleBuffer doomed, equal_tuples(tuples, *relation, context));
+              return erase_all(doomed, *relation, context);
+            })};
+      }};
 }
 
-Result<Plan> map_deletedirect(std::span<const ArgumentType> arguments) {
-  ASSIGN_OR_RETURN(const TypeExpr result, changed_type(MappingCheck("deletedirect", arguments)));
-  return Plan{TypeExpr::stream(result), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                return Datum{made_when_asked([tuples = given[0].tuples(), relation = given[1].relation(),
-                                              &context]() -> Result<TupleStreamPtr> {
-                  ASSIGN_OR_RETURN(const TupleBuffer doomed, own_tuples(*tuples, *relation, "deletedirect", context));
-                  return erase_all(doomed, *relation, context);
-                })};
-              }};
+Result<BoundOperator> map_deletedirect(std::span<const ArgumentType> arguments) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr result, changed_type(MappingCheck("deletedirect", arguments)));
+  return BoundOperator{TypeExpr::stream(result), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                         return Datum{made_when_asked([tuples = given[0].tuples(), relation = given[1].relation(),
+                                                       &context]() -> Result<TupleStreamPtr> {
+                           ALGEBRA3D_ASSIGN_OR_RETURN(const TupleBuffer doomed,
+                                                      own_tuples(*tuples, *relation, "deletedirect", context));
+                           return erase_all(doomed, *relation, context);
+                         })};
+                       }};
 }
 
-Result<Plan> map_deletebyid(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_deletebyid(std::span<const ArgumentType> arguments) {
   const MappingCheck check("deletebyid", arguments);
-  ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(0));
-  RETURN_IF_ERROR(check.id_argument(1));
-  ASSIGN_OR_RETURN(const TypeExpr result, check.with_id(tuple));
-  return Plan{TypeExpr::stream(result), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                return Datum{made_when_asked(
-                    [relation = given[0].relation(), id = given[1].value(), &context]() -> Result<TupleStreamPtr> {
-                      ASSIGN_OR_RETURN(const TupleBuffer doomed, tuple_by_id(id, *relation));
-                      return erase_all(doomed, *relation, context);
-                    })};
-              }};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(0));
+  ALGEBRA3D_RETURN_IF_ERROR(check.id_argument(1));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr result, check.with_id(tuple));
+  return BoundOperator{TypeExpr::stream(result), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                         return Datum{made_when_asked([relation = given[0].relation(), id = given[1].value(),
+                                                       &context]() -> Result<TupleStreamPtr> {
+                           ALGEBRA3D_ASSIGN_OR_RETURN(const TupleBuffer doomed, tuple_by_id(id, *relation));
+                           return erase_all(doomed, *relation, context);
+                         })};
+                       }};
 }
 
 }  // namespace
@@ -200,84 +203,89 @@ void register_changes(algebra3d::Registry& registry) {
   registry.add({
       .name = "inserttuple",
       .syntax = "_ inserttuple[_ ...]",
-      .doc = "Inserts one tuple into a stored relation and gives it with its id as TID; takes effect when consumed or "
-             "counted.",
+      .doc = "Inserts one tuple into a stored relation and returns it with its id as TID; takes effect when consumed "
+             "or counted.",
       .detail = "One value per attribute, in order. Indexes on the relation follow.",
+      .is_pure = false,
       .stream = stream_operator(map_inserttuple),
       .signatures = {"(rel(tuple) DATA ...) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{"Boxes inserttuple[4, rectangle3(0, 1, 0, 1, 0, 1)] consume", "((4 (0.0 1.0 0.0 1.0 0.0 1.0) 4))"},
-                   {"Boxes inserttuple[5, [const rect3 value undefined]] count", "1"}},
-      .errors = {{"query [const rel(tuple([A: int])) value ()] inserttuple[1, 2] count",
-                  "inserttuple: expected 1 values, one per attribute, got 2"},
-                 {"query [const rel(tuple([A: int])) value ()] inserttuple[TRUE] count",
-                  "inserttuple: expected int for the attribute 'A', got bool"},
-                 {"query [const rel(tuple([A: int])) value ()] inserttuple[1] count",
-                  "only a relation that is stored as an object can be changed"}},
+      .query_examples = {{"Boxes inserttuple[4, rectangle3(0, 1, 0, 1, 0, 1)] consume",
+                          "((4 (0.0 1.0 0.0 1.0 0.0 1.0) 4))"},
+                         {"Boxes inserttuple[5, [const rect3 value undefined]] count", "1"}},
+      .query_errors = {{"query [const rel(tuple([A: int])) value ()] inserttuple[1, 2] count",
+                        "inserttuple: expected 1 values, one per attribute, got 2"},
+                       {"query [const rel(tuple([A: int])) value ()] inserttuple[TRUE] count",
+                        "inserttuple: expected int for the attribute 'A', got bool"},
+                       {"query [const rel(tuple([A: int])) value ()] inserttuple[1] count",
+                        "only a relation that is stored as an object can be changed"}},
   });
   registry.add({
       .name = "insert",
       .syntax = "_ _ insert",
-      .doc = "Inserts all tuples of a stream into a stored relation and gives them with their new ids as TID; takes "
-             "effect "
-             "when consumed or counted.",
-      .detail = "The stream is read to its end first. Indexes on the relation follow. The attributes have the names of "
-                "the relation's, in their order; ints become reals there, and strings and texts each other.",
+      .doc = "Inserts all tuples of a stream into a stored relation and returns them with their new ids as TID; "
+             "takes effect when consumed or counted.",
+      .detail = "The stream is read to its end first. Indexes on the relation follow. The attributes must have the "
+                "names and order of the relation; ints are converted to reals, and strings and texts to each other.",
+      .is_pure = false,
       .stream = stream_operator(map_insert),
       .signatures = {"(stream(tuple) rel(tuple)) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{"Boxes feed head[2] Boxes insert project[No, TID] consume", "((1 4) (2 5))"},
-                   {"Boxes feed filter[not(isdefined(.B))] Boxes insert count", "1"}},
-      .errors = {{"query intstream(1, 2) transformstream [const rel(tuple([A: int])) value ()] insert count",
-                  "insert: expected a stream of (tuple ((A int))), got (tuple ((Elem int)))"},
-                 {"query intstream(1, 2) transformstream [const rel(tuple([Elem: int])) value ()] insert count",
-                  "only a relation that is stored as an object can be changed"}},
+      .query_examples = {{"Boxes feed head[2] Boxes insert project[No, TID] consume", "((1 4) (2 5))"},
+                         {"Boxes feed filter[not(isdefined(.B))] Boxes insert count", "1"}},
+      .query_errors = {{"query intstream(1, 2) transformstream [const rel(tuple([A: int])) value ()] insert count",
+                        "insert: expected a stream of (tuple ((A int))), got (tuple ((Elem int)))"},
+                       {"query intstream(1, 2) transformstream [const rel(tuple([Elem: int])) value ()] insert count",
+                        "only a relation that is stored as an object can be changed"}},
   });
   registry.add({
       .name = "deletesearch",
       .syntax = "_ _ deletesearch",
-      .doc = "Deletes every tuple of a stored relation that equals one of the stream, and gives the deleted ones with "
-             "their ids.",
+      .doc = "Deletes every tuple of a stored relation that equals one of the stream, and returns the deleted tuples "
+             "with their ids.",
       .detail = "The stream is read to its end first. Indexes on the relation follow. Undefined equals undefined here.",
+      .is_pure = false,
       .stream = stream_operator(map_deletesearch),
       .signatures = {"(stream(tuple) rel(tuple)) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{"Boxes feed filter[.No = 1] Boxes deletesearch project[No, TID] consume", "((1 1))"},
-                   {"Boxes feed filter[not(isdefined(.B))] Boxes deletesearch count", "1"}},
-      .errors = {{"query intstream(1, 2) transformstream [const rel(tuple([A: int])) value ()] deletesearch count",
-                  "deletesearch: expected a stream of (tuple ((A int))), got (tuple ((Elem int)))"}},
+      .query_examples = {{"Boxes feed filter[.No = 1] Boxes deletesearch project[No, TID] consume", "((1 1))"},
+                         {"Boxes feed filter[not(isdefined(.B))] Boxes deletesearch count", "1"}},
+      .query_errors =
+          {{"query intstream(1, 2) transformstream [const rel(tuple([A: int])) value ()] deletesearch count",
+            "deletesearch: expected a stream of (tuple ((A int))), got (tuple ((Elem int)))"}},
   });
   registry.add({
       .name = "deletedirect",
       .syntax = "_ _ deletedirect",
-      .doc =
-          "Deletes the tuples of a stream from the stored relation that they come from, and gives them with their ids.",
+      .doc = "Deletes the tuples of a stream from their stored relation, and returns them with their ids.",
       .detail =
           "The stream is read to its end first. Its tuples come straight from the relation: filters, sortby and the "
-          "like may stand between. Indexes on the relation follow.",
+          "like may come between. Indexes on the relation follow.",
+      .is_pure = false,
       .stream = stream_operator(map_deletedirect),
       .signatures = {"(stream(tuple) rel(tuple)) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{"Boxes feed filter[.No > 1] Boxes deletedirect project[No, TID] consume", "((2 2) (3 3))"},
-                   {"Boxes feed filter[not(isdefined(.B))] Boxes deletedirect count", "1"}},
-      .errors = {{"query Boxes feed project[B, No] project[No, B] Boxes deletedirect count",
-                  "deletedirect: a tuple does not come straight from a stored relation"},
-                 {"query Boxes feed project[No] Boxes deletedirect count",
-                  "deletedirect: expected a stream of (tuple ((No int) (B rect3))), got (tuple ((No int)))"}},
+      .query_examples = {{"Boxes feed filter[.No > 1] Boxes deletedirect project[No, TID] consume", "((2 2) (3 3))"},
+                         {"Boxes feed filter[not(isdefined(.B))] Boxes deletedirect count", "1"}},
+      .query_errors = {{"query Boxes feed project[B, No] project[No, B] Boxes deletedirect count",
+                        "deletedirect: a tuple does not come straight from a stored relation"},
+                       {"query Boxes feed project[No] Boxes deletedirect count",
+                        "deletedirect: expected a stream of (tuple ((No int) (B rect3))), got (tuple ((No int)))"}},
   });
   registry.add({
       .name = "deletebyid",
       .syntax = "_ deletebyid[_]",
-      .doc = "Deletes the tuple with that id from a stored relation, and gives it with its id.",
+      .doc = "Deletes the tuple with this id from a stored relation, and returns it with its id.",
       .detail = "Nothing if there is no such tuple. An int is accepted as an id. Indexes on the relation follow.",
+      .is_pure = false,
       .stream = stream_operator(map_deletebyid),
       .signatures = {"(rel(tuple) tid) -> stream(tuple)", "(rel(tuple) int) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{"Boxes deletebyid[[const tid value 2]] project[No, TID] consume", "((2 2))"},
-                   {"Boxes deletebyid[77] count", "0"},
-                   {"Boxes deletebyid[[const tid value undefined]] count", "0"}},
-      .errors = {{"query Boxes deletebyid[1.5] count", "deletebyid: expected tid or int, got real"},
-                 {"query Boxes feed deletebyid[1] count", "deletebyid: expected a relation, got (stream (tuple"}},
+      .query_examples = {{"Boxes deletebyid[[const tid value 2]] project[No, TID] consume", "((2 2))"},
+                         {"Boxes deletebyid[77] count", "0"},
+                         {"Boxes deletebyid[[const tid value undefined]] count", "0"}},
+      .query_errors = {{"query Boxes deletebyid[1.5] count", "deletebyid: expected tid or int, got real"},
+                       {"query Boxes feed deletebyid[1] count", "deletebyid: expected a relation, got (stream (tuple"}},
   });
 }
 

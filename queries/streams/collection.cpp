@@ -5,8 +5,8 @@
 
 #include "algebra3d/types/described_type.h"
 #include "queries/streams/all.h"
-#include "queries/streams/any_stream.h"
-#include "queries/streams/kept_elements.h"
+#include "queries/streams/detail/any_stream.h"
+#include "queries/streams/detail/kept_elements.h"
 
 namespace queries {
 namespace {
@@ -68,8 +68,8 @@ enum class CollectionKind : std::uint8_t { set, multiset, vector };
 // A collection is a value, which stands in memory as long as the statement needs it; while it is made it is bounded.
 Result<Value> collected(ValueStream& values, CollectionKind kind, const std::string& op, const Context& context) {
   KeptElements<ValueStream> kept(op, context);
-  RETURN_IF_ERROR(for_each_element(values, context, [&](const std::optional<Value>& value) -> Status {
-    ASSIGN_OR_RETURN(Value loaded, value->loaded());
+  ALGEBRA3D_RETURN_IF_ERROR(for_each_element(values, context, [&](const std::optional<Value>& value) -> Status {
+    ALGEBRA3D_ASSIGN_OR_RETURN(Value loaded, value->loaded());
     return kept.add(std::move(loaded));
   }));
   Collection collection;
@@ -90,23 +90,22 @@ struct CollectionTexts {
 };
 
 constexpr CollectionTexts kCollections[] = {
-    {CollectionKind::set, "set", "The set of the values of a stream: ascending, each once.", "(1 3)"},
-    {CollectionKind::multiset, "multiset",
-     "The multiset of the values of a stream: ascending, each as often as it comes.", "(1 3 3)"},
+    {CollectionKind::set, "set", "The set of the values of a stream, ascending.", "(1 3)"},
+    {CollectionKind::multiset, "multiset", "The multiset of the values of a stream, ascending.", "(1 3 3)"},
     {CollectionKind::vector, "vector", "The vector of the values of a stream, in their order.", "(3 1 3)"}};
 
 TypeMapping map_collect(const CollectionTexts& texts) {
-  return [texts](std::span<const ArgumentType> arguments) -> Result<Plan> {
+  return [texts](std::span<const ArgumentType> arguments) -> Result<BoundOperator> {
     const MappingCheck check(std::string("collect_") + texts.type, arguments);
     const TypeExpr& type = check[0].type;
     if (!type.is_stream() || !is_value_type(type.element()))
       return check.expected("a stream of values (see projecttransformstream)", type);
-    return Plan{TypeExpr(texts.type, {type.element()}),
-                [texts](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                  const std::string op = std::string("collect_") + texts.type;
-                  ASSIGN_OR_RETURN(Value value, collected(*given[0].values(), texts.kind, op, context));
-                  return Datum{std::move(value)};
-                }};
+    return BoundOperator{
+        TypeExpr(texts.type, {type.element()}), [texts](std::vector<Datum> given, Context& context) -> Result<Datum> {
+          const std::string op = std::string("collect_") + texts.type;
+          ALGEBRA3D_ASSIGN_OR_RETURN(Value value, collected(*given[0].values(), texts.kind, op, context));
+          return Datum{std::move(value)};
+        }};
   };
 }
 
@@ -130,19 +129,19 @@ void register_collections(algebra3d::Registry& registry) {
         .name = name,
         .syntax = "_ " + name,
         .doc = texts.doc,
-        .detail = "It can be shown, counted and fed into a stream again, and not be stored. Undefined values count as "
-                  "values; they come first and are equal.",
+        .detail = "It can be shown, counted and fed into a stream, but not stored. Undefined values are elements; "
+                  "they come first and are equal.",
         .stream = stream_operator(map_collect(texts)),
         .signatures = {std::string("(stream(DATA)) -> ") + texts.type + "(DATA)"},
         .handles_undefined = true,
-        .examples = {{"[const rel(tuple([A: int])) value ((3) (1) (3))] feed projecttransformstream[A] " + name,
-                      texts.example},
-                     {"[const int value undefined] feed " + name, "(undefined)"},
-                     {"intstream(1, 0) " + name, "()"},
-                     {"intstream(1, 4) " + name + " count", "4"},
-                     {"intstream(1, 4) " + name + " feed transformstream sum[Elem]", "10"}},
-        .errors = {{"query intstream(1, 3) transformstream " + name,
-                    name + ": expected a stream of values (see projecttransformstream), got (stream (tuple"}},
+        .query_examples = {{"[const rel(tuple([A: int])) value ((3) (1) (3))] feed projecttransformstream[A] " + name,
+                            texts.example},
+                           {"[const int value undefined] feed " + name, "(undefined)"},
+                           {"intstream(1, 0) " + name, "()"},
+                           {"intstream(1, 4) " + name + " count", "4"},
+                           {"intstream(1, 4) " + name + " feed transformstream sum[Elem]", "10"}},
+        .query_errors = {{"query intstream(1, 3) transformstream " + name,
+                          name + ": expected a stream of values (see projecttransformstream), got (stream (tuple"}},
     });
   }
 }

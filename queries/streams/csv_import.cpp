@@ -5,10 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "algebra3d/registry/operator.h"
 #include "algebra3d/types/scalars.h"
 #include "queries/streams/all.h"
-#include "queries/streams/csv_layout.h"
-#include "queries/streams/import_columns.h"
+#include "queries/streams/detail/csv_layout.h"
+#include "queries/streams/detail/import_columns.h"
 
 namespace queries {
 namespace {
@@ -35,7 +36,7 @@ class CsvTuples final : public TupleStream {
 
   Result<TuplePtr> next() override {
     while (true) {
-      RETURN_IF_ERROR(context_.check_cancelled());
+      ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
       const auto has_record = reader_.next(record_);
       if (!has_record) return in_file(name_, has_record.error());
       if (!*has_record) return TuplePtr();
@@ -58,7 +59,7 @@ class CsvTuples final : public TupleStream {
     Tuple made;
     made.attributes.reserve(types_.size());
     for (std::size_t i = 0; i < types_.size(); ++i) {
-      ASSIGN_OR_RETURN(Value value, value_at(layout_.sources[i], *types_[i]));
+      ALGEBRA3D_ASSIGN_OR_RETURN(Value value, value_at(layout_.sources[i], *types_[i]));
       made.attributes.push_back(std::move(value));
     }
     return std::make_shared<const Tuple>(std::move(made));
@@ -114,15 +115,15 @@ Result<Datum> run_csv_import(const Value& file, const CsvOptions& options, const
       std::make_shared<CsvTuples>(name, std::move(reader).value(), std::move(layout).value(), options, context))};
 }
 
-Result<Plan> map_import_csv(std::span<const ArgumentType> arguments, Context& context) {
+Result<BoundOperator> map_import_csv(std::span<const ArgumentType> arguments, Context& context) {
   const MappingCheck check("importCSV", arguments);
-  ASSIGN_OR_RETURN(const ImportArguments given, import_arguments(check));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const ImportArguments given, import_arguments(check));
   const auto options = parse_csv_options(given.options);
   if (!options) return check.error(options.error().message);
   std::optional<CsvLayout> guessed;
   TypeExpr tuple = given.tuple.value_or(TypeExpr());
   if (!given.tuple) {
-    ASSIGN_OR_RETURN(const std::string name, constant_file_name(check, "importCSV"));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const std::string name, constant_file_name(check, "importCSV"));
     auto layout = guess_csv_layout(context.resolve(name), *options, context);
     if (!layout) return in_file(name, layout.error());
     guessed = std::move(layout).value();
@@ -132,7 +133,7 @@ Result<Plan> map_import_csv(std::span<const ArgumentType> arguments, Context& co
     const std::string note = renaming_note("importCSV", guessed->columns, attributes);
     if (!note.empty()) context.diagnostics.report(note);
   }
-  return Plan{
+  return BoundOperator{
       TypeExpr::stream(tuple),
       [options = *options, tuple, guessed](const std::vector<Datum>& values, Context& running) -> Result<Datum> {
         return run_csv_import(values[0].value(), options, tuple, guessed, running);
@@ -145,32 +146,33 @@ void register_csv_import(algebra3d::Registry& registry) {
   registry.add({
       .name = "importCSV",
       .syntax = "importCSV(_ ...)",
-      .doc = "The lines of a CSV file as tuples, in their order; types are guessed, or those of a relation.",
+      .doc = "The lines of a CSV file as tuples, in order; types are guessed or those of a given relation.",
       .detail =
           "`importCSV(FILE)` reads the file when the command is checked: a column of whole numbers is int, one of "
-          "numbers real, one of TRUE and FALSE bool, any other string; `007` and numbers that an int or a real cannot "
-          "hold stay strings. `importCSV(FILE, R)` takes the types of the attributes of the relation R, whose tuples "
-          "do "
-          "not count: the columns of these names, or all columns by their position if there is no header. A last "
-          "argument holds options: 'separator=;' (or comma, semicolon, tab, pipe, blank; else guessed), 'header=no' "
-          "(or "
-          "yes; else the first line is a header if all its cells are texts), 'decimal=,', 'skip=2' (lines before the "
-          "header), 'undefined=NA', 'errors=undefined' (a wrong cell is undefined and a line too short is filled up, "
-          "with a diagnostic that names the line; else that is an error). An empty cell is undefined, a quoted empty "
-          "cell the empty string. The file is UTF-8. Quotes are those of RFC 4180. Relative names start at the folder "
-          "of the session.",
+          "numbers real, one of TRUE and FALSE bool, any other string; `007` and numbers that an int or a real "
+          "cannot hold stay strings. `importCSV(FILE, R)` takes attributes and types from the relation R, whose "
+          "tuples are ignored: the columns of these names, or all columns by their position if there is no header. A "
+          "last argument holds options: 'separator=;' (or comma, semicolon, tab, pipe, blank; else guessed), "
+          "'header=no' (or yes; else the first line is a header if all its cells are texts), 'decimal=,', 'skip=2' "
+          "(lines before the header), 'undefined=NA', 'errors=undefined' (a wrong cell is undefined and a line too "
+          "short is filled up, with a diagnostic that gives the line; else these are errors). An empty cell is "
+          "undefined, a quoted empty cell the empty string. The file is UTF-8. Quotes are those of RFC 4180. "
+          "Relative names start at the folder of the session.",
       .exactness = algebra3d::Exactness::exact,
       .frame_use = algebra3d::FrameUse::coordinates,
+      .is_pure = false,
+      .reads_files = true,
       .sources = {"rfc4180"},
       .stream = reading_stream_operator(map_import_csv),
       .signatures = {"(text) -> stream(tuple)", "(text rel) -> stream(tuple)", "(text text) -> stream(tuple)",
                      "(text rel text) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{"importCSV([const text value undefined], [const rel(tuple([Name: string])) value ()]) count", "0"}},
-      .errors = {{"query importCSV(5) count", "importCSV: expected text, got int"},
-                 {"query importCSV('no such file.csv') count", "no such file.csv: No such file or directory"},
-                 {"query importCSV('a.csv', 'header=perhaps') count",
-                  "importCSV: header: expected yes or no, found \"perhaps\""}},
+      .query_examples = {{"importCSV([const text value undefined], [const rel(tuple([Name: string])) value ()]) count",
+                          "0"}},
+      .query_errors = {{"query importCSV(5) count", "importCSV: expected text, got int"},
+                       {"query importCSV('no such file.csv') count", "no such file.csv: No such file or directory"},
+                       {"query importCSV('a.csv', 'header=perhaps') count",
+                        "importCSV: header: expected yes or no, found \"perhaps\""}},
   });
 }
 

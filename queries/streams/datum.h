@@ -22,7 +22,8 @@ using algebra3d::Status;
 using algebra3d::TypeExpr;
 using algebra3d::Value;
 
-/// Names a tuple within its relation; positive, never reused while the relation lives. 0: the tuple is not stored.
+/// Identifies a tuple within its relation; positive, never reused while the relation exists. 0: the tuple is not
+/// stored.
 using TupleId = std::int64_t;
 
 /// A row: one value per attribute of its tuple type. Immutable once shared. Large attributes may be deferred.
@@ -32,7 +33,7 @@ struct Tuple {
 };
 using TuplePtr = std::shared_ptr<const Tuple>;
 
-/// Tuples one after the other, pulled by the consumer. Used by one thread; ends for good with the first null.
+/// A stream of tuples that the consumer pulls one by one. Used by one thread; ends with the first null.
 class TupleStream {
  public:
   virtual ~TupleStream() = default;
@@ -44,7 +45,7 @@ class TupleStream {
 };
 using TupleStreamPtr = std::shared_ptr<TupleStream>;
 
-/// Values one after the other, like TupleStream.
+/// A stream of values that the consumer pulls one by one, like TupleStream.
 class ValueStream {
  public:
   virtual ~ValueStream() = default;
@@ -61,8 +62,8 @@ class SpatialIndex;  // spatial_index.h
 class OrderedIndex;  // ordered_index.h
 class Function;      // below
 
-/// What an expression evaluates to: a value, or one of the things that only live while a statement runs.
-/// A list is the value of a list argument (names, several functions).
+/// The result of an expression: a value, or an object that exists only while a statement runs (stream, relation, index,
+/// function). A list is the value of a list argument (names, several functions).
 struct Datum;
 using DatumList = std::vector<Datum>;
 struct Datum {
@@ -86,7 +87,7 @@ struct Datum {
   const DatumList& list() const { return std::get<DatumList>(content); }
 };
 
-/// A typed function of the language with everything that it refers to. Callable any number of times.
+/// A typed function of the language with everything that it refers to. Can be called any number of times.
 class Function {
  public:
   virtual ~Function() = default;
@@ -94,7 +95,7 @@ class Function {
   Function(const Function&) = delete;
   Function& operator=(const Function&) = delete;
   virtual Result<Datum> call(std::span<const Datum> arguments) const = 0;
-  /// The same for a function whose result is a value.
+  /// Calls a function whose result is a value.
   virtual Result<Value> call_for_value(std::span<const Datum> arguments) const {
     auto result = call(arguments);
     if (!result) return std::move(result).error();

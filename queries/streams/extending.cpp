@@ -1,63 +1,65 @@
 // extend, projectextend, replaceAttr, addcounter: attributes that functions make.
 #include <limits>
 
+#include "algebra3d/registry/operator.h"
 #include "algebra3d/types/scalars.h"
 #include "queries/streams/all.h"
-#include "queries/streams/changed_tuples.h"
+#include "queries/streams/detail/changed_tuples.h"
 #include "queries/streams/mapping.h"
 
 namespace queries {
 namespace {
 
-Result<Plan> map_extend(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_extend(std::span<const ArgumentType> arguments) {
   const MappingCheck check("extend", arguments);
-  ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ASSIGN_OR_RETURN(const TypeExpr result, check.extended(tuple, 1, tuple));
-  return Plan{TypeExpr::stream(result), [](std::vector<Datum> given, Context&) -> Result<Datum> {
-                return changed_tuples(
-                    given[0].tuples(),
-                    [functions = given[1].list()](const TuplePtr& from, std::vector<Value>& to) -> Status {
-                      to = extended_attributes(*from, functions.size());
-                      return append_results(functions, Datum{from}, to);
-                    });
-              }};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr result, check.extended(tuple, 1, tuple));
+  return BoundOperator{TypeExpr::stream(result), [](std::vector<Datum> given, Context&) -> Result<Datum> {
+                         return changed_tuples(
+                             given[0].tuples(),
+                             [functions = given[1].list()](const TuplePtr& from, std::vector<Value>& to) -> Status {
+                               to = extended_attributes(*from, functions.size());
+                               return append_results(functions, Datum{from}, to);
+                             });
+                       }};
 }
 
-Result<Plan> map_projectextend(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_projectextend(std::span<const ArgumentType> arguments) {
   const MappingCheck check("projectextend", arguments);
-  ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ASSIGN_OR_RETURN(const auto indices, check.distinct_or_no_attributes(1, tuple));
-  ASSIGN_OR_RETURN(const TypeExpr result, check.extended(projected(tuple, indices), 2, tuple));
-  return Plan{TypeExpr::stream(result), [indices](std::vector<Datum> given, Context&) -> Result<Datum> {
-                return changed_tuples(
-                    given[0].tuples(),
-                    [indices, functions = given[2].list()](const TuplePtr& from, std::vector<Value>& to) -> Status {
-                      to.reserve(indices.size() + functions.size());
-                      RETURN_IF_ERROR(append_attributes(*from, indices, to));
-                      return append_results(functions, Datum{from}, to);
-                    });
-              }};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto indices, check.distinct_or_no_attributes(1, tuple));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr result, check.extended(projected(tuple, indices), 2, tuple));
+  return BoundOperator{TypeExpr::stream(result), [indices](std::vector<Datum> given, Context&) -> Result<Datum> {
+                         return changed_tuples(given[0].tuples(),
+                                               [indices, functions = given[2].list()](
+                                                   const TuplePtr& from, std::vector<Value>& to) -> Status {
+                                                 to.reserve(indices.size() + functions.size());
+                                                 ALGEBRA3D_RETURN_IF_ERROR(append_attributes(*from, indices, to));
+                                                 return append_results(functions, Datum{from}, to);
+                                               });
+                       }};
 }
 
-Result<Plan> map_replace(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_replace(std::span<const ArgumentType> arguments) {
   const MappingCheck check("replaceAttr", arguments);
-  ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ASSIGN_OR_RETURN(const auto replaced, check.distinct_attributes(1, tuple));
-  ASSIGN_OR_RETURN(const TypeExpr made, check.extended(TypeExpr::tuple({}), 1, tuple));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto replaced, check.distinct_attributes(1, tuple));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr made, check.extended(TypeExpr::tuple({}), 1, tuple));
   std::vector<TypeExpr::Attribute> attributes = tuple.attributes();
   for (std::size_t i = 0; i < replaced.size(); ++i) attributes[replaced[i]].type = made.attributes()[i].type;
-  return Plan{TypeExpr::stream(TypeExpr::tuple(std::move(attributes))),
-              [replaced](std::vector<Datum> given, Context&) -> Result<Datum> {
-                return changed_tuples(
-                    given[0].tuples(),
-                    [replaced, functions = given[1].list()](const TuplePtr& from, std::vector<Value>& to) -> Status {
-                      to = from->attributes;
-                      std::vector<Value> values;
-                      RETURN_IF_ERROR(append_results(functions, Datum{from}, values));
-                      for (std::size_t i = 0; i < replaced.size(); ++i) to[replaced[i]] = std::move(values[i]);
-                      return {};
-                    });
-              }};
+  return BoundOperator{
+      TypeExpr::stream(TypeExpr::tuple(std::move(attributes))),
+      [replaced](std::vector<Datum> given, Context&) -> Result<Datum> {
+        return changed_tuples(
+            given[0].tuples(),
+            [replaced, functions = given[1].list()](const TuplePtr& from, std::vector<Value>& to) -> Status {
+              to = from->attributes;
+              std::vector<Value> values;
+              ALGEBRA3D_RETURN_IF_ERROR(append_results(functions, Datum{from}, values));
+              for (std::size_t i = 0; i < replaced.size(); ++i) to[replaced[i]] = std::move(values[i]);
+              return {};
+            });
+      }};
 }
 
 /// Counts to the largest int; what comes after it is undefined.
@@ -81,25 +83,26 @@ class Counter {
   bool is_used_up_ = false;
 };
 
-Result<Plan> map_addcounter(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_addcounter(std::span<const ArgumentType> arguments) {
   const MappingCheck check("addcounter", arguments);
-  ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  RETURN_IF_ERROR(check.argument_count(2, 3));
-  if (check.count() == 3) RETURN_IF_ERROR(check.type(2, "int"));
-  ASSIGN_OR_RETURN(const TypeExpr result,
-                   check.concatenated(tuple, TypeExpr::tuple({{check[1].names[0], TypeExpr("int")}})));
-  return Plan{TypeExpr::stream(result), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                const bool is_started = given.size() < 3 || given[2].value().is_defined();
-                if (!is_started) context.diagnostics.report_undefined("addcounter: the start is undefined");
-                std::optional<std::int64_t> start;
-                if (is_started) start = given.size() < 3 ? 1 : given[2].value().get<std::int64_t>();
-                return changed_tuples(given[0].tuples(), [&context, counter = Counter(start)](
-                                                             const TuplePtr& from, std::vector<Value>& to) mutable {
-                  to = extended_attributes(*from, 1);
-                  to.push_back(counter.take(context));
-                  return Status();
-                });
-              }};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
+  ALGEBRA3D_RETURN_IF_ERROR(check.argument_count(2, 3));
+  if (check.count() == 3) ALGEBRA3D_RETURN_IF_ERROR(check.type(2, "int"));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr result,
+                             check.concatenated(tuple, TypeExpr::tuple({{check[1].names[0], TypeExpr("int")}})));
+  return BoundOperator{TypeExpr::stream(result), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                         const bool is_started = given.size() < 3 || given[2].value().is_defined();
+                         if (!is_started) context.diagnostics.report_undefined("addcounter: the start is undefined");
+                         std::optional<std::int64_t> start;
+                         if (is_started) start = given.size() < 3 ? 1 : given[2].value().get<std::int64_t>();
+                         return changed_tuples(given[0].tuples(),
+                                               [&context, counter = Counter(start)](const TuplePtr& from,
+                                                                                    std::vector<Value>& to) mutable {
+                                                 to = extended_attributes(*from, 1);
+                                                 to.push_back(counter.take(context));
+                                                 return Status();
+                                               });
+                       }};
 }
 
 }  // namespace
@@ -112,11 +115,12 @@ void register_extending(algebra3d::Registry& registry) {
       .stream = stream_operator(map_extend),
       .signatures = {"(stream(tuple) ((NAME (map tuple DATA)) ...)) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{"intstream(1, 2) transformstream extend[B: .Elem * 2, C: TRUE] consume", "((1 2 TRUE) (2 4 TRUE))"},
-                   {"intstream(1, 1) transformstream extend[B: [const int value undefined]] consume",
-                    "((1 undefined))"}},
-      .errors = {{"query intstream(1, 2) transformstream extend[Elem: 1] count",
-                  "extend: the attribute 'Elem' would stand twice"}},
+      .query_examples = {{"intstream(1, 2) transformstream extend[B: .Elem * 2, C: TRUE] consume",
+                          "((1 2 TRUE) (2 4 TRUE))"},
+                         {"intstream(1, 1) transformstream extend[B: [const int value undefined]] consume",
+                          "((1 undefined))"}},
+      .query_errors = {{"query intstream(1, 2) transformstream extend[Elem: 1] count",
+                        "extend: duplicate attribute name 'Elem'"}},
   });
   registry.add({
       .name = "projectextend",
@@ -126,29 +130,29 @@ void register_extending(algebra3d::Registry& registry) {
       .stream = stream_operator(map_projectextend),
       .signatures = {"(stream(tuple) NAMES ((NAME (map tuple DATA)) ...)) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{"intstream(1, 2) transformstream projectextend[; Elem: .Elem + 1] consume", "((2) (3))"},
-                   {"intstream(1, 1) transformstream projectextend[Elem; B: [const real value undefined]] consume",
-                    "((1 undefined))"}},
-      .errors = {{"query intstream(1, 2) transformstream projectextend[Elem; Elem: 1] count",
-                  "projectextend: the attribute 'Elem' would stand twice"}},
+      .query_examples =
+          {{"intstream(1, 2) transformstream projectextend[; Elem: .Elem + 1] consume", "((2) (3))"},
+           {"intstream(1, 1) transformstream projectextend[Elem; B: [const real value undefined]] consume",
+            "((1 undefined))"}},
+      .query_errors = {{"query intstream(1, 2) transformstream projectextend[Elem; Elem: 1] count",
+                        "projectextend: duplicate attribute name 'Elem'"}},
   });
   registry.add({
       .name = "replaceAttr",
       .syntax = "_ replaceAttr[functions(TUPLE)]",
-      .doc = "The tuples with new values, perhaps of other types, of some attributes, at their old positions.",
+      .doc = "The tuples with new values of some attributes, possibly of other types, at their old positions.",
       .detail = "All functions see the old tuple.",
       .stream = stream_operator(map_replace),
       .signatures = {"(stream(tuple) ((NAME (map tuple DATA)) ...)) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{"intstream(1, 2) transformstream extend[B: 7] replaceAttr[Elem: .Elem / 2] consume",
-                    "((0.5 7) (1.0 7))"},
-                   {"intstream(1, 1) transformstream extend[B: 7] replaceAttr[Elem: .B, B: .Elem] consume", "((7 1))"},
-                   {"intstream(1, 1) transformstream replaceAttr[Elem: [const int value undefined]] consume",
-                    "((undefined))"}},
-      .errors = {{"query intstream(1, 2) transformstream replaceAttr[Elm: 1] count",
-                  "replaceAttr: unknown attribute 'Elm', did you mean 'Elem'?"},
-                 {"query intstream(1, 2) transformstream replaceAttr[Elem: intstream(1, 2)] count",
-                  "replaceAttr: expected a value for the attribute 'Elem', got (stream int)"}},
+      .query_examples =
+          {{"intstream(1, 2) transformstream extend[B: 7] replaceAttr[Elem: .Elem / 2] consume", "((0.5 7) (1.0 7))"},
+           {"intstream(1, 1) transformstream extend[B: 7] replaceAttr[Elem: .B, B: .Elem] consume", "((7 1))"},
+           {"intstream(1, 1) transformstream replaceAttr[Elem: [const int value undefined]] consume", "((undefined))"}},
+      .query_errors = {{"query intstream(1, 2) transformstream replaceAttr[Elm: 1] count",
+                        "replaceAttr: unknown attribute 'Elm', did you mean 'Elem'?"},
+                       {"query intstream(1, 2) transformstream replaceAttr[Elem: intstream(1, 2)] count",
+                        "replaceAttr: expected a value for the attribute 'Elem', got (stream int)"}},
   });
   registry.add({
       .name = "addcounter",
@@ -159,14 +163,14 @@ void register_extending(algebra3d::Registry& registry) {
       .stream = stream_operator(map_addcounter),
       .signatures = {"(stream(tuple) NAME int) -> stream(tuple)", "(stream(tuple) NAME) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{"intstream(7, 9) transformstream addcounter[No, 0] consume", "((7 0) (8 1) (9 2))"},
-                   {"intstream(7, 8) transformstream addcounter[No] consume", "((7 1) (8 2))"},
-                   {"intstream(7, 7) transformstream addcounter[No, [const int value undefined]] consume",
-                    "((7 undefined))"}},
-      .errors = {{"query intstream(1, 2) transformstream addcounter[Elem, 1] count",
-                  "addcounter: the attribute 'Elem' would stand twice"},
-                 {"query intstream(1, 2) transformstream addcounter[No, 1.5] count",
-                  "addcounter: expected int, got real"}},
+      .query_examples = {{"intstream(7, 9) transformstream addcounter[No, 0] consume", "((7 0) (8 1) (9 2))"},
+                         {"intstream(7, 8) transformstream addcounter[No] consume", "((7 1) (8 2))"},
+                         {"intstream(7, 7) transformstream addcounter[No, [const int value undefined]] consume",
+                          "((7 undefined))"}},
+      .query_errors = {{"query intstream(1, 2) transformstream addcounter[Elem, 1] count",
+                        "addcounter: duplicate attribute name 'Elem'"},
+                       {"query intstream(1, 2) transformstream addcounter[No, 1.5] count",
+                        "addcounter: expected int, got real"}},
   });
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "algebra3d/registry/conversion.h"
+#include "algebra3d/registry/operator.h"
 #include "queries/streams/all.h"
 #include "queries/streams/mapping.h"
 
@@ -36,7 +37,7 @@ Result<TypeExpr> type_for_all(const MappingCheck& check) {
 Result<Value> extreme(const std::vector<Datum>& given, const std::vector<Conversion>& conversions, bool is_least) {
   std::optional<Value> best;
   for (std::size_t i = 0; i < given.size(); ++i) {
-    ASSIGN_OR_RETURN(const Value loaded, given[i].value().loaded());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, given[i].value().loaded());
     const Value value = converted(loaded, conversions[i]);
     if (!value.is_defined()) return value;
     if (!best || (is_least ? compare(value, *best) < 0 : compare(value, *best) > 0)) best = value;
@@ -45,18 +46,18 @@ Result<Value> extreme(const std::vector<Datum>& given, const std::vector<Convers
 }
 
 TypeMapping map_extreme_value(const char* op, bool is_least) {
-  return [=](std::span<const ArgumentType> arguments) -> Result<Plan> {
+  return [=](std::span<const ArgumentType> arguments) -> Result<BoundOperator> {
     const MappingCheck check(op, arguments);
-    ASSIGN_OR_RETURN(const TypeExpr type, type_for_all(check));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr type, type_for_all(check));
     std::vector<Conversion> conversions;
     for (std::size_t i = 0; i < check.count(); ++i) {
-      ASSIGN_OR_RETURN(const Conversion conversion, check.conversion(i, type));
+      ALGEBRA3D_ASSIGN_OR_RETURN(const Conversion conversion, check.conversion(i, type));
       conversions.push_back(conversion);
     }
-    return Plan{type, [=](const std::vector<Datum>& given, Context&) -> Result<Datum> {
-                  ASSIGN_OR_RETURN(Value value, extreme(given, conversions, is_least));
-                  return Datum{std::move(value)};
-                }};
+    return BoundOperator{type, [=](const std::vector<Datum>& given, Context&) -> Result<Datum> {
+                           ALGEBRA3D_ASSIGN_OR_RETURN(Value value, extreme(given, conversions, is_least));
+                           return Datum{std::move(value)};
+                         }};
   };
 }
 
@@ -64,9 +65,8 @@ TypeMapping map_extreme_value(const char* op, bool is_least) {
 
 void register_extremes(algebra3d::Registry& registry) {
   constexpr const char* kDetail =
-      "One value or more, of one type; ints beside reals become reals, strings beside texts become texts. Of equal "
-      "values "
-      "the first. Undefined if one of them is.";
+      "The values have one type; ints with reals become reals, strings with texts become texts. Of equal values the "
+      "first is taken. Undefined if one value is.";
   registry.add({
       .name = "getMinVal",
       .syntax = "getMinVal(_ ...)",
@@ -75,11 +75,11 @@ void register_extremes(algebra3d::Registry& registry) {
       .exactness = algebra3d::Exactness::exact,
       .stream = stream_operator(map_extreme_value("getMinVal", true)),
       .signatures = {"(DATA ...) -> DATA"},
-      .examples = {{"getMinVal(45, -45, 12, 0, -75, 5)", "-75"},
-                   {"getMinVal(1, 0.5)", "0.5"},
-                   {"getMinVal(1, [const int value undefined])", "undefined"}},
-      .errors = {{R"(query getMinVal(1, "a"))", "getMinVal: expected values of one type, got (int string)"},
-                 {"query getMinVal(intstream(1, 2))", "getMinVal: expected values, got (stream int)"}},
+      .query_examples = {{"getMinVal(45, -45, 12, 0, -75, 5)", "-75"},
+                         {"getMinVal(1, 0.5)", "0.5"},
+                         {"getMinVal(1, [const int value undefined])", "undefined"}},
+      .query_errors = {{R"(query getMinVal(1, "a"))", "getMinVal: expected values of one type, got (int string)"},
+                       {"query getMinVal(intstream(1, 2))", "getMinVal: expected values, got (stream int)"}},
   });
   registry.add({
       .name = "getMaxVal",
@@ -89,10 +89,10 @@ void register_extremes(algebra3d::Registry& registry) {
       .exactness = algebra3d::Exactness::exact,
       .stream = stream_operator(map_extreme_value("getMaxVal", false)),
       .signatures = {"(DATA ...) -> DATA"},
-      .examples = {{"getMaxVal(45, -45, 12, 0, -75, 5)", "45"},
-                   {R"(getMaxVal("a", 'b'))", "'b'"},
-                   {"getMaxVal(1, [const int value undefined])", "undefined"}},
-      .errors = {{R"(query getMaxVal(1, "a"))", "getMaxVal: expected values of one type, got (int string)"}},
+      .query_examples = {{"getMaxVal(45, -45, 12, 0, -75, 5)", "45"},
+                         {R"(getMaxVal("a", 'b'))", "'b'"},
+                         {"getMaxVal(1, [const int value undefined])", "undefined"}},
+      .query_errors = {{R"(query getMaxVal(1, "a"))", "getMaxVal: expected values of one type, got (int string)"}},
   });
 }
 

@@ -13,38 +13,41 @@ namespace {
 // The one place where long scans notice that the statement was interrupted.
 TupleStreamPtr interruptible(TupleStreamPtr tuples, const Context& context) {
   return make_stream([tuples = std::move(tuples), &context, step = 0U]() mutable -> Result<TuplePtr> {
-    if (++step % 256 == 0) RETURN_IF_ERROR(context.check_cancelled());
+    if (++step % 256 == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
     return tuples->next();
   });
 }
 
-Result<Plan> map_feed(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_feed(std::span<const ArgumentType> arguments) {
   const MappingCheck check("feed", arguments);
   if (check[0].type.is_relation())
-    return Plan{TypeExpr::stream(check[0].type.element()),
-                [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                  ASSIGN_OR_RETURN(TupleStreamPtr tuples, given[0].relation()->scan());
-                  return Datum{interruptible(std::move(tuples), context)};
-                }};
+    return BoundOperator{TypeExpr::stream(check[0].type.element()),
+                         [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                           ALGEBRA3D_ASSIGN_OR_RETURN(TupleStreamPtr tuples, given[0].relation()->scan());
+                           return Datum{interruptible(std::move(tuples), context)};
+                         }};
   if (is_collection(check[0].type))
-    return Plan{TypeExpr::stream(check[0].type.element()), [](std::vector<Datum> given, Context&) -> Result<Datum> {
-                  return Datum{elements_of(given[0].value())};
-                }};
-  if (!is_value_type(check[0].type)) return check.expected("a relation or a value", check[0].type);
-  return Plan{TypeExpr::stream(check[0].type), [](std::vector<Datum> given, Context&) -> Result<Datum> {
-                return Datum{make_value_stream([value = std::optional(given[0].value())]() mutable {
-                  return Result<std::optional<Value>>(std::exchange(value, std::nullopt));
-                })};
-              }};
+    return BoundOperator{
+        TypeExpr::stream(check[0].type.element()),
+        [](std::vector<Datum> given, Context&) -> Result<Datum> { return Datum{elements_of(given[0].value())}; }};
+  if (check[0].type.is_stream())
+    return BoundOperator{check[0].type,
+                         [](std::vector<Datum> given, Context&) -> Result<Datum> { return std::move(given[0]); }};
+  if (!is_value_type(check[0].type)) return check.expected("a relation, a stream or a value", check[0].type);
+  return BoundOperator{TypeExpr::stream(check[0].type), [](std::vector<Datum> given, Context&) -> Result<Datum> {
+                         return Datum{make_value_stream([value = std::optional(given[0].value())]() mutable {
+                           return Result<std::optional<Value>>(std::exchange(value, std::nullopt));
+                         })};
+                       }};
 }
 
 // consume and tconsume are two names of one operator: what is consumed lives as long as the statement, or is stored.
-Result<Plan> map_consume(const char* op, std::span<const ArgumentType> arguments) {
-  ASSIGN_OR_RETURN(const TypeExpr tuple, MappingCheck(op, arguments).stream(0));
-  return Plan{TypeExpr::rel(tuple), [tuple](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                ASSIGN_OR_RETURN(TupleBuffer tuples, buffered(*given[0].tuples(), context));
-                return Datum{RelationPtr(std::make_shared<MemoryRelation>(tuple, std::move(tuples)))};
-              }};
+Result<BoundOperator> map_consume(const char* op, std::span<const ArgumentType> arguments) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, MappingCheck(op, arguments).stream(0));
+  return BoundOperator{TypeExpr::rel(tuple), [tuple](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                         ALGEBRA3D_ASSIGN_OR_RETURN(TupleBuffer tuples, buffered(*given[0].tuples(), context));
+                         return Datum{RelationPtr(std::make_shared<MemoryRelation>(tuple, std::move(tuples)))};
+                       }};
 }
 
 Datum counted(std::int64_t count) {
@@ -53,34 +56,35 @@ Datum counted(std::int64_t count) {
 
 Result<Datum> count_values(ValueStream& values, Context& context) {
   for (std::int64_t count = 0;; ++count) {
-    if (count % 1024 == 0) RETURN_IF_ERROR(context.check_cancelled());
-    ASSIGN_OR_RETURN(const auto value, values.next());
+    if (count % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto value, values.next());
     if (!value) return counted(count);
   }
 }
 
 Result<Datum> count_tuples(TupleStream& tuples, Context& context) {
   std::int64_t count = 0;
-  RETURN_IF_ERROR(for_each_tuple(tuples, context, [&](const TuplePtr&) -> Status { return ++count, Status(); }));
+  ALGEBRA3D_RETURN_IF_ERROR(
+      for_each_tuple(tuples, context, [&](const TuplePtr&) -> Status { return ++count, Status(); }));
   return counted(count);
 }
 
-Result<Plan> map_count(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_count(std::span<const ArgumentType> arguments) {
   const MappingCheck check("count", arguments);
   const TypeExpr& type = check[0].type;
   if (!type.is_relation() && !type.is_stream() && !is_collection(type))
     return check.expected("a relation or a stream", type);
-  return Plan{"int", [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                if (const auto* relation = std::get_if<RelationPtr>(&given[0].content)) {
-                  ASSIGN_OR_RETURN(const std::int64_t count, (*relation)->count());
-                  return counted(count);
-                }
-                if (const auto* values = std::get_if<ValueStreamPtr>(&given[0].content))
-                  return count_values(**values, context);
-                if (const auto* collection = std::get_if<Value>(&given[0].content))
-                  return counted(static_cast<std::int64_t>(collection->get<Collection>().elements.size()));
-                return count_tuples(*given[0].tuples(), context);
-              }};
+  return BoundOperator{"int", [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                         if (const auto* relation = std::get_if<RelationPtr>(&given[0].content)) {
+                           ALGEBRA3D_ASSIGN_OR_RETURN(const std::int64_t count, (*relation)->count());
+                           return counted(count);
+                         }
+                         if (const auto* values = std::get_if<ValueStreamPtr>(&given[0].content))
+                           return count_values(**values, context);
+                         if (const auto* collection = std::get_if<Value>(&given[0].content))
+                           return counted(static_cast<std::int64_t>(collection->get<Collection>().elements.size()));
+                         return count_tuples(*given[0].tuples(), context);
+                       }};
 }
 
 }  // namespace
@@ -89,17 +93,19 @@ void register_feeding(algebra3d::Registry& registry) {
   registry.add({
       .name = "feed",
       .syntax = "_ feed",
-      .doc = "The tuples of a relation as a stream, in storage order; of a single value the stream of that one "
-             "element; of a "
-             "collection its elements.",
+      .doc = "A stream of the tuples of a relation, in storage order, of the elements of a collection, or of a "
+             "single value; a stream is returned unchanged.",
       .stream = stream_operator(map_feed),
-      .signatures = {"(rel(tuple)) -> stream(tuple)", "(DATA) -> stream(DATA)", "(set(DATA)) -> stream(DATA)",
+      .signatures = {"(rel(tuple)) -> stream(tuple)", "(stream(tuple)) -> stream(tuple)",
+                     "(stream(DATA)) -> stream(DATA)", "(DATA) -> stream(DATA)", "(set(DATA)) -> stream(DATA)",
                      "(multiset(DATA)) -> stream(DATA)", "(vector(DATA)) -> stream(DATA)"},
       .handles_undefined = true,
-      .examples = {{"[const rel(tuple([A: int])) value ((1) (2))] feed consume", "((1) (2))"},
-                   {"5 feed count", "1"},
-                   {"[const int value undefined] feed count", "1"}},
-      .errors = {{"query intstream(1, 2) feed", "feed: expected a relation or a value, got (stream int)"}},
+      .query_examples = {{"[const rel(tuple([A: int])) value ((1) (2))] feed consume", "((1) (2))"},
+                         {"5 feed count", "1"},
+                         {"intstream(1, 3) feed count", "3"},
+                         {"[const int value undefined] feed count", "1"}},
+      .query_errors = {{"query (fun(x: int) x) feed count",
+                        "feed: expected a relation, a stream or a value, got (map int int)"}},
   });
   registry.add({
       .name = "consume",
@@ -108,9 +114,9 @@ void register_feeding(algebra3d::Registry& registry) {
       .stream = stream_operator([](auto arguments) { return map_consume("consume", arguments); }),
       .signatures = {"(stream(tuple)) -> rel(tuple)"},
       .handles_undefined = true,
-      .examples = {{"intstream(1, 3) transformstream consume", "((1) (2) (3))"},
-                   {"[const int value undefined] feed transformstream consume", "((undefined))"}},
-      .errors = {{"query 5 consume", "consume: expected a stream of tuples, got int"}},
+      .query_examples = {{"intstream(1, 3) transformstream consume", "((1) (2) (3))"},
+                         {"[const int value undefined] feed transformstream consume", "((undefined))"}},
+      .query_errors = {{"query 5 consume", "consume: expected a stream of tuples, got int"}},
   });
   registry.add({
       .name = "tconsume",
@@ -119,9 +125,9 @@ void register_feeding(algebra3d::Registry& registry) {
       .stream = stream_operator([](auto arguments) { return map_consume("tconsume", arguments); }),
       .signatures = {"(stream(tuple)) -> rel(tuple)"},
       .handles_undefined = true,
-      .examples = {{"intstream(1, 3) transformstream tconsume feed filter[.Elem > 1] tconsume", "((2) (3))"},
-                   {"[const int value undefined] feed transformstream tconsume", "((undefined))"}},
-      .errors = {{"query 5 tconsume", "tconsume: expected a stream of tuples, got int"}},
+      .query_examples = {{"intstream(1, 3) transformstream tconsume feed filter[.Elem > 1] tconsume", "((2) (3))"},
+                         {"[const int value undefined] feed transformstream tconsume", "((undefined))"}},
+      .query_errors = {{"query 5 tconsume", "tconsume: expected a stream of tuples, got int"}},
   });
   registry.add({
       .name = "count",
@@ -131,10 +137,10 @@ void register_feeding(algebra3d::Registry& registry) {
       .signatures = {"(rel(tuple)) -> int", "(stream(tuple)) -> int", "(stream(DATA)) -> int", "(set(DATA)) -> int",
                      "(multiset(DATA)) -> int", "(vector(DATA)) -> int"},
       .handles_undefined = true,
-      .examples = {{"intstream(1, 10) count", "10"},
-                   {"[const rel(tuple([A: int])) value ()] count", "0"},
-                   {"[const int value undefined] feed count", "1"}},
-      .errors = {{"query 5 count", "count: expected a relation or a stream, got int"}},
+      .query_examples = {{"intstream(1, 10) count", "10"},
+                         {"[const rel(tuple([A: int])) value ()] count", "0"},
+                         {"[const int value undefined] feed count", "1"}},
+      .query_errors = {{"query 5 count", "count: expected a relation or a stream, got int"}},
   });
 }
 

@@ -2,7 +2,7 @@
 #include <array>
 
 #include "queries/streams/all.h"
-#include "queries/streams/changed_tuples.h"
+#include "queries/streams/detail/changed_tuples.h"
 #include "queries/streams/mapping.h"
 
 namespace queries {
@@ -23,10 +23,10 @@ struct FoldFunction {
     return FoldFunction{*first, *second, *result};
   }
   Result<Value> call(const Function& function, const Value& a, const Value& b) const {
-    ASSIGN_OR_RETURN(Value left, loaded_as(a, first));
-    ASSIGN_OR_RETURN(Value right, loaded_as(b, second));
+    ALGEBRA3D_ASSIGN_OR_RETURN(Value left, loaded_as(a, first));
+    ALGEBRA3D_ASSIGN_OR_RETURN(Value right, loaded_as(b, second));
     const std::array<Datum, 2> both = {Datum{std::move(left)}, Datum{std::move(right)}};
-    ASSIGN_OR_RETURN(const Value value, function.call_for_value(both));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, function.call_for_value(both));
     return loaded_as(value, result);
   }
 };
@@ -40,12 +40,12 @@ class BalancedFold {
   Status add(Value value) {
     results_.push_back({std::move(value), 0});
     while (results_.size() > 1 && results_[results_.size() - 2].level == results_.back().level)
-      RETURN_IF_ERROR(combine_last());
+      ALGEBRA3D_RETURN_IF_ERROR(combine_last());
     return {};
   }
   /// Nothing if no value was added.
   Result<std::optional<Value>> finish() {
-    while (results_.size() > 1) RETURN_IF_ERROR(combine_last());
+    while (results_.size() > 1) ALGEBRA3D_RETURN_IF_ERROR(combine_last());
     return results_.empty() ? std::optional<Value>() : std::optional(results_.front().value);
   }
 
@@ -57,7 +57,7 @@ class BalancedFold {
 
   Status combine_last() {
     Partial& left = results_[results_.size() - 2];
-    ASSIGN_OR_RETURN(Value combined, call_.call(function_, left.value, results_.back().value));
+    ALGEBRA3D_ASSIGN_OR_RETURN(Value combined, call_.call(function_, left.value, results_.back().value));
     left = {std::move(combined), left.level + 1};
     results_.pop_back();
     return {};
@@ -68,21 +68,21 @@ class BalancedFold {
   std::vector<Partial> results_;  // levels descend
 };
 
-Result<Plan> map_aggregate(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_aggregate(std::span<const ArgumentType> arguments) {
   const MappingCheck check("aggregateB", arguments);
-  ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ASSIGN_OR_RETURN(const std::size_t index, check.attribute(1, tuple));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t index, check.attribute(1, tuple));
   const TypeExpr type = tuple.attributes()[index].type;
-  ASSIGN_OR_RETURN(const FoldFunction call, FoldFunction::make(check, check[2].type, type));
-  ASSIGN_OR_RETURN(const Conversion conversion, check.conversion(3, type));
-  return Plan{type, [=](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                BalancedFold fold(given[2].function(), call);
-                RETURN_IF_ERROR(for_each_tuple(*given[0].tuples(), context, [&](const TuplePtr& next) {
-                  return fold.add(next->attributes[index]);
-                }));
-                ASSIGN_OR_RETURN(const auto result, fold.finish());
-                return Datum{result ? *result : converted(given[3].value(), conversion)};
-              }};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const FoldFunction call, FoldFunction::make(check, check[2].type, type));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Conversion conversion, check.conversion(3, type));
+  return BoundOperator{
+      type, [=](std::vector<Datum> given, Context& context) -> Result<Datum> {
+        BalancedFold fold(given[2].function(), call);
+        ALGEBRA3D_RETURN_IF_ERROR(for_each_tuple(
+            *given[0].tuples(), context, [&](const TuplePtr& next) { return fold.add(next->attributes[index]); }));
+        ALGEBRA3D_ASSIGN_OR_RETURN(const auto result, fold.finish());
+        return Datum{result ? *result : converted(given[3].value(), conversion)};
+      }};
 }
 
 /// The attributes that extend_aggr works on.
@@ -92,7 +92,7 @@ struct RunningFold {
 };
 
 Result<RunningFold> running_fold(const MappingCheck& check, const TypeExpr& tuple) {
-  ASSIGN_OR_RETURN(const auto attributes, check.attributes(1, tuple));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto attributes, check.attributes(1, tuple));
   if (attributes.empty() || attributes.size() > 2)
     return check.error("expected one attribute, or two of which the second is a bool, before the semicolon");
   RunningFold fold{attributes[0], std::nullopt};
@@ -103,33 +103,35 @@ Result<RunningFold> running_fold(const MappingCheck& check, const TypeExpr& tupl
   return fold;
 }
 
-Result<Plan> map_extend_aggr(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_extend_aggr(std::span<const ArgumentType> arguments) {
   const MappingCheck check("extend_aggr", arguments);
-  ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ASSIGN_OR_RETURN(const RunningFold fold, running_fold(check, tuple));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const RunningFold fold, running_fold(check, tuple));
   const TypeExpr type = tuple.attributes()[fold.attribute].type;
   if (check[2].names.size() != 1)
     return check.error("expected one function, as in extend_aggr[A; B: fun(a: int, b: int) a + b]");
-  ASSIGN_OR_RETURN(const FoldFunction call, FoldFunction::make(check, check[2].types[0], type));
-  ASSIGN_OR_RETURN(const TypeExpr result, check.concatenated(tuple, TypeExpr::tuple({{check[2].names[0], type}})));
-  return Plan{TypeExpr::stream(result), [fold, call](std::vector<Datum> given, Context&) -> Result<Datum> {
-                const auto function = given[2].list()[0].function_ptr();
-                return changed_tuples(given[0].tuples(),
-                                      [fold, call, function, so_far = std::optional<Value>()](
-                                          const TuplePtr& from, std::vector<Value>& to) mutable -> Status {
-                                        const Value& next = from->attributes[fold.attribute];
-                                        const bool begins =
-                                            !so_far || (fold.restart && is_true(from->attributes[*fold.restart]));
-                                        if (!begins) {
-                                          ASSIGN_OR_RETURN(so_far, call.call(*function, *so_far, next));
-                                        } else {
-                                          so_far = next;
-                                        }
-                                        to = extended_attributes(*from, 1);
-                                        to.push_back(*so_far);
-                                        return {};
-                                      });
-              }};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const FoldFunction call, FoldFunction::make(check, check[2].types[0], type));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr result,
+                             check.concatenated(tuple, TypeExpr::tuple({{check[2].names[0], type}})));
+  return BoundOperator{TypeExpr::stream(result), [fold, call](std::vector<Datum> given, Context&) -> Result<Datum> {
+                         const auto function = given[2].list()[0].function_ptr();
+                         return changed_tuples(
+                             given[0].tuples(),
+                             [fold, call, function, so_far = std::optional<Value>()](
+                                 const TuplePtr& from, std::vector<Value>& to) mutable -> Status {
+                               const Value& next = from->attributes[fold.attribute];
+                               const bool begins =
+                                   !so_far || (fold.restart && is_true(from->attributes[*fold.restart]));
+                               if (!begins) {
+                                 ALGEBRA3D_ASSIGN_OR_RETURN(so_far, call.call(*function, *so_far, next));
+                               } else {
+                                 so_far = next;
+                               }
+                               to = extended_attributes(*from, 1);
+                               to.push_back(*so_far);
+                               return {};
+                             });
+                       }};
 }
 
 }  // namespace
@@ -139,47 +141,47 @@ void register_folding(algebra3d::Registry& registry) {
   registry.add({
       .name = "extend_aggr",
       .syntax = "_ extend_aggr[attributes; functions]",
-      .doc =
-          "The tuples with a new attribute: what a function of two values makes of all values of an attribute so far.",
+      .doc = "The tuples with a new attribute: the fold of an attribute up to this tuple by a function of two values.",
       .detail =
-          "The first tuple gets its own value, every further one the function of the value before and its own. Where "
-          "a second attribute, a bool, is TRUE, that begins anew. Undefined values are given to the function like "
-          "others.",
+          "The first tuple gets its own value, every further one the function of the previous result and its own "
+          "value. Where a second attribute, a bool, is TRUE, the fold begins anew. Undefined values are passed to "
+          "the function.",
       .stream = stream_operator(map_extend_aggr),
       .signatures = {"(stream(tuple) NAMES ((NAME (map DATA DATA DATA)))) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples =
+      .query_examples =
           {{runs + "extend_aggr[A; S: fun(a: int, b: int) a + b] project[S] consume", "((1) (3) (6) (10))"},
            {runs + "extend_aggr[A, R; S: fun(a: int, b: int) a + b] project[S] consume", "((1) (3) (3) (7))"},
            {"[const rel(tuple([A: int])) value ((1) (undefined) (2))] feed extend_aggr[A; S: fun(a: int, b: int) "
             "a + b] consume",
             "((1 1) (undefined undefined) (2 undefined))"}},
-      .errors = {{"query " + runs + "extend_aggr[R; S: fun(a: int, b: int) a + b] count",
-                  "extend_aggr: expected a function of type (map bool bool bool), got (map int int int)"},
-                 {"query " + runs + "extend_aggr[A, A; S: fun(a: int, b: int) a + b] count",
-                  "extend_aggr: expected a second attribute of type bool, got int"},
-                 {"query " + runs + "extend_aggr[A; R: fun(a: int, b: int) a + b] count",
-                  "extend_aggr: the attribute 'R' would stand twice"}},
+      .query_errors = {{"query " + runs + "extend_aggr[R; S: fun(a: int, b: int) a + b] count",
+                        "extend_aggr: expected a function of type (map bool bool bool), got (map int int int)"},
+                       {"query " + runs + "extend_aggr[A, A; S: fun(a: int, b: int) a + b] count",
+                        "extend_aggr: expected a second attribute of type bool, got int"},
+                       {"query " + runs + "extend_aggr[A; R: fun(a: int, b: int) a + b] count",
+                        "extend_aggr: duplicate attribute name 'R'"}},
   });
   registry.add({
       .name = "aggregateB",
       .syntax = "_ aggregateB[attribute; fun; _]",
-      .doc = "The values of an attribute, combined by a function of two values; the last argument for an empty stream.",
+      .doc = "The values of an attribute combined by a function of two values; the last argument is the result for "
+             "an empty stream.",
       .detail =
-          "The function is applied to neighbours, in a balanced way: of a, b, c and d the result is f(f(a, b), f(c, "
-          "d)). So it should be associative. Undefined values are given to the function like others.",
+          "Neighbours are combined in a balanced tree: the result for a, b, c and d is f(f(a, b), f(c, d)). So the "
+          "function should be associative. Undefined values are passed to the function.",
       .stream = stream_operator(map_aggregate),
       .signatures = {"(stream(tuple) NAME (map DATA DATA DATA) DATA) -> DATA"},
       .handles_undefined = true,
-      .examples = {{"intstream(1, 5) transformstream aggregateB[Elem; fun(a: int, b: int) a * b; 0]", "120"},
-                   {"intstream(1, 0) transformstream aggregateB[Elem; fun(a: int, b: int) a * b; 7]", "7"},
-                   {"[const rel(tuple([A: int])) value ((1) (undefined))] feed "
-                    "aggregateB[A; fun(a: int, b: int) a + b; 0]",
-                    "undefined"}},
-      .errors = {{"query intstream(1, 5) transformstream aggregateB[Elem; fun(a: int, b: int) a < b; 0]",
-                  "aggregateB: expected a function of type (map int int int), got (map int int bool)"},
-                 {"query intstream(1, 5) transformstream aggregateB[Elem; fun(a: int, b: int) a + b; TRUE]",
-                  "aggregateB: expected int, got bool"}},
+      .query_examples = {{"intstream(1, 5) transformstream aggregateB[Elem; fun(a: int, b: int) a * b; 0]", "120"},
+                         {"intstream(1, 0) transformstream aggregateB[Elem; fun(a: int, b: int) a * b; 7]", "7"},
+                         {"[const rel(tuple([A: int])) value ((1) (undefined))] feed "
+                          "aggregateB[A; fun(a: int, b: int) a + b; 0]",
+                          "undefined"}},
+      .query_errors = {{"query intstream(1, 5) transformstream aggregateB[Elem; fun(a: int, b: int) a < b; 0]",
+                        "aggregateB: expected a function of type (map int int int), got (map int int bool)"},
+                       {"query intstream(1, 5) transformstream aggregateB[Elem; fun(a: int, b: int) a + b; TRUE]",
+                        "aggregateB: expected int, got bool"}},
   });
 }
 

@@ -1,6 +1,6 @@
 // groupby: what functions make of runs of tuples with equal keys.
-#include "queries/streams/adjacent_groups.h"
 #include "queries/streams/all.h"
+#include "queries/streams/detail/adjacent_groups.h"
 #include "queries/streams/mapping.h"
 #include "queries/streams/relation.h"
 
@@ -11,22 +11,23 @@ RelationPtr group_relation(const TypeExpr& tuple, TupleBuffer tuples) {
   return std::make_shared<MemoryRelation>(tuple, std::move(tuples));
 }
 
-Result<Plan> map_groupby(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_groupby(std::span<const ArgumentType> arguments) {
   const MappingCheck check("groupby", arguments);
-  ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ASSIGN_OR_RETURN(const auto keys, check.distinct_or_no_attributes(1, tuple));
-  ASSIGN_OR_RETURN(const TypeExpr result, check.extended(projected(tuple, keys), 2, TypeExpr::rel(tuple)));
-  return Plan{TypeExpr::stream(result), [tuple, keys](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                return Datum{make_stream([groups = AdjacentGroups(given[0].tuples(), keys), functions = given[2].list(),
-                                          tuple, &context]() mutable -> Result<TuplePtr> {
-                  ASSIGN_OR_RETURN(auto group, groups.next(context));
-                  if (!group) return TuplePtr();
-                  Tuple row{std::move(group->keys)};
-                  RETURN_IF_ERROR(append_results(functions, Datum{group_relation(tuple, std::move(group->tuples))},
-                                                 row.attributes));
-                  return TuplePtr(std::make_shared<const Tuple>(std::move(row)));
-                })};
-              }};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto keys, check.distinct_or_no_attributes(1, tuple));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr result, check.extended(projected(tuple, keys), 2, TypeExpr::rel(tuple)));
+  return BoundOperator{
+      TypeExpr::stream(result), [tuple, keys](std::vector<Datum> given, Context& context) -> Result<Datum> {
+        return Datum{make_stream([groups = AdjacentGroups(given[0].tuples(), keys), functions = given[2].list(), tuple,
+                                  &context]() mutable -> Result<TuplePtr> {
+          ALGEBRA3D_ASSIGN_OR_RETURN(auto group, groups.next(context));
+          if (!group) return TuplePtr();
+          Tuple row{std::move(group->keys)};
+          ALGEBRA3D_RETURN_IF_ERROR(
+              append_results(functions, Datum{group_relation(tuple, std::move(group->tuples))}, row.attributes));
+          return TuplePtr(std::make_shared<const Tuple>(std::move(row)));
+        })};
+      }};
 }
 
 }  // namespace
@@ -35,20 +36,20 @@ void register_grouping(algebra3d::Registry& registry) {
   registry.add({
       .name = "groupby",
       .syntax = "_ groupby[attributes; functions(GROUP)]",
-      .doc =
-          "One tuple per run of adjacent tuples with equal keys: the keys, then what the functions make of the group.",
+      .doc = "One tuple per run of adjacent tuples with equal keys: the keys, then the results of the functions on the "
+             "group.",
       .detail = "`group` is the relation of the run. Sort first. Without keys all tuples are one group.",
       .stream = stream_operator(map_groupby),
       .signatures = {"(stream(tuple) NAMES ((NAME (map rel(tuple) DATA)) ...)) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples =
+      .query_examples =
           {{"intstream(1, 5) transformstream extend[K: .Elem div 3] groupby[K; N: group count] consume",
             "((0 2) (1 3))"},
            {"intstream(1, 5) transformstream groupby[; S: group feed sum[Elem]] consume", "((15))"},
            {"[const rel(tuple([A: int])) value ((undefined) (undefined))] feed groupby[A; N: group count] consume",
             "((undefined 2))"}},
-      .errors = {{"query intstream(1, 5) transformstream groupby[K; N: group count] count",
-                  "groupby: unknown attribute 'K'"}},
+      .query_errors = {{"query intstream(1, 5) transformstream groupby[K; N: group count] count",
+                        "groupby: unknown attribute 'K'"}},
   });
 }
 

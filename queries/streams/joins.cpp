@@ -2,37 +2,37 @@
 #include <array>
 
 #include "queries/streams/all.h"
+#include "queries/streams/detail/pairs.h"
 #include "queries/streams/mapping.h"
-#include "queries/streams/pairs.h"
 
 namespace queries {
 namespace {
 
-Result<Plan> map_product(std::span<const ArgumentType> arguments) {
-  ASSIGN_OR_RETURN(const JoinTypes types, join_types(MappingCheck("product", arguments)));
-  return Plan{TypeExpr::stream(types.joined), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                ASSIGN_OR_RETURN(TupleBuffer right, buffered(*given[1].tuples(), context));
-                return Datum{all_pairs(given[0].tuples(), std::move(right), context)};
-              }};
+Result<BoundOperator> map_product(std::span<const ArgumentType> arguments) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const JoinTypes types, join_types(MappingCheck("product", arguments)));
+  return BoundOperator{TypeExpr::stream(types.joined), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                         ALGEBRA3D_ASSIGN_OR_RETURN(TupleBuffer right, buffered(*given[1].tuples(), context));
+                         return Datum{all_pairs(given[0].tuples(), std::move(right), context)};
+                       }};
 }
 
-Result<Plan> map_symmjoin(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_symmjoin(std::span<const ArgumentType> arguments) {
   const MappingCheck check("symmjoin", arguments);
-  ASSIGN_OR_RETURN(const JoinTypes types, join_types(check));
-  RETURN_IF_ERROR(check.function(2, {types.left, types.right}, "bool"));
-  return Plan{TypeExpr::stream(types.joined), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                ASSIGN_OR_RETURN(TupleBuffer right, buffered(*given[1].tuples(), context));
-                return Datum{make_stream([loop = NestedLoop(given[0].tuples(), std::move(right), context),
-                                          predicate = given[2].function_ptr()]() mutable -> Result<TuplePtr> {
-                  while (true) {
-                    ASSIGN_OR_RETURN(auto pair, loop.next());
-                    if (pair.first == nullptr) return TuplePtr();
-                    const std::array<Datum, 2> both = {Datum{pair.first}, Datum{pair.second}};
-                    ASSIGN_OR_RETURN(const Value holds, predicate->call_for_value(both));
-                    if (is_true(holds)) return concatenated(*pair.first, *pair.second);
-                  }
-                })};
-              }};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const JoinTypes types, join_types(check));
+  ALGEBRA3D_RETURN_IF_ERROR(check.function(2, {types.left, types.right}, "bool"));
+  return BoundOperator{TypeExpr::stream(types.joined), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                         ALGEBRA3D_ASSIGN_OR_RETURN(TupleBuffer right, buffered(*given[1].tuples(), context));
+                         return Datum{make_stream([loop = NestedLoop(given[0].tuples(), std::move(right), context),
+                                                   predicate = given[2].function_ptr()]() mutable -> Result<TuplePtr> {
+                           while (true) {
+                             ALGEBRA3D_ASSIGN_OR_RETURN(auto pair, loop.next());
+                             if (pair.first == nullptr) return TuplePtr();
+                             const std::array<Datum, 2> both = {Datum{pair.first}, Datum{pair.second}};
+                             ALGEBRA3D_ASSIGN_OR_RETURN(const Value holds, predicate->call_for_value(both));
+                             if (is_true(holds)) return concatenated(*pair.first, *pair.second);
+                           }
+                         })};
+                       }};
 }
 
 /// What `combine(outer, inner)` makes of each tuple and each tuple of the stream that the function gives for it.
@@ -42,15 +42,15 @@ Datum looped(std::vector<Datum> given, const Context& context, Combine combine) 
       make_stream([outer_tuples = given[0].tuples(), function = given[1].function_ptr(), &context, combine,
                    outer = TuplePtr(), inner_tuples = TupleStreamPtr(), step = 0U]() mutable -> Result<TuplePtr> {
         while (true) {
-          if (++step % 1024 == 0) RETURN_IF_ERROR(context.check_cancelled());
+          if (++step % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
           if (inner_tuples != nullptr) {
-            ASSIGN_OR_RETURN(const TuplePtr inner, inner_tuples->next());
+            ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr inner, inner_tuples->next());
             if (inner != nullptr) return combine(outer, inner);
           }
-          ASSIGN_OR_RETURN(outer, outer_tuples->next());
+          ALGEBRA3D_ASSIGN_OR_RETURN(outer, outer_tuples->next());
           if (outer == nullptr) return TuplePtr();
           const Datum argument{outer};
-          ASSIGN_OR_RETURN(const Datum stream, function->call({&argument, 1}));
+          ALGEBRA3D_ASSIGN_OR_RETURN(const Datum stream, function->call({&argument, 1}));
           inner_tuples = stream.tuples();
         }
       })};
@@ -58,32 +58,33 @@ Datum looped(std::vector<Datum> given, const Context& context, Combine combine) 
 
 /// The tuple type of the stream that the function at place 1 gives.
 Result<TypeExpr> inner_type(const MappingCheck& check, const TypeExpr& outer) {
-  RETURN_IF_ERROR(check.takes(check[1].type, {outer}));
+  ALGEBRA3D_RETURN_IF_ERROR(check.takes(check[1].type, {outer}));
   const TypeExpr inner = check[1].type.function_result();
   if (inner.is_tuple_stream()) return inner.element();
   return check.expected("a function that gives a stream of tuples", inner);
 }
 
-Result<Plan> map_loopjoin(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_loopjoin(std::span<const ArgumentType> arguments) {
   const MappingCheck check("loopjoin", arguments);
-  ASSIGN_OR_RETURN(const TypeExpr left, check.stream(0));
-  ASSIGN_OR_RETURN(const TypeExpr inner, inner_type(check, left));
-  ASSIGN_OR_RETURN(const TypeExpr joined, check.concatenated(left, inner));
-  return Plan{TypeExpr::stream(joined), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                return looped(std::move(given), context, [](const TuplePtr& outer, const TuplePtr& inner_tuple) {
-                  return concatenated(*outer, *inner_tuple);
-                });
-              }};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr left, check.stream(0));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr inner, inner_type(check, left));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr joined, check.concatenated(left, inner));
+  return BoundOperator{TypeExpr::stream(joined), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                         return looped(std::move(given), context,
+                                       [](const TuplePtr& outer, const TuplePtr& inner_tuple) {
+                                         return concatenated(*outer, *inner_tuple);
+                                       });
+                       }};
 }
 
-Result<Plan> map_loopsel(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_loopsel(std::span<const ArgumentType> arguments) {
   const MappingCheck check("loopsel", arguments);
-  ASSIGN_OR_RETURN(const TypeExpr left, check.stream(0));
-  ASSIGN_OR_RETURN(const TypeExpr inner, inner_type(check, left));
-  return Plan{TypeExpr::stream(inner), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                return looped(std::move(given), context,
-                              [](const TuplePtr&, const TuplePtr& inner_tuple) { return inner_tuple; });
-              }};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr left, check.stream(0));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr inner, inner_type(check, left));
+  return BoundOperator{TypeExpr::stream(inner), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                         return looped(std::move(given), context,
+                                       [](const TuplePtr&, const TuplePtr& inner_tuple) { return inner_tuple; });
+                       }};
 }
 
 }  // namespace
@@ -95,53 +96,53 @@ void register_joins(algebra3d::Registry& registry) {
       .name = "product",
       .syntax = "_ _ product",
       .doc = "Every tuple of the first stream joined with every tuple of the second.",
-      .detail = "The second stream is held, beyond the memory of `set \"memory\"` in a temporary file. Attribute names "
-                "must be disjoint.",
+      .detail = "The second stream is materialised, beyond the memory of `set \"memory\"` in a temporary file. "
+                "Attribute names must be disjoint.",
       .stream = stream_operator(map_product),
       .signatures = {"(stream(tuple) stream(tuple)) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{left + right + "product count", "9"},
-                   {left + "head[1] " + right + "product consume", "((1 2) (1 3) (1 undefined))"}},
-      .errors = {{"query " + left + left + "product count",
-                  "product: the attribute 'A' would stand twice; rename one side"}},
+      .query_examples = {{left + right + "product count", "9"},
+                         {left + "head[1] " + right + "product consume", "((1 2) (1 3) (1 undefined))"}},
+      .query_errors = {{"query " + left + left + "product count",
+                        "product: duplicate attribute name 'A'; rename one side"}},
   });
   registry.add({
       .name = "symmjoin",
       .syntax = "_ _ symmjoin[fun(TUPLE, TUPLE2)]",
       .doc = "The pairs of tuples of both streams for which the predicate is a defined TRUE.",
-      .detail = "`.A` is an attribute of the first, `..B` of the second tuple. The second stream is held, beyond "
-                "the memory of `set \"memory\"` in a temporary file.",
+      .detail = "`.A` is an attribute of the first, `..B` of the second tuple. The second stream is materialised, "
+                "beyond the memory of `set \"memory\"` in a temporary file.",
       .stream = stream_operator(map_symmjoin),
       .signatures = {"(stream(tuple) stream(tuple) (map tuple tuple bool)) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{left + right + "symmjoin[.A < ..B] consume", "((1 2) (1 3) (2 3))"}},
-      .errors = {{"query " + left + right + "symmjoin[.A] count",
-                  "symmjoin: expected a function that gives bool, got int"}},
+      .query_examples = {{left + right + "symmjoin[.A < ..B] consume", "((1 2) (1 3) (2 3))"}},
+      .query_errors = {{"query " + left + right + "symmjoin[.A] count",
+                        "symmjoin: expected a function that gives bool, got int"}},
   });
   registry.add({
       .name = "loopjoin",
       .syntax = "_ loopjoin[fun(TUPLE)]",
-      .doc = "Each tuple joined with each tuple of the stream that the function gives for it.",
+      .doc = "Each tuple joined with each tuple of the stream that the function returns for it.",
       .stream = stream_operator(map_loopjoin),
       .signatures = {"(stream(tuple) (map tuple stream(tuple))) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{left + "loopjoin[fun(t: TUPLE) intstream(1, attr(t, A)) transformstream] consume",
-                    "((1 1) (2 1) (2 2))"}},
-      .errors = {{"query " + left + "loopjoin[.A] count",
-                  "loopjoin: expected a function that gives a stream of tuples, got int"}},
+      .query_examples = {{left + "loopjoin[fun(t: TUPLE) intstream(1, attr(t, A)) transformstream] consume",
+                          "((1 1) (2 1) (2 2))"}},
+      .query_errors = {{"query " + left + "loopjoin[.A] count",
+                        "loopjoin: expected a function that gives a stream of tuples, got int"}},
   });
   registry.add({
       .name = "loopsel",
       .syntax = "_ loopsel[fun(TUPLE)]",
-      .doc = "The tuples of the streams that the function gives for each tuple, one stream after the other.",
+      .doc = "The concatenation of the streams that the function returns for the tuples.",
       .stream = stream_operator(map_loopsel),
       .signatures = {"(stream(tuple) (map tuple stream(tuple))) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{left + "loopsel[intstream(1, .A) transformstream] consume", "((1) (1) (2))"}},
-      .errors = {{"query " + left + "loopsel[.A] count",
-                  "loopsel: expected a function that gives a stream of tuples, got int"},
-                 {"query " + left + "loopsel[intstream(1, .A)] count",
-                  "loopsel: expected a function that gives a stream of tuples, got (stream int)"}},
+      .query_examples = {{left + "loopsel[intstream(1, .A) transformstream] consume", "((1) (1) (2))"}},
+      .query_errors = {{"query " + left + "loopsel[.A] count",
+                        "loopsel: expected a function that gives a stream of tuples, got int"},
+                       {"query " + left + "loopsel[intstream(1, .A)] count",
+                        "loopsel: expected a function that gives a stream of tuples, got (stream int)"}},
   });
 }
 

@@ -6,11 +6,12 @@
 
 #include <fmt/format.h>
 
+#include "algebra3d/registry/operator.h"
 #include "algebra3d/types/scalars.h"
 #include "queries/streams/all.h"
-#include "queries/streams/import_columns.h"
-#include "queries/streams/json_layout.h"
-#include "queries/streams/json_values.h"
+#include "queries/streams/detail/import_columns.h"
+#include "queries/streams/detail/json_layout.h"
+#include "queries/streams/detail/json_values.h"
 
 namespace queries {
 namespace {
@@ -46,7 +47,7 @@ class JsonTuples final : public TupleStream {
         context_(context) {}
 
   Result<TuplePtr> next() override {
-    RETURN_IF_ERROR(context_.check_cancelled());
+    ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
     const auto has_record = records_.next(record_);
     if (!has_record) return in_json_file(name_, has_record.error());
     if (!*has_record) return TuplePtr();
@@ -54,7 +55,7 @@ class JsonTuples final : public TupleStream {
     if (!tree) return in_json_file(name_, tree.error());
     Tuple made;
     for (const Type* type : types_) made.attributes.emplace_back(*type);
-    RETURN_IF_ERROR(fill(*tree, made));
+    ALGEBRA3D_RETURN_IF_ERROR(fill(*tree, made));
     return std::make_shared<const Tuple>(std::move(made));
   }
 
@@ -72,7 +73,7 @@ class JsonTuples final : public TupleStream {
           return in_json_file(
               name_, {ErrorCode::file_format, "line {}, record {}: the members {} and {} both mean {}", record_.line,
                       record_.number, tree.text(other), tree.text(key), columns_[*position]});
-        RETURN_IF_ERROR(set(*position, tree.text(value), made));
+        ALGEBRA3D_RETURN_IF_ERROR(set(*position, tree.text(value), made));
       }
       key = tree.after(value);
     }
@@ -131,7 +132,7 @@ JsonLayout stated_json_layout(const TypeExpr& tuple) {
 }
 
 Result<JsonLayout> guessed_json_layout(const MappingCheck& check, const JsonOptions& options, Context& context) {
-  ASSIGN_OR_RETURN(const std::string name, constant_file_name(check, "importJSON"));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string name, constant_file_name(check, "importJSON"));
   auto layout = guess_json_layout(context.resolve(name), options, context);
   if (!layout) return in_json_file(name, layout.error());
   std::vector<std::string> attributes;
@@ -141,15 +142,15 @@ Result<JsonLayout> guessed_json_layout(const MappingCheck& check, const JsonOpti
   return layout;
 }
 
-Result<Plan> map_import_json(std::span<const ArgumentType> arguments, Context& context) {
+Result<BoundOperator> map_import_json(std::span<const ArgumentType> arguments, Context& context) {
   const MappingCheck check("importJSON", arguments);
-  ASSIGN_OR_RETURN(const ImportArguments given, import_arguments(check));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const ImportArguments given, import_arguments(check));
   const auto options = parse_json_options(given.options);
   if (!options) return check.error(options.error().message);
   auto layout = given.tuple ? Result<JsonLayout>(stated_json_layout(*given.tuple))
                             : guessed_json_layout(check, *options, context);
   if (!layout) return std::move(layout).error();
-  return Plan{
+  return BoundOperator{
       TypeExpr::stream(layout->tuple),
       [options = *options, layout = *layout](const std::vector<Datum>& values, Context& running) -> Result<Datum> {
         const Value& file = values[0].value();
@@ -170,32 +171,32 @@ void register_json_import(algebra3d::Registry& registry) {
   registry.add({
       .name = "importJSON",
       .syntax = "importJSON(_ ...)",
-      .doc = "The records of a JSON file as tuples, in their order; types are guessed, or those of a relation.",
+      .doc = "The records of a JSON file as tuples, in order; types are guessed or those of a given relation.",
       .detail =
-          "Records are the elements of the array that is the file, or values that follow each other (JSON lines); with "
-          "the option 'records=data.items' those of the array that is the member items of the member data. "
+          "Records are the elements of the array that is the file, or values that follow each other (JSON lines); "
+          "with the option 'records=data.items' those of the array that is the member items of the member data. "
           "`importJSON(FILE)` reads the file when the command is checked: its attributes are the members of all "
-          "records, "
-          "of type int, real, bool or string; objects and arrays are texts, for jsonText and jsonNumber. "
-          "`importJSON(FILE, R)` takes the attributes and types of the relation R, whose tuples do not count; other "
-          "members are left out. Arrays are value lists there, as in [1, 2, 3] for a point3d, or texts such as \"(1 2 "
-          "3)\". A member that is missing or null is undefined; a record that is no object is the attribute Value. "
-          "With "
-          "the option 'errors=undefined' a value of another type is undefined, with a diagnostic that names the line; "
-          "else it is an error. Relative names start at the folder of the session.",
+          "records, of type int, real, bool or string; objects and arrays are texts, for jsonText and jsonNumber. "
+          "`importJSON(FILE, R)` takes attributes and types from the relation R, whose tuples are ignored; other "
+          "members are ignored. Arrays are value lists there, as in [1, 2, 3] for a point3d, or texts such as \"(1 2 "
+          "3)\". A member that is missing or null is undefined; a record that is not an object becomes the attribute "
+          "Value. With the option 'errors=undefined' a value of another type is undefined, with a diagnostic that "
+          "gives the line; else it is an error. Relative names start at the folder of the session.",
       .exactness = algebra3d::Exactness::exact,
       .frame_use = algebra3d::FrameUse::coordinates,
+      .is_pure = false,
+      .reads_files = true,
       .sources = {"rfc8259"},
       .stream = reading_stream_operator(map_import_json),
       .signatures = {"(text) -> stream(tuple)", "(text rel) -> stream(tuple)", "(text text) -> stream(tuple)",
                      "(text rel text) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{"importJSON([const text value undefined], [const rel(tuple([Name: string])) value ()]) count",
-                    "0"}},
-      .errors = {{"query importJSON(5) count", "importJSON: expected text, got int"},
-                 {"query importJSON('no such file.json') count", "no such file.json: No such file or directory"},
-                 {"query importJSON('a.json', 'header=no') count",
-                  "importJSON: unknown option 'header'; there are records and errors"}},
+      .query_examples = {{"importJSON([const text value undefined], [const rel(tuple([Name: string])) value ()]) count",
+                          "0"}},
+      .query_errors = {{"query importJSON(5) count", "importJSON: expected text, got int"},
+                       {"query importJSON('no such file.json') count", "no such file.json: No such file or directory"},
+                       {"query importJSON('a.json', 'header=no') count",
+                        "importJSON: unknown option 'header'; there are records and errors"}},
   });
 }
 

@@ -6,7 +6,7 @@
 #include "algebra3d/types/all.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/tuple_number.h"
-#include "queries/streams/any_stream.h"
+#include "queries/streams/detail/any_stream.h"
 #include "queries/streams/relation.h"
 
 namespace queries {
@@ -66,7 +66,7 @@ Status MappingCheck::takes(const TypeExpr& function, const std::vector<TypeExpr>
 Status MappingCheck::function(std::size_t position, const std::vector<TypeExpr>& parameters,
                               std::string_view result) const {
   const TypeExpr& type = arguments_[position].type;
-  RETURN_IF_ERROR(takes(type, parameters));
+  ALGEBRA3D_RETURN_IF_ERROR(takes(type, parameters));
   if (type.function_result().is(result)) return {};
   return expected("a function that gives " + std::string(result), type.function_result());
 }
@@ -97,7 +97,7 @@ Result<std::size_t> MappingCheck::attribute_named(const std::string& name, const
 Result<std::vector<std::size_t>> MappingCheck::attributes(std::size_t position, const TypeExpr& tuple) const {
   std::vector<std::size_t> indices;
   for (std::size_t which = 0; which < arguments_[position].names.size(); ++which) {
-    ASSIGN_OR_RETURN(const std::size_t index, attribute(position, tuple, which));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t index, attribute(position, tuple, which));
     indices.push_back(index);
   }
   return indices;
@@ -110,10 +110,11 @@ Result<std::vector<std::size_t>> MappingCheck::distinct_attributes(std::size_t p
 
 Result<std::vector<std::size_t>> MappingCheck::distinct_or_no_attributes(std::size_t position,
                                                                          const TypeExpr& tuple) const {
-  ASSIGN_OR_RETURN(auto indices, attributes(position, tuple));
+  ALGEBRA3D_ASSIGN_OR_RETURN(auto indices, attributes(position, tuple));
   for (std::size_t i = 0; i < indices.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      if (indices[i] == indices[j]) return error("the attribute '" + arguments_[position].names[i] + "' stands twice");
+      if (indices[i] == indices[j])
+        return error("duplicate attribute name '" + arguments_[position].names[i] + "'; name each attribute once");
   return indices;
 }
 
@@ -138,7 +139,7 @@ Result<Conversion> MappingCheck::conversion(std::size_t position, const TypeExpr
 }
 
 Status MappingCheck::characters(std::size_t position) const {
-  RETURN_IF_ERROR(conversion(position, TypeExpr("text")));
+  ALGEBRA3D_RETURN_IF_ERROR(conversion(position, TypeExpr("text")));
   return {};
 }
 
@@ -146,7 +147,7 @@ Result<TypeExpr> MappingCheck::concatenated(const TypeExpr& left, const TypeExpr
   std::vector<TypeExpr::Attribute> all = left.attributes();
   for (const auto& attribute : right.attributes()) {
     if (std::ranges::find(all, attribute.name, &TypeExpr::Attribute::name) != all.end())
-      return error("the attribute '" + attribute.name + "' would stand twice; rename one side, as in `feed {x}`");
+      return error("duplicate attribute name '" + attribute.name + "'; rename one side, as in `feed {x}`");
     all.push_back(attribute);
   }
   return TypeExpr::tuple(std::move(all));
@@ -160,11 +161,11 @@ Result<TypeExpr> MappingCheck::extended(const TypeExpr& tuple, std::size_t posit
   const ArgumentType& argument = arguments_[position];
   std::vector<TypeExpr::Attribute> made;
   for (std::size_t i = 0; i < argument.names.size(); ++i) {
-    RETURN_IF_ERROR(takes(argument.types[i], {parameter}));
+    ALGEBRA3D_RETURN_IF_ERROR(takes(argument.types[i], {parameter}));
     const TypeExpr& result = argument.types[i].function_result();
     if (!is_value_type(result)) return expected("a value for the attribute '" + argument.names[i] + "'", result);
     if (std::ranges::find(made, argument.names[i], &TypeExpr::Attribute::name) != made.end())
-      return error("the attribute '" + argument.names[i] + "' would stand twice");
+      return error("duplicate attribute name '" + argument.names[i] + "'; choose another name");
     made.push_back({argument.names[i], result});
   }
   // No relation is without attributes: it could neither be written down nor be restored.
@@ -202,7 +203,7 @@ Value converted(const Value& value, Conversion conversion) {
 
 Result<Value> loaded_as(const Value& value, Conversion conversion) {
   if (conversion == nullptr) return value;
-  ASSIGN_OR_RETURN(const Value loaded, value.loaded());
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.loaded());
   return algebra3d::converted(loaded, *conversion);
 }
 
@@ -232,14 +233,14 @@ Result<std::vector<Value>> loaded_values(const TuplePtr& tuple) {
   std::vector<Value> values;
   values.reserve(tuple->attributes.size());
   for (const Value& attribute : tuple->attributes) {
-    ASSIGN_OR_RETURN(Value loaded, attribute.loaded());
+    ALGEBRA3D_ASSIGN_OR_RETURN(Value loaded, attribute.loaded());
     values.push_back(std::move(loaded));
   }
   return values;
 }
 
 Result<std::vector<Value>> loaded_values(const std::optional<Value>& value) {
-  ASSIGN_OR_RETURN(Value loaded, value->loaded());
+  ALGEBRA3D_ASSIGN_OR_RETURN(Value loaded, value->loaded());
   return std::vector<Value>{std::move(loaded)};
 }
 
@@ -254,7 +255,7 @@ bool is_true(const Value& value) {
 
 Status append_results(const DatumList& functions, const Datum& argument, std::vector<Value>& attributes) {
   for (const Datum& function : functions) {
-    ASSIGN_OR_RETURN(Value result, function.function().call_for_value({&argument, 1}));
+    ALGEBRA3D_ASSIGN_OR_RETURN(Value result, function.function().call_for_value({&argument, 1}));
     attributes.push_back(std::move(result));
   }
   return {};

@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "queries/streams/all.h"
-#include "queries/streams/any_stream.h"
-#include "queries/streams/sorting.h"
+#include "queries/streams/detail/any_stream.h"
+#include "queries/streams/detail/sorting.h"
 
 namespace queries {
 namespace {
@@ -43,8 +43,8 @@ std::optional<CommonElement> common_element(const TypeExpr& first, const TypeExp
 }
 
 Result<CommonElement> common_element(const MappingCheck& check) {
-  ASSIGN_OR_RETURN(const TypeExpr first, check.any_stream(0));
-  ASSIGN_OR_RETURN(const TypeExpr second, check.any_stream(1));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr first, check.any_stream(0));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr second, check.any_stream(1));
   if (auto common = common_element(first, second)) return *std::move(common);
   return check.error("expected two streams with elements of the same types, got " + first.text() + " and " +
                      second.text());
@@ -54,14 +54,14 @@ Result<TuplePtr> element_as(const std::vector<Conversion>& conversions, const Tu
   Tuple tuple;
   tuple.attributes.reserve(from->attributes.size());
   for (std::size_t i = 0; i < conversions.size(); ++i) {
-    ASSIGN_OR_RETURN(Value value, loaded_as(from->attributes[i], conversions[i]));
+    ALGEBRA3D_ASSIGN_OR_RETURN(Value value, loaded_as(from->attributes[i], conversions[i]));
     tuple.attributes.push_back(std::move(value));
   }
   return std::make_shared<const Tuple>(std::move(tuple));
 }
 
 Result<std::optional<Value>> element_as(const std::vector<Conversion>& conversions, const std::optional<Value>& from) {
-  ASSIGN_OR_RETURN(Value value, loaded_as(*from, conversions.front()));
+  ALGEBRA3D_ASSIGN_OR_RETURN(Value value, loaded_as(*from, conversions.front()));
   return std::optional(std::move(value));
 }
 
@@ -69,7 +69,7 @@ template <typename Stream>
 std::shared_ptr<Stream> stream_as(const std::vector<Conversion>& conversions, const std::shared_ptr<Stream>& stream) {
   if (std::ranges::all_of(conversions, [](Conversion conversion) { return conversion == nullptr; })) return stream;
   return make_stream_of<Stream>([conversions, stream]() -> Result<ElementOf<Stream>> {
-    ASSIGN_OR_RETURN(ElementOf<Stream> element, stream->next());
+    ALGEBRA3D_ASSIGN_OR_RETURN(ElementOf<Stream> element, stream->next());
     if (!element) return element;
     return element_as(conversions, element);
   });
@@ -78,17 +78,17 @@ std::shared_ptr<Stream> stream_as(const std::vector<Conversion>& conversions, co
 // A mapping in which `merge(first, second, context)` gives the stream for two of the same kind.
 template <typename Merge>
 TypeMapping merging(const char* op, Merge merge) {
-  return [op, merge](std::span<const ArgumentType> arguments) -> Result<Plan> {
+  return [op, merge](std::span<const ArgumentType> arguments) -> Result<BoundOperator> {
     const MappingCheck check(op, arguments);
-    ASSIGN_OR_RETURN(const CommonElement common, common_element(check));
-    return Plan{TypeExpr::stream(common.type),
-                [merge, common](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                  return visit_stream(given[0], [&]<typename Stream>(const std::shared_ptr<Stream>& first) {
-                    const auto& second = std::get<std::shared_ptr<Stream>>(given[1].content);
-                    return Result<Datum>(
-                        Datum{merge(stream_as(common.first, first), stream_as(common.second, second), context)});
-                  });
-                }};
+    ALGEBRA3D_ASSIGN_OR_RETURN(const CommonElement common, common_element(check));
+    return BoundOperator{
+        TypeExpr::stream(common.type), [merge, common](std::vector<Datum> given, Context& context) -> Result<Datum> {
+          return visit_stream(given[0], [&]<typename Stream>(const std::shared_ptr<Stream>& first) {
+            const auto& second = std::get<std::shared_ptr<Stream>>(given[1].content);
+            return Result<Datum>(
+                Datum{merge(stream_as(common.first, first), stream_as(common.second, second), context)});
+          });
+        }};
   };
 }
 
@@ -111,9 +111,9 @@ class AscendingStream {
     std::vector<Value> last = std::move(keys_);
     keys_.clear();
     const bool has_last = static_cast<bool>(current_);
-    ASSIGN_OR_RETURN(current_, stream_->next());
+    ALGEBRA3D_ASSIGN_OR_RETURN(current_, stream_->next());
     if (!current_) return {};
-    ASSIGN_OR_RETURN(keys_, loaded_values(current_));
+    ALGEBRA3D_ASSIGN_OR_RETURN(keys_, loaded_values(current_));
     if (has_last && compare_keys(last, keys_) >= 0) return Error{ErrorCode::wrong_usage, unsorted_};
     return {};
   }
@@ -152,17 +152,17 @@ class Merge {
   Result<ElementOf<Stream>> next() {
     if (!has_begun_) {
       has_begun_ = true;
-      RETURN_IF_ERROR(first_.advance());
-      RETURN_IF_ERROR(second_.advance());
+      ALGEBRA3D_RETURN_IF_ERROR(first_.advance());
+      ALGEBRA3D_RETURN_IF_ERROR(second_.advance());
     }
     while (first_.current() || second_.current()) {
-      if (++steps_ % 1024 == 0) RETURN_IF_ERROR(context_.check_cancelled());
+      if (++steps_ % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
       const auto order = !second_.current()  ? std::strong_ordering::less
                          : !first_.current() ? std::strong_ordering::greater
                                              : compare_keys(first_.keys(), second_.keys());
       const ElementOf<Stream> element = order <= 0 ? first_.current() : second_.current();
-      if (order <= 0) RETURN_IF_ERROR(first_.advance());
-      if (order >= 0) RETURN_IF_ERROR(second_.advance());
+      if (order <= 0) ALGEBRA3D_RETURN_IF_ERROR(first_.advance());
+      if (order >= 0) ALGEBRA3D_RETURN_IF_ERROR(second_.advance());
       if (order < 0 ? rule_.keeps_first : order > 0 ? rule_.keeps_second : rule_.keeps_both) return element;
     }
     return ElementOf<Stream>();
@@ -192,13 +192,11 @@ struct MergeTexts {
 };
 
 constexpr MergeTexts kMerges[] = {
-    {{"mergesec", false, true, false}, "The elements that two sorted streams without duplicates share.", "((2) (3))"},
+    {{"mergesec", false, true, false}, "The intersection of two sorted streams without duplicates.", "((2) (3))"},
     {{"mergediff", true, false, false},
-     "The elements of the first of two sorted streams without duplicates that the second has not.",
+     "The elements of the first of two sorted streams without duplicates that are not in the second.",
      "((1))"},
-    {{"mergeunion", true, true, true},
-     "The elements of two sorted streams without duplicates, each once.",
-     "((1) (2) (3) (4))"}};
+    {{"mergeunion", true, true, true}, "The union of two sorted streams without duplicates.", "((1) (2) (3) (4))"}};
 
 }  // namespace
 
@@ -208,18 +206,18 @@ void register_merging(algebra3d::Registry& registry) {
       .name = "concat",
       .syntax = "_ _ concat",
       .doc = "The elements of the first stream, then those of the second.",
-      .detail = "Both have elements of the same types, but strings beside texts become texts; the attributes have the "
-                "names of the first.",
+      .detail = "Both have elements of the same types, except that strings with texts become texts; the attributes "
+                "have the names of the first.",
       .stream = stream_operator(merging("concat", Concatenation())),
       .signatures = {"(stream(tuple) stream(tuple)) -> stream(tuple)", "(stream(DATA) stream(DATA)) -> stream(DATA)"},
       .handles_undefined = true,
-      .examples = {{"intstream(1, 2) transformstream [const int value undefined] feed namedtransformstream[B] "
-                    "concat consume",
-                    "((1) (2) (undefined))"},
-                   {"intstream(1, 2) intstream(1, 3) concat count", "5"}},
-      .errors = {{"query intstream(1, 2) \"a\" feed concat count",
-                  "concat: expected two streams with elements of the same types, got int and string"},
-                 {"query 5 intstream(1, 2) concat count", "concat: expected a stream, got int"}},
+      .query_examples = {{"intstream(1, 2) transformstream [const int value undefined] feed namedtransformstream[B] "
+                          "concat consume",
+                          "((1) (2) (undefined))"},
+                         {"intstream(1, 2) intstream(1, 3) concat count", "5"}},
+      .query_errors = {{"query intstream(1, 2) \"a\" feed concat count",
+                        "concat: expected two streams with elements of the same types, got int and string"},
+                       {"query 5 intstream(1, 2) concat count", "concat: expected a stream, got int"}},
   });
   for (const MergeTexts& texts : kMerges) {
     const std::string name = texts.rule.name;
@@ -227,17 +225,17 @@ void register_merging(algebra3d::Registry& registry) {
         .name = name,
         .syntax = "_ _ " + name,
         .doc = texts.doc,
-        .detail = "Sorted ascending by all attributes, as `sort rdup` does it; anything else is an error. Undefined "
-                  "equals undefined. The attributes have the names of the first.",
+        .detail = "Both must be sorted ascending by all attributes, as by `sort rdup`; else it is an error. "
+                  "Undefined equals undefined. The attributes have the names of the first.",
         .stream = stream_operator(map_merge(texts.rule)),
         .signatures = {"(stream(tuple) stream(tuple)) -> stream(tuple)", "(stream(DATA) stream(DATA)) -> stream(DATA)"},
         .handles_undefined = true,
-        .examples = {{ints + name + " consume", texts.example}},
-        .errors = {{"query intstream(1, 2) transformstream sortby[Elem desc] intstream(1, 2) transformstream " + name +
-                        " count",
-                    name + ": the first stream is not sorted and free of duplicates; write `sort rdup`"},
-                   {"query intstream(1, 2) \"a\" feed " + name + " count",
-                    name + ": expected two streams with elements of the same types, got int and string"}},
+        .query_examples = {{ints + name + " consume", texts.example}},
+        .query_errors = {{"query intstream(1, 2) transformstream sortby[Elem desc] intstream(1, 2) transformstream " +
+                              name + " count",
+                          name + ": the first stream is not sorted and free of duplicates; write `sort rdup`"},
+                         {"query intstream(1, 2) \"a\" feed " + name + " count",
+                          name + ": expected two streams with elements of the same types, got int and string"}},
     });
   }
 }

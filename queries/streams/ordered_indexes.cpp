@@ -1,6 +1,7 @@
 // createbtree, exactmatch, range, leftrange, rightrange: ordered indexes on relations.
+#include "algebra3d/registry/operator.h"
 #include "queries/streams/all.h"
-#include "queries/streams/index_operands.h"
+#include "queries/streams/detail/index_operands.h"
 #include "queries/streams/ordered_index.h"
 
 namespace queries {
@@ -9,22 +10,22 @@ namespace {
 Result<Datum> create_index(const Datum& source, const IndexSource& from, std::size_t attribute,
                            const Context& context) {
   std::vector<OrderedTree::Entry> entries;
-  RETURN_IF_ERROR(for_each_indexed(source, from.id_attribute, "createbtree", context,
-                                   [&](const Tuple& tuple, TupleId id) -> Status {
-                                     ASSIGN_OR_RETURN(Value key, tuple.attributes[attribute].loaded());
-                                     if (key.is_defined()) entries.push_back({std::move(key), id});
-                                     return {};
-                                   }));
+  ALGEBRA3D_RETURN_IF_ERROR(for_each_indexed(
+      source, from.id_attribute, "createbtree", context, [&](const Tuple& tuple, TupleId id) -> Status {
+        ALGEBRA3D_ASSIGN_OR_RETURN(Value key, tuple.attributes[attribute].loaded());
+        if (key.is_defined()) entries.push_back({std::move(key), id});
+        return {};
+      }));
   auto tree = std::make_shared<OrderedTree>(OrderedTree::bulk_load(std::move(entries)));
   return Datum{
       std::make_shared<OrderedIndex>(stored_name(source), from.given.attributes()[attribute].name, std::move(tree))};
 }
 
-Result<Plan> map_createbtree(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_createbtree(std::span<const ArgumentType> arguments) {
   const MappingCheck check("createbtree", arguments);
-  ASSIGN_OR_RETURN(const IndexSource from, index_source(check));
-  ASSIGN_OR_RETURN(const std::size_t attribute, check.attribute(1, from.given));
-  return Plan{
+  ALGEBRA3D_ASSIGN_OR_RETURN(const IndexSource from, index_source(check));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t attribute, check.attribute(1, from.given));
+  return BoundOperator{
       TypeExpr("btree", {from.indexed, from.given.attributes()[attribute].type}),
       [=](std::vector<Datum> given, Context& context) { return create_index(given[0], from, attribute, context); }};
 }
@@ -43,33 +44,33 @@ std::optional<Value> bound(const std::vector<Datum>& given, std::size_t position
 
 Result<Datum> found(const std::vector<Datum>& given, const Bounds& bounds, const std::vector<Conversion>& conversions) {
   const auto& index = given[0].ordered_index();
-  RETURN_IF_ERROR(check_fits(*index, *given[1].relation(), bounds.op));
+  ALGEBRA3D_RETURN_IF_ERROR(check_fits(*index, *given[1].relation(), bounds.op));
   std::optional<Value> low = bound(given, bounds.low, conversions[bounds.low]);
   std::optional<Value> high = bound(given, bounds.high, conversions[bounds.high]);
   // Nothing lies beside an undefined bound.
   for (std::optional<Value>* each : {&low, &high}) {
     if (!*each) continue;
     if (!(*each)->is_defined()) return Datum{fetched(given[1].relation(), one_by_one(std::vector<TupleId>()))};
-    ASSIGN_OR_RETURN(*each, (*each)->loaded());
+    ALGEBRA3D_ASSIGN_OR_RETURN(*each, (*each)->loaded());
   }
   return Datum{fetched(given[1].relation(), one_by_one(index->tree().range(low, high)))};
 }
 
 TypeMapping map_search(Bounds bounds) {
-  return [bounds](std::span<const ArgumentType> arguments) -> Result<Plan> {
+  return [bounds](std::span<const ArgumentType> arguments) -> Result<BoundOperator> {
     const MappingCheck check(bounds.op, arguments);
     const TypeExpr& index = check[0].type;
     if (!index.is("btree") || index.arguments().size() != 2) return check.expected("a B-tree", index);
-    ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(1));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(1));
     if (!(index.arguments()[0] == tuple))
       return check.error("expected an index on the relation's tuples, got " + index.text());
     std::vector<Conversion> conversions(check.count());
     for (std::size_t position = 2; position < check.count(); ++position) {
-      ASSIGN_OR_RETURN(conversions[position], check.conversion(position, index.arguments()[1]));
+      ALGEBRA3D_ASSIGN_OR_RETURN(conversions[position], check.conversion(position, index.arguments()[1]));
     }
-    return Plan{TypeExpr::stream(tuple), [bounds, conversions](const std::vector<Datum>& given, Context&) {
-                  return found(given, bounds, conversions);
-                }};
+    return BoundOperator{TypeExpr::stream(tuple), [bounds, conversions](const std::vector<Datum>& given, Context&) {
+                           return found(given, bounds, conversions);
+                         }};
   };
 }
 
@@ -94,7 +95,7 @@ constexpr SearchTexts kSearches[] = {
     {{"range", 2, 3},
      "_, _",
      "DATA DATA",
-     "The tuples of a relation whose indexed value lies between the bounds, or is one of them.",
+     "The tuples of a relation whose indexed value lies between the bounds, both included.",
      "2, 9",
      "((2) (3))",
      "1, [const int value undefined]"},
@@ -121,17 +122,19 @@ void register_ordered_indexes(algebra3d::Registry& registry) {
       .syntax = "_ createbtree[attribute]",
       .doc = "An ordered index over the values of an attribute.",
       .detail =
-          "One on a stream is a frozen copy. A stream carries the ids in an attribute of type tid, or its tuples come "
-          "straight from a stored relation. Undefined values are left out.",
+          "An index on a stream is a frozen copy. The stream has the ids in an attribute of type tid, or its tuples "
+          "come straight from a stored relation. Undefined values are left out.",
+      .cost = algebra3d::Cost::sorting,
       .stream = stream_operator(map_createbtree),
       .signatures = {"(rel(tuple) NAME) -> btree(tuple DATA)", "(stream(tuple) NAME) -> btree(tuple DATA)"},
       .handles_undefined = true,
-      .examples = {{"Boxes createbtree[No] Boxes exactmatch[2] project[No] consume", "((2))"},
-                   {"Boxes feed addid createbtree[No] Boxes rightrange[2] count", "2"}},
-      .errors = {{"query Boxes createbtree[Nr] Boxes exactmatch[2] count",
-                  "createbtree: unknown attribute 'Nr', did you mean 'No'?"},
-                 {"query Boxes feed extend[X: 1] createbtree[No] Boxes feed extend[X: 1] consume exactmatch[2] count",
-                  "createbtree: the tuples have no ids"}},
+      .query_examples = {{"Boxes createbtree[No] Boxes exactmatch[2] project[No] consume", "((2))"},
+                         {"Boxes feed addid createbtree[No] Boxes rightrange[2] count", "2"}},
+      .query_errors =
+          {{"query Boxes createbtree[Nr] Boxes exactmatch[2] count",
+            "createbtree: unknown attribute 'Nr', did you mean 'No'?"},
+           {"query Boxes feed extend[X: 1] createbtree[No] Boxes feed extend[X: 1] consume exactmatch[2] count",
+            "createbtree: the tuples have no ids"}},
   });
   for (const SearchTexts& texts : kSearches) {
     const std::string name = texts.bounds.op;
@@ -140,18 +143,17 @@ void register_ordered_indexes(algebra3d::Registry& registry) {
         .name = name,
         .syntax = "_ _ " + name + "[" + texts.places + "]",
         .doc = texts.doc,
-        .detail = "In the order of the indexed values, then of the tuples. An int is accepted where the values are "
-                  "real, strings "
-                  "and texts are for each other. "
-                  "An undefined argument gives nothing.",
+        .detail =
+            "In the order of the indexed values, then of the tuples. An int is accepted where the values are real, "
+            "and strings and texts for each other. No tuples for an undefined argument.",
         .stream = stream_operator(map_search(texts.bounds)),
         .signatures = {std::string("(btree(tuple DATA) rel(tuple) ") + texts.signature + ") -> stream(tuple)"},
         .handles_undefined = true,
-        .examples = {{start + texts.arguments + "] project[No] consume", texts.example},
-                     {start + texts.undefined + "] count", "0"}},
-        .errors = {{"query 5 Boxes " + name + "[" + texts.arguments + "]", name + ": expected a B-tree, got int"},
-                   {fmt::format("query Boxes createbtree[B] Boxes {}[{}] count", name, texts.arguments),
-                    name + ": expected rect3, got int"}},
+        .query_examples = {{start + texts.arguments + "] project[No] consume", texts.example},
+                           {start + texts.undefined + "] count", "0"}},
+        .query_errors = {{"query 5 Boxes " + name + "[" + texts.arguments + "]", name + ": expected a B-tree, got int"},
+                         {fmt::format("query Boxes createbtree[B] Boxes {}[{}] count", name, texts.arguments),
+                          name + ": expected rect3, got int"}},
     });
   }
 }

@@ -2,35 +2,36 @@
 #include <numeric>
 #include <utility>
 
+#include "algebra3d/registry/operator.h"
 #include "queries/streams/all.h"
-#include "queries/streams/any_stream.h"
-#include "queries/streams/hash_table.h"
-#include "queries/streams/sorting.h"
+#include "queries/streams/detail/any_stream.h"
+#include "queries/streams/detail/hash_table.h"
+#include "queries/streams/detail/sorting.h"
 #include "queries/streams/tuple_buffer.h"
 
 namespace queries {
 namespace {
 
-Plan sorting(const TypeExpr& tuple, std::vector<SortKey> order) {
+BoundOperator sorting(const TypeExpr& tuple, std::vector<SortKey> order) {
   return {TypeExpr::stream(tuple),
           [order = std::move(order)](std::vector<Datum> given, Context& context) -> Result<Datum> {
-            ASSIGN_OR_RETURN(TupleStreamPtr stream, sorted(*given[0].tuples(), order, context));
+            ALGEBRA3D_ASSIGN_OR_RETURN(TupleStreamPtr stream, sorted(*given[0].tuples(), order, context));
             return Datum{std::move(stream)};
           }};
 }
 
-Result<Plan> map_sortby(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_sortby(std::span<const ArgumentType> arguments) {
   const MappingCheck check("sortby", arguments);
-  ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ASSIGN_OR_RETURN(const auto attributes, check.attributes(1, tuple));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto attributes, check.attributes(1, tuple));
   if (attributes.empty()) return check.error("expected at least one attribute");
   std::vector<SortKey> order;
   for (std::size_t i = 0; i < attributes.size(); ++i) order.push_back({attributes[i], check[1].modifiers[i] == "desc"});
   return sorting(tuple, std::move(order));
 }
 
-Result<Plan> map_sort(std::span<const ArgumentType> arguments) {
-  ASSIGN_OR_RETURN(const TypeExpr tuple, MappingCheck("sort", arguments).stream(0));
+Result<BoundOperator> map_sort(std::span<const ArgumentType> arguments) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, MappingCheck("sort", arguments).stream(0));
   return sorting(tuple, ascending(all_attributes(tuple)));
 }
 
@@ -40,10 +41,10 @@ Datum without_duplicates(const std::shared_ptr<Stream>& stream, KeysOf keys_of, 
   return Datum{make_stream_of<Stream>(
       [stream, keys_of, is_new = std::move(is_new), &context, step = 0U]() mutable -> Result<ElementOf<Stream>> {
         while (true) {
-          if (++step % 1024 == 0) RETURN_IF_ERROR(context.check_cancelled());
-          ASSIGN_OR_RETURN(ElementOf<Stream> next, stream->next());
+          if (++step % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+          ALGEBRA3D_ASSIGN_OR_RETURN(ElementOf<Stream> next, stream->next());
           if (!next) return next;
-          ASSIGN_OR_RETURN(std::vector<Value> keys, keys_of(next));
+          ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Value> keys, keys_of(next));
           if (is_new(std::move(keys))) return next;
         }
       })};
@@ -62,30 +63,30 @@ class DiffersFromLast {
   std::optional<std::vector<Value>> last_;
 };
 
-Result<Plan> map_rdup(std::span<const ArgumentType> arguments) {
-  ASSIGN_OR_RETURN(const TypeExpr element, MappingCheck("rdup", arguments).any_stream(0));
-  return Plan{TypeExpr::stream(element), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                return visit_stream(given[0], [&](const auto& stream) {
-                  const auto keys_of = [](const auto& next) { return loaded_values(next); };
-                  return Result<Datum>(without_duplicates(stream, keys_of, DiffersFromLast(), context));
-                });
-              }};
+Result<BoundOperator> map_rdup(std::span<const ArgumentType> arguments) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr element, MappingCheck("rdup", arguments).any_stream(0));
+  return BoundOperator{TypeExpr::stream(element), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                         return visit_stream(given[0], [&](const auto& stream) {
+                           const auto keys_of = [](const auto& next) { return loaded_values(next); };
+                           return Result<Datum>(without_duplicates(stream, keys_of, DiffersFromLast(), context));
+                         });
+                       }};
 }
 
-Result<Plan> map_krdup(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_krdup(std::span<const ArgumentType> arguments) {
   const MappingCheck check("krdup", arguments);
-  ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ASSIGN_OR_RETURN(const auto keys, check.distinct_attributes(1, tuple));
-  return Plan{TypeExpr::stream(tuple), [keys](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                const auto keys_of = [keys](const TuplePtr& next) { return loaded_keys(*next, keys); };
-                return without_duplicates(given[0].tuples(), keys_of, DiffersFromLast(), context);
-              }};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto keys, check.distinct_attributes(1, tuple));
+  return BoundOperator{TypeExpr::stream(tuple), [keys](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                         const auto keys_of = [keys](const TuplePtr& next) { return loaded_keys(*next, keys); };
+                         return without_duplicates(given[0].tuples(), keys_of, DiffersFromLast(), context);
+                       }};
 }
 
 /// The tuples of a buffer, numbered from 1 by a further attribute.
 TupleStreamPtr numbered(const TupleBuffer& tuples) {
   return make_stream([scan = tuples.scan(), number = TupleId{0}]() mutable -> Result<TuplePtr> {
-    ASSIGN_OR_RETURN(const TuplePtr next, scan->next());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr next, scan->next());
     if (next == nullptr) return next;
     Tuple result = *next;
     result.attributes.push_back(id_value(++number));
@@ -96,7 +97,7 @@ TupleStreamPtr numbered(const TupleBuffer& tuples) {
 /// Without the last attribute.
 TupleStreamPtr without_number(TupleStreamPtr tuples) {
   return make_stream([tuples = std::move(tuples)]() -> Result<TuplePtr> {
-    ASSIGN_OR_RETURN(const TuplePtr next, tuples->next());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr next, tuples->next());
     if (next == nullptr) return next;
     Tuple result = *next;
     result.attributes.pop_back();
@@ -108,11 +109,12 @@ TupleStreamPtr without_number(TupleStreamPtr tuples) {
 Result<TupleStreamPtr> first_by_sorting(const TupleBuffer& tuples, const std::vector<std::size_t>& keys,
                                         const Context& context) {
   if (tuples.is_empty()) return tuples.scan();
-  ASSIGN_OR_RETURN(const TuplePtr any, tuples.scan()->next());
-  ASSIGN_OR_RETURN(const TupleStreamPtr by_keys, sorted(*numbered(tuples), ascending(keys), context));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr any, tuples.scan()->next());
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TupleStreamPtr by_keys, sorted(*numbered(tuples), ascending(keys), context));
   const auto keys_of = [keys](const TuplePtr& next) { return loaded_keys(*next, keys); };
   const Datum first = without_duplicates(by_keys, keys_of, DiffersFromLast(), context);
-  ASSIGN_OR_RETURN(TupleStreamPtr result, sorted(*first.tuples(), ascending({any->attributes.size()}), context));
+  ALGEBRA3D_ASSIGN_OR_RETURN(TupleStreamPtr result,
+                             sorted(*first.tuples(), ascending({any->attributes.size()}), context));
   return without_number(std::move(result));
 }
 
@@ -125,18 +127,18 @@ class FirstOfEachKey final : public TupleStream {
 
   Result<TuplePtr> next() override {
     while (!has_ended_) {
-      if (++steps_ % 1024 == 0) RETURN_IF_ERROR(context_.check_cancelled());
-      ASSIGN_OR_RETURN(TuplePtr next, tuples_->next());
+      if (++steps_ % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
+      ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr next, tuples_->next());
       if (next == nullptr) {
         has_ended_ = true;
         seen_.clear();
-        ASSIGN_OR_RETURN(tuples_, first_by_sorting(put_aside_, keys_, context_));
+        ALGEBRA3D_ASSIGN_OR_RETURN(tuples_, first_by_sorting(put_aside_, keys_, context_));
         break;
       }
-      ASSIGN_OR_RETURN(std::vector<Value> keys, loaded_keys(*next, keys_));
+      ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Value> keys, loaded_keys(*next, keys_));
       const SeenKeys::Answer answer = seen_.add(std::move(keys));
       if (answer == SeenKeys::Answer::is_new) return next;
-      if (answer == SeenKeys::Answer::no_room) RETURN_IF_ERROR(put_aside_.add(std::move(next)));
+      if (answer == SeenKeys::Answer::no_room) ALGEBRA3D_RETURN_IF_ERROR(put_aside_.add(std::move(next)));
     }
     return tuples_->next();
   }
@@ -151,26 +153,28 @@ class FirstOfEachKey final : public TupleStream {
   std::uint32_t steps_ = 0;
 };
 
-Result<Plan> map_krduph(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_krduph(std::span<const ArgumentType> arguments) {
   const MappingCheck check("krduph", arguments);
-  ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  ASSIGN_OR_RETURN(const auto keys, check.distinct_attributes(1, tuple));
-  return Plan{TypeExpr::stream(tuple), [keys](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                return Datum{TupleStreamPtr(std::make_shared<FirstOfEachKey>(given[0].tuples(), keys, context))};
-              }};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto keys, check.distinct_attributes(1, tuple));
+  return BoundOperator{
+      TypeExpr::stream(tuple), [keys](std::vector<Datum> given, Context& context) -> Result<Datum> {
+        return Datum{TupleStreamPtr(std::make_shared<FirstOfEachKey>(given[0].tuples(), keys, context))};
+      }};
 }
 
 // The number of buckets that SECONDO takes means nothing here.
-Result<Plan> map_rduph(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_rduph(std::span<const ArgumentType> arguments) {
   const MappingCheck check("rduph", arguments);
-  ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
-  RETURN_IF_ERROR(check.argument_count(1, 2));
-  if (check.count() == 2) RETURN_IF_ERROR(check.type(1, "int"));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
+  ALGEBRA3D_RETURN_IF_ERROR(check.argument_count(1, 2));
+  if (check.count() == 2) ALGEBRA3D_RETURN_IF_ERROR(check.type(1, "int"));
   std::vector<std::size_t> all(tuple.attributes().size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  return Plan{TypeExpr::stream(tuple), [all](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                return Datum{TupleStreamPtr(std::make_shared<FirstOfEachKey>(given[0].tuples(), all, context))};
-              }};
+  return BoundOperator{
+      TypeExpr::stream(tuple), [all](std::vector<Datum> given, Context& context) -> Result<Datum> {
+        return Datum{TupleStreamPtr(std::make_shared<FirstOfEachKey>(given[0].tuples(), all, context))};
+      }};
 }
 
 }  // namespace
@@ -185,10 +189,11 @@ void register_ordering(algebra3d::Registry& registry) {
       .stream = stream_operator(map_sortby),
       .signatures = {"(stream(tuple) ((NAME asc|desc) ...)) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{"intstream(1, 3) transformstream sortby[Elem desc] consume", "((3) (2) (1))"},
-                   {"[const rel(tuple([A: int])) value ((2) (undefined) (1))] feed sortby[A] consume",
-                    "((undefined) (1) (2))"}},
-      .errors = {{"query intstream(1, 3) transformstream sortby[Name] count", "sortby: unknown attribute 'Name'"}},
+      .query_examples = {{"intstream(1, 3) transformstream sortby[Elem desc] consume", "((3) (2) (1))"},
+                         {"[const rel(tuple([A: int])) value ((2) (undefined) (1))] feed sortby[A] consume",
+                          "((undefined) (1) (2))"}},
+      .query_errors = {{"query intstream(1, 3) transformstream sortby[Name] count",
+                        "sortby: unknown attribute 'Name'"}},
   });
   registry.add({
       .name = "sort",
@@ -197,61 +202,66 @@ void register_ordering(algebra3d::Registry& registry) {
       .stream = stream_operator(map_sort),
       .signatures = {"(stream(tuple)) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{pairs + "sort consume", "((undefined 5) (1 7) (2 0) (2 1) (2 1))"}},
-      .errors = {{"query 5 sort", "sort: expected a stream of tuples, got int"},
-                 {"query intstream(1, 3) sort count",
-                  "sort: expected a stream of tuples (write `transformstream` after the stream of values)"}},
+      .query_examples = {{pairs + "sort consume", "((undefined 5) (1 7) (2 0) (2 1) (2 1))"}},
+      .query_errors = {{"query 5 sort", "sort: expected a stream of tuples, got int"},
+                       {"query intstream(1, 3) sort count",
+                        "sort: expected a stream of tuples (write `transformstream` after the stream of values)"}},
   });
   registry.add({
       .name = "rdup",
       .syntax = "_ rdup",
-      .doc = "The elements of a stream without those that equal the one before.",
-      .detail = "After `sort` no element comes twice. Undefined equals undefined.",
+      .doc = "The elements of a stream without those that equal their predecessor.",
+      .detail = "After `sort` the result has no duplicates. Undefined equals undefined.",
+      .cost = algebra3d::Cost::linear,
       .stream = stream_operator(map_rdup),
       .signatures = {"(stream(tuple)) -> stream(tuple)", "(stream(DATA)) -> stream(DATA)"},
       .handles_undefined = true,
-      .examples = {{pairs + "sort rdup consume", "((undefined 5) (1 7) (2 0) (2 1))"},
-                   {pairs + "projecttransformstream[A] rdup count", "5"}},
-      .errors = {{"query 5 rdup", "rdup: expected a stream, got int"}},
+      .query_examples = {{pairs + "sort rdup consume", "((undefined 5) (1 7) (2 0) (2 1))"},
+                         {pairs + "projecttransformstream[A] rdup count", "5"}},
+      .query_errors = {{"query 5 rdup", "rdup: expected a stream, got int"}},
   });
   registry.add({
       .name = "rduph",
       .syntax = "_ rduph[...]",
-      .doc = "The tuples without those that equal any tuple before; needs no order.",
-      .detail =
-          "The first of equal tuples stays. Undefined equals undefined. A number of buckets in brackets, as SECONDO "
-          "takes it, is accepted and changes nothing.",
+      .doc = "The tuples without those that equal any earlier tuple; the stream need not be sorted.",
+      .detail = "The first of equal tuples stays. Undefined equals undefined. A number of buckets in brackets, as in "
+                "SECONDO, is accepted and ignored.",
+      .cost = algebra3d::Cost::linear,
       .stream = stream_operator(map_rduph),
       .signatures = {"(stream(tuple)) -> stream(tuple)", "(stream(tuple) int) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{pairs + "rduph consume", "((2 1) (undefined 5) (1 7) (2 0))"},
-                   {pairs + "project[A] rduph[997] consume", "((2) (undefined) (1))"}},
-      .errors = {{"query 5 rduph", "rduph: expected a stream of tuples, got int"},
-                 {"query " + pairs + "rduph[TRUE] count", "rduph: expected int, got bool"}},
+      .query_examples = {{pairs + "rduph consume", "((2 1) (undefined 5) (1 7) (2 0))"},
+                         {pairs + "project[A] rduph[997] consume", "((2) (undefined) (1))"}},
+      .query_errors = {{"query 5 rduph", "rduph: expected a stream of tuples, got int"},
+                       {"query " + pairs + "rduph[TRUE] count", "rduph: expected int, got bool"}},
   });
   registry.add({
       .name = "krdup",
       .syntax = "_ krdup[attributes]",
-      .doc = "The tuples without those whose named attributes equal those of the tuple before.",
+      .doc = "The tuples without those whose named attributes equal those of their predecessor.",
       .detail = "The first tuple of each run stays. Undefined equals undefined.",
+      .cost = algebra3d::Cost::linear,
       .stream = stream_operator(map_krdup),
       .signatures = {"(stream(tuple) NAMES) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{pairs + "sortby[A] krdup[A] consume", "((undefined 5) (1 7) (2 1))"},
-                   {pairs + "krdup[A] count", "5"}},
-      .errors = {{"query " + pairs + "krdup[C] count", "krdup: unknown attribute 'C'"},
-                 {"query " + pairs + "krdup[A, A] count", "krdup: the attribute 'A' stands twice"}},
+      .query_examples = {{pairs + "sortby[A] krdup[A] consume", "((undefined 5) (1 7) (2 1))"},
+                         {pairs + "krdup[A] count", "5"}},
+      .query_errors = {{"query " + pairs + "krdup[C] count", "krdup: unknown attribute 'C'"},
+                       {"query " + pairs + "krdup[A, A] count", "krdup: duplicate attribute name 'A'"}},
   });
   registry.add({
       .name = "krduph",
       .syntax = "_ krduph[attributes]",
-      .doc = "The tuples without those whose named attributes equal those of any tuple before; needs no order.",
+      .doc = "The tuples without those whose named attributes equal those of any earlier tuple; the stream need not "
+             "be sorted.",
       .detail = "The first tuple of each key stays. Undefined equals undefined.",
+      .cost = algebra3d::Cost::linear,
       .stream = stream_operator(map_krduph),
       .signatures = {"(stream(tuple) NAMES) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{pairs + "krduph[A] consume", "((2 1) (undefined 5) (1 7))"}, {pairs + "krduph[A, B] count", "4"}},
-      .errors = {{"query " + pairs + "krduph[C] count", "krduph: unknown attribute 'C'"}},
+      .query_examples = {{pairs + "krduph[A] consume", "((2 1) (undefined 5) (1 7))"},
+                         {pairs + "krduph[A, B] count", "4"}},
+      .query_errors = {{"query " + pairs + "krduph[C] count", "krduph: unknown attribute 'C'"}},
   });
 }
 

@@ -2,13 +2,14 @@
 #include <array>
 
 #include "queries/streams/all.h"
-#include "queries/streams/pairs.h"
+#include "queries/streams/detail/pairs.h"
 
 namespace queries {
 namespace {
 
 /// First every tuple of the left stream with its partners, or beside undefined values if it has none; then the tuples
-/// on the right that were nobody's partner. The right side is held, with a mark for each tuple that has a partner.
+/// on the right that were nobody's partner. The right side is the build side, with a mark for each tuple that has a
+/// partner.
 class OuterJoin final : public TupleStream {
  public:
   OuterJoin(TupleStreamPtr left, TupleBuffer right, std::shared_ptr<const Function> predicate, const JoinTypes& types,
@@ -22,18 +23,18 @@ class OuterJoin final : public TupleStream {
         context_(context) {}
 
   Result<TuplePtr> next() override {
-    if (!has_begun_) RETURN_IF_ERROR(begin_next_left());
+    if (!has_begun_) ALGEBRA3D_RETURN_IF_ERROR(begin_next_left());
     has_begun_ = true;
     while (current_ != nullptr) {
-      ASSIGN_OR_RETURN(TuplePtr pair, next_pair());
+      ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr pair, next_pair());
       if (pair != nullptr) return pair;
       const TuplePtr left = current_;
       const bool is_alone = !is_matched_;
-      RETURN_IF_ERROR(begin_next_left());
+      ALGEBRA3D_RETURN_IF_ERROR(begin_next_left());
       if (is_alone) return concatenated(*left, *right_padding_);
     }
     while (true) {
-      ASSIGN_OR_RETURN(const TuplePtr right, next_right());
+      ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr right, next_right());
       if (right == nullptr) return TuplePtr();
       if (!has_partner_[position_ - 1]) return concatenated(*left_padding_, *right);
     }
@@ -42,7 +43,7 @@ class OuterJoin final : public TupleStream {
  private:
   // At the end of the left stream the right one is read once more, for what is left.
   Status begin_next_left() {
-    ASSIGN_OR_RETURN(current_, left_->next());
+    ALGEBRA3D_ASSIGN_OR_RETURN(current_, left_->next());
     is_matched_ = false;
     position_ = 0;
     partners_ = right_.scan();
@@ -50,7 +51,7 @@ class OuterJoin final : public TupleStream {
   }
 
   Result<TuplePtr> next_right() {
-    if (++steps_ % 4096 == 0) RETURN_IF_ERROR(context_.check_cancelled());
+    if (++steps_ % 4096 == 0) ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
     ++position_;
     return partners_->next();
   }
@@ -58,10 +59,10 @@ class OuterJoin final : public TupleStream {
   /// The current left tuple with its next partner; null if there is no more.
   Result<TuplePtr> next_pair() {
     while (true) {
-      ASSIGN_OR_RETURN(const TuplePtr right, next_right());
+      ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr right, next_right());
       if (right == nullptr) return TuplePtr();
       const std::array<Datum, 2> both = {Datum{current_}, Datum{right}};
-      ASSIGN_OR_RETURN(const Value holds, predicate_->call_for_value(both));
+      ALGEBRA3D_ASSIGN_OR_RETURN(const Value holds, predicate_->call_for_value(both));
       if (!is_true(holds)) continue;
       is_matched_ = true;
       has_partner_[position_ - 1] = true;
@@ -85,15 +86,16 @@ class OuterJoin final : public TupleStream {
   std::uint32_t steps_ = 0;
 };
 
-Result<Plan> map_symmouterjoin(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_symmouterjoin(std::span<const ArgumentType> arguments) {
   const MappingCheck check("symmouterjoin", arguments);
-  ASSIGN_OR_RETURN(const JoinTypes types, join_types(check));
-  RETURN_IF_ERROR(check.function(2, {types.left, types.right}, "bool"));
-  return Plan{TypeExpr::stream(types.joined), [types](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                ASSIGN_OR_RETURN(TupleBuffer right, buffered(*given[1].tuples(), context));
-                return Datum{TupleStreamPtr(std::make_shared<OuterJoin>(given[0].tuples(), std::move(right),
-                                                                        given[2].function_ptr(), types, context))};
-              }};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const JoinTypes types, join_types(check));
+  ALGEBRA3D_RETURN_IF_ERROR(check.function(2, {types.left, types.right}, "bool"));
+  return BoundOperator{
+      TypeExpr::stream(types.joined), [types](std::vector<Datum> given, Context& context) -> Result<Datum> {
+        ALGEBRA3D_ASSIGN_OR_RETURN(TupleBuffer right, buffered(*given[1].tuples(), context));
+        return Datum{TupleStreamPtr(
+            std::make_shared<OuterJoin>(given[0].tuples(), std::move(right), given[2].function_ptr(), types, context))};
+      }};
 }
 
 }  // namespace
@@ -104,21 +106,20 @@ void register_outer_join(algebra3d::Registry& registry) {
   registry.add({
       .name = "symmouterjoin",
       .syntax = "_ _ symmouterjoin[fun(TUPLE, TUPLE2)]",
-      .doc =
-          "The full outer join: the pairs for which the predicate is a defined TRUE, and every tuple without a partner "
-          "beside undefined values.",
-      .detail = "`.A` is an attribute of the first, `..B` of the second tuple. In the order of the first stream; then "
-                "come the tuples of the second that have no partner. The second stream is held, "
-                "beyond the memory of `set \"memory\"` in a temporary file.",
+      .doc = "The full outer join: the pairs for which the predicate is a defined TRUE, and every tuple without a "
+             "partner, padded with undefined values.",
+      .detail = "`.A` is an attribute of the first, `..B` of the second tuple. In the order of the first stream; "
+                "then come the tuples of the second that have no partner. The second stream is materialised, beyond "
+                "the memory of `set \"memory\"` in a temporary file.",
       .stream = stream_operator(map_symmouterjoin),
       .signatures = {"(stream(tuple) stream(tuple) (map tuple tuple bool)) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{left + right + "symmouterjoin[.A < ..B] consume",
-                    "((1 2) (2 undefined) (undefined undefined) (undefined 0) (undefined undefined))"}},
-      .errors = {{"query " + left + right + "symmouterjoin[.A] count",
-                  "symmouterjoin: expected a function that gives bool, got int"},
-                 {"query " + left + left + "symmouterjoin[TRUE] count",
-                  "symmouterjoin: the attribute 'A' would stand twice"}},
+      .query_examples = {{left + right + "symmouterjoin[.A < ..B] consume",
+                          "((1 2) (2 undefined) (undefined undefined) (undefined 0) (undefined undefined))"}},
+      .query_errors = {{"query " + left + right + "symmouterjoin[.A] count",
+                        "symmouterjoin: expected a function that gives bool, got int"},
+                       {"query " + left + left + "symmouterjoin[TRUE] count",
+                        "symmouterjoin: duplicate attribute name 'A'"}},
   });
 }
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "algebra3d/base/number_text.h"
+#include "algebra3d/base/text.h"
 #include "algebra3d/types/utf8.h"
-#include "stl/text.h"
 
 namespace queries {
 
@@ -93,7 +93,7 @@ std::string_view without_blanks(std::string_view text) {
 std::string quoted_excerpt(std::string_view text) {
   constexpr std::size_t kLongest = 60;
   const std::string_view kept = algebra3d::utf8_prefix(text, kLongest);
-  return fmt::format("\"{}{}\"", stl::one_line(kept), kept.size() < text.size() ? "..." : "");
+  return fmt::format("\"{}{}\"", algebra3d::one_line(kept), kept.size() < text.size() ? "..." : "");
 }
 
 PlainKind plain_kind(std::string_view text) {

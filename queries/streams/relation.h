@@ -19,24 +19,24 @@ class Relation {
 
   virtual const TypeExpr& tuple_type() const = 0;
   virtual Result<std::int64_t> count() const = 0;
-  /// All tuples in storage order. The stream sees the relation as at its first `next`.
+  /// A stream of all tuples in storage order. It shows the relation as it is at the first `next`.
   virtual Result<TupleStreamPtr> scan() = 0;
-  /// The tuple of that id, or null.
+  /// The tuple with this id, or null.
   virtual Result<TuplePtr> fetch(TupleId id) = 0;
-  /// Name of the stored relation; empty for one in memory.
+  /// Name of a stored relation; empty for a relation in memory.
   virtual std::string name() const { return {}; }
 
-  // Changes: stored relations only; indexes on the relation follow. Errors on others: wrong_usage.
+  // Changes of a stored relation; its indexes are updated. Errors: wrong_usage for a relation in memory.
   virtual Result<TupleId> insert(const Tuple& tuple);
   virtual Status erase(TupleId id);
   virtual Status update(TupleId id, const Tuple& tuple);
 };
 using RelationPtr = std::shared_ptr<Relation>;
 
-/// A relation that lives as long as its statement; its tuples keep the ids that they came with.
+/// A relation that exists for one statement. Its tuples keep their ids.
 class MemoryRelation final : public Relation {
  public:
-  /// Of tuples that nobody adds to any more.
+  /// `tuples` must not be added to afterwards.
   MemoryRelation(TypeExpr tuple_type, TupleBuffer tuples)
       : tuple_type_(std::move(tuple_type)), tuples_(std::move(tuples)) {}
 

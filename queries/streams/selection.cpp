@@ -5,29 +5,29 @@
 
 #include "algebra3d/types/scalars.h"
 #include "queries/streams/all.h"
-#include "queries/streams/any_stream.h"
-#include "queries/streams/element_buffer.h"
-#include "queries/streams/kept_elements.h"
+#include "queries/streams/detail/any_stream.h"
+#include "queries/streams/detail/element_buffer.h"
+#include "queries/streams/detail/kept_elements.h"
 
 namespace queries {
 namespace {
 
-Result<Plan> map_filter(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_filter(std::span<const ArgumentType> arguments) {
   const MappingCheck check("filter", arguments);
-  ASSIGN_OR_RETURN(const TypeExpr element, check.any_stream(0));
-  RETURN_IF_ERROR(check.function(1, {element}, "bool"));
-  return Plan{
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr element, check.any_stream(0));
+  ALGEBRA3D_RETURN_IF_ERROR(check.function(1, {element}, "bool"));
+  return BoundOperator{
       TypeExpr::stream(element), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
         return visit_stream(given[0], [&]<typename Stream>(const std::shared_ptr<Stream>& stream) {
           return Result<Datum>(Datum{make_stream_of<Stream>([stream, predicate = given[1].function_ptr(), &context,
                                                              step = 0U]() mutable -> Result<ElementOf<Stream>> {
             while (true) {
-              ASSIGN_OR_RETURN(ElementOf<Stream> next, stream->next());
+              ALGEBRA3D_ASSIGN_OR_RETURN(ElementOf<Stream> next, stream->next());
               if (!next) return next;
               const Datum argument = element_datum(next);
-              ASSIGN_OR_RETURN(const Value holds, predicate->call_for_value({&argument, 1}));
+              ALGEBRA3D_ASSIGN_OR_RETURN(const Value holds, predicate->call_for_value({&argument, 1}));
               if (is_true(holds)) return next;
-              if (++step % 1024 == 0) RETURN_IF_ERROR(context.check_cancelled());
+              if (++step % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
             }
           })});
         });
@@ -40,20 +40,20 @@ std::size_t element_count(const Datum& datum) {
   return value.is_defined() ? static_cast<std::size_t>(std::max<std::int64_t>(0, value.get<std::int64_t>())) : 0;
 }
 
-Result<Plan> map_head(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_head(std::span<const ArgumentType> arguments) {
   const MappingCheck check("head", arguments);
-  ASSIGN_OR_RETURN(const TypeExpr element, check.any_stream(0));
-  RETURN_IF_ERROR(check.type(1, "int"));
-  return Plan{TypeExpr::stream(element), [](std::vector<Datum> given, Context&) -> Result<Datum> {
-                return visit_stream(given[0], [&]<typename Stream>(const std::shared_ptr<Stream>& stream) {
-                  return Result<Datum>(Datum{make_stream_of<Stream>(
-                      [stream, left = element_count(given[1])]() mutable -> Result<ElementOf<Stream>> {
-                        if (left == 0) return ElementOf<Stream>();
-                        --left;
-                        return stream->next();
-                      })});
-                });
-              }};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr element, check.any_stream(0));
+  ALGEBRA3D_RETURN_IF_ERROR(check.type(1, "int"));
+  return BoundOperator{TypeExpr::stream(element), [](std::vector<Datum> given, Context&) -> Result<Datum> {
+                         return visit_stream(given[0], [&]<typename Stream>(const std::shared_ptr<Stream>& stream) {
+                           return Result<Datum>(Datum{make_stream_of<Stream>(
+                               [stream, left = element_count(given[1])]() mutable -> Result<ElementOf<Stream>> {
+                                 if (left == 0) return ElementOf<Stream>();
+                                 --left;
+                                 return stream->next();
+                               })});
+                         });
+                       }};
 }
 
 // Two buffers: when the newer one holds as many as are wanted, the older one goes.
@@ -61,7 +61,7 @@ template <typename Stream>
 Result<std::shared_ptr<Stream>> last_elements(Stream& stream, std::size_t count, const Context& context) {
   ElementBuffer<Stream> older(context);
   ElementBuffer<Stream> newer(context);
-  RETURN_IF_ERROR(for_each_element(stream, context, [&](const auto& element) -> Status {
+  ALGEBRA3D_RETURN_IF_ERROR(for_each_element(stream, context, [&](const auto& element) -> Status {
     if (count == 0) return {};
     if (newer.size() == count) older = std::exchange(newer, ElementBuffer<Stream>(context));
     return newer.add(element);
@@ -74,7 +74,7 @@ Result<std::shared_ptr<Stream>> last_elements(Stream& stream, std::size_t count,
 template <typename Stream>
 Result<std::shared_ptr<Stream>> reversed(Stream& stream, const Context& context) {
   KeptElements<Stream> kept("tail", context);
-  RETURN_IF_ERROR(for_each_element(stream, context, [&](const auto& element) { return kept.add(element); }));
+  ALGEBRA3D_RETURN_IF_ERROR(for_each_element(stream, context, [&](const auto& element) { return kept.add(element); }));
   return make_stream_of<Stream>([kept = std::move(kept)]() mutable -> Result<ElementOf<Stream>> {
     if (kept.elements().empty()) return ElementOf<Stream>();
     ElementOf<Stream> next = std::move(kept.elements().back());
@@ -83,22 +83,22 @@ Result<std::shared_ptr<Stream>> reversed(Stream& stream, const Context& context)
   });
 }
 
-Result<Plan> map_tail(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_tail(std::span<const ArgumentType> arguments) {
   const MappingCheck check("tail", arguments);
-  ASSIGN_OR_RETURN(const TypeExpr element, check.any_stream(0));
-  RETURN_IF_ERROR(check.argument_count(2, 3));
-  RETURN_IF_ERROR(check.type(1, "int"));
-  if (check.count() == 3) RETURN_IF_ERROR(check.type(2, "bool"));
-  return Plan{TypeExpr::stream(element), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                const bool keep_order =
-                    given.size() < 3 || !given[2].value().is_defined() || given[2].value().get<bool>();
-                return visit_stream(given[0], [&](const auto& stream) -> Result<Datum> {
-                  ASSIGN_OR_RETURN(auto last, last_elements(*stream, element_count(given[1]), context));
-                  if (keep_order) return Datum{std::move(last)};
-                  ASSIGN_OR_RETURN(auto backwards, reversed(*last, context));
-                  return Datum{std::move(backwards)};
-                });
-              }};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr element, check.any_stream(0));
+  ALGEBRA3D_RETURN_IF_ERROR(check.argument_count(2, 3));
+  ALGEBRA3D_RETURN_IF_ERROR(check.type(1, "int"));
+  if (check.count() == 3) ALGEBRA3D_RETURN_IF_ERROR(check.type(2, "bool"));
+  return BoundOperator{
+      TypeExpr::stream(element), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+        const bool keep_order = given.size() < 3 || !given[2].value().is_defined() || given[2].value().get<bool>();
+        return visit_stream(given[0], [&](const auto& stream) -> Result<Datum> {
+          ALGEBRA3D_ASSIGN_OR_RETURN(auto last, last_elements(*stream, element_count(given[1]), context));
+          if (keep_order) return Datum{std::move(last)};
+          ALGEBRA3D_ASSIGN_OR_RETURN(auto backwards, reversed(*last, context));
+          return Datum{std::move(backwards)};
+        });
+      }};
 }
 
 /// Elements n, 2n, 3n and so on, or element n alone.
@@ -107,9 +107,9 @@ Datum every_nth(const std::shared_ptr<Stream>& stream, std::size_t distance, boo
   return Datum{make_stream_of<Stream>([stream, distance, once, &context, is_done = distance == 0,
                                        position = std::uint64_t{0}]() mutable -> Result<ElementOf<Stream>> {
     while (!is_done) {
-      ASSIGN_OR_RETURN(ElementOf<Stream> next, stream->next());
+      ALGEBRA3D_ASSIGN_OR_RETURN(ElementOf<Stream> next, stream->next());
       if (!next) break;
-      if (++position % 1024 == 0) RETURN_IF_ERROR(context.check_cancelled());
+      if (++position % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
       if (position % distance != 0) continue;
       is_done = once;
       return next;
@@ -118,18 +118,18 @@ Datum every_nth(const std::shared_ptr<Stream>& stream, std::size_t distance, boo
   })};
 }
 
-Result<Plan> map_nth(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_nth(std::span<const ArgumentType> arguments) {
   const MappingCheck check("nth", arguments);
-  ASSIGN_OR_RETURN(const TypeExpr element, check.any_stream(0));
-  RETURN_IF_ERROR(check.argument_count(2, 3));
-  RETURN_IF_ERROR(check.type(1, "int"));
-  if (check.count() == 3) RETURN_IF_ERROR(check.type(2, "bool"));
-  return Plan{TypeExpr::stream(element), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                const bool once = given.size() == 3 && is_true(given[2].value());
-                return visit_stream(given[0], [&](const auto& stream) {
-                  return Result<Datum>(every_nth(stream, element_count(given[1]), once, context));
-                });
-              }};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr element, check.any_stream(0));
+  ALGEBRA3D_RETURN_IF_ERROR(check.argument_count(2, 3));
+  ALGEBRA3D_RETURN_IF_ERROR(check.type(1, "int"));
+  if (check.count() == 3) ALGEBRA3D_RETURN_IF_ERROR(check.type(2, "bool"));
+  return BoundOperator{TypeExpr::stream(element), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                         const bool once = given.size() == 3 && is_true(given[2].value());
+                         return visit_stream(given[0], [&](const auto& stream) {
+                           return Result<Datum>(every_nth(stream, element_count(given[1]), once, context));
+                         });
+                       }};
 }
 
 // Reservoir sampling, with a generator of its own whose numbers are the same everywhere, so that the same stream gives
@@ -142,7 +142,7 @@ Result<Datum> drawn(Stream& stream, std::size_t count, const Context& context) {
   ElementBuffer<Stream> put_aside(context);
   std::vector<std::uint64_t> numbers;  // of what was put aside
   std::uint64_t seen = 0;
-  RETURN_IF_ERROR(for_each_element(stream, context, [&](const auto& element) -> Status {
+  ALGEBRA3D_RETURN_IF_ERROR(for_each_element(stream, context, [&](const auto& element) -> Status {
     const std::uint64_t number = seen++;
     const std::uint64_t place = number < count ? number : generator() % seen;
     if (place >= count) return {};
@@ -156,7 +156,7 @@ Result<Datum> drawn(Stream& stream, std::size_t count, const Context& context) {
                                        scan = put_aside.scan(), wanted = std::size_t{0},
                                        position = std::size_t{0}]() mutable -> Result<ElementOf<Stream>> {
     while (wanted < sample.size()) {
-      ASSIGN_OR_RETURN(ElementOf<Stream> next, scan->next());
+      ALGEBRA3D_ASSIGN_OR_RETURN(ElementOf<Stream> next, scan->next());
       if (numbers[position++] != sample[wanted]) continue;
       ++wanted;
       return next;
@@ -165,24 +165,25 @@ Result<Datum> drawn(Stream& stream, std::size_t count, const Context& context) {
   })};
 }
 
-Result<Plan> map_some(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_some(std::span<const ArgumentType> arguments) {
   const MappingCheck check("some", arguments);
-  ASSIGN_OR_RETURN(const TypeExpr element, check.any_stream(0));
-  RETURN_IF_ERROR(check.type(1, "int"));
-  return Plan{TypeExpr::stream(element), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                return visit_stream(
-                    given[0], [&](const auto& stream) { return drawn(*stream, element_count(given[1]), context); });
-              }};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr element, check.any_stream(0));
+  ALGEBRA3D_RETURN_IF_ERROR(check.type(1, "int"));
+  return BoundOperator{TypeExpr::stream(element), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                         return visit_stream(given[0], [&](const auto& stream) {
+                           return drawn(*stream, element_count(given[1]), context);
+                         });
+                       }};
 }
 
-Result<Plan> map_exist(std::span<const ArgumentType> arguments) {
-  RETURN_IF_ERROR(MappingCheck("exist", arguments).any_stream(0));
-  return Plan{"bool", [](std::vector<Datum> given, Context&) -> Result<Datum> {
-                return visit_stream(given[0], [](const auto& stream) -> Result<Datum> {
-                  ASSIGN_OR_RETURN(const auto first, stream->next());
-                  return Datum{Value::of<bool>(static_cast<bool>(first))};
-                });
-              }};
+Result<BoundOperator> map_exist(std::span<const ArgumentType> arguments) {
+  ALGEBRA3D_RETURN_IF_ERROR(MappingCheck("exist", arguments).any_stream(0));
+  return BoundOperator{"bool", [](std::vector<Datum> given, Context&) -> Result<Datum> {
+                         return visit_stream(given[0], [](const auto& stream) -> Result<Datum> {
+                           ALGEBRA3D_ASSIGN_OR_RETURN(const auto first, stream->next());
+                           return Datum{Value::of<bool>(static_cast<bool>(first))};
+                         });
+                       }};
 }
 
 }  // namespace
@@ -198,12 +199,12 @@ void register_selection(algebra3d::Registry& registry) {
                      "(stream(DATA) (map DATA bool)) -> "
                      "stream(DATA)"},
       .handles_undefined = true,
-      .examples = {{"intstream(1, 10) transformstream filter[.Elem > 8] consume", "((9) (10))"},
-                   {"intstream(1, 10) filter[. mod 3 = 0] count", "3"},
-                   {"intstream(1, 3) transformstream filter[[const bool value undefined]] count", "0"}},
-      .errors = {{"query intstream(1, 3) transformstream filter[.Elem] count",
-                  "filter: expected a function that gives bool, got int"},
-                 {"query 5 filter[TRUE]", "filter: expected a stream as operand 1, got int"}},
+      .query_examples = {{"intstream(1, 10) transformstream filter[.Elem > 8] consume", "((9) (10))"},
+                         {"intstream(1, 10) filter[. mod 3 = 0] count", "3"},
+                         {"intstream(1, 3) transformstream filter[[const bool value undefined]] count", "0"}},
+      .query_errors = {{"query intstream(1, 3) transformstream filter[.Elem] count",
+                        "filter: expected a function that gives bool, got int"},
+                       {"query 5 filter[TRUE]", "filter: expected a stream as operand 1, got int"}},
   });
   registry.add({
       .name = "head",
@@ -213,11 +214,11 @@ void register_selection(algebra3d::Registry& registry) {
       .stream = stream_operator(map_head),
       .signatures = {"(stream(tuple) int) -> stream(tuple)", "(stream(DATA) int) -> stream(DATA)"},
       .handles_undefined = true,
-      .examples = {{"intstream(1, 10) transformstream head[2] consume", "((1) (2))"},
-                   {"intstream(1, 10) head[4] count", "4"},
-                   {"intstream(1, 10) transformstream head[[const int value undefined]] count", "0"}},
-      .errors = {{"query intstream(1, 3) transformstream head[1.5] count", "head: expected int, got real"},
-                 {"query 5 head[1]", "head: expected a stream, got int"}},
+      .query_examples = {{"intstream(1, 10) transformstream head[2] consume", "((1) (2))"},
+                         {"intstream(1, 10) head[4] count", "4"},
+                         {"intstream(1, 10) transformstream head[[const int value undefined]] count", "0"}},
+      .query_errors = {{"query intstream(1, 3) transformstream head[1.5] count", "head: expected int, got real"},
+                       {"query 5 head[1]", "head: expected a stream, got int"}},
   });
   registry.add({
       .name = "tail",
@@ -228,10 +229,10 @@ void register_selection(algebra3d::Registry& registry) {
       .signatures = {"(stream(tuple) int) -> stream(tuple)", "(stream(tuple) int bool) -> stream(tuple)",
                      "(stream(DATA) int) -> stream(DATA)", "(stream(DATA) int bool) -> stream(DATA)"},
       .handles_undefined = true,
-      .examples = {{"intstream(1, 10) transformstream tail[2] consume", "((9) (10))"},
-                   {"intstream(1, 10) tail[2, FALSE] transformstream consume", "((10) (9))"},
-                   {"intstream(1, 10) transformstream tail[[const int value undefined]] count", "0"}},
-      .errors = {{"query intstream(1, 3) transformstream tail[1, 2] count", "tail: expected bool, got int"}},
+      .query_examples = {{"intstream(1, 10) transformstream tail[2] consume", "((9) (10))"},
+                         {"intstream(1, 10) tail[2, FALSE] transformstream consume", "((10) (9))"},
+                         {"intstream(1, 10) transformstream tail[[const int value undefined]] count", "0"}},
+      .query_errors = {{"query intstream(1, 3) transformstream tail[1, 2] count", "tail: expected bool, got int"}},
   });
   registry.add({
       .name = "nth",
@@ -242,11 +243,11 @@ void register_selection(algebra3d::Registry& registry) {
       .signatures = {"(stream(tuple) int) -> stream(tuple)", "(stream(tuple) int bool) -> stream(tuple)",
                      "(stream(DATA) int) -> stream(DATA)", "(stream(DATA) int bool) -> stream(DATA)"},
       .handles_undefined = true,
-      .examples = {{"intstream(1, 10) transformstream nth[4] consume", "((4) (8))"},
-                   {"intstream(1, 10) transformstream nth[4, TRUE] consume", "((4))"},
-                   {"intstream(1, 10) nth[[const int value undefined]] count", "0"}},
-      .errors = {{"query intstream(1, 3) nth[TRUE] count", "nth: expected int, got bool"},
-                 {"query intstream(1, 3) nth[1, 2] count", "nth: expected bool, got int"}},
+      .query_examples = {{"intstream(1, 10) transformstream nth[4] consume", "((4) (8))"},
+                         {"intstream(1, 10) transformstream nth[4, TRUE] consume", "((4))"},
+                         {"intstream(1, 10) nth[[const int value undefined]] count", "0"}},
+      .query_errors = {{"query intstream(1, 3) nth[TRUE] count", "nth: expected int, got bool"},
+                       {"query intstream(1, 3) nth[1, 2] count", "nth: expected bool, got int"}},
   });
   registry.add({
       .name = "some",
@@ -258,11 +259,11 @@ void register_selection(algebra3d::Registry& registry) {
       .stream = stream_operator(map_some),
       .signatures = {"(stream(tuple) int) -> stream(tuple)", "(stream(DATA) int) -> stream(DATA)"},
       .handles_undefined = true,
-      .examples = {{"intstream(1, 100) some[7] count", "7"},
-                   {"intstream(1, 3) transformstream some[7] consume", "((1) (2) (3))"},
-                   {"intstream(1, 10) some[[const int value undefined]] count", "0"}},
-      .errors = {{"query intstream(1, 3) some[1.5] count", "some: expected int, got real"},
-                 {"query 5 some[1] count", "some: expected a stream, got int"}},
+      .query_examples = {{"intstream(1, 100) some[7] count", "7"},
+                         {"intstream(1, 3) transformstream some[7] consume", "((1) (2) (3))"},
+                         {"intstream(1, 10) some[[const int value undefined]] count", "0"}},
+      .query_errors = {{"query intstream(1, 3) some[1.5] count", "some: expected int, got real"},
+                       {"query 5 some[1] count", "some: expected a stream, got int"}},
   });
   registry.add({
       .name = "exist",
@@ -272,12 +273,12 @@ void register_selection(algebra3d::Registry& registry) {
       .stream = stream_operator(map_exist),
       .signatures = {"(stream(tuple)) -> bool", "(stream(DATA)) -> bool"},
       .handles_undefined = true,
-      .examples = {{"intstream(1, 10) transformstream filter[.Elem > 9] exist", "TRUE"},
-                   {"intstream(1, 10) filter[. > 10] exist", "FALSE"},
-                   {"[const int value undefined] feed exist", "TRUE"}},
-      .errors = {{"query 5 exist", "exist: expected a stream, got int"},
-                 {"query [const rel(tuple([A: int])) value ()] exist",
-                  "exist: expected a stream of tuples (write `feed` after the relation), got (rel"}},
+      .query_examples = {{"intstream(1, 10) transformstream filter[.Elem > 9] exist", "TRUE"},
+                         {"intstream(1, 10) filter[. > 10] exist", "FALSE"},
+                         {"[const int value undefined] feed exist", "TRUE"}},
+      .query_errors = {{"query 5 exist", "exist: expected a stream, got int"},
+                       {"query [const rel(tuple([A: int])) value ()] exist",
+                        "exist: expected a stream of tuples (write `feed` after the relation), got (rel"}},
   });
 }
 

@@ -1,33 +1,16 @@
 #pragma once
 
-#include <memory>
-#include <string>
+#include <cstdint>
 
 #include "queries/streams/datum.h"
+#include "queries/streams/index_object.h"
 #include "rtree/rtree.h"
 
 namespace queries {
 
-/// An rtree object: the boxes of one attribute with the ids of their tuples.
-/// It is either a definition on a stored relation, whose tree the store keeps up to date, or a frozen copy of a stream.
-class SpatialIndex {
- public:
-  using Tree = rtree::RTree<std::uint64_t>;
-
-  /// `relation` is the name of the stored relation that the index follows; empty for a frozen copy.
-  SpatialIndex(std::string relation, std::string attribute, std::shared_ptr<Tree> tree)
-      : relation_(std::move(relation)), attribute_(std::move(attribute)), tree_(std::move(tree)) {}
-
-  const std::string& relation() const { return relation_; }
-  const std::string& attribute() const { return attribute_; }
-  bool is_definition() const { return !relation_.empty(); }
-  const Tree& tree() const { return *tree_; }
-  Tree& tree() { return *tree_; }
-
- private:
-  std::string relation_;
-  std::string attribute_;
-  std::shared_ptr<Tree> tree_;
+/// An rtree object: an index on the boxes of one attribute.
+class SpatialIndex : public IndexObject<rtree::RTree<std::uint64_t>> {
+  using IndexObject::IndexObject;
 };
 
 }  // namespace queries

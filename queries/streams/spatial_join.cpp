@@ -1,9 +1,10 @@
 // itSpatialJoin: pairs of tuples whose boxes meet.
+#include "algebra3d/registry/operator.h"
 #include "algebra3d/types/scalars.h"
 #include "queries/streams/all.h"
+#include "queries/streams/detail/block_join.h"
+#include "queries/streams/detail/spatial_attribute.h"
 #include "queries/streams/mapping.h"
-#include "queries/streams/partwise_join.h"
-#include "queries/streams/spatial_attribute.h"
 
 namespace queries {
 namespace {
@@ -12,10 +13,10 @@ using algebra3d::Box3;
 using Tree = SpatialIndex::Tree;
 using Entry = rtree::Entry<std::uint64_t>;
 
-/// Tuples with an R-tree over the boxes of one attribute: the table of a PartwiseJoin.
+/// Tuples with an R-tree over the boxes of one attribute: the table of a BlockJoin.
 class BoxTable {
  public:
-  /// `key` of the tuples that are held, `probe` of those that ask.
+  /// Attribute numbers: `key` of the tuples in the tree, `probe` of those that look them up.
   BoxTable(std::size_t key, std::size_t probe, const Context& context)
       : key_(key), probe_(probe), account_(context.memory) {}
 
@@ -50,22 +51,22 @@ class BoxTable {
 };
 
 TypeMapping map_spatial_join(const algebra3d::Registry& registry) {
-  return [&registry](std::span<const ArgumentType> arguments) -> Result<Plan> {
+  return [&registry](std::span<const ArgumentType> arguments) -> Result<BoundOperator> {
     const MappingCheck check("itSpatialJoin", arguments);
-    ASSIGN_OR_RETURN(const TypeExpr left, check.stream(0));
-    ASSIGN_OR_RETURN(const TypeExpr right, check.stream(1));
-    RETURN_IF_ERROR(check.argument_count(4, 7));
-    for (std::size_t place = 4; place < check.count(); ++place) RETURN_IF_ERROR(check.type(place, "int"));
-    ASSIGN_OR_RETURN(const std::size_t left_key, spatial_attribute(registry, check, 2, left));
-    ASSIGN_OR_RETURN(const std::size_t right_key, spatial_attribute(registry, check, 3, right));
-    ASSIGN_OR_RETURN(const TypeExpr joined, check.concatenated(left, right));
-    return Plan{TypeExpr::stream(joined), [=](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                  const auto combine = [](const Tuple& held, const Tuple& passing) {
-                    return concatenated(held, passing);
-                  };
-                  return Datum{partwise_join(given[0].tuples(), given[1].tuples(),
-                                             BoxTable(left_key, right_key, context), combine, context)};
-                }};
+    ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr left, check.stream(0));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr right, check.stream(1));
+    ALGEBRA3D_RETURN_IF_ERROR(check.argument_count(4, 7));
+    for (std::size_t place = 4; place < check.count(); ++place) ALGEBRA3D_RETURN_IF_ERROR(check.type(place, "int"));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t left_key, spatial_attribute(registry, check, 2, left));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t right_key, spatial_attribute(registry, check, 3, right));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr joined, check.concatenated(left, right));
+    return BoundOperator{TypeExpr::stream(joined), [=](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                           const auto combine = [](const Tuple& build, const Tuple& probe) {
+                             return concatenated(build, probe);
+                           };
+                           return Datum{block_join(given[0].tuples(), given[1].tuples(),
+                                                   BoxTable(left_key, right_key, context), combine, context)};
+                         }};
   };
 }
 
@@ -84,15 +85,16 @@ void register_spatial_join(algebra3d::Registry& registry) {
           "The first stream is held in memory with an R-tree over it, part by part if it does not fit into the "
           "memory of `set \"memory\"`. Touching counts. Up to three ints (node sizes and memory) are accepted and "
           "not needed.",
+      .cost = algebra3d::Cost::sorting,
       .stream = stream_operator(map_spatial_join(registry)),
       .signatures = {"(stream(tuple) stream(tuple) NAME NAME) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{boxes + "{a} " + boxes + "{b} itSpatialJoin[B_a, B_b] project[No_a, No_b] consume",
-                    "((1 1) (2 2))"}},
-      .errors = {{"query " + boxes + boxes + "itSpatialJoin[B, B] count",
-                  "itSpatialJoin: the attribute 'No' would stand twice"},
-                 {"query " + boxes + "{a} " + boxes + "{b} itSpatialJoin[No_a, B_b] count",
-                  "itSpatialJoin: expected an attribute of kind SPATIAL2D or SPATIAL3D, got int"}},
+      .query_examples = {{boxes + "{a} " + boxes + "{b} itSpatialJoin[B_a, B_b] project[No_a, No_b] consume",
+                          "((1 1) (2 2))"}},
+      .query_errors = {{"query " + boxes + boxes + "itSpatialJoin[B, B] count",
+                        "itSpatialJoin: duplicate attribute name 'No'"},
+                       {"query " + boxes + "{a} " + boxes + "{b} itSpatialJoin[No_a, B_b] count",
+                        "itSpatialJoin: expected an attribute of kind SPATIAL2D or SPATIAL3D, got int"}},
   });
 }
 

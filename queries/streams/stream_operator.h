@@ -11,8 +11,8 @@
 
 namespace queries {
 
-/// One argument of a stream operator as its type mapping sees it. What stands in each member follows from the kind of
-/// the place in the operator's syntax pattern (SyntaxPattern::PlaceKind).
+/// One argument of a stream operator as its type mapping sees it. The kind of its place in the syntax pattern
+/// (SyntaxPattern::PlaceKind) says which members are set.
 struct ArgumentType {
   /// Operands and `_` places: the type of the expression. `fun` places: `(map P... R)`.
   TypeExpr type;
@@ -25,31 +25,32 @@ struct ArgumentType {
   std::vector<TypeExpr> types;
   /// For an int constant written as a literal: its value (node sizes, bucket counts and the like).
   std::optional<std::int64_t> literal;
-  /// Gives the value of an operand or `_` place that is the same whenever the query runs: of a literal, or of what
-  /// stands in no function. Null for all others. Costs what its evaluation costs.
+  /// Evaluates an operand or `_` place whose value is the same in every run: a literal, or an expression outside of
+  /// functions. Null for all others.
   std::function<Result<Value>()> constant;
 };
 
-/// A checked application: its type, and how it is evaluated. `arguments` holds per place: the evaluated expression
-/// (operands, `_`), a Function (`fun`), a list of Functions (`functions`), or an empty list (name places).
-struct Plan {
+/// An operator bound to the types of its arguments: the type of the result, and the function that computes it.
+/// `arguments` holds per place: the evaluated expression (operands, `_`), a Function (`fun`), a list of Functions
+/// (`functions`), or an empty list (name places).
+struct BoundOperator {
   TypeExpr type;
   std::function<Result<Datum>(std::vector<Datum> arguments, algebra3d::Context& context)> run;
 };
 
-/// The type mapping: from argument types to the plan. Errors: type_error "filter: expected ..., got ...".
-using TypeMapping = std::function<Result<Plan>(std::span<const ArgumentType> arguments)>;
+/// The type mapping: binds an operator to argument types. Errors: type_error "filter: expected ..., got ...".
+using TypeMapping = std::function<Result<BoundOperator>(std::span<const ArgumentType> arguments)>;
 
-/// The same for an operator whose result type depends on more than types: it may read files, and it reports to
-/// `context`, which outlives the call.
+/// A type mapping that may read files to find the result type, as that of importCSV does. It reports to `context`,
+/// which outlives the call.
 using ReadingTypeMapping =
-    std::function<Result<Plan>(std::span<const ArgumentType> arguments, algebra3d::Context& context)>;
+    std::function<Result<BoundOperator>(std::span<const ArgumentType> arguments, algebra3d::Context& context)>;
 
 /// The implementation of an operator over streams, relations, tuples and functions.
 class StreamOperator final : public algebra3d::StreamImplementation {
  public:
   explicit StreamOperator(ReadingTypeMapping mapping) : mapping_(std::move(mapping)) {}
-  Result<Plan> plan(std::span<const ArgumentType> arguments, algebra3d::Context& context) const {
+  Result<BoundOperator> bind(std::span<const ArgumentType> arguments, algebra3d::Context& context) const {
     return mapping_(arguments, context);
   }
 
@@ -69,7 +70,7 @@ inline std::shared_ptr<const algebra3d::StreamImplementation> stream_operator(Ty
 
 /// The type that a pseudo parameter type of a syntax pattern stands for, given the operand types: TUPLE (tuple type of
 /// operand 1), TUPLE2 (of operand 2), STREAMELEM (element type of operand 1), GROUP (relation of operand 1's tuples).
-/// Errors: type_error if the operand is no stream or relation.
+/// Errors: type_error if the operand is not a stream or relation.
 Result<TypeExpr> pseudo_type(const std::string& name, std::span<const TypeExpr> operands);
 
 }  // namespace queries

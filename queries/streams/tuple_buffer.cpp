@@ -24,7 +24,7 @@ Status TupleBuffer::add(TuplePtr tuple) {
     return {};
   }
   if (content.rest == nullptr) {
-    ASSIGN_OR_RETURN(content.rest, TupleFile::make(*content.context));
+    ALGEBRA3D_ASSIGN_OR_RETURN(content.rest, TupleFile::make(*content.context));
   }
   return content.rest->append(*tuple);
 }
@@ -51,7 +51,7 @@ TupleStreamPtr TupleBuffer::scan() const {
 }
 
 Result<TuplePtr> TupleBuffer::find(TupleId id) const {
-  if (content_->places.empty()) RETURN_IF_ERROR(find_places(*content_));
+  if (content_->places.empty()) ALGEBRA3D_RETURN_IF_ERROR(find_places(*content_));
   const auto found = content_->places.find(id);
   if (found == content_->places.end()) return TuplePtr();
   const std::size_t in_memory = content_->first.size();
@@ -65,7 +65,7 @@ Status TupleBuffer::find_places(Content& content) {
   const auto scan = content.rest->scan(0, content.rest->end());
   while (true) {
     const std::uint64_t place = content.first.size() + scan->position();
-    ASSIGN_OR_RETURN(const TuplePtr tuple, scan->next());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr tuple, scan->next());
     if (tuple == nullptr) return {};
     content.places.try_emplace(tuple->id, place);
   }
@@ -73,7 +73,7 @@ Status TupleBuffer::find_places(Content& content) {
 
 Result<TupleBuffer> buffered(TupleStream& stream, const Context& context) {
   TupleBuffer buffer(context);
-  RETURN_IF_ERROR(for_each_tuple(stream, context, [&](const TuplePtr& tuple) { return buffer.add(tuple); }));
+  ALGEBRA3D_RETURN_IF_ERROR(for_each_tuple(stream, context, [&](const TuplePtr& tuple) { return buffer.add(tuple); }));
   return buffer;
 }
 

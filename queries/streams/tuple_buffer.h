@@ -7,22 +7,22 @@
 #include "algebra3d/base/context.h"
 #include "algebra3d/base/work_memory.h"
 #include "queries/streams/datum.h"
-#include "queries/streams/tuple_file.h"
+#include "queries/streams/detail/tuple_file.h"
 
 namespace queries {
 
-/// What a tuple takes in memory with its values, about.
+/// Estimated memory of a tuple with its values.
 std::size_t heap_bytes(const Tuple& tuple);
 
-/// Tuples put aside to be read again, in the order in which they came: the first ones in memory, as long as there is
-/// some, the rest in a temporary file. First filled, then read any number of times; what was filled stays as it is
-/// while a scan lives. Copies share their tuples. Cost of a tuple: constant.
+/// A sequence of tuples to be read again: the first ones in memory while the work memory lasts, the rest in a temporary
+/// file. Filled first, then read any number of times; do not add tuples while a scan exists. Copies share their tuples.
+/// Cost per tuple: constant.
 class TupleBuffer {
  public:
   explicit TupleBuffer(const algebra3d::Context& context) : content_(std::make_shared<Content>(context.memory)) {
     content_->context = &context;
   }
-  /// Tuples that are in memory already, for as long as anybody wants them.
+  /// A buffer of tuples that are in memory already.
   explicit TupleBuffer(std::vector<TuplePtr> tuples);
 
   /// Errors: those of the temporary file.
@@ -30,7 +30,7 @@ class TupleBuffer {
   std::size_t size() const { return content_->size; }
   bool is_empty() const { return size() == 0; }
   TupleStreamPtr scan() const;
-  /// The first tuple with that id, or null. The first call reads all tuples and keeps 16 bytes for each.
+  /// The first tuple with this id, or null. The first call reads all tuples and keeps 16 bytes for each.
   Result<TuplePtr> find(TupleId id) const;
 
  private:
@@ -41,7 +41,7 @@ class TupleBuffer {
     std::vector<TuplePtr> first;
     std::shared_ptr<TupleFile> rest;
     std::size_t size = 0;
-    std::unordered_map<TupleId, std::uint64_t> places;  // index in `first`, or beyond it the place in the file
+    std::unordered_map<TupleId, std::uint64_t> places;  // index in `first`; beyond it the position in the file
   };
   class Scan;
   static Status find_places(Content& content);
@@ -49,7 +49,7 @@ class TupleBuffer {
   std::shared_ptr<Content> content_;
 };
 
-/// Everything that comes out of a stream. Errors: those of the stream, interrupted.
+/// Reads a stream to its end. Errors: those of the stream, interrupted.
 Result<TupleBuffer> buffered(TupleStream& stream, const algebra3d::Context& context);
 
 }  // namespace queries

@@ -1,6 +1,6 @@
 // updatedirect, updatebyid: tuples of stored relations get new values.
 #include "queries/streams/all.h"
-#include "queries/streams/relation_changes.h"
+#include "queries/streams/detail/relation_changes.h"
 
 namespace queries {
 namespace {
@@ -13,10 +13,10 @@ struct Assignments {
 
 Result<Assignments> assignments(const MappingCheck& check, std::size_t position, const TypeExpr& tuple) {
   Assignments result;
-  ASSIGN_OR_RETURN(result.attributes, check.distinct_attributes(position, tuple));
+  ALGEBRA3D_ASSIGN_OR_RETURN(result.attributes, check.distinct_attributes(position, tuple));
   for (std::size_t i = 0; i < result.attributes.size(); ++i) {
     const auto& [name, wanted] = tuple.attributes()[result.attributes[i]];
-    RETURN_IF_ERROR(check.takes(check[position].types[i], {tuple}));
+    ALGEBRA3D_RETURN_IF_ERROR(check.takes(check[position].types[i], {tuple}));
     const TypeExpr& given = check[position].types[i].function_result();
     const auto conversion = conversion_to(wanted, given);
     if (!conversion) return check.expected(wanted.text() + " for the attribute '" + name + "'", given);
@@ -29,7 +29,7 @@ Result<Assignments> assignments(const MappingCheck& check, std::size_t position,
 Result<TypeExpr> updated_type(const MappingCheck& check, const TypeExpr& tuple) {
   std::vector<TypeExpr::Attribute> old = tuple.attributes();
   for (auto& attribute : old) attribute.name += "_old";
-  ASSIGN_OR_RETURN(const TypeExpr both, check.concatenated(tuple, TypeExpr::tuple(std::move(old))));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr both, check.concatenated(tuple, TypeExpr::tuple(std::move(old))));
   return check.with_id(both);
 }
 
@@ -39,52 +39,52 @@ Result<TupleStreamPtr> update_all(const TupleBuffer& old_tuples, Relation& relat
   TupleBuffer new_tuples(context);
   const auto make_new = [&](const TuplePtr& old) -> Status {
     std::vector<Value> values;
-    RETURN_IF_ERROR(append_results(functions, Datum{old}, values));
+    ALGEBRA3D_RETURN_IF_ERROR(append_results(functions, Datum{old}, values));
     Tuple made = *old;
     for (std::size_t i = 0; i < values.size(); ++i)
       made.attributes[assignments.attributes[i]] = converted(values[i], assignments.conversions[i]);
-    ASSIGN_OR_RETURN(TuplePtr loaded, loaded_tuple(made));
+    ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr loaded, loaded_tuple(made));
     return new_tuples.add(std::move(loaded));
   };
-  RETURN_IF_ERROR(for_each_tuple(*old_tuples.scan(), context, make_new));
-  RETURN_IF_ERROR(for_each_tuple(*new_tuples.scan(), context,
-                                 [&](const TuplePtr& made) { return relation.update(made->id, *made); }));
+  ALGEBRA3D_RETURN_IF_ERROR(for_each_tuple(*old_tuples.scan(), context, make_new));
+  ALGEBRA3D_RETURN_IF_ERROR(for_each_tuple(*new_tuples.scan(), context,
+                                           [&](const TuplePtr& made) { return relation.update(made->id, *made); }));
   return make_stream([made_scan = new_tuples.scan(), old_scan = old_tuples.scan()]() -> Result<TuplePtr> {
-    ASSIGN_OR_RETURN(const TuplePtr made, made_scan->next());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr made, made_scan->next());
     if (made == nullptr) return made;
-    ASSIGN_OR_RETURN(const TuplePtr old, old_scan->next());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr old, old_scan->next());
     return tuple_with_id(*concatenated(*made, *old), made->id);
   });
 }
 
-Result<Plan> map_updatedirect(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_updatedirect(std::span<const ArgumentType> arguments) {
   const MappingCheck check("updatedirect", arguments);
-  ASSIGN_OR_RETURN(const TypeExpr given_tuple, check.stream(0));
-  ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(1));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr given_tuple, check.stream(0));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(1));
   if (!(given_tuple == tuple)) return check.expected("a stream of " + tuple.text(), given_tuple);
-  ASSIGN_OR_RETURN(const Assignments assigned, assignments(check, 2, tuple));
-  ASSIGN_OR_RETURN(const TypeExpr result, updated_type(check, tuple));
-  return Plan{
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Assignments assigned, assignments(check, 2, tuple));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr result, updated_type(check, tuple));
+  return BoundOperator{
       TypeExpr::stream(result), [assigned](std::vector<Datum> given, Context& context) -> Result<Datum> {
         return Datum{made_when_asked([tuples = given[0].tuples(), relation = given[1].relation(),
                                       functions = given[2].list(), assigned, &context]() -> Result<TupleStreamPtr> {
-          ASSIGN_OR_RETURN(const TupleBuffer old, own_tuples(*tuples, *relation, "updatedirect", context));
+          ALGEBRA3D_ASSIGN_OR_RETURN(const TupleBuffer old, own_tuples(*tuples, *relation, "updatedirect", context));
           return update_all(old, *relation, assigned, functions, context);
         })};
       }};
 }
 
-Result<Plan> map_updatebyid(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_updatebyid(std::span<const ArgumentType> arguments) {
   const MappingCheck check("updatebyid", arguments);
-  ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(0));
-  RETURN_IF_ERROR(check.id_argument(1));
-  ASSIGN_OR_RETURN(const Assignments assigned, assignments(check, 2, tuple));
-  ASSIGN_OR_RETURN(const TypeExpr result, updated_type(check, tuple));
-  return Plan{
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.relation(0));
+  ALGEBRA3D_RETURN_IF_ERROR(check.id_argument(1));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Assignments assigned, assignments(check, 2, tuple));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr result, updated_type(check, tuple));
+  return BoundOperator{
       TypeExpr::stream(result), [assigned](std::vector<Datum> given, Context& context) -> Result<Datum> {
         return Datum{made_when_asked([relation = given[0].relation(), id = given[1].value(),
                                       functions = given[2].list(), assigned, &context]() -> Result<TupleStreamPtr> {
-          ASSIGN_OR_RETURN(const TupleBuffer old, tuple_by_id(id, *relation));
+          ALGEBRA3D_ASSIGN_OR_RETURN(const TupleBuffer old, tuple_by_id(id, *relation));
           return update_all(old, *relation, assigned, functions, context);
         })};
       }};
@@ -94,42 +94,45 @@ Result<Plan> map_updatebyid(std::span<const ArgumentType> arguments) {
 
 void register_updates(algebra3d::Registry& registry) {
   const std::string output =
-      "The result has the new attributes, the old ones named A_old, and TID; it takes effect when consumed or counted. "
-      "All "
-      "functions see the old tuple, and are called before anything is written. Indexes on the relation follow.";
+      "The result has the new attributes, the old ones named A_old, and TID; it takes effect when consumed or "
+      "counted. All functions see the old tuple, and are called before anything is written. Indexes on the relation "
+      "follow.";
   registry.add({
       .name = "updatedirect",
       .syntax = "_ _ updatedirect[functions(TUPLE)]",
       .doc = "Gives the tuples of a stream new values in the stored relation that they come from.",
-      .detail = "The tuples come straight from the relation: filters, sortby and the like may stand between. " + output,
+      .detail = "The tuples come straight from the relation: filters, sortby and the like may come between. " + output,
+      .is_pure = false,
       .stream = stream_operator(map_updatedirect),
       .signatures = {"(stream(tuple) rel(tuple) ((NAME (map tuple DATA)) ...)) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{"Boxes feed filter[.No < 3] Boxes updatedirect[No: .No + 10] project[No, No_old, TID] consume",
-                    "((11 1 1) (12 2 2))"},
-                   {"Boxes feed head[1] Boxes updatedirect[No: [const int value undefined]] project[No] consume",
-                    "((undefined))"}},
-      .errors = {{"query Boxes feed Boxes updatedirect[No: TRUE] count",
-                  "updatedirect: expected int for the attribute 'No', got bool"},
-                 {"query Boxes feed Boxes updatedirect[Nr: 1] count",
-                  "updatedirect: unknown attribute 'Nr', did you mean 'No'?"},
-                 {"query Boxes feed project[B, No] project[No, B] Boxes updatedirect[No: 1] count",
-                  "updatedirect: a tuple does not come straight from a stored relation"}},
+      .query_examples =
+          {{"Boxes feed filter[.No < 3] Boxes updatedirect[No: .No + 10] project[No, No_old, TID] consume",
+            "((11 1 1) (12 2 2))"},
+           {"Boxes feed head[1] Boxes updatedirect[No: [const int value undefined]] project[No] consume",
+            "((undefined))"}},
+      .query_errors = {{"query Boxes feed Boxes updatedirect[No: TRUE] count",
+                        "updatedirect: expected int for the attribute 'No', got bool"},
+                       {"query Boxes feed Boxes updatedirect[Nr: 1] count",
+                        "updatedirect: unknown attribute 'Nr', did you mean 'No'?"},
+                       {"query Boxes feed project[B, No] project[No, B] Boxes updatedirect[No: 1] count",
+                        "updatedirect: a tuple does not come straight from a stored relation"}},
   });
   registry.add({
       .name = "updatebyid",
       .syntax = "_ updatebyid[_; functions(TUPLE)]",
       .doc = "Gives the tuple with that id new values in a stored relation.",
       .detail = "Nothing if there is no such tuple. An int is accepted as an id. " + output,
+      .is_pure = false,
       .stream = stream_operator(map_updatebyid),
       .signatures = {"(rel(tuple) tid ((NAME (map tuple DATA)) ...)) -> stream(tuple)",
                      "(rel(tuple) int ((NAME (map tuple DATA)) ...)) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{"Boxes updatebyid[2; No: .No * 10] project[No, No_old, TID] consume", "((20 2 2))"},
-                   {"Boxes updatebyid[[const tid value undefined]; No: 1] count", "0"}},
-      .errors = {{"query Boxes updatebyid[TRUE; No: 1] count", "updatebyid: expected tid or int, got bool"},
-                 {"query [const rel(tuple([A: int])) value ((1))] updatebyid[0; A: 2] count",
-                  "only a relation that is stored as an object can be changed"}},
+      .query_examples = {{"Boxes updatebyid[2; No: .No * 10] project[No, No_old, TID] consume", "((20 2 2))"},
+                         {"Boxes updatebyid[[const tid value undefined]; No: 1] count", "0"}},
+      .query_errors = {{"query Boxes updatebyid[TRUE; No: 1] count", "updatebyid: expected tid or int, got bool"},
+                       {"query [const rel(tuple([A: int])) value ((1))] updatebyid[0; A: 2] count",
+                        "only a relation that is stored as an object can be changed"}},
   });
 }
 

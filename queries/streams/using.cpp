@@ -1,6 +1,6 @@
 // use, printstream: something is done with each element of a stream.
 #include "queries/streams/all.h"
-#include "queries/streams/any_stream.h"
+#include "queries/streams/detail/any_stream.h"
 
 namespace queries {
 namespace {
@@ -12,10 +12,10 @@ constexpr std::size_t kShownCharacters = 200;
 template <typename Stream>
 Datum used(const std::shared_ptr<Stream>& stream, std::shared_ptr<const Function> function) {
   return Datum{make_value_stream([stream, function = std::move(function)]() mutable -> Result<std::optional<Value>> {
-    ASSIGN_OR_RETURN(const auto element, stream->next());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto element, stream->next());
     if (!element) return std::optional<Value>();
     const Datum argument = element_datum(element);
-    ASSIGN_OR_RETURN(Value result, function->call_for_value({&argument, 1}));
+    ALGEBRA3D_ASSIGN_OR_RETURN(Value result, function->call_for_value({&argument, 1}));
     return std::optional(std::move(result));
   })};
 }
@@ -28,65 +28,65 @@ Datum flattened(const std::shared_ptr<Stream>& stream, std::shared_ptr<const Fun
       make_stream_of<Inner>([stream, function = std::move(function), &context, inner = std::shared_ptr<Inner>(),
                              step = 0U]() mutable -> Result<ElementOf<Inner>> {
         while (true) {
-          if (++step % 1024 == 0) RETURN_IF_ERROR(context.check_cancelled());
+          if (++step % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
           if (inner != nullptr) {
-            ASSIGN_OR_RETURN(ElementOf<Inner> next, inner->next());
+            ALGEBRA3D_ASSIGN_OR_RETURN(ElementOf<Inner> next, inner->next());
             if (next) return next;
           }
-          ASSIGN_OR_RETURN(const auto element, stream->next());
+          ALGEBRA3D_ASSIGN_OR_RETURN(const auto element, stream->next());
           if (!element) return ElementOf<Inner>();
           const Datum argument = element_datum(element);
-          ASSIGN_OR_RETURN(const Datum result, function->call({&argument, 1}));
+          ALGEBRA3D_ASSIGN_OR_RETURN(const Datum result, function->call({&argument, 1}));
           inner = std::get<std::shared_ptr<Inner>>(result.content);
         }
       })};
 }
 
-Result<Plan> map_use(std::span<const ArgumentType> arguments) {
+Result<BoundOperator> map_use(std::span<const ArgumentType> arguments) {
   const MappingCheck check("use", arguments);
-  ASSIGN_OR_RETURN(const TypeExpr element, check.any_stream(0));
-  RETURN_IF_ERROR(check.takes(check[1].type, {element}));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr element, check.any_stream(0));
+  ALGEBRA3D_RETURN_IF_ERROR(check.takes(check[1].type, {element}));
   const TypeExpr result = check[1].type.function_result();
   if (!is_value_type(result) && !result.is_stream())
     return check.expected("a function that gives a value or a stream", result);
-  return Plan{result.is_stream() ? result : TypeExpr::stream(result),
-              [result](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                const auto& function = given[1].function_ptr();
-                return visit_stream(given[0], [&](const auto& stream) -> Result<Datum> {
-                  if (result.is_tuple_stream()) return flattened<TupleStream>(stream, function, context);
-                  if (result.is_stream()) return flattened<ValueStream>(stream, function, context);
-                  return used(stream, function);
-                });
-              }};
+  return BoundOperator{result.is_stream() ? result : TypeExpr::stream(result),
+                       [result](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                         const auto& function = given[1].function_ptr();
+                         return visit_stream(given[0], [&](const auto& stream) -> Result<Datum> {
+                           if (result.is_tuple_stream()) return flattened<TupleStream>(stream, function, context);
+                           if (result.is_stream()) return flattened<ValueStream>(stream, function, context);
+                           return used(stream, function);
+                         });
+                       }};
 }
 
 /// `(1 "a")`, or `5` for a value; large values are cut.
 Result<std::string> shown(const TuplePtr& tuple) {
-  ASSIGN_OR_RETURN(const std::vector<Value> values, loaded_values(tuple));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Value> values, loaded_values(tuple));
   algebra3d::NestedList::List list;
   for (const Value& value : values) list.push_back(value.to_nested());
   return algebra3d::NestedList(std::move(list)).print_short(kShownCharacters);
 }
 Result<std::string> shown(const std::optional<Value>& element) {
-  ASSIGN_OR_RETURN(const Value value, element->loaded());
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, element->loaded());
   return value.to_nested().print_short(kShownCharacters);
 }
 
 // A library prints nothing, so the elements travel as diagnostics, which the host shows.
-Result<Plan> map_printstream(std::span<const ArgumentType> arguments) {
-  ASSIGN_OR_RETURN(const TypeExpr element, MappingCheck("printstream", arguments).any_stream(0));
-  return Plan{TypeExpr::stream(element), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                return visit_stream(given[0], [&]<typename Stream>(const std::shared_ptr<Stream>& stream) {
-                  return Result<Datum>(Datum{make_stream_of<Stream>(
-                      [stream, &context, number = std::uint64_t{0}]() mutable -> Result<ElementOf<Stream>> {
-                        ASSIGN_OR_RETURN(ElementOf<Stream> next, stream->next());
-                        if (!next) return next;
-                        ASSIGN_OR_RETURN(const std::string text, shown(next));
-                        context.diagnostics.show(fmt::format("printstream: {}: {}", ++number, text));
-                        return next;
-                      })});
-                });
-              }};
+Result<BoundOperator> map_printstream(std::span<const ArgumentType> arguments) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr element, MappingCheck("printstream", arguments).any_stream(0));
+  return BoundOperator{TypeExpr::stream(element), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                         return visit_stream(given[0], [&]<typename Stream>(const std::shared_ptr<Stream>& stream) {
+                           return Result<Datum>(Datum{make_stream_of<Stream>(
+                               [stream, &context, number = std::uint64_t{0}]() mutable -> Result<ElementOf<Stream>> {
+                                 ALGEBRA3D_ASSIGN_OR_RETURN(ElementOf<Stream> next, stream->next());
+                                 if (!next) return next;
+                                 ALGEBRA3D_ASSIGN_OR_RETURN(const std::string text, shown(next));
+                                 context.diagnostics.show(fmt::format("printstream: {}: {}", ++number, text));
+                                 return next;
+                               })});
+                         });
+                       }};
 }
 
 }  // namespace
@@ -106,13 +106,13 @@ void register_using(algebra3d::Registry& registry) {
                      "(stream(DATA) (map DATA stream(DATA))) -> stream(DATA)",
                      "(stream(DATA) (map DATA stream(tuple))) -> stream(tuple)"},
       .handles_undefined = true,
-      .examples = {{"intstream(1, 3) use[. * .] collect_vector", "(1 4 9)"},
-                   {"intstream(1, 3) use[fun(n: int) intstream(1, n)] collect_vector", "(1 1 2 1 2 3)"},
-                   {"intstream(1, 2) transformstream use[.Elem > 1] collect_vector", "(FALSE TRUE)"},
-                   {"[const int value undefined] feed use[. + 1] collect_vector", "(undefined)"}},
-      .errors = {{"query intstream(1, 3) transformstream use[.] count",
-                  "use: expected a function that gives a value or a stream, got (tuple"},
-                 {"query 5 use[. + 1] count", "use: expected a stream as operand 1, got int"}},
+      .query_examples = {{"intstream(1, 3) use[. * .] collect_vector", "(1 4 9)"},
+                         {"intstream(1, 3) use[fun(n: int) intstream(1, n)] collect_vector", "(1 1 2 1 2 3)"},
+                         {"intstream(1, 2) transformstream use[.Elem > 1] collect_vector", "(FALSE TRUE)"},
+                         {"[const int value undefined] feed use[. + 1] collect_vector", "(undefined)"}},
+      .query_errors = {{"query intstream(1, 3) transformstream use[.] count",
+                        "use: expected a function that gives a value or a stream, got (tuple"},
+                       {"query 5 use[. + 1] count", "use: expected a stream as operand 1, got int"}},
   });
   registry.add({
       .name = "printstream",
@@ -121,12 +121,13 @@ void register_using(algebra3d::Registry& registry) {
       .detail =
           "For looking into a query. The notes stand on standard error, cut when they are long, and no more of them "
           "than the notes of a statement have room for.",
+      .is_pure = false,
       .stream = stream_operator(map_printstream),
       .signatures = {"(stream(tuple)) -> stream(tuple)", "(stream(DATA)) -> stream(DATA)"},
       .handles_undefined = true,
-      .examples = {{"intstream(1, 3) printstream count", "3"},
-                   {"[const int value undefined] feed transformstream printstream consume", "((undefined))"}},
-      .errors = {{"query 5 printstream", "printstream: expected a stream, got int"}},
+      .query_examples = {{"intstream(1, 3) printstream count", "3"},
+                         {"[const int value undefined] feed transformstream printstream consume", "((undefined))"}},
+      .query_errors = {{"query 5 printstream", "printstream: expected a stream, got int"}},
   });
 }
 

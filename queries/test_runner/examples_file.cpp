@@ -1,4 +1,4 @@
-// `.examples` files (language.md 5.5) as steps of a test file.
+// `.examples` files (docs/language.md, "Examples") as steps of a test file.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -7,7 +7,7 @@
 
 #include "algebra3d/base/number_text.h"
 #include "algebra3d/types/nested_list.h"
-#include "queries/test_runner/test_file.h"
+#include "queries/test_runner/detail/test_file.h"
 
 namespace queries {
 namespace {
@@ -58,13 +58,13 @@ class ExamplesReader {
   explicit ExamplesReader(const std::string& file) : file_(file) {}
 
   Result<std::vector<TestStep>> read(std::string_view content) {
-    RETURN_IF_ERROR(read_entries(content));
+    ALGEBRA3D_RETURN_IF_ERROR(read_entries(content));
     const auto first = std::ranges::find(entries_, "Operator", &Entry::key);
-    RETURN_IF_ERROR(add_header({entries_.begin(), first}));
+    ALGEBRA3D_RETURN_IF_ERROR(add_header({entries_.begin(), first}));
     for (auto begin = first; begin != entries_.end();) {
       const auto end = std::find_if(begin + 1, entries_.end(), [](const Entry& e) { return e.key == "Operator"; });
-      ASSIGN_OR_RETURN(const Block block, block_of({begin, end}));
-      RETURN_IF_ERROR(add_block(block));
+      ALGEBRA3D_ASSIGN_OR_RETURN(const Block block, block_of({begin, end}));
+      ALGEBRA3D_RETURN_IF_ERROR(add_block(block));
       begin = end;
     }
     return std::move(steps_);
@@ -135,7 +135,7 @@ class ExamplesReader {
       return error(block.line, "expected `Operator : NAME` or `Operator : NAME alias WORD`, found '" + name + "'");
     for (const Entry& entry : entries)
       if (!block.entries.emplace(entry.key, entry).second)
-        return error(entry.line, "'" + entry.key + "' stands twice in one block");
+        return error(entry.line, "duplicate '" + entry.key + "' in one block");
     for (const char* key : {"Number", "Signature", "Example", "Result"})
       if (block.find(key) == nullptr)
         return error(block.line, fmt::format("operator {}: '{}' is missing", block.name, key));
@@ -152,7 +152,7 @@ class ExamplesReader {
     const Entry* tolerance = block.find("Tolerance");
     add("tolerance_real", tolerance != nullptr ? tolerance->value : std::string(kDefaultTolerance),
         tolerance != nullptr ? tolerance->line : block.line);
-    ASSIGN_OR_RETURN(const bool is_run, add_result(block, block.text("Result")));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_run, add_result(block, block.text("Result")));
     if (!is_run) return {};
     std::string_view command = trimmed(block.text("Example"));
     while (command.ends_with(';')) command = trimmed(command.substr(0, command.size() - 1));

@@ -7,9 +7,9 @@
 #include <memory>
 #include <thread>
 
-#include "queries/test_runner/scratch_folder.h"
-#include "queries/test_runner/test_file.h"
-#include "queries/test_runner/test_run.h"
+#include "queries/test_runner/detail/scratch_folder.h"
+#include "queries/test_runner/detail/test_file.h"
+#include "queries/test_runner/detail/test_run.h"
 
 namespace queries {
 namespace {
@@ -24,7 +24,7 @@ Result<std::string> read_file(const fs::path& file) {
 }
 
 Result<std::vector<TestStep>> read_steps(const fs::path& file) {
-  ASSIGN_OR_RETURN(const std::string content, read_file(file));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string content, read_file(file));
   if (file.extension() == ".examples") return read_example_steps(content, file.string());
   return read_test_steps(content, file.string());
 }
@@ -38,7 +38,7 @@ struct PlannedRun {
 };
 
 Result<TestOutcome> run_once(const PlannedRun& plan, const Variation* variation) {
-  ASSIGN_OR_RETURN(const auto scratch, ScratchFolder::make());
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto scratch, ScratchFolder::make());
   if (plan.options.keeps_scratch) {
     scratch->keep();
     plan.options.print("  kept: " + scratch->path().string());
@@ -49,7 +49,7 @@ Result<TestOutcome> run_once(const PlannedRun& plan, const Variation* variation)
 
 Status add_variation(const PlannedRun& plan, VariationKind kind, TestOutcome& outcome) {
   const Variation variation(kind, plan.registry);
-  ASSIGN_OR_RETURN(TestOutcome varied, run_once(plan, &variation));
+  ALGEBRA3D_ASSIGN_OR_RETURN(TestOutcome varied, run_once(plan, &variation));
   outcome.varied.push_back({std::string(name_of(kind)), varied.passed, varied.failed, varied.left_out});
   outcome.passed += varied.passed;
   outcome.failed += varied.failed;
@@ -101,11 +101,11 @@ void add_up(std::vector<VariedChecks>& total, const std::vector<VariedChecks>& m
 }  // namespace
 
 Result<TestOutcome> run_test_file(const fs::path& file, const Registry& registry, const TestOptions& options) {
-  ASSIGN_OR_RETURN(const std::vector<TestStep> steps, read_steps(file));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<TestStep> steps, read_steps(file));
   const PlannedRun plan{file, steps, registry, options};
-  ASSIGN_OR_RETURN(TestOutcome outcome, run_once(plan, nullptr));
+  ALGEBRA3D_ASSIGN_OR_RETURN(TestOutcome outcome, run_once(plan, nullptr));
   if (!options.varies || !outcome.skipped.empty()) return outcome;
-  for (const VariationKind kind : kVariationKinds) RETURN_IF_ERROR(add_variation(plan, kind, outcome));
+  for (const VariationKind kind : kVariationKinds) ALGEBRA3D_RETURN_IF_ERROR(add_variation(plan, kind, outcome));
   return outcome;
 }
 

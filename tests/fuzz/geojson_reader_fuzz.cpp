@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "algebra3d/operators/geojson.h"
-#include "algebra3d/operators/json_tree.h"
+#include "algebra3d/formats/geojson.h"
+#include "algebra3d/formats/json_tree.h"
 
 namespace {
 

@@ -5,13 +5,13 @@
 #include <string_view>
 
 #include "fuzz/sound_soup.h"
-#include "stl/mesh_format.h"
-#include "stl/obj_reader.h"
+#include "mesh_files/mesh_formats.h"
+#include "mesh_files/obj/obj_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {  // NOLINT(*-naming)
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  require(stl::detect_mesh_format(bytes, "fuzz.obj").ok());
-  const auto read = stl::read_obj(bytes, "fuzz.obj");
+  require(mesh_files::known_mesh_formats().detect(bytes, "fuzz.obj").ok());
+  const auto read = mesh_files::read_obj(bytes, "fuzz.obj");
   if (read)
     require_sound(read->soup);
   else

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "queries/language/checker.h"
+#include "queries/language/detail/example_queries.h"
 #include "queries/language/parser.h"
 #include "queries/streams/stream_operator.h"
 
@@ -117,8 +118,13 @@ std::string kind_of(const TypeExpr& type) {
   return type.is_stream() ? "stream" : type.name();
 }
 
+// Aggregates are written like other operators over streams.
+bool is_called_with_values(const Overload& overload) {
+  return overload.kind() != algebra3d::OperatorKind::aggregate;
+}
+
 bool gives(const Overload& overload, const TypeExpr& type) {
-  return overload.result != nullptr && overload.result_type() == type;
+  return is_called_with_values(overload) && overload.result_type() == type;
 }
 
 bool is_known(const TypeExpr& type) {
@@ -155,7 +161,7 @@ QueryGrammar::QueryGrammar(const algebra3d::Registry& registry, std::map<std::st
     alike_[form_of(pattern)].push_back(op->name);
     words_.push_back(op->name);
     for (const Overload& overload : op->overloads) {
-      if (overload.result == nullptr) continue;
+      if (!is_called_with_values(overload)) continue;
       auto& givers = giving_[overload.result_type().text()];
       if (givers.empty() || givers.back() != op) givers.push_back(op);
     }
@@ -463,8 +469,10 @@ std::string QueryGrammar::query(Dice& dice) {
 
 std::string QueryGrammar::example(Dice& dice) {
   const Operator& op = *dice.of(operators_);
-  if (!op.errors.empty() && dice.one_in(4)) return dice.of(op.errors).query;
-  return op.examples.empty() ? query(dice) : dice.of(op.examples).query;
+  const auto failing = failing_queries(registry_, op);
+  if (!failing.empty() && dice.one_in(4)) return dice.of(failing).query;
+  const auto examples = example_queries(registry_, op);
+  return examples.empty() ? query(dice) : dice.of(examples).query;
 }
 
 std::string QueryGrammar::nested(const std::string& expression) const {

@@ -76,7 +76,7 @@ Registry* make_fuzz_registry() {
   for (const Operator* op : all.operators()) {
     Operator copy = *op;
     for (Overload& overload : copy.overloads)
-      if (overload.result != nullptr && overload.result->name() == "volume3d") overload = with_small_results(overload);
+      if (overload.function && overload.result->name() == "volume3d") overload = with_small_results(overload);
     registry->add(std::move(copy));
   }
   return registry;

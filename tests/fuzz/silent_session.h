@@ -22,7 +22,7 @@ class SilentSession final : public Presenter {
   Store* store() { return session_.store(); }
 
   Status present(const TypeExpr& type, const Datum& value, Context& context) override {
-    ASSIGN_OR_RETURN(const NestedList list, result_list(type, value, context));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const NestedList list, result_list(type, value, context));
     answer_ = list.print();
     return {};
   }

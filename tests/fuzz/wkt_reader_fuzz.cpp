@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "algebra3d/operators/wkt.h"
+#include "algebra3d/formats/wkt.h"
 #include "algebra3d/types/planar.h"
 
 namespace {

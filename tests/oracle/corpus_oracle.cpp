@@ -18,7 +18,7 @@
 #include "algebra3d/exact/affine_map.h"
 #include "algebra3d/repair/solid_from_soup.h"
 #include "algebra3d/validity/validity.h"
-#include "stl/stl_reader.h"
+#include "mesh_files/stl/stl_reader.h"
 #include "support/cgal_verdict.h"
 
 namespace {
@@ -26,7 +26,7 @@ namespace {
 using namespace algebra3d;
 
 std::optional<TriangleMesh> solid_of(const std::filesystem::path& path) {
-  const auto file = stl::read_stl_file(path);
+  const auto file = mesh_files::read_stl_file(path);
   if (!file.ok()) return std::nullopt;
   auto solid = solid_from_soup(file->soup);
   if (!solid.ok()) return std::nullopt;
@@ -64,9 +64,10 @@ struct Operation {
   KeepRule rule;
 };
 
-const std::array<Operation, 3> kOperations{{{"union", [](const Holding& h) { return h[0] + h[1] > 0; }},
-                                            {"intersection", [](const Holding& h) { return h[0] > 0 && h[1] > 0; }},
-                                            {"difference", [](const Holding& h) { return h[0] > 0 && h[1] == 0; }}}};
+const std::array<Operation, 3> kOperations{
+    {{"union", [](const WindingVector& h) { return h[0] + h[1] > 0; }},
+     {"intersection", [](const WindingVector& h) { return h[0] > 0 && h[1] > 0; }},
+     {"difference", [](const WindingVector& h) { return h[0] > 0 && h[1] == 0; }}}};
 
 }  // namespace
 

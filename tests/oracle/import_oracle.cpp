@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "algebra3d/exact/exact_sum.h"
-#include "algebra3d/operators/import_solid.h"
+#include "algebra3d/formats/import_solid.h"
 #include "support/cgal_verdict.h"
 
 namespace {
@@ -38,7 +38,7 @@ double volume_of(const TriangleMesh& mesh) {
 
 /// By CGAL's tools alone, from the facets of the file.
 std::string volume_by_cgal(const std::string& path) {
-  const auto file = read_mesh_file(path, std::nullopt);
+  const auto file = read_mesh_file(path, nullptr);
   if (!file) return "-";
   std::vector<Inexact::Point_3> points;
   std::vector<std::vector<std::size_t>> polygons;

@@ -1,17 +1,18 @@
-#include "algebra3d/arrangement/edge_sides.h"
+#include "algebra3d/arrangement/detail/edge_sides.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 #include <vector>
 
-#include "algebra3d/arrangement/bucket_sort.h"
+#include "algebra3d/arrangement/detail/bucket_sort.h"
 
 namespace algebra3d::arrangement_tests {
 namespace {
 
 using arrangement::EdgeSides;
-using arrangement::NumberedEdge;
+using arrangement::InputEdgeEnds;
+using arrangement::InputVertexId;
 
 /// Points of a grid of thirds, so that many edges meet, and of others that are a hair beside it.
 std::vector<ExactPoint> thirds_and_near_ones(std::mt19937& random, std::size_t count) {
@@ -35,7 +36,10 @@ TEST(EdgeSides, are_orient3d_however_often_and_in_which_order_they_are_asked_for
   for (int i = 0; i < 60000; ++i) {
     std::array<std::uint32_t, 4> n{};
     for (std::uint32_t& number : n) number = i % 2 == 0 ? few(random) : any(random);
-    const NumberedEdge edge{points[n[0]], points[n[1]], n[0], n[1]}, other{points[n[2]], points[n[3]], n[2], n[3]};
+    const auto ends = [&](std::uint32_t a, std::uint32_t b) {
+      return InputEdgeEnds{points[a], points[b], InputVertexId(a), InputVertexId(b)};
+    };
+    const InputEdgeEnds edge = ends(n[0], n[1]), other = ends(n[2], n[3]);
     const int expected = orient3d(points[n[0]], points[n[1]], points[n[2]], points[n[3]]);
     ASSERT_EQ(edge_sides.side(edge, other), expected);
     ++seen[static_cast<std::size_t>(expected + 1)];

@@ -12,9 +12,12 @@
 namespace algebra3d::solids {
 namespace {
 
-bool in_any(const Holding& holding) {
-  return holding[0] > 0;
+bool in_any(const WindingVector& windings) {
+  return windings[0] > 0;
 }
+
+/// The stage that runs to its end once it has begun.
+constexpr const char* kLastStage = "building the result";
 
 /// Runs with a monitor that hears everything, and is asked to stop when it hears the n-th report.
 class Listener {
@@ -54,7 +57,7 @@ TEST(Monitor, hears_every_stage_and_growing_percents) {
     percent = now;
   }
   EXPECT_EQ(stages, (std::vector<std::string>{"finding what is near", "finding what touches", "finding crossings",
-                                              "telling inside from outside", "building the result"}));
+                                              "telling inside from outside", kLastStage}));
   EXPECT_GT(run.heard().size(), stages.size());
 }
 
@@ -66,7 +69,9 @@ TEST(Monitor, stops_solids_in_every_stage_but_the_last) {
   for (std::size_t n = 1; n < whole.heard().size(); n += n < 3 ? 1 : 7) {
     const Listener run(n);
     const auto result = combine_solids(operands, in_any, run.monitor());
-    ASSERT_FALSE(result.ok()) << whole.heard()[n - 1];
+    // How often a stage reports depends on the threads: a run may be in its last stage, or done, before its n-th report.
+    if (run.heard().size() < n || run.heard().back() == kLastStage) continue;
+    ASSERT_FALSE(result.ok()) << run.heard().back();
     EXPECT_EQ(result.error().code, ErrorCode::interrupted);
   }
 }

@@ -51,7 +51,7 @@ Rational volume_held_by_an_odd_number(const std::vector<Box3>& boxes, const std:
 TriangleMesh held_by_an_odd_number(const std::vector<TriangleMesh>& solids) {
   std::vector<Operand> operands;
   for (const TriangleMesh& solid : solids) operands.push_back({&solid, 0});
-  return combine_solids(operands, [](const Holding& holding) { return holding[0] % 2 != 0; }).value();
+  return combine_solids(operands, [](const WindingVector& windings) { return windings[0] % 2 != 0; }).value();
 }
 
 TEST(NestedSolids, are_counted_around_each_place) {

@@ -31,18 +31,18 @@ class SetOperations {
   TriangleMesh unite(const TriangleMesh& a, const TriangleMesh& b) { return unite_all({&a, &b}); }
   TriangleMesh intersect(const TriangleMesh& a, const TriangleMesh& b) { return intersect_all({&a, &b}); }
   TriangleMesh subtract(const TriangleMesh& a, const TriangleMesh& b) {
-    return run("minus", {&a}, {&b}, [](const auto& holding) { return holding[0] > 0 && holding[1] == 0; });
+    return run("minus", {&a}, {&b}, [](const auto& windings) { return windings[0] > 0 && windings[1] == 0; });
   }
   TriangleMesh difference_of_both(const TriangleMesh& a, const TriangleMesh& b) {
     return run("symmetric difference", {&a}, {&b},
-               [](const auto& holding) { return (holding[0] > 0) != (holding[1] > 0); });
+               [](const auto& windings) { return (windings[0] > 0) != (windings[1] > 0); });
   }
   TriangleMesh unite_all(const Solids& solids) {
-    return run("union", solids, {}, [](const auto& holding) { return holding[0] > 0; });
+    return run("union", solids, {}, [](const auto& windings) { return windings[0] > 0; });
   }
   TriangleMesh intersect_all(const Solids& solids) {
     const auto count = static_cast<std::int32_t>(solids.size());
-    return run("intersection", solids, {}, [count](const auto& holding) { return holding[0] == count; });
+    return run("intersection", solids, {}, [count](const auto& windings) { return windings[0] == count; });
   }
 
   /// Same set of points: no place is in one alone, and the volumes agree.

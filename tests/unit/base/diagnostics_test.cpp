@@ -46,6 +46,21 @@ TEST(Diagnostics, an_equal_text_is_counted_however_many_are_alike) {
   EXPECT_EQ(diagnostics.entries()[2].alike, 7U);
 }
 
+TEST(Diagnostics, the_last_reason_is_that_of_an_undefined_value) {
+  Diagnostics diagnostics;
+  EXPECT_EQ(diagnostics.last_reason(), "");
+  diagnostics.report_undefined("division by zero");
+  diagnostics.report("a remark");
+  diagnostics.report("not written", {}, Diagnostics::About::unwritten);
+  EXPECT_EQ(diagnostics.last_reason(), "division by zero");
+  diagnostics.report("no such file", "a.stl", Diagnostics::About::unreadable);
+  EXPECT_EQ(diagnostics.last_reason(), "no such file (a.stl)");
+  for (int i = 0; i < 10; ++i) diagnostics.report_undefined("point " + std::to_string(i));
+  EXPECT_EQ(diagnostics.last_reason(), "point 9");  // although its text is not kept
+  diagnostics.clear();
+  EXPECT_EQ(diagnostics.last_reason(), "");
+}
+
 TEST(Diagnostics, several_threads_may_report) {
   Diagnostics diagnostics;
   std::vector<std::thread> threads;

@@ -6,7 +6,7 @@
 #include <CGAL/intersections.h>
 #include <gtest/gtest.h>
 
-#include "algebra3d/exact/homogeneous.h"
+#include "algebra3d/exact/detail/homogeneous.h"
 #include "algebra3d/exact/intersection_point.h"
 #include "unit/exact/point_families.h"
 
@@ -111,10 +111,10 @@ TEST_P(Constructions, three_planes_meet_in_the_exact_point) {
 
 TEST_P(Constructions, homogeneous_coordinates_are_the_point) {
   Random random(4);
-  detail::HomogeneousPoint room;
+  detail::HomogeneousPoint buffer;
   for (int i = 0; i < 500; ++i) {
     const auto p = make_points(GetParam(), random, 1);
-    const detail::HomogeneousView homogeneous(p[0].ours, room);
+    const detail::HomogeneousView homogeneous(p[0].ours, buffer);
     ASSERT_EQ(mpz_sgn(homogeneous[3]), 1);
     const auto coordinate = [&](std::size_t axis) {
       CGAL::Gmpq value;

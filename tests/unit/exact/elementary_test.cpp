@@ -151,11 +151,11 @@ TEST(Elementary, decimal_rounding_is_that_of_the_exact_value) {
 TEST(Elementary, outside_of_the_domain_they_are_undefined_with_the_reason) {
   EXPECT_EQ(square_root(-1).reason(), "-1.0 has no square root");
   EXPECT_EQ(natural_logarithm(0).reason(), "0.0 has no logarithm");
-  EXPECT_EQ(logarithm(2, 1).reason(), "1.0 is no base of logarithms");
-  EXPECT_EQ(logarithm(2, -3).reason(), "-3.0 is no base of logarithms");
-  EXPECT_EQ(arc_sine(1.5).reason(), "1.5 is no sine of an angle");
-  EXPECT_EQ(arc_cosine(-1.5).reason(), "-1.5 is no cosine of an angle");
-  EXPECT_EQ(power(-8, 0.5).reason(), "-8.0 has no power with the exponent 0.5, which is no integer");
+  EXPECT_EQ(logarithm(2, 1).reason(), "1.0 is not a base of logarithms");
+  EXPECT_EQ(logarithm(2, -3).reason(), "-3.0 is not a base of logarithms");
+  EXPECT_EQ(arc_sine(1.5).reason(), "1.5 is not a sine of an angle");
+  EXPECT_EQ(arc_cosine(-1.5).reason(), "-1.5 is not a cosine of an angle");
+  EXPECT_EQ(power(-8, 0.5).reason(), "-8.0 has no power with the exponent 0.5, which is not an integer");
   EXPECT_EQ(power(0, -1).reason(), "division by zero");
   EXPECT_EQ(exponential(710).reason(), "the result is beyond the range of reals");
   EXPECT_EQ(radians_to_degrees(1e308).reason(), "the result is beyond the range of reals");

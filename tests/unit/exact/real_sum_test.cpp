@@ -50,5 +50,19 @@ TEST(RealSum, sums_of_any_doubles_are_those_of_rationals) {
   }
 }
 
+TEST(RealSum, sums_of_parts_make_the_sum_of_all) {
+  RealSum large, small, none;
+  for (const double value : {kMax, 1.0, kMax}) large.add(value);
+  for (const double value : {kLeast, -kMax, 2.0}) small.add(value);
+  large.add(small);
+  large.add(none);
+  EXPECT_EQ(large.count(), 6U);
+  EXPECT_EQ(large.total(), Rational(kMax) + Rational(3) + Rational(kLeast));
+  none.add(large);
+  none.add(none);
+  EXPECT_EQ(none.count(), 12U);
+  EXPECT_EQ(none.total(), Rational(2) * large.total());
+}
+
 }  // namespace
 }  // namespace algebra3d

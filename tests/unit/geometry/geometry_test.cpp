@@ -1,6 +1,8 @@
 #include <filesystem>
+#include <limits>
 #include <sstream>
 #include <unordered_set>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -103,6 +105,30 @@ TEST(Solid, work_that_is_cancelled_is_an_error) {
             ErrorCode::interrupted);
 }
 
+TEST(Solid, planes_that_are_not_finite_are_errors) {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  for (const Vec3& wrong : {Vec3{nan, 0, 0}, Vec3{0, inf, 0}}) {
+    EXPECT_EQ(box(0, 1).mirrored(wrong, {0, 0, 1}).error().code, ErrorCode::invalid_value);
+    EXPECT_EQ(box(0, 1).mirrored({0, 0, 0}, wrong).error().code, ErrorCode::invalid_value);
+    EXPECT_EQ(split(box(0, 1), wrong, {0, 0, 1}).error().code, ErrorCode::invalid_value);
+    EXPECT_EQ(section(box(0, 1), {0, 0, 0}, wrong).error().code, ErrorCode::invalid_value);
+  }
+}
+
+TEST(Solid, that_was_moved_from_keeps_its_value) {
+  Solid solid = box(0, 1);
+  const Solid taken = std::move(solid);
+  EXPECT_EQ(solid, taken);  // NOLINT(bugprone-use-after-move): what is tested
+}
+
+TEST(Solid, what_a_monitor_throws_is_an_error) {
+  const Monitor::Report report = [](const std::string&) { throw 42; };
+  const Solid ball = *Solid::sphere({0, 0, 0}, 1, 80);
+  const auto united = unite(ball, *ball.rotated({0, 0, 0}, {1, 2, 3}, 10), Monitor{nullptr, &report});
+  ASSERT_FALSE(united.ok());
+  EXPECT_EQ(united.error().code, ErrorCode::internal);
+}
+
 TEST(Surface, of_a_solid_and_of_triangles) {
   const Surface shell = boundary(box(0, 1));
   EXPECT_EQ(shell.area(), 6);
@@ -126,9 +152,22 @@ TEST(MeshFiles, are_written_and_read_again) {
     EXPECT_EQ(read_surface(folder / name)->area(), 24);
   }
   EXPECT_EQ(write_solid(box(0, 2), folder / "part.ply").error().code, ErrorCode::wrong_usage);
-  EXPECT_EQ(read_solid(folder / "part.stl", "cracks=many").error().code, ErrorCode::invalid_value);
+  EXPECT_EQ(read_solid(folder / "part.stl", "gaps=many").error().code, ErrorCode::invalid_value);
   EXPECT_FALSE(read_solid(folder / "none.stl")->solid.has_value());
   std::filesystem::remove_all(folder);
+}
+
+TEST(BoxIndex, that_was_moved_from_is_empty) {
+  BoxIndex index(std::vector<Box3>{{{0, 0, 0}, {1, 1, 1}}});
+  const BoxIndex taken = std::move(index);
+  EXPECT_EQ(taken.size(), 1U);
+  // NOLINTBEGIN(bugprone-use-after-move): what is tested
+  EXPECT_EQ(index.size(), 0U);
+  EXPECT_TRUE(index.meeting_pairs(taken).empty());
+  EXPECT_FALSE(index.erase({{0, 0, 0}, {1, 1, 1}}, 0));
+  EXPECT_TRUE(index.insert({{0, 0, 0}, {1, 1, 1}}, 7));
+  EXPECT_EQ(index.meeting({{0, 0, 0}, {1, 1, 1}}), std::vector<BoxIndex::Number>{7});
+  // NOLINTEND(bugprone-use-after-move)
 }
 
 TEST(BoxIndex, finds_what_meets_and_what_is_near) {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/halfedge/nonmanifold_tables.h"
+#include "algebra3d/halfedge/detail/nonmanifold_tables.h"
 #include "mesh_samples.h"
 
 namespace algebra3d {

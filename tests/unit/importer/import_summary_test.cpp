@@ -1,8 +1,8 @@
-#include "queries/importer/import_summary.h"
+#include "queries/importer/detail/import_summary.h"
 
 #include <gtest/gtest.h>
 
-#include "queries/importer/progress_display.h"
+#include "queries/importer/detail/progress_display.h"
 
 namespace queries {
 namespace {
@@ -15,17 +15,18 @@ std::vector<std::string> kinds_of(const std::string& status) {
 }
 
 TEST(ImportSummary, files_with_the_same_trouble_share_a_kind) {
-  EXPECT_EQ(kinds_of("no valid solid: 12 boundary edges (facet 17, near (0 0.5 1))"),
+  EXPECT_EQ(kinds_of("no valid solid: 12 boundary edges (triangle 17, near (0 0.5 1))"),
             std::vector<std::string>{"boundary edges"});
   EXPECT_EQ(
-      kinds_of("no valid solid: 1 boundary edge (facet 17, near (0 0.5 1)), at least 3 intersecting pairs (facets "
-               "4 and 9, near (2 0 0)), 1 shell with a wrong winding number (facet 1, near (0 0 0))"),
+      kinds_of(
+          "no valid solid: 1 boundary edge (triangle 17, near (0 0.5 1)), at least 3 intersecting pairs (triangles "
+          "4 and 9, near (2 0 0)), 1 shell with a wrong winding number (triangle 1, near (0 0 0))"),
       (std::vector<std::string>{"boundary edges", "intersecting pairs", "shells with a wrong winding number"}));
   EXPECT_EQ(kinds_of("part7.stl: byte 84: header announces 12 triangles"),
             std::vector<std::string>{"FILE: byte N: header announces N triangles"});
   EXPECT_EQ(kinds_of("wrong count: header announces 24 triangles, file has 12, and may be cut short"),
             std::vector<std::string>{"wrong counts of triangles in the header"});
-  EXPECT_EQ(kinds_of("no valid solid: 12 boundary edges (facet 17, near (0 0.5 1)); wrong count: header announces 0 "
+  EXPECT_EQ(kinds_of("no valid solid: 12 boundary edges (triangle 17, near (0 0.5 1)); wrong count: header announces 0 "
                      "triangles, file has 7"),
             (std::vector<std::string>{"boundary edges", "wrong counts of triangles in the header"}));
   EXPECT_EQ(kinds_of("/some/folder/part7.stl: Permission denied"), std::vector<std::string>{"FILE: Permission denied"});
@@ -50,7 +51,7 @@ TEST(ImportSummary, the_table_counts_what_was_counted) {
   LoadedFile solid;
   solid.solid = algebra3d::Volume3d();
   LoadedFile bad;
-  bad.status = "no valid solid: 2 boundary edges (facet 1, near (0 0 0))";
+  bad.status = "no valid solid: 2 boundary edges (triangle 1, near (0 0 0))";
   solid.status = "ok; wrong count: header announces 24 triangles, file has 12, and may be cut short";
   summary.count(solid, RelationWriter::Written::inserted);
   summary.count(bad, RelationWriter::Written::replaced);

@@ -142,7 +142,7 @@ TEST(CheckerErrors, constants) {
   EXPECT_EQ(type_of("[const point3d value (1 2)]"), "error 1:22 point3d: expected (x y z), got (1 2)");
   EXPECT_EQ(type_of("[const stream(int) value ()]"), "error 1:2 a constant cannot be of type (stream int)");
   EXPECT_EQ(type_of("[const rel(tuple([A: int, A: real])) value ()]"),
-            "error 1:18 tuple: the attribute 'A' stands twice");
+            "error 1:18 tuple: duplicate attribute name 'A'; rename one of them");
   EXPECT_EQ(type_of("[const rel(tuple([A: rel(tuple([B: int]))])) value ()]").substr(0, 63),
             "error 1:18 tuple: attribute 'A': expected a type of kind DATA, ");
 }

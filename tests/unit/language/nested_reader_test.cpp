@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "queries/language/detail/example_queries.h"
 #include "unit/language/language_samples.h"
 
 namespace queries {
@@ -25,7 +26,7 @@ std::string read_and_written(const std::string& nested) {
 TEST(NestedReader, reads_what_was_written_for_every_example) {
   std::size_t count = 0;
   for (const algebra3d::Operator* op : full_registry().operators())
-    for (const auto& example : op->examples) {
+    for (const auto& example : example_queries(full_registry(), *op)) {
       const std::string text = example.query.starts_with("query ") ? example.query.substr(6) : example.query;
       const std::string nested = nested_of(text);
       ASSERT_FALSE(nested.starts_with("error")) << text << ": " << nested;

@@ -43,6 +43,17 @@ struct Answer {
   std::string text() const { return single().to_nested().print(); }
 };
 
+/// The cells of the first column.
+inline std::vector<Value> first_column(RowSource& rows, Context& context) {
+  std::vector<Value> cells;
+  while (true) {
+    auto row = rows.next(context);
+    if (!row) throw std::runtime_error(row.error().message);
+    if (!*row) return cells;
+    cells.push_back(std::move((**row).front()));
+  }
+}
+
 inline Answer call_values(const std::string& name, const std::vector<Value>& arguments,
                           const std::filesystem::path& folder = {}) {
   static const Registry registry = make_registry();
@@ -54,7 +65,14 @@ inline Answer call_values(const std::string& name, const std::vector<Value>& arg
   if (!resolved) throw std::runtime_error(resolved.error().message);
   Diagnostics diagnostics;
   Context context{.diagnostics = diagnostics, .cancel = nullptr, .folder = folder};
-  auto outcome = Registry::call(*resolved, arguments, context);
+  std::vector<Value> values = arguments;
+  if (resolved->overload->kind() == OperatorKind::table) {
+    auto rows = Registry::rows(*resolved, values, context);
+    if (!rows) throw std::runtime_error(rows.error().message);
+    std::vector<Value> elements = first_column(**rows, context);
+    return {std::move(elements), diagnostics.summary()};
+  }
+  auto outcome = Registry::call(*resolved, values, context);
   if (!outcome) throw std::runtime_error(outcome.error().message);
   return {*std::move(outcome), diagnostics.summary()};
 }

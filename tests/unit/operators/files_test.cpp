@@ -9,10 +9,10 @@
 
 #include <gtest/gtest.h>
 
+#include "algebra3d/formats/import_solid.h"
 #include "algebra3d/halfedge/topology.h"
-#include "algebra3d/operators/import_solid.h"
+#include "support/scratch_folder.h"
 #include "unit/operators/call_operator.h"
-#include "unit/stl/scratch_folder.h"
 
 namespace algebra3d {
 namespace {
@@ -87,7 +87,7 @@ TEST_F(Files, a_solid_inside_out_is_turned_and_that_is_said) {
   ASSERT_EQ(answer.diagnostics.size(), 2U);
   EXPECT_NE(answer.diagnostics[0].find("importSTL: turned right side out"), std::string::npos);
   EXPECT_NE(answer.diagnostics[0].find("part.stl"), std::string::npos);
-  EXPECT_NE(answer.diagnostics[1].find("1 facet normal contradicts the order of the corners (facet 1)"),
+  EXPECT_NE(answer.diagnostics[1].find("1 normal contradicts the order of the corners (triangle 1)"),
             std::string::npos);
   EXPECT_EQ(import_solid(folder_.path("part.stl"))->status, "ok: turned right side out");
 }
@@ -97,7 +97,7 @@ TEST_F(Files, normals_that_contradict_the_corners_change_nothing) {
   const Answer answer = import("part.stl");
   EXPECT_TRUE(answer.is_defined());
   ASSERT_EQ(answer.diagnostics.size(), 1U);
-  EXPECT_NE(answer.diagnostics[0].find("1 facet normal contradicts"), std::string::npos);
+  EXPECT_NE(answer.diagnostics[0].find("1 normal contradicts"), std::string::npos);
   EXPECT_EQ(import_solid(folder_.path("part.stl"))->status, "ok");
 }
 
@@ -106,7 +106,7 @@ TEST_F(Files, a_hole_is_counted_and_located) {
   const Answer answer = import_strictly("part.stl");
   EXPECT_FALSE(answer.is_defined());
   ASSERT_EQ(answer.diagnostics.size(), 1U);
-  EXPECT_EQ(answer.diagnostics[0].find("importSTL: part.stl: no valid solid: 4 boundary edges (facet 1, near ("), 0U)
+  EXPECT_EQ(answer.diagnostics[0].find("importSTL: part.stl: no valid solid: 4 boundary edges (triangle 1, near ("), 0U)
       << answer.diagnostics[0];
 }
 
@@ -118,16 +118,17 @@ TEST_F(Files, crossing_solids_are_counted_as_pairs) {
   const Answer answer = import_strictly("part.stl");
   EXPECT_FALSE(answer.is_defined());
   ASSERT_EQ(answer.diagnostics.size(), 1U);
-  EXPECT_NE(answer.diagnostics[0].find("intersecting pairs (facets "), std::string::npos) << answer.diagnostics[0];
+  EXPECT_NE(answer.diagnostics[0].find("intersecting pairs (triangles "), std::string::npos) << answer.diagnostics[0];
 }
 
-TEST_F(Files, a_degenerate_and_a_duplicate_facet_are_named_by_their_numbers) {
+TEST_F(Files, a_degenerate_and_a_duplicate_triangle_are_named_by_their_numbers) {
   write("part.stl", solid(tetrahedron() + facet("0 0 0", "1 0 0", "2 0 0") + facet("0 0 0", "0 1 0", "1 0 0")));
   const Answer answer = import_strictly("part.stl");
   EXPECT_FALSE(answer.is_defined());
   ASSERT_EQ(answer.diagnostics.size(), 1U);
-  EXPECT_NE(answer.diagnostics[0].find("1 degenerate facet (facet 5"), std::string::npos) << answer.diagnostics[0];
-  EXPECT_NE(answer.diagnostics[0].find("1 duplicate facet (facets 1 and 6"), std::string::npos)
+  EXPECT_NE(answer.diagnostics[0].find("1 degenerate triangle (triangle 5"), std::string::npos)
+      << answer.diagnostics[0];
+  EXPECT_NE(answer.diagnostics[0].find("1 duplicate triangle (triangles 1 and 6"), std::string::npos)
       << answer.diagnostics[0];
 }
 
@@ -275,24 +276,24 @@ std::vector<std::string> split(const std::string& line) {
   return fields;
 }
 
-using Row = std::map<std::string, std::string>;
+using NamedCells = std::map<std::string, std::string>;
 
 // The rows of MANIFEST.csv, whose counts and volumes come from other programs.
-std::vector<Row> manifest(const std::filesystem::path& folder) {
+std::vector<NamedCells> manifest(const std::filesystem::path& folder) {
   std::ifstream file(folder / "MANIFEST.csv");
   std::string line;
   std::getline(file, line);
   const std::vector<std::string> columns = split(line);
-  std::vector<Row> rows;
+  std::vector<NamedCells> rows;
   while (std::getline(file, line)) {
     const std::vector<std::string> fields = split(line);
-    Row& row = rows.emplace_back();
+    NamedCells& row = rows.emplace_back();
     for (std::size_t i = 0; i < fields.size() && i < columns.size(); ++i) row[columns[i]] = fields[i];
   }
   return rows;
 }
 
-void expect_as_in_manifest(Row& row, const ImportedSolid& imported) {
+void expect_as_in_manifest(NamedCells& row, const ImportedSolid& imported) {
   ASSERT_TRUE(imported.solid) << imported.status;
   EXPECT_EQ(std::to_string(imported.solid->mesh().face_count()), row["triangles"]);
   EXPECT_TRUE(is_closed(imported.solid->mesh()));
@@ -304,7 +305,7 @@ TEST(ImportCorpus, clean_files_are_solids_as_the_manifest_says_and_others_have_a
   const char* folder = std::getenv("ALGEBRA3D_CORPUS");
   if (folder == nullptr) GTEST_SKIP() << "ALGEBRA3D_CORPUS is not set: no folder of real files to import";
   std::size_t clean_count = 0;
-  for (Row& row : manifest(folder)) {
+  for (NamedCells& row : manifest(folder)) {
     if (!row["fmt"].starts_with("stl_")) continue;
     SCOPED_TRACE(row["file"]);
     const auto imported = import_solid(std::filesystem::path(folder) / row["file"]);

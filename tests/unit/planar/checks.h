@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "algebra3d/base/indices.h"
+#include "algebra3d/exact/predicates.h"
 #include "algebra3d/planar/boundary_polygons.h"
 #include "algebra3d/planar/constrained_delaunay.h"
 #include "algebra3d/planar/noding.h"
@@ -23,7 +25,7 @@ namespace algebra3d::plane_checks {
 
 using Kernel = CGAL::Simple_cartesian<CGAL::Gmpq>;
 using Point = Kernel::Point_2;
-using Triangles = std::vector<TriangleMesh::Triangle>;
+using Triangles = std::vector<IndexTriangle>;
 
 inline Point to_cgal(PointRef p) {
   if (p.is_double()) return {CGAL::Gmpq(p.approx.x), CGAL::Gmpq(p.approx.y)};

@@ -306,9 +306,9 @@ TEST(moving_polygons, that_turn_are_valid_while_corners_do_not_meet) {
 // --- Invalid ones
 
 TEST(moving_polygons, with_too_few_corners_are_none) {
-  EXPECT_EQ(defect_of({{still({{0, 0}, {1, 1}})}}), "face 1, cycle 1 has 2 corners, expected 3 at least");
+  EXPECT_EQ(defect_of({{still({{0, 0}, {1, 1}})}}), "face 1, cycle 1 has 2 corners, expected at least 3");
   EXPECT_EQ(defect_of({{square(0, 0, 1)}, {square(5, 5, 1), {}}}),
-            "face 2, cycle 2 has 0 corners, expected 3 at least");
+            "face 2, cycle 2 has 0 corners, expected at least 3");
 }
 
 TEST(moving_polygons, whose_segments_vanish_or_fold_say_which_and_when) {
@@ -317,10 +317,10 @@ TEST(moving_polygons, whose_segments_vanish_or_fold_say_which_and_when) {
   // A triangle turns inside out.
   EXPECT_EQ(defect_of({{{{0, 0, 0, 0}, {4, 0, 4, 0}, {2, 3, 2, -3}}}}),
             "segment (0 0)-(4 0) moving to (0 0)-(4 0) of face 1, cycle 1 and segment (4 0)-(2 3) moving to (4 0)-(2 "
-            "-3) of face 1, cycle 1 lie on each other at about 0.5 of the unit");
+            "-3) of face 1, cycle 1 overlap at about 0.5 of the unit");
   EXPECT_EQ(defect_of({{{{0, 0, 0, 0}, {4, 0, 4, 0}, {2, 0, 2, 0}}}}),
             "segment (0 0)-(4 0) moving to (0 0)-(4 0) of face 1, cycle 1 and segment (4 0)-(2 0) moving to (4 0)-(2 "
-            "0) of face 1, cycle 1 lie on each other from its start on");
+            "0) of face 1, cycle 1 overlap from its start on");
   // Through one point at sqrt(1/2): (4 0)-(4 - 2s, 1 - ...): area 4 (2 - 4 s^2).
   EXPECT_NE(defect_of({{{{0, 0, 0, 0}, {4, 0, 8, 0}, {1, 1, 1, -1}}}}).find("at about 0.5 of the unit"),
             std::string::npos);

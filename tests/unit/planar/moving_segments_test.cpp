@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/planar/moving_segments.h"
+#include "algebra3d/planar/detail/moving_segments.h"
 
 namespace algebra3d::moving_segments_tests {
 namespace {
@@ -38,7 +38,7 @@ FlatPoint position(const MovingPoint& point, const Rational& s) {
 }
 
 // The common points are p + t (q - p) for t in [low, high].
-Meeting meeting_at(const MovingSegment& ab, const MovingSegment& cd, const Rational& s) {
+SegmentIntersection intersection_at(const MovingSegment& ab, const MovingSegment& cd, const Rational& s) {
   const FlatPoint p = position(ab.from, s);
   const FlatPoint u = position(ab.to, s) - p;
   const FlatPoint q = position(cd.from, s);
@@ -47,24 +47,26 @@ Meeting meeting_at(const MovingSegment& ab, const MovingSegment& cd, const Ratio
   if (turn.sign() != 0) {
     const Rational t = determinant(q - p, v) / turn;
     const Rational w = determinant(q - p, u) / turn;
-    if (t < 0 || t > 1 || w < 0 || w > 1) return Meeting::none;
-    return t > 0 && t < 1 && w > 0 && w < 1 ? Meeting::crossing : Meeting::touching;
+    if (t < 0 || t > 1 || w < 0 || w > 1) return SegmentIntersection::none;
+    return t > 0 && t < 1 && w > 0 && w < 1 ? SegmentIntersection::crossing : SegmentIntersection::touching;
   }
-  if (determinant(q - p, u).sign() != 0) return Meeting::none;
+  if (determinant(q - p, u).sign() != 0) return SegmentIntersection::none;
   const auto parameter = [&](const FlatPoint& r) { return u.x.sign() != 0 ? (r - p).x / u.x : (r - p).y / u.y; };
   const Rational first = parameter(q);
   const Rational second = parameter(position(cd.to, s));
   const Rational low = std::max<Rational>(0, std::min(first, second));
   const Rational high = std::min<Rational>(1, std::max(first, second));
-  return low > high ? Meeting::none : low == high ? Meeting::touching : Meeting::overlap;
+  return low > high    ? SegmentIntersection::none
+         : low == high ? SegmentIntersection::touching
+                       : SegmentIntersection::overlap;
 }
 
 bool vanishes_at(const MovingSegment& segment, const Rational& s) {
   return position(segment.from, s) == position(segment.to, s);
 }
 
-bool is_forbidden(Meeting meeting, bool may_touch) {
-  return meeting != Meeting::none && (meeting != Meeting::touching || !may_touch);
+bool is_forbidden(SegmentIntersection intersection, bool may_touch) {
+  return intersection != SegmentIntersection::none && (intersection != SegmentIntersection::touching || !may_touch);
 }
 
 MovingSegment segment(const std::array<double, 8>& c) {
@@ -91,7 +93,7 @@ void expect_right(const MovingSegment& ab, const MovingSegment& cd, bool may_tou
   for (int i = 1; i < kSamples; ++i) {
     const double time = static_cast<double>(i) / kSamples;
     if (time > s - 1e-9) break;
-    ASSERT_FALSE(is_forbidden(meeting_at(ab, cd, Rational(i, kSamples)), may_touch)) << time << " before " << s;
+    ASSERT_FALSE(is_forbidden(intersection_at(ab, cd, Rational(i, kSamples)), may_touch)) << time << " before " << s;
   }
   if (!clash) {
     return;
@@ -99,7 +101,7 @@ void expect_right(const MovingSegment& ab, const MovingSegment& cd, bool may_tou
   EXPECT_FALSE(surely_apart(ab, cd));
   if (clash->moment.is_right_after) {
     // Some time, short enough, in which nothing changes.
-    EXPECT_TRUE(is_forbidden(meeting_at(ab, cd, Rational(s + 1e-9)), may_touch)) << s;
+    EXPECT_TRUE(is_forbidden(intersection_at(ab, cd, Rational(s + 1e-9)), may_touch)) << s;
   } else {
     EXPECT_LT(distance_at(ab, cd, s), 1e-9);
     EXPECT_GT(s, 0);
@@ -122,7 +124,7 @@ TEST(moving_segments, random_ones_meet_when_samples_say_so) {
     const auto clash = first_clash(ab, cd, false);
     (clash ? clashes : apart) += 1;
     for_an_instant += clash && !clash->moment.is_right_after ? 1 : 0;
-    overlaps += clash && clash->meeting == Meeting::overlap ? 1 : 0;
+    overlaps += clash && clash->intersection == SegmentIntersection::overlap ? 1 : 0;
     EXPECT_FALSE(clash && surely_apart(ab, cd));
   }
   EXPECT_GT(clashes, 1000);
@@ -174,7 +176,7 @@ TEST(moving_segments, meet_at_an_irrational_time) {
   EXPECT_NEAR(*clash_time(longer, cd, false), std::sqrt(0.5), 1e-12);
   const auto clash = first_clash(segment(longer), segment(cd), false);
   EXPECT_EQ(clash->moment.s.radicand.sign(), 1);
-  EXPECT_EQ(clash->meeting, Meeting::touching);
+  EXPECT_EQ(clash->intersection, SegmentIntersection::touching);
   EXPECT_TRUE(first_clash(segment(longer), segment(cd), true)->moment.is_right_after);
 }
 
@@ -185,7 +187,7 @@ TEST(moving_segments, overlap_at_an_irrational_instant_alone) {
   const std::array<double, 8> cd{0, 1, 2, 1, 2, 1, 4, 3};
   const auto clash = first_clash(segment(ab), segment(cd), true);
   ASSERT_TRUE(clash.has_value());
-  EXPECT_EQ(clash->meeting, Meeting::overlap);
+  EXPECT_EQ(clash->intersection, SegmentIntersection::overlap);
   EXPECT_FALSE(clash->moment.is_right_after);
   EXPECT_NEAR(clash->moment.s.approx(), std::sqrt(0.5), 1e-12);
   // The same beyond the end of ab: nothing in common.

@@ -25,7 +25,7 @@ std::string defect_of(const std::vector<Face>& faces) {
 }
 
 TEST(PolygonDefect, of_one_cycle) {
-  EXPECT_EQ(defect_of({{{{0, 0, 0}, {1, 0, 0}}}}), "face 1, cycle 1 has 2 corners, expected 3 at least");
+  EXPECT_EQ(defect_of({{{{0, 0, 0}, {1, 0, 0}}}}), "face 1, cycle 1 has 2 corners, expected at least 3");
   EXPECT_EQ(defect_of({{box(0, 0, 1, 1)}, {}}), "face 2 has no cycle");
   EXPECT_EQ(defect_of({{{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, 1, 0}}}}),
             "segment (1 0)-(1 0) of face 1, cycle 1 has no length");

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "algebra3d/registry/aggregate.h"
+#include "algebra3d/registry/detail/host_name.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/types/scalars.h"
 
@@ -31,6 +33,35 @@ std::vector<std::int64_t> both(std::int64_t a, std::int64_t b) {
   return {a, b};
 }
 
+/// A number and its half, once for each number up to `last`.
+Rows<std::int64_t, std::optional<double>> halves(std::int64_t last) {
+  using Next = Result<std::optional<std::tuple<std::int64_t, std::optional<double>>>>;
+  return Rows<std::int64_t, std::optional<double>>([last, next = std::int64_t{0}](Context&) mutable -> Next {
+    if (++next > last) return Next(std::nullopt);
+    return Next(std::tuple(next, next == 2 ? std::optional<double>() : std::optional(static_cast<double>(next) / 2)));
+  });
+}
+Maybe<std::tuple<double, double>> quotient_and_product(double a, double b) {
+  if (b == 0) return Undefined{"division by zero"};
+  return std::tuple(a / b, a * b);
+}
+
+/// The last value and how many there were.
+class Last {
+ public:
+  void step(const std::int64_t& value) { last_ = value; }
+  void combine(Last&& later) {
+    if (later.last_) last_ = later.last_;
+  }
+  Maybe<std::int64_t> finish() const {
+    if (!last_) return Undefined{"there is none"};
+    return *last_;
+  }
+
+ private:
+  std::optional<std::int64_t> last_;
+};
+
 class RegistryTest : public testing::Test {
  protected:
   Registry registry;
@@ -40,13 +71,27 @@ class RegistryTest : public testing::Test {
   void add(const std::string& name, std::vector<Overload> overloads) {
     registry.add({.name = name, .syntax = name + "(_ ...)", .overloads = std::move(overloads)});
   }
-  Result<std::variant<Value, std::vector<Value>>> call(const std::string& name, const std::vector<Value>& arguments) {
+  Result<ResolvedCall> resolve(const std::string& name, const std::vector<Value>& arguments) {
     std::vector<TypeExpr> types;
     for (const Value& argument : arguments) types.emplace_back(argument.type().name());
-    ASSIGN_OR_RETURN(const ResolvedCall resolved, registry.resolve(*registry.find_operator(name), types));
+    return registry.resolve(*registry.find_operator(name), types);
+  }
+  Result<Value> call(const std::string& name, std::vector<Value> arguments) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const ResolvedCall resolved, resolve(name, arguments));
     return Registry::call(resolved, arguments, context);
   }
-  Value single(const std::string& name, const Value& argument) { return std::get<Value>(*call(name, {argument})); }
+  Value single(const std::string& name, const Value& argument) { return *call(name, {argument}); }
+  // Each row as text.
+  std::vector<std::string> table_rows(const std::string& name, std::vector<Value> arguments) {
+    const auto resolved = resolve(name, arguments);
+    const auto source = Registry::rows(*resolved, arguments, context);
+    std::vector<std::string> rows;
+    while (const auto row = *(*source)->next(context)) {
+      rows.emplace_back();
+      for (const Value& cell : *row) rows.back() += (rows.back().empty() ? "" : " ") + cell.to_nested().print();
+    }
+    return rows;
+  }
 };
 
 TEST_F(RegistryTest, an_exact_overload_wins_over_promotion) {
@@ -80,7 +125,7 @@ TEST_F(RegistryTest, a_new_undefined_has_a_reason_with_the_operators_name) {
   EXPECT_FALSE(single("inverse", Value::of<double>(0)).is_defined());
   EXPECT_FALSE(single("overflowing", Value::of<double>(1)).is_defined());
   EXPECT_EQ(diagnostics.summary(),
-            (std::vector<std::string>{"inverse: division by zero", "overflowing: the result is no finite number"}));
+            (std::vector<std::string>{"inverse: division by zero", "overflowing: the result is not a finite number"}));
 }
 
 TEST_F(RegistryTest, an_optional_parameter_takes_undefined) {
@@ -94,11 +139,92 @@ TEST_F(RegistryTest, errors_stay_errors) {
   EXPECT_EQ(call("f", {Value::of<double>(1)}).error().message, "the disk is gone");
 }
 
-TEST_F(RegistryTest, a_vector_is_a_stream) {
+using Texts = std::vector<std::string>;
+
+TEST_F(RegistryTest, a_vector_is_a_table_of_one_column) {
   add("f", {overload<&both>("a", "b")});
-  EXPECT_EQ(registry.find_operator("f")->overloads[0].signature(), "(int int) -> (stream int)");
-  const auto result = call("f", {Value::of<std::int64_t>(1), Value::of<std::int64_t>(2)});
-  EXPECT_EQ(std::get<std::vector<Value>>(*result).size(), 2U);
+  const Operator& op = *registry.find_operator("f");
+  EXPECT_EQ(op.kind(), OperatorKind::table);
+  EXPECT_EQ(op.overloads[0].signature(), "(int int) -> (stream int)");
+  EXPECT_EQ(table_rows("f", {Value::of<std::int64_t>(1), Value::of<std::int64_t>(2)}), (Texts{"1", "2"}));
+}
+
+TEST_F(RegistryTest, a_table_has_named_columns_and_gives_its_rows_one_by_one) {
+  add("halves", {table<&halves>({"Number", "Half"}, "last")});
+  const Operator& op = *registry.find_operator("halves");
+  EXPECT_EQ(op.kind(), OperatorKind::table);
+  EXPECT_EQ(op.overloads[0].signature(), "(int) -> (stream (tuple ((Number int) (Half real))))");
+  EXPECT_EQ(table_rows("halves", {Value::of<std::int64_t>(3)}), (Texts{"1 0.5", "2 undefined", "3 1.5"}));
+  EXPECT_EQ(table_rows("halves", {Value(TypeOf<std::int64_t>::type())}), Texts());
+  EXPECT_TRUE(diagnostics.empty());
+}
+
+TEST_F(RegistryTest, several_numbers_are_a_table_of_one_row) {
+  add("f", {table<&quotient_and_product>({"Quotient", "Product"}, "a", "b")});
+  EXPECT_EQ(table_rows("f", {Value::of<double>(3), Value::of<double>(2)}), (Texts{"1.5 6.0"}));
+  EXPECT_EQ(table_rows("f", {Value::of<double>(3), Value::of<std::int64_t>(0)}), Texts());
+  EXPECT_EQ(diagnostics.summary(), (Texts{"f: division by zero"}));
+}
+
+TEST_F(RegistryTest, an_aggregate_takes_values_and_leaves_out_undefined_ones) {
+  Overload last = aggregate<Last>("values");
+  last.counts_undefined = true;
+  add("last", {last});
+  const Operator& op = *registry.find_operator("last");
+  EXPECT_EQ(op.kind(), OperatorKind::aggregate);
+  EXPECT_EQ(op.overloads[0].signature(), "(int*) -> int");
+  const ResolvedCall call{&op, &op.overloads[0]};
+  Aggregation first(call), second(call);
+  ASSERT_TRUE(first.step(Value::of<std::int64_t>(4), context).ok());
+  ASSERT_TRUE(first.step(Value(TypeOf<std::int64_t>::type()), context).ok());
+  ASSERT_TRUE(second.step(Value(TypeOf<std::int64_t>::type()), context).ok());
+  ASSERT_TRUE(first.combine(second, context).ok());
+  EXPECT_EQ(first.finish(context)->get<std::int64_t>(), 4);
+  EXPECT_EQ(diagnostics.summary(), (Texts{"last: left out 2 undefined values"}));
+}
+
+TEST_F(RegistryTest, the_syntax_of_an_aggregate_follows_from_its_kind) {
+  registry.add({.name = "last", .overloads = {aggregate<Last>("values")}});
+  EXPECT_EQ(registry.find_operator("last")->syntax, "_ last[attribute]");
+  Aggregation none({registry.find_operator("last"), &registry.find_operator("last")->overloads[0]});
+  EXPECT_FALSE(none.finish(context)->is_defined());
+  EXPECT_EQ(diagnostics.summary(), (Texts{"last: there is none"}));
+}
+
+TEST(HostName, is_the_name_in_snake_case) {
+  EXPECT_EQ(snake_case("volume"), "volume");
+  EXPECT_EQ(snake_case("createCube"), "create_cube");
+  EXPECT_EQ(snake_case("importSTL"), "import_stl");
+  EXPECT_EQ(snake_case("importGeoJSON"), "import_geo_json");
+  EXPECT_EQ(snake_case("makePoint3D"), "make_point3d");
+  EXPECT_EQ(snake_case("rect2region"), "rect_to_region");
+  EXPECT_EQ(snake_case("mregion2volume"), "mregion_to_volume");
+  EXPECT_EQ(snake_case("atan2"), "atan2");
+  EXPECT_EQ(snake_case("union_aggr"), "union_aggr");
+  EXPECT_TRUE(is_reserved_in_a_host("union"));
+  EXPECT_TRUE(is_reserved_in_a_host("lambda"));
+  EXPECT_FALSE(is_reserved_in_a_host("union_aggr"));
+}
+
+TEST_F(RegistryTest, operators_take_cost_and_name_in_other_hosts_from_their_family_and_name) {
+  registry.begin_family({"halves", "Halves of numbers.", Cost::constant});
+  add("halfOf", {overload<&half>("x")});
+  registry.add({.name = "twice",
+                .host_name = "times_two",
+                .syntax = "twice(_)",
+                .cost = Cost::linear,
+                .overloads = {overload<&twice>("x")}});
+  const Operator& first = *registry.find_operator("halfOf");
+  EXPECT_EQ(first.family, "halves");
+  EXPECT_EQ(first.host_name, "half_of");
+  EXPECT_EQ(first.cost, Cost::constant);
+  const Operator& second = *registry.find_operator("twice");
+  EXPECT_EQ(second.host_name, "times_two");
+  EXPECT_EQ(second.cost, Cost::linear);
+  EXPECT_EQ(registry.operators_of("halves").size(), 2U);
+  EXPECT_EQ(registry.families().front().doc, "Halves of numbers.");
+  registry.add_language_note("twice", "Written behind its operand.");
+  EXPECT_EQ(second.language_note, "Written behind its operand.");
 }
 
 TEST(NearestName, finds_slips_and_nothing_far) {

@@ -1,5 +1,5 @@
 // Bands between boundaries that run close to each other: boxes with gaps, whose volumes are products.
-#include "algebra3d/repair/bands.h"
+#include "algebra3d/repair/detail/bands.h"
 
 #include <limits>
 
@@ -8,7 +8,7 @@
 namespace algebra3d::soups::bands_tests {
 namespace {
 
-constexpr double kAny = std::numeric_limits<double>::infinity();
+constexpr double kAnyBand = std::numeric_limits<double>::infinity();
 
 /// The box without its lower or upper lid, or both.
 TriangleSoup open_box(const Vec3& low, const Vec3& high, bool lacks_bottom, bool lacks_top) {
@@ -27,7 +27,7 @@ TEST(Bands, join_a_lid_above_a_box_with_it) {
     for (const TriangleSoup& soup : {joined(box, lid), joined(box, turned(lid)), joined(turned(box), lid)}) {
       const SolidFromSoup made = repaired(soup);
       EXPECT_EQ(volume_of(made), Rational(1) + Rational(gap)) << made.status();
-      EXPECT_EQ(value_of(made.repair->amounts->dropped.area), 0);
+      EXPECT_EQ(value_of(made.repair->amounts->left_out.area), 0);
       EXPECT_NEAR(value_of(made.repair->amounts->added.area), 4 * gap, 1e-9);
       EXPECT_EQ(count_of(*made.repair, RepairStep::holes), 1U);
     }
@@ -53,21 +53,21 @@ TEST(Bands, close_both_ends_of_a_pipe) {
 
 TEST(Bands, are_not_folded_back_upon_a_ring) {
   const TriangleSoup ring = open_box({0, 0, 0}, {10, 10, 1}, true, true);
-  FacetList facets = facets_of(ring);
+  IndexedSoup indexed = indexed_soup(ring);
   RepairReport report;
-  const auto found = close_bands(facets, kAny, report);
+  const auto found = close_bands(indexed, kAnyBand, report);
   ASSERT_TRUE(found.ok());
   EXPECT_FALSE(*found);
-  EXPECT_EQ(facets.triangles.size(), ring.triangles.size());
+  EXPECT_EQ(indexed.triangles.size(), ring.triangles.size());
   EXPECT_EQ(volume_of(repaired(ring)), Rational(100));
 }
 
 TEST(Bands, between_distant_or_large_rims_are_not_made) {
   const TriangleSoup box = open_box({0, 0, 0}, {1, 1, 1}, false, true);
-  for (const auto& [height, largest] : {std::pair(1.75, kAny), std::pair(1.0625, 1.0)}) {
-    FacetList facets = facets_of(joined(box, wall_at(height, 0, 0, 1, 1)));
+  for (const auto& [height, largest] : {std::pair(1.75, kAnyBand), std::pair(1.0625, 1.0)}) {
+    IndexedSoup indexed = indexed_soup(joined(box, wall_at(height, 0, 0, 1, 1)));
     RepairReport report;
-    const auto found = close_bands(facets, largest, report);
+    const auto found = close_bands(indexed, largest, report);
     ASSERT_TRUE(found.ok());
     EXPECT_FALSE(*found);
     EXPECT_TRUE(report.is_empty());

@@ -11,7 +11,7 @@ double volume(const SolidFromSoup& made) {
   return volume_of(made).nearest_double();
 }
 
-/// A box whose faces are n by n squares, all facets alike.
+/// A box whose faces are n by n squares, all triangles alike.
 TriangleSoup squared_box(int n, double size) {
   TriangleSoup soup;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -64,8 +64,8 @@ TEST(HostileDamage, corners_with_other_last_digits_are_joined) {
     }
 }
 
-TEST(HostileDamage, missing_facets_are_no_cracks) {
-  // Facets of a flat box with needles: corners lie nearer to opposite edges than the tolerance.
+TEST(HostileDamage, missing_triangles_are_no_gaps) {
+  // Triangles of a flat box with needles: corners lie nearer to opposite edges than the tolerance.
   const TriangleSoup whole = soup_of(solids::mapped(solids::geodesic_sphere(10), [](const Vec3& p) {
     return Vec3{p.x * 1000, p.y * 0.02, p.z * 0.02};
   }));
@@ -95,7 +95,7 @@ TriangleSoup touching_cubes(int size, int& count) {
   return soup;
 }
 
-TEST(HostileDamage, a_turned_facet_of_bodies_that_touch_in_edges_is_turned_back) {
+TEST(HostileDamage, a_turned_triangle_of_bodies_that_touch_in_edges_is_turned_back) {
   int count = 0;
   const TriangleSoup cubes = touching_cubes(3, count);
   for (std::size_t f = 0; f < cubes.triangles.size(); f += 5) {
@@ -104,11 +104,11 @@ TEST(HostileDamage, a_turned_facet_of_bodies_that_touch_in_edges_is_turned_back)
     soup.triangles[f] = turned(soup.triangles[f]);
     const SolidFromSoup made = repaired(soup);
     EXPECT_EQ(volume_of(made), Rational(count));
-    EXPECT_EQ(count_of(*made.repair, RepairStep::turned_facets), 1U);
+    EXPECT_EQ(count_of(*made.repair, RepairStep::flipped_triangles), 1U);
   }
 }
 
-TEST(HostileDamage, many_turned_facets_of_bodies_that_touch_in_edges_are_turned_back) {
+TEST(HostileDamage, many_turned_triangles_of_bodies_that_touch_in_edges_are_turned_back) {
   int count = 0;
   const TriangleSoup cubes = touching_cubes(3, count);
   for (int seed = 1; seed <= 20; ++seed) {
@@ -123,10 +123,10 @@ TEST(HostileDamage, many_turned_facets_of_bodies_that_touch_in_edges_are_turned_
 }
 
 TEST(HostileDamage, boxes_that_touch_in_a_face_are_both_kept_when_one_is_inside_out) {
-  for (int turned_facets = 0; turned_facets <= 12; ++turned_facets) {
-    SCOPED_TRACE(turned_facets);
+  for (int flipped_triangles = 0; flipped_triangles <= 12; ++flipped_triangles) {
+    SCOPED_TRACE(flipped_triangles);
     TriangleSoup second = shifted(cube_soup(0, 1), {1, 0, 0});
-    for (int f = 0; f < turned_facets; ++f)
+    for (int f = 0; f < flipped_triangles; ++f)
       second.triangles[static_cast<std::size_t>(f)] = turned(second.triangles[static_cast<std::size_t>(f)]);
     EXPECT_EQ(volume_of(repaired(joined(cube_soup(0, 1), second))), Rational(2));
   }
@@ -141,10 +141,10 @@ TEST(HostileDamage, mirrored_hollow_bodies_keep_their_cavities) {
   expect_exactly(joined(mirrored, hollow), Rational(112));
   expect_exactly(joined(shifted(cube_soup(0, 10), {20, 0, 0}), mirrored), Rational(1056));
   expect_exactly(joined(turned(cube_soup(0, 4)), turned(cube_soup(1, 3))), Rational(56));
-  EXPECT_EQ(count_of(*repaired(joined(hollow, mirrored)).repair, RepairStep::turned_shells), 2U);
+  EXPECT_EQ(count_of(*repaired(joined(hollow, mirrored)).repair, RepairStep::flipped_shells), 2U);
 }
 
-TEST(HostileDamage, opposed_copies_of_facets_tear_no_holes) {
+TEST(HostileDamage, opposed_copies_of_triangles_tear_no_holes) {
   for (const TriangleSoup& whole : {squared_box(4, 4), soup_of(on_grid(samples::torus(14, 8)))})
     for (int seed = 1; seed <= 12; ++seed) {
       SCOPED_TRACE("seed " + std::to_string(seed));
@@ -158,7 +158,7 @@ TEST(HostileDamage, opposed_copies_of_facets_tear_no_holes) {
     }
 }
 
-TEST(HostileDamage, opposed_copies_and_turned_facets_together_tear_no_holes) {
+TEST(HostileDamage, opposed_copies_and_turned_triangles_together_tear_no_holes) {
   const TriangleSoup whole = squared_box(4, 4);
   for (int seed = 1; seed <= 12; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -181,16 +181,16 @@ TEST(HostileDamage, sheets_through_a_body_cut_nothing_off) {
         const TriangleSoup soup = joined(squared_box(4, 4), looks_down ? turned(sheet) : sheet);
         const SolidFromSoup made = repaired(soup, with(&RepairOptions::most_dropped, 1));
         EXPECT_EQ(volume_of(made), Rational(64)) << made.status();
-        EXPECT_EQ(count_of(*made.repair, RepairStep::sheets), 1U);
+        EXPECT_EQ(count_of(*made.repair, RepairStep::open_patches), 1U);
         // The frame round the box, and how far its corner is from that.
         const RepairAmounts& amounts = *made.repair->amounts;
         EXPECT_NEAR(value_of(amounts.area_seen), 96 + (4 + 2 * margin) * (4 + 2 * margin),
                     1e-9 * value_of(amounts.area_seen));
-        EXPECT_NEAR(value_of(amounts.dropped.area), (4 + 2 * margin) * (4 + 2 * margin) - 16,
+        EXPECT_NEAR(value_of(amounts.left_out.area), (4 + 2 * margin) * (4 + 2 * margin) - 16,
                     1e-9 * value_of(amounts.area_seen));
-        EXPECT_GE(amounts.dropped.distance, margin * std::sqrt(2) * (1 - 1e-12));
-        EXPECT_LE(amounts.dropped.distance, margin * std::sqrt(2) * 1.011);
-        EXPECT_EQ(amounts.dropped.facet_count, 2U);
+        EXPECT_GE(amounts.left_out.distance, margin * std::sqrt(2) * (1 - 1e-12));
+        EXPECT_LE(amounts.left_out.distance, margin * std::sqrt(2) * 1.011);
+        EXPECT_EQ(amounts.left_out.triangle_count, 2U);
         EXPECT_EQ(value_of(amounts.added.area), 0);
         EXPECT_EQ(made.repair->find(RepairStep::holes), nullptr) << made.status();
       }
@@ -201,7 +201,7 @@ TEST(HostileDamage, a_file_that_is_inside_out_is_told_to_be_so) {
   open.triangles.erase(open.triangles.begin());
   const SolidFromSoup made = repaired(turned(open));
   EXPECT_EQ(volume_of(made), Rational(1));
-  EXPECT_EQ(count_of(*made.repair, RepairStep::turned_shells), 1U);
+  EXPECT_EQ(count_of(*made.repair, RepairStep::flipped_shells), 1U);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // Amounts of repairs, compared with what is known of boxes and sheets by formulas.
-#include "algebra3d/repair/repair_amounts.h"
+#include "algebra3d/repair/detail/repair_amounts.h"
 
 #include <cmath>
 
@@ -26,10 +26,10 @@ TEST(RepairAmounts, of_a_sheet_that_stands_on_a_box) {
   for (const TriangleSoup& sheets : {sheet, joined(sheet, turned(sheet)), joined(sheet, otherwise)}) {
     const RepairAmounts amounts = amounts_of(joined(box, sheets));
     EXPECT_NEAR(value_of(amounts.area_seen), 16, 1e-9);
-    EXPECT_NEAR(value_of(amounts.dropped.area), 10, 1e-9);
-    EXPECT_EQ(amounts.dropped.facet_count, sheets.triangles.size());
-    EXPECT_GE(amounts.dropped.distance, 10 * (1 - 1e-12));
-    EXPECT_LE(amounts.dropped.distance, 10 * 1.011);
+    EXPECT_NEAR(value_of(amounts.left_out.area), 10, 1e-9);
+    EXPECT_EQ(amounts.left_out.triangle_count, sheets.triangles.size());
+    EXPECT_GE(amounts.left_out.distance, 10 * (1 - 1e-12));
+    EXPECT_LE(amounts.left_out.distance, 10 * 1.011);
     EXPECT_EQ(value_of(amounts.inside.area), 0);
     EXPECT_EQ(value_of(amounts.added.area), 0);
   }
@@ -41,8 +41,8 @@ TEST(RepairAmounts, do_not_depend_on_the_unit) {
     const TriangleSoup soup =
         joined(box_soup({0, 0, 0}, {unit, unit, unit}), wall_at(unit / 2, -unit, -unit, 2 * unit, 2 * unit));
     const RepairAmounts amounts = amounts_of(soup);
-    EXPECT_NEAR(amounts.dropped_part(), 8.0 / 15, 1e-9);
-    EXPECT_NEAR(amounts.dropped.distance / unit, std::sqrt(2), 0.016);
+    EXPECT_NEAR(amounts.left_out_part(), 8.0 / 15, 1e-9);
+    EXPECT_NEAR(amounts.left_out.distance / unit, std::sqrt(2), 0.016);
   }
 }
 
@@ -76,8 +76,8 @@ TEST(RepairAmounts, of_boxes_that_overlap_count_what_is_inside) {
   const RepairAmounts amounts = amounts_of(joined(cube_soup(0, 2), cube_soup(1, 3)));
   EXPECT_NEAR(value_of(amounts.area_seen), 48, 1e-9);
   EXPECT_NEAR(value_of(amounts.inside.area), 6, 1e-9);
-  EXPECT_EQ(amounts.dropped.facet_count, 0U);
-  EXPECT_EQ(amounts.added.facet_count, 0U);
+  EXPECT_EQ(amounts.left_out.triangle_count, 0U);
+  EXPECT_EQ(amounts.added.triangle_count, 0U);
 }
 
 TEST(RepairAmounts, of_a_lid_that_was_added) {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/repair/work_limits.h"
+#include "algebra3d/repair/detail/work_limits.h"
 
 namespace algebra3d {
 namespace {
@@ -23,7 +23,7 @@ TEST(RepairOptions, of_nothing_are_the_defaults) {
   for (const std::string_view text : {"", " ", ";", " ; ;\t\n"}) {
     const auto options = parse_repair_options(text);
     ASSERT_TRUE(options.ok()) << text;
-    EXPECT_EQ(options->crack_tolerance, std::nullopt);
+    EXPECT_EQ(options->gap_tolerance, std::nullopt);
     EXPECT_EQ(options->largest_hole, std::nullopt);
     EXPECT_TRUE(options->keeps_cavities);
     EXPECT_EQ(options->smallest_shell, 0);
@@ -33,12 +33,12 @@ TEST(RepairOptions, of_nothing_are_the_defaults) {
 }
 
 TEST(RepairOptions, are_read_in_any_order_and_with_blanks) {
-  for (const std::string_view text :
-       {"cracks=0.001;holes=20;cavities=drop;smallest=0.5;work=1000;strict",
-        " strict ; work = 1e3;smallest= .5e0 ;cavities\t=\tdrop; holes=2e1;cracks=1e-3;"}) {
+  for (const std::string_view text : {"gaps=0.001;holes=20;cavities=drop;smallest=0.5;work=1000;strict",
+                                      " strict ; work = 1e3;smallest= .5e0 ;cavities\t=\tdrop; holes=2e1;gaps=1e-3;",
+                                      "strict;work=1000;smallest=0.5;cavities=drop;holes=20;cracks=0.001"}) {
     const auto options = parse_repair_options(text);
     ASSERT_TRUE(options.ok()) << text << ": " << options.error().message;
-    EXPECT_EQ(options->crack_tolerance, 0.001);
+    EXPECT_EQ(options->gap_tolerance, 0.001);
     EXPECT_EQ(options->largest_hole, 20.0);
     EXPECT_FALSE(options->keeps_cavities);
     EXPECT_EQ(options->smallest_shell, 0.5);
@@ -46,15 +46,15 @@ TEST(RepairOptions, are_read_in_any_order_and_with_blanks) {
     EXPECT_EQ(options->work_limit, 1000);
   }
   EXPECT_TRUE(parse_repair_options("cavities=keep")->keeps_cavities);
-  EXPECT_EQ(parse_repair_options("cracks=0")->crack_tolerance, 0.0);
+  EXPECT_EQ(parse_repair_options("gaps=0")->gap_tolerance, 0.0);
   EXPECT_TRUE(RepairOptions::strict().is_strict);
 }
 
 TEST(RepairOptions, that_make_no_sense_are_refused_with_what_was_found_and_expected) {
-  EXPECT_EQ(complaint_about("crack=1"),
-            "there is no option 'crack'; expected cracks, holes, cavities, smallest, dropped, work or strict");
+  EXPECT_EQ(complaint_about("gap=1"),
+            "there is no option 'gap'; expected gaps, holes, cavities, smallest, dropped, work or strict");
   EXPECT_EQ(complaint_about("=1"),
-            "there is no option ''; expected cracks, holes, cavities, smallest, dropped, work or strict");
+            "there is no option ''; expected gaps, holes, cavities, smallest, dropped, work or strict");
   EXPECT_EQ(complaint_about("holes=1;holes=1"), "option 'holes' is given twice");
   EXPECT_EQ(complaint_about("strict;strict"), "option 'strict' is given twice");
   EXPECT_EQ(complaint_about("cavities=fill"), "option 'cavities' is 'fill'; expected 'keep' or 'drop'");
@@ -67,12 +67,14 @@ TEST(RepairOptions, that_make_no_sense_are_refused_with_what_was_found_and_expec
        {"-1",    "-0.001", "-1e-999x", "abc", "1,5", "1 2",  "nan", "NaN", "inf", "-inf", "infinity",
         "1e999", "0x10",   "1=",       "=1",  "5mm", "5 mm", "1%",  "++1", "1e",  "."})
     EXPECT_EQ(complaint_about("holes=" + value),
-              "option 'holes' is '" + value + "'; expected a number from 0 on, without a unit");
-  for (const std::string name : {"cracks", "holes", "smallest", "work"})
+              "option 'holes' is '" + value + "'; expected a number of at least 0 without a unit");
+  for (const std::string name : {"gaps", "cracks", "holes", "smallest", "work"})
     for (const std::string& text : {name, name + "=", name + " = ;strict"})
       EXPECT_EQ(complaint_about(text),
-                "option '" + name + "' has no value; expected a number from 0 on, without a unit");
-  EXPECT_EQ(complaint_about("cracks=1;;cracks"), "option 'cracks' is given twice");
+                "option '" + name + "' has no value; expected a number of at least 0 without a unit");
+  EXPECT_EQ(complaint_about("gaps=1;;gaps"), "option 'gaps' is given twice");
+  EXPECT_EQ(complaint_about("gaps=1;cracks=1"), "option 'cracks' is given twice");
+  EXPECT_EQ(complaint_about("cracks=1;cracks=2"), "option 'cracks' is given twice");
   EXPECT_NE(complaint_about("STRICT"), "");
   EXPECT_NE(complaint_about(std::string("holes=1\0", 8)), "");
 }
@@ -82,6 +84,8 @@ TEST(RepairOptions, are_written_as_they_are_read) {
        {"", "cracks=0.001", "cracks=0.0", "holes=20.0", "cavities=drop", "smallest=0.5", "work=1000.0", "strict",
         "cracks=1e-300;holes=1e+300;cavities=drop;smallest=0.1;work=0.0;strict"})
     EXPECT_EQ(text_of(*parse_repair_options(text)), text);
+  // The first name of the option stays in what is written.
+  EXPECT_EQ(text_of(*parse_repair_options("gaps=0.001")), "cracks=0.001");
   EXPECT_EQ(text_of(*parse_repair_options("cavities=keep; work=500; smallest=0; cracks=-0")), "cracks=0.0");
 }
 

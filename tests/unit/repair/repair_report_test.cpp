@@ -15,7 +15,7 @@ namespace {
 TEST(RepairReport, of_nothing_is_empty) {
   const RepairReport report;
   EXPECT_TRUE(report.is_empty());
-  EXPECT_EQ(report.text(), "facets joined anew where more than two meet; nothing moved, added or left out");
+  EXPECT_EQ(report.text(), "triangles linked anew where more than two meet; nothing moved, added or left out");
   EXPECT_EQ(report.deviation(), 0);
   EXPECT_EQ(report.find(RepairStep::holes), nullptr);
 }
@@ -23,10 +23,10 @@ TEST(RepairReport, of_nothing_is_empty) {
 TEST(RepairReport, counts_by_step_with_the_first_place_and_the_largest_distance) {
   RepairReport report;
   report.add(RepairStep::holes, {1, 2, 3}, 0.5);
-  report.add(RepairStep::cracks, {4, 5, 6}, 0.25);
+  report.add(RepairStep::gaps, {4, 5, 6}, 0.25);
   report.add(RepairStep::holes, {7, 8, 9}, 2);
   report.add(RepairStep::holes, {7, 8, 9}, 1);
-  report.add(RepairStep::duplicate_facets, {0, 0, 1});
+  report.add(RepairStep::duplicate_triangles, {0, 0, 1});
   const RepairEntry* holes = report.find(RepairStep::holes);
   ASSERT_NE(holes, nullptr);
   EXPECT_EQ(holes->count, 3U);
@@ -37,8 +37,8 @@ TEST(RepairReport, counts_by_step_with_the_first_place_and_the_largest_distance)
   EXPECT_FALSE(report.is_empty());
   EXPECT_EQ(
       report.text(),
-      "1 duplicate facet dropped (near (0 0 1)), 1 vertex moved across a crack (near (4 5 6)), 3 holes closed (near "
-      "(1 2 3)); at most 2 from the facets");
+      "1 duplicate triangle dropped (near (0 0 1)), 1 vertex moved across a gap (near (4 5 6)), 3 holes closed (near "
+      "(1 2 3)); at most 2 from the triangles");
 }
 
 TEST(RepairReport, places_are_short) {
@@ -54,9 +54,10 @@ TEST(RepairReport, says_what_was_left_out_and_added) {
   RepairReport report;
   report.size = 10;
   report.amounts = RepairAmounts{16, {2, 10, 9, {0, 0, 10}}, {}, {1, 0.25, 0.5, {}}, 0};
-  EXPECT_EQ(report.text(),
-            "left out: 2 facets, area 10 (62.5 %), up to 9 from the solid (near (0 0 10)); added: area 0.25, up to 0.5 "
-            "from the facets");
+  EXPECT_EQ(
+      report.text(),
+      "left out: 2 triangles, area 10 (62.5 %), up to 9 from the solid (near (0 0 10)); added: area 0.25, up to 0.5 "
+      "from the triangles");
   EXPECT_EQ(percent_text(0.99994), "99.994 %");
   EXPECT_EQ(percent_text(0.9999999999), "99.99999999 %");
   EXPECT_EQ(percent_text(1), "100 %");
@@ -70,9 +71,10 @@ TEST(RepairReport, amounts_beyond_the_range_of_doubles) {
   RepairReport report;
   const double infinite = std::numeric_limits<double>::infinity();
   report.amounts = RepairAmounts{{16, 1100}, {2, {10, 1100}, infinite, {}}, {}, {1, {0.25, -1100}, 0.5, {}}, 0};
-  EXPECT_EQ(report.text(),
-            "left out: 2 facets, area beyond the range of doubles (62.5 %), up to beyond the range of doubles from the "
-            "solid (near (0 0 0)); added: area beyond the range of doubles, up to 0.5 from the facets");
+  EXPECT_EQ(
+      report.text(),
+      "left out: 2 triangles, area beyond the range of doubles (62.5 %), up to beyond the range of doubles from the "
+      "solid (near (0 0 0)); added: area beyond the range of doubles, up to 0.5 from the triangles");
   EXPECT_EQ(Amount(0.25, -1070).in_doubles(), 0x1p-1072);
   EXPECT_EQ(Amount(1.5, 1023).in_doubles(), 0x1.8p1023);
   EXPECT_EQ(Amount(0, 5000).in_doubles(), 0.0);
@@ -87,12 +89,12 @@ TEST(RepairReport, holes_that_the_solid_does_not_have_are_not_told) {
   RepairReport report;
   report.add(HoleCover{{1, 0, 0}, 3, {}});
   report.add(HoleCover{{2, 0, 0}, 1, {}});
-  report.keep_holes({false, true});
+  report.drop_missing_covers({false, true});
   ASSERT_NE(report.find(RepairStep::holes), nullptr);
   EXPECT_EQ(report.find(RepairStep::holes)->count, 1U);
   EXPECT_EQ(report.find(RepairStep::holes)->where, (Vec3{2, 0, 0}));
   EXPECT_EQ(report.deviation(), 1);
-  report.keep_holes({false});
+  report.drop_missing_covers({false});
   EXPECT_TRUE(report.is_empty());
 }
 
@@ -123,7 +125,7 @@ TEST(RepairReport, names_and_wordings_are_all_different) {
   EXPECT_EQ(names.size(), kRepairSteps);
   EXPECT_FALSE(names.contains(""));
   EXPECT_EQ(texts.size(), 2 * kRepairSteps);
-  EXPECT_EQ(name_of(RepairStep::cracks), "cracks");
+  EXPECT_EQ(name_of(RepairStep::gaps), "gaps");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // The repair of what is hardly a solid, or none at all.
-#include "algebra3d/repair/repaired_solid.h"
+#include "algebra3d/repair/detail/repaired_solid.h"
 
 #include <cmath>
 #include <numbers>
@@ -9,7 +9,7 @@
 namespace algebra3d::soups {
 namespace {
 
-TEST(RepairedSolid, of_too_few_facets_there_is_none) {
+TEST(RepairedSolid, of_too_few_triangles_there_is_none) {
   TriangleSoup one;
   one.triangles = {{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}};
   expect_no_solid(one);
@@ -20,7 +20,7 @@ TEST(RepairedSolid, of_too_few_facets_there_is_none) {
   expect_no_solid(many);
 }
 
-TEST(RepairedSolid, of_facets_without_area_is_the_empty_solid) {
+TEST(RepairedSolid, of_triangles_without_area_is_the_empty_solid) {
   TriangleSoup soup;
   soup.triangles.assign(1000, {Vec3{1, 2, 3}, Vec3{1, 2, 3}, Vec3{1, 2, 3}});
   soup.triangles.push_back({Vec3{0, 0, 0}, Vec3{1, 1, 1}, Vec3{3, 3, 3}});
@@ -37,7 +37,7 @@ TEST(RepairedSolid, of_flat_sheets_there_is_none) {
     for (int y = 0; y < 10; ++y) sheet = joined(std::move(sheet), wall_at(0, x, y, x + 1, y + 1));
   expect_no_solid(sheet);
   const auto made = solid_from_soup(sheet);
-  EXPECT_EQ(made->reason.find("the facets are a sheet (near "), 0U) << made->reason;
+  EXPECT_EQ(made->reason.find("the triangles are an open patch (near "), 0U) << made->reason;
 }
 
 TEST(RepairedSolid, strips_that_cannot_be_oriented_are_no_trouble) {
@@ -99,7 +99,7 @@ TEST(RepairedSolid, nested_shells_of_any_orientation_follow_the_rules_for_shells
       const TriangleSoup skin = cube_soup(i, 10 - i);
       soup = joined(soup, looks_in(i) ? turned(skin) : skin);
     }
-    // Facets that mean nothing, so that there is something to repair.
+    // Triangles that mean nothing, so that there is something to repair.
     soup.triangles.push_back({Vec3{}, Vec3{}, Vec3{}});
     // From outside in: what looks the other way than a shell that was turned goes along; of others, cavities stay
     // within bodies alone.
@@ -119,7 +119,7 @@ TEST(RepairedSolid, nested_shells_of_any_orientation_follow_the_rules_for_shells
   }
 }
 
-// In each of its corners, whichever facet comes first.
+// In each of its corners, whichever triangle comes first.
 TEST(RepairedSolid, cavities_that_touch_the_outer_shell_in_a_vertex_stay) {
   const TriangleSoup outer = cube_soup(0, 6);
   for (int where = 0; where < 8; ++where) {
@@ -244,9 +244,9 @@ TEST(RepairedSolid, cubes_that_touch_are_both_kept_when_one_is_inside_out) {
   }
 }
 
-// The common side is there twice, looking the same way, so one of each pair of facets is dropped. Each edge round it
-// has three facets then, which are as nearly balanced as they can be, with either cube inside out or none: the facets
-// say no more which is meant, and the cube that was inside out is lost (volume 8 is found).
+// The common side is there twice, looking the same way, so one of each pair of triangles is dropped. Each edge round it
+// has three triangles then, which are as nearly balanced as they can be, with either cube inside out or none: the
+// triangles say no more which is meant, and the cube that was inside out is lost (volume 8 is found).
 TEST(RepairedSolid, cubes_that_share_a_whole_side_are_both_kept_when_one_is_inside_out) {
   const TriangleSoup cube = cube_soup(0, 2), beside = shifted(cube, {2, 0, 0});
   expect_exactly(joined(cube, turned(beside)), Rational(16));

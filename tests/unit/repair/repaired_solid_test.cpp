@@ -1,4 +1,4 @@
-#include "algebra3d/repair/repaired_solid.h"
+#include "algebra3d/repair/detail/repaired_solid.h"
 
 #include <atomic>
 #include <cmath>
@@ -6,107 +6,11 @@
 #include <memory>
 #include <set>
 
+#include "unit/repair/damage.h"
 #include "unit/repair/repaired.h"
 
 namespace algebra3d::soups {
 namespace {
-
-TriangleMesh l_shaped() {
-  // Seen whole from the corner of its notch.
-  return solids::prism(std::vector<solids::Corner>{{2, 1}, {2, 2}, {0, 2}, {0, 0}, {4, 0}, {4, 1}}, 0, 3);
-}
-
-constexpr int kBodyCount = 8;
-TriangleMesh body(int kind) {
-  switch (kind) {
-    case 0:
-      return solids::box({0, 0, 0}, {4, 2, 3});
-    case 1:
-      return on_grid(samples::torus(14, 8));
-    case 2:
-      return on_grid(solids::sphere(6, 9, 2));
-    case 3:
-      return on_grid(solids::geodesic_sphere(4));
-    case 4:
-      return l_shaped();
-    case 5:
-      return samples::MeshMaker().box({0, 0, 0}, {8, 8, 8}).box({2, 2, 2}, {6, 6, 6}, true).mesh();
-    case 6:
-      return samples::MeshMaker()
-          .box({0, 0, 0}, {8, 8, 8})
-          .box({1, 1, 1}, {7, 7, 7}, true)
-          .box({2, 2, 2}, {6, 6, 6})
-          .box({3, 3, 3}, {5, 5, 5}, true)
-          .mesh();
-    default:
-      return samples::MeshMaker()
-          .box({0, 0, 0}, {3, 3, 3})
-          .box({5, 0, 0}, {9, 3, 2})
-          .tetrahedron({0, 10, 0}, {4, 10, 0}, {0, 14, 0}, {0, 10, 4})
-          .mesh();
-  }
-}
-
-// Ways to damage a soup that leave the places as they are which it means.
-
-/// Turns facets over; of each connected part of the soup less than two fifths of the area.
-void turn_some(TriangleSoup& soup, Chance& chance) {
-  const TriangleMesh mesh = mesh_of(soup);
-  const FaceComponents parts = connected_components(mesh);
-  std::vector<double> area(parts.count), gone(parts.count);
-  for (std::size_t f = 0; f < soup.triangles.size(); ++f) area[parts.of_face[f]] += area_of(soup.triangles[f]);
-  for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
-    double& turned_area = gone[parts.of_face[f]];
-    if (!chance.one_in(4) || turned_area + area_of(soup.triangles[f]) > 0.4 * area[parts.of_face[f]]) continue;
-    turned_area += area_of(soup.triangles[f]);
-    soup.triangles[f] = turned(soup.triangles[f]);
-  }
-}
-
-void repeat_some(TriangleSoup& soup, Chance& chance) {
-  for (int n = chance.between(1, 5); n > 0; --n)
-    soup.triangles.push_back(soup.triangles[index_below(chance, soup.triangles.size())]);
-}
-
-void add_degenerate_ones(TriangleSoup& soup, Chance& chance) {
-  for (int n = chance.between(1, 5); n > 0; --n) {
-    const auto [a, b, c] = soup.triangles[index_below(chance, soup.triangles.size())];
-    switch (chance.below(3)) {
-      case 0:
-        soup.triangles.push_back({a, b, a});
-        break;
-      case 1:
-        soup.triangles.push_back({c, c, c});
-        break;
-      default:
-        soup.triangles.push_back({a, b, 0.5 * a + 0.5 * b});
-        break;
-    }
-  }
-}
-
-/// Facets in halves, whose neighbours are whole.
-void divide_some(TriangleSoup& soup, Chance& chance) {
-  for (int n = chance.between(1, 6); n > 0; --n) {
-    SoupTriangle& triangle = soup.triangles[index_below(chance, soup.triangles.size())];
-    const auto [a, b, c] = triangle;
-    const Vec3 middle = 0.5 * a + 0.5 * b;
-    triangle = {a, middle, c};
-    soup.triangles.push_back({middle, b, c});
-  }
-}
-
-void shuffle_facets(TriangleSoup& soup, Chance& chance) {
-  shuffle(soup, chance);
-}
-
-/// Corners of each facet apart from those of its neighbours, by no more than this in each coordinate.
-void crack(TriangleSoup& soup, Chance& chance, double size) {
-  for (SoupTriangle& t : soup.triangles)
-    for (Vec3& corner : t) corner = corner + size * Vec3{chance.unit(), chance.unit(), chance.unit()};
-}
-
-using Damage = void (*)(TriangleSoup& soup, Chance& chance);
 
 void expect_mended(Damage damage, std::initializer_list<RepairStep> steps) {
   for (int seed = 1; seed <= 24; ++seed) {
@@ -130,24 +34,24 @@ void expect_mended(Damage damage, std::initializer_list<RepairStep> steps) {
   }
 }
 
-TEST(RepairedSolid, turns_facets_back) {
-  expect_mended(turn_some, {RepairStep::turned_facets, RepairStep::turned_shells});
+TEST(RepairedSolid, turns_triangles_back) {
+  expect_mended(turn_some, {RepairStep::flipped_triangles, RepairStep::flipped_shells});
 }
 
-TEST(RepairedSolid, drops_repeated_facets) {
-  expect_mended(repeat_some, {RepairStep::duplicate_facets});
+TEST(RepairedSolid, drops_repeated_triangles) {
+  expect_mended(repeat_some, {RepairStep::duplicate_triangles});
 }
 
-TEST(RepairedSolid, drops_facets_without_area) {
+TEST(RepairedSolid, drops_triangles_without_area) {
   expect_mended(add_degenerate_ones, {RepairStep::repeated_corners, RepairStep::collinear_corners});
 }
 
 TEST(RepairedSolid, divides_edges_at_vertices_on_them) {
-  expect_mended(divide_some, {RepairStep::divided_edges});
+  expect_mended(divide_some, {RepairStep::t_junctions});
 }
 
 TEST(RepairedSolid, mends_all_that_leaves_every_place_where_it_was) {
-  constexpr std::array<Damage, 5> kDamages{turn_some, repeat_some, add_degenerate_ones, divide_some, shuffle_facets};
+  constexpr std::array<Damage, 5> kDamages{turn_some, repeat_some, add_degenerate_ones, divide_some, shuffle_triangles};
   for (int seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Chance chance(static_cast<std::uint64_t>(seed));
@@ -155,8 +59,8 @@ TEST(RepairedSolid, mends_all_that_leaves_every_place_where_it_was) {
     TriangleSoup soup = soup_of(whole);
     turn_some(soup, chance);
     for (int n = chance.between(2, 5); n > 0; --n) kDamages[1 + index_below(chance, 4)](soup, chance);
-    // Where a facet is there both whole and in halves, their rims may be covered, within the surface; the distance that
-    // is told does not know that.
+    // Where a triangle is there both whole and in halves, their rims may be covered, within the surface; the distance
+    // that is told does not know that.
     const SolidFromSoup made = repaired(soup);
     EXPECT_EQ(volume_of(made), solids::exact_volume_of(whole)) << made.status();
     const bool has_covers = made.repair && count_of(*made.repair, RepairStep::holes) > 0;
@@ -185,7 +89,7 @@ TEST(RepairedSolid, turns_whole_bodies_right_side_out) {
     if (turned_count == 0 || turned_count == 6) continue;
     // Turned, or turned with all and back: shells count one by one either way.
     EXPECT_EQ(made.repair->entries.size(), 1U) << made.status();
-    EXPECT_NE(made.repair->find(RepairStep::turned_shells), nullptr) << made.status();
+    EXPECT_NE(made.repair->find(RepairStep::flipped_shells), nullptr) << made.status();
   }
 }
 
@@ -199,7 +103,7 @@ TEST(RepairedSolid, shells_that_are_there_several_times_count_once) {
     expect_exactly(joined(joined(soup, soup), turned(soup)), volume);
     expect_exactly(joined(soup, turned(joined(soup, soup))), volume);
     const SolidFromSoup made = repaired(joined(soup, soup));
-    EXPECT_EQ(count_of(*made.repair, RepairStep::duplicate_facets), soup.triangles.size());
+    EXPECT_EQ(count_of(*made.repair, RepairStep::duplicate_triangles), soup.triangles.size());
   }
 }
 
@@ -268,7 +172,7 @@ std::vector<GridBox> boxes_in_general_position(Chance& chance, int count, int si
   return boxes;
 }
 
-TEST(RepairedSolid, of_overlapping_boxes_with_some_facets_turned_is_what_they_cover_together) {
+TEST(RepairedSolid, of_overlapping_boxes_with_some_triangles_turned_is_what_they_cover_together) {
   constexpr int kSize = 12;
   for (int seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -298,7 +202,7 @@ TEST(RepairedSolid, walls_within_bodies_bound_nothing) {
 }
 
 TEST(RepairedSolid, walls_between_rooms_that_share_edges_bound_nothing) {
-  // A box in two storeys: all facets of the shell have their edges on the ceiling between them.
+  // A box in two storeys: all triangles of the shell have their edges on the ceiling between them.
   const TriangleSoup below = box_soup({0, 0, 0}, {4, 2, 1}), above = box_soup({0, 0, 1}, {4, 2, 3});
   const auto is_between = [](const SoupTriangle& t) { return t[0].z == 1 && t[1].z == 1 && t[2].z == 1; };
   TriangleSoup without = joined(below, above), single;
@@ -321,7 +225,7 @@ TEST(RepairedSolid, walls_between_rooms_that_share_edges_bound_nothing) {
   }
 }
 
-TEST(RepairedSolid, single_facets_that_are_missing_are_put_back) {
+TEST(RepairedSolid, single_triangles_that_are_missing_are_put_back) {
   for (int seed = 1; seed <= 24; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Chance chance(static_cast<std::uint64_t>(seed));
@@ -343,8 +247,8 @@ TEST(RepairedSolid, single_facets_that_are_missing_are_put_back) {
   }
 }
 
-/// Removes a facet and those round one of its corners; gives a volume that holds all places that may change by it:
-/// what covers the hole stays in the hull of the corners of these facets.
+/// Removes a triangle and those round one of its corners; gives a volume that holds all places that may change by it:
+/// what covers the hole stays in the hull of the corners of these triangles.
 double remove_patch(TriangleSoup& soup, Chance& chance) {
   const Vec3 hub = soup.triangles[index_below(chance, soup.triangles.size())][0];
   Box3 box;
@@ -373,23 +277,23 @@ TEST(RepairedSolid, holes_are_closed_within_their_hull) {
   }
 }
 
-/// The surface sweeps over no more than this if its points move by no more than `distance`, itself one of facets whose
-/// area hardly grows by it.
+/// The surface sweeps over no more than this if its points move by no more than `distance`, itself one of triangles
+/// whose area hardly grows by it.
 double swept(const TriangleSoup& soup, double distance) {
   return 1.2 * area_of(soup) * distance;
 }
 
-TEST(RepairedSolid, cracks_below_the_tolerance_are_closed) {
+TEST(RepairedSolid, gaps_below_the_tolerance_are_closed) {
   for (int seed = 1; seed <= 24; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Chance chance(static_cast<std::uint64_t>(seed));
     const TriangleMesh whole = body(seed % kBodyCount);
     TriangleSoup soup = soup_of(whole);
     const double size = 2e-5 * diagonal_of(soup);
-    crack(soup, chance, size);
+    open_gaps(soup, chance, size);
     if (seed % 3 == 0) turn_some(soup, chance);
     const SolidFromSoup made = repaired(soup);
-    EXPECT_NE(made.repair->find(RepairStep::cracks), nullptr);
+    EXPECT_NE(made.repair->find(RepairStep::gaps), nullptr);
     EXPECT_EQ(made.repair->find(RepairStep::holes), nullptr) << made.status();
     const double deviation = made.repair->deviation();
     // No two corners that were one are farther apart.
@@ -402,7 +306,7 @@ TEST(RepairedSolid, cracks_below_the_tolerance_are_closed) {
 }
 
 TEST(RepairedSolid, mends_everything_at_once) {
-  constexpr std::array<Damage, 5> kDamages{turn_some, repeat_some, add_degenerate_ones, divide_some, shuffle_facets};
+  constexpr std::array<Damage, 5> kDamages{turn_some, repeat_some, add_degenerate_ones, divide_some, shuffle_triangles};
   for (int seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Chance chance(static_cast<std::uint64_t>(seed));
@@ -415,7 +319,7 @@ TEST(RepairedSolid, mends_everything_at_once) {
     double moved = 0;
     if (chance.one_in(2)) {
       moved = 1e-5 * diagonal_of(soup);
-      crack(soup, chance, moved);
+      open_gaps(soup, chance, moved);
     }
     if (chance.one_in(2)) soup = turned(soup);
     const SolidFromSoup made = repaired(soup);
@@ -461,7 +365,7 @@ TEST(RepairedSolid, ends_when_asked_to_at_any_time) {
   TriangleSoup soup = joined(soup_of(on_grid(samples::torus(14, 8))), cube_soup(1, 4));
   soup.triangles.pop_back();
   const auto mesh = std::make_shared<const TriangleMesh>(mesh_of(soup));
-  const KnownFacets given(mesh, {}, solids::exact_volume_of(*mesh));
+  const KnownTriangles given(mesh, {}, solids::exact_volume_of(*mesh));
   const ValidityReport found = *prove_volume(*mesh);
   const std::atomic<bool> at_once = true;
   const auto none = repaired_solid(given, found, {}, &at_once);

@@ -1,4 +1,4 @@
-#include "algebra3d/repair/shell_orientation.h"
+#include "algebra3d/repair/detail/shell_orientation.h"
 
 #include <atomic>
 
@@ -57,15 +57,16 @@ TEST(ShellOrientation, follows_the_rules_for_nested_shells_in_any_order) {
       skins.push_back({i * 1.0, 20 - i - chance.below(2) * 0.25, chance.one_in(3) ? 40.0 : 0.0, chance.one_in(2)});
     TriangleSoup soup = soup_of_all(skins);
     shuffle(soup, chance);
-    FacetList facets = facets_of(soup);
-    const auto before = facets.triangles;
+    IndexedSoup indexed = indexed_soup(soup);
+    const auto before = indexed.triangles.values();
     RepairReport report;
-    ASSERT_TRUE(orient_shells(facets, report).ok());
+    ASSERT_TRUE(orient_shells(indexed, report).ok());
     const std::vector<Skin> expected = oriented_by_the_rules(skins);
-    EXPECT_EQ(in_order(soup_of(facets)), in_order(soup_of_all(expected)));
-    std::uint64_t turned_facets = 0;
-    for (std::size_t f = 0; f < before.size(); ++f) turned_facets += before[f] == facets.triangles[f] ? 0 : 1;
-    EXPECT_EQ(12 * count_of(report, RepairStep::turned_shells), turned_facets);
+    EXPECT_EQ(in_order(soup_of(indexed)), in_order(soup_of_all(expected)));
+    std::uint64_t flipped_triangles = 0;
+    for (std::size_t f = 0; f < before.size(); ++f)
+      flipped_triangles += before[f] == indexed.triangles.values()[f] ? 0 : 1;
+    EXPECT_EQ(12 * count_of(report, RepairStep::flipped_shells), flipped_triangles);
     EXPECT_EQ(report.deviation(), 0);
   }
 }
@@ -75,19 +76,19 @@ TEST(ShellOrientation, what_is_inside_out_is_so_with_its_cavities_and_what_is_in
   const TriangleSoup beside = shifted(cube_soup(0, 9), {20, 0, 0});
   for (const bool is_beside_a_larger_one : {false, true}) {
     const TriangleSoup right = is_beside_a_larger_one ? joined(onion, beside) : onion;
-    FacetList facets = facets_of(is_beside_a_larger_one ? joined(turned(onion), beside) : turned(onion));
+    IndexedSoup indexed = indexed_soup(is_beside_a_larger_one ? joined(turned(onion), beside) : turned(onion));
     RepairReport report;
-    ASSERT_TRUE(orient_shells(facets, report).ok());
-    EXPECT_EQ(in_order(soup_of(facets)), in_order(right));
-    EXPECT_EQ(count_of(report, RepairStep::turned_shells), 3U);
+    ASSERT_TRUE(orient_shells(indexed, report).ok());
+    EXPECT_EQ(in_order(soup_of(indexed)), in_order(right));
+    EXPECT_EQ(count_of(report, RepairStep::flipped_shells), 3U);
   }
 }
 
 TEST(ShellOrientation, a_cavity_that_looks_right_stays_when_its_body_is_turned) {
-  FacetList facets = facets_of(joined(turned(cube_soup(0, 4)), turned(cube_soup(1, 3))));
+  IndexedSoup indexed = indexed_soup(joined(turned(cube_soup(0, 4)), turned(cube_soup(1, 3))));
   RepairReport report;
-  ASSERT_TRUE(orient_shells(facets, report).ok());
-  EXPECT_EQ(in_order(soup_of(facets)), in_order(joined(cube_soup(0, 4), turned(cube_soup(1, 3)))));
+  ASSERT_TRUE(orient_shells(indexed, report).ok());
+  EXPECT_EQ(in_order(soup_of(indexed)), in_order(joined(cube_soup(0, 4), turned(cube_soup(1, 3)))));
 }
 
 TEST(ShellOrientation, what_sticks_out_is_no_cavity_however_the_axes_lie) {
@@ -96,10 +97,10 @@ TEST(ShellOrientation, what_sticks_out_is_no_cavity_however_the_axes_lie) {
     TriangleSoup soup = joined(cube, bar);
     for (SoupTriangle& t : soup.triangles)
       for (Vec3& corner : t) corner = {corner[turn], corner[(turn + 1) % 3], corner[(turn + 2) % 3]};
-    FacetList facets = facets_of(soup);
+    IndexedSoup indexed = indexed_soup(soup);
     RepairReport report;
-    ASSERT_TRUE(orient_shells(facets, report).ok());
-    EXPECT_EQ(count_of(report, RepairStep::turned_shells), 1U);
+    ASSERT_TRUE(orient_shells(indexed, report).ok());
+    EXPECT_EQ(count_of(report, RepairStep::flipped_shells), 1U);
   }
 }
 
@@ -107,11 +108,11 @@ TEST(ShellOrientation, solids_stay_as_they_are) {
   for (const TriangleMesh& mesh :
        {samples::torus(9, 7), samples::MeshMaker().box({0, 0, 0}, {6, 6, 6}).box({1, 1, 1}, {5, 5, 5}, true).mesh(),
         TriangleMesh()}) {
-    FacetList facets = facets_of(soup_of(mesh));
-    const auto before = facets.triangles;
+    IndexedSoup indexed = indexed_soup(soup_of(mesh));
+    const auto before = indexed.triangles.values();
     RepairReport report;
-    ASSERT_TRUE(orient_shells(facets, report).ok());
-    EXPECT_EQ(facets.triangles, before);
+    ASSERT_TRUE(orient_shells(indexed, report).ok());
+    EXPECT_EQ(indexed.triangles.values(), before);
     EXPECT_TRUE(report.is_empty());
   }
 }
@@ -123,11 +124,11 @@ TEST(ShellOrientation, what_is_not_quite_closed_is_turned_by_its_pyramids) {
     TriangleSoup sphere = soup_of(solids::geodesic_sphere(3));
     sphere.triangles.erase(sphere.triangles.begin() + chance.below(72));
     const TriangleSoup cube = shifted(cube_soup(0, 9), {20, 0, 0});
-    FacetList facets = facets_of(joined(cube, turned(sphere)));
+    IndexedSoup indexed = indexed_soup(joined(cube, turned(sphere)));
     RepairReport report;
-    ASSERT_TRUE(orient_shells(facets, report).ok());
-    EXPECT_EQ(in_order(soup_of(facets)), in_order(joined(cube, sphere)));
-    EXPECT_EQ(count_of(report, RepairStep::turned_shells), 1U);
+    ASSERT_TRUE(orient_shells(indexed, report).ok());
+    EXPECT_EQ(in_order(soup_of(indexed)), in_order(joined(cube, sphere)));
+    EXPECT_EQ(count_of(report, RepairStep::flipped_shells), 1U);
   }
 }
 
@@ -135,54 +136,54 @@ TEST(ShellOrientation, what_is_not_quite_closed_is_turned_by_its_pyramids) {
 TEST(ShellOrientation, bodies_that_touch_in_an_edge_are_shells_by_themselves) {
   const TriangleSoup first = box_soup({0, 0, 0}, {3, 3, 3}), second = box_soup({3, 3, 0}, {5, 5, 3});
   for (const bool is_first : {false, true}) {
-    FacetList facets = facets_of(is_first ? joined(turned(first), second) : joined(first, turned(second)));
-    ASSERT_EQ(facets.mesh()->nonmanifold_edge_count(), 1U);
+    IndexedSoup indexed = indexed_soup(is_first ? joined(turned(first), second) : joined(first, turned(second)));
+    ASSERT_EQ(indexed.mesh()->nonmanifold_edge_count(), 1U);
     RepairReport report;
-    ASSERT_TRUE(orient_shells(facets, report).ok());
-    EXPECT_EQ(in_order(soup_of(facets)), in_order(joined(first, second)));
+    ASSERT_TRUE(orient_shells(indexed, report).ok());
+    EXPECT_EQ(in_order(soup_of(indexed)), in_order(joined(first, second)));
   }
 }
 
-TEST(ShellOrientation, fins_do_not_keep_a_body_from_being_turned) {
-  // Two boxes as one, with a fin twice at the edge between their upper sides: that edge has four facets.
+TEST(ShellOrientation, dangling_sheets_do_not_keep_a_body_from_being_turned) {
+  // Two boxes as one, with a dangling sheet twice at the edge between their upper sides: that edge has four triangles.
   TriangleSoup soup = joined(cube_soup(0, 2), shifted(cube_soup(0, 2), {2, 0, 0}));
   std::erase_if(soup.triangles, [](const SoupTriangle& t) { return t[0].x == 2 && t[1].x == 2 && t[2].x == 2; });
-  const SoupTriangle fin{Vec3{2, 0, 2}, Vec3{2, 2, 2}, Vec3{2, 1, 4}};
-  soup.triangles.push_back(fin);
-  soup.triangles.push_back({fin[0], fin[2], fin[1]});
-  FacetList facets = facets_of(turned(soup));
+  const SoupTriangle sheet{Vec3{2, 0, 2}, Vec3{2, 2, 2}, Vec3{2, 1, 4}};
+  soup.triangles.push_back(sheet);
+  soup.triangles.push_back({sheet[0], sheet[2], sheet[1]});
+  IndexedSoup indexed = indexed_soup(turned(soup));
   RepairReport report;
-  ASSERT_TRUE(orient_shells(facets, report).ok());
-  EXPECT_EQ(solids::exact_volume_of(*facets.mesh()), Rational(16));
-  EXPECT_TRUE(is_consistently_oriented(*facets.mesh()));
+  ASSERT_TRUE(orient_shells(indexed, report).ok());
+  EXPECT_EQ(solids::exact_volume_of(*indexed.mesh()), Rational(16));
+  EXPECT_TRUE(is_consistently_oriented(*indexed.mesh()));
 }
 
-// Each of two cups has its rim at the edges of four facets, where the ceiling between them is there twice.
+// Each of two cups has its rim at the edges of four triangles, where the ceiling between them is there twice.
 TEST(ShellOrientation, parts_that_are_balanced_only_together_are_turned_together) {
   const TriangleSoup all = joined(cube_soup(0, 2), shifted(cube_soup(0, 2), {0, 0, 2}));
-  FacetList facets = facets_of(turned(all));
+  IndexedSoup indexed = indexed_soup(turned(all));
   RepairReport report;
-  ASSERT_TRUE(orient_shells(facets, report).ok());
-  EXPECT_EQ(in_order(soup_of(facets)), in_order(all));
-  EXPECT_NE(report.find(RepairStep::turned_shells), nullptr);
+  ASSERT_TRUE(orient_shells(indexed, report).ok());
+  EXPECT_EQ(in_order(soup_of(indexed)), in_order(all));
+  EXPECT_NE(report.find(RepairStep::flipped_shells), nullptr);
 }
 
 TEST(ShellOrientation, huge_and_tiny_shells_are_turned_too) {
   for (const double size : {1e-300, 1e-100, 1e100, 1e300}) {
     SCOPED_TRACE(size);
     const TriangleSoup large = scaled(cube_soup(0, 3), size), small = scaled(shifted(cube_soup(0, 2), {5, 5, 5}), size);
-    FacetList facets = facets_of(joined(large, turned(small)));
+    IndexedSoup indexed = indexed_soup(joined(large, turned(small)));
     RepairReport report;
-    ASSERT_TRUE(orient_shells(facets, report).ok());
-    EXPECT_EQ(in_order(soup_of(facets)), in_order(joined(large, small)));
+    ASSERT_TRUE(orient_shells(indexed, report).ok());
+    EXPECT_EQ(in_order(soup_of(indexed)), in_order(joined(large, small)));
   }
 }
 
 TEST(ShellOrientation, ends_when_asked_to) {
-  FacetList facets = facets_of(cube_soup(0, 1));
+  IndexedSoup indexed = indexed_soup(cube_soup(0, 1));
   RepairReport report;
   const std::atomic<bool> cancel = true;
-  const Status status = orient_shells(facets, report, &cancel);
+  const Status status = orient_shells(indexed, report, &cancel);
   ASSERT_FALSE(status.ok());
   EXPECT_EQ(status.error().code, ErrorCode::interrupted);
 }

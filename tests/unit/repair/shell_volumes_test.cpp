@@ -1,17 +1,17 @@
-#include "algebra3d/repair/shell_volumes.h"
+#include "algebra3d/repair/detail/shell_volumes.h"
 
 #include <cmath>
-#include <numeric>
 
+#include "algebra3d/halfedge/circulators.h"
 #include "unit/repair/soups.h"
 
 namespace algebra3d::soups {
 namespace {
 
-std::vector<std::uint32_t> all_faces(const TriangleMesh& mesh) {
-  std::vector<std::uint32_t> faces(mesh.face_count());
-  std::iota(faces.begin(), faces.end(), 0U);
-  return faces;
+std::vector<FaceId> all_faces(const TriangleMesh& mesh) {
+  std::vector<FaceId> result;
+  for (const FaceId face : faces(mesh)) result.push_back(face);
+  return result;
 }
 
 TEST(ShellVolumes, the_exact_volume_is_within_the_error) {

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "algebra3d/exact/exact_sum.h"
-#include "algebra3d/repair/spatial_order.h"
+#include "algebra3d/soup/spatial_order.h"
 #include "unit/validity/sample_meshes.h"
 
 namespace algebra3d {
@@ -46,7 +46,7 @@ TEST(SolidFromSoup, keeps_exactly_the_triangles_and_drops_nothing) {
   EXPECT_TRUE(made->report.remarks().empty());
 }
 
-TEST(SolidFromSoup, order_of_the_facets_makes_no_difference) {
+TEST(SolidFromSoup, order_of_the_triangles_makes_no_difference) {
   TriangleSoup soup = soup_of(samples::torus(20, 12));
   const auto first = solid_from_soup(soup);
   std::mt19937 random(3);
@@ -60,7 +60,7 @@ TEST(SolidFromSoup, inside_out_is_turned_also_with_a_cavity) {
   turn_over(soup);
   const auto made = solid_from_soup(soup);
   ASSERT_TRUE(made->mesh);
-  EXPECT_TRUE(made->report.was_turned);
+  EXPECT_TRUE(made->report.was_flipped);
   turn_over(soup);
   EXPECT_EQ(sorted(soup_of(*made->mesh).triangles), sorted(soup.triangles));
 }
@@ -69,18 +69,18 @@ TEST(SolidFromSoup, one_of_two_bodies_inside_out_is_refused) {
   const auto made = solid_from_soup(
       soup_of(MeshMaker().box({0, 0, 0}, {4, 4, 4}).box({5, 5, 5}, {6, 6, 6}, true).mesh()), RepairOptions::strict());
   EXPECT_FALSE(made->mesh);
-  EXPECT_FALSE(made->report.was_turned);
-  EXPECT_EQ(made->report.defects().find("no valid solid: 1 shell with a wrong winding number (facet "), 0U)
+  EXPECT_FALSE(made->report.was_flipped);
+  EXPECT_EQ(made->report.defects().find("no valid solid: 1 shell with a wrong winding number (triangle "), 0U)
       << made->report.defects();
 }
 
-TEST(SolidFromSoup, defects_are_located_by_facets_of_the_soup) {
+TEST(SolidFromSoup, defects_are_located_by_triangles_of_the_soup) {
   TriangleSoup soup = soup_of(samples::torus(20, 12));
-  // The same facet twice: as number 101 and as the last, number 481.
+  // The same triangle twice: as number 101 and as the last, number 481.
   soup.triangles.push_back(soup.triangles[100]);
   const auto made = solid_from_soup(soup, RepairOptions::strict());
   EXPECT_FALSE(made->mesh);
-  EXPECT_NE(made->report.defects().find("1 duplicate facet (facets 101 and 481, near ("), std::string::npos)
+  EXPECT_NE(made->report.defects().find("1 duplicate triangle (triangles 101 and 481, near ("), std::string::npos)
       << made->report.defects();
 }
 
@@ -97,10 +97,10 @@ TEST(SolidFromSoup, normals_without_length_contradict_nothing) {
   soup.normals[5] = {-7, 8, -9};
   const auto made = solid_from_soup(soup);
   ASSERT_TRUE(made->mesh);
-  // Facets 5 and 6 look towards -y.
+  // Triangles 5 and 6 look towards -y.
   EXPECT_EQ(made->report.contradicting_normal_count, 2U);
   EXPECT_EQ(made->report.remarks(),
-            std::vector<std::string>{"2 facet normals contradict the order of the corners (first: facet 5)"});
+            std::vector<std::string>{"2 normals contradict the order of the corners (first: triangle 5)"});
 }
 
 TEST(SolidFromSoup, huge_and_tiny_coordinates_are_no_trouble) {

@@ -15,14 +15,14 @@
 #include "algebra3d/exact/vertical_line.h"
 #include "algebra3d/halfedge/audit.h"
 #include "algebra3d/halfedge/topology.h"
-#include "algebra3d/repair/facet_list.h"
+#include "algebra3d/repair/detail/indexed_soup.h"
 #include "algebra3d/repair/repair_report.h"
-#include "algebra3d/repair/weld.h"
+#include "algebra3d/soup/weld.h"
 #include "algebra3d/validity/validity.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/validity/sample_meshes.h"
 
-/// Facets that are no solid, and what is known of them without the code under test.
+/// Triangles that are no solid, and what is known of them without the code under test.
 namespace algebra3d::soups {
 
 using solids::Chance;
@@ -36,14 +36,21 @@ inline TriangleSoup soup_of(const TriangleMesh& mesh) {
   }
   return soup;
 }
-inline TriangleSoup soup_of(const FacetList& facets) {
-  return soup_of(*facets.mesh());
+inline TriangleSoup soup_of(const IndexedSoup& indexed) {
+  return soup_of(*indexed.mesh());
 }
-inline FacetList facets_of(const TriangleSoup& soup) {
-  return FacetList(weld(soup.triangles));
+inline IndexedSoup indexed_soup(const TriangleSoup& soup) {
+  return IndexedSoup(weld(soup.triangles));
+}
+/// Triangles between few points of a grid.
+inline IndexedSoup random_triangles_on_grid(Chance& chance, int count, int size) {
+  TriangleSoup soup;
+  for (int i = 0; i < count; ++i)
+    soup.triangles.push_back({chance.grid_point(size), chance.grid_point(size), chance.grid_point(size)});
+  return indexed_soup(soup);
 }
 inline TriangleMesh mesh_of(const TriangleSoup& soup) {
-  return *facets_of(soup).mesh();
+  return *indexed_soup(soup).mesh();
 }
 
 inline TriangleSoup joined(TriangleSoup first, const TriangleSoup& second) {
@@ -98,7 +105,7 @@ inline double area_of(const SoupTriangle& t) {
 }
 inline double area_of(const TriangleSoup& soup) {
   double sum = 0;
-  for (const SoupTriangle& t : soup.triangles) sum += area_of(t);
+  for (const SoupTriangle& t : soup.triangles) sum += soups::area_of(t);
   return sum;
 }
 inline double diagonal_of(const TriangleSoup& soup) {

@@ -42,7 +42,7 @@ TEST(SurfaceFromSoup, edges_with_many_pages_are_allowed) {
   EXPECT_TRUE(made.repair.is_empty());
 }
 
-TEST(SurfaceFromSoup, facets_without_area_are_dropped) {
+TEST(SurfaceFromSoup, triangles_without_area_are_dropped) {
   TriangleSoup soup = wall_of_squares();
   soup.triangles.push_back({Vec3{0, 0, 0}, Vec3{0, 0, 0}, Vec3{1, 1, 1}});
   soup.triangles.push_back({Vec3{0, 0, 0}, Vec3{2, 2, 2}, Vec3{1, 1, 1}});
@@ -62,7 +62,7 @@ TriangleSoup rectangle(int x0, int y0, int x1, int y1, int z) {
 }
 
 // Cells are counted one by one.
-TEST(SurfaceFromSoup, what_several_facets_cover_is_there_once) {
+TEST(SurfaceFromSoup, what_several_triangles_cover_is_there_once) {
   constexpr int kSize = 6;
   for (int seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -82,7 +82,7 @@ TEST(SurfaceFromSoup, what_several_facets_cover_is_there_once) {
   }
 }
 
-TEST(SurfaceFromSoup, facets_that_pass_through_each_other_are_divided) {
+TEST(SurfaceFromSoup, triangles_that_pass_through_each_other_are_divided) {
   for (int seed = 1; seed <= 30; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Chance chance(static_cast<std::uint64_t>(seed));

@@ -156,7 +156,7 @@ TEST_F(Definitions, what_had_a_value_and_is_undefined_at_restore_is_left_out) {
             "error: restore: the database 'new' was restored and is open, without these objects, which cannot be "
             "derived again: Big, Part");
   EXPECT_NE(session_.notes().find("restore: 'Part' is left out, it cannot be derived again: it had a value when it was "
-                                  "saved, and is undefined now\n"),
+                                  "saved and is undefined now\n"),
             std::string::npos)
       << session_.notes();
   EXPECT_EQ(session_.run("query NoSize"), "undefined");

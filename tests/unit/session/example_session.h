@@ -5,6 +5,8 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "algebra3d/operators/all.h"
 #include "queries/session/session.h"
@@ -44,8 +46,9 @@ inline const algebra3d::Registry& test_registry() {
 /// Runs commands and gives what they print: the value list, `error: MESSAGE`, or nothing.
 class TestSession : public Presenter {
  public:
-  explicit TestSession(const std::filesystem::path& folder, const algebra3d::Registry& registry = test_registry())
-      : session_(registry, {folder, false}), folder_(folder) {}
+  explicit TestSession(const std::filesystem::path& folder, const algebra3d::Registry& registry = test_registry(),
+                       std::vector<std::filesystem::path> failure_folders = {})
+      : session_(registry, {.folder = folder, .failure_folders = std::move(failure_folders)}), folder_(folder) {}
 
   std::string run(const std::string& command) {
     answer_.clear();
@@ -62,7 +65,7 @@ class TestSession : public Presenter {
   Session& session() { return session_; }
 
   Status present(const TypeExpr& type, const Datum& value, Context& context) override {
-    ASSIGN_OR_RETURN(const NestedList list, value_list(type, value, context));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const NestedList list, value_list(type, value, context));
     answer_ = list.print();
     return {};
   }

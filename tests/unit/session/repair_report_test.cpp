@@ -36,7 +36,7 @@ TEST_F(RepairReports, say_why_a_file_has_none) {
 TEST_F(RepairReports, say_why_there_is_no_solid) {
   write("open.off", "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n");
   EXPECT_EQ(session_.run("query repairReport('open.off', 'strict') count"), "1");
-  EXPECT_TRUE(session_.notes().starts_with("repairReport: open.off: no valid solid: 3 boundary edges (facet "))
+  EXPECT_TRUE(session_.notes().starts_with("repairReport: open.off: no valid solid: 3 boundary edges (triangle "))
       << session_.notes();
   EXPECT_EQ(session_.run("query repairReport('open.off') filter[.Phase = \"changed\"] count"), "1");
   EXPECT_EQ(session_.notes(), "");

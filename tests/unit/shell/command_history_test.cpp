@@ -1,4 +1,4 @@
-#include "queries/shell/command_history.h"
+#include "queries/shell/detail/command_history.h"
 
 #include <gtest/gtest.h>
 #include <stdlib.h>

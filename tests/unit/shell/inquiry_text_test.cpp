@@ -1,8 +1,8 @@
-#include "queries/shell/inquiry_text.h"
+#include "queries/shell/detail/inquiry_text.h"
 
 #include <gtest/gtest.h>
 
-#include "queries/shell/table.h"
+#include "queries/shell/detail/table.h"
 
 namespace queries {
 namespace {

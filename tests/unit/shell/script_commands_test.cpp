@@ -1,4 +1,4 @@
-// The commands of language.md 1.2, which the shell carries out itself, in scripts.
+// The commands that the shell carries out itself, in scripts.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -7,11 +7,11 @@
 #include <sstream>
 
 #include "algebra3d/operators/all.h"
-#include "queries/shell/csv_presenter.h"
-#include "queries/shell/interruption.h"
-#include "queries/shell/json_presenter.h"
-#include "queries/shell/presenters.h"
-#include "queries/shell/statement_runner.h"
+#include "queries/shell/detail/csv_presenter.h"
+#include "queries/shell/detail/interruption.h"
+#include "queries/shell/detail/json_presenter.h"
+#include "queries/shell/detail/presenters.h"
+#include "queries/shell/detail/statement_runner.h"
 #include "queries/streams/all.h"
 
 namespace queries {
@@ -89,7 +89,7 @@ TEST_F(ScriptCommands, a_solid_that_is_the_result_and_not_written_is_an_error) {
   options.geometry = ExchangeOptions::Geometry::file;
   options.folder = folder_;
   for (const bool is_json : {true, false}) {
-    ExchangeValues values(registry(), options);
+    ExchangeValues values(options);
     JsonPresenter json(out_, values, JsonPresenter::Layout::document);
     CsvPresenter csv(out_, values);
     Presenter& presenter = is_json ? static_cast<Presenter&>(json) : csv;

@@ -1,4 +1,4 @@
-#include "queries/shell/terminal_output.h"
+#include "queries/shell/detail/terminal_output.h"
 
 #include <gtest/gtest.h>
 #include <stdlib.h>

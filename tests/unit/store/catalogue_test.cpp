@@ -1,5 +1,5 @@
 // Derived objects, named types, other names, objects that are given up; files of the version before.
-#include "queries/store/tables.h"
+#include "queries/store/detail/tables.h"
 #include "unit/store/store_fixture.h"
 
 namespace queries {

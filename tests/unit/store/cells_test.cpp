@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <xxhash.h>
 
-#include "queries/store/cell.h"
+#include "queries/store/detail/cell.h"
 
 namespace queries {
 namespace {

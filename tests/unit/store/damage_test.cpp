@@ -10,23 +10,23 @@ class StoreDamage : public StoreTest {
  protected:
   /// Everything that is stored, as text, or the error.
   Result<std::string> contents() {
-    ASSIGN_OR_RETURN(const auto store, Store::open(path(), OpenMode::read_write, registry_));
-    RETURN_IF_ERROR(store->begin(false));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto store, Store::open(path(), OpenMode::read_write, registry_));
+    ALGEBRA3D_RETURN_IF_ERROR(store->begin(false));
     return contents(*store);
   }
   Result<std::string> contents(Store& store) {
-    ASSIGN_OR_RETURN(const auto objects, store.objects());
-    ASSIGN_OR_RETURN(const auto types, store.types());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto objects, store.objects());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto types, store.types());
     std::string result;
     for (const NamedType& each : types) result += each.name + " = " + each.type.text() + "\n";
     for (const ObjectInfo& info : objects) {
       result += info.name + " " + info.type.text() + " " + info.function_text + info.derived_text + "\n";
       if (info.type.is_function()) continue;
-      ASSIGN_OR_RETURN(const Datum datum, store.read(info.name));
+      ALGEBRA3D_ASSIGN_OR_RETURN(const Datum datum, store.read(info.name));
       if (info.type.is("rtree3")) {
         result += fmt::format("{}\n", datum.index()->tree().size());
       } else if (info.type.is_relation()) {
-        RETURN_IF_ERROR(append(*datum.relation(), result));
+        ALGEBRA3D_RETURN_IF_ERROR(append(*datum.relation(), result));
       } else {
         result += text(datum.value()) + "\n";
       }
@@ -34,14 +34,14 @@ class StoreDamage : public StoreTest {
     return result;
   }
   static Status append(Relation& relation, std::string& result) {
-    ASSIGN_OR_RETURN(const auto count, relation.count());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto count, relation.count());
     result += fmt::format("{} tuples\n", count);
-    ASSIGN_OR_RETURN(const auto stream, relation.scan());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto stream, relation.scan());
     while (true) {
-      ASSIGN_OR_RETURN(const auto tuple, stream->next());
+      ALGEBRA3D_ASSIGN_OR_RETURN(const auto tuple, stream->next());
       if (tuple == nullptr) return {};
       for (const Value& value : tuple->attributes) {
-        ASSIGN_OR_RETURN(const Value loaded, value.loaded());
+        ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.loaded());
         result += loaded.to_nested().print() + "\n";
       }
     }

@@ -1,8 +1,8 @@
 // Opening: which files are databases of ours, and what is said of the others.
 #include <unistd.h>
 
-#include "queries/store/sqlite_connection.h"
-#include "queries/store/tables.h"
+#include "queries/store/detail/sqlite_connection.h"
+#include "queries/store/detail/tables.h"
 #include "unit/store/store_fixture.h"
 
 namespace queries {
@@ -41,7 +41,7 @@ TEST_F(StoreFiles, files_of_other_kinds_are_foreign_and_stay_as_they_are) {
   write_bytes(path("a.stl"), "solid a\nendsolid a\n");
   for (const OpenMode mode : {OpenMode::open_or_create, OpenMode::read_write, OpenMode::read_only})
     expect_error(open_error(path("a.stl"), mode), ErrorCode::database_foreign,
-                 name("a.stl") + ": expected an algebra3d database, found a file of another kind");
+                 name("a.stl") + ": not a SQLite file; expected an algebra3d database");
   EXPECT_EQ(bytes(path("a.stl")), "solid a\nendsolid a\n");
   expect_error(open_error(folder_, OpenMode::open_or_create), ErrorCode::database_foreign,
                folder_.string() + ": expected an algebra3d database, found a folder");

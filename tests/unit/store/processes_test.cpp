@@ -43,11 +43,11 @@ class StoreProcesses : public StoreTest {
     });
   }
   Status count_once(Store& store) {
-    ASSIGN_OR_RETURN(const Datum a, store.read("a"));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Datum a, store.read("a"));
     const int next = static_cast<int>(a.value().get<std::int64_t>()) + 1;
-    RETURN_IF_ERROR(store.assign("a", number(next), context_));
-    ASSIGN_OR_RETURN(const Datum relation, store.read("R"));
-    RETURN_IF_ERROR(relation.relation()->insert(part(next)));
+    ALGEBRA3D_RETURN_IF_ERROR(store.assign("a", number(next), context_));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Datum relation, store.read("R"));
+    ALGEBRA3D_RETURN_IF_ERROR(relation.relation()->insert(part(next)));
     return store.assign("b", number(next), context_);
   }
   /// Writes `count` statements, every fourth as a transaction of two, every fifth undone. The exit status.
@@ -74,21 +74,21 @@ class StoreProcesses : public StoreTest {
   }
   /// The state that a reader sees, which must be one that a statement has left: the number, or what is wrong.
   Result<int> consistent_count(Store& store) {
-    RETURN_IF_ERROR(store.begin(false));
-    ASSIGN_OR_RETURN(const Datum a, store.read("a"));
-    ASSIGN_OR_RETURN(const Datum relation, store.read("R"));
-    ASSIGN_OR_RETURN(const auto stream, relation.relation()->scan());
+    ALGEBRA3D_RETURN_IF_ERROR(store.begin(false));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Datum a, store.read("a"));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Datum relation, store.read("R"));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto stream, relation.relation()->scan());
     int tuples_seen = 0;
     while (true) {
-      ASSIGN_OR_RETURN(const TuplePtr tuple, stream->next());
+      ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr tuple, stream->next());
       if (tuple == nullptr) break;
       ++tuples_seen;
-      ASSIGN_OR_RETURN(const Value solid, tuple->attributes[1].loaded());
+      ALGEBRA3D_ASSIGN_OR_RETURN(const Value solid, tuple->attributes[1].loaded());
       if (tuple->attributes[0].get<std::int64_t>() != tuples_seen)
         return Error{ErrorCode::internal, "tuple {} has number {}", tuples_seen, text(tuple->attributes[0])};
     }
-    ASSIGN_OR_RETURN(const Datum b, store.read("b"));
-    RETURN_IF_ERROR(store.commit());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Datum b, store.read("b"));
+    ALGEBRA3D_RETURN_IF_ERROR(store.commit());
     const auto first = static_cast<int>(a.value().get<std::int64_t>());
     if (first != b.value().get<std::int64_t>() || first != tuples_seen)
       return Error{ErrorCode::internal, "{}, {} and {} tuples", first, text(b.value()), tuples_seen};
@@ -183,24 +183,25 @@ class FullDisk : public StoreProcesses {
   }
   /// Statements of every kind, some larger than others.
   Status change_something(std::mt19937& random, int round) {
-    ASSIGN_OR_RETURN(const Datum datum, store_->read("Parts"));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Datum datum, store_->read("Parts"));
     Relation& parts = *datum.relation();
     const int many = static_cast<int>(random() % 40);
     switch (random() % 4) {
       case 0:
-        for (int i = 0; i < many; ++i) RETURN_IF_ERROR(parts.insert(part(i)));
+        for (int i = 0; i < many; ++i) ALGEBRA3D_RETURN_IF_ERROR(parts.insert(part(i)));
         return {};
       case 1: {
         std::vector<TupleId> ids;
         for (const TuplePtr& each : tuples(parts)) ids.push_back(each->id);
-        for (const TupleId id : ids) RETURN_IF_ERROR(id % 3 == 0 ? parts.erase(id) : parts.update(id, part(round)));
+        for (const TupleId id : ids)
+          ALGEBRA3D_RETURN_IF_ERROR(id % 3 == 0 ? parts.erase(id) : parts.update(id, part(round)));
         return {};
       }
       case 2:
-        RETURN_IF_ERROR(store_->create(fmt::format("v{}", round), "volume3d"));
+        ALGEBRA3D_RETURN_IF_ERROR(store_->create(fmt::format("v{}", round), "volume3d"));
         return store_->assign(fmt::format("v{}", round), Datum{value("volume3d", solid(round))}, context_);
       default:  // what an import does with each file
-        RETURN_IF_ERROR(parts.insert(part(round)));
+        ALGEBRA3D_RETURN_IF_ERROR(parts.insert(part(round)));
         return store_->remember_imported("Parts", {std::string(2000, 'x') + std::to_string(round), 84, 1});
     }
   }

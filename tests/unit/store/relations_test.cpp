@@ -28,6 +28,10 @@ TEST_F(StoredRelations, insert_erase_and_update_change_what_a_scan_gives) {
     ok(n->erase(2));
     ok(n->update(3, tuple({{"int", "33"}})));
     EXPECT_EQ(*n->count(), 3);
+    const ChangeCounts counts = store_->change_counts();
+    EXPECT_EQ(counts.inserted, 1U);  // what `assign` wrote does not count
+    EXPECT_EQ(counts.deleted, 1U);
+    EXPECT_EQ(counts.updated, 1U);
   });
   reopen(OpenMode::read_write);
   read([&] {

@@ -3,11 +3,11 @@
 #include <atomic>
 #include <random>
 
-#include "queries/streams/adjacent_groups.h"
-#include "queries/streams/hash_table.h"
-#include "queries/streams/merge_join.h"
-#include "queries/streams/partwise_join.h"
-#include "queries/streams/sorting.h"
+#include "queries/streams/detail/adjacent_groups.h"
+#include "queries/streams/detail/block_join.h"
+#include "queries/streams/detail/hash_table.h"
+#include "queries/streams/detail/merge_join.h"
+#include "queries/streams/detail/sorting.h"
 #include "unit/streams/stream_fixture.h"
 
 namespace queries {
@@ -77,7 +77,7 @@ TEST_F(Buffering, sorting_descends_where_it_is_asked_to) {
 TEST_F(Buffering, a_hash_table_finds_what_a_loop_finds) {
   const Rows table = random_rows(300);
   HashTable hash_table(0, 0, context);
-  StreamParts parts(stream(table));
+  StreamBlocks parts(stream(table));
   const auto is_last = parts.fill(hash_table, context);
   ASSERT_TRUE(is_last.ok() && *is_last);
   hash_table.finish();
@@ -135,8 +135,8 @@ TEST_F(Buffering, a_merge_join_gives_what_two_loops_give) {
       const bool is_alone = !b[0] || std::ranges::none_of(left, [&](const Row& a) { return a[0] == b[0]; });
       if (is_outer && is_alone) expected.push_back({{}, {}, b[0], b[1]});
     }
-    const MergeJoinPlan plan{{type("A", "X"), type("B", "Y"), {}}, {0, 0}, is_outer, "join"};
-    Rows found = rows(*merge_join(stream(left), stream(right), plan, context));
+    const MergeJoinParameters parameters{{type("A", "X"), type("B", "Y"), {}}, {0, 0}, is_outer, "join"};
+    Rows found = rows(*merge_join(stream(left), stream(right), parameters, context));
     std::ranges::sort(found);
     std::ranges::sort(expected);
     EXPECT_EQ(found, expected) << is_outer;
@@ -144,8 +144,8 @@ TEST_F(Buffering, a_merge_join_gives_what_two_loops_give) {
 }
 
 TEST_F(Buffering, a_merge_join_refuses_what_is_not_sorted) {
-  const MergeJoinPlan plan{{type("A", "X"), type("B", "Y"), {}}, {0, 0}, false, "join"};
-  const TupleStreamPtr joined = merge_join(stream({{1, 1}}), stream({{2, 1}, {1, 2}}), plan, context);
+  const MergeJoinParameters parameters{{type("A", "X"), type("B", "Y"), {}}, {0, 0}, false, "join"};
+  const TupleStreamPtr joined = merge_join(stream({{1, 1}}), stream({{2, 1}, {1, 2}}), parameters, context);
   const auto next = joined->next();
   ASSERT_FALSE(next.ok());
   EXPECT_EQ(next.error().message,

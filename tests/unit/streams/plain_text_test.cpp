@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "queries/streams/csv_reader.h"
-#include "queries/streams/import_columns.h"
-#include "queries/streams/json_records.h"
+#include "queries/streams/detail/csv_reader.h"
+#include "queries/streams/detail/import_columns.h"
+#include "queries/streams/detail/json_records.h"
 
 namespace queries {
 namespace {

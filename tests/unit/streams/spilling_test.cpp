@@ -8,13 +8,13 @@
 #include "algebra3d/base/work_memory.h"
 #include "algebra3d/types/all.h"
 #include "algebra3d/types/spatial.h"
-#include "queries/streams/adjacent_groups.h"
-#include "queries/streams/element_buffer.h"
-#include "queries/streams/hash_join.h"
-#include "queries/streams/hash_table.h"
-#include "queries/streams/partwise_join.h"
+#include "queries/streams/detail/adjacent_groups.h"
+#include "queries/streams/detail/block_join.h"
+#include "queries/streams/detail/element_buffer.h"
+#include "queries/streams/detail/hash_join.h"
+#include "queries/streams/detail/hash_table.h"
+#include "queries/streams/detail/sorting.h"
 #include "queries/streams/relation.h"
-#include "queries/streams/sorting.h"
 #include "unit/streams/stream_fixture.h"
 
 namespace queries {
@@ -85,17 +85,17 @@ TEST_F(Spilling, sorting_compares_all_keys_where_the_beginnings_are_equal) {
   EXPECT_EQ(rows(**result), table);
 }
 
-TEST_F(Spilling, a_partwise_join_finds_every_pair_once) {
-  for (const std::size_t held_count : {0U, 100U, 3000U}) {
-    const Rows held = random_rows(held_count, 400);
-    const Rows passing = random_rows(2000, 400);
+TEST_F(Spilling, a_block_join_finds_every_pair_once) {
+  for (const std::size_t build_count : {0U, 100U, 3000U}) {
+    const Rows build = random_rows(build_count, 400);
+    const Rows probe_side = random_rows(2000, 400);
     const auto combine = [](const Tuple& a, const Tuple& b) { return concatenated(a, b); };
-    Rows found = rows(*partwise_join(stream(held), stream(passing), HashTable(0, 0, context), combine, context));
+    Rows found = rows(*block_join(stream(build), stream(probe_side), HashTable(0, 0, context), combine, context));
     std::multimap<std::int64_t, Row> by_key;
-    for (const Row& each : held)
+    for (const Row& each : build)
       if (each[0]) by_key.emplace(*each[0], each);
     Rows expected;
-    for (const Row& probe : passing) {
+    for (const Row& probe : probe_side) {
       if (!probe[0]) continue;
       const auto [first, last] = by_key.equal_range(*probe[0]);
       for (auto partner = first; partner != last; ++partner)
@@ -103,20 +103,20 @@ TEST_F(Spilling, a_partwise_join_finds_every_pair_once) {
     }
     std::ranges::sort(found);
     std::ranges::sort(expected);
-    EXPECT_EQ(found, expected) << held_count;
+    EXPECT_EQ(found, expected) << build_count;
   }
 }
 
 TEST_F(Spilling, a_hash_join_finds_every_pair_once) {
   // 20 keys: files that do not fit into memory either.
   for (const std::int64_t keys : {20, 3000}) {
-    const Rows held = random_rows(3000, keys);
-    const Rows passing = random_rows(1000, keys);
-    HashJoin join(stream(passing), stream(held), 0, 0, context);
+    const Rows build = random_rows(3000, keys);
+    const Rows probe_side = random_rows(1000, keys);
+    HashJoin join(stream(probe_side), stream(build), 0, 0, context);
     Rows found = rows(join);
     Rows expected;
-    for (const Row& a : passing)
-      for (const Row& b : held)
+    for (const Row& a : probe_side)
+      for (const Row& b : build)
         if (a[0] && a[0] == b[0]) expected.push_back({a[0], a[1], b[0], b[1]});
     std::ranges::sort(found);
     std::ranges::sort(expected);

@@ -1,4 +1,4 @@
-#include "queries/test_runner/comparison.h"
+#include "queries/test_runner/detail/comparison.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "queries/test_runner/test_file.h"
+#include "queries/test_runner/detail/test_file.h"
 #include "unit/test_runner/sample_run.h"
 
 namespace queries {
@@ -111,7 +111,7 @@ TEST(Examples, what_is_malformed_is_named_with_its_line) {
   EXPECT_NE(error_of("Restore : maybe\n").find(":1: expected `Restore : YES` or `Restore : no`"), std::string::npos);
   EXPECT_NE(error_of("Number : 1\n").find(":1: 'Number' stands before the first Operator"), std::string::npos);
   EXPECT_NE(error_of("Operator : x\nNumber : 1\n").find(":1: operator x: 'Signature' is missing"), std::string::npos);
-  EXPECT_NE(error_of(block("query 1", "1", "Number : 3\n")).find(":6: 'Number' stands twice"), std::string::npos);
+  EXPECT_NE(error_of(block("query 1", "1", "Number : 3\n")).find(":6: duplicate 'Number'"), std::string::npos);
   EXPECT_NE(error_of(block("query 1", "1") + block("query 2", "2")).find(":7: operator + has two examples"),
             std::string::npos);
   EXPECT_NE(error_of(block("query 1", "maybe")).find(":5: expected an atom, a list"), std::string::npos);

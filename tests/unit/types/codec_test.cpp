@@ -13,8 +13,8 @@
 #include <gtest/gtest.h>
 
 #include "algebra3d/types/all.h"
-#include "algebra3d/types/codec_points.h"
-#include "algebra3d/types/mesh_codec.h"
+#include "algebra3d/types/detail/codec_points.h"
+#include "algebra3d/types/detail/mesh_codec.h"
 #include "algebra3d/types/moving_region.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
@@ -320,7 +320,7 @@ TEST(codec, a_mesh_from_elsewhere_is_proved) {
 }
 
 TEST(codec, a_large_regular_mesh_takes_few_bytes) {
-  // A grid of float coordinates: 2 * 100 * 100 triangles. The limit is a tenth of what PostGIS stores (peers.md).
+  // A grid of float coordinates: 2 * 100 * 100 triangles. The limit is a tenth of what PostGIS stores.
   constexpr std::uint32_t kSide = 100;
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;

@@ -1,5 +1,5 @@
 // surface3d and volume3d: texts, proof, boxes, and the laws of equality, order and hash.
-#include "algebra3d/types/geometry.h"
+#include "algebra3d/types/detail/geometry.h"
 
 #include <algorithm>
 #include <array>

@@ -99,7 +99,7 @@ TEST(moving_region, malformed_lists_are_errors) {
   EXPECT_EQ(error_of<RegionUnit>(day("(((0 0 0 0) (1 0 1 0) (1 1)))")), "uregion: expected (x1 y1 x2 y2), got (1 1)");
   EXPECT_EQ(error_of<RegionUnit>(day("(((0 0 0 0) (1 0 1 0) (1 1 TRUE 1)))")),
             "uregion: expected a number or a fraction p/q, got TRUE");
-  EXPECT_EQ(error_of<MovingRegion>("a"), "mregion: expected (uregion*), in the order of time, got a");
+  EXPECT_EQ(error_of<MovingRegion>("a"), "mregion: expected (uregion*), in order of time, got a");
   EXPECT_EQ(error_of<MovingRegion>("(" + day(kGrowing) + " 7)"), "mregion: expected (interval (face+)), got 7");
 }
 
@@ -112,10 +112,10 @@ TEST(moving_region, invalid_units_are_undefined_with_unit_segment_and_time) {
             "uregion: segment (2 0)-(0 0) of face 1, cycle 1 overlaps segment (1 0)-(2 0) of face 1, cycle 1");
   EXPECT_EQ(reason_of<RegionUnit>(day("(((0 0 0 0) (4 0 4 0) (2 3 2 -3)))")),
             "uregion: segment (0 0)-(4 0) moving to (0 0)-(4 0) of face 1, cycle 1 and segment (4 0)-(2 3) moving to "
-            "(4 0)-(2 -3) of face 1, cycle 1 lie on each other at about 0.5 of the unit");
+            "(4 0)-(2 -3) of face 1, cycle 1 overlap at about 0.5 of the unit");
   EXPECT_EQ(reason_of<MovingRegion>("(" + day(kGrowing) + " ((1 2 TRUE TRUE) ((((0 0 0 0) (4 0 4 0) (2 3 2 -3))))))"),
             "mregion: unit 2: segment (0 0)-(4 0) moving to (0 0)-(4 0) of face 1, cycle 1 and segment (4 0)-(2 3) "
-            "moving to (4 0)-(2 -3) of face 1, cycle 1 lie on each other at about 0.5 of the unit");
+            "moving to (4 0)-(2 -3) of face 1, cycle 1 overlap at about 0.5 of the unit");
 }
 
 std::string units(const std::vector<std::string>& intervals) {
@@ -135,7 +135,7 @@ TEST(moving_region, units_are_in_order_and_share_no_instant) {
             "mregion: unit 2 (from 2000-01-04 to 2000-01-05) shares an instant with unit 1 (from 2000-01-03 to "
             "2000-01-04)");
   EXPECT_EQ(reason_of<MovingRegion>(units({"(0 1 TRUE TRUE)", "(5 6 TRUE TRUE)", "(3 4 TRUE TRUE)"})),
-            "mregion: unit 3 (from 2000-01-06 to 2000-01-07) stands behind the later unit 2 (from 2000-01-08 to "
+            "mregion: unit 3 (from 2000-01-06 to 2000-01-07) comes after the later unit 2 (from 2000-01-08 to "
             "2000-01-09)");
   EXPECT_EQ(reason_of<MovingRegion>(units({"(0 2 TRUE TRUE)", "(1 3 TRUE TRUE)"})),
             "mregion: unit 2 (from 2000-01-04 to 2000-01-06) shares an instant with unit 1 (from 2000-01-03 to "

@@ -7,8 +7,8 @@
 
 #include "algebra3d/exact/counters.h"
 #include "algebra3d/halfedge/mesh_image.h"
+#include "algebra3d/validity/detail/winding.h"
 #include "algebra3d/validity/validity.h"
-#include "algebra3d/validity/winding.h"
 #include "unit/validity/sample_meshes.h"
 
 namespace algebra3d {

@@ -1,9 +1,9 @@
-// Verdicts and texts that follow from the definition (language.md 7.2) by hand.
+// Verdicts and texts that follow from the definition (validity/report.h) by hand.
 #include "algebra3d/validity/validity.h"
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/validity/winding.h"
+#include "algebra3d/validity/detail/winding.h"
 #include "unit/validity/sample_meshes.h"
 
 namespace algebra3d {

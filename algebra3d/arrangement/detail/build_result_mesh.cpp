@@ -1,0 +1,55 @@
+#include "algebra3d/arrangement/detail/build_result_mesh.h"
+
+#include <utility>
+
+#include "algebra3d/arrangement/detail/pseudo_nodes.h"
+#include "algebra3d/arrangement/detail/regions.h"
+#include "algebra3d/arrangement/detail/result_mesh.h"
+#include "algebra3d/arrangement/detail/stage_audit.h"
+#include "algebra3d/arrangement/detail/task_sizes.h"
+#include "algebra3d/base/scheduler.h"
+#include "algebra3d/halfedge/audit.h"
+
+namespace algebra3d::arrangement {
+namespace {
+
+Result<std::vector<Region>> find_regions(const Subdivision& subdivision, const Selection& selection,
+                                         const PatchCorners& patch_corners) {
+  const std::vector<UncutEdge> edges = uncut_edges(subdivision.operands, subdivision.complex, subdivision.patches);
+  const std::vector<SpaceEdge> uncut_space_edges = space_edges_of(edges, subdivision.sub_edges);
+  const std::vector<RegionEdge> boundaries = region_edges(subdivision.sub_edges, selection, uncut_space_edges);
+  ALGEBRA3D_RETURN_IF_ERROR(check_stage("the region edges", [&] { return audit(subdivision, boundaries); }));
+  const std::vector<PseudoNode> pseudo_nodes =
+      find_pseudo_nodes(subdivision, boundaries, edges, uncut_space_edges, patch_corners);
+  ALGEBRA3D_RETURN_IF_ERROR(check_stage("the pseudo-nodes", [&] { return audit(subdivision, pseudo_nodes); }));
+  const std::vector<RegionEdge> straight = straightened(boundaries, pseudo_nodes);
+  ALGEBRA3D_RETURN_IF_ERROR(check_stage("the straight edges", [&] { return audit(subdivision, straight); }));
+  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Region> regions, triangulate_regions(subdivision, straight));
+  ALGEBRA3D_RETURN_IF_ERROR(check_stage("the regions", [&] { return audit(subdivision, straight, regions); }));
+  return regions;
+}
+
+}  // namespace
+
+Result<TriangleMesh> build_result_mesh(const Subdivision& subdivision, const Selection& selection) {
+  KeptPatches kept;
+  kept.reserve(subdivision.patches.patches.size());
+  for (const PatchId patch : subdivision.patches.ids()) kept.push_back(selection.patch(patch));
+  const PatchCorners patch_corners(subdivision, kept);
+  ResultMesh mesh(subdivision, patch_corners, kept);
+
+  Result<std::vector<Region>> regions = std::vector<Region>();
+  const auto make_regions = [&] {
+    regions = find_regions(subdivision, selection, patch_corners);
+    mesh.take_surroundings();
+  };
+  const auto take_faces = [&] { mesh.take_faces(); };
+  parallel_invoke(subdivision.operands.face_count() >= kWorthAThread, make_regions, take_faces);
+  if (!regions.ok()) return std::move(regions).error();
+  for (const Region& region : *regions) mesh.add(region);
+  TriangleMesh result = mesh.finish();
+  ALGEBRA3D_RETURN_IF_ERROR(check_stage("the result mesh", [&] { return audit(result); }));
+  return result;
+}
+
+}  // namespace algebra3d::arrangement

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "algebra3d/arrangement/detail/operands.h"
+#include "algebra3d/base/error.h"
+#include "algebra3d/base/monitor.h"
+
+namespace algebra3d::arrangement {
+
+/// Two faces of different operands, that of the earlier operand first.
+struct FacePair {
+  InputFaceId first, second;
+
+  friend auto operator<=>(const FacePair&, const FacePair&) = default;
+};
+
+/// Output of the first stage: the pairs of faces that may touch.
+struct Candidates {
+  /// All pairs whose boxes meet, and perhaps some whose boxes nearly do, each once.
+  std::vector<FacePair> pairs;
+};
+
+/// Finds the pairs of faces of different operands whose boxes meet. Their order depends on the operands alone.
+/// Errors: interrupted; limit_exceeded if there are more than max_pairs.
+/// Cost: near-linear in the faces of operands whose boxes meet, and in the pairs.
+Result<Candidates> find_candidates(const Operands& operands, const Monitor& monitor, std::size_t max_pairs = SIZE_MAX);
+
+/// Every violated invariant, one sentence each: both faces of a pair exist, that of the earlier operand comes first,
+/// and no pair comes twice. Cost: n log n.
+std::vector<std::string> audit(const Operands& operands, const Candidates& candidates);
+
+}  // namespace algebra3d::arrangement

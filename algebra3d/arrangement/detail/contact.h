@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "algebra3d/arrangement/detail/edge_sides.h"
+#include "algebra3d/exact/integer_plane.h"
+#include "algebra3d/exact/predicates.h"
+
+namespace algebra3d::arrangement {
+
+/// The place of a point in a closed triangle: in its inside, inside an edge, or in a corner.
+struct Place {
+  enum class Kind : std::uint8_t { inside, edge, corner };
+  Kind kind = Kind::inside;
+  /// Of the corner (0, 1, 2) or of the edge (that from corner i to the next).
+  std::uint8_t index = 0;
+
+  friend bool operator==(const Place&, const Place&) = default;
+};
+
+/// An end of the common part of two triangles, by its place in each.
+struct ContactPoint {
+  Place first, second;
+  /// True if this end lies inside (not at an end of) the edge `first_edge` (`second_edge`) of the TriangleContact. The
+  /// whole common part is on that edge then, also if it is a point.
+  bool first_runs_along = false, second_runs_along = false;
+};
+
+/// The common part of two triangles: nothing, a point, or a segment with its two ends. Coplanar triangles are marked as
+/// such and not examined any further: whether they meet at all is asked later (find_pair_contacts).
+struct TriangleContact {
+  static constexpr std::uint8_t kNoEdge = 3;
+
+  bool is_coplanar = false;
+  /// The edge of each triangle that lies in the plane of the other one; the common part, if there is any, is on it.
+  std::uint8_t first_edge = kNoEdge, second_edge = kNoEdge;
+  std::uint8_t count = 0;  ///< of points: 0, 1 or 2
+  std::array<ContactPoint, 2> points{};
+};
+
+/// A triangle of an operand, with its plane if that is known. The vertices are the keys of EdgeSides.
+struct PlaneTriangle {
+  TriangleRef corners;
+  std::array<InputVertexId, 3> vertices;
+  const IntegerPlane* plane = nullptr;
+
+  /// The edge from corner i to the next.
+  InputEdgeEnds edge(std::size_t i) const {
+    const std::size_t j = i == 2 ? 0 : i + 1;
+    return {corners[i], corners[j], vertices[i], vertices[j]};
+  }
+};
+
+/// The common part of two triangles, neither of which may be degenerate. Exact: signs of the corners alone, no point is
+/// constructed. Cost: three to six calls of orient3d for triangles that do not meet, up to eighteen for those that do.
+TriangleContact contact_of(const PlaneTriangle& first, const PlaneTriangle& second, EdgeSides& edge_sides);
+
+/// A triangle seen along an axis, so that points of its plane can be placed in it.
+class TriangleInPlane {
+ public:
+  /// The triangle must not be degenerate.
+  explicit TriangleInPlane(const TriangleRef& triangle) : triangle_(triangle), turn_(dominant_turn(triangle)) {}
+
+  /// The place of a point of the triangle's plane; nothing if it lies outside. Exact. Cost: three orient2d.
+  std::optional<Place> place(const PointRef& point) const;
+
+ private:
+  TriangleRef triangle_;
+  ProjectedTurn turn_;
+};
+
+}  // namespace algebra3d::arrangement

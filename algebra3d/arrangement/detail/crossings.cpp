@@ -1,0 +1,54 @@
+#include "algebra3d/arrangement/detail/crossings.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "algebra3d/arrangement/detail/task_sizes.h"
+#include "algebra3d/base/scheduler.h"
+
+namespace algebra3d::arrangement {
+
+ExactPoint Crossings::meeting_point(const EdgeAndPlane& where) {
+  return intersect_line_plane(start(where.edge), end(where.edge), complex_.coefficients.get(facets_, where.plane));
+}
+
+void Crossings::compute(std::span<const EdgeAndPlane> wanted) {
+  std::vector<std::pair<EdgeAndPlane, Crossing*>> missing;
+  for (const EdgeAndPlane& where : wanted)
+    if (const auto [entry, is_new] = of_edges_and_planes_.try_emplace(where); is_new)
+      missing.emplace_back(where, &entry->second);
+  parallel_for(missing.size(), kPointsPerTask, [&](std::size_t i) {
+    const auto& [where, crossing] = missing[i];
+    crossing->point = meeting_point(where);
+  });
+}
+
+NodeId Crossings::of_edge_and_plane(const EdgeAndPlane& where) {
+  Crossing& crossing = of_edges_and_planes_[where];
+  if (crossing.node.is_none()) {
+    crossing.node = complex_.nodes.intern(crossing.point ? *std::move(crossing.point) : meeting_point(where));
+    crossing.point.reset();
+  }
+  return crossing.node;
+}
+
+NodeId Crossings::of_planes(PlaneId p, PlaneId q, PlaneId r) {
+  std::array<PlaneId, 3> planes{p, q, r};
+  std::ranges::sort(planes);
+  const auto [entry, is_new] = of_planes_.try_emplace(planes);
+  if (is_new) {
+    PlaneCoefficients& known = complex_.coefficients;
+    entry->second =
+        complex_.nodes.intern(intersect_planes(known.get(facets_, p), known.get(facets_, q), known.get(facets_, r)));
+  }
+  return entry->second;
+}
+
+NodeId Crossings::of_edges(InputEdgeId edge, InputEdgeId other, Projection projection) {
+  // The plane through the other edge along the axis that the projection leaves out.
+  const IntegerPlane plane = IntegerPlane::along_axis(start(other), end(other), static_cast<std::size_t>(projection));
+  return complex_.nodes.intern(intersect_line_plane(start(edge), end(edge), plane));
+}
+
+}  // namespace algebra3d::arrangement

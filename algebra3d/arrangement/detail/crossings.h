@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory_resource>
+#include <optional>
+#include <span>
+#include <unordered_map>
+
+#include "algebra3d/arrangement/detail/segment_complex.h"
+#include "algebra3d/exact/intersection_point.h"
+
+namespace algebra3d::arrangement {
+
+/// An edge of an operand and a plane that it meets in a point.
+struct EdgeAndPlane {
+  InputEdgeId edge;
+  PlaneId plane;
+
+  friend bool operator==(const EdgeAndPlane&, const EdgeAndPlane&) = default;
+};
+
+/// The nodes of a segment complex in which segments cross, made when they are asked for and then remembered. Used by
+/// stages 4 and 5. None is computed from a computed one: each is an edge of an operand met by a plane, two such edges
+/// that cross in a plane, or three planes.
+class Crossings {
+ public:
+  Crossings(const Operands& operands, const Facets& facets, SegmentComplex& complex)
+      : operands_(operands), facets_(facets), complex_(complex) {}
+
+  /// The node where an edge meets a plane in one point. Exact.
+  NodeId of_edge_and_plane(const EdgeAndPlane& where);
+  /// The node where three planes meet in one point. Exact.
+  NodeId of_planes(PlaneId p, PlaneId q, PlaneId r);
+  /// The node where two edges of operands cross that lie in one plane with this projection. Exact.
+  NodeId of_edges(InputEdgeId edge, InputEdgeId other, Projection projection);
+
+  /// Computes points in which edges meet planes, with two threads if they are many. They become nodes once they are
+  /// asked for.
+  void compute(std::span<const EdgeAndPlane> wanted);
+
+ private:
+  struct Crossing {
+    std::optional<ExactPoint> point;  ///< if it was computed and is no node yet
+    NodeId node;
+  };
+  struct Hash {
+    std::size_t operator()(const EdgeAndPlane& where) const {
+      return std::uint64_t{where.edge.index()} << 32U | where.plane.index();
+    }
+  };
+
+  ExactPoint meeting_point(const EdgeAndPlane& where);
+  PointRef start(InputEdgeId edge) const { return operands_.point(Operands::halfedge(edge)); }
+  PointRef end(InputEdgeId edge) const { return operands_.point(Operands::next(Operands::halfedge(edge))); }
+
+  const Operands& operands_;
+  const Facets& facets_;
+  SegmentComplex& complex_;
+  std::pmr::monotonic_buffer_resource memory_;  // of the map, which only grows
+  std::pmr::unordered_map<EdgeAndPlane, Crossing, Hash> of_edges_and_planes_{&memory_};
+  std::map<std::array<PlaneId, 3>, NodeId> of_planes_;
+};
+
+}  // namespace algebra3d::arrangement

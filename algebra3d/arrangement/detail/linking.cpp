@@ -1,0 +1,123 @@
+#include "algebra3d/arrangement/detail/linking.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "algebra3d/arrangement/detail/radial_order.h"
+#include "algebra3d/arrangement/detail/sub_facets.h"
+#include "algebra3d/arrangement/detail/uncut_edges.h"
+
+namespace algebra3d::arrangement {
+namespace {
+
+class Linker {
+ public:
+  Linker(const Subdivision& subdivision, const WindingJumps& jumps)
+      : subdivision_(subdivision), jumps_(jumps), result_(empty_result(subdivision)) {}
+
+  Result<LinkedWindings> run();
+
+ private:
+  static LinkedWindings empty_result(const Subdivision& subdivision) {
+    const FrontWindingIds ids(subdivision.sub_edges.sides().size(), subdivision.patches.patches.size());
+    return {ids, WindingSets(ids.count()), {}};
+  }
+  void link_at_uncut_edges();
+  FrontWindingId link_patches_at(const UncutEdge& edge);
+  void link_in_front_of_faces(SubEdgeId sub_edge, FrontWindingId patch);
+  void link_round_edges();
+  void link_round(IdRange<SubEdgeId> edge);
+  std::size_t count_operands(IdRange<SubEdgeId> edge);
+
+  const Subdivision& subdivision_;
+  const WindingJumps& jumps_;
+  LinkedWindings result_;
+  std::vector<SpaceEdge> uncut_space_edges_;  // ascending
+  // Of the space edge at hand; kept, so that their memory is.
+  std::vector<SubEdgeSide> around_;
+  std::vector<OperandId> operands_at_edge_;
+};
+
+/// No other operand is at an uncut edge, so the windings in front of all faces along each of its sub-edges are the
+/// same. What is between the faces is not looked at, for not all of them are in sub-facets.
+void Linker::link_at_uncut_edges() {
+  for (const UncutEdge& edge : uncut_edges(subdivision_.operands, subdivision_.complex, subdivision_.patches)) {
+    const FrontWindingId patch = link_patches_at(edge);
+    const auto nodes = subdivision_.sub_edges.segments.nodes(edge.segment);
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+      uncut_space_edges_.push_back(SpaceEdge::of(nodes[i], nodes[i + 1]));
+      for (const SubEdgeId s : subdivision_.sub_edges.along(uncut_space_edges_.back()))
+        link_in_front_of_faces(s, patch);
+    }
+  }
+  std::ranges::sort(uncut_space_edges_);
+}
+
+/// Gives the front winding of one of them.
+FrontWindingId Linker::link_patches_at(const UncutEdge& edge) {
+  FrontWindingId first;
+  for (const InputHalfedgeId h : edge.halfedges) {
+    const PatchId patch = subdivision_.patches.of_face[Operands::face(h)];
+    if (patch.is_none()) continue;
+    const FrontWindingId front = result_.ids.of(patch);
+    if (first.is_none()) first = front;
+    result_.sets.unite(first, front, {});
+  }
+  return first;
+}
+
+void Linker::link_in_front_of_faces(SubEdgeId sub_edge, FrontWindingId patch) {
+  for (const auto& [facet, sides] : subdivision_.sub_edges.incident_to(sub_edge))
+    for (const Side side : kSides) {
+      if (!includes(sides, side)) continue;
+      // In front of the face is in front of the plane, unless the face looks to the back of its plane.
+      const SubEdgeSide at(sub_edge, side);
+      const WindingVector excess = subdivision_.facets[facet].orientation > 0 ? WindingVector() : jumps_[at];
+      result_.sets.unite(patch, FrontWindingIds::of(at), -excess);
+    }
+}
+
+std::size_t Linker::count_operands(IdRange<SubEdgeId> edge) {
+  operands_at_edge_.clear();
+  for (const SubEdgeId s : edge)
+    for (const IncidentFacet& incident : subdivision_.sub_edges.incident_to(s))
+      operands_at_edge_.push_back(subdivision_.facets[incident.facet].operand);
+  std::ranges::sort(operands_at_edge_);
+  return static_cast<std::size_t>(std::unique(operands_at_edge_.begin(), operands_at_edge_.end()) -
+                                  operands_at_edge_.begin());
+}
+
+void Linker::link_round(IdRange<SubEdgeId> edge) {
+  half_planes_with_jumps(jumps_, edge, around_);
+  if (around_.empty()) return;
+  sort_around_space_edge(subdivision_, around_);
+  for (std::size_t i = 0; i < around_.size(); ++i) {
+    const SubEdgeSide h = around_[i], next = around_[i + 1 == around_.size() ? 0 : i + 1];
+    // Both give the windings of the cell between the two: their front winding and the excess.
+    result_.sets.unite(FrontWindingIds::of(h), FrontWindingIds::of(next),
+                       excess_after(jumps_, h) - excess_before(jumps_, next));
+  }
+  result_.seeds.push_back({edge, around_.front(), count_operands(edge)});
+}
+
+void Linker::link_round_edges() {
+  subdivision_.sub_edges.for_each_space_edge([&](IdRange<SubEdgeId> edge) {
+    const SpaceEdge ends = subdivision_.sub_edges[edge.front()].ends;
+    if (!std::ranges::binary_search(uncut_space_edges_, ends)) link_round(edge);
+  });
+}
+
+Result<LinkedWindings> Linker::run() {
+  ALGEBRA3D_RETURN_IF_ERROR(join_sub_facets(subdivision_, result_.sets));
+  link_at_uncut_edges();
+  link_round_edges();
+  return std::move(result_);
+}
+
+}  // namespace
+
+Result<LinkedWindings> link_windings(const Subdivision& subdivision, const WindingJumps& jumps) {
+  return Linker(subdivision, jumps).run();
+}
+
+}  // namespace algebra3d::arrangement

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "algebra3d/arrangement/detail/subdivision.h"
+#include "algebra3d/arrangement/detail/winding_jumps.h"
+#include "algebra3d/arrangement/detail/winding_sets.h"
+
+namespace algebra3d::arrangement {
+
+/// A place at which seeding can find the windings of a set: a space edge at which facets meet, and one half-plane
+/// there. The set is the one that holds the front winding of the half-plane.
+struct SeedPlace {
+  IdRange<SubEdgeId> sub_edges;  ///< all along the space edge
+  SubEdgeSide half_plane;        ///< one with a jump
+  /// Operands with a face there. Of the seeds of a set, the first one with most is used: where each operand is closed
+  /// alone, only the others need rays.
+  std::size_t operand_count;
+};
+
+/// Output of linking: front windings, known up to one constant for each set.
+struct LinkedWindings {
+  FrontWindingIds ids;
+  WindingSets sets;
+  std::vector<SeedPlace> seeds;  ///< one for each space edge with a jump, but none on uncut edges
+};
+
+/// Step 1 of stage 8: unites front windings whose difference is known. Round each node, neighbouring sub-edges of a
+/// plane bound the same sub-facet (sub_facets.h); round each space edge, the radial order of the half-planes with jumps
+/// says how windings change from cell to cell; at uncut edges windings go on into patches. Exact. Errors: internal as
+/// join_sub_facets. Cost: n log n.
+Result<LinkedWindings> link_windings(const Subdivision& subdivision, const WindingJumps& jumps);
+
+/// Every violated invariant, one sentence each: there is a front winding for each side and each patch; half-planes with
+/// jumps that follow each other round a space edge are in one set, and agree on the cell between them; so do patches at
+/// an uncut edge; seeds are at space edges, each with a half-plane of its own that has a jump, and an operand. Cost: n
+/// log n, with exact predicates.
+std::vector<std::string> audit(const Subdivision& subdivision, const WindingJumps& jumps, const LinkedWindings& linked);
+
+}  // namespace algebra3d::arrangement

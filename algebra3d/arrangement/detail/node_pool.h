@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+
+#include "algebra3d/arrangement/detail/ids.h"
+#include "algebra3d/exact/plane.h"
+#include "algebra3d/exact/point_table.h"
+
+namespace algebra3d::arrangement {
+
+/// The nodes of an arrangement: distinct points, numbered from 0 in order of first use, so that ids depend on nothing
+/// but the order of the calls.
+class NodePool {
+ public:
+  /// The node at the point, which is added if it is new. Coordinates that are no doubles are referred to, not copied:
+  /// they must outlive the pool. Cost: constant expected.
+  NodeId intern(const PointRef& point) { return NodeId(points_.intern(point)); }
+  /// The same for a point whose coordinates the pool keeps alive.
+  NodeId intern(const ExactPoint& point) { return NodeId(points_.intern(point)); }
+
+  PointRef operator[](NodeId node) const { return points_[node.index()]; }
+  std::size_t size() const { return points_.size(); }
+  IdRange<NodeId> ids() const { return IdRange<NodeId>(size()); }
+  /// The points by the indices of their nodes.
+  const PointTable& points() const { return points_; }
+
+  /// The exact point half-way between two nodes.
+  ExactPoint middle(NodeId a, NodeId b) const {
+    return ExactPoint(Rational(1, 2) * ((*this)[a].rational() + (*this)[b].rational()));
+  }
+
+ private:
+  PointTable points_;
+};
+
+}  // namespace algebra3d::arrangement

@@ -1,0 +1,190 @@
+#include "algebra3d/arrangement/detail/pseudo_nodes.h"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+#include "algebra3d/arrangement/detail/bucket_sort.h"
+#include "algebra3d/base/equal_span.h"
+#include "algebra3d/exact/predicates.h"
+
+namespace algebra3d::arrangement {
+namespace {
+
+/// A boundary edge of a region as one of its ends sees it.
+struct EdgeEnd {
+  NodeId node, other;
+  RegionKey region;
+  bool is_outgoing;
+
+  friend auto operator<=>(const EdgeEnd&, const EdgeEnd&) = default;
+};
+
+/// Edge ends at one node. The edges of all regions that lead from there to one other node are an *arm*.
+using EdgeEnds = std::span<const EdgeEnd>;
+
+class PseudoNodeFinder {
+ public:
+  PseudoNodeFinder(const Subdivision& subdivision, const std::vector<SpaceEdge>& uncut_space_edges,
+                   const PatchCorners& patch_corners)
+      : subdivision_(subdivision), uncut_space_edges_(uncut_space_edges), patch_corners_(patch_corners) {}
+
+  void find_between(const std::vector<RegionEdge>& edges);
+  void find_along(const UncutEdge& edge);
+  std::vector<PseudoNode> take();
+
+ private:
+  void find_at_node(EdgeEnds ends);
+  std::vector<EdgeEnds> arms(EdgeEnds ends) const;
+  bool is_straight(NodeId before, NodeId node, NodeId after) const;
+  bool continue_each_other(EdgeEnds one, EdgeEnds other, EdgeEnds all) const;
+  bool is_half_disc(const EdgeEnd& end, NodeId opposite, EdgeEnds all) const;
+  void add_along(std::span<const NodeId> nodes, PlaneId plane, bool is_forward);
+
+  const Subdivision& subdivision_;
+  const std::vector<SpaceEdge>& uncut_space_edges_;
+  const PatchCorners& patch_corners_;
+  std::vector<PseudoNode> found_;
+};
+
+void PseudoNodeFinder::find_between(const std::vector<RegionEdge>& edges) {
+  std::vector<EdgeEnd> ends;
+  ends.reserve(2 * edges.size());
+  for (const auto& [region, from, to] : edges) {
+    ends.push_back({from, to, region, true});
+    ends.push_back({to, from, region, false});
+  }
+  bucket_sort(
+      ends, subdivision_.complex.nodes.size(), [](const EdgeEnd& e) { return e.node.index(); }, std::less());
+  for (std::size_t first = 0, last = 0; first < ends.size(); first = last) {
+    while (last < ends.size() && ends[last].node == ends[first].node) ++last;
+    find_at_node(std::span(ends).subspan(first, last - first));
+  }
+}
+
+/// The edge of a patch is whole or ends at the patch's corner, as the patch has it: there it is no arm.
+std::vector<EdgeEnds> PseudoNodeFinder::arms(EdgeEnds ends) const {
+  const bool is_corner = patch_corners_.is_corner(ends[0].node);
+  std::vector<EdgeEnds> result;
+  for (std::size_t first = 0, last = 0; first < ends.size(); first = last) {
+    while (last < ends.size() && ends[last].other == ends[first].other) ++last;
+    const SpaceEdge line = SpaceEdge::of(ends[first].node, ends[first].other);
+    if (!is_corner || !std::ranges::binary_search(uncut_space_edges_, line))
+      result.push_back(ends.subspan(first, last - first));
+  }
+  return result;
+}
+
+void PseudoNodeFinder::find_at_node(EdgeEnds ends) {
+  const std::vector<EdgeEnds> arms = this->arms(ends);
+  for (std::size_t i = 0; i < arms.size(); ++i)
+    for (std::size_t j = i + 1; j < arms.size(); ++j) {
+      const NodeId from = arms[i][0].other, to = arms[j][0].other;
+      if (!continue_each_other(arms[i], arms[j], ends) || !is_straight(from, ends[0].node, to)) continue;
+      for (const EdgeEnd& end : arms[i])
+        found_.push_back({end.node, end.region, end.is_outgoing ? to : from, end.is_outgoing ? from : to});
+    }
+}
+
+bool PseudoNodeFinder::is_straight(NodeId before, NodeId node, NodeId after) const {
+  const NodePool& nodes = subdivision_.complex.nodes;
+  return compare(nodes[before], nodes[node]) == compare(nodes[node], nodes[after]) &&
+         collinear(nodes[before], nodes[node], nodes[after]);
+}
+
+/// True if the boundaries of all regions that come along one arm leave along the other, and each region is half a disc
+/// at the node, on its side of the line: then none of them needs the node as a corner. What else is there, of the same
+/// regions too, touches the straight edge in a point.
+bool PseudoNodeFinder::continue_each_other(EdgeEnds one, EdgeEnds other, EdgeEnds all) const {
+  if (one.size() != other.size()) return false;
+  return std::ranges::all_of(one, [&](const EdgeEnd& end) {
+    const auto continues = [&](const EdgeEnd& e) { return e.region == end.region && e.is_outgoing != end.is_outgoing; };
+    return std::ranges::count_if(other, continues) == 1 && is_half_disc(end, other[0].other, all);
+  });
+}
+
+/// `opposite` is the other end of the second arm. True if no other boundary edge of the region ends at the node on the
+/// side of the line where the region lies along the edge.
+bool PseudoNodeFinder::is_half_disc(const EdgeEnd& end, NodeId opposite, EdgeEnds all) const {
+  const NodePool& nodes = subdivision_.complex.nodes;
+  const Projection projection = subdivision_.facets.planes[end.region.plane].projection;
+  return std::ranges::none_of(all, [&](const EdgeEnd& e) {
+    if (e.region != end.region || e.other == end.other || e.other == opposite) return false;
+    const int turn = orient2d(projection, nodes[end.node], nodes[end.other], nodes[e.other]);
+    return (turn > 0) == end.is_outgoing;
+  });
+}
+
+/// Where a patch ends, its edge is whole; so it has to be whole in the regions on its other sides.
+void PseudoNodeFinder::find_along(const UncutEdge& edge) {
+  const auto nodes = subdivision_.sub_edges.segments.nodes(edge.segment);
+  if (nodes.size() == 2) return;
+  for (const InputHalfedgeId h : edge.halfedges) {
+    const FacetId facet = subdivision_.facets.of_face[Operands::face(h)];
+    if (facet.is_none()) continue;
+    const auto& [operand, plane, orientation, faces] = subdivision_.facets[facet];
+    // The facet lies to the left of its half-edge, seen from its own front; the region's edges have it to their left,
+    // seen from the front of the plane, whichever way the region looks.
+    const bool runs_along = patch_corners_.node_at(subdivision_.operands.origin(h)) == nodes.front();
+    add_along(nodes, plane, runs_along == (orientation > 0));
+  }
+}
+
+void PseudoNodeFinder::add_along(std::span<const NodeId> nodes, PlaneId plane, bool is_forward) {
+  for (std::size_t i = 1; i + 1 < nodes.size(); ++i) {
+    const NodeId before = nodes[is_forward ? i - 1 : i + 1], after = nodes[is_forward ? i + 1 : i - 1];
+    for (const bool is_flipped : {false, true}) found_.push_back({nodes[i], {plane, is_flipped}, before, after});
+  }
+}
+
+std::vector<PseudoNode> PseudoNodeFinder::take() {
+  std::ranges::sort(found_);
+  found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
+  return std::move(found_);
+}
+
+/// Those of the edge's region at one of its ends.
+std::span<const PseudoNode> pseudo_nodes_at(NodeId node, const RegionEdge& edge, std::span<const PseudoNode> all) {
+  return equal_span(all, std::tie(node, edge.region), &PseudoNode::place);
+}
+
+/// True if the edge is not the first of a straight run.
+bool continues_another(const RegionEdge& edge, std::span<const PseudoNode> all) {
+  return std::ranges::any_of(pseudo_nodes_at(edge.from, edge, all),
+                             [&](const PseudoNode& p) { return p.after == edge.to; });
+}
+
+/// The node to which the straight edge goes on; none if it ends.
+NodeId node_beyond(const RegionEdge& edge, std::span<const PseudoNode> all) {
+  for (const PseudoNode& p : pseudo_nodes_at(edge.to, edge, all))
+    if (p.before == edge.from) return p.after;
+  return {};
+}
+
+}  // namespace
+
+std::vector<PseudoNode> find_pseudo_nodes(const Subdivision& subdivision, const std::vector<RegionEdge>& edges,
+                                          const std::vector<UncutEdge>& uncut_edges,
+                                          const std::vector<SpaceEdge>& uncut_space_edges,
+                                          const PatchCorners& patch_corners) {
+  PseudoNodeFinder finder(subdivision, uncut_space_edges, patch_corners);
+  finder.find_between(edges);
+  for (const UncutEdge& edge : uncut_edges) finder.find_along(edge);
+  return finder.take();
+}
+
+std::vector<RegionEdge> straightened(const std::vector<RegionEdge>& edges, std::span<const PseudoNode> pseudo_nodes) {
+  std::vector<RegionEdge> straight;
+  straight.reserve(edges.size());
+  for (const RegionEdge& edge : edges) {
+    if (continues_another(edge, pseudo_nodes)) continue;
+    RegionEdge last = edge;
+    for (NodeId next = node_beyond(last, pseudo_nodes); !next.is_none(); next = node_beyond(last, pseudo_nodes))
+      last.from = std::exchange(last.to, next);
+    straight.push_back({edge.region, edge.from, last.to});
+  }
+  std::ranges::sort(straight);
+  return straight;
+}
+
+}  // namespace algebra3d::arrangement

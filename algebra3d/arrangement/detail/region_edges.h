@@ -1,0 +1,42 @@
+#pragma once
+
+#include <compare>
+#include <string>
+#include <vector>
+
+#include "algebra3d/arrangement/detail/selection.h"
+#include "algebra3d/arrangement/detail/subdivision.h"
+#include "algebra3d/arrangement/detail/uncut_edges.h"
+
+namespace algebra3d::arrangement {
+
+/// A region of a result: all its faces made of facets that lie in one plane and have their front on the same side. It
+/// need not be connected.
+struct RegionKey {
+  PlaneId plane;
+  bool is_flipped;  ///< the region's own front is the back of the plane
+
+  friend auto operator<=>(const RegionKey&, const RegionKey&) = default;
+};
+
+/// A boundary edge of a region. The region is to the left of it, seen from the front of the plane, also if the region
+/// is flipped.
+struct RegionEdge {
+  RegionKey region;
+  NodeId from, to;
+
+  friend auto operator<=>(const RegionEdge&, const RegionEdge&) = default;
+};
+
+/// The boundary edges of all regions of a selection. A space edge at which anything is kept is an edge of the result,
+/// unless exactly two kept half-planes lie at it, in one plane and with the same front, and no patch ends there.
+/// `uncut_space_edges`: where patches end (uncut_edges.h). Cost: near-linear in the sub-edges.
+std::vector<RegionEdge> region_edges(const SubEdges& sub_edges, const Selection& selection,
+                                     const std::vector<SpaceEdge>& uncut_space_edges);
+
+/// Every violated invariant, one sentence each: an edge leads from one node to another one, both in the plane of its
+/// region; a region has no edge twice; at each node as many edges of a region end as begin. So for edges that were
+/// straightened, too. Cost: n log n, with exact predicates.
+std::vector<std::string> audit(const Subdivision& subdivision, const std::vector<RegionEdge>& edges);
+
+}  // namespace algebra3d::arrangement

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "algebra3d/arrangement/detail/region_edges.h"
+#include "algebra3d/base/error.h"
+
+namespace algebra3d::arrangement {
+
+/// A region of the result, triangulated.
+struct Region {
+  RegionKey key;
+  bool has_exact_corner;                 ///< a corner is no triple of doubles
+  std::vector<IndexTriangle> triangles;  ///< indices of nodes; counter-clockwise from the front of the plane
+};
+
+/// Triangulates the regions that the edges bound, with two threads if they are many. The edges are ascending.
+/// Errors: internal, naming a facet of the plane, if its edges bound no region, which the selection of a correct
+/// classification rules out. Exact. Cost: n log n.
+Result<std::vector<Region>> triangulate_regions(const Subdivision& subdivision, const std::vector<RegionEdge>& edges);
+
+/// Every violated invariant, one sentence each: there is one region for each key among the edges, in their order; its
+/// triangles have nodes for corners and are counter-clockwise from the front of the plane; an edge of a triangle is a
+/// boundary edge of the region or has another triangle on its other side; a corner that is no double is noted.
+/// Cost: n log n, with exact predicates.
+std::vector<std::string> audit(const Subdivision& subdivision, const std::vector<RegionEdge>& edges,
+                               const std::vector<Region>& regions);
+
+}  // namespace algebra3d::arrangement

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include "algebra3d/arrangement/detail/subdivision.h"
+#include "algebra3d/halfedge/face_planes.h"
+
+namespace algebra3d::arrangement {
+
+/// A run of faces of an operand that become consecutive faces of the result, too.
+struct TakenRun {
+  OperandId operand;
+  FaceId first;      ///< of the operand's mesh
+  FaceId new_first;  ///< of the result
+  std::size_t count;
+  bool is_flipped;  ///< they are flipped
+};
+
+/// Collects the planes that a result keeps: those that faces of operands bring along, and those of regions with corners
+/// that are no doubles.
+class ResultPlanes {
+ public:
+  explicit ResultPlanes(const Subdivision& subdivision)
+      : subdivision_(subdivision), numbers_(subdivision.operands.count()) {}
+
+  /// Adds the planes that the operand keeps of the faces of the run.
+  void take(const TakenRun& run);
+  /// The faces of the result in the range lie in the plane.
+  void add(IdRange<FaceId> faces, PlaneId plane, bool is_flipped);
+  FacePlanes take_planes() { return std::move(planes_); }
+
+ private:
+  /// Numbers of one plane among those of the result, as it is and flipped; kUnknown before they are needed.
+  struct NewNumbers {
+    std::uint32_t plain = FacePlanes::kUnknown, flipped = FacePlanes::kUnknown;
+  };
+
+  std::uint32_t new_number(OperandId operand, std::uint32_t given, bool is_flipped);
+
+  const Subdivision& subdivision_;
+  FacePlanes planes_;
+  IdVector<OperandId, std::vector<NewNumbers>> numbers_;  // of the operand's planes
+};
+
+}  // namespace algebra3d::arrangement

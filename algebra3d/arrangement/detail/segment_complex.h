@@ -1,0 +1,101 @@
+#pragma once
+
+#include <compare>
+#include <string>
+#include <vector>
+
+#include "algebra3d/arrangement/detail/facets.h"
+#include "algebra3d/arrangement/detail/node_pool.h"
+#include "algebra3d/arrangement/detail/plane_coefficients.h"
+
+namespace algebra3d::arrangement {
+
+/// A straight piece between two nodes: an edge of an operand that bounds a facet, or the common part of two facets, or
+/// both. There is only one segment between two nodes, even if several edges and common parts run between them.
+struct Segment {
+  NodeId from, to;
+  InputEdgeId edge;  ///< an edge of an operand from one end to the other; none if there is none
+  /// Two facets in different planes that have the segment in common, whether they cross there or one ends there; none
+  /// if the segment is only an edge.
+  FacetId first_facet, second_facet;
+};
+
+/// The sides of an edge in a plane on which a facet lies that holds it, seen from the front of the plane by someone who
+/// walks along the edge. `both`: the edge is inside the facet, or bounds it from both sides.
+enum class FacetSides : std::uint8_t { both, left, right };
+
+/// True if the facet lies on that side.
+constexpr bool includes(FacetSides sides, Side side) {
+  return sides == FacetSides::both || (sides == FacetSides::left) == (side == Side::left);
+}
+/// The same sides for someone who walks the other way.
+constexpr FacetSides opposite(FacetSides sides) {
+  return sides == FacetSides::both ? sides : sides == FacetSides::left ? FacetSides::right : FacetSides::left;
+}
+
+/// A segment and a facet that holds it. The sides are those for someone who walks from the segment's first end to the
+/// second. (The incident facets of a sub-edge are in sub_edges.h.)
+struct SegmentIncidence {
+  SegmentId segment;
+  FacetId facet;
+  FacetSides sides;
+};
+
+/// A node inside a segment, at which the segment has to be cut.
+struct Cut {
+  SegmentId segment;
+  NodeId node;
+
+  friend auto operator<=>(const Cut&, const Cut&) = default;
+};
+
+/// A point contact: another facet touches this one at the node, in its inside or on its boundary. Stage 5 needs it,
+/// where a segment of the plane may lead through the node.
+struct Touch {
+  FacetId facet;
+  NodeId node;
+};
+
+/// Two segments that lie on one line and may overlap: where one is cut, so is the other.
+struct CollinearSegments {
+  SegmentId first, second;
+};
+
+/// The node at a vertex of an operand.
+struct NodeOfVertex {
+  InputVertexId vertex;
+  NodeId node;
+};
+
+/// Output of the fourth stage (find_facet_contacts), and of the fifth (overlay), which adds cuts and nodes: all
+/// segments of an arrangement before they are divided (docs/set-operations.md). A segment is one object for all planes
+/// in which it lies, so a cut that one plane finds is there in all.
+struct SegmentComplex {
+  NodePool nodes;  ///< the ends of segments, and all points at which segments are cut or facets touch
+  IdVector<SegmentId, Segment> segments;
+  std::vector<SegmentIncidence> incidences;  ///< the facets that hold each segment, in no order
+  /// In no order and with repetitions before the overlay, which sorts them. Cuts at the ends of a segment are allowed
+  /// and mean nothing.
+  std::vector<Cut> cuts;
+  std::vector<Touch> touches;
+  std::vector<CollinearSegments> collinear;
+  /// The vertices of operands that are nodes, each once.
+  std::vector<NodeOfVertex> nodes_of_vertices;
+  PlaneCoefficients coefficients;  ///< of the planes that crossings were computed from
+
+  /// Notes that two segments lie on one line; does nothing if they are the same.
+  void note_collinear(SegmentId a, SegmentId b) {
+    if (a != b) collinear.push_back({a, b});
+  }
+};
+
+/// A segment that is a common part lies in the planes of its two facets: the one of these planes that is not `plane`.
+PlaneId other_plane(const Facets& facets, const Segment& segment, PlaneId plane);
+
+/// Every violated invariant, one sentence each: a segment is an edge or a common part, has the ends of its edge, and is
+/// the only one between them; it lies in the planes of the facets that hold it; cuts lie on segments, touches in the
+/// planes of facets; collinear segments are collinear; a vertex has one node, at its place.
+/// Cost: n log n, with exact predicates.
+std::vector<std::string> audit(const Operands& operands, const Facets& facets, const SegmentComplex& complex);
+
+}  // namespace algebra3d::arrangement

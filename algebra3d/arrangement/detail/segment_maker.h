@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <memory_resource>
+#include <unordered_map>
+
+#include "algebra3d/arrangement/detail/segment_complex.h"
+
+namespace algebra3d::arrangement {
+
+/// The segments of a complex, made when they are asked for and then remembered.
+class SegmentMaker {
+ public:
+  SegmentMaker(const Operands& operands, const Facets& facets, SegmentComplex& complex)
+      : operands_(operands), facets_(facets), complex_(complex) {}
+
+  /// The node at the origin of the half-edge.
+  NodeId node_at_origin(InputHalfedgeId halfedge);
+  /// The segment of a boundary edge of some facet.
+  SegmentId of_edge(InputEdgeId edge);
+  /// The segment of a common part of two facets. If the common part runs along a boundary edge and is shorter than it,
+  /// it is a segment of its own; the caller notes that it is collinear with the edge's segment. Adds an incidence for
+  /// each of the two facets, with FacetSides::both also for a facet that ends there: its boundary edge gives another
+  /// incidence, with the side, and stage 6 (sub_edges.h) prefers that.
+  SegmentId of_contact(NodeId from, NodeId to, FacetId facet, FacetId other);
+  /// Adds the segments of all boundary edges of all facets, with one incidence for each facet and edge, with the side
+  /// on which the facet lies. Call once, after all contacts.
+  void add_boundaries();
+
+ private:
+  struct Ends {
+    NodeId lower, higher;
+
+    friend bool operator==(const Ends&, const Ends&) = default;
+  };
+  struct Hash {
+    std::size_t operator()(const Ends& ends) const {
+      return std::uint64_t{ends.lower.index()} << 32U | ends.higher.index();
+    }
+  };
+
+  SegmentId between(NodeId from, NodeId to);
+  void add_boundary(FacetId facet, InputHalfedgeId halfedge);
+
+  const Operands& operands_;
+  const Facets& facets_;
+  SegmentComplex& complex_;
+  std::pmr::monotonic_buffer_resource memory_;  // of the maps, which only grow
+  std::pmr::unordered_map<InputVertexId, NodeId> nodes_of_vertices_{&memory_};
+  std::pmr::unordered_map<InputEdgeId, SegmentId> of_edges_{&memory_};
+  std::pmr::unordered_map<Ends, SegmentId, Hash> between_{&memory_};
+};
+
+}  // namespace algebra3d::arrangement

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <algorithm>
+#include <compare>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "algebra3d/arrangement/detail/cut_segments.h"
+#include "algebra3d/arrangement/detail/segment_complex.h"
+#include "algebra3d/base/equal_span.h"
+
+namespace algebra3d::arrangement {
+
+/// An incident facet of a sub-edge: a facet of its plane that holds it, on both sides of it or on one, seen from the
+/// front of the plane by someone who walks from u to v.
+struct IncidentFacet {
+  FacetId facet;
+  FacetSides sides;
+
+  friend bool operator==(const IncidentFacet&, const IncidentFacet&) = default;
+};
+
+/// An undivided piece of a segment in space, by its two nodes, u < v. It is one sub-edge in each plane in which it
+/// lies.
+struct SpaceEdge {
+  NodeId u, v;
+
+  static SpaceEdge of(NodeId a, NodeId b) { return {std::min(a, b), std::max(a, b)}; }
+  friend auto operator<=>(const SpaceEdge&, const SpaceEdge&) = default;
+};
+
+/// An undivided piece of a segment, in one plane: no other sub-edge of the plane crosses it. To its left and right lie
+/// two sub-facets: parts of the plane that no sub-edge divides, covered by facets or not.
+struct SubEdge {
+  SpaceEdge ends;
+  PlaneId plane;
+  Slice incident;  ///< of SubEdges::incident
+};
+
+/// Output of the sixth stage: the subdivision of all planes.
+struct SubEdges {
+  /// Ascending by ends, then by plane: so those along one space edge are neighbours.
+  IdVector<SubEdgeId, SubEdge> sub_edges;
+  /// Sub-edge by sub-edge. The list of each is complete if all operands are closed: a sub-edge of plane P lies on a
+  /// facet G that is not in P, a neighbour across a boundary edge or a facet that crosses P. A facet of P of another
+  /// operand that holds the sub-edge meets G there, so stage 4 has found it as a contact; one of the same operand has
+  /// the sub-edge in its boundary, which stage 4 adds.
+  std::vector<IncidentFacet> incident;
+  CutSegments segments;  ///< the nodes along each segment, for uncut edges
+
+  IdRange<SubEdgeId> ids() const { return sub_edges.ids(); }
+  IdRange<SubEdgeSide> sides() const { return IdRange<SubEdgeSide>(2 * sub_edges.size()); }
+  const SubEdge& operator[](SubEdgeId sub_edge) const { return sub_edges[sub_edge]; }
+  /// The incident facets of a sub-edge.
+  std::span<const IncidentFacet> incident_to(SubEdgeId sub_edge) const {
+    return sub_edges[sub_edge].incident.of(incident);
+  }
+  /// True if a facet covers the sub-facet at that side.
+  bool is_covered(SubEdgeSide side) const {
+    return std::ranges::any_of(incident_to(side.sub_edge()),
+                               [&](const IncidentFacet& f) { return includes(f.sides, side.side()); });
+  }
+  /// The sub-edges along a space edge, one for each plane.
+  IdRange<SubEdgeId> along(const SpaceEdge& ends) const {
+    const auto found = equal_span(sub_edges.values(), ends, &SubEdge::ends);
+    const auto first = static_cast<std::size_t>(found.data() - sub_edges.values().data());
+    return {SubEdgeId(first), SubEdgeId(first + found.size())};
+  }
+  /// Calls visit(sub_edges) for the sub-edges along each space edge.
+  template <typename Visit>
+  void for_each_space_edge(const Visit& visit) const {
+    for (SubEdgeId first(0), last(0); first < sub_edges.next_id(); first = last) {
+      while (last < sub_edges.next_id() && sub_edges[last].ends == sub_edges[first].ends)
+        last = SubEdgeId(last.index() + 1);
+      visit(IdRange(first, last));
+    }
+  }
+};
+
+/// The sixth stage: divides at their cuts the segments of a complex that overlay has completed. Equal pieces of several
+/// segments become one sub-edge in each plane, with the incident facets of all. If a facet has both an incidence with
+/// FacetSides::both and, from its boundary, one with a side, the latter counts. Cost: n log n.
+SubEdges divide(const Facets& facets, const SegmentComplex& complex);
+
+/// Every violated invariant, one sentence each: sub-edges are ascending and lie in their planes, which are those of
+/// their incident facets; a facet is on a side at most once; sub-edges of one plane meet in common ends alone; each cut
+/// segment leads straight on from one end to the other. Cost: n log n, with exact predicates.
+std::vector<std::string> audit(const Facets& facets, const SegmentComplex& complex, const SubEdges& sub_edges);
+
+}  // namespace algebra3d::arrangement

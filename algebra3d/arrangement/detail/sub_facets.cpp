@@ -1,0 +1,99 @@
+#include "algebra3d/arrangement/detail/sub_facets.h"
+
+#include <algorithm>
+#include <compare>
+#include <span>
+#include <tuple>
+
+#include "algebra3d/arrangement/detail/bucket_sort.h"
+#include "algebra3d/exact/predicates.h"
+
+namespace algebra3d::arrangement {
+namespace {
+
+/// A sub-edge as it leaves one of its ends.
+struct OutgoingSubEdge {
+  PlaneId plane;
+  NodeId origin, target;
+  SubEdgeId sub_edge;
+
+  /// The sides for someone who walks away from the origin.
+  SubEdgeSide left() const { return {sub_edge, origin < target ? Side::left : Side::right}; }
+  SubEdgeSide right() const { return {sub_edge, origin < target ? Side::right : Side::left}; }
+};
+
+/// Angular order of the sub-edges that leave a node, from the direction just beyond -y (or -x) counter-clockwise.
+class AngularOrder {
+ public:
+  AngularOrder(const NodePool& nodes, Projection projection, NodeId centre)
+      : nodes_(nodes), projection_(projection), centre_(centre) {}
+
+  bool operator()(const OutgoingSubEdge& a, const OutgoingSubEdge& b) const {
+    const bool a_later = is_later(a.target), b_later = is_later(b.target);
+    if (a_later != b_later) return a_later;
+    return orient2d(projection_, nodes_[centre_], nodes_[a.target], nodes_[b.target]) > 0;
+  }
+
+ private:
+  /// True in the half-plane that comes first: directions of greater first, or equal first and greater second
+  /// coordinate.
+  bool is_later(NodeId node) const {
+    auto order = compare(first_axis(projection_), nodes_[node], nodes_[centre_]);
+    if (std::is_eq(order)) order = compare(second_axis(projection_), nodes_[node], nodes_[centre_]);
+    return std::is_gt(order);
+  }
+
+  const NodePool& nodes_;
+  Projection projection_;
+  NodeId centre_;
+};
+
+/// By plane, then by origin.
+std::vector<OutgoingSubEdge> outgoing_sub_edges(const Subdivision& subdivision) {
+  std::vector<OutgoingSubEdge> result;
+  result.reserve(2 * subdivision.sub_edges.sub_edges.size());
+  for (const SubEdgeId s : subdivision.sub_edges.ids()) {
+    const SubEdge& sub_edge = subdivision.sub_edges[s];
+    const auto [u, v] = sub_edge.ends;
+    result.push_back({sub_edge.plane, u, v, s});
+    result.push_back({sub_edge.plane, v, u, s});
+  }
+  bucket_sort(
+      result, subdivision.facets.planes.size(), [](const OutgoingSubEdge& s) { return s.plane.index(); },
+      [](const OutgoingSubEdge& s, const OutgoingSubEdge& t) {
+        return std::tuple(s.plane, s.origin, s.sub_edge) < std::tuple(t.plane, t.origin, t.sub_edge);
+      });
+  return result;
+}
+
+/// All sub-edges of a plane that leave a node.
+Status join_around(std::span<OutgoingSubEdge> around, const Subdivision& subdivision, WindingSets& windings) {
+  const Projection projection = subdivision.facets.planes[around[0].plane].projection;
+  const NodePool& nodes = subdivision.complex.nodes;
+  if (around.size() > 2) std::ranges::sort(around, AngularOrder(nodes, projection, around[0].origin));
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    const SubEdgeSide left = around[i].left(), right = around[i + 1 == around.size() ? 0 : i + 1].right();
+    const bool is_covered = subdivision.sub_edges.is_covered(left);
+    if (is_covered != subdivision.sub_edges.is_covered(right)) {
+      const Vec3 at = nodes[around[0].origin].approx;
+      return Error{ErrorCode::internal, "dividing a plane: a facet ends beside no edge at ({} {} {})", at.x, at.y,
+                   at.z};
+    }
+    if (is_covered) windings.unite(FrontWindingIds::of(left), FrontWindingIds::of(right), {});
+  }
+  return {};
+}
+
+}  // namespace
+
+Status join_sub_facets(const Subdivision& subdivision, WindingSets& windings) {
+  std::vector<OutgoingSubEdge> outgoing = outgoing_sub_edges(subdivision);
+  const auto place = [](const OutgoingSubEdge& s) { return std::tie(s.plane, s.origin); };
+  for (std::size_t begin = 0, end = 0; begin < outgoing.size(); begin = end) {
+    while (end < outgoing.size() && place(outgoing[end]) == place(outgoing[begin])) ++end;
+    ALGEBRA3D_RETURN_IF_ERROR(join_around(std::span(outgoing).subspan(begin, end - begin), subdivision, windings));
+  }
+  return {};
+}
+
+}  // namespace algebra3d::arrangement

@@ -1,0 +1,59 @@
+#include "algebra3d/arrangement/detail/subdivision.h"
+
+#include <utility>
+
+#include "algebra3d/arrangement/detail/candidates.h"
+#include "algebra3d/arrangement/detail/facet_contacts.h"
+#include "algebra3d/arrangement/detail/incident_facets.h"
+#include "algebra3d/arrangement/detail/overlay.h"
+#include "algebra3d/arrangement/detail/pair_contacts.h"
+#include "algebra3d/arrangement/detail/stage_audit.h"
+#include "algebra3d/arrangement/detail/task_sizes.h"
+#include "algebra3d/base/scheduler.h"
+
+namespace algebra3d::arrangement {
+namespace {
+
+/// Cuts the segments of the complex at one another, and divides them at the cuts.
+Result<SubEdges> overlay_and_divide(Subdivision& subdivision, Boundaries boundaries, const ArrangementOptions& options,
+                                    const Monitor& monitor) {
+  auto& [operands, facets, complex, sub_edges, patches] = subdivision;
+  ALGEBRA3D_ASSIGN_OR_RETURN(complex, overlay(operands, facets, std::move(complex), monitor, options.max_cuts));
+  ALGEBRA3D_RETURN_IF_ERROR(
+      check_stage("the overlay", [&] { return audit(subdivision.operands, subdivision.facets, subdivision.complex); }));
+  SubEdges result = divide(facets, complex);
+  if (boundaries == Boundaries::possible) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(result, with_all_incident_facets(operands, facets, complex, std::move(result), monitor));
+  }
+  ALGEBRA3D_RETURN_IF_ERROR(
+      check_stage("the sub-edges", [&] { return audit(subdivision.facets, subdivision.complex, result); }));
+  return result;
+}
+
+}  // namespace
+
+Result<Subdivision> subdivide(std::span<const Operand> list, Boundaries boundaries, const ArrangementOptions& options,
+                              const Monitor& monitor) {
+  Subdivision result{Operands(list), {}, {}, {}, {}};
+  const Operands& operands = result.operands;
+  ALGEBRA3D_RETURN_IF_ERROR(check_stage("the operands", [&] { return audit(operands); }));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Candidates candidates, find_candidates(operands, monitor, options.max_pairs));
+  ALGEBRA3D_RETURN_IF_ERROR(check_stage("the candidates", [&] { return audit(operands, candidates); }));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const PairContacts contacts, find_pair_contacts(operands, candidates, monitor));
+  ALGEBRA3D_RETURN_IF_ERROR(check_stage("the contacts", [&] { return audit(operands, contacts); }));
+  result.facets = make_facets(operands, contacts);
+  ALGEBRA3D_RETURN_IF_ERROR(check_stage("the facets", [&] { return audit(operands, result.facets); }));
+  ALGEBRA3D_ASSIGN_OR_RETURN(result.complex, find_facet_contacts(operands, result.facets, contacts));
+  ALGEBRA3D_RETURN_IF_ERROR(
+      check_stage("the facet contacts", [&] { return audit(operands, result.facets, result.complex); }));
+
+  Result<SubEdges> sub_edges = SubEdges();
+  const auto find_sub_edges = [&] { sub_edges = overlay_and_divide(result, boundaries, options, monitor); };
+  const auto find_rest = [&] { result.patches = find_patches(operands, result.facets); };
+  parallel_invoke(operands.face_count() >= kWorthAThread, find_sub_edges, find_rest);
+  ALGEBRA3D_ASSIGN_OR_RETURN(result.sub_edges, std::move(sub_edges));
+  ALGEBRA3D_RETURN_IF_ERROR(check_stage("the patches", [&] { return audit(operands, result.facets, result.patches); }));
+  return result;
+}
+
+}  // namespace algebra3d::arrangement

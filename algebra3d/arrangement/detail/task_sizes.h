@@ -1,0 +1,12 @@
+#pragma once
+
+#include <cstddef>
+
+namespace algebra3d::arrangement {
+
+/// Number of faces from which on a second thread saves more than it costs.
+inline constexpr std::size_t kWorthAThread = 20000;
+/// Points or planes that are computed exactly by one task.
+inline constexpr std::size_t kPointsPerTask = 32;
+
+}  // namespace algebra3d::arrangement

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "algebra3d/halfedge/box_hierarchy.h"
+#include "algebra3d/halfedge/triangle_mesh.h"
+
+namespace algebra3d {
+
+/// A mesh that takes part in an arrangement: a solid, a surface, or a part of a closed surface.
+struct Operand {
+  const TriangleMesh* mesh = nullptr;  ///< valid as Closure says, or a valid surface
+  /// Index into WindingVector, 0 or 1. Operands that the rule need not tell apart are one group. Surfaces ignore it.
+  std::uint32_t group = 0;
+  /// Boxes of all faces of the mesh; null: made where needed.
+  const BoxHierarchy* hierarchy = nullptr;
+};
+
+/// Whether each operand is closed alone or only together with others.
+enum class Closure : std::uint8_t {
+  /// Every operand is a valid volume (validity.h).
+  each,
+  /// Every operand is a valid surface without non-manifold edges, and the triangles of all operands of a group together
+  /// are closed: along every line as many run one way as the other. The operands may cross and overlap each other.
+  together,
+};
+
+/// The kind of operands of an arrangement, and limits of its work.
+struct ArrangementOptions {
+  Closure closure = Closure::each;
+  /// Maximum number of candidate face pairs (faces of different operands whose boxes meet); beyond it: limit_exceeded.
+  std::size_t max_pairs = SIZE_MAX;
+  /// Maximum number of cuts of segments (detail/segment_complex.h), of which n triangles may make some n^3; beyond it:
+  /// limit_exceeded.
+  std::size_t max_cuts = SIZE_MAX;
+};
+
+}  // namespace algebra3d

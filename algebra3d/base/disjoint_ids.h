@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+
+#include "algebra3d/base/disjoint_sets.h"
+
+namespace algebra3d {
+
+/// DisjointSets of ids of one kind, from 0 to count - 1.
+template <typename Id>
+class DisjointIds {
+ public:
+  explicit DisjointIds(std::size_t count) : sets_(count) {}
+
+  Id find(Id member) { return Id(sets_.find(member.index())); }
+  void unite(Id a, Id b) { sets_.unite(a.index(), b.index()); }
+  std::size_t size() const { return sets_.size(); }
+
+ private:
+  DisjointSets sets_;
+};
+
+}  // namespace algebra3d

@@ -1,0 +1,81 @@
+#include "algebra3d/base/scheduler.h"
+
+#include <atomic>
+#include <mutex>
+#include <new>
+#include <optional>
+
+#include <pthread.h>
+
+#include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+#include <tbb/task_arena.h>
+
+namespace algebra3d {
+namespace {
+
+/// Ends the threads of oneTBB before the process forks: a child has the thread that forked and no other one, and the
+/// scheduler would wait for its workers' help in vain.
+class ForkGuard {
+ public:
+  /// Once before each use of the scheduler.
+  static void prepare() {
+    static ForkGuard guard;
+    if (!guard.is_attached_.load(std::memory_order_acquire)) guard.attach();
+  }
+
+ private:
+  ForkGuard() {
+    self_ = this;
+    pthread_atfork([] { self_->end_threads(); }, nullptr, nullptr);
+  }
+
+  void attach() {
+    const std::lock_guard lock(mutex_);
+    if (!handle_) handle_.emplace(tbb::attach{});
+    is_attached_.store(true, std::memory_order_release);
+  }
+
+  void end_threads() {
+    const std::lock_guard lock(mutex_);
+    // Refused while other threads have tasks; these go on in the parent.
+    if (handle_) static_cast<void>(tbb::finalize(*handle_, std::nothrow));
+    handle_.reset();
+    is_attached_.store(false, std::memory_order_release);
+  }
+
+  inline static ForkGuard* self_ = nullptr;
+  std::atomic<bool> is_attached_ = false;
+  std::mutex mutex_;
+  std::optional<tbb::task_scheduler_handle> handle_;
+};
+
+}  // namespace
+
+namespace scheduler_detail {
+
+void run_both(const std::function<void()>& first, const std::function<void()>& second) {
+  ForkGuard::prepare();
+  tbb::this_task_arena::isolate([&] { tbb::parallel_invoke(first, second); });
+}
+
+void run_ranges(std::size_t count, std::size_t grain,
+                const std::function<void(std::size_t begin, std::size_t end)>& visit) {
+  ForkGuard::prepare();
+  tbb::this_task_arena::isolate([&] {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
+                      [&](const tbb::blocked_range<std::size_t>& range) { visit(range.begin(), range.end()); });
+  });
+}
+
+}  // namespace scheduler_detail
+
+void with_threads(int threads, const std::function<void()>& work) {
+  ForkGuard::prepare();
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  tbb::task_arena(threads).execute(work);
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <exception>
+#include <new>
+#include <type_traits>
+
+#include "algebra3d/base/error.h"
+
+namespace algebra3d {
+
+/// Calls `work`, which returns a Result or Status; exceptions become the error out_of_memory or internal. For functions
+/// of the public library.
+template <typename Work>
+std::invoke_result_t<const Work&> without_exceptions(const Work& work) noexcept {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    return Error(ErrorCode::out_of_memory, "out of memory");  // short enough to be stored without allocation
+  } catch (const std::exception& exception) {
+    return Error(ErrorCode::internal, exception.what());
+  } catch (...) {
+    return Error(ErrorCode::internal, "an exception that is no std::exception");
+  }
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "algebra3d/base/context.h"
+#include "algebra3d/base/error.h"
+#include "algebra3d/exact/affine_map.h"
+#include "algebra3d/types/moving_region.h"
+#include "algebra3d/types/planar.h"
+#include "algebra3d/types/spatial.h"
+
+namespace algebra3d {
+
+// Images of values under affine maps. Rounding:
+// - A value with double coordinates: each coordinate of the image is rounded once. If that would make a surface, solid
+//   or region invalid, the exact image is kept, with a diagnostic.
+// - A value with other exact coordinates: the exact image, if the matrix of the map is dyadic
+//   (AffineMap::has_dyadic_matrix); else rounded as above. In a set this is decided per point.
+// Undefined if a coordinate of the image is beyond the range of doubles, and for a surface, solid or region under a
+// singular map. Errors: interrupted. Maps of regions keep the plane z = 0.
+
+Result<Maybe<Point3d>> image_of(Context& context, const AffineMap& map, const Point3d& point);
+Result<Maybe<Points3d>> image_of(Context& context, const AffineMap& map, const Points3d& points);
+Result<Maybe<Surface3d>> image_of(Context& context, const AffineMap& map, const Surface3d& surface);
+Result<Maybe<Volume3d>> image_of(Context& context, const AffineMap& map, const Volume3d& solid);
+Result<Maybe<Region>> image_of(Context& context, const AffineMap& map, const Region& region);
+Result<Maybe<MovingRegion>> image_of(Context& context, const AffineMap& map, const MovingRegion& moving);
+
+}  // namespace algebra3d

@@ -1,0 +1,93 @@
+#include "algebra3d/exact/detail/exact_coordinates.h"
+
+#include <algorithm>
+#include <new>
+
+#include "algebra3d/exact/counters.h"
+#include "algebra3d/exact/detail/homogeneous.h"
+#include "algebra3d/exact/detail/rational_big.h"
+
+namespace algebra3d {
+namespace {
+
+using detail::HomogeneousPoint;
+
+std::size_t limb_count(const HomogeneousPoint& numbers) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < 4; ++i) count += mpz_size(numbers[i]);
+  return count;
+}
+
+void bring_to_lowest_terms(HomogeneousPoint& numbers) {
+  detail::divide_by_common_divisor(numbers);
+  if (sgn(numbers.w) > 0) return;
+  for (std::size_t i = 0; i < 4; ++i) mpz_neg(numbers[i], numbers[i]);
+}
+
+}  // namespace
+
+ExactCoordinates::ExactCoordinates(const HomogeneousPoint& numbers, const std::array<std::int8_t, 3>& beyond)
+    : beyond_(beyond) {
+  auto* limbs = reinterpret_cast<mp_limb_t*>(this + 1);  // NOLINT(cppcoreguidelines-pro-type-reinterpret-cast)
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t size = mpz_size(numbers[i]);
+    std::copy_n(mpz_limbs_read(numbers[i]), size, limbs);
+    mpz_roinit_n(&numbers_[i], limbs, mpz_sgn(numbers[i]) * static_cast<mp_size_t>(size));
+    limbs += size;
+  }
+}
+
+const ExactCoordinates* ExactCoordinates::allocate(const HomogeneousPoint& numbers,
+                                                   const std::array<std::int8_t, 3>& beyond) {
+  static_assert(sizeof(ExactCoordinates) % alignof(mp_limb_t) == 0);
+  detail::count_heap_rational();
+  void* block = ::operator new(sizeof(ExactCoordinates) + limb_count(numbers) * sizeof(mp_limb_t));
+  return new (block) ExactCoordinates(numbers, beyond);
+}
+
+SharedCoordinates ExactCoordinates::make(HomogeneousPoint& numbers, Vec3& approx) {
+  bring_to_lowest_terms(numbers);
+  std::array<std::int8_t, 3> beyond{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const RoundedQuotient rounded = round_quotient(numbers[axis], numbers[3]);
+    approx[axis] = rounded.value;
+    beyond[axis] = static_cast<std::int8_t>(rounded.beyond);
+  }
+  if (std::ranges::all_of(beyond, [](int sign) { return sign == 0; })) return {};
+  return SharedCoordinates(allocate(numbers, beyond));
+}
+
+Rational ExactCoordinates::coordinate(std::size_t axis) const {
+  return RationalAccess::quotient(&numbers_[axis], &numbers_[3]);
+}
+
+std::size_t ExactCoordinates::hash() const {
+  std::size_t hash = 0;
+  for (const __mpz_struct& number : numbers_) hash = detail::mix_limbs(hash, &number);
+  return hash;
+}
+
+std::size_t ExactCoordinates::heap_bytes() const {
+  std::size_t limbs = 0;
+  for (const __mpz_struct& number : numbers_) limbs += mpz_size(&number);
+  return sizeof(ExactCoordinates) + limbs * sizeof(mp_limb_t);
+}
+
+bool operator==(const ExactCoordinates& a, const ExactCoordinates& b) {
+  if (&a == &b) return true;
+  for (std::size_t i = 4; i-- > 0;)
+    if (mpz_cmp(a[i], b[i]) != 0) return false;
+  return true;
+}
+
+void SharedCoordinates::retain() const {
+  if (coordinates_ != nullptr) coordinates_->owners_.add();
+}
+
+void SharedCoordinates::release() noexcept {
+  if (coordinates_ == nullptr || !coordinates_->owners_.remove()) return;
+  coordinates_->~ExactCoordinates();
+  ::operator delete(const_cast<ExactCoordinates*>(coordinates_));  // NOLINT(cppcoreguidelines-pro-type-const-cast)
+}
+
+}  // namespace algebra3d

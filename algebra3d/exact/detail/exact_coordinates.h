@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include <gmp.h>
+
+#include "algebra3d/base/reference_count.h"
+#include "algebra3d/exact/point.h"
+#include "algebra3d/exact/rational.h"
+
+namespace algebra3d {
+
+namespace detail {
+struct HomogeneousPoint;
+}
+
+/// The coordinates of a point that is not a triple of doubles: x = X / W and so on, with integers without a common
+/// divisor, W > 0. Equal points have equal integers. Immutable; one heap block holds all integers.
+class ExactCoordinates {
+ public:
+  /// Divides the integers by their common divisor and takes them. Sets `approx` to the quotients, rounded to nearest.
+  /// Returns null if all quotients are doubles.
+  static SharedCoordinates make(detail::HomogeneousPoint& numbers, Vec3& approx);
+
+  ExactCoordinates(const ExactCoordinates&) = delete;
+  ExactCoordinates(ExactCoordinates&&) = delete;
+  ExactCoordinates& operator=(const ExactCoordinates&) = delete;
+  ExactCoordinates& operator=(ExactCoordinates&&) = delete;
+  ~ExactCoordinates() = default;
+
+  /// X, Y, Z, W.
+  mpz_srcptr operator[](std::size_t i) const { return &numbers_[i]; }
+  /// Sign of the coordinate minus its rounding; 0 if it is a double.
+  int beyond(std::size_t axis) const { return beyond_[axis]; }
+  Rational coordinate(std::size_t axis) const;
+  std::size_t hash() const;
+  std::size_t heap_bytes() const;
+
+  friend bool operator==(const ExactCoordinates& a, const ExactCoordinates& b);
+
+ private:
+  friend class SharedCoordinates;
+  ExactCoordinates(const detail::HomogeneousPoint& numbers, const std::array<std::int8_t, 3>& beyond);
+  static const ExactCoordinates* allocate(const detail::HomogeneousPoint& numbers,
+                                          const std::array<std::int8_t, 3>& beyond);
+
+  // 32 bits are enough: each owner takes eight bytes of memory.
+  mutable ReferenceCount<std::uint32_t> owners_{0};
+  std::array<std::int8_t, 3> beyond_;
+  std::array<__mpz_struct, 4> numbers_;  // their limbs follow this object
+};
+
+}  // namespace algebra3d

@@ -1,0 +1,165 @@
+#include "algebra3d/exact/detail/homogeneous.h"
+
+#include <algorithm>
+
+#include "algebra3d/exact/detail/exact_coordinates.h"
+#include "algebra3d/exact/detail/exact_sum_integers.h"
+#include "algebra3d/exact/detail/rational_big.h"
+
+namespace algebra3d::detail {
+namespace {
+
+/// Brings three fractions to one denominator.
+void set_from_fractions(HomogeneousPoint& point, const std::array<mpz_srcptr, 3>& numerators,
+                        const std::array<mpz_srcptr, 3>& denominators) {
+  // The coordinates of a constructed point mostly have one denominator, or one that divides the largest.
+  mpz_ptr w = point[3];
+  mpz_set(w, denominators[0]);
+  for (std::size_t axis = 1; axis < 3; ++axis)
+    if (mpz_cmp(w, denominators[axis]) != 0) mpz_lcm(w, w, denominators[axis]);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    mpz_ptr coordinate = point[axis];
+    if (mpz_cmp(w, denominators[axis]) == 0) {
+      mpz_set(coordinate, numerators[axis]);
+    } else {
+      mpz_divexact(coordinate, w, denominators[axis]);
+      mpz_mul(coordinate, coordinate, numerators[axis]);
+    }
+  }
+}
+
+/// a d - b c.
+void minor(mpz_ptr result, mpz_srcptr a, mpz_srcptr b, mpz_srcptr c, mpz_srcptr d) {
+  mpz_mul(result, a, d);
+  mpz_submul(result, b, c);
+}
+void minor(mpz_class& result, mpz_srcptr a, mpz_srcptr b, mpz_srcptr c, mpz_srcptr d) {
+  minor(result.get_mpz_t(), a, b, c, d);
+}
+
+/// Powers of two are what numbers that come from doubles mostly have in common; after them the greatest common divisor
+/// of the first two is short.
+void divide_by_powers_of_two(HomogeneousPoint& numbers) {
+  mp_bitcnt_t zeros = mpz_scan1(numbers[0], 0);
+  for (std::size_t i = 1; i < 4; ++i) zeros = std::min(zeros, mpz_scan1(numbers[i], 0));
+  if (zeros == 0) return;
+  for (std::size_t i = 0; i < 4; ++i) mpz_tdiv_q_2exp(numbers[i], numbers[i], zeros);
+}
+
+}  // namespace
+
+void join(HomogeneousPoint& result, const HomogeneousView& p, const HomogeneousView& q, const HomogeneousView& r) {
+  thread_local std::array<std::array<mpz_class, 4>, 4> minors;  // of q and r, by columns i < j
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = i + 1; j < 4; ++j) minor(minors[i][j], q[i], q[j], r[i], r[j]);
+  for (std::size_t left_out = 0; left_out < 4; ++left_out) {
+    std::array<std::size_t, 3> c{};
+    for (std::size_t i = 0; i < 3; ++i) c[i] = i < left_out ? i : i + 1;
+    mpz_ptr determinant = result[left_out];
+    mpz_mul(determinant, p[c[0]], minors[c[1]][c[2]].get_mpz_t());
+    mpz_submul(determinant, p[c[1]], minors[c[0]][c[2]].get_mpz_t());
+    mpz_addmul(determinant, p[c[2]], minors[c[0]][c[1]].get_mpz_t());
+    if (left_out % 2 == 1) mpz_neg(determinant, determinant);
+  }
+}
+
+void join(HomogeneousPoint& result, const Vec3& p, const Vec3& q, const Vec3& r) {
+  BitRange bits;
+  for (const Vec3& point : {p, q, r})
+    for (std::size_t axis = 0; axis < 3; ++axis) bits.extend(point[axis]);
+  const int exponent = std::min(bits.exponent(), 0);
+  // With coordinates over one denominator, differences of points are differences of numerators.
+  thread_local std::array<mpz_class, 3> origin, u, v;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    set_integer(origin[axis], p[axis], exponent);
+    set_integer(u[axis], q[axis], exponent);
+    set_integer(v[axis], r[axis], exponent);
+    u[axis] -= origin[axis];
+    v[axis] -= origin[axis];
+  }
+  result.w = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t j = (axis + 1) % 3, k = (axis + 2) % 3;
+    minor(result[axis], u[j].get_mpz_t(), u[k].get_mpz_t(), v[j].get_mpz_t(), v[k].get_mpz_t());
+    mpz_submul(result[3], result[axis], origin[axis].get_mpz_t());
+    mpz_mul_2exp(result[axis], result[axis], static_cast<mp_bitcnt_t>(-exponent));
+  }
+}
+
+void HomogeneousPoint::set(const RationalVec3& point) {
+  const RationalAccess::View vx(point.x), vy(point.y), vz(point.z);
+  set_from_fractions(*this, {vx.numerator(), vy.numerator(), vz.numerator()},
+                     {vx.denominator(), vy.denominator(), vz.denominator()});
+}
+
+/// Doubles are integers times a power of two.
+void HomogeneousPoint::set(const Vec3& doubles) {
+  BitRange bits;
+  for (std::size_t axis = 0; axis < 3; ++axis) bits.extend(doubles[axis]);
+  const int exponent = std::min(bits.exponent(), 0);
+  for (std::size_t axis = 0; axis < 3; ++axis) set_integer((*this)[axis], doubles[axis], exponent);
+  w = 1;
+  w <<= static_cast<mp_bitcnt_t>(-exponent);
+}
+
+HomogeneousView::HomogeneousView(const PointRef& point, HomogeneousPoint& buffer) {
+  if (point.is_double()) buffer.set(point.approx);
+  for (std::size_t i = 0; i < 4; ++i) numbers_[i] = point.is_double() ? buffer[i] : (*point.exact)[i];
+}
+
+void divide_by_common_divisor(HomogeneousPoint& numbers) {
+  divide_by_powers_of_two(numbers);
+  thread_local mpz_class divisor;
+  mpz_gcd(divisor.get_mpz_t(), numbers[0], numbers[1]);
+  for (std::size_t i = 2; i < 4; ++i)
+    if (divisor != 1) mpz_gcd(divisor.get_mpz_t(), divisor.get_mpz_t(), numbers[i]);
+  if (divisor == 1) return;
+  for (std::size_t i = 0; i < 4; ++i) mpz_divexact(numbers[i], numbers[i], divisor.get_mpz_t());
+}
+
+void dot(mpz_class& result, const HomogeneousView& a, const HomogeneousView& b) {
+  mpz_mul(result.get_mpz_t(), a[0], b[0]);
+  for (std::size_t i = 1; i < 4; ++i) mpz_addmul(result.get_mpz_t(), a[i], b[i]);
+}
+
+std::strong_ordering compare_quotients(mpz_srcptr a, mpz_srcptr b, mpz_srcptr c, mpz_srcptr d) {
+  thread_local mpz_class one, other;
+  mpz_mul(one.get_mpz_t(), a, d);
+  mpz_mul(other.get_mpz_t(), c, b);
+  return cmp(one, other) <=> 0;
+}
+
+int orient3d_by_integers(const std::array<const PointRef*, 4>& points) {
+  thread_local std::array<HomogeneousPoint, 4> buffers;
+  thread_local mpz_class upper, lower, sum;
+  const std::array<HomogeneousView, 4> p{
+      {{*points[0], buffers[0]}, {*points[1], buffers[1]}, {*points[2], buffers[2]}, {*points[3], buffers[3]}}};
+  // Expansion of the 4 x 4 determinant by pairs of rows (Laplace): rows 0, 1 in two columns, rows 2, 3 in the others.
+  constexpr std::array<std::array<std::size_t, 4>, 6> kColumns{
+      {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}}};
+  sum = 0;
+  for (const auto& [i, j, k, l] : kColumns) {
+    minor(upper, p[0][i], p[0][j], p[1][i], p[1][j]);
+    minor(lower, p[2][k], p[2][l], p[3][k], p[3][l]);
+    mpz_addmul(sum.get_mpz_t(), upper.get_mpz_t(), lower.get_mpz_t());
+  }
+  // orient3d is the determinant of differences to the first point, which is minus that of the rows (x y z 1).
+  return -sgn(sum);
+}
+
+int orient2d_by_integers(Projection plane, const std::array<const PointRef*, 3>& points) {
+  thread_local std::array<HomogeneousPoint, 3> buffers;
+  thread_local mpz_class part, sum;
+  const std::array<HomogeneousView, 3> p{
+      {{*points[0], buffers[0]}, {*points[1], buffers[1]}, {*points[2], buffers[2]}}};
+  const std::size_t x = first_axis(plane), y = second_axis(plane), w = 3;
+  sum = 0;
+  for (std::size_t row = 0; row < 3; ++row) {
+    const HomogeneousView &a = p[row], &b = p[(row + 1) % 3], &c = p[(row + 2) % 3];
+    minor(part, b[x], b[y], c[x], c[y]);
+    mpz_addmul(sum.get_mpz_t(), a[w], part.get_mpz_t());
+  }
+  return sgn(sum);
+}
+
+}  // namespace algebra3d::detail

@@ -1,0 +1,37 @@
+#include "algebra3d/exact/point_table.h"
+
+#include <algorithm>
+
+#include "algebra3d/exact/detail/exact_coordinates.h"
+
+namespace algebra3d {
+namespace {
+
+constexpr std::size_t kFewestSlots = 64;
+
+}  // namespace
+
+std::uint32_t PointTable::intern(const ExactPoint& point) {
+  const std::size_t before = size();
+  const std::uint32_t number = intern(point.ref());
+  if (size() > before && !point.is_double()) owned_.push_back(point);
+  return number;
+}
+
+bool PointTable::are_equal(const ExactCoordinates* a, const ExactCoordinates* b) {
+  return a != nullptr && b != nullptr && *a == *b;
+}
+
+// Points are inserted anew in their order: the table depends on the points alone, not on its history.
+void PointTable::grow() {
+  slots_.assign(std::max(2 * slots_.size(), kFewestSlots), Slot());
+  const std::size_t mask = slots_.size() - 1;
+  for (std::uint32_t number = 0; number < approx_.size(); ++number) {
+    const std::uint64_t hash = hash_of(approx_[number]);
+    std::size_t i = hash & mask;
+    while (slots_[i].number != kNone) i = (i + 1) & mask;
+    slots_[i] = {tag_of(hash), number};
+  }
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,119 @@
+#include "algebra3d/formats/export_solid.h"
+
+#include <cmath>
+#include <functional>
+
+#include <fmt/format.h>
+
+#include "algebra3d/base/box3.h"
+#include "algebra3d/base/diagnostics.h"
+#include "algebra3d/base/number_text.h"
+#include "algebra3d/base/polygon_soup.h"
+#include "algebra3d/repair/mesh_volume.h"
+#include "algebra3d/rounding/coordinate_grid.h"
+#include "algebra3d/rounding/rounded_solid.h"
+#include "mesh_files/mesh_content.h"
+#include "mesh_files/mesh_format.h"
+
+namespace algebra3d {
+namespace {
+
+TriangleSoup triangle_soup_of(const TriangleMesh& mesh) {
+  TriangleSoup soup;
+  soup.triangles.reserve(mesh.face_count());
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const TriangleRef corners = mesh.corners(FaceId(f));
+    soup.triangles.push_back({corners[0].approx, corners[1].approx, corners[2].approx});
+  }
+  return soup;
+}
+
+PolygonSoup polygon_soup_of(const TriangleMesh& mesh) {
+  PolygonSoup soup;
+  soup.points = mesh.points().approx();
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) soup.add_face(mesh.triangle(FaceId(f)));
+  return soup;
+}
+
+bool refuse(Context& context, const std::string& reason) {
+  context.diagnostics.report(reason, {}, Diagnostics::About::unwritten);
+  return false;
+}
+
+/// Writes the rounded solid to the path.
+using MeshWriter = std::function<Status(const std::filesystem::path& path, const TriangleMesh& mesh)>;
+
+/// What a file can hold: the numbers and their name.
+struct FileNumbers {
+  CoordinateGrid grid;
+  const char* name;
+  const char* advice;  ///< what else can be done if the shape changes
+};
+
+FileNumbers floats() {
+  return {CoordinateGrid::floats(), "floats", "; exportOBJ and exportOFF in ASCII keep doubles"};
+}
+FileNumbers doubles() {
+  return {CoordinateGrid::doubles(), "doubles", ""};
+}
+
+/// A boundary that moves by more than this part of the diagonal, or a volume that changes by more than this part, is
+/// seen; floats alone are some thousand times finer where a solid lies about its origin.
+constexpr double kVisiblePart = 1e-4;
+
+double diagonal_of(const TriangleMesh& mesh) {
+  Box3 box;
+  for (const Vec3& point : mesh.points().approx()) box.extend(point);
+  return box.is_empty() ? 0 : length(box.max - box.min);
+}
+
+/// What rounding did to the shape, if anybody would see it; else empty.
+Result<std::string> visible_change(const Context& context, const TriangleMesh& solid, const RoundedSolid& rounded) {
+  if (rounded.moved_vertices == 0) return std::string();
+  ALGEBRA3D_ASSIGN_OR_RETURN(const double before, nearest_volume(solid, context.monitor()));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const double after, nearest_volume(*rounded.mesh, context.monitor()));
+  const bool changes_volume = std::abs(after - before) > kVisiblePart * before;
+  const bool loses_shells = rounded.shells_after < rounded.shells_before;
+  const bool is_seen = rounded.largest_movement > kVisiblePart * diagonal_of(solid) || changes_volume || loses_shells;
+  if (!is_seen && rounded.attempts_failed == 0) return std::string();
+  std::string text = fmt::format("which moves the boundary by at most {}", real_text(rounded.largest_movement));
+  if (!is_seen) text += " where it is crowded";
+  if (changes_volume)
+    text += fmt::format(" and makes the volume {} instead of {}", real_text(after), real_text(before));
+  if (loses_shells) text += fmt::format(" and leaves {} of {} shells", rounded.shells_after, rounded.shells_before);
+  return text;
+}
+
+/// FALSE, with a diagnostic, if the solid cannot be rounded or the file not be written.
+Result<bool> export_rounded(Context& context, const std::string& name, const Volume3d& solid, const std::string& file,
+                            const FileNumbers& numbers, const MeshWriter& write) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const RoundedSolid rounded, rounded_solid(solid.mesh(), numbers.grid, context.cancel));
+  const std::string rounding = fmt::format("{}: {}: rounded to {}, ", name, file, numbers.name);
+  if (!rounded.mesh) return refuse(context, rounding + rounded.reason + numbers.advice);
+  if (rounded.mesh->is_empty() && !solid.mesh().is_empty())
+    return refuse(context, rounding + "nothing of the solid is left" + numbers.advice);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string change, visible_change(context, solid.mesh(), rounded));
+  if (!change.empty())
+    context.diagnostics.report(fmt::format("{}: rounded to {}, {}{}", name, numbers.name, change, numbers.advice),
+                               file);
+  const Status written = write(context.resolve(file), *rounded.mesh);
+  if (!written) return refuse(context, name + ": " + written.error().message);
+  return true;
+}
+
+}  // namespace
+
+Result<bool> export_solid(Context& context, const std::string& command, const Volume3d& solid, const std::string& name,
+                          const std::string& file, const MeshFileForm& form) {
+  const mesh_files::MeshFormat& format = *form.format;
+  const bool has_floats = format.form(form.encoding)->coordinates == mesh_files::CoordinateRange::floats;
+  return export_rounded(context, command, solid, file, has_floats ? floats() : doubles(),
+                        [&](const std::filesystem::path& path, const TriangleMesh& mesh) {
+                          const mesh_files::Facets facets = format.stores_triangles
+                                                                ? mesh_files::Facets(triangle_soup_of(mesh))
+                                                                : mesh_files::Facets(polygon_soup_of(mesh));
+                          return format.write(path, facets, name, form.encoding);
+                        });
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,77 @@
+#include "algebra3d/formats/mesh_file.h"
+
+#include <string>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "algebra3d/base/file_content.h"
+#include "algebra3d/soup/polygon_triangulation.h"
+#include "algebra3d/soup/weld.h"
+#include "mesh_files/foreign_file.h"
+#include "mesh_files/mesh_content.h"
+#include "mesh_files/mesh_format.h"
+#include "mesh_files/unwritten_file.h"
+
+namespace algebra3d {
+namespace {
+
+using mesh_files::MeshContent;
+using mesh_files::MeshFormat;
+using mesh_files::MeshFormats;
+
+Result<MeshFile> read_as(const MeshFormat& format, std::string_view bytes, const std::string& name,
+                         const std::atomic<bool>* cancel) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(MeshContent read, format.read(bytes, name, cancel));
+  return MeshFile{triangles_of(std::move(read.facets)), std::move(read.remarks), &format, read.encoding,
+                  read.wrong_count};
+}
+
+}  // namespace
+
+Result<MeshFile> read_mesh_file(const std::filesystem::path& path, const MeshFormat* format,
+                                const std::atomic<bool>* cancel) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const InputFile input, InputFile::open(path));
+  ALGEBRA3D_RETURN_IF_ERROR(mesh_files::refuse_unwritten(input));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const FileContent file, FileContent::read(input, cancel));
+  return read_mesh(file.bytes(), path.string(), format, cancel);
+}
+
+Result<MeshFile> read_mesh(std::string_view bytes, const std::string& name, const MeshFormat* format,
+                           const std::atomic<bool>* cancel, const MeshFormats& formats) {
+  if (format == nullptr) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const MeshFormat* const detected, formats.detect(bytes, name));
+    return read_as(*detected, bytes, name, cancel);
+  }
+  const MeshFormat* const known = formats.of_content(bytes);
+  if (known == nullptr) ALGEBRA3D_RETURN_IF_ERROR(mesh_files::refuse_foreign(bytes, name, formats.names("or")));
+  const MeshFormat& found = known != nullptr ? *known : *format;
+  auto read = read_as(found, bytes, name, cancel);
+  if (found.name == format->name) return read;
+  const std::string other = fmt::format("the content is {}, not {}", found.name, format->name);
+  if (!read) return Error{read.error().code, "{} ({})", read.error().message, other};
+  read->remarks.insert(read->remarks.begin(), other + ", and is read as that");
+  return read;
+}
+
+TriangleSoup triangles_of(mesh_files::Facets facets) {
+  if (auto* const triangles = std::get_if<TriangleSoup>(&facets)) return std::move(*triangles);
+  return triangles_of(std::get<PolygonSoup>(facets));
+}
+
+Result<PolygonSoup> polygons_of(mesh_files::Facets facets, const std::string& name) {
+  if (auto* const given = std::get_if<PolygonSoup>(&facets)) return std::move(*given);
+  const TriangleSoup& soup = std::get<TriangleSoup>(facets);
+  if (soup.triangles.size() > TriangleMesh::kMaxFaces)
+    return Error{ErrorCode::limit_exceeded, "{}: {} triangles; at most {} can be joined", name, soup.triangles.size(),
+                 TriangleMesh::kMaxFaces};
+  const WeldedTriangles welded = weld(soup.triangles);
+  PolygonSoup polygons;
+  polygons.points = welded.points.approx();
+  polygons.name = soup.name;
+  for (const IndexTriangle& triangle : welded.triangles) polygons.add_face(triangle);
+  return polygons;
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "algebra3d/base/box3.h"
+#include "algebra3d/base/id_vector.h"
+#include "algebra3d/base/strong_id.h"
+#include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/soup/loop_triangulation.h"
+
+namespace algebra3d {
+
+/// A HoleLoop.
+using HoleId = StrongId<struct HoleTag>;
+
+/// A simple closed boundary loop with what is needed to triangulate a cover. In the direction in which new triangles
+/// run along it.
+struct HoleLoop {
+  std::vector<VertexId> vertices;
+  Loop loop;        ///< the points, with the triangles beyond the edges
+  FaceId triangle;  ///< a triangle at the loop
+
+  /// The box around the loop.
+  Box3 box() const;
+  /// The diagonal of its box.
+  double diameter() const;
+};
+
+/// The simple boundary loops of a mesh; loops that visit a vertex more than once are cut there. Cost: linear.
+IdVector<HoleId, HoleLoop> hole_loops(const TriangleMesh& mesh);
+
+}  // namespace algebra3d

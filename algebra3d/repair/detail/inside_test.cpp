@@ -1,0 +1,31 @@
+#include "algebra3d/repair/detail/inside_test.h"
+
+#include <numeric>
+#include <vector>
+
+#include "algebra3d/exact/vertical_line.h"
+
+namespace algebra3d {
+namespace {
+
+std::vector<std::uint32_t> all_faces(const TriangleMesh& mesh) {
+  std::vector<std::uint32_t> faces(mesh.face_count());
+  std::iota(faces.begin(), faces.end(), 0U);
+  return faces;
+}
+
+}  // namespace
+
+InsideTest::InsideTest(const TriangleMesh& solid) : solid_(solid), hierarchy_(solid, all_faces(solid)) {}
+
+bool InsideTest::is_inside(const Vec3& point) const {
+  if (!hierarchy_.bounds().contains(point)) return false;
+  int winding = 0;
+  hierarchy_.for_each_on_vertical_ray(Box3::of(point), 1, [&](std::uint32_t face) {
+    const LineCrossing crossing = cross_vertical_line(point, solid_.corners(FaceId(face)));
+    if (crossing.side == -1) winding += crossing.sign;
+  });
+  return winding > 0;
+}
+
+}  // namespace algebra3d

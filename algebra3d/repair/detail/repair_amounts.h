@@ -1,0 +1,41 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "algebra3d/base/error.h"
+#include "algebra3d/base/id_vector.h"
+#include "algebra3d/base/monitor.h"
+#include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/repair/detail/known_triangles.h"
+#include "algebra3d/repair/repair_report.h"
+
+namespace algebra3d {
+
+/// The measurements of a repair.
+struct MeasuredRepair {
+  RepairAmounts amounts;
+  std::vector<bool> are_added;  ///< per cover: whether at least a part of it is in the boundary of the solid
+};
+
+/// Measures the parts that a repair left out and added. `recognised`: faces of `given` known to be in the solid; others
+/// with the same corners are found. `moved`: the largest distance by which a corner was moved, for
+/// MeasureFrame::tolerance. Faces of `given` may cross, repeat and be degenerate; the solid is valid. Exactness: inside
+/// tests are exact, at the middle of each part; areas are rounded sums over parts cut in doubles; distances are upper
+/// bounds. Errors: interrupted. Cost: linear, and n log n in the faces that only one of the two has. Deterministic.
+Result<MeasuredRepair> measure_repair(const TriangleMesh& given, const TriangleMesh& solid,
+                                      const FaceMatches& recognised, double moved, std::span<const HoleCover> covers,
+                                      const Monitor& monitor = {});
+
+/// The relation of each given triangle to the repaired solid.
+struct TriangleClasses {
+  IdVector<FaceId, bool> are_divided;  ///< at least a part of it is in the solid, as other faces
+  IdVector<FaceId, bool> are_outside;  ///< at least a part of it lies outside the solid
+};
+
+/// Classifies the given triangles relative to the repaired solid, with the tolerance of measure_repair. Errors:
+/// interrupted. Cost: as before.
+Result<TriangleClasses> classify_triangles(const TriangleMesh& given, const TriangleMesh& solid, double moved,
+                                           const Monitor& monitor = {});
+
+}  // namespace algebra3d

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "algebra3d/repair/detail/indexed_soup.h"
+#include "algebra3d/repair/repair_report.h"
+
+namespace algebra3d {
+
+/// Removes T-junctions: splits boundary edges, with their triangles, at boundary vertices that lie exactly on them.
+/// Nothing moves. Exact. Cost: n log n in the boundary edges.
+void split_t_junctions(IndexedSoup& soup, RepairReport& report);
+
+/// Merges boundary vertices that rounding has moved apart, up to the noise (vertex_merging.h). To be called before
+/// T-junctions are split: otherwise a rounded corner that lies on an edge would split off a piece as short as the
+/// noise, too short to be stitched. Cost: n log n in the boundary edges.
+void merge_rounded_corners(IndexedSoup& soup, double noise, RepairReport& report);
+
+/// Stitches gaps: merges boundary vertices no farther apart than the tolerance (vertex_merging.h), then splits boundary
+/// edges at boundary vertices within the tolerance, where this stitches edges (split_selection.h). Triangles thinner
+/// than the tolerance may become degenerate or turn over. Cost: n log n in the boundary edges.
+void stitch_gaps(IndexedSoup& soup, double tolerance, RepairReport& report);
+
+}  // namespace algebra3d

@@ -1,0 +1,39 @@
+#include "algebra3d/rounding/coordinate_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace algebra3d {
+
+double CoordinateGrid::spacing_up_to(double size) const {
+  const int exponent = size > 0 ? std::ilogb(size) : 0;
+  switch (kind_) {
+    case Kind::doubles:
+      return std::ldexp(1, std::max(exponent - 52, -1074));
+    case Kind::floats:
+      return std::ldexp(1, std::max(exponent - 23, -149));
+    default:
+      return step_;
+  }
+}
+
+double CoordinateGrid::nearest(double coordinate) const {
+  switch (kind_) {
+    case Kind::doubles:
+      return coordinate;
+    case Kind::floats:
+      // Beyond the range the cast would be undefined.
+      if (std::abs(coordinate) > std::numeric_limits<float>::max())
+        return std::copysign(std::numeric_limits<double>::infinity(), coordinate);
+      return static_cast<float>(coordinate);
+    default: {
+      // Far out the multiples are as dense as the doubles, or denser.
+      constexpr double kFarOut = 4503599627370496;  // 2^52
+      const double multiple = coordinate / step_;
+      return std::abs(multiple) < kFarOut ? std::round(multiple) * step_ : coordinate;
+    }
+  }
+}
+
+}  // namespace algebra3d

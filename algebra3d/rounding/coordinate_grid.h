@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+
+namespace algebra3d {
+
+/// A grid of doubles to which coordinates are rounded.
+class CoordinateGrid {
+ public:
+  static CoordinateGrid doubles() { return {Kind::doubles, 0}; }
+  static CoordinateGrid floats() { return {Kind::floats, 0}; }
+  /// The grid of k * step for all integers k, each rounded once to a double. step > 0 and finite.
+  static CoordinateGrid multiples(double step) { return {Kind::multiples, step}; }
+
+  /// The nearest number of the grid, or one that is farther away by at most one rounding error; infinite beyond the
+  /// range of the numbers. A number of the grid comes back as it is.
+  double nearest(double coordinate) const;
+
+  /// The largest distance of neighbouring grid numbers from -size to size; size >= 0.
+  double spacing_up_to(double size) const;
+
+ private:
+  enum class Kind : std::uint8_t { doubles, floats, multiples };
+  CoordinateGrid(Kind kind, double step) : kind_(kind), step_(step) {}
+
+  Kind kind_;
+  double step_;
+};
+
+}  // namespace algebra3d

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "algebra3d/base/id_vector.h"
+#include "algebra3d/base/strong_id.h"
+#include "algebra3d/exact/point_table.h"
+#include "algebra3d/halfedge/triangle_mesh.h"
+
+namespace algebra3d {
+
+/// New places of the vertices of a mesh, and for each an upper bound of how far it moved; of a rounded vertex also of
+/// how far others may have moved to the same place (rounded_vertices.h).
+struct MovedVertices {
+  PointArray points;
+  std::vector<double> movements;
+};
+
+/// A point to which vertices have moved.
+using PointId = StrongId<struct PointTag>;
+
+/// The distinct points to which vertices have moved; vertices at equal places share one.
+struct MovedPoints {
+  explicit MovedPoints(const MovedVertices& moved);
+
+  PointId of(VertexId vertex) const { return of_vertex[vertex]; }
+
+  PointTable table;                     ///< numbered as the ids
+  IdVector<PointId, Vec3> points;       ///< rounded
+  IdVector<PointId, double> movements;  ///< the largest movement of the vertices at this point
+  IdVector<VertexId, PointId> of_vertex;
+  double largest_movement = 0;
+};
+
+}  // namespace algebra3d

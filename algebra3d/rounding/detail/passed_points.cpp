@@ -1,0 +1,75 @@
+#include "algebra3d/rounding/detail/passed_points.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "algebra3d/base/box3.h"
+#include "algebra3d/rounding/detail/facet_outlines.h"
+#include "rtree/rtree.h"
+
+namespace algebra3d {
+namespace {
+
+Box3 grown(Box3 box, double by) {
+  box.min = box.min - Vec3{by, by, by};
+  box.max = box.max + Vec3{by, by, by};
+  return box;
+}
+
+/// Says whether a point is a corner of a facet along a chain.
+class CommonFacets {
+ public:
+  explicit CommonFacets(const FacetOutlines& outlines) {
+    for (const OutlineChain& side : outlines.outline_chains()) {
+      const auto [from, to] = outlines.chains().ends({side.chain, 0});
+      facets_of_points_.emplace_back(from, side.facet);
+      facets_of_points_.emplace_back(to, side.facet);
+      facets_of_chains_.emplace_back(side.chain, side.facet);
+    }
+    std::ranges::sort(facets_of_points_);
+    std::ranges::sort(facets_of_chains_);
+  }
+
+  bool is_any(ChainId chain, PointId point) const {
+    auto place = std::ranges::lower_bound(facets_of_chains_, std::pair(chain, CoplanarFacetId(0)));
+    for (; place != facets_of_chains_.end() && place->first == chain; ++place)
+      if (std::ranges::binary_search(facets_of_points_, std::pair(point, place->second))) return true;
+    return false;
+  }
+
+ private:
+  std::vector<std::pair<PointId, CoplanarFacetId>> facets_of_points_;
+  std::vector<std::pair<ChainId, CoplanarFacetId>> facets_of_chains_;
+};
+
+}  // namespace
+
+void route_through_passed_points(FacetOutlines& outlines) {
+  const MovedPoints& points = outlines.points();
+  EdgeChains& chains = outlines.chains();
+  IdVector<ChainId, double> movements(chains.ids().size());
+  IdVector<PointId, bool> is_corner(points.points.size());
+  std::vector<rtree::Entry<std::uint32_t>> entries;
+  for (const ChainId chain : chains.ids()) {
+    const auto [from, to] = chains.ends({chain, 0});
+    movements[chain] = std::max(points.movements[from], points.movements[to]);
+    is_corner[from] = is_corner[to] = true;
+    const Box3 box = unite(Box3::of(points.points[from]), Box3::of(points.points[to]));
+    entries.push_back({grown(box, movements[chain]), chain.index()});
+  }
+  const auto tree = rtree::RTree<std::uint32_t>::bulk_load(entries);
+  const CommonFacets common(outlines);
+  for (const PointId point : points.points.ids()) {
+    if (!is_corner[point]) continue;
+    const double movement = points.movements[point];
+    for (const std::uint32_t number : tree.window(grown(Box3::of(points.points[point]), movement))) {
+      const ChainId chain(number);
+      const double reach = movement + movements[chain];
+      if (common.is_any(chain, point) && reach > 0 && chains.distance({chain, 0}, point) <= reach)
+        chains.route_through({chain, 0}, point);
+    }
+  }
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,12 @@
+#pragma once
+
+namespace algebra3d {
+
+class FacetOutlines;
+
+/// Notes that chains are to be routed through points which they may have passed over when their ends moved: corners of
+/// a facet along the chain that are no farther from it than the chain and the corner together may have moved. Requires
+/// straight chains. Cost: n log n.
+void route_through_passed_points(FacetOutlines& outlines);
+
+}  // namespace algebra3d

@@ -1,0 +1,61 @@
+#include "algebra3d/rounding/detail/rounded_vertices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "algebra3d/exact/rational.h"
+
+namespace algebra3d {
+namespace {
+
+/// Half the diagonal of a cube, in terms of its edge; rounded up.
+constexpr double kHalfDiagonal = 0.8661;
+
+/// An upper bound of the distance between a point and the doubles to which it is rounded.
+double distance_to_rounded(const PointRef& point, const Vec3& rounded) {
+  Vec3 difference;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    difference[axis] = point.is_double() ? point.approx[axis] - rounded[axis]
+                                         : (point.coordinate(axis) - Rational(rounded[axis])).nearest_double();
+  // Three roundings in the length, one in each difference, which may come down to nothing.
+  const double length = std::hypot(difference.x, difference.y, difference.z);
+  return length * (1 + 8 * std::numeric_limits<double>::epsilon()) + std::numeric_limits<double>::denorm_min();
+}
+
+}  // namespace
+
+double PixelLevels::width(std::size_t vertex) const {
+  return std::ldexp(spacing, levels[vertex] - 1);
+}
+
+RoundedVertices rounded_vertices(const TriangleMesh& mesh, const CoordinateGrid& grid, const PixelLevels& pixels) {
+  RoundedVertices result;
+  std::vector<Vec3> rounded;
+  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
+    const PointRef given = mesh.points()[i];
+    const bool is_wide = pixels.levels[i] > 0;
+    const double pixel = pixels.width(i);
+    const CoordinateGrid wide = CoordinateGrid::multiples(pixel);
+    Vec3 point;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      point[axis] = grid.nearest(is_wide ? wide.nearest(given.approx[axis]) : given.approx[axis]);
+    result.are_finite = result.are_finite && is_finite(point);
+    if (!result.are_finite) return result;
+    const bool is_moved = !given.is_double() || given.approx != point;
+    const double movement = is_moved ? distance_to_rounded(given, point) : 0;
+    if (is_moved) ++result.moved;
+    result.largest_movement = std::max(result.largest_movement, movement);
+    result.movements.push_back(is_wide ? std::max(movement, kHalfDiagonal * pixel) : movement);
+    rounded.push_back(point);
+  }
+  result.points = PointArray(std::move(rounded));
+  return result;
+}
+
+double rounded_up(double length) {
+  return length * (1 + 0x1p-40);
+}
+
+}  // namespace algebra3d

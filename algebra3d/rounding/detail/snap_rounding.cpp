@@ -1,0 +1,116 @@
+#include "algebra3d/rounding/detail/snap_rounding.h"
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "algebra3d/planar/sweep_triangulation.h"
+#include "algebra3d/rounding/detail/facet_outlines.h"
+
+namespace algebra3d {
+namespace {
+
+/// The triangles of all facets, with the outlines that they have now.
+class SnapRounding {
+ public:
+  SnapRounding(const TriangleMesh& mesh, const MovedVertices& moved) : outlines_(mesh, moved) {}
+
+  SnappedMesh run();
+
+ private:
+  void add(const IndexTriangle& triangle);
+  void add(PointId a, PointId b, PointId c) { add({a.index(), b.index(), c.index()}); }
+  bool fill(Projection plane, const std::vector<DirectedEdge>& outline,
+            const std::vector<IndexTriangle>& triangles) const;
+  bool add_triangulated(CoplanarFacetId facet);
+  void add_moved(CoplanarFacetId facet);
+  TriangleMesh mesh_of_used_points();
+
+  FacetOutlines outlines_;
+  std::vector<IndexTriangle> triangles_;
+};
+
+/// True if none of the triangles turns over, and all together have this boundary.
+bool SnapRounding::fill(Projection plane, const std::vector<DirectedEdge>& outline,
+                        const std::vector<IndexTriangle>& triangles) const {
+  std::vector<DirectedEdge> sides;
+  for (const auto& [a, b, c] : triangles) {
+    if (outlines_.orientation(plane, PointId(a), PointId(b), PointId(c)) <= 0) return false;
+    sides.insert(sides.end(), {{a, b}, {b, c}, {c, a}});
+  }
+  return without_opposites(std::move(sides)) == outline;
+}
+
+void SnapRounding::add(const IndexTriangle& triangle) {
+  const auto& [a, b, c] = triangle;
+  if (a != b && b != c && c != a) triangles_.push_back(triangle);
+}
+
+/// False if the outline bounds no region.
+bool SnapRounding::add_triangulated(CoplanarFacetId facet) {
+  const Projection plane = outlines_.facets().projection(facet);
+  const bool is_flipped = outlines_.facets().is_flipped(facet);
+  std::vector<DirectedEdge> edges = outlines_.outline(facet);
+  if (is_flipped) {
+    for (auto& [from, to] : edges) std::swap(from, to);
+    edges = without_opposites(std::move(edges));
+  }
+  std::vector<IndexTriangle> triangles;
+  const bool is_region = triangulate_by_sweep(outlines_.points().table, plane, edges, triangles);
+  if (!is_region || !fill(plane, edges, triangles)) return false;
+  for (const auto& [a, b, c] : triangles) triangles_.push_back(is_flipped ? std::array{a, c, b} : std::array{a, b, c});
+  return true;
+}
+
+/// Adds the old triangles between the new points, and others between their edges and the chains of these.
+void SnapRounding::add_moved(CoplanarFacetId facet) {
+  for (const FaceId face : outlines_.facets().faces(facet)) add(outlines_.triangle(face));
+  for (const OutlineChain& side : outlines_.outline_chains(facet)) {
+    const auto chain = std::as_const(outlines_).chains()[side.chain];
+    for (std::size_t i = 1; i + 1 < chain.size(); ++i) {
+      if (side.is_reversed)
+        add(chain[0], chain[i + 1], chain[i]);
+      else
+        add(chain[0], chain[i], chain[i + 1]);
+    }
+  }
+}
+
+TriangleMesh SnapRounding::mesh_of_used_points() {
+  const PointTable& table = outlines_.points().table;
+  PointArray used;
+  IdVector<PointId, VertexId> vertices(table.size());
+  for (IndexTriangle& triangle : triangles_)
+    for (std::uint32_t& corner : triangle) {
+      VertexId& vertex = vertices[PointId(corner)];
+      if (!vertex.is_valid()) {
+        vertex = VertexId(used.size());
+        used.push_back(table[corner]);
+      }
+      corner = vertex.index();
+    }
+  return {std::move(used), triangles_};
+}
+
+SnappedMesh SnapRounding::run() {
+  for (const CoplanarFacetId facet : outlines_.facets().ids()) {
+    const bool keeps_triangles = !outlines_.is_moved(facet) || !outlines_.is_simple(facet);
+    if (keeps_triangles || !add_triangulated(facet)) add_moved(facet);
+  }
+  return {mesh_of_used_points(), outlines_.chains().largest_detour()};
+}
+
+}  // namespace
+
+SnappedMesh moved_mesh(const TriangleMesh& mesh, PointArray points) {
+  const std::size_t count = points.size();
+  // Vertices that have not moved pass over nothing.
+  return snap_round(mesh, {std::move(points), std::vector<double>(count)});
+}
+
+SnappedMesh snap_round(const TriangleMesh& mesh, const MovedVertices& moved) {
+  return SnapRounding(mesh, moved).run();
+}
+
+}  // namespace algebra3d

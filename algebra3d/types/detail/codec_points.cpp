@@ -1,0 +1,246 @@
+#include "algebra3d/types/detail/codec_points.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "algebra3d/exact/rational_text.h"
+
+namespace algebra3d {
+namespace {
+
+// Doubles as integers in the order of the doubles; both zeros are 0. Low bits that are zero stay zero, also in negative
+// numbers: so a table of floats or of decimal fractions of a power of two keeps its common trailing zeros.
+std::int64_t ordered(double value) {
+  const auto bits = std::bit_cast<std::int64_t>(value);
+  return bits < 0 ? -(bits & std::numeric_limits<std::int64_t>::max()) : bits;
+}
+
+double from_ordered(std::int64_t value) {
+  const auto magnitude = static_cast<std::uint64_t>(value < 0 ? -value : value);
+  const auto absolute = std::bit_cast<double>(magnitude);
+  return value < 0 ? -absolute : absolute;
+}
+
+constexpr std::int64_t kLargest = 0x7FEFFFFFFFFFFFFF;  // the largest finite double
+
+bool is_finite_ordered(std::int64_t value) {
+  return -kLargest <= value && value <= kLargest;
+}
+
+/// One axis as the sorted table of its distinct values, and the place of each point's value in the table.
+struct RankedAxis {
+  std::vector<std::int64_t> table;
+  std::vector<std::uint32_t> ranks;
+};
+
+RankedAxis rank_axis(const std::vector<Vec3>& points, std::size_t axis) {
+  std::vector<std::pair<std::int64_t, std::uint32_t>> values;
+  values.reserve(points.size());
+  for (std::uint32_t i = 0; i < points.size(); ++i) values.emplace_back(ordered(points[i][axis]), i);
+  std::ranges::sort(values);
+  RankedAxis result;
+  result.ranks.resize(points.size());
+  for (const auto& [value, index] : values) {
+    if (result.table.empty() || result.table.back() != value) result.table.push_back(value);
+    result.ranks[index] = static_cast<std::uint32_t>(result.table.size() - 1);
+  }
+  return result;
+}
+
+void write_table(ByteWriter& writer, const std::vector<std::int64_t>& table) {
+  std::vector<std::uint64_t> steps;
+  steps.reserve(table.size() - 1);
+  std::uint64_t any = 0;
+  for (std::size_t i = 1; i < table.size(); ++i) {
+    // The difference of any two 64-bit integers fits 64 unsigned bits.
+    steps.push_back(static_cast<std::uint64_t>(table[i]) - static_cast<std::uint64_t>(table[i - 1]));
+    any |= steps.back();
+  }
+  const int shift = any == 0 ? 0 : std::countr_zero(any);
+  for (std::uint64_t& step : steps) step >>= shift;
+  writer.varint(table.size());
+  writer.f64(from_ordered(table.front()));
+  writer.u8(static_cast<std::uint8_t>(shift));
+  writer.planes(steps);
+}
+
+std::vector<double> read_table(ByteReader& reader, std::size_t point_count) {
+  const std::uint64_t size = reader.varint();
+  if (reader.ok() && (size == 0 || size > point_count))
+    reader.fail(fmt::format("a table of 1 to {} values, found {}", point_count, size));
+  std::int64_t value = ordered(reader.f64());
+  reader.require(is_finite_ordered(value), "a finite coordinate");
+  const int shift = reader.u8();
+  reader.require(shift < 64, "a shift below 64");
+  // A width of zero would claim many values with no bytes: allowed only for the table of one value.
+  const auto steps = reader.ok() ? reader.planes(static_cast<std::size_t>(size) - 1, size > 1 ? 1 : 0, 8)
+                                 : std::vector<std::uint64_t>();
+  if (!reader.ok()) return {};
+  std::vector<double> table{from_ordered(value)};
+  table.reserve(static_cast<std::size_t>(size));
+  for (const std::uint64_t step : steps) {
+    const std::uint64_t room = static_cast<std::uint64_t>(kLargest) - static_cast<std::uint64_t>(value);
+    reader.require(step != 0 && step <= room >> shift, "an ascending table of finite coordinates");
+    if (!reader.ok()) return {};
+    value = static_cast<std::int64_t>(static_cast<std::uint64_t>(value) + (step << shift));
+    table.push_back(from_ordered(value));
+  }
+  return table;
+}
+
+void write_axis(ByteWriter& writer, const std::vector<Vec3>& points, std::size_t axis) {
+  const RankedAxis ranked = rank_axis(points, axis);
+  write_table(writer, ranked.table);
+  std::vector<std::uint64_t> steps;
+  steps.reserve(ranked.ranks.size());
+  std::int64_t previous = 0;
+  for (const std::uint32_t rank : ranked.ranks) {
+    steps.push_back(zigzag(rank - previous));
+    previous = rank;
+  }
+  writer.planes(steps, 1);
+}
+
+void read_axis(ByteReader& reader, std::vector<Vec3>& points, std::size_t axis) {
+  const std::vector<double> table = read_table(reader, points.size());
+  const std::vector<std::uint64_t> steps = reader.planes(points.size(), 1, 5);
+  if (!reader.ok()) return;
+  const auto size = static_cast<std::int64_t>(table.size());
+  std::int64_t rank = 0;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    rank += unzigzag(steps[i]);
+    if (rank < 0 || rank >= size) return reader.fail("a coordinate within its table");
+    points[i][axis] = table[static_cast<std::size_t>(rank)];
+  }
+}
+
+// Any length: the bytes are at hand, and what was spilled need not be what can be stored.
+std::optional<Rational> parse_rational(std::string_view text) {
+  const bool is_plain =
+      std::ranges::all_of(text, [](char c) { return ('0' <= c && c <= '9') || c == '/' || c == '-'; });
+  return is_plain ? Rational::parse(text) : std::nullopt;
+}
+
+thread_local std::size_t longest_number = 0;
+
+/// The three rationals of a point whose doubles are known: a coordinate that is its double is the empty text.
+void write_exact(ByteWriter& writer, const RationalVec3& exact) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (exact[axis].is_double())
+      writer.varint(0);
+    else
+      write_rational(writer, exact[axis]);
+  }
+}
+
+RationalVec3 read_exact(ByteReader& reader, const Vec3& approx) {
+  std::array<Rational, 3> exact;
+  bool any = false;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    exact[axis] = Rational(approx[axis]);
+    const std::string_view text = reader.text();
+    if (text.empty()) continue;
+    const auto value = reader.ok() ? parse_rational(text) : std::nullopt;
+    reader.require(value.has_value(), "a number p/q");
+    if (!reader.ok()) break;
+    reader.require(!value->is_double() && value->nearest_double() == approx[axis],
+                   "a number that is no double and rounds to the one stored");
+    exact[axis] = *value;
+    any = true;
+  }
+  reader.require(any, "a coordinate that is no double");
+  return {exact[0], exact[1], exact[2]};
+}
+
+void write_exact_table(ByteWriter& writer, const PointArray& points) {
+  writer.varint(points.exact_count());
+  if (points.exact_count() == 0) return;
+  std::uint64_t next = 0;
+  for (std::size_t index = 0; index < points.size(); ++index) {
+    if (points[index].is_double()) continue;
+    writer.varint(index - next);
+    next = index + 1;
+    write_exact(writer, points[index].rational());
+  }
+}
+
+/// Reads the table of exact coordinates and joins it to the doubles.
+PointArray read_exact_table(ByteReader& reader, std::vector<Vec3> approx) {
+  const std::size_t exact_count = reader.count(5);  // an index, three lengths and a character
+  if (!reader.ok()) return {};
+  if (exact_count == 0) return PointArray(std::move(approx));
+  PointArray points;
+  points.reserve(approx.size());
+  for (std::size_t i = 0; i < exact_count; ++i) {
+    const std::uint64_t skipped = reader.varint();
+    reader.require(skipped < approx.size() - points.size(), "the index of a point");
+    if (!reader.ok()) return {};
+    for (const std::size_t end = points.size() + static_cast<std::size_t>(skipped); points.size() < end;)
+      points.push_back(approx[points.size()]);
+    const RationalVec3 exact = read_exact(reader, approx[points.size()]);
+    if (!reader.ok()) return {};
+    points.push_back(ExactPoint(exact));
+  }
+  while (points.size() < approx.size()) points.push_back(approx[points.size()]);
+  return points;
+}
+
+}  // namespace
+
+void write_rational(ByteWriter& writer, const Rational& value) {
+  const std::string text = value.text();
+  longest_number = std::max(longest_number, digit_count(text));
+  writer.text(text);
+}
+
+std::size_t take_longest_number() {
+  return std::exchange(longest_number, 0);
+}
+
+Rational read_rational(ByteReader& reader) {
+  const std::string_view text = reader.text();
+  const auto value = reader.ok() ? parse_rational(text) : std::nullopt;
+  reader.require(value.has_value(), "a number p/q");
+  return value.value_or(Rational());
+}
+
+void write_point(ByteWriter& writer, const ExactPoint& point) {
+  writer.u8(point.is_double() ? 0 : 1);
+  for (std::size_t axis = 0; axis < 3; ++axis) writer.f64(point.approx()[axis]);
+  if (!point.is_double()) write_exact(writer, point.rational());
+}
+
+ExactPoint read_point(ByteReader& reader) {
+  const int form = reader.u8();
+  reader.require(form <= 1, "0 (doubles) or 1 (rationals)");
+  Vec3 approx;
+  for (std::size_t axis = 0; axis < 3; ++axis) approx[axis] = reader.f64();
+  reader.require(is_finite(approx), "finite coordinates");
+  if (!reader.ok()) return {};
+  if (form == 0) return approx;
+  RationalVec3 exact = read_exact(reader, approx);
+  return reader.ok() ? ExactPoint(exact) : ExactPoint();
+}
+
+void write_points(ByteWriter& writer, const PointArray& points) {
+  writer.varint(points.size());
+  if (points.size() == 0) return;
+  for (std::size_t axis = 0; axis < 3; ++axis) write_axis(writer, points.approx(), axis);
+  write_exact_table(writer, points);
+}
+
+PointArray read_points(ByteReader& reader) {
+  const std::size_t size = reader.count(3);  // each axis has a byte at least for each point
+  reader.require(size < std::numeric_limits<std::uint32_t>::max(), "fewer than 2^32 - 1 points");
+  if (!reader.ok() || size == 0) return {};
+  std::vector<Vec3> approx(size);
+  for (std::size_t axis = 0; axis < 3; ++axis) read_axis(reader, approx, axis);
+  if (!reader.ok()) return {};
+  return read_exact_table(reader, std::move(approx));
+}
+
+}  // namespace algebra3d

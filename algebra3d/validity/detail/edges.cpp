@@ -1,0 +1,65 @@
+#include "algebra3d/validity/detail/edges.h"
+
+#include <algorithm>
+#include <compare>
+#include <span>
+#include <vector>
+
+#include "algebra3d/halfedge/topology.h"
+
+namespace algebra3d {
+namespace {
+
+/// One triangle at an edge, as someone sees it who looks along the edge.
+struct Wing {
+  VertexId apex;
+  bool is_forward;
+};
+
+Vec3 middle(const TriangleMesh& mesh, HalfedgeId h) {
+  // Halved first: the sum of the largest doubles is not finite.
+  return 0.5 * mesh.point(mesh.origin(h)).approx + 0.5 * mesh.point(mesh.target(h)).approx;
+}
+
+/// Requires that no triangle at the edge is degenerate.
+bool alternates(const TriangleMesh& mesh, std::span<const HalfedgeId> edge) {
+  const VertexId from = mesh.origin(edge[0]), to = mesh.target(edge[0]);
+  std::vector<Wing> wings;
+  for (const HalfedgeId h : edge) wings.push_back({mesh.origin(TriangleMesh::prev(h)), mesh.origin(h) == from});
+  const VertexId start = wings[0].apex;
+  const auto order = [&](const Wing& a, const Wing& b) {
+    return compare_around_edge(mesh.point(from), mesh.point(to), mesh.point(start), mesh.point(a.apex),
+                               mesh.point(b.apex));
+  };
+  std::ranges::stable_sort(wings, [&](const Wing& a, const Wing& b) { return std::is_lt(order(a, b)); });
+  for (std::size_t i = 0; i < wings.size(); ++i) {
+    const Wing& next = wings[i + 1 == wings.size() ? 0 : i + 1];
+    if (wings[i].is_forward == next.is_forward && std::is_neq(order(wings[i], next))) return false;
+  }
+  return true;
+}
+
+/// `edge` has no opposite half-edges: alone in one direction, both in the same, or more than two.
+void check_nonmanifold_edge(const TriangleMesh& mesh, std::span<const HalfedgeId> edge, const SoundFaces& sound,
+                            ValidityReport& report) {
+  const HalfedgeId first = edge[0];
+  if (mesh.origin(first) == mesh.target(first)) return;  // a repeated corner; its triangle is reported as degenerate
+  const auto is_sound = [&](HalfedgeId h) { return sound[TriangleMesh::face(h).index()]; };
+  if (is_balanced(mesh, edge) && (!std::ranges::all_of(edge, is_sound) || alternates(mesh, edge))) return;
+  const Defect kind = edge.size() == 2 ? Defect::inconsistent_edge : Defect::nonmanifold_edge;
+  const FaceId face = TriangleMesh::face(first), other = TriangleMesh::face(edge[1]);
+  report.add({kind, face, other == face ? FaceId() : other, middle(mesh, first)});
+}
+
+}  // namespace
+
+void check_edges(const TriangleMesh& mesh, const SoundFaces& sound, ValidityReport& report) {
+  for (std::size_t i = 0; i < mesh.halfedge_count(); ++i) {
+    const HalfedgeId h(i);
+    if (mesh.is_boundary(h)) report.add({Defect::boundary_edge, TriangleMesh::face(h), FaceId(), middle(mesh, h)});
+  }
+  for (std::size_t n = 0; n < mesh.nonmanifold_edge_count(); ++n)
+    check_nonmanifold_edge(mesh, mesh.nonmanifold_edge(n), sound, report);
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,165 @@
+#include "algebra3d/validity/detail/intersections.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+namespace algebra3d {
+namespace {
+
+/// The corners that two triangles share: positions in the first and the second, in order of the first.
+struct SharedCorners {
+  std::size_t count = 0;
+  std::array<std::size_t, 3> in_first{}, in_second{};
+};
+
+SharedCorners shared_corners(const TriangleMesh::Triangle& s, const TriangleMesh::Triangle& t) {
+  SharedCorners shared;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (s[i] != t[j]) continue;
+      shared.in_first[shared.count] = i;
+      shared.in_second[shared.count] = j;
+      ++shared.count;
+    }
+  }
+  return shared;
+}
+
+/// True if the three points lie on one side of the plane of the triangle.
+bool on_one_side(const std::array<const Vec3*, 3>& triangle, const std::array<const Vec3*, 3>& points) {
+  const int side = orient3d(*triangle[0], *triangle[1], *triangle[2], *points[0]);
+  return side != 0 && orient3d(*triangle[0], *triangle[1], *triangle[2], *points[1]) == side &&
+         orient3d(*triangle[0], *triangle[1], *triangle[2], *points[2]) == side;
+}
+
+class PairTest {
+ public:
+  PairTest(const TriangleMesh& mesh, const EmbeddedStars& stars)
+      : mesh_(mesh), stars_(stars), all_double_(mesh.points().exact_count() == 0) {}
+
+  bool is_improper(FaceId f, FaceId g) const {
+    const TriangleMesh::Triangle s = mesh_.triangle(f), t = mesh_.triangle(g);
+    // Without branches: three of four pairs end here, but which is hard to predict.
+    const int has0 = is_corner(s[0], t), has1 = is_corner(s[1], t), has2 = is_corner(s[2], t);
+    const int embedded = (has0 & is_embedded(s[0])) | (has1 & is_embedded(s[1])) | (has2 & is_embedded(s[2]));
+    if (embedded != 0) return false;
+    return (has0 | has1 | has2) != 0 ? is_improper_neighbour(s, t) : is_improper_stranger(f, g);
+  }
+
+ private:
+  // Both 0 or 1, as numbers, so that they combine without branches.
+  static int is_corner(std::uint32_t vertex, const TriangleMesh::Triangle& t) {
+    return static_cast<int>(vertex == t[0]) | static_cast<int>(vertex == t[1]) | static_cast<int>(vertex == t[2]);
+  }
+  int is_embedded(std::uint32_t vertex) const { return static_cast<int>(stars_.is_embedded(VertexId(vertex))); }
+
+  bool is_improper_stranger(FaceId f, FaceId g) const {
+    if (all_double_) {
+      const std::array<const Vec3*, 3> s = doubles(f), t = doubles(g);
+      if (on_one_side(s, t) || on_one_side(t, s)) return false;
+    }
+    const Contact contact = intersect_triangles(mesh_.corners(f), mesh_.corners(g));
+    return contact == Contact::segment || contact == Contact::area;
+  }
+
+  bool is_improper_neighbour(const TriangleMesh::Triangle& s, const TriangleMesh::Triangle& t) const {
+    const SharedCorners shared = shared_corners(s, t);
+    const auto s_point = [&](std::size_t corner) { return mesh_.point(VertexId(s[corner % 3])); };
+    const auto t_point = [&](std::size_t corner) { return mesh_.point(VertexId(t[corner % 3])); };
+    const std::size_t i = shared.in_first[0], j = shared.in_second[0];
+    if (shared.count == 1)
+      return meet_beyond_shared_vertex(s_point(i), s_point(i + 1), s_point(i + 2), t_point(j + 1), t_point(j + 2));
+    // The third corner is the one whose position is missing from 0 + 1 + 2.
+    const std::size_t s_apex = 3 - i - shared.in_first[1], t_apex = 3 - j - shared.in_second[1];
+    return overlap_beyond_shared_edge(s_point(i), s_point(shared.in_first[1]), s_point(s_apex), t_point(t_apex));
+  }
+
+  std::array<const Vec3*, 3> doubles(FaceId face) const {
+    const TriangleMesh::Triangle t = mesh_.triangle(face);
+    const std::vector<Vec3>& points = mesh_.points().approx();
+    return {&points[t[0]], &points[t[1]], &points[t[2]]};
+  }
+
+  const TriangleMesh& mesh_;
+  const EmbeddedStars& stars_;
+  bool all_double_;
+};
+
+/// The first corner of the leaf's first face that is embedded and belongs to all its faces; kNoGroup if there is none.
+std::uint32_t common_embedded_corner(const TriangleMesh& mesh, const EmbeddedStars& stars,
+                                     std::span<const std::uint32_t> faces) {
+  for (const std::uint32_t corner : mesh.triangle(FaceId(faces[0]))) {
+    const auto has_corner = [&](std::uint32_t face) {
+      const TriangleMesh::Triangle t = mesh.triangle(FaceId(face));
+      return t[0] == corner || t[1] == corner || t[2] == corner;
+    };
+    if (stars.is_embedded(VertexId(corner)) && std::ranges::all_of(faces, has_corner)) return corner;
+  }
+  return BoxHierarchy::kNoGroup;
+}
+
+// All triangles at the tip of a cone or the pole of a sphere meet there, so their boxes do, and their pairs are
+// quadratically many. The group of a leaf is such a corner; then whole nodes are known to be free of intersections.
+// Leaves with known faces alone are one group: it has a number that no corner has.
+void group_leaves(const TriangleMesh& mesh, const EmbeddedStars& stars, const FaceSet& known, BoxHierarchy& hierarchy) {
+  const auto known_group = static_cast<std::uint32_t>(mesh.vertex_count());
+  const auto is_known = [&](std::uint32_t face) { return known.contains(face); };
+  std::vector<std::uint32_t> groups(hierarchy.leaf_count());
+  for (std::size_t leaf = 0; leaf < groups.size(); ++leaf) {
+    const auto faces = hierarchy.leaf_faces(leaf);
+    groups[leaf] = std::ranges::all_of(faces, is_known) ? known_group : common_embedded_corner(mesh, stars, faces);
+  }
+  hierarchy.set_groups(groups);
+}
+
+/// Middle of the common part of the triangles' boxes.
+Vec3 place_of(const TriangleMesh& mesh, FaceId f, FaceId g) {
+  std::array<Box3, 2> boxes;
+  for (const PointRef& corner : mesh.corners(f)) boxes[0].extend(corner.approx);
+  for (const PointRef& corner : mesh.corners(g)) boxes[1].extend(corner.approx);
+  const Box3 common = intersect(boxes[0], boxes[1]);
+  // Rounded corners may leave no common part where the exact triangles just meet.
+  if (common.is_empty()) return mesh.corners(f)[0].approx;
+  return 0.5 * common.min + 0.5 * common.max;
+}
+
+}  // namespace
+
+Status for_each_intersection(const TriangleMesh& mesh, const EmbeddedStars& stars, const FaceSet& known,
+                             BoxHierarchy& hierarchy, const std::atomic<bool>* cancel,
+                             const std::function<bool(FaceId, FaceId)>& visit) {
+  group_leaves(mesh, stars, known, hierarchy);
+  const PairTest test(mesh, stars);
+  bool is_cancelled = false;
+  hierarchy.for_each_pair(
+      [&](std::uint32_t a, std::uint32_t b) {
+        if (known.contains(a) && known.contains(b)) return true;
+        const FaceId first(std::min(a, b)), second(std::max(a, b));
+        return !test.is_improper(first, second) || visit(first, second);
+      },
+      [&] {
+        is_cancelled = cancel != nullptr && cancel->load(std::memory_order_relaxed);
+        return !is_cancelled;
+      });
+  if (is_cancelled) return Error{ErrorCode::interrupted, "interrupted"};
+  return {};
+}
+
+Status find_intersections(const TriangleMesh& mesh, const EmbeddedStars& stars, BoxHierarchy& hierarchy,
+                          const ProofOptions& options, ValidityReport& report, FaceSet& free) {
+  const std::uint64_t limit = options.thoroughness == Thoroughness::first_defect
+                                  ? 1
+                                  : std::max<std::uint64_t>(options.max_intersecting_pairs, 1);
+  const auto add = [&](FaceId first, FaceId second) {
+    if (!free.is_empty()) free.remove(first.index());
+    if (!free.is_empty()) free.remove(second.index());
+    report.add({Defect::intersecting_triangles, first, second, place_of(mesh, first, second)});
+    report.is_cut_short = report.count(Defect::intersecting_triangles) == limit;
+    return !report.is_cut_short;
+  };
+  return for_each_intersection(mesh, stars, options.known, hierarchy, options.cancel, add);
+}
+
+}  // namespace algebra3d

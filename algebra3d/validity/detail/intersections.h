@@ -1,0 +1,26 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+
+#include "algebra3d/base/error.h"
+#include "algebra3d/halfedge/box_hierarchy.h"
+#include "algebra3d/validity/detail/vertex_stars.h"
+#include "algebra3d/validity/validity.h"
+
+namespace algebra3d {
+
+/// Calls visit(f, g), f < g, for every pair of faces whose intersection is not empty, nor one point, nor a whole edge
+/// of both. Ends when it returns false. The faces must not be degenerate or duplicates, and faces in `known` must not
+/// intersect each other. Sets the groups of the hierarchy. Exact. Errors: interrupted. Cost: that of the pairs whose
+/// boxes meet; pairs at a common embedded corner cost a few nanoseconds.
+Status for_each_intersection(const TriangleMesh& mesh, const EmbeddedStars& stars, const FaceSet& known,
+                             BoxHierarchy& hierarchy, const std::atomic<bool>* cancel,
+                             const std::function<bool(FaceId, FaceId)>& visit);
+
+/// Adds the pairs of for_each_intersection to `report` and removes their faces from `free`, unless that is empty. Stops
+/// after the first pair if `options` say so.
+Status find_intersections(const TriangleMesh& mesh, const EmbeddedStars& stars, BoxHierarchy& hierarchy,
+                          const ProofOptions& options, ValidityReport& report, FaceSet& free);
+
+}  // namespace algebra3d

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/validity/detail/vertex_stars.h"
+#include "algebra3d/validity/face_set.h"
+#include "algebra3d/validity/report.h"
+
+namespace algebra3d {
+
+/// Per face: true if it is neither degenerate nor a duplicate of an earlier face.
+using SoundFaces = std::vector<bool>;
+
+/// Adds degenerate and duplicate triangles to `report` and returns the remaining faces for the later stages. Of n
+/// triangles with the same corners n - 1 are duplicates. Faces in `known` must not be degenerate or duplicates of each
+/// other. Exact. Cost: linear; n log n where many share one edge.
+SoundFaces check_triangles(const TriangleMesh& mesh, const EmbeddedStars& stars, const FaceSet& known,
+                           ValidityReport& report);
+
+}  // namespace algebra3d

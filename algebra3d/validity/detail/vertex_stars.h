@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/validity/face_set.h"
+
+namespace algebra3d {
+
+/// The vertices whose star is proved to be embedded, by one sweep around the vertex. That is so for nearly all vertices
+/// of nearly all meshes; for the others nothing is known.
+///
+/// `is_embedded(v)` means: no triangle at v is degenerate; no two of them have the same corners; and the intersection
+/// of any two is exactly their common corner or common edge.
+class EmbeddedStars {
+ public:
+  /// Tests all vertices. Cost: linear, about 10 ns per corner.
+  explicit EmbeddedStars(const TriangleMesh& mesh);
+  /// Tests only the corners of faces that are not in `known`; all other vertices count as not embedded.
+  EmbeddedStars(const TriangleMesh& mesh, const FaceSet& known);
+
+  bool is_embedded(VertexId v) const { return is_embedded_[v.index()] != 0; }
+  /// True if a corner of the face is embedded; then the face is neither degenerate nor a duplicate.
+  bool is_at_embedded(const TriangleMesh& mesh, FaceId face) const;
+
+ private:
+  void look_at(const TriangleMesh& mesh, const std::vector<bool>& is_asked);
+
+  std::vector<std::uint8_t> is_embedded_;
+};
+
+}  // namespace algebra3d

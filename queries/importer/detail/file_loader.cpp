@@ -1,0 +1,255 @@
+#include "queries/importer/detail/file_loader.h"
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <new>
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+#include <xxhash.h>
+
+#include "algebra3d/base/input_file.h"
+#include "algebra3d/types/utf8.h"
+#include "mesh_files/unwritten_file.h"
+
+namespace queries {
+namespace {
+
+using std::chrono::milliseconds;
+using Clock = std::chrono::steady_clock;
+
+// How long a set cancel flag may go unnoticed: nobody wakes the waiting thread when it is set.
+constexpr milliseconds kCancelPoll{50};
+
+struct Slot {
+  enum class Stage : std::uint8_t { hashing, hashed, loading, ready, dropped };
+
+  const ListedFile* listed = nullptr;
+  Stage stage = Stage::hashing;  // guarded by the mutex of Work; the rest belongs to who is at work in that stage
+  LoadedFile file;
+};
+
+/// Messages of readers begin with the path, which stands in the attribute File. Their bytes are those of the name of
+/// the file, which may be no text.
+std::string without_path(std::string_view message, const std::string& path) {
+  std::string text = algebra3d::shown_as_text(message);
+  if (text.starts_with(path + ": ")) text.erase(0, path.size() + 2);
+  return text;
+}
+
+std::string reason_of(const Error& error) {
+  return error.message.empty() ? std::string(algebra3d::describe(error.code).meaning) : error.message;
+}
+
+/// Path, size and hash of the content. A sparse file is refused before its zeros are read.
+Result<Store::ImportedFile> identity_of(const ListedFile& listed, const std::string& path, std::uint64_t seed,
+                                        const std::atomic<bool>* cancel) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const algebra3d::InputFile file, algebra3d::InputFile::open(listed.path));
+  ALGEBRA3D_RETURN_IF_ERROR(mesh_files::refuse_unwritten(file));
+  const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(), &XXH3_freeState);
+  XXH3_64bits_reset_withSeed(state.get(), seed);
+  ALGEBRA3D_RETURN_IF_ERROR(file.for_each_block(cancel, [&](std::string_view block) {
+    XXH3_64bits_update(state.get(), block.data(), block.size());
+    return Status();
+  }));
+  return Store::ImportedFile{path, file.size(), XXH3_64bits_digest(state.get())};
+}
+
+/// Finds size and hash of the content. The hash is taken before the file is loaded: if it is changed in between, the
+/// next import sees another hash and imports it again.
+Slot::Stage hash(Slot& slot, std::uint64_t seed, const std::atomic<bool>* cancel) {
+  LoadedFile& file = slot.file;
+  auto identity = identity_of(*slot.listed, file.path, seed, cancel);
+  if (identity) {
+    file.size = identity->size;
+    file.identity = *std::move(identity);
+    return Slot::Stage::hashed;
+  }
+  if (identity.error().code == ErrorCode::interrupted) return Slot::Stage::dropped;
+  file.status = without_path(reason_of(identity.error()), file.path);
+  return Slot::Stage::hashed;
+}
+
+}  // namespace
+
+// The window holds the files between start and handing over, in order. Tasks know their slot by address; a slot leaves
+// the window when nothing runs on it.
+class FileLoader::Work {
+ public:
+  Work(const std::vector<ListedFile>& files, SolidReader reader, IsKnown is_known, const Options& options)
+      : files_(files),
+        reader_(std::move(reader)),
+        is_known_(std::move(is_known)),
+        options_(options),
+        // oneTBB counts the calling thread among its threads, but that one writes to the database meanwhile.
+        threads_(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.jobs) + 1),
+        arena_(options.jobs, 0) {}
+
+  ~Work() {
+    stop_.store(true);
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return running_ == 0; });
+  }
+  Work(const Work&) = delete;
+  Work& operator=(const Work&) = delete;
+
+  Result<Next> next(milliseconds patience);
+
+ private:
+  void start_files();
+  Status answer_questions();
+  std::optional<Next> take_first();
+  bool has_event() const;
+  bool first_is_running();
+  void run(Slot& slot, Slot::Stage stage);
+  Slot::Stage load(Slot& slot);
+  bool is_cancelled() const { return options_.cancel != nullptr && options_.cancel->load(); }
+
+  const std::vector<ListedFile>& files_;
+  const SolidReader reader_;
+  const IsKnown is_known_;
+  const Options options_;
+
+  std::size_t started_ = 0;  // files that have entered the window so far
+  std::uint64_t bytes_ = 0;  // listed bytes of the files in the window
+  std::deque<std::unique_ptr<Slot>> window_;
+  std::atomic<bool> stop_ = false;
+
+  std::mutex mutex_;  // guards the stages and running_
+  std::condition_variable changed_;
+  int running_ = 0;
+
+  tbb::global_control threads_;
+  tbb::task_arena arena_;
+};
+
+Result<FileLoader::Next> FileLoader::Work::next(milliseconds patience) {
+  const auto deadline = Clock::now() + patience;
+  for (;;) {
+    if (is_cancelled()) stop_.store(true);
+    if (!stop_.load()) start_files();
+    ALGEBRA3D_RETURN_IF_ERROR(answer_questions());
+    if (auto first = take_first()) return std::move(*first);
+    if (stop_.load() && !first_is_running()) return Next{State::interrupted, {}};
+    const auto now = Clock::now();
+    if (now >= deadline) return Next{State::not_yet, {}};
+    std::unique_lock lock(mutex_);
+    changed_.wait_until(lock, std::min(deadline, now + kCancelPoll), [this] { return has_event(); });
+  }
+}
+
+void FileLoader::Work::start_files() {
+  while (started_ < files_.size()) {
+    const ListedFile& listed = files_[started_];
+    const bool has_room = window_.size() < options_.max_files && bytes_ + listed.size <= options_.max_bytes;
+    if (!has_room && !window_.empty()) return;
+    ++started_;
+    bytes_ += listed.size;
+    auto slot = std::make_unique<Slot>();
+    slot->listed = &listed;
+    slot->file.name = path_text(listed.path.stem());
+    slot->file.path = path_text(listed.path);
+    window_.push_back(std::move(slot));
+    run(*window_.back(), Slot::Stage::hashing);
+  }
+}
+
+// Asks the database about every file that has its hash, and has those loaded that are new.
+Status FileLoader::Work::answer_questions() {
+  for (const auto& slot : window_) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (slot->stage != Slot::Stage::hashed) continue;
+      slot->stage = Slot::Stage::ready;  // unless it has to be loaded
+    }
+    if (!slot->file.identity) continue;  // the status has the reason
+    ALGEBRA3D_ASSIGN_OR_RETURN(slot->file.is_known, is_known_(*slot->file.identity));
+    if (!slot->file.is_known) run(*slot, Slot::Stage::loading);
+  }
+  return {};
+}
+
+std::optional<FileLoader::Next> FileLoader::Work::take_first() {
+  if (window_.empty()) {
+    if (started_ == files_.size()) return Next{State::finished, {}};
+    return std::nullopt;
+  }
+  {
+    const std::lock_guard lock(mutex_);
+    if (window_.front()->stage != Slot::Stage::ready) return std::nullopt;
+  }
+  Next next{State::loaded, std::move(window_.front()->file)};
+  bytes_ -= window_.front()->listed->size;
+  window_.pop_front();
+  return next;
+}
+
+bool FileLoader::Work::has_event() const {
+  if (!window_.empty() && window_.front()->stage == Slot::Stage::ready) return true;
+  return std::any_of(window_.begin(), window_.end(),
+                     [](const auto& slot) { return slot->stage == Slot::Stage::hashed; });
+}
+
+// Whether a thread is at work on the first file. After a stop it soon ends, and the file may still be complete.
+bool FileLoader::Work::first_is_running() {
+  if (window_.empty()) return false;
+  const std::lock_guard lock(mutex_);
+  const Slot::Stage stage = window_.front()->stage;
+  return stage == Slot::Stage::hashing || stage == Slot::Stage::loading;
+}
+
+void FileLoader::Work::run(Slot& slot, Slot::Stage stage) {
+  {
+    const std::lock_guard lock(mutex_);
+    slot.stage = stage;
+    ++running_;
+  }
+  arena_.enqueue([this, &slot, stage] {
+    Slot::Stage after = Slot::Stage::dropped;
+    if (!stop_.load()) after = stage == Slot::Stage::hashing ? hash(slot, options_.hash_seed, &stop_) : load(slot);
+    // Notified under the lock: once it is released, the destructor may end the life of all this.
+    const std::lock_guard lock(mutex_);
+    slot.stage = after;
+    --running_;
+    changed_.notify_all();
+  });
+}
+
+// The threads of an arena end the program when an exception leaves them, so none may.
+Slot::Stage FileLoader::Work::load(Slot& slot) {
+  LoadedFile& file = slot.file;
+  try {
+    auto result = reader_(slot.listed->path, &stop_);
+    if (result) {
+      file.solid = std::move(result->solid);
+      file.status = without_path(result->status, file.path);
+      file.measures = result->measures;
+      if (!result->was_read) file.identity.reset();
+      return Slot::Stage::ready;
+    }
+    if (result.error().code == ErrorCode::interrupted) return Slot::Stage::dropped;
+    file.status = without_path(reason_of(result.error()), file.path);
+  } catch (const std::bad_alloc&) {
+    file.status = "memory is exhausted";
+  } catch (const std::exception& exception) {
+    file.status = fmt::format("internal error: {}", exception.what());
+  }
+  file.identity.reset();
+  return Slot::Stage::ready;
+}
+
+FileLoader::FileLoader(const std::vector<ListedFile>& files, SolidReader reader, IsKnown is_known,
+                       const Options& options)
+    : work_(std::make_unique<Work>(files, std::move(reader), std::move(is_known), options)) {}
+
+FileLoader::~FileLoader() = default;
+
+Result<FileLoader::Next> FileLoader::next(milliseconds patience) {
+  return work_->next(patience);
+}
+
+}  // namespace queries

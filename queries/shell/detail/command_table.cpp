@@ -1,0 +1,161 @@
+#include "queries/shell/detail/command_table.h"
+
+#include <array>
+#include <cctype>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "algebra3d/registry/operator.h"
+#include "queries/language/documentation.h"
+
+namespace queries {
+namespace {
+
+constexpr auto kCommands = std::to_array<CommandDescription>({
+    {"query EXPRESSION", "Show the value of an expression (also `querynt`)"},
+    {"explain EXPRESSION", "Run it, and show its operators with calls, tuples and times"},
+    {"let NAME = EXPRESSION", "Make an object"},
+    {"let_ NAME = EXPRESSION", "Make an object, or replace the one of this name"},
+    {"derive NAME = EXPRESSION", "Make an object that is computed again when the database is restored"},
+    {"create NAME : TYPE", "Make an object without a value"},
+    {"update OBJECT := EXPRESSION", "Give an object a new value"},
+    {"delete OBJECT", "Remove an object"},
+    {"kill OBJECT", "Remove an object whose value may be damaged"},
+    {"changename OBJECT to NAME", "Give an object another name"},
+    {"type NAME = TYPE", "Give a type a name"},
+    {"delete type TYPE", "Remove the name of a type"},
+    {"save OBJECT to FILE", "Write an object to a file"},
+    {"restore NAME from FILE", "Make an object from a saved file"},
+    {"create database NAME", "Make a database: the file NAME.db"},
+    {"open database DATABASE", "Open a database"},
+    {"close database", "Close the open database"},
+    {"delete database DATABASE", "Remove a database and its file"},
+    {"save database to FILE", "Write the whole database to a file"},
+    {"restore database NAME from FILE", "Make a database from a saved file"},
+    {"check database", "Check the whole database and list its defects"},
+    {"begin transaction", "Begin a transaction over several commands"},
+    {"commit transaction", "Commit its changes"},
+    {"abort transaction", "Undo its changes"},
+    {"list databases", "List the databases in the folder"},
+    {"list objects", "objects of the open database with their types"},
+    {"list types", "named types of the open database"},
+    {"list type constructors", "types of the language"},
+    {"list operators", "operators"},
+    {"list counters", "counters of exact arithmetic"},
+    {"list algebras", "algebras"},
+    {"if EXPRESSION then COMMAND else COMMAND endif", "Run one command or the other"},
+    {"while EXPRESSION do COMMAND endwhile", "Run a command as long as the condition holds"},
+    {"{ COMMAND | COMMAND }", "Run commands up to the first error; {{ ... }} goes on after errors"},
+    {"set \"timing\" = BOOL", "TRUE: show the time of each statement"},
+    {"set \"paging\" = BOOL", "FALSE: never send long results through the pager"},
+    {"set \"memory\" = INT", "Limit in megabytes for sorting, grouping and hashing"},
+    {"@FILE", "Run a script; @@FILE stops at its first error; @%FILE, @&FILE: the same, without // and /* */"},
+    {"repeat INT COMMAND", "Run a command several times"},
+    {"help OPERATOR", "Explain an operator, a command or a family of operators, or find a word (also `? NAME`)"},
+    {"help families", "List the families of operators"},
+    {"quit", "Leave (also `q`, `exit`, or Ctrl-D on an empty line)"},
+});
+
+constexpr std::string_view kPromptHelp =
+    "  Tab completes commands, operators, objects, types, attributes after a dot, and files in 'quotes'.\n"
+    "  Up, Down and Ctrl-R find earlier commands. A command may take several lines, up to its ';' or an empty line.\n"
+    "  Ctrl-C discards the command that is being typed, or ends the running one.\n";
+
+std::string first_word(std::string_view syntax) {
+  return std::string(syntax.substr(0, syntax.find(' ')));
+}
+
+std::string command_lines(std::string_view word) {
+  constexpr std::size_t kWidth = 32;
+  std::string text;
+  for (const auto& [syntax, meaning] : kCommands)
+    if (word.empty() || first_word(syntax) == word)
+      text += syntax.size() > kWidth ? fmt::format("  {}\n  {:{}}  {}\n", syntax, "", kWidth, meaning)
+                                     : fmt::format("  {:{}}  {}\n", syntax, kWidth, meaning);
+  return text;
+}
+
+std::string in_lower_case(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+bool contains(std::string_view text, const std::string& lower_case_part) {
+  return in_lower_case(text).find(lower_case_part) != std::string::npos;
+}
+
+std::string families_text(const algebra3d::Registry& registry) {
+  return "Families of operators (`help FAMILY` lists one)\n" + family_overview(registry);
+}
+
+// Empty if there is no such family.
+std::string family_text(const std::string& name, const algebra3d::Registry& registry) {
+  for (const algebra3d::Family& family : registry.families())
+    if (algebra3d::is_equal_but_for_case(family.name, name))
+      return fmt::format("{}\n  {}\n\n{}", family.name, family.doc, help_overview(registry.operators_of(family.name)));
+  return "";
+}
+
+// Operators and commands that a word leads to; empty if there is none.
+std::string search_text(const std::string& word, const algebra3d::Registry& registry) {
+  const std::string part = in_lower_case(word);
+  std::vector<const algebra3d::Operator*> named;
+  std::vector<const algebra3d::Operator*> described;
+  for (const algebra3d::Operator* op : registry.operators()) {
+    if (contains(op->name, part) || contains(op->family, part))
+      named.push_back(op);
+    else if (contains(op->doc, part) || contains(op->detail, part))
+      described.push_back(op);
+  }
+  std::string commands;
+  for (const auto& [syntax, meaning] : kCommands)
+    if (contains(syntax, part) || contains(meaning, part))
+      commands += fmt::format("  {:{}}  {}\n", syntax, 32, meaning);
+  std::string text;
+  if (!named.empty()) text += fmt::format("Operators with '{}' in their names\n{}", word, help_overview(named));
+  if (!described.empty())
+    text += fmt::format("{}Operators with '{}' in their descriptions\n{}", text.empty() ? "" : "\n", word,
+                        help_overview(described));
+  if (!commands.empty()) text += fmt::format("{}Commands with '{}'\n{}", text.empty() ? "" : "\n", word, commands);
+  return text;
+}
+
+}  // namespace
+
+std::span<const CommandDescription> command_table() {
+  return kCommands;
+}
+
+std::string shell_help(const algebra3d::Registry& registry) {
+  return fmt::format(
+      "New here? docs/tutorial.md leads to answers on your own files in a quarter of an hour.\n\n"
+      "Commands (`help NAME` explains a command or an operator, `help WORD` finds one)\n{}\nThe "
+      "prompt\n{}\n{}",
+      command_lines(""), kPromptHelp, families_text(registry));
+}
+
+std::string exact_help(const std::string& name, const algebra3d::Registry& registry) {
+  std::string text = command_lines(name);
+  const algebra3d::Operator* op = registry.find_operator(name);
+  if (op != nullptr) text += (text.empty() ? "" : "\n") + help_text(*op, registry);
+  return text;
+}
+
+algebra3d::Result<std::string> shell_help(const std::string& name, const algebra3d::Registry& registry) {
+  if (name == "families") return families_text(registry);
+  std::string text = exact_help(name, registry);
+  if (text.empty()) text = family_text(name, registry);
+  if (text.empty()) text = search_text(name, registry);
+  if (!text.empty()) return text;
+  std::vector<std::string> names;
+  for (const algebra3d::Operator* each : registry.operators()) names.push_back(each->name);
+  for (const auto& [syntax, meaning] : kCommands) names.push_back(first_word(syntax));
+  const std::string nearest = algebra3d::nearest_name(name, names);
+  return algebra3d::Error{algebra3d::ErrorCode::unknown_name,
+                          "there is no operator or command '{}', and no description has the word{}", name,
+                          nearest.empty() ? "" : "; did you mean '" + nearest + "'?"};
+}
+
+}  // namespace queries

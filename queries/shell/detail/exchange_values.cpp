@@ -1,0 +1,140 @@
+#include "queries/shell/detail/exchange_values.h"
+
+#include <array>
+#include <system_error>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "algebra3d/base/diagnostics.h"
+#include "algebra3d/formats/export_solid.h"
+#include "algebra3d/types/coordinate_text.h"
+#include "algebra3d/types/scalars.h"
+#include "algebra3d/types/spatial.h"
+#include "mesh_files/mesh_format.h"
+#include "queries/shell/detail/json_text.h"
+#include "queries/shell/detail/table.h"
+
+namespace queries {
+namespace {
+
+using algebra3d::Text;
+
+// The box in the order of a rect3, so that it can be read as one.
+std::string summary_json(const Value& value) {
+  const algebra3d::GeometryHeader header = value.header();
+  std::string json =
+      fmt::format(R"({{"type":"{}","{}s":{},"box":)", value.type().name(), value.type().summary_unit(), header.size);
+  append_json(json, header.box.is_empty() ? NestedList::symbol("undefined")
+                                          : Value::of<algebra3d::Box3>(header.box).to_nested());
+  return json + "}";
+}
+
+// The list with every fraction `p/q` in it rounded to the nearest double.
+NestedList with_doubles(NestedList list) {
+  if (list.is_list())
+    for (NestedList& element : list.elements()) element = with_doubles(std::move(element));
+  if (!list.is_symbol() || list.as_symbol().find('/') == std::string::npos) return list;
+  const auto number = algebra3d::coordinate_from_nested(list, "a coordinate");
+  return number ? NestedList(number->nearest_double()) : list;
+}
+
+/// The form of mesh files with that ending, which there is.
+algebra3d::MeshFileForm form_of_ending(const std::string& ending) {
+  const mesh_files::MeshFormat* const format = mesh_files::known_mesh_formats().of_name("x." + ending);
+  return {format, format->forms.front().encoding};
+}
+
+std::string csv_text_of(const NestedList& list) {
+  if (list.is_string()) return list.as_string();
+  if (list.is_text()) return list.as_text();
+  return list.print();
+}
+
+// What the file of a result is named after that is no attribute.
+constexpr const char* kResultName = "value";
+
+// Undefined in a row has a note beside it; as all of a result it would look like an answer.
+template <typename Append>
+Status written_or_error(Context& context, const Append& append) {
+  using About = algebra3d::Diagnostics::About;
+  algebra3d::Diagnostics own;
+  Context writing{own, context.cancel, context.folder, context.memory, context.report};
+  ALGEBRA3D_RETURN_IF_ERROR(append(writing));
+  const std::vector<std::string> lines = own.summary();
+  if (own.count(About::unwritten) > 0 || own.count(About::undefined) > 0)
+    return Error{ErrorCode::io_error, "--geometry-dir: the solid is not written: {}", fmt::join(lines, "; ")};
+  for (const std::string& line : lines) context.diagnostics.show(line);
+  return {};
+}
+
+}  // namespace
+
+void append_csv_text(std::string& csv, std::string_view text) {
+  const bool has_edge_blank = !text.empty() && (text.front() == ' ' || text.back() == ' ');
+  if (!text.empty() && !has_edge_blank && text.find_first_of(",\"\r\n") == std::string_view::npos) {
+    csv += text;
+    return;
+  }
+  csv += '"';
+  for (const char c : text) csv.append(c == '"' ? 2 : 1, c);
+  csv += '"';
+}
+
+Result<NestedList> ExchangeValues::written_file(const Value& solid, const std::string& name, Context& context) {
+  std::error_code error;
+  std::filesystem::create_directories(context.resolve(options_.folder), error);
+  if (error) return Error{ErrorCode::io_error, "--geometry-dir: '{}': {}", options_.folder.string(), error.message()};
+  const std::string file =
+      (options_.folder / fmt::format("{}_{}.{}", name, ++file_counts_[name], options_.mesh_ending)).string();
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, solid.loaded());
+  const algebra3d::MeshFileForm form = form_of_ending(options_.mesh_ending);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_written, export_solid(context, "export" + std::string(form.format->name),
+                                                                 loaded.get<algebra3d::Volume3d>(), name, file, form));
+  return is_written ? NestedList::text(file) : NestedList::symbol("undefined");
+}
+
+Result<ExchangeValues::Form> ExchangeValues::form_of(const Value& value, const std::string& name, Context& context) {
+  using Geometry = ExchangeOptions::Geometry;
+  if (is_summarised(value) && options_.geometry == Geometry::summary) return Form{{}, summary_json(value)};
+  if (options_.geometry == Geometry::file && &value.type() == &algebra3d::TypeOf<algebra3d::Volume3d>::type()) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(NestedList file, written_file(value, name, context));
+    return Form{std::move(file), {}};
+  }
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.loaded());
+  NestedList list = loaded.to_nested();
+  return Form{options_.rounds_fractions ? with_doubles(std::move(list)) : std::move(list), {}};
+}
+
+Status ExchangeValues::append_json(const Value& value, const std::string& name, Context& context, std::string& json) {
+  if (!value.is_defined()) {
+    json += "null";
+    return {};
+  }
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Form form, form_of(value, name, context));
+  if (form.json.empty())
+    queries::append_json(json, form.list);
+  else
+    json += form.json;
+  return {};
+}
+
+Status ExchangeValues::append_csv(const Value& value, const std::string& name, Context& context, std::string& csv) {
+  if (!value.is_defined()) return {};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Form form, form_of(value, name, context));
+  if (!form.json.empty())
+    append_csv_text(csv, form.json);
+  else if (!form.list.is_undefined())
+    append_csv_text(csv, csv_text_of(form.list));
+  return {};
+}
+
+Status ExchangeValues::append_json_result(const Value& value, Context& context, std::string& json) {
+  return written_or_error(context, [&](Context& writing) { return append_json(value, kResultName, writing, json); });
+}
+
+Status ExchangeValues::append_csv_result(const Value& value, Context& context, std::string& csv) {
+  return written_or_error(context, [&](Context& writing) { return append_csv(value, kResultName, writing, csv); });
+}
+
+}  // namespace queries

@@ -1,0 +1,93 @@
+#include "queries/shell/detail/json_presenter.h"
+
+#include "queries/session/inquiry_table.h"
+#include "queries/shell/detail/json_text.h"
+#include "queries/streams/relation.h"
+
+namespace queries {
+namespace {
+
+void append_key(std::string& json, bool is_first, std::string_view key) {
+  json += is_first ? "{" : ",";
+  append_json_string(json, key);
+  json += ':';
+}
+
+}  // namespace
+
+Status JsonPresenter::present(const TypeExpr& type, const Datum& value, Context& context) {
+  if (type.is_relation()) return present_relation(type.element(), *value.relation(), context);
+  std::string json;
+  if (const auto* single = std::get_if<Value>(&value.content)) {
+    ALGEBRA3D_RETURN_IF_ERROR(values_.append_json_result(*single, context, json));
+  } else {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const NestedList list, value_list(type, value, context));
+    // A function is a text of the language; the parts of an index are names and a number.
+    append_json(json, type.is_function() ? NestedList::text(list.print()) : list);
+  }
+  out_ << json << "\n";
+  return {};
+}
+
+void JsonPresenter::begin_row(std::string& json, bool is_first) const {
+  if (layout_ == Layout::document) json += is_first ? "[" : ",\n";
+}
+
+void JsonPresenter::end_rows(std::string& json, bool is_empty) const {
+  if (layout_ == Layout::document) json += is_empty ? "[]\n" : "]\n";
+}
+
+Status JsonPresenter::append_tuple(const TypeExpr& type, const Tuple& tuple, Context& context, std::string& json) {
+  for (std::size_t i = 0; i < tuple.attributes.size(); ++i) {
+    const std::string& name = type.attributes()[i].name;
+    append_key(json, i == 0, name);
+    ALGEBRA3D_RETURN_IF_ERROR(values_.append_json(tuple.attributes[i], name, context, json));
+  }
+  json += layout_ == Layout::lines ? "}\n" : "}";
+  return {};
+}
+
+Status JsonPresenter::present_relation(const TypeExpr& tuple, Relation& relation, Context& context) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TupleStreamPtr tuples, relation.scan());
+  std::string json;
+  Status status = write_tuples(tuple, *tuples, context, json);
+  // What was read before an error is shown: an array that is not closed is noticed, nothing at all might not be.
+  out_ << json << (status ? "" : "\n");
+  return status;
+}
+
+// Leaves in `json` what is not written yet.
+Status JsonPresenter::write_tuples(const TypeExpr& tuple, TupleStream& tuples, Context& context, std::string& json) {
+  bool is_empty = true;
+  while (out_) {
+    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr next, tuples.next());
+    if (next == nullptr) break;
+    begin_row(json, is_empty);
+    is_empty = false;
+    ALGEBRA3D_RETURN_IF_ERROR(append_tuple(tuple, *next, context, json));
+    if (json.size() < kBytesAtOnce) continue;
+    out_ << json;
+    json.clear();
+  }
+  end_rows(json, is_empty);
+  return {};
+}
+
+Status JsonPresenter::present_inquiry(const NestedList& result) {
+  const InquiryTable table = inquiry_table(result);
+  std::string json;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    begin_row(json, row == 0);
+    for (std::size_t i = 0; i < table.rows[row].size(); ++i) {
+      append_key(json, i == 0, table.columns[i]);
+      append_json(json, table.rows[row][i]);
+    }
+    json += layout_ == Layout::lines ? "}\n" : "}";
+  }
+  end_rows(json, table.rows.empty());
+  out_ << json;
+  return {};
+}
+
+}  // namespace queries

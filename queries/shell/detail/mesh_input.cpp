@@ -1,0 +1,55 @@
+#include "queries/shell/detail/mesh_input.h"
+
+#include <filesystem>
+#include <iostream>
+#include <iterator>
+#include <system_error>
+#include <utility>
+
+#include "mesh_files/unwritten_file.h"
+#include "queries/importer/file_list.h"
+
+namespace queries {
+
+using algebra3d::Error;
+using algebra3d::ErrorCode;
+using algebra3d::MeshFile;
+using algebra3d::Result;
+
+Result<MeshInput> MeshInput::open(const std::string& name, const std::atomic<bool>* cancel) {
+  MeshInput input;
+  if (name == "-") {
+    input.name_ = "standard input";
+    input.text_.assign(std::istreambuf_iterator<char>(std::cin), {});
+    if (std::cin.bad()) return Error{ErrorCode::io_error, "standard input cannot be read to its end"};
+    return input;
+  }
+  input.name_ = name;
+  ALGEBRA3D_ASSIGN_OR_RETURN(const algebra3d::InputFile file, algebra3d::InputFile::open(name));
+  ALGEBRA3D_RETURN_IF_ERROR(mesh_files::refuse_unwritten(file));
+  ALGEBRA3D_ASSIGN_OR_RETURN(input.content_, algebra3d::FileContent::read(file, cancel));
+  return input;
+}
+
+Result<MeshFile> read_mesh_input(const std::string& name, const std::atomic<bool>* cancel) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const MeshInput input, MeshInput::open(name, cancel));
+  return algebra3d::read_mesh(input.bytes(), input.name(), nullptr, cancel);
+}
+
+Result<std::vector<std::string>> mesh_files_of(const std::string& argument) {
+  std::error_code error;
+  const bool is_folder = std::filesystem::is_directory(argument, error);
+  const bool is_pattern =
+      !std::filesystem::exists(argument, error) && argument.find_first_of("*?[") != std::string::npos;
+  if (argument == "-" || (!is_folder && !is_pattern)) return std::vector{argument};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const FileList list, list_files(std::vector{argument}));
+  if (!list.unread_folders.empty()) return Error{ErrorCode::io_error, "{}", list.unread_folders.front()};
+  std::vector<std::string> files;
+  const bool is_absolute = std::filesystem::path(argument).is_absolute();
+  for (const ListedFile& file : list.files)
+    files.push_back(is_absolute ? file.path.string()
+                                : file.path.lexically_proximate(std::filesystem::current_path()).string());
+  return files;
+}
+
+}  // namespace queries

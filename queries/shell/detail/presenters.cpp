@@ -1,0 +1,79 @@
+#include "queries/shell/detail/presenters.h"
+
+#include <fmt/format.h>
+
+#include "queries/shell/detail/inquiry_text.h"
+#include "queries/shell/detail/screen.h"
+#include "queries/shell/detail/table.h"
+
+namespace queries {
+namespace {
+
+// Widths are found per piece, so that the first rows appear before the last ones are read.
+constexpr std::size_t kRowsPerPiece = 200;
+
+TextTable empty_table(const TypeExpr& tuple) {
+  std::vector<std::string> header;
+  std::vector<bool> is_number;
+  for (const auto& [name, type] : tuple.attributes()) {
+    header.push_back(name);
+    is_number.push_back(type.is("int") || type.is("real"));
+  }
+  return {std::move(header), std::move(is_number)};
+}
+
+}  // namespace
+
+Status ListPresenter::present(const TypeExpr& type, const Datum& value, Context& context) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const NestedList result, result_list(type, value, context));
+  out_ << result.print() << "\n";
+  return {};
+}
+
+Status ListPresenter::present_inquiry(const NestedList& result) {
+  out_ << result.print() << "\n";
+  return {};
+}
+
+Status TablePresenter::present(const TypeExpr& type, const Datum& value, Context& context) {
+  if (type.is_relation()) return present_relation(type.element(), *value.relation(), context);
+  // A value alone is shown with all its digits, unless it is geometry.
+  if (const auto* single = std::get_if<Value>(&value.content); single != nullptr && is_summarised(*single)) {
+    out_ << display_text(*single) << "\n";
+    return {};
+  }
+  ALGEBRA3D_ASSIGN_OR_RETURN(const NestedList result, value_list(type, value, context));
+  if (type.is_function() || is_index(type)) out_ << type.text() << "\n";
+  out_ << printable(result.print()) << "\n";
+  return {};
+}
+
+Status TablePresenter::present_relation(const TypeExpr& tuple, Relation& relation, Context& context) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TupleStreamPtr tuples, relation.scan());
+  const std::size_t width = columns_();
+  const std::size_t longest = width == kNoLimit ? kNoLimit : kLongestCell;
+  std::size_t count = 0;
+  TextTable table = empty_table(tuple);
+  while (true) {
+    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr next, tuples->next());
+    if (next != nullptr) {
+      std::vector<std::string> row;
+      for (const Value& attribute : next->attributes) row.push_back(display_text(attribute, longest));
+      table.add(std::move(row));
+      if (++count % kRowsPerPiece != 0) continue;
+    }
+    if (count == 0 || next != nullptr || count % kRowsPerPiece != 0) out_ << table.print(width);
+    if (next == nullptr || !out_) break;
+    table = empty_table(tuple);
+  }
+  out_ << fmt::format("({} {})\n", count, count == 1 ? "tuple" : "tuples");
+  return {};
+}
+
+Status TablePresenter::present_inquiry(const NestedList& result) {
+  out_ << inquiry_text(result, columns_());
+  return {};
+}
+
+}  // namespace queries

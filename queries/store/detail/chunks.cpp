@@ -1,0 +1,47 @@
+#include "queries/store/detail/chunks.h"
+
+namespace queries {
+
+using algebra3d::Result;
+using algebra3d::Status;
+
+Status write_chunks(SqliteConnection& connection, const ChunkPlace& place, std::string_view bytes,
+                    std::uint64_t chunk_bytes) {
+  for (std::int64_t part = 0; !bytes.empty(); ++part) {
+    const std::string_view chunk = bytes.substr(0, chunk_bytes);
+    bytes.remove_prefix(chunk.size());
+    ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement, connection.use("INSERT INTO chunks VALUES(?, ?, ?, ?, ?)"));
+    statement.bind(1, place.owner).bind(2, place.tuple).bind(3, place.attribute).bind(4, part);
+    ALGEBRA3D_RETURN_IF_ERROR(statement.bind(5, Cell::blob(chunk)).run());
+  }
+  return {};
+}
+
+Result<std::string> read_chunks(SqliteConnection& connection, const ChunkPlace& place, std::int64_t size) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement,
+                             connection.use("SELECT bytes FROM chunks WHERE owner = ? AND tuple = ? AND attribute = ? "
+                                            "ORDER BY part"));
+  statement.bind(1, place.owner).bind(2, place.tuple).bind(3, place.attribute);
+  std::string bytes;
+  while (true) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, statement.step());
+    if (!has_row) break;
+    bytes += statement.column(0).bytes;
+  }
+  if (size >= 0 && bytes.size() == static_cast<std::uint64_t>(size)) return bytes;
+  return algebra3d::Error{algebra3d::ErrorCode::database_corrupt, "{}: a long value has {} bytes, expected {}",
+                          connection.file(), bytes.size(), size};
+}
+
+Status erase_chunks(SqliteConnection& connection, std::int64_t owner, std::int64_t tuple) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement,
+                             connection.use("DELETE FROM chunks WHERE owner = ? AND tuple = ?"));
+  return statement.bind(1, owner).bind(2, tuple).run();
+}
+
+Status erase_all_chunks(SqliteConnection& connection, std::int64_t owner) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement, connection.use("DELETE FROM chunks WHERE owner = ?"));
+  return statement.bind(1, owner).run();
+}
+
+}  // namespace queries

@@ -1,0 +1,176 @@
+#include "queries/store/detail/database.h"
+
+#include "algebra3d/types/codec.h"
+#include "queries/store/detail/chunks.h"
+
+namespace queries {
+
+Result<std::shared_ptr<Database>> Database::open(const std::filesystem::path& file, OpenMode mode,
+                                                 const algebra3d::Registry& registry, const StoreOptions& options) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(auto connection, open_database_file(file, mode, options));
+  std::shared_ptr<Database> database(new Database(std::move(connection), file, registry, options));
+  // A damaged catalogue is found now, not in the middle of somebody's work.
+  Status status = database->upgrade();
+  if (status) status = database->begin(false);
+  if (status) status = database->commit();
+  // From here on nobody deletes it: its lock is held.
+  if (database->connection_->has_moved()) return deleted_meanwhile(file);
+  if (!status) return std::move(status).error();
+  return database;
+}
+
+Result<std::shared_ptr<Database>> Database::open_damaged(const std::filesystem::path& file,
+                                                         const algebra3d::Registry& registry) {
+  const StoreOptions options;
+  ALGEBRA3D_ASSIGN_OR_RETURN(auto connection, open_database_file(file, OpenMode::read_damaged, options));
+  std::shared_ptr<Database> database(new Database(std::move(connection), file, registry, options));
+  database->is_read_only_ = true;
+  database->catalogue_.tolerate_damage();
+  return database;
+}
+
+Database::Database(std::unique_ptr<SqliteConnection> connection, std::filesystem::path file,
+                   const algebra3d::Registry& registry, const StoreOptions& options)
+    : file_(std::move(file)),
+      registry_(registry),
+      options_(options),
+      connection_(std::move(connection)),
+      is_read_only_(connection_->is_read_only()),
+      catalogue_(*connection_),
+      cache_(options.cache_bytes) {}
+
+Database::~Database() = default;
+
+Result<std::shared_ptr<const RelationLayout>> Database::layout_of(const CatalogueEntry& relation) {
+  const auto known = layouts_.find(relation.table_number);
+  if (known != layouts_.end()) return known->second;
+  ALGEBRA3D_ASSIGN_OR_RETURN(
+      auto layout, RelationLayout::make(registry_, relation.type.element(), relation.name, relation.table_number));
+  layouts_.emplace(relation.table_number, layout);
+  return layout;
+}
+
+// Until now the row can be read through one connection or the other.
+Status Database::note_tuple(const RelationLayout& layout, TupleId tuple) {
+  const std::lock_guard lock(mutex_);
+  if (is_outdated(layout, tuple) && changes_.is_untouched(layout.table_number(), tuple))
+    ALGEBRA3D_RETURN_IF_ERROR(kept_.keep(*connection_, layout, tuple));
+  changes_.note_tuple(layout.table_number(), tuple);
+  cache_.erase(layout.table_number(), tuple);
+  return {};
+}
+
+// The other connection sees what was there before the transaction, and not what its statements have made of it.
+bool Database::is_outdated(const RelationLayout& layout, TupleId tuple) const {
+  return is_explicit_ && !earlier_.is_original(layout.table_number(), tuple);
+}
+
+void Database::note_created(std::int64_t table_number) {
+  const std::lock_guard lock(mutex_);
+  changes_.note_created(table_number);
+}
+
+void Database::drop_at_end(const std::shared_ptr<const RelationLayout>& layout) {
+  const std::lock_guard lock(mutex_);
+  dropped_.push_back(layout);
+  changes_.note_dropped(layout->table_number());
+  cache_.erase_table(layout->table_number());
+  indexes_.drop_table(layout->table_number());
+  layouts_.erase(layout->table_number());
+}
+
+void Database::note_renamed(std::int64_t table_number) {
+  const std::lock_guard lock(mutex_);
+  changes_.note_renamed(table_number);
+  layouts_.erase(table_number);
+}
+
+Error Database::lost(const RelationLayout& layout, TupleId tuple) {
+  return {ErrorCode::wrong_usage,
+          "{}: tuple {} was made and changed again by the statement that still reads it; use two statements",
+          layout.relation(), tuple};
+}
+
+Error Database::missing(const RelationLayout& layout, TupleId tuple) {
+  return {ErrorCode::database_corrupt, "{}: the row of tuple {} is not where it was written", layout.relation(), tuple};
+}
+
+Result<SqliteConnection*> Database::source_of(const RelationLayout& layout, TupleId tuple, ChangeTime time) {
+  switch (changes_.where(layout.table_number(), tuple, time)) {
+    case ChangeLog::Whereabouts::current:
+      return connection_.get();
+    case ChangeLog::Whereabouts::original:
+      if (is_outdated(layout, tuple)) return kept_.connection();
+      return original();
+    case ChangeLog::Whereabouts::lost:
+      break;
+  }
+  return lost(layout, tuple);
+}
+
+// This transaction has written, so it holds the only lock for writing: nobody has committed since its beginning, and
+// what another connection sees now is what was there then.
+Result<SqliteConnection*> Database::original() {
+  if (original_ == nullptr) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(
+        original_, SqliteConnection::open(file_, SqliteConnection::Access::read_only, options_.busy_milliseconds));
+  }
+  if (!original_->in_transaction()) ALGEBRA3D_RETURN_IF_ERROR(original_->execute("BEGIN"));
+  return original_.get();
+}
+
+Status Database::with_bytes(const LargeValue& value, const std::function<Status(std::string_view)>& visit) {
+  const RelationLayout& layout = *value.layout;
+  std::unique_lock lock(mutex_);
+  ALGEBRA3D_RETURN_IF_ERROR(check_statement(value.statement));
+  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteConnection * source, source_of(layout, value.tuple, value.time));
+  lock.unlock();
+  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement, source->use(layout.bytes_sql(value.attribute)));
+  statement.bind(1, value.tuple);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, statement.step());
+  if (!has_row) return missing(layout, value.tuple);
+  const Cell cell = statement.column(0);
+  std::string joined;
+  if (cell.is(Cell::Kind::integer)) {
+    const ChunkPlace place{layout.table_number(), value.tuple, static_cast<std::int64_t>(value.attribute)};
+    ALGEBRA3D_ASSIGN_OR_RETURN(joined, read_chunks(*source, place, cell.integer));
+  }
+  const std::string_view bytes = joined.empty() ? cell.bytes : std::string_view(joined);
+  if (checksum_of(bytes) != value.checksum)
+    return Error{ErrorCode::database_corrupt, "{}: tuple {}: the bytes of '{}' are not what was written",
+                 layout.relation(), value.tuple, layout.attributes()[value.attribute].name};
+  return visit(bytes);
+}
+
+Result<Value> Database::decode(const LargeValue& value, std::uint64_t& byte_count) {
+  const AttributeColumns& attribute = value.layout->attributes()[value.attribute];
+  Value result(*attribute.type);
+  ALGEBRA3D_RETURN_IF_ERROR(with_bytes(value, [&](std::string_view bytes) -> Status {
+    byte_count = bytes.size();
+    ALGEBRA3D_ASSIGN_OR_RETURN(result, algebra3d::decode(*attribute.type, bytes, algebra3d::Origin::own_store));
+    return {};
+  }));
+  ++geometry_loads_;
+  return result;
+}
+
+Result<Value> Database::load(const LargeValue& value) {
+  const ValuePlace place{value.layout->table_number(), value.tuple, value.attribute};
+  {
+    const std::lock_guard lock(mutex_);
+    ALGEBRA3D_RETURN_IF_ERROR(check_statement(value.statement));
+    const auto where = changes_.where(place.table_number, place.tuple, value.time);
+    if (where == ChangeLog::Whereabouts::current)
+      if (const auto kept = cache_.find(place)) return *kept;
+  }
+  std::uint64_t byte_count = 0;
+  ALGEBRA3D_ASSIGN_OR_RETURN(Value result, decode(value, byte_count));
+  // In memory a triangle takes about 40 bytes, a point 24; the encoded bytes stand for exact coordinates.
+  const std::uint64_t estimate = byte_count + std::uint64_t{64} * value.header.size + 256;
+  const std::lock_guard lock(mutex_);
+  if (changes_.where(place.table_number, place.tuple, value.time) == ChangeLog::Whereabouts::current)
+    cache_.add(place, result, estimate);
+  return result;
+}
+
+}  // namespace queries

@@ -1,0 +1,213 @@
+// When a Database's statements and transactions begin and end, and what is forgotten then.
+#include "queries/store/detail/chunks.h"
+#include "queries/store/detail/database.h"
+#include "queries/store/detail/tables.h"
+
+namespace queries {
+namespace {
+
+constexpr const char* kBeginStatement = "SAVEPOINT statement";
+constexpr const char* kEndStatement = "RELEASE statement";
+constexpr const char* kUndoStatement = "ROLLBACK TO statement";
+
+}  // namespace
+
+void Database::close() {
+  rollback();
+  if (is_explicit_) static_cast<void>(abort_transaction());
+  forget_everything();
+  original_.reset();
+  connection_.reset();
+}
+
+Status Database::upgrade() {
+  if (is_read_only_) return {};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::int64_t version, connection_->integer("PRAGMA user_version"));
+  if (version == kDatabaseVersion) return {};
+  ALGEBRA3D_RETURN_IF_ERROR(connection_->execute("BEGIN IMMEDIATE"));
+  // Another process may have been faster.
+  const auto found = connection_->integer("PRAGMA user_version");
+  Status status = found ? catalogue_.upgrade() : Status(found.error());
+  if (status) status = connection_->execute("COMMIT");
+  if (status && *found != kDatabaseVersion)
+    opening_notice_ = fmt::format("{}: the database was upgraded from version {} to {}; older programs cannot open it",
+                                  file_.string(), *found, kDatabaseVersion);
+  if (!status && connection_->in_transaction()) static_cast<void>(connection_->execute("ROLLBACK"));
+  catalogue_.forget();
+  return status;
+}
+
+// It takes the right to write at once: later on, another process could have written meanwhile, and a statement in the
+// middle would fail that way.
+Status Database::begin_transaction() {
+  if (is_explicit_) return Error{ErrorCode::wrong_usage, "a transaction is running already; commit or abort it first"};
+  if (is_in_statement_) return Error{ErrorCode::internal, "{}: a statement is running already", file_.string()};
+  ALGEBRA3D_RETURN_IF_ERROR(connection_->execute(is_read_only_ ? "BEGIN" : "BEGIN IMMEDIATE"));
+  is_explicit_ = true;
+  Status status = notice_other_processes();
+  if (status) status = catalogue_.load();
+  if (!status) static_cast<void>(abort_transaction());
+  return status;
+}
+
+Status Database::commit_transaction() {
+  if (!is_explicit_)
+    return Error{ErrorCode::wrong_usage, "no transaction is running; begin one with begin transaction"};
+  if (is_in_statement_) return Error{ErrorCode::internal, "{}: a statement is still running", file_.string()};
+  Status status = lost_transaction_ ? Status(*lost_transaction_) : connection_->execute("COMMIT");
+  if (status) {
+    end_transaction();
+    return status;
+  }
+  static_cast<void>(abort_transaction());
+  return status;
+}
+
+Status Database::abort_transaction() {
+  if (!is_explicit_)
+    return Error{ErrorCode::wrong_usage, "no transaction is running; begin one with begin transaction"};
+  if (is_in_statement_) end_statement();
+  // SQLite may have rolled back by itself. If the statement fails, closing the file does the same.
+  if (connection_->in_transaction()) static_cast<void>(connection_->execute("ROLLBACK"));
+  if (transaction_has_written_) forget_everything();
+  end_transaction();
+  return {};
+}
+
+void Database::end_transaction() {
+  const std::lock_guard lock(mutex_);
+  is_explicit_ = transaction_has_written_ = false;
+  lost_transaction_.reset();
+  earlier_.clear();
+}
+
+Status Database::begin(bool writes) {
+  if (is_in_statement_) return Error{ErrorCode::internal, "{}: a statement is running already", file_.string()};
+  if (writes && is_read_only_)
+    return Error{ErrorCode::database_read_only, "{}: the database was opened for reading only", file_.string()};
+  if (is_explicit_) return begin_within_transaction();
+  ALGEBRA3D_RETURN_IF_ERROR(connection_->execute(writes ? "BEGIN IMMEDIATE" : "BEGIN"));
+  Status status = notice_other_processes();
+  if (status) return start_statement();
+  rollback();
+  return status;
+}
+
+Status Database::begin_within_transaction() {
+  if (lost_transaction_) return *lost_transaction_;
+  ALGEBRA3D_RETURN_IF_ERROR(connection_->execute(kBeginStatement));
+  return start_statement();
+}
+
+Status Database::start_statement() {
+  is_in_statement_ = true;
+  ++statement_;
+  Status status = catalogue_.load();
+  if (!status) rollback();
+  return status;
+}
+
+// The number changes exactly when another connection has committed; reading it fixes what this transaction sees.
+Status Database::notice_other_processes() {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::int64_t version, connection_->integer("PRAGMA data_version"));
+  if (version != data_version_) forget_everything();
+  data_version_ = version;
+  return {};
+}
+
+void Database::forget_everything() {
+  const std::lock_guard lock(mutex_);
+  catalogue_.forget();
+  indexes_.clear();
+  layouts_.clear();
+  cache_.clear();
+}
+
+Status Database::commit() {
+  Status status = failure_ ? Status(*failure_) : check_reading();
+  if (status && has_written_) status = check_place();
+  if (status && has_written_) status = write_end();
+  if (status) status = connection_->execute(is_explicit_ ? kEndStatement : "COMMIT");
+  if (!status) {
+    rollback();
+    return status;
+  }
+  transaction_has_written_ = is_explicit_ && (transaction_has_written_ || has_written_);
+  if (is_explicit_) earlier_.add(changes_);
+  end_statement();
+  return {};
+}
+
+// A file that was removed behind our back would take with it what is written to it now.
+Status Database::check_place() const {
+  if (!connection_->has_moved()) return {};
+  return Error{ErrorCode::io_error,
+               "{}: the file of the database was deleted or moved while it was open; the statement is undone",
+               file_.string()};
+}
+
+Status Database::write_end() {
+  for (const auto& layout : dropped_) {
+    ALGEBRA3D_RETURN_IF_ERROR(connection_->execute(layout->drop_sql()));
+    ALGEBRA3D_RETURN_IF_ERROR(erase_all_chunks(*connection_, layout->table_number()));
+  }
+  return catalogue_.flush();
+}
+
+void Database::rollback() {
+  if (connection_ == nullptr) return;
+  if (is_explicit_) return rollback_within_transaction();
+  if (connection_->in_transaction()) static_cast<void>(connection_->execute("ROLLBACK"));
+  if (has_written_) forget_everything();
+  end_statement();
+}
+
+// After some failures SQLite undoes all of the transaction. What comes after such a statement must not run as if
+// nothing had happened.
+void Database::rollback_within_transaction() {
+  if (!is_in_statement_) return;
+  if (connection_->in_transaction() && !(connection_->execute(kUndoStatement) && connection_->execute(kEndStatement)))
+    static_cast<void>(connection_->execute("ROLLBACK"));
+  if (!connection_->in_transaction() && !lost_transaction_)
+    lost_transaction_ =
+        Error{failure_ ? failure_->code : ErrorCode::io_error,
+              "{}: the transaction was undone when a statement in it failed; use abort transaction, then begin again",
+              file_.string()};
+  if (has_written_ || lost_transaction_) forget_everything();
+  end_statement();
+}
+
+void Database::end_statement() {
+  const std::lock_guard lock(mutex_);
+  ++statement_;
+  is_in_statement_ = has_written_ = false;
+  failure_.reset();
+  dropped_.clear();
+  changes_.clear();
+  kept_.clear();
+  if (original_ != nullptr && original_->in_transaction() && !original_->execute("COMMIT")) original_.reset();
+}
+
+Status Database::check_statement(std::uint64_t statement) const {
+  if (is_in_statement() && statement == statement_) return {};
+  return Error{ErrorCode::internal, "{}: stored data was used after the end of its statement", file_.string()};
+}
+
+Status Database::check_reading() const {
+  if (is_in_statement()) return {};
+  if (failure_) return *failure_;
+  return Error{ErrorCode::internal, "{}: no statement is running", file_.string()};
+}
+
+Status Database::change(const std::function<Status()>& work) {
+  ALGEBRA3D_RETURN_IF_ERROR(check_reading());
+  if (is_read_only_)
+    return Error{ErrorCode::database_read_only, "{}: the database was opened for reading only", file_.string()};
+  if (failure_) return *failure_;
+  has_written_ = true;
+  Status status = work();
+  if (!status) failure_ = status.error();
+  return status;
+}
+
+}  // namespace queries

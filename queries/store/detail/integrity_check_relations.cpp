@@ -1,0 +1,223 @@
+// The part of the integrity check that reads relations.
+#include "algebra3d/types/codec.h"
+#include "queries/store/detail/frozen_index.h"
+#include "queries/store/detail/frozen_order.h"
+#include "queries/store/detail/integrity_check.h"
+#include "queries/store/detail/stored_value.h"
+
+namespace queries {
+namespace {
+
+constexpr TupleId kEndless = INT64_MAX;
+
+std::string range_text(TupleId first, TupleId last) {
+  if (last == kEndless) return fmt::format("tuple {} and those that follow", first);
+  return first == last ? fmt::format("tuple {}", first) : fmt::format("tuples {} to {}", first, last);
+}
+
+}  // namespace
+
+struct IntegrityCheck::Walk {
+  const CatalogueEntry& entry;
+  std::shared_ptr<const RelationLayout> layout;
+  std::int64_t count = 0;
+  std::uint64_t sum = 0;
+  TupleId last = 0;
+  /// Tuples that cannot be read, in ascending order; the last ones may be without an end.
+  struct Gap {
+    TupleId first = 0;
+    TupleId last = 0;
+  };
+  std::vector<Gap> gaps = {};
+  // By attribute, of those that have a tree in memory.
+  std::map<std::size_t, Entries> boxes = {};
+  std::map<std::size_t, std::vector<OrderedTree::Entry>> keys = {};
+};
+
+Status IntegrityCheck::check_relation(const CatalogueEntry& entry) {
+  const auto layout = database_->layout_of(entry);
+  if (!layout) return add({.object = entry.name}, layout.error());
+  layouts_.emplace(entry.table_number, *layout);
+  Walk walk{entry, *layout};
+  for (std::size_t i = 0; i < (*layout)->attributes().size(); ++i)
+    if (database_->indexes().find(entry.table_number, i) != nullptr) walk.boxes[i] = {};
+  for (const std::size_t attribute : database_->indexes().ordered_attributes(entry.table_number))
+    walk.keys[attribute] = {};
+  ALGEBRA3D_RETURN_IF_ERROR(check_rows(walk));
+  if (!walk.gaps.empty()) add_readable(walk);
+  if (!walk.gaps.empty()) return {};
+  check_totals(walk);
+  check_trees(walk);
+  return {};
+}
+
+// A page that cannot be read takes the tuples on it away, and not those behind it: these are found by their numbers.
+Status IntegrityCheck::check_rows(Walk& walk) {
+  TupleId from = INT64_MIN;
+  walk.last = INT64_MIN;
+  while (true) {
+    const auto read = read_rows(walk, from);
+    if (read) return {};
+    const TupleId first = std::max<TupleId>(walk.last, 0) + 1;
+    const TupleId next = first_readable(walk, first);
+    const TupleId last = next == kEndless ? kEndless : next - 1;
+    walk.gaps.push_back({first, last});
+    Finding gap{.object = walk.entry.name, .tuple = first};
+    gap.message = fmt::format("{} cannot be read: ", range_text(first, last));
+    ALGEBRA3D_RETURN_IF_ERROR(add(std::move(gap), read.error()));
+    if (next == kEndless) return {};
+    from = next;
+  }
+}
+
+/// Reads the rows from a tuple on, to the end or to the first that cannot be read, which is an error.
+Result<bool> IntegrityCheck::read_rows(Walk& walk, TupleId from) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement rows, database_->connection().use(walk.layout->tail_sql()));
+  constexpr std::int64_t kAllRows = -1;
+  rows.bind(1, from).bind(2, kAllRows);
+  while (true) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, rows.step());
+    if (!has_row) return true;
+    ALGEBRA3D_RETURN_IF_ERROR(advance(walk.entry.name));
+    const TupleId id = rows.column(0).integer;
+    // A damaged tree could lead round in circles.
+    if (id <= walk.last || id < from)
+      return Error{ErrorCode::database_corrupt, "the tuples are not in order: tuple {} comes next", id};
+    walk.last = id;
+    ALGEBRA3D_RETURN_IF_ERROR(check_row(walk, rows));
+  }
+}
+
+/// The first tuple from `from` on, if it can be read; behind the last one, `from` itself.
+std::optional<TupleId> IntegrityCheck::readable_from(const Walk& walk, TupleId from) {
+  auto rows = database_->connection().use(walk.layout->tail_sql());
+  if (!rows) return std::nullopt;
+  rows->bind(1, from).bind(2, 1);
+  const auto has_row = rows->step();
+  if (!has_row) return std::nullopt;
+  const TupleId found = *has_row ? rows->column(0).integer : from;
+  const bool is_right = *has_row ? found >= from : from >= walk.entry.next_tuple;
+  return is_right ? std::optional(found) : std::nullopt;
+}
+
+// One by one as far as a page may reach, then in steps that double, and back to the first of the readable ones.
+TupleId IntegrityCheck::first_readable(const Walk& walk, TupleId from) {
+  constexpr TupleId kOneByOne = 1000;
+  const TupleId end = walk.entry.next_tuple;
+  for (TupleId id = from + 1; id < std::min(from + kOneByOne, end); ++id)
+    if (const auto found = readable_from(walk, id)) return *found;
+  TupleId unreadable = std::min(from + kOneByOne, end) - 1;
+  for (TupleId step = 1; unreadable + step < end; step *= 2) {
+    if (!readable_from(walk, unreadable + step)) {
+      unreadable += step;
+      continue;
+    }
+    TupleId readable = unreadable + step;
+    while (readable - unreadable > 1) {
+      const TupleId middle = unreadable + (readable - unreadable) / 2;
+      (readable_from(walk, middle) ? readable : unreadable) = middle;
+    }
+    return readable_from(walk, readable).value_or(kEndless);
+  }
+  return kEndless;
+}
+
+void IntegrityCheck::add_readable(const Walk& walk) {
+  std::string ranges;
+  TupleId begin = 1;
+  const auto add_range = [&](TupleId first, TupleId last) {
+    if (first > last) return;
+    ranges += (ranges.empty() ? "" : ", ") + range_text(first, last);
+  };
+  for (const Walk::Gap& gap : walk.gaps) {
+    add_range(begin, gap.first - 1);
+    begin = gap.last == kEndless ? kEndless : gap.last + 1;
+  }
+  if (begin != kEndless) add_range(begin, walk.last);
+  add({.object = walk.entry.name,
+       .message = fmt::format("{} of {} tuples can still be read{}{}", walk.count, walk.entry.tuple_count,
+                              ranges.empty() ? "" : ": ", ranges)});
+}
+
+Status IntegrityCheck::check_row(Walk& walk, const SqliteStatement& row) {
+  RowReader reader(database_, walk.layout, database_->changes().now());
+  const Status taken = reader.take(row);
+  ++walk.count;
+  walk.sum += reader.checksum();
+  if (!taken) {
+    add({.object = walk.entry.name, .tuple = reader.id(), .message = "the row is not what was written"});
+    return {};
+  }
+  for (std::size_t i = 0; i < walk.layout->attributes().size(); ++i)
+    ALGEBRA3D_RETURN_IF_ERROR(check_attribute(walk, reader, i));
+  for (auto& [attribute, boxes] : walk.boxes)
+    if (const auto box = reader.box(attribute); !box.is_empty())
+      boxes.push_back({box, static_cast<std::uint64_t>(reader.id())});
+  return {};
+}
+
+Status IntegrityCheck::check_attribute(Walk& walk, const RowReader& reader, std::size_t attribute) {
+  const AttributeColumns& columns = walk.layout->attributes()[attribute];
+  const Finding place{.object = walk.entry.name, .tuple = reader.id(), .attribute = columns.name, .message = ""};
+  auto value = reader.value(attribute);
+  if (value && value->is_defined()) value = proved(*value);
+  if (!value) return add(place, value.error());
+  if (const auto keys = walk.keys.find(attribute); keys != walk.keys.end() && value->is_defined())
+    keys->second.push_back({*value, reader.id()});
+  if (!columns.has_box() || !value->is_defined()) return {};
+  const auto header = value->header();
+  Finding wrong = place;
+  if (!(header.box == reader.box(attribute))) {
+    wrong.message = "the box in the columns is not that of the value";
+    add(wrong);
+  }
+  if (header.size != reader.size(attribute)) {
+    wrong.message =
+        fmt::format("the size in the columns is {}, that of the value {}", reader.size(attribute), header.size);
+    add(wrong);
+  }
+  return {};
+}
+
+/// A large value is read, its checksum compared, and its validity proved as if it came from elsewhere.
+Result<Value> IntegrityCheck::proved(const Value& value) {
+  const auto deferred = value.deferred();
+  if (deferred == nullptr) return value;
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::string bytes, static_cast<const StoredValue&>(*deferred).encoded());
+  return algebra3d::decode(value.type(), bytes, algebra3d::Origin::elsewhere);
+}
+
+void IntegrityCheck::check_totals(const Walk& walk) {
+  const CatalogueEntry& entry = walk.entry;
+  const auto wrong = [&](std::string message) { add({.object = entry.name, .message = std::move(message)}); };
+  if (walk.count != entry.tuple_count)
+    wrong(fmt::format("there are {} tuples, {} were written", walk.count, entry.tuple_count));
+  else if (walk.sum != entry.tuple_sum)
+    wrong("the tuples are not those that were written");
+  if (walk.count > 0 && walk.last >= entry.next_tuple)
+    wrong(fmt::format("there is a tuple {}, the next one is to be {}", walk.last, entry.next_tuple));
+}
+
+// The same entries give the same bytes.
+void IntegrityCheck::check_trees(Walk& walk) {
+  for (const auto& [attribute, boxes] : walk.boxes) {
+    const auto tree = database_->indexes().find(walk.entry.table_number, attribute);
+    const std::string& name = walk.layout->attributes()[attribute].name;
+    const auto faults = rtree::audit(*tree);
+    for (const std::string& fault : faults)
+      add({.object = walk.entry.name, .attribute = name, .message = "the index in memory: " + fault});
+    if (faults.empty() && encode_tree(*tree) != encode_tree(SpatialIndex::Tree::bulk_load(boxes)))
+      add({.object = walk.entry.name,
+           .attribute = name,
+           .message = "the index in memory does not have the boxes of the relation"});
+  }
+  for (auto& [attribute, keys] : walk.keys) {
+    const auto tree = database_->indexes().find_ordered(walk.entry.table_number, attribute);
+    if (encode_order(*tree) != encode_order(OrderedTree::bulk_load(std::move(keys))))
+      add({.object = walk.entry.name,
+           .attribute = walk.layout->attributes()[attribute].name,
+           .message = "the ordered index in memory does not have the values of the relation"});
+  }
+}
+
+}  // namespace queries

@@ -1,0 +1,160 @@
+#include "queries/store/detail/relation_layout.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <sqlite3.h>
+
+#include "algebra3d/types/scalars.h"
+#include "queries/store/detail/row_sink.h"
+
+namespace queries {
+namespace {
+
+using algebra3d::Error;
+using algebra3d::ErrorCode;
+using algebra3d::Registry;
+using algebra3d::Result;
+using algebra3d::Type;
+using algebra3d::TypeExpr;
+using algebra3d::TypeOf;
+
+/// SQLite's own limit is 2000 columns.
+constexpr std::size_t kMaxColumns = 1900;
+constexpr std::size_t kNameKept = 40;
+
+/// What of a name may stand in SQL as it is: names of ours are letters, digits and `_`, but a file may hold any.
+std::string plain(const std::string& name) {
+  std::string result;
+  for (const char c : name.substr(0, kNameKept)) {
+    const bool is_plain = ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9');
+    result += is_plain ? c : '_';
+  }
+  return result;
+}
+
+AttributeForm form_of(const Type& type) {
+  switch (type.storage()) {
+    case Type::Storage::integer:
+      return &type == &TypeOf<bool>::type() ? AttributeForm::boolean : AttributeForm::integer;
+    case Type::Storage::real:
+      return AttributeForm::real;
+    case Type::Storage::text:
+      return &type == &TypeOf<algebra3d::Text>::type() ? AttributeForm::text : AttributeForm::string;
+    case Type::Storage::bytes:
+      break;
+  }
+  if (!type.is_spatial()) return AttributeForm::bytes;
+  return type.is_large() ? AttributeForm::large : AttributeForm::spatial;
+}
+
+bool is_number(AttributeForm form) {
+  return form == AttributeForm::real || form == AttributeForm::integer || form == AttributeForm::boolean;
+}
+
+/// Doubles stand in columns without a type: one of type REAL turns -0.0 into 0.0.
+constexpr std::string_view kAsBound;
+
+}  // namespace
+
+Result<std::shared_ptr<const RelationLayout>> RelationLayout::make(const Registry& registry, const TypeExpr& tuple,
+                                                                   const std::string& relation,
+                                                                   std::int64_t table_number) {
+  std::shared_ptr<RelationLayout> layout(new RelationLayout());
+  layout->relation_ = relation;
+  layout->table_number_ = table_number;
+  layout->tuple_ = tuple;
+  layout->table_ = fmt::format("rel_{}_{}", table_number, plain(relation));
+  for (const auto& [name, type_expr] : tuple.attributes()) {
+    const Type* type = type_expr.arguments().empty() ? registry.find_type(type_expr.name()) : nullptr;
+    if (type == nullptr)
+      return Error{ErrorCode::type_error, "{}: an attribute of type {} cannot be stored", name, type_expr.text()};
+    layout->attributes_.push_back({name, type, form_of(*type)});
+  }
+  layout->add_columns();
+  if (layout->columns_.size() > kMaxColumns)
+    return Error{ErrorCode::limit_exceeded,
+                 "{}: the {} attributes need {} columns, a table has at most {}",
+                 relation,
+                 tuple.attributes().size(),
+                 layout->columns_.size(),
+                 kMaxColumns};
+  layout->add_statements();
+  return std::shared_ptr<const RelationLayout>(std::move(layout));
+}
+
+std::size_t RelationLayout::add_column(std::string name, std::string_view sql_type) {
+  columns_.push_back(std::move(name));
+  column_types_.emplace_back(sql_type);
+  return columns_.size() - 1;
+}
+
+// The number before the name keeps `Name` and `name` apart, which are the same to SQLite.
+void RelationLayout::add_columns() {
+  const auto name_of = [&](const AttributeColumns& attribute) {
+    return fmt::format("a{}_{}", &attribute - attributes_.data() + 1, plain(attribute.name));
+  };
+  add_column("id", "INTEGER PRIMARY KEY");
+  add_column("checksum", "INTEGER");
+  for (auto& attribute : attributes_)
+    if (is_number(attribute.form))
+      attribute.value = add_column(name_of(attribute),
+                                   attribute.form == AttributeForm::real ? kAsBound : std::string_view("INTEGER"));
+  for (auto& attribute : attributes_) {
+    if (!attribute.has_box()) continue;
+    attribute.box = columns_.size();
+    for (const char* part : {"minx", "miny", "minz", "maxx", "maxy", "maxz"})
+      add_column(name_of(attribute) + "_" + part, kAsBound);
+    add_column(name_of(attribute) + "_size", "INTEGER");
+    if (attribute.form == AttributeForm::large) add_column(name_of(attribute) + "_checksum", "INTEGER");
+  }
+  for (auto& attribute : attributes_)
+    if (attribute.form == AttributeForm::string || attribute.form == AttributeForm::text)
+      attribute.value = add_column(name_of(attribute), "TEXT");
+  for (auto& attribute : attributes_)
+    if (attribute.form == AttributeForm::bytes || attribute.form == AttributeForm::spatial)
+      attribute.value = add_column(name_of(attribute), "BLOB");
+  small_count_ = columns_.size();
+  for (auto& attribute : attributes_)
+    if (attribute.form == AttributeForm::large) attribute.value = add_column(name_of(attribute), "BLOB");
+}
+
+void RelationLayout::add_statements() {
+  std::string parameters = "?";
+  for (std::size_t i = 1; i < columns_.size(); ++i) parameters += ", ?";
+  insert_sql_ = fmt::format("INSERT INTO {} VALUES({})", table_, parameters);
+  erase_sql_ = fmt::format("DELETE FROM {} WHERE id = ?", table_);
+  std::string small = columns_[0];
+  for (std::size_t i = 1; i < small_count_; ++i) small += ", " + columns_[i];
+  page_sql_ = fmt::format("SELECT {} FROM {} WHERE id > ? AND id <= ? ORDER BY id LIMIT ?", small, table_);
+  tail_sql_ = fmt::format("SELECT {} FROM {} WHERE id >= ? ORDER BY id LIMIT ?", small, table_);
+  if (small_count_ <= RowSink::kMaxColumns)
+    taken_sql_ =
+        fmt::format("SELECT 1 FROM {} WHERE id > ? AND id <= ? AND take_row(?, {}) ORDER BY id", table_, small);
+  fetch_sql_ = fmt::format("SELECT {} FROM {} WHERE id = ?", small, table_);
+}
+
+std::string RelationLayout::create_sql() const {
+  std::string sql = fmt::format("CREATE TABLE {}(", table_);
+  for (std::size_t i = 0; i < columns_.size(); ++i)
+    sql +=
+        fmt::format("{}{}{}{}", i == 0 ? "" : ", ", columns_[i], column_types_[i].empty() ? "" : " ", column_types_[i]);
+  return sql + ")";
+}
+
+// SQLite's names know no case.
+std::string RelationLayout::rename_sql(const RelationLayout& renamed) const {
+  if (sqlite3_stricmp(table_.c_str(), renamed.table_.c_str()) == 0) return {};
+  return fmt::format("ALTER TABLE {} RENAME TO {}", table_, renamed.table_);
+}
+
+std::string RelationLayout::bytes_sql(std::size_t attribute) const {
+  return fmt::format("SELECT {} FROM {} WHERE id = ?", columns_[attributes_[attribute].value], table_);
+}
+
+std::size_t RelationLayout::find(const std::string& attribute) const {
+  const auto found = std::ranges::find(attributes_, attribute, &AttributeColumns::name);
+  return static_cast<std::size_t>(found - attributes_.begin());
+}
+
+}  // namespace queries

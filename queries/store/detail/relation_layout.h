@@ -1,0 +1,95 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "algebra3d/registry/registry.h"
+#include "algebra3d/types/type_expr.h"
+
+namespace queries {
+
+/// The representation of an attribute in the columns of its relation's table.
+enum class AttributeForm : std::uint8_t {
+  integer,
+  boolean,
+  real,
+  string,
+  text,
+  bytes,    ///< encoded, read with the row
+  spatial,  ///< as bytes, with box and size in further columns
+  large,    ///< as spatial, but the bytes are read on demand; the row has their checksum
+};
+
+/// An attribute and its columns, counted from 0 in the table.
+struct AttributeColumns {
+  std::string name;
+  const algebra3d::Type* type = nullptr;
+  AttributeForm form = AttributeForm::bytes;
+  std::size_t value = 0;  ///< column of the native value or the encoded bytes
+  std::size_t box = 0;    ///< first of the columns min x, y, z, max x, y, z, size; for `large` also the checksum
+
+  bool has_box() const { return form == AttributeForm::spatial || form == AttributeForm::large; }
+};
+
+/// Offset of the size column from `AttributeColumns::box`.
+inline constexpr std::size_t kSizeAfterBox = 6;
+inline constexpr std::size_t kSumAfterBox = 7;
+
+/// The columns of a relation's table: tuple id, checksum of the row, numbers, boxes, texts, small and then large
+/// encoded values. What filters read comes before the large values. Immutable.
+class RelationLayout {
+ public:
+  /// Errors: type_error for an attribute that cannot be stored, limit_exceeded for too many of them.
+  static algebra3d::Result<std::shared_ptr<const RelationLayout>> make(const algebra3d::Registry& registry,
+                                                                       const algebra3d::TypeExpr& tuple,
+                                                                       const std::string& relation,
+                                                                       std::int64_t table_number);
+
+  const std::string& relation() const { return relation_; }
+  std::int64_t table_number() const { return table_number_; }
+  const algebra3d::TypeExpr& tuple_type() const { return tuple_; }
+  const std::vector<AttributeColumns>& attributes() const { return attributes_; }
+  /// Index of the attribute of that name; of `attributes().size()` if there is none.
+  std::size_t find(const std::string& attribute) const;
+
+  std::size_t column_count() const { return columns_.size(); }
+  /// Number of columns before the large ones: they are read with the row, and the row's checksum covers them.
+  std::size_t small_column_count() const { return small_count_; }
+
+  // SQL statements; the comment behind names their parameters.
+  std::string create_sql() const;
+  std::string drop_sql() const { return "DROP TABLE " + table_; }
+  /// Renames the table to the name in `renamed`, the layout of the renamed relation. Empty if the names are equal.
+  std::string rename_sql(const RelationLayout& renamed) const;
+  const std::string& table() const { return table_; }
+  const std::string& insert_sql() const { return insert_sql_; }  ///< all columns
+  const std::string& erase_sql() const { return erase_sql_; }    ///< id
+  const std::string& page_sql() const { return page_sql_; }      ///< id > first, id <= second, limit
+  const std::string& tail_sql() const { return tail_sql_; }      ///< id >= first, limit
+  /// Passes rows to a RowSink: id > first, id <= second, sink. Empty if the relation has too many columns for a
+  /// RowSink.
+  const std::string& taken_sql() const { return taken_sql_; }
+  const std::string& fetch_sql() const { return fetch_sql_; }                          ///< id
+  std::string bytes_sql(std::size_t attribute) const;                                  ///< id
+  std::string row_sql() const { return "SELECT * FROM " + table_ + " WHERE id = ?"; }  ///< id; all columns
+
+ private:
+  RelationLayout() = default;
+  void add_columns();
+  void add_statements();
+  std::size_t add_column(std::string name, std::string_view sql_type);
+
+  std::string relation_;
+  std::int64_t table_number_ = 0;
+  algebra3d::TypeExpr tuple_;
+  std::vector<AttributeColumns> attributes_;
+  std::string table_;
+  std::vector<std::string> columns_;
+  std::vector<std::string> column_types_;
+  std::size_t small_count_ = 0;
+  std::string insert_sql_, erase_sql_, page_sql_, tail_sql_, taken_sql_, fetch_sql_;
+};
+
+}  // namespace queries

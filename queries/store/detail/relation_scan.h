@@ -1,0 +1,42 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "queries/store/detail/row_page.h"
+
+namespace queries {
+
+/// A stream of the tuples of a stored relation in the order of ids, as they are at the first `next`; later changes by
+/// the statement are not seen. Reads in pages and keeps no SQLite statement open between them, so that scans and
+/// changes may alternate. At the end it checks that no tuple was missing.
+class RelationScan final : public TupleStream {
+ public:
+  RelationScan(std::shared_ptr<Database> database, std::shared_ptr<const RelationLayout> layout);
+
+  Result<TuplePtr> next() override;
+
+ private:
+  Status start();
+  Status read_page();
+  Status read_rows();
+  Status read_wide_rows();
+  Status restore_changed();
+  Status check_end() const;
+
+  std::shared_ptr<Database> database_;
+  std::shared_ptr<const RelationLayout> layout_;
+  const std::uint64_t statement_;
+  bool is_started_ = false;
+  bool is_at_end_ = false;
+  ChangeTime time_ = 0;
+  TupleId after_ = 0;     // all ids up to this one have been read
+  TupleId page_end_ = 0;  // last id of the page that is being read
+  TupleId last_ = 0;      // greatest id when the scan began
+  std::uint64_t sum_ = 0, expected_sum_ = 0;
+  RowPage page_;
+  std::size_t position_ = 0;  // in the page
+  std::optional<RowReader> reader_;
+};
+
+}  // namespace queries

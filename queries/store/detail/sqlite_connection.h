@@ -1,0 +1,86 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include <sqlite3.h>
+
+#include "algebra3d/base/open_databases.h"
+#include "queries/store/detail/sqlite_statement.h"
+
+namespace queries {
+
+/// A connection to a SQLite file, with its prepared statements. Several threads may call its members at the same time.
+/// All statements must have been returned before it is destroyed.
+class SqliteConnection {
+ public:
+  enum class Access : std::uint8_t {
+    read_write,
+    create,      ///< read and write; creates the file
+    recovering,  ///< as read_only, but may recover the file after a crash
+    read_only,   ///< uses the lock files of other processes
+    immutable,   ///< without locks; the file must not change
+  };
+
+  static algebra3d::Result<std::unique_ptr<SqliteConnection>> open(const std::filesystem::path& file, Access access,
+                                                                   int busy_milliseconds);
+  /// Opens a new database that is deleted with its connection: in memory, or in a temporary file once it is large.
+  static algebra3d::Result<std::unique_ptr<SqliteConnection>> open_temporary();
+  ~SqliteConnection();
+  SqliteConnection(const SqliteConnection&) = delete;
+  SqliteConnection& operator=(const SqliteConnection&) = delete;
+
+  const std::string& file() const { return file_; }
+  /// True if the connection cannot write: it was opened for reading, or the file is not writable.
+  bool is_read_only() const { return access_ == Access::recovering || sqlite3_db_readonly(handle_, "main") == 1; }
+  /// True if the file was deleted or moved since it was opened.
+  bool has_moved() const;
+  bool in_transaction() const { return sqlite3_get_autocommit(handle_) == 0; }
+
+  /// Runs a statement and ignores its rows.
+  algebra3d::Status execute(std::string_view sql);
+  /// The prepared statement of this text; it is prepared at first use.
+  algebra3d::Result<SqliteStatement> use(std::string_view sql);
+  /// The first column of the first row, an integer. Error if there is no row.
+  algebra3d::Result<std::int64_t> integer(std::string_view sql);
+
+  /// All bytes of the database, as a file would have them.
+  algebra3d::Result<std::string> image();
+
+  /// Makes a truncated file readable as far as it goes. For read-only use.
+  void tolerate_missing_pages();
+
+  /// Sets the flag that ends running statements with the error `interrupted`; null for none.
+  void end_when(const std::atomic<bool>* cancel);
+
+  algebra3d::Error error(int code, std::string_view doing) const;
+  /// Only for SqliteStatement.
+  void give_back(sqlite3_stmt* statement, bool* in_use);
+
+ private:
+  struct Prepared {
+    sqlite3_stmt* statement = nullptr;
+    bool in_use = false;
+  };
+
+  SqliteConnection(sqlite3* handle, std::string file, Access access)
+      : handle_(handle), file_(std::move(file)), access_(access) {}
+  algebra3d::Result<sqlite3_stmt*> prepare(std::string_view sql);
+  void forget_unused();
+
+  sqlite3* handle_;
+  std::string file_;
+  std::optional<algebra3d::OpenDatabase> announcement_;  // none: a temporary file
+  Access access_;
+  std::mutex mutex_;  // guards prepared_
+  std::unordered_map<std::string, std::unique_ptr<Prepared>> prepared_;
+};
+
+}  // namespace queries

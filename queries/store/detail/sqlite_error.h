@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <sqlite3.h>
+
+#include "algebra3d/base/error.h"
+
+namespace queries {
+
+/// The error for a SQLite result code, with the file, the operation, and SQLite's message. `connection` may be null if
+/// there is none. The only place that translates SQLite's codes.
+algebra3d::Error sqlite_error(sqlite3* connection, int code, std::string_view file, std::string_view doing);
+
+/// Text of a damaged file for messages: characters other than printable ASCII become question marks.
+std::string ascii_text(std::string_view text);
+
+}  // namespace queries

@@ -1,0 +1,133 @@
+#include "queries/store/detail/stored_relation.h"
+
+#include "queries/store/detail/chunks.h"
+#include "queries/store/detail/relation_scan.h"
+
+namespace queries {
+
+// The relation may have been replaced or removed since the statement asked for it.
+Result<const CatalogueEntry*> StoredRelation::entry() const {
+  ALGEBRA3D_RETURN_IF_ERROR(database_->check_statement(statement_));
+  const CatalogueEntry* const entry = database_->catalogue().find(layout_->relation());
+  if (entry != nullptr && entry->table_number == layout_->table_number()) return entry;
+  return Error{ErrorCode::wrong_usage, "{}: the relation was replaced or deleted by the statement that still uses it",
+               layout_->relation()};
+}
+
+Result<std::int64_t> StoredRelation::count() const {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const CatalogueEntry* own, entry());
+  return own->tuple_count;
+}
+
+Result<TupleStreamPtr> StoredRelation::scan() {
+  ALGEBRA3D_RETURN_IF_ERROR(entry());
+  return TupleStreamPtr(std::make_shared<RelationScan>(database_, layout_));
+}
+
+Result<TuplePtr> StoredRelation::fetch(TupleId id) {
+  ALGEBRA3D_RETURN_IF_ERROR(entry());
+  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement, database_->connection().use(layout_->fetch_sql()));
+  statement.bind(1, id);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, statement.step());
+  if (!has_row) return TuplePtr();
+  RowReader reader(database_, layout_, database_->changes().now());
+  ALGEBRA3D_RETURN_IF_ERROR(reader.take(statement));
+  return reader.tuple();
+}
+
+// The values that ordered indexes have of the tuple.
+Result<StoredRelation::Keys> StoredRelation::keys(const std::function<Result<Value>(std::size_t)>& value_of) const {
+  Keys keys;
+  for (const std::size_t attribute : database_->indexes().ordered_attributes(layout_->table_number())) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, value_of(attribute));
+    if (!value.is_defined()) continue;
+    ALGEBRA3D_ASSIGN_OR_RETURN(Value key, value.loaded());
+    keys.emplace_back(attribute, std::move(key));
+  }
+  return keys;
+}
+
+Status StoredRelation::write(CatalogueEntry& entry, RowWriter& writer, TupleId id) {
+  const auto value_of = [&](std::size_t attribute) -> Result<Value> { return writer.value(attribute); };
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Keys new_keys, keys(value_of));
+  ALGEBRA3D_RETURN_IF_ERROR(writer.write());
+  for (const auto& [attribute, key] : new_keys)
+    database_->indexes().insert_key(layout_->table_number(), attribute, key, id);
+  ++entry.tuple_count;
+  entry.tuple_sum += writer.row().checksum;
+  database_->indexes().insert(layout_->table_number(), id, writer.row().boxes);
+  return {};
+}
+
+Status StoredRelation::erase_row(CatalogueEntry& entry, TupleId id) {
+  SqliteConnection& connection = database_->connection();
+  {
+    ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement, connection.use(layout_->fetch_sql()));
+    statement.bind(1, id);
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, statement.step());
+    if (!has_row) return Error{ErrorCode::unknown_name, "{}: there is no tuple {}", layout_->relation(), id};
+    RowReader reader(database_, layout_, database_->changes().now());
+    ALGEBRA3D_RETURN_IF_ERROR(reader.take(statement));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Keys old_keys,
+                               keys([&](std::size_t attribute) { return reader.value(attribute); }));
+    for (const auto& [attribute, key] : old_keys)
+      database_->indexes().erase_key(layout_->table_number(), attribute, key, id);
+    --entry.tuple_count;
+    entry.tuple_sum -= reader.checksum();
+    database_->indexes().erase(layout_->table_number(), id, reader.boxes());
+  }
+  ALGEBRA3D_RETURN_IF_ERROR(database_->note_tuple(*layout_, id));
+  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement, connection.use(layout_->erase_sql()));
+  ALGEBRA3D_RETURN_IF_ERROR(statement.bind(1, id).run());
+  return erase_chunks(connection, layout_->table_number(), id);
+}
+
+Result<TupleId> StoredRelation::insert(const Tuple& tuple) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const CatalogueEntry* own, entry());
+  const TupleId id = own->next_tuple;
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto writer, RowWriter::make(*database_, *layout_, id, tuple));
+  ALGEBRA3D_RETURN_IF_ERROR(database_->change([&]() -> Status {
+    CatalogueEntry& edited = *database_->catalogue().edit(layout_->relation());
+    ++edited.next_tuple;
+    database_->note_inserted(layout_->table_number(), id);
+    return write(edited, *writer, id);
+  }));
+  ++database_->change_counts().inserted;
+  return id;
+}
+
+Status StoredRelation::erase(TupleId id) {
+  ALGEBRA3D_RETURN_IF_ERROR(entry());
+  Status status = database_->change([&] { return erase_row(*database_->catalogue().edit(layout_->relation()), id); });
+  if (status) ++database_->change_counts().deleted;
+  return status;
+}
+
+// The writer reads what the new tuple defers before the old one goes, which may be the same.
+Status StoredRelation::update(TupleId id, const Tuple& tuple) {
+  ALGEBRA3D_RETURN_IF_ERROR(entry());
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto writer, RowWriter::make(*database_, *layout_, id, tuple));
+  Status status = database_->change([&]() -> Status {
+    CatalogueEntry& edited = *database_->catalogue().edit(layout_->relation());
+    ALGEBRA3D_RETURN_IF_ERROR(erase_row(edited, id));
+    return write(edited, *writer, id);
+  });
+  if (status) ++database_->change_counts().updated;
+  return status;
+}
+
+Status fill_relation(Database& database, const RelationLayout& layout, CatalogueEntry& entry, TupleStream& source,
+                     const algebra3d::Context& context) {
+  while (true) {
+    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr tuple, source.next());
+    if (tuple == nullptr) return {};
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto writer, RowWriter::make(database, layout, entry.next_tuple, *tuple));
+    ALGEBRA3D_RETURN_IF_ERROR(writer->write());
+    ++entry.next_tuple;
+    ++entry.tuple_count;
+    entry.tuple_sum += writer->row().checksum;
+  }
+}
+
+}  // namespace queries

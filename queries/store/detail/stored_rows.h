@@ -1,0 +1,89 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "queries/store/detail/database.h"
+
+namespace queries {
+
+/// Checks the checksum of the row in `cells` and appends the row to `bytes`, with NULL in place of the checksum. False
+/// if the checksum is wrong; then nothing is appended.
+bool append_proved(std::span<Cell> cells, std::string& bytes);
+Error damaged_row(const RelationLayout& layout, TupleId id);
+
+/// Reads rows of a relation's table: verifies each by its checksum, then returns boxes or a tuple.
+class RowReader {
+ public:
+  /// `time`: when the rows are read. Tuples made from them are valid in the running statement.
+  RowReader(std::shared_ptr<Database> database, std::shared_ptr<const RelationLayout> layout, ChangeTime time)
+      : database_(std::move(database)), layout_(std::move(layout)), time_(time) {}
+
+  /// Takes the small columns of the current row of `statement`; valid until its next step. Errors: database_corrupt.
+  Status take(const SqliteStatement& statement);
+  /// Takes a verified row in the form of `append_cells`; valid as long as these bytes.
+  void take(std::string_view row, std::uint64_t checksum);
+  TupleId id() const { return cells_[0].integer; }
+  std::uint64_t checksum() const { return as_unsigned(cells_[1].integer); }
+  /// Box of a spatial attribute; empty if the value is undefined or empty.
+  algebra3d::Box3 box(std::size_t attribute) const;
+  /// Boxes of all attributes; empty for those that are not spatial.
+  std::vector<algebra3d::Box3> boxes() const;
+  /// Number of points or triangles of a defined spatial attribute.
+  std::uint32_t size(std::size_t attribute) const;
+  Result<TuplePtr> tuple() const;
+  /// An attribute value; large ones are deferred. Errors: database_corrupt.
+  Result<Value> value(std::size_t attribute) const;
+
+ private:
+  Result<Value> large_value(std::size_t attribute) const;
+  Error corrupt(const AttributeColumns& attribute) const;
+
+  std::shared_ptr<Database> database_;
+  std::shared_ptr<const RelationLayout> layout_;
+  ChangeTime time_;
+  std::vector<Cell> cells_;
+  std::string checked_;  // reused for all rows
+};
+
+/// Properties of a row that has been written.
+struct WrittenRow {
+  std::uint64_t checksum = 0;
+  std::vector<algebra3d::Box3> boxes;  ///< one per attribute
+};
+
+/// A tuple prepared for writing: its values are loaded and encoded, so only the writing itself can still fail.
+class RowWriter {
+ public:
+  /// Errors: those of loading deferred values; internal if the tuple is not of the relation's type.
+  static Result<std::unique_ptr<RowWriter>> make(Database& database, const RelationLayout& layout, TupleId id,
+                                                 const Tuple& tuple);
+  Status write();
+  const WrittenRow& row() const { return row_; }
+  const Value& value(std::size_t attribute) const { return values_[attribute]; }
+
+ private:
+  struct Long {
+    std::size_t attribute;
+    std::string_view bytes;
+  };
+
+  RowWriter(Database& database, const RelationLayout& layout) : database_(database), layout_(layout) {}
+  Status add(std::size_t attribute, const Value& value);
+  Status add_bytes(std::size_t attribute, const Value& value);
+  void add_header(const AttributeColumns& columns, const algebra3d::GeometryHeader& header);
+  void place_bytes(std::size_t attribute, std::string_view bytes);
+
+  Database& database_;
+  const RelationLayout& layout_;
+  std::vector<Cell> cells_;
+  std::vector<Value> values_;                          // the cells refer to their texts
+  std::vector<std::unique_ptr<std::string>> encoded_;  // the cells refer to them
+  std::vector<Long> long_;
+  std::uint64_t inline_bytes_ = 0;
+  WrittenRow row_;
+};
+
+}  // namespace queries

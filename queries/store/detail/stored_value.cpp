@@ -1,0 +1,66 @@
+#include "queries/store/detail/stored_value.h"
+
+#include <cstring>
+#include <type_traits>
+
+namespace queries {
+namespace {
+
+/// What tells one large value of a relation from another; a reference is its bytes.
+struct Reference {
+  TupleId tuple = 0;
+  std::size_t attribute = 0;
+  algebra3d::GeometryHeader header;
+  std::uint64_t checksum = 0;
+  ChangeTime time = 0;
+};
+static_assert(std::is_trivially_copyable_v<Reference>);
+
+/// The large values of a relation that one statement has met.
+class StoredValues final : public algebra3d::DeferredSource {
+ public:
+  StoredValues(std::shared_ptr<Database> database, std::shared_ptr<const RelationLayout> layout,
+               std::uint64_t statement)
+      : database_(std::move(database)), layout_(std::move(layout)), statement_(statement) {}
+
+  bool is_same_as(const DeferredSource& other) const override {
+    const auto* const values = dynamic_cast<const StoredValues*>(&other);
+    return values != nullptr && values->database_ == database_ && values->layout_ == layout_ &&
+           values->statement_ == statement_;
+  }
+  Value value(std::string_view reference) const override {
+    Reference own;
+    assert(reference.size() == sizeof own);
+    std::memcpy(&own, reference.data(), sizeof own);
+    const algebra3d::Type& type = *layout_->attributes()[own.attribute].type;
+    const LargeValue large{layout_, own.tuple, own.attribute, own.header, own.checksum, statement_, own.time};
+    return {type, std::make_shared<StoredValue>(database_, large)};
+  }
+
+ private:
+  std::shared_ptr<Database> database_;
+  std::shared_ptr<const RelationLayout> layout_;
+  std::uint64_t statement_;
+};
+
+}  // namespace
+
+std::shared_ptr<const algebra3d::DeferredSource> StoredValue::source() const {
+  return std::make_shared<StoredValues>(database_, value_.layout, value_.statement);
+}
+
+void StoredValue::append_reference(std::string& bytes) const {
+  const Reference reference{value_.tuple, value_.attribute, value_.header, value_.checksum, value_.time};
+  bytes.append(reinterpret_cast<const char*>(&reference), sizeof reference);  // NOLINT(*-reinterpret-cast)
+}
+
+Result<std::string> StoredValue::encoded() const {
+  std::string copy;
+  ALGEBRA3D_RETURN_IF_ERROR(database_->with_bytes(value_, [&](std::string_view bytes) -> Status {
+    copy = bytes;
+    return {};
+  }));
+  return copy;
+}
+
+}  // namespace queries

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace queries {
+
+/// Application id in the header of every algebra3d database: "A3DB".
+inline constexpr std::int64_t kApplicationId = 0x41334442;
+/// Application id of a database under construction, until it gets its name: "A3DR".
+inline constexpr std::int64_t kDraftApplicationId = 0x41334452;
+/// Version of the tables, docs/file_format.md. Newer versions are refused, older ones upgraded at the first write.
+inline constexpr std::int64_t kDatabaseVersion = 2;
+
+inline constexpr const char* kCreateCatalogue =
+    "CREATE TABLE catalogue(id INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE COLLATE BINARY, type TEXT NOT NULL, "
+    "has_value INTEGER NOT NULL, function_text TEXT NOT NULL, table_number INTEGER NOT NULL, tuple_count INTEGER NOT "
+    "NULL, next_tuple INTEGER NOT NULL, tuple_sum INTEGER NOT NULL, index_relation TEXT NOT NULL, index_attribute TEXT "
+    "NOT NULL, value_sum INTEGER NOT NULL, derived_text TEXT NOT NULL, checksum INTEGER NOT NULL)";
+inline constexpr const char* kCreateNamedTypes =
+    "CREATE TABLE named_types(name TEXT PRIMARY KEY NOT NULL, type TEXT NOT NULL, checksum INTEGER NOT NULL)";
+inline constexpr const char* kCreateAbandoned =
+    "CREATE TABLE abandoned(number INTEGER PRIMARY KEY, name TEXT NOT NULL)";
+
+inline constexpr const char* kCreateChunks =
+    "CREATE TABLE chunks(owner INTEGER NOT NULL, tuple INTEGER NOT NULL, attribute INTEGER NOT NULL, part INTEGER NOT "
+    "NULL, bytes BLOB NOT NULL)";
+inline constexpr const char* kCreateChunkIndex =
+    "CREATE UNIQUE INDEX chunks_by_place ON chunks(owner, tuple, attribute, part)";
+
+/// SQL statements that create the tables of a new database; relations add their own.
+inline constexpr std::array kCreateTables = {
+    "CREATE TABLE meta(id INTEGER PRIMARY KEY, next_number INTEGER NOT NULL, object_count INTEGER NOT NULL, "
+    "object_sum INTEGER NOT NULL)",
+    "INSERT INTO meta VALUES(1, 1, 0, 1)",
+    kCreateCatalogue,
+    kCreateNamedTypes,
+    kCreateAbandoned,
+    "CREATE TABLE object_values(id INTEGER PRIMARY KEY, value BLOB)",
+    kCreateChunks,
+    kCreateChunkIndex,
+    "CREATE TABLE imported_files(relation INTEGER NOT NULL, path TEXT NOT NULL, size INTEGER NOT NULL, hash INTEGER "
+    "NOT NULL, PRIMARY KEY(relation, path))",
+};
+
+}  // namespace queries

@@ -1,0 +1,128 @@
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "queries/streams/mapping.h"
+#include "queries/streams/tuple_buffer.h"
+
+namespace queries {
+
+/// A stream that is read in blocks, each as large as a table in memory can hold.
+class StreamBlocks final : public TupleStream {
+ public:
+  explicit StreamBlocks(TupleStreamPtr source) : source_(std::move(source)) {}
+
+  /// The next tuple after the last block.
+  Result<TuplePtr> next() override {
+    if (pending_ != nullptr) return std::exchange(pending_, nullptr);
+    return source_->next();
+  }
+
+  /// Fills an empty table with the next block. True if it was the last one. Errors: those of the stream and of
+  /// `table.add`, interrupted.
+  template <typename Table>
+  Result<bool> fill(Table& table, const Context& context) {
+    for (std::uint32_t step = 1;; ++step) {
+      ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr tuple, next());
+      if (tuple == nullptr) return true;
+      if (step % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+      ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_room, table.add(tuple));
+      if (has_room) continue;
+      pending_ = std::move(tuple);
+      return false;
+    }
+  }
+
+ private:
+  TupleStreamPtr source_;
+  TuplePtr pending_;  // the first tuple of the next block
+};
+
+/// A block nested-loop join of two streams. The build side is read into a table, block by block; the probe side is read
+/// once for each block, and each of its tuples looks up its partners. Order: block by block, and within a block that of
+/// the probe side.
+///
+/// `Table` has `add(tuple)` (false if the table is full), `finish()`, `find(tuple, found)` and `clear()`, as HashTable.
+/// `Combine` makes the resulting tuple from one tuple of the build side and one of the probe side. Interruptible.
+template <typename Table, typename Combine>
+class BlockJoin final : public TupleStream {
+ public:
+  /// `table` is empty.
+  BlockJoin(TupleStreamPtr build, TupleStreamPtr probe, Table table, Combine combine, const Context& context)
+      : build_(std::move(build)),
+        probe_(std::move(probe)),
+        table_(std::move(table)),
+        combine_(std::move(combine)),
+        context_(context) {}
+  /// `table` has been filled with the whole build side.
+  BlockJoin(Table table, TupleStreamPtr probe, Combine combine, const Context& context)
+      : BlockJoin(nullptr, std::move(probe), std::move(table), std::move(combine), context) {
+    table_.finish();
+    has_block_ = true;
+    is_last_ = true;
+  }
+
+  Result<TuplePtr> next() override {
+    while (position_ == found_.size()) {
+      if (++steps_ % 256 == 0) ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
+      if (!has_block_) {
+        if (is_last_) return TuplePtr();
+        ALGEBRA3D_RETURN_IF_ERROR(begin_block());
+      }
+      ALGEBRA3D_ASSIGN_OR_RETURN(current_, probe_->next());
+      has_block_ = current_ != nullptr;
+      found_.clear();
+      position_ = 0;
+      if (!has_block_) continue;
+      if (keeps_probe_) ALGEBRA3D_RETURN_IF_ERROR(probed_->add(current_));
+      ALGEBRA3D_RETURN_IF_ERROR(table_.find(*current_, found_));
+    }
+    return combine_(*found_[position_++], *current_);
+  }
+
+ private:
+  Status begin_block() {
+    table_.clear();
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_last_, build_.fill(table_, context_));
+    table_.finish();
+    has_block_ = true;
+    if (probed_) {
+      probe_ = probed_->scan();
+      keeps_probe_ = false;
+    } else if (!is_last_) {
+      probed_.emplace(context_);
+      keeps_probe_ = true;
+    }
+    return {};
+  }
+
+  StreamBlocks build_;
+  TupleStreamPtr probe_;
+  Table table_;
+  Combine combine_;
+  const Context& context_;
+  std::optional<TupleBuffer> probed_;  // copy of the probe side for the later blocks
+  bool keeps_probe_ = false;
+  bool has_block_ = false;
+  bool is_last_ = false;
+  TuplePtr current_;
+  std::vector<TuplePtr> found_;
+  std::size_t position_ = 0;
+  std::uint32_t steps_ = 0;
+};
+
+/// The stream of a BlockJoin.
+template <typename Table, typename Combine>
+TupleStreamPtr block_join(TupleStreamPtr build, TupleStreamPtr probe, Table table, Combine combine,
+                          const Context& context) {
+  return std::make_shared<BlockJoin<Table, Combine>>(std::move(build), std::move(probe), std::move(table),
+                                                     std::move(combine), context);
+}
+template <typename Table, typename Combine>
+TupleStreamPtr block_join(Table table, TupleStreamPtr probe, Combine combine, const Context& context) {
+  return std::make_shared<BlockJoin<Table, Combine>>(std::move(table), std::move(probe), std::move(combine), context);
+}
+
+}  // namespace queries

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <vector>
+
+#include "algebra3d/base/work_memory.h"
+#include "queries/streams/detail/hash_chains.h"
+#include "queries/streams/detail/keyed_tuple.h"
+#include "queries/streams/mapping.h"
+
+namespace queries {
+
+/// A hash table of tuples by the value of one attribute, within the work memory: the table of a BlockJoin. Tuples whose
+/// key is undefined are left out; tuples of one key keep their order. Filled first, then searched.
+class HashTable {
+ public:
+  /// `key`: attribute index of the tuples in the table; `probe`: that of the tuples that look them up.
+  HashTable(std::size_t key, std::size_t probe, const Context& context)
+      : key_({key}), probe_({probe}), account_(context.memory) {}
+
+  /// Adds the tuple; false if the work memory is exhausted. An empty table accepts any tuple. Errors: those of loading.
+  Result<bool> add(const TuplePtr& tuple);
+  /// Does nothing: a filled hash table is ready for searches.
+  void finish() {}
+  /// Appends to `found` the tuples whose key equals that of `probe`.
+  Status find(const Tuple& probe, std::vector<TuplePtr>& found) const;
+  /// All tuples of the table, in the order in which they were added.
+  std::vector<TuplePtr> tuples() const;
+  void clear();
+
+ private:
+  std::vector<std::size_t> key_;
+  std::vector<std::size_t> probe_;
+  algebra3d::MemoryAccount account_;
+  std::vector<KeyedTuple> tuples_;
+  HashChains chains_;  // by the key
+};
+
+/// A set of value lists that were seen before, within the work memory. Undefined equals undefined.
+class SeenKeys {
+ public:
+  enum class Answer : std::uint8_t { is_new, was_seen, no_room };
+
+  explicit SeenKeys(const Context& context) : account_(context.memory) {}
+  /// Adds these loaded values if they are new and memory suffices. An empty set accepts any list. Once the memory is
+  /// exhausted nothing is added, so that new lists stay in order.
+  Answer add(std::vector<Value> keys);
+  void clear();
+
+ private:
+  bool is_seen(std::size_t hash, const std::vector<Value>& keys) const;
+
+  algebra3d::MemoryAccount account_;
+  std::vector<Value> values_;  // of all lists, concatenated
+  HashChains chains_;
+  bool is_full_ = false;
+};
+
+}  // namespace queries

@@ -1,0 +1,27 @@
+#include "queries/streams/detail/index_operands.h"
+
+#include <algorithm>
+
+namespace queries {
+
+Result<IndexSource> index_source(const MappingCheck& check) {
+  IndexSource source;
+  ALGEBRA3D_ASSIGN_OR_RETURN(source.given, check.stream_or_relation(0));
+  source.indexed = source.given;
+  const auto& attributes = source.given.attributes();
+  const bool has_id = std::ranges::any_of(attributes, [](const auto& attribute) { return attribute.type.is("tid"); });
+  if (check[0].type.is_relation() || !has_id) return source;
+  ALGEBRA3D_ASSIGN_OR_RETURN(source.id_attribute, check.id_attribute(source.given));
+  std::vector<std::size_t> kept;
+  for (std::size_t index = 0; index < attributes.size(); ++index)
+    if (index != *source.id_attribute) kept.push_back(index);
+  source.indexed = projected(source.given, kept);
+  return source;
+}
+
+std::string stored_name(const Datum& source) {
+  const auto* relation = std::get_if<RelationPtr>(&source.content);
+  return relation == nullptr ? std::string() : (*relation)->name();
+}
+
+}  // namespace queries

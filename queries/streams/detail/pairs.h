@@ -1,0 +1,47 @@
+#pragma once
+
+#include <utility>
+
+#include "queries/streams/mapping.h"
+#include "queries/streams/tuple_buffer.h"
+
+namespace queries {
+
+/// The pairs of every left with every right tuple, the left one varying slowest. Interruptible.
+class NestedLoop {
+ public:
+  NestedLoop(TupleStreamPtr left, TupleBuffer right, const Context& context)
+      : left_(std::move(left)), right_(std::move(right)), context_(context) {}
+
+  /// The next pair; null on both sides at the end.
+  Result<std::pair<TuplePtr, TuplePtr>> next();
+
+ private:
+  TupleStreamPtr left_;
+  TupleBuffer right_;
+  TupleStreamPtr partners_;
+  TuplePtr current_;
+  const Context& context_;
+  std::uint32_t steps_ = 0;
+};
+
+/// The tuples of a NestedLoop, joined.
+TupleStreamPtr all_pairs(TupleStreamPtr left, TupleBuffer right, const Context& context);
+
+/// Tuple types of the two operands of a join, and that of its result.
+struct JoinTypes {
+  TypeExpr left, right, joined;
+};
+Result<JoinTypes> join_types(const MappingCheck& check);
+
+/// Indices of the two attributes that an equi-join compares, named at places 2 and 3. Their types are comparable.
+struct JoinKeys {
+  std::size_t left = 0;
+  std::size_t right = 0;
+};
+Result<JoinKeys> join_keys(const MappingCheck& check, const JoinTypes& types);
+
+/// A tuple of undefined values, in place of a missing partner.
+TuplePtr undefined_tuple(const TypeExpr& type);
+
+}  // namespace queries

@@ -1,0 +1,60 @@
+#include "queries/streams/detail/run_merge.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace queries {
+
+RunMerge::RunMerge(const std::shared_ptr<TupleFile>& file, std::span<const SortedRun> runs, SortOrder order,
+                   const algebra3d::Context& context)
+    : order_(std::move(order)), context_(context) {
+  for (const SortedRun& run : runs) {
+    Head& head = heads_.emplace_back();
+    head.scan = file->scan(run.begin, run.end);
+    head.number = heads_.size();
+  }
+}
+
+bool RunMerge::is_after(const Head& a, const Head& b) const {
+  if (a.prefix != b.prefix) return a.prefix > b.prefix;
+  const auto order = order_.compare_further(a.tuple, b.tuple);
+  return order != 0 ? order > 0 : a.number > b.number;
+}
+
+/// False at the end of the run.
+Result<bool> RunMerge::advance(Head& head) const {
+  ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr tuple, head.scan->next());
+  if (tuple == nullptr) return false;
+  ALGEBRA3D_ASSIGN_OR_RETURN(head.tuple, order_.keyed(std::move(tuple)));
+  head.prefix = order_.prefix(head.tuple);
+  return true;
+}
+
+Status RunMerge::start() {
+  std::vector<Head> filled;
+  for (Head& head : heads_) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_tuple, advance(head));
+    if (has_tuple) filled.push_back(std::move(head));
+  }
+  heads_ = std::move(filled);
+  std::ranges::make_heap(heads_, [this](const Head& a, const Head& b) { return is_after(a, b); });
+  return {};
+}
+
+Result<TuplePtr> RunMerge::next() {
+  if (!std::exchange(has_begun_, true)) ALGEBRA3D_RETURN_IF_ERROR(start());
+  if (heads_.empty()) return TuplePtr();
+  if (++steps_ % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
+  const auto after = [this](const Head& a, const Head& b) { return is_after(a, b); };
+  std::ranges::pop_heap(heads_, after);
+  Head& least = heads_.back();
+  TuplePtr result = std::move(least.tuple.tuple());
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_tuple, advance(least));
+  if (has_tuple)
+    std::ranges::push_heap(heads_, after);
+  else
+    heads_.pop_back();
+  return result;
+}
+
+}  // namespace queries

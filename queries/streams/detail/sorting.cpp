@@ -1,0 +1,190 @@
+#include "queries/streams/detail/sorting.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "algebra3d/base/work_memory.h"
+#include "queries/streams/detail/run_merge.h"
+#include "queries/streams/detail/sort_order.h"
+
+namespace queries {
+namespace {
+
+/// Where a tuple stands among those that are kept, with the beginning of its first key.
+struct Position {
+  std::uint64_t prefix;
+  std::uint32_t index;
+};
+
+/// What one tuple takes besides itself while it is sorted.
+constexpr std::size_t kBytesToSort = sizeof(Position);
+
+/// Tuples that are sorted in memory.
+class SortedTuples final : public TupleStream {
+ public:
+  SortedTuples(std::vector<KeyedTuple> tuples, std::vector<Position> positions, algebra3d::MemoryAccount account)
+      : tuples_(std::move(tuples)), positions_(std::move(positions)), account_(std::move(account)) {}
+
+  Result<TuplePtr> next() override {
+    if (next_ == positions_.size()) {
+      tuples_.clear();
+      account_.clear();
+      return TuplePtr();
+    }
+    KeyedTuple& kept = tuples_[positions_[next_++].index];
+    return std::move(kept.tuple());
+  }
+
+ private:
+  std::vector<KeyedTuple> tuples_;
+  std::vector<Position> positions_;
+  algebra3d::MemoryAccount account_;
+  std::size_t next_ = 0;
+};
+
+class Sorter {
+ public:
+  Sorter(const std::vector<SortKey>& keys, const Context& context)
+      : order_(keys), context_(context), account_(context.memory) {}
+
+  Status add(TuplePtr tuple) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(KeyedTuple keyed, order_.keyed(std::move(tuple)));
+    const std::size_t bytes = keyed.bytes() + kBytesToSort;
+    if (!account_.take(bytes) || tuples_.size() == std::numeric_limits<std::uint32_t>::max()) {
+      ALGEBRA3D_RETURN_IF_ERROR(write_run());
+      // A single tuple is kept however large it is.
+      static_cast<void>(account_.take(bytes));
+    }
+    tuples_.push_back(std::move(keyed));
+    return {};
+  }
+
+  Result<TupleStreamPtr> finish() {
+    if (runs_.empty()) {
+      ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Position> positions, sorted_positions());
+      return TupleStreamPtr(
+          std::make_shared<SortedTuples>(std::move(tuples_), std::move(positions), std::move(account_)));
+    }
+    ALGEBRA3D_RETURN_IF_ERROR(write_run());
+    while (runs_.size() > merge_width()) ALGEBRA3D_RETURN_IF_ERROR(merge_once());
+    return TupleStreamPtr(std::make_shared<RunMerge>(file_, runs_, order_, context_));
+  }
+
+ private:
+  bool is_before(const Position& a, const Position& b) const {
+    if (a.prefix != b.prefix) return a.prefix < b.prefix;
+    const auto order = order_.compare_further(tuples_[a.index], tuples_[b.index]);
+    // The positions make the order total, so that equal tuples keep theirs.
+    return order != 0 ? order < 0 : a.index < b.index;
+  }
+
+  /// Block by block, and then twice as large ones, so that a statement can be ended in between.
+  Result<std::vector<Position>> sorted_positions() const {
+    constexpr std::size_t kBlock = std::size_t{1} << 17U;
+    const auto before = [this](const Position& a, const Position& b) { return is_before(a, b); };
+    std::vector<Position> positions(tuples_.size());
+    for (std::uint32_t i = 0; i < positions.size(); ++i) positions[i] = {order_.prefix(tuples_[i]), i};
+    const auto place = [&](std::size_t index) {
+      return positions.begin() + static_cast<std::ptrdiff_t>(std::min(index, positions.size()));
+    };
+    for (std::size_t begin = 0; begin < positions.size(); begin += kBlock) {
+      ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
+      std::sort(place(begin), place(begin + kBlock), before);
+    }
+    for (std::size_t width = kBlock; width < positions.size(); width *= 2)
+      for (std::size_t begin = 0; begin + width < positions.size(); begin += 2 * width) {
+        ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
+        std::inplace_merge(place(begin), place(begin + width), place(begin + 2 * width), before);
+      }
+    return positions;
+  }
+
+  Status write_run() {
+    if (tuples_.empty()) return {};
+    if (file_ == nullptr) {
+      ALGEBRA3D_ASSIGN_OR_RETURN(file_, TupleFile::make(context_));
+    }
+    const std::uint64_t begin = file_->end();
+    std::uint32_t steps = 0;
+    ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Position> positions, sorted_positions());
+    for (const Position& position : positions) {
+      if (++steps % 1024 == 0) ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
+      ALGEBRA3D_RETURN_IF_ERROR(file_->append(*tuples_[position.index].tuple()));
+    }
+    runs_.push_back({begin, file_->end()});
+    tuples_.clear();
+    account_.clear();
+    return {};
+  }
+
+  /// How many runs are merged at once: their buffers take a quarter of the memory.
+  std::size_t merge_width() const {
+    constexpr std::size_t kLeast = 4, kMost = 256;
+    const std::size_t limit = context_.memory != nullptr ? context_.memory->limit() : std::size_t{1} << 30U;
+    return std::clamp(limit / 4 / TupleFile::kBufferBytes, kLeast, kMost);
+  }
+
+  /// Makes one run of each `merge_width` of them, in a new file.
+  Status merge_once() {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto target, TupleFile::make(context_));
+    std::vector<SortedRun> merged;
+    for (std::size_t first = 0; first < runs_.size(); first += merge_width()) {
+      const std::size_t last = std::min(first + merge_width(), runs_.size());
+      RunMerge source(file_, std::span(runs_).subspan(first, last - first), order_, context_);
+      const std::uint64_t begin = target->end();
+      ALGEBRA3D_RETURN_IF_ERROR(
+          for_each_tuple(source, context_, [&](const TuplePtr& tuple) { return target->append(*tuple); }));
+      merged.push_back({begin, target->end()});
+    }
+    file_ = target;
+    runs_ = std::move(merged);
+    return {};
+  }
+
+  SortOrder order_;
+  const Context& context_;
+  algebra3d::MemoryAccount account_;
+  std::vector<KeyedTuple> tuples_;
+  std::shared_ptr<TupleFile> file_;
+  std::vector<SortedRun> runs_;
+};
+
+}  // namespace
+
+std::vector<SortKey> ascending(const std::vector<std::size_t>& attributes) {
+  std::vector<SortKey> order;
+  order.reserve(attributes.size());
+  for (const std::size_t attribute : attributes) order.push_back({attribute, false});
+  return order;
+}
+
+std::vector<std::size_t> all_attributes(const TypeExpr& tuple) {
+  std::vector<std::size_t> attributes(tuple.attributes().size());
+  std::iota(attributes.begin(), attributes.end(), std::size_t{0});
+  return attributes;
+}
+
+Result<std::vector<Value>> loaded_keys(const Tuple& tuple, const std::vector<std::size_t>& attributes) {
+  std::vector<Value> keys;
+  keys.reserve(attributes.size());
+  for (const std::size_t attribute : attributes) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(Value key, tuple.attributes[attribute].loaded());
+    keys.push_back(std::move(key));
+  }
+  return keys;
+}
+
+std::strong_ordering compare_keys(const std::vector<Value>& a, const std::vector<Value>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (const auto order = compare(a[i], b[i]); order != 0) return order;
+  return std::strong_ordering::equal;
+}
+
+Result<TupleStreamPtr> sorted(TupleStream& tuples, const std::vector<SortKey>& order, const Context& context) {
+  Sorter sorter(order, context);
+  ALGEBRA3D_RETURN_IF_ERROR(for_each_tuple(tuples, context, [&](const TuplePtr& tuple) { return sorter.add(tuple); }));
+  return sorter.finish();
+}
+
+}  // namespace queries

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <compare>
+#include <vector>
+
+#include "queries/streams/mapping.h"
+
+namespace queries {
+
+struct SortKey {
+  std::size_t attribute = 0;
+  bool is_descending = false;
+};
+
+std::vector<SortKey> ascending(const std::vector<std::size_t>& attributes);
+/// The indices of all attributes of a tuple type.
+std::vector<std::size_t> all_attributes(const TypeExpr& tuple);
+
+/// The values of these attributes, loaded.
+Result<std::vector<Value>> loaded_keys(const Tuple& tuple, const std::vector<std::size_t>& attributes);
+/// Compares lexicographically; undefined comes first. Both lists have the same length.
+std::strong_ordering compare_keys(const std::vector<Value>& a, const std::vector<Value>& b);
+
+/// Sorts the tuples; the sort is stable. Reads the stream to its end. Beyond the work memory, runs are sorted in a
+/// temporary file and merged while the result is read. Errors: those of the stream and of the file, interrupted. Cost:
+/// n log n. Source: [knuth1998], section 5.4.
+Result<TupleStreamPtr> sorted(TupleStream& tuples, const std::vector<SortKey>& order, const Context& context);
+
+}  // namespace queries

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "algebra3d/registry/registry.h"
+#include "queries/streams/mapping.h"
+#include "queries/streams/spatial_index.h"
+
+namespace queries {
+
+/// True for types of kind SPATIAL2D and SPATIAL3D; two-dimensional values lie at z = 0.
+bool is_spatial(const algebra3d::Registry& registry, const TypeExpr& type);
+/// Index of the spatial attribute that the argument names.
+Result<std::size_t> spatial_attribute(const algebra3d::Registry& registry, const MappingCheck& check,
+                                      std::size_t position, const TypeExpr& tuple);
+
+/// The bounding box of a spatial value; empty for an undefined or empty value.
+algebra3d::Box3 window_of(const Value& value);
+
+/// Ids of the entries whose box meets the window, ascending, so that the result does not depend on the tree's history.
+std::vector<std::uint64_t> ids_in_window(const SpatialIndex::Tree& tree, const algebra3d::Box3& window);
+
+}  // namespace queries

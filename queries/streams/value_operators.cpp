@@ -1,0 +1,92 @@
+#include "queries/streams/value_operators.h"
+
+#include <algorithm>
+
+#include "algebra3d/registry/aggregate.h"
+#include "algebra3d/registry/operator.h"
+#include "algebra3d/registry/rows.h"
+#include "queries/streams/mapping.h"
+
+namespace queries {
+namespace {
+
+using algebra3d::Aggregation;
+using algebra3d::Operator;
+using algebra3d::OperatorKind;
+using algebra3d::Overload;
+using algebra3d::ResolvedCall;
+using algebra3d::Row;
+using algebra3d::RowSource;
+using algebra3d::RowSourcePtr;
+
+constexpr std::uint32_t kRowsBetweenChecks = 1024;
+
+/// "int or real"
+std::string parameter_types(const Operator& op) {
+  std::vector<std::string> names;
+  for (const Overload& overload : op.overloads) names.emplace_back(overload.parameters.front().type->name());
+  return algebra3d::enumerate(names);
+}
+
+Result<Datum> aggregated(const ResolvedCall& call, const TupleStreamPtr& tuples, std::size_t attribute,
+                         Context& context) {
+  Aggregation aggregation(call);
+  ALGEBRA3D_RETURN_IF_ERROR(for_each_tuple(*tuples, context, [&](const TuplePtr& tuple) {
+    return aggregation.step(tuple->attributes[attribute], context);
+  }));
+  ALGEBRA3D_ASSIGN_OR_RETURN(Value result, aggregation.finish(context));
+  return Datum{std::move(result)};
+}
+
+// The attribute has exactly the type of a parameter.
+Result<BoundOperator> bind_aggregate(const Operator& op, std::span<const ArgumentType> arguments) {
+  const MappingCheck check(op.name, arguments);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t attribute, check.attribute(1, tuple));
+  const TypeExpr& type = tuple.attributes()[attribute].type;
+  const auto overload = std::ranges::find_if(
+      op.overloads, [&](const Overload& each) { return type.is(each.parameters.front().type->name()); });
+  if (overload == op.overloads.end()) return check.expected("an attribute of type " + parameter_types(op), type);
+  return BoundOperator{overload->result_type(), [call = ResolvedCall{&op, &*overload}, attribute](
+                                                    const std::vector<Datum>& given, Context& running) {
+                         return aggregated(call, given[0].tuples(), attribute, running);
+                       }};
+}
+
+/// The next row; nothing at the end. Interruptible.
+Result<std::optional<Row>> next_row(RowSource& rows, std::uint32_t& step, Context& context) {
+  if (++step % kRowsBetweenChecks == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+  return rows.next(context);
+}
+
+TupleStreamPtr tuples_of_rows(std::shared_ptr<RowSource> rows, Context& context) {
+  return make_stream([rows = std::move(rows), &context, step = 0U]() mutable -> Result<TuplePtr> {
+    ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<Row> row, next_row(*rows, step, context));
+    return row ? std::make_shared<const Tuple>(Tuple{*std::move(row)}) : TuplePtr();
+  });
+}
+
+ValueStreamPtr values_of_rows(std::shared_ptr<RowSource> rows, Context& context) {
+  return make_value_stream([rows = std::move(rows), &context, step = 0U]() mutable -> Result<std::optional<Value>> {
+    ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<Row> row, next_row(*rows, step, context));
+    return row ? std::optional(std::move(row->front())) : std::nullopt;
+  });
+}
+
+}  // namespace
+
+bool takes_streams(const Operator& op) {
+  return op.kind() == OperatorKind::relational || op.kind() == OperatorKind::aggregate;
+}
+
+Result<BoundOperator> bind_operator(const Operator& op, std::span<const ArgumentType> arguments, Context& context) {
+  if (op.kind() == OperatorKind::aggregate) return bind_aggregate(op, arguments);
+  return static_cast<const StreamOperator&>(*op.stream).bind(arguments, context);
+}
+
+Datum stream_of(RowSourcePtr rows, const Overload& overload, Context& context) {
+  if (overload.gives_elements) return Datum{values_of_rows(std::move(rows), context)};
+  return Datum{tuples_of_rows(std::move(rows), context)};
+}
+
+}  // namespace queries

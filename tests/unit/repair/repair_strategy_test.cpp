@@ -1,0 +1,101 @@
+#include "algebra3d/repair/detail/repair_strategy.h"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "algebra3d/repair/detail/repair_attempt.h"
+#include "unit/repair/repaired.h"
+
+namespace algebra3d::soups {
+namespace {
+
+std::vector<std::string> names_of(std::span<const RepairStrategy> strategies) {
+  std::vector<std::string> names;
+  for (const RepairStrategy& strategy : strategies) names.emplace_back(strategy.name);
+  return names;
+}
+
+KnownTriangles triangles_of_soup(const TriangleSoup& soup) {
+  auto mesh = std::make_shared<const TriangleMesh>(mesh_of(soup));
+  Rational volume = solids::exact_volume_of(*mesh);
+  return {std::move(mesh), FaceSet(), std::move(volume)};
+}
+
+/// The name of the strategy that made a solid of the soup.
+std::string strategy_for(const TriangleSoup& soup) {
+  const KnownTriangles known = triangles_of_soup(soup);
+  const auto made = repaired_solid(known, *prove_volume(*known.mesh()), {});
+  EXPECT_TRUE(made.ok() && made->mesh) << made->reason;
+  return std::string(made->strategy);
+}
+
+TEST(RepairStrategies, are_searched_in_this_order) {
+  EXPECT_EQ(names_of(search_strategies()),
+            (std::vector<std::string>{"usual", "keep negative", "no stitching", "keep open patches",
+                                      "balance all edges", "winding numbers alone", "bands"}));
+}
+
+TEST(RepairStrategies, that_are_cheaper_are_tried_in_this_order_if_it_is_worth_it) {
+  const auto groups = cheaper_strategies();
+  ASSERT_EQ(groups.size(), 2U);
+  EXPECT_EQ(groups[0].condition, TryIf::costly);
+  EXPECT_EQ(names_of(groups[0].strategies), std::vector<std::string>{"bands"});
+  EXPECT_EQ(groups[1].condition, TryIf::leaves_out);
+  EXPECT_EQ(names_of(groups[1].strategies),
+            (std::vector<std::string>{"keep open patches", "shortcuts", "balance all edges"}));
+}
+
+TEST(RepairStrategies, of_one_name_are_the_same) {
+  std::vector<RepairStrategy> all(search_strategies().begin(), search_strategies().end());
+  for (const CheaperStrategies& group : cheaper_strategies())
+    all.insert(all.end(), group.strategies.begin(), group.strategies.end());
+  const auto flags = [](const RepairStrategy& s) {
+    return std::vector<bool>{s.stitches_gaps,     s.drops_open_patches, s.closes_holes,  s.closes_bands,
+                             s.covers_interfaces, s.takes_shortcuts,    s.keeps_negative};
+  };
+  for (const RepairStrategy& a : all)
+    for (const RepairStrategy& b : all) EXPECT_EQ(a.name == b.name, flags(a) == flags(b)) << a.name << " " << b.name;
+}
+
+TEST(RepairStrategies, the_usual_one_is_taken_for_what_it_mends_completely) {
+  TriangleSoup flipped = cube_soup(0, 2);
+  flipped.triangles[4] = turned(flipped.triangles[4]);
+  EXPECT_EQ(strategy_for(flipped), "usual");
+  EXPECT_EQ(strategy_for(joined(cube_soup(0, 4), cube_soup(2, 6))), "usual");
+}
+
+// A lid that stands at a hundredth above an open box: both could be closed by themselves, but a band takes less.
+TEST(RepairStrategies, bands_are_taken_where_they_add_less) {
+  TriangleSoup soup;
+  for (const SoupTriangle& t : box_soup({0, 0, 0}, {4, 4, 4}).triangles) {
+    const bool is_top = t[0].z == 4 && t[1].z == 4 && t[2].z == 4;
+    soup.triangles.push_back(t);
+    if (is_top)
+      for (Vec3& corner : soup.triangles.back()) corner.z = 4.04;
+  }
+  EXPECT_EQ(strategy_for(soup), "bands");
+}
+
+TEST(RepairStrategies, others_are_worth_trying_if_an_attempt_leaves_out_much) {
+  const KnownTriangles clean = triangles_of_soup(joined(cube_soup(0, 4), cube_soup(2, 6)));
+  RepairAttempt attempt(clean, search_strategies()[0], {}, {});
+  ASSERT_TRUE(attempt.make(*prove_volume(*clean.mesh())).ok());
+  ASSERT_TRUE(attempt.has_solid());
+  ASSERT_TRUE(attempt.measure().ok());
+  EXPECT_EQ(attempt.cost(), 0);
+  EXPECT_FALSE(attempt.is_worth_trying(TryIf::costly));
+  EXPECT_FALSE(attempt.is_worth_trying(TryIf::leaves_out));
+  // The wall outside the cube is a hundredth of all area.
+  const KnownTriangles walled = triangles_of_soup(joined(cube_soup(0, 4), wall_at(2, 4, 0, 5, 1)));
+  RepairAttempt other(walled, search_strategies()[0], {}, {});
+  ASSERT_TRUE(other.make(*prove_volume(*walled.mesh())).ok());
+  ASSERT_TRUE(other.measure().ok());
+  EXPECT_NEAR(other.cost(), 1.0 / 97, 1e-9);
+  EXPECT_TRUE(other.is_worth_trying(TryIf::costly));
+  EXPECT_TRUE(other.is_worth_trying(TryIf::leaves_out));
+}
+
+}  // namespace
+}  // namespace algebra3d::soups
