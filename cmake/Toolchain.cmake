@@ -13,6 +13,9 @@ if(ALGEBRA3D_WERROR)
 endif()
 add_compile_options(${warnings} -fno-math-errno ${ALGEBRA3D_ARITHMETIC_FLAGS})
 
+# The archives can be linked into a plugin or an extension module too; calls within one of them stay direct and inlined.
+add_compile_options(-fPIC -fno-semantic-interposition)
+
 # g++ 12 sees overlapping copies in string concatenations (its bug 105651) and uninitialised members in variants where
 # there are none; the sanitizers and clang-tidy look for the real ones.
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)

@@ -69,7 +69,7 @@ TEST(Monitor, stops_solids_in_every_stage_but_the_last) {
   for (std::size_t n = 1; n < whole.heard().size(); n += n < 3 ? 1 : 7) {
     const Listener run(n);
     const auto result = combine_solids(operands, in_any, run.monitor());
-    // How often a stage reports depends on the threads: a run may be in its last stage, or done, before its n-th report.
+    // How often a stage reports depends on the threads: a run may reach its last stage, or end, before its n-th report.
     if (run.heard().size() < n || run.heard().back() == kLastStage) continue;
     ASSERT_FALSE(result.ok()) << run.heard().back();
     EXPECT_EQ(result.error().code, ErrorCode::interrupted);
