@@ -14,7 +14,8 @@ namespace algebra3d {
 /// An arrangement of any number of solids: all faces, divided at one another, each with the winding number vectors of
 /// the cells on both sides of it. `make` runs stages 0 to 8 of docs/set-operations.md and keeps what they give; `solid`
 /// and `faces` run stage 9 for one rule (winding_vector.h), so several rules can use one arrangement. Immutable. Refers
-/// to the meshes of the operands, which must outlive it.
+/// to the meshes of the operands, and to the hierarchies given with them, which must outlive it; the list of operands
+/// is copied.
 class SolidArrangement {
  public:
   /// Makes the arrangement. Exactness: exact, for all valid operands. Errors: interrupted; limit_exceeded beyond

@@ -14,8 +14,8 @@ namespace algebra3d {
 using CoplanarFacetId = StrongId<struct CoplanarFacetTag>;
 
 /// The coplanar facets of one mesh: maximal sets of faces that lie in one plane and are connected across manifold
-/// edges. The same as detail/facets.h makes of the operands of an arrangement, for other layers that need the facets of
-/// one mesh alone. Immutable.
+/// edges. The same as detail/facets.h makes of the operands of an arrangement, for the rounding of one mesh
+/// (rounding/detail/facet_outlines.h, coplanar_snapping.h). Immutable.
 class CoplanarFacets {
  public:
   /// The mesh must outlive this. Exact. Cost: linear.

@@ -8,16 +8,18 @@
 
 namespace algebra3d {
 
-/// A mesh that takes part in an arrangement: a solid, a surface, or a part of a closed surface.
+/// A mesh that takes part in an arrangement: a solid, a surface, or a part of triangles that are closed only together
+/// (Closure).
 struct Operand {
-  const TriangleMesh* mesh = nullptr;  ///< valid as Closure says, or a valid surface
+  const TriangleMesh* mesh = nullptr;  ///< a valid volume or surface, as Closure says
   /// Index into WindingVector, 0 or 1. Operands that the rule need not tell apart are one group. Surfaces ignore it.
   std::uint32_t group = 0;
   /// Boxes of all faces of the mesh; null: made where needed.
   const BoxHierarchy* hierarchy = nullptr;
 };
 
-/// Whether each operand is closed alone or only together with others.
+/// Whether each operand of a SolidArrangement is closed alone or only together with others. Arrangements of surfaces
+/// (surface_arrangement.h) ignore it.
 enum class Closure : std::uint8_t {
   /// Every operand is a valid volume (validity.h).
   each,
@@ -31,8 +33,8 @@ struct ArrangementOptions {
   Closure closure = Closure::each;
   /// Maximum number of candidate face pairs (faces of different operands whose boxes meet); beyond it: limit_exceeded.
   std::size_t max_pairs = SIZE_MAX;
-  /// Maximum number of cuts of segments (detail/segment_complex.h), of which n triangles may make some n^3; beyond it:
-  /// limit_exceeded.
+  /// Maximum number of cuts of segments (detail/segment_complex.h), repetitions included. n triangles may make some
+  /// n^3. Beyond it: limit_exceeded.
   std::size_t max_cuts = SIZE_MAX;
 };
 

@@ -6,10 +6,10 @@
 
 namespace algebra3d::arrangement {
 
-/// The ninth stage: the mesh of what is selected. Selected sub-facets of one plane are joined to regions
-/// (region_edges.h), pseudo-nodes left out (pseudo_nodes.h), and each region is triangulated anew (regions.h); selected
-/// patches are taken over as they are (result_mesh.h). Exact. Errors: internal as triangulate_regions.
-/// Cost: n log n in the sub-edges; linear in the faces taken over.
+/// Stage 9: the mesh of what is selected. Selected sub-facets of one plane are joined to regions (region_edges.h),
+/// pseudo-nodes left out (pseudo_nodes.h), and each region is triangulated anew (regions.h); selected patches are taken
+/// over as they are (result_mesh.h). Exact. Errors: internal as triangulate_regions. Cost: n log n in the sub-edges;
+/// linear in the faces taken over.
 Result<TriangleMesh> build_result_mesh(const Subdivision& subdivision, const Selection& selection);
 
 }  // namespace algebra3d::arrangement

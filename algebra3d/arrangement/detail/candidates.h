@@ -18,15 +18,15 @@ struct FacePair {
   friend auto operator<=>(const FacePair&, const FacePair&) = default;
 };
 
-/// Output of the first stage: the pairs of faces that may touch.
+/// Output of stage 1: the pairs of faces that may touch.
 struct Candidates {
   /// All pairs whose boxes meet, and perhaps some whose boxes nearly do, each once.
   std::vector<FacePair> pairs;
 };
 
-/// Finds the pairs of faces of different operands whose boxes meet. Their order depends on the operands alone.
-/// Errors: interrupted; limit_exceeded if there are more than max_pairs.
-/// Cost: near-linear in the faces of operands whose boxes meet, and in the pairs.
+/// Stage 1: finds the pairs of faces of different operands whose boxes meet. Their order depends on the operands alone.
+/// Errors: interrupted; limit_exceeded if there are more than max_pairs. Cost: near-linear in the faces of operands
+/// whose boxes meet, and in the pairs.
 Result<Candidates> find_candidates(const Operands& operands, const Monitor& monitor, std::size_t max_pairs = SIZE_MAX);
 
 /// Every violated invariant, one sentence each: both faces of a pair exist, that of the earlier operand comes first,

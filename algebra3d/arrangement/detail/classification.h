@@ -11,7 +11,7 @@
 
 namespace algebra3d::arrangement {
 
-/// Output of the eighth stage: the windings in front of everything that may bound a result.
+/// Output of stage 8: the windings in front of everything that may bound a result.
 struct Classification {
   /// The windings in front of the plane, at the sub-facet on each side of each sub-edge. Meaningless where the winding
   /// jump is zero: nothing bounds a result there.
@@ -20,10 +20,10 @@ struct Classification {
   IdVector<PatchId, WindingVector> at_patches;
 };
 
-/// The eighth stage, in three steps (docs/set-operations.md): *linking* unites front windings whose differences are
-/// known (linking.h), so that each connected component is known up to a constant; *seeding* finds this constant at one
-/// place of each (seeding.h); *propagating* adds it to all others (propagating.h). Exact. Errors: interrupted; internal
-/// as link_windings.
+/// The rest of stage 8, after the winding jumps, in three steps (docs/set-operations.md): *linking* unites front
+/// windings whose differences are known (linking.h), so that each connected component is known up to a constant;
+/// *seeding* finds this constant at one place of each (seeding.h); *propagating* adds it to all others (propagating.h).
+/// Exact. Errors: interrupted; internal as link_windings.
 Result<Classification> classify(const Subdivision& subdivision, const WindingJumps& jumps, Closure closure,
                                 const Monitor& monitor);
 

@@ -36,8 +36,8 @@ class Crossings {
   /// The node where two edges of operands cross that lie in one plane with this projection. Exact.
   NodeId of_edges(InputEdgeId edge, InputEdgeId other, Projection projection);
 
-  /// Computes points in which edges meet planes, with two threads if they are many. They become nodes once they are
-  /// asked for.
+  /// Computes points in which edges meet planes, in parallel if they are many. They become nodes once they are asked
+  /// for.
   void compute(std::span<const EdgeAndPlane> wanted);
 
  private:

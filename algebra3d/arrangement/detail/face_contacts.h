@@ -45,7 +45,7 @@ struct FeaturePair {
 
 /// An end of a common part as one of the two faces sees it.
 struct EndInFace {
-  InputHalfedgeId halfedge;  ///< leaves the corner or lies on the edge; for an end inside the face any one of the face
+  InputHalfedgeId halfedge;  ///< from the corner or along the edge where the end is; if it is inside the face any one
   bool runs_along;           ///< as in ContactPoint
 };
 
@@ -66,9 +66,9 @@ struct FaceContact {
   bool is_point() const { return ends[0].features == ends[1].features; }
 };
 
-/// The contact of two faces by features. Nothing for a contact that adds nothing to divide at: that of two corners,
-/// both on boundaries of their facets; and that of coplanar faces, since the boundaries of their facets are segments of
-/// one plane, which stage 5 (overlay.h) divides at one another.
+/// The contact of two faces by features; nothing if nothing is divided there. That is so of two corners, both on the
+/// boundaries of their facets, that touch in a point: both are ends of segments already. It is also so of coplanar
+/// faces: the boundaries of their facets are segments of one plane, which stage 5 (overlay.h) divides at one another.
 std::optional<FaceContact> face_contact(const PairContact& pair, const Operands& operands, const Facets& facets,
                                         FacetBoundaries& boundaries);
 

@@ -23,10 +23,11 @@ class FacesAbove {
 
   FacesAbove(const Operands& operands, FaceTree& faces) : operands_(operands), faces_(faces) {}
 
-  /// Calls visit for each face above the point, until it returns false.
-  /// The point may lie on faces, which are not above it. False if two faces are hit at the same height, so that they
-  /// have no order; visit was called for those below. Exact. Cost: that of a column of boxes up to the last face
-  /// visited; the first call makes the tree of all faces.
+  /// Calls visit for each face above the point, until it returns false. The point may lie on faces, which are not above
+  /// it. False if two faces are hit at the same height, as where they cross or coincide straight above the point: the
+  /// direction keeps the ray off their edges, but does not put them in order. Then visit was called for those below
+  /// only. Exact. Cost: that of a column of boxes up to the last face visited; the first call makes the tree of all
+  /// faces.
   bool for_each(const PointRef& point, const Visit& visit);
 
  private:

@@ -32,8 +32,8 @@ struct Plane {
   IntegerPlane coefficients;  ///< null unless they were known for one of its faces
 };
 
-/// Output of the third stage: the coplanar facets that take part in an arrangement, which are those with a face that
-/// touches another operand, and their planes.
+/// Output of stage 3: the coplanar facets that take part in an arrangement, which are those with a face that touches
+/// another operand, and their planes.
 struct Facets {
   IdVector<InputFaceId, FacetId> of_face;  ///< none for a face whose whole facet touches no other operand
   std::vector<InputFaceId> faces;          ///< facet by facet
@@ -52,10 +52,11 @@ struct Facets {
   }
 };
 
-/// The third stage: makes the facets of all faces that touch. Exact. Cost: linear in the faces of these facets and in
-/// the contacts.
+/// Stage 3: makes the facets of all faces that touch. Exact. Cost: linear in the faces of these facets and in the
+/// contacts.
 Facets make_facets(const Operands& operands, const PairContacts& contacts);
-/// The same with all faces in facets, whatever they touch.
+/// The same with all faces in facets, whatever they touch. For CoplanarFacets (coplanar_facets.h), which is no
+/// arrangement.
 Facets make_facets_of_all_faces(const Operands& operands);
 
 /// Every violated invariant, one sentence each: the faces of a facet are listed once, are of its operand, lie in its

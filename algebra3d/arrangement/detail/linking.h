@@ -10,13 +10,13 @@
 
 namespace algebra3d::arrangement {
 
-/// A place at which seeding can find the windings of a set: a space edge at which facets meet, and one half-plane
-/// there. The set is the one that holds the front winding of the half-plane.
+/// A place at which seeding can find the windings of one of the LinkedWindings::sets: a space edge at which facets
+/// meet, and one half-plane there. The set is the one with the front winding of the half-plane.
 struct SeedPlace {
   IdRange<SubEdgeId> sub_edges;  ///< all along the space edge
   SubEdgeSide half_plane;        ///< one with a jump
-  /// Operands with a face there. Of the seeds of a set, the first one with most is used: where each operand is closed
-  /// alone, only the others need rays.
+  /// The number of operands with a face there. Of the seeds of a set, the first one with the most operands is used:
+  /// where each operand is closed alone, only the others need rays.
   std::size_t operand_count;
 };
 
@@ -24,7 +24,7 @@ struct SeedPlace {
 struct LinkedWindings {
   FrontWindingIds ids;
   WindingSets sets;
-  std::vector<SeedPlace> seeds;  ///< one for each space edge with a jump, but none on uncut edges
+  std::vector<SeedPlace> seeds;  ///< one for each space edge with a jump that is not on an uncut edge
 };
 
 /// Step 1 of stage 8: unites front windings whose difference is known. Round each node, neighbouring sub-edges of a

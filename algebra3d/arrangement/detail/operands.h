@@ -15,8 +15,8 @@
 
 namespace algebra3d::arrangement {
 
-/// Input of all stages: the operands as if they were one mesh, with faces, half-edges and vertices counted
-/// consecutively. Refers to the meshes, which must outlive it.
+/// Output of stage 0 and input of all others: the operands as if they were one mesh, with faces, half-edges and
+/// vertices counted consecutively. Refers to the meshes, which must outlive it.
 class Operands {
  public:
   /// The faces together are at most TriangleMesh::kMaxFaces. Cost: linear in the operands, and in the faces of those

@@ -17,16 +17,16 @@ struct PairContact {
   TriangleContact contact;
 };
 
-/// Output of the second stage: the pairs of faces that touch.
+/// Output of stage 2: the pairs of faces that touch.
 struct PairContacts {
   std::vector<PairContact> contacts;
   /// Planes of faces with corners that are no doubles, and of faces that were compared with such.
   PlanesOfFaces planes;
 };
 
-/// The second stage: computes the common part of the faces of each pair; keeps the pairs that touch, in their order.
-/// Coplanar faces touch if they have a point in common.
-/// Errors: interrupted. Cost: linear in the pairs, of which each takes some ten predicates.
+/// Stage 2: computes the common part of the faces of each pair; keeps the pairs that touch, in their order. Coplanar
+/// faces touch if they have a point in common. Errors: interrupted. Cost: linear in the pairs, of which each takes some
+/// ten predicates.
 Result<PairContacts> find_pair_contacts(const Operands& operands, const Candidates& candidates, const Monitor& monitor);
 
 /// Every violated invariant, one sentence each: both faces exist and are of different operands; they meet in a point,

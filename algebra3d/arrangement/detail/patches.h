@@ -14,7 +14,7 @@ struct Patch {
   InputFaceId first_face;  ///< the lowest
 };
 
-/// Output of the seventh stage: all patches, that is all faces that the arrangement leaves as they are.
+/// Output of stage 7: all patches, that is all faces that the arrangement leaves as they are.
 struct Patches {
   IdVector<InputFaceId, PatchId> of_face;  ///< none for faces in facets
   IdVector<PatchId, Patch> patches;        ///< ascending by first faces
@@ -23,7 +23,7 @@ struct Patches {
   const Patch& operator[](PatchId patch) const { return patches[patch]; }
 };
 
-/// The seventh stage, which needs the facets only, and may run beside stages 5 and 6. Cost: linear in all faces.
+/// Stage 7: finds the patches. It needs the facets only, and may run beside stages 5 and 6. Cost: linear in all faces.
 Patches find_patches(const Operands& operands, const Facets& facets);
 
 /// Every violated invariant, one sentence each: a face is in a facet or in a patch; a patch is of one operand, begins

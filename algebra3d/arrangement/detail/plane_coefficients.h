@@ -17,9 +17,10 @@ class PlaneCoefficients {
   /// The coefficients of a plane. `facets` must be those given to the constructor. Cost: a few products of integers at
   /// the first call for a plane.
   const IntegerPlane& get(const Facets& facets, PlaneId plane);
-  /// The same for many planes at once, with two threads if they are very many.
+  /// Computes the coefficients of many planes at once, in parallel if they are very many; `get` then finds them.
   void compute(const Facets& facets, std::vector<PlaneId> planes);
-  /// The same without caching.
+  /// The same as `get`, but what is not known yet is computed and not remembered. For stage 9, where the complex is
+  /// constant.
   IntegerPlane find_or_compute(const Facets& facets, PlaneId plane) const;
 
  private:

@@ -11,7 +11,7 @@ namespace algebra3d::arrangement {
 struct PlaneElement {
   PlaneId plane;
   SegmentId segment;  ///< none for a node
-  NodeId from, to;    ///< the ends of the segment; both the node if it is one
+  NodeId from, to;    ///< the ends of the segment; for a node both are the node
   FacetId facet;      ///< the facet of the plane that holds it; none if there are several
   bool is_boundary;   ///< the segment bounds a facet of this plane
 

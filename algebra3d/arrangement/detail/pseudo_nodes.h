@@ -22,11 +22,11 @@ struct PseudoNode {
   friend auto operator<=>(const PseudoNode&, const PseudoNode&) = default;
 };
 
-/// All pseudo-nodes of all regions, ascending.
-/// A node on a straight line is one if the same regions lie along the line before and behind it, each as half a disc.
-/// On an uncut edge all nodes between its ends are pseudo-nodes, since the patch has the edge whole. At a corner of a
-/// face that is taken over (`patch_corners`) an uncut edge is not led on into another edge; edges between regions may
-/// be led past it. Exact. Cost: near-linear in the edges.
+/// All pseudo-nodes of all regions, ascending. A node on a straight line is a pseudo-node if the same regions lie along
+/// the line before and behind it, and each is half a disc round the node (docs/set-operations.md, "Minimal results").
+/// On an uncut edge all nodes between its ends are pseudo-nodes, since the patch has the edge whole. Its ends are not,
+/// if a face that is taken over has a corner there (`patch_corners`): the patch ends its edge there, too. Other edges
+/// may be led straight past such a corner. Exact. Cost: near-linear in the edges.
 std::vector<PseudoNode> find_pseudo_nodes(const Subdivision& subdivision, const std::vector<RegionEdge>& edges,
                                           const std::vector<UncutEdge>& uncut_edges,
                                           const std::vector<SpaceEdge>& uncut_space_edges,

@@ -8,11 +8,11 @@
 
 namespace algebra3d::arrangement {
 
-/// The half-planes at a space edge on which facets lie. A half-plane is the part of the plane of a sub-edge to its left
-/// or right, so a SubEdgeSide stands for it. All functions here are about the half-planes at one space edge: at
-/// sub-edges with the same ends u and v. `edge`: all these sub-edges.
+/// The half-planes at a space edge that facets cover. A half-plane is the part of a plane to the left or right of a
+/// sub-edge, so a SubEdgeSide stands for it. All functions here are about one space edge: about the half-planes at
+/// sub-edges with the same ends u and v. `edge`: all these sub-edges (SubEdges::along). Replaces `result`.
 void covered_half_planes(const SubEdges& sub_edges, IdRange<SubEdgeId> edge, std::vector<SubEdgeSide>& result);
-/// Those of them behind which windings differ from those in front.
+/// Those of them with a winding jump: windings behind them differ from those in front. Replaces `result`.
 void half_planes_with_jumps(const WindingJumps& jumps, IdRange<SubEdgeId> edge, std::vector<SubEdgeSide>& result);
 
 /// Sorts half-planes counter-clockwise, as seen by someone towards whom the edge runs from u to v (right-handed),
@@ -21,8 +21,8 @@ void half_planes_with_jumps(const WindingJumps& jumps, IdRange<SubEdgeId> edge, 
 /// Exact; decided by corners of input triangles and the two nodes. Cost: n log n.
 void sort_around_space_edge(const Subdivision& subdivision, std::span<SubEdgeSide> half_planes);
 
-/// Sign of the sine of the angle from a to b, counter-clockwise as above: 1 if b is met within half a turn, 0 if b is
-/// opposite to a or the same. Exact.
+/// Sign of the sine of the angle from a to b, counter-clockwise as above: 1 if b is met within half a turn, -1 if after
+/// more, 0 if b is opposite to a or the same. Exact.
 int turn_around_line(const Subdivision& subdivision, SubEdgeSide a, SubEdgeSide b);
 
 /// By how much the windings of the cell that follows the half-plane counter-clockwise exceed its front winding.

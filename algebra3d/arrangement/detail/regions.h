@@ -15,9 +15,9 @@ struct Region {
   std::vector<IndexTriangle> triangles;  ///< indices of nodes; counter-clockwise from the front of the plane
 };
 
-/// Triangulates the regions that the edges bound, with two threads if they are many. The edges are ascending.
-/// Errors: internal, naming a facet of the plane, if its edges bound no region, which the selection of a correct
-/// classification rules out. Exact. Cost: n log n.
+/// Triangulates the regions that the edges bound, in parallel if they are many. The edges are ascending. Errors:
+/// internal, naming a facet of the plane, if its edges bound no region, which the selection of a correct classification
+/// rules out. Exact. Cost: n log n.
 Result<std::vector<Region>> triangulate_regions(const Subdivision& subdivision, const std::vector<RegionEdge>& edges);
 
 /// Every violated invariant, one sentence each: there is one region for each key among the edges, in their order; its

@@ -15,7 +15,7 @@ struct TakenRun {
   FaceId first;      ///< of the operand's mesh
   FaceId new_first;  ///< of the result
   std::size_t count;
-  bool is_flipped;  ///< they are flipped
+  bool is_flipped;  ///< the result has them flipped
 };
 
 /// Collects the planes that a result keeps: those that faces of operands bring along, and those of regions with corners

@@ -6,9 +6,9 @@
 namespace algebra3d::arrangement {
 
 /// Front windings at single places, for operands that are closed only together: no face says on which side of its
-/// operand the inside is, so all windings come from the cell above a point (faces_above.h). `sets` brings the result
-/// from the half-plane beside that cell to the one that is asked for. Exact. Cost of each: an upward ray through all
-/// operands.
+/// operand the inside is, so all windings come from the cell above a point (faces_above.h). The cell above an edge lies
+/// beside one half-plane there; from this to the half-plane that is asked for the difference is known from `sets`, in
+/// which linking has united both. Exact. Cost of each: an upward ray through all operands.
 class SeedFromAbove {
  public:
   SeedFromAbove(const Subdivision& subdivision, const WindingJumps& jumps, PointLocation& location, WindingSets& sets)

@@ -15,13 +15,13 @@ namespace algebra3d::arrangement {
 struct Segment {
   NodeId from, to;
   InputEdgeId edge;  ///< an edge of an operand from one end to the other; none if there is none
-  /// Two facets in different planes that have the segment in common, whether they cross there or one ends there; none
-  /// if the segment is only an edge.
+  /// The first two facets found that have the segment in common and lie in different planes, whether they cross there
+  /// or one ends there; none if the segment is only an edge. SegmentComplex::incidences has all facets.
   FacetId first_facet, second_facet;
 };
 
-/// The sides of an edge in a plane on which a facet lies that holds it, seen from the front of the plane by someone who
-/// walks along the edge. `both`: the edge is inside the facet, or bounds it from both sides.
+/// On which sides of a segment or sub-edge a facet of the same plane lies, for someone who walks along it and looks at
+/// the front of the plane. `both`: the segment is inside the facet, or bounds it from both sides.
 enum class FacetSides : std::uint8_t { both, left, right };
 
 /// True if the facet lies on that side.
@@ -67,9 +67,9 @@ struct NodeOfVertex {
   NodeId node;
 };
 
-/// Output of the fourth stage (find_facet_contacts), and of the fifth (overlay), which adds cuts and nodes: all
-/// segments of an arrangement before they are divided (docs/set-operations.md). A segment is one object for all planes
-/// in which it lies, so a cut that one plane finds is there in all.
+/// The segment complex (docs/set-operations.md, "Words"): all segments of an arrangement, before they are divided.
+/// Output of stage 4 (find_facet_contacts) and of stage 5 (overlay), which adds cuts and nodes. A segment is one object
+/// for all planes in which it lies, so a cut that one plane finds is there in all.
 struct SegmentComplex {
   NodePool nodes;  ///< the ends of segments, and all points at which segments are cut or facets touch
   IdVector<SegmentId, Segment> segments;
@@ -89,7 +89,8 @@ struct SegmentComplex {
   }
 };
 
-/// A segment that is a common part lies in the planes of its two facets: the one of these planes that is not `plane`.
+/// The other plane of a common part: of the planes of its two facets the one that is not `plane`. The segment must be a
+/// common part, and lie in `plane`. Used by stage 5.
 PlaneId other_plane(const Facets& facets, const Segment& segment, PlaneId plane);
 
 /// Every violated invariant, one sentence each: a segment is an edge or a common part, has the ends of its edge, and is

@@ -39,7 +39,7 @@ struct SubEdge {
   Slice incident;  ///< of SubEdges::incident
 };
 
-/// Output of the sixth stage: the subdivision of all planes.
+/// Output of stage 6: the subdivision of all planes.
 struct SubEdges {
   /// Ascending by ends, then by plane: so those along one space edge are neighbours.
   IdVector<SubEdgeId, SubEdge> sub_edges;
@@ -79,7 +79,7 @@ struct SubEdges {
   }
 };
 
-/// The sixth stage: divides at their cuts the segments of a complex that overlay has completed. Equal pieces of several
+/// Stage 6: divides at their cuts the segments of a complex that overlay has completed. Equal pieces of several
 /// segments become one sub-edge in each plane, with the incident facets of all. If a facet has both an incidence with
 /// FacetSides::both and, from its boundary, one with a side, the latter counts. Cost: n log n.
 SubEdges divide(const Facets& facets, const SegmentComplex& complex);

@@ -25,9 +25,9 @@ struct Subdivision {
 /// Closure::together. Along a boundary the facets that hold a sub-edge have to be searched for (incident_facets.h).
 enum class Boundaries : std::uint8_t { none, possible };
 
-/// Runs stages 0 to 7. The list of operands and their meshes must outlive the result. Exact.
-/// Errors: interrupted; limit_exceeded beyond a limit of the options; internal as find_facet_contacts.
-/// Cost: near-linear in the faces of operands whose boxes meet, linear in those of the others.
+/// Runs stages 0 to 7. The list of operands, their meshes and the hierarchies given with them must outlive the result.
+/// Exact. Errors: interrupted; limit_exceeded beyond a limit of the options; internal as find_facet_contacts. Cost:
+/// near-linear in the faces of operands whose boxes meet, linear in those of the others.
 Result<Subdivision> subdivide(std::span<const Operand> list, Boundaries boundaries, const ArrangementOptions& options,
                               const Monitor& monitor);
 

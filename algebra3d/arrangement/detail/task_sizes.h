@@ -4,7 +4,7 @@
 
 namespace algebra3d::arrangement {
 
-/// Number of faces from which on a second thread saves more than it costs.
+/// Number of faces from which on another thread saves more than it costs (base/scheduler.h).
 inline constexpr std::size_t kWorthAThread = 20000;
 /// Points or planes that are computed exactly by one task.
 inline constexpr std::size_t kPointsPerTask = 32;

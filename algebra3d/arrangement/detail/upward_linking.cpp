@@ -9,7 +9,7 @@
 namespace algebra3d::arrangement {
 namespace {
 
-/// Fewer operands than this round a patch are looked at one by one.
+/// If no more operands than this may surround a patch, they are looked at one by one.
 constexpr std::size_t kMany = 8;
 
 class UpwardLinker {

@@ -14,11 +14,12 @@ namespace algebra3d::arrangement {
 /// directions cancels out.
 using WindingJumps = IdVector<SubEdgeSide, WindingVector>;
 
-/// The winding jumps of all sides, from the incident facets. Cost: linear.
+/// The beginning of stage 8: the winding jumps of all sides, from the incident facets. Cost: linear.
 WindingJumps winding_jumps(const Operands& operands, const Facets& facets, const SubEdges& sub_edges);
 
-/// Every violated invariant, one sentence each: each side has a jump; it is what as many facets of the group as lie
-/// there can add up to; round a space edge that is not on an uncut edge, the jumps add up to nothing. Cost: n log n.
+/// Every violated invariant, one sentence each: each side has a jump; no jump is larger than the number of facets of
+/// its group there, and both are even or both odd; round a space edge that is not on an uncut edge, the jumps add up to
+/// nothing. Cost: n log n.
 std::vector<std::string> audit(const Subdivision& subdivision, const WindingJumps& jumps);
 
 }  // namespace algebra3d::arrangement

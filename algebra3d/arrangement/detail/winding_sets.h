@@ -13,8 +13,8 @@ namespace algebra3d::arrangement {
 /// Cost: logarithmic per call. Source: [tarjan1975] for the sets.
 class WindingSets {
  public:
-  /// The set of a member, by its representative, which is one of its members, and by how much the member exceeds that
-  /// one.
+  /// Where a member is: its set, named by one of the set's members, the representative; and the front winding of the
+  /// member minus that of the representative.
   struct Position {
     FrontWindingId set;
     WindingVector difference;
@@ -33,7 +33,7 @@ class WindingSets {
       position.difference = position.difference + difference_[position.set];
       position.set = parent_[position.set];
     }
-    // Everything on the way hangs on the set itself from now on.
+    // Path compression: everything on the way hangs on the representative from now on.
     WindingVector rest = position.difference;
     while (parent_[member] != position.set && member != position.set) {
       const WindingVector own = std::exchange(difference_[member], rest);

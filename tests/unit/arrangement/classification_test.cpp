@@ -1,4 +1,4 @@
-// Winding jumps, and the eighth stage: front windings. What is expected of sub-facets is worked out anew from the boxes
+// Winding jumps, and stage 8: front windings. What is expected of sub-facets is worked out anew from the boxes
 // alone: a place is in a box or it is not.
 #include "algebra3d/arrangement/detail/classification.h"
 
