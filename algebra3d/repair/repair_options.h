@@ -10,22 +10,24 @@ namespace algebra3d {
 
 /// The options of a repair (docs/import.md, "Options"). Lengths are in coordinate units.
 struct RepairOptions {
-  /// Gaps up to this width are stitched: boundary vertices and edges within this distance are joined, but no vertex
-  /// moves by more than a third of a boundary edge at it, so that no edge vanishes. By default 1e-4 of the diagonal of
-  /// the box around the file.
+  /// Gaps up to this width are stitched: boundary vertices and edges within this distance are joined. No vertex moves
+  /// farther, and no two that are farther apart than a third of a boundary edge at one of them are joined directly
+  /// (detail/vertex_merging.h). By default 1e-4 of the diagonal of the box around the file.
   std::optional<double> gap_tolerance;
   /// Holes whose box has a longer diagonal than this stay open. By default all are closed.
   std::optional<double> largest_hole;
   /// False: cavities are filled.
   bool keeps_cavities = true;
-  /// Bodies and cavities with less volume are removed.
+  /// Bodies and cavities with less volume, in cubic coordinate units, are removed.
   double smallest_shell = 0;
   /// The largest fraction of the area seen that may be left out, from 0 to 1; beyond it there is no solid.
   double most_dropped = 0.9;
   /// No repair: triangles that do not bound a valid solid after welding are refused.
   bool is_strict = false;
   /// Limit of the work, in millions of units: a pair of triangles whose boxes meet, or a solid angle, is one unit; a
-  /// cut where triangles cross is a thousand. Beyond it the repair fails.
+  /// cut where triangles cross is a thousand. Pairs, solid angles and cuts are not added up: each kind has the whole
+  /// limit, in each attempt (detail/work_limits.h). An attempt beyond it gives no solid; if it is the first, the repair
+  /// ends.
   double work_limit = 500;
   /// Later proofs skip pairs of triangles that the first proof found disjoint (known_triangles.h); false: every proof
   /// tests all pairs. The result is the same. For tests; not part of the notation.

@@ -19,7 +19,7 @@ enum class RepairStep : std::uint8_t {
   repeated_corners,        ///< triangles that repeat a corner, dropped
   collinear_corners,       ///< triangles with collinear corners, dropped
   duplicate_triangles,     ///< triangles with the corners of an earlier one, dropped
-  opposite_triangles,      ///< last copies of duplicates, dropped since the two orientations cancel out
+  opposite_triangles,      ///< the last triangles of sets of duplicates that cancel out, dropped like the others
   t_junctions,             ///< boundary edges split at vertices that lie on them
   gaps,                    ///< vertices moved to others across a gap
   flipped_triangles,       ///< triangles flipped to agree with their neighbours
@@ -27,7 +27,7 @@ enum class RepairStep : std::uint8_t {
   dangling_sheets,         ///< triangles of sheets that hang on a surface and enclose nothing, dropped
   holes,                   ///< holes closed
   open_holes,              ///< holes left open, because the options say so
-  open_patches,            ///< open patches, dropped
+  open_patches,            ///< open patches, dropped (or divided: RepairReport::has_kept_open_patches)
   flipped_shells,          ///< shells turned right side out
   intersections,           ///< triangles that crossed or overlapped others, divided
   united_bodies,           ///< bodies united with others
@@ -59,13 +59,13 @@ struct RepairEntry {
   RepairStep step;
   std::uint64_t count = 0;
   Vec3 where;  ///< the place of the first one
-  double largest =
-      0;  ///< the largest distance of a moved point from its old place, or of an added one from the surface
+  /// The largest distance of a moved point from its old place, or of an added one from the surface; as coordinates.
+  double largest = 0;
 };
 
-/// The triangles by which one hole was closed.
+/// The triangles by which one hole was closed: its cover.
 struct HoleCover {
-  Vec3 where;
+  Vec3 where;           ///< a corner of the boundary of the hole
   double farthest = 0;  ///< upper bound of the distance from the boundary of the hole
   std::vector<std::array<Vec3, 3>> triangles;
 };
@@ -100,7 +100,7 @@ struct RepairAmounts {
 struct RepairReport {
   std::vector<RepairEntry> entries;
   double size = 0;                       ///< diagonal of the box around the triangles; 0 if not known
-  std::optional<Amount> volume_before;   ///< of the triangles as given; nothing if they are not closed
+  std::optional<Amount> volume_before;   ///< of the triangles as given; nothing if an edge is not balanced
   std::optional<Amount> volume_after;    ///< of the solid; none if there is none
   std::optional<RepairAmounts> amounts;  ///< nothing if there is no solid
   bool has_kept_open_patches = false;    ///< the open patches in `entries` were not dropped, but divided with the rest
@@ -110,7 +110,8 @@ struct RepairReport {
   void add(RepairStep step, const Vec3& where, double distance = 0, std::uint64_t count = 1);
   /// Adds a closed hole.
   void add(HoleCover cover);
-  /// Removes the holes of whose covers nothing is in the solid. `are_there`: one flag per cover.
+  /// Removes from the report those closed holes whose covers have no part in the boundary of the solid. `are_there`:
+  /// one flag per cover; false for those to remove.
   void drop_missing_covers(const std::vector<bool>& are_there);
   /// The triangles of all covers, their corners ascending, in ascending order.
   std::vector<std::array<Vec3, 3>> cover_triangles() const;

@@ -30,10 +30,11 @@ struct SolidFromSoup {
 
 /// Makes a solid of the triangles of a mesh file (docs/import.md), in this fixed order: equal corners are welded,
 /// without a tolerance; a soup of negative volume is flipped; triangles are brought into spatial order, and vertices
-/// numbered by first use; the result is proved. If the proof fails, the soup is repaired (repaired_solid.h), unless the
-/// options are strict. A soup without triangles yields the empty solid. Exactness: all decisions but those of the
-/// repair are exact. Errors: interrupted; limit_exceeded beyond TriangleMesh::kMaxFaces triangles. Cost: that of
-/// prove_volume, and of the repair. Deterministic, including the order of the triangles. Concurrent calls are safe.
+/// numbered by first use; the result is proved. If the proof fails, the soup is repaired (repaired_solid.h), with the
+/// orientation that it had in the file, unless the options are strict. A soup without triangles yields the empty solid.
+/// Exactness: all decisions but those of the repair are exact. Errors: interrupted; limit_exceeded beyond
+/// TriangleMesh::kMaxFaces triangles. Cost: that of prove_volume, and of the repair. Deterministic, including the order
+/// of the triangles. Concurrent calls are safe.
 Result<SolidFromSoup> solid_from_soup(const TriangleSoup& soup, const RepairOptions& options = {},
                                       const Monitor& monitor = {});
 

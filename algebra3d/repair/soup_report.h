@@ -23,7 +23,7 @@ struct SoupReport {
   /// The soup was a solid turned inside out, and every triangle was flipped.
   bool was_flipped = false;
 
-  /// Counts the normals. Cost: linear.
+  /// Counts the given normals that contradict the order of corners. Cost: linear.
   void count_contradicting_normals(const TriangleSoup& soup);
 
   /// For people, one line, triangles numbered from 1: "no valid solid: 12 boundary edges (triangle 17, near (0 0.5 1)),

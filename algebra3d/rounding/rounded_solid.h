@@ -17,7 +17,7 @@ struct RoundedSolid {
   std::optional<TriangleMesh> mesh;
   const char* reason = "";          ///< why there is none
   std::size_t moved_vertices = 0;   ///< of the given ones
-  double largest_movement = 0;      ///< no point of the new boundary is farther from the given one
+  double largest_movement = 0;      ///< in coordinate units: no point of the new boundary is farther from the given one
   std::size_t attempts_failed = 0;  ///< how many roundings were tried whose triangles crossed
   /// The numbers of shells, given and rounded: fewer if some vanished, or have come to touch in an edge. Both 0 if
   /// nothing moved.

@@ -10,9 +10,10 @@
 namespace algebra3d {
 
 /// Says of each bounded cell that has a face in common with another cell whether it belongs to the solid: it does if
-/// the generalized winding number just within its largest faces exceeds 1/2 on average, weighted by area. Rounded.
-/// Errors: interrupted; limit_exceeded beyond `max_angles` solid angles. Cost: 16 winding numbers per cell. Source:
-/// [jacobson2013], with cells for tetrahedra.
+/// the mean of the generalized winding numbers at points of the cell beside the middles of its 16 largest faces,
+/// weighted by area, exceeds 1/2. `surface`: the divided triangles, which bound the cells; `numbers`: winding numbers
+/// of the triangles before division. Rounded. Errors: interrupted; limit_exceeded beyond `max_angles` solid angles.
+/// Cost: 16 winding numbers per cell. Source: [jacobson2013], with cells for tetrahedra.
 Result<std::map<CellId, bool>> classify_cells(const TriangleMesh& surface, SpaceCells& cells,
                                               const GeneralizedWindingNumbers& numbers, const Monitor& monitor,
                                               double max_angles);

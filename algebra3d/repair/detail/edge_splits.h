@@ -20,8 +20,8 @@ struct EdgeSplit {
 /// A predicate: whether a vertex counts as lying on the edge from one point to another.
 using LiesOnEdge = std::function<bool(const Vec3& from, const Vec3& vertex, const Vec3& to)>;
 
-/// All splits of boundary edges at boundary vertices that lie on them. Tests the vertices no farther than `reach` from
-/// the edge's box. Cost: n log n in the boundary edges.
+/// All splits of boundary edges at boundary vertices that lie on them. Tests the vertices no farther than `reach` (in
+/// coordinate units) from the edge's box. Cost: n log n in the boundary edges.
 std::vector<EdgeSplit> find_splits(const IndexedSoup& soup, double reach, const LiesOnEdge& lies_on);
 
 /// Splits edges and their triangles. At most one edge of each triangle is split per call, since the parts have other

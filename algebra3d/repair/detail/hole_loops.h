@@ -17,12 +17,12 @@ using HoleId = StrongId<struct HoleTag>;
 /// run along it.
 struct HoleLoop {
   std::vector<VertexId> vertices;
-  Loop loop;        ///< the points, with the triangles beyond the edges
-  FaceId triangle;  ///< a triangle at the loop
+  Loop loop;        ///< the same corners as points, and per edge the corner of the triangle beyond it
+  FaceId triangle;  ///< any triangle at the loop: tells the connected component
 
   /// The box around the loop.
   Box3 box() const;
-  /// The diagonal of its box.
+  /// The diagonal of its box, in coordinate units.
   double diameter() const;
 };
 

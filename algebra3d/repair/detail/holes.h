@@ -9,8 +9,8 @@ namespace algebra3d {
 
 /// Which holes are closed, and what becomes of open patches.
 struct HoleLimits {
-  double largest;                  ///< the largest diameter of the box around a hole
-  bool drops_open_patches = true;  ///< true: unless there is nothing else; false: they stay open
+  double largest;                  ///< holes whose box has a longer diagonal, in coordinate units, stay open
+  bool drops_open_patches = true;  ///< open patches are dropped, unless there is nothing else; false: they stay
 };
 
 /// Closes holes: triangulates each closed boundary loop up to the largest diameter, with triangles oriented like their

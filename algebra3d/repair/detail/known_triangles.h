@@ -26,7 +26,8 @@ using FaceMatches = IdVector<FaceId, FaceId>;
 class KnownTriangles {
  public:
   /// `mesh` has distinct points with double coordinates. `free`: faces that are a valid surface by themselves, as
-  /// examine_volume finds them; `volume`: the exact_volume of all faces.
+  /// examine_volume finds them; `volume`: the exact_volume of all faces, signed; it means nothing if they are not
+  /// closed.
   KnownTriangles(std::shared_ptr<const TriangleMesh> mesh, const FaceSet& free, Rational volume);
 
   const std::shared_ptr<const TriangleMesh>& mesh() const { return mesh_; }

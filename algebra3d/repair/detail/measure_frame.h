@@ -14,7 +14,7 @@ namespace algebra3d {
 /// coordinates, and the tolerance.
 class MeasureFrame {
  public:
-  /// `moved`: the largest distance by which a corner was moved. The arguments must outlive this.
+  /// `moved`: the largest distance by which a corner was moved, in coordinate units. The arguments must outlive this.
   MeasureFrame(const TriangleMesh& given, const TriangleMesh& solid, double moved, const Monitor& monitor);
 
   const TriangleMesh& given() const { return given_; }

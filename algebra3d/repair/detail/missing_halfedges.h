@@ -19,13 +19,13 @@ using MissingId = StrongId<struct MissingHalfedgeTag>;
 struct MissingHalfedge {
   VertexId from, to;
   bool is_boundary;                ///< the edge has one triangle; otherwise it is non-manifold
-  bool ends_at_interface = false;  ///< part of a chain of boundary edges that is not closed
+  bool ends_at_interface = false;  ///< its run of boundary edges is open: it ends at non-manifold edges
   bool is_chord = false;           ///< not missing, see above
   bool is_covered = false;         ///< by added triangles
 };
 
-/// All missing half-edges of a mesh, and chords if they were added. Triangles along all of the missing ones would close
-/// the mesh. Without the chords they always form closed loops. Cost: linear.
+/// All missing half-edges of a mesh, and chords if they were added. The missing ones always form closed loops;
+/// triangles along all of them would close the mesh. Cost: linear.
 class MissingHalfedges {
  public:
   /// The missing half-edges, without chords.

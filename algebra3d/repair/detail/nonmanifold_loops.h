@@ -9,7 +9,7 @@ namespace algebra3d {
 
 /// Which non-manifold loops are closed, and how they may lead.
 struct NonmanifoldLoopLimits {
-  double largest;                  ///< the largest diameter of the box around a loop
+  double largest;                  ///< loops whose box has a longer diagonal, in coordinate units, stay open
   bool covers_interfaces = false;  ///< also closes loops without a boundary edge, around interfaces
   bool takes_shortcuts = false;    ///< loops may also use chords (missing_halfedges.h)
 };

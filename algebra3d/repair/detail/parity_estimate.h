@@ -11,10 +11,10 @@ namespace algebra3d {
 
 /// The agreement of a solid with the space that triangles enclose by parity, as lengths along sample lines.
 struct Agreement {
-  double enclosed = 0;  ///< between an odd crossing with the triangles and the next even one
+  double enclosed = 0;  ///< by the triangles: between an odd crossing with them and the next even one
   double missing = 0;   ///< the part of `enclosed` outside the solid
-  double held = 0;      ///< inside the solid
-  double added = 0;     ///< the part of `held` after an even crossing where the winding number is 0
+  double held = 0;      ///< by the solid: inside it
+  double added = 0;     ///< the part of `held` not `enclosed` where also the triangles' winding number is 0
 
   /// True if much is lost or added, so that other strategies should be tried.
   bool is_doubtful() const { return missing > enclosed / 10 || added > held / 4; }

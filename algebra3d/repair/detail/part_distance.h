@@ -9,13 +9,13 @@
 
 namespace algebra3d {
 
-/// The parts with a point farther from the mesh than the tolerance. Errors: interrupted. Cost: linear in the mesh, and
-/// a few searches per part.
+/// The parts that are not proved to be within the tolerance of the mesh (SurfaceDistance::is_near). Errors:
+/// interrupted. Cost: linear in the mesh, and a few searches per part.
 Result<std::vector<SurfacePart>> far_parts(MeasureFrame& frame, const TriangleMesh& mesh,
                                            const std::vector<SurfacePart>& parts);
 
 /// Sets `distance`, an upper bound of how far any point of the parts is from the mesh, and `where`, their farthest
-/// point.
+/// point; both in coordinate units, while the parts are scaled.
 void measure_distance(const MeasureFrame& frame, const TriangleMesh& mesh, const std::vector<SurfacePart>& parts,
                       SurfaceAmount& amount);
 

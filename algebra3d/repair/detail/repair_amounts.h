@@ -15,11 +15,12 @@ namespace algebra3d {
 /// The measurements of a repair.
 struct MeasuredRepair {
   RepairAmounts amounts;
-  std::vector<bool> are_added;  ///< per cover: whether at least a part of it is in the boundary of the solid
+  /// Per cover: whether the boundary of the solid has a part of it, as six points of each of its triangles tell.
+  std::vector<bool> are_added;
 };
 
 /// Measures the parts that a repair left out and added. `recognised`: faces of `given` known to be in the solid; others
-/// with the same corners are found. `moved`: the largest distance by which a corner was moved, for
+/// with the same corners are found. `moved`: the largest distance by which a corner was moved, in coordinate units, for
 /// MeasureFrame::tolerance. Faces of `given` may cross, repeat and be degenerate; the solid is valid. Exactness: inside
 /// tests are exact, at the middle of each part; areas are rounded sums over parts cut in doubles; distances are upper
 /// bounds. Errors: interrupted. Cost: linear, and n log n in the faces that only one of the two has. Deterministic.
@@ -27,14 +28,15 @@ Result<MeasuredRepair> measure_repair(const TriangleMesh& given, const TriangleM
                                       const FaceMatches& recognised, double moved, std::span<const HoleCover> covers,
                                       const Monitor& monitor = {});
 
-/// The relation of each given triangle to the repaired solid.
+/// The relation of each triangle, before it was divided, to the solid.
 struct TriangleClasses {
   IdVector<FaceId, bool> are_divided;  ///< at least a part of it is in the solid, as other faces
   IdVector<FaceId, bool> are_outside;  ///< at least a part of it lies outside the solid
 };
 
-/// Classifies the given triangles relative to the repaired solid, with the tolerance of measure_repair. Errors:
-/// interrupted. Cost: as before.
+/// Classifies triangles relative to the solid that was made of them, with the tolerance of measure_repair. Here `given`
+/// has the triangles after the steps before division (SoupRepair), not those of the file. For the entries
+/// `intersections` and `outer triangles` of the report. Errors: interrupted. Cost: as before.
 Result<TriangleClasses> classify_triangles(const TriangleMesh& given, const TriangleMesh& solid, double moved,
                                            const Monitor& monitor = {});
 

@@ -16,10 +16,11 @@
 namespace algebra3d {
 
 /// One repair of given triangles, by one strategy (repair_strategy.h); `repaired_solid` makes some of them and chooses.
-/// `make` is called for every strategy that is tried, `measure` for attempts whose cost is compared, and `finish` for
-/// the chosen one only. If none is chosen, the attempt of the usual strategy ends the repair, so the report has its
-/// steps: with its own reason (`finish`) if it has no solid, else by `nothing`, with the reason that all solids differ
-/// from the parity estimate in most of it. The steps before triangles are divided are those of SoupRepair. Copyable.
+/// The steps before triangles are divided are those of SoupRepair; division and measurement are here. Order of calls:
+/// `make` for every strategy that is tried; `measure` for attempts whose cost is compared; `finish` for the chosen one
+/// only.
+/// If none is chosen, the report is that of the usual strategy: `finish` of its attempt gives the reason, if it has no
+/// solid; otherwise `nothing`, with the reason that all solids differ from most of the parity estimate. Copyable.
 class RepairAttempt {
  public:
   /// `given` must outlive this.
@@ -30,7 +31,8 @@ class RepairAttempt {
         monitor_(monitor),
         soup_(IndexedSoup(given.mesh()), strategy, options, monitor) {}
 
-  /// Makes the solid, or sets the reason why there is none. Errors: interrupted.
+  /// Makes the solid, or sets the reason why there is none. `found`: the report of the proof of `given`. Errors:
+  /// interrupted.
   Status make(const ValidityReport& found);
   /// Measures the parts left out and added, unless that was done. Requires a solid. Errors: interrupted.
   Status measure();

@@ -9,11 +9,11 @@ namespace algebra3d {
 /// A strategy for triangles that do not bound a solid: which steps of the repair are done, and how.
 struct RepairStrategy {
   std::string_view name;           ///< for tests and explanations
-  bool stitches_gaps = true;       ///< false: T-junctions are split, but no vertex moves
+  bool stitches_gaps = true;       ///< false: T-junctions are split, but no vertex moves, rounded corners neither
   bool drops_open_patches = true;  ///< also dangling sheets and misconnected triangles
   bool closes_holes = true;        ///< false: winding numbers alone decide what is inside
   bool closes_bands = false;       ///< before holes are closed; if no band can be made, there is no solid
-  bool covers_interfaces = false;  ///< closes loops without a boundary edge, too, so every edge balances
+  bool covers_interfaces = false;  ///< closes loops without a boundary edge, too, so that every edge balances
   bool takes_shortcuts = false;    ///< covers end at balanced edges where that is shorter
   bool keeps_negative = false;     ///< cells of negative winding number are inside, too; used if every edge is balanced
 };

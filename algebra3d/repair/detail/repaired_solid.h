@@ -23,13 +23,15 @@ struct RepairedSolid {
   std::string_view strategy;  ///< the name of the strategy that made the solid (repair_strategy.h)
 };
 
-/// The repair, without welding (docs/import.md): runs the strategies, each as a RepairAttempt, one after the other and
-/// chooses. Repairs triangles that do not bound a solid; `found` is a proof that counted all their defects. Each step
-/// works on the result of the steps before it, and is skipped if not needed:
+/// The repair, without welding (docs/import.md): makes a solid of triangles that do not bound one. Runs the strategies,
+/// each as a RepairAttempt, one after the other, and chooses. `given`: the welded triangles, in spatial order; `found`:
+/// the report of the proof that counted all their defects. Called by solid_from_soup. Each step works on the result of
+/// the steps before it, and is skipped if not needed:
 ///  1. degenerate triangles are dropped (degenerate_triangles.h);
 ///  2. of duplicates one stays, or none where the surface does not need it (duplicate_triangles.h). If every edge is
-///     balanced, and dropping them would leave some edges open, only sets with as many triangles either way are
-///     dropped, each as a whole; but not if at least half of all triangles would go, since then everything is double;
+///     balanced, but without duplicates some edge would have one triangle, or three or more that do not balance, only
+///     sets with as many triangles either way are dropped, each as a whole; but not if at least half of all triangles
+///     would go, since then everything is double;
 ///  3. boundary vertices that rounding moved apart are merged, and T-junctions split (stitching.h);
 ///  4. gaps are stitched (stitching.h);
 ///  5. triangles are oriented as their neighbours are (triangle_orientation.h);

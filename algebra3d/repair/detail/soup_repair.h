@@ -14,7 +14,8 @@
 namespace algebra3d {
 
 /// The steps of a repair that change a soup, before triangles are divided (steps 1 to 7 of repaired_solid.h). Each is
-/// skipped if not needed. To be called in the order of declaration.
+/// skipped if not needed. To be called in the order of declaration. Degenerate triangles and duplicates that a step
+/// makes are dropped at its end, without an entry in the report: entries are about triangles of the file.
 class SoupRepair {
  public:
   SoupRepair(IndexedSoup soup, const RepairStrategy& strategy, const RepairOptions& options, const Monitor& monitor)
@@ -26,7 +27,7 @@ class SoupRepair {
   void stitch();
   /// Step 5 and the beginning of 6: orients triangles; drops misconnected ones and dangling sheets.
   void orient();
-  /// Of step 6, for strategies that make bands. False if there are none.
+  /// Of step 6, for strategies that make bands. True if a band was made.
   Result<bool> close_bands();
   /// The end of step 6: closes holes and non-manifold loops; drops open patches.
   Status close_holes();

@@ -14,7 +14,8 @@ struct MeasuredTriangle {
   explicit MeasuredTriangle(const Triangle3& triangle) : corners(triangle), plane{triangle[0], unit_normal(triangle)} {}
 };
 
-/// True if each triangle lies in the plane of the other, within the tolerance.
+/// True if one of the triangles lies in the plane of the other, within the tolerance. Coordinates and tolerance are
+/// scaled, in this header.
 bool are_coplanar(const MeasuredTriangle& a, const MeasuredTriangle& b, double tolerance);
 
 /// Removes from the parts of a triangle the overlap with a coplanar cutter.

@@ -8,7 +8,7 @@
 
 namespace algebra3d {
 
-/// A part of an unmatched triangle.
+/// A part of an unmatched triangle, in scaled coordinates.
 struct SurfacePart {
   UnmatchedId triangle;
   ConvexPolygon polygon;

@@ -5,10 +5,11 @@
 
 namespace algebra3d {
 
-/// Merges boundary vertices no farther apart than the tolerance, nearest first. The vertex with the lowest index does
-/// not move. Corners of one triangle are never merged, nor vertices farther apart than a third of a boundary edge at
-/// one of them; so no triangle vanishes. Reported as gaps. Decisions: by rounded distances. Cost: n log n in the
-/// boundary edges.
+/// Merges boundary vertices no farther apart than the tolerance (in coordinate units), nearest pairs first. A pair
+/// farther apart than a third of a boundary edge at one of the two is left out. What pairs connect becomes one vertex,
+/// as far as each is within the tolerance of the one with the lowest index, which does not move. Corners of one
+/// triangle are never merged, also by way of others, so no edge vanishes. Reported as gaps. Decisions: by rounded
+/// distances. Cost: n log n in the boundary edges.
 void merge_boundary_vertices(IndexedSoup& soup, double tolerance, RepairReport& report);
 
 }  // namespace algebra3d

@@ -12,9 +12,9 @@ namespace algebra3d {
 /// one another, so that they divide space into cells (space_cells.h); the solid is the union of the cells that are
 /// inside by their mean generalized winding number (cell_classification.h). Faces with the same cell on both sides, as
 /// beside an open hole, and faces between two cells that are both inside or both outside are not part of the boundary.
-/// `parts`: the ValidParts of soup.mesh(). The result is a valid volume, perhaps an empty one. Exactness: all but the
-/// winding numbers is exact. Errors: interrupted; limit_exceeded beyond the limits, or `max_angles` solid angles.
-/// Source: [jacobson2013].
+/// `parts`: the ValidParts of soup.mesh(). For triangles of which an edge is not balanced; solid_by_winding serves if
+/// all are. The result is a valid volume, perhaps an empty one. Exactness: all but the winding numbers is exact.
+/// Errors: interrupted; limit_exceeded beyond the limits, or `max_angles` solid angles. Source: [jacobson2013].
 Result<TriangleMesh> solid_by_generalized_winding(const IndexedSoup& soup, const ValidParts& parts,
                                                   const Monitor& monitor, const ArrangementOptions& limits,
                                                   double max_angles);

@@ -6,8 +6,9 @@
 
 namespace algebra3d {
 
-/// Converts the work limit to limits of an arrangement: a number of pairs of triangles, and a number of cuts, each of
-/// which counts as a thousand pairs.
+/// The options of an arrangement within the work limit: at most so many pairs of triangles, and at most a thousandth as
+/// many cuts; Closure::together, as ValidParts need it. The limit of solid angles is applied apart
+/// (solid_by_generalized_winding).
 ArrangementOptions work_limits(const RepairOptions& options);
 
 }  // namespace algebra3d

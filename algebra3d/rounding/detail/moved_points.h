@@ -9,8 +9,8 @@
 
 namespace algebra3d {
 
-/// New places of the vertices of a mesh, and for each an upper bound of how far it moved; of a rounded vertex also of
-/// how far others may have moved to the same place (rounded_vertices.h).
+/// New places of the vertices of a mesh, and for each an upper bound of how far it moved, in coordinate units. For a
+/// rounded vertex the bound also covers all others that may have moved to the same place (rounded_vertices.h).
 struct MovedVertices {
   PointArray points;
   std::vector<double> movements;

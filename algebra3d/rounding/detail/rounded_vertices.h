@@ -9,17 +9,18 @@
 
 namespace algebra3d {
 
-/// The vertices of a mesh, rounded to a grid; `movements` as rounded_vertices says.
+/// The vertices of a mesh, rounded to a grid. `movements` may be larger than a vertex moved: the function
+/// rounded_vertices says why.
 struct RoundedVertices : MovedVertices {
   std::size_t moved = 0;        ///< how many moved
-  double largest_movement = 0;  ///< upper bound of how far a vertex moved; `movements` may be larger
+  double largest_movement = 0;  ///< upper bound of how far any vertex moved, in coordinate units
   bool are_finite = true;       ///< otherwise a coordinate is out of range, and all else means nothing
 };
 
-/// How wide the pixels are to whose middles the vertices of a mesh are rounded. A vertex of level 0 is rounded to the
-/// grid itself. Pixels of level 1 are as wide as the largest spacing of the grid, which for floats and doubles is wider
-/// than the spacing near most vertices; those of each further level are twice as wide. Crowded vertices get wider
-/// pixels, so that they merge.
+/// How wide the pixels of the vertices of a mesh are. A pixel is the cube of all points that are rounded to its middle,
+/// a point of the grid (hot pixels of [hobby1999]). A vertex of level 0 is rounded to the grid itself. Pixels of level
+/// 1 are as wide as the largest spacing of the grid, which for floats and doubles is wider than the spacing near most
+/// vertices; those of each further level are twice as wide. Crowded vertices get wider pixels, so that they merge.
 struct PixelLevels {
   double spacing;           ///< the largest spacing of the grid
   std::vector<int> levels;  ///< per vertex
