@@ -11,14 +11,15 @@ namespace algebra3d {
 
 /// The faces of any mesh as operands of an autorefinement: a list of valid surfaces without non-manifold edges, so that
 /// an arrangement of them divides the mesh at its own crossings. One part holds the faces that `disentangle`
-/// (validity.h) finds free of conflicts with each other; every other face with an area is a part of its own. Degenerate
-/// faces are left out.
+/// (validity.h) finds free of conflicts with each other; every other face with an area (an entangled one) is a part of
+/// its own. Degenerate faces are left out.
 class ValidParts {
  public:
   /// `known`: faces that an earlier proof found to be a valid surface by themselves. Errors: interrupted. Exact. Cost:
   /// that of a proof.
   static Result<ValidParts> make(const TriangleMesh& mesh, const Monitor& monitor = {}, const FaceSet& known = {});
-  /// The same; the faces flagged in `are_alone` become parts of their own, too.
+  /// The same; the faces flagged in `are_alone`, one flag per face, become parts of their own, too. For faces at edges
+  /// that were non-manifold in the mesh from which this one was taken (repair/detail/winding_segmentation.h).
   static Result<ValidParts> make(const TriangleMesh& mesh, const std::vector<bool>& are_alone,
                                  const Monitor& monitor = {}, const FaceSet& known = {});
 

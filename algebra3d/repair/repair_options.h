@@ -10,9 +10,9 @@ namespace algebra3d {
 
 /// The options of a repair (docs/import.md, "Options"). Lengths are in coordinate units.
 struct RepairOptions {
-  /// Gaps up to this width are stitched: boundary vertices and edges within this distance are joined. No vertex moves
-  /// farther, and no two that are farther apart than a third of a boundary edge at one of them are joined directly
-  /// (detail/vertex_merging.h). By default 1e-4 of the diagonal of the box around the file.
+  /// Gaps up to this width are stitched: boundary vertices and edges within this distance are joined. No merge moves a
+  /// vertex farther, and no two that are farther apart than a third of a boundary edge at one of them are joined
+  /// directly (detail/vertex_merging.h). By default 1e-4 of the diagonal of the box around the file.
   std::optional<double> gap_tolerance;
   /// Holes whose box has a longer diagonal than this stay open. By default all are closed.
   std::optional<double> largest_hole;
