@@ -1,12 +1,6 @@
 #include "queries/language/checker.h"
 
-#include <algorithm>
-
-#include <fmt/ranges.h>
-
-#include "algebra3d/registry/conversion.h"
 #include "algebra3d/registry/operator.h"
-#include "algebra3d/types/scalars.h"
 #include "queries/streams/value_operators.h"
 
 namespace queries {
@@ -17,22 +11,6 @@ using algebra3d::ErrorCode;
 using algebra3d::Operator;
 using algebra3d::SyntaxPattern;
 using PlaceKind = SyntaxPattern::PlaceKind;
-
-// `TUPLE` and its like, where a parameter type is written.
-bool is_pseudo_type(std::string_view name) {
-  return name == "TUPLE" || name == "TUPLE2" || name == "STREAMELEM" || name == "GROUP";
-}
-
-bool has_attribute(const TypeExpr& type, const std::string& name) {
-  return type.is_tuple() &&
-         std::ranges::find(type.attributes(), name, &TypeExpr::Attribute::name) != type.attributes().end();
-}
-
-// Whether a parameter takes an argument, perhaps after a conversion.
-bool takes(const TypeExpr& parameter, const TypeExpr& argument) {
-  return parameter == argument ||
-         (parameter.arguments().empty() && algebra3d::conversion_cost(argument, parameter.name()));
-}
 
 bool is_literal(const Expression& expression) {
   return std::holds_alternative<Literal>(expression.node) || std::holds_alternative<TypedLiteral>(expression.node) ||
@@ -72,63 +50,6 @@ Result<TypedPtr> Checker::check(const HostValue& given, const SourcePlace& place
   return make_constant(TypeExpr(given.value.type().name()), Datum{given.value}, place);
 }
 
-Result<TypedPtr> Checker::check(const NameUse& use, const SourcePlace& place) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(TypedPtr found, find(use.name, place));
-  if (found == nullptr) return unknown_name(use.name, place);
-  return found;
-}
-
-// A parameter or else an object; null if there is neither.
-Result<TypedPtr> Checker::find(const std::string& name, const SourcePlace& place) {
-  for (std::size_t level = 0; level < scopes_.size(); ++level) {
-    const Scope& scope = scopes_[scopes_.size() - 1 - level];
-    const auto found = std::ranges::find(scope.parameters, name, &Parameter::name);
-    if (found != scope.parameters.end())
-      return make_parameter(found->type, level, static_cast<std::size_t>(found - scope.parameters.begin()), place);
-  }
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto type, objects_.type_of(name));
-  return type ? make_object(*type, name, objects_, place) : TypedPtr();
-}
-
-Result<TypedPtr> Checker::implicit_parameter(int number, const SourcePlace& place, std::string_view shown) {
-  for (std::size_t level = 0; level < scopes_.size(); ++level) {
-    const Scope& scope = scopes_[scopes_.size() - 1 - level];
-    if (!scope.is_implicit) continue;
-    if (static_cast<std::size_t>(number) > scope.parameters.size())
-      return Error(ErrorCode::type_error, "'{}': the function here has {} parameter{}", shown, scope.parameters.size(),
-                   scope.parameters.size() == 1 ? "" : "s")
-          .at(place);
-    const auto index = static_cast<std::size_t>(number - 1);
-    return make_parameter(scope.parameters[index].type, level, index, place);
-  }
-  return Error(ErrorCode::type_error,
-               "'{}' needs an operator around it that gives it a meaning, such as filter or extend", shown)
-      .at(place);
-}
-
-Result<TypedPtr> Checker::check(const AttributeUse& use, const SourcePlace& place) {
-  const std::string shown = (use.parameter == 2 ? ".." : ".") + use.name;
-  ALGEBRA3D_ASSIGN_OR_RETURN(TypedPtr tuple, implicit_parameter(use.parameter, place, shown));
-  if (!tuple->type().is_tuple())
-    return Error(ErrorCode::type_error, "'{}': expected a tuple, got {}", shown, tuple->type().text()).at(place);
-  auto index = attribute_index(tuple->type(), use.name);
-  if (!index) {
-    const int other = use.parameter == 1 ? 2 : 1;
-    const Scope& scope = *implicit_scope();
-    if (scope.parameters.size() >= 2 && use.parameter <= 2 && has_attribute(scope.parameters[other - 1].type, use.name))
-      return Error(ErrorCode::unknown_name, "unknown attribute '{}', did you mean '{}{}', of the {} stream?", shown,
-                   other == 2 ? ".." : ".", use.name, other == 2 ? "second" : "first")
-          .at(place);
-    return std::move(index).error().at(place);
-  }
-  TypeExpr type = tuple->type().attributes()[*index].type;
-  return make_attribute(std::move(type), std::move(tuple), *index, place);
-}
-
-Result<TypedPtr> Checker::check(const ParameterUse& use, const SourcePlace& place) {
-  return implicit_parameter(use.parameter, place, use.parameter == 1 ? "." : "..");
-}
-
 Result<TypedPtr> Checker::check(const Application& application, const SourcePlace& place) {
   const Operator& op = *registry_.find_operator(application.name);
   std::vector<TypeExpr> types;
@@ -148,39 +69,6 @@ Result<TypedPtr> Checker::application_node(const Operator& op, const Application
   }
   return takes_streams(op) ? stream_application(op, application, checked, place, types)
                            : value_application(op, application, std::move(checked), place, types);
-}
-
-// The call of a function that has the operator's name, if its parameters take the arguments, else null: a database that
-// had such a function before there was the operator keeps its meaning. No argument is checked twice, or nested calls
-// would take exponential time: `checked` gets the operands that were, and names where the operator expects some do not
-// decide.
-Result<TypedPtr> Checker::call_of_function(const Application& application, const SourcePlace& place,
-                                           std::vector<TypedPtr>& checked) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(TypedPtr function, find(application.name, place));
-  if (function == nullptr || !function->type().is_function()) return TypedPtr();
-  const std::vector<TypeExpr> parameters = function->type().function_parameters();
-  if (parameters.size() != checked.size()) return TypedPtr();
-  bool fits = true;
-  for (std::size_t index = 0; index < checked.size(); ++index) {
-    const Argument& argument = application.arguments[index];
-    if (argument.kind != PlaceKind::value) {
-      fits = fits && (argument.value != nullptr || argument.as_operand != nullptr);
-      continue;
-    }
-    ALGEBRA3D_ASSIGN_OR_RETURN(checked[index], check(*argument.value));
-    fits = fits && takes(parameters[index], checked[index]->type());
-  }
-  if (!fits) return TypedPtr();
-  std::vector<TypedPtr> arguments = checked;
-  for (std::size_t index = 0; index < arguments.size(); ++index) {
-    const Argument& argument = application.arguments[index];
-    if (arguments[index] == nullptr) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(arguments[index], check(argument.value ? *argument.value : *argument.as_operand));
-    }
-    ALGEBRA3D_ASSIGN_OR_RETURN(arguments[index],
-                               fitted(std::move(arguments[index]), parameters[index], application.name));
-  }
-  return make_function_call(std::move(function), std::move(arguments), place);
 }
 
 // `checked` holds the operands that are checked already.
@@ -286,170 +174,11 @@ Result<TypedPtr> Checker::checked_argument(const Argument& argument, const Typed
   }
 }
 
-Result<TypedPtr> Checker::function_argument(const Expression& expression, const FunctionPlace& place) {
-  if (const auto* literal = std::get_if<FunctionLiteral>(&expression.node))
-    return explicit_function(*literal, place, expression.place);
-  if (std::holds_alternative<FunctionReference>(expression.node)) return check(expression);
-  if (std::holds_alternative<NameUse>(expression.node)) {
-    // The name of a function stands for it, with or without `fun`; any other is a constant of all tuples.
-    auto named = check(expression);
-    if (!named || (*named)->type().is_function()) return named;
-  }
-  Scope scope;
-  scope.is_implicit = true;
-  for (const std::string& pseudo : place.pseudo_types) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(TypeExpr type, pseudo_type(pseudo, place.operands));
-    scope.parameters.push_back({"", std::move(type)});
-  }
-  return make_checked_function(std::move(scope), expression, expression.place);
-}
-
-Result<TypedPtr> Checker::explicit_function(const FunctionLiteral& function, const FunctionPlace& functions,
-                                            const SourcePlace& place) {
-  Scope scope;
-  for (const auto& [name, syntax] : function.parameters) {
-    // A bare pseudo type is taken from the operands; every other type is as written.
-    auto type = is_pseudo_type(syntax.name) && syntax.arguments.empty() && !syntax.type_of
-                    ? pseudo_type(syntax.name, functions.operands)
-                    : resolve(syntax);
-    if (!type) return std::move(type).error().at(syntax.place);
-    scope.parameters.push_back({name, std::move(type).value()});
-  }
-  return make_checked_function(std::move(scope), *function.body, place);
-}
-
-Result<TypedPtr> Checker::make_checked_function(Scope scope, const Expression& body, const SourcePlace& place) {
-  std::vector<TypeExpr> parameters;
-  NestedList::List written = {NestedList::symbol("fun")};
-  for (std::size_t index = 0; index < scope.parameters.size(); ++index) {
-    const Parameter& parameter = scope.parameters[index];
-    parameters.push_back(parameter.type);
-    // Implicit parameters are written as the tree names them: `.` is tuple1, `..` tuple2.
-    std::string name = parameter.name.empty() ? "tuple" + std::to_string(index + 1) : parameter.name;
-    written.push_back(NestedList::list(NestedList::symbol(std::move(name)), parameter.type.to_nested()));
-  }
-  written.push_back(to_nested(body));
-  scopes_.push_back(std::move(scope));
-  auto checked = check(body);
-  scopes_.pop_back();
-  if (!checked) return std::move(checked).error();
-  TypeExpr type = TypeExpr::map(std::move(parameters), (*checked)->type());
-  return make_function(std::move(type), std::move(checked).value(), NestedList(std::move(written)), body.height, place);
-}
-
-Result<TypedPtr> Checker::check(const FunctionLiteral& function, const SourcePlace& place) {
-  return explicit_function(function, {{}, {}}, place);
-}
-
-Result<TypedPtr> Checker::check(const FunctionReference& reference, const SourcePlace& place) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(TypedPtr node, check(NameUse{reference.name}, place));
-  if (!node->type().is_function())
-    return Error(ErrorCode::type_error, "fun {}: expected a function, got {}", reference.name, node->type().text())
-        .at(place);
-  return node;
-}
-
-Result<TypedPtr> Checker::fitted(TypedPtr argument, const TypeExpr& wanted, const std::string& what) {
-  if (argument->type() == wanted) return argument;
-  if (takes(wanted, argument->type())) return make_conversion(std::move(argument), *registry_.find_type(wanted.name()));
-  return Error(ErrorCode::type_error, "{}: expected {}, got {}", what, wanted.text(), argument->type().text())
-      .at(argument->place());
-}
-
-Result<TypedPtr> Checker::check(const FunctionCall& call, const SourcePlace& place) {
-  auto function = check(NameUse{call.name}, place);
-  if (!function) {
-    if (function.error().code != ErrorCode::unknown_name) return std::move(function).error();
-    if (const Operator* op = registry_.find_operator(call.name); op != nullptr)
-      return Error(ErrorCode::unknown_name, "there is no function '{}'; the operator of that name is written {}",
-                   call.name, op->written())
-          .at(place);
-    std::string suggestion = registry_.suggestion(call.name);
-    if (suggestion.empty()) suggestion = algebra3d::nearest_name(call.name, objects_.names());
-    return Error(ErrorCode::unknown_name, "unknown operator '{}'{}", call.name,
-                 suggestion.empty() ? "" : ", did you mean '" + suggestion + "'?")
-        .at(place);
-  }
-  const TypeExpr& type = (*function)->type();
-  if (!type.is_function())
-    return Error(ErrorCode::type_error, "{}: expected a function, got {}", call.name, type.text()).at(place);
-  const std::vector<TypeExpr> parameters = type.function_parameters();
-  if (parameters.size() != call.arguments.size())
-    return Error(ErrorCode::type_error, "{}: expected {} arguments, got {}", call.name,
-                 algebra3d::argument_list_text(parameters), call.arguments.size())
-        .at(place);
-  std::vector<TypedPtr> arguments;
-  for (std::size_t index = 0; index < parameters.size(); ++index) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(TypedPtr argument, check(*call.arguments[index]));
-    ALGEBRA3D_ASSIGN_OR_RETURN(argument, fitted(std::move(argument), parameters[index], call.name));
-    arguments.push_back(std::move(argument));
-  }
-  return make_function_call(std::move(function).value(), std::move(arguments), place);
-}
-
 // No operator takes lists as values; a list of one element is that element, as in `(translate v (vec))`.
 Result<TypedPtr> Checker::check(const ListExpression& list, const SourcePlace& place) {
   if (list.items.size() == 1 && list.items[0].name.empty() && list.items[0].modifier == nullptr)
     return check(*list.items[0].value);
   return Error(ErrorCode::type_error, "a list of {} elements is no value", list.items.size()).at(place);
-}
-
-Error Checker::unknown_name(const std::string& name, const SourcePlace& place) {
-  const std::vector<std::string> attributes = attributes_in_reach(name);
-  const Operator* op = registry_.find_operator(name);
-  std::string message = "unknown name '" + name + "'";
-  if (!attributes.empty())
-    message += fmt::format(", did you mean the attribute '{}'?", fmt::join(attributes, "' or '"));
-  else if (op != nullptr)
-    message = fmt::format("there is no object '{}'; the operator of that name is written {}", name, op->written());
-  else if (const std::string meant = name_meant(name); !meant.empty())
-    message += ", did you mean '" + meant + "'?";
-  return Error(ErrorCode::unknown_name, message).at(place);
-}
-
-const Checker::Scope* Checker::implicit_scope() const {
-  const auto found =
-      std::find_if(scopes_.rbegin(), scopes_.rend(), [](const Scope& scope) { return scope.is_implicit; });
-  return found == scopes_.rend() ? nullptr : &*found;
-}
-
-// How attributes of that name are written here: `.Name`, `..Name`, attr(t, Name).
-std::vector<std::string> Checker::attributes_in_reach(const std::string& name) const {
-  std::vector<std::string> written;
-  const Scope* implicit = implicit_scope();
-  for (std::size_t i = 0; implicit != nullptr && i < implicit->parameters.size(); ++i)
-    if (has_attribute(implicit->parameters[i].type, name)) written.push_back((i == 0 ? "." : "..") + name);
-  if (!written.empty() || scopes_.empty()) return written;
-  for (const Parameter& parameter : scopes_.back().parameters)
-    if (has_attribute(parameter.type, name)) written.push_back("attr(" + parameter.name + ", " + name + ")");
-  return written;
-}
-
-// The nearest of the objects, else of the attributes, else of the operators that begin an operand.
-std::string Checker::name_meant(const std::string& name) {
-  if (algebra3d::is_equal_but_for_case(name, "TRUE")) return "TRUE";
-  if (algebra3d::is_equal_but_for_case(name, "FALSE")) return "FALSE";
-  std::string nearest = algebra3d::nearest_name(name, objects_.names());
-  if (!nearest.empty()) return nearest;
-  std::vector<std::string> attributes;
-  if (const Scope* implicit = implicit_scope(); implicit != nullptr && !implicit->parameters.empty())
-    if (const TypeExpr& type = implicit->parameters.front().type; type.is_tuple())
-      for (const TypeExpr::Attribute& attribute : type.attributes()) attributes.push_back(attribute.name);
-  nearest = algebra3d::nearest_name(name, attributes);
-  if (!nearest.empty()) return "." + nearest;
-  nearest = registry_.suggestion(name);
-  const Operator* op = registry_.find_operator(nearest);
-  return op != nullptr && registry_.syntax(*op).shape == SyntaxPattern::Shape::prefix ? nearest : "";
-}
-
-Result<std::size_t> attribute_index(const TypeExpr& tuple, const std::string& name) {
-  std::vector<std::string> names;
-  for (const auto& attribute : tuple.attributes()) names.push_back(attribute.name);
-  const auto found = std::ranges::find(names, name);
-  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  const std::string suggestion = algebra3d::nearest_name(name, names);
-  return Error{ErrorCode::unknown_name, "unknown attribute '{}'{}; the attributes are {}", name,
-               suggestion.empty() ? "" : ", did you mean '" + suggestion + "'?", algebra3d::enumerate(names, 20)};
 }
 
 }  // namespace queries

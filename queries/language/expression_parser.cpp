@@ -1,12 +1,11 @@
 #include "queries/language/expression_parser.h"
-#include "algebra3d/types/file_atom.h"
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <utility>
 
 #include "algebra3d/registry/operator.h"
+#include "algebra3d/types/file_atom.h"
 #include "queries/language/parser.h"
 
 namespace queries {
@@ -42,33 +41,6 @@ bool is_number(const Token& token) {
   return token.kind == Kind::integer || token.kind == Kind::real;
 }
 
-// The operator of ours for one of other languages.
-std::string_view written_here(const Token& token) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kOperators = {{
-      {"==", "'=' for equality"},
-      {"!=", "'#' for inequality"},
-      {"<>", "'#' for inequality"},
-      {"=>", "'>='"},
-      {"=<", "'<='"},
-      {"&&", "'and'"},
-      {"&", "'and'"},
-      {"||", "'or'"},
-      {"!", "'not(...)'"},
-      {"~", "'not(...)'"},
-      {"%", "'mod'"},
-  }};
-  if (token.kind != Kind::special) return "";
-  const auto* const row = std::ranges::find(kOperators, token.text, [](const auto& entry) { return entry.first; });
-  return row == kOperators.end() ? "" : row->second;
-}
-
-// Of longer constants errors have the place of the whole.
-constexpr std::size_t kLongestKeptLiteral = 1'000'000;
-
-bool is_sql(std::string_view word) {
-  return word == "select" || word == "SELECT" || word == "Select";
-}
-
 Argument value_argument(ExpressionPtr value) {
   Argument argument;
   argument.place = value->place;
@@ -93,17 +65,6 @@ bool ExpressionParser::accept(std::string_view spelling) {
   if (!at(spelling)) return false;
   scanner_.take();
   return true;
-}
-
-Error ExpressionParser::unexpected(std::string_view what) {
-  const Token& token = scanner_.peek();
-  if (scanner_.error()) return *scanner_.error();
-  if (const std::string_view right = written_here(token); !right.empty())
-    return Error(ErrorCode::syntax_error, "there is no operator '{}'; write {}", token.text, right).at(token.place);
-  const bool has_dot = token.kind == Kind::attribute && what.find("attribute name") != std::string_view::npos;
-  return Error(ErrorCode::syntax_error, "expected {}, found {}{}", what, token.shown(),
-               has_dot ? "; it stands without a dot here" : "")
-      .at(token.place);
 }
 
 Status ExpressionParser::expect(std::string_view spelling, std::string_view context) {
@@ -198,29 +159,6 @@ const Operator* ExpressionParser::postfix_operator_at(std::size_t operand_count)
   return op != nullptr && operand_count >= registry_.syntax(*op).operand_count ? op : nullptr;
 }
 
-// Called where an operand begins.
-void ExpressionParser::suspect_operator(std::size_t operand_count) {
-  const Token& word = scanner_.peek();
-  if (word.kind == Kind::word && !suspicion_ && is_sql(word.text))
-    suspicion_ =
-        Error(ErrorCode::syntax_error, "there is no '{}' here; {}", word.text, kInsteadOfSelect).at(word.place);
-  const Operator* op = word.kind == Kind::word && !suspicion_ ? registry_.find_operator(word.text) : nullptr;
-  if (op == nullptr) return;
-  const SyntaxPattern& pattern = registry_.syntax(*op);
-  if (pattern.shape == Shape::prefix) {
-    const Token& next = scanner_.peek(1);
-    if (next.is("(") || scanner_.error()) return;
-    suspicion_ =
-        Error(ErrorCode::syntax_error, "expected '(' after the operator '{}', found {}", op->name, next.shown())
-            .at(next.place);
-    return;
-  }
-  const std::size_t expected = pattern.shape == Shape::infix ? 1 : pattern.operand_count;
-  suspicion_ = Error(ErrorCode::syntax_error, "{}: expected {} operand{} before it, found {} (syntax: {})", op->name,
-                     expected, expected == 1 ? "" : "s", operand_count, op->syntax)
-                   .at(word.place);
-}
-
 bool ExpressionParser::starts_operand() {
   const Token& token = scanner_.peek();
   switch (token.kind) {
@@ -235,22 +173,6 @@ bool ExpressionParser::starts_operand() {
     default:
       return true;
   }
-}
-
-// Two operands with nothing between them: the second is most likely a misspelt operator.
-Error ExpressionParser::not_an_operator(const ExpressionPtr& second) {
-  if (scanner_.error()) return *scanner_.error();
-  std::string message = "expected an operator between two operands";
-  std::string word;
-  if (const auto* use = std::get_if<NameUse>(&second->node)) word = use->name;
-  if (const auto* call = std::get_if<FunctionCall>(&second->node)) word = call->name;
-  if (std::holds_alternative<ListExpression>(second->node))
-    message = "expected an operator before '[': brackets hold the arguments of an operator that takes some";
-  if (word.empty()) return Error(ErrorCode::syntax_error, message).at(second->place);
-  message = "unknown operator '" + word + "'";
-  const std::string suggestion = registry_.suggestion(word);
-  if (!suggestion.empty()) message += ", did you mean '" + suggestion + "'?";
-  return Error(ErrorCode::unknown_name, message).at(second->place);
 }
 
 Result<ExpressionPtr> ExpressionParser::primary() {
@@ -293,24 +215,6 @@ Result<ExpressionPtr> ExpressionParser::primary() {
     return inner;
   }
   return unexpected("an operand");
-}
-
-Result<ExpressionPtr> ExpressionParser::signed_number() {
-  const SourcePlace place = scanner_.peek().place;
-  const bool is_negative = at("-");
-  const bool is_signed = is_negative || at("+");
-  if (is_signed) scanner_.take();
-  if (scanner_.peek().kind != Kind::integer && scanner_.peek().kind != Kind::real)
-    return unexpected("a number after the sign");
-  const Token number = scanner_.take();
-  if (scanner_.error()) return *scanner_.error();
-  const double value = is_negative ? -number.real : number.real;
-  // `+5` is a real by the rules of the language.
-  if (number.kind == Kind::real || (is_signed && !is_negative)) return make(place, Literal{NestedList(value)});
-  if (is_negative) return make(place, Literal{NestedList(static_cast<std::int64_t>(0 - number.integer))});
-  if (number.integer > std::numeric_limits<std::int64_t>::max())
-    return Error(ErrorCode::syntax_error, "{}", int_range_text(std::to_string(number.integer))).at(place);
-  return make(place, Literal{NestedList(static_cast<std::int64_t>(number.integer))});
 }
 
 Result<ExpressionPtr> ExpressionParser::word_primary() {
@@ -405,172 +309,6 @@ Status ExpressionParser::annotation(ExpressionPtr& operand) {
     if (is_memory || accept(",")) scanner_.take();
   }
   return expect("}", "to close the bracket");
-}
-
-Status ExpressionParser::places(const SyntaxPattern& pattern, std::string_view close,
-                                std::vector<Argument>& arguments) {
-  const std::string context = "in the arguments of '" + pattern.name + "'";
-  std::size_t index = 0;
-  while (index < pattern.places.size() || pattern.is_open_ended || !at(close)) {
-    const bool is_declared = index < pattern.places.size();
-    const Place place = is_declared ? pattern.places[index] : Place{};
-    const bool may_be_empty = place.kind == SyntaxPattern::PlaceKind::attributes && index + 1 < pattern.places.size();
-    if (at(close) && !may_be_empty) break;
-    if (index > 0) ALGEBRA3D_RETURN_IF_ERROR(expect(is_declared && place.before == ';' ? ";" : ",", context));
-    ALGEBRA3D_ASSIGN_OR_RETURN(Argument next, argument(place));
-    arguments.push_back(std::move(next));
-    ++index;
-    if (at(close) || at(",") || at(";")) continue;
-    const bool is_incomplete = index < pattern.places.size() && pattern.places[index].before == ';';
-    return expect(is_incomplete ? ";" : close, context);
-  }
-  return expect(close, context);
-}
-
-Result<Argument> ExpressionParser::argument(const Place& place) {
-  Argument argument;
-  argument.kind = place.kind;
-  argument.place = scanner_.peek().place;
-  using PlaceKind = SyntaxPattern::PlaceKind;
-  switch (place.kind) {
-    case PlaceKind::value:
-    case PlaceKind::function: {
-      ALGEBRA3D_ASSIGN_OR_RETURN(argument.value, expression());
-      break;
-    }
-    case PlaceKind::attribute:
-    case PlaceKind::name: {
-      ALGEBRA3D_ASSIGN_OR_RETURN(std::string word,
-                                 name(place.kind == PlaceKind::name ? "a name" : "an attribute name"));
-      argument.names = {std::move(word)};
-      break;
-    }
-    case PlaceKind::attributes:
-      ALGEBRA3D_RETURN_IF_ERROR(attribute_names(argument, false));
-      break;
-    case PlaceKind::keys:
-      ALGEBRA3D_RETURN_IF_ERROR(attribute_names(argument, true));
-      break;
-    case PlaceKind::functions:
-      ALGEBRA3D_RETURN_IF_ERROR(function_list(argument));
-      break;
-    case PlaceKind::renames:
-      ALGEBRA3D_RETURN_IF_ERROR(rename_list(argument));
-      break;
-  }
-  return argument;
-}
-
-Status ExpressionParser::attribute_names(Argument& argument, bool with_order) {
-  if (at(";") || at("]")) return {};
-  do {
-    ALGEBRA3D_ASSIGN_OR_RETURN(std::string attribute, name("an attribute name"));
-    argument.names.push_back(std::move(attribute));
-    if (!with_order) continue;
-    const bool is_descending = accept("desc");
-    if (!is_descending) accept("asc");
-    argument.modifiers.emplace_back(is_descending ? "desc" : "asc");
-  } while (accept(","));
-  return {};
-}
-
-Status ExpressionParser::function_list(Argument& argument) {
-  if (at("]")) return {};
-  do {
-    NamedExpression function;
-    ALGEBRA3D_ASSIGN_OR_RETURN(function.name, name("the name of a new attribute"));
-    ALGEBRA3D_RETURN_IF_ERROR(expect(":", "after the name of the new attribute '" + function.name + "'"));
-    ALGEBRA3D_ASSIGN_OR_RETURN(function.value, expression());
-    argument.functions.push_back(std::move(function));
-  } while (accept(","));
-  return {};
-}
-
-Status ExpressionParser::rename_list(Argument& argument) {
-  do {
-    ALGEBRA3D_ASSIGN_OR_RETURN(std::string renamed, name("the new name of an attribute"));
-    ALGEBRA3D_RETURN_IF_ERROR(expect(":", "after the new name '" + renamed + "'"));
-    if (!scanner_.peek().is_name() && scanner_.peek().kind != Kind::string) return unexpected("an attribute name");
-    argument.names.push_back(std::move(renamed));
-    argument.modifiers.push_back(scanner_.take().text);
-  } while (accept(","));
-  return {};
-}
-
-Result<ExpressionPtr> ExpressionParser::list() {
-  const SourcePlace place = scanner_.take().place;
-  if (at("const")) {
-    ALGEBRA3D_RETURN_IF_ERROR(deeper());
-    return typed_literal();
-  }
-  ListExpression content;
-  while (!at("]")) {
-    ListExpression::Item item;
-    const bool is_named = scanner_.peek().is_name() && scanner_.peek(1).is(":");
-    if (is_named) {
-      item.name = scanner_.take().text;
-      scanner_.take();
-    }
-    ++depth_;
-    ALGEBRA3D_RETURN_IF_ERROR(deeper());
-    if (const auto second = scanner_.peek(1); !is_named && (second.is("asc") || second.is("desc"))) {
-      const Token key = scanner_.take();
-      const Token order = scanner_.take();
-      item.value = make(key.place, NameUse{key.text});
-      item.modifier = make(order.place, NameUse{order.text});
-    } else {
-      ALGEBRA3D_ASSIGN_OR_RETURN(item.value, expression());
-    }
-    --depth_;
-    content.items.push_back(std::move(item));
-    if (!accept(",")) break;
-  }
-  ALGEBRA3D_RETURN_IF_ERROR(expect("]", "to close the list"));
-  return make(place, std::move(content));
-}
-
-// The value is a nested list, which has rules of its own: it is cut out as text and read by NestedList.
-Result<ExpressionPtr> ExpressionParser::typed_literal() {
-  const SourcePlace place = scanner_.take().place;
-  TypedLiteral literal;
-  ALGEBRA3D_ASSIGN_OR_RETURN(literal.type, type());
-  ALGEBRA3D_RETURN_IF_ERROR(expect("value", "after the type of a constant"));
-  const SourcePlace list_place = scanner_.peek().place;
-  const auto raw = scanner_.take_raw_until(']');
-  if (scanner_.error()) return *scanner_.error();
-  if (!raw) return Error(ErrorCode::syntax_error, "expected ']' after the value of a constant").at(place);
-  auto list = NestedList::parse(*raw, list_place);
-  if (!list) return std::move(list).error();
-  literal.list = std::move(list).value();
-  if (raw->size() <= kLongestKeptLiteral) literal.written = std::make_shared<const std::string>(*raw);
-  literal.list_place = list_place;
-  ALGEBRA3D_RETURN_IF_ERROR(expect("]", "after the value of a constant"));
-  return make(place, std::move(literal));
-}
-
-Result<ExpressionPtr> ExpressionParser::function_literal() {
-  const SourcePlace place = scanner_.take().place;
-  if (scanner_.peek().is_name()) return make(place, FunctionReference{scanner_.take().text});
-  ALGEBRA3D_RETURN_IF_ERROR(expect("(", "or the name of a function object after 'fun'"));
-  FunctionLiteral function;
-  while (!at(")")) {
-    const SourcePlace parameter_place = scanner_.peek().place;
-    ALGEBRA3D_ASSIGN_OR_RETURN(std::string parameter, name("a parameter name"));
-    if (means_implicit_parameter(parameter))
-      return Error(ErrorCode::reserved_name, "'{}' stands for an implicit parameter and cannot name another one",
-                   parameter)
-          .at(parameter_place);
-    if (is_reserved(parameter))
-      return Error(ErrorCode::reserved_name, "'{}' is a word of the language and cannot name a parameter", parameter)
-          .at(parameter_place);
-    ALGEBRA3D_RETURN_IF_ERROR(expect(":", "after the parameter '" + parameter + "'"));
-    ALGEBRA3D_ASSIGN_OR_RETURN(TypeSyntax parameter_type, type());
-    function.parameters.push_back({std::move(parameter), std::move(parameter_type)});
-    if (!accept(",")) break;
-  }
-  ALGEBRA3D_RETURN_IF_ERROR(expect(")", "to close the parameters"));
-  ALGEBRA3D_ASSIGN_OR_RETURN(function.body, expression());
-  return make(place, std::move(function));
 }
 
 }  // namespace queries
