@@ -22,7 +22,7 @@ class FacetsAudit {
   bool check_lists();
   void check_facet(FacetId facet);
   void check_face(FacetId facet, InputFaceId face);
-  void check_plane(PlaneId plane);
+  void check_plane(PlaneId id);
   bool is_in_plane(InputFaceId face, const TriangleRef& plane) const;
 
   const Operands& operands_;
