@@ -25,6 +25,9 @@ Result<Maybe<Volume3d>> rounded_to(Context& context, const Volume3d& solid, cons
   std::string text =
       fmt::format("roundCoordinates: {} of {} vertices moved, and the boundary by at most {}", rounded.moved_vertices,
                   solid.mesh().vertex_count(), real_text(rounded.largest_movement));
+  if (rounded.reach > 0)
+    text += fmt::format("; features nearer to each other than {} were joined where triangles crossed",
+                        real_text(rounded.reach));
   if (rounded.shells_after < rounded.shells_before && rounded.shells_after > 0)
     text += fmt::format("; {} of {} shells are left", rounded.shells_after, rounded.shells_before);
   context.diagnostics.report(std::move(text));
@@ -52,7 +55,7 @@ void register_rounding(Registry& registry) {
       .detail =
           "A diagnostic gives the number of moved vertices, and the largest distance by which the boundary moved. "
           "The result is a valid solid: facets are triangulated anew, and where triangles would cross each other, "
-          "vertices are rounded to a coarser grid, or facets that nearly touch are made to touch. Parts thinner than "
+          "vertices, edges and facets that are nearly one are joined, which a diagnostic tells too. Parts thinner than "
           "the grid vanish. A solid whose coordinates are on the grid is unchanged. Undefined if a coordinate would "
           "be out of range, or if no valid solid is found.",
       .exactness = Exactness::reported,

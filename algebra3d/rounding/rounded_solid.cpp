@@ -1,8 +1,7 @@
 #include "algebra3d/rounding/rounded_solid.h"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
+#include <cstdint>
 #include <set>
 #include <utility>
 #include <vector>
@@ -13,7 +12,7 @@
 #include "algebra3d/halfedge/circulators.h"
 #include "algebra3d/halfedge/topology.h"
 #include "algebra3d/rounding/detail/coplanar_snapping.h"
-#include "algebra3d/rounding/detail/opposite_triangles.h"
+#include "algebra3d/rounding/detail/feature_snapping.h"
 #include "algebra3d/rounding/detail/rounded_vertices.h"
 #include "algebra3d/rounding/detail/snap_rounding.h"
 #include "algebra3d/validity/validity.h"
@@ -21,176 +20,166 @@
 namespace algebra3d {
 namespace {
 
-constexpr int kMaxDivisions = 4;
-constexpr int kMaxStages = 12;
-constexpr int kAttemptsPerStage = 3;
+/// The reach of feature snapping, in spacings of the grid: at first, from one rung to the next, and at last.
+constexpr double kFirstReach = 2;
+constexpr double kReachGrowth = 4;
+constexpr double kLargestReach = 0x1p20;
 
 /// A limit of the pairs of triangles that may touch. If a rounding has folded them, all may do so; that is hopeless.
 std::size_t max_pairs(const TriangleMesh& mesh) {
   return 100 * mesh.face_count() + 100'000;
 }
 
-/// A limit of the triangles of a result: slivers that cross each other may do so ever more often.
+constexpr int kMaxDivisions = 4;
+
+/// A limit of the triangles of what is divided again.
 std::size_t max_faces(const TriangleMesh& solid) {
   return solid.face_count() + solid.face_count() / 4 + 250;
 }
 
-/// A rounding of all vertices. If it gave a valid volume, that is kept, and the mesh is empty.
-struct RoundingAttempt {
+/// A closed mesh, and how far its points are from the given boundary at most.
+struct MovedMesh {
   TriangleMesh mesh;
-  double largest_movement = 0;
-  bool is_valid = false;
+  double movement = 0;
 };
 
 class Rounding {
  public:
   Rounding(const TriangleMesh& solid, const CoordinateGrid& grid, const std::atomic<bool>* cancel)
-      : solid_(solid), grid_(grid), cancel_(cancel), pixels_{grid.spacing_up_to(largest_coordinate(solid)), {}} {}
+      : solid_(solid), grid_(grid), spacing_(grid.spacing_up_to(largest_coordinate(solid))), cancel_(cancel) {}
 
   Result<RoundedSolid> run();
 
  private:
-  Result<bool> round_and_divide();
-  Result<bool> snap_and_divide();
-
-  void begin_anew();
-  RoundedVertices rounded() const { return rounded_vertices(current_, grid_, pixels_); }
-  Result<RoundingAttempt> attempt(SnappedMesh rounded, const RoundedVertices& vertices);
-  Result<std::optional<RoundingAttempt>> attempts_with_wider_pixels();
-  Status widen_crowded_pixels(const TriangleMesh& rounded, const PointArray& vertices);
-  bool make_coplanar(double reach);
-  Result<bool> divide_at_itself(const TriangleMesh& mesh);
+  static MovedMesh snap_rounded(const TriangleMesh& solid, const RoundedVertices& vertices, double moved_before);
+  Result<bool> keep_if_valid(const MovedMesh& moved);
+  Result<bool> divide_at_crossings(MovedMesh moved);
+  Result<bool> join_features(MovedMesh moved, double reach);
+  Result<bool> select_cells(MovedMesh& moved);
+  Result<std::vector<bool>> crowded_vertices(const TriangleMesh& snapped, const RoundedVertices& vertices) const;
+  Result<bool> join_coplanar(const std::vector<bool>& crowded, double reach);
 
   const TriangleMesh& solid_;
   CoordinateGrid grid_;
+  double spacing_;
   const std::atomic<bool>* cancel_;
-  TriangleMesh current_;     // a valid volume
-  PixelLevels pixels_;       // of its vertices
-  double moved_before_ = 0;  // how far it is from the given one, at most
   RoundedSolid result_;
 };
 
-void Rounding::begin_anew() {
-  current_ = solid_;
-  moved_before_ = 0;
-  pixels_.levels.assign(solid_.vertex_count(), 0);
+MovedMesh Rounding::snap_rounded(const TriangleMesh& solid, const RoundedVertices& vertices, double moved_before) {
+  SnappedMesh snapped = snap_round(solid, vertices);
+  return {std::move(snapped.mesh), moved_before + rounded_up(vertices.largest_movement + snapped.largest_detour)};
 }
 
-Result<RoundingAttempt> Rounding::attempt(SnappedMesh rounded, const RoundedVertices& vertices) {
-  const double movement = moved_before_ + rounded_up(vertices.largest_movement + rounded.largest_detour);
+/// If the mesh is a valid volume it becomes the result. Only the first rung may leave nothing: a farther one would join
+/// walls that are thicker than the grid.
+Result<bool> Rounding::keep_if_valid(const MovedMesh& moved) {
+  if (moved.mesh.is_empty() && result_.reach > kFirstReach * spacing_) return false;
   const ProofOptions options{.thoroughness = Thoroughness::first_defect, .cancel = cancel_};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport report, prove_volume(rounded.mesh, options));
-  if (!report.is_valid()) {
-    ++result_.attempts_failed;
-    return RoundingAttempt{std::move(rounded.mesh), movement, false};
-  }
-  result_.mesh = std::move(rounded.mesh);
-  result_.largest_movement = movement;
-  return RoundingAttempt{{}, movement, true};
-}
-
-/// Widens the pixels at the corners of triangles that cross others.
-Status Rounding::widen_crowded_pixels(const TriangleMesh& rounded, const PointArray& vertices) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Entanglement> entanglements, disentangle(rounded, cancel_));
-  std::set<Vec3> crowded;
-  for (const FaceId face : faces(rounded))
-    if (entanglements[face.index()] != Entanglement::none)
-      for (const PointRef& corner : rounded.corners(face)) crowded.insert(corner.approx);
-  for (std::size_t v = 0; v < pixels_.levels.size(); ++v)
-    if (crowded.contains(vertices.approx()[v])) ++pixels_.levels[v];
-  return {};
-}
-
-/// Makes facets with crowded vertices coplanar that nearly are. False if there are none.
-bool Rounding::make_coplanar(double reach) {
-  std::vector<bool> in_question;
-  for (const int level : pixels_.levels) in_question.push_back(level > 0);
-  const MovedVertices moved = snap_coplanar(current_, in_question, reach);
-  const double farthest = std::ranges::max(moved.movements);
-  if (farthest == 0) return false;
-  SnappedMesh snapped = snap_round(current_, moved);
-  moved_before_ += rounded_up(farthest + snapped.largest_detour);
-  current_ = std::move(snapped.mesh);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport report, prove_volume(moved.mesh, options));
+  if (!report.is_valid()) return false;
+  result_.mesh = moved.mesh;
+  result_.largest_movement = moved.movement;
   return true;
 }
 
-/// Divides the mesh at itself, and goes on with the cells of positive winding number. False if that is too much.
-Result<bool> Rounding::divide_at_itself(const TriangleMesh& mesh) {
+/// Divides the mesh at the crossings that are left, keeps the cells with a positive winding number, and rounds the new
+/// corners. False if that is too much.
+Result<bool> Rounding::select_cells(MovedMesh& moved) {
   const auto is_inside = [](int winding) { return winding > 0; };
-  auto solid = solid_by_winding(mesh, is_inside, cancel_, {Closure::together, max_pairs(mesh)});
+  auto solid = solid_by_winding(moved.mesh, is_inside, cancel_, {Closure::together, max_pairs(moved.mesh)});
   if (!solid.ok() && solid.error().code == ErrorCode::limit_exceeded) return false;
   if (!solid.ok()) return std::move(solid).error();
-  current_ = *std::move(solid);
-  pixels_.levels.assign(current_.vertex_count(), 0);
+  const RoundedVertices vertices = rounded_vertices(*solid, grid_);
+  if (vertices.moved == 0)
+    moved.mesh = *std::move(solid);
+  else
+    moved = snap_rounded(*solid, vertices, moved.movement);
   return true;
 }
 
-/// Moves vertices by half a pixel and nothing farther: best where the grid is coarse for the solid. Where triangles are
-/// long and thin, they multiply.
-Result<bool> Rounding::round_and_divide() {
-  for (int i = 0; i < kMaxDivisions && current_.face_count() <= max_faces(solid_); ++i) {
-    const RoundedVertices vertices = rounded();
-    ALGEBRA3D_ASSIGN_OR_RETURN(RoundingAttempt moved, attempt(moved_mesh(current_, vertices.points), vertices));
-    if (moved.is_valid) return true;
-    moved_before_ = moved.largest_movement;
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_divided, divide_at_itself(moved.mesh));
-    if (!is_divided) return false;
+/// The rung that moves least: selects cells a few times. Enough where facets came to lie upon each other, as they do on
+/// a grid that is coarse for the solid; where long thin triangles cross, they multiply.
+Result<bool> Rounding::divide_at_crossings(MovedMesh moved) {
+  for (int i = 0; i < kMaxDivisions && moved.mesh.face_count() <= max_faces(solid_); ++i) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_selected, select_cells(moved));
+    if (!is_selected) return false;
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, keep_if_valid(moved));
+    if (is_valid) return true;
   }
   return false;
 }
 
-/// Snap rounds a few times, with wider pixels each time where triangles cross. The first attempt if none was valid,
-/// otherwise the valid one; none if a coordinate is out of range.
-Result<std::optional<RoundingAttempt>> Rounding::attempts_with_wider_pixels() {
-  std::optional<RoundingAttempt> first;
-  for (int i = 0; i < kAttemptsPerStage; ++i) {
-    const RoundedVertices vertices = rounded();
-    if (!vertices.are_finite) return std::optional<RoundingAttempt>();
-    SnappedMesh snapped = snap_round(current_, vertices);
-    snapped.mesh = without_opposite_triangles(snapped.mesh);
-    ALGEBRA3D_ASSIGN_OR_RETURN(RoundingAttempt made, attempt(std::move(snapped), vertices));
-    if (made.is_valid) return std::optional(std::move(made));
-    ALGEBRA3D_RETURN_IF_ERROR(widen_crowded_pixels(made.mesh, vertices.points));
-    if (!first) first = std::move(made);
+/// One rung: joins features within this reach, and selects cells, in turns, as long as that leaves at most half of the
+/// crossings.
+Result<bool> Rounding::join_features(MovedMesh moved, double reach) {
+  const CoordinateGrid grid = reach == kFirstReach * spacing_ ? grid_ : CoordinateGrid::multiples(reach / kFirstReach);
+  std::size_t crossings = SIZE_MAX;
+  while (true) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(FeatureSnappedMesh joined, snap_features(moved.mesh, reach, grid, cancel_));
+    moved = {std::move(joined.mesh), moved.movement + joined.largest_displacement};
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, keep_if_valid(moved));
+    if (is_valid) return true;
+    if (joined.crossing_pairs > crossings / 2) return false;
+    crossings = joined.crossing_pairs;
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_selected, select_cells(moved));
+    if (!is_selected) return false;
+    if (crossings == 0) return keep_if_valid(moved);
   }
-  return first;
 }
 
-/// Facets are made coplanar in every second stage only, since that makes coordinates with more digits.
-Result<bool> Rounding::snap_and_divide() {
-  for (int stage = 0; stage < kMaxStages && current_.face_count() <= 2 * max_faces(solid_); ++stage) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<RoundingAttempt> made, attempts_with_wider_pixels());
-    if (!made || made->is_valid) return made.has_value();
-    if (stage % 2 != 0 || !make_coplanar(std::ldexp(pixels_.spacing, 1 + stage / 2))) {
-      moved_before_ = made->largest_movement;
-      current_ = std::move(made->mesh);
-    }
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_divided, divide_at_itself(current_));
-    if (!is_divided) return false;
-  }
-  return false;
+/// Which vertices of the solid are corners of triangles that cross others after snap rounding.
+Result<std::vector<bool>> Rounding::crowded_vertices(const TriangleMesh& snapped,
+                                                     const RoundedVertices& vertices) const {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Entanglement> entanglements, disentangle(snapped, cancel_));
+  std::set<Vec3> places;
+  for (const FaceId face : faces(snapped))
+    if (entanglements[face.index()] != Entanglement::none)
+      for (const PointRef& corner : snapped.corners(face)) places.insert(corner.approx);
+  std::vector<bool> are_crowded;
+  for (const Vec3& place : vertices.points.approx()) are_crowded.push_back(places.contains(place));
+  return are_crowded;
+}
+
+/// The same rung for a solid whose crowded facets are made exactly coplanar with others nearer than `reach`: facets
+/// that nearly lie upon each other and are large have no near features. False if there are none.
+Result<bool> Rounding::join_coplanar(const std::vector<bool>& crowded, double reach) {
+  const MovedVertices moved = snap_coplanar(solid_, crowded, reach);
+  const double farthest = std::ranges::max(moved.movements);
+  if (farthest == 0) return false;
+  SnappedMesh snapped = snap_round(solid_, moved);
+  MovedMesh coplanar{std::move(snapped.mesh), rounded_up(farthest + snapped.largest_detour)};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_selected, select_cells(coplanar));
+  return is_selected ? join_features(std::move(coplanar), reach) : Result<bool>(false);
 }
 
 Result<RoundedSolid> Rounding::run() {
-  begin_anew();
-  const RoundedVertices vertices = rounded();
+  const RoundedVertices vertices = rounded_vertices(solid_, grid_);
   result_.moved_vertices = vertices.moved;
   if (!vertices.are_finite) {
     result_.reason = "a coordinate is out of range";
-    return result_;
+    return std::move(result_);
   }
   if (vertices.moved == 0) {
     result_.mesh = solid_;
-    return result_;
+    return std::move(result_);
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(const RoundingAttempt snapped, attempt(snap_round(current_, vertices), vertices));
-  if (snapped.is_valid) return std::move(result_);
-  for (const auto way : {&Rounding::round_and_divide, &Rounding::snap_and_divide}) {
-    begin_anew();
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_found, (this->*way)());
-    if (is_found) return std::move(result_);
+  const MovedMesh snapped = snap_rounded(solid_, vertices, 0);
+  ALGEBRA3D_ASSIGN_OR_RETURN(bool is_found, keep_if_valid(snapped));
+  if (!is_found) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, divide_at_crossings(snapped));
   }
-  result_.reason = "no rounding was found that keeps the solid free of self-intersections";
+  std::vector<bool> crowded;
+  for (double reach = kFirstReach * spacing_; !is_found && reach <= kLargestReach * spacing_; reach *= kReachGrowth) {
+    result_.reach = reach;
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_features(snapped, reach));
+    if (is_found) break;
+    if (crowded.empty()) {
+      ALGEBRA3D_ASSIGN_OR_RETURN(crowded, crowded_vertices(snapped.mesh, vertices));
+    }
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_coplanar(crowded, reach));
+  }
+  if (!is_found) result_.reason = "no rounding was found that keeps the solid free of self-intersections";
   return std::move(result_);
 }
 

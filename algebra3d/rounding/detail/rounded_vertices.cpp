@@ -10,9 +10,6 @@
 namespace algebra3d {
 namespace {
 
-/// Half the diagonal of a cube, in terms of its edge; rounded up.
-constexpr double kHalfDiagonal = 0.8661;
-
 /// An upper bound of the distance between a point and the doubles to which it is rounded.
 double distance_to_rounded(const PointRef& point, const Vec3& rounded) {
   Vec3 difference;
@@ -26,28 +23,21 @@ double distance_to_rounded(const PointRef& point, const Vec3& rounded) {
 
 }  // namespace
 
-double PixelLevels::width(std::size_t vertex) const {
-  return std::ldexp(spacing, levels[vertex] - 1);
-}
-
-RoundedVertices rounded_vertices(const TriangleMesh& mesh, const CoordinateGrid& grid, const PixelLevels& pixels) {
+RoundedVertices rounded_vertices(const TriangleMesh& mesh, const CoordinateGrid& grid) {
   RoundedVertices result;
   std::vector<Vec3> rounded;
+  rounded.reserve(mesh.vertex_count());
+  result.movements.reserve(mesh.vertex_count());
   for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
     const PointRef given = mesh.points()[i];
-    const bool is_wide = pixels.levels[i] > 0;
-    const double pixel = pixels.width(i);
-    const CoordinateGrid wide = CoordinateGrid::multiples(pixel);
-    Vec3 point;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      point[axis] = grid.nearest(is_wide ? wide.nearest(given.approx[axis]) : given.approx[axis]);
+    const Vec3 point = {grid.nearest(given.approx.x), grid.nearest(given.approx.y), grid.nearest(given.approx.z)};
     result.are_finite = result.are_finite && is_finite(point);
     if (!result.are_finite) return result;
     const bool is_moved = !given.is_double() || given.approx != point;
     const double movement = is_moved ? distance_to_rounded(given, point) : 0;
     if (is_moved) ++result.moved;
     result.largest_movement = std::max(result.largest_movement, movement);
-    result.movements.push_back(is_wide ? std::max(movement, kHalfDiagonal * pixel) : movement);
+    result.movements.push_back(movement);
     rounded.push_back(point);
   }
   result.points = PointArray(std::move(rounded));

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "algebra3d/base/indices.h"
+#include "algebra3d/exact/point_table.h"
+#include "algebra3d/exact/predicates.h"
+#include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/rounding/detail/moved_points.h"
+#include "algebra3d/rounding/detail/wide_vec3.h"
+
+namespace algebra3d {
+
+/// Two points, the one with the smaller id first: an undirected edge.
+using PointPair = std::pair<PointId, PointId>;
+PointPair ordered(PointId a, PointId b);
+
+/// Changes of a closed mesh that are made at once.
+struct FeatureJoins {
+  std::vector<PointPair> merged;                  ///< points that become one
+  std::map<PointPair, std::vector<PointId>> led;  ///< edges, and the points through which they are led
+  std::map<std::size_t, PointId> divided;         ///< faces, and a point at which each is divided in three
+
+  bool is_empty() const { return merged.empty() && led.empty() && divided.empty(); }
+};
+
+/// The faces of a closed mesh while its features are snapped to each other. It stays closed: along every edge as many
+/// triangles run one way as the other. Points with equal coordinates are one. For each corner it is known which point
+/// of the given mesh it stands for, so that the largest distance between the two surfaces has a bound that does not
+/// grow with the number of steps.
+class SnappedFaces {
+ public:
+  /// Domain: all coordinates are doubles.
+  explicit SnappedFaces(const TriangleMesh& mesh);
+
+  std::size_t size() const { return faces_.size(); }
+  const std::array<PointId, 3>& corners(std::size_t face) const { return faces_[face].corners; }
+  TriangleRef triangle(std::size_t face) const;
+  PointRef point(PointId id) const { return table_[id.index()]; }
+  WideVec3 place(PointId id) const { return WideVec3(point(id).approx); }
+  std::size_t point_count() const { return table_.size(); }
+  /// The point at this place, which is added if it is new.
+  PointId add_point(const Vec3& place) { return PointId(table_.intern(PointRef(place))); }
+
+  /// True unless the face is known to cross no other one: it is new since it was closed, or was given.
+  bool is_open(std::size_t face) const { return faces_[face].is_open; }
+  /// Closes all faces but these.
+  void close_all_but(std::span<const std::size_t> faces);
+
+  /// Merges points, then leads edges, in all faces along them, through points, in the order along the edge, then
+  /// divides those faces that have not changed otherwise.
+  void apply(FeatureJoins joins);
+  /// Drops triangles that repeat a corner, and pairs of triangles with the same corners and opposite orientations.
+  void drop_empty_faces();
+
+  /// The mesh of the faces, in their order; points that no face uses are left out.
+  TriangleMesh mesh() const;
+  /// No point of the faces is farther from the given mesh; rounded up.
+  double largest_displacement() const;
+
+ private:
+  /// A corner, and its vector from the point of the given mesh for which it stands.
+  struct Corner {
+    PointId point;
+    Vec3 displacement;
+  };
+  struct Face {
+    std::array<PointId, 3> corners;
+    std::array<Vec3, 3> displacements;
+    bool is_open;
+  };
+  using Chain = std::vector<Corner>;
+
+  static Corner corner(const Face& face, std::size_t index) { return {face.corners[index], face.displacements[index]}; }
+  static Face face_of(const Corner& a, const Corner& b, const Corner& c);
+  WideVec3 origin(const Corner& corner) const { return place(corner.point) - WideVec3(corner.displacement); }
+  void merge(FeatureJoins& joins);
+  void sort_along(const PointPair& edge, std::vector<PointId>& points) const;
+  Chain chain(const Corner& from, const Corner& to, const FeatureJoins& joins) const;
+  Corner corner_on_edge(PointId point, const Corner& from, const Corner& to) const;
+  Corner corner_in_face(PointId point, const Face& face) const;
+  static void triangulate(const Chain& ab, const Chain& bc, const Chain& ca, std::vector<Face>& faces);
+
+  PointTable table_;
+  std::vector<Face> faces_;
+};
+
+}  // namespace algebra3d

@@ -1,0 +1,211 @@
+#include "algebra3d/rounding/detail/feature_snapping.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "algebra3d/rounding/detail/crossing_faces.h"
+#include "algebra3d/rounding/detail/near_features.h"
+#include "algebra3d/rounding/detail/snapped_faces.h"
+#include "unit/arrangement/random_solids.h"
+
+namespace algebra3d::solids {
+namespace {
+
+/// Both meshes as one, whether they cross or not.
+TriangleMesh together(const TriangleMesh& a, const TriangleMesh& b) {
+  PointArray points;
+  std::vector<IndexTriangle> triangles;
+  for (const TriangleMesh* mesh : {&a, &b}) {
+    const auto first = static_cast<std::uint32_t>(points.size());
+    for (const Vec3& p : mesh->points().approx()) points.push_back(PointRef(p));
+    for (std::size_t f = 0; f < mesh->face_count(); ++f) {
+      const auto [i, j, k] = mesh->triangle(FaceId(f));
+      triangles.push_back({first + i, first + j, first + k});
+    }
+  }
+  return {std::move(points), triangles};
+}
+
+/// Along every edge as many triangles run one way as the other.
+bool is_closed(const SnappedFaces& faces) {
+  std::map<std::pair<PointId, PointId>, int> excess;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const PointId from = faces.corners(f)[i], to = faces.corners(f)[(i + 1) % 3];
+      excess[ordered(from, to)] += from < to ? 1 : -1;
+    }
+  return std::ranges::all_of(excess, [](const auto& edge) { return edge.second == 0; });
+}
+
+/// Every pair of faces, each decided by what the two closed triangles share.
+std::vector<FacePair> crossings_by_brute_force(const SnappedFaces& faces) {
+  std::vector<FacePair> pairs;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (std::size_t g = f + 1; g < faces.size(); ++g) {
+      const Contact contact = intersect_triangles(faces.triangle(f), faces.triangle(g));
+      const auto& s = faces.corners(f);
+      const auto shared =
+          std::ranges::count_if(faces.corners(g), [&](PointId p) { return std::ranges::find(s, p) != s.end(); });
+      const bool is_allowed = contact == Contact::none || contact == Contact::point ||
+                              (contact == Contact::segment && shared == 2) || shared == 3;
+      if (!is_allowed) pairs.emplace_back(f, g);
+    }
+  return pairs;
+}
+
+TEST(SnappedFaces, stay_closed_and_near_whatever_is_joined) {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    SCOPED_TRACE(seed);
+    Chance chance(seed);
+    SnappedFaces faces(geodesic_sphere(3));
+    for (int round = 0; round < 3; ++round) {
+      FeatureJoins joins;
+      const auto any_face = [&] { return static_cast<std::size_t>(chance.below(static_cast<int>(faces.size()))); };
+      const auto any_point = [&] { return PointId(chance.below(static_cast<int>(faces.point_count()))); };
+      joins.merged.push_back(ordered(any_point(), any_point()));
+      for (int i = 0; i < 4; ++i) {
+        const auto& corners = faces.corners(any_face());
+        joins.led[ordered(corners[0], corners[1])].push_back(any_point());
+        joins.divided.emplace(any_face(), any_point());
+      }
+      faces.apply(std::move(joins));
+      EXPECT_TRUE(is_closed(faces));
+      EXPECT_LE(faces.largest_displacement(), 2 * 1.01);  // the diameter
+    }
+  }
+}
+
+TEST(SnappedFaces, edges_are_led_through_points_in_their_order) {
+  SnappedFaces faces(box({0, 0, 0}, {8, 8, 8}));
+  const PointId from = faces.add_point({0, 0, 0}), to = faces.add_point({8, 0, 0});
+  FeatureJoins joins;
+  for (const double x : {6.0, 2.0, 4.0}) joins.led[ordered(from, to)].push_back(faces.add_point({x, -0.5, 0}));
+  faces.apply(std::move(joins));
+  EXPECT_EQ(faces.size(), 12U + 2 * 3);
+  EXPECT_NEAR(faces.largest_displacement(), 0.5, 1e-9);
+  EXPECT_EQ(crossing_faces(faces, nullptr)->size(), 0U);
+  EXPECT_TRUE(is_closed(faces));
+}
+
+TEST(SnappedFaces, opposite_triangles_vanish) {
+  SnappedFaces faces(box({0, 0, 0}, {1, 1, 1}));
+  FeatureJoins joins;  // the upper side is pressed onto the lower one
+  for (const double x : {0.0, 1.0})
+    for (const double y : {0.0, 1.0})
+      joins.merged.push_back(ordered(faces.add_point({x, y, 0}), faces.add_point({x, y, 1})));
+  faces.apply(std::move(joins));
+  EXPECT_TRUE(is_closed(faces));
+  EXPECT_LE(faces.size(), 4U);  // none, if both sides have the same diagonal
+}
+
+TEST(CrossingFaces, are_those_of_brute_force) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE(seed);
+    Chance chance(seed);
+    const Vec3 corner = chance.grid_point(4), size = chance.grid_point(3) + Vec3{1, 1, 1};
+    const TriangleMesh a = geodesic_sphere(2), b = box(0.25 * corner, 0.25 * (corner + size));
+    const SnappedFaces faces(together(a, b));
+    EXPECT_EQ(*crossing_faces(faces, nullptr), crossings_by_brute_force(faces));
+  }
+}
+
+TEST(CrossingFaces, of_closed_faces_are_not_looked_for) {
+  SnappedFaces faces(together(box({0, 0, 0}, {2, 2, 2}), box({1, 1, 1}, {3, 3, 3})));
+  const std::vector<FacePair> pairs = *crossing_faces(faces, nullptr);
+  ASSERT_FALSE(pairs.empty());
+  faces.close_all_but({});
+  EXPECT_TRUE(crossing_faces(faces, nullptr)->empty());
+  const std::vector<std::size_t> one = {pairs[0].first};
+  faces.close_all_but(one);
+  const std::vector<FacePair> some = *crossing_faces(faces, nullptr);
+  EXPECT_FALSE(some.empty());
+  for (const FacePair& pair : some) EXPECT_TRUE(pair.first == one[0] || pair.second == one[0]);
+}
+
+/// Two triangles of a mesh, as joins see them; nothing else is there.
+struct PairOfFaces {
+  explicit PairOfFaces(std::array<Vec3, 6> places)
+      : faces(TriangleMesh(points_of(places), std::vector<IndexTriangle>{{0, 1, 2}, {3, 4, 5}})) {}
+
+  static PointArray points_of(const std::array<Vec3, 6>& places) {
+    return PointArray(std::vector<Vec3>(places.begin(), places.end()));
+  }
+  FeatureJoins joins(double reach) {
+    FeatureJoins result;
+    join_near_features(faces, 0, 1, reach, CoordinateGrid::multiples(0.125), result);
+    return result;
+  }
+
+  SnappedFaces faces;
+};
+
+TEST(NearFeatures, near_vertices_become_one) {
+  PairOfFaces pair({{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {0.25, 0, 0}, {-8, 0, 4}, {-8, 0, -4}}});
+  const FeatureJoins joins = pair.joins(0.5);
+  EXPECT_EQ(joins.merged, (std::vector<PointPair>{{PointId(0), PointId(3)}}));
+  EXPECT_TRUE(joins.led.empty() && joins.divided.empty());
+}
+
+TEST(NearFeatures, an_edge_is_led_through_a_near_vertex) {
+  PairOfFaces pair({{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {4, 0.25, 0}, {4, -8, 4}, {4, -8, -4}}});
+  const FeatureJoins joins = pair.joins(0.5);
+  EXPECT_EQ(joins.led, (std::map<PointPair, std::vector<PointId>>{{{PointId(0), PointId(1)}, {PointId(3)}}}));
+  EXPECT_TRUE(joins.merged.empty() && joins.divided.empty());
+}
+
+TEST(NearFeatures, two_edges_get_a_vertex_between_them_on_the_grid) {
+  PairOfFaces pair({{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {3, -4, 0.25}, {3, 4, 0.25}, {3, -4, -8}}});
+  const FeatureJoins joins = pair.joins(0.5);
+  const PointId middle(6);
+  EXPECT_EQ(pair.faces.point(middle).approx, (Vec3{3, 0, 0.125}));
+  EXPECT_TRUE(joins.led.at({PointId(0), PointId(1)}) == std::vector{middle});
+  EXPECT_TRUE(joins.led.at({PointId(3), PointId(4)}) == std::vector{middle});
+}
+
+TEST(NearFeatures, a_face_is_divided_at_a_near_vertex_and_where_it_is_pierced) {
+  PairOfFaces near({{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {2, 2, -0.25}, {2, 2, 8}, {3, 2, 8}}});
+  EXPECT_EQ(near.joins(0.5).divided, (std::map<std::size_t, PointId>{{0, PointId(3)}}));
+  PairOfFaces pierced({{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {2, 2, -8}, {2, 2, 8}, {20, 20, 0}}});
+  const FeatureJoins joins = pierced.joins(0.01);
+  EXPECT_EQ(pierced.faces.point(PointId(6)).approx, (Vec3{2, 2, 0}));
+  EXPECT_EQ(joins.divided.at(0), PointId(6));
+  EXPECT_TRUE(joins.led.at({PointId(3), PointId(4)}) == std::vector{PointId(6)});
+}
+
+TEST(NearFeatures, a_face_without_area_has_its_longest_edge_led_through_its_corner) {
+  const PairOfFaces flat({{{0, 0, 0}, {8, 0, 0}, {2, 0, 0}, {0, 0, 9}, {1, 0, 9}, {0, 1, 9}}});
+  FeatureJoins joins;
+  join_collinear_corners(flat.faces, 0, joins);
+  EXPECT_EQ(joins.led, (std::map<PointPair, std::vector<PointId>>{{{PointId(0), PointId(1)}, {PointId(2)}}}));
+}
+
+TEST(FeatureSnapping, of_a_mesh_without_crossings_is_the_mesh) {
+  const TriangleMesh sphere = geodesic_sphere(4);
+  const auto snapped = snap_features(sphere, 0.01, CoordinateGrid::doubles(), nullptr);
+  ASSERT_TRUE(snapped.ok());
+  EXPECT_EQ(triangles_of(snapped->mesh), triangles_of(sphere));
+  EXPECT_EQ(snapped->largest_displacement, 0);
+  EXPECT_EQ(snapped->crossing_pairs, 0U);
+}
+
+TEST(FeatureSnapping, leaves_no_crossings_between_boxes_that_overlap_by_a_hair) {
+  const TriangleMesh boxes = together(box({0, 0, 0}, {4, 4, 4}), box({4 - 0x1p-20, 1, 1}, {8, 3, 3}));
+  const auto snapped = snap_features(boxes, 0x1p-19, CoordinateGrid::multiples(0x1p-20), nullptr);
+  ASSERT_TRUE(snapped.ok());
+  EXPECT_EQ(snapped->crossing_pairs, 0U);
+  EXPECT_LE(snapped->largest_displacement, 0x1p-18);
+}
+
+TEST(FeatureSnapping, can_be_interrupted) {
+  const std::atomic<bool> cancel = true;
+  const auto snapped = snap_features(geodesic_sphere(4), 0.01, CoordinateGrid::doubles(), &cancel);
+  ASSERT_FALSE(snapped.ok());
+  EXPECT_EQ(snapped.error().code, ErrorCode::interrupted);
+}
+
+}  // namespace
+}  // namespace algebra3d::solids
