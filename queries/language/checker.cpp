@@ -69,7 +69,10 @@ Result<TypedPtr> Checker::check(const TypedLiteral& literal, const SourcePlace& 
 }
 
 Result<TypedPtr> Checker::check(const HostValue& given, const SourcePlace& place) {
-  return make_constant(TypeExpr(given.value.type().name()), Datum{given.value}, place);
+  TypeExpr type(given.value.type().name());
+  if (!given.value.is_defined() && !given.reason.empty())
+    return make_undefined(std::move(type), given.value, given.reason, place);
+  return make_constant(std::move(type), Datum{given.value}, place);
 }
 
 Result<TypedPtr> Checker::check(const NameUse& use, const SourcePlace& place) {
@@ -404,6 +407,8 @@ Error Checker::unknown_name(const std::string& name, const SourcePlace& place) {
     message = fmt::format("there is no object '{}'; the operator of that name is written {}", name, op->written());
   else if (const std::string meant = name_meant(name); !meant.empty())
     message += ", did you mean '" + meant + "'?";
+  else if (!objects_.is_open())
+    return Error(ErrorCode::no_database, "{}: no database is open", message).at(place);
   return Error(ErrorCode::unknown_name, message).at(place);
 }
 
