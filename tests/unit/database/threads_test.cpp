@@ -136,6 +136,7 @@ TEST(DatabaseThreads, a_second_writer_waits_for_the_first_also_in_the_middle_of_
   const auto rows = other.query("query Numbers feed Numbers deletedirect")->all();
   ASSERT_TRUE(rows.ok()) << rows.error().message;
   EXPECT_EQ(rows->size(), 10U);
+  EXPECT_EQ(other.report().deleted, 10U);
 }
 
 TEST(DatabaseThreads, progress_comes_in_the_thread_that_waits) {

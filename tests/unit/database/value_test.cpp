@@ -118,6 +118,8 @@ TEST(DatabaseValue, is_read_as_any_integer_type_that_has_it) {
             "the int 300 is not in the range of unsigned integers of 8 bits");
   EXPECT_FALSE(Value(-1).get<unsigned>().ok());
   EXPECT_EQ(Value(1.0).get<int>().error().code, ErrorCode::type_error);
+  EXPECT_EQ(Value(300).get<int>().value_or(7), 300);
+  EXPECT_EQ(Value(300).get<std::uint8_t>().value_or(7), 7);
   EXPECT_EQ(Value(300).get_or(7), 300);
   EXPECT_EQ(Value("300").get_or(7), 7);
   EXPECT_EQ(Value("a").get_or("b"), "a");
