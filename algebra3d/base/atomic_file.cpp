@@ -100,7 +100,7 @@ Status AtomicFile::check_replaceable() const {
 }
 
 Result<AtomicFile> AtomicFile::create(const fs::path& path) {
-  if (path.empty()) return Error{ErrorCode::io_error, "the file name is empty"};
+  ALGEBRA3D_RETURN_IF_ERROR(check_file_name(path));
   AtomicFile file;
   file.path_ = path;
   ALGEBRA3D_ASSIGN_OR_RETURN(file.target_, target_of(path));

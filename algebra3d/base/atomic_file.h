@@ -15,8 +15,8 @@ namespace algebra3d {
 /// until `commit`; if destroyed before, or if commit fails, the temporary file is removed and the file at the path
 /// stays unchanged. The temporary file of a killed process is removed by the next process that writes to the folder.
 /// Used by one thread; of several objects for one path the last to commit wins. Errors of all members: disk_full,
-/// file_missing (no such folder), io_error; all name the path and the reason. `create` and `commit` also: wrong_usage
-/// for a database and the files beside it (see database_part).
+/// file_missing (no such folder, no name), io_error; all name the path and the reason. `create` and `commit` also:
+/// wrong_usage for a database and the files beside it (see database_part).
 class AtomicFile {
  public:
   /// Begins to write the file at `path`. Domain: a new file, or a writable regular file, also through a symbolic link;

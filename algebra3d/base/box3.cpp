@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 
 namespace algebra3d {
 namespace {
@@ -39,6 +40,10 @@ Box3 intersect(const Box3& a, const Box3& b) {
     result.max[axis] = std::min(a.max[axis], b.max[axis]);
   }
   return result.is_empty() ? Box3{} : result;
+}
+
+std::ostream& operator<<(std::ostream& out, const Box3& box) {
+  return out << '(' << box.min << ' ' << box.max << ')';
 }
 
 double squared_distance(const Box3& a, const Box3& b) {

@@ -42,4 +42,15 @@ double distance(const Box3& a, const Box3& b);
 /// Square of `distance`, for comparisons.
 double squared_distance(const Box3& a, const Box3& b);
 
+/// Prints the smallest and the largest corner, `((0.0 0.0 0.0) (1.0 1.0 1.0))`.
+std::ostream& operator<<(std::ostream& out, const Box3& box);
+
 }  // namespace algebra3d
+
+template <>
+struct std::hash<algebra3d::Box3> {
+  std::size_t operator()(const algebra3d::Box3& box) const {
+    const std::hash<algebra3d::Vec3> hash_of;
+    return hash_of(box.min) * 31 + hash_of(box.max);
+  }
+};

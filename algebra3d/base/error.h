@@ -98,6 +98,9 @@ class [[nodiscard]] Result {
   T&& operator*() && { return std::move(*this).value(); }
   T* operator->() { return &value(); }
   const T* operator->() const { return &value(); }
+  /// The value, or `otherwise` if there is an error.
+  T value_or(T otherwise) const& { return ok() ? std::get<0>(content_) : std::move(otherwise); }
+  T value_or(T otherwise) && { return ok() ? std::move(std::get<0>(content_)) : std::move(otherwise); }
 
   Error& error() & { return assert(!ok()), std::get<1>(content_); }
   const Error& error() const& { return assert(!ok()), std::get<1>(content_); }

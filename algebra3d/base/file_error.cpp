@@ -92,6 +92,14 @@ Error write_error(const fs::path& file, int reason) {
   return {code, "{}: {}", file.string(), write_obstacle(file, reason)};
 }
 
+Status check_file_name(const fs::path& file) {
+  if (file.empty()) return Error{ErrorCode::file_missing, "the file name is empty"};
+  const std::string& name = file.native();
+  if (const std::size_t zero = name.find('\0'); zero != std::string::npos)
+    return Error{ErrorCode::file_missing, "the file name has a zero byte behind '{}'", name.substr(0, zero)};
+  return {};
+}
+
 Error interrupted_reading(std::string_view file_name) {
   return {ErrorCode::interrupted, "{}: interrupted", file_name};
 }

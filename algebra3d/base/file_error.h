@@ -15,6 +15,9 @@ std::string write_obstacle(const std::filesystem::path& file, int reason);
 /// The error `FILE: OBSTACLE`. Codes: disk_full, file_missing (no such folder), io_error.
 Error write_error(const std::filesystem::path& file, int reason);
 
+/// Checks that a name is not empty and has no zero byte, where the system would end it. Errors: file_missing.
+Status check_file_name(const std::filesystem::path& file);
+
 /// The error `FILE: interrupted` of reading, when the host asks to stop.
 Error interrupted_reading(std::string_view file_name);
 

@@ -50,6 +50,7 @@ Descriptor::~Descriptor() {
 }
 
 Result<InputFile> InputFile::open(const std::filesystem::path& path) {
+  ALGEBRA3D_RETURN_IF_ERROR(check_file_name(path));
   if (const auto database = open_database_with(path))
     return Error{ErrorCode::io_error, "{}: this file holds the open database '{}'", path.string(), database->string()};
   // O_NONBLOCK: opening a pipe that nobody writes to must not wait for a writer.

@@ -13,6 +13,8 @@
 #include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
 
+#include "algebra3d/base/nearest_rounding.h"
+
 namespace algebra3d {
 namespace {
 
@@ -58,7 +60,13 @@ namespace scheduler_detail {
 
 void run_both(const std::function<void()>& first, const std::function<void()>& second) {
   ForkGuard::prepare();
-  tbb::this_task_arena::isolate([&] { tbb::parallel_invoke(first, second); });
+  const auto rounding_to_nearest = [](const std::function<void()>& work) {
+    return [&work] {
+      const NearestRounding rounding;
+      work();
+    };
+  };
+  tbb::this_task_arena::isolate([&] { tbb::parallel_invoke(rounding_to_nearest(first), rounding_to_nearest(second)); });
 }
 
 void run_ranges(std::size_t count, std::size_t grain,
@@ -66,7 +74,10 @@ void run_ranges(std::size_t count, std::size_t grain,
   ForkGuard::prepare();
   tbb::this_task_arena::isolate([&] {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
-                      [&](const tbb::blocked_range<std::size_t>& range) { visit(range.begin(), range.end()); });
+                      [&](const tbb::blocked_range<std::size_t>& range) {
+                        const NearestRounding rounding;
+                        visit(range.begin(), range.end());
+                      });
   });
 }
 

@@ -1,5 +1,6 @@
 #include "algebra3d/base/stack_thread.h"
 
+#include <cfenv>
 #include <utility>
 
 namespace algebra3d {
@@ -21,7 +22,9 @@ class Attributes {
   pthread_attr_t attributes_;
 };
 
+// A thread begins with the rounding mode of the one that starts it.
 void* run_work(void* work) {
+  std::fesetround(FE_TONEAREST);
   (*static_cast<std::function<void()>*>(work))();
   return nullptr;
 }

@@ -19,8 +19,8 @@ class StackThread {
   StackThread(const StackThread&) = delete;
   StackThread& operator=(const StackThread&) = delete;
 
-  /// Runs `work`, which must not throw, on the thread. False if the system has no memory for it. Not to be called while
-  /// work is running.
+  /// Runs `work`, which must not throw, on the thread, which rounds to nearest. False if the system has no memory for
+  /// it. Not to be called while work is running.
   bool start(std::function<void()> work);
   /// Waits for the end of the work; does nothing if there is none.
   void join();

@@ -2,6 +2,8 @@
 
 #include <compare>
 #include <cstddef>
+#include <functional>
+#include <iosfwd>
 
 namespace algebra3d {
 
@@ -34,4 +36,15 @@ double length(const Vec3& v);
 /// True if no coordinate is NaN or infinite.
 bool is_finite(const Vec3& v);
 
+/// Prints `(1.0 0.5 0.0)`, the shortest decimals that read back as the same doubles.
+std::ostream& operator<<(std::ostream& out, const Vec3& v);
+
 }  // namespace algebra3d
+
+template <>
+struct std::hash<algebra3d::Vec3> {
+  std::size_t operator()(const algebra3d::Vec3& v) const {
+    const std::hash<double> hash_of;  // of 0.0 and -0.0, which are equal, the same
+    return (hash_of(v.x) * 31 + hash_of(v.y)) * 31 + hash_of(v.z);
+  }
+};

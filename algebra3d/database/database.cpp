@@ -23,10 +23,6 @@ Error moved_from() {
   return {ErrorCode::wrong_usage, "the database was moved elsewhere"};
 }
 
-Error no_single_value(std::string_view found) {
-  return {ErrorCode::type_error, "expected a single value, got {}", found};
-}
-
 }  // namespace
 
 Database::Database(std::shared_ptr<detail::Engine> engine) : engine_(std::move(engine)) {}
@@ -64,13 +60,12 @@ Result<Rows> Database::query(std::string_view statement, const Parameters& param
 
 Result<Value> Database::value(std::string_view statement, const Parameters& parameters) {
   return without_exceptions([&]() -> Result<Value> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(Rows rows, query(statement, parameters));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<Row> row, rows.next());
-    if (!row) return no_single_value(rows.columns().empty() ? "no result" : "no row");
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<Row> second, rows.next());
-    if (second) return no_single_value("several rows");
-    if (row->size() != 1) return no_single_value("a row of several values");
-    return (*row)[0];
+    if (engine_ == nullptr) return moved_from();
+    ALGEBRA3D_ASSIGN_OR_RETURN(auto handover,
+                               engine_->start(statement, parameters, detail::Engine::Results::single_value));
+    Rows rows(engine_, std::move(handover));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Row> all, rows.all());  // one row with one value, or an error
+    return all.front()[0];
   });
 }
 

@@ -18,7 +18,7 @@
 namespace algebra3d::database {
 
 /// Values of the parameters `$name` of a statement. They are bound as values, so quotes and brackets in strings have no
-/// meaning.
+/// meaning. An undefined one passes on its reason where it is used.
 using Parameters = std::map<std::string, Value, std::less<>>;
 
 struct OpenOptions {
@@ -46,8 +46,8 @@ struct Report {
 };
 
 /// An open database: a file with relations, solids, indexes and other objects, and a query language (docs/language.md,
-/// docs/operators.md). Several may be open in one process, also of the same file: readers never wait, a second writer
-/// waits for the first.
+/// docs/operators.md). Several may be open in one process, also of the same file: readers never wait; a second writer
+/// waits for the first, up to 5 seconds, and then ends with the error database_busy.
 ///
 /// Each statement is a transaction of its own, except between `begin transaction` and `commit transaction`. After an
 /// error the database is as before the statement. No function throws: exhausted memory is the error out_of_memory.
@@ -60,7 +60,8 @@ class Database {
   using Progress = std::function<void(const std::string& how_far)>;
 
   /// Opens a database. Errors: database_missing, database_foreign (another program's file), database_version (of a
-  /// newer version), database_corrupt, database_busy, database_read_only, file_missing, io_error.
+  /// newer version), database_corrupt, database_busy (after 5 seconds), database_read_only, file_missing (also for an
+  /// empty name or one with a zero byte), io_error.
   static Result<Database> open(const std::filesystem::path& file, const OpenOptions& options = {});
   /// Creates an empty database in a temporary folder, which is deleted when the database is closed. Ignores `read_only`
   /// and `creates`.
@@ -71,14 +72,15 @@ class Database {
   Database& operator=(Database&& other) noexcept;
 
   /// Runs one statement and returns its rows: the tuples of a relation or stream, or a value as a row with one column,
-  /// `value`. Rows have their values loaded; use `project` to drop columns. Errors: those of the statement up to its
-  /// first row; later ones are returned by Rows.
+  /// `value`. Rows have their values loaded; use `project` to drop columns. Changes are kept when the rows have been
+  /// read to their end, see Rows. Errors: those of the statement up to its first row; later ones are returned by Rows.
   Result<Rows> query(std::string_view statement, const Parameters& parameters = {});
-  /// Runs one statement whose result is a single value. Errors: those of the statement; type_error for any other
-  /// result.
+  /// Runs one query whose result is a single value. Errors: those of the query; type_error for any other result and any
+  /// other statement, which has then changed nothing.
   Result<Value> value(std::string_view statement, const Parameters& parameters = {});
   /// Runs the statements of a script, which end with `;` or an empty line, up to the first that fails. Results are
-  /// discarded. Errors: those of the statement; io_error also if its result says that a file was not read or written.
+  /// discarded; what `check database` finds becomes notes of the report. Errors: those of the statement; io_error also
+  /// if its result says that a file was not read or written.
   Status execute(std::string_view script, const Parameters& parameters = {});
   /// The report of the last statement or script; also after an error, which has undone the changes.
   const Report& report() const;
@@ -86,7 +88,8 @@ class Database {
   /// Sets the callback for the progress of statements. It is called on the thread that waits for results, and must not
   /// throw.
   void on_progress(Progress progress);
-  /// Ends the running statement with the error `interrupted`, if there is one. Any thread may call it at any time.
+  /// Ends the running statement with the error `interrupted`, if there is one, also while it waits for another writer.
+  /// Any thread may call it at any time.
   void cancel() const noexcept;
 
   /// True after `begin transaction` until its end.

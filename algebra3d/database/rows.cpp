@@ -83,11 +83,11 @@ void Rows::close() {
   if (engine_ == nullptr) return;
   engine_->cancel();
   handover_->abandon();
-  (void)end();  // it was interrupted, and that was wanted
+  (void)finish();  // it was interrupted, and that was wanted
 }
 
 // The statement is over.
-Status Rows::end() {
+Status Rows::finish() {
   engine_->release(std::move(handover_->report()));
   Status status = std::move(handover_->status());
   engine_.reset();
@@ -97,7 +97,7 @@ Status Rows::end() {
 
 Status Rows::wait_for_columns() {
   auto columns = handover_->wait_for_columns(engine_->progress());
-  if (columns == nullptr) return outcome_ = end();
+  if (columns == nullptr) return outcome_ = finish();
   columns_ = std::move(columns);
   return {};
 }
@@ -107,7 +107,7 @@ Status Rows::fetch() {
   next_ = 0;
   rows_.clear();
   auto rows = handover_->take_rows(engine_->progress());
-  if (!rows) return outcome_ = end();
+  if (!rows) return outcome_ = finish();
   rows_ = *std::move(rows);
   return {};
 }
@@ -124,6 +124,24 @@ Status Rows::for_each(const std::function<void(const Row&)>& visit) {
     if (!row) return {};
     visit(*row);
   }
+}
+
+void Rows::Iterator::take() {
+  auto next = rows_->next();
+  if (!next)
+    row_.emplace(std::move(next).error());
+  else if (*next)
+    row_.emplace(**std::move(next));
+  else
+    row_.reset();
+}
+
+Rows::Iterator& Rows::Iterator::operator++() {
+  if (row_->ok())
+    take();
+  else
+    row_.reset();
+  return *this;
 }
 
 Result<std::vector<Row>> Rows::all() {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <iosfwd>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -62,9 +63,12 @@ class Row {
 
 std::ostream& operator<<(std::ostream& out, const Row& row);
 
-/// The rows of one statement, computed on demand, a few in advance, on a thread of the database. The statement ends
-/// with the last row; until then the database runs no other statement. Destroying or closing it earlier cancels the
-/// statement like `Database::cancel` and undoes its changes. Used by one thread at a time.
+/// The rows of one statement, computed on demand, a few in advance, on a thread of the database. The statement ends,
+/// and keeps its changes, when the end behind the last row is asked for: when `next` returns nothing, `all` or
+/// `for_each` returns, or a range-based for ends by itself. Until then the database runs no other statement, and a
+/// statement that changes something keeps other writers waiting. Destroying or closing it earlier cancels the statement
+/// like `Database::cancel` and always undoes its changes, even if all rows were taken. (A statement without a result,
+/// such as `let`, has ended when `Database::query` returns.) Used by one thread at a time.
 class Rows {
  public:
   ~Rows();
@@ -79,6 +83,36 @@ class Rows {
   Status for_each(const std::function<void(const Row&)>& visit);
   /// All remaining rows.
   Result<std::vector<Row>> all();
+
+  /// An input iterator over the remaining rows. An error of the statement is the last element:
+  ///
+  ///     for (const Result<Row>& row : rows) {
+  ///       if (!row) return row.error();
+  ///       std::cout << *row;
+  ///     }
+  class Iterator {
+   public:
+    using value_type = Result<Row>;
+    using difference_type = std::ptrdiff_t;
+
+    const Result<Row>& operator*() const { return *row_; }
+    const Result<Row>* operator->() const { return &*row_; }
+    Iterator& operator++();
+    void operator++(int) { ++*this; }
+    friend bool operator==(const Iterator& a, std::default_sentinel_t) { return !a.row_; }
+
+   private:
+    friend class Rows;
+    explicit Iterator(Rows& rows) : rows_(&rows) { take(); }
+    void take();
+
+    Rows* rows_;
+    std::optional<Result<Row>> row_;  // nothing: the end
+  };
+  /// Takes the first remaining row. The rows must outlive the iterator.
+  Iterator begin() { return Iterator(*this); }
+  static std::default_sentinel_t end() { return {}; }
+
   /// Ends the statement, as the destructor does; there are no more rows.
   void close();
 
@@ -87,7 +121,7 @@ class Rows {
   Rows(std::shared_ptr<detail::Engine> engine, std::shared_ptr<detail::Handover> handover);
   Status wait_for_columns();
   Status fetch();
-  Status end();
+  Status finish();
 
   std::shared_ptr<detail::Engine> engine_;      // null once the statement has ended
   std::shared_ptr<detail::Handover> handover_;  // the same

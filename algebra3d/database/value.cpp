@@ -1,10 +1,14 @@
 #include "algebra3d/database/value.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <ostream>
 
 #include "algebra3d/base/context.h"
 #include "algebra3d/base/diagnostics.h"
+#include "algebra3d/base/nearest_rounding.h"
+#include "algebra3d/base/without_exceptions.h"
 #include "algebra3d/database/detail/value_content.h"
 #include "algebra3d/geometry/shape_access.h"
 #include "algebra3d/registry/registry.h"
@@ -12,6 +16,7 @@
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
 #include "algebra3d/types/time.h"
+#include "algebra3d/types/utf8.h"
 
 // The analyzer does not follow how many values share an object.
 // NOLINTBEGIN(clang-analyzer-cplusplus.NewDeleteLeaks,clang-analyzer-cplusplus.NewDelete)
@@ -46,12 +51,24 @@ Value of_coordinates(const Vec3& numbers) {
   return outer_of<T>({ExactPoint(numbers)});
 }
 
+/// Whether a type, in text or as a nested list, is made by a constructor whose values only databases have.
+bool belongs_to_databases(std::string_view type) {
+  constexpr std::array<std::string_view, 7> kConstructors = {"rel", "tuple", "stream", "map", "fun", "rtree3", "btree"};
+  const std::size_t begin = std::min(type.find_first_not_of("( "), type.size());
+  const std::string_view constructor = type.substr(begin, type.find_first_of("( )", begin) - begin);
+  return std::ranges::find(kConstructors, constructor) != kConstructors.end();
+}
+
 Result<const Type*> type_named(std::string_view name) {
   std::vector<std::string> names;
   for (const Type* type : all_types()) {
     if (type->name() == name) return type;
     names.emplace_back(type->name());
   }
+  if (belongs_to_databases(name))
+    return Error{
+        ErrorCode::type_error,
+        "expected a type that an attribute can have, got '{}'; write [const TYPE value NOTATION] in a statement", name};
   const std::string nearest = nearest_name(name, names);
   return Error{ErrorCode::unknown_name, "unknown type '{}'{}", name,
                nearest.empty() ? "" : ", did you mean '" + nearest + "'?"};
@@ -136,6 +153,8 @@ Value Value::vector(const Vec3& components) {
 }
 
 Value Value::points(std::span<const Vec3> positions) {
+  constexpr std::size_t kMaxPoints = 0xffffffff;
+  if (positions.size() > kMaxPoints) return undefined_of<Points3d>(fmt::format("more than {} points", kMaxPoints));
   std::vector<ExactPoint> points;
   points.reserve(positions.size());
   for (const Vec3& position : positions) {
@@ -151,12 +170,14 @@ Result<Value> Value::undefined(std::string_view type) {
 }
 
 Result<Value> Value::parse(std::string_view type, std::string_view notation) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Type* known, type_named(type));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const NestedList list, NestedList::parse(notation));
-  Diagnostics diagnostics;
-  Context context{diagnostics, nullptr, {}};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const algebra3d::Value value, value_from_nested(*known, list, context));
-  return ValueAccess::outer(value, value.is_defined() ? "" : diagnostics.last_reason());
+  return without_exceptions([&]() -> Result<Value> {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Type* known, type_named(type));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const NestedList list, NestedList::parse(notation));
+    Diagnostics diagnostics;
+    Context context{diagnostics, nullptr, {}};
+    ALGEBRA3D_ASSIGN_OR_RETURN(const algebra3d::Value value, value_from_nested(*known, list, context));
+    return ValueAccess::outer(value, value.is_defined() ? "" : diagnostics.last_reason());
+  });
 }
 
 std::string_view Value::type() const {
@@ -174,31 +195,37 @@ std::string_view Value::reason() const {
   return shared != nullptr ? std::string_view((*shared)->reason) : std::string_view();
 }
 
+Error Value::not_in_range(std::int64_t content, std::size_t bits, bool is_signed) {
+  return {ErrorCode::invalid_value, "the int {} is not in the range of {} integers of {} bits", content,
+          is_signed ? "signed" : "unsigned", bits};
+}
+
 template <>
-Result<bool> Value::get() const {
+Result<bool> Value::read() const {
   return content_of<bool>(*this);
 }
 
 template <>
-Result<std::int64_t> Value::get() const {
+Result<std::int64_t> Value::read() const {
   return content_of<std::int64_t>(*this);
 }
 
 template <>
-Result<double> Value::get() const {
+Result<double> Value::read() const {
+  const NearestRounding rounding;
   if (const auto* integer = std::get_if<std::int64_t>(&content_)) return static_cast<double>(*integer);
   return content_of<double>(*this);
 }
 
 template <>
-Result<std::string> Value::get() const {
+Result<std::string> Value::read() const {
   const algebra3d::Value inner = ValueAccess::inner(*this);
   if (!inner.is_defined() || type_->storage() != Type::Storage::text) return not_readable(*this, "string or text");
   return characters_of(inner);
 }
 
 template <>
-Result<Vec3> Value::get() const {
+Result<Vec3> Value::read() const {
   if (type_ == &TypeOf<Vector3d>::type()) {
     ALGEBRA3D_ASSIGN_OR_RETURN(const Vector3d vector, content_of<Vector3d>(*this));
     return vector.components.approx();
@@ -209,7 +236,7 @@ Result<Vec3> Value::get() const {
 }
 
 template <>
-Result<std::vector<Vec3>> Value::get() const {
+Result<std::vector<Vec3>> Value::read() const {
   ALGEBRA3D_ASSIGN_OR_RETURN(const Points3d points, content_of<Points3d>(*this));
   std::vector<Vec3> positions;
   positions.reserve(points.points().size());
@@ -218,44 +245,50 @@ Result<std::vector<Vec3>> Value::get() const {
 }
 
 template <>
-Result<Box3> Value::get() const {
+Result<Box3> Value::read() const {
   return content_of<Box3>(*this);
 }
 
 template <>
-Result<Solid> Value::get() const {
+Result<Solid> Value::read() const {
   ALGEBRA3D_ASSIGN_OR_RETURN(Volume3d volume, content_of<Volume3d>(*this));
   return algebra3d::detail::ShapeAccess::outer(std::move(volume));
 }
 
 template <>
-Result<Surface> Value::get() const {
+Result<Surface> Value::read() const {
   ALGEBRA3D_ASSIGN_OR_RETURN(Surface3d surface, content_of<Surface3d>(*this));
   return algebra3d::detail::ShapeAccess::outer(std::move(surface));
 }
 
 template <>
-Result<Instant> Value::get() const {
+Result<Instant> Value::read() const {
   ALGEBRA3D_ASSIGN_OR_RETURN(const algebra3d::Instant instant, content_of<algebra3d::Instant>(*this));
   return kFirstDay + Duration(instant.milliseconds);
 }
 
 template <>
-Result<Duration> Value::get() const {
+Result<Duration> Value::read() const {
   ALGEBRA3D_ASSIGN_OR_RETURN(const algebra3d::Duration duration, content_of<algebra3d::Duration>(*this));
   return Duration(duration.milliseconds);
 }
 
+std::string Value::get_or(const char* otherwise) const {
+  return get_or(std::string(otherwise));
+}
+
 std::string Value::text() const {
-  return ValueAccess::inner(*this).to_nested().print();
+  return shown_as_text(ValueAccess::inner(*this).to_nested().print());
 }
 
 std::strong_ordering operator<=>(const Value& a, const Value& b) {
+  const NearestRounding rounding;
   if (a.type_ != b.type_) return a.type_->name() <=> b.type_->name();
   return compare(ValueAccess::inner(a), ValueAccess::inner(b));
 }
 
 std::size_t Value::hash() const {
+  const NearestRounding rounding;
   return algebra3d::hash(ValueAccess::inner(*this));
 }
 

@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -39,8 +40,7 @@ concept Integer = std::integral<T> && sizeof(T) <= sizeof(std::int64_t) && !std:
 
 /// The C++ types that a value can be read as.
 template <typename T>
-concept ReadableType =
-    std::same_as<T, bool> || std::same_as<T, std::int64_t> || std::same_as<T, double> || std::same_as<T, std::string> ||
+concept ReadableType = std::same_as<T, bool> || Integer<T> || std::same_as<T, double> || std::same_as<T, std::string> ||
     std::same_as<T, Vec3> || std::same_as<T, std::vector<Vec3>> || std::same_as<T, Box3> || std::same_as<T, Solid> ||
     std::same_as<T, Surface> || std::same_as<T, Instant> || std::same_as<T, Duration>;
 
@@ -64,7 +64,9 @@ struct ValueAccess;
 class Value {
  public:
   // Conversions from C++ types. A number that the language does not have (an integer beyond 64 bits, NaN, infinity), an
-  // instant outside of the years 1 to 9999, and an empty box become undefined. NOLINTBEGIN(google-explicit-constructor)
+  // instant outside of the years 1 to 9999, and an empty box become undefined. Strings should be UTF-8 without zero
+  // bytes: others can be read back, but parameters of statements must not have them.
+  // NOLINTBEGIN(google-explicit-constructor)
   template <std::same_as<bool> T>  // nothing else becomes a bool, no pointer in particular
   Value(T content) : Value(of_bool(content)) {}
   template <Integer T>
@@ -93,11 +95,14 @@ class Value {
   static Value text(std::string content);  ///< a text; a std::string converts to a string
   static Value point(const Vec3& position);
   static Value vector(const Vec3& components);
+  /// Undefined for more than 2^32 - 1 positions, too.
   static Value points(std::span<const Vec3> positions);
   /// An undefined value of the type. Errors: unknown_name.
   static Result<Value> undefined(std::string_view type);
-  /// Parses a value of any type from its notation, as in `parse("plane3d", "(0.0 0.0 0.0 1.0)")`. Undefined, with the
-  /// reason, if it is well-formed but not a valid value. Errors: unknown_name, invalid_value.
+  /// Parses a value of any type that an attribute can have from its notation, as in
+  /// `parse("plane3d", "(0.0 0.0 0.0 1.0)")`. Undefined, with the reason, if it is well-formed but not a valid value.
+  /// Errors: unknown_name, invalid_value; type_error for relations, tuples, functions and indexes, which are no values
+  /// outside of a database (write `[const TYPE value NOTATION]` in a statement).
   static Result<Value> parse(std::string_view type, std::string_view notation);
 
   /// The name of the type in the language: "int", "volume3d".
@@ -108,17 +113,24 @@ class Value {
   std::string_view reason() const;
 
   /// The value as a C++ type of the table above; an int may be read as a double. Errors: type_error for another type;
-  /// not_evaluable, with the reason, for an undefined value.
+  /// invalid_value for an int that is not in the range of T; not_evaluable, with the reason, for an undefined value.
   template <ReadableType T>
-  Result<T> get() const;
-  /// The value, or `otherwise` if it is undefined or of another type.
+  Result<T> get() const {
+    using Read = std::conditional_t<Integer<T>, std::int64_t, T>;
+    ALGEBRA3D_ASSIGN_OR_RETURN(Read content, read<Read>());
+    if constexpr (Integer<T>)
+      if (!std::in_range<T>(content)) return not_in_range(content, 8 * sizeof(T), std::is_signed_v<T>);
+    return static_cast<T>(std::move(content));
+  }
+  /// The value, or `otherwise` if it is undefined, of another type or not in the range of T.
   template <ReadableType T>
   T get_or(T otherwise) const {
-    Result<T> content = get<T>();
-    return content ? *std::move(content) : std::move(otherwise);
+    return get<T>().value_or(std::move(otherwise));
   }
+  std::string get_or(const char* otherwise) const;
 
-  /// The notation of the language, which is exact: `2.5`, `"a string"`, `(1 2/3 0)`, `undefined`. Cost: linear.
+  /// The notation of the language, which is exact: `2.5`, `"a string"`, `(1 2/3 0)`, `undefined`. Always UTF-8: other
+  /// bytes of a string appear as `\xff`. Cost: linear.
   std::string text() const;
 
   /// Equal means the same type and value; geometry is equal if its points are. Reasons do not count.
@@ -132,6 +144,9 @@ class Value {
   using Content = std::variant<std::monostate, bool, std::int64_t, double, std::shared_ptr<const detail::ValueContent>>;
 
   Value(const Type& type, Content content) : type_(&type), content_(std::move(content)) {}
+  template <typename T>
+  Result<T> read() const;
+  static Error not_in_range(std::int64_t content, std::size_t bits, bool is_signed);
   static Value of_bool(bool content);
   static Value of_real(double content);
   static Value of_integer(bool is_negative, std::uint64_t bits);
@@ -141,27 +156,27 @@ class Value {
 };
 
 template <>
-Result<bool> Value::get() const;
+Result<bool> Value::read() const;
 template <>
-Result<std::int64_t> Value::get() const;
+Result<std::int64_t> Value::read() const;
 template <>
-Result<double> Value::get() const;
+Result<double> Value::read() const;
 template <>
-Result<std::string> Value::get() const;
+Result<std::string> Value::read() const;
 template <>
-Result<Vec3> Value::get() const;
+Result<Vec3> Value::read() const;
 template <>
-Result<std::vector<Vec3>> Value::get() const;
+Result<std::vector<Vec3>> Value::read() const;
 template <>
-Result<Box3> Value::get() const;
+Result<Box3> Value::read() const;
 template <>
-Result<Solid> Value::get() const;
+Result<Solid> Value::read() const;
 template <>
-Result<Surface> Value::get() const;
+Result<Surface> Value::read() const;
 template <>
-Result<Instant> Value::get() const;
+Result<Instant> Value::read() const;
 template <>
-Result<Duration> Value::get() const;
+Result<Duration> Value::read() const;
 
 std::ostream& operator<<(std::ostream& out, const Value& value);
 

@@ -35,9 +35,9 @@ PolygonSoup polygon_soup_of(const TriangleMesh& mesh) {
   return soup;
 }
 
-bool refuse(Context& context, const std::string& reason) {
+ExportedSolid refuse(Context& context, ErrorCode code, const std::string& reason) {
   context.diagnostics.report(reason, {}, Diagnostics::About::unwritten);
-  return false;
+  return {Error(code, reason)};
 }
 
 /// Writes the rounded solid to the path.
@@ -84,27 +84,26 @@ Result<std::string> visible_change(const Context& context, const TriangleMesh& s
   return text;
 }
 
-/// FALSE, with a diagnostic, if the solid cannot be rounded or the file not be written.
-Result<bool> export_rounded(Context& context, const std::string& name, const Volume3d& solid, const std::string& file,
-                            const FileNumbers& numbers, const MeshWriter& write) {
+Result<ExportedSolid> export_rounded(Context& context, const std::string& name, const Volume3d& solid,
+                                     const std::string& file, const FileNumbers& numbers, const MeshWriter& write) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const RoundedSolid rounded, rounded_solid(solid.mesh(), numbers.grid, context.cancel));
   const std::string rounding = fmt::format("{}: {}: rounded to {}, ", name, file, numbers.name);
-  if (!rounded.mesh) return refuse(context, rounding + rounded.reason + numbers.advice);
+  if (!rounded.mesh) return refuse(context, ErrorCode::invalid_value, rounding + rounded.reason + numbers.advice);
   if (rounded.mesh->is_empty() && !solid.mesh().is_empty())
-    return refuse(context, rounding + "nothing of the solid is left" + numbers.advice);
+    return refuse(context, ErrorCode::invalid_value, rounding + "nothing of the solid is left" + numbers.advice);
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::string change, visible_change(context, solid.mesh(), rounded));
   if (!change.empty())
     context.diagnostics.report(fmt::format("{}: rounded to {}, {}{}", name, numbers.name, change, numbers.advice),
                                file);
   const Status written = write(context.resolve(file), *rounded.mesh);
-  if (!written) return refuse(context, name + ": " + written.error().message);
-  return true;
+  if (!written) return refuse(context, written.error().code, name + ": " + written.error().message);
+  return ExportedSolid();
 }
 
 }  // namespace
 
-Result<bool> export_solid(Context& context, const std::string& command, const Volume3d& solid, const std::string& name,
-                          const std::string& file, const MeshFileForm& form) {
+Result<ExportedSolid> export_solid(Context& context, const std::string& command, const Volume3d& solid,
+                                   const std::string& name, const std::string& file, const MeshFileForm& form) {
   const mesh_files::MeshFormat& format = *form.format;
   const bool has_floats = format.form(form.encoding)->coordinates == mesh_files::CoordinateRange::floats;
   return export_rounded(context, command, solid, file, has_floats ? floats() : doubles(),

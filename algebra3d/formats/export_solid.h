@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "algebra3d/base/context.h"
+#include "algebra3d/base/error.h"
 #include "algebra3d/types/spatial.h"
 #include "mesh_files/mesh_format.h"
 #include "mesh_files/mesh_formats.h"
@@ -15,10 +17,16 @@ struct MeshFileForm {
   mesh_files::Encoding encoding = mesh_files::Encoding::binary;  ///< one that the format has
 };
 
+/// The result of exporting a solid: why the file was not written, if it was not.
+struct ExportedSolid {
+  std::optional<Error> refusal;
+};
+
 /// Writes the solid to a mesh file as exportSTL, exportOBJ and exportOFF do: rounded to the precision of the format,
-/// atomically. `command` begins the diagnostics; `name` is the name of the solid in the file. False, with a diagnostic,
-/// if the solid cannot be rounded or the file cannot be written. Errors: interrupted, out_of_memory.
-Result<bool> export_solid(Context& context, const std::string& command, const Volume3d& solid, const std::string& name,
-                          const std::string& file, const MeshFileForm& form);
+/// atomically. `command` begins the diagnostics; `name` is the name of the solid in the file. A refusal is also a
+/// diagnostic: invalid_value if the solid cannot be rounded, else the errors of MeshFormat::write. Errors: interrupted,
+/// limit_exceeded, out_of_memory.
+Result<ExportedSolid> export_solid(Context& context, const std::string& command, const Volume3d& solid,
+                                   const std::string& name, const std::string& file, const MeshFileForm& form);
 
 }  // namespace algebra3d

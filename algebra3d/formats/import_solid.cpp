@@ -29,7 +29,7 @@ Result<ImportedSolid> refused_or_failed(Error error) {
 Result<ImportedSurface> refused_surface_or_failed(Error error) {
   if (!is_fault_of_file(error)) return error;
   ImportedSurface result;
-  result.reason = std::move(error.message);
+  result.refusal = std::move(error);
   return result;
 }
 

@@ -57,10 +57,10 @@ Result<ImportedSolid> import_solid(const std::filesystem::path& path, const mesh
 /// The same for a mesh file that has been read, or could not be read.
 Result<ImportedSolid> import_solid(Result<MeshFile> read, const RepairOptions& options, const Monitor& monitor = {});
 
-/// The result of importing a mesh file as a surface: the surface or the reason why there is none, and remarks.
+/// The result of importing a mesh file as a surface: the surface or the error that says why there is none, and remarks.
 struct ImportedSurface {
   std::optional<Surface3d> surface;
-  std::string reason;
+  std::optional<Error> refusal;
   std::vector<std::string> remarks;
 };
 

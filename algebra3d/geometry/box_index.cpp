@@ -1,5 +1,8 @@
 #include "algebra3d/geometry/box_index.h"
 
+#include <new>
+
+#include "algebra3d/base/nearest_rounding.h"
 #include "rtree/rtree.h"
 
 namespace algebra3d {
@@ -30,6 +33,8 @@ BoxIndex::BoxIndex(BoxIndex&& other) noexcept = default;
 BoxIndex& BoxIndex::operator=(BoxIndex&& other) noexcept = default;
 
 BoxIndex::BoxIndex(std::span<const Box3> boxes) : tree_(std::make_unique<Tree>()) {
+  if (boxes.size() > kMaxBoxes) throw std::bad_alloc();
+  const NearestRounding rounding;
   std::vector<rtree::Entry<Number>> entries;
   entries.reserve(boxes.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) entries.push_back({boxes[i], i});
@@ -56,6 +61,7 @@ std::vector<BoxIndex::Number> BoxIndex::meeting(const Box3& window) const {
 }
 
 std::vector<BoxIndex::Neighbour> BoxIndex::nearest(const Box3& box, std::size_t limit) const {
+  const NearestRounding rounding;
   std::vector<Neighbour> neighbours;
   auto cursor = tree().entries.nearest(box, limit);
   while (const auto next = cursor.next()) neighbours.push_back({next->payload, next->distance});

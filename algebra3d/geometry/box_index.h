@@ -16,13 +16,15 @@ namespace algebra3d {
 class BoxIndex {
  public:
   using Number = std::uint64_t;
+  static constexpr std::size_t kMaxBoxes = 0xffffffff;
   struct Neighbour {
     Number number;
     double distance;  ///< Euclidean, from box to box; rounded
   };
 
   BoxIndex();
-  /// Builds the index; the boxes are numbered from 0. Cost: n log n. Nodes are fuller than after insertions.
+  /// Builds the index; the boxes are numbered from 0. Cost: n log n. Nodes are fuller than after insertions. Throws
+  /// std::bad_alloc, also for more than kMaxBoxes boxes.
   explicit BoxIndex(std::span<const Box3> boxes);
   ~BoxIndex();
   /// A moved-from index is empty.

@@ -32,7 +32,7 @@ Result<ReadSolid> read_solid(const std::filesystem::path& file, const std::strin
 Result<Surface> read_surface(const std::filesystem::path& file, const Monitor& monitor) {
   return without_exceptions([&]() -> Result<Surface> {
     ALGEBRA3D_ASSIGN_OR_RETURN(ImportedSurface imported, import_surface(file, monitor));
-    if (!imported.surface) return Error{ErrorCode::file_format, imported.reason};
+    if (imported.refusal) return *std::move(imported.refusal);
     return ShapeAccess::outer(*std::move(imported.surface));
   });
 }
@@ -45,10 +45,10 @@ Status write_solid(const Solid& solid, const std::filesystem::path& file, const 
       return Error{ErrorCode::wrong_usage, "{}: expected a name that ends in {}", file.string(), formats.endings("or")};
     const MeshFileForm form{format, format->forms.front().encoding};
     detail::Surroundings surroundings(monitor);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_written,
+    ALGEBRA3D_ASSIGN_OR_RETURN(ExportedSolid exported,
                                export_solid(surroundings.context, "write_solid", ShapeAccess::content(solid),
                                             file.stem().string(), file.string(), form));
-    if (!is_written) return surroundings.reason(file.string() + ": the solid cannot be written");
+    if (exported.refusal) return *std::move(exported.refusal);
     return {};
   });
 }

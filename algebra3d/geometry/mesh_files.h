@@ -31,13 +31,13 @@ struct ReadSolid {
 Result<ReadSolid> read_solid(const std::filesystem::path& file, const std::string& options = {},
                              const Monitor& monitor = {});
 
-/// Reads a mesh file as a surface: triangles are divided where they cross, and nothing is added. Errors: those of
-/// reading, which name the file and the place; interrupted.
+/// Reads a mesh file as a surface: triangles are divided where they cross, and nothing is added. Errors: file_missing
+/// and io_error if the file cannot be read, file_format for its content, with the place; limit_exceeded; interrupted.
 Result<Surface> read_surface(const std::filesystem::path& file, const Monitor& monitor = {});
 
 /// Writes a solid in the format of the name's ending (.stl, .obj, .off): rounded to the precision of the format and
-/// proved again; atomically. STL is binary. Errors: invalid_value if the solid cannot be rounded, wrong_usage for
-/// another ending, io_error with the system's reason; interrupted.
+/// proved again; atomically. STL is binary. Errors: invalid_value if the solid cannot be rounded; wrong_usage for
+/// another ending; file_missing (no such folder), disk_full and io_error with the system's reason; interrupted.
 Status write_solid(const Solid& solid, const std::filesystem::path& file, const Monitor& monitor = {});
 
 }  // namespace algebra3d

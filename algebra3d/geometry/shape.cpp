@@ -2,6 +2,7 @@
 
 #include <ostream>
 
+#include "algebra3d/base/nearest_rounding.h"
 #include "algebra3d/base/without_exceptions.h"
 #include "algebra3d/exact/exact_sum.h"
 #include "algebra3d/geometry/detail/operator_call.h"
@@ -65,6 +66,7 @@ Box3 Shape<Derived, Content>::box() const {
 
 template <typename Derived, typename Content>
 double Shape<Derived, Content>::area() const {
+  const NearestRounding rounding;
   return *nearest_area(content_->mesh().points(), triangles_of(content_->mesh()));
 }
 
@@ -82,7 +84,7 @@ template <typename Derived, typename Content>
 Result<Derived> Shape<Derived, Content>::translated(const Vec3& by) const {
   return without_exceptions([&]() -> Result<Derived> {
     ALGEBRA3D_RETURN_IF_ERROR(check_finite("translated", by));
-    return ShapeAccess::outer(call<Content>("translate", {ShapeAccess::value(*this), vector_value(by)}));
+    return ShapeAccess::outer(call<Content>("translated", "translate", {ShapeAccess::value(*this), vector_value(by)}));
   });
 }
 
@@ -93,7 +95,8 @@ Result<Derived> Shape<Derived, Content>::rotated(const Vec3& centre, const Vec3&
     ALGEBRA3D_RETURN_IF_ERROR(check_finite("rotated", axis));
     ALGEBRA3D_RETURN_IF_ERROR(check_finite("rotated", {degrees, 0, 0}));
     return ShapeAccess::outer(call<Content>(
-        "rotate", {ShapeAccess::value(*this), point_value(centre), vector_value(axis), Value::of<double>(degrees)}));
+        "rotated", "rotate",
+        {ShapeAccess::value(*this), point_value(centre), vector_value(axis), Value::of<double>(degrees)}));
   });
 }
 
@@ -103,16 +106,16 @@ Result<Derived> Shape<Derived, Content>::scaled(const Vec3& centre, const Vec3& 
     ALGEBRA3D_RETURN_IF_ERROR(check_finite("scaled", centre));
     ALGEBRA3D_RETURN_IF_ERROR(check_finite("scaled", factors));
     return ShapeAccess::outer(
-        call<Content>("scaleDir", {ShapeAccess::value(*this), point_value(centre), vector_value(factors)}));
+        call<Content>("scaled", "scaleDir", {ShapeAccess::value(*this), point_value(centre), vector_value(factors)}));
   });
 }
 
 template <typename Derived, typename Content>
 Result<Derived> Shape<Derived, Content>::mirrored(const Vec3& point, const Vec3& normal) const {
   return without_exceptions([&]() -> Result<Derived> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(Plane3d plane, detail::plane_through(point, normal));
+    ALGEBRA3D_ASSIGN_OR_RETURN(Plane3d plane, detail::plane_through("mirrored", point, normal));
     return ShapeAccess::outer(
-        call<Content>("mirror", {ShapeAccess::value(*this), Value::of<Plane3d>(std::move(plane))}));
+        call<Content>("mirrored", "mirror", {ShapeAccess::value(*this), Value::of<Plane3d>(std::move(plane))}));
   });
 }
 
@@ -133,11 +136,13 @@ std::ostream& Shape<Derived, Content>::print(std::ostream& out) const {
 
 template <typename Derived, typename Content>
 std::strong_ordering Shape<Derived, Content>::compare(const Derived& other) const {
+  const NearestRounding rounding;
   return algebra3d::compare(ShapeAccess::value(*this), ShapeAccess::value(other));
 }
 
 template <typename Derived, typename Content>
 std::size_t Shape<Derived, Content>::hash() const {
+  const NearestRounding rounding;
   return algebra3d::hash(ShapeAccess::value(*this));
 }
 

@@ -40,6 +40,8 @@ struct IndexedTriangles {
 /// Exact: every shape is proved to be valid when it is made, and corners that set operations compute are kept as
 /// fractions. Shapes are equal if they are the same point set, whatever the triangles.
 ///
+/// Results do not depend on the rounding mode of the calling thread, which stays as it is.
+///
 /// Functions that can fail return a Result and do not throw: exhausted memory is the error out_of_memory. The others
 /// throw only std::bad_alloc.
 template <typename Derived, typename Content>
@@ -51,7 +53,8 @@ class Shape {
   ~Shape() = default;
 
   /// Makes a shape of triangles without repair; equal points are welded. Errors: invalid_value, with the defects, if
-  /// they are not valid (read_solid and read_surface in mesh_files.h repair meshes); interrupted.
+  /// they are not valid (read_solid and read_surface in mesh_files.h repair meshes); limit_exceeded beyond some 700
+  /// million triangles or 2 billion points; interrupted.
   static Result<Derived> of_triangles(std::span<const Vec3> points,
                                       std::span<const std::array<std::uint32_t, 3>> triangles,
                                       const Monitor& monitor = {});

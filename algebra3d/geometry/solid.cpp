@@ -1,5 +1,6 @@
 #include "algebra3d/geometry/solid.h"
 
+#include "algebra3d/base/nearest_rounding.h"
 #include "algebra3d/base/without_exceptions.h"
 #include "algebra3d/constructions/solid_sets.h"
 #include "algebra3d/exact/exact_sum.h"
@@ -20,6 +21,7 @@ using detail::point_value;
 using detail::ShapeAccess;
 
 Rational exact_volume_of(const Volume3d& volume) {
+  const NearestRounding rounding;
   return *exact_volume(volume.mesh().points(), triangles_of(volume.mesh()));
 }
 
@@ -38,7 +40,7 @@ Result<Solid> Solid::box(const Vec3& corner, const Vec3& opposite) {
   return without_exceptions([&]() -> Result<Solid> {
     ALGEBRA3D_RETURN_IF_ERROR(check_finite("box", corner));
     ALGEBRA3D_RETURN_IF_ERROR(check_finite("box", opposite));
-    return ShapeAccess::outer(call<Volume3d>("createCube", {point_value(corner), point_value(opposite)}));
+    return ShapeAccess::outer(call<Volume3d>("box", "createCube", {point_value(corner), point_value(opposite)}));
   });
 }
 
@@ -47,11 +49,12 @@ Result<Solid> Solid::sphere(const Vec3& centre, double radius, int corners) {
     ALGEBRA3D_RETURN_IF_ERROR(check_finite("sphere", centre));
     ALGEBRA3D_RETURN_IF_ERROR(check_finite("sphere", {radius, 0, 0}));
     return ShapeAccess::outer(call<Volume3d>(
-        "createSphere", {point_value(centre), Value::of<double>(radius), Value::of<std::int64_t>(corners)}));
+        "sphere", "createSphere", {point_value(centre), Value::of<double>(radius), Value::of<std::int64_t>(corners)}));
   });
 }
 
 double Solid::volume() const {
+  const NearestRounding rounding;
   return exact_volume_of(content()).nearest_double();
 }
 
@@ -61,14 +64,15 @@ std::string Solid::exact_volume() const {
 
 Result<Vec3> Solid::centroid() const {
   return without_exceptions([&]() -> Result<Vec3> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Point3d centroid, call<Point3d>("centroid", {ShapeAccess::value(*this)}));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Point3d centroid,
+                               call<Point3d>("centroid", "centroid", {ShapeAccess::value(*this)}));
     return centroid.position.approx();
   });
 }
 
 Result<Solid> Solid::rounded(const Monitor& monitor) const {
   return without_exceptions([&]() -> Result<Solid> {
-    return ShapeAccess::outer(call<Volume3d>("roundCoordinates", {ShapeAccess::value(*this)}, monitor));
+    return ShapeAccess::outer(call<Volume3d>("rounded", "roundCoordinates", {ShapeAccess::value(*this)}, monitor));
   });
 }
 
@@ -122,7 +126,7 @@ Result<Solid> symmetric_difference(const Solid& a, const Solid& b, const Monitor
 
 Result<SplitSolid> split(const Solid& solid, const Vec3& point, const Vec3& normal, const Monitor& monitor) {
   return without_exceptions([&]() -> Result<SplitSolid> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Plane3d plane, detail::plane_through(point, normal));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Plane3d plane, detail::plane_through("split", point, normal));
     detail::Surroundings surroundings(monitor);
     ALGEBRA3D_ASSIGN_OR_RETURN(SolidParts parts, split(surroundings.context, ShapeAccess::content(solid), plane.plane));
     return SplitSolid{ShapeAccess::outer(std::move(parts.in_front)), ShapeAccess::outer(std::move(parts.behind))};

@@ -28,7 +28,7 @@ Surface boundary(const Solid& solid) {
 
 Result<Surface> section(const Solid& solid, const Vec3& point, const Vec3& normal, const Monitor& monitor) {
   return without_exceptions([&]() -> Result<Surface> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Plane3d plane, detail::plane_through(point, normal));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Plane3d plane, detail::plane_through("section", point, normal));
     detail::Surroundings surroundings(monitor);
     return ShapeAccess::outer(section(surroundings.context, ShapeAccess::content(solid), plane.plane));
   });

@@ -69,7 +69,7 @@ Result<Maybe<Volume3d>> make_cube(Context& context, const Point3d& p, const Poin
     return low != high;
   };
   if (!order(ends[0].x, ends[1].x) || !order(ends[0].y, ends[1].y) || !order(ends[0].z, ends[1].z))
-    return undefined("the corners have a coordinate in common, so the cube has no extent there");
+    return undefined("the corners have a coordinate in common, so the solid has no extent there");
   PointArray points;
   for (std::size_t i = 0; i < 8; ++i)
     points.push_back(ExactPoint(RationalVec3(ends[i & 1U].x, ends[(i >> 1U) & 1U].y, ends[(i >> 2U) & 1U].z)));

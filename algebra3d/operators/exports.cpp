@@ -61,10 +61,10 @@ Result<Outcome> export_to(const MeshFormat& format, std::span<const Value> given
   if (is_binary != nullptr) form.encoding = is_binary->get<bool>() ? Encoding::binary : Encoding::ascii;
   ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, solid.loaded());
   ALGEBRA3D_ASSIGN_OR_RETURN(
-      const bool is_written,
+      const ExportedSolid exported,
       export_solid(context, op, loaded.get<Volume3d>(), name != nullptr ? name->get<std::string>() : std::string(),
                    file.get<Text>().content, form));
-  return Outcome(Value::of<bool>(is_written));
+  return Outcome(Value::of<bool>(!exported.refusal));
 }
 
 Overload export_overload(const MeshFormat& format) {

@@ -72,7 +72,7 @@ Result<Maybe<Surface3d>> import_as_surface(Context& context, const Text& file) {
   for (const std::string& remark : imported.remarks)
     context.diagnostics.report("importSurface: " + remark, file.content);
   if (imported.surface) return Maybe<Surface3d>(*std::move(imported.surface));
-  return Maybe<Surface3d>(Undefined{imported.reason});
+  return Maybe<Surface3d>(Undefined{imported.refusal->message});
 }
 
 constexpr const char* kRepairDetail =

@@ -91,7 +91,8 @@ Status ExpressionParser::rename_list(Argument& argument) {
   do {
     ALGEBRA3D_ASSIGN_OR_RETURN(std::string renamed, name("the new name of an attribute"));
     ALGEBRA3D_RETURN_IF_ERROR(expect(":", "after the new name '" + renamed + "'"));
-    if (!scanner_.peek().is_name() && scanner_.peek().kind != Token::Kind::string) return unexpected("an attribute name");
+    if (!scanner_.peek().is_name() && scanner_.peek().kind != Token::Kind::string)
+      return unexpected("an attribute name");
     argument.names.push_back(std::move(renamed));
     argument.modifiers.push_back(scanner_.take().text);
   } while (accept(","));

@@ -47,7 +47,10 @@ Result<TypedPtr> Checker::check(const TypedLiteral& literal, const SourcePlace& 
 }
 
 Result<TypedPtr> Checker::check(const HostValue& given, const SourcePlace& place) {
-  return make_constant(TypeExpr(given.value.type().name()), Datum{given.value}, place);
+  TypeExpr type(given.value.type().name());
+  if (!given.value.is_defined() && !given.reason.empty())
+    return make_undefined(std::move(type), given.value, given.reason, place);
+  return make_constant(std::move(type), Datum{given.value}, place);
 }
 
 Result<TypedPtr> Checker::check(const Application& application, const SourcePlace& place) {

@@ -89,6 +89,8 @@ Error Checker::unknown_name(const std::string& name, const SourcePlace& place) {
     message = fmt::format("there is no object '{}'; the operator of that name is written {}", name, op->written());
   else if (const std::string meant = name_meant(name); !meant.empty())
     message += ", did you mean '" + meant + "'?";
+  else if (!objects_.is_open())
+    return Error(ErrorCode::no_database, "{}: no database is open", message).at(place);
   return Error(ErrorCode::unknown_name, message).at(place);
 }
 

@@ -37,17 +37,20 @@ struct CheckDatabase {};
 /// `create N : T`
 struct CreateObject {
   std::string name;
+  SourcePlace name_place;
   TypeSyntax type;
 };
 /// `let N = E`; `let_` replaces an existing object.
 struct LetObject {
   std::string name;
+  SourcePlace name_place;
   ExpressionPtr value;
   bool replaces = false;
 };
 /// `derive N = E`: the expression is stored, and evaluated again when the database is restored.
 struct DeriveObject {
   std::string name;
+  SourcePlace name_place;
   ExpressionPtr value;
 };
 /// `update N := E`
@@ -64,6 +67,7 @@ struct DeleteObject {
 struct RenameObject {
   std::string old_name;
   std::string new_name;
+  SourcePlace new_name_place;
 };
 /// `save N to F`
 struct SaveObject {
@@ -73,11 +77,13 @@ struct SaveObject {
 /// `restore N from F`
 struct RestoreObject {
   std::string name;
+  SourcePlace name_place;
   std::string file;
 };
 /// `type N = T`
 struct DefineType {
   std::string name;
+  SourcePlace name_place;
   TypeSyntax type;
 };
 /// `delete type N`

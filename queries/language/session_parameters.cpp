@@ -85,7 +85,7 @@ bool may_be_literal(const algebra3d::Value& value) {
 // As a text has it; for a value that may be long, or is undefined, without its list.
 WrittenConstant written(const SessionParameter& parameter) {
   if (const auto* constant = std::get_if<WrittenConstant>(&parameter)) return *constant;
-  const auto& value = std::get<algebra3d::Value>(parameter);
+  const algebra3d::Value& value = std::get<HostValue>(parameter).value;
   return {std::string(value.type().name()), may_be_literal(value) ? value.to_nested() : NestedList()};
 }
 
@@ -113,6 +113,9 @@ Result<std::pair<std::string, SessionParameter>> parse_session_parameter(std::st
   if (!is_identifier(name))
     return wrong_parameter(text,
                            "expected a name of letters, digits and '_' before the '=', found " + quoted_excerpt(name));
+  if (colon == std::string_view::npos && is_number_beyond_range(value))
+    return wrong_parameter(text, fmt::format("the number is out of range; if it is to be a string, write {}:string={}",
+                                             name, quoted_excerpt(value)));
   const std::string_view type = colon == std::string_view::npos ? guessed_type(value) : left.substr(colon + 1);
   auto parameter = parameter_of(type, value, registry);
   if (!parameter) return wrong_parameter(text, parameter.error().message);
@@ -124,7 +127,7 @@ Result<ExpressionNode> parameter_constant(const SessionParameters* parameters, c
   WrittenConstant constant = written(*parameter);
   // A plain literal also counts where an operator asks for one that it can see before it runs.
   if (constant.type == literal_type(constant.list)) return ExpressionNode(Literal{std::move(constant.list)});
-  if (const auto* value = std::get_if<algebra3d::Value>(parameter)) return ExpressionNode(HostValue{*value});
+  if (const auto* given = std::get_if<HostValue>(parameter)) return ExpressionNode(*given);
   TypeSyntax type;
   type.name = std::move(constant.type);
   type.place = token.place;

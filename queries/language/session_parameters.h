@@ -20,7 +20,7 @@ struct WrittenConstant {
 };
 /// The value of `$name` in the commands of a session. It is an operand, never text of the command, so quotes and
 /// brackets in it have no meaning. Values are loaded.
-using SessionParameter = std::variant<WrittenConstant, algebra3d::Value>;
+using SessionParameter = std::variant<WrittenConstant, HostValue>;
 
 struct SessionParameters {
   std::map<std::string, SessionParameter, std::less<>> values = {};
@@ -29,7 +29,8 @@ struct SessionParameters {
 };
 
 /// Parses `NAME=VALUE` (a number is an int or a real, TRUE and FALSE are bools, all else is a string, see plain_kind)
-/// or `NAME:TYPE=VALUE` (list_of_text). Errors: wrong_usage, with what was found and expected; also for invalid UTF-8.
+/// or `NAME:TYPE=VALUE` (list_of_text). Errors: wrong_usage, with what was found and expected; also for invalid UTF-8
+/// and for a number without a type that is out of range.
 algebra3d::Result<std::pair<std::string, SessionParameter>> parse_session_parameter(
     std::string_view text, const algebra3d::Registry& registry);
 

@@ -53,6 +53,11 @@ struct TypedLiteral {
 /// `$name`: a value from the host of the session (session_parameters.h).
 struct HostValue {
   algebra3d::Value value;
+  std::string reason;  ///< why the value is undefined, if the host knows; reported at each use
+
+  // NOLINTNEXTLINE(google-explicit-constructor): a value alone is enough
+  HostValue(algebra3d::Value its_value, std::string its_reason = {})
+      : value(std::move(its_value)), reason(std::move(its_reason)) {}
 };
 /// The literal for a file atom (file_atom.h): the content of the file, which is read when the literal is checked.
 TypedLiteral file_literal(NestedList atom, SourcePlace place);

@@ -56,6 +56,20 @@ class ConstantNode final : public TypedNode {
   Datum value_;
 };
 
+class UndefinedNode final : public ValueNode {
+ public:
+  UndefinedNode(TypeExpr type, Value value, std::string reason, SourcePlace place)
+      : ValueNode(std::move(type), std::move(place)), value_(std::move(value)), reason_(std::move(reason)) {}
+  Result<Value> evaluate_value(const Frame*, Context& context) const override {
+    context.diagnostics.report_undefined(reason_);
+    return value_;
+  }
+
+ private:
+  Value value_;
+  std::string reason_;
+};
+
 class ObjectNode final : public TypedNode {
  public:
   ObjectNode(TypeExpr type, std::string name, ObjectSource& objects, SourcePlace place)
@@ -334,6 +348,10 @@ Result<Value> TypedNode::evaluate_value(const Frame* frame, Context& context) co
 
 TypedPtr make_constant(TypeExpr type, Datum value, SourcePlace place) {
   return std::make_shared<ConstantNode>(std::move(type), std::move(value), std::move(place));
+}
+
+TypedPtr make_undefined(TypeExpr type, Value value, std::string reason, SourcePlace place) {
+  return std::make_shared<UndefinedNode>(std::move(type), std::move(value), std::move(reason), std::move(place));
 }
 
 TypedPtr make_object(TypeExpr type, std::string name, ObjectSource& objects, SourcePlace place) {

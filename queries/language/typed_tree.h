@@ -60,6 +60,8 @@ class ObjectSource {
   virtual Result<Datum> value_of(const std::string& name) = 0;
   /// The type that a name stands for, or nothing.
   virtual Result<std::optional<TypeExpr>> named_type(const std::string& name) = 0;
+  /// False if there can be no objects, because no database is open.
+  virtual bool is_open() const { return true; }
   /// Names of all objects, for suggestions.
   virtual std::vector<std::string> names() = 0;
 };
@@ -67,6 +69,8 @@ class ObjectSource {
 // The kinds of nodes, made by the checker.
 
 TypedPtr make_constant(TypeExpr type, Datum value, SourcePlace place);
+/// An undefined constant, whose reason is reported at each evaluation.
+TypedPtr make_undefined(TypeExpr type, Value value, std::string reason, SourcePlace place);
 TypedPtr make_object(TypeExpr type, std::string name, ObjectSource& objects, SourcePlace place);
 /// Argument `index` of the function `level` levels outward.
 TypedPtr make_parameter(TypeExpr type, std::size_t level, std::size_t index, SourcePlace place);

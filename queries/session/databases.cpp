@@ -93,16 +93,19 @@ Result<std::vector<Finding>> Session::findings(Presenter& presenter, Context& co
 // (inquiry (findings ((object tuple attribute 'what is wrong') ...))); a database with findings is an error.
 Status Session::run(const CheckDatabase&, Presenter& presenter, Context& context) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Finding> found, findings(presenter, context));
+  const bool is_shown = presenter.shows_inquiries();
   NestedList::List rows;
-  for (const Finding& finding : found)
+  for (const Finding& finding : found) {
+    if (!is_shown) context.diagnostics.show(finding.text());
     rows.push_back(NestedList::list(NestedList(finding.object), NestedList(finding.tuple),
                                     NestedList(finding.attribute), NestedList::text(finding.message)));
+  }
   const std::size_t count = rows.size();
   ALGEBRA3D_RETURN_IF_ERROR(presenter.present_inquiry(NestedList::list(
       NestedList::symbol("inquiry"), NestedList::list(NestedList::symbol("findings"), NestedList(std::move(rows))))));
   if (count == 0) return {};
-  return Error{ErrorCode::database_corrupt, "check database: {} finding{}; they are listed above", count,
-               count == 1 ? "" : "s"};
+  return Error{ErrorCode::database_corrupt, "check database: {} finding{}; they are {}", count, count == 1 ? "" : "s",
+               is_shown ? "listed above" : "in the notes"};
 }
 
 }  // namespace queries

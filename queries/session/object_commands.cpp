@@ -37,6 +37,12 @@ std::string named_in_note(const std::vector<std::string>& names) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+/// The status of a command that gives a name, with the position of the name if that exists already.
+Status at_name(Status status, const SourcePlace& place) {
+  if (!status && status.error().code == ErrorCode::name_exists) return std::move(status).error().at(place);
+  return status;
+}
+
 // A new function whose name an operator has, if it is not null.
 void report_operator(const algebra3d::Operator* op, std::string_view command, Context& context) {
   if (op == nullptr) return;
@@ -48,33 +54,34 @@ void report_operator(const algebra3d::Operator* op, std::string_view command, Co
 
 }  // namespace
 
-Status Session::check_new_name(const std::string& name, std::string_view what) {
+Status Session::check_new_name(const std::string& name, const SourcePlace& place, std::string_view what) {
   if (is_reserved(name))
-    return Error{ErrorCode::reserved_name, "'{}' is a word of the language and cannot name {}", name, what};
+    return Error(ErrorCode::reserved_name, "'{}' is a word of the language and cannot name {}", name, what).at(place);
   return {};
 }
 
 Status Session::run(const CreateObject& command, Presenter&, Context& context) {
   ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
-  ALGEBRA3D_RETURN_IF_ERROR(check_new_name(command.name));
+  ALGEBRA3D_RETURN_IF_ERROR(check_new_name(command.name, command.name_place));
   return in_transaction(true, [&]() -> Status {
     Objects objects(registry_, store, context);
     ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr type, Checker(registry_, objects, context).resolve(command.type));
     if (!can_be_stored(type, registry_) || type.is_function() || is_index(type))
       return cannot_be_stored("create", type);
-    return store->create(command.name, type);
+    return at_name(store->create(command.name, type), command.name_place);
   });
 }
 
 Status Session::run(const LetObject& command, Presenter&, Context& context) {
   ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
-  ALGEBRA3D_RETURN_IF_ERROR(check_new_name(command.name));
+  ALGEBRA3D_RETURN_IF_ERROR(check_new_name(command.name, command.name_place));
   return in_transaction(true, [&]() -> Status {
     ALGEBRA3D_ASSIGN_OR_RETURN(const auto existing, store->find(command.name));
     if (!existing) return define(command.name, *command.value, false, context);
     if (!command.replaces)
-      return Error{ErrorCode::name_exists, "there is an object '{}' already; delete it first, or use let_",
-                   command.name};
+      return Error(ErrorCode::name_exists, "there is an object '{}' already; delete it first, or use let_",
+                   command.name)
+          .at(command.name_place);
     // The new value may come out of the old one, so it is made under another name before the old one goes.
     const std::string interim = " " + command.name;
     return change_definitions("let_", context, [&]() -> Status {
@@ -87,11 +94,12 @@ Status Session::run(const LetObject& command, Presenter&, Context& context) {
 
 Status Session::run(const DeriveObject& command, Presenter&, Context& context) {
   ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
-  ALGEBRA3D_RETURN_IF_ERROR(check_new_name(command.name));
+  ALGEBRA3D_RETURN_IF_ERROR(check_new_name(command.name, command.name_place));
   return in_transaction(true, [&]() -> Status {
     ALGEBRA3D_ASSIGN_OR_RETURN(const auto existing, store->find(command.name));
     if (existing)
-      return Error{ErrorCode::name_exists, "there is an object '{}' already; delete it first", command.name};
+      return Error(ErrorCode::name_exists, "there is an object '{}' already; delete it first", command.name)
+          .at(command.name_place);
     return define(command.name, *command.value, true, context);
   });
 }
@@ -208,12 +216,12 @@ Status Session::run(const DeleteObject& command, Presenter&, Context& context) {
 
 Status Session::run(const RenameObject& command, Presenter&, Context& context) {
   ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
-  ALGEBRA3D_RETURN_IF_ERROR(check_new_name(command.new_name));
+  ALGEBRA3D_RETURN_IF_ERROR(check_new_name(command.new_name, command.new_name_place));
   return in_transaction(true, [&]() -> Status {
     ALGEBRA3D_ASSIGN_OR_RETURN(const auto existing, store->find(command.old_name));
     if (!existing) return no_object(command.old_name, *store);
     return change_definitions("changename", context, [&]() -> Status {
-      ALGEBRA3D_RETURN_IF_ERROR(store->rename(command.old_name, command.new_name));
+      ALGEBRA3D_RETURN_IF_ERROR(at_name(store->rename(command.old_name, command.new_name), command.new_name_place));
       return check_no_circle(command.new_name, *store, registry_);
     });
   });
@@ -221,13 +229,13 @@ Status Session::run(const RenameObject& command, Presenter&, Context& context) {
 
 Status Session::run(const DefineType& command, Presenter&, Context& context) {
   ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
-  ALGEBRA3D_RETURN_IF_ERROR(check_new_name(command.name, "a type"));
+  ALGEBRA3D_RETURN_IF_ERROR(check_new_name(command.name, command.name_place, "a type"));
   if (registry_.find_type(command.name) != nullptr || command.name == "longint")
-    return Error{ErrorCode::name_exists, "there is a type '{}' already", command.name};
+    return Error(ErrorCode::name_exists, "there is a type '{}' already", command.name).at(command.name_place);
   return in_transaction(true, [&]() -> Status {
     Objects objects(registry_, store, context);
     ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr type, Checker(registry_, objects, context).resolve(command.type));
-    return store->create_type(command.name, type);
+    return at_name(store->create_type(command.name, type), command.name_place);
   });
 }
 

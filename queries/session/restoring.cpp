@@ -325,12 +325,13 @@ Status Session::Restorer::store(const Dependent& dependent, const Evaluated& eva
 
 Status Session::run(const RestoreObject& command, Presenter&, Context& context) {
   ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
-  ALGEBRA3D_RETURN_IF_ERROR(check_new_name(command.name));
+  ALGEBRA3D_RETURN_IF_ERROR(check_new_name(command.name, command.name_place));
   ALGEBRA3D_ASSIGN_OR_RETURN(const SavedText saved, SavedText::open(context.resolve(command.file), context.cancel));
   return in_transaction(true, [&]() -> Status {
     ALGEBRA3D_ASSIGN_OR_RETURN(const auto existing, store->find(command.name));
     if (existing)
-      return Error{ErrorCode::name_exists, "there is an object '{}' already; delete it first", command.name};
+      return Error(ErrorCode::name_exists, "there is an object '{}' already; delete it first", command.name)
+          .at(command.name_place);
     ListPieces pieces(saved.text(), command.file);
     Restorer restorer(registry_, *store, pieces, context);
     ALGEBRA3D_RETURN_IF_ERROR(restorer.object(command.name));

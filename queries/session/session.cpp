@@ -42,7 +42,9 @@ Status Session::execute(std::string_view text, const SourcePlace& start, Present
   Context own = context;
   own.memory = &memory_;
   if (!options_.failure_folders.empty()) own.failed_calls = &failed_calls;
+  if (store_ != nullptr) store_->end_waiting_when(context.cancel);
   Status status = run_caught(text, start, presenter, own);
+  if (store_ != nullptr) store_->end_waiting_when(nullptr);
   if (!status && status.error().code == ErrorCode::internal) report_failure(status.error(), text, own);
   return status;
 }
@@ -50,6 +52,8 @@ Status Session::execute(std::string_view text, const SourcePlace& start, Present
 Status Session::run_caught(std::string_view text, const SourcePlace& start, Presenter& presenter, Context& context) {
   try {
     ALGEBRA3D_ASSIGN_OR_RETURN(const Command command, parse_command(text, registry_, start, &options_.parameters));
+    if (presenter.takes_queries_only() && !std::holds_alternative<Query>(command.content))
+      return Error(ErrorCode::type_error, "expected a query; other commands have no value").at(command.place);
     return run(command, presenter, context);
   } catch (const std::bad_alloc&) {
     if (store_ != nullptr) store_->rollback();
@@ -120,22 +124,23 @@ Status Session::run(const Query& command, Presenter& presenter, Context& context
     return presenter.present(node->type(), value, context);
   };
   Status status = in_transaction(false, work);
-  if (!status && status.error().code == ErrorCode::database_busy && !has_shown && !options_.read_only)
+  const bool is_again_possible = (!has_shown || presenter.can_begin_again()) && !options_.read_only;
+  if (!status && status.error().code == ErrorCode::database_busy && is_again_possible)
     status = in_transaction(true, work);
   return status;
 }
 
 // (inquiry (plan ((depth operator 'signature' calls tuples milliseconds) ...)))
 Status Session::run(const Explain& command, Presenter& presenter, Context& context) {
-  PlanRecorder recorder;
-  ALGEBRA3D_RETURN_IF_ERROR(in_transaction(false, [&]() -> Status {
+  return in_transaction(false, [&]() -> Status {
+    PlanRecorder recorder;
     Objects objects(registry_, store_.get(), context);
     ALGEBRA3D_ASSIGN_OR_RETURN(const TypedPtr node,
                                Checker(registry_, objects, context, &recorder).check(*command.value));
     ALGEBRA3D_ASSIGN_OR_RETURN(const Datum value, node->evaluate(nullptr, context));
-    return exhaust(value, context);
-  }));
-  return presenter.present_inquiry(plan_list(recorder));
+    ALGEBRA3D_RETURN_IF_ERROR(exhaust(value, context));
+    return presenter.present_inquiry(plan_list(recorder));
+  });
 }
 
 Status Session::run(const Inquiry& command, Presenter& presenter, Context&) {

@@ -39,6 +39,12 @@ class Presenter {
   /// Whether a sequence or loop ends at a command without an error whose result tells of a failure
   /// (`Session::failed_result`).
   virtual bool ends_at_failed_result() const { return false; }
+  /// Whether `present` may be called again after it has failed, because nothing was shown.
+  virtual bool can_begin_again() const { return false; }
+  /// Whether only queries may run: other commands end with type_error before they change anything.
+  virtual bool takes_queries_only() const { return false; }
+  /// Whether `present_inquiry` shows the list to somebody. If not, the findings of `check database` become notes.
+  virtual bool shows_inquiries() const { return true; }
   /// Receives the progress of a long statement, for people: "42 % (Parts)". Called many times a second.
   virtual void advance(const std::string& /*how_far*/) {}
 };
@@ -141,7 +147,7 @@ class Session {
     return !failed_result_.empty() && presenter.ends_at_failed_result();
   }
   Result<Store*> required_store();
-  Status check_new_name(const std::string& name, std::string_view what = "an object");
+  static Status check_new_name(const std::string& name, const SourcePlace& place, std::string_view what = "an object");
   Status require_closed();
   Status open_store(const std::filesystem::path& file, OpenMode mode);
   Result<std::vector<Finding>> findings(Presenter& presenter, Context& context);
@@ -177,6 +183,10 @@ class Session {
   };
   std::optional<Damaged> damaged_;
 };
+
+/// Makes a folder for reports of failures if it does not exist. Errors: io_error if it cannot be made or takes no
+/// files.
+Status prepare_failure_folder(const std::filesystem::path& folder);
 
 /// The result list `(T V)` of a query. Errors: not_evaluable for streams and tuples.
 Result<NestedList> result_list(const TypeExpr& type, const Datum& value, Context& context);

@@ -2,6 +2,8 @@
 
 #include <unistd.h>
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <fstream>
@@ -53,7 +55,7 @@ struct Options {
   std::size_t test_jobs = 1;
   bool tests_keep_scratch = false;
   bool tests_vary = false;
-  std::string help_operator;
+  std::vector<std::string> help_words;
   bool help_as_markdown = false;
   bool help_as_man_page = false;
   std::string completed_shell;
@@ -151,6 +153,11 @@ int run_session(const CLI::App& app, const Options& options, const algebra3d::Re
     std::cerr << "error: " << parameters.error().message << "\n";
     return kWrongUsage;
   }
+  if (!options.failure_folder.empty())
+    if (const Status prepared = prepare_failure_folder(options.failure_folder); !prepared) {
+      std::cerr << "error: --failure-folder: " << prepared.error().message << "\n";
+      return kWrongUsage;
+    }
   Session session(registry, {.folder = database_folder(options),
                              .read_only = options.is_read_only,
                              .failure_folders = failure_folders(options),
@@ -202,16 +209,17 @@ int run_help(const CLI::App& app, const Options& options, const algebra3d::Regis
                                                     : zsh_completion(program, registry));
     return kOk;
   }
-  if (options.help_operator.empty()) {
+  if (options.help_words.empty()) {
     std::cout << shell_help(registry);
     return kOk;
   }
-  if (const auto text = subcommand_help(app, options.help_operator)) {
+  const std::string name = fmt::format("{}", fmt::join(options.help_words, " "));
+  if (const auto text = subcommand_help(app, name)) {
     std::cout << *text;
-    if (const std::string own = exact_help(options.help_operator, registry); !own.empty()) std::cout << "\n" << own;
+    if (const std::string own = exact_help(name, registry); !own.empty()) std::cout << "\n" << own;
     return kOk;
   }
-  const auto text = shell_help(options.help_operator, registry);
+  const auto text = shell_help(name, registry);
   if (text) {
     std::cout << *text;
     return kOk;
@@ -243,7 +251,8 @@ void add_options(CLI::App& app, Options& options) {
   app.add_flag("--fail-on-undefined", options.failure_rules.fails_on_undefined,
                "A statement fails if any value becomes undefined, also inside streams");
   app.add_option("--failure-folder", options.failure_folder,
-                 "Folder for reports of internal errors (default: the current folder, else that of temporary files)")
+                 "Folder for reports of internal errors, made if it is missing (default: the current folder, else that "
+                 "of temporary files)")
       ->type_name("DIR");
   app.add_option("FILE", options.scripts,
                  "Scripts to run (- is standard input), a database to open, or " +
@@ -313,8 +322,8 @@ int run_arguments(int argc, char** argv) {
   MeshCommands meshes;
   meshes.add_to(app);
   CLI::App* help = app.add_subcommand("help", "Explain an operator or a command, or list all of them");
-  help->add_option("OPERATOR", options.help_operator,
-                   "Name of an operator or a command, such as volume, let or import");
+  help->add_option("OPERATOR", options.help_words,
+                   "Name of an operator, a family or a command, such as volume, set operations, let or import");
   help->add_flag("--markdown", options.help_as_markdown, "The whole reference page");
   help->add_flag("--man", options.help_as_man_page, "The manual page, for the program man");
   help->add_option("--completion", options.completed_shell, "The script by which a shell completes the command line")

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -77,8 +78,8 @@ struct ChangeCounts {
 class Store {
  public:
   /// Opens a database. Errors: database_missing, database_exists, database_foreign (not an algebra3d database),
-  /// database_version (newer), database_corrupt, database_read_only, database_busy, file_missing (no folder to create
-  /// it in, no permission to read it), io_error. `create` and `open_or_create` also take an empty file.
+  /// database_version (newer), database_corrupt, database_read_only, database_busy, file_missing (no name, no folder
+  /// to create it in, no permission to read it), io_error. `create` and `open_or_create` also take an empty file.
   static Result<std::unique_ptr<Store>> open(const std::filesystem::path& file, OpenMode mode,
                                              const algebra3d::Registry& registry);
   virtual ~Store() = default;
@@ -88,6 +89,10 @@ class Store {
   virtual const std::filesystem::path& file() const = 0;
   /// A notice for the user about what opening did to the file, such as an upgrade; may be empty.
   virtual const std::string& opening_notice() const = 0;
+
+  /// Sets the flag that ends waiting for another writer with the error `interrupted`, within a tenth of a second; null:
+  /// none. Without it, waiting ends after StoreOptions::busy_milliseconds with database_busy.
+  virtual void end_waiting_when(const std::atomic<bool>* cancel) = 0;
 
   // A transaction over several statements. It holds the write lock from its beginning, unless the store is read-only.
   // Its statements see each other's commits; other processes see them after `commit_transaction`. `abort_transaction`

@@ -58,6 +58,13 @@ std::optional<NumberShape> number_shape(std::string_view text) {
   return shape;
 }
 
+/// The same; nothing if a number would lose zeros.
+std::optional<NumberShape> plain_number_shape(std::string_view text) {
+  auto shape = number_shape(text);
+  if (shape && shape->whole.size() > 1 && shape->whole.front() == '0') return std::nullopt;
+  return shape;
+}
+
 std::optional<bool> parse_bool(std::string_view text) {
   if (text == "TRUE" || text == "true" || text == "True") return true;
   if (text == "FALSE" || text == "false" || text == "False") return false;
@@ -99,11 +106,15 @@ std::string quoted_excerpt(std::string_view text) {
 PlainKind plain_kind(std::string_view text) {
   text = without_blanks(text);
   if (parse_bool(text)) return PlainKind::boolean;
-  const auto shape = number_shape(text);
-  if (!shape || (shape->whole.size() > 1 && shape->whole.front() == '0')) return PlainKind::text;
+  const auto shape = plain_number_shape(text);
+  if (!shape) return PlainKind::text;
   if (!shape->has_fraction && !shape->has_exponent && text != "-0")
     return algebra3d::parse_int(text) ? PlainKind::integer : PlainKind::text;
   return algebra3d::parse_real(text) ? PlainKind::real : PlainKind::text;
+}
+
+bool is_number_beyond_range(std::string_view text) {
+  return plain_number_shape(without_blanks(text)) && plain_kind(text) == PlainKind::text;
 }
 
 Result<NestedList> list_of_text(const Type& type, std::string_view text) {

@@ -15,6 +15,9 @@ enum class PlainKind : std::uint8_t { boolean, integer, real, text };
 /// `007`, `+5`, and numbers beyond the range. Blanks at the ends are ignored.
 PlainKind plain_kind(std::string_view text);
 
+/// True for a number that is a text to plain_kind only because it is beyond the range of int or real.
+bool is_number_beyond_range(std::string_view text);
+
 /// Converts a text to a value list of `type`: the text itself for string, text and types that are written as a string
 /// (instant); TRUE or FALSE for bool; a number, also `007` and `+5`, for int and real; a nested list for all others.
 /// Errors: invalid_value "expected an int, found "x"".

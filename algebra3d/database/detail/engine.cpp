@@ -1,11 +1,12 @@
 #include "algebra3d/database/detail/engine.h"
 
-#include <new>
 #include <system_error>
 #include <utility>
 
 #include "algebra3d/base/diagnostics.h"
+#include "algebra3d/base/file_error.h"
 #include "algebra3d/base/signal_block.h"
+#include "algebra3d/base/without_exceptions.h"
 #include "algebra3d/database/detail/result_rows.h"
 #include "algebra3d/database/detail/value_content.h"
 #include "algebra3d/operators/all.h"
@@ -54,7 +55,8 @@ Result<queries::SessionParameters> session_parameters(const Parameters& paramete
         return Error{ErrorCode::invalid_value, "parameter '{}', byte {}: {}", name, wrong + 1,
                      no_text_message(text[wrong])};
     }
-    result.values.emplace(name, std::move(inner));
+    std::string reason = value.reason().empty() ? "" : fmt::format("parameter '${}': {}", name, value.reason());
+    result.values.emplace(name, queries::HostValue(std::move(inner), std::move(reason)));
   }
   return result;
 }
@@ -95,6 +97,9 @@ Engine::~Engine() {
 
 Result<std::shared_ptr<Engine>> Engine::open(const std::filesystem::path& file, const OpenOptions& options,
                                              const std::filesystem::path& temporary) {
+  for (const std::filesystem::path& folder : {options.folder, options.failure_folder})
+    if (!folder.empty()) ALGEBRA3D_RETURN_IF_ERROR(check_file_name(folder));
+  ALGEBRA3D_RETURN_IF_ERROR(check_file_name(file));
   if (options.read_only || !options.creates) {
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored))
@@ -113,14 +118,12 @@ Status Engine::open_session(const OpenOptions& options) {
   }
   const auto handover = std::make_shared<Handover>();
   post([this, &options, handover] {
-    Status status;
-    try {
+    Status status = without_exceptions([&]() -> Status {
       session_ = std::make_unique<queries::Session>(operators(), session_options(file_, options));
-      status = session_->open_file(file_);
-      if (status) opening_notice_ = session_->store()->opening_notice();
-    } catch (const std::exception& exception) {
-      status = Error(ErrorCode::out_of_memory, exception.what());
-    }
+      ALGEBRA3D_RETURN_IF_ERROR(session_->open_file(file_));
+      opening_notice_ = session_->store()->opening_notice();
+      return {};
+    });
     handover->finish(std::move(status), {});
   });
   handover->wait_for_columns({});
@@ -150,7 +153,7 @@ Result<std::shared_ptr<Handover>> Engine::start(std::string_view text, const Par
   ALGEBRA3D_ASSIGN_OR_RETURN(queries::SessionParameters given, session_parameters(parameters));
   const auto task =
       std::make_shared<Task>(Task{commands_of(text), std::move(given), results, std::make_shared<Handover>()});
-  if (results == Results::rows && task->commands.size() != 1)
+  if (results != Results::dropped && task->commands.size() != 1)
     return Error{ErrorCode::wrong_usage, "expected one statement, found {}", task->commands.size()};
   Work work = [this, task] { run(*task); };
   if (is_busy_.exchange(true))
@@ -168,14 +171,7 @@ void Engine::release(Report report) {
 
 void Engine::run(const Task& task) {
   Report report;
-  Status status;
-  try {
-    status = run_commands(task, report);
-  } catch (const std::bad_alloc&) {
-    status = Error(ErrorCode::out_of_memory, "out of memory");
-  } catch (const std::exception& exception) {
-    status = Error(ErrorCode::internal, exception.what());
-  }
+  Status status = without_exceptions([&] { return run_commands(task, report); });
   const queries::Store* const store = session_->store();
   is_in_transaction_ = store != nullptr && store->is_in_explicit_transaction();
   task.handover->finish(std::move(status), std::move(report));
@@ -186,9 +182,10 @@ Status Engine::run_commands(const Task& task, Report& report) {
   Diagnostics diagnostics;
   const Monitor::Report tell = [&](const std::string& how_far) { task.handover->tell(how_far); };
   Context context{.diagnostics = diagnostics, .cancel = &is_cancelled_, .folder = folder_, .report = &tell};
-  ResultRows rows(*task.handover);
+  using Wanted = ResultRows::Wanted;
+  ResultRows rows(*task.handover, task.results == Results::rows ? Wanted::rows : Wanted::single_value);
   DroppedResult dropped(*task.handover);
-  queries::Presenter& presenter = task.results == Results::rows ? static_cast<queries::Presenter&>(rows) : dropped;
+  queries::Presenter& presenter = task.results == Results::dropped ? static_cast<queries::Presenter&>(dropped) : rows;
   const auto counts = [this] {
     return session_->store() != nullptr ? session_->store()->change_counts() : queries::ChangeCounts();
   };
@@ -212,7 +209,7 @@ Status Engine::run_command(const queries::CommandText& command, queries::Present
         .at(command.start);
   ALGEBRA3D_RETURN_IF_ERROR(session_->execute(command.text, command.start, presenter, context));
   const std::string_view failed = session_->failed_result();
-  if (results == Results::rows || failed.empty()) return {};
+  if (results != Results::dropped || failed.empty()) return {};
   const std::vector<std::string> notes = context.diagnostics.summary();
   return Error(ErrorCode::io_error, "the statement has failed, its result is {}: {}", failed,
                notes.empty() ? "no reason is known" : notes.back())

@@ -26,8 +26,9 @@ class Engine {
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
-  enum class Results : std::uint8_t { rows, dropped };
-  /// Starts the commands of a text and returns the Handover of their results; with `rows` there must be one command.
+  enum class Results : std::uint8_t { rows, single_value, dropped };
+  /// Starts the commands of a text and returns the Handover of their results. Unless they are `dropped` there must be
+  /// one command, with `single_value` a query.
   /// Errors: wrong_usage if a statement is running, invalid_value for unusable parameters.
   Result<std::shared_ptr<Handover>> start(std::string_view text, const Parameters& parameters, Results results);
   /// To be called when the statement has ended and all its rows were taken.

@@ -21,6 +21,13 @@ Status Handover::put_rows(std::vector<Row> rows) {
   return {};
 }
 
+Status Handover::await_end() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return (!rows_ && is_asked_) || is_abandoned_; });
+  if (is_abandoned_) return Monitor::interrupted();
+  return {};
+}
+
 void Handover::tell(const std::string& how_far) {
   const std::lock_guard lock(mutex_);
   how_far_ = how_far;
@@ -55,7 +62,10 @@ ColumnsPtr Handover::wait_for_columns(const Tell& tell) {
 
 std::optional<std::vector<Row>> Handover::take_rows(const Tell& tell) {
   std::unique_lock lock(mutex_);
+  is_asked_ = true;
+  changed_.notify_all();
   wait_until(lock, tell, [this] { return rows_ || is_finished_; });
+  is_asked_ = false;
   auto rows = std::exchange(rows_, std::nullopt);
   changed_.notify_all();
   return rows;

@@ -25,6 +25,9 @@ class Handover {
   void put_columns(ColumnsPtr columns);
   /// Adds a batch after the previous one has been taken. Errors: interrupted if no more rows are wanted.
   Status put_rows(std::vector<Row> rows);
+  /// Waits until all rows have been taken and more are asked for: only then the statement may end and keep its changes.
+  /// Errors: interrupted if no more rows are wanted.
+  Status await_end();
   void tell(const std::string& how_far);
   void finish(Status status, Report report);
 
@@ -32,7 +35,7 @@ class Handover {
 
   /// Waits for the columns; null if the statement ends without a result.
   ColumnsPtr wait_for_columns(const Tell& tell);
-  /// Waits for the next batch; nothing at the end.
+  /// Waits for the next batch; nothing when the statement has ended.
   std::optional<std::vector<Row>> take_rows(const Tell& tell);
   /// Ends the statement and waits for its end.
   void abandon();
@@ -50,6 +53,7 @@ class Handover {
   ColumnsPtr columns_;
   std::optional<std::vector<Row>> rows_;
   std::optional<std::string> how_far_;
+  bool is_asked_ = false;  // somebody waits for rows
   bool is_finished_ = false;
   bool is_abandoned_ = false;
   Status status_;

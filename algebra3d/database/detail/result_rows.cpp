@@ -27,6 +27,10 @@ std::uint64_t reason_count(const Diagnostics& diagnostics) {
   return diagnostics.count(About::undefined) + diagnostics.count(About::unreadable);
 }
 
+Error no_single_value(std::string_view found) {
+  return {ErrorCode::type_error, "expected a single value, got {}", found};
+}
+
 // The type of a column of an inquiry: that of its cells if all are numbers, else text.
 std::string type_of_column(const queries::InquiryTable& table, std::size_t index) {
   const auto all_are = [&](bool (NestedList::*is_kind)() const) {
@@ -68,7 +72,7 @@ Status ResultRows::present_tuples(const TypeExpr& tuple, queries::TupleStream& t
   while (true) {
     ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
     ALGEBRA3D_ASSIGN_OR_RETURN(const queries::TuplePtr next, tuples.next());
-    if (next == nullptr) return flush();
+    if (next == nullptr) return end(context);
     ALGEBRA3D_RETURN_IF_ERROR(add(next->attributes, context));
   }
 }
@@ -78,7 +82,7 @@ Status ResultRows::present_elements(const TypeExpr& element, queries::ValueStrea
   while (true) {
     ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
     ALGEBRA3D_ASSIGN_OR_RETURN(const auto next, elements.next());
-    if (!next) return flush();
+    if (!next) return end(context);
     ALGEBRA3D_RETURN_IF_ERROR(add({*next}, context));
   }
 }
@@ -92,7 +96,7 @@ Status ResultRows::present_one(const TypeExpr& type, const queries::Datum& value
     ALGEBRA3D_ASSIGN_OR_RETURN(const NestedList list, queries::value_list(type, value, context));
     ALGEBRA3D_RETURN_IF_ERROR(add({algebra3d::Value::of<Text>({list.print()})}, context));
   }
-  return flush();
+  return end(context);
 }
 
 Status ResultRows::present_inquiry(const NestedList& result) {
@@ -110,7 +114,7 @@ Status ResultRows::present_inquiry(const NestedList& result) {
       values.push_back(i < row.size() ? inquiry_cell(row[i], columns[i].type) : algebra3d::Value(TypeOf<Text>::type()));
     ALGEBRA3D_RETURN_IF_ERROR(add(values, context));
   }
-  return flush();
+  return end(context);
 }
 
 void ResultRows::begin(std::vector<Column> columns) {
@@ -119,6 +123,7 @@ void ResultRows::begin(std::vector<Column> columns) {
 }
 
 Status ResultRows::add(const std::vector<algebra3d::Value>& values, const Context& context) {
+  if (std::exchange(has_rows_, true) && is_single_) return no_single_value("several rows");
   std::vector<Value> row;
   row.reserve(values.size());
   std::string reason = reason_since_last_row(context.diagnostics);
@@ -142,6 +147,15 @@ Status ResultRows::flush() {
   batch_rows_ = std::min(2 * batch_rows_, kMostRows);
   batch_bytes_ = 0;
   return handover_.put_rows(std::exchange(batch_, {}));
+}
+
+// An error, also a wish to cancel that came while nobody asked, undoes the statement.
+Status ResultRows::end(const Context& context) {
+  if (is_single_ && !has_rows_) return no_single_value("no row");
+  if (is_single_ && columns_->size() != 1) return no_single_value("a row of several values");
+  ALGEBRA3D_RETURN_IF_ERROR(flush());
+  ALGEBRA3D_RETURN_IF_ERROR(handover_.await_end());
+  return context.check_cancelled();
 }
 
 Status DroppedResult::present(const TypeExpr&, const queries::Datum& value, Context& context) {

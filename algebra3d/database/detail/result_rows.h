@@ -7,14 +7,19 @@
 namespace algebra3d::database::detail {
 
 /// A presenter that converts the result of a statement to rows: a relation or stream tuple by tuple, an inquiry as a
-/// table, any other result as one row with the column `value`.
+/// table, any other result as one row with the column `value`. The statement ends, and is committed, when the end of
+/// the rows is asked for.
 class ResultRows final : public queries::Presenter {
  public:
-  explicit ResultRows(Handover& handover) : handover_(handover) {}
+  enum class Wanted : std::uint8_t { rows, single_value };
+  /// With `single_value` any other result is the error type_error, and only queries run.
+  ResultRows(Handover& handover, Wanted wanted) : handover_(handover), is_single_(wanted == Wanted::single_value) {}
 
   Status present(const TypeExpr& type, const queries::Datum& value, Context& context) override;
   Status present_inquiry(const NestedList& result) override;
   bool takes_streams() const override { return true; }
+  bool takes_queries_only() const override { return is_single_; }
+  bool can_begin_again() const override { return !has_rows_; }
   void advance(const std::string& how_far) override { handover_.tell(how_far); }
 
  private:
@@ -24,9 +29,12 @@ class ResultRows final : public queries::Presenter {
   void begin(std::vector<Column> columns);
   Status add(const std::vector<algebra3d::Value>& values, const Context& context);
   Status flush();
+  Status end(const Context& context);
   std::string reason_since_last_row(const Diagnostics& diagnostics);
 
   Handover& handover_;
+  bool is_single_;
+  bool has_rows_ = false;
   ColumnsPtr columns_;
   std::vector<Row> batch_;
   std::size_t batch_rows_ = 1;   // grows, so that the first row comes early
@@ -43,6 +51,8 @@ class DroppedResult final : public queries::Presenter {
   Status present_inquiry(const NestedList& /*result*/) override { return {}; }
   bool takes_streams() const override { return true; }
   bool ends_at_failed_result() const override { return true; }
+  bool can_begin_again() const override { return true; }
+  bool shows_inquiries() const override { return false; }
   void advance(const std::string& how_far) override { handover_.tell(how_far); }
 
  private:

@@ -3,6 +3,8 @@
 #include <optional>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "algebra3d/geometry/detail/triangles.h"
 #include "algebra3d/operators/all.h"
 #include "algebra3d/registry/operator.h"
@@ -30,6 +32,12 @@ Result<ResolvedCall> resolved(std::string_view name, const std::vector<Value>& a
   return operators().resolve(*op, types);
 }
 
+Error named_after(std::string_view function, std::string_view operator_name, Error error) {
+  const std::string prefix = std::string(operator_name) + ": ";
+  if (error.message.starts_with(prefix)) error.message.replace(0, operator_name.size(), function);
+  return error;
+}
+
 }  // namespace
 
 Error Surroundings::reason(std::string_view otherwise) const {
@@ -38,11 +46,14 @@ Error Surroundings::reason(std::string_view otherwise) const {
   return {ErrorCode::invalid_value, text.empty() ? std::string(otherwise) : text};
 }
 
-Result<Value> call_operator(std::string_view name, std::vector<Value> arguments, const Monitor& monitor) {
+Result<Value> call_operator(std::string_view function, std::string_view name, std::vector<Value> arguments,
+                            const Monitor& monitor) {
   Surroundings surroundings(monitor);
   ALGEBRA3D_ASSIGN_OR_RETURN(const ResolvedCall call, resolved(name, arguments));
-  ALGEBRA3D_ASSIGN_OR_RETURN(Value result, Registry::call(call, arguments, surroundings.context));
-  if (!result.is_defined()) return surroundings.reason("undefined");
+  auto result = Registry::call(call, arguments, surroundings.context);
+  if (!result) return named_after(function, name, std::move(result).error());
+  if (!result->is_defined())
+    return named_after(function, name, surroundings.reason(fmt::format("{}: undefined", name)));
   return result;
 }
 
@@ -81,10 +92,10 @@ Value vector_value(const Vec3& vector) {
   return Value::of<Vector3d>({ExactPoint(vector)});
 }
 
-Result<Plane3d> plane_through(const Vec3& point, const Vec3& normal) {
-  ALGEBRA3D_RETURN_IF_ERROR(check_finite("point of the plane", point));
-  ALGEBRA3D_RETURN_IF_ERROR(check_finite("normal of the plane", normal));
-  return call<Plane3d>("makePlane3D", {point_value(point), vector_value(normal)});
+Result<Plane3d> plane_through(std::string_view function, const Vec3& point, const Vec3& normal) {
+  ALGEBRA3D_RETURN_IF_ERROR(check_finite(fmt::format("{}: point of the plane", function), point));
+  ALGEBRA3D_RETURN_IF_ERROR(check_finite(fmt::format("{}: normal of the plane", function), normal));
+  return call<Plane3d>(function, "makePlane3D", {point_value(point), vector_value(normal)});
 }
 
 }  // namespace algebra3d::detail

@@ -12,7 +12,8 @@
 #include "algebra3d/types/spatial.h"
 #include "algebra3d/types/value.h"
 
-// Calls of operators of the language from C++. An undefined result is an error with the reason.
+// Calls of operators of the language from C++. An undefined result is an error with the reason. Messages begin with the
+// name of the C++ function instead of the operator's.
 
 namespace algebra3d::detail {
 
@@ -31,15 +32,18 @@ struct Surroundings {
   Error reason(std::string_view otherwise) const;
 };
 
-/// Calls an operator by name. Errors: its own; invalid_value with the reasons if the result is undefined.
-Result<Value> call_operator(std::string_view name, std::vector<Value> arguments, const Monitor& monitor);
+/// Calls an operator by name for a C++ function. Errors: its own; invalid_value with the reason if the result is
+/// undefined.
+Result<Value> call_operator(std::string_view function, std::string_view name, std::vector<Value> arguments,
+                            const Monitor& monitor);
 /// The first column of the table that an operator returns.
 Result<std::vector<Value>> call_for_values(std::string_view name, std::vector<Value> arguments, const Monitor& monitor);
 
 /// Calls an operator; `T` is the class of the result's type.
 template <typename T>
-Result<T> call(std::string_view name, std::vector<Value> arguments, const Monitor& monitor = {}) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Value result, call_operator(name, std::move(arguments), monitor));
+Result<T> call(std::string_view function, std::string_view name, std::vector<Value> arguments,
+               const Monitor& monitor = {}) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Value result, call_operator(function, name, std::move(arguments), monitor));
   return result.get<T>();
 }
 
@@ -49,8 +53,8 @@ Result<Value> value_of_text(const Type& type, std::string_view text);
 
 Value point_value(const Vec3& point);
 Value vector_value(const Vec3& vector);
-/// The plane through a point with a normal. Errors: invalid_value for a normal of length 0 or coordinates that are not
-/// finite.
-Result<Plane3d> plane_through(const Vec3& point, const Vec3& normal);
+/// The plane through a point with a normal, for a C++ function. Errors: invalid_value for a normal of length 0 or
+/// coordinates that are not finite.
+Result<Plane3d> plane_through(std::string_view function, const Vec3& point, const Vec3& normal);
 
 }  // namespace algebra3d::detail

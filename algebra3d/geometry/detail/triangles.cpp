@@ -23,6 +23,12 @@ IndexedTriangles rounded_triangles(const TriangleMesh& mesh) {
 
 Result<TriangleMesh> welded_mesh(std::span<const Vec3> points,
                                  std::span<const std::array<std::uint32_t, 3>> triangles) {
+  constexpr std::size_t kMaxPoints = 3 * TriangleMesh::kMaxFaces;
+  if (points.size() > kMaxPoints)
+    return Error{ErrorCode::limit_exceeded, "{} points; expected at most {}", points.size(), kMaxPoints};
+  if (triangles.size() > TriangleMesh::kMaxFaces)
+    return Error{ErrorCode::limit_exceeded, "{} triangles; expected at most {}", triangles.size(),
+                 TriangleMesh::kMaxFaces};
   for (std::size_t i = 0; i < points.size(); ++i)
     if (!is_finite(points[i]))
       return Error{ErrorCode::invalid_value,
@@ -31,9 +37,6 @@ Result<TriangleMesh> welded_mesh(std::span<const Vec3> points,
                    points[i].x,
                    points[i].y,
                    points[i].z};
-  if (triangles.size() > TriangleMesh::kMaxFaces)
-    return Error{ErrorCode::limit_exceeded, "{} triangles; expected at most {}", triangles.size(),
-                 TriangleMesh::kMaxFaces};
   for (std::size_t i = 0; i < triangles.size(); ++i)
     if (const std::uint32_t largest = std::ranges::max(triangles[i]); largest >= points.size())
       return Error{ErrorCode::invalid_value, "triangle {}: there is no point {}; there are {}, numbered from 0", i,

@@ -114,19 +114,27 @@ CommandParser::Content CommandParser::explain() {
 }
 
 CommandParser::Content CommandParser::let() {
-  return named_value("=", [](auto name, auto value) { return LetObject{std::move(name), std::move(value), false}; });
+  return named_value("=", [](auto name, auto place, auto value) {
+    return LetObject{std::move(name), std::move(place), std::move(value), false};
+  });
 }
 
 CommandParser::Content CommandParser::let_again() {
-  return named_value("=", [](auto name, auto value) { return LetObject{std::move(name), std::move(value), true}; });
+  return named_value("=", [](auto name, auto place, auto value) {
+    return LetObject{std::move(name), std::move(place), std::move(value), true};
+  });
 }
 
 CommandParser::Content CommandParser::derive() {
-  return named_value("=", [](auto name, auto value) { return DeriveObject{std::move(name), std::move(value)}; });
+  return named_value("=", [](auto name, auto place, auto value) {
+    return DeriveObject{std::move(name), std::move(place), std::move(value)};
+  });
 }
 
 CommandParser::Content CommandParser::update() {
-  return named_value(":=", [](auto name, auto value) { return UpdateObject{std::move(name), std::move(value)}; });
+  return named_value(":=", [](auto name, const auto& /*place*/, auto value) {
+    return UpdateObject{std::move(name), std::move(value)};
+  });
 }
 
 CommandParser::Content CommandParser::kill() {
@@ -165,10 +173,11 @@ Result<std::string> CommandParser::file_after(std::string_view word) {
 
 template <typename Make>
 CommandParser::Content CommandParser::named_value(std::string_view separator, Make make) {
+  SourcePlace place = input_.place();
   ALGEBRA3D_ASSIGN_OR_RETURN(std::string name, object_name());
   ALGEBRA3D_RETURN_IF_ERROR(input_.expect(separator, "after the name '" + name + "'"));
   ALGEBRA3D_ASSIGN_OR_RETURN(ExpressionPtr value, input_.expression());
-  return CommandContent(make(std::move(name), std::move(value)));
+  return CommandContent(make(std::move(name), std::move(place), std::move(value)));
 }
 
 CommandParser::Content CommandParser::create() {
@@ -176,10 +185,11 @@ CommandParser::Content CommandParser::create() {
     ALGEBRA3D_ASSIGN_OR_RETURN(std::string name, database_name());
     return CommandContent(CreateDatabase{std::move(name)});
   }
+  SourcePlace place = input_.place();
   ALGEBRA3D_ASSIGN_OR_RETURN(std::string name, input_.name("'database' or the name of an object"));
   ALGEBRA3D_RETURN_IF_ERROR(input_.expect(":", "after the name '" + name + "'"));
   ALGEBRA3D_ASSIGN_OR_RETURN(TypeSyntax type, input_.type());
-  return CommandContent(CreateObject{std::move(name), std::move(type)});
+  return CommandContent(CreateObject{std::move(name), std::move(place), std::move(type)});
 }
 
 CommandParser::Content CommandParser::remove() {
@@ -198,15 +208,17 @@ CommandParser::Content CommandParser::remove() {
 CommandParser::Content CommandParser::rename() {
   ALGEBRA3D_ASSIGN_OR_RETURN(std::string old_name, object_name());
   ALGEBRA3D_RETURN_IF_ERROR(input_.expect("to", "and the new name"));
+  SourcePlace place = input_.place();
   ALGEBRA3D_ASSIGN_OR_RETURN(std::string new_name, input_.name("the new name"));
-  return CommandContent(RenameObject{std::move(old_name), std::move(new_name)});
+  return CommandContent(RenameObject{std::move(old_name), std::move(new_name), std::move(place)});
 }
 
 CommandParser::Content CommandParser::define_type() {
+  SourcePlace place = input_.place();
   ALGEBRA3D_ASSIGN_OR_RETURN(std::string name, input_.name("the name of a type"));
   ALGEBRA3D_RETURN_IF_ERROR(input_.expect("=", "after the name '" + name + "'"));
   ALGEBRA3D_ASSIGN_OR_RETURN(TypeSyntax type, input_.type());
-  return CommandContent(DefineType{std::move(name), std::move(type)});
+  return CommandContent(DefineType{std::move(name), std::move(place), std::move(type)});
 }
 
 CommandParser::Content CommandParser::save() {
@@ -225,9 +237,10 @@ CommandParser::Content CommandParser::restore() {
     ALGEBRA3D_ASSIGN_OR_RETURN(std::string file, file_after("from"));
     return CommandContent(RestoreDatabase{std::move(name), std::move(file)});
   }
+  SourcePlace place = input_.place();
   ALGEBRA3D_ASSIGN_OR_RETURN(std::string name, input_.name("'database' or the name of an object"));
   ALGEBRA3D_ASSIGN_OR_RETURN(std::string file, file_after("from"));
-  return CommandContent(RestoreObject{std::move(name), std::move(file)});
+  return CommandContent(RestoreObject{std::move(name), std::move(place), std::move(file)});
 }
 
 CommandParser::Content CommandParser::list() {

@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <optional>
+#include <system_error>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -12,6 +13,7 @@
 #include "algebra3d/types/nested_list.h"
 #include "algebra3d/version.h"
 #include "queries/language/command_reader.h"
+#include "queries/session/session.h"
 #include "queries/streams/datum.h"
 
 namespace queries {
@@ -109,7 +111,7 @@ std::string call_report(const FailedCall& call, const FailedStatement& statement
 std::string parameter_line(const std::string& name, const SessionParameter& parameter) {
   if (const auto* constant = std::get_if<WrittenConstant>(&parameter))
     return fmt::format("${} was (const {} value {})", name, constant->type, constant->list.print());
-  return fmt::format("${} was {}", name, constant_text(std::get<Value>(parameter)));
+  return fmt::format("${} was {}", name, constant_text(std::get<HostValue>(parameter).value));
 }
 
 std::string statement_report(const FailedStatement& statement, std::string_view reason) {
@@ -169,6 +171,16 @@ std::string failure_report(const FailedStatement& statement, const algebra3d::Co
   if (!call->obstacle.empty())
     return statement_report(statement, fmt::format("of the operator {}, {}", call->op->name, call->obstacle));
   return call_report(*call, statement, context);
+}
+
+Status prepare_failure_folder(const fs::path& folder) {
+  const fs::path report = folder / "algebra3d-failure-1.q";
+  std::error_code error;
+  fs::create_directories(folder, error);
+  const int reason = error ? error.value() : algebra3d::folder_obstacle(report);
+  if (reason == 0) return {};
+  return Error{ErrorCode::io_error, "no reports can be written to '{}': {}", folder.string(),
+               algebra3d::write_obstacle(report, reason)};
 }
 
 Result<fs::path> write_failure_report(std::string_view report, const std::vector<fs::path>& folders) {

@@ -25,6 +25,7 @@ class Session::Objects final : public ObjectSource {
   Result<std::optional<TypeExpr>> type_of(const std::string& name) override;
   Result<Datum> value_of(const std::string& name) override;
   Result<std::optional<TypeExpr>> named_type(const std::string& name) override;
+  bool is_open() const override { return store_ != nullptr; }
   std::vector<std::string> names() override;
 
  private:

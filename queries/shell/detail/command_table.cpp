@@ -62,6 +62,17 @@ constexpr std::string_view kPromptHelp =
     "  Up, Down and Ctrl-R find earlier commands. A command may take several lines, up to its ';' or an empty line.\n"
     "  Ctrl-C discards the command that is being typed, or ends the running one.\n";
 
+constexpr std::string_view kTableHelp =
+    "A table is a relation: tuples (rows) with named attributes (columns), of a type such as\n"
+    "rel(tuple([Name: string, Solid: volume3d])).\n"
+    "  query Parts            shows all of it\n"
+    "  Parts feed             makes a stream of its tuples, for operators such as filter, project and sortby\n"
+    "  STREAM consume         makes a relation of a stream, as in\n"
+    "                         let Large = Parts feed filter[volume(.Solid) > 1.0] consume\n"
+    "Families of operators on tables (`help FAMILY` lists one): streams, attributes, order, groups, joins,\n"
+    "sorted streams, changes of relations, indexes, aggregates, tables from files.\n"
+    "These operators make a stream of tuples from values:\n";
+
 std::string first_word(std::string_view syntax) {
   return std::string(syntax.substr(0, syntax.find(' ')));
 }
@@ -88,6 +99,12 @@ bool contains(std::string_view text, const std::string& lower_case_part) {
 
 std::string families_text(const algebra3d::Registry& registry) {
   return "Families of operators (`help FAMILY` lists one)\n" + family_overview(registry);
+}
+
+std::string table_text(const algebra3d::Registry& registry) {
+  std::vector<const algebra3d::Operator*> makers = registry.operators();
+  std::erase_if(makers, [](const auto* op) { return op->kind() != algebra3d::OperatorKind::table; });
+  return std::string(kTableHelp) + help_overview(makers);
 }
 
 // Empty if there is no such family.
@@ -145,6 +162,7 @@ std::string exact_help(const std::string& name, const algebra3d::Registry& regis
 
 algebra3d::Result<std::string> shell_help(const std::string& name, const algebra3d::Registry& registry) {
   if (name == "families") return families_text(registry);
+  if (name == "table" || name == "tables") return table_text(registry);
   std::string text = exact_help(name, registry);
   if (text.empty()) text = family_text(name, registry);
   if (text.empty()) text = search_text(name, registry);

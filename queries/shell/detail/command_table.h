@@ -20,8 +20,8 @@ std::span<const CommandDescription> command_table();
 std::string shell_help(const algebra3d::Registry& registry);
 /// The help for an operator or command of exactly this name; empty if there is none.
 std::string exact_help(const std::string& name, const algebra3d::Registry& registry);
-/// The text of `help NAME`: an operator, a command, the operators of a family, or else everything with NAME in its name
-/// or description. Errors: unknown_name with the operator of the most similar name.
+/// The text of `help NAME`: an operator, a command, the operators of a family, tables, or else everything with NAME in
+/// its name or description. Errors: unknown_name with the operator of the most similar name.
 algebra3d::Result<std::string> shell_help(const std::string& name, const algebra3d::Registry& registry);
 
 }  // namespace queries

@@ -89,9 +89,9 @@ Result<NestedList> ExchangeValues::written_file(const Value& solid, const std::s
       (options_.folder / fmt::format("{}_{}.{}", name, ++file_counts_[name], options_.mesh_ending)).string();
   ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, solid.loaded());
   const algebra3d::MeshFileForm form = form_of_ending(options_.mesh_ending);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_written, export_solid(context, "export" + std::string(form.format->name),
-                                                                 loaded.get<algebra3d::Volume3d>(), name, file, form));
-  return is_written ? NestedList::text(file) : NestedList::symbol("undefined");
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto exported, export_solid(context, "export" + std::string(form.format->name),
+                                                               loaded.get<algebra3d::Volume3d>(), name, file, form));
+  return exported.refusal ? NestedList::symbol("undefined") : NestedList::text(file);
 }
 
 Result<ExchangeValues::Form> ExchangeValues::form_of(const Value& value, const std::string& name, Context& context) {

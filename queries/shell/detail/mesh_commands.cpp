@@ -195,7 +195,7 @@ int MeshCommands::repair(const MeshConsole& console) const {
       algebra3d::export_solid(context, "repair", *imported->solid, solid_name(output_.file), output_.file, *form);
   tell(console, diagnostics.summary());
   if (!written) return fail_with(console, written.error());
-  if (!*written) return fail_with(console, {ErrorCode::io_error, "{} was not written", output_.file});
+  if (written->refusal) return fail_with(console, {ErrorCode::io_error, "{} was not written", output_.file});
   console.out << fmt::format("{}: {}, {}\n", printable(output_.file), form_text(*form),
                              algebra3d::counted(imported->solid->mesh().face_count(), "triangle"));
   return 0;

@@ -54,6 +54,7 @@ class Database : public std::enable_shared_from_this<Database> {
   const algebra3d::Registry& registry() const { return registry_; }
 
   // Transactions and statements, as in Store.
+  void end_waiting_when(const std::atomic<bool>* cancel) { connection_->end_waiting_when(cancel); }
   Status begin_transaction();
   Status commit_transaction();
   Status abort_transaction();

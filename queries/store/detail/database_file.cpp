@@ -232,6 +232,7 @@ Error deleted_meanwhile(const fs::path& file) {
 
 Result<std::unique_ptr<SqliteConnection>> open_database_file(const fs::path& file, OpenMode mode,
                                                              const StoreOptions& options) {
+  ALGEBRA3D_RETURN_IF_ERROR(algebra3d::check_file_name(file));
   if (may_write(mode)) remove_database_leftovers(file);
   ALGEBRA3D_ASSIGN_OR_RETURN(const Found found, inspect(file, mode));
   if (found != Found::database) ALGEBRA3D_RETURN_IF_ERROR(create_database_file(file, found == Found::empty));

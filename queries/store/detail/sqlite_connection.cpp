@@ -1,5 +1,7 @@
 #include "queries/store/detail/sqlite_connection.h"
 
+#include <algorithm>
+#include <thread>
 #include <utility>
 
 #include "queries/store/detail/sqlite_error.h"
@@ -15,6 +17,8 @@ using algebra3d::Status;
 constexpr std::size_t kPreparedKept = 500;
 /// Of SQLite's machine, between two looks at the wish to end: well below a millisecond.
 constexpr int kStepsBetweenQuestions = 1000;
+/// Between two attempts to get a lock: short enough that nobody notices it when a wait is to end.
+constexpr std::chrono::milliseconds kLongestPause{25};
 
 /// The name of the file as SQLite takes it: absolute, so that neither "file:x" nor ":memory:" means something else.
 std::string name_for_sqlite(const std::filesystem::path& file, SqliteConnection::Access access) {
@@ -68,7 +72,11 @@ Result<std::unique_ptr<SqliteConnection>> SqliteConnection::open(const std::file
   }
   auto connection = std::unique_ptr<SqliteConnection>(new SqliteConnection(handle, file.string(), access));
   connection->announcement_.emplace(file);
-  sqlite3_busy_timeout(handle, busy_milliseconds);
+  connection->longest_wait_ = std::chrono::milliseconds(busy_milliseconds);
+  const auto wait = [](void* self, int attempt) {
+    return static_cast<SqliteConnection*>(self)->wait_for_lock(attempt) ? 1 : 0;
+  };
+  sqlite3_busy_handler(handle, wait, connection.get());
   harden(handle);
   if (const int added = SqliteStatement::add_row_function(handle); added != SQLITE_OK)
     return connection->error(added, "opening the database");
@@ -92,6 +100,19 @@ SqliteConnection::~SqliteConnection() {
   sqlite3_close_v2(handle_);
 }
 
+bool SqliteConnection::is_cancelled() const {
+  const std::atomic<bool>* const cancel = cancel_;
+  return cancel != nullptr && cancel->load(std::memory_order_relaxed);
+}
+
+// In place of sqlite3_busy_timeout, which does not hear the wish to end. False: no more waiting.
+bool SqliteConnection::wait_for_lock(int attempt) {
+  if (attempt == 0) wait_start_ = Clock::now();
+  if (is_cancelled() || Clock::now() - wait_start_ >= longest_wait_) return false;
+  std::this_thread::sleep_for(std::min(kLongestPause, std::chrono::milliseconds(1 << std::min(attempt, 10))));
+  return true;
+}
+
 void SqliteConnection::end_when(const std::atomic<bool>* cancel) {
   const auto is_cancelled = [](void* flag) {
     return static_cast<const std::atomic<bool>*>(flag)->load(std::memory_order_relaxed) ? 1 : 0;
@@ -106,7 +127,8 @@ bool SqliteConnection::has_moved() const {
 }
 
 Error SqliteConnection::error(int code, std::string_view doing) const {
-  return sqlite_error(handle_, code, file_, doing);
+  const bool is_wait_ended = (code & 0xff) == SQLITE_BUSY && is_cancelled();
+  return sqlite_error(handle_, is_wait_ended ? SQLITE_INTERRUPT : code, file_, doing);
 }
 
 Result<sqlite3_stmt*> SqliteConnection::prepare(std::string_view sql) {

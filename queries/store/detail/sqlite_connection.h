@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -29,6 +30,7 @@ class SqliteConnection {
     immutable,   ///< without locks; the file must not change
   };
 
+  /// `busy_milliseconds`: how long statements wait for locks of other connections, before the error database_busy.
   static algebra3d::Result<std::unique_ptr<SqliteConnection>> open(const std::filesystem::path& file, Access access,
                                                                    int busy_milliseconds);
   /// Opens a new database that is deleted with its connection: in memory, or in a temporary file once it is large.
@@ -60,6 +62,9 @@ class SqliteConnection {
   /// Sets the flag that ends running statements with the error `interrupted`; null for none.
   void end_when(const std::atomic<bool>* cancel);
 
+  /// Sets the flag that ends waiting for locks with the error `interrupted`; null for none.
+  void end_waiting_when(const std::atomic<bool>* cancel) { cancel_ = cancel; }
+
   algebra3d::Error error(int code, std::string_view doing) const;
   /// Only for SqliteStatement.
   void give_back(sqlite3_stmt* statement, bool* in_use);
@@ -70,15 +75,22 @@ class SqliteConnection {
     bool in_use = false;
   };
 
+  using Clock = std::chrono::steady_clock;
+
   SqliteConnection(sqlite3* handle, std::string file, Access access)
       : handle_(handle), file_(std::move(file)), access_(access) {}
   algebra3d::Result<sqlite3_stmt*> prepare(std::string_view sql);
   void forget_unused();
+  bool is_cancelled() const;
+  bool wait_for_lock(int attempt);
 
   sqlite3* handle_;
   std::string file_;
   std::optional<algebra3d::OpenDatabase> announcement_;  // none: a temporary file
   Access access_;
+  std::chrono::milliseconds longest_wait_{};
+  Clock::time_point wait_start_;  // guarded by SQLite's mutex of the connection
+  std::atomic<const std::atomic<bool>*> cancel_ = nullptr;
   std::mutex mutex_;  // guards prepared_
   std::unordered_map<std::string, std::unique_ptr<Prepared>> prepared_;
 };

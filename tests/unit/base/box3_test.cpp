@@ -1,5 +1,8 @@
 #include "algebra3d/base/box3.h"
 
+#include <sstream>
+#include <unordered_set>
+
 #include <gtest/gtest.h>
 
 namespace algebra3d {
@@ -12,6 +15,16 @@ TEST(Box3, default_is_empty_and_neutral) {
   EXPECT_EQ(unite(Box3{}, kUnit), kUnit);
   EXPECT_TRUE(kUnit.contains(Box3{}));
   EXPECT_FALSE(Box3{}.intersects(kUnit));
+}
+
+TEST(Box3, is_printed_and_hashed_as_its_corners) {
+  std::ostringstream out;
+  out << Vec3{1, 0.1, -1e300} << " " << Box3{{0, 0, 0}, {1, 2.5, 3}};
+  EXPECT_EQ(out.str(), "(1.0 0.1 -1e+300) ((0.0 0.0 0.0) (1.0 2.5 3.0))");
+  const std::unordered_set<Vec3> points{{0, 0, 0}, {-0.0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  EXPECT_EQ(points.size(), 3U);
+  const std::unordered_set<Box3> boxes{kUnit, {{-0.0, 0, 0}, {1, 1, 1}}, Box3(), Box3::of({0, 0, 0})};
+  EXPECT_EQ(boxes.size(), 3U);
 }
 
 TEST(Box3, touching_boxes_meet) {

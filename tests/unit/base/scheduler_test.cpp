@@ -2,6 +2,7 @@
 
 #include <array>
 #include <atomic>
+#include <cfenv>
 #include <chrono>
 #include <mutex>
 #include <numeric>
@@ -48,6 +49,18 @@ TEST(Scheduler, VisitsEachIndexOnce) {
     parallel_for(count, 8, [&](std::size_t i) { ++visits[i]; });
     for (const auto& visit : visits) EXPECT_EQ(visit, 1);
   }
+}
+
+TEST(Scheduler, RoundsToNearestWhateverTheCallerDoes) {
+  const int before = std::fegetround();
+  std::fesetround(FE_UPWARD);
+  std::atomic<int> others = 0;
+  const auto look = [&] { others += std::fegetround() != FE_TONEAREST; };
+  parallel_for(1000, 1, [&](std::size_t) { look(); });
+  parallel_invoke(true, look, look);
+  EXPECT_EQ(std::fegetround(), FE_UPWARD);
+  std::fesetround(before);
+  EXPECT_EQ(others, 0);
 }
 
 TEST(Scheduler, CollectsInOrder) {

@@ -1,6 +1,8 @@
 #include "algebra3d/database/database.h"
 
+#include <cfenv>
 #include <fstream>
+#include <limits>
 #include <sstream>
 #include <unordered_set>
 
@@ -82,7 +84,24 @@ TEST(Database, gives_single_values) {
   EXPECT_EQ(shown(database.value("query Numbers feed head[1]")),
             "error: expected a single value, got a row of several values");
   EXPECT_EQ(shown(database.value("query Numbers feed head[0]")), "error: expected a single value, got no row");
-  EXPECT_EQ(shown(database.value("let a = 1")), "error: expected a single value, got no result");
+}
+
+TEST(Database, changes_nothing_when_it_is_asked_for_a_value_that_is_none) {
+  Database database = numbers();
+  for (const char* statement : {"let b = 2", "delete Numbers", "list objects", "{ let b = 2 | query b }"}) {
+    const Result<Value> value = database.value(statement);
+    ASSERT_FALSE(value.ok()) << statement;
+    EXPECT_EQ(value.error().code, ErrorCode::type_error);
+    EXPECT_EQ(value.error().message, "expected a query; other commands have no value");
+  }
+  EXPECT_EQ(database.value("query b").error().code, ErrorCode::unknown_name);
+  // Queries may change something, too.
+  EXPECT_FALSE(database.value("query Numbers feed Numbers deletedirect").ok());
+  EXPECT_FALSE(database.value("query Numbers feed head[1] Numbers deletedirect").ok());
+  EXPECT_FALSE(database.value("query Numbers feed Numbers deletedirect filter[.Elem > 9] project[Elem]").ok());
+  EXPECT_EQ(shown(database.value("query Numbers count")), "5");
+  EXPECT_EQ(shown(database.value("query Numbers feed Numbers deletedirect count")), "5");
+  EXPECT_EQ(shown(database.value("query Numbers count")), "0");
 }
 
 TEST(Database, gives_values_of_each_type) {
@@ -204,6 +223,82 @@ TEST(Database, tells_why_values_are_undefined) {
   EXPECT_EQ(all[2][1], Value(6));
 }
 
+TEST(Database, passes_on_why_a_parameter_is_undefined) {
+  Database database = numbers();
+  const Parameters wrong = {{"x", std::numeric_limits<double>::quiet_NaN()}};
+  EXPECT_EQ(database.value("query $x", wrong)->reason(), "parameter '$x': not a finite number");
+  EXPECT_EQ(database.value("query 2.0 * $x", wrong)->reason(), "parameter '$x': not a finite number");
+  const std::vector<Row> rows = *database.query("query Numbers feed projectextend[; P: .Half * $x]", wrong)->all();
+  ASSERT_EQ(rows.size(), 5U);
+  for (const Row& row : rows) EXPECT_EQ(row["P"].reason(), "parameter '$x': not a finite number");
+  ASSERT_TRUE(database.execute("let kept = $x", wrong).ok());
+  EXPECT_EQ(database.report().notes, std::vector<std::string>{"parameter '$x': not a finite number"});
+  // Where it is not used, nothing is told.
+  ASSERT_TRUE(database.execute("let one = 1", wrong).ok());
+  EXPECT_TRUE(database.report().notes.empty());
+}
+
+TEST(Database, points_at_a_name_that_cannot_be_given) {
+  Database database = numbers();
+  const auto column = [&](const char* statement) { return database.execute(statement).error().place.column; };
+  EXPECT_EQ(column("let Numbers = 1"), 5);
+  EXPECT_EQ(column("let fun = 1"), 5);
+  EXPECT_EQ(column("let_ fun = 1"), 6);
+  EXPECT_EQ(column("derive Numbers = 1"), 8);
+  EXPECT_EQ(column("create Numbers : int"), 8);
+  EXPECT_EQ(column("create fun : int"), 8);
+  EXPECT_EQ(column("changename Numbers to fun"), 23);
+  EXPECT_EQ(column("type int = real"), 6);
+  ASSERT_TRUE(database.execute("let other = 1").ok());
+  EXPECT_EQ(column("changename Numbers to other"), 23);
+}
+
+TEST(Database, tells_that_it_was_closed_by_a_statement) {
+  Database database = numbers();
+  ASSERT_TRUE(database.execute("close database").ok());
+  const Result<Value> count = database.value("query Numbers count");
+  ASSERT_FALSE(count.ok());
+  EXPECT_EQ(count.error().code, ErrorCode::no_database);
+  EXPECT_EQ(count.error().message, "unknown name 'Numbers': no database is open");
+  EXPECT_EQ(shown(database.value("query 1 + 1")), "2");
+}
+
+TEST(Database, rows_are_read_in_a_range_based_for) {
+  Database database = numbers();
+  Result<Rows> rows = database.query("query Numbers feed project[Elem]");
+  std::string text;
+  for (const Result<Row>& row : *rows) text += row->text();
+  EXPECT_EQ(text, "(1)(2)(3)(4)(5)");
+  EXPECT_TRUE(rows->begin() == Rows::end());
+  // An error is the last element. A key that occurs twice is not seen before the second tuple.
+  Result<Rows> long_rows = database.query("query intstream(1, 1000000000000)");
+  int good = 0;
+  ErrorCode last = ErrorCode::internal;
+  for (const Result<Row>& row : *long_rows) {
+    if (row) ++good;
+    if (!row) last = row.error().code;
+    database.cancel();
+  }
+  EXPECT_GE(good, 1);
+  EXPECT_EQ(last, ErrorCode::interrupted);
+}
+
+TEST(Database, results_do_not_follow_the_rounding_mode_of_the_caller) {
+  Database database = *Database::temporary();
+  const std::string tenth = database.value("query 1.0 / 10.0")->text();
+  const int before = std::fegetround();
+  std::fesetround(FE_UPWARD);
+  Database other = *Database::temporary();
+  const std::string upward = other.value("query 1.0 / 10.0")->text();
+  const double large = *Value((std::int64_t{1} << 53) + 1).get<double>();
+  const std::string parsed = Value::parse("point3d", "(1/3 0.1 0.7)")->text();
+  EXPECT_EQ(std::fegetround(), FE_UPWARD);
+  std::fesetround(before);
+  EXPECT_EQ(upward, tenth);
+  EXPECT_EQ(large, 0x1p53);
+  EXPECT_EQ(parsed, Value::parse("point3d", "(1/3 0.1 0.7)")->text());
+}
+
 TEST(Database, gives_inquiries_as_rows) {
   Database database = numbers();
   Result<Rows> rows = database.query("list objects");
@@ -303,6 +398,42 @@ TEST_F(DatabaseFile, of_another_program_is_an_error) {
   std::ofstream(file()) << "this is no database, and longer than the header of one\n" << std::string(5000, 'x');
   EXPECT_EQ(Database::open(file()).error().code, ErrorCode::database_foreign);
   EXPECT_EQ(Database::open(folder() / "none" / "parts.db").error().code, ErrorCode::file_missing);
+}
+
+TEST_F(DatabaseFile, has_a_name_that_the_system_takes) {
+  const std::string with_zero = file().string() + std::string("\0.db", 4);
+  for (const fs::path& name : {fs::path(), fs::path(with_zero)}) {
+    EXPECT_EQ(Database::open(name).error().code, ErrorCode::file_missing);
+    EXPECT_EQ(Database::open(name, {.read_only = true}).error().code, ErrorCode::file_missing);
+  }
+  EXPECT_EQ(Database::open("").error().message, "the file name is empty");
+  EXPECT_EQ(Database::open(with_zero).error().message,
+            "the file name has a zero byte behind '" + file().string() + "'");
+  EXPECT_FALSE(fs::exists(file()));
+  EXPECT_EQ(Database::open(file(), {.folder = with_zero}).error().code, ErrorCode::file_missing);
+  EXPECT_EQ(Database::open(file(), {.failure_folder = with_zero}).error().code, ErrorCode::file_missing);
+}
+
+TEST_F(DatabaseFile, that_is_damaged_gives_the_findings_as_notes_of_a_script) {
+  const std::string mark = "a text that is long enough to be found again";
+  {
+    Database database = *Database::open(file());
+    ASSERT_TRUE(database.execute("let Texts = [const rel(tuple([T: string])) value ((\"" + mark + "\"))]").ok());
+  }
+  std::fstream stream(file(), std::ios::in | std::ios::out | std::ios::binary);
+  const std::string bytes((std::istreambuf_iterator<char>(stream)), {});
+  const std::size_t place = bytes.find(mark);
+  ASSERT_NE(place, std::string::npos);
+  stream.seekp(static_cast<std::streamoff>(place));
+  stream << 'X';
+  stream.close();
+  Database database = *Database::open(file());
+  const Status status = database.execute("check database");
+  ASSERT_FALSE(status.ok());
+  EXPECT_EQ(status.error().code, ErrorCode::database_corrupt);
+  EXPECT_EQ(status.error().message, "check database: 1 finding; they are in the notes");
+  ASSERT_EQ(database.report().notes.size(), 1U);
+  EXPECT_TRUE(database.report().notes.front().starts_with("Texts: tuple 1: ")) << database.report().notes.front();
 }
 
 TEST_F(DatabaseFile, relative_names_start_from_the_folder) {

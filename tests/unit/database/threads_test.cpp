@@ -66,6 +66,79 @@ TEST(DatabaseThreads, destroying_rows_ends_their_statement_and_undoes_it) {
   EXPECT_FALSE(rows->next()->has_value());
 }
 
+// Whether the statement could have ended meanwhile makes no difference.
+TEST(DatabaseThreads, changes_are_kept_when_the_end_of_the_rows_was_asked_for_and_never_before) {
+  Database database = with_numbers(3);
+  for (const int taken : {0, 1, 3}) {
+    Result<Rows> rows = database.query("query Numbers feed Numbers deletedirect");
+    for (int i = 0; i < taken; ++i) ASSERT_TRUE(rows->next()->has_value());
+    std::this_thread::sleep_for(30ms);
+    rows->close();
+    EXPECT_EQ(*database.value("query Numbers count"), Value(3)) << taken;
+  }
+  {
+    Result<Rows> rows = database.query("query Numbers feed Numbers deletedirect count");
+    ASSERT_TRUE(rows->next()->has_value());
+    std::this_thread::sleep_for(30ms);
+  }
+  EXPECT_EQ(*database.value("query Numbers count"), Value(3));
+  { Result<Rows> rows = database.query("explain Numbers feed Numbers deletedirect count"); }
+  EXPECT_EQ(*database.value("query Numbers count"), Value(3));
+  Result<Rows> rows = database.query("query Numbers feed head[1] Numbers deletedirect");
+  ASSERT_TRUE(rows->next()->has_value());
+  ASSERT_FALSE(rows->next()->has_value());
+  rows->close();
+  EXPECT_EQ(*database.value("query Numbers count"), Value(2));
+  rows = database.query("query Numbers feed Numbers deletedirect");
+  for (const Result<Row>& row : *rows) EXPECT_TRUE(row.ok());
+  EXPECT_EQ(*database.value("query Numbers count"), Value(0));
+}
+
+TEST(DatabaseThreads, cancelling_before_the_end_is_asked_for_undoes_the_statement) {
+  Database database = with_numbers(1);
+  Result<Rows> rows = database.query("query Numbers feed Numbers deletedirect");
+  ASSERT_TRUE(rows->next()->has_value());
+  std::this_thread::sleep_for(30ms);
+  database.cancel();
+  EXPECT_EQ(rows->next().error().code, ErrorCode::interrupted);
+  EXPECT_EQ(*database.value("query Numbers count"), Value(1));
+}
+
+TEST(DatabaseThreads, cancelling_ends_the_waiting_for_another_writer) {
+  Database writer = with_numbers(10);
+  Database other = *Database::open(writer.file());
+  ASSERT_TRUE(writer.execute("begin transaction; let a = 1").ok());
+  for (const char* statement : {"let b = 2", "begin transaction", "query Numbers feed Numbers deletedirect count"}) {
+    const auto start = std::chrono::steady_clock::now();
+    std::jthread canceller([&] {
+      std::this_thread::sleep_for(200ms);
+      other.cancel();
+    });
+    const Status status = other.execute(statement);
+    ASSERT_FALSE(status.ok()) << statement;
+    EXPECT_EQ(status.error().code, ErrorCode::interrupted) << status.error().message;
+    const auto waited = std::chrono::steady_clock::now() - start;
+    EXPECT_GE(waited, 190ms) << statement;
+    EXPECT_LT(waited, 2s) << statement;
+  }
+  ASSERT_TRUE(writer.execute("commit transaction").ok());
+  EXPECT_TRUE(other.execute("let b = 2").ok());
+}
+
+TEST(DatabaseThreads, a_second_writer_waits_for_the_first_also_in_the_middle_of_its_rows) {
+  Database writer = with_numbers(10);
+  Database other = *Database::open(writer.file());
+  ASSERT_TRUE(writer.execute("begin transaction; let a = 1").ok());
+  std::jthread committer([&] {
+    std::this_thread::sleep_for(200ms);
+    EXPECT_TRUE(writer.execute("commit transaction").ok());
+  });
+  const auto rows = other.query("query Numbers feed Numbers deletedirect")->all();
+  ASSERT_TRUE(rows.ok()) << rows.error().message;
+  EXPECT_EQ(rows->size(), 10U);
+  EXPECT_EQ(other.report().deleted, 10U);
+}
+
 TEST(DatabaseThreads, progress_comes_in_the_thread_that_waits) {
   Database database = with_numbers(10);
   std::vector<std::string> heard;

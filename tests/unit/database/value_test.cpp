@@ -108,6 +108,48 @@ TEST(DatabaseValue, of_another_type_or_undefined_is_an_error_with_the_reason) {
   EXPECT_EQ(Value::undefined("rael").error().code, ErrorCode::unknown_name);
 }
 
+TEST(DatabaseValue, is_read_as_any_integer_type_that_has_it) {
+  EXPECT_EQ(*Value(300).get<int>(), 300);
+  EXPECT_EQ(*Value(300).get<std::size_t>(), 300U);
+  EXPECT_EQ(*Value(300).get<long long>(), 300);
+  EXPECT_EQ(*Value(-128).get<std::int8_t>(), -128);
+  EXPECT_EQ(Value(300).get<std::uint8_t>().error().code, ErrorCode::invalid_value);
+  EXPECT_EQ(Value(300).get<std::uint8_t>().error().message,
+            "the int 300 is not in the range of unsigned integers of 8 bits");
+  EXPECT_FALSE(Value(-1).get<unsigned>().ok());
+  EXPECT_EQ(Value(1.0).get<int>().error().code, ErrorCode::type_error);
+  EXPECT_EQ(Value(300).get<int>().value_or(7), 300);
+  EXPECT_EQ(Value(300).get<std::uint8_t>().value_or(7), 7);
+  EXPECT_EQ(Value(300).get_or(7), 300);
+  EXPECT_EQ(Value("300").get_or(7), 7);
+  EXPECT_EQ(Value("a").get_or("b"), "a");
+  EXPECT_EQ(Value(1).get_or("b"), "b");
+}
+
+TEST(DatabaseValue, of_a_relation_is_not_made_outside_of_a_database) {
+  for (const char* type : {"rel(tuple([A: int]))", "(rel (tuple ((A int))))", "tuple([A: int])", "rtree3", "map"}) {
+    const Result<Value> value = Value::parse(type, "((1))");
+    ASSERT_FALSE(value.ok()) << type;
+    EXPECT_EQ(value.error().code, ErrorCode::type_error) << value.error().message;
+  }
+  EXPECT_EQ(Value::undefined("rel(tuple([A: int]))").error().message,
+            "expected a type that an attribute can have, got 'rel(tuple([A: int]))'; write [const TYPE value NOTATION] "
+            "in a statement");
+}
+
+TEST(DatabaseValue, of_bytes_that_are_no_text_is_printed_as_text) {
+  const std::string bytes("a\xff\0b", 4);
+  const Value value(bytes);
+  EXPECT_EQ(*value.get<std::string>(), bytes);
+  EXPECT_EQ(value.text(), R"("a\xff\x00b")");
+}
+
+TEST(DatabaseValue, of_more_points_than_can_be_numbered_is_undefined) {
+  const Vec3 one;
+  const Value many = Value::points(std::span(&one, std::size_t{1} << 33U));  // never looked at
+  EXPECT_EQ(many.reason(), "more than 4294967295 points");
+}
+
 TEST(DatabaseValue, is_not_made_of_pointers_and_wide_integers) {
   static_assert(!std::is_constructible_v<Value, const Solid*> && !std::is_constructible_v<Value, const char8_t*> &&
                 !std::is_constructible_v<Value, std::nullptr_t>);

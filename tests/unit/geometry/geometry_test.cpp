@@ -1,5 +1,8 @@
+#include <cfenv>
 #include <filesystem>
+#include <fstream>
 #include <limits>
+#include <new>
 #include <sstream>
 #include <unordered_set>
 #include <utility>
@@ -86,7 +89,7 @@ TEST(Solid, motions) {
   EXPECT_EQ(*unit.scaled({0, 0, 0}, {3, 3, 3}), box(0, 3));
   EXPECT_EQ(*unit.mirrored({0, 0, 0}, {1, 0, 0}), *Solid::box({-1, 0, 0}, {0, 1, 1}));
   EXPECT_EQ(*unit.rotated({0, 0, 0}, {0, 0, 1}, 90), *Solid::box({-1, 0, 0}, {0, 1, 1}));
-  EXPECT_EQ(unit.rotated({0, 0, 0}, {0, 0, 0}, 90).error().message, "rotate: the axis is the zero vector");
+  EXPECT_EQ(unit.rotated({0, 0, 0}, {0, 0, 0}, 90).error().message, "rotated: the axis is the zero vector");
   EXPECT_EQ(unit.scaled({0, 0, 0}, {1, 0, 1}).error().code, ErrorCode::invalid_value);
 }
 
@@ -103,6 +106,52 @@ TEST(Solid, work_that_is_cancelled_is_an_error) {
   const std::atomic<bool> cancel = true;
   EXPECT_EQ(unite(*Solid::sphere({0, 0, 0}, 1, 200), *Solid::sphere({1, 0, 0}, 1, 200), &cancel).error().code,
             ErrorCode::interrupted);
+}
+
+TEST(Solid, errors_name_the_function) {
+  EXPECT_EQ(Solid::sphere({0, 0, 0}, -1, 8).error().message, "sphere: the radius is -1; it must be positive");
+  EXPECT_EQ(Solid::box({0, 0, 0}, {1, 0, 1}).error().message,
+            "box: the corners have a coordinate in common, so the solid has no extent there");
+  EXPECT_EQ(box(0, 1).scaled({0, 0, 0}, {1, 0, 1}).error().message, "scaled: a zero factor would flatten the shape");
+  EXPECT_EQ(box(0, 1).mirrored({0, 0, 0}, {0, 0, 0}).error().message, "mirrored: the normal is the zero vector");
+  EXPECT_EQ(split(box(0, 1), {0, 0, 0}, {0, 0, 0}).error().message, "split: the normal is the zero vector");
+  EXPECT_EQ(section(box(0, 1), {0, 0, 0}, {0, 0, 0}).error().message, "section: the normal is the zero vector");
+  EXPECT_EQ(Solid().centroid().error().message, "centroid: an empty solid has no centroid");
+}
+
+TEST(Solid, of_too_many_points_or_triangles_is_refused_before_they_are_read) {
+  const Vec3 point;
+  const std::array<std::uint32_t, 3> triangle{};
+  const std::span points(&point, std::size_t{1} << 33U);
+  const std::span triangles(&triangle, std::size_t{1} << 33U);
+  EXPECT_EQ(Solid::of_triangles(points, kTetrahedron).error().code, ErrorCode::limit_exceeded);
+  EXPECT_EQ(Surface::of_triangles(kCorners, triangles).error().code, ErrorCode::limit_exceeded);
+  const Box3 empty;
+  EXPECT_THROW(BoxIndex(std::span(&empty, std::size_t{1} << 33U)), std::bad_alloc);
+}
+
+TEST(Solid, results_do_not_follow_the_rounding_mode_of_the_caller) {
+  const int before = std::fegetround();
+  for (const int mode : {FE_UPWARD, FE_TOWARDZERO}) {
+    std::fesetround(mode);
+    const Solid ball = *Solid::sphere({0.1, 0.2, 0.3}, 0.7, 12);
+    const Solid turned = *ball.rotated({0, 0, 0}, {1, 2, 3}, 33.3);
+    const Solid both = *intersect(ball, turned);
+    const double volume = both.volume(), area = both.area();
+    const Vec3 centroid = *both.centroid();
+    const bool is_equal = both == *Solid::of_text(both.text());
+    const double distance = BoxIndex(std::vector<Box3>{ball.box()}).nearest(Box3::of({3, 0.1, 7.7}), 1)[0].distance;
+    EXPECT_EQ(std::fegetround(), mode);
+    std::fesetround(before);
+    EXPECT_TRUE(is_equal);
+    const Solid right_ball = *Solid::sphere({0.1, 0.2, 0.3}, 0.7, 12);
+    const Solid right = *intersect(right_ball, *right_ball.rotated({0, 0, 0}, {1, 2, 3}, 33.3));
+    EXPECT_EQ(both, right);
+    EXPECT_EQ(volume, right.volume());
+    EXPECT_EQ(area, right.area());
+    EXPECT_EQ(centroid, *right.centroid());
+    EXPECT_EQ(distance, BoxIndex(std::vector<Box3>{right_ball.box()}).nearest(Box3::of({3, 0.1, 7.7}), 1)[0].distance);
+  }
 }
 
 TEST(Solid, planes_that_are_not_finite_are_errors) {
@@ -154,6 +203,27 @@ TEST(MeshFiles, are_written_and_read_again) {
   EXPECT_EQ(write_solid(box(0, 2), folder / "part.ply").error().code, ErrorCode::wrong_usage);
   EXPECT_EQ(read_solid(folder / "part.stl", "gaps=many").error().code, ErrorCode::invalid_value);
   EXPECT_FALSE(read_solid(folder / "none.stl")->solid.has_value());
+  std::filesystem::remove_all(folder);
+}
+
+TEST(MeshFiles, that_cannot_be_used_have_the_code_of_the_reason) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "geometry_codes_test";
+  std::filesystem::create_directories(folder);
+  EXPECT_EQ(read_surface(folder / "none.stl").error().code, ErrorCode::file_missing);
+  EXPECT_EQ(read_surface(folder).error().code, ErrorCode::io_error);
+  std::ofstream(folder / "wrong.off") << "OFF\n1 1";
+  EXPECT_EQ(read_surface(folder / "wrong.off").error().code, ErrorCode::file_format);
+  const Status nowhere = write_solid(box(0, 2), folder / "none" / "part.stl");
+  EXPECT_EQ(nowhere.error().code, ErrorCode::file_missing);
+  EXPECT_NE(nowhere.error().message.find("there is no folder"), std::string::npos) << nowhere.error().message;
+  std::filesystem::create_directories(folder / "folder.stl");
+  EXPECT_EQ(write_solid(box(0, 2), folder / "folder.stl").error().code, ErrorCode::io_error);
+  ASSERT_TRUE(write_solid(box(0, 2), folder / "part.stl").ok());
+  const std::string with_zero = (folder / "part.stl").string() + std::string("\0.stl", 5);
+  EXPECT_EQ(read_surface(with_zero).error().code, ErrorCode::file_missing);
+  EXPECT_NE(read_solid(with_zero)->status.find("zero byte"), std::string::npos);
+  EXPECT_EQ(write_solid(box(0, 1), with_zero).error().code, ErrorCode::file_missing);
+  EXPECT_EQ(*read_solid(folder / "part.stl")->solid, box(0, 2));
   std::filesystem::remove_all(folder);
 }
 

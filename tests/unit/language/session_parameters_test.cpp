@@ -10,6 +10,7 @@
 namespace queries {
 namespace {
 
+using algebra3d::ErrorCode;
 using algebra3d::Value;
 
 SessionParameters given(const std::string& name, SessionParameter parameter) {
@@ -41,6 +42,22 @@ TEST(SessionParameters, of_other_types_are_kept_as_values) {
       parse_command("query $p", full_registry(), {"", 1, 1},
                     std::make_unique<SessionParameters>(given("p", Value::of<algebra3d::Volume3d>({}))).get());
   EXPECT_TRUE(std::holds_alternative<HostValue>(std::get<Query>(command->content).value->node));
+}
+
+TEST(SessionParameters, that_are_numbers_out_of_range_are_no_strings) {
+  for (const char* number : {"1e999", "-1e999", "12345678901234567890"}) {
+    const auto parameter = parse_session_parameter(std::string("x=") + number, full_registry());
+    ASSERT_FALSE(parameter.ok()) << number;
+    EXPECT_EQ(parameter.error().code, ErrorCode::wrong_usage);
+    EXPECT_EQ(parameter.error().message,
+              fmt::format("-p \"x={0}\": the number is out of range; if it is to be a string, write x:string=\"{0}\"",
+                          number));
+  }
+  for (const char* text : {"x:string=1e999", "x=007", "x=+5", "x=1e", "x=-", "x="}) {
+    const auto parameter = parse_session_parameter(text, full_registry());
+    ASSERT_TRUE(parameter.ok()) << text << ": " << parameter.error().message;
+    EXPECT_EQ(std::get<WrittenConstant>(parameter->second).type, "string") << text;
+  }
 }
 
 TEST(SessionParameters, stand_for_names_of_files) {

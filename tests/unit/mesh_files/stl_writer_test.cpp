@@ -263,7 +263,7 @@ TEST_F(StlWriter, places_that_cannot_be_written_are_named) {
                folder + "file/out.stl: '" + folder + "file' is a file, not a folder");
   expect_error(folder_.path(""), kOne, ErrorCode::io_error, folder + ": it is a folder, not a file");
   expect_error("/dev/full", kOne, ErrorCode::io_error, "/dev/full: Not a regular file (but a pipe or device)");
-  expect_error("", kOne, ErrorCode::io_error, "the file name is empty");
+  expect_error("", kOne, ErrorCode::file_missing, "the file name is empty");
 }
 
 TEST_F(StlWriter, protected_files_and_folders_are_left_alone) {

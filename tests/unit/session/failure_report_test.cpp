@@ -222,6 +222,22 @@ TEST_F(FailureReport, goes_to_the_next_folder_or_says_why_there_is_none) {
                                                       ": there is no folder '" + missing.string() + "'");
 }
 
+TEST_F(FailureReport, has_a_folder_that_is_made_or_refused_before_anything_runs) {
+  const std::filesystem::path made = folder_.path() / "reports" / "here";
+  EXPECT_TRUE(prepare_failure_folder(made).ok());
+  EXPECT_TRUE(std::filesystem::is_directory(made));
+  EXPECT_TRUE(prepare_failure_folder(made).ok());
+  const std::filesystem::path file = folder_.path() / "file";
+  std::ofstream(file) << "a file";
+  for (const std::filesystem::path& wrong : {file, file / "below"}) {
+    const Status status = prepare_failure_folder(wrong);
+    ASSERT_FALSE(status.ok()) << wrong;
+    EXPECT_EQ(status.error().code, ErrorCode::io_error);
+    EXPECT_EQ(status.error().message,
+              "no reports can be written to '" + wrong.string() + "': '" + file.string() + "' is a file, not a folder");
+  }
+}
+
 TEST_F(FailureReport, says_what_a_script_cannot_hold) {
   TestSession given(folder_.path(), broken_registry(), {folder_.path()});
   SessionParameters parameters;

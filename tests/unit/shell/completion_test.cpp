@@ -142,6 +142,21 @@ TEST(CommandTable, help_finds_parts_of_names_and_words_of_descriptions) {
   EXPECT_NE(shell_help("transaction", registry).value().find("commit transaction"), std::string::npos);
 }
 
+TEST(CommandTable, help_explains_tables) {
+  algebra3d::Registry registry = algebra3d::make_registry();
+  register_stream_operators(registry);
+  const std::string tables = shell_help("table", registry).value();
+  EXPECT_TRUE(tables.starts_with("A table is a relation")) << tables;
+  EXPECT_NE(tables.find("\n  components(_)"), std::string::npos) << tables;
+  EXPECT_EQ(tables, shell_help("tables", registry).value());
+  // The families that it names.
+  for (const char* family : {"streams", "attributes", "order", "groups", "joins", "sorted streams", "indexes",
+                             "changes of relations", "aggregates", "tables from files"}) {
+    EXPECT_NE(tables.find(family), std::string::npos) << family;
+    EXPECT_TRUE(shell_help(family, registry)->starts_with(std::string(family) + "\n  ")) << family;
+  }
+}
+
 TEST(CommandTable, help_lists_families_of_operators) {
   algebra3d::Registry registry = algebra3d::make_registry();
   register_stream_operators(registry);
