@@ -12,6 +12,9 @@ class CoordinateGrid {
   /// The grid of k * step for all integers k, each rounded once to a double. step > 0 and finite.
   static CoordinateGrid multiples(double step) { return {Kind::multiples, step}; }
 
+  /// True for floats and doubles, whose spacing is far below what the digits of a coordinate mean.
+  bool is_floating() const { return kind_ != Kind::multiples; }
+
   /// The nearest number of the grid, or one that is farther away by at most one rounding error; infinite beyond the
   /// range of the numbers. A number of the grid comes back as it is.
   double nearest(double coordinate) const;

@@ -8,6 +8,7 @@
 
 #include "algebra3d/arrangement/operand.h"
 #include "algebra3d/autorefinement/winding_selection.h"
+#include "algebra3d/exact/point_table.h"
 #include "algebra3d/halfedge/boxes.h"
 #include "algebra3d/halfedge/circulators.h"
 #include "algebra3d/halfedge/topology.h"
@@ -15,6 +16,7 @@
 #include "algebra3d/rounding/detail/feature_snapping.h"
 #include "algebra3d/rounding/detail/rounded_vertices.h"
 #include "algebra3d/rounding/detail/snap_rounding.h"
+#include "algebra3d/rounding/detail/vertex_removal.h"
 #include "algebra3d/validity/validity.h"
 
 namespace algebra3d {
@@ -52,7 +54,9 @@ class Rounding {
 
  private:
   static MovedMesh snap_rounded(const TriangleMesh& solid, const RoundedVertices& vertices, double moved_before);
+  MovedMesh without_superfluous(const MovedMesh& moved) const;
   Result<bool> keep_if_valid(const MovedMesh& moved);
+  Result<bool> keep_simplest(const MovedMesh& moved);
   Result<bool> divide_at_crossings(MovedMesh moved);
   Result<bool> join_features(MovedMesh moved, double reach);
   Result<bool> select_cells(MovedMesh& moved);
@@ -63,6 +67,7 @@ class Rounding {
   CoordinateGrid grid_;
   double spacing_;
   const std::atomic<bool>* cancel_;
+  PointTable given_doubles_;  // corners of the solid that need not move
   RoundedSolid result_;
 };
 
@@ -81,6 +86,25 @@ Result<bool> Rounding::keep_if_valid(const MovedMesh& moved) {
   result_.mesh = moved.mesh;
   result_.largest_movement = moved.movement;
   return true;
+}
+
+/// Without corners that rounding left on the surface or on an edge, up to the spacing of the grid. Corners that were
+/// doubles stay. On a grid of multiples, which may be coarse for the solid, all do.
+MovedMesh Rounding::without_superfluous(const MovedMesh& moved) const {
+  if (!grid_.is_floating()) return moved;
+  std::vector<bool> may_go;
+  may_go.reserve(moved.mesh.vertex_count());
+  for (const Vec3& place : moved.mesh.points().approx()) may_go.push_back(given_doubles_.find(place) == kNone);
+  TriangleMesh simpler = without_superfluous_vertices(moved.mesh, may_go, spacing_);
+  if (simpler.face_count() == moved.mesh.face_count()) return moved;
+  return {std::move(simpler), moved.movement + rounded_up(2 * spacing_)};
+}
+
+Result<bool> Rounding::keep_simplest(const MovedMesh& moved) {
+  const MovedMesh simpler = without_superfluous(moved);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, keep_if_valid(simpler));
+  if (is_valid || simpler.mesh.face_count() == moved.mesh.face_count()) return is_valid;
+  return keep_if_valid(moved);
 }
 
 /// Divides the mesh at the crossings that are left, keeps the cells with a positive winding number, and rounds the new
@@ -104,7 +128,7 @@ Result<bool> Rounding::divide_at_crossings(MovedMesh moved) {
   for (int i = 0; i < kMaxDivisions && moved.mesh.face_count() <= max_faces(solid_); ++i) {
     ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_selected, select_cells(moved));
     if (!is_selected) return false;
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, keep_if_valid(moved));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, keep_simplest(moved));
     if (is_valid) return true;
   }
   return false;
@@ -118,13 +142,13 @@ Result<bool> Rounding::join_features(MovedMesh moved, double reach) {
   while (true) {
     ALGEBRA3D_ASSIGN_OR_RETURN(FeatureSnappedMesh joined, snap_features(moved.mesh, reach, grid, cancel_));
     moved = {std::move(joined.mesh), moved.movement + joined.largest_displacement};
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, keep_if_valid(moved));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, keep_simplest(moved));
     if (is_valid) return true;
     if (joined.crossing_pairs > crossings / 2) return false;
     crossings = joined.crossing_pairs;
     ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_selected, select_cells(moved));
     if (!is_selected) return false;
-    if (crossings == 0) return keep_if_valid(moved);
+    if (crossings == 0) return keep_simplest(moved);
   }
 }
 
@@ -164,8 +188,10 @@ Result<RoundedSolid> Rounding::run() {
     result_.mesh = solid_;
     return std::move(result_);
   }
+  for (std::size_t v = 0; v < solid_.vertex_count(); ++v)
+    if (solid_.points()[v].is_double()) given_doubles_.intern(solid_.points()[v]);
   const MovedMesh snapped = snap_rounded(solid_, vertices, 0);
-  ALGEBRA3D_ASSIGN_OR_RETURN(bool is_found, keep_if_valid(snapped));
+  ALGEBRA3D_ASSIGN_OR_RETURN(bool is_found, keep_simplest(snapped));
   if (!is_found) {
     ALGEBRA3D_ASSIGN_OR_RETURN(is_found, divide_at_crossings(snapped));
   }

@@ -1,0 +1,219 @@
+#include "algebra3d/rounding/detail/vertex_removal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+
+#include "algebra3d/base/indices.h"
+#include "algebra3d/halfedge/circulators.h"
+#include "algebra3d/halfedge/topology.h"
+#include "algebra3d/rounding/detail/wide_vec3.h"
+
+namespace algebra3d {
+namespace {
+
+/// Removing vertices makes others superfluous.
+constexpr int kMaxPasses = 8;
+/// Vertices with more neighbours stay: the cost is that of their cube.
+constexpr std::size_t kMaxNeighbours = 60;
+
+class VertexRemoval {
+ public:
+  VertexRemoval(const TriangleMesh& mesh, double tolerance) : mesh_(mesh), tolerance_(tolerance) {
+    triangles_.reserve(mesh.face_count());
+    for (const FaceId face : faces(mesh)) triangles_.push_back(mesh.triangle(face));
+  }
+
+  /// True if the vertex has gone.
+  bool remove(std::uint32_t vertex);
+  TriangleMesh result() const;
+
+ private:
+  using Ring = std::vector<std::uint32_t>;
+
+  WideVec3 place(std::uint32_t vertex) const { return WideVec3(mesh_.points()[vertex].approx); }
+  const std::vector<std::uint32_t>& star(std::uint32_t vertex);
+  std::optional<Ring> ring(std::uint32_t vertex);
+  bool keeps_manifold(const Ring& ring, std::size_t target);
+  bool are_near(std::uint32_t vertex, const Ring& ring, std::size_t from, std::size_t to) const;
+  bool follows_surface(std::uint32_t vertex, const Ring& ring, std::size_t target) const;
+  long double least_height(std::uint32_t vertex, const Ring& ring, std::size_t target) const;
+  void merge(std::uint32_t vertex, std::uint32_t target);
+
+  const TriangleMesh& mesh_;
+  double tolerance_;
+  std::vector<IndexTriangle> triangles_;  // those that went have kNone as corners
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> stars_;
+};
+
+/// The distance of two segments ab and cd that are no points. Source: [ericson2005], 5.1.9.
+long double segment_distance(const WideVec3& a, const WideVec3& b, const WideVec3& c, const WideVec3& d) {
+  const WideVec3 ab = b - a, cd = d - c, ca = a - c;
+  const long double ab2 = dot(ab, ab), cd2 = dot(cd, cd), both = dot(ab, cd), along = dot(ab, ca), across = dot(cd, ca);
+  const long double spread = ab2 * cd2 - both * both;
+  long double s = spread > 0 ? std::clamp((both * across - along * cd2) / spread, 0.0L, 1.0L) : 0;
+  const long double t = std::clamp((both * s + across) / cd2, 0.0L, 1.0L);
+  s = std::clamp((both * t - along) / ab2, 0.0L, 1.0L);
+  return length((a + s * ab) - (c + t * cd));
+}
+
+bool contains(const IndexTriangle& triangle, std::uint32_t vertex) {
+  return std::ranges::find(triangle, vertex) != triangle.end();
+}
+
+/// The triangles at a vertex.
+const std::vector<std::uint32_t>& VertexRemoval::star(std::uint32_t vertex) {
+  const auto [found, is_new] = stars_.try_emplace(vertex);
+  if (is_new)
+    for (const FaceId face : faces_around(mesh_, VertexId(vertex))) found->second.push_back(face.index());
+  std::erase_if(found->second, [&](std::uint32_t face) { return !contains(triangles_[face], vertex); });
+  return found->second;
+}
+
+/// The neighbours of a vertex in their order, if its triangles form one closed fan.
+std::optional<VertexRemoval::Ring> VertexRemoval::ring(std::uint32_t vertex) {
+  const std::vector<std::uint32_t>& faces = star(vertex);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;  // opposite to the vertex
+  for (const std::uint32_t face : faces) {
+    const IndexTriangle& t = triangles_[face];
+    const auto at = static_cast<std::size_t>(std::ranges::find(t, vertex) - t.begin());
+    sides.emplace_back(t[(at + 1) % 3], t[(at + 2) % 3]);
+  }
+  if (sides.size() < 3) return std::nullopt;
+  Ring result;
+  for (std::uint32_t next = sides[0].first; result.size() < sides.size();) {
+    result.push_back(next);
+    const auto side = std::ranges::find(sides, next, [](const auto& s) { return s.first; });
+    if (side == sides.end()) return std::nullopt;
+    next = side->second;
+    if (next == sides[0].first && result.size() < sides.size()) return std::nullopt;
+    if (result.size() == sides.size() && next != sides[0].first) return std::nullopt;
+  }
+  Ring sorted = result;
+  std::ranges::sort(sorted);
+  if (std::ranges::adjacent_find(sorted) != sorted.end()) return std::nullopt;
+  return result;
+}
+
+/// The link condition [dey1999]: the target has no other neighbours in the ring than those beside it.
+bool VertexRemoval::keeps_manifold(const Ring& ring, std::size_t target) {
+  const std::size_t n = ring.size();
+  if (n == 3 && star(ring[target]).size() == 3) return false;  // a tetrahedron
+  std::vector<std::uint32_t> neighbours;
+  for (const std::uint32_t face : star(ring[target]))
+    for (const std::uint32_t corner : triangles_[face]) neighbours.push_back(corner);
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool is_beside = i == (target + 1) % n || (i + 1) % n == target;
+    if (i != target && !is_beside && std::ranges::find(neighbours, ring[i]) != neighbours.end()) return false;
+  }
+  return true;
+}
+
+/// True if the chord between two of the ring is near all spokes that it passes on its way round the ring, from the one
+/// forward to the other.
+bool VertexRemoval::are_near(std::uint32_t vertex, const Ring& ring, std::size_t from, std::size_t to) const {
+  const WideVec3 start = place(ring[from]), end = place(ring[to]), v = place(vertex);
+  for (std::size_t i = (from + 1) % ring.size(); i != to; i = (i + 1) % ring.size())
+    if (segment_distance(start, end, v, place(ring[i])) > tolerance_) return false;
+  return true;
+}
+
+/// True if all edges between the target and the rest of the ring lie on the triangles around the vertex: what bends
+/// away, or lies beside a ring that is not convex, does not.
+bool VertexRemoval::follows_surface(std::uint32_t vertex, const Ring& ring, std::size_t target) const {
+  const std::size_t n = ring.size();
+  for (std::size_t i = (target + 2) % n; (i + 1) % n != target; i = (i + 1) % n)
+    if (!are_near(vertex, ring, target, i) && !are_near(vertex, ring, i, target)) return false;
+  return true;
+}
+
+/// The least height of the triangles that replace those around the vertex if it is merged with one of its ring, 0 if
+/// they do not represent the surface.
+long double VertexRemoval::least_height(std::uint32_t vertex, const Ring& ring, std::size_t target) const {
+  const WideVec3 v = place(vertex), w = place(ring[target]);
+  long double least = std::numeric_limits<long double>::max();
+  bool is_near = false;
+  for (std::size_t i = (target + 1) % ring.size(); (i + 1) % ring.size() != target; i = (i + 1) % ring.size()) {
+    const WideVec3 a = place(ring[i]), b = place(ring[(i + 1) % ring.size()]);
+    const WideVec3 normal = cross(a - w, b - w);
+    const long double size = length(normal);
+    const long double distance = std::abs(dot(v - w, normal));
+    if (!(dot(normal, cross(a - v, b - v)) > 0) || distance > tolerance_ * size) return 0;
+    least = std::min(least, size / std::max({length(a - w), length(b - w), length(b - a)}));
+    const bool is_over = dot(cross(a - w, v - w), normal) >= 0 && dot(cross(v - w, b - w), normal) >= 0;
+    const auto is_on = [&](const WideVec3& end) {
+      const WideVec3 edge = end - w;
+      return dot(v - w, edge) > 0 && length(cross(v - w, edge)) <= tolerance_ * length(edge);
+    };
+    is_near = is_near || is_over || is_on(a) || is_on(b);
+  }
+  return is_near ? least : 0;
+}
+
+void VertexRemoval::merge(std::uint32_t vertex, std::uint32_t target) {
+  star(target);
+  for (const std::uint32_t face : star(vertex)) {
+    IndexTriangle& t = triangles_[face];
+    if (contains(t, target)) {
+      t = {kNone, kNone, kNone};
+      continue;
+    }
+    std::ranges::replace(t, vertex, target);
+    stars_[target].push_back(face);
+  }
+}
+
+bool VertexRemoval::remove(std::uint32_t vertex) {
+  const std::optional<Ring> around = ring(vertex);
+  if (!around || around->size() > kMaxNeighbours) return false;
+  std::size_t best = 0;
+  long double best_height = 2 * tolerance_;
+  for (std::size_t target = 0; target < around->size(); ++target) {
+    const long double height = least_height(vertex, *around, target);
+    if (height <= best_height || !keeps_manifold(*around, target) || !follows_surface(vertex, *around, target))
+      continue;
+    best = target;
+    best_height = height;
+  }
+  if (best_height <= 2 * tolerance_) return false;
+  merge(vertex, (*around)[best]);
+  return true;
+}
+
+TriangleMesh VertexRemoval::result() const {
+  PointArray points;
+  std::vector<std::uint32_t> numbers(mesh_.vertex_count(), kNone);
+  std::vector<IndexTriangle> triangles;
+  for (IndexTriangle t : triangles_) {
+    if (t[0] == kNone) continue;
+    for (std::uint32_t& corner : t) {
+      if (numbers[corner] == kNone) {
+        numbers[corner] = static_cast<std::uint32_t>(points.size());
+        points.push_back(mesh_.points()[corner]);
+      }
+      corner = numbers[corner];
+    }
+    triangles.push_back(t);
+  }
+  return {std::move(points), triangles};
+}
+
+}  // namespace
+
+TriangleMesh without_superfluous_vertices(const TriangleMesh& mesh, const std::vector<bool>& may_go, double tolerance) {
+  VertexRemoval removal(mesh, tolerance);
+  std::vector<std::uint32_t> left;
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
+    if (may_go[v] && !mesh.is_nonmanifold(VertexId(v)) && !mesh.is_isolated(VertexId(v))) left.push_back(v);
+  for (int pass = 0; pass < kMaxPasses; ++pass) {
+    const std::size_t gone = std::erase_if(left, [&](std::uint32_t v) { return removal.remove(v); });
+    if (gone == 0) break;
+  }
+  return removal.result();
+}
+
+}  // namespace algebra3d
