@@ -34,12 +34,12 @@ struct RoundedSolid {
 ///     that leaves at most half of the crossings.
 ///  4. Facets that nearly lie upon each other are made coplanar (coplanar_snapping.h), then 3.
 ///  5. 3 and 4 with four times the reach, beginning with the snap rounded solid, and so on.
-/// Of each of these first a simpler form is proved: without corners that moved and lie on the surface or on an edge of it
-/// anyway, up to the spacing of the grid (vertex_removal.h); not on a grid of multiples.
-/// There is no result if a coordinate is out of range, or if the last rung, 2^20 spacings of the grid, gives none.
-/// `cancel` ends the call with the error interrupted; progress is not told. Exactness: rounded; validity is exact.
-/// Deterministic. Errors: interrupted, limit_exceeded. Cost: that of snap rounding and a proof, for nearly all solids.
-/// Source: snap rounding after [hobby1999] and [halperin2002].
+/// Of each of these first a simpler form is proved: without corners that moved and lie on the surface or on an edge of
+/// it anyway, up to the spacing of the grid (vertex_removal.h); not on a grid of multiples. There is no result if a
+/// coordinate is out of range, or if the last rung, 2^20 spacings of the grid, gives none. `cancel` ends the call with
+/// the error interrupted; progress is not told. Exactness: rounded; validity is exact. Deterministic. Errors:
+/// interrupted, limit_exceeded. Cost: that of snap rounding and a proof, for nearly all solids. Source: snap rounding
+/// after [hobby1999] and [halperin2002].
 Result<RoundedSolid> rounded_solid(const TriangleMesh& solid, const CoordinateGrid& grid,
                                    const std::atomic<bool>* cancel = nullptr);
 
