@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -21,6 +22,9 @@
 
 namespace algebra3d {
 namespace {
+
+/// More crowded vertices are not made coplanar: that takes rationals, whose digits multiply where many facets are near.
+constexpr std::ptrdiff_t kMaxCrowded = 1000;
 
 /// The reach of feature snapping, in spacings of the grid: at first, from one rung to the next, and at last.
 constexpr double kFirstReach = 2;
@@ -57,7 +61,8 @@ class Rounding {
   MovedMesh without_superfluous(const MovedMesh& moved) const;
   Result<bool> keep_if_valid(const MovedMesh& moved);
   Result<bool> keep_simplest(const MovedMesh& moved);
-  Result<bool> divide_at_crossings(MovedMesh moved);
+  Result<std::optional<TriangleMesh>> positive_cells(const TriangleMesh& mesh) const;
+  Result<bool> divide_at_crossings();
   Result<bool> join_features(MovedMesh moved, double reach);
   Result<bool> select_cells(MovedMesh& moved);
   Result<std::vector<bool>> crowded_vertices(const TriangleMesh& snapped, const RoundedVertices& vertices) const;
@@ -107,13 +112,19 @@ Result<bool> Rounding::keep_simplest(const MovedMesh& moved) {
   return keep_if_valid(moved);
 }
 
-/// Divides the mesh at the crossings that are left, keeps the cells with a positive winding number, and rounds the new
-/// corners. False if that is too much.
-Result<bool> Rounding::select_cells(MovedMesh& moved) {
+/// Divides the mesh at its crossings, and keeps the cells with a positive winding number. Nothing if that is too much.
+Result<std::optional<TriangleMesh>> Rounding::positive_cells(const TriangleMesh& mesh) const {
   const auto is_inside = [](int winding) { return winding > 0; };
-  auto solid = solid_by_winding(moved.mesh, is_inside, cancel_, {Closure::together, max_pairs(moved.mesh)});
-  if (!solid.ok() && solid.error().code == ErrorCode::limit_exceeded) return false;
+  auto solid = solid_by_winding(mesh, is_inside, cancel_, {Closure::together, max_pairs(mesh)});
+  if (!solid.ok() && solid.error().code == ErrorCode::limit_exceeded) return std::optional<TriangleMesh>();
   if (!solid.ok()) return std::move(solid).error();
+  return std::optional(*std::move(solid));
+}
+
+/// Selects cells, and rounds the new corners. False if that is too much.
+Result<bool> Rounding::select_cells(MovedMesh& moved) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<TriangleMesh> solid, positive_cells(moved.mesh));
+  if (!solid) return false;
   const RoundedVertices vertices = rounded_vertices(*solid, grid_);
   if (vertices.moved == 0)
     moved.mesh = *std::move(solid);
@@ -122,14 +133,21 @@ Result<bool> Rounding::select_cells(MovedMesh& moved) {
   return true;
 }
 
-/// The rung that moves least: selects cells a few times. Enough where facets came to lie upon each other, as they do on
-/// a grid that is coarse for the solid; where long thin triangles cross, they multiply.
-Result<bool> Rounding::divide_at_crossings(MovedMesh moved) {
-  for (int i = 0; i < kMaxDivisions && moved.mesh.face_count() <= max_faces(solid_); ++i) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_selected, select_cells(moved));
-    if (!is_selected) return false;
+/// The rung that moves least: vertices move and no edge is led round any, then cells are selected, a few times. Best
+/// where the grid is coarse for the solid; where long thin triangles cross, they multiply.
+Result<bool> Rounding::divide_at_crossings() {
+  TriangleMesh solid = solid_;
+  double moved_before = 0;
+  for (int i = 0; i < kMaxDivisions && solid.face_count() <= max_faces(solid_); ++i) {
+    const RoundedVertices vertices = rounded_vertices(solid, grid_);
+    const double movement = moved_before + rounded_up(vertices.largest_movement);
+    const MovedMesh moved{moved_mesh(solid, vertices.points).mesh, movement};
     ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, keep_simplest(moved));
     if (is_valid) return true;
+    ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<TriangleMesh> cells, positive_cells(moved.mesh));
+    if (!cells) return false;
+    solid = *std::move(cells);
+    moved_before = movement;
   }
   return false;
 }
@@ -166,8 +184,9 @@ Result<std::vector<bool>> Rounding::crowded_vertices(const TriangleMesh& snapped
 }
 
 /// The same rung for a solid whose crowded facets are made exactly coplanar with others nearer than `reach`: facets
-/// that nearly lie upon each other and are large have no near features. False if there are none.
+/// that nearly lie upon each other and are large have no near features. False if there are none, or too many.
 Result<bool> Rounding::join_coplanar(const std::vector<bool>& crowded, double reach) {
+  if (std::ranges::count(crowded, true) > kMaxCrowded) return false;
   const MovedVertices moved = snap_coplanar(solid_, crowded, reach);
   const double farthest = std::ranges::max(moved.movements);
   if (farthest == 0) return false;
@@ -193,7 +212,7 @@ Result<RoundedSolid> Rounding::run() {
   const MovedMesh snapped = snap_rounded(solid_, vertices, 0);
   ALGEBRA3D_ASSIGN_OR_RETURN(bool is_found, keep_simplest(snapped));
   if (!is_found) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, divide_at_crossings(snapped));
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, divide_at_crossings());
   }
   std::vector<bool> crowded;
   for (double reach = kFirstReach * spacing_; !is_found && reach <= kLargestReach * spacing_; reach *= kReachGrowth) {

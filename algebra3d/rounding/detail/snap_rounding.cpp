@@ -103,6 +103,12 @@ SnappedMesh SnapRounding::run() {
 
 }  // namespace
 
+SnappedMesh moved_mesh(const TriangleMesh& mesh, PointArray points) {
+  const std::size_t count = points.size();
+  // Vertices that have not moved pass over nothing.
+  return snap_round(mesh, {std::move(points), std::vector<double>(count)});
+}
+
 SnappedMesh snap_round(const TriangleMesh& mesh, const MovedVertices& moved) {
   return SnapRounding(mesh, moved).run();
 }

@@ -21,4 +21,7 @@ struct SnappedMesh {
 /// log n.
 SnappedMesh snap_round(const TriangleMesh& mesh, const MovedVertices& moved);
 
+/// Moves the corners of the triangles, and no more; triangles two of whose corners became one point are left out.
+SnappedMesh moved_mesh(const TriangleMesh& mesh, PointArray points);
+
 }  // namespace algebra3d
