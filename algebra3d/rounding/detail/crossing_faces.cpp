@@ -15,9 +15,9 @@ using Corners = std::array<PointId, 3>;
 
 /// The corners so that those that the other face has too stand first, and how many these are.
 std::pair<Corners, std::size_t> shared_first(Corners corners, const Corners& other) {
-  const auto rest =
-      std::ranges::partition(corners, [&](PointId p) { return std::ranges::find(other, p) != other.end(); });
-  return {corners, static_cast<std::size_t>(rest.begin() - corners.begin())};
+  const auto rest = std::partition(corners.begin(), corners.end(),
+                                   [&](PointId p) { return std::ranges::find(other, p) != other.end(); });
+  return {corners, static_cast<std::size_t>(rest - corners.begin())};
 }
 
 bool do_cross(const SnappedFaces& faces, std::size_t f, std::size_t g) {

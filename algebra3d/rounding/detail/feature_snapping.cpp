@@ -47,7 +47,7 @@ void FeatureSnapping::count_crossings(const std::vector<FacePair>& pairs) {
     for (const std::size_t face : {f, g})
       points.insert(points.end(), faces_.corners(face).begin(), faces_.corners(face).end());
   std::ranges::sort(points);
-  points.erase(std::ranges::unique(points).begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
   for (const PointId p : points) ++rounds_with_crossings_[p];
 }
 

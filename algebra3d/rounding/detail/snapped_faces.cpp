@@ -81,7 +81,7 @@ void SnappedFaces::sort_along(const PointPair& edge, std::vector<PointId>& point
   const WideVec3 from = place(edge.first), direction = place(edge.second) - from;
   std::erase_if(points, [&](PointId p) { return p == edge.first || p == edge.second; });
   std::ranges::sort(points, {}, [&](PointId p) { return std::pair(dot(place(p) - from, direction), p); });
-  points.erase(std::ranges::unique(points).begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
 }
 
 SnappedFaces::Corner SnappedFaces::corner_on_edge(PointId point, const Corner& from, const Corner& to) const {
