@@ -15,8 +15,8 @@ using Corners = std::array<PointId, 3>;
 
 /// The corners so that those that the other face has too stand first, and how many these are.
 std::pair<Corners, std::size_t> shared_first(Corners corners, const Corners& other) {
-  const auto rest = std::partition(corners.begin(), corners.end(),
-                                   [&](PointId p) { return std::ranges::find(other, p) != other.end(); });
+  auto* const rest = std::partition(corners.begin(), corners.end(),
+                                    [&](PointId p) { return std::ranges::find(other, p) != other.end(); });
   return {corners, static_cast<std::size_t>(rest - corners.begin())};
 }
 
