@@ -37,7 +37,7 @@ void for_each_facet(const Subdivision& subdivision, SubEdgeSide at, const Visit&
     if (includes(incident.sides, at.side())) visit(subdivision.facets[incident.facet]);
 }
 
-/// What the rule takes of a sub-facet, oriented as in the first operand that covers it.
+/// The choice of the rule for a sub-facet, oriented as in the first operand that covers it.
 int selected(const Subdivision& subdivision, SurfaceRule rule, SubEdgeSide at) {
   int in_first = 0, in_second = 0;
   for_each_facet(subdivision, at,

@@ -26,6 +26,9 @@ namespace {
 /// More crowded vertices are not made coplanar: that takes rationals, whose digits multiply where many facets are near.
 constexpr std::ptrdiff_t kMaxCrowded = 1000;
 
+/// How often a mesh is only divided at its crossings, before features are joined.
+constexpr int kMaxDivisions = 4;
+
 /// The reach of feature snapping, in spacings of the grid: at first, from one rung to the next, and at last.
 constexpr double kFirstReach = 2;
 constexpr double kReachGrowth = 4;
@@ -35,8 +38,6 @@ constexpr double kLargestReach = 0x1p20;
 std::size_t max_pairs(const TriangleMesh& mesh) {
   return 100 * mesh.face_count() + 100'000;
 }
-
-constexpr int kMaxDivisions = 4;
 
 /// A limit of the triangles of what is divided again.
 std::size_t max_faces(const TriangleMesh& solid) {
@@ -140,8 +141,9 @@ Result<bool> Rounding::divide_at_crossings() {
   double moved_before = 0;
   for (int i = 0; i < kMaxDivisions && solid.face_count() <= max_faces(solid_); ++i) {
     const RoundedVertices vertices = rounded_vertices(solid, grid_);
-    const double movement = moved_before + rounded_up(vertices.largest_movement);
-    const MovedMesh moved{moved_mesh(solid, vertices.points).mesh, movement};
+    SnappedMesh snapped = moved_mesh(solid, vertices.points);
+    const double movement = moved_before + rounded_up(vertices.largest_movement + snapped.largest_detour);
+    const MovedMesh moved{std::move(snapped.mesh), movement};
     ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, keep_simplest(moved));
     if (is_valid) return true;
     ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<TriangleMesh> cells, positive_cells(moved.mesh));

@@ -14,7 +14,7 @@ namespace algebra3d::arrangement {
 struct Place {
   enum class Kind : std::uint8_t { inside, edge, corner };
   Kind kind = Kind::inside;
-  /// Of the corner (0, 1, 2) or of the edge (that from corner i to the next).
+  /// The number of the corner (0, 1, 2), or of the edge (the one from that corner to the next).
   std::uint8_t index = 0;
 
   friend bool operator==(const Place&, const Place&) = default;

@@ -62,7 +62,7 @@ class FacetContactFinder {
   Crossings crossings_;
   SegmentMaker segments_;
   std::vector<FaceContact> contacts_;
-  // Of the two facets at hand; kept, so that their memory is.
+  // Contacts of the two facets at hand; a member, so that its memory is used again.
   std::vector<FaceContact> distinct_;
   std::vector<ContactEnd> real_, artificial_;  // the latter ascending; each point twice
   std::vector<bool> is_done_;                  // per contact
@@ -85,14 +85,14 @@ bool FacetContactFinder::is_real(const FaceContactEnd& end) {
   return is_end(end.features.first, end.first) || is_end(end.features.second, end.second);
 }
 
-/// Of a real end that is no vertex of an operand.
+/// The edge and the plane that meet in a real end which is no vertex of an operand.
 EdgeAndPlane FacetContactFinder::crossing_of(const FaceContact& contact, const FaceContactEnd& end) {
   const auto& [features, first, second] = end;
   return is_end(features.first, first) ? EdgeAndPlane{features.first.edge(), facets_[contact.second_facet].plane}
                                        : EdgeAndPlane{features.second.edge(), facets_[contact.first_facet].plane};
 }
 
-/// Of a real end.
+/// The node at a real end.
 NodeId FacetContactFinder::node_of(const FaceContact& contact, const FaceContactEnd& end) {
   const auto& [features, first, second] = end;
   if (features.first.is_vertex()) return segments_.node_at_origin(first.halfedge);

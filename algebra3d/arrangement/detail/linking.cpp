@@ -33,7 +33,7 @@ class Linker {
   const WindingJumps& jumps_;
   LinkedWindings result_;
   std::vector<SpaceEdge> uncut_space_edges_;  // ascending
-  // Of the space edge at hand; kept, so that their memory is.
+  // Sides and operands at the space edge at hand; members, so that their memory is used again.
   std::vector<SubEdgeSide> around_;
   std::vector<OperandId> operands_at_edge_;
 };

@@ -25,7 +25,7 @@ bool has_exact_corners(const Operands& operands) {
                              [&](OperandId operand) { return operands.mesh(operand).points().exact_count() > 0; });
 }
 
-/// What is known of the faces that come up in pairs, so that each is looked at once.
+/// Kinds of the faces that come up in pairs (exact corners, plane made or not), so that each face is looked at once.
 class FaceNotes {
  public:
   explicit FaceNotes(const Operands& operands) : operands_(operands), notes_(operands.face_count()) {}

@@ -143,7 +143,7 @@ std::vector<PseudoNode> PseudoNodeFinder::take() {
   return std::move(found_);
 }
 
-/// Those of the edge's region at one of its ends.
+/// The pseudo-nodes of the edge's region at one of its ends.
 std::span<const PseudoNode> pseudo_nodes_at(NodeId node, const RegionEdge& edge, std::span<const PseudoNode> all) {
   return equal_span(all, std::tie(node, edge.region), &PseudoNode::place);
 }

@@ -12,7 +12,7 @@ namespace algebra3d::arrangement {
 /// sub-edge, so a SubEdgeSide stands for it. All functions here are about one space edge: about the half-planes at
 /// sub-edges with the same ends u and v. `edge`: all these sub-edges (SubEdges::along). Replaces `result`.
 void covered_half_planes(const SubEdges& sub_edges, IdRange<SubEdgeId> edge, std::vector<SubEdgeSide>& result);
-/// Those of them with a winding jump: windings behind them differ from those in front. Replaces `result`.
+/// The covered half-planes with a winding jump: windings behind them differ from those in front. Replaces `result`.
 void half_planes_with_jumps(const WindingJumps& jumps, IdRange<SubEdgeId> edge, std::vector<SubEdgeSide>& result);
 
 /// Sorts half-planes counter-clockwise, as seen by someone towards whom the edge runs from u to v (right-handed),

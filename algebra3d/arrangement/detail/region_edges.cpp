@@ -5,7 +5,7 @@
 namespace algebra3d::arrangement {
 namespace {
 
-/// What is kept of the sub-facets to the left and right of a sub-edge.
+/// The sub-facets to the left and right of a sub-edge, as far as the result takes them.
 struct KeptSides {
   int left, right;
 };

@@ -75,8 +75,7 @@ IdVector<PatchId, UpwardLinker::Highest> UpwardLinker::highest_faces_of_patches(
   return highest;
 }
 
-/// Of each set with patches, the face in one of them whose middle is highest: from there the way up is shortest.
-/// Ascending.
+/// The highest face (by its middle) of the patches of each set, ascending: from there the way up is shortest.
 std::vector<InputFaceId> UpwardLinker::highest_faces() {
   const IdVector<PatchId, Highest> of_patches = highest_faces_of_patches();
   std::map<FrontWindingId, Highest> of_sets;

@@ -136,7 +136,7 @@ Status ResultRows::add(const std::vector<algebra3d::Value>& values, const Contex
   return batch_.size() >= batch_rows_ || batch_bytes_ >= kMostBytes ? flush() : Status();
 }
 
-// What became undefined while the row was made is what its undefined values have for a reason.
+// The reason of a row's undefined values: what became undefined while the row was made.
 std::string ResultRows::reason_since_last_row(const Diagnostics& diagnostics) {
   const std::uint64_t before = std::exchange(reasons_before_, reason_count(diagnostics));
   return reasons_before_ > before ? diagnostics.last_reason() : std::string();
