@@ -58,9 +58,9 @@ class PointTable {
   /// Prefetches the memory that `intern` of a point with this hash will read.
   void prefetch(std::uint64_t hash) const { __builtin_prefetch(slots_.data() + (hash & (slots_.size() - 1))); }
 
-  /// The number of a point of doubles; kNone if it is not in the table.
-  std::uint32_t find(const Vec3& point) const {
-    return slots_.empty() ? kNone : slots_[place_of(point, hash_of(point))].number;
+  /// The number of a point; kNone if it is not in the table.
+  std::uint32_t find(const PointRef& point) const {
+    return slots_.empty() ? kNone : slots_[place_of(point, hash_of(point.approx))].number;
   }
 
   PointRef operator[](std::uint32_t number) const { return {approx_[number], exact_of(number)}; }

@@ -3,6 +3,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "algebra3d/base/scheduler.h"
@@ -75,6 +76,12 @@ Box3 wide_box_of(const PointRef& point, double margin) {
   return box;
 }
 
+std::vector<std::uint32_t> all_faces(const TriangleMesh& mesh) {
+  std::vector<std::uint32_t> faces(mesh.face_count());
+  std::iota(faces.begin(), faces.end(), 0U);
+  return faces;
+}
+
 }  // namespace
 
 void BoxHierarchy::Box::extend(const Box& other) {
@@ -83,6 +90,8 @@ void BoxHierarchy::Box::extend(const Box& other) {
     max[axis] = std::max(max[axis], other.max[axis]);
   }
 }
+
+BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh) : BoxHierarchy(mesh, all_faces(mesh)) {}
 
 BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> faces, double margin)
     : faces_(std::move(faces)) {

@@ -32,6 +32,8 @@ class BoxHierarchy {
   /// Builds the hierarchy over `faces` of `mesh`. Boxes are enlarged by `margin` on each side, so that boxes of faces
   /// up to two margins apart meet. Cost: linear (radix sort).
   BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> faces, double margin = 0);
+  /// The same over all faces.
+  explicit BoxHierarchy(const TriangleMesh& mesh);
 
   std::size_t face_count() const { return faces_.size(); }
   std::size_t leaf_count() const { return (faces_.size() + kLeafSize - 1) / kLeafSize; }

@@ -17,6 +17,7 @@
 #include "algebra3d/rounding/detail/feature_snapping.h"
 #include "algebra3d/rounding/detail/rounded_vertices.h"
 #include "algebra3d/rounding/detail/snap_rounding.h"
+#include "algebra3d/rounding/detail/solid_part.h"
 #include "algebra3d/rounding/detail/vertex_removal.h"
 #include "algebra3d/validity/validity.h"
 
@@ -53,12 +54,19 @@ struct MovedMesh {
 class Rounding {
  public:
   Rounding(const TriangleMesh& solid, const CoordinateGrid& grid, const std::atomic<bool>* cancel)
-      : solid_(solid), grid_(grid), spacing_(grid.spacing_up_to(largest_coordinate(solid))), cancel_(cancel) {}
+      : solid_(solid),
+        grid_(grid),
+        spacing_(grid.spacing_up_to(largest_coordinate(solid))),
+        cancel_(cancel),
+        part_(solid) {}
 
   Result<RoundedSolid> run();
 
  private:
   static MovedMesh snap_rounded(const TriangleMesh& solid, const RoundedVertices& vertices, double moved_before);
+  void take_part(SolidPart part);
+  Result<bool> round_part();
+  Result<bool> round_whole();
   MovedMesh without_superfluous(const MovedMesh& moved) const;
   Result<bool> keep_if_valid(const MovedMesh& moved);
   Result<bool> keep_simplest(const MovedMesh& moved);
@@ -73,7 +81,9 @@ class Rounding {
   CoordinateGrid grid_;
   double spacing_;
   const std::atomic<bool>* cancel_;
-  PointTable given_doubles_;  // corners of the solid that need not move
+  SolidPart part_;  // what is rounded now
+  RoundedVertices vertices_;
+  PointTable places_that_stay_;  // of vertices of the part
   RoundedSolid result_;
 };
 
@@ -82,25 +92,26 @@ MovedMesh Rounding::snap_rounded(const TriangleMesh& solid, const RoundedVertice
   return {std::move(snapped.mesh), moved_before + rounded_up(vertices.largest_movement + snapped.largest_detour)};
 }
 
-/// If the mesh is a valid volume it becomes the result. Only the first rung may leave nothing: a farther one would join
-/// walls that are thicker than the grid.
+/// If the solid is valid with the mesh in place of the part, it becomes the result. Only the first rung may leave
+/// nothing: a farther one would join walls that are thicker than the grid.
 Result<bool> Rounding::keep_if_valid(const MovedMesh& moved) {
   if (moved.mesh.is_empty() && result_.reach > kFirstReach * spacing_) return false;
-  const ProofOptions options{.thoroughness = Thoroughness::first_defect, .cancel = cancel_};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport report, prove_volume(moved.mesh, options));
-  if (!report.is_valid()) return false;
-  result_.mesh = moved.mesh;
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, part_.is_valid_with(moved.mesh, moved.movement, cancel_));
+  if (!is_valid) return false;
+  if (!part_.keeps_shells_with(moved.mesh)) result_.shells_before = connected_components(solid_).count;
+  result_.mesh = part_.solid_with(moved.mesh);
+  if (result_.shells_before > 0) result_.shells_after = connected_components(*result_.mesh).count;
   result_.largest_movement = moved.movement;
   return true;
 }
 
-/// Without corners that rounding left on the surface or on an edge, up to the spacing of the grid. Corners that were
-/// doubles stay. On a grid of multiples, which may be coarse for the solid, all do.
+/// Without corners that rounding left on the surface or on an edge, up to the spacing of the grid. Corners that did not
+/// move stay. On a grid of multiples, which may be coarse for the solid, all do.
 MovedMesh Rounding::without_superfluous(const MovedMesh& moved) const {
   if (!grid_.is_floating()) return moved;
   std::vector<bool> may_go;
   may_go.reserve(moved.mesh.vertex_count());
-  for (const Vec3& place : moved.mesh.points().approx()) may_go.push_back(given_doubles_.find(place) == kNone);
+  for (const Vec3& place : moved.mesh.points().approx()) may_go.push_back(places_that_stay_.find(place) == kNone);
   TriangleMesh simpler = without_superfluous_vertices(moved.mesh, may_go, spacing_);
   if (simpler.face_count() == moved.mesh.face_count()) return moved;
   return {std::move(simpler), moved.movement + rounded_up(2 * spacing_)};
@@ -198,20 +209,25 @@ Result<bool> Rounding::join_coplanar(const std::vector<bool>& crowded, double re
   return is_selected ? join_features(std::move(coplanar), reach) : Result<bool>(false);
 }
 
-Result<RoundedSolid> Rounding::run() {
-  const RoundedVertices vertices = rounded_vertices(solid_, grid_);
-  result_.moved_vertices = vertices.moved;
-  if (!vertices.are_finite) {
-    result_.reason = "a coordinate is out of range";
-    return std::move(result_);
-  }
-  if (vertices.moved == 0) {
-    result_.mesh = solid_;
-    return std::move(result_);
-  }
-  for (std::size_t v = 0; v < solid_.vertex_count(); ++v)
-    if (solid_.points()[v].is_double()) given_doubles_.intern(solid_.points()[v]);
-  const MovedMesh snapped = snap_rounded(solid_, vertices, 0);
+void Rounding::take_part(SolidPart part) {
+  part_ = std::move(part);
+  const TriangleMesh& mesh = part_.mesh();
+  vertices_ = rounded_vertices(mesh, grid_);
+  places_that_stay_ = PointTable(mesh.vertex_count());
+  for (std::size_t v = 0; v < vertices_.movements.size(); ++v)
+    if (vertices_.movements[v] == 0) places_that_stay_.intern(mesh.points()[v]);
+}
+
+/// The first rungs, for a part of the solid.
+Result<bool> Rounding::round_part() {
+  const MovedMesh snapped = snap_rounded(part_.mesh(), vertices_, 0);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_found, keep_simplest(snapped));
+  return is_found;
+}
+
+/// All rungs.
+Result<bool> Rounding::round_whole() {
+  const MovedMesh snapped = snap_rounded(solid_, vertices_, 0);
   ALGEBRA3D_ASSIGN_OR_RETURN(bool is_found, keep_simplest(snapped));
   if (!is_found) {
     ALGEBRA3D_ASSIGN_OR_RETURN(is_found, divide_at_crossings());
@@ -222,9 +238,32 @@ Result<RoundedSolid> Rounding::run() {
     ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_features(snapped, reach));
     if (is_found) break;
     if (crowded.empty()) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(crowded, crowded_vertices(snapped.mesh, vertices));
+      ALGEBRA3D_ASSIGN_OR_RETURN(crowded, crowded_vertices(snapped.mesh, vertices_));
     }
     ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_coplanar(crowded, reach));
+  }
+  return is_found;
+}
+
+Result<RoundedSolid> Rounding::run() {
+  const std::vector<bool> is_moved = are_moved(solid_, grid_);
+  result_.moved_vertices = static_cast<std::size_t>(std::ranges::count(is_moved, true));
+  if (result_.moved_vertices == 0) {
+    result_.mesh = solid_;
+    return std::move(result_);
+  }
+  take_part(SolidPart(solid_, is_moved));
+  if (!vertices_.are_finite) {
+    result_.reason = "a coordinate is out of range";
+    return std::move(result_);
+  }
+  bool is_found = false;
+  if (!part_.is_whole()) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, round_part());
+    if (!is_found) take_part(SolidPart(solid_));
+  }
+  if (!is_found) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, round_whole());
   }
   if (!is_found) result_.reason = "no rounding was found that keeps the solid free of self-intersections";
   return std::move(result_);
@@ -234,11 +273,7 @@ Result<RoundedSolid> Rounding::run() {
 
 Result<RoundedSolid> rounded_solid(const TriangleMesh& solid, const CoordinateGrid& grid,
                                    const std::atomic<bool>* cancel) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(RoundedSolid rounded, Rounding(solid, grid, cancel).run());
-  if (!rounded.mesh || rounded.moved_vertices == 0) return rounded;
-  rounded.shells_before = connected_components(solid).count;
-  rounded.shells_after = connected_components(*rounded.mesh).count;
-  return rounded;
+  return Rounding(solid, grid, cancel).run();
 }
 
 }  // namespace algebra3d

@@ -21,7 +21,7 @@ struct RoundedSolid {
   /// were joined. 0 if none crossed.
   double reach = 0;
   /// The numbers of shells, given and rounded: fewer if some vanished, or have come to touch in an edge. Both 0 if
-  /// nothing moved.
+  /// there are as many as before.
   std::size_t shells_before = 0, shells_after = 0;
 };
 

@@ -1,6 +1,5 @@
 #include "algebra3d/repair/detail/inside_test.h"
 
-#include <numeric>
 #include <vector>
 
 #include "algebra3d/exact/vertical_line.h"
@@ -8,15 +7,9 @@
 namespace algebra3d {
 namespace {
 
-std::vector<std::uint32_t> all_faces(const TriangleMesh& mesh) {
-  std::vector<std::uint32_t> faces(mesh.face_count());
-  std::iota(faces.begin(), faces.end(), 0U);
-  return faces;
-}
-
 }  // namespace
 
-InsideTest::InsideTest(const TriangleMesh& solid) : solid_(solid), hierarchy_(solid, all_faces(solid)) {}
+InsideTest::InsideTest(const TriangleMesh& solid) : solid_(solid), hierarchy_(solid) {}
 
 bool InsideTest::is_inside(const Vec3& point) const {
   if (!hierarchy_.bounds().contains(point)) return false;

@@ -21,7 +21,21 @@ double distance_to_rounded(const PointRef& point, const Vec3& rounded) {
   return length * (1 + 8 * std::numeric_limits<double>::epsilon()) + std::numeric_limits<double>::denorm_min();
 }
 
+Vec3 nearest(const CoordinateGrid& grid, const Vec3& point) {
+  return {grid.nearest(point.x), grid.nearest(point.y), grid.nearest(point.z)};
+}
+
 }  // namespace
+
+std::vector<bool> are_moved(const TriangleMesh& mesh, const CoordinateGrid& grid) {
+  std::vector<bool> result;
+  result.reserve(mesh.vertex_count());
+  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
+    const PointRef given = mesh.points()[i];
+    result.push_back(!given.is_double() || given.approx != nearest(grid, given.approx));
+  }
+  return result;
+}
 
 RoundedVertices rounded_vertices(const TriangleMesh& mesh, const CoordinateGrid& grid) {
   RoundedVertices result;
@@ -30,7 +44,7 @@ RoundedVertices rounded_vertices(const TriangleMesh& mesh, const CoordinateGrid&
   result.movements.reserve(mesh.vertex_count());
   for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
     const PointRef given = mesh.points()[i];
-    const Vec3 point = {grid.nearest(given.approx.x), grid.nearest(given.approx.y), grid.nearest(given.approx.z)};
+    const Vec3 point = nearest(grid, given.approx);
     result.are_finite = result.are_finite && is_finite(point);
     if (!result.are_finite) return result;
     const bool is_moved = !given.is_double() || given.approx != point;

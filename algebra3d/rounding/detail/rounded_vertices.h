@@ -16,6 +16,9 @@ struct RoundedVertices : MovedVertices {
   bool are_finite = true;       ///< otherwise a coordinate is out of range, and all else means nothing
 };
 
+/// One flag per vertex: whether rounding moves it. Cost: a few nanoseconds per vertex.
+std::vector<bool> are_moved(const TriangleMesh& mesh, const CoordinateGrid& grid);
+
 /// Rounds all vertices. Movements are upper bounds. Cost: some hundred nanoseconds per vertex that is no double.
 RoundedVertices rounded_vertices(const TriangleMesh& mesh, const CoordinateGrid& grid);
 

@@ -53,13 +53,16 @@ void check_nonmanifold_edge(const TriangleMesh& mesh, std::span<const HalfedgeId
 
 }  // namespace
 
-void check_edges(const TriangleMesh& mesh, const SoundFaces& sound, ValidityReport& report) {
+void check_edges(const TriangleMesh& mesh, const SoundFaces& sound, ValidityReport& report, const FaceSet& excepted) {
+  const auto is_excepted = [&](HalfedgeId h) { return excepted.contains(TriangleMesh::face(h).index()); };
   for (std::size_t i = 0; i < mesh.halfedge_count(); ++i) {
     const HalfedgeId h(i);
-    if (mesh.is_boundary(h)) report.add({Defect::boundary_edge, TriangleMesh::face(h), FaceId(), middle(mesh, h)});
+    if (mesh.is_boundary(h) && !is_excepted(h))
+      report.add({Defect::boundary_edge, TriangleMesh::face(h), FaceId(), middle(mesh, h)});
   }
   for (std::size_t n = 0; n < mesh.nonmanifold_edge_count(); ++n)
-    check_nonmanifold_edge(mesh, mesh.nonmanifold_edge(n), sound, report);
+    if (const auto edge = mesh.nonmanifold_edge(n); !std::ranges::all_of(edge, is_excepted))
+      check_nonmanifold_edge(mesh, edge, sound, report);
 }
 
 }  // namespace algebra3d

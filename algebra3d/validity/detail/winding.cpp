@@ -19,7 +19,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 #include "algebra3d/exact/plane.h"
 #include "algebra3d/exact/vertical_line.h"
@@ -171,12 +170,6 @@ Status end_if_cancelled(const std::atomic<bool>* cancel) {
   return {};
 }
 
-std::vector<std::uint32_t> all_faces(const TriangleMesh& mesh) {
-  std::vector<std::uint32_t> faces(mesh.face_count());
-  std::iota(faces.begin(), faces.end(), 0U);
-  return faces;
-}
-
 /// Finds the fronts that are unknown.
 Status ask_for_unknown(const TriangleMesh& mesh, const BoxHierarchy& hierarchy, const std::atomic<bool>* cancel,
                        ShellWindings& shells) {
@@ -268,12 +261,12 @@ Result<ShellWindings> find_shell_windings(const TriangleMesh& mesh, const Preima
   if (shells.first_faces.size() > kFewShells)
     ALGEBRA3D_RETURN_IF_ERROR(take_over(mesh, preimage, near, cancel, shells));
   if (std::ranges::find(shells.fronts, kUnknown) != shells.fronts.end())
-    ALGEBRA3D_RETURN_IF_ERROR(ask_for_unknown(mesh, BoxHierarchy(mesh, all_faces(mesh)), cancel, shells));
+    ALGEBRA3D_RETURN_IF_ERROR(ask_for_unknown(mesh, BoxHierarchy(mesh), cancel, shells));
   return shells;
 }
 
 Result<ShellWindings> find_shell_windings(const TriangleMesh& mesh, const std::atomic<bool>* cancel) {
-  return find_shell_windings(mesh, BoxHierarchy(mesh, all_faces(mesh)), cancel);
+  return find_shell_windings(mesh, BoxHierarchy(mesh), cancel);
 }
 
 }  // namespace algebra3d

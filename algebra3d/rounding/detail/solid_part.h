@@ -1,0 +1,38 @@
+#pragma once
+
+#include <atomic>
+#include <vector>
+
+#include "algebra3d/base/error.h"
+#include "algebra3d/halfedge/triangle_mesh.h"
+
+namespace algebra3d {
+
+/// The part of a valid solid that is rounded; the rest stays as it is. The solid must outlive this.
+class SolidPart {
+ public:
+  /// All of it.
+  explicit SolidPart(const TriangleMesh& solid) : solid_(&solid) {}
+  /// The faces with moved vertices, and those that share a vertex with them; all if that is more than half of them.
+  /// `is_moved`: one flag per vertex. Cost: linear, a few nanoseconds per face.
+  SolidPart(const TriangleMesh& solid, const std::vector<bool>& is_moved);
+
+  bool is_whole() const { return is_in_.empty(); }
+  const TriangleMesh& mesh() const { return is_whole() ? *solid_ : part_; }
+
+  /// Proves or refutes that the solid is valid with `rounded` in place of the part, no point of which is farther from
+  /// the part than `movement`. Exact. Errors: interrupted. Cost: that of a proof of the part, and a scan of the solid.
+  Result<bool> is_valid_with(const TriangleMesh& rounded, double movement, const std::atomic<bool>* cancel) const;
+  /// False if the solid may have another number of shells with `rounded` in place of the part. Cost: linear in the
+  /// part.
+  bool keeps_shells_with(const TriangleMesh& rounded) const;
+  /// The solid with `rounded` in place of the part.
+  TriangleMesh solid_with(TriangleMesh rounded) const;
+
+ private:
+  const TriangleMesh* solid_;
+  std::vector<bool> is_in_;  // per face; empty: all
+  TriangleMesh part_;
+};
+
+}  // namespace algebra3d

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "algebra3d/halfedge/triangle_mesh.h"
+
+namespace algebra3d {
+
+/// The faces of a mesh, without the excepted ones, that may be within `reach` of a face of another mesh: at least those
+/// whose boxes are. Ascending. `is_excepted`: one flag per face. Cost: linear in the mesh, some 10 ns per face, and
+/// that of the pairs of boxes.
+std::vector<FaceId> faces_near(const TriangleMesh& mesh, const std::vector<bool>& is_excepted,
+                               const TriangleMesh& others, double reach);
+
+}  // namespace algebra3d

@@ -1,0 +1,144 @@
+// Why it is enough to look at the faces near the added ones.
+//
+// Faces that stay get along with each other, so only pairs with an added face are open. Such a pair has a common point,
+// so the boxes of the two meet, and the one that stays is near. The same holds for all faces at an edge of an added
+// face. Other edges have the faces that they had, since the added faces have the same boundary as the removed ones.
+//
+// A shell has the winding number 0 in front of it if that is so for one of its faces. Take one that stays and is not
+// near: the deformation of the removed faces into the added ones sweeps over no point of it, since each point of the
+// way is within `movement` of an added face. So the number in front of it is what it was.
+
+#include "algebra3d/validity/replacement.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+#include "algebra3d/exact/point_table.h"
+#include "algebra3d/halfedge/box_hierarchy.h"
+#include "algebra3d/halfedge/replaced_faces.h"
+#include "algebra3d/halfedge/topology.h"
+#include "algebra3d/validity/detail/edges.h"
+#include "algebra3d/validity/detail/intersections.h"
+#include "algebra3d/validity/detail/near_faces.h"
+#include "algebra3d/validity/detail/triangles.h"
+#include "algebra3d/validity/detail/vertex_stars.h"
+#include "algebra3d/validity/validity.h"
+
+namespace algebra3d {
+namespace {
+
+/// What the public function is given.
+struct Replacement {
+  const TriangleMesh* volume;
+  const std::vector<bool>* is_removed;
+  const TriangleMesh* added;
+
+  bool removes(std::size_t face) const { return (*is_removed)[face]; }
+};
+
+/// For edges between numbered points: how many more half-edges run from the lower to the higher one than back.
+using EdgeBalance = std::map<std::pair<std::uint32_t, std::uint32_t>, int>;
+
+void add_to(EdgeBalance& balance, PointTable& places, const PointRef& from, const PointRef& to, int count) {
+  const std::uint32_t a = places.intern(from), b = places.intern(to);
+  if (a < b)
+    balance[{a, b}] += count;
+  else if (b < a)
+    balance[{b, a}] -= count;
+}
+
+/// True if the removed and the added faces are bounded by the same edges, and no edge that is not manifold has faces
+/// that go and faces that stay.
+bool have_same_boundary(const Replacement& replacement) {
+  const TriangleMesh& volume = *replacement.volume;
+  const TriangleMesh& added = *replacement.added;
+  PointTable places;
+  EdgeBalance balance;
+  const auto stays = [&](HalfedgeId h) { return !replacement.removes(TriangleMesh::face(h).index()); };
+  for (std::uint32_t f = 0; f < volume.face_count(); ++f) {
+    if (!replacement.removes(f)) continue;
+    for (std::uint32_t corner = 0; corner < 3; ++corner) {
+      const HalfedgeId h = TriangleMesh::halfedge(FaceId(f), corner);
+      if (volume.is_nonmanifold(h)) {
+        if (std::ranges::any_of(volume.edge_halfedges(h), stays)) return false;
+      } else if (stays(volume.opposite(h))) {
+        add_to(balance, places, volume.point(volume.origin(h)), volume.point(volume.target(h)), 1);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < added.halfedge_count(); ++i) {
+    const HalfedgeId h(i);
+    if (!added.opposite(h).is_valid())
+      add_to(balance, places, added.point(added.origin(h)), added.point(added.target(h)), -1);
+  }
+  return std::ranges::all_of(balance, [](const auto& edge) { return edge.second == 0; });
+}
+
+/// The added faces and those near them, as one mesh: first the added ones.
+TriangleMesh mesh_around(const Replacement& replacement, const std::vector<FaceId>& near) {
+  PointTable places;
+  PointArray points;
+  std::vector<TriangleMesh::Triangle> triangles;
+  const auto add = [&](const TriangleMesh& mesh, FaceId face) {
+    TriangleMesh::Triangle& triangle = triangles.emplace_back();
+    const TriangleRef corners = mesh.corners(face);
+    for (std::size_t i = 0; i < 3; ++i) {
+      triangle[i] = places.intern(corners[i]);
+      if (triangle[i] == points.size()) points.push_back(corners[i]);
+    }
+  };
+  for (std::uint32_t f = 0; f < replacement.added->face_count(); ++f) add(*replacement.added, FaceId(f));
+  for (const FaceId face : near) add(*replacement.volume, face);
+  return {std::move(points), triangles};
+}
+
+/// True if every shell of the mesh goes on beyond it.
+bool do_all_shells_go_on(const TriangleMesh& mesh) {
+  const FaceComponents shells = connected_components(mesh);
+  std::vector<bool> goes_on(shells.count);
+  for (std::size_t i = 0; i < mesh.halfedge_count(); ++i)
+    if (mesh.is_boundary(HalfedgeId(i)))
+      goes_on[shells.of_face[TriangleMesh::face(HalfedgeId(i)).index()]] = true;
+  return std::ranges::find(goes_on, false) == goes_on.end();
+}
+
+/// For a proof of a mesh that consists of faces that get along with each other, and of `count` added ones from `first`.
+ProofOptions options_for(std::size_t face_count, std::size_t first, std::size_t count, const std::atomic<bool>* cancel) {
+  std::vector<bool> stays(face_count, true);
+  std::fill_n(stays.begin() + static_cast<std::ptrdiff_t>(first), count, false);
+  return {.thoroughness = Thoroughness::first_defect, .cancel = cancel, .known = FaceSet(std::move(stays))};
+}
+
+/// The proof of the whole volume, in which pairs of faces that stay are not tested.
+Result<bool> is_valid_whole(const Replacement& replacement, const std::atomic<bool>* cancel) {
+  const TriangleMesh whole = with_replaced_faces(*replacement.volume, *replacement.is_removed, *replacement.added);
+  const std::size_t count = replacement.added->face_count();
+  const ProofOptions options = options_for(whole.face_count(), whole.face_count() - count, count, cancel);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport report, prove_volume(whole, options));
+  return report.is_valid();
+}
+
+}  // namespace
+
+Result<bool> is_valid_replacement(const TriangleMesh& volume, const std::vector<bool>& is_removed,
+                                  const TriangleMesh& added, double movement, const std::atomic<bool>* cancel) {
+  const Replacement replacement{&volume, &is_removed, &added};
+  if (!have_same_boundary(replacement)) return false;
+  const TriangleMesh mesh = mesh_around(replacement, faces_near(volume, is_removed, added, movement));
+  const ProofOptions options = options_for(mesh.face_count(), 0, added.face_count(), cancel);
+
+  ValidityReport report;
+  const EmbeddedStars stars(mesh, options.known);
+  const SoundFaces sound = check_triangles(mesh, stars, options.known, report);
+  check_edges(mesh, sound, report, options.known);
+  if (!report.is_valid()) return false;
+  BoxHierarchy hierarchy(mesh);
+  FaceSet ignored;
+  ALGEBRA3D_RETURN_IF_ERROR(find_intersections(mesh, stars, hierarchy, options, report, ignored));
+  if (!report.is_valid()) return false;
+  return do_all_shells_go_on(mesh) ? Result<bool>(true) : is_valid_whole(replacement, cancel);
+}
+
+}  // namespace algebra3d
