@@ -1,14 +1,8 @@
 #include "algebra3d/repair/detail/inside_test.h"
 
-#include <vector>
-
 #include "algebra3d/exact/vertical_line.h"
 
 namespace algebra3d {
-namespace {
-
-}  // namespace
-
 InsideTest::InsideTest(const TriangleMesh& solid) : solid_(solid), hierarchy_(solid) {}
 
 bool InsideTest::is_inside(const Vec3& point) const {

@@ -5,18 +5,21 @@
 #include <limits>
 #include <utility>
 
-#include "algebra3d/exact/rational.h"
+#include "algebra3d/base/box3.h"
 
 namespace algebra3d {
 namespace {
 
-/// An upper bound of the distance between a point and the doubles to which it is rounded.
+/// An upper bound of the distance between a point and the doubles to which it is rounded: the double nearest to an exact
+/// coordinate is at most half a spacing away from it.
 double distance_to_rounded(const PointRef& point, const Vec3& rounded) {
   Vec3 difference;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    difference[axis] = point.is_double() ? point.approx[axis] - rounded[axis]
-                                         : (point.coordinate(axis) - Rational(rounded[axis])).nearest_double();
-  // Three roundings in the length, one in each difference, which may come down to nothing.
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double size = std::abs(point.approx[axis]);
+    const double half_spacing = point.is_double() ? 0 : (std::nextafter(size, Box3::kInfinity) - size) / 2;
+    difference[axis] = std::abs(point.approx[axis] - rounded[axis]) + half_spacing;
+  }
+  // Five roundings, some of which may come down to nothing.
   const double length = std::hypot(difference.x, difference.y, difference.z);
   return length * (1 + 8 * std::numeric_limits<double>::epsilon()) + std::numeric_limits<double>::denorm_min();
 }

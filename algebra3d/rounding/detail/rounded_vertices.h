@@ -19,7 +19,7 @@ struct RoundedVertices : MovedVertices {
 /// One flag per vertex: whether rounding moves it. Cost: a few nanoseconds per vertex.
 std::vector<bool> are_moved(const TriangleMesh& mesh, const CoordinateGrid& grid);
 
-/// Rounds all vertices. Movements are upper bounds. Cost: some hundred nanoseconds per vertex that is no double.
+/// Rounds all vertices. Movements are upper bounds. Cost: linear.
 RoundedVertices rounded_vertices(const TriangleMesh& mesh, const CoordinateGrid& grid);
 
 /// The length slightly enlarged: an upper bound in spite of a few roundings.
