@@ -30,7 +30,8 @@ constexpr std::ptrdiff_t kMaxCrowded = 1000;
 /// How often a mesh is only divided at its crossings, before features are joined.
 constexpr int kMaxDivisions = 4;
 
-/// The reach of feature snapping, in spacings of the grid: at first, from one rung to the next, and at last.
+/// The reach of coplanar snapping, in spacings of the grid: at first, from one rung to the next, and at last. The first
+/// one is that of feature snapping, too.
 constexpr double kFirstReach = 2;
 constexpr double kReachGrowth = 4;
 constexpr double kLargestReach = 0x1p20;
@@ -45,10 +46,11 @@ std::size_t max_faces(const TriangleMesh& solid) {
   return solid.face_count() + solid.face_count() / 4 + 250;
 }
 
-/// A closed mesh, and how far its points are from the given boundary at most.
+/// A closed mesh, how far its points are from the given boundary at most, and within which reach features were joined.
 struct MovedMesh {
   TriangleMesh mesh;
   double movement = 0;
+  double reach = 0;
 };
 
 class Rounding {
@@ -63,7 +65,7 @@ class Rounding {
   Result<RoundedSolid> run();
 
  private:
-  static MovedMesh snap_rounded(const TriangleMesh& solid, const RoundedVertices& vertices, double moved_before);
+  static MovedMesh snap_rounded(const TriangleMesh& solid, const RoundedVertices& vertices);
   void take_part(SolidPart part);
   Result<bool> round_part();
   Result<bool> round_whole();
@@ -72,7 +74,7 @@ class Rounding {
   Result<bool> keep_simplest(const MovedMesh& moved);
   Result<std::optional<TriangleMesh>> positive_cells(const TriangleMesh& mesh) const;
   Result<bool> divide_at_crossings();
-  Result<bool> join_features(MovedMesh moved, double reach);
+  Result<bool> join_features(MovedMesh moved);
   Result<bool> select_cells(MovedMesh& moved);
   Result<std::vector<bool>> crowded_vertices(const TriangleMesh& snapped, const RoundedVertices& vertices) const;
   Result<bool> join_coplanar(const std::vector<bool>& crowded, double reach);
@@ -87,21 +89,22 @@ class Rounding {
   RoundedSolid result_;
 };
 
-MovedMesh Rounding::snap_rounded(const TriangleMesh& solid, const RoundedVertices& vertices, double moved_before) {
+MovedMesh Rounding::snap_rounded(const TriangleMesh& solid, const RoundedVertices& vertices) {
   SnappedMesh snapped = snap_round(solid, vertices);
-  return {std::move(snapped.mesh), moved_before + rounded_up(vertices.largest_movement + snapped.largest_detour)};
+  return {std::move(snapped.mesh), rounded_up(vertices.largest_movement + snapped.largest_detour)};
 }
 
 /// If the solid is valid with the mesh in place of the part, it becomes the result. Only the first rung may leave
 /// nothing: a farther one would join walls that are thicker than the grid.
 Result<bool> Rounding::keep_if_valid(const MovedMesh& moved) {
-  if (moved.mesh.is_empty() && result_.reach > kFirstReach * spacing_) return false;
+  if (moved.mesh.is_empty() && moved.reach > kFirstReach * spacing_) return false;
   ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, part_.is_valid_with(moved.mesh, moved.movement, cancel_));
   if (!is_valid) return false;
   if (!part_.keeps_shells_with(moved.mesh)) result_.shells_before = connected_components(solid_).count;
   result_.mesh = part_.solid_with(moved.mesh);
   if (result_.shells_before > 0) result_.shells_after = connected_components(*result_.mesh).count;
   result_.largest_movement = moved.movement;
+  result_.reach = moved.reach;
   return true;
 }
 
@@ -114,7 +117,7 @@ MovedMesh Rounding::without_superfluous(const MovedMesh& moved) const {
   for (const Vec3& place : moved.mesh.points().approx()) may_go.push_back(places_that_stay_.find(place) == kNone);
   TriangleMesh simpler = without_superfluous_vertices(moved.mesh, may_go, spacing_);
   if (simpler.face_count() == moved.mesh.face_count()) return moved;
-  return {std::move(simpler), moved.movement + rounded_up(2 * spacing_)};
+  return {std::move(simpler), moved.movement + rounded_up(2 * spacing_), moved.reach};
 }
 
 Result<bool> Rounding::keep_simplest(const MovedMesh& moved) {
@@ -138,10 +141,8 @@ Result<bool> Rounding::select_cells(MovedMesh& moved) {
   ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<TriangleMesh> solid, positive_cells(moved.mesh));
   if (!solid) return false;
   const RoundedVertices vertices = rounded_vertices(*solid, grid_);
-  if (vertices.moved == 0)
-    moved.mesh = *std::move(solid);
-  else
-    moved = snap_rounded(*solid, vertices, moved.movement);
+  MovedMesh snapped = vertices.moved == 0 ? MovedMesh{*std::move(solid)} : snap_rounded(*solid, vertices);
+  moved = {std::move(snapped.mesh), moved.movement + snapped.movement, moved.reach};
   return true;
 }
 
@@ -165,21 +166,19 @@ Result<bool> Rounding::divide_at_crossings() {
   return false;
 }
 
-/// One rung: joins features within this reach, and selects cells, in turns, as long as that leaves at most half of the
-/// crossings.
-Result<bool> Rounding::join_features(MovedMesh moved, double reach) {
-  const CoordinateGrid grid = reach == kFirstReach * spacing_ ? grid_ : CoordinateGrid::multiples(reach / kFirstReach);
-  std::size_t crossings = SIZE_MAX;
-  while (true) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(FeatureSnappedMesh joined, snap_features(moved.mesh, reach, grid, cancel_));
-    moved = {std::move(joined.mesh), moved.movement + joined.largest_displacement};
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, keep_simplest(moved));
-    if (is_valid) return true;
-    if (joined.crossing_pairs > crossings / 2) return false;
-    crossings = joined.crossing_pairs;
+/// One rung: joins features, and selects cells, in turns, as long as at most half of the crossings are left each time.
+Result<bool> Rounding::join_features(MovedMesh moved) {
+  for (std::size_t most_crossings = SIZE_MAX;;) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(FeatureSnappedMesh joined, snap_features(moved.mesh, grid_, spacing_, cancel_));
+    moved = {std::move(joined.mesh), moved.movement + joined.largest_displacement, std::max(moved.reach, joined.reach)};
+    if (joined.crossing_pairs == 0) {
+      ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, keep_simplest(moved));
+      if (is_valid) return true;
+    }
+    if (!part_.is_whole() || joined.crossings_before > most_crossings) return false;
+    most_crossings = joined.crossings_before / 2;
     ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_selected, select_cells(moved));
     if (!is_selected) return false;
-    if (crossings == 0) return keep_simplest(moved);
   }
 }
 
@@ -204,9 +203,9 @@ Result<bool> Rounding::join_coplanar(const std::vector<bool>& crowded, double re
   const double farthest = std::ranges::max(moved.movements);
   if (farthest == 0) return false;
   SnappedMesh snapped = snap_round(solid_, moved);
-  MovedMesh coplanar{std::move(snapped.mesh), rounded_up(farthest + snapped.largest_detour)};
+  MovedMesh coplanar{std::move(snapped.mesh), rounded_up(farthest + snapped.largest_detour), reach};
   ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_selected, select_cells(coplanar));
-  return is_selected ? join_features(std::move(coplanar), reach) : Result<bool>(false);
+  return is_selected ? join_features(std::move(coplanar)) : Result<bool>(false);
 }
 
 void Rounding::take_part(SolidPart part) {
@@ -218,25 +217,23 @@ void Rounding::take_part(SolidPart part) {
     if (vertices_.movements[v] == 0) places_that_stay_.intern(mesh.points()[v]);
 }
 
-/// The first rungs, for a part of the solid.
+/// The rungs that a part of the solid is enough for.
 Result<bool> Rounding::round_part() {
-  const MovedMesh snapped = snap_rounded(part_.mesh(), vertices_, 0);
+  const MovedMesh snapped = snap_rounded(part_.mesh(), vertices_);
   ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_found, keep_simplest(snapped));
-  return is_found;
+  return is_found || !grid_.is_floating() ? Result<bool>(is_found) : join_features(snapped);
 }
 
-/// All rungs.
+/// All rungs. Where the grid may be coarse for the solid, dividing comes before joining.
 Result<bool> Rounding::round_whole() {
-  const MovedMesh snapped = snap_rounded(solid_, vertices_, 0);
+  const MovedMesh snapped = snap_rounded(solid_, vertices_);
   ALGEBRA3D_ASSIGN_OR_RETURN(bool is_found, keep_simplest(snapped));
-  if (!is_found) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, divide_at_crossings());
+  for (const bool divides : {!grid_.is_floating(), grid_.is_floating()}) {
+    if (is_found) return true;
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, divides ? divide_at_crossings() : join_features(snapped));
   }
   std::vector<bool> crowded;
   for (double reach = kFirstReach * spacing_; !is_found && reach <= kLargestReach * spacing_; reach *= kReachGrowth) {
-    result_.reach = reach;
-    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_features(snapped, reach));
-    if (is_found) break;
     if (crowded.empty()) {
       ALGEBRA3D_ASSIGN_OR_RETURN(crowded, crowded_vertices(snapped.mesh, vertices_));
     }

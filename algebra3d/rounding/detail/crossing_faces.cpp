@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <utility>
 
 #include "algebra3d/base/monitor.h"
 #include "algebra3d/exact/predicates.h"
-#include "algebra3d/halfedge/box_hierarchy.h"
 
 namespace algebra3d {
 namespace {
@@ -32,26 +32,58 @@ bool do_cross(const SnappedFaces& faces, std::size_t f, std::size_t g) {
   return shared == 2 && overlap_beyond_shared_edge(at(s[0]), at(s[1]), at(s[2]), at(t[2]));
 }
 
+/// A hierarchy over some faces.
+class SomeFaces {
+ public:
+  SomeFaces(const SnappedFaces& faces, std::vector<std::size_t> numbers)
+      : numbers_(std::move(numbers)), hierarchy_(faces.mesh_of(numbers_)) {}
+
+  std::size_t operator[](std::uint32_t index) const { return numbers_[index]; }
+  const BoxHierarchy& hierarchy() const { return hierarchy_; }
+
+ private:
+  std::vector<std::size_t> numbers_;
+  BoxHierarchy hierarchy_;
+};
+
 }  // namespace
 
-Result<std::vector<FacePair>> crossing_faces(const SnappedFaces& faces, const std::atomic<bool>* cancel) {
-  std::vector<std::uint32_t> all, open;
-  for (std::uint32_t f = 0; f < faces.size(); ++f) {
-    const auto [a, b, c] = faces.triangle(f);
+CrossingSearch::CrossingSearch(const SnappedFaces& faces) : faces_(faces), given_(faces.given_mesh()) {}
+
+Result<std::vector<FacePair>> CrossingSearch::find(const std::atomic<bool>* cancel) const {
+  std::vector<std::size_t> open_faces, changed_faces, faces_of_given(faces_.given_count(), SIZE_MAX);
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    if (!faces_.is_open(f) && faces_.is_given(f)) {
+      faces_of_given[faces_.given_of(f)] = f;
+      continue;
+    }
+    const auto [a, b, c] = faces_.triangle(f);
     if (collinear(a, b, c)) continue;
-    all.push_back(f);
-    if (faces.is_open(f)) open.push_back(f);
+    if (faces_.is_open(f)) open_faces.push_back(f);
+    (faces_.is_given(f) ? faces_of_given[faces_.given_of(f)] : changed_faces.emplace_back()) = f;
   }
-  const TriangleMesh mesh = faces.mesh();
-  const Monitor monitor(cancel);
+  const SomeFaces open(faces_, std::move(open_faces)), changed(faces_, std::move(changed_faces));
   std::vector<FacePair> pairs;
-  const BoxHierarchy of_all(mesh, std::move(all)), of_open(mesh, std::move(open));
-  const auto visit = [&](std::uint32_t f, std::uint32_t g) {  // an open one, and any
-    const bool comes_twice = faces.is_open(g) && f >= g;
-    if (!comes_twice && do_cross(faces, f, g)) pairs.emplace_back(std::min(f, g), std::max(f, g));
-    return true;
+  const auto add = [&](std::size_t f, std::size_t g) {  // an open one, and any
+    const bool comes_twice = faces_.is_open(g) && f >= g;
+    if (!comes_twice && do_cross(faces_, f, g)) pairs.emplace_back(std::min(f, g), std::max(f, g));
   };
-  of_open.for_each_pair_with(of_all, visit, [&] { return !monitor.is_cancelled(); });
+  const Monitor monitor(cancel);
+  const auto go_on = [&] { return !monitor.is_cancelled(); };
+  open.hierarchy().for_each_pair_with(
+      given_,
+      [&](std::uint32_t f, std::uint32_t given) {
+        if (const std::size_t g = faces_of_given[given]; g != SIZE_MAX) add(open[f], g);
+        return true;
+      },
+      go_on);
+  open.hierarchy().for_each_pair_with(
+      changed.hierarchy(),
+      [&](std::uint32_t f, std::uint32_t g) {
+        add(open[f], changed[g]);
+        return true;
+      },
+      go_on);
   ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
   std::ranges::sort(pairs);
   return pairs;

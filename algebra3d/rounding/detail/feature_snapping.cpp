@@ -1,9 +1,10 @@
 #include "algebra3d/rounding/detail/feature_snapping.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "algebra3d/base/id_vector.h"
@@ -14,33 +15,120 @@
 namespace algebra3d {
 namespace {
 
-constexpr int kMaxSnappingRounds = 40;
-constexpr int kMaxRoundsWithoutGain = 10;
+/// The reach at level 0, in spacings, and how much it grows from level to level; with all doublings it is 2^20 at the last one.
+constexpr double kFirstReach = 2;
+constexpr int kReachGrowth = 4;
+constexpr int kLastLevel = 7;
 /// After so many rounds in which faces at a point cross, the reach is doubled there; and how often at most.
 constexpr int kPatience = 4;
 constexpr int kMaxDoublings = 5;
+/// So many rounds are made at a level, and so many of these without fewer crossings than ever.
+constexpr int kMaxSnappingRounds = 40;
+constexpr int kMaxRoundsWithoutGain = 10;
+
+/// How a cluster gets on at its level.
+struct Progress {
+  int level = 0;
+  int rounds = 0, last_gain = 0;
+  std::size_t crossings = 0, fewest = SIZE_MAX;
+  bool can_join = true;  // something was joined in the last round
+
+  void count_round() {
+    ++rounds;
+    if (crossings >= fewest) return;
+    fewest = crossings;
+    last_gain = rounds;
+  }
+  bool is_hopeless() const {
+    return crossings > 0 && (!can_join || rounds > kMaxSnappingRounds || rounds - last_gain > kMaxRoundsWithoutGain || crossings > 4 * fewest + 20);
+  }
+  bool is_given_up() const { return level > kLastLevel; }
+};
+
+/// What is still wrong with the faces.
+struct Faults {
+  std::vector<FacePair> pairs;           ///< faces that cross
+  std::vector<std::size_t> flat_faces;  ///< faces without area
+};
 
 class FeatureSnapping {
  public:
-  FeatureSnapping(const TriangleMesh& mesh, double reach, const CoordinateGrid& grid, const std::atomic<bool>* cancel)
-      : faces_(mesh), reach_(reach), grid_(grid), cancel_(cancel) {}
+  FeatureSnapping(const TriangleMesh& mesh, const CoordinateGrid& grid, double spacing, const std::atomic<bool>* cancel)
+      : faces_(mesh), grid_(grid), spacing_(spacing), cancel_(cancel) {}
 
   Result<FeatureSnappedMesh> run();
 
  private:
-  double reach_of(const FacePair& pair) const;
-  void count_crossings(const std::vector<FacePair>& pairs);
-  FeatureJoins joins_of(const std::vector<FacePair>& pairs);
-  std::vector<std::size_t> collinear_faces() const;
+  PointId cluster_of(std::size_t face) { return faces_.cluster_of(faces_.corners(face)[0]); }
+  Result<Faults> find_faults(const CrossingSearch& search) const;
+  void tie_clusters(const std::vector<FacePair>& pairs);
+  void note_progress(const Faults& faults);
+  std::vector<PointId> raise_hopeless_clusters(Faults& faults);
+  void count_rounds_of_points(const std::vector<FacePair>& pairs);
+  double reach_of(const FacePair& pair, const Progress& progress) const;
+  FeatureJoins joins_of(const Faults& faults);
+  void restore(const std::vector<PointId>& clusters);
 
   SnappedFaces faces_;
-  double reach_;
-  const CoordinateGrid& grid_;
+  CoordinateGrid grid_;
+  double spacing_;
   const std::atomic<bool>* cancel_;
+  std::map<PointId, Progress> progress_;  // of clusters that cross, or did
   IdVector<PointId, int> rounds_with_crossings_;
+  double largest_reach_ = 0;
 };
 
-void FeatureSnapping::count_crossings(const std::vector<FacePair>& pairs) {
+Result<Faults> FeatureSnapping::find_faults(const CrossingSearch& search) const {
+  Faults faults;
+  ALGEBRA3D_ASSIGN_OR_RETURN(faults.pairs, search.find(cancel_));
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    if (!faces_.is_open(f)) continue;
+    const auto [a, b, c] = faces_.triangle(f);
+    if (collinear(a, b, c)) faults.flat_faces.push_back(f);
+  }
+  return faults;
+}
+
+/// Faces that cross are of one cluster. Clusters that became one begin anew, at the highest of their levels.
+void FeatureSnapping::tie_clusters(const std::vector<FacePair>& pairs) {
+  for (const auto& [f, g] : pairs) faces_.tie(faces_.corners(f)[0], faces_.corners(g)[0]);
+  std::map<PointId, Progress> progress;
+  for (const auto& [old_cluster, old] : progress_) {
+    const auto [entry, is_new] = progress.try_emplace(faces_.cluster_of(old_cluster), old);
+    if (!is_new)
+      entry->second = {.level = std::max(entry->second.level, old.level),
+                       .crossings = entry->second.crossings + old.crossings};
+  }
+  progress_ = std::move(progress);
+}
+
+void FeatureSnapping::note_progress(const Faults& faults) {
+  for (auto& [cluster, progress] : progress_)
+    if (!progress.is_given_up()) progress.crossings = 0;
+  for (const FacePair& pair : faults.pairs) ++progress_[cluster_of(pair.first)].crossings;
+  for (const std::size_t face : faults.flat_faces) ++progress_[cluster_of(face)].crossings;
+  for (auto& [cluster, progress] : progress_)
+    if (progress.crossings > 0 && !progress.is_given_up()) progress.count_round();
+}
+
+/// Raises the levels of the clusters that do not get on. Removes their faults, and those of clusters that are given up.
+std::vector<PointId> FeatureSnapping::raise_hopeless_clusters(Faults& faults) {
+  std::vector<PointId> raised;
+  for (auto& [cluster, progress] : progress_) {
+    if (progress.is_given_up() || !progress.is_hopeless()) continue;
+    raised.push_back(cluster);
+    progress = {.level = progress.level + 1, .crossings = progress.crossings};
+  }
+  const auto is_left_out = [&](std::size_t face) {
+    const PointId cluster = cluster_of(face);
+    return std::ranges::binary_search(raised, cluster) || progress_[cluster].is_given_up();
+  };
+  std::erase_if(faults.pairs, [&](const FacePair& pair) { return is_left_out(pair.first); });
+  std::erase_if(faults.flat_faces, is_left_out);
+  return raised;
+}
+
+void FeatureSnapping::count_rounds_of_points(const std::vector<FacePair>& pairs) {
   rounds_with_crossings_.resize(faces_.point_count());
   std::vector<PointId> points;
   for (const auto& [f, g] : pairs)
@@ -51,60 +139,68 @@ void FeatureSnapping::count_crossings(const std::vector<FacePair>& pairs) {
   for (const PointId p : points) ++rounds_with_crossings_[p];
 }
 
-double FeatureSnapping::reach_of(const FacePair& pair) const {
+double FeatureSnapping::reach_of(const FacePair& pair, const Progress& progress) const {
   int most = 0;
   for (const std::size_t face : {pair.first, pair.second})
     for (const PointId p : faces_.corners(face)) most = std::max(most, rounds_with_crossings_[p]);
-  return std::ldexp(reach_, std::min(most / kPatience, kMaxDoublings));
+  return std::ldexp(kFirstReach * spacing_, 2 * progress.level + std::min(most / kPatience, kMaxDoublings));
 }
 
-std::vector<std::size_t> FeatureSnapping::collinear_faces() const {
-  std::vector<std::size_t> found;
-  for (std::size_t f = 0; f < faces_.size(); ++f) {
-    const auto [a, b, c] = faces_.triangle(f);
-    if (faces_.is_open(f) && collinear(a, b, c)) found.push_back(f);
-  }
-  return found;
-}
-
-FeatureJoins FeatureSnapping::joins_of(const std::vector<FacePair>& pairs) {
+FeatureJoins FeatureSnapping::joins_of(const Faults& faults) {
   FeatureJoins joins;
-  count_crossings(pairs);
-  for (const FacePair& pair : pairs) join_near_features(faces_, pair.first, pair.second, reach_of(pair), grid_, joins);
+  count_rounds_of_points(faults.pairs);
+  for (const FacePair& pair : faults.pairs) progress_[cluster_of(pair.first)].can_join = false;
+  for (const FacePair& pair : faults.pairs) {
+    Progress& progress = progress_[cluster_of(pair.first)];
+    const double spacing = std::ldexp(spacing_, 2 * progress.level);
+    const CoordinateGrid grid = progress.level == 0 ? grid_ : CoordinateGrid::multiples(spacing);
+    largest_reach_ = std::max(largest_reach_, kFirstReach * spacing);
+    progress.can_join |=
+        join_near_features(faces_, pair.first, pair.second, reach_of(pair, progress), grid, joins);
+  }
+  for (const std::size_t face : faults.flat_faces) {
+    join_collinear_corners(faces_, face, joins);
+    progress_[cluster_of(face)].can_join = true;
+  }
   return joins;
 }
 
+void FeatureSnapping::restore(const std::vector<PointId>& clusters) {
+  if (clusters.empty()) return;
+  faces_.restore(clusters);
+  rounds_with_crossings_.resize(faces_.point_count());
+  for (const PointId p : rounds_with_crossings_.ids())
+    if (std::ranges::binary_search(clusters, faces_.cluster_of(p))) rounds_with_crossings_[p] = 0;
+}
+
 Result<FeatureSnappedMesh> FeatureSnapping::run() {
-  FeatureSnappedMesh best;
-  std::size_t fewest = SIZE_MAX;
-  faces_.drop_empty_faces();
-  for (int round = 0, last_gain = 0; round < kMaxSnappingRounds && round - last_gain <= kMaxRoundsWithoutGain;
-       ++round) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<FacePair> pairs, crossing_faces(faces_, cancel_));
-    const std::vector<std::size_t> flat = collinear_faces();
-    const std::size_t count = pairs.size() + flat.size();
-    if (count < fewest) {
-      best = {faces_.mesh(), faces_.largest_displacement(), pairs.size()};
-      fewest = count;
-      last_gain = round;
-    }
-    const bool is_hopeless = count > 4 * fewest + 20;
-    FeatureJoins joins = joins_of(pairs);
-    for (const std::size_t face : flat) join_collinear_corners(faces_, face, joins);
-    if (is_hopeless || joins.is_empty()) break;
-    std::vector<std::size_t> open = flat;
-    for (const auto& [f, g] : pairs) open.insert(open.end(), {f, g});
+  const CrossingSearch search(faces_);
+  std::size_t crossings_before = 0;
+  for (int round = 0;; ++round) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(Faults faults, find_faults(search));
+    if (round == 0) crossings_before = faults.pairs.size();
+    tie_clusters(faults.pairs);
+    note_progress(faults);
+    const std::vector<PointId> raised = raise_hopeless_clusters(faults);
+    if (faults.pairs.empty() && faults.flat_faces.empty() && raised.empty()) break;
+    FeatureJoins joins = joins_of(faults);
+    std::vector<std::size_t> open = faults.flat_faces;
+    for (const auto& [f, g] : faults.pairs) open.insert(open.end(), {f, g});
     faces_.close_all_but(open);
     faces_.apply(std::move(joins));
+    restore(raised);
   }
-  return best;
+  FeatureSnappedMesh result{faces_.mesh(), faces_.largest_displacement(), largest_reach_, crossings_before};
+  for (const auto& [cluster, progress] : progress_)
+    if (progress.is_given_up()) result.crossing_pairs += progress.crossings;
+  return result;
 }
 
 }  // namespace
 
-Result<FeatureSnappedMesh> snap_features(const TriangleMesh& mesh, double reach, const CoordinateGrid& grid,
+Result<FeatureSnappedMesh> snap_features(const TriangleMesh& mesh, const CoordinateGrid& grid, double spacing,
                                          const std::atomic<bool>* cancel) {
-  return FeatureSnapping(mesh, reach, grid, cancel).run();
+  return FeatureSnapping(mesh, grid, spacing, cancel).run();
 }
 
 }  // namespace algebra3d

@@ -13,16 +13,20 @@ namespace algebra3d {
 struct FeatureSnappedMesh {
   TriangleMesh mesh;
   double largest_displacement = 0;  ///< no point of the mesh is farther from the given one
-  std::size_t crossing_pairs = 0;   ///< pairs of faces that still cross
+  double reach = 0;                 ///< the largest one within which features were joined; 0 if nothing crossed
+  std::size_t crossings_before = 0;  ///< pairs of faces that crossed
+  std::size_t crossing_pairs = 0;    ///< pairs of faces that still cross
 };
 
-/// Feature snapping: joins features of crossing faces of a closed mesh (near_features.h) in rounds, until no faces
-/// cross or the crossings grow. In edges that go on crossing, farther features are joined as well, up to 32 times
-/// `reach`. The result is the state with the fewest crossings. It is closed; its vertices are given ones or lie on the
-/// grid, and it may have edges with more than two faces, and places with other winding numbers than 0 and 1. Domain:
-/// all coordinates are doubles. Exactness: what crosses is decided exactly, what is near is not. Deterministic. Errors:
-/// interrupted. Cost: a few times that of finding all crossings.
-Result<FeatureSnappedMesh> snap_features(const TriangleMesh& mesh, double reach, const CoordinateGrid& grid,
+/// Feature snapping: joins features of crossing faces of a mesh (near_features.h) in rounds, until no faces cross. The
+/// reach is two spacings at first; in edges that go on crossing, farther features are joined as well, up to 32 times
+/// that. A cluster (snapped_faces.h) that goes on crossing is restored, and begins again with four times the reach, new
+/// vertices on a grid four times coarser, up to 2^20 spacings; clusters without crossings stay as they are. A closed
+/// mesh stays closed. Vertices of the result are given ones or lie on the grid; it may have edges with more than two
+/// faces, and places with other winding numbers than 0 and 1. Domain: all coordinates are doubles. Exactness: what
+/// crosses is decided exactly, what is near is not. Deterministic. Errors: interrupted. Cost: a few times that of
+/// finding all crossings.
+Result<FeatureSnappedMesh> snap_features(const TriangleMesh& mesh, const CoordinateGrid& grid, double spacing,
                                          const std::atomic<bool>* cancel);
 
 }  // namespace algebra3d

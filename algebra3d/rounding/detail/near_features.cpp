@@ -145,20 +145,21 @@ bool PairJoins::divide_where_pierced(std::size_t face, const Corners& edges_of) 
 
 }  // namespace
 
-void join_near_features(SnappedFaces& faces, std::size_t first, std::size_t second, double reach,
+bool join_near_features(SnappedFaces& faces, std::size_t first, std::size_t second, double reach,
                         const CoordinateGrid& grid, FeatureJoins& joins) {
   PairJoins pair(faces, reach, grid, joins);
   const Corners s = faces.corners(first), t = faces.corners(second);
-  if (pair.merge_vertices(s, t)) return;
+  if (pair.merge_vertices(s, t)) return true;
   bool any = false;
   for (const Corners& edges_of : {s, t})
     for (const Corners& vertices_of : {s, t}) any |= pair.lead_edges_through_vertices(edges_of, vertices_of);
-  if (any || pair.join_edges(s, t)) return;
+  if (any || pair.join_edges(s, t)) return true;
   any = pair.divide_at_vertex(first, t);
   any |= pair.divide_at_vertex(second, s);
-  if (any) return;
-  pair.divide_where_pierced(first, t);
-  pair.divide_where_pierced(second, s);
+  if (any) return true;
+  any = pair.divide_where_pierced(first, t);
+  any |= pair.divide_where_pierced(second, s);
+  return any;
 }
 
 void join_collinear_corners(const SnappedFaces& faces, std::size_t face, FeatureJoins& joins) {

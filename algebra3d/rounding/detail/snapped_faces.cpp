@@ -41,8 +41,21 @@ SnappedFaces::SnappedFaces(const TriangleMesh& mesh) : table_(mesh.vertex_count(
   faces_.reserve(mesh.face_count());
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     const auto [a, b, c] = mesh.triangle(FaceId(f));
-    faces_.push_back({{points[VertexId(a)], points[VertexId(b)], points[VertexId(c)]}, {}, true});
+    faces_.push_back({{points[VertexId(a)], points[VertexId(b)], points[VertexId(c)]}, {}, 0, true, true});
   }
+  ties_ = DisjointIds<PointId>(table_.size());
+  drop_empty_faces();
+  given_.reserve(faces_.size());
+  for (Face& face : faces_) {
+    face.given = given_.size();
+    given_.push_back(face.corners);
+  }
+}
+
+PointId SnappedFaces::add_point(const Vec3& place) {
+  const PointId point(table_.intern(PointRef(place)));
+  if (point.index() == ties_.size()) ties_.add();
+  return point;
 }
 
 TriangleRef SnappedFaces::triangle(std::size_t face) const {
@@ -55,8 +68,13 @@ void SnappedFaces::close_all_but(std::span<const std::size_t> faces) {
   for (const std::size_t face : faces) faces_[face].is_open = true;
 }
 
-SnappedFaces::Face SnappedFaces::face_of(const Corner& a, const Corner& b, const Corner& c) {
-  return {{a.point, b.point, c.point}, {a.displacement, b.displacement, c.displacement}, true};
+SnappedFaces::Face SnappedFaces::part_of(std::size_t given, const Corner& a, const Corner& b, const Corner& c) {
+  return {{a.point, b.point, c.point}, {a.displacement, b.displacement, c.displacement}, given, true, false};
+}
+
+void SnappedFaces::tie_to_given(const Face& face) {
+  for (const PointId corner : given_[face.given]) ties_.unite(corner, face.corners[0]);
+  for (const PointId corner : face.corners) ties_.unite(corner, face.corners[0]);
 }
 
 void SnappedFaces::merge(FeatureJoins& joins) {
@@ -69,6 +87,8 @@ void SnappedFaces::merge(FeatureJoins& joins) {
       face.displacements[i] = face.displacements[i] + (place(merged) - place(old)).rounded();
       face.corners[i] = merged;
       face.is_open = true;
+      face.is_given = false;
+      tie_to_given(face);
     }
   std::map<PointPair, std::vector<PointId>> led;
   for (const auto& [edge, points] : joins.led)
@@ -112,15 +132,16 @@ SnappedFaces::Chain SnappedFaces::chain(const Corner& from, const Corner& to, co
 }
 
 // Halves the longest side, again and again.
-void SnappedFaces::triangulate(const Chain& ab, const Chain& bc, const Chain& ca, std::vector<Face>& faces) {
-  if (ab.size() < std::max(bc.size(), ca.size())) return triangulate(bc, ca, ab, faces);
+void SnappedFaces::triangulate(std::size_t given, const Chain& ab, const Chain& bc, const Chain& ca,
+                               std::vector<Face>& faces) {
+  if (ab.size() < std::max(bc.size(), ca.size())) return triangulate(given, bc, ca, ab, faces);
   if (ab.size() == 2) {
-    faces.push_back(face_of(ab[0], bc[0], ca[0]));
+    faces.push_back(part_of(given, ab[0], bc[0], ca[0]));
     return;
   }
   const auto middle = ab.begin() + static_cast<std::ptrdiff_t>(ab.size() / 2);
-  triangulate({ab.begin(), middle + 1}, {*middle, ca[0]}, ca, faces);
-  triangulate({middle, ab.end()}, bc, {ca[0], *middle}, faces);
+  triangulate(given, {ab.begin(), middle + 1}, {*middle, ca[0]}, ca, faces);
+  triangulate(given, {middle, ab.end()}, bc, {ca[0], *middle}, faces);
 }
 
 void SnappedFaces::apply(FeatureJoins joins) {
@@ -137,22 +158,44 @@ void SnappedFaces::apply(FeatureJoins joins) {
     if (repeats_a_corner(face.corners)) continue;
     const Corner a = corner(face, 0), b = corner(face, 1), c = corner(face, 2);
     if (is_end[a.point] + is_end[b.point] + is_end[c.point] >= 2) {
-      triangulate(chain(a, b, joins), chain(b, c, joins), chain(c, a, joins), result);
+      triangulate(face.given, chain(a, b, joins), chain(b, c, joins), chain(c, a, joins), result);
       const bool is_as_before = result.back().corners == face.corners;
       if (!is_as_before) continue;
       result.pop_back();
     }
     if (const auto divided = joins.divided.find(f); divided != joins.divided.end()) {
       const Corner inner = corner_in_face(divided->second, face);
-      result.insert(result.end(), {face_of(a, b, inner), face_of(b, c, inner), face_of(c, a, inner)});
+      for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+        result.push_back(part_of(face.given, from, to, inner));
     } else {
       result.push_back(face);
     }
   }
   faces_ = std::move(result);
+  for (const Face& face : faces_)
+    if (face.is_open && !face.is_given) tie_to_given(face);
   drop_empty_faces();
 }
 
+/// Per given face: whether it is not there any more as it was.
+std::vector<bool> SnappedFaces::changed_given() const {
+  std::vector<bool> are_changed(given_.size(), true);
+  for (const Face& face : faces_)
+    if (face.is_given) are_changed[face.given] = false;
+  return are_changed;
+}
+
+void SnappedFaces::restore(std::span<const PointId> clusters) {
+  std::vector<bool> is_restored = changed_given();
+  for (std::size_t given = 0; given < given_.size(); ++given)
+    if (is_restored[given]) is_restored[given] = std::ranges::binary_search(clusters, cluster_of(given_[given][0]));
+  std::erase_if(faces_, [&](const Face& face) { return is_restored[face.given]; });
+  for (std::size_t given = 0; given < given_.size(); ++given)
+    if (is_restored[given]) faces_.push_back({given_[given], {}, given, true, true});
+  drop_empty_faces();
+}
+
+/// Drops triangles that repeat a corner, and pairs of triangles with the same corners and opposite orientations.
 void SnappedFaces::drop_empty_faces() {
   std::erase_if(faces_, [](const Face& face) { return repeats_a_corner(face.corners); });
   struct Key {
@@ -172,7 +215,10 @@ void SnappedFaces::drop_empty_faces() {
   for (const Key& key : keys) {
     if (!unpaired.empty() && unpaired.back()->corners != key.corners) unpaired.clear();
     if (!unpaired.empty() && unpaired.back()->is_odd != key.is_odd) {
-      is_dropped[key.face] = is_dropped[unpaired.back()->face] = true;
+      for (const std::size_t face : {key.face, unpaired.back()->face}) {
+        is_dropped[face] = true;
+        if (!given_.empty()) tie_to_given(faces_[face]);
+      }
       unpaired.pop_back();
     } else {
       unpaired.push_back(&key);
@@ -184,23 +230,37 @@ void SnappedFaces::drop_empty_faces() {
   faces_.resize(kept);
 }
 
-TriangleMesh SnappedFaces::mesh() const {
+TriangleMesh SnappedFaces::mesh_of_corners(std::span<const std::array<PointId, 3>> faces) const {
   PointArray points;
   IdVector<PointId, std::uint32_t> numbers(table_.size(), kNone);
   std::vector<IndexTriangle> triangles;
-  triangles.reserve(faces_.size());
-  for (const Face& face : faces_) {
+  triangles.reserve(faces.size());
+  for (const std::array<PointId, 3>& corners : faces) {
     IndexTriangle& triangle = triangles.emplace_back();
     for (std::size_t i = 0; i < 3; ++i) {
-      std::uint32_t& number = numbers[face.corners[i]];
+      std::uint32_t& number = numbers[corners[i]];
       if (number == kNone) {
         number = static_cast<std::uint32_t>(points.size());
-        points.push_back(point(face.corners[i]));
+        points.push_back(point(corners[i]));
       }
       triangle[i] = number;
     }
   }
   return {std::move(points), triangles};
+}
+
+TriangleMesh SnappedFaces::mesh() const {
+  std::vector<std::array<PointId, 3>> corners;
+  corners.reserve(faces_.size());
+  for (const Face& face : faces_) corners.push_back(face.corners);
+  return mesh_of_corners(corners);
+}
+
+TriangleMesh SnappedFaces::mesh_of(std::span<const std::size_t> faces) const {
+  std::vector<std::array<PointId, 3>> corners;
+  corners.reserve(faces.size());
+  for (const std::size_t face : faces) corners.push_back(faces_[face].corners);
+  return mesh_of_corners(corners);
 }
 
 double SnappedFaces::largest_displacement() const {

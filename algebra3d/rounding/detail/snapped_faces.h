@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "algebra3d/base/disjoint_ids.h"
 #include "algebra3d/base/indices.h"
 #include "algebra3d/exact/point_table.h"
 #include "algebra3d/exact/predicates.h"
@@ -33,19 +34,29 @@ struct FeatureJoins {
 /// triangles run one way as the other. Points with equal coordinates are one. For each corner it is known which point
 /// of the given mesh it stands for, so that the largest distance between the two surfaces has a bound that does not
 /// grow with the number of steps.
+///
+/// Given faces whose changes depend on each other form a *cluster*; the changes of one can be undone while those of
+/// others stay.
 class SnappedFaces {
  public:
-  /// Domain: all coordinates are doubles.
+  /// Domain: all coordinates are doubles. Faces that repeat a corner, and pairs with opposite orientations, are dropped.
   explicit SnappedFaces(const TriangleMesh& mesh);
 
   std::size_t size() const { return faces_.size(); }
+  /// The faces of the given mesh that were not dropped; their number, and their corners.
+  std::size_t given_count() const { return given_.size(); }
+  const std::array<PointId, 3>& given_corners(std::size_t given) const { return given_[given]; }
+  /// The given face of which this one is, or is a part.
+  std::size_t given_of(std::size_t face) const { return faces_[face].given; }
+  /// True if the face is a given one that has not changed.
+  bool is_given(std::size_t face) const { return faces_[face].is_given; }
   const std::array<PointId, 3>& corners(std::size_t face) const { return faces_[face].corners; }
   TriangleRef triangle(std::size_t face) const;
   PointRef point(PointId id) const { return table_[id.index()]; }
   WideVec3 place(PointId id) const { return WideVec3(point(id).approx); }
   std::size_t point_count() const { return table_.size(); }
   /// The point at this place, which is added if it is new.
-  PointId add_point(const Vec3& place) { return PointId(table_.intern(PointRef(place))); }
+  PointId add_point(const Vec3& place);
 
   /// True unless the face is known to cross no other one: it is new since it was closed, or was given.
   bool is_open(std::size_t face) const { return faces_[face].is_open; }
@@ -55,11 +66,20 @@ class SnappedFaces {
   /// Merges points, then leads edges, in all faces along them, through points, in the order along the edge, then
   /// divides those faces that have not changed otherwise.
   void apply(FeatureJoins joins);
-  /// Drops triangles that repeat a corner, and pairs of triangles with the same corners and opposite orientations.
-  void drop_empty_faces();
+
+  /// The cluster of a point, as one of its points. Clusters only grow.
+  PointId cluster_of(PointId point) { return ties_.find(point); }
+  /// Makes one cluster of those of two points.
+  void tie(PointId a, PointId b) { ties_.unite(a, b); }
+  /// Undoes all changes of the given faces of some clusters; ascending.
+  void restore(std::span<const PointId> clusters);
 
   /// The mesh of the faces, in their order; points that no face uses are left out.
   TriangleMesh mesh() const;
+  /// The mesh of some faces, in the given order.
+  TriangleMesh mesh_of(std::span<const std::size_t> faces) const;
+  /// The mesh of the given faces.
+  TriangleMesh given_mesh() const { return mesh_of_corners(given_); }
   /// No point of the faces is farther from the given mesh; rounded up.
   double largest_displacement() const;
 
@@ -72,21 +92,30 @@ class SnappedFaces {
   struct Face {
     std::array<PointId, 3> corners;
     std::array<Vec3, 3> displacements;
+    std::size_t given;
     bool is_open;
+    bool is_given;
   };
   using Chain = std::vector<Corner>;
 
   static Corner corner(const Face& face, std::size_t index) { return {face.corners[index], face.displacements[index]}; }
-  static Face face_of(const Corner& a, const Corner& b, const Corner& c);
+  static Face part_of(std::size_t given, const Corner& a, const Corner& b, const Corner& c);
   WideVec3 origin(const Corner& corner) const { return place(corner.point) - WideVec3(corner.displacement); }
+  void drop_empty_faces();
+  void tie_to_given(const Face& face);
+  std::vector<bool> changed_given() const;
   void merge(FeatureJoins& joins);
   void sort_along(const PointPair& edge, std::vector<PointId>& points) const;
   Chain chain(const Corner& from, const Corner& to, const FeatureJoins& joins) const;
   Corner corner_on_edge(PointId point, const Corner& from, const Corner& to) const;
   Corner corner_in_face(PointId point, const Face& face) const;
-  static void triangulate(const Chain& ab, const Chain& bc, const Chain& ca, std::vector<Face>& faces);
+  static void triangulate(std::size_t given, const Chain& ab, const Chain& bc, const Chain& ca,
+                          std::vector<Face>& faces);
+  TriangleMesh mesh_of_corners(std::span<const std::array<PointId, 3>> faces) const;
 
   PointTable table_;
+  std::vector<std::array<PointId, 3>> given_;
+  DisjointIds<PointId> ties_{0};
   std::vector<Face> faces_;
 };
 

@@ -87,7 +87,7 @@ TEST(SnappedFaces, edges_are_led_through_points_in_their_order) {
   faces.apply(std::move(joins));
   EXPECT_EQ(faces.size(), 12U + 2 * 3);
   EXPECT_NEAR(faces.largest_displacement(), 0.5, 1e-9);
-  EXPECT_EQ(crossing_faces(faces, nullptr)->size(), 0U);
+  EXPECT_EQ(CrossingSearch(faces).find(nullptr)->size(), 0U);
   EXPECT_TRUE(is_closed(faces));
 }
 
@@ -108,20 +108,20 @@ TEST(CrossingFaces, are_those_of_brute_force) {
     Chance chance(seed);
     const Vec3 corner = chance.grid_point(4), size = chance.grid_point(3) + Vec3{1, 1, 1};
     const TriangleMesh a = geodesic_sphere(2), b = box(0.25 * corner, 0.25 * (corner + size));
-    const SnappedFaces faces(together(a, b));
-    EXPECT_EQ(*crossing_faces(faces, nullptr), crossings_by_brute_force(faces));
+    SnappedFaces faces(together(a, b));
+    EXPECT_EQ(*CrossingSearch(faces).find(nullptr), crossings_by_brute_force(faces));
   }
 }
 
 TEST(CrossingFaces, of_closed_faces_are_not_looked_for) {
   SnappedFaces faces(together(box({0, 0, 0}, {2, 2, 2}), box({1, 1, 1}, {3, 3, 3})));
-  const std::vector<FacePair> pairs = *crossing_faces(faces, nullptr);
+  const std::vector<FacePair> pairs = *CrossingSearch(faces).find(nullptr);
   ASSERT_FALSE(pairs.empty());
   faces.close_all_but({});
-  EXPECT_TRUE(crossing_faces(faces, nullptr)->empty());
+  EXPECT_TRUE(CrossingSearch(faces).find(nullptr)->empty());
   const std::vector<std::size_t> one = {pairs[0].first};
   faces.close_all_but(one);
-  const std::vector<FacePair> some = *crossing_faces(faces, nullptr);
+  const std::vector<FacePair> some = *CrossingSearch(faces).find(nullptr);
   EXPECT_FALSE(some.empty());
   for (const FacePair& pair : some) EXPECT_TRUE(pair.first == one[0] || pair.second == one[0]);
 }
@@ -185,7 +185,7 @@ TEST(NearFeatures, a_face_without_area_has_its_longest_edge_led_through_its_corn
 
 TEST(FeatureSnapping, of_a_mesh_without_crossings_is_the_mesh) {
   const TriangleMesh sphere = geodesic_sphere(4);
-  const auto snapped = snap_features(sphere, 0.01, CoordinateGrid::doubles(), nullptr);
+  const auto snapped = snap_features(sphere, CoordinateGrid::doubles(), 0x1p-52, nullptr);
   ASSERT_TRUE(snapped.ok());
   EXPECT_EQ(triangles_of(snapped->mesh), triangles_of(sphere));
   EXPECT_EQ(snapped->largest_displacement, 0);
@@ -194,7 +194,7 @@ TEST(FeatureSnapping, of_a_mesh_without_crossings_is_the_mesh) {
 
 TEST(FeatureSnapping, leaves_no_crossings_between_boxes_that_overlap_by_a_hair) {
   const TriangleMesh boxes = together(box({0, 0, 0}, {4, 4, 4}), box({4 - 0x1p-20, 1, 1}, {8, 3, 3}));
-  const auto snapped = snap_features(boxes, 0x1p-19, CoordinateGrid::multiples(0x1p-20), nullptr);
+  const auto snapped = snap_features(boxes, CoordinateGrid::multiples(0x1p-20), 0x1p-20, nullptr);
   ASSERT_TRUE(snapped.ok());
   EXPECT_EQ(snapped->crossing_pairs, 0U);
   EXPECT_LE(snapped->largest_displacement, 0x1p-18);
@@ -202,7 +202,7 @@ TEST(FeatureSnapping, leaves_no_crossings_between_boxes_that_overlap_by_a_hair) 
 
 TEST(FeatureSnapping, can_be_interrupted) {
   const std::atomic<bool> cancel = true;
-  const auto snapped = snap_features(geodesic_sphere(4), 0.01, CoordinateGrid::doubles(), &cancel);
+  const auto snapped = snap_features(geodesic_sphere(4), CoordinateGrid::doubles(), 0x1p-52, &cancel);
   ASSERT_FALSE(snapped.ok());
   EXPECT_EQ(snapped.error().code, ErrorCode::interrupted);
 }
