@@ -30,11 +30,12 @@ constexpr std::ptrdiff_t kMaxCrowded = 1000;
 /// How often a mesh is only divided at its crossings, before features are joined.
 constexpr int kMaxDivisions = 4;
 
-/// The reach of coplanar snapping, in spacings of the grid: at first, from one rung to the next, and at last. The first
-/// one is that of feature snapping, too.
+/// Within which reach, in spacings of the grid, features are joined, and facets made coplanar: at first, how far before
+/// other ways are tried, and at last. That of coplanar facets grows from rung to rung.
 constexpr double kFirstReach = 2;
-constexpr double kReachGrowth = 4;
+constexpr double kModestReach = 16;
 constexpr double kLargestReach = 0x1p20;
+constexpr double kReachGrowth = 4;
 
 /// A limit of the pairs of triangles that may touch. If a rounding has folded them, all may do so; that is hopeless.
 std::size_t max_pairs(const TriangleMesh& mesh) {
@@ -74,10 +75,10 @@ class Rounding {
   Result<bool> keep_simplest(const MovedMesh& moved);
   Result<std::optional<TriangleMesh>> positive_cells(const TriangleMesh& mesh) const;
   Result<bool> divide_at_crossings();
-  Result<bool> join_features(MovedMesh moved);
+  Result<bool> join_features(MovedMesh moved, double largest_reach);
   Result<bool> select_cells(MovedMesh& moved);
   Result<std::vector<bool>> crowded_vertices(const TriangleMesh& snapped, const RoundedVertices& vertices) const;
-  Result<bool> join_coplanar(const std::vector<bool>& crowded, double reach);
+  Result<bool> join_coplanar(const std::vector<bool>& crowded, double reach, double largest_reach);
 
   const TriangleMesh& solid_;
   CoordinateGrid grid_;
@@ -167,9 +168,10 @@ Result<bool> Rounding::divide_at_crossings() {
 }
 
 /// One rung: joins features, and selects cells, in turns, as long as at most half of the crossings are left each time.
-Result<bool> Rounding::join_features(MovedMesh moved) {
+Result<bool> Rounding::join_features(MovedMesh moved, double largest_reach) {
   for (std::size_t most_crossings = SIZE_MAX;;) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(FeatureSnappedMesh joined, snap_features(moved.mesh, grid_, spacing_, cancel_));
+    ALGEBRA3D_ASSIGN_OR_RETURN(FeatureSnappedMesh joined,
+                               snap_features(moved.mesh, grid_, spacing_, largest_reach, cancel_));
     moved = {std::move(joined.mesh), moved.movement + joined.largest_displacement, std::max(moved.reach, joined.reach)};
     if (joined.crossing_pairs == 0) {
       ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, keep_simplest(moved));
@@ -196,16 +198,18 @@ Result<std::vector<bool>> Rounding::crowded_vertices(const TriangleMesh& snapped
 }
 
 /// The same rung for a solid whose crowded facets are made exactly coplanar with others nearer than `reach`: facets
-/// that nearly lie upon each other and are large have no near features. False if there are none, or too many.
-Result<bool> Rounding::join_coplanar(const std::vector<bool>& crowded, double reach) {
+/// that nearly lie upon each other and are large have no near features. Then features are joined. False if there are
+/// none, or too many.
+Result<bool> Rounding::join_coplanar(const std::vector<bool>& crowded, double reach, double largest_reach) {
   if (std::ranges::count(crowded, true) > kMaxCrowded) return false;
-  const MovedVertices moved = snap_coplanar(solid_, crowded, reach);
+  const MovedVertices moved = snap_coplanar(solid_, crowded, reach * spacing_);
   const double farthest = std::ranges::max(moved.movements);
   if (farthest == 0) return false;
   SnappedMesh snapped = snap_round(solid_, moved);
-  MovedMesh coplanar{std::move(snapped.mesh), rounded_up(farthest + snapped.largest_detour), reach};
+  MovedMesh coplanar{std::move(snapped.mesh), rounded_up(farthest + snapped.largest_detour),
+                     reach * spacing_};
   ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_selected, select_cells(coplanar));
-  return is_selected ? join_features(std::move(coplanar)) : Result<bool>(false);
+  return is_selected ? join_features(std::move(coplanar), largest_reach) : Result<bool>(false);
 }
 
 void Rounding::take_part(SolidPart part) {
@@ -221,7 +225,7 @@ void Rounding::take_part(SolidPart part) {
 Result<bool> Rounding::round_part() {
   const MovedMesh snapped = snap_rounded(part_.mesh(), vertices_);
   ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_found, keep_simplest(snapped));
-  return is_found || !grid_.is_floating() ? Result<bool>(is_found) : join_features(snapped);
+  return is_found || !grid_.is_floating() ? Result<bool>(is_found) : join_features(snapped, kModestReach);
 }
 
 /// All rungs. Where the grid may be coarse for the solid, dividing comes before joining.
@@ -230,14 +234,19 @@ Result<bool> Rounding::round_whole() {
   ALGEBRA3D_ASSIGN_OR_RETURN(bool is_found, keep_simplest(snapped));
   for (const bool divides : {!grid_.is_floating(), grid_.is_floating()}) {
     if (is_found) return true;
-    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, divides ? divide_at_crossings() : join_features(snapped));
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, divides ? divide_at_crossings() : join_features(snapped, kModestReach));
   }
-  std::vector<bool> crowded;
-  for (double reach = kFirstReach * spacing_; !is_found && reach <= kLargestReach * spacing_; reach *= kReachGrowth) {
-    if (crowded.empty()) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(crowded, crowded_vertices(snapped.mesh, vertices_));
-    }
-    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_coplanar(crowded, reach));
+  if (is_found) return true;
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<bool> crowded, crowded_vertices(snapped.mesh, vertices_));
+  double reach = kFirstReach;
+  for (; !is_found && reach <= kModestReach; reach *= kReachGrowth) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_coplanar(crowded, reach, kModestReach));
+  }
+  if (!is_found) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_features(snapped, kLargestReach));
+  }
+  for (; !is_found && reach <= kLargestReach; reach *= kReachGrowth) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_coplanar(crowded, reach, kLargestReach));
   }
   return is_found;
 }

@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "algebra3d/base/id_vector.h"
 #include "algebra3d/exact/predicates.h"
 #include "algebra3d/rounding/detail/crossing_faces.h"
 #include "algebra3d/rounding/detail/near_features.h"
@@ -15,13 +14,8 @@
 namespace algebra3d {
 namespace {
 
-/// The reach at level 0, in spacings, and how much it grows from level to level; with all doublings it is 2^20 at the last one.
+/// The reach at level 0, in spacings. It is doubled from level to level.
 constexpr double kFirstReach = 2;
-constexpr int kReachGrowth = 4;
-constexpr int kLastLevel = 7;
-/// After so many rounds in which faces at a point cross, the reach is doubled there; and how often at most.
-constexpr int kPatience = 4;
-constexpr int kMaxDoublings = 5;
 /// So many rounds are made at a level, and so many of these without fewer crossings than ever.
 constexpr int kMaxSnappingRounds = 40;
 constexpr int kMaxRoundsWithoutGain = 10;
@@ -42,7 +36,8 @@ struct Progress {
   bool is_hopeless() const {
     return crossings > 0 && (!can_join || rounds > kMaxSnappingRounds || rounds - last_gain > kMaxRoundsWithoutGain || crossings > 4 * fewest + 20);
   }
-  bool is_given_up() const { return level > kLastLevel; }
+  /// In spacings of the grid.
+  double reach() const { return std::ldexp(kFirstReach, level); }
 };
 
 /// What is still wrong with the faces.
@@ -53,29 +48,27 @@ struct Faults {
 
 class FeatureSnapping {
  public:
-  FeatureSnapping(const TriangleMesh& mesh, const CoordinateGrid& grid, double spacing, const std::atomic<bool>* cancel)
-      : faces_(mesh), grid_(grid), spacing_(spacing), cancel_(cancel) {}
+  FeatureSnapping(const TriangleMesh& mesh, const CoordinateGrid& grid, double spacing, double largest_reach,
+                  const std::atomic<bool>* cancel)
+      : faces_(mesh), grid_(grid), spacing_(spacing), largest_reach_(largest_reach), cancel_(cancel) {}
 
   Result<FeatureSnappedMesh> run();
 
  private:
+  bool is_given_up(const Progress& progress) const { return progress.reach() > largest_reach_; }
   PointId cluster_of(std::size_t face) { return faces_.cluster_of(faces_.corners(face)[0]); }
   Result<Faults> find_faults(const CrossingSearch& search) const;
   void tie_clusters(const std::vector<FacePair>& pairs);
   void note_progress(const Faults& faults);
   std::vector<PointId> raise_hopeless_clusters(Faults& faults);
-  void count_rounds_of_points(const std::vector<FacePair>& pairs);
-  double reach_of(const FacePair& pair, const Progress& progress) const;
   FeatureJoins joins_of(const Faults& faults);
-  void restore(const std::vector<PointId>& clusters);
 
   SnappedFaces faces_;
   CoordinateGrid grid_;
-  double spacing_;
+  double spacing_, largest_reach_;
   const std::atomic<bool>* cancel_;
   std::map<PointId, Progress> progress_;  // of clusters that cross, or did
-  IdVector<PointId, int> rounds_with_crossings_;
-  double largest_reach_ = 0;
+  double reached_ = 0;  // the largest reach used, in coordinate units
 };
 
 Result<Faults> FeatureSnapping::find_faults(const CrossingSearch& search) const {
@@ -104,73 +97,45 @@ void FeatureSnapping::tie_clusters(const std::vector<FacePair>& pairs) {
 
 void FeatureSnapping::note_progress(const Faults& faults) {
   for (auto& [cluster, progress] : progress_)
-    if (!progress.is_given_up()) progress.crossings = 0;
+    if (!is_given_up(progress)) progress.crossings = 0;
   for (const FacePair& pair : faults.pairs) ++progress_[cluster_of(pair.first)].crossings;
   for (const std::size_t face : faults.flat_faces) ++progress_[cluster_of(face)].crossings;
   for (auto& [cluster, progress] : progress_)
-    if (progress.crossings > 0 && !progress.is_given_up()) progress.count_round();
+    if (progress.crossings > 0 && !is_given_up(progress)) progress.count_round();
 }
 
 /// Raises the levels of the clusters that do not get on. Removes their faults, and those of clusters that are given up.
 std::vector<PointId> FeatureSnapping::raise_hopeless_clusters(Faults& faults) {
   std::vector<PointId> raised;
   for (auto& [cluster, progress] : progress_) {
-    if (progress.is_given_up() || !progress.is_hopeless()) continue;
+    if (is_given_up(progress) || !progress.is_hopeless()) continue;
     raised.push_back(cluster);
     progress = {.level = progress.level + 1, .crossings = progress.crossings};
   }
   const auto is_left_out = [&](std::size_t face) {
     const PointId cluster = cluster_of(face);
-    return std::ranges::binary_search(raised, cluster) || progress_[cluster].is_given_up();
+    return std::ranges::binary_search(raised, cluster) || is_given_up(progress_[cluster]);
   };
   std::erase_if(faults.pairs, [&](const FacePair& pair) { return is_left_out(pair.first); });
   std::erase_if(faults.flat_faces, is_left_out);
   return raised;
 }
 
-void FeatureSnapping::count_rounds_of_points(const std::vector<FacePair>& pairs) {
-  rounds_with_crossings_.resize(faces_.point_count());
-  std::vector<PointId> points;
-  for (const auto& [f, g] : pairs)
-    for (const std::size_t face : {f, g})
-      points.insert(points.end(), faces_.corners(face).begin(), faces_.corners(face).end());
-  std::ranges::sort(points);
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  for (const PointId p : points) ++rounds_with_crossings_[p];
-}
-
-double FeatureSnapping::reach_of(const FacePair& pair, const Progress& progress) const {
-  int most = 0;
-  for (const std::size_t face : {pair.first, pair.second})
-    for (const PointId p : faces_.corners(face)) most = std::max(most, rounds_with_crossings_[p]);
-  return std::ldexp(kFirstReach * spacing_, 2 * progress.level + std::min(most / kPatience, kMaxDoublings));
-}
-
 FeatureJoins FeatureSnapping::joins_of(const Faults& faults) {
   FeatureJoins joins;
-  count_rounds_of_points(faults.pairs);
   for (const FacePair& pair : faults.pairs) progress_[cluster_of(pair.first)].can_join = false;
   for (const FacePair& pair : faults.pairs) {
     Progress& progress = progress_[cluster_of(pair.first)];
-    const double spacing = std::ldexp(spacing_, 2 * progress.level);
-    const CoordinateGrid grid = progress.level == 0 ? grid_ : CoordinateGrid::multiples(spacing);
-    largest_reach_ = std::max(largest_reach_, kFirstReach * spacing);
-    progress.can_join |=
-        join_near_features(faces_, pair.first, pair.second, reach_of(pair, progress), grid, joins);
+    const double reach = progress.reach() * spacing_;
+    const CoordinateGrid grid = progress.level == 0 ? grid_ : CoordinateGrid::multiples(reach / kFirstReach);
+    reached_ = std::max(reached_, reach);
+    progress.can_join |= join_near_features(faces_, pair.first, pair.second, reach, grid, joins);
   }
   for (const std::size_t face : faults.flat_faces) {
     join_collinear_corners(faces_, face, joins);
     progress_[cluster_of(face)].can_join = true;
   }
   return joins;
-}
-
-void FeatureSnapping::restore(const std::vector<PointId>& clusters) {
-  if (clusters.empty()) return;
-  faces_.restore(clusters);
-  rounds_with_crossings_.resize(faces_.point_count());
-  for (const PointId p : rounds_with_crossings_.ids())
-    if (std::ranges::binary_search(clusters, faces_.cluster_of(p))) rounds_with_crossings_[p] = 0;
 }
 
 Result<FeatureSnappedMesh> FeatureSnapping::run() {
@@ -188,19 +153,19 @@ Result<FeatureSnappedMesh> FeatureSnapping::run() {
     for (const auto& [f, g] : faults.pairs) open.insert(open.end(), {f, g});
     faces_.close_all_but(open);
     faces_.apply(std::move(joins));
-    restore(raised);
+    faces_.restore(raised);
   }
-  FeatureSnappedMesh result{faces_.mesh(), faces_.largest_displacement(), largest_reach_, crossings_before};
+  FeatureSnappedMesh result{faces_.mesh(), faces_.largest_displacement(), reached_, crossings_before};
   for (const auto& [cluster, progress] : progress_)
-    if (progress.is_given_up()) result.crossing_pairs += progress.crossings;
+    if (is_given_up(progress)) result.crossing_pairs += progress.crossings;
   return result;
 }
 
 }  // namespace
 
 Result<FeatureSnappedMesh> snap_features(const TriangleMesh& mesh, const CoordinateGrid& grid, double spacing,
-                                         const std::atomic<bool>* cancel) {
-  return FeatureSnapping(mesh, grid, spacing, cancel).run();
+                                         double largest_reach, const std::atomic<bool>* cancel) {
+  return FeatureSnapping(mesh, grid, spacing, largest_reach, cancel).run();
 }
 
 }  // namespace algebra3d

@@ -19,14 +19,13 @@ struct FeatureSnappedMesh {
 };
 
 /// Feature snapping: joins features of crossing faces of a mesh (near_features.h) in rounds, until no faces cross. The
-/// reach is two spacings at first; in edges that go on crossing, farther features are joined as well, up to 32 times
-/// that. A cluster (snapped_faces.h) that goes on crossing is restored, and begins again with four times the reach, new
-/// vertices on a grid four times coarser, up to 2^20 spacings; clusters without crossings stay as they are. A closed
-/// mesh stays closed. Vertices of the result are given ones or lie on the grid; it may have edges with more than two
+/// reach is two spacings at first. A cluster (snapped_faces.h) that goes on crossing is restored, and begins again with
+/// twice the reach, and new vertices on a grid twice as coarse, as long as the reach is at most `largest_reach` spacings;
+/// clusters without crossings stay as they are. A closed mesh stays closed. Vertices of the result are given ones or lie on the grid; it may have edges with more than two
 /// faces, and places with other winding numbers than 0 and 1. Domain: all coordinates are doubles. Exactness: what
 /// crosses is decided exactly, what is near is not. Deterministic. Errors: interrupted. Cost: a few times that of
 /// finding all crossings.
 Result<FeatureSnappedMesh> snap_features(const TriangleMesh& mesh, const CoordinateGrid& grid, double spacing,
-                                         const std::atomic<bool>* cancel);
+                                         double largest_reach, const std::atomic<bool>* cancel);
 
 }  // namespace algebra3d
