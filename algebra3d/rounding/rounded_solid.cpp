@@ -33,7 +33,7 @@ constexpr int kMaxDivisions = 4;
 /// Within which reach, in spacings of the grid, features are joined, and facets made coplanar: at first, how far before
 /// other ways are tried, and at last. That of coplanar facets grows from rung to rung.
 constexpr double kFirstReach = 2;
-constexpr double kModestReach = 16;
+constexpr double kModestReach = 32;
 constexpr double kLargestReach = 0x1p20;
 constexpr double kReachGrowth = 4;
 
@@ -228,13 +228,15 @@ Result<bool> Rounding::round_part() {
   return is_found || !grid_.is_floating() ? Result<bool>(is_found) : join_features(snapped, kModestReach);
 }
 
-/// All rungs. Where the grid may be coarse for the solid, dividing comes before joining.
+/// All rungs. Where the grid may be coarse for the solid, dividing comes before joining; else it would only take time.
 Result<bool> Rounding::round_whole() {
   const MovedMesh snapped = snap_rounded(solid_, vertices_);
   ALGEBRA3D_ASSIGN_OR_RETURN(bool is_found, keep_simplest(snapped));
-  for (const bool divides : {!grid_.is_floating(), grid_.is_floating()}) {
-    if (is_found) return true;
-    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, divides ? divide_at_crossings() : join_features(snapped, kModestReach));
+  if (!is_found && !grid_.is_floating()) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, divide_at_crossings());
+  }
+  if (!is_found) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_features(snapped, kModestReach));
   }
   if (is_found) return true;
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<bool> crowded, crowded_vertices(snapped.mesh, vertices_));

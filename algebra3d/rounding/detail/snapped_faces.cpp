@@ -203,9 +203,14 @@ void SnappedFaces::drop_empty_faces() {
     std::size_t face;
     bool is_odd;
   };
+  // Faces that are not open are no pairs with each other.
+  IdVector<PointId, bool> is_open_corner(table_.size());
+  for (const Face& face : faces_)
+    if (face.is_open)
+      for (const PointId corner : face.corners) is_open_corner[corner] = true;
   std::vector<Key> keys;
-  keys.reserve(faces_.size());
   for (std::size_t f = 0; f < faces_.size(); ++f) {
+    if (!std::ranges::all_of(faces_[f].corners, [&](PointId corner) { return is_open_corner[corner]; })) continue;
     const auto [corners, is_odd] = sorted(faces_[f].corners);
     keys.push_back({corners, f, is_odd});
   }
