@@ -30,6 +30,10 @@ constexpr std::ptrdiff_t kMaxCrowded = 1000;
 /// How often a mesh is only divided at its crossings, before features are joined.
 constexpr int kMaxDivisions = 4;
 
+/// How often features are joined and cells selected in one rung; and how many crossings need not become fewer.
+constexpr int kMaxTurns = 6;
+constexpr std::size_t kToleratedCrossings = 20;
+
 /// Within which reach, in spacings of the grid, features are joined, and facets made coplanar: at first, how far before
 /// other ways are tried, and at last. That of coplanar facets grows from rung to rung.
 constexpr double kFirstReach = 2;
@@ -167,9 +171,10 @@ Result<bool> Rounding::divide_at_crossings() {
   return false;
 }
 
-/// One rung: joins features, and selects cells, in turns, as long as at most half of the crossings are left each time.
+/// One rung: joins features, and selects cells, in turns, as long as no more than some half of the crossings are left.
 Result<bool> Rounding::join_features(MovedMesh moved, double largest_reach) {
-  for (std::size_t most_crossings = SIZE_MAX;;) {
+  std::size_t most_crossings = SIZE_MAX;
+  for (int turn = 0; turn < kMaxTurns; ++turn) {
     ALGEBRA3D_ASSIGN_OR_RETURN(FeatureSnappedMesh joined,
                                snap_features(moved.mesh, grid_, spacing_, largest_reach, cancel_));
     moved = {std::move(joined.mesh), moved.movement + joined.largest_displacement, std::max(moved.reach, joined.reach)};
@@ -177,11 +182,13 @@ Result<bool> Rounding::join_features(MovedMesh moved, double largest_reach) {
       ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, keep_simplest(moved));
       if (is_valid) return true;
     }
-    if (!part_.is_whole() || joined.crossings_before > most_crossings) return false;
-    most_crossings = joined.crossings_before / 2;
+    const bool grows = moved.mesh.face_count() > 2 * max_faces(solid_);
+    if (!part_.is_whole() || joined.crossings_before > most_crossings || grows) return false;
+    most_crossings = joined.crossings_before / 2 + kToleratedCrossings;
     ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_selected, select_cells(moved));
     if (!is_selected) return false;
   }
+  return false;
 }
 
 /// Which vertices of the solid are corners of triangles that cross others after snap rounding.

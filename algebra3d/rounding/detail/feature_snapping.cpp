@@ -20,6 +20,9 @@ constexpr double kFirstReach = 2;
 constexpr int kMaxSnappingRounds = 40;
 constexpr int kMaxRoundsWithoutGain = 10;
 
+/// Clusters that are given up with no more crossings stay as they are; others are restored.
+constexpr std::size_t kFewCrossings = 20;
+
 /// How a cluster gets on at its level.
 struct Progress {
   int level = 0;
@@ -104,13 +107,15 @@ void FeatureSnapping::note_progress(const Faults& faults) {
     if (progress.crossings > 0 && !is_given_up(progress)) progress.count_round();
 }
 
-/// Raises the levels of the clusters that do not get on. Removes their faults, and those of clusters that are given up.
+/// Raises the levels of the clusters that do not get on, and returns those that are to be restored; those that
+/// are given up at the last level with few crossings stay as they are. Removes the faults of all these.
 std::vector<PointId> FeatureSnapping::raise_hopeless_clusters(Faults& faults) {
   std::vector<PointId> raised;
   for (auto& [cluster, progress] : progress_) {
     if (is_given_up(progress) || !progress.is_hopeless()) continue;
-    raised.push_back(cluster);
+    const bool has_few = progress.crossings <= kFewCrossings;
     progress = {.level = progress.level + 1, .crossings = progress.crossings};
+    if (!is_given_up(progress) || !has_few) raised.push_back(cluster);
   }
   const auto is_left_out = [&](std::size_t face) {
     const PointId cluster = cluster_of(face);

@@ -20,8 +20,8 @@ struct FeatureSnappedMesh {
 
 /// Feature snapping: joins features of crossing faces of a mesh (near_features.h) in rounds, until no faces cross. The
 /// reach is two spacings at first. A cluster (snapped_faces.h) that goes on crossing is restored, and begins again with
-/// twice the reach, and new vertices on a grid twice as coarse, as long as the reach is at most `largest_reach` spacings;
-/// clusters without crossings stay as they are. A closed mesh stays closed. Vertices of the result are given ones or lie on the grid; it may have edges with more than two
+/// twice the reach, and new vertices on a grid twice as coarse, as long as the reach is at most `largest_reach` spacings.
+/// A closed mesh stays closed. Vertices of the result are given ones or lie on the grid; it may have edges with more than two
 /// faces, and places with other winding numbers than 0 and 1. Domain: all coordinates are doubles. Exactness: what
 /// crosses is decided exactly, what is near is not. Deterministic. Errors: interrupted. Cost: a few times that of
 /// finding all crossings.
