@@ -90,7 +90,7 @@ class Rounding {
   const std::atomic<bool>* cancel_;
   SolidPart part_;  // what is rounded now
   RoundedVertices vertices_;
-  PointTable places_that_stay_;  // of vertices of the part
+  PointTable places_that_stay_;  // of vertices of the part of which no facet has a moved corner
   RoundedSolid result_;
 };
 
@@ -113,8 +113,8 @@ Result<bool> Rounding::keep_if_valid(const MovedMesh& moved) {
   return true;
 }
 
-/// Without corners that rounding left on the surface or on an edge, up to the spacing of the grid. Corners that did not
-/// move stay. On a grid of multiples, which may be coarse for the solid, all do.
+/// Without corners of facets with moved corners that lie on the surface or on an edge anyway, up to the spacing of the
+/// grid: rounding left them there, now or earlier. On a grid of multiples, which may be coarse for the solid, all stay.
 MovedMesh Rounding::without_superfluous(const MovedMesh& moved) const {
   if (!grid_.is_floating()) return moved;
   std::vector<bool> may_go;
@@ -223,9 +223,16 @@ void Rounding::take_part(SolidPart part) {
   part_ = std::move(part);
   const TriangleMesh& mesh = part_.mesh();
   vertices_ = rounded_vertices(mesh, grid_);
+  if (!vertices_.are_finite) return;
+  std::vector<bool> is_at_moved_facet(mesh.vertex_count());
+  for (const FaceId face : faces(mesh)) {
+    const TriangleMesh::Triangle corners = mesh.triangle(face);
+    if (std::ranges::any_of(corners, [&](std::uint32_t v) { return vertices_.movements[v] > 0; }))
+      for (const std::uint32_t v : corners) is_at_moved_facet[v] = true;
+  }
   places_that_stay_ = PointTable(mesh.vertex_count());
-  for (std::size_t v = 0; v < vertices_.movements.size(); ++v)
-    if (vertices_.movements[v] == 0) places_that_stay_.intern(mesh.points()[v]);
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v)
+    if (!is_at_moved_facet[v]) places_that_stay_.intern(mesh.points()[v]);
 }
 
 /// The rungs that a part of the solid is enough for.
