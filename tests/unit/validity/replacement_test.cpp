@@ -1,0 +1,125 @@
+#include "algebra3d/validity/replacement.h"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "algebra3d/halfedge/replaced_faces.h"
+#include "algebra3d/halfedge/topology.h"
+#include "algebra3d/validity/validity.h"
+#include "sample_meshes.h"
+
+namespace algebra3d {
+namespace {
+
+using samples::MeshMaker;
+
+/// The mesh with some vertices moved, and which faces these belong to.
+struct Deformed {
+  TriangleMesh mesh;
+  std::vector<bool> is_moved;  // per face
+  double movement = 0;
+};
+
+/// Moves the vertices in a few balls, each by a vector of its own.
+Deformed deformed(const TriangleMesh& mesh, std::mt19937& random, double distance) {
+  std::uniform_real_distribution<double> unit(-1, 1);
+  std::vector<Vec3> points = mesh.points().approx();
+  std::vector<bool> is_moved(points.size());
+  Deformed result;
+  for (int ball = 0; ball < 2; ++ball) {
+    const Vec3 centre = points[random() % points.size()];
+    for (std::size_t v = 0; v < points.size(); ++v) {
+      if (is_moved[v] || length(points[v] - centre) > 0.8) continue;
+      const Vec3 way = distance * Vec3{unit(random), unit(random), unit(random)};
+      points[v] = points[v] + way;
+      is_moved[v] = true;
+      result.movement = std::max(result.movement, 1.001 * length(way));
+    }
+  }
+  std::vector<TriangleMesh::Triangle> triangles;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    triangles.push_back(mesh.triangle(FaceId(f)));
+    const auto [a, b, c] = triangles.back();
+    result.is_moved.push_back(is_moved[a] || is_moved[b] || is_moved[c]);
+  }
+  result.mesh = {PointArray(std::move(points)), triangles};
+  return result;
+}
+
+TriangleMesh flagged_faces(const TriangleMesh& mesh, const std::vector<bool>& flags) {
+  std::vector<FaceId> faces;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f)
+    if (flags[f]) faces.emplace_back(f);
+  return submesh(mesh, faces);
+}
+
+TEST(Replacement, is_valid_if_the_whole_solid_is) {
+  int valid = 0;
+  const TriangleMesh torus = samples::torus(24, 10);
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    const Deformed moved = deformed(torus, random, 0.05 * (1 + seed % 20));
+    const bool is_valid = *is_valid_replacement(torus, moved.is_moved, flagged_faces(moved.mesh, moved.is_moved),
+                                                moved.movement);
+    EXPECT_EQ(is_valid, prove_volume(moved.mesh)->is_valid());
+    valid += static_cast<int>(is_valid);
+  }
+  EXPECT_GT(valid, 40);
+  EXPECT_LT(valid, 160);
+}
+
+TEST(Replacement, may_touch_faces_that_stay) {
+  // The tip of the second body comes to a face of the first one, goes through it, and stops short of it.
+  const auto bodies = [](double tip) {
+    return MeshMaker().box({0, 0, 0}, {4, 4, 4}).tetrahedron({2, 2, tip}, {1, 1, 8}, {3, 1, 8}, {2, 3, 8}).mesh();
+  };
+  const TriangleMesh before = bodies(6);
+  std::vector<bool> is_removed(before.face_count());
+  for (std::size_t f = 12; f < 16; ++f)
+    for (const PointRef& corner : before.corners(FaceId(f)))
+      if (corner.approx == Vec3{2, 2, 6}) is_removed[f] = true;
+  const auto is_valid = [&](double tip) {
+    return *is_valid_replacement(before, is_removed, flagged_faces(bodies(tip), is_removed), 6 - tip);
+  };
+  EXPECT_TRUE(is_valid(4.5));
+  EXPECT_TRUE(is_valid(4));
+  EXPECT_FALSE(is_valid(3.5));
+}
+
+TEST(Replacement, that_turns_a_shell_inside_out_is_not_valid) {
+  const TriangleMesh before = MeshMaker().box({0, 0, 0}, {9, 9, 9}).tetrahedron({20, 0, 0}, {21, 0, 0}, {20, 1, 0}, {20, 0, 1}).mesh();
+  std::vector<bool> is_removed(before.face_count());
+  for (std::size_t f = 12; f < 16; ++f) is_removed[f] = true;
+  const TriangleMesh tetrahedron = flagged_faces(before, is_removed);
+  EXPECT_TRUE(*is_valid_replacement(before, is_removed, tetrahedron, 0));
+  EXPECT_FALSE(*is_valid_replacement(before, is_removed, flipped(tetrahedron), 2));
+  // A shell may vanish.
+  EXPECT_TRUE(*is_valid_replacement(before, is_removed, TriangleMesh(), 2));
+}
+
+TEST(Replacement, with_another_boundary_is_not_valid) {
+  const TriangleMesh torus = samples::torus(8, 6);
+  std::vector<bool> is_removed(torus.face_count());
+  is_removed[3] = is_removed[10] = true;
+  EXPECT_TRUE(*is_valid_replacement(torus, is_removed, flagged_faces(torus, is_removed), 0));
+  EXPECT_FALSE(*is_valid_replacement(torus, is_removed, flipped(flagged_faces(torus, is_removed)), 0));
+  std::vector<bool> one = is_removed;
+  one[10] = false;
+  EXPECT_FALSE(*is_valid_replacement(torus, is_removed, flagged_faces(torus, one), 0));
+  EXPECT_FALSE(*is_valid_replacement(torus, is_removed, TriangleMesh(), 0));
+}
+
+TEST(Replacement, can_be_interrupted) {
+  const TriangleMesh torus = samples::torus(8, 6);
+  const std::vector<bool> is_removed(torus.face_count(), true);
+  const std::atomic<bool> cancel = true;
+  const auto result = is_valid_replacement(torus, is_removed, torus, 0, &cancel);
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().code, ErrorCode::interrupted);
+}
+
+}  // namespace
+}  // namespace algebra3d
