@@ -34,6 +34,10 @@ constexpr int kMaxDivisions = 4;
 constexpr int kMaxTurns = 6;
 constexpr std::size_t kToleratedCrossings = 20;
 
+/// Vertices no farther from the surface than so many spacings are superfluous. With one, a chain of 2000 turned
+/// intersections has twice as many triangles as it needs, with two a quarter more.
+constexpr double kSuperfluous = 2;
+
 /// Within which reach, in spacings of the grid, features are joined, and facets made coplanar: at first, how far before
 /// other ways are tried, and at last. That of coplanar facets grows from rung to rung.
 constexpr double kFirstReach = 2;
@@ -113,16 +117,16 @@ Result<bool> Rounding::keep_if_valid(const MovedMesh& moved) {
   return true;
 }
 
-/// Without corners of facets with moved corners that lie on the surface or on an edge anyway, up to the spacing of the
-/// grid: rounding left them there, now or earlier. On a grid of multiples, which may be coarse for the solid, all stay.
+/// Without corners of facets with moved corners that lie on the surface or on an edge anyway, up to two spacings of
+/// the grid: rounding left them there, now or earlier. On a grid of multiples, which may be coarse for the solid, all stay.
 MovedMesh Rounding::without_superfluous(const MovedMesh& moved) const {
   if (!grid_.is_floating()) return moved;
   std::vector<bool> may_go;
   may_go.reserve(moved.mesh.vertex_count());
   for (const Vec3& place : moved.mesh.points().approx()) may_go.push_back(places_that_stay_.find(place) == kNone);
-  TriangleMesh simpler = without_superfluous_vertices(moved.mesh, may_go, spacing_);
+  TriangleMesh simpler = without_superfluous_vertices(moved.mesh, may_go, kSuperfluous * spacing_);
   if (simpler.face_count() == moved.mesh.face_count()) return moved;
-  return {std::move(simpler), moved.movement + rounded_up(2 * spacing_), moved.reach};
+  return {std::move(simpler), moved.movement + rounded_up(2 * kSuperfluous * spacing_), moved.reach};
 }
 
 Result<bool> Rounding::keep_simplest(const MovedMesh& moved) {
