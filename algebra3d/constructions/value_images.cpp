@@ -10,6 +10,8 @@
 namespace algebra3d {
 namespace {
 
+constexpr const char* kFlattened = "a zero factor would flatten the shape";
+
 /// A value that holds a coordinate which is no double keeps its exact image where the map is as exact: rounding it
 /// would part it from what else was made from the same operands. A value of doubles is rounded once.
 bool keeps_exact_image(const AffineMap& map, bool has_fractions) {
@@ -54,30 +56,41 @@ TriangleMesh rounded_mesh(const std::vector<Vec3>& points, const std::vector<Tri
 }
 
 template <typename T>
-Result<Maybe<T>> exact_image_of(Context& context, const AffineMap& map, const T& geometry) {
+Result<Maybe<T>> exact_image_of_mesh(Context& context, const AffineMap& map, const T& geometry) {
+  if (map.orientation() == 0) return Maybe<T>(Undefined{kFlattened});
   ALGEBRA3D_ASSIGN_OR_RETURN(auto image, exact_image(map, geometry.mesh(), context.cancel));
   if (!image) return Maybe<T>(Undefined{image.reason()});
   return Maybe<T>(T::trusted(*std::move(image)));
 }
 
+/// Nothing if rounding makes it invalid.
 template <typename T>
-Result<Maybe<T>> image_of_mesh(Context& context, const AffineMap& map, const T& geometry) {
-  if (map.orientation() == 0) return Maybe<T>(Undefined{"a zero factor would flatten the shape"});
+Result<Maybe<std::optional<T>>> rounded_image_of_mesh(Context& context, const AffineMap& map, const T& geometry) {
+  using Image = Maybe<std::optional<T>>;
+  if (map.orientation() == 0) return Image(Undefined{kFlattened});
   const TriangleMesh& mesh = geometry.mesh();
-  if (keeps_exact_image(map, mesh.points().exact_count() > 0)) return exact_image_of(context, map, geometry);
   ALGEBRA3D_ASSIGN_OR_RETURN(RoundedPoints rounded, round_points(context, map, mesh.points()));
-  if (!std::ranges::all_of(rounded.points, is_finite)) return Maybe<T>(Undefined{kImageOutOfRange});
+  if (!std::ranges::all_of(rounded.points, is_finite)) return Image(Undefined{kImageOutOfRange});
   const std::vector<TriangleMesh::Triangle> triangles = image_triangles(map, mesh);
   // Only rounding can break an image.
-  if (rounded.are_exact) return Maybe<T>(T::trusted(TriangleMesh(PointArray(std::move(rounded.points)), triangles)));
+  if (rounded.are_exact)
+    return Image(std::optional(T::trusted(TriangleMesh(PointArray(std::move(rounded.points)), triangles))));
   const ProofOptions options{.thoroughness = Thoroughness::first_defect,
                              .cancel = context.cancel,
                              .preimage = preimage_of(map, mesh, rounded.points)};
   ALGEBRA3D_ASSIGN_OR_RETURN(auto proved, T::prove(rounded_mesh(rounded.points, triangles), options));
-  if (proved) return proved;
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto exact, exact_image_of(context, map, geometry));
-  if (exact) report_unrounded(context);
-  return exact;
+  return Image(proved ? std::optional(*std::move(proved)) : std::nullopt);
+}
+
+template <typename T>
+Result<Maybe<T>> image_of_mesh(Context& context, const AffineMap& map, const T& geometry) {
+  if (!keeps_exact_image(map, geometry.mesh().points().exact_count() > 0)) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(auto rounded, rounded_image_of_mesh(context, map, geometry));
+    if (!rounded) return Maybe<T>(Undefined{rounded.reason()});
+    if (*rounded) return Maybe<T>(**std::move(rounded));
+    report_unrounded(context);
+  }
+  return exact_image_of_mesh(context, map, geometry);
 }
 
 Result<Maybe<Region>> exact_image_of(Context& context, const AffineMap& map, const Region& region) {
@@ -120,6 +133,14 @@ bool has_fractions(const RegionUnit& unit) {
 }
 
 }  // namespace
+
+Result<Maybe<std::optional<Volume3d>>> rounded_image_of(Context& context, const AffineMap& map, const Volume3d& solid) {
+  return rounded_image_of_mesh(context, map, solid);
+}
+
+Result<Maybe<Volume3d>> exact_image_of(Context& context, const AffineMap& map, const Volume3d& solid) {
+  return exact_image_of_mesh(context, map, solid);
+}
 
 Result<Maybe<Point3d>> image_of(Context& /*context*/, const AffineMap& map, const Point3d& point) {
   auto image = image_of_point(map, point.position);

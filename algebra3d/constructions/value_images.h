@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "algebra3d/base/context.h"
 #include "algebra3d/base/error.h"
 #include "algebra3d/exact/affine_map.h"
@@ -23,5 +25,11 @@ Result<Maybe<Surface3d>> image_of(Context& context, const AffineMap& map, const 
 Result<Maybe<Volume3d>> image_of(Context& context, const AffineMap& map, const Volume3d& solid);
 Result<Maybe<Region>> image_of(Context& context, const AffineMap& map, const Region& region);
 Result<Maybe<MovingRegion>> image_of(Context& context, const AffineMap& map, const MovingRegion& moving);
+
+/// The image with each coordinate rounded once, whether the given ones are doubles or not; nothing if that is not a
+/// valid solid. Undefined and errors as above.
+Result<Maybe<std::optional<Volume3d>>> rounded_image_of(Context& context, const AffineMap& map, const Volume3d& solid);
+/// The exact image. Undefined and errors as above.
+Result<Maybe<Volume3d>> exact_image_of(Context& context, const AffineMap& map, const Volume3d& solid);
 
 }  // namespace algebra3d
