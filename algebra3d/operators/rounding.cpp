@@ -13,6 +13,7 @@
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/rounding/coordinate_grid.h"
 #include "algebra3d/rounding/rounded_solid.h"
+#include "algebra3d/rounding/rounded_surface.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
 
@@ -20,16 +21,20 @@ namespace algebra3d {
 namespace {
 
 /// What rounding did, in one note.
-std::string rounding_note(const RoundedSolid& rounded, std::size_t vertex_count) {
-  if (rounded.mesh->is_empty()) return "nothing of the solid is left: nowhere is it thicker than the grid";
+template <typename Rounded>
+std::string rounding_note(const Rounded& rounded, std::size_t vertex_count) {
+  if (rounded.mesh->is_empty()) return "nothing is left: nowhere is it thicker than the grid";
   std::string text = fmt::format("{} of {} vertices moved, and the boundary by at most {}", rounded.moved_vertices,
                                  vertex_count, real_text(rounded.largest_movement));
   if (rounded.reach > 0)
     text += fmt::format("; features nearer to each other than {} were joined where triangles crossed",
                         real_text(rounded.reach));
-  if (rounded.shells_after < rounded.shells_before)
-    text += fmt::format("; {} of {} shells are left", rounded.shells_after, rounded.shells_before);
   return text;
+}
+
+std::string shells_note(const RoundedSolid& rounded) {
+  if (rounded.mesh->is_empty() || rounded.shells_after >= rounded.shells_before) return {};
+  return fmt::format("; {} of {} shells are left", rounded.shells_after, rounded.shells_before);
 }
 
 Result<Maybe<Volume3d>> rounded_to(Context& context, const Volume3d& solid, const CoordinateGrid& grid,
@@ -37,17 +42,28 @@ Result<Maybe<Volume3d>> rounded_to(Context& context, const Volume3d& solid, cons
   ALGEBRA3D_ASSIGN_OR_RETURN(RoundedSolid rounded, rounded_solid(solid.mesh(), grid, context.cancel));
   if (!rounded.mesh) return Maybe<Volume3d>(Undefined{rounded.reason});
   if (rounded.moved_vertices == 0) return Maybe<Volume3d>(solid);
-  context.diagnostics.report(fmt::format("{}: {}", name, rounding_note(rounded, solid.mesh().vertex_count())));
+  const std::string note = rounding_note(rounded, solid.mesh().vertex_count()) + shells_note(rounded);
+  context.diagnostics.report(fmt::format("{}: {}", name, note));
   return Maybe<Volume3d>(Volume3d::trusted(*std::move(rounded.mesh)));
 }
 
-Result<Maybe<Volume3d>> rounded_to_doubles(Context& context, const Volume3d& solid) {
-  return rounded_to(context, solid, CoordinateGrid::doubles());
+Result<Maybe<Surface3d>> rounded_to(Context& context, const Surface3d& surface, const CoordinateGrid& grid) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(RoundedSurface rounded, rounded_surface(surface.mesh(), grid, context.cancel));
+  if (!rounded.mesh) return Maybe<Surface3d>(Undefined{rounded.reason});
+  if (rounded.moved_vertices == 0) return Maybe<Surface3d>(surface);
+  context.diagnostics.report("roundCoordinates: " + rounding_note(rounded, surface.mesh().vertex_count()));
+  return Maybe<Surface3d>(Surface3d::trusted(*std::move(rounded.mesh)));
 }
 
-Result<Maybe<Volume3d>> rounded_to_multiples(Context& context, const Volume3d& solid, double step) {
-  if (!(step > 0) || !std::isfinite(step)) return Maybe<Volume3d>(Undefined{"the grid must be greater than 0"});
-  return rounded_to(context, solid, CoordinateGrid::multiples(step));
+template <typename T>
+Result<Maybe<T>> rounded_to_doubles(Context& context, const T& geometry) {
+  return rounded_to(context, geometry, CoordinateGrid::doubles());
+}
+
+template <typename T>
+Result<Maybe<T>> rounded_to_multiples(Context& context, const T& geometry, double step) {
+  if (!(step > 0) || !std::isfinite(step)) return Maybe<T>(Undefined{"the grid must be greater than 0"});
+  return rounded_to(context, geometry, CoordinateGrid::multiples(step));
 }
 
 /// Nearly always the image with each coordinate rounded is valid, and neither exact images nor a ladder are needed.
@@ -69,23 +85,28 @@ void register_rounding(Registry& registry) {
   registry.add({
       .name = "roundCoordinates",
       .syntax = "roundCoordinates(_ ...)",
-      .doc = "The solid with all coordinates rounded to doubles, or to the doubles nearest to multiples of a grid "
-             "width.",
+      .doc = "The surface or solid with all coordinates rounded to doubles, or to the doubles nearest to multiples of a "
+             "grid width.",
       .detail =
           "A diagnostic gives the number of moved vertices, and the largest distance by which the boundary moved. "
-          "The result is a valid solid: facets are triangulated anew, and where triangles would cross each other, "
-          "vertices, edges and facets that are nearly one are joined, which a diagnostic tells too. Parts thinner than "
-          "the grid vanish. A solid whose coordinates are on the grid is unchanged. Undefined if a coordinate would "
-          "be out of range, or if no valid solid is found.",
+          "The result is a valid surface or solid: facets are triangulated anew, and where triangles would cross each "
+          "other, vertices, edges and facets that are nearly one are joined, which the diagnostic tells too. Parts "
+          "thinner than the grid vanish. A value whose coordinates are on the grid is unchanged. Of a solid only the "
+          "facets with corners that move are changed and proved again, so the cost follows the length of the seams. "
+          "Undefined if a coordinate would be out of range, or if no valid result is found.",
       .exactness = Exactness::reported,
       .frame_use = FrameUse::coordinates,
-      .overloads = {overload<&rounded_to_doubles>("solid"), overload<&rounded_to_multiples>("solid", "grid")},
+      .overloads = {overload<&rounded_to_doubles<Volume3d>>("solid"),
+                    overload<&rounded_to_multiples<Volume3d>>("solid", "grid"),
+                    overload<&rounded_to_doubles<Surface3d>>("surface"),
+                    overload<&rounded_to_multiples<Surface3d>>("surface", "grid")},
       .examples = {{{kUnitCube}, "1.0", "(volume _)"},
                    {{kUnitCube, "0.75"}, "0.421875", "(volume _)"},
                    {{kUnitCube, "3.0"}, "TRUE", "(isEmpty _)"},
+                   {{"(surface3d (((0 0 0) (1 0 0) (0 1 0.4))))", "1.0"}, "0.5", "(area _)"},
                    {{kUnitCube, "0.0"}, "undefined"},
                    {{"(volume3d undefined)"}, "undefined"}},
-      .errors = {{{"1"}, "roundCoordinates: expected (volume3d) or (volume3d real), got (int)"}},
+      .errors = {{{"1"}, "roundCoordinates: expected (volume3d), (volume3d real), (surface3d) or (surface3d real), got (int)"}},
   });
   registry.add({
       .name = "rotateRounded",

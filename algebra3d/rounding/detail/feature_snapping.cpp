@@ -52,8 +52,8 @@ struct Faults {
 class FeatureSnapping {
  public:
   FeatureSnapping(const TriangleMesh& mesh, const CoordinateGrid& grid, double spacing, double largest_reach,
-                  const std::atomic<bool>* cancel)
-      : faces_(mesh), grid_(grid), spacing_(spacing), largest_reach_(largest_reach), cancel_(cancel) {}
+                  const std::atomic<bool>* cancel, Folded folded)
+      : faces_(mesh, folded), grid_(grid), spacing_(spacing), largest_reach_(largest_reach), cancel_(cancel) {}
 
   Result<FeatureSnappedMesh> run();
 
@@ -169,8 +169,8 @@ Result<FeatureSnappedMesh> FeatureSnapping::run() {
 }  // namespace
 
 Result<FeatureSnappedMesh> snap_features(const TriangleMesh& mesh, const CoordinateGrid& grid, double spacing,
-                                         double largest_reach, const std::atomic<bool>* cancel) {
-  return FeatureSnapping(mesh, grid, spacing, largest_reach, cancel).run();
+                                         double largest_reach, const std::atomic<bool>* cancel, Folded folded) {
+  return FeatureSnapping(mesh, grid, spacing, largest_reach, cancel, folded).run();
 }
 
 }  // namespace algebra3d

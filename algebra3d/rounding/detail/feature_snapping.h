@@ -6,6 +6,7 @@
 #include "algebra3d/base/error.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
 #include "algebra3d/rounding/coordinate_grid.h"
+#include "algebra3d/rounding/detail/snapped_faces.h"
 
 namespace algebra3d {
 
@@ -26,6 +27,7 @@ struct FeatureSnappedMesh {
 /// crosses is decided exactly, what is near is not. Deterministic. Errors: interrupted. Cost: a few times that of
 /// finding all crossings.
 Result<FeatureSnappedMesh> snap_features(const TriangleMesh& mesh, const CoordinateGrid& grid, double spacing,
-                                         double largest_reach, const std::atomic<bool>* cancel);
+                                         double largest_reach, const std::atomic<bool>* cancel,
+                                         Folded folded = Folded::vanishes);
 
 }  // namespace algebra3d

@@ -35,7 +35,7 @@ PointPair ordered(PointId a, PointId b) {
   return a < b ? PointPair(a, b) : PointPair(b, a);
 }
 
-SnappedFaces::SnappedFaces(const TriangleMesh& mesh) : table_(mesh.vertex_count()) {
+SnappedFaces::SnappedFaces(const TriangleMesh& mesh, Folded folded) : folded_(folded), table_(mesh.vertex_count()) {
   IdVector<VertexId, PointId> points(mesh.vertex_count());
   for (const VertexId vertex : points.ids()) points[vertex] = PointId(table_.intern(mesh.point(vertex)));
   faces_.reserve(mesh.face_count());
@@ -195,7 +195,7 @@ void SnappedFaces::restore(std::span<const PointId> clusters) {
   drop_empty_faces();
 }
 
-/// Drops triangles that repeat a corner, and pairs of triangles with the same corners and opposite orientations.
+/// Drops triangles that repeat a corner, and of pairs with the same corners both or the second, as `folded` says.
 void SnappedFaces::drop_empty_faces() {
   std::erase_if(faces_, [](const Face& face) { return repeats_a_corner(face.corners); });
   struct Key {
@@ -216,18 +216,20 @@ void SnappedFaces::drop_empty_faces() {
   }
   std::ranges::sort(keys, {}, [](const Key& key) { return std::tuple(key.corners, key.face); });
   std::vector<bool> is_dropped(faces_.size());
-  std::vector<const Key*> unpaired;  // with the same corners and the same orientation
+  std::vector<const Key*> unpaired;  // with the same corners
   for (const Key& key : keys) {
     if (!unpaired.empty() && unpaired.back()->corners != key.corners) unpaired.clear();
-    if (!unpaired.empty() && unpaired.back()->is_odd != key.is_odd) {
-      for (const std::size_t face : {key.face, unpaired.back()->face}) {
-        is_dropped[face] = true;
-        if (!given_.empty()) tie_to_given(faces_[face]);
-      }
-      unpaired.pop_back();
-    } else {
+    const bool is_pair = !unpaired.empty() && (folded_ == Folded::stays || unpaired.back()->is_odd != key.is_odd);
+    if (!is_pair) {
       unpaired.push_back(&key);
+      continue;
     }
+    for (const std::size_t face : {key.face, unpaired.back()->face})
+      if (!given_.empty()) tie_to_given(faces_[face]);
+    is_dropped[key.face] = true;
+    if (folded_ == Folded::stays) continue;
+    is_dropped[unpaired.back()->face] = true;
+    unpaired.pop_back();
   }
   std::size_t kept = 0;
   for (std::size_t f = 0; f < faces_.size(); ++f)

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <span>
 #include <utility>
@@ -21,7 +22,11 @@ namespace algebra3d {
 using PointPair = std::pair<PointId, PointId>;
 PointPair ordered(PointId a, PointId b);
 
-/// Changes of a closed mesh that are made at once.
+/// What becomes of two triangles with the same corners: of the boundary of a solid both go if they have opposite
+/// orientations, and both stay if not; of a surface the first one stays.
+enum class Folded : std::uint8_t { vanishes, stays };
+
+/// Changes of a mesh that are made at once.
 struct FeatureJoins {
   std::vector<PointPair> merged;                  ///< points that become one
   std::map<PointPair, std::vector<PointId>> led;  ///< edges, and the points through which they are led
@@ -30,7 +35,7 @@ struct FeatureJoins {
   bool is_empty() const { return merged.empty() && led.empty() && divided.empty(); }
 };
 
-/// The faces of a closed mesh while its features are snapped to each other. It stays closed: along every edge as many
+/// The faces of a mesh while its features are snapped to each other. A closed mesh stays closed: along every edge as many
 /// triangles run one way as the other. Points with equal coordinates are one. For each corner it is known which point
 /// of the given mesh it stands for, so that the largest distance between the two surfaces has a bound that does not
 /// grow with the number of steps.
@@ -39,8 +44,8 @@ struct FeatureJoins {
 /// others stay.
 class SnappedFaces {
  public:
-  /// Domain: all coordinates are doubles. Faces that repeat a corner, and pairs with opposite orientations, are dropped.
-  explicit SnappedFaces(const TriangleMesh& mesh);
+  /// Domain: all coordinates are doubles. Faces that repeat a corner are dropped, and pairs as `folded` says.
+  explicit SnappedFaces(const TriangleMesh& mesh, Folded folded = Folded::vanishes);
 
   std::size_t size() const { return faces_.size(); }
   /// The faces of the given mesh that were not dropped; their number, and their corners.
@@ -113,6 +118,7 @@ class SnappedFaces {
                           std::vector<Face>& faces);
   TriangleMesh mesh_of_corners(std::span<const std::array<PointId, 3>> faces) const;
 
+  Folded folded_;
   PointTable table_;
   std::vector<std::array<PointId, 3>> given_;
   DisjointIds<PointId> ties_{0};
