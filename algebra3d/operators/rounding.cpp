@@ -85,8 +85,9 @@ void register_rounding(Registry& registry) {
   registry.add({
       .name = "roundCoordinates",
       .syntax = "roundCoordinates(_ ...)",
-      .doc = "The surface or solid with all coordinates rounded to doubles, or to the doubles nearest to multiples of a "
-             "grid width.",
+      .doc =
+          "The surface or solid with all coordinates rounded to doubles, or to the doubles nearest to multiples of a "
+          "grid width.",
       .detail =
           "A diagnostic gives the number of moved vertices, and the largest distance by which the boundary moved. "
           "The result is a valid surface or solid: facets are triangulated anew, and where triangles would cross each "
@@ -106,7 +107,9 @@ void register_rounding(Registry& registry) {
                    {{"(surface3d (((0 0 0) (1 0 0) (0 1 0.4))))", "1.0"}, "0.5", "(area _)"},
                    {{kUnitCube, "0.0"}, "undefined"},
                    {{"(volume3d undefined)"}, "undefined"}},
-      .errors = {{{"1"}, "roundCoordinates: expected (volume3d), (volume3d real), (surface3d) or (surface3d real), got (int)"}},
+      .errors =
+          {{{"1"},
+            "roundCoordinates: expected (volume3d), (volume3d real), (surface3d) or (surface3d real), got (int)"}},
   });
   registry.add({
       .name = "rotateRounded",

@@ -118,7 +118,8 @@ Result<bool> Rounding::keep_if_valid(const MovedMesh& moved) {
 }
 
 /// Without corners of facets with moved corners that lie on the surface or on an edge anyway, up to two spacings of
-/// the grid: rounding left them there, now or earlier. On a grid of multiples, which may be coarse for the solid, all stay.
+/// the grid: rounding left them there, now or earlier. On a grid of multiples, which may be coarse for the solid, all
+/// stay.
 MovedMesh Rounding::without_superfluous(const MovedMesh& moved) const {
   if (!grid_.is_floating()) return moved;
   std::vector<bool> may_go;
@@ -217,8 +218,7 @@ Result<bool> Rounding::join_coplanar(const std::vector<bool>& crowded, double re
   const double farthest = std::ranges::max(moved.movements);
   if (farthest == 0) return false;
   SnappedMesh snapped = snap_round(solid_, moved);
-  MovedMesh coplanar{std::move(snapped.mesh), rounded_up(farthest + snapped.largest_detour),
-                     reach * spacing_};
+  MovedMesh coplanar{std::move(snapped.mesh), rounded_up(farthest + snapped.largest_detour), reach * spacing_};
   ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_selected, select_cells(coplanar));
   return is_selected ? join_features(std::move(coplanar), largest_reach) : Result<bool>(false);
 }

@@ -99,13 +99,13 @@ bool do_all_shells_go_on(const TriangleMesh& mesh) {
   const FaceComponents shells = connected_components(mesh);
   std::vector<bool> goes_on(shells.count);
   for (std::size_t i = 0; i < mesh.halfedge_count(); ++i)
-    if (mesh.is_boundary(HalfedgeId(i)))
-      goes_on[shells.of_face[TriangleMesh::face(HalfedgeId(i)).index()]] = true;
+    if (mesh.is_boundary(HalfedgeId(i))) goes_on[shells.of_face[TriangleMesh::face(HalfedgeId(i)).index()]] = true;
   return std::ranges::find(goes_on, false) == goes_on.end();
 }
 
 /// For a proof of a mesh that consists of faces that get along with each other, and of `count` added ones from `first`.
-ProofOptions options_for(std::size_t face_count, std::size_t first, std::size_t count, const std::atomic<bool>* cancel) {
+ProofOptions options_for(std::size_t face_count, std::size_t first, std::size_t count,
+                         const std::atomic<bool>* cancel) {
   std::vector<bool> stays(face_count, true);
   std::fill_n(stays.begin() + static_cast<std::ptrdiff_t>(first), count, false);
   return {.thoroughness = Thoroughness::first_defect, .cancel = cancel, .known = FaceSet(std::move(stays))};

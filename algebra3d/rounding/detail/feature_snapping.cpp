@@ -37,7 +37,8 @@ struct Progress {
     last_gain = rounds;
   }
   bool is_hopeless() const {
-    return crossings > 0 && (!can_join || rounds > kMaxSnappingRounds || rounds - last_gain > kMaxRoundsWithoutGain || crossings > 4 * fewest + 20);
+    return crossings > 0 && (!can_join || rounds > kMaxSnappingRounds || rounds - last_gain > kMaxRoundsWithoutGain ||
+                             crossings > 4 * fewest + 20);
   }
   /// In spacings of the grid.
   double reach() const { return std::ldexp(kFirstReach, level); }
@@ -45,7 +46,7 @@ struct Progress {
 
 /// What is still wrong with the faces.
 struct Faults {
-  std::vector<FacePair> pairs;           ///< faces that cross
+  std::vector<FacePair> pairs;          ///< faces that cross
   std::vector<std::size_t> flat_faces;  ///< faces without area
 };
 
@@ -71,7 +72,7 @@ class FeatureSnapping {
   double spacing_, largest_reach_;
   const std::atomic<bool>* cancel_;
   std::map<PointId, Progress> progress_;  // of clusters that cross, or did
-  double reached_ = 0;  // the largest reach used, in coordinate units
+  double reached_ = 0;                    // the largest reach used, in coordinate units
 };
 
 Result<Faults> FeatureSnapping::find_faults(const CrossingSearch& search) const {

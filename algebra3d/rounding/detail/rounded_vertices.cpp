@@ -10,8 +10,8 @@
 namespace algebra3d {
 namespace {
 
-/// An upper bound of the distance between a point and the doubles to which it is rounded: the double nearest to an exact
-/// coordinate is at most half a spacing away from it.
+/// An upper bound of the distance between a point and the doubles to which it is rounded: the double nearest to an
+/// exact coordinate is at most half a spacing away from it.
 double distance_to_rounded(const PointRef& point, const Vec3& rounded) {
   Vec3 difference;
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -35,10 +35,10 @@ struct FeatureJoins {
   bool is_empty() const { return merged.empty() && led.empty() && divided.empty(); }
 };
 
-/// The faces of a mesh while its features are snapped to each other. A closed mesh stays closed: along every edge as many
-/// triangles run one way as the other. Points with equal coordinates are one. For each corner it is known which point
-/// of the given mesh it stands for, so that the largest distance between the two surfaces has a bound that does not
-/// grow with the number of steps.
+/// The faces of a mesh while its features are snapped to each other. A closed mesh stays closed: along every edge as
+/// many triangles run one way as the other. Points with equal coordinates are one. For each corner it is known which
+/// point of the given mesh it stands for, so that the largest distance between the two surfaces has a bound that does
+/// not grow with the number of steps.
 ///
 /// Given faces whose changes depend on each other form a *cluster*; the changes of one can be undone while those of
 /// others stay.

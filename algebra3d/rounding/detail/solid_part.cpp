@@ -78,9 +78,8 @@ SolidPart::SolidPart(const TriangleMesh& solid, const std::vector<bool>& is_move
 Result<bool> SolidPart::is_valid_with(const TriangleMesh& rounded, double movement,
                                       const std::atomic<bool>* cancel) const {
   if (!is_whole()) return is_valid_replacement(*solid_, is_in_, rounded, movement, cancel);
-  ALGEBRA3D_ASSIGN_OR_RETURN(
-      const ValidityReport report,
-      prove_volume(rounded, {.thoroughness = Thoroughness::first_defect, .cancel = cancel}));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport report,
+                             prove_volume(rounded, {.thoroughness = Thoroughness::first_defect, .cancel = cancel}));
   return report.is_valid();
 }
 

@@ -81,7 +81,8 @@ Faults faults_of(const TriangleMesh& mesh) {
 
 TriangleMesh turned_a_little(const TriangleMesh& solid, Chance& chance) {
   const double degrees = std::pow(10.0, -chance.between(1, 14));
-  const AffineMap turn = *AffineMap::rotation(RationalVec3(chance.direction()), RationalVec3(chance.direction()), degrees);
+  const AffineMap turn =
+      *AffineMap::rotation(RationalVec3(chance.direction()), RationalVec3(chance.direction()), degrees);
   return mapped(solid, [&](const Vec3& p) { return turn.apply_rounded(ExactPoint(p)); });
 }
 
@@ -90,7 +91,8 @@ TriangleMesh random_result(std::uint64_t seed) {
   SetOperations engine;
   RandomSolids random(seed, engine);
   const TriangleMesh a = random.operand();
-  const TriangleMesh b = a.points().exact_count() == 0 && chance.one_in(3) ? turned_a_little(a, chance) : random.operand();
+  const TriangleMesh b =
+      a.points().exact_count() == 0 && chance.one_in(3) ? turned_a_little(a, chance) : random.operand();
   if (!prove_volume(b)->is_valid()) return engine.unite(a, random.operand());
   switch (chance.below(3)) {
     case 0:

@@ -62,8 +62,8 @@ TEST(Replacement, is_valid_if_the_whole_solid_is) {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
     const Deformed moved = deformed(torus, random, 0.05 * (1 + seed % 20));
-    const bool is_valid = *is_valid_replacement(torus, moved.is_moved, flagged_faces(moved.mesh, moved.is_moved),
-                                                moved.movement);
+    const bool is_valid =
+        *is_valid_replacement(torus, moved.is_moved, flagged_faces(moved.mesh, moved.is_moved), moved.movement);
     EXPECT_EQ(is_valid, prove_volume(moved.mesh)->is_valid());
     valid += static_cast<int>(is_valid);
   }
@@ -90,7 +90,8 @@ TEST(Replacement, may_touch_faces_that_stay) {
 }
 
 TEST(Replacement, that_turns_a_shell_inside_out_is_not_valid) {
-  const TriangleMesh before = MeshMaker().box({0, 0, 0}, {9, 9, 9}).tetrahedron({20, 0, 0}, {21, 0, 0}, {20, 1, 0}, {20, 0, 1}).mesh();
+  const TriangleMesh before =
+      MeshMaker().box({0, 0, 0}, {9, 9, 9}).tetrahedron({20, 0, 0}, {21, 0, 0}, {20, 1, 0}, {20, 0, 1}).mesh();
   std::vector<bool> is_removed(before.face_count());
   for (std::size_t f = 12; f < 16; ++f) is_removed[f] = true;
   const TriangleMesh tetrahedron = flagged_faces(before, is_removed);
