@@ -310,4 +310,19 @@ void BoxHierarchy::push_children(NodePair pair, std::vector<NodePair>& stack) co
   }
 }
 
+std::vector<BoxHierarchy::NodePair> BoxHierarchy::parts_of_search(std::size_t least) const {
+  if (faces_.empty()) return {};
+  std::vector<NodePair> parts{{static_cast<std::uint32_t>(levels_.size() - 1), 0, 0}}, children, next;
+  while (parts.size() < least && !parts.empty() && parts.front().level > 0) {
+    next.clear();
+    for (const NodePair& part : parts) {
+      children.clear();
+      push_children(part, children);
+      next.insert(next.end(), children.rbegin(), children.rend());  // the search goes on with the last one
+    }
+    parts.swap(next);
+  }
+  return parts;
+}
+
 }  // namespace algebra3d

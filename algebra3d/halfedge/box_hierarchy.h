@@ -50,6 +50,16 @@ class BoxHierarchy {
   template <typename Visit, typename Pause>
   void for_each_pair(Visit visit, Pause pause) const;
 
+  /// Two nodes of one level, whose pairs of faces are a part of that search.
+  struct NodePair {
+    std::uint32_t level, first, second;
+  };
+  /// Parts of the search, at least `least` if it has so many, for several threads: one after the other they give the
+  /// pairs in the order of for_each_pair.
+  std::vector<NodePair> parts_of_search(std::size_t least) const;
+  template <typename Visit, typename Pause>
+  void for_each_pair(const NodePair& part, Visit visit, Pause pause) const;
+
   /// The `index`-th of `count` parts of a search, for several threads.
   struct Share {
     std::uint32_t index, count;
@@ -85,9 +95,6 @@ class BoxHierarchy {
 
   struct Node {
     std::uint32_t level, index;
-  };
-  struct NodePair {
-    std::uint32_t level, first, second;
   };
   /// The nodes of one level; node i has the children 2i and 2i + 1 in the level below, if they exist.
   struct Level {
@@ -200,8 +207,12 @@ bool BoxHierarchy::visit_leaf_pair(std::size_t a, std::size_t b, Visit& visit) c
 
 template <typename Visit, typename Pause>
 void BoxHierarchy::for_each_pair(Visit visit, Pause pause) const {
-  if (faces_.empty()) return;
-  std::vector<NodePair> stack{{static_cast<std::uint32_t>(levels_.size() - 1), 0, 0}};
+  if (!faces_.empty()) for_each_pair({static_cast<std::uint32_t>(levels_.size() - 1), 0, 0}, visit, pause);
+}
+
+template <typename Visit, typename Pause>
+void BoxHierarchy::for_each_pair(const NodePair& part, Visit visit, Pause pause) const {
+  std::vector<NodePair> stack{part};
   std::uint32_t steps = 0;
   while (!stack.empty()) {
     const NodePair pair = stack.back();

@@ -2,8 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
+
+#include "algebra3d/base/scheduler.h"
 
 namespace algebra3d {
 namespace {
@@ -100,6 +105,8 @@ std::uint32_t common_embedded_corner(const TriangleMesh& mesh, const EmbeddedSta
   return BoxHierarchy::kNoGroup;
 }
 
+constexpr std::size_t kLeavesPerTask = 1024;
+
 // All triangles at the tip of a cone or the pole of a sphere meet there, so their boxes do, and their pairs are
 // quadratically many. The group of a leaf is such a corner; then whole nodes are known to be free of intersections.
 // Leaves with known faces alone are one group: it has a number that no corner has.
@@ -107,10 +114,10 @@ void group_leaves(const TriangleMesh& mesh, const EmbeddedStars& stars, const Fa
   const auto known_group = static_cast<std::uint32_t>(mesh.vertex_count());
   const auto is_known = [&](std::uint32_t face) { return known.contains(face); };
   std::vector<std::uint32_t> groups(hierarchy.leaf_count());
-  for (std::size_t leaf = 0; leaf < groups.size(); ++leaf) {
+  parallel_for(groups.size(), kLeavesPerTask, [&](std::size_t leaf) {
     const auto faces = hierarchy.leaf_faces(leaf);
     groups[leaf] = std::ranges::all_of(faces, is_known) ? known_group : common_embedded_corner(mesh, stars, faces);
-  }
+  });
   hierarchy.set_groups(groups);
 }
 
@@ -125,25 +132,91 @@ Vec3 place_of(const TriangleMesh& mesh, FaceId f, FaceId g) {
   return 0.5 * common.min + 0.5 * common.max;
 }
 
+/// So many parts of a search are searched in parallel, if there are more faces than that.
+constexpr std::size_t kParts = 256;
+constexpr std::size_t kFewFaces = 10'000;
+/// More pairs are not kept, but searched again.
+constexpr std::size_t kMostPairs = 1'000'000;
+
+/// Searches parts of a hierarchy for pairs that intersect.
+class PairSearch {
+ public:
+  using Pairs = std::vector<std::pair<FaceId, FaceId>>;
+
+  PairSearch(const PairTest& test, const FaceSet& known, const BoxHierarchy& hierarchy, const std::atomic<bool>* cancel)
+      : test_(test), known_(known), hierarchy_(hierarchy), cancel_(cancel) {}
+
+  bool is_cancelled() const { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
+
+  /// Calls visit for each pair of a part until it returns false, or go_on, which is asked now and then.
+  template <typename Visit, typename GoOn>
+  void search(const BoxHierarchy::NodePair& part, const Visit& visit, const GoOn& go_on) const {
+    hierarchy_.for_each_pair(
+        part,
+        [&](std::uint32_t a, std::uint32_t b) {
+          if (known_.contains(a) && known_.contains(b)) return true;
+          const FaceId first(std::min(a, b)), second(std::max(a, b));
+          return !test_.is_improper(first, second) || visit(first, second);
+        },
+        go_on);
+  }
+
+  /// All pairs, searched in parallel, or all up to the first one; in order. Nothing if there are too many.
+  std::optional<Pairs> all_pairs(const std::vector<BoxHierarchy::NodePair>& parts, bool only_first) const {
+    std::atomic<std::size_t> first_with_pair = SIZE_MAX, count = 0;
+    std::vector<Pairs> found(parts.size());
+    parallel_for(parts.size(), 1, [&](std::size_t part) {
+      const auto go_on = [&] {
+        return !is_cancelled() && (!only_first || part <= first_with_pair) && count <= kMostPairs;
+      };
+      const auto add = [&](FaceId first, FaceId second) {
+        found[part].emplace_back(first, second);
+        ++count;
+        std::size_t other = first_with_pair;
+        while (part < other && !first_with_pair.compare_exchange_weak(other, part)) continue;
+        return !only_first;
+      };
+      if (go_on()) search(parts[part], add, go_on);
+    });
+    if (count > kMostPairs) return std::nullopt;
+    Pairs all;
+    for (const Pairs& pairs : found) all.insert(all.end(), pairs.begin(), pairs.end());
+    return all;
+  }
+
+ private:
+  const PairTest& test_;
+  const FaceSet& known_;
+  const BoxHierarchy& hierarchy_;
+  const std::atomic<bool>* cancel_;
+};
+
 }  // namespace
 
 Status for_each_intersection(const TriangleMesh& mesh, const EmbeddedStars& stars, const FaceSet& known,
                              BoxHierarchy& hierarchy, const std::atomic<bool>* cancel,
-                             const std::function<bool(FaceId, FaceId)>& visit) {
+                             const std::function<bool(FaceId, FaceId)>& visit, bool only_first) {
   group_leaves(mesh, stars, known, hierarchy);
   const PairTest test(mesh, stars);
-  bool is_cancelled = false;
-  hierarchy.for_each_pair(
-      [&](std::uint32_t a, std::uint32_t b) {
-        if (known.contains(a) && known.contains(b)) return true;
-        const FaceId first(std::min(a, b)), second(std::max(a, b));
-        return !test.is_improper(first, second) || visit(first, second);
-      },
-      [&] {
-        is_cancelled = cancel != nullptr && cancel->load(std::memory_order_relaxed);
-        return !is_cancelled;
-      });
-  if (is_cancelled) return Error{ErrorCode::interrupted, "interrupted"};
+  const PairSearch search(test, known, hierarchy, cancel);
+  const bool is_large = hierarchy.face_count() > kFewFaces;
+  const std::vector<BoxHierarchy::NodePair> parts = hierarchy.parts_of_search(is_large ? kParts : 1);
+  const auto pairs = is_large ? search.all_pairs(parts, only_first) : std::nullopt;
+  bool goes_on = true;
+  if (pairs) {
+    for (const auto& [first, second] : *pairs) {
+      if (!goes_on) break;
+      goes_on = visit(first, second);
+    }
+  } else {
+    for (const BoxHierarchy::NodePair& part : parts) {
+      if (!goes_on) break;
+      search.search(
+          part, [&](FaceId first, FaceId second) { return goes_on = visit(first, second); },
+          [&] { return !search.is_cancelled(); });
+    }
+  }
+  if (search.is_cancelled()) return Error{ErrorCode::interrupted, "interrupted"};
   return {};
 }
 
@@ -159,7 +232,7 @@ Status find_intersections(const TriangleMesh& mesh, const EmbeddedStars& stars, 
     report.is_cut_short = report.count(Defect::intersecting_triangles) == limit;
     return !report.is_cut_short;
   };
-  return for_each_intersection(mesh, stars, options.known, hierarchy, options.cancel, add);
+  return for_each_intersection(mesh, stars, options.known, hierarchy, options.cancel, add, limit == 1);
 }
 
 }  // namespace algebra3d

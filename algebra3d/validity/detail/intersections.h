@@ -11,12 +11,13 @@
 namespace algebra3d {
 
 /// Calls visit(f, g), f < g, for every pair of faces whose intersection is not empty, nor one point, nor a whole edge
-/// of both. Ends when it returns false. The faces must not be degenerate or duplicates, and faces in `known` must not
+/// of both; always in the same order. Ends when it returns false. `only_first`: it does so at the first one. The faces
+/// must not be degenerate or duplicates, and faces in `known` must not
 /// intersect each other. Sets the groups of the hierarchy. Exact. Errors: interrupted. Cost: that of the pairs whose
 /// boxes meet; pairs at a common embedded corner cost a few nanoseconds.
 Status for_each_intersection(const TriangleMesh& mesh, const EmbeddedStars& stars, const FaceSet& known,
                              BoxHierarchy& hierarchy, const std::atomic<bool>* cancel,
-                             const std::function<bool(FaceId, FaceId)>& visit);
+                             const std::function<bool(FaceId, FaceId)>& visit, bool only_first = false);
 
 /// Adds the pairs of for_each_intersection to `report` and removes their faces from `free`, unless that is empty. Stops
 /// after the first pair if `options` say so.

@@ -14,6 +14,8 @@
 #include <cmath>
 #include <span>
 
+#include "algebra3d/base/scheduler.h"
+
 namespace algebra3d {
 namespace {
 
@@ -26,6 +28,7 @@ struct Star {
 
 constexpr double kDirectionSize = 1024;
 constexpr int kSearchRounds = 8;
+constexpr std::size_t kVerticesPerTask = 4096;
 
 /// Collects the closed fan of `v`; false if there is none, or its coordinates are no doubles.
 bool collect_star(const TriangleMesh& mesh, VertexId v, Star& star) {
@@ -118,6 +121,12 @@ bool goes_round_once(const Star& star, const Vec3& d) {
   return turns == 1;
 }
 
+bool is_embedded_star(const TriangleMesh& mesh, VertexId v, Star& star) {
+  if (!collect_star(mesh, v, star)) return false;
+  const Vec3 direction = front_direction(star, sum_of_normals(star));
+  return direction != Vec3{} && goes_round_once(star, direction);
+}
+
 }  // namespace
 
 EmbeddedStars::EmbeddedStars(const TriangleMesh& mesh) : is_embedded_(mesh.vertex_count(), 0) {
@@ -133,14 +142,12 @@ EmbeddedStars::EmbeddedStars(const TriangleMesh& mesh, const FaceSet& known) : i
 }
 
 void EmbeddedStars::look_at(const TriangleMesh& mesh, const std::vector<bool>& is_asked) {
-  Star star;
-  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
-    if (!is_asked[i] || !collect_star(mesh, VertexId(i), star)) continue;
-    const Vec3 guess = sum_of_normals(star);
-    const Vec3 direction = front_direction(star, guess);
-    if (direction == Vec3{}) continue;
-    is_embedded_[i] = static_cast<std::uint8_t>(goes_round_once(star, direction));
-  }
+  const std::size_t count = mesh.vertex_count();
+  parallel_for((count + kVerticesPerTask - 1) / kVerticesPerTask, 1, [&](std::size_t task) {
+    Star star;
+    for (std::size_t i = task * kVerticesPerTask; i < std::min(count, (task + 1) * kVerticesPerTask); ++i)
+      if (is_asked[i]) is_embedded_[i] = static_cast<std::uint8_t>(is_embedded_star(mesh, VertexId(i), star));
+  });
 }
 
 bool EmbeddedStars::is_at_embedded(const TriangleMesh& mesh, FaceId face) const {
