@@ -123,6 +123,28 @@ TEST(box_hierarchy, ends_when_the_visitor_or_the_pause_says_so) {
   EXPECT_EQ(pauses, 2);
 }
 
+TEST(box_hierarchy, parts_of_the_search_give_its_pairs_in_its_order) {
+  for (const std::size_t count : {1U, 9U, 200U, 3000U}) {
+    const TriangleMesh mesh = random_triangles(count, 0.1, 0);
+    const BoxHierarchy hierarchy(mesh);
+    std::vector<Pair> whole, in_parts;
+    const auto into = [](std::vector<Pair>& pairs) {
+      return [&pairs](std::uint32_t f, std::uint32_t g) {
+        pairs.emplace_back(f, g);
+        return true;
+      };
+    };
+    hierarchy.for_each_pair(into(whole), [] { return true; });
+    const auto parts = hierarchy.parts_of_search(40);
+    if (count == 3000U) {
+      EXPECT_GE(parts.size(), 40U);
+    }
+    for (const BoxHierarchy::NodePair& part : parts) hierarchy.for_each_pair(part, into(in_parts), [] { return true; });
+    EXPECT_EQ(in_parts, whole);
+  }
+  EXPECT_TRUE(BoxHierarchy(TriangleMesh()).parts_of_search(40).empty());
+}
+
 TEST(box_hierarchy, a_vertical_ray_meets_the_boxes_above_or_below) {
   const TriangleMesh mesh = random_triangles(500, 0.3, 100);
   const BoxHierarchy hierarchy(mesh, all_faces(mesh));

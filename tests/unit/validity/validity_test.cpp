@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "algebra3d/base/scheduler.h"
 #include "algebra3d/validity/detail/winding.h"
 #include "unit/validity/sample_meshes.h"
 
@@ -251,6 +252,30 @@ TEST(validity, counting_of_pairs_ends_at_the_limit) {
   EXPECT_EQ(some.total(), 100U);
   EXPECT_EQ(some.text().substr(0, 31), "at least 100 intersecting pairs");
   EXPECT_EQ(surface_report(maker.mesh(), {.thoroughness = Thoroughness::first_defect}).total(), 1U);
+}
+
+// Large meshes are searched in parts, by several threads.
+TEST(validity, of_a_large_mesh_does_not_depend_on_the_threads) {
+  const TriangleMesh one = samples::torus(120, 60), other = samples::torus(120, 60, {0.5, 0.25, 0.125});
+  std::vector<Vec3> points = one.points().approx();
+  const auto first = static_cast<std::uint32_t>(points.size());
+  points.insert(points.end(), other.points().approx().begin(), other.points().approx().end());
+  std::vector<TriangleMesh::Triangle> triangles;
+  for (std::size_t f = 0; f < one.face_count(); ++f) triangles.push_back(one.triangle(FaceId(f)));
+  for (std::size_t f = 0; f < other.face_count(); ++f) {
+    const auto [a, b, c] = other.triangle(FaceId(f));
+    triangles.push_back({first + a, first + b, first + c});
+  }
+  const TriangleMesh mesh(PointArray(std::move(points)), triangles);
+  ASSERT_GT(mesh.face_count(), 20'000U);
+  for (const Thoroughness thoroughness : {Thoroughness::first_defect, Thoroughness::all_defects}) {
+    std::string alone;
+    with_threads(1, [&] { alone = prove_surface(mesh, {.thoroughness = thoroughness})->text(); });
+    EXPECT_NE(alone, "");
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(prove_surface(mesh, {.thoroughness = thoroughness})->text(), alone);
+  }
+  EXPECT_EQ(prove_surface(mesh, {.thoroughness = Thoroughness::first_defect})->count(Defect::intersecting_triangles),
+            1U);
 }
 
 TEST(validity, cancelling_gives_the_error_interrupted) {
