@@ -11,6 +11,7 @@
 #include "algebra3d/arrangement/divide_and_conquer.h"
 #include "algebra3d/rounding/rounded_solid.h"
 #include "algebra3d/validity/validity.h"
+#include "models.h"
 #include "shapes.h"
 
 namespace {
@@ -117,5 +118,44 @@ BENCHMARK(thin_shell_rounding)
     ->Unit(benchmark::kMillisecond)
     ->Iterations(1)
     ->UseRealTime();
+
+// ---- real models ----------------------------------------------------------------------------------------------------
+
+/// The complete way, for a model (ALGEBRA3D_MODELS) united with a turned copy: the proof of both operands, the
+/// operation, and the rounding.
+struct ModelPair {
+  explicit ModelPair(const benchmark::State& state)
+      : first(mesh_of(models().at(static_cast<std::size_t>(state.range(0))))),
+        second(mesh_of(copy_of(models().at(static_cast<std::size_t>(state.range(0))), 0))) {}
+
+  TriangleMesh first, second;
+};
+
+void models_proof(benchmark::State& state) {
+  const ModelPair pair(state);
+  for (auto step : state)
+    benchmark::DoNotOptimize(prove_volume(pair.first)->is_valid() && prove_volume(pair.second)->is_valid());
+}
+void models_union(benchmark::State& state) {
+  const ModelPair pair(state);
+  for (auto step : state) benchmark::DoNotOptimize(united(pair.first, pair.second).face_count());
+}
+void models_rounding(benchmark::State& state) {
+  const ModelPair pair(state);
+  round_in_steps(state, united(pair.first, pair.second), CoordinateGrid::doubles());
+}
+
+void with_models(benchmark::internal::Benchmark* benchmark) {
+  for (std::int64_t model = 0; model < static_cast<std::int64_t>(models().size()); ++model) benchmark->Arg(model);
+  benchmark->Unit(benchmark::kMillisecond)->UseRealTime();
+}
+
+void register_models() {
+  if (models().empty()) return;  // a benchmark without arguments would run with none
+  benchmark::RegisterBenchmark("models_proof", models_proof)->Apply(with_models);
+  benchmark::RegisterBenchmark("models_union", models_union)->Apply(with_models);
+  benchmark::RegisterBenchmark("models_rounding", models_rounding)->Apply(with_models);
+}
+[[maybe_unused]] const bool kAreModelsRegistered = (register_models(), true);
 
 }  // namespace
