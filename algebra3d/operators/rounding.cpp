@@ -121,6 +121,7 @@ void register_rounding(Registry& registry) {
                 "that of rotate. A diagnostic says how far the boundary moved if more was needed than rounding each "
                 "coordinate. Undefined for a zero axis.",
       .exactness = Exactness::reported,
+      .frame_use = FrameUse::coordinates,
       .overloads = {overload<&rotated_and_rounded>("solid", "centre", "axis", "degrees")},
       .examples = {{{kUnitCube, kOrigin, "(makeVector3D 0 0 1)", "90"}, "(-1.0 0.0 0.0 1.0 0.0 1.0)", "(bbox _)"},
                    {{kUnitCube, kOrigin, "(makeVector3D 0 0 0)", "90"}, "undefined"},
