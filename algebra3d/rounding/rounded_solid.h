@@ -25,21 +25,23 @@ struct RoundedSolid {
   std::size_t shells_before = 0, shells_after = 0;
 };
 
-/// Rounds the vertices of a solid to a grid, and proves the result (docs/set-operations.md, "Rounding of
-/// solids"). Parts thinner than the grid vanish. A ladder of methods: the first proved result is taken.
+/// Rounds the vertices of a solid to a grid, and proves the result (docs/set-operations.md, "Rounding of solids").
+/// Parts thinner than the grid vanish. Only faces near vertices that move are changed and proved; if that fails, or if
+/// these are more than half of all faces, the whole solid is rounded. A ladder of methods: the first proved result is
+/// taken.
 ///  1. The solid is snap rounded (snap_rounding.h).
-///  2. A few times the mesh is divided at its crossings, the cells with a positive winding number are kept, and their
-///     new corners rounded.
-///  3. Features of crossing triangles that are nearly one are joined (feature_snapping.h), in turns with 2, as long as
-///     that leaves at most half of the crossings.
+///  2. On a grid of multiples: a few times the mesh is divided at its crossings, the cells with a positive winding
+///     number are kept, and their new corners rounded.
+///  3. Features of crossing triangles that are nearly one are joined (feature_snapping.h), within up to 32 spacings, in
+///     turns with the selection of cells as in 2, as long as no more than some half of the crossings are left.
 ///  4. Facets that nearly lie upon each other are made coplanar (coplanar_snapping.h), then 3.
-///  5. 3 and 4 with four times the reach, beginning with the snap rounded solid, and so on.
-/// Of each of these first a simpler form is proved: without corners that moved and lie on the surface or on an edge of
-/// it anyway, up to the spacing of the grid (vertex_removal.h); not on a grid of multiples. There is no result if a
-/// coordinate is out of range, or if the last rung, 2^20 spacings of the grid, gives none. `cancel` ends the call with
-/// the error interrupted; progress is not told. Exactness: rounded; validity is exact. Deterministic. Errors:
-/// interrupted, limit_exceeded. Cost: that of snap rounding and a proof, for nearly all solids. Source: snap rounding
-/// after [hobby1999] and [halperin2002].
+///  5. 3 and 4 with reaches of up to 2^20 spacings.
+/// Of each of these first a simpler form is proved: without corners of facets with moved corners that lie on the
+/// surface or on an edge of it anyway, up to two spacings (vertex_removal.h); not on a grid of multiples. There is no
+/// result if a coordinate is out of range, or if the last rung gives none. `cancel` ends the call with the error
+/// interrupted; progress is not told. Exactness: rounded; validity is exact. Deterministic. Errors: interrupted,
+/// limit_exceeded. Cost: for nearly all solids a scan, and snap rounding and a proof of the faces near vertices that
+/// move. Source: snap rounding after [hobby1999] and [halperin2002].
 Result<RoundedSolid> rounded_solid(const TriangleMesh& solid, const CoordinateGrid& grid,
                                    const std::atomic<bool>* cancel = nullptr);
 
