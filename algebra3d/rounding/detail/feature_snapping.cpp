@@ -15,7 +15,7 @@ namespace algebra3d {
 namespace {
 
 /// The reach at level 0, in spacings. It is doubled from level to level.
-constexpr double kFirstReach = 2;
+constexpr double kLeastReach = 2;
 /// So many rounds are made at a level, and so many of these without fewer crossings than ever.
 constexpr int kMaxSnappingRounds = 40;
 constexpr int kMaxRoundsWithoutGain = 10;
@@ -41,7 +41,7 @@ struct Progress {
                              crossings > 4 * fewest + 20);
   }
   /// In spacings of the grid.
-  double reach() const { return std::ldexp(kFirstReach, level); }
+  double reach() const { return std::ldexp(kLeastReach, level); }
 };
 
 /// What is still wrong with the faces.
@@ -133,7 +133,7 @@ FeatureJoins FeatureSnapping::joins_of(const Faults& faults) {
   for (const FacePair& pair : faults.pairs) {
     Progress& progress = progress_[cluster_of(pair.first)];
     const double reach = progress.reach() * spacing_;
-    const CoordinateGrid grid = progress.level == 0 ? grid_ : CoordinateGrid::multiples(reach / kFirstReach);
+    const CoordinateGrid grid = progress.level == 0 ? grid_ : CoordinateGrid::multiples(reach / kLeastReach);
     reached_ = std::max(reached_, reach);
     progress.can_join |= join_near_features(faces_, pair.first, pair.second, reach, grid, joins);
   }
