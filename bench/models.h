@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <sstream>
@@ -15,8 +14,6 @@
 
 /// Real files that several benchmarks use.
 namespace bench {
-
-inline const Vec3 kTurnAxis{1, std::sqrt(2.0), std::sqrt(3.0)};
 
 /// The solids in the STL files that ALGEBRA3D_MODELS names, with colons between them; files without a solid are left
 /// out.
@@ -45,10 +42,10 @@ inline Shape copy_of(const Shape& model, std::int64_t variant) {
   algebra3d::Box3 box;
   for (const Vec3& p : model.points) box.extend(p);
   const Vec3 size = box.max - box.min, middle = 0.5 * (box.min + box.max);
-  if (variant == 1) return moved(model, kTurnAxis, 0, 1e-9 * size);
+  if (variant == 1) return moved(model, kAxis, 0, 1e-9 * size);
   Shape centred = model;
   for (Vec3& p : centred.points) p = p - middle;
-  return moved(std::move(centred), kTurnAxis, std::sqrt(2.0) / 2, middle + 0.1 * size);
+  return moved(std::move(centred), kAxis, kRoot2 / 2, middle + 0.1 * size);
 }
 
 }  // namespace bench

@@ -6,11 +6,11 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Surface_mesh.h>
 
 #include "algebra3d/arrangement/divide_and_conquer.h"
 #include "algebra3d/rounding/rounded_solid.h"
 #include "algebra3d/validity/validity.h"
+#include "cgal_mesh.h"
 #include "models.h"
 #include "shapes.h"
 
@@ -22,14 +22,6 @@ using algebra3d::Operand;
 using algebra3d::WindingVector;
 namespace pmp = CGAL::Polygon_mesh_processing;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using CgalMesh = CGAL::Surface_mesh<Kernel::Point_3>;
-
-const double kRoot2 = std::sqrt(2.0), kRoot3 = std::sqrt(3.0);
-const Vec3 kAxis{1, kRoot2, kRoot3};
-
-Shape other_sphere(std::uint32_t frequency) {
-  return moved(sphere(frequency), kAxis, kRoot2 / 7, {0.3, 0, 0});
-}
 
 std::uint32_t frequency(const benchmark::State& state) {
   return static_cast<std::uint32_t>(state.range(0));
@@ -67,21 +59,14 @@ void spheres_rounding(benchmark::State& state) {
                  CoordinateGrid::doubles());
 }
 
-CgalMesh cgal_mesh_of(const Shape& shape) {
-  CgalMesh mesh;
-  for (const Vec3& p : shape.points) mesh.add_vertex({p.x, p.y, p.z});
-  using V = CgalMesh::Vertex_index;
-  for (const auto& t : shape.triangles) mesh.add_face(V(t[0]), V(t[1]), V(t[2]));
-  return mesh;
-}
-
 /// The operation of the peer, and whether its result crosses itself.
 void spheres_cgal_union_and_test(benchmark::State& state) {
-  const CgalMesh a = cgal_mesh_of(sphere(frequency(state))), b = cgal_mesh_of(other_sphere(frequency(state)));
+  const CgalMesh<Kernel> a = cgal_mesh_of<Kernel>(sphere(frequency(state))),
+                         b = cgal_mesh_of<Kernel>(other_sphere(frequency(state)));
   for (auto step : state) {
     state.PauseTiming();
     auto p = a, q = b;
-    CgalMesh result;
+    CgalMesh<Kernel> result;
     state.ResumeTiming();
     if (!pmp::corefine_and_compute_union(p, q, result)) return state.SkipWithError("refused");
     state.counters["crosses_itself"] = static_cast<double>(pmp::does_self_intersect(result));

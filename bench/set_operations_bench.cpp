@@ -9,7 +9,6 @@
 #include <CGAL/Nef_polyhedron_3.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polyhedron_3.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 
 #include <memory>
@@ -19,6 +18,7 @@
 
 #include "algebra3d/arrangement/arrangement.h"
 #include "algebra3d/arrangement/divide_and_conquer.h"
+#include "cgal_mesh.h"
 #include "models.h"
 #include "shapes.h"
 
@@ -32,9 +32,6 @@ using algebra3d::WindingVector;
 namespace pmp = CGAL::Polygon_mesh_processing;
 using Inexact = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
-
-const double kRoot2 = std::sqrt(2.0), kRoot3 = std::sqrt(3.0);
-const Vec3 kAxis{1, kRoot2, kRoot3};
 
 // ---- ours -----------------------------------------------------------------------------------------------------------
 
@@ -79,18 +76,6 @@ TriangleMesh chained(const Shape& first, const std::vector<Solid>& others, const
 
 // ---- CGAL -----------------------------------------------------------------------------------------------------------
 
-template <typename Kernel>
-using CgalMesh = CGAL::Surface_mesh<typename Kernel::Point_3>;
-
-template <typename Kernel>
-CgalMesh<Kernel> cgal_mesh_of(const Shape& shape) {
-  CgalMesh<Kernel> mesh;
-  for (const Vec3& p : shape.points) mesh.add_vertex({p.x, p.y, p.z});
-  using V = typename CgalMesh<Kernel>::Vertex_index;
-  for (const auto& t : shape.triangles) mesh.add_face(V(t[0]), V(t[1]), V(t[2]));
-  return mesh;
-}
-
 using NefKernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using Nef = CGAL::Nef_polyhedron_3<NefKernel>;
 
@@ -101,10 +86,6 @@ Nef nef_of(const Shape& shape) {
 }
 
 // ---- two spheres ----------------------------------------------------------------------------------------------------
-
-Shape other_sphere(std::uint32_t frequency) {
-  return moved(sphere(frequency), kAxis, kRoot2 / 7, {0.3, 0, 0});
-}
 
 void unite_ours(benchmark::State& state, const Shape& first, const Shape& second) {
   const Solid a(first), b(second);

@@ -104,6 +104,15 @@ inline Shape moved(Shape shape, const Vec3& axis, double radians, const Vec3& by
   return shape;
 }
 
+inline const double kRoot2 = std::sqrt(2.0);
+/// About which copies are turned.
+inline const Vec3 kAxis{1, kRoot2, std::sqrt(3.0)};
+
+/// The sphere, turned and moved so that it crosses the first one.
+inline Shape other_sphere(std::uint32_t frequency) {
+  return moved(sphere(frequency), kAxis, kRoot2 / 7, {0.3, 0, 0});
+}
+
 inline TriangleMesh mesh_of(const Shape& shape) {
   return {PointArray(shape.points), shape.triangles};
 }

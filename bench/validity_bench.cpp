@@ -6,7 +6,6 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <array>
@@ -16,6 +15,7 @@
 
 #include "algebra3d/validity/star_shape.h"
 #include "algebra3d/validity/validity.h"
+#include "cgal_mesh.h"
 #include "shapes.h"
 
 namespace {
@@ -26,7 +26,6 @@ using bench::mesh_of;
 using bench::Shape;
 using bench::sphere;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using CgalMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 /// A surface over a grid that is closed in both directions.
 Shape torus(std::uint32_t rows, std::uint32_t columns) {
@@ -76,14 +75,6 @@ Shape cubes(std::uint32_t count) {
   return shape;
 }
 
-CgalMesh cgal_mesh_of(const Shape& shape) {
-  CgalMesh mesh;
-  for (const Vec3& p : shape.points) mesh.add_vertex({p.x, p.y, p.z});
-  using V = CgalMesh::Vertex_index;
-  for (const auto& t : shape.triangles) mesh.add_face(V(t[0]), V(t[1]), V(t[2]));
-  return mesh;
-}
-
 void prove(benchmark::State& state, const Shape& shape) {
   const TriangleMesh mesh = mesh_of(shape);
   for (auto step : state) {
@@ -94,7 +85,7 @@ void prove(benchmark::State& state, const Shape& shape) {
 }
 
 void ask_cgal(benchmark::State& state, const Shape& shape) {
-  const CgalMesh mesh = cgal_mesh_of(shape);
+  const bench::CgalMesh<Kernel> mesh = bench::cgal_mesh_of<Kernel>(shape);
   for (auto step : state)
     if (CGAL::Polygon_mesh_processing::does_self_intersect(mesh)) state.SkipWithError("intersects");
   state.counters["triangles"] = static_cast<double>(shape.triangles.size());

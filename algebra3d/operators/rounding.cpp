@@ -20,7 +20,7 @@
 namespace algebra3d {
 namespace {
 
-/// What rounding did, in one note.
+/// The text of the note on a rounding: how far it moved what, and what vanished.
 template <typename Rounded>
 std::string rounding_note(const Rounded& rounded, std::size_t vertex_count) {
   if (rounded.mesh->is_empty()) return "nothing is left: nowhere is it thicker than the grid";

@@ -35,7 +35,7 @@ constexpr int kMaxTurns = 6;
 constexpr std::size_t kToleratedCrossings = 20;
 
 /// Vertices no farther from the surface than so many spacings are superfluous. With one, a chain of 2000 turned
-/// intersections has twice as many triangles as it needs, with two a quarter more.
+/// intersections has twice as many triangles as it needs, with two a third more.
 constexpr double kSuperfluous = 2;
 
 /// Within which reach, in spacings of the grid, features are joined, and facets made coplanar: at first, how far before

@@ -36,7 +36,7 @@ struct RoundedSolid {
 ///     turns with the selection of cells as in 2, as long as no more than some half of the crossings are left.
 ///  4. Facets that nearly lie upon each other are made coplanar (coplanar_snapping.h), then 3.
 ///  5. 3 and 4 with reaches of up to 2^20 spacings.
-/// Of each of these first a simpler form is proved: without corners of facets with moved corners that lie on the
+/// A simpler form of each result is proved first: without corners of facets with moved corners that lie on the
 /// surface or on an edge of it anyway, up to two spacings (vertex_removal.h); not on a grid of multiples. There is no
 /// result if a coordinate is out of range, or if the last rung gives none. `cancel` ends the call with the error
 /// interrupted; progress is not told. Exactness: rounded; validity is exact. Deterministic. Errors: interrupted,

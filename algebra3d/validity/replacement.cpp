@@ -29,7 +29,7 @@
 namespace algebra3d {
 namespace {
 
-/// What the public function is given.
+/// A volume, the faces that go, and those in their place.
 struct Replacement {
   const TriangleMesh* volume;
   const std::vector<bool>* is_removed;

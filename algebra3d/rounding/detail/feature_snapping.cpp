@@ -44,7 +44,7 @@ struct Progress {
   double reach() const { return std::ldexp(kLeastReach, level); }
 };
 
-/// What is still wrong with the faces.
+/// The faults of the faces that are left to mend.
 struct Faults {
   std::vector<FacePair> pairs;          ///< faces that cross
   std::vector<std::size_t> flat_faces;  ///< faces without area

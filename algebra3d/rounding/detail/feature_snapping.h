@@ -16,7 +16,7 @@ struct FeatureSnappedMesh {
   double largest_displacement = 0;   ///< no point of the mesh is farther from the given one
   double reach = 0;                  ///< the largest one within which features were joined; 0 if nothing crossed
   std::size_t crossings_before = 0;  ///< pairs of faces that crossed
-  std::size_t crossing_pairs = 0;    ///< pairs of faces that still cross
+  std::size_t crossing_pairs = 0;    ///< 0 if no faces cross any more; else an upper bound of their pairs
 };
 
 /// Feature snapping: joins features of crossing faces of a mesh (near_features.h) in rounds, until no faces cross. The

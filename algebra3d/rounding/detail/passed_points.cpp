@@ -5,17 +5,12 @@
 #include <vector>
 
 #include "algebra3d/base/box3.h"
+#include "algebra3d/halfedge/boxes.h"
 #include "algebra3d/rounding/detail/facet_outlines.h"
 #include "rtree/rtree.h"
 
 namespace algebra3d {
 namespace {
-
-Box3 grown(Box3 box, double by) {
-  box.min = box.min - Vec3{by, by, by};
-  box.max = box.max + Vec3{by, by, by};
-  return box;
-}
 
 /// Says whether a point is a corner of a facet along a chain.
 class CommonFacets {
@@ -56,14 +51,14 @@ void route_through_passed_points(FacetOutlines& outlines) {
     movements[chain] = std::max(points.movements[from], points.movements[to]);
     is_corner[from] = is_corner[to] = true;
     const Box3 box = unite(Box3::of(points.points[from]), Box3::of(points.points[to]));
-    entries.push_back({grown(box, movements[chain]), chain.index()});
+    entries.push_back({padded(box, movements[chain]), chain.index()});
   }
   const auto tree = rtree::RTree<std::uint32_t>::bulk_load(entries);
   const CommonFacets common(outlines);
   for (const PointId point : points.points.ids()) {
     if (!is_corner[point]) continue;
     const double movement = points.movements[point];
-    for (const std::uint32_t number : tree.window(grown(Box3::of(points.points[point]), movement))) {
+    for (const std::uint32_t number : tree.window(padded(Box3::of(points.points[point]), movement))) {
       const ChainId chain(number);
       const double reach = movement + movements[chain];
       if (common.is_any(chain, point) && reach > 0 && chains.distance({chain, 0}, point) <= reach)

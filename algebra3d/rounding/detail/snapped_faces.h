@@ -22,8 +22,8 @@ namespace algebra3d {
 using PointPair = std::pair<PointId, PointId>;
 PointPair ordered(PointId a, PointId b);
 
-/// What becomes of two triangles with the same corners: of the boundary of a solid both go if they have opposite
-/// orientations, and both stay if not; of a surface the first one stays.
+/// The rule for two triangles with the same corners. `vanishes`, for the boundary of a solid: both go if they have
+/// opposite orientations, and both stay if not. `stays`, for a surface: the first one stays.
 enum class Folded : std::uint8_t { vanishes, stays };
 
 /// Changes of a mesh that are made at once.

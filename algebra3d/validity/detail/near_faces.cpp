@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 
 #include "algebra3d/halfedge/box_hierarchy.h"
@@ -10,15 +9,6 @@
 
 namespace algebra3d {
 namespace {
-
-Box3 grown(const Box3& box, double by) {
-  Box3 result;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    result.min[axis] = std::nextafter(box.min[axis] - by, -Box3::kInfinity);
-    result.max[axis] = std::nextafter(box.max[axis] + by, Box3::kInfinity);
-  }
-  return result;
-}
 
 Box3 box_of_face(const TriangleMesh& mesh, std::uint32_t face) {
   return box_of_triangle(mesh.corners(FaceId(face)));
@@ -82,8 +72,8 @@ class MarkedCells {
 /// The faces whose boxes meet marked cells.
 std::vector<std::uint32_t> faces_in_marked_cells(const TriangleMesh& mesh, const std::vector<bool>& is_excepted,
                                                  const TriangleMesh& others, double reach) {
-  MarkedCells cells(grown(box_of_mesh(others), reach));
-  for (std::uint32_t f = 0; f < others.face_count(); ++f) cells.mark(grown(box_of_face(others, f), reach));
+  MarkedCells cells(padded(box_of_mesh(others), reach));
+  for (std::uint32_t f = 0; f < others.face_count(); ++f) cells.mark(padded(box_of_face(others, f), reach));
   std::vector<std::uint32_t> found;
   for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
     if (!is_excepted[f] && cells.meets_marked(box_of_face(mesh, f))) found.push_back(f);

@@ -11,6 +11,7 @@
 #include "algebra3d/exact/vertical_line.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/arrangement/set_operations.h"
+#include "unit/rounding/mesh_area.h"
 
 namespace algebra3d::solids {
 namespace {
@@ -19,16 +20,6 @@ void expect_on_grid(const TriangleMesh& mesh, double step) {
   EXPECT_EQ(mesh.points().exact_count(), 0U);
   for (const Vec3& p : mesh.points().approx())
     for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_EQ(p[axis], std::round(p[axis] / step) * step);
-}
-
-double area_of(const TriangleMesh& mesh) {
-  double area = 0;
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const TriangleRef t = mesh.corners(FaceId(f));
-    const Vec3 normal = cross(t[1].approx - t[0].approx, t[2].approx - t[0].approx);
-    area += std::sqrt(dot(normal, normal)) / 2;
-  }
-  return area;
 }
 
 using Wide = std::array<long double, 3>;

@@ -10,18 +10,10 @@
 #include "algebra3d/validity/validity.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/arrangement/set_operations.h"
+#include "unit/rounding/mesh_area.h"
 
 namespace algebra3d::solids {
 namespace {
-
-double area_of_surface(const TriangleMesh& mesh) {
-  double area = 0;
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const TriangleRef t = mesh.corners(FaceId(f));
-    area += length(cross(t[1].approx - t[0].approx, t[2].approx - t[0].approx)) / 2;
-  }
-  return area;
-}
 
 TriangleMesh both_surfaces(const TriangleMesh& a, const TriangleMesh& b) {
   return combine_surfaces({&a}, {&b}, SurfaceRule::either).value();
@@ -46,12 +38,12 @@ TEST(RoundedSurface, of_crossing_surfaces_is_valid_with_nearly_the_same_area) {
       ASSERT_TRUE(rounded.ok() && rounded->mesh) << rounded->reason;
       EXPECT_EQ(prove_surface(*rounded->mesh)->text(), "");
       EXPECT_EQ(rounded_surface(*rounded->mesh, grid)->moved_vertices, 0U);
-      const double area = area_of_surface(surface);
+      const double area = area_of(surface);
       // Far from the origin floats are coarse. Walls a hair apart become one.
       const bool is_fine = grid.spacing_up_to(largest_coordinate(surface)) < 1e-6 * std::sqrt(area);
-      EXPECT_LE(area_of_surface(*rounded->mesh), (is_fine ? 1.0001 : 2) * area);
+      EXPECT_LE(area_of(*rounded->mesh), (is_fine ? 1.0001 : 2) * area);
       if (is_fine) {
-        EXPECT_GE(area_of_surface(*rounded->mesh), 0.9 * area);
+        EXPECT_GE(area_of(*rounded->mesh), 0.9 * area);
       }
     }
   }
@@ -83,7 +75,7 @@ TEST(RoundedSurface, sheets_that_come_to_lie_upon_each_other_become_one) {
   const TriangleMesh two = sheets({{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {0, 0, 0.25}, {0, 8, 0.25}, {8, 0, 0.25}});
   const auto rounded = rounded_surface(two, CoordinateGrid::multiples(1));
   ASSERT_TRUE(rounded.ok() && rounded->mesh) << rounded->reason;
-  EXPECT_EQ(area_of_surface(*rounded->mesh), 32);
+  EXPECT_EQ(area_of(*rounded->mesh), 32);
   EXPECT_EQ(prove_surface(*rounded->mesh)->text(), "");
 }
 

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "algebra3d/exact/affine_map.h"
+#include "algebra3d/halfedge/boxes.h"
 #include "algebra3d/rounding/rounded_solid.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/arrangement/set_operations.h"
@@ -43,7 +44,7 @@ bool is_corner_of(const Kernel::Point_3& point, const Kernel::Triangle_3& t) {
   return point == t[0] || point == t[1] || point == t[2];
 }
 
-/// What the definition forbids, and what it allows but no one likes.
+/// Counts of faults that the definition forbids, and of points of contact, which it allows.
 struct Faults {
   int degenerate = 0, improper_pairs = 0, unbalanced_edges = 0;
   int points_inside = 0;  ///< pairs that share one point, which is no corner of both
@@ -104,19 +105,13 @@ TriangleMesh random_result(std::uint64_t seed) {
   }
 }
 
-double size_of(const TriangleMesh& mesh) {
-  double size = 0;
-  for (const Vec3& p : mesh.points().approx()) size = std::max({size, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  return size;
-}
-
 TEST(RoundingOracle, rounded_results_are_valid) {
   const char* rounds = std::getenv("ALGEBRA3D_ROUNDS");
   const std::uint64_t count = rounds != nullptr ? std::stoull(rounds) : 60;
   int results = 0, moved = 0, far = 0, points_inside = 0;
   for (std::uint64_t seed = 1; seed <= count; ++seed) {
     const TriangleMesh solid = random_result(seed);
-    const double size = size_of(solid);
+    const double size = largest_coordinate(solid);
     const double step = size * (0.002 + 0.05 * static_cast<double>(seed % 11) / 11);
     const std::array<CoordinateGrid, 3> grids = {CoordinateGrid::doubles(), CoordinateGrid::floats(),
                                                  CoordinateGrid::multiples(step > 0 ? step : 1)};
