@@ -137,6 +137,26 @@ BENCHMARK(spheres_corefine<Inexact>)->Arg(7)->Arg(22)->Arg(71)->Arg(158)->Unit(b
 BENCHMARK(spheres_corefine<Exact>)->Arg(7)->Arg(22)->Arg(71)->Unit(benchmark::kMillisecond);
 BENCHMARK(spheres_nef)->Arg(7)->Unit(benchmark::kMillisecond)->Iterations(1);
 
+// ---- a sphere and a copy that nearly coincides with it ---------------------------------------------------------------
+
+Shape nearly_the_same(std::uint32_t n) {
+  return moved(sphere(n), kAxis, 1e-9, {});
+}
+
+void near_coincident_ours(benchmark::State& state) {
+  const auto n = static_cast<std::uint32_t>(state.range(0));
+  unite_ours(state, sphere(n), nearly_the_same(n));
+}
+
+template <typename Kernel>
+void near_coincident_corefine(benchmark::State& state) {
+  const auto n = static_cast<std::uint32_t>(state.range(0));
+  unite_by_corefinement<Kernel>(state, sphere(n), nearly_the_same(n));
+}
+
+BENCHMARK(near_coincident_ours)->Arg(32)->Unit(benchmark::kMillisecond);
+BENCHMARK(near_coincident_corefine<Inexact>)->Arg(32)->Unit(benchmark::kMillisecond);
+
 // ---- random cubes ---------------------------------------------------------------------------------------------------
 
 std::vector<Shape> random_cubes(std::size_t count) {
