@@ -7,6 +7,7 @@
 #include "algebra3d/base/error.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
 #include "algebra3d/rounding/coordinate_grid.h"
+#include "algebra3d/rounding/rounding_method.h"
 
 namespace algebra3d {
 
@@ -17,6 +18,7 @@ struct RoundedSolid {
   const char* reason = "";         ///< why there is none
   std::size_t moved_vertices = 0;  ///< of the given ones
   double largest_movement = 0;     ///< in coordinate units: no point of the new boundary is farther from the given one
+  RoundingMethod method = RoundingMethod::none;
   /// In coordinate units: where triangles crossed after the vertices had moved, features nearer to each other than this
   /// were joined. 0 if none crossed.
   double reach = 0;

@@ -1,0 +1,87 @@
+#include "algebra3d/rounding/detail/rounding_job.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "algebra3d/halfedge/boxes.h"
+#include "algebra3d/halfedge/circulators.h"
+#include "algebra3d/halfedge/topology.h"
+#include "algebra3d/rounding/detail/snap_rounding.h"
+#include "algebra3d/rounding/detail/vertex_removal.h"
+
+namespace algebra3d {
+namespace {
+
+/// Vertices no farther from the surface than so many spacings are superfluous. With one, a chain of 2000 turned
+/// intersections has twice as many triangles as it needs, with two a third more.
+constexpr double kSuperfluous = 2;
+
+}  // namespace
+
+RoundingCandidate snap_rounded(const TriangleMesh& mesh, const RoundedVertices& vertices) {
+  SnappedMesh snapped = snap_round(mesh, vertices);
+  const RoundingMethod method =
+      snapped.largest_detour > 0 ? RoundingMethod::edges_led_round : RoundingMethod::vertices_moved;
+  return {std::move(snapped.mesh), rounded_up(vertices.largest_movement + snapped.largest_detour), 0, method};
+}
+
+RoundingJob::RoundingJob(const TriangleMesh& solid, SolidPart part, const CoordinateGrid& grid,
+                         const std::atomic<bool>* cancel)
+    : solid_(solid),
+      part_(std::move(part)),
+      grid_(grid),
+      spacing_(grid.spacing_up_to(largest_coordinate(solid))),
+      cancel_(cancel),
+      vertices_(rounded_vertices(part_.mesh(), grid)) {
+  if (vertices_.are_finite) find_places_that_stay();
+}
+
+void RoundingJob::find_places_that_stay() {
+  std::vector<bool> is_at_moved_facet(mesh().vertex_count());
+  for (const FaceId face : faces(mesh())) {
+    const TriangleMesh::Triangle corners = mesh().triangle(face);
+    if (std::ranges::any_of(corners, [&](std::uint32_t v) { return vertices_.movements[v] > 0; }))
+      for (const std::uint32_t v : corners) is_at_moved_facet[v] = true;
+  }
+  places_that_stay_ = PointTable(mesh().vertex_count());
+  for (std::size_t v = 0; v < mesh().vertex_count(); ++v)
+    if (!is_at_moved_facet[v]) places_that_stay_.intern(mesh().points()[v]);
+}
+
+Result<bool> RoundingJob::accept_as_it_is(const RoundingCandidate& candidate) {
+  if (candidate.mesh.is_empty() && candidate.reach > kFirstReach * spacing_) return false;
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, part_.is_valid_with(candidate.mesh, candidate.movement, cancel_));
+  if (!is_valid) return false;
+  if (!part_.keeps_shells_with(candidate.mesh)) result_.shells_before = connected_components(solid_).count;
+  result_.mesh = part_.solid_with(candidate.mesh);
+  if (result_.shells_before > 0) result_.shells_after = connected_components(*result_.mesh).count;
+  result_.largest_movement = candidate.movement;
+  result_.reach = candidate.reach;
+  result_.method = candidate.method;
+  return true;
+}
+
+/// Without corners of facets with moved corners that lie on the surface or on an edge anyway, up to two spacings of
+/// the grid: rounding left them there, now or earlier. On a grid of multiples, which may be coarse for the solid, all
+/// stay.
+RoundingCandidate RoundingJob::without_superfluous(const RoundingCandidate& candidate) const {
+  if (!grid_.is_floating()) return candidate;
+  std::vector<bool> may_go;
+  may_go.reserve(candidate.mesh.vertex_count());
+  for (const Vec3& place : candidate.mesh.points().approx()) may_go.push_back(places_that_stay_.find(place) == kNone);
+  TriangleMesh simpler = without_superfluous_vertices(candidate.mesh, may_go, kSuperfluous * spacing_);
+  if (simpler.face_count() == candidate.mesh.face_count()) return candidate;
+  const double movement = candidate.movement + rounded_up(2 * kSuperfluous * spacing_);
+  return {std::move(simpler), movement, candidate.reach, candidate.method};
+}
+
+Result<bool> RoundingJob::accept(const RoundingCandidate& candidate) {
+  const RoundingCandidate simpler = without_superfluous(candidate);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, accept_as_it_is(simpler));
+  if (is_valid || simpler.mesh.face_count() == candidate.mesh.face_count()) return is_valid;
+  return accept_as_it_is(candidate);
+}
+
+}  // namespace algebra3d

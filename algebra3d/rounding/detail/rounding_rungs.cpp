@@ -1,0 +1,131 @@
+#include "algebra3d/rounding/detail/rounding_rungs.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "algebra3d/arrangement/operand.h"
+#include "algebra3d/autorefinement/winding_selection.h"
+#include "algebra3d/halfedge/circulators.h"
+#include "algebra3d/rounding/detail/coplanar_snapping.h"
+#include "algebra3d/rounding/detail/feature_snapping.h"
+#include "algebra3d/rounding/detail/snap_rounding.h"
+#include "algebra3d/validity/validity.h"
+
+namespace algebra3d {
+namespace {
+
+/// More crowded vertices are not made coplanar: that takes rationals, whose digits multiply where many facets are near.
+constexpr std::ptrdiff_t kMaxCrowded = 1000;
+
+/// How often a mesh is only divided at its crossings, before features are joined.
+constexpr int kMaxDivisions = 4;
+
+/// How often features are joined and cells selected in one rung; and how many crossings need not become fewer.
+constexpr int kMaxTurns = 6;
+constexpr std::size_t kToleratedCrossings = 20;
+
+/// A limit of the pairs of triangles that may touch. If a rounding has folded them, all may do so; that is hopeless.
+std::size_t max_pairs(const TriangleMesh& mesh) {
+  return 100 * mesh.face_count() + 100'000;
+}
+
+/// A limit of the triangles of what is divided again.
+std::size_t max_faces(const TriangleMesh& solid) {
+  return solid.face_count() + solid.face_count() / 4 + 250;
+}
+
+/// Divides the mesh at its crossings, and keeps the cells with a positive winding number. Nothing if that is too much.
+Result<std::optional<TriangleMesh>> positive_cells(const TriangleMesh& mesh, const std::atomic<bool>* cancel) {
+  const auto is_inside = [](int winding) { return winding > 0; };
+  auto solid = solid_by_winding(mesh, is_inside, cancel, {Closure::together, max_pairs(mesh)});
+  if (!solid.ok() && solid.error().code == ErrorCode::limit_exceeded) return std::optional<TriangleMesh>();
+  if (!solid.ok()) return std::move(solid).error();
+  return std::optional(*std::move(solid));
+}
+
+/// Selects cells, and rounds the new corners. False if that is too much.
+Result<bool> select_cells(const RoundingJob& job, RoundingCandidate& candidate) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<TriangleMesh> solid, positive_cells(candidate.mesh, job.cancel()));
+  if (!solid) return false;
+  const RoundedVertices vertices = rounded_vertices(*solid, job.grid());
+  if (vertices.moved == 0) {
+    candidate.mesh = *std::move(solid);
+    return true;
+  }
+  RoundingCandidate snapped = snap_rounded(*solid, vertices);
+  candidate.mesh = std::move(snapped.mesh);
+  candidate.movement += snapped.movement;
+  return true;
+}
+
+}  // namespace
+
+Result<bool> divide_at_crossings(RoundingJob& job) {
+  TriangleMesh solid = job.mesh();
+  double moved_before = 0;
+  for (int i = 0; i < kMaxDivisions && solid.face_count() <= max_faces(job.mesh()); ++i) {
+    const RoundedVertices vertices = rounded_vertices(solid, job.grid());
+    SnappedMesh snapped = moved_mesh(solid, vertices.points);
+    const double movement = moved_before + rounded_up(vertices.largest_movement + snapped.largest_detour);
+    const RoundingMethod method = i == 0 ? RoundingMethod::vertices_moved : RoundingMethod::crossings_divided;
+    const RoundingCandidate candidate{std::move(snapped.mesh), movement, 0, method};
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_accepted, job.accept(candidate));
+    if (is_accepted) return true;
+    ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<TriangleMesh> cells, positive_cells(candidate.mesh, job.cancel()));
+    if (!cells) return false;
+    solid = *std::move(cells);
+    moved_before = movement;
+  }
+  return false;
+}
+
+Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, double largest_reach) {
+  std::size_t most_crossings = SIZE_MAX;
+  for (int turn = 0; turn < kMaxTurns; ++turn) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(FeatureSnappedMesh joined,
+                               snap_features(candidate.mesh, job.grid(), job.spacing(), largest_reach, job.cancel()));
+    candidate.mesh = std::move(joined.mesh);
+    candidate.movement += joined.largest_displacement;
+    candidate.reach = std::max(candidate.reach, joined.reach);
+    if (joined.reach > 0) candidate.method = std::max(candidate.method, RoundingMethod::features_joined);
+    if (joined.crossing_pairs == 0) {
+      ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_accepted, job.accept(candidate));
+      if (is_accepted) return true;
+    }
+    const bool grows = candidate.mesh.face_count() > 2 * max_faces(job.mesh());
+    if (!job.is_whole() || joined.crossings_before > most_crossings || grows) return false;
+    most_crossings = joined.crossings_before / 2 + kToleratedCrossings;
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_selected, select_cells(job, candidate));
+    if (!is_selected) return false;
+  }
+  return false;
+}
+
+Result<std::vector<bool>> crowded_vertices(const RoundingJob& job, const TriangleMesh& snapped) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Entanglement> entanglements, disentangle(snapped, job.cancel()));
+  std::set<Vec3> places;
+  for (const FaceId face : faces(snapped))
+    if (entanglements[face.index()] != Entanglement::none)
+      for (const PointRef& corner : snapped.corners(face)) places.insert(corner.approx);
+  std::vector<bool> are_crowded;
+  for (const Vec3& place : job.vertices().points.approx()) are_crowded.push_back(places.contains(place));
+  return are_crowded;
+}
+
+Result<bool> join_coplanar(RoundingJob& job, const std::vector<bool>& crowded, double reach, double largest_reach) {
+  if (std::ranges::count(crowded, true) > kMaxCrowded) return false;
+  const MovedVertices moved = snap_coplanar(job.mesh(), crowded, reach * job.spacing());
+  const double farthest = std::ranges::max(moved.movements);
+  if (farthest == 0) return false;
+  SnappedMesh snapped = snap_round(job.mesh(), moved);
+  RoundingCandidate coplanar{std::move(snapped.mesh), rounded_up(farthest + snapped.largest_detour),
+                             reach * job.spacing(), RoundingMethod::facets_made_coplanar};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_selected, select_cells(job, coplanar));
+  return is_selected ? join_features(job, std::move(coplanar), largest_reach) : Result<bool>(false);
+}
+
+}  // namespace algebra3d

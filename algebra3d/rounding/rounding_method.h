@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+
+namespace algebra3d {
+
+/// The methods of rounding, from the one that changes least to the one that cannot fail (docs/set-operations.md).
+enum class RoundingMethod : std::uint8_t {
+  none,                  ///< nothing had to move
+  vertices_moved,        ///< each vertex to the nearest point of the grid
+  edges_led_round,       ///< the same, and edges led round vertices that they would have passed over
+  crossings_divided,     ///< the same, and triangles divided where they crossed
+  features_joined,       ///< features of crossing triangles that are nearly one joined
+  facets_made_coplanar,  ///< facets that nearly lie upon each other made coplanar, then features joined
+};
+
+/// The method in words, as notes tell it: "features joined".
+const char* name_of(RoundingMethod method);
+
+}  // namespace algebra3d
