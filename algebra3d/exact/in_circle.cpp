@@ -126,8 +126,8 @@ int in_circle_by_intervals(const std::array<const PointRef*, 4>& points) {
 
 int decide_in_circle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   count_filter_failure();
-  if (const auto integers = scale_to_integers<8>({a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y}))
-    return in_circle_sign(*integers);
+  if (const auto scaled = scale_to_integers<8>({a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y}))
+    return in_circle_sign(scaled->integers);
   if (is_safe_for_squares(a) && is_safe_for_squares(b) && is_safe_for_squares(c) && is_safe_for_squares(d))
     return in_circle_by_expansions(a, b, c, d);
   const PointRef pa = a, pb = b, pc = c, pd = d;

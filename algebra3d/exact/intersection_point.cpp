@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "algebra3d/exact/detail/exact_coordinates.h"
+#include "algebra3d/exact/detail/fixed_width.h"
 #include "algebra3d/exact/detail/homogeneous.h"
 
 namespace algebra3d {
@@ -31,6 +32,15 @@ ExactPoint intersect_line_plane(PointRef a, PointRef b, const IntegerPlane& plan
     mpz_submul(met[i], at_from.get_mpz_t(), to[i]);
   }
   return point_at(met);
+}
+
+ExactPoint intersect_line_plane(PointRef a, PointRef b, const TriangleRef& triangle) {
+  const auto& [p, q, r] = triangle;
+  thread_local HomogeneousPoint met;
+  if (a.is_double() && b.is_double() && p.is_double() && q.is_double() && r.is_double() &&
+      detail::meet_in_fixed_width(met, a.approx, b.approx, {p.approx, q.approx, r.approx}))
+    return point_at(met);
+  return intersect_line_plane(a, b, IntegerPlane::through(triangle));
 }
 
 ExactPoint intersect_planes(const IntegerPlane& p, const IntegerPlane& q, const IntegerPlane& r) {

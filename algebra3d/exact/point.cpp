@@ -3,6 +3,7 @@
 #include <bit>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 
 #include "algebra3d/base/shrink.h"
 #include "algebra3d/exact/detail/exact_coordinates.h"
@@ -49,7 +50,10 @@ std::strong_ordering operator<=>(const ExactPoint& a, const ExactPoint& b) {
 std::size_t ExactPoint::hash() const {
   std::size_t hash = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) hash = combined(hash, std::bit_cast<std::uint64_t>(approx_[axis]));
-  return is_double() ? hash : combined(hash, exact_.get()->hash());
+  if (is_double()) return hash;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    hash = combined(hash, static_cast<std::uint64_t>(std::int64_t{exact_.get()->beyond(axis)}));
+  return hash;
 }
 
 PointArray::PointArray(std::vector<Vec3> doubles) : approx_(std::move(doubles)) {

@@ -86,7 +86,7 @@ int decide_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) 
   const auto x = scale_to_integers<4>({a.x, b.x, c.x, d.x});
   const auto y = scale_to_integers<4>({a.y, b.y, c.y, d.y});
   const auto z = scale_to_integers<4>({a.z, b.z, c.z, d.z});
-  if (x && y && z) return determinant_sign(*x, *y, *z);
+  if (x && y && z) return determinant_sign(x->integers, y->integers, z->integers);
   if (all_safe(a) && all_safe(b) && all_safe(c) && all_safe(d)) return orient3d_by_expansions(a, b, c, d);
   const PointRef pa = a, pb = b, pc = c, pd = d;
   return orient3d_by_rationals({&pa, &pb, &pc, &pd});
@@ -98,7 +98,7 @@ int decide_orient2d(Projection plane, const Vec3& a, const Vec3& b, const Vec3& 
   count_filter_failure();
   const auto x = scale_to_integers<3>({a[i], b[i], c[i]});
   const auto y = scale_to_integers<3>({a[j], b[j], c[j]});
-  if (x && y) return determinant_sign(*x, *y);
+  if (x && y) return determinant_sign(x->integers, y->integers);
   if (is_safe(a[i]) && is_safe(a[j]) && is_safe(b[i]) && is_safe(b[j]) && is_safe(c[i]) && is_safe(c[j]))
     return orient2d_by_expansions(a[i], a[j], b[i], b[j], c[i], c[j]);
   const PointRef pa = a, pb = b, pc = c;

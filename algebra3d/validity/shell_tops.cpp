@@ -22,7 +22,7 @@ namespace {
 ExactPoint place_above(const PointRef& point, const TriangleRef& triangle) {
   const RationalVec3 from = point.rational();
   const ExactPoint up(RationalVec3(from.x, from.y, from.z + 1));
-  return intersect_line_plane(point, up, IntegerPlane::through(triangle));
+  return intersect_line_plane(point, up, triangle);
 }
 
 /// True if the projection of p lies in the closed projected triangle.

@@ -10,7 +10,11 @@
 namespace algebra3d::arrangement {
 
 ExactPoint Crossings::meeting_point(const EdgeAndPlane& where) {
-  return intersect_line_plane(start(where.edge), end(where.edge), complex_.coefficients.get(facets_, where.plane));
+  const PointRef from = start(where.edge), to = end(where.edge);
+  const TriangleRef& triangle = facets_.planes[where.plane].triangle;
+  if (from.is_double() && to.is_double() && std::ranges::all_of(triangle, &PointRef::is_double))
+    return intersect_line_plane(from, to, triangle);
+  return intersect_line_plane(from, to, complex_.coefficients.get(facets_, where.plane));
 }
 
 void Crossings::compute(std::span<const EdgeAndPlane> wanted) {

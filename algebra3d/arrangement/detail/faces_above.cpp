@@ -13,7 +13,7 @@ namespace {
 ExactPoint point_above(const PointRef& point, const TriangleRef& triangle) {
   const RationalVec3 from = point.rational();
   const ExactPoint up(RationalVec3(from.x, from.y, from.z + 1));
-  return intersect_line_plane(point, up, IntegerPlane::through(triangle));
+  return intersect_line_plane(point, up, triangle);
 }
 
 }  // namespace

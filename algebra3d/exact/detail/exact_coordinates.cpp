@@ -1,6 +1,7 @@
 #include "algebra3d/exact/detail/exact_coordinates.h"
 
 #include <algorithm>
+#include <compare>
 #include <new>
 
 #include "algebra3d/exact/counters.h"
@@ -18,8 +19,18 @@ std::size_t limb_count(const HomogeneousPoint& numbers) {
   return count;
 }
 
-void bring_to_lowest_terms(HomogeneousPoint& numbers) {
-  detail::divide_by_common_divisor(numbers);
+/// The limbs of the longest number that keeps its common divisors: of the common point of three planes through doubles.
+/// What these have in common is short, if there is anything, and finding it takes longer than all else. Of longer
+/// numbers, which come from exact points, it is most of them.
+constexpr std::size_t kLongestUnreduced = 7;
+
+void normalise(HomogeneousPoint& numbers) {
+  std::size_t longest = 0;
+  for (std::size_t i = 0; i < 4; ++i) longest = std::max(longest, mpz_size(numbers[i]));
+  if (longest > kLongestUnreduced)
+    detail::divide_by_common_divisor(numbers);
+  else
+    detail::divide_by_powers_of_two(numbers);
   if (sgn(numbers.w) > 0) return;
   for (std::size_t i = 0; i < 4; ++i) mpz_neg(numbers[i], numbers[i]);
 }
@@ -46,7 +57,7 @@ const ExactCoordinates* ExactCoordinates::allocate(const HomogeneousPoint& numbe
 }
 
 SharedCoordinates ExactCoordinates::make(HomogeneousPoint& numbers, Vec3& approx) {
-  bring_to_lowest_terms(numbers);
+  normalise(numbers);
   std::array<std::int8_t, 3> beyond{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const RoundedQuotient rounded = round_quotient(numbers[axis], numbers[3]);
@@ -61,12 +72,6 @@ Rational ExactCoordinates::coordinate(std::size_t axis) const {
   return RationalAccess::quotient(&numbers_[axis], &numbers_[3]);
 }
 
-std::size_t ExactCoordinates::hash() const {
-  std::size_t hash = 0;
-  for (const __mpz_struct& number : numbers_) hash = detail::mix_limbs(hash, &number);
-  return hash;
-}
-
 std::size_t ExactCoordinates::heap_bytes() const {
   std::size_t limbs = 0;
   for (const __mpz_struct& number : numbers_) limbs += mpz_size(&number);
@@ -75,8 +80,13 @@ std::size_t ExactCoordinates::heap_bytes() const {
 
 bool operator==(const ExactCoordinates& a, const ExactCoordinates& b) {
   if (&a == &b) return true;
-  for (std::size_t i = 4; i-- > 0;)
-    if (mpz_cmp(a[i], b[i]) != 0) return false;
+  if (a.beyond_ != b.beyond_) return false;
+  const bool have_one_denominator = mpz_cmp(a[3], b[3]) == 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const bool is_equal = have_one_denominator ? mpz_cmp(a[axis], b[axis]) == 0
+                                               : std::is_eq(detail::compare_quotients(a[axis], a[3], b[axis], b[3]));
+    if (!is_equal) return false;
+  }
   return true;
 }
 

@@ -16,12 +16,13 @@ namespace detail {
 struct HomogeneousPoint;
 }
 
-/// The coordinates of a point that is not a triple of doubles: x = X / W and so on, with integers without a common
-/// divisor, W > 0. Equal points have equal integers. Immutable; one heap block holds all integers.
+/// The coordinates of a point that is not a triple of doubles: x = X / W and so on, with integers, W > 0. They may have
+/// a common divisor, as long as they are short; so equal points need not have equal integers. Immutable; one heap block
+/// holds all integers.
 class ExactCoordinates {
  public:
-  /// Divides the integers by their common divisor and takes them. Sets `approx` to the quotients, rounded to nearest.
-  /// Returns null if all quotients are doubles.
+  /// Takes the integers, of which W may be negative, without powers of two in common, and if they are long without any
+  /// common divisor. Sets `approx` to the quotients, rounded to nearest. Returns null if all quotients are doubles.
   static SharedCoordinates make(detail::HomogeneousPoint& numbers, Vec3& approx);
 
   ExactCoordinates(const ExactCoordinates&) = delete;
@@ -35,9 +36,9 @@ class ExactCoordinates {
   /// Sign of the coordinate minus its rounding; 0 if it is a double.
   int beyond(std::size_t axis) const { return beyond_[axis]; }
   Rational coordinate(std::size_t axis) const;
-  std::size_t hash() const;
   std::size_t heap_bytes() const;
 
+  /// True if they are of one point; both must be of points with equal roundings.
   friend bool operator==(const ExactCoordinates& a, const ExactCoordinates& b);
 
  private:

@@ -4,6 +4,7 @@
 
 #include "algebra3d/exact/detail/exact_coordinates.h"
 #include "algebra3d/exact/detail/exact_sum_integers.h"
+#include "algebra3d/exact/detail/fixed_width.h"
 #include "algebra3d/exact/detail/rational_big.h"
 
 namespace algebra3d::detail {
@@ -37,15 +38,6 @@ void minor(mpz_class& result, mpz_srcptr a, mpz_srcptr b, mpz_srcptr c, mpz_srcp
   minor(result.get_mpz_t(), a, b, c, d);
 }
 
-/// Powers of two are what numbers that come from doubles mostly have in common; after them the greatest common divisor
-/// of the first two is short.
-void divide_by_powers_of_two(HomogeneousPoint& numbers) {
-  mp_bitcnt_t zeros = mpz_scan1(numbers[0], 0);
-  for (std::size_t i = 1; i < 4; ++i) zeros = std::min(zeros, mpz_scan1(numbers[i], 0));
-  if (zeros == 0) return;
-  for (std::size_t i = 0; i < 4; ++i) mpz_tdiv_q_2exp(numbers[i], numbers[i], zeros);
-}
-
 }  // namespace
 
 void join(HomogeneousPoint& result, const HomogeneousView& p, const HomogeneousView& q, const HomogeneousView& r) {
@@ -64,6 +56,7 @@ void join(HomogeneousPoint& result, const HomogeneousView& p, const HomogeneousV
 }
 
 void join(HomogeneousPoint& result, const Vec3& p, const Vec3& q, const Vec3& r) {
+  if (join_in_fixed_width(result, {p, q, r})) return;
   BitRange bits;
   for (const Vec3& point : {p, q, r})
     for (std::size_t axis = 0; axis < 3; ++axis) bits.extend(point[axis]);
@@ -107,6 +100,15 @@ HomogeneousView::HomogeneousView(const PointRef& point, HomogeneousPoint& buffer
   for (std::size_t i = 0; i < 4; ++i) numbers_[i] = point.is_double() ? buffer[i] : (*point.exact)[i];
 }
 
+void divide_by_powers_of_two(HomogeneousPoint& numbers) {
+  mp_bitcnt_t zeros = mpz_scan1(numbers[0], 0);
+  for (std::size_t i = 1; i < 4 && zeros != 0; ++i) zeros = std::min(zeros, mpz_scan1(numbers[i], 0));
+  if (zeros == 0) return;
+  for (std::size_t i = 0; i < 4; ++i) mpz_tdiv_q_2exp(numbers[i], numbers[i], zeros);
+}
+
+// Powers of two are what numbers that come from doubles mostly have in common; after them the greatest common divisor
+// of the first two is short.
 void divide_by_common_divisor(HomogeneousPoint& numbers) {
   divide_by_powers_of_two(numbers);
   thread_local mpz_class divisor;

@@ -36,7 +36,9 @@ class HomogeneousView {
   std::array<mpz_srcptr, 4> numbers_;
 };
 
+/// Divide the numbers, not all of which may be zero, by what they have in common, or by powers of two alone.
 void divide_by_common_divisor(HomogeneousPoint& numbers);
+void divide_by_powers_of_two(HomogeneousPoint& numbers);
 /// The scalar product of the four numbers. For a plane and a point: the value of the plane's equation times W.
 void dot(mpz_class& result, const HomogeneousView& a, const HomogeneousView& b);
 

@@ -15,18 +15,26 @@ namespace algebra3d::detail {
 // Determinants of doubles that are integers below 2^60 after exact scaling by one power of two. Coordinates of models
 // are nearly always of this kind; a coplanar quadruple then costs a tenth of the time with expansions.
 
-/// The coordinates times a common power of two, all integers below 2^60; nothing if there is no such power.
+/// Doubles as integers below 2^60 times one power of two.
 template <std::size_t Count>
-std::optional<std::array<std::int64_t, Count>> scale_to_integers(const std::array<double, Count>& coordinates) {
+struct ScaledIntegers {
+  std::array<std::int64_t, Count> integers{};
+  int exponent = 0;  ///< of the power of two
+};
+
+/// The coordinates as such integers; nothing if there is no such power.
+template <std::size_t Count>
+std::optional<ScaledIntegers<Count>> scale_to_integers(const std::array<double, Count>& coordinates) {
   double largest = 0;
   for (const double c : coordinates) largest = std::max(largest, std::abs(c));
   // 2^e <= largest < 2^(e+1) for normal numbers; the factor 2^(59-e) has to be normal too.
   const auto biased_exponent = static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(largest) >> 52U);
   const std::int64_t biased_factor = 2 * 1023 + 59 - biased_exponent;
-  std::array<std::int64_t, Count> integers{};
-  if (largest == 0) return integers;
+  if (largest == 0) return ScaledIntegers<Count>();
   if (biased_factor > 2046) return std::nullopt;
   const auto factor = std::bit_cast<double>(static_cast<std::uint64_t>(biased_factor) << 52U);
+  ScaledIntegers<Count> result{{}, static_cast<int>(1023 - biased_factor)};
+  std::array<std::int64_t, Count>& integers = result.integers;
   bool all_integers = true;
   for (std::size_t i = 0; i < Count; ++i) {
     const double scaled = coordinates[i] * factor;
@@ -34,7 +42,7 @@ std::optional<std::array<std::int64_t, Count>> scale_to_integers(const std::arra
     // A product that underflows to 0 means a coordinate far below the common power.
     all_integers = all_integers && static_cast<double>(integers[i]) == scaled && (scaled != 0 || coordinates[i] == 0);
   }
-  return all_integers ? std::optional(integers) : std::nullopt;
+  return all_integers ? std::optional(result) : std::nullopt;
 }
 
 /// Sign of the determinant of rows p[1] - p[0], p[2] - p[0], p[3] - p[0], given by columns; entries below 2^60.

@@ -8,6 +8,7 @@
 
 #include "algebra3d/exact/detail/homogeneous.h"
 #include "algebra3d/exact/intersection_point.h"
+#include "algebra3d/exact/plane.h"
 #include "unit/exact/point_families.h"
 
 namespace algebra3d {
@@ -83,6 +84,35 @@ TEST_P(Constructions, line_and_plane_meet_in_the_exact_point) {
     const ExactPoint met = intersect_line_plane(p[3].ours, p[4].ours, IntegerPlane::through(triangle(p, 0)));
     ASSERT_EQ(in_oracle(met.rational()), *expected);
     ASSERT_EQ(met, intersect_line_plane(p[4].ours, p[3].ours, IntegerPlane::through(triangle(p, 0))));
+    for (const ExactPoint& of_triangle : {intersect_line_plane(p[3].ours, p[4].ours, triangle(p, 0)),
+                                          intersect_line_plane(p[4].ours, p[3].ours, triangle(p, 0))}) {
+      ASSERT_EQ(in_oracle(of_triangle.rational()), *expected);
+      ASSERT_EQ(of_triangle, met);
+      ASSERT_EQ(of_triangle.hash(), met.hash());
+    }
+    ++count;
+  }
+  EXPECT_GT(count, 100);
+}
+
+// Integers without a common divisor from the fraction, and as they come from the planes.
+TEST_P(Constructions, points_are_equal_however_they_are_made) {
+  Random random(6);
+  int count = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const auto p = make_points(GetParam(), random, 5);
+    const Plane plane = oracle_plane(p, 0);
+    if (plane.is_degenerate() || p[3].oracle == p[4].oracle) continue;
+    const auto common = CGAL::intersection(Line(p[3].oracle, p[4].oracle), plane);
+    const Oracle* expected = common ? boost::get<Oracle>(&*common) : nullptr;
+    if (expected == nullptr || !is_in_range(*expected)) continue;
+    const ExactPoint met = intersect_line_plane(p[3].ours, p[4].ours, triangle(p, 0));
+    const ExactPoint same = TestPoint(*expected).ours;
+    ASSERT_EQ(met, same);
+    ASSERT_EQ(met.hash(), same.hash());
+    const ExactPoint near(met.rational() + RationalVec3(Rational(1, 3) * Rational(0x1p-200), 0, 0));
+    ASSERT_NE(met, near);
+    ASSERT_NE(near, met);
     ++count;
   }
   EXPECT_GT(count, 100);
