@@ -6,6 +6,8 @@ namespace algebra3d::arrangement {
 
 /// Number of faces from which on another thread saves more than it costs (base/scheduler.h).
 inline constexpr std::size_t kWorthAThread = 20000;
+/// Faces that one task goes through, a few nanoseconds each.
+inline constexpr std::size_t kFacesPerTask = 16384;
 /// Points or planes that are computed exactly by one task.
 inline constexpr std::size_t kPointsPerTask = 32;
 
