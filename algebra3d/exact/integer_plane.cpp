@@ -98,15 +98,8 @@ int IntegerPlane::side(const PointRef& point) const {
   return rounded != detail::kUndecided ? rounded : side_by_integers(*form_, point);
 }
 
-std::array<int, 3> IntegerPlane::sides(const TriangleRef& points) const {
-  detail::count_calls(3);
-  const Form& form = *form_;
-  std::array<int, 3> result{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    result[i] = form.rounded_side(points[i].approx);
-    if (result[i] == detail::kUndecided) result[i] = side_by_integers(form, points[i]);
-  }
-  return result;
+int IntegerPlane::rounded_side(const Vec3& point) const {
+  return form_->rounded_side(point);
 }
 
 int IntegerPlane::side_by_integers(const Form& form, const PointRef& point) {

@@ -82,6 +82,8 @@ Contact intersect_segment_triangle(PointRef p, PointRef q, const TriangleRef& tr
 /// plane; some twenty of orient2d in a common plane. Source: [guigue2003] for the order of the tests, which use
 /// orient3d, orient2d and comparisons only.
 Contact intersect_triangles(const TriangleRef& s, const TriangleRef& t);
+/// The same for two triangles in one plane.
+Contact intersect_coplanar_triangles(const TriangleRef& s, const TriangleRef& t);
 
 /// True if the triangles (shared, s1, s2) and (shared, t1, t2) share more than the corner `shared`, that is, a segment
 /// or an area. Neither may be degenerate. Cost: two to four calls of orient3d unless they are coplanar.

@@ -79,15 +79,6 @@ Contact contact_across_edges(const TriangleRef& triangle, const TriangleRef& oth
   return Contact::area;
 }
 
-// Two convex polygons have no common inner point only if the line of an edge of one of them keeps them apart.
-Contact coplanar_triangles(const TriangleRef& s, const TriangleRef& t) {
-  const Projection plane = dominant_projection(s[0], s[1], s[2]);
-  const TriangleRef turned_s = counterclockwise(s, plane);
-  const TriangleRef turned_t = counterclockwise(t, plane);
-  const Contact contact = contact_across_edges(turned_s, turned_t, plane);
-  return contact != Contact::area ? contact : contact_across_edges(turned_t, turned_s, plane);
-}
-
 Contact coplanar_segment_triangle(const PointRef& p, const PointRef& q, const TriangleRef& triangle) {
   const Projection plane = dominant_projection(triangle[0], triangle[1], triangle[2]);
   const TriangleRef turned = counterclockwise(triangle, plane);
@@ -225,10 +216,19 @@ Contact intersect_segment_triangle(PointRef p, PointRef q, const TriangleRef& tr
   return ab * ca < 0 || bc * ca < 0 ? Contact::none : Contact::point;
 }
 
+// Two convex polygons have no common inner point only if the line of an edge of one of them keeps them apart.
+Contact intersect_coplanar_triangles(const TriangleRef& s, const TriangleRef& t) {
+  const Projection plane = dominant_projection(s[0], s[1], s[2]);
+  const TriangleRef turned_s = counterclockwise(s, plane);
+  const TriangleRef turned_t = counterclockwise(t, plane);
+  const Contact contact = contact_across_edges(turned_s, turned_t, plane);
+  return contact != Contact::area ? contact : contact_across_edges(turned_t, turned_s, plane);
+}
+
 Contact intersect_triangles(const TriangleRef& s, const TriangleRef& t) {
   const Signs t_heights = sides_of_plane(s, t);
   if (all_equal_and_not_zero(t_heights)) return Contact::none;
-  if (all_zero(t_heights)) return coplanar_triangles(s, t);
+  if (all_zero(t_heights)) return intersect_coplanar_triangles(s, t);
   const Signs s_heights = sides_of_plane(t, s);
   if (all_equal_and_not_zero(s_heights)) return Contact::none;
   return intervals_on_common_line(s, s_heights, t, t_heights);

@@ -4,8 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "algebra3d/arrangement/detail/edge_sides.h"
-#include "algebra3d/exact/integer_plane.h"
+#include "algebra3d/arrangement/detail/plane_triangle.h"
 #include "algebra3d/exact/predicates.h"
 
 namespace algebra3d::arrangement {
@@ -28,33 +27,24 @@ struct ContactPoint {
   bool first_runs_along = false, second_runs_along = false;
 };
 
-/// The common part of two triangles: nothing, a point, or a segment with its two ends. Coplanar triangles are marked as
-/// such and not examined any further: whether they meet at all is asked later (find_pair_contacts).
+/// The common part of two triangles: nothing, a point, or a segment with its two ends. Of coplanar triangles only is
+/// known that they meet.
 struct TriangleContact {
   static constexpr std::uint8_t kNoEdge = 3;
 
-  bool is_coplanar = false;
-  /// The edge of each triangle that lies in the plane of the other one; the common part, if there is any, is on it.
+  bool is_coplanar = false;  ///< in one plane, with some point in common
+  /// The edge of each triangle that lies in the plane of the other one; the common part, if it is a segment or inside
+  /// an edge, is on it.
   std::uint8_t first_edge = kNoEdge, second_edge = kNoEdge;
   std::uint8_t count = 0;  ///< of points: 0, 1 or 2
   std::array<ContactPoint, 2> points{};
+
+  bool is_empty() const { return !is_coplanar && count == 0; }
 };
 
-/// A triangle of an operand, with its plane if that is known. The vertices are the keys of EdgeSides.
-struct PlaneTriangle {
-  TriangleRef corners;
-  std::array<InputVertexId, 3> vertices;
-  const IntegerPlane* plane = nullptr;
-
-  /// The edge from corner i to the next.
-  InputEdgeEnds edge(std::size_t i) const {
-    const std::size_t j = i == 2 ? 0 : i + 1;
-    return {corners[i], corners[j], vertices[i], vertices[j]};
-  }
-};
-
-/// The common part of two triangles, neither of which may be degenerate. Exact: signs of the corners alone, no point is
-/// constructed. Cost: three to six calls of orient3d for triangles that do not meet, up to eighteen for those that do.
+/// The common part of two triangles. Exact: signs of the corners alone, no point is constructed. Corners that the two
+/// share need no arithmetic, nor do triangles that have nothing else in common. Cost: three to six calls of orient3d
+/// for triangles that do not meet, up to eighteen for those that do.
 TriangleContact contact_of(const PlaneTriangle& first, const PlaneTriangle& second, EdgeSides& edge_sides);
 
 /// A triangle seen along an axis, so that points of its plane can be placed in it.

@@ -37,14 +37,16 @@ Ordered ordered(const InputEdgeEnds& edge, const InputEdgeEnds& other) {
 
 }  // namespace
 
+int EdgeSides::rounded_side(const InputEdgeEnds& edge, const InputEdgeEnds& other) {
+  detail::count_call();
+  const bool are_doubles = edge.a.is_double() && edge.b.is_double() && other.a.is_double() && other.b.is_double();
+  return are_doubles ? detail::filter_orient3d(edge.a.approx, edge.b.approx, other.a.approx, other.b.approx)
+                     : detail::filter_rounded_orient3d(edge.a.approx, edge.b.approx, other.a.approx, other.b.approx);
+}
+
 int EdgeSides::side(const InputEdgeEnds& edge, const InputEdgeEnds& other) {
   const bool are_doubles = edge.a.is_double() && edge.b.is_double() && other.a.is_double() && other.b.is_double();
   if (are_doubles) return orient3d(edge.a, edge.b, other.a, other.b);
-  const int rounded = detail::filter_rounded_orient3d(edge.a.approx, edge.b.approx, other.a.approx, other.b.approx);
-  if (rounded != detail::kUndecided) {
-    detail::count_call();
-    return rounded;
-  }
   const auto [vertices, sign] = ordered(edge, other);
   if (known_.empty()) known_.resize(kPlaces);
   Known& known = known_[hash_of(vertices) % kPlaces];

@@ -14,13 +14,16 @@ struct InputEdgeEnds {
   InputVertexId vertex_a, vertex_b;
 };
 
-/// Computes on which side one edge passes another, and caches it: orient3d of their four ends. Only signs that needed
-/// exact arithmetic are cached, since the faces on both sides of either edge ask for the same sign soon after each
-/// other; where bodies nearly touch this is most of the work.
+/// Computes on which side one edge passes another: orient3d of their four ends. Signs that need exact arithmetic are
+/// cached, since the faces on both sides of either edge ask for the same sign soon after each other; where bodies
+/// nearly touch this is most of the work.
 class EdgeSides {
  public:
-  /// orient3d(edge.a, edge.b, other.a, other.b): -1, 0 or 1. Exact. A cached sign serves for every order of the edges
-  /// and of their ends; the result has the sign of the order given.
+  /// orient3d(edge.a, edge.b, other.a, other.b) as far as rounded numbers tell: -1, 0, 1 or detail::kUndecided. Ask
+  /// this first.
+  static int rounded_side(const InputEdgeEnds& edge, const InputEdgeEnds& other);
+  /// The same, exact. A cached sign serves for every order of the edges and of their ends; the result has the sign of
+  /// the order given.
   int side(const InputEdgeEnds& edge, const InputEdgeEnds& other);
 
  private:

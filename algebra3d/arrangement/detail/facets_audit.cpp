@@ -91,8 +91,9 @@ void FacetsAudit::check_plane(PlaneId id) {
   violations_.expect(orient2d(projection, triangle[0], triangle[1], triangle[2]) > 0,
                      "plane {}: its triangle does not turn counter-clockwise", id.index());
   if (!coefficients.is_null())
-    violations_.expect(coefficients.sides(triangle) == std::array<int, 3>{},
-                       "plane {}: its triangle is not in the plane of the coefficients", id.index());
+    violations_.expect(
+        std::ranges::all_of(triangle, [&](const PointRef& corner) { return coefficients.side(corner) == 0; }),
+        "plane {}: its triangle is not in the plane of the coefficients", id.index());
 }
 
 }  // namespace

@@ -16,10 +16,6 @@ std::size_t pairs_per_task(std::size_t pairs) {
   return std::max<std::size_t>(250, pairs / 64);
 }
 
-bool has_exact_corner(const TriangleRef& corners) {
-  return !std::ranges::all_of(corners, &PointRef::is_double);
-}
-
 bool has_exact_corners(const Operands& operands) {
   return std::ranges::any_of(operands.ids(),
                              [&](OperandId operand) { return operands.mesh(operand).points().exact_count() > 0; });
@@ -72,7 +68,7 @@ class PairMember {
 
   const PlaneTriangle& get(InputFaceId face) {
     if (face != face_) {
-      triangle_.emplace(PlaneTriangle{operands_.corners(face), operands_.vertices(face), planes_.find(face)});
+      triangle_.emplace(operands_.corners(face), operands_.vertices(face), planes_.find(face));
       face_ = face;
     }
     return *triangle_;
@@ -85,11 +81,6 @@ class PairMember {
   std::optional<PlaneTriangle> triangle_;
 };
 
-bool touch(const TriangleContact& contact, const PlaneTriangle& first, const PlaneTriangle& second) {
-  if (contact.is_coplanar) return intersect_triangles(first.corners, second.corners) != Contact::none;
-  return contact.count > 0;
-}
-
 /// Contacts of the pairs that touch. Incomplete once the work is cancelled.
 std::vector<PairContact> contacts_of(PairSpan pairs, const Operands& operands, const PlanesOfFaces& planes,
                                      Stage stage) {
@@ -98,9 +89,11 @@ std::vector<PairContact> contacts_of(PairSpan pairs, const Operands& operands, c
   EdgeSides edge_sides;
   for (const auto& [first_face, second_face] : pairs) {
     if (!stage.begin_step()) break;
-    const PlaneTriangle &first = first_member.get(first_face), &second = second_member.get(second_face);
-    const TriangleContact contact = contact_of(first, second, edge_sides);
-    if (touch(contact, first, second)) result.push_back({first_face, second_face, contact});
+    const PlaneTriangle& second = second_member.get(second_face);
+    // Most faces are clearly beside the other one's plane, and need not be looked up any further.
+    if (are_all_on_one_side(second.rounded_sides(operands.corners(first_face)))) continue;
+    const TriangleContact contact = contact_of(first_member.get(first_face), second, edge_sides);
+    if (!contact.is_empty()) result.push_back({first_face, second_face, contact});
   }
   return result;
 }

@@ -1,0 +1,32 @@
+#include "algebra3d/arrangement/detail/plane_triangle.h"
+
+#include <algorithm>
+
+#include "algebra3d/exact/counters.h"
+
+namespace algebra3d::arrangement {
+
+bool has_exact_corner(const TriangleRef& triangle) {
+  return !std::ranges::all_of(triangle, &PointRef::is_double);
+}
+
+PlaneTriangle::PlaneTriangle(const TriangleRef& corners, const std::array<InputVertexId, 3>& vertices,
+                             const IntegerPlane* plane)
+    : corners_(corners), vertices_(vertices), plane_(plane) {
+  if (plane_ == nullptr && !has_exact_corner(corners_))
+    filter_.emplace(corners_[0].approx, corners_[1].approx, corners_[2].approx);
+}
+
+Signs PlaneTriangle::rounded_sides(const TriangleRef& points) const {
+  detail::count_calls(3);
+  Signs signs{detail::kUndecided, detail::kUndecided, detail::kUndecided};
+  if (plane_ != nullptr) {
+    for (std::size_t i = 0; i < 3; ++i) signs[i] = plane_->rounded_side(points[i].approx);
+  } else if (filter_) {
+    for (std::size_t i = 0; i < 3; ++i)
+      if (points[i].is_double()) signs[i] = filter_->side(points[i].approx);
+  }
+  return signs;
+}
+
+}  // namespace algebra3d::arrangement
