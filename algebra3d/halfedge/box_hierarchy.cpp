@@ -161,23 +161,6 @@ BoxHierarchy::FrameChange BoxHierarchy::change_from(const BoxHierarchy& other) c
   return change;
 }
 
-/// A box in this frame around what the other frame's box stands for. Both frames round to float, by 2^-24 of the
-/// number, and so do the shift and the sum: the margin covers these and its own roundings. Frames that are too
-/// different give a box without bounds.
-BoxHierarchy::Box BoxHierarchy::changed(const FrameChange& change, const Box& box) {
-  Box result{};
-  for (std::size_t axis = 0; axis < 4; ++axis) {
-    const float min = box.min[axis] * change.factor[axis], max = box.max[axis] * change.factor[axis];
-    const float shift = change.shift[axis], size = std::abs(shift);
-    result.min[axis] = min + shift - ((std::abs(min) + size) * 0x1p-20F + 0x1p-100F);
-    result.max[axis] = max + shift + ((std::abs(max) + size) * 0x1p-20F + 0x1p-100F);
-  }
-  if (change.is_known) return result;
-  result.min.fill(-kInfinity);
-  result.max.fill(kInfinity);
-  return result;
-}
-
 std::vector<BoxHierarchy::CrossPair> BoxHierarchy::cross_roots(const BoxHierarchy& other,
                                                                const FrameChange& change) const {
   constexpr std::size_t kEnough = 48;
@@ -195,22 +178,32 @@ std::vector<BoxHierarchy::CrossPair> BoxHierarchy::cross_roots(const BoxHierarch
   return pairs;
 }
 
+void BoxHierarchy::push_own_children(const Node& own, const Node& other, const Box& box,
+                                     std::vector<CrossPair>& stack) const {
+  const std::vector<Box>& below = levels_[own.level - 1].boxes;
+  const auto end = std::min(2 * own.index + 2, static_cast<std::uint32_t>(below.size()));
+  for (std::uint32_t child = 2 * own.index; child < end; ++child)
+    if (below[child].meets(box)) stack.push_back({{own.level - 1, child}, other, box});
+}
+
 void BoxHierarchy::push_cross_children(const BoxHierarchy& other, const FrameChange& change, const CrossPair& pair,
                                        std::vector<CrossPair>& stack) const {
   // The higher node is opened; of equals the other one, whose children have to be brought into this frame.
-  if (pair.own.level > pair.other.level) {
-    const std::vector<Box>& below = levels_[pair.own.level - 1].boxes;
-    const auto end = std::min(2 * pair.own.index + 2, static_cast<std::uint32_t>(below.size()));
-    for (std::uint32_t child = 2 * pair.own.index; child < end; ++child)
-      if (below[child].meets(pair.box)) stack.push_back({{pair.own.level - 1, child}, pair.other, pair.box});
-    return;
-  }
+  if (pair.own.level > pair.other.level) return push_own_children(pair.own, pair.other, pair.box, stack);
   const Box& own = levels_[pair.own.level].boxes[pair.own.index];
   const std::vector<Box>& below = other.levels_[pair.other.level - 1].boxes;
   const auto end = std::min(2 * pair.other.index + 2, static_cast<std::uint32_t>(below.size()));
   for (std::uint32_t child = 2 * pair.other.index; child < end; ++child)
     if (const Box box = changed(change, below[child]); own.meets(box))
       stack.push_back({pair.own, {pair.other.level - 1, child}, box});
+}
+
+void BoxHierarchy::push_children_of_both(const BoxHierarchy& other, const FrameChange& change, const CrossPair& pair,
+                                         std::vector<CrossPair>& stack) const {
+  const std::vector<Box>& below = other.levels_[pair.other.level - 1].boxes;
+  const auto end = std::min(2 * pair.other.index + 2, static_cast<std::uint32_t>(below.size()));
+  for (std::uint32_t child = 2 * pair.other.index; child < end; ++child)
+    push_own_children(pair.own, {pair.other.level - 1, child}, changed(change, below[child]), stack);
 }
 
 void BoxHierarchy::sort_faces(std::vector<Box>& boxes) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -130,6 +131,17 @@ class BoxHierarchy {
   /// Pushes the pairs of children that meet.
   void push_cross_children(const BoxHierarchy& other, const FrameChange& change, const CrossPair& pair,
                            std::vector<CrossPair>& stack) const;
+  /// Pushes the pairs of a child of this hierarchy's node and the other node, given with its box, that meet.
+  void push_own_children(const Node& own, const Node& other, const Box& box, std::vector<CrossPair>& stack) const;
+  /// The same for both nodes of a pair of one level, above the leaves: the pairs that opening one after the other
+  /// gives, in the same order.
+  void push_children_of_both(const BoxHierarchy& other, const FrameChange& change, const CrossPair& pair,
+                             std::vector<CrossPair>& stack) const;
+  /// The boxes of the faces of a leaf of another hierarchy, in the frame of this one.
+  struct ChangedLeaf {
+    std::uint32_t index = std::numeric_limits<std::uint32_t>::max();
+    std::array<Box, kLeafSize> boxes{};
+  };
   void sort_faces(std::vector<Box>& boxes);
   void build_levels();
   static bool is_one_group(const Level& level, std::uint32_t a, std::uint32_t b) {
@@ -147,6 +159,9 @@ class BoxHierarchy {
   bool visit_leaf_pair(std::size_t a, std::size_t b, Visit& visit) const;
   template <typename Visit>
   bool visit_leaf(std::size_t leaf, Visit& visit) const;
+  template <typename Visit>
+  bool visit_cross_leaves(const BoxHierarchy& other, const FrameChange& change, const CrossPair& pair,
+                          ChangedLeaf& changed_leaf, Visit& visit) const;
 
   Vec3 origin_;
   double scale_ = 1;
@@ -166,6 +181,23 @@ inline bool BoxHierarchy::Box::meets(const Box& other) const {
   return (min[0] <= other.max[0]) & (other.min[0] <= max[0]) & (min[1] <= other.max[1]) & (other.min[1] <= max[1]) &
          (min[2] <= other.max[2]) & (other.min[2] <= max[2]);
 #endif
+}
+
+/// A box in this frame around what the other frame's box stands for. Both frames round to float, by 2^-24 of the
+/// number, and so do the shift and the sum: the margin covers these and its own roundings. Frames that are too
+/// different give a box without bounds.
+inline BoxHierarchy::Box BoxHierarchy::changed(const FrameChange& change, const Box& box) {
+  Box result{};
+  for (std::size_t axis = 0; axis < 4; ++axis) {
+    const float min = box.min[axis] * change.factor[axis], max = box.max[axis] * change.factor[axis];
+    const float shift = change.shift[axis], size = std::abs(shift);
+    result.min[axis] = min + shift - ((std::abs(min) + size) * 0x1p-20F + 0x1p-100F);
+    result.max[axis] = max + shift + ((std::abs(max) + size) * 0x1p-20F + 0x1p-100F);
+  }
+  if (change.is_known) return result;
+  result.min.fill(-kInfinity);
+  result.max.fill(kInfinity);
+  return result;
 }
 
 template <typename Visit>
@@ -228,6 +260,28 @@ void BoxHierarchy::for_each_pair(const NodePair& part, Visit visit, Pause pause)
   }
 }
 
+/// `changed_leaf` is that of the last pair: pairs of one leaf of the other hierarchy often follow one another.
+template <typename Visit>
+bool BoxHierarchy::visit_cross_leaves(const BoxHierarchy& other, const FrameChange& change, const CrossPair& pair,
+                                      ChangedLeaf& changed_leaf, Visit& visit) const {
+  std::array<std::uint32_t, kLeafSize> positions{};
+  const std::span<const std::uint32_t> reached = reaching(pair.own.index, pair.box, positions);
+  if (reached.empty()) return true;
+  const std::size_t begin = pair.other.index * kLeafSize, count = other.leaf_faces(pair.other.index).size();
+  if (changed_leaf.index != pair.other.index) {
+    changed_leaf.index = pair.other.index;
+    for (std::size_t i = 0; i < count; ++i) changed_leaf.boxes[i] = changed(change, other.face_boxes_[begin + i]);
+  }
+  const Box own = levels_[0].boxes[pair.own.index];
+  for (std::size_t i = 0; i < count; ++i) {
+    const Box& box = changed_leaf.boxes[i];
+    if (!box.meets(own)) continue;
+    for (const std::uint32_t position : reached)
+      if (box.meets(face_boxes_[position]) && !visit(faces_[position], other.faces_[begin + i])) return false;
+  }
+  return true;
+}
+
 template <typename Visit, typename Pause>
 void BoxHierarchy::for_each_pair_with(const BoxHierarchy& other, Visit visit, Pause pause, Share share) const {
   if (faces_.empty() || other.faces_.empty()) return;
@@ -235,24 +289,18 @@ void BoxHierarchy::for_each_pair_with(const BoxHierarchy& other, Visit visit, Pa
   const std::vector<CrossPair> roots = cross_roots(other, change);
   std::vector<CrossPair> stack;
   for (std::size_t root = share.index; root < roots.size(); root += share.count) stack.push_back(roots[root]);
+  ChangedLeaf changed_leaf;
   std::uint32_t steps = 0;
   while (!stack.empty()) {
     const CrossPair pair = stack.back();
     stack.pop_back();
     if (++steps % 4096 == 0 && !pause()) return;
-    if (pair.own.level > 0 || pair.other.level > 0) {
+    if (pair.own.level != pair.other.level)
       push_cross_children(other, change, pair, stack);
-      continue;
-    }
-    std::array<std::uint32_t, kLeafSize> positions{};
-    const std::span<const std::uint32_t> reached = reaching(pair.own.index, pair.box, positions);
-    if (reached.empty()) continue;
-    const std::size_t begin = pair.other.index * kLeafSize, end = std::min(begin + kLeafSize, other.faces_.size());
-    for (std::size_t i = begin; i < end; ++i) {
-      const Box box = changed(change, other.face_boxes_[i]);
-      for (const std::uint32_t position : reached)
-        if (box.meets(face_boxes_[position]) && !visit(faces_[position], other.faces_[i])) return;
-    }
+    else if (pair.own.level > 0)
+      push_children_of_both(other, change, pair, stack);
+    else if (!visit_cross_leaves(other, change, pair, changed_leaf, visit))
+      return;
   }
 }
 
