@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <compare>
 #include <limits>
 #include <utility>
 
@@ -12,25 +13,37 @@
 
 namespace algebra3d {
 
+using detail::ConstantHomogeneous;
 using detail::HomogeneousPoint;
 using detail::HomogeneousView;
 
 /// The numbers, and doubles that are nearly them: times one power of two, which makes the longest coefficient of the
 /// normal about 1.
 struct IntegerPlane::Form {
-  HomogeneousPoint numbers;
+  ConstantHomogeneous numbers;
   std::array<double, 4> rounded{};
 
-  void finish();
+  /// Takes the numbers, without a common divisor if they are long.
+  static std::shared_ptr<const Form> of(HomogeneousPoint& numbers);
+  explicit Form(const HomogeneousPoint& given);
   /// detail::kUndecided if that needs the integers.
   int rounded_side(const Vec3& point) const;
+  /// False if the rounded numbers show that the planes are different.
+  bool may_equal(const Form& other) const;
 };
+
+/// Of a plane through doubles.
+constexpr std::size_t kLongestUnreduced = 4;
 
 // Smaller coefficients, in terms of the longest one, might lose bits by underflow.
 constexpr long kSmallestShift = -900;
 
-void IntegerPlane::Form::finish() {
-  detail::divide_by_common_divisor(numbers);
+std::shared_ptr<const IntegerPlane::Form> IntegerPlane::Form::of(HomogeneousPoint& numbers) {
+  detail::shorten(numbers, kLongestUnreduced);
+  return std::make_shared<const Form>(numbers);
+}
+
+IntegerPlane::Form::Form(const HomogeneousPoint& given) : numbers(given) {
   std::array<double, 4> mantissas{};
   std::array<long, 4> exponents{};
   for (std::size_t i = 0; i < 4; ++i) mantissas[i] = mpz_get_d_2exp(&exponents[i], numbers[i]);
@@ -41,43 +54,39 @@ void IntegerPlane::Form::finish() {
     rounded[i] = std::ldexp(mantissas[i], static_cast<int>(std::clamp(shift, -2000L, 2000L)));
     is_in_range = is_in_range && (mantissas[i] == 0 || shift >= kSmallestShift);
   }
-  // Of one sign, so that equal planes have equal numbers however they came about.
   if (!is_in_range || std::isinf(rounded[3])) rounded[3] = std::numeric_limits<double>::infinity();
 }
 
 IntegerPlane IntegerPlane::through(const TriangleRef& triangle) {
   thread_local std::array<HomogeneousPoint, 3> buffers;
-  const auto form = std::make_shared<Form>();
+  thread_local HomogeneousPoint numbers;
   const auto& [a, b, c] = triangle;
   if (a.is_double() && b.is_double() && c.is_double())
-    detail::join(form->numbers, a.approx, b.approx, c.approx);
+    detail::join(numbers, a.approx, b.approx, c.approx);
   else
-    detail::join(form->numbers, {a, buffers[0]}, {b, buffers[1]}, {c, buffers[2]});
-  form->finish();
-  return IntegerPlane(form);
+    detail::join(numbers, {a, buffers[0]}, {b, buffers[1]}, {c, buffers[2]});
+  return IntegerPlane(Form::of(numbers));
 }
 
 IntegerPlane IntegerPlane::along_axis(PointRef p, PointRef q, std::size_t axis) {
   thread_local std::array<HomogeneousPoint, 2> buffers;
   thread_local HomogeneousPoint at_infinity;  // of the axis
   for (std::size_t i = 0; i < 4; ++i) mpz_set_ui(at_infinity[i], i == axis ? 1 : 0);
-  const auto form = std::make_shared<Form>();
-  detail::join(form->numbers, {p, buffers[0]}, {q, buffers[1]}, at_infinity);
-  form->finish();
-  return IntegerPlane(form);
+  thread_local HomogeneousPoint numbers;
+  detail::join(numbers, {p, buffers[0]}, {q, buffers[1]}, at_infinity);
+  return IntegerPlane(Form::of(numbers));
 }
 
 IntegerPlane IntegerPlane::of(const ExactPlane& plane) {
   const ExactPlane canonical = plane.canonical();
   const RationalAccess::View offset(canonical.offset);
-  const auto form = std::make_shared<Form>();
+  thread_local HomogeneousPoint numbers;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const RationalAccess::View component(canonical.normal[axis]);
-    mpz_mul(form->numbers[axis], component.numerator(), offset.denominator());
+    mpz_mul(numbers[axis], component.numerator(), offset.denominator());
   }
-  mpz_neg(form->numbers[3], offset.numerator());
-  form->finish();
-  return IntegerPlane(form);
+  mpz_neg(numbers[3], offset.numerator());
+  return IntegerPlane(Form::of(numbers));
 }
 
 int IntegerPlane::Form::rounded_side(const Vec3& p) const {
@@ -113,13 +122,9 @@ int IntegerPlane::side_by_integers(const Form& form, const PointRef& point) {
 }
 
 IntegerPlane IntegerPlane::flipped() const {
-  const auto form = std::make_shared<Form>();
-  for (std::size_t i = 0; i < 4; ++i) {
-    mpz_neg(form->numbers[i], form_->numbers[i]);
-    // An infinite offset stands for one that no double tells, and has one sign in all planes.
-    form->rounded[i] = std::isinf(form_->rounded[i]) ? form_->rounded[i] : -form_->rounded[i];
-  }
-  return IntegerPlane(form);
+  thread_local HomogeneousPoint numbers;
+  for (std::size_t i = 0; i < 4; ++i) mpz_neg(numbers[i], form_->numbers[i]);
+  return IntegerPlane(std::make_shared<const Form>(numbers));
 }
 
 ExactPlane IntegerPlane::exact() const {
@@ -128,15 +133,33 @@ ExactPlane IntegerPlane::exact() const {
   return {RationalVec3(integer(0), integer(1), integer(2)), -integer(3)};
 }
 
-const HomogeneousPoint& IntegerPlane::coefficients() const {
+const ConstantHomogeneous& IntegerPlane::coefficients() const {
   return form_->numbers;
 }
 
+/// Compares the ratios of the rounded numbers to the longest one of the normal: those of one plane differ by a few
+/// roundings at most.
+bool IntegerPlane::Form::may_equal(const Form& other) const {
+  if (std::isinf(rounded[3]) || std::isinf(other.rounded[3])) return true;
+  std::size_t longest = 0;
+  for (std::size_t i = 1; i < 3; ++i)
+    if (std::abs(rounded[i]) > std::abs(rounded[longest])) longest = i;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double own = rounded[i] * other.rounded[longest], its = other.rounded[i] * rounded[longest];
+    if (std::abs(own - its) > 0x1p-48 * (std::abs(own) + std::abs(its))) return false;
+  }
+  return true;
+}
+
+/// True if the numbers of one are those of the other times a positive factor.
 bool operator==(const IntegerPlane& a, const IntegerPlane& b) {
   if (a.form_ == b.form_) return true;
-  if (a.is_null() || b.is_null() || a.form_->rounded != b.form_->rounded) return false;
+  if (a.is_null() || b.is_null() || !a.form_->may_equal(*b.form_)) return false;
+  const ConstantHomogeneous &p = a.coefficients(), &q = b.coefficients();
+  const std::size_t axis = mpz_sgn(p[0]) != 0 ? 0 : mpz_sgn(p[1]) != 0 ? 1 : 2;
+  if (mpz_sgn(p[axis]) != mpz_sgn(q[axis])) return false;
   for (std::size_t i = 0; i < 4; ++i)
-    if (mpz_cmp(a.coefficients()[i], b.coefficients()[i]) != 0) return false;
+    if (std::is_neq(detail::compare_quotients(p[i], p[axis], q[i], q[axis]))) return false;
   return true;
 }
 

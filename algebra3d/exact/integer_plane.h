@@ -10,12 +10,12 @@
 namespace algebra3d {
 
 namespace detail {
-struct HomogeneousPoint;
+class ConstantHomogeneous;
 }
 
-/// An oriented plane given by four integers without a common divisor: a x + b y + c z = d; the front is where the left
-/// side is larger. Points are computed from them without fractions, and so without greatest common divisors. Cheap to
-/// copy; null by default.
+/// An oriented plane given by four integers: a x + b y + c z = d; the front is where the left side is larger. They may
+/// have a common divisor, as long as they are short. Points are computed from them without fractions, and so without
+/// greatest common divisors. Cheap to copy; null by default.
 class IntegerPlane {
  public:
   IntegerPlane() = default;
@@ -41,9 +41,9 @@ class IntegerPlane {
   IntegerPlane flipped() const;
   ExactPlane exact() const;
   /// a, b, c, -d.
-  const detail::HomogeneousPoint& coefficients() const;
+  const detail::ConstantHomogeneous& coefficients() const;
 
-  /// Same plane, same front: the form is unique.
+  /// Same plane, same front.
   friend bool operator==(const IntegerPlane& a, const IntegerPlane& b);
 
  private:

@@ -59,15 +59,14 @@ Leading leading_of(std::uint64_t numerator, std::uint64_t denominator) {
   return {static_cast<std::uint64_t>(dividend / divisor), dividend % divisor == 0, scale};
 }
 
-/// The `count` <= 128 leading bits of a positive number; zeros follow one that has fewer.
-UInt128 leading_bits(mpz_srcptr number, long count) {
-  thread_local mpz_class shifted;
-  const auto bits = static_cast<long>(mpz_sizeinbase(number, 2));
-  if (bits >= count)
-    mpz_tdiv_q_2exp(shifted.get_mpz_t(), number, static_cast<mp_bitcnt_t>(bits - count));
-  else
-    mpz_mul_2exp(shifted.get_mpz_t(), number, static_cast<mp_bitcnt_t>(count - bits));
-  return UInt128{mpz_getlimbn(shifted.get_mpz_t(), 1)} << 64U | mpz_getlimbn(shifted.get_mpz_t(), 0);
+/// The `count` <= 128 leading bits of a positive number of `bits` bits; zeros follow one that has fewer.
+UInt128 leading_bits(mpz_srcptr number, long bits, long count) {
+  const auto limb = [number](long i) { return UInt128{i < 0 ? 0 : mpz_getlimbn(number, i)}; };
+  const long top = (bits - 1) / 64;
+  const auto unused = static_cast<unsigned>(64 * (top + 1) - bits);  // of the bits of the top limb
+  UInt128 first = limb(top) << 64U | limb(top - 1);
+  if (unused > 0) first = first << unused | limb(top - 2) >> (64U - unused);
+  return first >> static_cast<unsigned>(128 - count);
 }
 
 /// Of positive numbers. From their first bits alone, where these tell.
@@ -75,9 +74,9 @@ Leading leading_of(mpz_srcptr numerator, mpz_srcptr denominator) {
   const auto numerator_bits = static_cast<long>(mpz_sizeinbase(numerator, 2));
   const auto denominator_bits = static_cast<long>(mpz_sizeinbase(denominator, 2));
   constexpr long kDivisorBits = 64, kDividendBits = 127, kUnsureBits = 7;
-  const UInt128 divisor_bits = leading_bits(denominator, kDivisorBits);
+  const UInt128 divisor_bits = leading_bits(denominator, denominator_bits, kDivisorBits);
   assert(divisor_bits != 0);
-  const UInt128 first = leading_bits(numerator, kDividendBits) / divisor_bits;
+  const UInt128 first = leading_bits(numerator, numerator_bits, kDividendBits) / divisor_bits;
   // What was cut off makes less than 2 of at least 2^62, up or down.
   const auto quotient = static_cast<std::uint64_t>(first);
   if ((quotient - 2) >> kUnsureBits == (quotient + 2) >> kUnsureBits && quotient < UINT64_MAX - 2)

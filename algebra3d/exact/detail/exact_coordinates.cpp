@@ -13,51 +13,31 @@ namespace {
 
 using detail::HomogeneousPoint;
 
-std::size_t limb_count(const HomogeneousPoint& numbers) {
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < 4; ++i) count += mpz_size(numbers[i]);
-  return count;
-}
-
-/// The limbs of the longest number that keeps its common divisors: of the common point of three planes through doubles.
-/// What these have in common is short, if there is anything, and finding it takes longer than all else. Of longer
-/// numbers, which come from exact points, it is most of them.
+/// Of the common point of three planes through doubles.
 constexpr std::size_t kLongestUnreduced = 7;
 
-void normalise(HomogeneousPoint& numbers) {
-  std::size_t longest = 0;
-  for (std::size_t i = 0; i < 4; ++i) longest = std::max(longest, mpz_size(numbers[i]));
-  if (longest > kLongestUnreduced)
-    detail::divide_by_common_divisor(numbers);
-  else
-    detail::divide_by_powers_of_two(numbers);
+void make_denominator_positive(HomogeneousPoint& numbers) {
   if (sgn(numbers.w) > 0) return;
   for (std::size_t i = 0; i < 4; ++i) mpz_neg(numbers[i], numbers[i]);
 }
 
 }  // namespace
 
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast)
 ExactCoordinates::ExactCoordinates(const HomogeneousPoint& numbers, const std::array<std::int8_t, 3>& beyond)
-    : beyond_(beyond) {
-  auto* limbs = reinterpret_cast<mp_limb_t*>(this + 1);  // NOLINT(cppcoreguidelines-pro-type-reinterpret-cast)
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::size_t size = mpz_size(numbers[i]);
-    std::copy_n(mpz_limbs_read(numbers[i]), size, limbs);
-    mpz_roinit_n(&numbers_[i], limbs, mpz_sgn(numbers[i]) * static_cast<mp_size_t>(size));
-    limbs += size;
-  }
-}
+    : beyond_(beyond), numbers_(detail::copy_to(reinterpret_cast<mp_limb_t*>(this + 1), numbers)) {}
 
 const ExactCoordinates* ExactCoordinates::allocate(const HomogeneousPoint& numbers,
                                                    const std::array<std::int8_t, 3>& beyond) {
   static_assert(sizeof(ExactCoordinates) % alignof(mp_limb_t) == 0);
   detail::count_heap_rational();
-  void* block = ::operator new(sizeof(ExactCoordinates) + limb_count(numbers) * sizeof(mp_limb_t));
+  void* block = ::operator new(sizeof(ExactCoordinates) + detail::limb_count(numbers) * sizeof(mp_limb_t));
   return new (block) ExactCoordinates(numbers, beyond);
 }
 
 SharedCoordinates ExactCoordinates::make(HomogeneousPoint& numbers, Vec3& approx) {
-  normalise(numbers);
+  detail::shorten(numbers, kLongestUnreduced);
+  make_denominator_positive(numbers);
   std::array<std::int8_t, 3> beyond{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const RoundedQuotient rounded = round_quotient(numbers[axis], numbers[3]);

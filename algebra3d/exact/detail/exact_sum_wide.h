@@ -71,8 +71,9 @@ class WideSum {
 
 template <std::size_t Limbs>
 void set_integer(mpz_ptr result, const WideInteger<Limbs>& number) {
-  mpz_import(result, Limbs, -1, sizeof(std::uint64_t), 0, 0, number.limbs.data());
-  if (number.is_negative) mpz_neg(result, result);
+  static_assert(sizeof(mp_limb_t) == sizeof(std::uint64_t));
+  std::ranges::copy(number.limbs, mpz_limbs_write(result, Limbs));
+  mpz_limbs_finish(result, number.is_negative ? -static_cast<mp_size_t>(Limbs) : static_cast<mp_size_t>(Limbs));
 }
 
 /// value / 2^exponent, which must be an integer below 2^(64 * Limbs).

@@ -38,6 +38,13 @@ void minor(mpz_class& result, mpz_srcptr a, mpz_srcptr b, mpz_srcptr c, mpz_srcp
   minor(result.get_mpz_t(), a, b, c, d);
 }
 
+void divide_by_powers_of_two(HomogeneousPoint& numbers) {
+  mp_bitcnt_t zeros = mpz_scan1(numbers[0], 0);
+  for (std::size_t i = 1; i < 4 && zeros != 0; ++i) zeros = std::min(zeros, mpz_scan1(numbers[i], 0));
+  if (zeros == 0) return;
+  for (std::size_t i = 0; i < 4; ++i) mpz_tdiv_q_2exp(numbers[i], numbers[i], zeros);
+}
+
 }  // namespace
 
 void join(HomogeneousPoint& result, const HomogeneousView& p, const HomogeneousView& q, const HomogeneousView& r) {
@@ -100,17 +107,28 @@ HomogeneousView::HomogeneousView(const PointRef& point, HomogeneousPoint& buffer
   for (std::size_t i = 0; i < 4; ++i) numbers_[i] = point.is_double() ? buffer[i] : (*point.exact)[i];
 }
 
-void divide_by_powers_of_two(HomogeneousPoint& numbers) {
-  mp_bitcnt_t zeros = mpz_scan1(numbers[0], 0);
-  for (std::size_t i = 1; i < 4 && zeros != 0; ++i) zeros = std::min(zeros, mpz_scan1(numbers[i], 0));
-  if (zeros == 0) return;
-  for (std::size_t i = 0; i < 4; ++i) mpz_tdiv_q_2exp(numbers[i], numbers[i], zeros);
+std::size_t limb_count(const HomogeneousPoint& numbers) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < 4; ++i) count += mpz_size(numbers[i]);
+  return count;
 }
 
-// Powers of two are what numbers that come from doubles mostly have in common; after them the greatest common divisor
-// of the first two is short.
-void divide_by_common_divisor(HomogeneousPoint& numbers) {
+SharingIntegers copy_to(mp_limb_t* limbs, const HomogeneousPoint& numbers) {
+  SharingIntegers result{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t size = mpz_size(numbers[i]);
+    std::copy_n(mpz_limbs_read(numbers[i]), size, limbs);
+    mpz_roinit_n(&result[i], limbs, mpz_sgn(numbers[i]) * static_cast<mp_size_t>(size));
+    limbs += size;
+  }
+  return result;
+}
+
+void shorten(HomogeneousPoint& numbers, std::size_t longest_kept) {
   divide_by_powers_of_two(numbers);
+  std::size_t longest = 0;
+  for (std::size_t i = 0; i < 4; ++i) longest = std::max(longest, mpz_size(numbers[i]));
+  if (longest <= longest_kept) return;
   thread_local mpz_class divisor;
   mpz_gcd(divisor.get_mpz_t(), numbers[0], numbers[1]);
   for (std::size_t i = 2; i < 4; ++i)

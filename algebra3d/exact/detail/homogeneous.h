@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <memory>
 
 #include <gmpxx.h>
 
@@ -22,12 +24,35 @@ struct HomogeneousPoint {
   void set(const Vec3& doubles);
 };
 
+/// Four integers that share an array of limbs, which must outlive them.
+using SharingIntegers = std::array<__mpz_struct, 4>;
+
+/// The limbs of all four numbers together.
+std::size_t limb_count(const HomogeneousPoint& numbers);
+/// Copies the limbs of the numbers to an array of limb_count; gives the numbers that lie there.
+SharingIntegers copy_to(mp_limb_t* limbs, const HomogeneousPoint& numbers);
+
+/// Homogeneous coordinates that do not change any more, in one heap block.
+class ConstantHomogeneous {
+ public:
+  explicit ConstantHomogeneous(const HomogeneousPoint& numbers)
+      : limbs_(std::make_unique<mp_limb_t[]>(limb_count(numbers))), numbers_(copy_to(limbs_.get(), numbers)) {}
+
+  mpz_srcptr operator[](std::size_t i) const { return &numbers_[i]; }
+
+ private:
+  std::unique_ptr<mp_limb_t[]> limbs_;
+  SharingIntegers numbers_;
+};
+
 /// A read-only view of homogeneous coordinates, of an exact point or of numbers elsewhere.
 class HomogeneousView {
  public:
   /// For a point of doubles the integers are computed in `buffer`.
   HomogeneousView(const PointRef& point, HomogeneousPoint& buffer);
   HomogeneousView(const HomogeneousPoint& numbers)  // NOLINT(google-explicit-constructor)
+      : numbers_{numbers[0], numbers[1], numbers[2], numbers[3]} {}
+  HomogeneousView(const ConstantHomogeneous& numbers)  // NOLINT(google-explicit-constructor)
       : numbers_{numbers[0], numbers[1], numbers[2], numbers[3]} {}
 
   mpz_srcptr operator[](std::size_t i) const { return numbers_[i]; }
@@ -36,9 +61,11 @@ class HomogeneousView {
   std::array<mpz_srcptr, 4> numbers_;
 };
 
-/// Divide the numbers, not all of which may be zero, by what they have in common, or by powers of two alone.
-void divide_by_common_divisor(HomogeneousPoint& numbers);
-void divide_by_powers_of_two(HomogeneousPoint& numbers);
+/// Divides the numbers, not all of which may be zero, by the powers of two that they have in common; if one has more
+/// than `longest_kept` limbs, by their greatest common divisor. Numbers that come from doubles have a common divisor
+/// beyond powers of two by chance only, and a short one; finding it takes longer than computing the numbers. Long
+/// numbers come from exact ones, and most of them is a common divisor.
+void shorten(HomogeneousPoint& numbers, std::size_t longest_kept);
 /// The scalar product of the four numbers. For a plane and a point: the value of the plane's equation times W.
 void dot(mpz_class& result, const HomogeneousView& a, const HomogeneousView& b);
 
