@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <memory_resource>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -16,7 +18,7 @@
 namespace algebra3d {
 namespace {
 
-/// A vertex, by the index of its point.
+/// A vertex, in the order in which the sweep meets them: one with a lower id is earlier.
 using SweepVertexId = StrongId<struct SweepVertexTag>;
 /// An edge, in the order in which they are given.
 using SweepEdgeId = StrongId<struct SweepEdgeTag>;
@@ -59,11 +61,12 @@ class Sweep {
   };
   using Active = std::pmr::set<SweepEdgeId, Below>;
 
-  PointRef point(SweepVertexId vertex) const { return points_[vertex.index()]; }
+  void collect(std::span<const DirectedEdge> edges);
+
+  PointRef point(SweepVertexId vertex) const { return points_[numbers_[vertex]]; }
   int turn(SweepVertexId a, SweepVertexId b, SweepVertexId c) const {
     return orient2d(projection_, point(a), point(b), point(c));
   }
-  bool is_earlier(SweepVertexId a, SweepVertexId b) const;
   bool is_below(SweepEdgeId a, SweepEdgeId b) const;
   bool is_below(SweepEdgeId edge, SweepVertexId vertex) const {
     return edges_[edge].later != vertex && side(edge, vertex) > 0;
@@ -80,7 +83,7 @@ class Sweep {
   std::pair<Frontier, Frontier> split(const Frontier& frontier, SweepVertexId vertex);
   Frontier join(const Frontier& lower, const Frontier& upper);
   void emit(SweepVertexId a, SweepVertexId b, SweepVertexId c) {
-    triangles_.push_back({a.index(), b.index(), c.index()});
+    triangles_.push_back({numbers_[a], numbers_[b], numbers_[c]});
   }
 
   const PointTable& points_;
@@ -89,17 +92,12 @@ class Sweep {
   // Most regions have few edges: enough for these.
   std::array<std::byte, 4096> buffer_;
   std::pmr::monotonic_buffer_resource memory_{buffer_.data(), buffer_.size()};
+  Numbered<SweepVertexId, std::uint32_t> numbers_{&memory_};  // of the points of vertices
   Numbered<SweepEdgeId, SweepEdge> edges_{&memory_};
   Numbered<SweepEdgeId, Frontier> frontiers_{&memory_};  // of each edge with the inside above it, while it is active
   Numbered<LinkId, Link> links_{&memory_};
   Active active_;  // from below to above
 };
-
-bool Sweep::is_earlier(SweepVertexId a, SweepVertexId b) const {
-  auto order = compare(first_axis(projection_), point(a), point(b));
-  if (std::is_eq(order)) order = compare(second_axis(projection_), point(a), point(b));
-  return std::is_lt(order);
-}
 
 /// 1 for a vertex above the edge, -1 below it. One that lies inside of it is on the outer side: what ends there touches
 /// the region of the edge from outside.
@@ -115,7 +113,7 @@ bool Sweep::is_below(SweepEdgeId a, SweepEdgeId b) const {
     if (e.later == f.later) return !e.has_inside_above && f.has_inside_above;
     return turn(e.earlier, e.later, f.later) > 0;
   }
-  if (is_earlier(e.earlier, f.earlier)) return side(a, f.earlier) > 0;
+  if (e.earlier < f.earlier) return side(a, f.earlier) > 0;
   return side(b, e.earlier) < 0;
 }
 
@@ -224,32 +222,52 @@ bool Sweep::visit(SweepVertexId vertex, std::span<const SweepEdgeId> starting) {
   return true;
 }
 
-bool Sweep::run(std::span<const DirectedEdge> edges) {
-  edges_.reserve(edges.size());
-  links_.reserve(2 * edges.size());
-  std::pmr::vector<SweepVertexId> vertices(&memory_);
-  vertices.reserve(2 * edges.size());
-  for (const auto& [from_index, to_index] : edges) {
-    const SweepVertexId from(from_index), to(to_index);
-    const bool is_forward = is_earlier(from, to);
-    edges_.push_back(is_forward ? SweepEdge{from, to, true} : SweepEdge{to, from, false});
-    vertices.push_back(from);
-    vertices.push_back(to);
+/// Numbers the vertices in the order of the sweep, by their first and then their second coordinates, and adds the
+/// edges.
+void Sweep::collect(std::span<const DirectedEdge> edges) {
+  std::pmr::vector<std::uint32_t> points(&memory_);  // ascending, each once
+  points.reserve(2 * edges.size());
+  for (const auto& [from, to] : edges) {
+    points.push_back(from);
+    points.push_back(to);
   }
-  frontiers_.resize(edges_.size());
-  std::ranges::sort(vertices);
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  std::ranges::sort(vertices, [&](SweepVertexId a, SweepVertexId b) { return is_earlier(a, b); });
+  std::ranges::sort(points);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  std::pmr::vector<std::uint32_t> places(points.size(), &memory_);  // in `points`, by vertices
+  std::iota(places.begin(), places.end(), 0U);
+  std::ranges::sort(places, [&](std::uint32_t a, std::uint32_t b) {
+    const PointRef p = points_[points[a]], q = points_[points[b]];
+    auto order = compare(first_axis(projection_), p, q);
+    if (std::is_eq(order)) order = compare(second_axis(projection_), p, q);
+    return std::is_lt(order);
+  });
+  std::pmr::vector<SweepVertexId> vertices(points.size(), &memory_);  // parallel to `points`
+  numbers_.reserve(points.size());
+  for (const std::uint32_t place : places) vertices[place] = numbers_.push_back(points[place]);
 
+  const auto vertex_of = [&](std::uint32_t point) {
+    return vertices[static_cast<std::size_t>(std::ranges::lower_bound(points, point) - points.begin())];
+  };
+  edges_.reserve(edges.size());
+  for (const auto& [from_point, to_point] : edges) {
+    const SweepVertexId from = vertex_of(from_point), to = vertex_of(to_point);
+    edges_.push_back(from < to ? SweepEdge{from, to, true} : SweepEdge{to, from, false});
+  }
+}
+
+bool Sweep::run(std::span<const DirectedEdge> edges) {
+  collect(edges);
+  links_.reserve(2 * edges.size());
+  frontiers_.resize(edges_.size());
   std::pmr::vector<SweepEdgeId> order(&memory_);
   order.reserve(edges_.size());
   for (const SweepEdgeId edge : edges_.ids()) order.push_back(edge);
   std::ranges::sort(order, [&](SweepEdgeId a, SweepEdgeId b) {
-    if (edges_[a].earlier != edges_[b].earlier) return is_earlier(edges_[a].earlier, edges_[b].earlier);
+    if (edges_[a].earlier != edges_[b].earlier) return edges_[a].earlier < edges_[b].earlier;
     return is_below(a, b);
   });
   auto next = order.begin();
-  for (const SweepVertexId vertex : vertices) {
+  for (const SweepVertexId vertex : numbers_.ids()) {
     const auto first = next;
     while (next != order.end() && edges_[*next].earlier == vertex) ++next;
     if (!visit(vertex, std::span(first, next))) return false;
