@@ -72,7 +72,9 @@ void ClassificationAudit::check_patch(PatchId patch) {
 /// The windings in front of all faces at an uncut edge are the same.
 void ClassificationAudit::check_uncut_edge(const UncutEdge& edge) {
   PatchId first;
-  for (const InputHalfedgeId h : edge.halfedges) {
+  std::vector<InputHalfedgeId> along;
+  subdivision_.operands.halfedges_along(edge.edge, along);
+  for (const InputHalfedgeId h : along) {
     const PatchId patch = subdivision_.patches.of_face[Operands::face(h)];
     if (patch.is_none()) continue;
     if (first.is_none()) first = patch;

@@ -1,11 +1,15 @@
 #include "algebra3d/arrangement/detail/linking.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "algebra3d/arrangement/detail/radial_order.h"
+#include "algebra3d/arrangement/detail/slice.h"
 #include "algebra3d/arrangement/detail/sub_facets.h"
+#include "algebra3d/arrangement/detail/task_sizes.h"
 #include "algebra3d/arrangement/detail/uncut_edges.h"
+#include "algebra3d/base/scheduler.h"
 
 namespace algebra3d::arrangement {
 namespace {
@@ -22,41 +26,44 @@ class Linker {
     const FrontWindingIds ids(subdivision.sub_edges.sides().size(), subdivision.patches.patches.size());
     return {ids, WindingSets(ids.count()), {}};
   }
-  void link_at_uncut_edges();
+  void link_at_uncut_edges(const std::vector<UncutEdge>& edges);
   FrontWindingId link_patches_at(const UncutEdge& edge);
   void link_in_front_of_faces(SubEdgeId sub_edge, FrontWindingId patch);
-  void link_round_edges();
-  void link_round(IdRange<SubEdgeId> edge);
+  void order_round_edges();
+  void order_round(IdRange<SubEdgeId> edge);
+  void link_round(std::span<const SubEdgeSide> around);
   std::size_t count_operands(IdRange<SubEdgeId> edge);
 
   const Subdivision& subdivision_;
   const WindingJumps& jumps_;
   LinkedWindings result_;
   std::vector<SpaceEdge> uncut_space_edges_;  // ascending
-  // Sides and operands at the space edge at hand; members, so that their memory is used again.
+  // Half-planes with jumps in radial order, space edge by space edge, and those of each.
+  std::vector<SubEdgeSide> half_planes_;
+  std::vector<Slice> round_edges_;
+  // Those of the uncut edge or space edge at hand; members, so that their memory is used again.
+  std::vector<InputHalfedgeId> along_edge_;
   std::vector<SubEdgeSide> around_;
   std::vector<OperandId> operands_at_edge_;
 };
 
 /// No other operand is at an uncut edge, so the windings in front of all faces along each of its sub-edges are the
 /// same. What is between the faces is not looked at, for not all of them are in sub-facets.
-void Linker::link_at_uncut_edges() {
-  for (const UncutEdge& edge : uncut_edges(subdivision_.operands, subdivision_.complex, subdivision_.patches)) {
+void Linker::link_at_uncut_edges(const std::vector<UncutEdge>& edges) {
+  for (const UncutEdge& edge : edges) {
     const FrontWindingId patch = link_patches_at(edge);
     const auto nodes = subdivision_.sub_edges.segments.nodes(edge.segment);
-    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-      uncut_space_edges_.push_back(SpaceEdge::of(nodes[i], nodes[i + 1]));
-      for (const SubEdgeId s : subdivision_.sub_edges.along(uncut_space_edges_.back()))
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
+      for (const SubEdgeId s : subdivision_.sub_edges.along(SpaceEdge::of(nodes[i], nodes[i + 1])))
         link_in_front_of_faces(s, patch);
-    }
   }
-  std::ranges::sort(uncut_space_edges_);
 }
 
 /// Gives the front winding of one of them.
 FrontWindingId Linker::link_patches_at(const UncutEdge& edge) {
   FrontWindingId first;
-  for (const InputHalfedgeId h : edge.halfedges) {
+  subdivision_.operands.halfedges_along(edge.edge, along_edge_);
+  for (const InputHalfedgeId h : along_edge_) {
     const PatchId patch = subdivision_.patches.of_face[Operands::face(h)];
     if (patch.is_none()) continue;
     const FrontWindingId front = result_.ids.of(patch);
@@ -87,30 +94,45 @@ std::size_t Linker::count_operands(IdRange<SubEdgeId> edge) {
                                   operands_at_edge_.begin());
 }
 
-void Linker::link_round(IdRange<SubEdgeId> edge) {
+void Linker::order_round(IdRange<SubEdgeId> edge) {
   half_planes_with_jumps(jumps_, edge, around_);
   if (around_.empty()) return;
   sort_around_space_edge(subdivision_, around_);
-  for (std::size_t i = 0; i < around_.size(); ++i) {
-    const SubEdgeSide h = around_[i], next = around_[i + 1 == around_.size() ? 0 : i + 1];
+  const std::size_t first = half_planes_.size();
+  half_planes_.insert(half_planes_.end(), around_.begin(), around_.end());
+  round_edges_.push_back(Slice::from(first, half_planes_));
+  result_.seeds.push_back({edge, around_.front(), count_operands(edge)});
+}
+
+void Linker::order_round_edges() {
+  subdivision_.sub_edges.for_each_space_edge([&](IdRange<SubEdgeId> edge) {
+    const SpaceEdge ends = subdivision_.sub_edges[edge.front()].ends;
+    if (!std::ranges::binary_search(uncut_space_edges_, ends)) order_round(edge);
+  });
+}
+
+void Linker::link_round(std::span<const SubEdgeSide> around) {
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    const SubEdgeSide h = around[i], next = around[i + 1 == around.size() ? 0 : i + 1];
     // Both give the windings of the cell between the two: their front winding and the excess.
     result_.sets.unite(FrontWindingIds::of(h), FrontWindingIds::of(next),
                        excess_after(jumps_, h) - excess_before(jumps_, next));
   }
-  result_.seeds.push_back({edge, around_.front(), count_operands(edge)});
-}
-
-void Linker::link_round_edges() {
-  subdivision_.sub_edges.for_each_space_edge([&](IdRange<SubEdgeId> edge) {
-    const SpaceEdge ends = subdivision_.sub_edges[edge.front()].ends;
-    if (!std::ranges::binary_search(uncut_space_edges_, ends)) link_round(edge);
-  });
 }
 
 Result<LinkedWindings> Linker::run() {
-  ALGEBRA3D_RETURN_IF_ERROR(join_sub_facets(subdivision_, result_.sets));
-  link_at_uncut_edges();
-  link_round_edges();
+  const std::vector<UncutEdge> uncut = uncut_edges(subdivision_.operands, subdivision_.complex, subdivision_.patches);
+  uncut_space_edges_ = space_edges_of(uncut, subdivision_.sub_edges);
+  // The geometry of both kinds of links first, which is most of the work, and then the sets that they share.
+  Result<std::vector<NeighbouringSides>> sides = std::vector<NeighbouringSides>();
+  parallel_invoke(
+      subdivision_.sub_edges.sub_edges.size() >= kSubEdgesWorthATask, [&] { sides = neighbouring_sides(subdivision_); },
+      [&] { order_round_edges(); });
+  if (!sides.ok()) return std::move(sides).error();
+  for (const auto& [first, second] : *sides)
+    result_.sets.unite(FrontWindingIds::of(first), FrontWindingIds::of(second), {});
+  link_at_uncut_edges(uncut);
+  for (const Slice& edge : round_edges_) link_round(edge.of(half_planes_));
   return std::move(result_);
 }
 

@@ -30,7 +30,7 @@ struct LinkedWindings {
 /// Step 1 of stage 8: unites front windings whose difference is known. Round each node, neighbouring sub-edges of a
 /// plane bound the same sub-facet (sub_facets.h); round each space edge, the radial order of the half-planes with jumps
 /// says how windings change from cell to cell; at uncut edges windings go on into patches. Exact. Errors: internal as
-/// join_sub_facets. Cost: n log n.
+/// neighbouring_sides. Cost: n log n.
 Result<LinkedWindings> link_windings(const Subdivision& subdivision, const WindingJumps& jumps);
 
 /// Every violated invariant, one sentence each: there is a front winding for each side and each patch; half-planes with

@@ -55,7 +55,9 @@ void LinkingAudit::check_space_edge(IdRange<SubEdgeId> line) {
 
 void LinkingAudit::check_uncut_edge(const UncutEdge& edge) {
   PatchId first;
-  for (const InputHalfedgeId h : edge.halfedges) {
+  std::vector<InputHalfedgeId> along;
+  subdivision_.operands.halfedges_along(edge.edge, along);
+  for (const InputHalfedgeId h : along) {
     const PatchId patch = subdivision_.patches.of_face[Operands::face(h)];
     if (patch.is_none()) continue;
     if (first.is_none()) first = patch;

@@ -1,7 +1,6 @@
 #include "algebra3d/arrangement/detail/pseudo_nodes.h"
 
 #include <algorithm>
-#include <functional>
 #include <utility>
 
 #include "algebra3d/arrangement/detail/bucket_sort.h"
@@ -16,8 +15,6 @@ struct EdgeEnd {
   NodeId node, other;
   RegionKey region;
   bool is_outgoing;
-
-  friend auto operator<=>(const EdgeEnd&, const EdgeEnd&) = default;
 };
 
 /// Edge ends at one node. The edges of all regions that lead from there to one other node are an *arm*.
@@ -35,7 +32,7 @@ class PseudoNodeFinder {
 
  private:
   void find_at_node(EdgeEnds ends);
-  std::vector<EdgeEnds> arms(EdgeEnds ends) const;
+  void find_arms(EdgeEnds ends);
   bool is_straight(NodeId before, NodeId node, NodeId after) const;
   bool continue_each_other(EdgeEnds one, EdgeEnds other, EdgeEnds all) const;
   bool is_half_disc(const EdgeEnd& end, NodeId opposite, EdgeEnds all) const;
@@ -45,7 +42,15 @@ class PseudoNodeFinder {
   const std::vector<SpaceEdge>& uncut_space_edges_;
   const PatchCorners& patch_corners_;
   std::vector<PseudoNode> found_;
+  std::vector<EdgeEnds> arms_;  // at the node at hand; a member, so that its memory is used again
 };
+
+/// The order of the ends at one node.
+bool is_less_at_node(const EdgeEnd& a, const EdgeEnd& b) {
+  if (a.other != b.other) return a.other < b.other;
+  if (a.region != b.region) return a.region < b.region;
+  return a.is_outgoing < b.is_outgoing;
+}
 
 void PseudoNodeFinder::find_between(const std::vector<RegionEdge>& edges) {
   std::vector<EdgeEnd> ends;
@@ -55,7 +60,7 @@ void PseudoNodeFinder::find_between(const std::vector<RegionEdge>& edges) {
     ends.push_back({to, from, region, false});
   }
   bucket_sort(
-      ends, subdivision_.complex.nodes.size(), [](const EdgeEnd& e) { return e.node.index(); }, std::less());
+      ends, subdivision_.complex.nodes.size(), [](const EdgeEnd& e) { return e.node.index(); }, is_less_at_node);
   for (std::size_t first = 0, last = 0; first < ends.size(); first = last) {
     while (last < ends.size() && ends[last].node == ends[first].node) ++last;
     find_at_node(std::span(ends).subspan(first, last - first));
@@ -63,25 +68,24 @@ void PseudoNodeFinder::find_between(const std::vector<RegionEdge>& edges) {
 }
 
 /// The edge of a patch is whole or ends at the patch's corner, as the patch has it: there it is no arm.
-std::vector<EdgeEnds> PseudoNodeFinder::arms(EdgeEnds ends) const {
+void PseudoNodeFinder::find_arms(EdgeEnds ends) {
   const bool is_corner = patch_corners_.is_corner(ends[0].node);
-  std::vector<EdgeEnds> result;
+  arms_.clear();
   for (std::size_t first = 0, last = 0; first < ends.size(); first = last) {
     while (last < ends.size() && ends[last].other == ends[first].other) ++last;
     const SpaceEdge line = SpaceEdge::of(ends[first].node, ends[first].other);
     if (!is_corner || !std::ranges::binary_search(uncut_space_edges_, line))
-      result.push_back(ends.subspan(first, last - first));
+      arms_.push_back(ends.subspan(first, last - first));
   }
-  return result;
 }
 
 void PseudoNodeFinder::find_at_node(EdgeEnds ends) {
-  const std::vector<EdgeEnds> arms = this->arms(ends);
-  for (std::size_t i = 0; i < arms.size(); ++i)
-    for (std::size_t j = i + 1; j < arms.size(); ++j) {
-      const NodeId from = arms[i][0].other, to = arms[j][0].other;
-      if (!continue_each_other(arms[i], arms[j], ends) || !is_straight(from, ends[0].node, to)) continue;
-      for (const EdgeEnd& end : arms[i])
+  find_arms(ends);
+  for (std::size_t i = 0; i < arms_.size(); ++i)
+    for (std::size_t j = i + 1; j < arms_.size(); ++j) {
+      const NodeId from = arms_[i][0].other, to = arms_[j][0].other;
+      if (!continue_each_other(arms_[i], arms_[j], ends) || !is_straight(from, ends[0].node, to)) continue;
+      for (const EdgeEnd& end : arms_[i])
         found_.push_back({end.node, end.region, end.is_outgoing ? to : from, end.is_outgoing ? from : to});
     }
 }
@@ -119,7 +123,9 @@ bool PseudoNodeFinder::is_half_disc(const EdgeEnd& end, NodeId opposite, EdgeEnd
 void PseudoNodeFinder::find_along(const UncutEdge& edge) {
   const auto nodes = subdivision_.sub_edges.segments.nodes(edge.segment);
   if (nodes.size() == 2) return;
-  for (const InputHalfedgeId h : edge.halfedges) {
+  std::vector<InputHalfedgeId> along;
+  subdivision_.operands.halfedges_along(edge.edge, along);
+  for (const InputHalfedgeId h : along) {
     const FacetId facet = subdivision_.facets.of_face[Operands::face(h)];
     if (facet.is_none()) continue;
     const auto& [operand, plane, orientation, faces] = subdivision_.facets[facet];

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <compare>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,11 @@ struct RegionKey {
   PlaneId plane;
   bool is_flipped;  ///< the region's own front is the back of the plane
 
-  friend auto operator<=>(const RegionKey&, const RegionKey&) = default;
+  /// Both in one number, in which they are compared.
+  std::uint64_t key() const { return std::uint64_t{plane.index()} << 1U | static_cast<std::uint64_t>(is_flipped); }
+
+  friend bool operator==(const RegionKey& a, const RegionKey& b) { return a.key() == b.key(); }
+  friend auto operator<=>(const RegionKey& a, const RegionKey& b) { return a.key() <=> b.key(); }
 };
 
 /// A boundary edge of a region. The region is to the left of it, seen from the front of the plane, also if the region

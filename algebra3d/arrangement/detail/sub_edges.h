@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <compare>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <utility>
@@ -28,7 +29,11 @@ struct SpaceEdge {
   NodeId u, v;
 
   static SpaceEdge of(NodeId a, NodeId b) { return {std::min(a, b), std::max(a, b)}; }
-  friend auto operator<=>(const SpaceEdge&, const SpaceEdge&) = default;
+  /// Both nodes in one number, in which they are compared: that is what sorting and searching spend their time on.
+  std::uint64_t key() const { return std::uint64_t{u.index()} << 32U | v.index(); }
+
+  friend bool operator==(const SpaceEdge& a, const SpaceEdge& b) { return a.key() == b.key(); }
+  friend auto operator<=>(const SpaceEdge& a, const SpaceEdge& b) { return a.key() <=> b.key(); }
 };
 
 /// An undivided piece of a segment, in one plane: no other sub-edge of the plane crosses it. To its left and right lie

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <compare>
+#include <cstdint>
 #include <span>
-#include <tuple>
 
 #include "algebra3d/arrangement/detail/bucket_sort.h"
 #include "algebra3d/exact/predicates.h"
@@ -17,6 +17,8 @@ struct OutgoingSubEdge {
   NodeId origin, target;
   SubEdgeId sub_edge;
 
+  /// The origin, then the sub-edge.
+  std::uint64_t key_in_plane() const { return std::uint64_t{origin.index()} << 32U | sub_edge.index(); }
   /// The sides for someone who walks away from the origin.
   SubEdgeSide left() const { return {sub_edge, origin < target ? Side::left : Side::right}; }
   SubEdgeSide right() const { return {sub_edge, origin < target ? Side::right : Side::left}; }
@@ -60,14 +62,13 @@ std::vector<OutgoingSubEdge> outgoing_sub_edges(const Subdivision& subdivision) 
   }
   bucket_sort(
       result, subdivision.facets.planes.size(), [](const OutgoingSubEdge& s) { return s.plane.index(); },
-      [](const OutgoingSubEdge& s, const OutgoingSubEdge& t) {
-        return std::tuple(s.plane, s.origin, s.sub_edge) < std::tuple(t.plane, t.origin, t.sub_edge);
-      });
+      [](const OutgoingSubEdge& s, const OutgoingSubEdge& t) { return s.key_in_plane() < t.key_in_plane(); });
   return result;
 }
 
 /// All sub-edges of a plane that leave a node.
-Status join_around(std::span<OutgoingSubEdge> around, const Subdivision& subdivision, WindingSets& windings) {
+Status pair_around(std::span<OutgoingSubEdge> around, const Subdivision& subdivision,
+                   std::vector<NeighbouringSides>& result) {
   const Projection projection = subdivision.facets.planes[around[0].plane].projection;
   const NodePool& nodes = subdivision.complex.nodes;
   if (around.size() > 2) std::ranges::sort(around, AngularOrder(nodes, projection, around[0].origin));
@@ -79,21 +80,25 @@ Status join_around(std::span<OutgoingSubEdge> around, const Subdivision& subdivi
       return Error{ErrorCode::internal, "dividing a plane: a facet ends beside no edge at ({} {} {})", at.x, at.y,
                    at.z};
     }
-    if (is_covered) windings.unite(FrontWindingIds::of(left), FrontWindingIds::of(right), {});
+    if (is_covered) result.push_back({left, right});
   }
   return {};
 }
 
 }  // namespace
 
-Status join_sub_facets(const Subdivision& subdivision, WindingSets& windings) {
+Result<std::vector<NeighbouringSides>> neighbouring_sides(const Subdivision& subdivision) {
   std::vector<OutgoingSubEdge> outgoing = outgoing_sub_edges(subdivision);
-  const auto place = [](const OutgoingSubEdge& s) { return std::tie(s.plane, s.origin); };
+  std::vector<NeighbouringSides> result;
+  result.reserve(outgoing.size());
+  const auto is_at_one_place = [](const OutgoingSubEdge& s, const OutgoingSubEdge& t) {
+    return s.plane == t.plane && s.origin == t.origin;
+  };
   for (std::size_t begin = 0, end = 0; begin < outgoing.size(); begin = end) {
-    while (end < outgoing.size() && place(outgoing[end]) == place(outgoing[begin])) ++end;
-    ALGEBRA3D_RETURN_IF_ERROR(join_around(std::span(outgoing).subspan(begin, end - begin), subdivision, windings));
+    while (end < outgoing.size() && is_at_one_place(outgoing[end], outgoing[begin])) ++end;
+    ALGEBRA3D_RETURN_IF_ERROR(pair_around(std::span(outgoing).subspan(begin, end - begin), subdivision, result));
   }
-  return {};
+  return result;
 }
 
 }  // namespace algebra3d::arrangement

@@ -11,4 +11,7 @@ inline constexpr std::size_t kFacesPerTask = 16384;
 /// Points or planes that are computed exactly by one task.
 inline constexpr std::size_t kPointsPerTask = 32;
 
+/// Number of sub-edges from which on sorting them round nodes and round space edges is worth a task each.
+inline constexpr std::size_t kSubEdgesWorthATask = 500;
+
 }  // namespace algebra3d::arrangement

@@ -12,7 +12,7 @@ std::vector<UncutEdge> uncut_edges(const Operands& operands, const SegmentComple
     const Segment& segment = complex.segments[s];
     if (segment.edge.is_none()) continue;
     operands.halfedges_along(segment.edge, along);
-    if (std::ranges::any_of(along, is_of_patch)) result.push_back({s, along});
+    if (std::ranges::any_of(along, is_of_patch)) result.push_back({s, segment.edge});
   }
   return result;
 }

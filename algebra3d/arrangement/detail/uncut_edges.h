@@ -12,7 +12,7 @@ namespace algebra3d::arrangement {
 /// takes the patch has, too.
 struct UncutEdge {
   SegmentId segment;
-  std::vector<InputHalfedgeId> halfedges;  ///< all along it, ascending
+  InputEdgeId edge;
 };
 
 /// All uncut edges, in the order of their segments. Cost: linear in the segments.
