@@ -2,8 +2,8 @@
 
 #include <bit>
 #include <cassert>
-#include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "algebra3d/base/shrink.h"
 #include "algebra3d/exact/detail/exact_coordinates.h"
@@ -17,6 +17,13 @@ namespace {
 // -0 + 0 is 0 when rounding to nearest; all other values stay.
 Vec3 without_negative_zero(const Vec3& v) {
   return {v.x + 0.0, v.y + 0.0, v.z + 0.0};
+}
+
+/// The next double up (1) or down (-1), as std::nextafter gives it, without a call. The number must be finite.
+double next_double(double number, int direction) {
+  if (number == 0) return direction * std::numeric_limits<double>::denorm_min();
+  const auto bits = std::bit_cast<std::uint64_t>(number);
+  return std::bit_cast<double>((number > 0) == (direction > 0) ? bits + 1 : bits - 1);
 }
 
 std::size_t combined(std::size_t hash, std::uint64_t value) {
@@ -99,7 +106,7 @@ Box3 detail::box_around(const PointRef& point) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const int beyond = point.exact->beyond(axis);
     double& bound = beyond < 0 ? box.min[axis] : box.max[axis];
-    if (beyond != 0) bound = std::nextafter(bound, beyond * Box3::kInfinity);
+    if (beyond != 0) bound = next_double(bound, beyond);
   }
   return box;
 }

@@ -178,18 +178,16 @@ std::vector<BoxHierarchy::CrossPair> BoxHierarchy::cross_roots(const BoxHierarch
   return pairs;
 }
 
-void BoxHierarchy::push_own_children(const Node& own, const Node& other, const Box& box,
-                                     std::vector<CrossPair>& stack) const {
-  const std::vector<Box>& below = levels_[own.level - 1].boxes;
-  const auto end = std::min(2 * own.index + 2, static_cast<std::uint32_t>(below.size()));
-  for (std::uint32_t child = 2 * own.index; child < end; ++child)
-    if (below[child].meets(box)) stack.push_back({{own.level - 1, child}, other, box});
-}
-
 void BoxHierarchy::push_cross_children(const BoxHierarchy& other, const FrameChange& change, const CrossPair& pair,
                                        std::vector<CrossPair>& stack) const {
   // The higher node is opened; of equals the other one, whose children have to be brought into this frame.
-  if (pair.own.level > pair.other.level) return push_own_children(pair.own, pair.other, pair.box, stack);
+  if (pair.own.level > pair.other.level) {
+    const std::vector<Box>& below = levels_[pair.own.level - 1].boxes;
+    const auto end = std::min(2 * pair.own.index + 2, static_cast<std::uint32_t>(below.size()));
+    for (std::uint32_t child = 2 * pair.own.index; child < end; ++child)
+      if (below[child].meets(pair.box)) stack.push_back({{pair.own.level - 1, child}, pair.other, pair.box});
+    return;
+  }
   const Box& own = levels_[pair.own.level].boxes[pair.own.index];
   const std::vector<Box>& below = other.levels_[pair.other.level - 1].boxes;
   const auto end = std::min(2 * pair.other.index + 2, static_cast<std::uint32_t>(below.size()));
@@ -200,10 +198,15 @@ void BoxHierarchy::push_cross_children(const BoxHierarchy& other, const FrameCha
 
 void BoxHierarchy::push_children_of_both(const BoxHierarchy& other, const FrameChange& change, const CrossPair& pair,
                                          std::vector<CrossPair>& stack) const {
-  const std::vector<Box>& below = other.levels_[pair.other.level - 1].boxes;
-  const auto end = std::min(2 * pair.other.index + 2, static_cast<std::uint32_t>(below.size()));
-  for (std::uint32_t child = 2 * pair.other.index; child < end; ++child)
-    push_own_children(pair.own, {pair.other.level - 1, child}, changed(change, below[child]), stack);
+  const std::uint32_t level = pair.own.level - 1, own = 2 * pair.own.index, others = 2 * pair.other.index;
+  const std::span<const Box> own_boxes(levels_[level].boxes), other_boxes(other.levels_[level].boxes);
+  const auto own_end = std::min(own + 2, static_cast<std::uint32_t>(own_boxes.size()));
+  const auto other_end = std::min(others + 2, static_cast<std::uint32_t>(other_boxes.size()));
+  for (std::uint32_t j = others; j < other_end; ++j) {
+    const Box box = changed(change, other_boxes[j]);
+    for (std::uint32_t i = own; i < own_end; ++i)
+      if (own_boxes[i].meets(box)) stack.push_back({{level, i}, {level, j}, box});
+  }
 }
 
 void BoxHierarchy::sort_faces(std::vector<Box>& boxes) {

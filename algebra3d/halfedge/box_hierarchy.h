@@ -131,10 +131,8 @@ class BoxHierarchy {
   /// Pushes the pairs of children that meet.
   void push_cross_children(const BoxHierarchy& other, const FrameChange& change, const CrossPair& pair,
                            std::vector<CrossPair>& stack) const;
-  /// Pushes the pairs of a child of this hierarchy's node and the other node, given with its box, that meet.
-  void push_own_children(const Node& own, const Node& other, const Box& box, std::vector<CrossPair>& stack) const;
-  /// The same for both nodes of a pair of one level, above the leaves: the pairs that opening one after the other
-  /// gives, in the same order.
+  /// The same for a pair of one level, above the leaves, of which both nodes are opened: the pairs that opening one
+  /// after the other gives, in the same order.
   void push_children_of_both(const BoxHierarchy& other, const FrameChange& change, const CrossPair& pair,
                              std::vector<CrossPair>& stack) const;
   /// The boxes of the faces of a leaf of another hierarchy, in the frame of this one.

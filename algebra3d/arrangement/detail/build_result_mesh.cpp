@@ -44,7 +44,7 @@ Result<TriangleMesh> build_result_mesh(const Subdivision& subdivision, const Sel
     mesh.take_surroundings();
   };
   const auto take_faces = [&] { mesh.take_faces(); };
-  parallel_invoke(subdivision.operands.face_count() >= kWorthAThread, make_regions, take_faces);
+  parallel_invoke(subdivision.operands.face_count() >= kFacesWorthATask, make_regions, take_faces);
   if (!regions.ok()) return std::move(regions).error();
   for (const Region& region : *regions) mesh.add(region);
   TriangleMesh result = mesh.finish();

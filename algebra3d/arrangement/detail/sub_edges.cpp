@@ -23,6 +23,7 @@ struct FacetSubEdge {
 std::vector<FacetSubEdge> facet_sub_edges(const Facets& facets, const SegmentComplex& complex,
                                           const CutSegments& segments) {
   std::vector<FacetSubEdge> result;
+  result.reserve(complex.incidences.size() + 2 * complex.cuts.size());
   for (const auto& [segment, facet, sides] : complex.incidences) {
     const auto nodes = segments.nodes(segment);
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i)

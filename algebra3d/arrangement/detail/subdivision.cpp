@@ -50,7 +50,7 @@ Result<Subdivision> subdivide(std::span<const Operand> list, Boundaries boundari
   Result<SubEdges> sub_edges = SubEdges();
   const auto find_sub_edges = [&] { sub_edges = overlay_and_divide(result, boundaries, options, monitor); };
   const auto find_rest = [&] { result.patches = find_patches(operands, result.facets); };
-  parallel_invoke(operands.face_count() >= kWorthAThread, find_sub_edges, find_rest);
+  parallel_invoke(operands.face_count() >= kFacesWorthATask, find_sub_edges, find_rest);
   ALGEBRA3D_ASSIGN_OR_RETURN(result.sub_edges, std::move(sub_edges));
   ALGEBRA3D_RETURN_IF_ERROR(check_stage("the patches", [&] { return audit(operands, result.facets, result.patches); }));
   return result;
