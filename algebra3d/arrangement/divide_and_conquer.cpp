@@ -22,6 +22,12 @@ constexpr std::size_t kFewSolids = 8;
 
 enum class Operation : std::uint8_t { unite, intersect };
 
+/// A solid and the middle of its box, by which solids are halved.
+struct PlacedSolid {
+  Operand solid;
+  Vec3 middle;
+};
+
 class DivideAndConquer {
  public:
   DivideAndConquer(Operation operation, std::span<const Operand> solids, const Monitor& monitor)
@@ -33,9 +39,11 @@ class DivideAndConquer {
 
  private:
   bool is_crowded() const;
-  static void sort_by_place(std::span<Operand> solids);
+  std::vector<PlacedSolid> placed_solids() const;
+  static void sort_by_place(std::span<PlacedSolid> solids);
   Result<TriangleMesh> at_once(std::span<const Operand> solids, const Monitor& monitor) const;
-  Result<TriangleMesh> in_halves(std::span<Operand> solids);
+  Result<TriangleMesh> few_at_once(std::span<const PlacedSolid> solids);
+  Result<TriangleMesh> in_halves(std::span<PlacedSolid> solids);
   void tell();
 
   Operation operation_;
@@ -61,17 +69,23 @@ bool DivideAndConquer::is_crowded() const {
   return pairs > solids_.size();
 }
 
-/// Sorts along the longest axis of the box around their middles.
-void DivideAndConquer::sort_by_place(std::span<Operand> solids) {
-  const auto middle = [](const Operand& solid) {
+std::vector<PlacedSolid> DivideAndConquer::placed_solids() const {
+  std::vector<PlacedSolid> placed;
+  placed.reserve(solids_.size());
+  for (const Operand& solid : solids_) {
     const Box3 box = solid.hierarchy->bounds();
-    return 0.5 * box.min + 0.5 * box.max;
-  };
+    placed.push_back({solid, 0.5 * box.min + 0.5 * box.max});
+  }
+  return placed;
+}
+
+/// Sorts along the longest axis of the box around their middles.
+void DivideAndConquer::sort_by_place(std::span<PlacedSolid> solids) {
   Box3 all;
-  for (const Operand& solid : solids) all.extend(middle(solid));
+  for (const PlacedSolid& solid : solids) all.extend(solid.middle);
   const Vec3 size = 0.5 * all.max - 0.5 * all.min;
   const std::size_t axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  std::ranges::stable_sort(solids, {}, [&](const Operand& solid) { return middle(solid)[axis]; });
+  std::ranges::stable_sort(solids, {}, [axis](const PlacedSolid& solid) { return solid.middle[axis]; });
 }
 
 Result<TriangleMesh> DivideAndConquer::at_once(std::span<const Operand> solids, const Monitor& monitor) const {
@@ -85,13 +99,17 @@ void DivideAndConquer::tell() {
   monitor_.tell(what + std::to_string(done_ * 100 / solids_.size()) + " %");
 }
 
-Result<TriangleMesh> DivideAndConquer::in_halves(std::span<Operand> solids) {
-  if (solids.size() <= kFewSolids) {
-    auto result = at_once(solids, monitor_.silent());
-    done_ += solids.size();
-    tell();
-    return result;
-  }
+Result<TriangleMesh> DivideAndConquer::few_at_once(std::span<const PlacedSolid> solids) {
+  std::vector<Operand> few;
+  for (const PlacedSolid& solid : solids) few.push_back(solid.solid);
+  auto result = at_once(few, monitor_.silent());
+  done_ += solids.size();
+  tell();
+  return result;
+}
+
+Result<TriangleMesh> DivideAndConquer::in_halves(std::span<PlacedSolid> solids) {
+  if (solids.size() <= kFewSolids) return few_at_once(solids);
   sort_by_place(solids);
   const std::size_t half = solids.size() / 2;
   Result<TriangleMesh> first = TriangleMesh(), second = TriangleMesh();
@@ -112,7 +130,8 @@ Result<TriangleMesh> DivideAndConquer::run() {
     solid.hierarchy = hierarchies_.back().get();
   }
   if (!is_crowded()) return at_once(solids_, monitor_);
-  return in_halves(solids_);
+  std::vector<PlacedSolid> placed = placed_solids();
+  return in_halves(placed);
 }
 
 }  // namespace

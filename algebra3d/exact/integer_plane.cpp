@@ -26,8 +26,6 @@ struct IntegerPlane::Form {
   /// Takes the numbers, without a common divisor if they are long.
   static std::shared_ptr<const Form> of(HomogeneousPoint& numbers);
   explicit Form(const HomogeneousPoint& given);
-  /// detail::kUndecided if that needs the integers.
-  int rounded_side(const Vec3& point) const;
   /// False if the rounded numbers show that the planes are different.
   bool may_equal(const Form& other) const;
 };
@@ -89,26 +87,14 @@ IntegerPlane IntegerPlane::of(const ExactPlane& plane) {
   return IntegerPlane(Form::of(numbers));
 }
 
-int IntegerPlane::Form::rounded_side(const Vec3& p) const {
-  const auto& [a, b, c, d] = rounded;
-  const double x = a * p.x, y = b * p.y, z = c * p.z;
-  const double height = x + y + z + d;
-  // Coefficients were cut off by less than 2^-52 of each, coordinates rounded by 2^-53; three products and sums by as
-  // much each: less than nine times 2^-53 of all terms together. What underflow takes is less than 2^-1000.
-  const double error = 0x1.4p-50 * (std::abs(x) + std::abs(y) + std::abs(z) + std::abs(d)) + 0x1p-1000;
-  if (height > error) return 1;
-  if (height < -error) return -1;
-  return detail::kUndecided;
-}
-
 int IntegerPlane::side(const PointRef& point) const {
   detail::count_call();
-  const int rounded = form_->rounded_side(point.approx);
+  const int rounded = detail::filter_rounded_side(form_->rounded, point.approx);
   return rounded != detail::kUndecided ? rounded : side_by_integers(*form_, point);
 }
 
-int IntegerPlane::rounded_side(const Vec3& point) const {
-  return form_->rounded_side(point);
+const std::array<double, 4>& IntegerPlane::rounded() const {
+  return form_->rounded;
 }
 
 int IntegerPlane::side_by_integers(const Form& form, const PointRef& point) {

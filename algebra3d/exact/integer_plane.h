@@ -35,8 +35,8 @@ class IntegerPlane {
   /// The side on which the point lies: 1 in front, 0 in the plane, -1 behind. Exact: orient3d of three points in it.
   /// Cost: some nanoseconds if rounded numbers decide, else four products of integers.
   int side(const PointRef& point) const;
-  /// The same as far as rounded numbers tell, else detail::kUndecided, for all points with these nearest doubles.
-  int rounded_side(const Vec3& point) const;
+  /// The coefficients a, b, c, -d times one power of two and rounded, for detail::filter_rounded_side.
+  const std::array<double, 4>& rounded() const;
   /// The same plane with front and back exchanged.
   IntegerPlane flipped() const;
   ExactPlane exact() const;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -95,6 +96,20 @@ inline int filter_rounded_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, 
   const double determinant = dot(u, cross(v, w));
   if (determinant > error) return 1;
   if (determinant < -error) return -1;
+  return kUndecided;
+}
+
+/// The side of a plane (a, b, c, -d) on which a point lies, both rounded: coefficients cut off by less than 2^-52 of
+/// each, coordinates to nearest.
+inline int filter_rounded_side(const std::array<double, 4>& plane, const Vec3& p) {
+  const auto& [a, b, c, d] = plane;
+  const double x = a * p.x, y = b * p.y, z = c * p.z;
+  const double height = x + y + z + d;
+  // Besides the errors of the operands three products and sums by 2^-53 each: less than nine times 2^-53 of all terms
+  // together. What underflow takes is less than 2^-1000.
+  const double error = 0x1.4p-50 * (std::abs(x) + std::abs(y) + std::abs(z) + std::abs(d)) + kUnderflowError;
+  if (height > error) return 1;
+  if (height < -error) return -1;
   return kUndecided;
 }
 

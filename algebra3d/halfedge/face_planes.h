@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,11 @@ class FacePlanes {
     if (of_faces_.size() <= face) of_faces_.resize(face + 1, kUnknown);
     of_faces_[face] = number;
   }
+  /// The numbers of the planes of consecutive faces, to be set.
+  std::span<std::uint32_t> numbers(std::size_t first_face, std::size_t count) {
+    if (of_faces_.size() < first_face + count) of_faces_.resize(first_face + count, kUnknown);
+    return std::span(of_faces_).subspan(first_face, count);
+  }
   std::size_t heap_bytes() const {
     return planes_.capacity() * (sizeof(IntegerPlane) + IntegerPlane::kTypicalBytes) +
            of_faces_.capacity() * sizeof(std::uint32_t);
@@ -43,7 +49,7 @@ class FacePlanes {
 
  private:
   std::vector<IntegerPlane> planes_;
-  std::vector<std::uint32_t> of_faces_;  // ends with the last known plane
+  std::vector<std::uint32_t> of_faces_;  // of the first faces; those of the others are unknown
 };
 
 }  // namespace algebra3d

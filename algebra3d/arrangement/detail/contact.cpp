@@ -70,7 +70,7 @@ bool are_seen_apart(const TriangleRef& first, const TriangleRef& second) {
 void decide(Signs& signs, const PlaneTriangle& triangle, const std::array<std::uint8_t, 3>& shared,
             const PlaneTriangle& other) {
   for (std::size_t i = 0; i < 3; ++i)
-    if (signs[i] == detail::kUndecided) signs[i] = shared[i] != kNoCorner ? 0 : other.side(triangle.corner(i));
+    if (signs[i] == detail::kUndecided) signs[i] = shared[i] != kNoCorner ? 0 : other.exact_side(triangle.corner(i));
 }
 
 /// The place that three signs say, which are positive inside of the edges and zero on them.
@@ -187,9 +187,10 @@ std::optional<Place> TriangleInPlane::place(const PointRef& point) const {
   return place_of(inside);
 }
 
-TriangleContact contact_of(const PlaneTriangle& first, const PlaneTriangle& second, EdgeSides& edge_sides) {
-  Signs first_signs = second.rounded_sides(first.corners());
-  if (are_all_on_one_side(first_signs)) return {};
+TriangleContact contact_of(const PlaneTriangle& first, const Signs& first_sides, const PlaneTriangle& second,
+                           EdgeSides& edge_sides) {
+  if (are_all_on_one_side(first_sides)) return {};
+  Signs first_signs = first_sides;
   Signs second_signs = first.rounded_sides(second.corners());
   if (are_all_on_one_side(second_signs)) return {};
 

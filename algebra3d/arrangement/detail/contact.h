@@ -42,10 +42,12 @@ struct TriangleContact {
   bool is_empty() const { return !is_coplanar && count == 0; }
 };
 
-/// The common part of two triangles. Exact: signs of the corners alone, no point is constructed. Corners that the two
-/// share need no arithmetic, nor do triangles that have nothing else in common. Cost: three to six calls of orient3d
-/// for triangles that do not meet, up to eighteen for those that do.
-TriangleContact contact_of(const PlaneTriangle& first, const PlaneTriangle& second, EdgeSides& edge_sides);
+/// The common part of two triangles. `first_sides` are the sides of the second one's plane on which the corners of the
+/// first one lie, by rounded numbers (PlaneTriangle::rounded_sides): most pairs need nothing else. Exact: signs of the
+/// corners alone, no point is constructed. Corners that the two share need no arithmetic. Cost: three to six calls of
+/// orient3d for triangles that do not meet, up to eighteen for those that do.
+TriangleContact contact_of(const PlaneTriangle& first, const Signs& first_sides, const PlaneTriangle& second,
+                           EdgeSides& edge_sides);
 
 /// A triangle seen along an axis, so that points of its plane can be placed in it.
 class TriangleInPlane {

@@ -1,6 +1,7 @@
 #include "algebra3d/arrangement/detail/pair_contacts.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <span>
 
@@ -21,26 +22,19 @@ bool has_exact_corners(const Operands& operands) {
                              [&](OperandId operand) { return operands.mesh(operand).points().exact_count() > 0; });
 }
 
-/// Kinds of the faces that come up in pairs (exact corners, plane made or not), so that each face is looked at once.
-class FaceNotes {
+/// Which faces of pairs have exact corners, so that each face is looked at once.
+class ExactFaces {
  public:
-  explicit FaceNotes(const Operands& operands) : operands_(operands), notes_(operands.face_count()) {}
+  explicit ExactFaces(const Operands& operands) : operands_(operands), notes_(operands.face_count()) {}
 
-  bool is_exact(InputFaceId face) {
+  bool contains(InputFaceId face) {
     Note& note = notes_[face];
     if (note == Note::unseen) note = has_exact_corner(operands_.corners(face)) ? Note::exact : Note::doubles;
-    return note == Note::exact || note == Note::exact_with_plane;
-  }
-  /// True at the first call for a face that was seen.
-  bool begins_to_have_plane(InputFaceId face) {
-    Note& note = notes_[face];
-    if (note == Note::doubles_with_plane || note == Note::exact_with_plane) return false;
-    note = note == Note::exact ? Note::exact_with_plane : Note::doubles_with_plane;
-    return true;
+    return note == Note::exact;
   }
 
  private:
-  enum class Note : std::uint8_t { unseen, doubles, exact, doubles_with_plane, exact_with_plane };
+  enum class Note : std::uint8_t { unseen, doubles, exact };
 
   const Operands& operands_;
   IdVector<InputFaceId, Note> notes_;
@@ -51,48 +45,60 @@ class FaceNotes {
 PlanesOfFaces planes_for(PairSpan pairs, const Operands& operands) {
   PlanesOfFaces planes(operands);
   if (!has_exact_corners(operands)) return planes;
-  FaceNotes notes(operands);
+  ExactFaces exact(operands);
+  IdVector<InputFaceId, bool> have_plane(operands.face_count());
   for (const auto& [first, second] : pairs) {
-    const bool is_first_exact = notes.is_exact(first), is_second_exact = notes.is_exact(second);
-    if (!is_first_exact && !is_second_exact) continue;
-    for (const InputFaceId face : {first, second})
-      if (notes.begins_to_have_plane(face)) planes.get(face);
+    if (have_plane[first] && have_plane[second]) continue;
+    if (!exact.contains(first) && !exact.contains(second)) continue;
+    for (const InputFaceId face : {first, second}) {
+      if (have_plane[face]) continue;
+      planes.get(face);
+      have_plane[face] = true;
+    }
   }
   return planes;
 }
 
-/// One of a pair. Pairs with the same face often follow one another.
-class PairMember {
+/// The triangles of pairs. Pairs with the same faces follow soon after one another, since they come from two leaves of
+/// a hierarchy: so each face is looked up for some eight pairs.
+class PairMembers {
  public:
-  PairMember(const Operands& operands, const PlanesOfFaces& planes) : operands_(operands), planes_(planes) {}
+  PairMembers(const Operands& operands, const PlanesOfFaces& planes) : operands_(operands), planes_(planes) {}
 
+  /// Valid until the next call.
   const PlaneTriangle& get(InputFaceId face) {
-    if (face != face_) {
-      triangle_.emplace(operands_.corners(face), operands_.vertices(face), planes_.find(face));
-      face_ = face;
+    Known& known = known_[face.index() % kPlaces];
+    if (known.face != face) {
+      known.triangle.emplace(operands_.corners(face), operands_.vertices(face), planes_.find(face));
+      known.face = face;
     }
-    return *triangle_;
+    return *known.triangle;
   }
 
  private:
+  static constexpr std::size_t kPlaces = 64;
+  struct Known {
+    InputFaceId face;
+    std::optional<PlaneTriangle> triangle;
+  };
+
   const Operands& operands_;
   const PlanesOfFaces& planes_;
-  InputFaceId face_;
-  std::optional<PlaneTriangle> triangle_;
+  std::array<Known, kPlaces> known_;  // each at the place that its number gives
 };
 
 /// Contacts of the pairs that touch. Incomplete once the work is cancelled.
 std::vector<PairContact> contacts_of(PairSpan pairs, const Operands& operands, const PlanesOfFaces& planes,
                                      Stage stage) {
   std::vector<PairContact> result;
-  PairMember first_member(operands, planes), second_member(operands, planes);
+  PairMembers first_members(operands, planes), second_members(operands, planes);
   EdgeSides edge_sides;
   for (const auto& [first_face, second_face] : pairs) {
     if (!stage.begin_step()) break;
-    const PlaneTriangle& second = second_member.get(second_face);
-    // Most faces are clearly beside the other one's plane, and need not be looked up any further.
-    if (are_all_on_one_side(second.rounded_sides(operands.corners(first_face)))) continue;
-    const TriangleContact contact = contact_of(first_member.get(first_face), second, edge_sides);
+    const PlaneTriangle &first = first_members.get(first_face), &second = second_members.get(second_face);
+    const Signs sides = second.rounded_sides(first.corners());
+    if (are_all_on_one_side(sides)) continue;
+    const TriangleContact contact = contact_of(first, sides, second, edge_sides);
     if (!contact.is_empty()) result.push_back({first_face, second_face, contact});
   }
   return result;

@@ -35,15 +35,14 @@ class PlaneTriangle {
 
   /// The sides of the plane on which points lie, as far as rounded numbers tell. Cost: some nanoseconds.
   Signs rounded_sides(const TriangleRef& points) const;
-  /// The side on which a point lies. Exact.
-  int side(const PointRef& point) const {
-    return plane_ != nullptr ? plane_->side(point) : orient3d(corners_[0], corners_[1], corners_[2], point);
-  }
+  /// The side of a point of which rounded numbers do not tell it. Exact.
+  int exact_side(const PointRef& point) const;
 
  private:
   TriangleRef corners_;
   std::array<InputVertexId, 3> vertices_;
   const IntegerPlane* plane_;
+  std::array<double, 4> rounded_{};            // of the plane, if that is known
   std::optional<detail::PlaneFilter> filter_;  // if the plane is not known and all corners are doubles
 };
 

@@ -1,30 +1,28 @@
 #include "algebra3d/arrangement/detail/result_planes.h"
 
-namespace algebra3d::arrangement {
+#include <algorithm>
 
-std::uint32_t ResultPlanes::new_number(OperandId operand, std::uint32_t given, bool is_flipped) {
-  const FacePlanes& known = subdivision_.operands.mesh(operand).planes();
-  std::vector<NewNumbers>& numbers = numbers_[operand];
-  if (numbers.empty()) numbers.resize(known.size());
-  std::uint32_t& number = is_flipped ? numbers[given].flipped : numbers[given].plain;
-  if (number == FacePlanes::kUnknown) number = planes_.add(is_flipped ? known[given].flipped() : known[given]);
-  return number;
-}
+namespace algebra3d::arrangement {
 
 void ResultPlanes::take(const TakenRun& run) {
   const FacePlanes& known = subdivision_.operands.mesh(run.operand).planes();
   if (known.size() == 0) return;
+  NewNumbers& new_numbers = numbers_[run.operand][run.is_flipped ? 1 : 0];
+  if (new_numbers.empty()) new_numbers.resize(known.size(), FacePlanes::kUnknown);
+  const std::span<std::uint32_t> taken = planes_.numbers(run.new_first.index(), run.count);
   for (std::size_t i = 0; i < run.count; ++i) {
-    const std::uint32_t number = known.number(run.first.index() + i);
-    if (number != FacePlanes::kUnknown)
-      planes_.set(run.new_first.index() + i, new_number(run.operand, number, run.is_flipped));
+    const std::uint32_t given = known.number(run.first.index() + i);
+    if (given == FacePlanes::kUnknown) continue;
+    std::uint32_t& number = new_numbers[given];
+    if (number == FacePlanes::kUnknown) number = planes_.add(run.is_flipped ? known[given].flipped() : known[given]);
+    taken[i] = number;
   }
 }
 
 void ResultPlanes::add(IdRange<FaceId> faces, PlaneId plane, bool is_flipped) {
   const IntegerPlane exact = subdivision_.complex.coefficients.find_or_compute(subdivision_.facets, plane);
   const std::uint32_t number = planes_.add(is_flipped ? exact.flipped() : exact);
-  for (const FaceId face : faces) planes_.set(face.index(), number);
+  std::ranges::fill(planes_.numbers(faces.front().index(), faces.size()), number);
 }
 
 }  // namespace algebra3d::arrangement

@@ -32,16 +32,12 @@ class ResultPlanes {
   FacePlanes take_planes() { return std::move(planes_); }
 
  private:
-  /// Numbers of one plane among those of the result, as it is and flipped; kUnknown before they are needed.
-  struct NewNumbers {
-    std::uint32_t plain = FacePlanes::kUnknown, flipped = FacePlanes::kUnknown;
-  };
-
-  std::uint32_t new_number(OperandId operand, std::uint32_t given, bool is_flipped);
+  /// Of each plane of an operand its number among those of the result, or kUnknown; empty before the first.
+  using NewNumbers = std::vector<std::uint32_t>;
 
   const Subdivision& subdivision_;
   FacePlanes planes_;
-  IdVector<OperandId, std::vector<NewNumbers>> numbers_;  // of the operand's planes
+  IdVector<OperandId, std::array<NewNumbers, 2>> numbers_;  // of planes as they are, and flipped
 };
 
 }  // namespace algebra3d::arrangement
