@@ -14,7 +14,7 @@ constexpr std::size_t kFewestSlots = 64;
 std::uint32_t PointTable::intern(const ExactPoint& point) {
   const std::size_t before = size();
   const std::uint32_t number = intern(point.ref());
-  if (size() > before && !point.is_double()) owned_.push_back(point);
+  if (size() > before && !point.is_double()) owned_.emplace_back(point.ref().exact);
   return number;
 }
 

@@ -103,7 +103,7 @@ class PointTable {
   std::vector<Slot> slots_;  // their number is 0 or a power of two
   std::vector<Vec3> approx_;
   std::vector<const ExactCoordinates*> exact_;  // null for doubles; ends with the last exact point
-  std::vector<ExactPoint> owned_;
+  std::vector<SharedCoordinates> owned_;
 };
 
 }  // namespace algebra3d

@@ -13,8 +13,9 @@
 namespace algebra3d::arrangement {
 namespace {
 
-Result<std::vector<Region>> find_regions(const Subdivision& subdivision, const Selection& selection,
-                                         const PatchCorners& patch_corners) {
+/// The edges of regions, without pseudo-nodes.
+Result<std::vector<RegionEdge>> find_straight_edges(const Subdivision& subdivision, const Selection& selection,
+                                                    const PatchCorners& patch_corners) {
   const std::vector<UncutEdge> edges = uncut_edges(subdivision.operands, subdivision.complex, subdivision.patches);
   const std::vector<SpaceEdge> uncut_space_edges = space_edges_of(edges, subdivision.sub_edges);
   const std::vector<RegionEdge> boundaries = region_edges(subdivision.sub_edges, selection, uncut_space_edges);
@@ -22,8 +23,15 @@ Result<std::vector<Region>> find_regions(const Subdivision& subdivision, const S
   const std::vector<PseudoNode> pseudo_nodes =
       find_pseudo_nodes(subdivision, boundaries, edges, uncut_space_edges, patch_corners);
   ALGEBRA3D_RETURN_IF_ERROR(check_stage("the pseudo-nodes", [&] { return audit(subdivision, pseudo_nodes); }));
-  const std::vector<RegionEdge> straight = straightened(boundaries, pseudo_nodes);
+  std::vector<RegionEdge> straight = straightened(boundaries, pseudo_nodes);
   ALGEBRA3D_RETURN_IF_ERROR(check_stage("the straight edges", [&] { return audit(subdivision, straight); }));
+  return straight;
+}
+
+Result<std::vector<Region>> find_regions(const Subdivision& subdivision, const Selection& selection,
+                                         const PatchCorners& patch_corners) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<RegionEdge> straight,
+                             find_straight_edges(subdivision, selection, patch_corners));
   ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Region> regions, triangulate_regions(subdivision, straight));
   ALGEBRA3D_RETURN_IF_ERROR(check_stage("the regions", [&] { return audit(subdivision, straight, regions); }));
   return regions;
@@ -46,7 +54,10 @@ Result<TriangleMesh> build_result_mesh(const Subdivision& subdivision, const Sel
   const auto take_faces = [&] { mesh.take_faces(); };
   parallel_invoke(subdivision.operands.face_count() >= kFacesWorthATask, make_regions, take_faces);
   if (!regions.ok()) return std::move(regions).error();
-  for (const Region& region : *regions) mesh.add(region);
+  for (Region& region : *regions) {
+    mesh.add(region);
+    region = {};
+  }
   TriangleMesh result = mesh.finish();
   ALGEBRA3D_RETURN_IF_ERROR(check_stage("the result mesh", [&] { return audit(result); }));
   return result;

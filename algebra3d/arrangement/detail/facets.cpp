@@ -99,6 +99,9 @@ PlaneId FacetMaker::add_plane(Facet& facet, TriangleRef triangle) {
 }
 
 void FacetMaker::number_planes() {
+  std::size_t count = 0;
+  for (const FacetId f : facets_.ids()) count += coplanar_.find(f.index()) == f.index() ? 1 : 0;
+  facets_.planes.reserve(count);
   for (const FacetId f : facets_.ids()) {
     Facet& facet = facets_.facets[f];
     const TriangleRef triangle = operands_.corners(facets_.faces[facet.faces.first]);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <span>
 
 #include "algebra3d/base/scheduler.h"
@@ -63,28 +62,37 @@ PlanesOfFaces planes_for(PairSpan pairs, const Operands& operands) {
 /// a hierarchy: so each face is looked up for some eight pairs.
 class PairMembers {
  public:
-  PairMembers(const Operands& operands, const PlanesOfFaces& planes) : operands_(operands), planes_(planes) {}
+  PairMembers(const Operands& operands, const PlanesOfFaces& planes) : operands_(operands), planes_(planes) {
+    triangles_.reserve(kPlaces);
+  }
 
   /// Valid until the next call.
   const PlaneTriangle& get(InputFaceId face) {
     Known& known = known_[face.index() % kPlaces];
     if (known.face != face) {
-      known.triangle.emplace(operands_.corners(face), operands_.vertices(face), planes_.find(face));
+      const PlaneTriangle triangle(operands_.corners(face), operands_.vertices(face), planes_.find(face));
+      if (known.face.is_none()) {
+        known.triangle = triangles_.size();
+        triangles_.push_back(triangle);
+      } else {
+        triangles_[known.triangle] = triangle;
+      }
       known.face = face;
     }
-    return *known.triangle;
+    return triangles_[known.triangle];
   }
 
  private:
   static constexpr std::size_t kPlaces = 64;
   struct Known {
     InputFaceId face;
-    std::optional<PlaneTriangle> triangle;
+    std::size_t triangle = 0;  // its position in triangles_
   };
 
   const Operands& operands_;
   const PlanesOfFaces& planes_;
   std::array<Known, kPlaces> known_;  // each at the place that its number gives
+  std::vector<PlaneTriangle> triangles_;
 };
 
 /// Contacts of the pairs that touch. Incomplete once the work is cancelled.

@@ -83,6 +83,13 @@ struct SegmentComplex {
   std::vector<NodeOfVertex> nodes_of_vertices;
   PlaneCoefficients coefficients;  ///< of the planes that crossings were computed from
 
+  /// Frees what only the stages up to the division into sub-edges need: incidences, cuts, touches, collinear segments.
+  void free_divided() {
+    std::vector<SegmentIncidence>().swap(incidences);
+    std::vector<Cut>().swap(cuts);
+    std::vector<Touch>().swap(touches);
+    std::vector<CollinearSegments>().swap(collinear);
+  }
   /// Notes that two segments lie on one line; does nothing if they are the same.
   void note_collinear(SegmentId a, SegmentId b) {
     if (a != b) collinear.push_back({a, b});

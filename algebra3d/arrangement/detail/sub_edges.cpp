@@ -42,6 +42,8 @@ SubEdges divide(const Facets& facets, const SegmentComplex& complex) {
   SubEdges result;
   result.segments = CutSegments(complex);
   const std::vector<FacetSubEdge> parts = facet_sub_edges(facets, complex, result.segments);
+  result.sub_edges.reserve(parts.size());
+  result.incident.reserve(parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const FacetSubEdge& part = parts[i];
     if (i == 0 || parts[i - 1].place() != part.place())

@@ -27,6 +27,7 @@ Result<SubEdges> overlay_and_divide(Subdivision& subdivision, Boundaries boundar
   }
   ALGEBRA3D_RETURN_IF_ERROR(
       check_stage("the sub-edges", [&] { return audit(subdivision.facets, subdivision.complex, result); }));
+  complex.free_divided();
   return result;
 }
 

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+#include <vector>
+
 #include "unit/arrangement/stages.h"
 
 namespace algebra3d::arrangement {
@@ -149,6 +152,51 @@ TEST(PairContacts, audit_sees_damage) {
   expect_seen([](PairContact& c) { c.contact.points[0].first_runs_along = true; }, "runs along another edge");
   expect_seen([](PairContact& c) { c.second_face = c.first_face; }, "are of operands 0 and 0");
   expect_seen([](PairContact& c) { c.second_face = InputFaceId(99); }, "no such face");
+}
+
+/// Few points on a grid of thirds and a hair beside it, so that triangles of them share corners and nearly lie in one
+/// plane.
+std::vector<ExactPoint> few_points(std::mt19937& random) {
+  std::uniform_int_distribution<int> step(-2, 2);
+  const Rational hair(1, std::int64_t{1} << 60);
+  std::vector<ExactPoint> points;
+  for (int i = 0; i < 10; ++i) {
+    const auto coordinate = [&](int divisor) {
+      return Rational(step(random), divisor) + (step(random) == 0 ? hair : Rational(0));
+    };
+    points.emplace_back(RationalVec3(coordinate(3), coordinate(3), coordinate(i % 2 == 0 ? 3 : 30)));
+  }
+  return points;
+}
+
+TriangleMesh one_triangle(const TriangleRef& corners) {
+  PointArray points;
+  for (const PointRef& corner : corners) points.push_back(corner);
+  return {std::move(points), std::vector<TriangleMesh::Triangle>{{0, 1, 2}}};
+}
+
+/// The audit compares each contact that is found with intersect_triangles, which shares no code with contact_of.
+TEST(PairContacts, agree_with_intersect_triangles_where_corners_are_shared_or_nearly_in_one_plane) {
+  std::mt19937 random(1);  // NOLINT(cert-msc51-cpp): the same in every run
+  std::array<int, 4> seen{};
+  for (int round = 0; round < 100; ++round) {
+    const std::vector<ExactPoint> points = few_points(random);
+    std::uniform_int_distribution<std::size_t> any(0, points.size() - 1);
+    for (int i = 0; i < 60; ++i) {
+      const auto corners = [&] { return TriangleRef{points[any(random)], points[any(random)], points[any(random)]}; };
+      const TriangleRef first = corners(), second = corners();
+      if (collinear(first[0], first[1], first[2]) || collinear(second[0], second[1], second[2])) continue;
+      const TriangleMesh first_mesh = one_triangle(first), second_mesh = one_triangle(second);
+      const std::array<Operand, 2> list{{{&first_mesh, 0}, {&second_mesh, 1}}};
+      const Operands operands(list);
+      const PairContacts found = find_pair_contacts(operands, {{{InputFaceId(0), InputFaceId(1)}}}, {}).value();
+      const Contact expected = intersect_triangles(first, second);
+      ASSERT_EQ(found.contacts.empty(), expected == Contact::none);
+      ASSERT_EQ(audit(operands, found), Lines());
+      ++seen[static_cast<std::size_t>(expected)];
+    }
+  }
+  for (const int count : seen) EXPECT_GT(count, 50);
 }
 
 }  // namespace
