@@ -21,14 +21,14 @@ constexpr double kReachGrowth = 4;
 
 /// The rungs that a part of the solid is enough for.
 Result<bool> round_part(RoundingJob& job) {
-  const RoundingCandidate snapped = snap_rounded(job.mesh(), job.vertices());
+  ALGEBRA3D_ASSIGN_OR_RETURN(const RoundingCandidate snapped, snap_rounded(job.mesh(), job.vertices(), job.cancel()));
   ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_found, job.accept(snapped));
   return is_found || !job.grid().is_floating() ? Result<bool>(is_found) : join_features(job, snapped, kModestReach);
 }
 
 /// All rungs. Where the grid may be coarse for the solid, dividing comes before joining; else it would only take time.
 Result<bool> round_whole(RoundingJob& job) {
-  const RoundingCandidate snapped = snap_rounded(job.mesh(), job.vertices());
+  ALGEBRA3D_ASSIGN_OR_RETURN(const RoundingCandidate snapped, snap_rounded(job.mesh(), job.vertices(), job.cancel()));
   ALGEBRA3D_ASSIGN_OR_RETURN(bool is_found, job.accept(snapped));
   if (!is_found && !job.grid().is_floating()) {
     ALGEBRA3D_ASSIGN_OR_RETURN(is_found, divide_at_crossings(job));

@@ -69,7 +69,8 @@ Status SurfaceRounding::divide_at_crossings() {
   ALGEBRA3D_ASSIGN_OR_RETURN(const ValidParts parts, ValidParts::make(mesh_, monitor));
   ALGEBRA3D_ASSIGN_OR_RETURN(const TriangleMesh divided, unite_surfaces(parts.operands(), monitor));
   const RoundedVertices vertices = rounded_vertices(divided, grid_);
-  begin(snap_round(divided, vertices), vertices.largest_movement);
+  ALGEBRA3D_ASSIGN_OR_RETURN(SnappedMesh snapped, snap_round(divided, vertices, cancel_));
+  begin(std::move(snapped), vertices.largest_movement);
   return {};
 }
 
@@ -81,7 +82,8 @@ Result<RoundedSurface> rounded_surface(const TriangleMesh& surface, const Coordi
   if (!vertices.are_finite) return RoundedSurface{std::nullopt, "a coordinate is out of range"};
   if (vertices.moved == 0) return RoundedSurface{surface};
   SurfaceRounding rounding(grid, grid.spacing_up_to(largest_coordinate(surface)), cancel);
-  rounding.begin(snap_round(surface, vertices), vertices.largest_movement);
+  ALGEBRA3D_ASSIGN_OR_RETURN(SnappedMesh snapped, snap_round(surface, vertices, cancel));
+  rounding.begin(std::move(snapped), vertices.largest_movement);
   for (int turn = 0; turn < kModestTurns + kFarTurns; ++turn) {
     ALGEBRA3D_ASSIGN_OR_RETURN(bool is_valid, rounding.is_valid());
     if (!is_valid) {

@@ -46,23 +46,24 @@ class SomeFaces {
   BoxHierarchy hierarchy_;
 };
 
+bool is_flat(const SnappedFaces& faces, std::size_t face) {
+  const auto [a, b, c] = faces.triangle(face);
+  return collinear(a, b, c);
+}
+
 }  // namespace
 
-CrossingSearch::CrossingSearch(const SnappedFaces& faces) : faces_(faces), given_(faces.given_mesh()) {}
+CrossingSearch::CrossingSearch(const SnappedFaces& faces) : faces_(faces), given_(faces.given_mesh()) {
+  for (std::size_t given = 0; given < faces.given_count(); ++given) is_flat_.push_back(is_flat(faces, given));
+}
 
 Result<std::vector<FacePair>> CrossingSearch::find(const std::atomic<bool>* cancel) const {
-  std::vector<std::size_t> open_faces, changed_faces, faces_of_given(faces_.given_count(), SIZE_MAX);
-  for (std::size_t f = 0; f < faces_.size(); ++f) {
-    if (!faces_.is_open(f) && faces_.is_given(f)) {
-      faces_of_given[faces_.given_of(f)] = f;
-      continue;
-    }
-    const auto [a, b, c] = faces_.triangle(f);
-    if (collinear(a, b, c)) continue;
-    if (faces_.is_open(f)) open_faces.push_back(f);
-    (faces_.is_given(f) ? faces_of_given[faces_.given_of(f)] : changed_faces.emplace_back()) = f;
-  }
-  const SomeFaces open(faces_, std::move(open_faces)), changed(faces_, std::move(changed_faces));
+  const auto without_flat = [&](std::vector<std::size_t> numbers) {
+    std::erase_if(numbers, [&](std::size_t f) { return is_flat(faces_, f); });
+    return numbers;
+  };
+  const SomeFaces open(faces_, without_flat(faces_.open_faces())),
+      changed(faces_, without_flat(faces_.changed_faces()));
   std::vector<FacePair> pairs;
   const auto add = [&](std::size_t f, std::size_t g) {  // an open one, and any
     const bool comes_twice = faces_.is_open(g) && f >= g;
@@ -73,7 +74,7 @@ Result<std::vector<FacePair>> CrossingSearch::find(const std::atomic<bool>* canc
   open.hierarchy().for_each_pair_with(
       given_,
       [&](std::uint32_t f, std::uint32_t given) {
-        if (const std::size_t g = faces_of_given[given]; g != SIZE_MAX) add(open[f], g);
+        if (faces_.is_there(given) && !is_flat_[given]) add(open[f], given);
         return true;
       },
       go_on);

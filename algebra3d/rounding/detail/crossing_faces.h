@@ -22,12 +22,13 @@ class CrossingSearch {
 
   /// The pairs of faces that share more than a point or a whole edge of both, and at least one of which is open;
   /// ascending. Faces without area, and faces with the same corners, cross nothing. Exact. Errors: interrupted. Cost:
-  /// linear, some nanoseconds per face; a hierarchy over the changed and the open faces, and their pairs of boxes.
+  /// that of a hierarchy over the changed and the open faces, and of their pairs of boxes.
   Result<std::vector<FacePair>> find(const std::atomic<bool>* cancel) const;
 
  private:
   const SnappedFaces& faces_;
   BoxHierarchy given_;
+  std::vector<bool> is_flat_;  // per given face
 };
 
 }  // namespace algebra3d

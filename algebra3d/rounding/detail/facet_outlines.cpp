@@ -25,14 +25,15 @@ struct EdgeOfFacet {
 
 }  // namespace
 
-FacetOutlines::FacetOutlines(const TriangleMesh& mesh, const MovedVertices& moved)
+FacetOutlines::FacetOutlines(const TriangleMesh& mesh, const MovedVertices& moved, const Monitor& monitor)
     : mesh_(mesh), facets_(mesh), points_(moved), chains_(points_.points) {
   note_movements(moved);
   find_outline_chains();
+  if (monitor.is_cancelled()) return;
   route_through_passed_points(*this);
   apply_routes();
   for (const CoplanarFacetId facet : facets_.ids()) first_link_counts_.push_back(link_count(facet));
-  route_around_crossings();
+  route_around_crossings(monitor);
 }
 
 std::span<const OutlineChain> FacetOutlines::outline_chains(CoplanarFacetId facet) const {
@@ -104,8 +105,8 @@ std::vector<OutlineLink> FacetOutlines::links_to_check() {
   return links;
 }
 
-void FacetOutlines::route_around_crossings() {
-  for (int round = 0; round < kMaxRounds; ++round) {
+void FacetOutlines::route_around_crossings(const Monitor& monitor) {
+  for (int round = 0; round < kMaxRounds && !monitor.is_cancelled(); ++round) {
     for (const CoplanarFacetId facet : resolve_crossings(*this, links_to_check())) is_given_up_[facet] = true;
     if (!apply_routes()) return;
   }

@@ -6,6 +6,7 @@
 
 #include "algebra3d/arrangement/coplanar_facets.h"
 #include "algebra3d/base/indices.h"
+#include "algebra3d/base/monitor.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
 #include "algebra3d/rounding/detail/edge_chains.h"
 #include "algebra3d/rounding/detail/moved_points.h"
@@ -32,8 +33,8 @@ struct OutlineLink {
 /// pixels of [hobby1999], here about segments in space.
 class FacetOutlines {
  public:
-  /// The mesh must outlive this. Cost: n log n.
-  FacetOutlines(const TriangleMesh& mesh, const MovedVertices& moved);
+  /// The mesh must outlive this. If `monitor` is cancelled, the outlines mean nothing. Cost: n log n.
+  FacetOutlines(const TriangleMesh& mesh, const MovedVertices& moved, const Monitor& monitor);
 
   const CoplanarFacets& facets() const { return facets_; }
   const MovedPoints& points() const { return points_; }
@@ -64,7 +65,7 @@ class FacetOutlines {
   bool apply_routes();
   /// The links of changed outlines. Outlines that have grown too much are given up.
   std::vector<OutlineLink> links_to_check();
-  void route_around_crossings();
+  void route_around_crossings(const Monitor& monitor);
 
   const TriangleMesh& mesh_;
   CoplanarFacets facets_;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "algebra3d/base/id_vector.h"
 #include "algebra3d/exact/predicates.h"
 #include "algebra3d/rounding/detail/crossing_faces.h"
 #include "algebra3d/rounding/detail/near_features.h"
@@ -14,7 +15,7 @@
 namespace algebra3d {
 namespace {
 
-/// The reach at level 0, in spacings. It is doubled from level to level.
+/// The reach at level 0, in spacings. It is doubled from level to level. Levels differ from place to place.
 constexpr double kLeastReach = 2;
 /// So many rounds are made at a level, and so many of these without fewer crossings than ever.
 constexpr int kMaxSnappingRounds = 40;
@@ -23,12 +24,12 @@ constexpr int kMaxRoundsWithoutGain = 10;
 /// Clusters that are given up with no more crossings stay as they are; others are restored.
 constexpr std::size_t kFewCrossings = 20;
 
-/// How a cluster gets on at its level.
+/// How a cluster gets on.
 struct Progress {
-  int level = 0;
   int rounds = 0, last_gain = 0;
   std::size_t crossings = 0, fewest = SIZE_MAX;
   bool can_join = true;  // something was joined in the last round
+  bool is_given_up = false;
 
   void count_round() {
     ++rounds;
@@ -40,8 +41,6 @@ struct Progress {
     return crossings > 0 && (!can_join || rounds > kMaxSnappingRounds || rounds - last_gain > kMaxRoundsWithoutGain ||
                              crossings > 4 * fewest + 20);
   }
-  /// In spacings of the grid.
-  double reach() const { return std::ldexp(kLeastReach, level); }
 };
 
 /// The faults of the faces that are left to mend.
@@ -54,23 +53,39 @@ class FeatureSnapping {
  public:
   FeatureSnapping(const TriangleMesh& mesh, const CoordinateGrid& grid, double spacing, double largest_reach,
                   const std::atomic<bool>* cancel, Folded folded)
-      : faces_(mesh, folded), grid_(grid), spacing_(spacing), largest_reach_(largest_reach), cancel_(cancel) {}
+      : faces_(mesh, folded),
+        grid_(grid),
+        spacing_(spacing),
+        largest_reach_(largest_reach),
+        cancel_(cancel),
+        levels_(faces_.point_count()) {}
 
   Result<FeatureSnappedMesh> run();
 
  private:
-  bool is_given_up(const Progress& progress) const { return progress.reach() > largest_reach_; }
+  /// Clusters that are restored, and those of them that begin again; ascending.
+  struct Left {
+    std::vector<PointId> restored, again;
+  };
+
+  /// In spacings of the grid.
+  static double reach_at(int level) { return std::ldexp(kLeastReach, level); }
+  int level_of(std::size_t face) const;
+  int level_of(const FacePair& pair) const { return std::max(level_of(pair.first), level_of(pair.second)); }
   PointId cluster_of(std::size_t face) { return faces_.cluster_of(faces_.corners(face)[0]); }
   Result<Faults> find_faults(const CrossingSearch& search) const;
   void tie_clusters(const std::vector<FacePair>& pairs);
   void note_progress(const Faults& faults);
-  std::vector<PointId> raise_hopeless_clusters(Faults& faults);
+  std::vector<PointId> hopeless_clusters() const;
+  std::vector<PointId> raise_levels(const std::vector<PointId>& clusters, const Faults& faults);
+  Left leave_hopeless_clusters(Faults& faults);
   FeatureJoins joins_of(const Faults& faults);
 
   SnappedFaces faces_;
   CoordinateGrid grid_;
   double spacing_, largest_reach_;
   const std::atomic<bool>* cancel_;
+  IdVector<PointId, int> levels_;         // of the corners of given faces
   std::map<PointId, Progress> progress_;  // of clusters that cross, or did
   double reached_ = 0;                    // the largest reach used, in coordinate units
 };
@@ -78,53 +93,92 @@ class FeatureSnapping {
 Result<Faults> FeatureSnapping::find_faults(const CrossingSearch& search) const {
   Faults faults;
   ALGEBRA3D_ASSIGN_OR_RETURN(faults.pairs, search.find(cancel_));
-  for (std::size_t f = 0; f < faces_.size(); ++f) {
-    if (!faces_.is_open(f)) continue;
+  for (const std::size_t f : faces_.open_faces()) {
     const auto [a, b, c] = faces_.triangle(f);
     if (collinear(a, b, c)) faults.flat_faces.push_back(f);
   }
   return faults;
 }
 
-/// Faces that cross are of one cluster. Clusters that became one begin anew, at the highest of their levels.
+/// The highest level at a corner of the given face.
+int FeatureSnapping::level_of(std::size_t face) const {
+  int level = 0;
+  for (const PointId corner : faces_.corners(faces_.given_of(face))) level = std::max(level, levels_[corner]);
+  return level;
+}
+
+/// Faces that cross are of one cluster. Clusters that became one begin anew.
 void FeatureSnapping::tie_clusters(const std::vector<FacePair>& pairs) {
   for (const auto& [f, g] : pairs) faces_.tie(faces_.corners(f)[0], faces_.corners(g)[0]);
   std::map<PointId, Progress> progress;
   for (const auto& [old_cluster, old] : progress_) {
     const auto [entry, is_new] = progress.try_emplace(faces_.cluster_of(old_cluster), old);
     if (!is_new)
-      entry->second = {.level = std::max(entry->second.level, old.level),
-                       .crossings = entry->second.crossings + old.crossings};
+      entry->second = {.crossings = entry->second.crossings + old.crossings,
+                       .is_given_up = entry->second.is_given_up || old.is_given_up};
   }
   progress_ = std::move(progress);
 }
 
 void FeatureSnapping::note_progress(const Faults& faults) {
   for (auto& [cluster, progress] : progress_)
-    if (!is_given_up(progress)) progress.crossings = 0;
+    if (!progress.is_given_up) progress.crossings = 0;
   for (const FacePair& pair : faults.pairs) ++progress_[cluster_of(pair.first)].crossings;
   for (const std::size_t face : faults.flat_faces) ++progress_[cluster_of(face)].crossings;
   for (auto& [cluster, progress] : progress_)
-    if (progress.crossings > 0 && !is_given_up(progress)) progress.count_round();
+    if (progress.crossings > 0 && !progress.is_given_up) progress.count_round();
 }
 
-/// Raises the levels of the clusters that do not get on, and returns those that are to be restored; those that
-/// are given up at the last level with few crossings stay as they are. Removes the faults of all these.
-std::vector<PointId> FeatureSnapping::raise_hopeless_clusters(Faults& faults) {
-  std::vector<PointId> raised;
-  for (auto& [cluster, progress] : progress_) {
-    if (is_given_up(progress) || !progress.is_hopeless()) continue;
-    const bool has_few = progress.crossings <= kFewCrossings;
-    progress = {.level = progress.level + 1, .crossings = progress.crossings};
-    if (!is_given_up(progress) || !has_few) raised.push_back(cluster);
+/// Ascending.
+std::vector<PointId> FeatureSnapping::hopeless_clusters() const {
+  std::vector<PointId> clusters;
+  for (const auto& [cluster, progress] : progress_)
+    if (!progress.is_given_up && progress.is_hopeless()) clusters.push_back(cluster);
+  return clusters;
+}
+
+/// Raises the levels where faces of some clusters cross, and returns those clusters of which some are too high now.
+std::vector<PointId> FeatureSnapping::raise_levels(const std::vector<PointId>& clusters, const Faults& faults) {
+  std::map<PointId, int> raised;
+  std::vector<PointId> too_high;
+  const auto raise = [&](std::size_t face, int level) {
+    const PointId cluster = cluster_of(face);
+    if (!std::ranges::binary_search(clusters, cluster)) return;
+    if (reach_at(level) > largest_reach_) too_high.push_back(cluster);
+    for (const PointId corner : faces_.corners(faces_.given_of(face))) {
+      int& to = raised[corner];
+      to = std::max(to, level);
+    }
+  };
+  for (const FacePair& pair : faults.pairs)
+    for (const std::size_t face : {pair.first, pair.second}) raise(face, level_of(pair) + 1);
+  for (const std::size_t face : faults.flat_faces) raise(face, level_of(face) + 1);
+  for (const auto& [corner, level] : raised) levels_[corner] = std::max(levels_[corner], level);
+  std::ranges::sort(too_high);
+  too_high.erase(std::unique(too_high.begin(), too_high.end()), too_high.end());
+  return too_high;
+}
+
+/// Restores clusters that do not get on, and raises the levels where they cross; those that are given up with few
+/// crossings stay as they are. Removes the faults of all these.
+FeatureSnapping::Left FeatureSnapping::leave_hopeless_clusters(Faults& faults) {
+  const std::vector<PointId> hopeless = hopeless_clusters();
+  std::vector<PointId> given_up = raise_levels(hopeless, faults);
+  Left left;
+  for (const PointId cluster : hopeless) {
+    Progress& progress = progress_[cluster];
+    progress.is_given_up = std::ranges::binary_search(given_up, cluster);
+    if (!progress.is_given_up) left.again.push_back(cluster);
+    if (!progress.is_given_up || progress.crossings > kFewCrossings) left.restored.push_back(cluster);
   }
   const auto is_left_out = [&](std::size_t face) {
     const PointId cluster = cluster_of(face);
-    return std::ranges::binary_search(raised, cluster) || is_given_up(progress_[cluster]);
+    return std::ranges::binary_search(hopeless, cluster) || progress_[cluster].is_given_up;
   };
   std::erase_if(faults.pairs, [&](const FacePair& pair) { return is_left_out(pair.first); });
   std::erase_if(faults.flat_faces, is_left_out);
-  return raised;
+  for (const PointId cluster : left.again) progress_.erase(cluster);
+  return left;
 }
 
 FeatureJoins FeatureSnapping::joins_of(const Faults& faults) {
@@ -132,8 +186,9 @@ FeatureJoins FeatureSnapping::joins_of(const Faults& faults) {
   for (const FacePair& pair : faults.pairs) progress_[cluster_of(pair.first)].can_join = false;
   for (const FacePair& pair : faults.pairs) {
     Progress& progress = progress_[cluster_of(pair.first)];
-    const double reach = progress.reach() * spacing_;
-    const CoordinateGrid grid = progress.level == 0 ? grid_ : CoordinateGrid::multiples(reach / kLeastReach);
+    const int level = level_of(pair);
+    const double reach = reach_at(level) * spacing_;
+    const CoordinateGrid grid = level == 0 ? grid_ : CoordinateGrid::multiples(reach / kLeastReach);
     reached_ = std::max(reached_, reach);
     progress.can_join |= join_near_features(faces_, pair.first, pair.second, reach, grid, joins);
   }
@@ -152,18 +207,19 @@ Result<FeatureSnappedMesh> FeatureSnapping::run() {
     if (round == 0) crossings_before = faults.pairs.size();
     tie_clusters(faults.pairs);
     note_progress(faults);
-    const std::vector<PointId> raised = raise_hopeless_clusters(faults);
-    if (faults.pairs.empty() && faults.flat_faces.empty() && raised.empty()) break;
+    const Left left = leave_hopeless_clusters(faults);
+    if (faults.pairs.empty() && faults.flat_faces.empty() && left.restored.empty()) break;
     FeatureJoins joins = joins_of(faults);
-    std::vector<std::size_t> open = faults.flat_faces;
+    std::vector<std::size_t> open = std::move(faults.flat_faces);
     for (const auto& [f, g] : faults.pairs) open.insert(open.end(), {f, g});
-    faces_.close_all_but(open);
+    faces_.close_all_but(std::move(open));
     faces_.apply(std::move(joins));
-    faces_.restore(raised);
+    faces_.restore(left.restored);
+    if (!left.again.empty()) faces_.untie(left.again);
   }
   FeatureSnappedMesh result{faces_.mesh(), faces_.largest_displacement(), reached_, crossings_before};
   for (const auto& [cluster, progress] : progress_)
-    if (is_given_up(progress)) result.crossing_pairs += progress.crossings;
+    if (progress.is_given_up) result.crossing_pairs += progress.crossings;
   return result;
 }
 

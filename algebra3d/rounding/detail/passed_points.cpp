@@ -61,7 +61,7 @@ void route_through_passed_points(FacetOutlines& outlines) {
     for (const std::uint32_t number : tree.window(padded(Box3::of(points.points[point]), movement))) {
       const ChainId chain(number);
       const double reach = movement + movements[chain];
-      if (common.is_any(chain, point) && reach > 0 && chains.distance({chain, 0}, point) <= reach)
+      if (reach > 0 && chains.distance({chain, 0}, point) <= reach && common.is_any(chain, point))
         chains.route_through({chain, 0}, point);
     }
   }

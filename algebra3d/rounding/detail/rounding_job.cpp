@@ -20,11 +20,13 @@ constexpr double kSuperfluous = 2;
 
 }  // namespace
 
-RoundingCandidate snap_rounded(const TriangleMesh& mesh, const RoundedVertices& vertices) {
-  SnappedMesh snapped = snap_round(mesh, vertices);
+Result<RoundingCandidate> snap_rounded(const TriangleMesh& mesh, const RoundedVertices& vertices,
+                                       const std::atomic<bool>* cancel) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(SnappedMesh snapped, snap_round(mesh, vertices, cancel));
   const RoundingMethod method =
       snapped.largest_detour > 0 ? RoundingMethod::edges_led_round : RoundingMethod::vertices_moved;
-  return {std::move(snapped.mesh), rounded_up(vertices.largest_movement + snapped.largest_detour), 0, method};
+  return RoundingCandidate{std::move(snapped.mesh), rounded_up(vertices.largest_movement + snapped.largest_detour), 0,
+                           method};
 }
 
 RoundingJob::RoundingJob(const TriangleMesh& solid, SolidPart part, const CoordinateGrid& grid,
@@ -66,19 +68,20 @@ Result<bool> RoundingJob::accept_as_it_is(const RoundingCandidate& candidate) {
 /// Without corners of facets with moved corners that lie on the surface or on an edge anyway, up to two spacings of
 /// the grid: rounding left them there, now or earlier. On a grid of multiples, which may be coarse for the solid, all
 /// stay.
-RoundingCandidate RoundingJob::without_superfluous(const RoundingCandidate& candidate) const {
+Result<RoundingCandidate> RoundingJob::without_superfluous(const RoundingCandidate& candidate) const {
   if (!grid_.is_floating()) return candidate;
   std::vector<bool> may_go;
   may_go.reserve(candidate.mesh.vertex_count());
   for (const Vec3& place : candidate.mesh.points().approx()) may_go.push_back(places_that_stay_.find(place) == kNone);
-  TriangleMesh simpler = without_superfluous_vertices(candidate.mesh, may_go, kSuperfluous * spacing_);
+  ALGEBRA3D_ASSIGN_OR_RETURN(TriangleMesh simpler,
+                             without_superfluous_vertices(candidate.mesh, may_go, kSuperfluous * spacing_, cancel_));
   if (simpler.face_count() == candidate.mesh.face_count()) return candidate;
   const double movement = candidate.movement + rounded_up(2 * kSuperfluous * spacing_);
-  return {std::move(simpler), movement, candidate.reach, candidate.method};
+  return RoundingCandidate{std::move(simpler), movement, candidate.reach, candidate.method};
 }
 
 Result<bool> RoundingJob::accept(const RoundingCandidate& candidate) {
-  const RoundingCandidate simpler = without_superfluous(candidate);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const RoundingCandidate simpler, without_superfluous(candidate));
   ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, accept_as_it_is(simpler));
   if (is_valid || simpler.mesh.face_count() == candidate.mesh.face_count()) return is_valid;
   return accept_as_it_is(candidate);

@@ -25,8 +25,9 @@ struct RoundingCandidate {
 /// of a solid: a wider one joins walls that are thicker than the grid.
 inline constexpr double kFirstReach = 2;
 
-/// The snap rounded mesh.
-RoundingCandidate snap_rounded(const TriangleMesh& mesh, const RoundedVertices& vertices);
+/// The snap rounded mesh. Errors: interrupted.
+Result<RoundingCandidate> snap_rounded(const TriangleMesh& mesh, const RoundedVertices& vertices,
+                                       const std::atomic<bool>* cancel);
 
 /// The rounding of a solid, or of a part of it, while methods make candidates: what is given, and the first candidate
 /// that was proved.
@@ -53,7 +54,7 @@ class RoundingJob {
 
  private:
   void find_places_that_stay();
-  RoundingCandidate without_superfluous(const RoundingCandidate& candidate) const;
+  Result<RoundingCandidate> without_superfluous(const RoundingCandidate& candidate) const;
   Result<bool> accept_as_it_is(const RoundingCandidate& candidate);
 
   const TriangleMesh& solid_;

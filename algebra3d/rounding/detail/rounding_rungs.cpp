@@ -56,7 +56,7 @@ Result<bool> select_cells(const RoundingJob& job, RoundingCandidate& candidate) 
     candidate.mesh = *std::move(solid);
     return true;
   }
-  RoundingCandidate snapped = snap_rounded(*solid, vertices);
+  ALGEBRA3D_ASSIGN_OR_RETURN(RoundingCandidate snapped, snap_rounded(*solid, vertices, job.cancel()));
   candidate.mesh = std::move(snapped.mesh);
   candidate.movement += snapped.movement;
   return true;
@@ -69,7 +69,7 @@ Result<bool> divide_at_crossings(RoundingJob& job) {
   double moved_before = 0;
   for (int i = 0; i < kMaxDivisions && solid.face_count() <= max_faces(job.mesh()); ++i) {
     const RoundedVertices vertices = rounded_vertices(solid, job.grid());
-    SnappedMesh snapped = moved_mesh(solid, vertices.points);
+    ALGEBRA3D_ASSIGN_OR_RETURN(SnappedMesh snapped, moved_mesh(solid, vertices.points, job.cancel()));
     const double movement = moved_before + rounded_up(vertices.largest_movement + snapped.largest_detour);
     const RoundingMethod method = i == 0 ? RoundingMethod::vertices_moved : RoundingMethod::crossings_divided;
     const RoundingCandidate candidate{std::move(snapped.mesh), movement, 0, method};
@@ -121,7 +121,7 @@ Result<bool> join_coplanar(RoundingJob& job, const std::vector<bool>& crowded, d
   const MovedVertices moved = snap_coplanar(job.mesh(), crowded, reach * job.spacing());
   const double farthest = std::ranges::max(moved.movements);
   if (farthest == 0) return false;
-  SnappedMesh snapped = snap_round(job.mesh(), moved);
+  ALGEBRA3D_ASSIGN_OR_RETURN(SnappedMesh snapped, snap_round(job.mesh(), moved, job.cancel()));
   RoundingCandidate coplanar{std::move(snapped.mesh), rounded_up(farthest + snapped.largest_detour),
                              reach * job.spacing(), RoundingMethod::facets_made_coplanar};
   ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_selected, select_cells(job, coplanar));

@@ -11,12 +11,16 @@
 namespace algebra3d {
 namespace {
 
+/// After so many facets cancellation is looked for.
+constexpr std::uint32_t kFacetsPerLook = 1024;
+
 /// The triangles of all facets, with the outlines that they have now.
 class SnapRounding {
  public:
-  SnapRounding(const TriangleMesh& mesh, const MovedVertices& moved) : outlines_(mesh, moved) {}
+  SnapRounding(const TriangleMesh& mesh, const MovedVertices& moved, const Monitor& monitor)
+      : monitor_(monitor), outlines_(mesh, moved, monitor) {}
 
-  SnappedMesh run();
+  Result<SnappedMesh> run();
 
  private:
   void add(const IndexTriangle& triangle);
@@ -27,6 +31,7 @@ class SnapRounding {
   void add_moved(CoplanarFacetId facet);
   TriangleMesh mesh_of_used_points();
 
+  const Monitor& monitor_;
   FacetOutlines outlines_;
   std::vector<IndexTriangle> triangles_;
 };
@@ -93,24 +98,25 @@ TriangleMesh SnapRounding::mesh_of_used_points() {
   return {std::move(used), triangles_};
 }
 
-SnappedMesh SnapRounding::run() {
+Result<SnappedMesh> SnapRounding::run() {
   for (const CoplanarFacetId facet : outlines_.facets().ids()) {
+    if (facet.index() % kFacetsPerLook == 0) ALGEBRA3D_RETURN_IF_ERROR(monitor_.check());
     const bool keeps_triangles = !outlines_.is_moved(facet) || !outlines_.is_simple(facet);
     if (keeps_triangles || !add_triangulated(facet)) add_moved(facet);
   }
-  return {mesh_of_used_points(), outlines_.chains().largest_detour()};
+  return SnappedMesh{mesh_of_used_points(), outlines_.chains().largest_detour()};
 }
 
 }  // namespace
 
-SnappedMesh moved_mesh(const TriangleMesh& mesh, PointArray points) {
+Result<SnappedMesh> moved_mesh(const TriangleMesh& mesh, PointArray points, const Monitor& monitor) {
   const std::size_t count = points.size();
   // Vertices that have not moved pass over nothing.
-  return snap_round(mesh, {std::move(points), std::vector<double>(count)});
+  return snap_round(mesh, {std::move(points), std::vector<double>(count)}, monitor);
 }
 
-SnappedMesh snap_round(const TriangleMesh& mesh, const MovedVertices& moved) {
-  return SnapRounding(mesh, moved).run();
+Result<SnappedMesh> snap_round(const TriangleMesh& mesh, const MovedVertices& moved, const Monitor& monitor) {
+  return SnapRounding(mesh, moved, monitor).run();
 }
 
 }  // namespace algebra3d

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "algebra3d/base/error.h"
+#include "algebra3d/base/monitor.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
 #include "algebra3d/rounding/detail/moved_points.h"
 
@@ -17,11 +19,12 @@ struct SnappedMesh {
 ///   flipped;
 /// - facets that collapsed to a line vanish.
 /// Facets without moved points keep their triangles. Closed meshes stay closed. Crossings between facets are not
-/// tested, so the result may have self-intersections. Exactness: all vertices are given points. Errors: none. Cost: n
-/// log n.
-SnappedMesh snap_round(const TriangleMesh& mesh, const MovedVertices& moved);
+/// tested, so the result may have self-intersections. Exactness: all vertices are given points. Errors: interrupted.
+/// Cost: n log n.
+Result<SnappedMesh> snap_round(const TriangleMesh& mesh, const MovedVertices& moved, const Monitor& monitor = {});
 
 /// Moves the corners of the triangles, and no more; triangles two of whose corners became one point are left out.
-SnappedMesh moved_mesh(const TriangleMesh& mesh, PointArray points);
+/// Errors: interrupted.
+Result<SnappedMesh> moved_mesh(const TriangleMesh& mesh, PointArray points, const Monitor& monitor = {});
 
 }  // namespace algebra3d

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 
-#include "algebra3d/base/disjoint_ids.h"
-#include "algebra3d/base/id_vector.h"
+#include "algebra3d/base/indices.h"
 #include "algebra3d/rounding/detail/rounded_vertices.h"
 
 namespace algebra3d {
@@ -13,6 +13,10 @@ namespace {
 
 bool repeats_a_corner(const std::array<PointId, 3>& corners) {
   return corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0];
+}
+
+bool has_corner(const std::array<PointId, 3>& corners, PointId p) {
+  return std::ranges::find(corners, p) != corners.end();
 }
 
 /// The corners in ascending order, and whether that is an odd permutation of them.
@@ -41,20 +45,34 @@ SnappedFaces::SnappedFaces(const TriangleMesh& mesh, Folded folded) : folded_(fo
   faces_.reserve(mesh.face_count());
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     const auto [a, b, c] = mesh.triangle(FaceId(f));
-    faces_.push_back({{points[VertexId(a)], points[VertexId(b)], points[VertexId(c)]}, {}, 0, true, true});
+    const Corners corners = {points[VertexId(a)], points[VertexId(b)], points[VertexId(c)]};
+    if (!repeats_a_corner(corners)) faces_.push_back({corners, {}, 0, true, true});
   }
+  drop_folded_given();
   ties_ = DisjointIds<PointId>(table_.size());
-  drop_empty_faces();
-  given_.reserve(faces_.size());
-  for (Face& face : faces_) {
-    face.given = given_.size();
-    given_.push_back(face.corners);
+  faces_at_.resize(table_.size());
+  size_ = given_count_ = faces_.size();
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    faces_[f].given = f;
+    open_.push_back(f);
+    list_at_corners(f);
   }
+}
+
+std::vector<std::size_t> SnappedFaces::faces() const {
+  std::vector<std::size_t> there;
+  there.reserve(size_);
+  for (std::size_t f = 0; f < faces_.size(); ++f)
+    if (faces_[f].is_there) there.push_back(f);
+  return there;
 }
 
 PointId SnappedFaces::add_point(const Vec3& place) {
   const PointId point(table_.intern(PointRef(place)));
-  if (point.index() == ties_.size()) ties_.add();
+  if (point.index() == ties_.size()) {
+    ties_.add();
+    faces_at_.push_back({});
+  }
   return point;
 }
 
@@ -63,33 +81,118 @@ TriangleRef SnappedFaces::triangle(std::size_t face) const {
   return {point(a), point(b), point(c)};
 }
 
-void SnappedFaces::close_all_but(std::span<const std::size_t> faces) {
-  for (Face& face : faces_) face.is_open = false;
+void SnappedFaces::close_all_but(std::vector<std::size_t> faces) {
+  for (const std::size_t face : open_) faces_[face].is_open = false;
   for (const std::size_t face : faces) faces_[face].is_open = true;
+  open_ = std::move(faces);
+  tidy_lists();
+}
+
+/// The faces at a point.
+std::vector<std::size_t>& SnappedFaces::faces_at(PointId point) {
+  std::vector<std::size_t>& faces = faces_at_[point];
+  std::erase_if(faces, [&](std::size_t f) { return !faces_[f].is_there; });
+  return faces;
+}
+
+/// The faces with an edge.
+std::vector<std::size_t> SnappedFaces::faces_along(const PointPair& edge) {
+  std::vector<std::size_t> faces = faces_at(edge.first);
+  std::erase_if(faces, [&](std::size_t f) { return !has_corner(faces_[f].corners, edge.second); });
+  return faces;
+}
+
+void SnappedFaces::list_at_corners(std::size_t face) {
+  for (const PointId corner : faces_[face].corners) faces_at_[corner].push_back(face);
+}
+
+/// Adds a part of a given face, unless it repeats a corner.
+void SnappedFaces::add(const Face& face) {
+  tie_to_given(face);
+  if (repeats_a_corner(face.corners)) return;
+  const std::size_t number = faces_.size();
+  faces_.push_back(face);
+  open_.push_back(number);
+  changed_.push_back(number);
+  list_at_corners(number);
+  ++size_;
+  fold(number);
+}
+
+/// Puts a given face back that is not there.
+void SnappedFaces::put_back(std::size_t given) {
+  for (const PointId corner : faces_[given].corners) faces_at(corner);  // it is listed at none of them any more
+  faces_[given].is_there = faces_[given].is_open = true;
+  open_.push_back(given);
+  list_at_corners(given);
+  ++size_;
+  fold(given);
+}
+
+void SnappedFaces::take_away(std::size_t face) {
+  faces_[face].is_there = false;
+  --size_;
+  if (is_given(face)) gone_.push_back(face);
+}
+
+/// The rule for a face, and those that are there already with the same corners.
+void SnappedFaces::fold(std::size_t face) {
+  const auto [corners, is_odd] = sorted(faces_[face].corners);
+  const PointId corner = std::ranges::min(corners, {}, [&](PointId p) { return faces_at_[p].size(); });
+  for (const std::size_t other : faces_at(corner)) {
+    if (other == face) continue;
+    const auto [other_corners, other_is_odd] = sorted(faces_[other].corners);
+    if (other_corners != corners || (folded_ == Folded::vanishes && other_is_odd == is_odd)) continue;
+    for (const std::size_t f : {face, other}) tie_to_given(faces_[f]);
+    take_away(face);
+    if (folded_ == Folded::vanishes) take_away(other);
+    return;
+  }
+}
+
+/// Leaves out what is not so any more.
+void SnappedFaces::tidy_lists() {
+  std::erase_if(open_, [&](std::size_t f) { return !faces_[f].is_there || !faces_[f].is_open; });
+  std::erase_if(changed_, [&](std::size_t f) { return !faces_[f].is_there; });
+  std::erase_if(gone_, [&](std::size_t f) { return faces_[f].is_there; });
+  for (std::vector<std::size_t>* faces : {&open_, &gone_}) {
+    std::ranges::sort(*faces);
+    faces->erase(std::unique(faces->begin(), faces->end()), faces->end());
+  }
 }
 
 SnappedFaces::Face SnappedFaces::part_of(std::size_t given, const Corner& a, const Corner& b, const Corner& c) {
-  return {{a.point, b.point, c.point}, {a.displacement, b.displacement, c.displacement}, given, true, false};
+  return {{a.point, b.point, c.point}, {a.displacement, b.displacement, c.displacement}, given, true, true};
 }
 
 void SnappedFaces::tie_to_given(const Face& face) {
-  for (const PointId corner : given_[face.given]) ties_.unite(corner, face.corners[0]);
+  for (const PointId corner : faces_[face.given].corners) ties_.unite(corner, face.corners[0]);
   for (const PointId corner : face.corners) ties_.unite(corner, face.corners[0]);
 }
 
 void SnappedFaces::merge(FeatureJoins& joins) {
   DisjointIds<PointId> sets(table_.size());
   for (const auto& [a, b] : joins.merged) sets.unite(a, b);
-  for (Face& face : faces_)
+  std::vector<std::size_t> changing;
+  for (const auto& [a, b] : joins.merged)
+    for (const PointId point : {a, b}) {
+      if (sets.find(point) == point) continue;
+      const std::vector<std::size_t>& at_point = faces_at(point);
+      changing.insert(changing.end(), at_point.begin(), at_point.end());
+    }
+  std::ranges::sort(changing);
+  changing.erase(std::unique(changing.begin(), changing.end()), changing.end());
+  for (const std::size_t f : changing) {
+    Face face = faces_[f];
     for (std::size_t i = 0; i < 3; ++i) {
       const PointId old = face.corners[i], merged = sets.find(old);
-      if (merged == old) continue;
       face.displacements[i] = face.displacements[i] + (place(merged) - place(old)).rounded();
       face.corners[i] = merged;
-      face.is_open = true;
-      face.is_given = false;
-      tie_to_given(face);
     }
+    face.is_open = true;
+    take_away(f);
+    add(face);
+  }
   std::map<PointPair, std::vector<PointId>> led;
   for (const auto& [edge, points] : joins.led)
     for (const PointId p : points) led[ordered(sets.find(edge.first), sets.find(edge.second))].push_back(sets.find(p));
@@ -144,78 +247,77 @@ void SnappedFaces::triangulate(std::size_t given, const Chain& ab, const Chain& 
   triangulate(given, {middle, ab.end()}, bc, {ca[0], *middle}, faces);
 }
 
-void SnappedFaces::apply(FeatureJoins joins) {
-  if (!joins.merged.empty()) merge(joins);
-  IdVector<PointId, bool> is_end(table_.size());  // of an edge that is led through points
+/// Leads edges, in all faces along them.
+void SnappedFaces::lead(FeatureJoins& joins) {
+  std::vector<std::size_t> changing;
   for (auto& [edge, points] : joins.led) {
     sort_along(edge, points);
-    is_end[edge.first] = is_end[edge.second] = true;
+    if (points.empty() || edge.first == edge.second) continue;
+    const std::vector<std::size_t> along = faces_along(edge);
+    changing.insert(changing.end(), along.begin(), along.end());
   }
-  std::vector<Face> result;
-  result.reserve(faces_.size());
-  for (std::size_t f = 0; f < faces_.size(); ++f) {
+  std::ranges::sort(changing);
+  changing.erase(std::unique(changing.begin(), changing.end()), changing.end());
+  std::vector<Face> parts;
+  for (const std::size_t f : changing) {
     const Face& face = faces_[f];
-    if (repeats_a_corner(face.corners)) continue;
     const Corner a = corner(face, 0), b = corner(face, 1), c = corner(face, 2);
-    if (is_end[a.point] + is_end[b.point] + is_end[c.point] >= 2) {
-      triangulate(face.given, chain(a, b, joins), chain(b, c, joins), chain(c, a, joins), result);
-      const bool is_as_before = result.back().corners == face.corners;
-      if (!is_as_before) continue;
-      result.pop_back();
-    }
-    if (const auto divided = joins.divided.find(f); divided != joins.divided.end()) {
-      const Corner inner = corner_in_face(divided->second, face);
-      for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
-        result.push_back(part_of(face.given, from, to, inner));
-    } else {
-      result.push_back(face);
-    }
+    triangulate(face.given, chain(a, b, joins), chain(b, c, joins), chain(c, a, joins), parts);
   }
-  faces_ = std::move(result);
-  for (const Face& face : faces_)
-    if (face.is_open && !face.is_given) tie_to_given(face);
-  drop_empty_faces();
+  for (const std::size_t f : changing) take_away(f);
+  for (const Face& part : parts) add(part);
 }
 
-/// Per given face: whether it is not there any more as it was.
-std::vector<bool> SnappedFaces::changed_given() const {
-  std::vector<bool> are_changed(given_.size(), true);
-  for (const Face& face : faces_)
-    if (face.is_given) are_changed[face.given] = false;
-  return are_changed;
+/// Divides a face in three.
+void SnappedFaces::divide(std::size_t face, PointId point) {
+  const Face old = faces_[face];
+  const Corner inner = corner_in_face(point, old);
+  take_away(face);
+  for (std::size_t i = 0; i < 3; ++i) add(part_of(old.given, corner(old, i), corner(old, (i + 1) % 3), inner));
+}
+
+void SnappedFaces::apply(FeatureJoins joins) {
+  if (!joins.merged.empty()) merge(joins);
+  lead(joins);
+  for (const auto& [face, point] : joins.divided)
+    if (faces_[face].is_there) divide(face, point);
+  tidy_lists();
 }
 
 void SnappedFaces::restore(std::span<const PointId> clusters) {
-  std::vector<bool> is_restored = changed_given();
-  for (std::size_t given = 0; given < given_.size(); ++given)
-    if (is_restored[given]) is_restored[given] = std::ranges::binary_search(clusters, cluster_of(given_[given][0]));
-  std::erase_if(faces_, [&](const Face& face) { return is_restored[face.given]; });
-  for (std::size_t given = 0; given < given_.size(); ++given)
-    if (is_restored[given]) faces_.push_back({given_[given], {}, given, true, true});
-  drop_empty_faces();
+  if (clusters.empty()) return;
+  const auto is_restored = [&](std::size_t given) {
+    return std::ranges::binary_search(clusters, cluster_of(faces_[given].corners[0]));
+  };
+  std::vector<std::size_t> restored = gone_;
+  std::erase_if(restored, [&](std::size_t given) { return !is_restored(given); });
+  for (const std::size_t face : changed_)
+    if (is_restored(faces_[face].given)) take_away(face);
+  for (const std::size_t given : restored) put_back(given);
+  tidy_lists();
 }
 
-/// Drops triangles that repeat a corner, and of pairs with the same corners both or the second, as `folded` says.
-void SnappedFaces::drop_empty_faces() {
-  std::erase_if(faces_, [](const Face& face) { return repeats_a_corner(face.corners); });
+void SnappedFaces::untie(std::span<const PointId> clusters) {
+  DisjointIds<PointId> ties(table_.size());
+  for (std::size_t p = 0; p < table_.size(); ++p)
+    if (const PointId cluster = cluster_of(PointId(p)); !std::ranges::binary_search(clusters, cluster))
+      ties.unite(PointId(p), cluster);
+  ties_ = std::move(ties);
+}
+
+/// Of the given faces, before any is listed.
+void SnappedFaces::drop_folded_given() {
   struct Key {
-    std::array<PointId, 3> corners;
+    Corners corners;
     std::size_t face;
     bool is_odd;
   };
-  // Faces that are not open are no pairs with each other.
-  IdVector<PointId, bool> is_open_corner(table_.size());
-  for (const Face& face : faces_)
-    if (face.is_open)
-      for (const PointId corner : face.corners) is_open_corner[corner] = true;
   std::vector<Key> keys;
   for (std::size_t f = 0; f < faces_.size(); ++f) {
-    if (!std::ranges::all_of(faces_[f].corners, [&](PointId corner) { return is_open_corner[corner]; })) continue;
     const auto [corners, is_odd] = sorted(faces_[f].corners);
     keys.push_back({corners, f, is_odd});
   }
   std::ranges::sort(keys, {}, [](const Key& key) { return std::tuple(key.corners, key.face); });
-  std::vector<bool> is_dropped(faces_.size());
   std::vector<const Key*> unpaired;  // with the same corners
   for (const Key& key : keys) {
     if (!unpaired.empty() && unpaired.back()->corners != key.corners) unpaired.clear();
@@ -224,31 +326,27 @@ void SnappedFaces::drop_empty_faces() {
       unpaired.push_back(&key);
       continue;
     }
-    for (const std::size_t face : {key.face, unpaired.back()->face})
-      if (!given_.empty()) tie_to_given(faces_[face]);
-    is_dropped[key.face] = true;
+    faces_[key.face].is_there = false;
     if (folded_ == Folded::stays) continue;
-    is_dropped[unpaired.back()->face] = true;
+    faces_[unpaired.back()->face].is_there = false;
     unpaired.pop_back();
   }
-  std::size_t kept = 0;
-  for (std::size_t f = 0; f < faces_.size(); ++f)
-    if (!is_dropped[f]) faces_[kept++] = faces_[f];
-  faces_.resize(kept);
+  std::erase_if(faces_, [](const Face& face) { return !face.is_there; });
 }
 
-TriangleMesh SnappedFaces::mesh_of_corners(std::span<const std::array<PointId, 3>> faces) const {
+TriangleMesh SnappedFaces::mesh_of(std::span<const std::size_t> faces) const {
   PointArray points;
   IdVector<PointId, std::uint32_t> numbers(table_.size(), kNone);
   std::vector<IndexTriangle> triangles;
   triangles.reserve(faces.size());
-  for (const std::array<PointId, 3>& corners : faces) {
+  for (const std::size_t face : faces) {
     IndexTriangle& triangle = triangles.emplace_back();
     for (std::size_t i = 0; i < 3; ++i) {
-      std::uint32_t& number = numbers[corners[i]];
+      const PointId corner = faces_[face].corners[i];
+      std::uint32_t& number = numbers[corner];
       if (number == kNone) {
         number = static_cast<std::uint32_t>(points.size());
-        points.push_back(point(corners[i]));
+        points.push_back(point(corner));
       }
       triangle[i] = number;
     }
@@ -256,24 +354,16 @@ TriangleMesh SnappedFaces::mesh_of_corners(std::span<const std::array<PointId, 3
   return {std::move(points), triangles};
 }
 
-TriangleMesh SnappedFaces::mesh() const {
-  std::vector<std::array<PointId, 3>> corners;
-  corners.reserve(faces_.size());
-  for (const Face& face : faces_) corners.push_back(face.corners);
-  return mesh_of_corners(corners);
-}
-
-TriangleMesh SnappedFaces::mesh_of(std::span<const std::size_t> faces) const {
-  std::vector<std::array<PointId, 3>> corners;
-  corners.reserve(faces.size());
-  for (const std::size_t face : faces) corners.push_back(faces_[face].corners);
-  return mesh_of_corners(corners);
+TriangleMesh SnappedFaces::given_mesh() const {
+  std::vector<std::size_t> given(given_count_);
+  std::iota(given.begin(), given.end(), std::size_t{0});
+  return mesh_of(given);
 }
 
 double SnappedFaces::largest_displacement() const {
   double largest = 0;
-  for (const Face& face : faces_)
-    for (const Vec3& displacement : face.displacements) largest = std::max(largest, length(displacement));
+  for (const std::size_t face : changed_)
+    for (const Vec3& displacement : faces_[face].displacements) largest = std::max(largest, length(displacement));
   return rounded_up(largest);
 }
 

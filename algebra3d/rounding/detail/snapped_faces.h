@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "algebra3d/base/disjoint_ids.h"
+#include "algebra3d/base/id_vector.h"
 #include "algebra3d/base/indices.h"
 #include "algebra3d/exact/point_table.h"
 #include "algebra3d/exact/predicates.h"
@@ -40,6 +41,9 @@ struct FeatureJoins {
 /// point of the given mesh it stands for, so that the largest distance between the two surfaces has a bound that does
 /// not grow with the number of steps.
 ///
+/// A face keeps its number as long as it is there: first come the given ones, then those into which they changed. The
+/// cost of a change is that of the faces at it.
+///
 /// Given faces whose changes depend on each other form a *cluster*; the changes of one can be undone while those of
 /// others stay.
 class SnappedFaces {
@@ -47,14 +51,17 @@ class SnappedFaces {
   /// Domain: all coordinates are doubles. Faces that repeat a corner are dropped, and pairs as `folded` says.
   explicit SnappedFaces(const TriangleMesh& mesh, Folded folded = Folded::vanishes);
 
-  std::size_t size() const { return faces_.size(); }
-  /// The faces of the given mesh that were not dropped; their number, and their corners.
-  std::size_t given_count() const { return given_.size(); }
-  const std::array<PointId, 3>& given_corners(std::size_t given) const { return given_[given]; }
+  /// The faces that are there; ascending.
+  std::vector<std::size_t> faces() const;
+  /// The number of the faces that are there.
+  std::size_t size() const { return size_; }
+  /// The number of the faces of the given mesh that were not dropped.
+  std::size_t given_count() const { return given_count_; }
   /// The given face of which this one is, or is a part.
   std::size_t given_of(std::size_t face) const { return faces_[face].given; }
-  /// True if the face is a given one that has not changed.
-  bool is_given(std::size_t face) const { return faces_[face].is_given; }
+  bool is_given(std::size_t face) const { return face < given_count_; }
+  bool is_there(std::size_t face) const { return faces_[face].is_there; }
+  /// A given face keeps its corners while it is not there.
   const std::array<PointId, 3>& corners(std::size_t face) const { return faces_[face].corners; }
   TriangleRef triangle(std::size_t face) const;
   PointRef point(PointId id) const { return table_[id.index()]; }
@@ -65,26 +72,32 @@ class SnappedFaces {
 
   /// True unless the face is known to cross no other one: it is new since it was closed, or was given.
   bool is_open(std::size_t face) const { return faces_[face].is_open; }
+  /// The faces that are open; ascending.
+  const std::vector<std::size_t>& open_faces() const { return open_; }
+  /// The faces that are not given ones; ascending.
+  const std::vector<std::size_t>& changed_faces() const { return changed_; }
   /// Closes all faces but these.
-  void close_all_but(std::span<const std::size_t> faces);
+  void close_all_but(std::vector<std::size_t> faces);
 
   /// Merges points, then leads edges, in all faces along them, through points, in the order along the edge, then
   /// divides those faces that have not changed otherwise.
   void apply(FeatureJoins joins);
 
-  /// The cluster of a point, as one of its points. Clusters only grow.
+  /// The cluster of a point, as one of its points.
   PointId cluster_of(PointId point) { return ties_.find(point); }
   /// Makes one cluster of those of two points.
   void tie(PointId a, PointId b) { ties_.unite(a, b); }
   /// Undoes all changes of the given faces of some clusters; ascending.
   void restore(std::span<const PointId> clusters);
+  /// Makes each point of some restored clusters, ascending, a cluster of its own.
+  void untie(std::span<const PointId> clusters);
 
   /// The mesh of the faces, in their order; points that no face uses are left out.
-  TriangleMesh mesh() const;
+  TriangleMesh mesh() const { return mesh_of(faces()); }
   /// The mesh of some faces, in the given order.
   TriangleMesh mesh_of(std::span<const std::size_t> faces) const;
   /// The mesh of the given faces.
-  TriangleMesh given_mesh() const { return mesh_of_corners(given_); }
+  TriangleMesh given_mesh() const;
   /// No point of the faces is farther from the given mesh; rounded up.
   double largest_displacement() const;
 
@@ -99,30 +112,44 @@ class SnappedFaces {
     std::array<Vec3, 3> displacements;
     std::size_t given;
     bool is_open;
-    bool is_given;
+    bool is_there;
   };
   using Chain = std::vector<Corner>;
+  using Corners = std::array<PointId, 3>;
 
   static Corner corner(const Face& face, std::size_t index) { return {face.corners[index], face.displacements[index]}; }
   static Face part_of(std::size_t given, const Corner& a, const Corner& b, const Corner& c);
   WideVec3 origin(const Corner& corner) const { return place(corner.point) - WideVec3(corner.displacement); }
-  void drop_empty_faces();
+
+  void drop_folded_given();
+  std::vector<std::size_t>& faces_at(PointId point);
+  std::vector<std::size_t> faces_along(const PointPair& edge);
+  void add(const Face& face);
+  void put_back(std::size_t given);
+  void take_away(std::size_t face);
+  void list_at_corners(std::size_t face);
+  void fold(std::size_t face);
+  void tidy_lists();
+
   void tie_to_given(const Face& face);
-  std::vector<bool> changed_given() const;
   void merge(FeatureJoins& joins);
+  void lead(FeatureJoins& joins);
+  void divide(std::size_t face, PointId point);
   void sort_along(const PointPair& edge, std::vector<PointId>& points) const;
   Chain chain(const Corner& from, const Corner& to, const FeatureJoins& joins) const;
   Corner corner_on_edge(PointId point, const Corner& from, const Corner& to) const;
   Corner corner_in_face(PointId point, const Face& face) const;
   static void triangulate(std::size_t given, const Chain& ab, const Chain& bc, const Chain& ca,
                           std::vector<Face>& faces);
-  TriangleMesh mesh_of_corners(std::span<const std::array<PointId, 3>> faces) const;
 
   Folded folded_;
   PointTable table_;
-  std::vector<std::array<PointId, 3>> given_;
+  std::vector<Face> faces_;  // first the given ones
+  std::size_t given_count_ = 0, size_ = 0;
+  std::vector<std::size_t> open_, changed_;               // ascending
+  std::vector<std::size_t> gone_;                         // given faces that are not there
+  IdVector<PointId, std::vector<std::size_t>> faces_at_;  // all that are there, and some that are not
   DisjointIds<PointId> ties_{0};
-  std::vector<Face> faces_;
 };
 
 }  // namespace algebra3d

@@ -23,13 +23,21 @@ constexpr std::size_t kMaxNeighbours = 60;
 
 class VertexRemoval {
  public:
-  VertexRemoval(const TriangleMesh& mesh, double tolerance) : mesh_(mesh), tolerance_(tolerance) {
+  VertexRemoval(const TriangleMesh& mesh, double tolerance)
+      : mesh_(mesh), tolerance_(tolerance), has_changed_(mesh.vertex_count(), true) {
     triangles_.reserve(mesh.face_count());
     for (const FaceId face : faces(mesh)) triangles_.push_back(mesh.triangle(face));
   }
 
   /// True if the vertex has gone.
   bool remove(std::uint32_t vertex);
+  /// True if something near the vertex has changed since this was asked last: only then it may go if it could not
+  /// before.
+  bool has_changed(std::uint32_t vertex) {
+    const bool result = has_changed_[vertex];
+    has_changed_[vertex] = false;
+    return result;
+  }
   TriangleMesh result() const;
 
  private:
@@ -43,11 +51,13 @@ class VertexRemoval {
   bool follows_surface(std::uint32_t vertex, const Ring& ring, std::size_t target) const;
   long double least_height(std::uint32_t vertex, const Ring& ring, std::size_t target) const;
   void merge(std::uint32_t vertex, std::uint32_t target);
+  void note_change(const Ring& ring);
 
   const TriangleMesh& mesh_;
   double tolerance_;
   std::vector<IndexTriangle> triangles_;  // those that went have kNone as corners
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> stars_;
+  std::vector<bool> has_changed_;  // per vertex
 };
 
 /// The distance of two segments ab and cd that are no points. Source: [ericson2005], 5.1.9.
@@ -167,6 +177,13 @@ void VertexRemoval::merge(std::uint32_t vertex, std::uint32_t target) {
   }
 }
 
+/// The stars of a ring have changed: that matters to it and to its neighbours.
+void VertexRemoval::note_change(const Ring& ring) {
+  for (const std::uint32_t vertex : ring)
+    for (const std::uint32_t face : star(vertex))
+      for (const std::uint32_t corner : triangles_[face]) has_changed_[corner] = true;
+}
+
 bool VertexRemoval::remove(std::uint32_t vertex) {
   const std::optional<Ring> around = ring(vertex);
   if (!around || around->size() > kMaxNeighbours) return false;
@@ -181,6 +198,7 @@ bool VertexRemoval::remove(std::uint32_t vertex) {
   }
   if (best_height <= 2 * tolerance_) return false;
   merge(vertex, (*around)[best]);
+  note_change(*around);
   return true;
 }
 
@@ -204,13 +222,16 @@ TriangleMesh VertexRemoval::result() const {
 
 }  // namespace
 
-TriangleMesh without_superfluous_vertices(const TriangleMesh& mesh, const std::vector<bool>& may_go, double tolerance) {
+Result<TriangleMesh> without_superfluous_vertices(const TriangleMesh& mesh, const std::vector<bool>& may_go,
+                                                  double tolerance, const Monitor& monitor) {
   VertexRemoval removal(mesh, tolerance);
   std::vector<std::uint32_t> left;
   for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
     if (may_go[v] && !mesh.is_nonmanifold(VertexId(v)) && !mesh.is_isolated(VertexId(v))) left.push_back(v);
   for (int pass = 0; pass < kMaxPasses; ++pass) {
-    const std::size_t gone = std::erase_if(left, [&](std::uint32_t v) { return removal.remove(v); });
+    const std::size_t gone = std::erase_if(
+        left, [&](std::uint32_t v) { return !monitor.is_cancelled() && removal.has_changed(v) && removal.remove(v); });
+    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
     if (gone == 0) break;
   }
   return removal.result();

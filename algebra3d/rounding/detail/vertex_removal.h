@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "algebra3d/base/error.h"
+#include "algebra3d/base/monitor.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
 
 namespace algebra3d {
@@ -12,8 +14,9 @@ namespace algebra3d {
 /// thinner than two tolerances or turned over, and if the surface stays a manifold there. `may_go`: per vertex;
 /// non-manifold vertices stay. The surface moves by two tolerances at most; triangles may come to cross others nearby.
 /// Domain: coordinates of the vertices that may go, and of those around them, are doubles. Not exact; deterministic.
-/// Errors: none. Cost: linear, and some microseconds per vertex that may go. Source: vertex decimation [schroeder1992],
-/// here by edge collapses.
-TriangleMesh without_superfluous_vertices(const TriangleMesh& mesh, const std::vector<bool>& may_go, double tolerance);
+/// Errors: interrupted. Cost: linear, and some microseconds per vertex that may go. Source: vertex decimation
+/// [schroeder1992], here by edge collapses.
+Result<TriangleMesh> without_superfluous_vertices(const TriangleMesh& mesh, const std::vector<bool>& may_go,
+                                                  double tolerance, const Monitor& monitor = {});
 
 }  // namespace algebra3d

@@ -20,7 +20,7 @@ TEST(CoplanarSnapping, brings_facets_into_one_plane) {
   const TriangleMesh crosswise = engine.unite(box({-5, -1, 0}, {5, 1, 1}), box({-1, -5, 1 + hair}, {1, 5, 2}));
   const MovedVertices moved = snap_coplanar(crosswise, std::vector<bool>(crosswise.vertex_count(), true), 2 * hair);
   const TriangleMesh together =
-      *solid_by_winding(snap_round(crosswise, moved).mesh, [](int winding) { return winding > 0; });
+      *solid_by_winding(snap_round(crosswise, moved)->mesh, [](int winding) { return winding > 0; });
   EXPECT_EQ(prove_volume(together)->text(), "");
   EXPECT_EQ(connected_components(crosswise).count, 2U);
   EXPECT_EQ(connected_components(together).count, 1U);

@@ -33,7 +33,7 @@ TriangleMesh together(const TriangleMesh& a, const TriangleMesh& b) {
 /// Along every edge as many triangles run one way as the other.
 bool is_closed(const SnappedFaces& faces) {
   std::map<std::pair<PointId, PointId>, int> excess;
-  for (std::size_t f = 0; f < faces.size(); ++f)
+  for (const std::size_t f : faces.faces())
     for (std::size_t i = 0; i < 3; ++i) {
       const PointId from = faces.corners(f)[i], to = faces.corners(f)[(i + 1) % 3];
       excess[ordered(from, to)] += from < to ? 1 : -1;
@@ -64,7 +64,10 @@ TEST(SnappedFaces, stay_closed_and_near_whatever_is_joined) {
     SnappedFaces faces(geodesic_sphere(3));
     for (int round = 0; round < 3; ++round) {
       FeatureJoins joins;
-      const auto any_face = [&] { return static_cast<std::size_t>(chance.below(static_cast<int>(faces.size()))); };
+      const std::vector<std::size_t> numbers = faces.faces();
+      const auto any_face = [&] {
+        return numbers[static_cast<std::size_t>(chance.below(static_cast<int>(numbers.size())))];
+      };
       const auto any_point = [&] { return PointId(chance.below(static_cast<int>(faces.point_count()))); };
       joins.merged.push_back(ordered(any_point(), any_point()));
       for (int i = 0; i < 4; ++i) {
@@ -102,6 +105,25 @@ TEST(SnappedFaces, opposite_triangles_vanish) {
   EXPECT_LE(faces.size(), 4U);  // none, if both sides have the same diagonal
 }
 
+TEST(SnappedFaces, of_a_restored_cluster_are_those_that_were_given) {
+  SnappedFaces faces(together(box({0, 0, 0}, {1, 1, 1}), box({4, 4, 4}, {5, 5, 5})));
+  const auto corner = [&](double at) { return faces.add_point({at, at, at}); };
+  FeatureJoins joins;  // a corner of each box goes
+  joins.merged = {ordered(corner(0), faces.add_point({1, 0, 0})), ordered(corner(5), faces.add_point({4, 5, 5}))};
+  faces.apply(std::move(joins));
+  EXPECT_EQ(faces.size(), 20U);
+  const std::vector<PointId> cluster = {faces.cluster_of(corner(0))};
+  EXPECT_NE(faces.cluster_of(corner(5)), cluster[0]);
+  faces.restore(cluster);
+  EXPECT_EQ(faces.size(), 22U);
+  EXPECT_TRUE(is_closed(faces));
+  for (const std::size_t face : faces.changed_faces()) EXPECT_GE(faces.given_of(face), 12U);
+  EXPECT_EQ(faces.cluster_of(corner(0)), faces.cluster_of(faces.add_point({1, 0, 0})));
+  faces.untie(cluster);
+  EXPECT_NE(faces.cluster_of(corner(0)), faces.cluster_of(faces.add_point({1, 0, 0})));
+  EXPECT_EQ(faces.cluster_of(corner(5)), faces.cluster_of(faces.add_point({4, 5, 5})));
+}
+
 TEST(CrossingFaces, are_those_of_brute_force) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE(seed);
@@ -120,7 +142,7 @@ TEST(CrossingFaces, of_closed_faces_are_not_looked_for) {
   faces.close_all_but({});
   EXPECT_TRUE(CrossingSearch(faces).find(nullptr)->empty());
   const std::vector<std::size_t> one = {pairs[0].first};
-  faces.close_all_but(one);
+  faces.close_all_but({pairs[0].first});
   const std::vector<FacePair> some = *CrossingSearch(faces).find(nullptr);
   EXPECT_FALSE(some.empty());
   for (const FacePair& pair : some) EXPECT_TRUE(pair.first == one[0] || pair.second == one[0]);

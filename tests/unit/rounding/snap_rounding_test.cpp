@@ -1,5 +1,8 @@
 #include "algebra3d/rounding/detail/snap_rounding.h"
 
+#include <atomic>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "algebra3d/autorefinement/winding_selection.h"
@@ -19,7 +22,7 @@ TEST(SnapRounding, routes_an_edge_through_a_vertex_that_passed_over_it) {
     moved.points.push_back(p.y == 1 ? Vec3{p.x, -0.125, p.z} : p);
     moved.movements.push_back(p.y == 1 ? 1.125 : 0);
   }
-  const SnappedMesh snapped = snap_round(slotted, moved);
+  const SnappedMesh snapped = *snap_round(slotted, moved);
   EXPECT_EQ(snapped.largest_detour, 0.125);
   EXPECT_EQ(prove_surface(snapped.mesh)->text().find("boundary edge"), std::string::npos);
   // The slot is 1 x 4 now, and open to the side up to what the triangles of the bent side cut off.
@@ -30,7 +33,7 @@ TEST(SnapRounding, routes_an_edge_through_a_vertex_that_passed_over_it) {
 
 TEST(SnapRounding, of_what_has_not_moved_is_itself) {
   const TriangleMesh sphere = geodesic_sphere(3);
-  const SnappedMesh snapped = snap_round(sphere, {sphere.points(), std::vector<double>(sphere.vertex_count())});
+  const SnappedMesh snapped = *snap_round(sphere, {sphere.points(), std::vector<double>(sphere.vertex_count())});
   EXPECT_EQ(exact_volume_of(snapped.mesh), exact_volume_of(sphere));
   EXPECT_EQ(snapped.mesh.face_count(), sphere.face_count());
   EXPECT_EQ(snapped.largest_detour, 0);
@@ -54,11 +57,19 @@ TEST(SnapRounding, stays_closed_however_vertices_move) {
       moved.movements.push_back(std::sqrt(dot(by, by)));
     }
     // Windings are those of a closed mesh only if it is one.
-    const SnappedMesh snapped = snap_round(solid, moved);
+    const SnappedMesh snapped = *snap_round(solid, moved);
     const ValidityReport report = *prove_surface(snapped.mesh);
     EXPECT_EQ(report.text().find("boundary edge"), std::string::npos) << report.text();
     EXPECT_TRUE(solid_by_winding(snapped.mesh, [](int winding) { return winding > 0; }).ok());
   }
+}
+
+TEST(SnapRounding, can_be_interrupted) {
+  const std::atomic<bool> cancel = true;
+  const TriangleMesh sphere = geodesic_sphere(2);
+  const auto snapped = snap_round(sphere, {sphere.points(), std::vector<double>(sphere.vertex_count())}, &cancel);
+  ASSERT_FALSE(snapped.ok());
+  EXPECT_EQ(snapped.error().code, ErrorCode::interrupted);
 }
 
 }  // namespace
