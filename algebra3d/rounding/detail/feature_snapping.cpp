@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <utility>
 #include <vector>
@@ -63,9 +64,11 @@ class FeatureSnapping {
   Result<FeatureSnappedMesh> run();
 
  private:
-  /// Clusters that are restored, and those of them that begin again; ascending.
+  /// Clusters that are restored, and those of them that begin again; ascending. And the faces with faults of the
+  /// latter, some of which may be given ones.
   struct Left {
     std::vector<PointId> restored, again;
+    std::vector<std::size_t> faces;
   };
 
   /// In spacings of the grid.
@@ -171,6 +174,10 @@ FeatureSnapping::Left FeatureSnapping::leave_hopeless_clusters(Faults& faults) {
     if (!progress.is_given_up) left.again.push_back(cluster);
     if (!progress.is_given_up || progress.crossings > kFewCrossings) left.restored.push_back(cluster);
   }
+  const auto begins_again = [&](std::size_t face) { return std::ranges::binary_search(left.again, cluster_of(face)); };
+  for (const auto& [f, g] : faults.pairs)
+    if (begins_again(f)) left.faces.insert(left.faces.end(), {f, g});
+  std::ranges::copy_if(faults.flat_faces, std::back_inserter(left.faces), begins_again);
   const auto is_left_out = [&](std::size_t face) {
     const PointId cluster = cluster_of(face);
     return std::ranges::binary_search(hopeless, cluster) || progress_[cluster].is_given_up;
@@ -207,10 +214,11 @@ Result<FeatureSnappedMesh> FeatureSnapping::run() {
     if (round == 0) crossings_before = faults.pairs.size();
     tie_clusters(faults.pairs);
     note_progress(faults);
-    const Left left = leave_hopeless_clusters(faults);
+    Left left = leave_hopeless_clusters(faults);
     if (faults.pairs.empty() && faults.flat_faces.empty() && left.restored.empty()) break;
     FeatureJoins joins = joins_of(faults);
-    std::vector<std::size_t> open = std::move(faults.flat_faces);
+    std::vector<std::size_t> open = std::move(left.faces);
+    open.insert(open.end(), faults.flat_faces.begin(), faults.flat_faces.end());
     for (const auto& [f, g] : faults.pairs) open.insert(open.end(), {f, g});
     faces_.close_all_but(std::move(open));
     faces_.apply(std::move(joins));

@@ -27,6 +27,7 @@ class SnapRounding {
   void add(PointId a, PointId b, PointId c) { add({a.index(), b.index(), c.index()}); }
   bool fill(Projection plane, const std::vector<DirectedEdge>& outline,
             const std::vector<IndexTriangle>& triangles) const;
+  std::vector<IndexTriangle> old_triangles(CoplanarFacetId facet) const;
   bool add_triangulated(CoplanarFacetId facet);
   void add_moved(CoplanarFacetId facet);
   TriangleMesh mesh_of_used_points();
@@ -52,7 +53,17 @@ void SnapRounding::add(const IndexTriangle& triangle) {
   if (a != b && b != c && c != a) triangles_.push_back(triangle);
 }
 
-/// False if the outline bounds no region.
+/// The triangles that the facet had, between the new points; counter-clockwise in the projection.
+std::vector<IndexTriangle> SnapRounding::old_triangles(CoplanarFacetId facet) const {
+  std::vector<IndexTriangle> triangles;
+  for (const FaceId face : outlines_.facets().faces(facet)) {
+    const auto [a, b, c] = outlines_.triangle(face);
+    triangles.push_back(outlines_.facets().is_flipped(facet) ? IndexTriangle{a, c, b} : IndexTriangle{a, b, c});
+  }
+  return triangles;
+}
+
+/// Adds the old triangles if they still fill the outline, or else new ones. False if the outline bounds no region.
 bool SnapRounding::add_triangulated(CoplanarFacetId facet) {
   const Projection plane = outlines_.facets().projection(facet);
   const bool is_flipped = outlines_.facets().is_flipped(facet);
@@ -61,9 +72,12 @@ bool SnapRounding::add_triangulated(CoplanarFacetId facet) {
     for (auto& [from, to] : edges) std::swap(from, to);
     edges = without_opposites(std::move(edges));
   }
-  std::vector<IndexTriangle> triangles;
-  const bool is_region = triangulate_by_sweep(outlines_.points().table, plane, edges, triangles);
-  if (!is_region || !fill(plane, edges, triangles)) return false;
+  std::vector<IndexTriangle> triangles = old_triangles(facet);
+  if (!fill(plane, edges, triangles)) {
+    triangles.clear();
+    const bool is_region = triangulate_by_sweep(outlines_.points().table, plane, edges, triangles);
+    if (!is_region || !fill(plane, edges, triangles)) return false;
+  }
   for (const auto& [a, b, c] : triangles) triangles_.push_back(is_flipped ? std::array{a, c, b} : std::array{a, b, c});
   return true;
 }

@@ -15,8 +15,8 @@ struct SnappedMesh {
 
 /// Snap rounding: moves the vertices of a mesh to given points so that coplanar facets stay simple:
 /// - edges are routed through points that they would pass over (facet_outlines.h);
-/// - facets are triangulated anew, in the projection along the axis nearest to their normal, so that no triangle is
-///   flipped;
+/// - facets whose triangles would flip, in the projection along the axis nearest to their normal, or whose edges were
+///   routed, are triangulated anew there;
 /// - facets that collapsed to a line vanish.
 /// Facets without moved points keep their triangles. Closed meshes stay closed. Crossings between facets are not
 /// tested, so the result may have self-intersections. Exactness: all vertices are given points. Errors: interrupted.

@@ -232,7 +232,7 @@ Result<TriangleMesh> without_superfluous_vertices(const TriangleMesh& mesh, cons
     const std::size_t gone = std::erase_if(
         left, [&](std::uint32_t v) { return !monitor.is_cancelled() && removal.has_changed(v) && removal.remove(v); });
     ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
-    if (gone == 0) break;
+    if (gone == 0) return pass == 0 ? mesh : removal.result();
   }
   return removal.result();
 }

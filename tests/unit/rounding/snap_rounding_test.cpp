@@ -64,6 +64,30 @@ TEST(SnapRounding, stays_closed_however_vertices_move) {
   }
 }
 
+// Both diagonals of the upper side of a cube that moves a little; the sweep would choose one of them.
+TEST(SnapRounding, keeps_triangles_that_do_not_turn_over) {
+  for (const bool is_other : {false, true}) {
+    std::vector<IndexTriangle> triangles = {{0, 2, 1}, {0, 3, 2}, {0, 1, 5}, {0, 5, 4}, {1, 2, 6},
+                                            {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}};
+    if (is_other)
+      triangles.insert(triangles.end(), {{4, 5, 7}, {5, 6, 7}});
+    else
+      triangles.insert(triangles.end(), {{4, 5, 6}, {4, 6, 7}});
+    const std::vector<Vec3> corners = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                       {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+    const TriangleMesh cube(PointArray(corners), triangles);
+    MovedVertices moved{PointArray(corners), std::vector<double>(8)};
+    std::vector<Vec3> places = corners;
+    for (std::size_t v = 4; v < 8; ++v) {
+      places[v].z += v % 2 == 0 ? 0x1p-20 : 0;
+      moved.movements[v] = 0x1p-20;
+    }
+    moved.points = PointArray(places);
+    const SnappedMesh snapped = *snap_round(cube, moved);
+    EXPECT_EQ(triangles_of(snapped.mesh), triangles_of(TriangleMesh(PointArray(places), triangles)));
+  }
+}
+
 TEST(SnapRounding, can_be_interrupted) {
   const std::atomic<bool> cancel = true;
   const TriangleMesh sphere = geodesic_sphere(2);
