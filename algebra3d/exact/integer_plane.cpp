@@ -30,7 +30,7 @@ struct IntegerPlane::Form {
   bool may_equal(const Form& other) const;
 };
 
-/// Of a plane through doubles.
+/// Number of limbs up to which the numbers keep common divisors: that of a plane through doubles.
 constexpr std::size_t kLongestUnreduced = 4;
 
 // Smaller coefficients, in terms of the longest one, might lose bits by underflow.

@@ -13,7 +13,8 @@ namespace {
 
 using detail::HomogeneousPoint;
 
-/// Of the common point of three planes through doubles.
+/// Number of limbs up to which the integers keep common divisors: that of the common point of three planes through
+/// doubles.
 constexpr std::size_t kLongestUnreduced = 7;
 
 void make_denominator_positive(HomogeneousPoint& numbers) {
