@@ -70,6 +70,41 @@ TEST(box_hierarchy, names_each_pair_of_meeting_boxes_once_and_few_others) {
   }
 }
 
+/// Faces of the first mesh with faces of the second.
+std::set<Pair> cross_pairs_by_brute_force(const TriangleMesh& first, const TriangleMesh& second) {
+  std::set<Pair> pairs;
+  for (std::uint32_t i = 0; i < first.face_count(); ++i)
+    for (std::uint32_t j = 0; j < second.face_count(); ++j)
+      if (box_of_face(first, i).intersects(box_of_face(second, j))) pairs.insert({i, j});
+  return pairs;
+}
+
+std::set<Pair> cross_pairs_of(const BoxHierarchy& first, const BoxHierarchy& second, std::uint32_t shares) {
+  std::set<Pair> pairs;
+  for (std::uint32_t share = 0; share < shares; ++share)
+    first.for_each_pair_with(
+        second,
+        [&](std::uint32_t f, std::uint32_t g) {
+          EXPECT_TRUE(pairs.insert({f, g}).second) << "named twice";
+          return true;
+        },
+        [] { return true; }, {share, shares});
+  return pairs;
+}
+
+// Hierarchies of equal and of different heights, in frames of their own.
+TEST(box_hierarchy, names_each_pair_with_another_one_once_and_few_others) {
+  for (const std::size_t count : {1U, 8U, 9U, 100U, 700U})
+    for (const std::size_t other_count : {1U, 7U, 17U, 130U, 1000U})
+      for (const std::uint32_t shares : {1U, 3U}) {
+        const TriangleMesh mesh = random_triangles(count, 0.2, 0), other = random_triangles(other_count, 0.1, 0.05);
+        const std::set<Pair> expected = cross_pairs_by_brute_force(mesh, other);
+        const std::set<Pair> found = cross_pairs_of(BoxHierarchy(mesh), BoxHierarchy(other), shares);
+        EXPECT_TRUE(std::ranges::includes(found, expected));
+        EXPECT_LE(found.size(), expected.size() + expected.size() / 50 + 1);
+      }
+}
+
 TEST(box_hierarchy, is_right_for_extreme_coordinates) {
   for (const double scale : {5e-324, 1e-300, 1e-9, 1e300, 8e307}) {
     const double far = scale < 1e-310 ? 2 * scale : 2.2 * scale;
