@@ -31,13 +31,13 @@ struct IntegerPlane::Form {
 };
 
 /// Number of limbs up to which the numbers keep common divisors: that of a plane through doubles.
-constexpr std::size_t kLongestUnreduced = 4;
+constexpr std::size_t kLongestUnreducedPlane = 4;
 
 // Smaller coefficients, in terms of the longest one, might lose bits by underflow.
 constexpr long kSmallestShift = -900;
 
 std::shared_ptr<const IntegerPlane::Form> IntegerPlane::Form::of(HomogeneousPoint& numbers) {
-  detail::shorten(numbers, kLongestUnreduced);
+  detail::shorten(numbers, kLongestUnreducedPlane);
   return std::make_shared<const Form>(numbers);
 }
 

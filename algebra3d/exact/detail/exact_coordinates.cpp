@@ -15,7 +15,7 @@ using detail::HomogeneousPoint;
 
 /// Number of limbs up to which the integers keep common divisors: that of the common point of three planes through
 /// doubles.
-constexpr std::size_t kLongestUnreduced = 7;
+constexpr std::size_t kLongestUnreducedPoint = 7;
 
 void make_denominator_positive(HomogeneousPoint& numbers) {
   if (sgn(numbers.w) > 0) return;
@@ -37,7 +37,7 @@ const ExactCoordinates* ExactCoordinates::allocate(const HomogeneousPoint& numbe
 }
 
 SharedCoordinates ExactCoordinates::make(HomogeneousPoint& numbers, Vec3& approx) {
-  detail::shorten(numbers, kLongestUnreduced);
+  detail::shorten(numbers, kLongestUnreducedPoint);
   make_denominator_positive(numbers);
   std::array<std::int8_t, 3> beyond{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
