@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <new>
+#include <vector>
 
 namespace algebra3d {
 
@@ -24,5 +25,21 @@ struct LargeAllocator {
 
   friend bool operator==(const LargeAllocator&, const LargeAllocator&) { return true; }
 };
+
+/// The same, but `resize` leaves new numbers unset: so the tasks that fill an array are the first to touch its memory.
+template <typename T>
+struct UnsetAllocator : LargeAllocator<T> {
+  UnsetAllocator() = default;
+  template <typename U>
+  explicit UnsetAllocator(const UnsetAllocator<U>&) {}
+
+  template <typename U>
+  void construct(U* at) {
+    ::new (static_cast<void*>(at)) U;
+  }
+};
+
+template <typename T>
+using LargeVector = std::vector<T, UnsetAllocator<T>>;
 
 }  // namespace algebra3d

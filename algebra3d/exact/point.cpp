@@ -1,5 +1,6 @@
 #include "algebra3d/exact/point.h"
 
+#include <algorithm>
 #include <bit>
 #include <cassert>
 #include <cstdint>
@@ -68,14 +69,26 @@ PointArray::PointArray(std::vector<Vec3> doubles) : approx_(std::move(doubles)) 
 }
 
 void PointArray::push_back(const PointRef& point) {
-  if (!point.is_double() && exact_.empty()) {
-    exact_.reserve(approx_.capacity());
-    exact_.resize(approx_.size());
-  }
   approx_.push_back(without_negative_zero(point.approx));
-  if (point.is_double() && exact_.empty()) return;
-  exact_.emplace_back(point.exact);
-  exact_count_ += point.is_double() ? 0 : 1;
+  if (!point.is_double()) set_exact(approx_.size() - 1, SharedCoordinates(point.exact));
+}
+
+/// Of a point after all others that have exact coordinates.
+void PointArray::set_exact(std::size_t index, SharedCoordinates exact) {
+  if (exact_.empty()) first_exact_ = index;
+  exact_.resize(index - first_exact_);
+  exact_.push_back(std::move(exact));
+  ++exact_count_;
+}
+
+void PointArray::append(const PointArray& from, std::size_t first, std::size_t count) {
+  const std::size_t shift = approx_.size() - first;
+  approx_.insert(approx_.end(), from.approx_.begin() + first, from.approx_.begin() + first + count);
+  const std::size_t begin = std::max(first, from.first_exact_);
+  const std::size_t end = std::min(first + count, from.first_exact_ + from.exact_.size());
+  for (std::size_t i = begin; i < end; ++i)
+    if (const SharedCoordinates& exact = from.exact_[i - from.first_exact_]; exact.get() != nullptr)
+      set_exact(i + shift, exact);
 }
 
 void PointArray::shrink() {
@@ -85,7 +98,8 @@ void PointArray::shrink() {
 
 bool operator==(const PointArray& a, const PointArray& b) {
   if (a.approx_ != b.approx_ || a.exact_count_ != b.exact_count_) return false;
-  for (std::size_t i = 0; i < a.exact_.size(); ++i)
+  // As many points of both are exact, so all are compared.
+  for (std::size_t i = a.first_exact_; i < a.first_exact_ + a.exact_.size(); ++i)
     if (!equal(a[i], b[i])) return false;
   return true;
 }

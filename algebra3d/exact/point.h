@@ -101,8 +101,8 @@ class ExactPoint {
   SharedCoordinates exact_;
 };
 
-/// The points of a mesh: 24 bytes each if all are doubles, else 8 more, and the exact coordinates of the others, which
-/// copies share. Indexed from 0.
+/// The points of a mesh: 24 bytes each, 8 more for those from the first to the last that is no triple of doubles, and
+/// the exact coordinates of these, which copies share. Indexed from 0.
 class PointArray {
  public:
   PointArray() = default;
@@ -112,11 +112,14 @@ class PointArray {
   std::size_t size() const { return approx_.size(); }
   void reserve(std::size_t count) { approx_.reserve(count); }
   void push_back(const PointRef& point);
+  /// Appends `count` points of another array, from `first` on.
+  void append(const PointArray& from, std::size_t first, std::size_t count);
   /// Releases unused capacity if there is much of it.
   void shrink();
   PointRef operator[](std::size_t index) const {
     assert(index < approx_.size());
-    return {approx_[index], exact_.empty() ? nullptr : exact_[index].get()};
+    const std::size_t place = index - first_exact_;
+    return {approx_[index], place < exact_.size() ? exact_[place].get() : nullptr};
   }
   ExactPoint point(std::size_t index) const { return ExactPoint((*this)[index]); }
   const std::vector<Vec3>& approx() const { return approx_; }
@@ -128,8 +131,11 @@ class PointArray {
   friend bool operator==(const PointArray& a, const PointArray& b);
 
  private:
+  void set_exact(std::size_t index, SharedCoordinates exact);
+
   std::vector<Vec3> approx_;
-  std::vector<SharedCoordinates> exact_;  // of each point; empty if all are doubles
+  std::vector<SharedCoordinates> exact_;  // from the first to the last point that is no triple of doubles
+  std::size_t first_exact_ = 0;
   std::size_t exact_count_ = 0;
 };
 

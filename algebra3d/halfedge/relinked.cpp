@@ -22,16 +22,16 @@ class Relinking {
     find_open_vertices();
   }
 
-  std::vector<std::uint32_t> origins() const {
-    std::vector<std::uint32_t> result;
+  LargeVector<std::uint32_t> origins() const {
+    LargeVector<std::uint32_t> result;
     result.reserve(3 * triangles_.size());
     for (const TriangleMesh::Triangle& triangle : triangles_)
       result.insert(result.end(), triangle.begin(), triangle.end());
     return result;
   }
 
-  std::vector<std::uint32_t> opposites() const {
-    std::vector<std::uint32_t> result(3 * triangles_.size(), TriangleMesh::kUnlinked);
+  LargeVector<std::uint32_t> opposites() const {
+    LargeVector<std::uint32_t> result(3 * triangles_.size(), TriangleMesh::kUnlinked);
     for (std::uint32_t f = 0; f < triangles_.size(); ++f)
       if (was_[f] != kNewFace) take_opposites(f, std::span(result).subspan(3 * std::size_t{f}, 3));
     return result;

@@ -8,9 +8,9 @@
 namespace algebra3d {
 namespace {
 
-template <typename T>
-std::size_t capacity_bytes(const std::vector<T>& values) {
-  return values.capacity() * sizeof(T);
+template <typename Vector>
+std::size_t capacity_bytes(const Vector& values) {
+  return values.capacity() * sizeof(typename Vector::value_type);
 }
 
 std::span<const HalfedgeId> list(const std::vector<std::uint32_t>& starts, const std::vector<HalfedgeId>& values,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algebra3d/base/indices.h"
+#include "algebra3d/base/large_allocator.h"
 #include "algebra3d/exact/point.h"
 #include "algebra3d/exact/predicates.h"
 #include "algebra3d/halfedge/face_planes.h"
@@ -41,8 +42,13 @@ class TriangleMesh {
   /// The same for partly linked triangles: three origins per triangle, and per half-edge its opposite or kUnlinked. A
   /// linked edge must have no further half-edges, and a vertex must be manifold if all half-edges that leave it are
   /// linked. Cost: a few passes, and that of linking the rest.
-  TriangleMesh(PointArray points, std::vector<std::uint32_t> origins, std::vector<std::uint32_t> opposites,
+  TriangleMesh(PointArray points, LargeVector<std::uint32_t> origins, LargeVector<std::uint32_t> opposites,
                FacePlanes planes);
+  /// The same where the first vertices, those in `outgoing`, are *settled*: manifold, on no boundary, with all their
+  /// edges linked and with `outgoing` as of the result. Edges between two other vertices are linked anew, whatever is in
+  /// `opposites`. Cost: a scan of the origins, and that of linking the rest.
+  TriangleMesh(PointArray points, LargeVector<std::uint32_t> origins, LargeVector<std::uint32_t> opposites,
+               LargeVector<HalfedgeId> outgoing, FacePlanes planes);
 
   std::size_t vertex_count() const { return points_.size(); }
   std::size_t face_count() const { return origins_.size() / 3; }
@@ -99,14 +105,15 @@ class TriangleMesh {
   static constexpr std::uint32_t kNoOpposite = 0x80000000;  // set: no opposite; the low bits number a non-manifold edge
   static constexpr std::uint32_t kBoundary = 0xFFFFFFFF;
 
-  void link(bool has_links);
+  enum class Links : std::uint8_t { none, some, all_but_between_open_vertices };
+  void link(Links links);
 
   struct NonManifold;  // side tables (nonmanifold_tables.h); absent while everything is manifold
 
   PointArray points_;
-  std::vector<std::uint32_t> origins_;    // per half-edge
-  std::vector<std::uint32_t> opposites_;  // per half-edge
-  std::vector<HalfedgeId> outgoing_;      // per vertex; handles, so that `fans` can show one entry in place
+  LargeVector<std::uint32_t> origins_;    // per half-edge
+  LargeVector<std::uint32_t> opposites_;  // per half-edge
+  LargeVector<HalfedgeId> outgoing_;      // per vertex; handles, so that `fans` can show one entry in place
   std::shared_ptr<const NonManifold> nonmanifold_;
   FacePlanes planes_;
 };

@@ -2,13 +2,15 @@
 #include <cassert>
 #include <memory>
 
+#include "algebra3d/base/scheduler.h"
 #include "algebra3d/base/shrink.h"
 #include "algebra3d/halfedge/detail/nonmanifold_tables.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
 
 namespace algebra3d {
 
-/// Fills a mesh whose points and origins stand: opposites that are unlinked, outgoing half-edges, side tables.
+/// Fills a mesh whose points and origins stand: opposites that are unlinked, outgoing half-edges, side tables. What is
+/// known of settled vertices (see the constructors) stays as it is.
 struct TriangleMeshBuilder {
   /// A half-edge as seen from its edge's smaller end: larger end in the upper half, then the half-edge's index and, in
   /// the lowest bit, whether it leaves the smaller end. So order is by edge, then by half-edge.
@@ -16,15 +18,20 @@ struct TriangleMeshBuilder {
 
   TriangleMesh& mesh;
   TriangleMesh::NonManifold tables;
+  TriangleMesh::Links links;
+  /// Number of the settled vertices: the first ones.
+  std::size_t settled;
+  /// Half-edges that leave vertices that are not settled, ascending; not listed if no vertex is settled.
+  std::vector<std::uint32_t> corners;
   /// Half-edges that are to be linked, ascending; not listed if these are all.
   std::vector<std::uint32_t> unlinked;
-  bool are_all_unlinked;
   /// Half-edges that are found to have no opposite.
   std::vector<std::uint32_t> alone;
 
-  explicit TriangleMeshBuilder(TriangleMesh& linked, bool has_links) : mesh(linked), are_all_unlinked(!has_links) {
-    for (std::uint32_t h = 0; has_links && h < mesh.halfedge_count(); ++h)
-      if (mesh.opposites_[h] == TriangleMesh::kUnlinked) unlinked.push_back(h);
+  TriangleMeshBuilder(TriangleMesh& linked, TriangleMesh::Links links_known)
+      : mesh(linked), links(links_known), settled(linked.outgoing_.size()) {
+    if (links == TriangleMesh::Links::some) find_unlinked();
+    if (links == TriangleMesh::Links::all_but_between_open_vertices) find_open_corners();
   }
 
   void build() {
@@ -41,8 +48,12 @@ struct TriangleMeshBuilder {
   static std::uint32_t larger_end(Entry e) { return static_cast<std::uint32_t>(e >> 32); }
   static bool same_direction(Entry a, Entry b) { return ((a ^ b) & 1) == 0; }
 
+  void find_unlinked();
+  void find_open_corners();
   template <typename Visit>
   void for_each_unlinked(Visit visit) const;
+  template <typename Visit>
+  void for_each_corner_downwards(Visit visit) const;
   std::vector<bool> open_vertices() const;
   std::vector<std::uint32_t> bucket_starts() const;
   std::vector<Entry> entries_by_smaller_end(std::vector<std::uint32_t>& ends) const;
@@ -77,12 +88,39 @@ void sort_entries(std::span<std::uint64_t> entries) {
 
 }  // namespace
 
+void TriangleMeshBuilder::find_unlinked() {
+  for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h)
+    if (mesh.opposites_[h] == TriangleMesh::kUnlinked) unlinked.push_back(h);
+}
+
+void TriangleMeshBuilder::find_open_corners() {
+  constexpr std::size_t kHalfedgesPerTask = 50000;
+  corners = parallel_collect(mesh.halfedge_count(), kHalfedgesPerTask, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::uint32_t> result;
+    for (std::size_t h = begin; h < end; ++h)
+      if (mesh.origins_[h] >= settled) result.push_back(static_cast<std::uint32_t>(h));
+    return result;
+  });
+  for (const std::uint32_t h : corners)
+    if (mesh.target(HalfedgeId(h)).index() >= settled) unlinked.push_back(h);
+}
+
+/// Calls visit(h, v) for all half-edges and the vertices that they leave, the last ones first, except settled vertices.
+template <typename Visit>
+void TriangleMeshBuilder::for_each_corner_downwards(Visit visit) const {
+  if (links == TriangleMesh::Links::all_but_between_open_vertices) {
+    for (std::size_t i = corners.size(); i-- > 0;) visit(HalfedgeId(corners[i]), mesh.origins_[corners[i]]);
+    return;
+  }
+  for (std::size_t h = mesh.halfedge_count(); h-- > 0;) visit(HalfedgeId(h), mesh.origins_[h]);
+}
+
 /// Calls visit(h, a, b) for the ends of each half-edge that is to be linked, in order.
 template <typename Visit>
 void TriangleMeshBuilder::for_each_unlinked(Visit visit) const {
-  const std::vector<std::uint32_t>& origins = mesh.origins_;
+  const LargeVector<std::uint32_t>& origins = mesh.origins_;
   for (const std::uint32_t h : unlinked) visit(h, origins[h], origins[TriangleMesh::next(HalfedgeId(h)).index()]);
-  if (!are_all_unlinked) return;
+  if (links != TriangleMesh::Links::none) return;
   for (std::uint32_t h = 0; h < origins.size(); h += 3) {
     visit(h, origins[h], origins[h + 1]);
     visit(h + 1, origins[h + 1], origins[h + 2]);
@@ -90,16 +128,17 @@ void TriangleMeshBuilder::for_each_unlinked(Visit visit) const {
   }
 }
 
-/// The vertices that need not be manifold.
+/// The vertices that need not be manifold, of those that are not settled.
 std::vector<bool> TriangleMeshBuilder::open_vertices() const {
-  std::vector<bool> is_open(mesh.vertex_count());
-  for_each_unlinked([&](std::uint32_t, std::uint32_t a, std::uint32_t) { is_open[a] = true; });
+  std::vector<bool> is_open(mesh.vertex_count() - settled);
+  for (const std::uint32_t h : corners) is_open[mesh.origins_[h] - settled] = true;
+  for_each_unlinked([&](std::uint32_t, std::uint32_t a, std::uint32_t) { is_open[a - settled] = true; });
   return is_open;
 }
 
 std::vector<std::uint32_t> TriangleMeshBuilder::bucket_starts() const {
-  std::vector<std::uint32_t> starts(mesh.vertex_count() + 1, 0);
-  for_each_unlinked([&](std::uint32_t, std::uint32_t a, std::uint32_t b) { ++starts[std::min(a, b)]; });
+  std::vector<std::uint32_t> starts(mesh.vertex_count() - settled + 1, 0);
+  for_each_unlinked([&](std::uint32_t, std::uint32_t a, std::uint32_t b) { ++starts[std::min(a, b) - settled]; });
   std::uint32_t sum = 0;
   for (std::uint32_t& start : starts) {
     const std::uint32_t count = start;
@@ -115,7 +154,7 @@ std::vector<TriangleMeshBuilder::Entry> TriangleMeshBuilder::entries_by_smaller_
   std::vector<Entry> entries(ends.back());
   for_each_unlinked([&](std::uint32_t h, std::uint32_t a, std::uint32_t b) {
     const bool upwards = a < b;
-    entries[ends[upwards ? a : b]++] = (Entry{upwards ? b : a} << 32) | (Entry{h} << 1) | Entry{upwards};
+    entries[ends[(upwards ? a : b) - settled]++] = (Entry{upwards ? b : a} << 32) | (Entry{h} << 1) | Entry{upwards};
   });
   return entries;
 }
@@ -124,9 +163,10 @@ void TriangleMeshBuilder::link_edges() {
   std::vector<std::uint32_t> ends = bucket_starts();
   std::vector<Entry> entries = entries_by_smaller_end(ends);
   std::uint32_t start = 0;
-  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
-    link_bucket(v, std::span(entries).subspan(start, ends[v] - start));
-    start = ends[v];
+  for (std::size_t v = settled; v < mesh.vertex_count(); ++v) {
+    const std::uint32_t end = ends[v - settled];
+    link_bucket(static_cast<std::uint32_t>(v), std::span(entries).subspan(start, end - start));
+    start = end;
   }
   number_nonmanifold_edges();
 }
@@ -173,16 +213,15 @@ void TriangleMeshBuilder::number_nonmanifold_edges() {
 }
 
 /// Gives each vertex its first fan's start: a half-edge without opposite if there is one, else the lowest that leaves
-/// it. Returns how many half-edges leave each vertex.
+/// it. Returns how many half-edges leave each vertex that is not settled.
 std::vector<std::uint32_t> TriangleMeshBuilder::choose_outgoing() {
   mesh.outgoing_.resize(mesh.vertex_count());
-  std::vector<std::uint32_t> corner_counts(mesh.vertex_count(), 0);
+  std::vector<std::uint32_t> corner_counts(mesh.vertex_count() - settled, 0);
   // Downwards, so that the lowest one is written last.
-  for (std::size_t h = mesh.halfedge_count(); h-- > 0;) {
-    const std::uint32_t v = mesh.origins_[h];
-    mesh.outgoing_[v] = HalfedgeId(h);
-    ++corner_counts[v];
-  }
+  for_each_corner_downwards([&](HalfedgeId h, std::uint32_t v) {
+    mesh.outgoing_[v] = h;
+    ++corner_counts[v - settled];
+  });
   std::ranges::sort(alone, std::ranges::greater());
   for (const std::uint32_t h : alone) mesh.outgoing_[mesh.origins_[h]] = HalfedgeId(h);
   return corner_counts;
@@ -200,11 +239,11 @@ void TriangleMeshBuilder::walk_fan(HalfedgeId first, Visit visit) const {
 /// A vertex is manifold if the walk from its outgoing half-edge meets all half-edges that leave it.
 void TriangleMeshBuilder::find_nonmanifold_vertices(const std::vector<std::uint32_t>& corner_counts,
                                                     const std::vector<bool>& is_open) {
-  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
-    if (!is_open[v]) continue;
+  for (std::size_t v = settled; v < mesh.vertex_count(); ++v) {
+    if (!is_open[v - settled]) continue;
     std::uint32_t met = 0;
     walk_fan(mesh.outgoing_[v], [&](HalfedgeId) { ++met; });
-    if (met != corner_counts[v]) tables.vertices.push_back(v);
+    if (met != corner_counts[v - settled]) tables.vertices.push_back(static_cast<std::uint32_t>(v));
   }
   if (!tables.vertices.empty()) list_fans();
 }
@@ -242,26 +281,38 @@ TriangleMesh::TriangleMesh(PointArray points, std::span<const Triangle> triangle
   origins_.reserve(3 * triangles.size());
   for (const Triangle& triangle : triangles) origins_.insert(origins_.end(), triangle.begin(), triangle.end());
   opposites_.assign(origins_.size(), kUnlinked);
-  link(false);
+  link(Links::none);
 }
 
-TriangleMesh::TriangleMesh(PointArray points, std::vector<std::uint32_t> origins, std::vector<std::uint32_t> opposites,
+TriangleMesh::TriangleMesh(PointArray points, LargeVector<std::uint32_t> origins, LargeVector<std::uint32_t> opposites,
                            FacePlanes planes)
     : points_(std::move(points)),
       origins_(std::move(origins)),
       opposites_(std::move(opposites)),
       planes_(std::move(planes)) {
   assert(origins_.size() == opposites_.size() && origins_.size() % 3 == 0 && origins_.size() / 3 <= kMaxFaces);
-  link(true);
+  link(Links::some);
 }
 
-void TriangleMesh::link(bool has_links) {
+TriangleMesh::TriangleMesh(PointArray points, LargeVector<std::uint32_t> origins, LargeVector<std::uint32_t> opposites,
+                           LargeVector<HalfedgeId> outgoing, FacePlanes planes)
+    : points_(std::move(points)),
+      origins_(std::move(origins)),
+      opposites_(std::move(opposites)),
+      outgoing_(std::move(outgoing)),
+      planes_(std::move(planes)) {
+  assert(origins_.size() == opposites_.size() && origins_.size() % 3 == 0 && origins_.size() / 3 <= kMaxFaces);
+  assert(outgoing_.size() <= points_.size());
+  link(Links::all_but_between_open_vertices);
+}
+
+void TriangleMesh::link(Links links) {
   assert(std::ranges::all_of(origins_, [&](std::uint32_t origin) { return origin < points_.size(); }));
   // A mesh lives long: it keeps hardly any spare capacity of the arrays that it was given.
   points_.shrink();
   shrink(origins_);
   shrink(opposites_);
-  TriangleMeshBuilder(*this, has_links).build();
+  TriangleMeshBuilder(*this, links).build();
 }
 
 }  // namespace algebra3d

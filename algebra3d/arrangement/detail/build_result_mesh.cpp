@@ -47,12 +47,9 @@ Result<TriangleMesh> build_result_mesh(const Subdivision& subdivision, const Sel
   ResultMesh mesh(subdivision, patch_corners, kept);
 
   Result<std::vector<Region>> regions = std::vector<Region>();
-  const auto make_regions = [&] {
-    regions = find_regions(subdivision, selection, patch_corners);
-    mesh.take_surroundings();
-  };
-  const auto take_faces = [&] { mesh.take_faces(); };
-  parallel_invoke(subdivision.operands.face_count() >= kFacesWorthATask, make_regions, take_faces);
+  const auto make_regions = [&] { regions = find_regions(subdivision, selection, patch_corners); };
+  const auto take_patches = [&] { mesh.take_patches(); };
+  parallel_invoke(subdivision.operands.face_count() >= kFacesWorthATask, make_regions, take_patches);
   if (!regions.ok()) return std::move(regions).error();
   for (Region& region : *regions) {
     mesh.add(region);

@@ -36,6 +36,9 @@ class Operands {
   IdRange<InputFaceId> faces(OperandId operand) const {
     return {first_faces_[operand], first_faces_[OperandId(operand.index() + 1)]};
   }
+  IdRange<InputVertexId> vertices(OperandId operand) const {
+    return {first_vertices_[operand], first_vertices_[OperandId(operand.index() + 1)]};
+  }
   OperandId operand_of(InputFaceId face) const {
     return operands_of_faces_.empty() ? find_operand(face) : operands_of_faces_[face];
   }

@@ -5,10 +5,9 @@
 namespace algebra3d::arrangement {
 
 PatchCorners::PatchCorners(const Subdivision& subdivision, const KeptPatches& kept)
-    : nodes_of_vertices_(subdivision.operands.vertex_count()), is_corner_(subdivision.complex.nodes.size()) {
+    : is_corner_(subdivision.complex.nodes.size()) {
   const Operands& operands = subdivision.operands;
   for (const auto& [vertex, node] : subdivision.complex.nodes_of_vertices) {
-    nodes_of_vertices_[vertex] = node;
     const OperandId operand = operands.operand_of(vertex);
     for (const FaceId face : faces_around(operands.mesh(operand), operands.in_mesh(operand, vertex)))
       if (kept_of_face(operands.input(operand, face), subdivision.patches, kept) != 0) is_corner_[node] = true;

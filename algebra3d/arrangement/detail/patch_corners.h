@@ -7,19 +7,16 @@ namespace algebra3d::arrangement {
 /// Selection::patch of every patch: 1 if the result takes the faces over, -1 if it takes them flipped, else 0.
 using KeptPatches = IdVector<PatchId, int>;
 
-/// Where vertices of operands are nodes, and which nodes are corners of faces that a result takes over.
+/// The nodes that are corners of faces which a result takes over.
 class PatchCorners {
  public:
-  /// Cost: linear in the vertices of the operands and in the faces round nodes.
+  /// Cost: linear in the nodes and in the faces round them.
   PatchCorners(const Subdivision& subdivision, const KeptPatches& kept);
 
   /// True if a face that is taken over has a corner at the node.
   bool is_corner(NodeId node) const { return is_corner_[node]; }
-  /// None if there is no node.
-  NodeId node_at(InputVertexId vertex) const { return nodes_of_vertices_[vertex]; }
 
  private:
-  IdVector<InputVertexId, NodeId> nodes_of_vertices_;
   IdVector<NodeId, bool> is_corner_;
 };
 

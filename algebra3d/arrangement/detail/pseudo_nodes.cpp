@@ -131,7 +131,7 @@ void PseudoNodeFinder::find_along(const UncutEdge& edge) {
     const auto& [operand, plane, orientation, faces] = subdivision_.facets[facet];
     // The facet lies to the left of its half-edge, seen from its own front; the region's edges have it to their left,
     // seen from the front of the plane, whichever way the region looks.
-    const bool runs_along = patch_corners_.node_at(subdivision_.operands.origin(h)) == nodes.front();
+    const bool runs_along = equal(subdivision_.operands.point(h), subdivision_.complex.nodes[nodes.front()]);
     add_along(nodes, plane, runs_along == (orientation > 0));
   }
 }

@@ -4,19 +4,10 @@
 #include <cstddef>
 #include <utility>
 
-#include "algebra3d/arrangement/detail/subdivision.h"
+#include "algebra3d/arrangement/detail/taken_runs.h"
 #include "algebra3d/halfedge/face_planes.h"
 
 namespace algebra3d::arrangement {
-
-/// A run of faces of an operand that become consecutive faces of the result, too.
-struct TakenRun {
-  OperandId operand;
-  FaceId first;      ///< of the operand's mesh
-  FaceId new_first;  ///< of the result
-  std::size_t count;
-  bool is_flipped;  ///< the result has them flipped
-};
 
 /// Collects the planes that a result keeps: those that faces of operands bring along, and those of regions with corners
 /// that are no doubles.
