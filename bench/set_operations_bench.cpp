@@ -18,8 +18,10 @@
 
 #include "algebra3d/arrangement/arrangement.h"
 #include "algebra3d/arrangement/divide_and_conquer.h"
+#include "algebra3d/base/scheduler.h"
 #include "cgal_mesh.h"
 #include "models.h"
+#include "peak_memory.h"
 #include "shapes.h"
 
 namespace {
@@ -87,12 +89,19 @@ Nef nef_of(const Shape& shape) {
 
 // ---- two spheres ----------------------------------------------------------------------------------------------------
 
+/// bytes_per_triangle: peak memory of the operands, their hierarchies, the operation and its result, per triangle of the
+/// operands.
 void unite_ours(benchmark::State& state, const Shape& first, const Shape& second) {
+  PeakMemory memory;
   const Solid a(first), b(second);
-  std::size_t faces = 0;
+  memory.restart();
+  std::size_t faces = combined(a, b, in_any).face_count();
+  const double bytes = memory.bytes();
   for (auto step : state) faces = combined(a, b, in_any).face_count();
-  state.counters["triangles_in"] = static_cast<double>(a.mesh.face_count() + b.mesh.face_count());
+  const auto triangles_in = static_cast<double>(a.mesh.face_count() + b.mesh.face_count());
+  state.counters["triangles_in"] = triangles_in;
   state.counters["triangles_out"] = static_cast<double>(faces);
+  state.counters["bytes_per_triangle"] = bytes / triangles_in;
 }
 
 template <typename Kernel>
@@ -114,6 +123,11 @@ void spheres_ours(benchmark::State& state) {
   const auto n = static_cast<std::uint32_t>(state.range(0));
   unite_ours(state, sphere(n), other_sphere(n));
 }
+/// Arguments: frequency, and number of threads.
+void spheres_threads_ours(benchmark::State& state) {
+  const auto n = static_cast<std::uint32_t>(state.range(0));
+  algebra3d::with_threads(static_cast<int>(state.range(1)), [&] { unite_ours(state, sphere(n), other_sphere(n)); });
+}
 void spheres_hierarchy(benchmark::State& state) {
   const Shape shape = sphere(static_cast<std::uint32_t>(state.range(0)));
   for (auto step : state) benchmark::DoNotOptimize(Solid(shape));
@@ -132,6 +146,7 @@ void spheres_nef(benchmark::State& state) {
 }
 
 BENCHMARK(spheres_ours)->Arg(7)->Arg(22)->Arg(71)->Arg(158)->Unit(benchmark::kMillisecond);
+BENCHMARK(spheres_threads_ours)->ArgsProduct({{7, 22, 71, 158}, {1, 2}})->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(spheres_hierarchy)->Arg(71)->Arg(158)->Unit(benchmark::kMillisecond);
 BENCHMARK(spheres_corefine<Inexact>)->Arg(7)->Arg(22)->Arg(71)->Arg(158)->Unit(benchmark::kMillisecond);
 BENCHMARK(spheres_corefine<Exact>)->Arg(7)->Arg(22)->Arg(71)->Unit(benchmark::kMillisecond);

@@ -1,6 +1,5 @@
 #include "algebra3d/base/large_allocator.h"
 
-#include <algorithm>
 #include <cstdlib>
 
 #if defined(__linux__)
@@ -10,25 +9,34 @@
 namespace algebra3d {
 namespace {
 
-constexpr std::size_t kHugePage = std::size_t{1} << 21;
+constexpr std::size_t kHugePage = std::size_t{1} << 21, kDefaultAlignment = __STDCPP_DEFAULT_NEW_ALIGNMENT__;
+
+/// Only arrays of several huge pages, so that rounding up costs little.
+bool is_large(std::size_t bytes) {
+  return bytes >= 4 * kHugePage;
+}
 
 }  // namespace
 
-// Only arrays of several huge pages, so that rounding up costs little.
 void* allocate_large(std::size_t bytes, std::size_t alignment) {
-  const bool is_large = bytes >= 4 * kHugePage;
-  const std::size_t unit = is_large ? kHugePage : std::max(alignment, sizeof(void*));
-  void* memory = std::aligned_alloc(unit, (bytes + unit - 1) / unit * unit);
+  if (!is_large(bytes))
+    return alignment <= kDefaultAlignment ? ::operator new(bytes) : ::operator new(bytes, std::align_val_t(alignment));
+  void* memory = std::aligned_alloc(kHugePage, (bytes + kHugePage - 1) / kHugePage * kHugePage);
   if (memory == nullptr) throw std::bad_alloc();
 #if defined(__linux__)
   // A wish: where the system does not grant it, small pages serve as well.
-  if (is_large) (void)madvise(memory, bytes, MADV_HUGEPAGE);
+  (void)madvise(memory, bytes, MADV_HUGEPAGE);
 #endif
   return memory;
 }
 
-void free_large(void* memory) noexcept {
-  std::free(memory);
+void free_large(void* memory, std::size_t bytes, std::size_t alignment) noexcept {
+  if (is_large(bytes))
+    std::free(memory);
+  else if (alignment <= kDefaultAlignment)
+    ::operator delete(memory);
+  else
+    ::operator delete(memory, std::align_val_t(alignment));
 }
 
 }  // namespace algebra3d

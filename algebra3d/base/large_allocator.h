@@ -9,7 +9,8 @@ namespace algebra3d {
 /// Allocates large arrays with random access: aligned to huge pages, and in huge pages if the system has them. Throws
 /// std::bad_alloc.
 void* allocate_large(std::size_t bytes, std::size_t alignment);
-void free_large(void* memory) noexcept;
+/// Demands the size and the alignment with which the memory was allocated.
+void free_large(void* memory, std::size_t bytes, std::size_t alignment) noexcept;
 
 /// An allocator for std::vector that uses allocate_large.
 template <typename T>
@@ -21,7 +22,7 @@ struct LargeAllocator {
   explicit LargeAllocator(const LargeAllocator<U>&) {}
 
   T* allocate(std::size_t count) { return static_cast<T*>(allocate_large(count * sizeof(T), alignof(T))); }
-  void deallocate(T* memory, std::size_t) noexcept { free_large(memory); }
+  void deallocate(T* memory, std::size_t count) noexcept { free_large(memory, count * sizeof(T), alignof(T)); }
 
   friend bool operator==(const LargeAllocator&, const LargeAllocator&) { return true; }
 };

@@ -39,10 +39,49 @@ std::vector<std::uint32_t> some_opposites(const Triangles& triangles, std::mt199
   return opposites;
 }
 
-TriangleMesh partly_linked(const Triangles& triangles, std::vector<std::uint32_t> opposites, std::size_t vertex_count) {
-  std::vector<std::uint32_t> origins;
+LargeVector<std::uint32_t> origins_of(const Triangles& triangles) {
+  LargeVector<std::uint32_t> origins;
   for (const auto& triangle : triangles) origins.insert(origins.end(), triangle.begin(), triangle.end());
-  return {samples::points_for(vertex_count), std::move(origins), std::move(opposites), {}};
+  return origins;
+}
+
+TriangleMesh partly_linked(const Triangles& triangles, const std::vector<std::uint32_t>& opposites,
+                           std::size_t vertex_count) {
+  return {samples::points_for(vertex_count), origins_of(triangles), {opposites.begin(), opposites.end()}, {}};
+}
+
+/// With the vertices below `settled_count` settled, and nonsense in place of the opposites that have to be found.
+TriangleMesh partly_settled(const Triangles& triangles, std::size_t settled_count, std::size_t vertex_count) {
+  const BruteForce brute(triangles);
+  const LargeVector<std::uint32_t> origins = origins_of(triangles);
+  LargeVector<std::uint32_t> opposites;
+  for (std::uint32_t h = 0; h < origins.size(); ++h) {
+    const bool is_settled = origins[h] < settled_count || origins[h % 3 == 2 ? h - 2 : h + 1] < settled_count;
+    opposites.push_back(is_settled ? brute.opposite(h) : 12345);
+  }
+  LargeVector<HalfedgeId> outgoing;
+  for (std::uint32_t v = 0; v < settled_count; ++v) outgoing.emplace_back(std::ranges::min(brute.corners(v)));
+  return {samples::points_for(vertex_count), origins, opposites, outgoing, {}};
+}
+
+/// The same mesh with the vertices renumbered so that those which may be settled come first. Returns their number.
+std::size_t sort_by_kind(Triangles& triangles) {
+  const BruteForce brute(triangles);
+  const auto may_be_settled = [&](std::uint32_t v) {
+    const auto corners = brute.corners(v);
+    return brute.fans(v).size() == 1 &&
+           std::ranges::all_of(corners, [&](std::uint32_t h) { return brute.is_manifold(h); });
+  };
+  std::vector<std::uint32_t> numbers(vertices_of(triangles));
+  std::uint32_t count = 0, settled_count = 0;
+  for (const bool settled : {true, false}) {
+    for (std::uint32_t v = 0; v < numbers.size(); ++v)
+      if (may_be_settled(v) == settled) numbers[v] = count++;
+    if (settled) settled_count = count;
+  }
+  for (auto& triangle : triangles)
+    for (std::uint32_t& corner : triangle) corner = numbers[corner];
+  return settled_count;
 }
 
 TEST(PartlyLinkedMesh, is_the_one_that_is_linked_from_scratch) {
@@ -87,6 +126,18 @@ TEST(PartlyLinkedMesh, with_all_edges_linked_has_nothing_to_do) {
     expect_same_mesh(mesh, samples::mesh_of(triangles, count));
     EXPECT_TRUE(mesh.is_isolated(VertexId(count - 1)));
   }
+}
+
+TEST(PartlyLinkedMesh, with_settled_vertices_is_the_one_that_is_linked_from_scratch) {
+  std::size_t most = 0;
+  for (Triangles triangles : samples::all_kinds()) {
+    const std::size_t settled_count = sort_by_kind(triangles);
+    const TriangleMesh expected = samples::mesh_of(triangles);
+    for (const std::size_t count : {settled_count, settled_count / 2, std::size_t{0}})
+      expect_same_mesh(partly_settled(triangles, count, expected.vertex_count()), expected);
+    most = std::max(most, settled_count);
+  }
+  EXPECT_GT(most, 10U);
 }
 
 TEST(PartlyLinkedMesh, of_nothing_is_empty) {
