@@ -29,7 +29,9 @@ class PeakMemory {
   }
 
   /// The highest value since `restart`.
-  double bytes() const { return bytes_of("VmHWM:") - before_; }
+  double bytes() const {
+    return bytes_of("VmHWM:") - before_;
+  }
 
  private:
   static double bytes_of(std::string_view key) {

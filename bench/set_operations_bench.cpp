@@ -89,8 +89,8 @@ Nef nef_of(const Shape& shape) {
 
 // ---- two spheres ----------------------------------------------------------------------------------------------------
 
-/// bytes_per_triangle: peak memory of the operands, their hierarchies, the operation and its result, per triangle of the
-/// operands.
+/// bytes_per_triangle: peak memory of the operands, their hierarchies, the operation and its result, per triangle of
+/// the operands.
 void unite_ours(benchmark::State& state, const Shape& first, const Shape& second) {
   PeakMemory memory;
   const Solid a(first), b(second);
@@ -152,7 +152,8 @@ BENCHMARK(spheres_corefine<Inexact>)->Arg(7)->Arg(22)->Arg(71)->Arg(158)->Unit(b
 BENCHMARK(spheres_corefine<Exact>)->Arg(7)->Arg(22)->Arg(71)->Unit(benchmark::kMillisecond);
 BENCHMARK(spheres_nef)->Arg(7)->Unit(benchmark::kMillisecond)->Iterations(1);
 
-// ---- a sphere and a copy that nearly coincides with it ---------------------------------------------------------------
+// ---- a sphere and a copy that nearly coincides with it
+// ---------------------------------------------------------------
 
 Shape nearly_the_same(std::uint32_t n) {
   return moved(sphere(n), kAxis, 1e-9, {});

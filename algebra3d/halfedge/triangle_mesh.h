@@ -45,8 +45,8 @@ class TriangleMesh {
   TriangleMesh(PointArray points, LargeVector<std::uint32_t> origins, LargeVector<std::uint32_t> opposites,
                FacePlanes planes);
   /// The same where the first vertices, those in `outgoing`, are *settled*: manifold, on no boundary, with all their
-  /// edges linked and with `outgoing` as of the result. Edges between two other vertices are linked anew, whatever is in
-  /// `opposites`. Cost: a scan of the origins, and that of linking the rest.
+  /// edges linked and with `outgoing` as of the result. Edges between two other vertices are linked anew, whatever is
+  /// in `opposites`. Cost: a scan of the origins, and that of linking the rest.
   TriangleMesh(PointArray points, LargeVector<std::uint32_t> origins, LargeVector<std::uint32_t> opposites,
                LargeVector<HalfedgeId> outgoing, FacePlanes planes);
 

@@ -34,7 +34,7 @@ void ResultMesh::take_patches() {
     });
     outgoing_ = vertices_.outgoing(runs_);
   };
-  parallel_invoke(subdivision_.operands.face_count() >= kWorthAThread, take_points_and_planes, take_faces);
+  parallel_invoke(subdivision_.operands.face_count() >= kFacesWorthATask, take_points_and_planes, take_faces);
 }
 
 /// The faces of the result in a range.
@@ -51,7 +51,8 @@ void ResultMesh::take_faces(FaceId first, FaceId last) {
 
 void ResultMesh::take_corners(const TakenRun& run, FaceId first, std::size_t count) {
   const TriangleMesh& mesh = subdivision_.operands.mesh(run.operand);
-  std::uint32_t* origin = &origins_[3 * std::size_t{TriangleMesh::face(run.along(TriangleMesh::halfedge(first))).index()}];
+  std::uint32_t* origin =
+      &origins_[3 * std::size_t{TriangleMesh::face(run.along(TriangleMesh::halfedge(first))).index()}];
   for (const FaceId face : IdRange(first, FaceId(first.index() + count))) {
     const IndexTriangle corners = mesh.triangle(face);
     for (std::size_t i = 0; i < 3; ++i)

@@ -16,8 +16,8 @@ class ResultMesh {
  public:
   ResultMesh(const Subdivision& subdivision, const PatchCorners& patch_corners, const KeptPatches& kept);
 
-  /// Adds the faces of patches with their corners, adjacency and planes, in parallel. Edges between two vertices that are
-  /// not settled (taken_vertices.h) are left to `finish`.
+  /// Adds the faces of patches with their corners, adjacency and planes, in parallel. Edges between two vertices that
+  /// are not settled (taken_vertices.h) are left to `finish`.
   void take_patches();
   /// Adds triangles with nodes for corners. If some corner is no double, the plane is kept.
   void add(const Region& region);

@@ -16,8 +16,8 @@ struct TakenRun {
   bool is_flipped;  ///< the result has them flipped
 
   bool contains(FaceId face) const { return std::size_t{face.index()} - first.index() < count; }
-  /// The half-edge of the result along the edge of one of its half-edges. Flipped faces keep their first corner first, so
-  /// their half-edges come in the opposite order.
+  /// The half-edge of the result along the edge of one of its half-edges. Flipped faces keep their first corner first,
+  /// so their half-edges come in the opposite order.
   HalfedgeId along(HalfedgeId halfedge) const {
     const std::uint32_t moved = halfedge.index() + shift();
     return HalfedgeId(is_flipped ? moved + 2 - 2 * (moved % 3) : moved);

@@ -31,7 +31,9 @@ void for_each_vertex(const Operands& operands, const Visit& visit) {
 }  // namespace
 
 TakenVertices::TakenVertices(const Subdivision& subdivision, const PatchCorners& patch_corners, const KeptPatches& kept)
-    : subdivision_(subdivision), operands_(subdivision.operands), numbers_(operands_.vertex_count()),
+    : subdivision_(subdivision),
+      operands_(subdivision.operands),
+      numbers_(operands_.vertex_count()),
       at_nodes_(subdivision.complex.nodes.size()) {
   for (const OperandId operand : operands_.ids())
     for (const VertexId vertex : operands_.mesh(operand).nonmanifold_vertices())
@@ -88,8 +90,7 @@ void TakenVertices::number_others(const KeptPatches& kept) {
     return std::ranges::none_of(operands_.mesh(operand).fans(operands_.in_mesh(operand, vertex)),
                                 [&](HalfedgeId fan) { return is_kept(operand, fan, kept); });
   });
-  for (std::size_t i = 0; i < others_.size(); ++i)
-    numbers_[others_[i]] = VertexId(settled_count_ + node_count_ + i);
+  for (std::size_t i = 0; i < others_.size(); ++i) numbers_[others_[i]] = VertexId(settled_count_ + node_count_ + i);
 }
 
 PointArray TakenVertices::points() const {

@@ -8,9 +8,9 @@
 namespace algebra3d::arrangement {
 
 /// The corners of the faces that a result takes over, as vertices of the result. First come the *settled* ones, in the
-/// order of the operands: all faces round them are taken over, as one fan without a boundary, so nothing has to be linked
-/// there. Then come those at nodes, in the order of the nodes; then others that are not manifold, or on a boundary of
-/// their operand.
+/// order of the operands: all faces round them are taken over, as one fan without a boundary, so nothing has to be
+/// linked there. Then come those at nodes, in the order of the nodes; then others that are not manifold, or on a
+/// boundary of their operand.
 class TakenVertices {
  public:
   /// Cost: linear in the vertices, in parallel.
