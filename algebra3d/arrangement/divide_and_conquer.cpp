@@ -40,7 +40,7 @@ class DivideAndConquer {
  private:
   bool is_crowded() const;
   std::vector<PlacedSolid> placed_solids() const;
-  static void sort_by_place(std::span<PlacedSolid> solids);
+  static std::size_t halve_by_place(std::span<PlacedSolid> solids);
   Result<TriangleMesh> at_once(std::span<const Operand> solids, const Monitor& monitor) const;
   Result<TriangleMesh> few_at_once(std::span<const PlacedSolid> solids);
   Result<TriangleMesh> in_halves(std::span<PlacedSolid> solids);
@@ -79,13 +79,21 @@ std::vector<PlacedSolid> DivideAndConquer::placed_solids() const {
   return placed;
 }
 
-/// Sorts along the longest axis of the box around their middles.
-void DivideAndConquer::sort_by_place(std::span<PlacedSolid> solids) {
+/// Sorts along the longest axis of the box around their middles. Returns where to divide them: half-way, or at the
+/// nearest end of a run of equal places there, since the parts of a grid then stay boxes.
+std::size_t DivideAndConquer::halve_by_place(std::span<PlacedSolid> solids) {
   Box3 all;
   for (const PlacedSolid& solid : solids) all.extend(solid.middle);
   const Vec3 size = 0.5 * all.max - 0.5 * all.min;
   const std::size_t axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  std::ranges::stable_sort(solids, {}, [axis](const PlacedSolid& solid) { return solid.middle[axis]; });
+  const auto place = [axis](const PlacedSolid& solid) { return solid.middle[axis]; };
+  std::ranges::stable_sort(solids, {}, place);
+  const std::size_t half = solids.size() / 2;
+  const auto run = std::ranges::equal_range(solids, place(solids[half]), {}, place);
+  const auto begin = static_cast<std::size_t>(run.begin() - solids.begin()), end = begin + run.size();
+  if (begin == 0 && end == solids.size()) return half;
+  if (begin == 0) return end;
+  return end == solids.size() || half - begin <= end - half ? begin : end;
 }
 
 Result<TriangleMesh> DivideAndConquer::at_once(std::span<const Operand> solids, const Monitor& monitor) const {
@@ -110,8 +118,7 @@ Result<TriangleMesh> DivideAndConquer::few_at_once(std::span<const PlacedSolid> 
 
 Result<TriangleMesh> DivideAndConquer::in_halves(std::span<PlacedSolid> solids) {
   if (solids.size() <= kFewSolids) return few_at_once(solids);
-  sort_by_place(solids);
-  const std::size_t half = solids.size() / 2;
+  const std::size_t half = halve_by_place(solids);
   Result<TriangleMesh> first = TriangleMesh(), second = TriangleMesh();
   parallel_invoke(
       true, [&] { first = in_halves(solids.first(half)); }, [&] { second = in_halves(solids.subspan(half)); });
