@@ -179,7 +179,7 @@ TriangleMesh one_triangle(const TriangleRef& corners) {
 TEST(PairContacts, agree_with_intersect_triangles_where_corners_are_shared_or_nearly_in_one_plane) {
   std::mt19937 random(1);  // NOLINT(cert-msc51-cpp): the same in every run
   std::array<int, 4> seen{};
-  for (int round = 0; round < 100; ++round) {
+  for (int round = 0; round < 300; ++round) {
     const std::vector<ExactPoint> points = few_points(random);
     std::uniform_int_distribution<std::size_t> any(0, points.size() - 1);
     for (int i = 0; i < 60; ++i) {
