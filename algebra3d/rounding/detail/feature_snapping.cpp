@@ -21,6 +21,8 @@ constexpr double kLeastReach = 2;
 /// So many rounds are made at a level, and so many of these without fewer crossings than ever.
 constexpr int kMaxSnappingRounds = 40;
 constexpr int kMaxRoundsWithoutGain = 10;
+/// After so many rounds no cluster begins again.
+constexpr int kMaxRounds = 400;
 
 /// Clusters that are given up with no more crossings stay as they are; others are restored.
 constexpr std::size_t kFewCrossings = 20;
@@ -91,6 +93,7 @@ class FeatureSnapping {
   IdVector<PointId, int> levels_;         // of the corners of given faces
   std::map<PointId, Progress> progress_;  // of clusters that cross, or did
   double reached_ = 0;                    // the largest reach used, in coordinate units
+  int rounds_ = 0;
 };
 
 Result<Faults> FeatureSnapping::find_faults(const CrossingSearch& search) const {
@@ -166,7 +169,7 @@ std::vector<PointId> FeatureSnapping::raise_levels(const std::vector<PointId>& c
 /// crossings stay as they are. Removes the faults of all these.
 FeatureSnapping::Left FeatureSnapping::leave_hopeless_clusters(Faults& faults) {
   const std::vector<PointId> hopeless = hopeless_clusters();
-  std::vector<PointId> given_up = raise_levels(hopeless, faults);
+  const std::vector<PointId> given_up = rounds_ < kMaxRounds ? raise_levels(hopeless, faults) : hopeless;
   Left left;
   for (const PointId cluster : hopeless) {
     Progress& progress = progress_[cluster];
@@ -209,9 +212,9 @@ FeatureJoins FeatureSnapping::joins_of(const Faults& faults) {
 Result<FeatureSnappedMesh> FeatureSnapping::run() {
   const CrossingSearch search(faces_);
   std::size_t crossings_before = 0;
-  for (int round = 0;; ++round) {
+  for (;; ++rounds_) {
     ALGEBRA3D_ASSIGN_OR_RETURN(Faults faults, find_faults(search));
-    if (round == 0) crossings_before = faults.pairs.size();
+    if (rounds_ == 0) crossings_before = faults.pairs.size();
     tie_clusters(faults.pairs);
     note_progress(faults);
     Left left = leave_hopeless_clusters(faults);
@@ -221,9 +224,9 @@ Result<FeatureSnappedMesh> FeatureSnapping::run() {
     open.insert(open.end(), faults.flat_faces.begin(), faults.flat_faces.end());
     for (const auto& [f, g] : faults.pairs) open.insert(open.end(), {f, g});
     faces_.close_all_but(std::move(open));
-    faces_.apply(std::move(joins));
     faces_.restore(left.restored);
     if (!left.again.empty()) faces_.untie(left.again);
+    faces_.apply(std::move(joins));
   }
   FeatureSnappedMesh result{faces_.mesh(), faces_.largest_displacement(), reached_, crossings_before};
   for (const auto& [cluster, progress] : progress_)

@@ -1,6 +1,7 @@
 #include "algebra3d/rounding/detail/passed_points.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -54,15 +55,16 @@ void route_through_passed_points(FacetOutlines& outlines) {
     entries.push_back({padded(box, movements[chain]), chain.index()});
   }
   const auto tree = rtree::RTree<std::uint32_t>::bulk_load(entries);
-  const CommonFacets common(outlines);
+  std::optional<CommonFacets> common;  // hardly ever asked for
   for (const PointId point : points.points.ids()) {
     if (!is_corner[point]) continue;
     const double movement = points.movements[point];
     for (const std::uint32_t number : tree.window(padded(Box3::of(points.points[point]), movement))) {
       const ChainId chain(number);
       const double reach = movement + movements[chain];
-      if (reach > 0 && chains.distance({chain, 0}, point) <= reach && common.is_any(chain, point))
-        chains.route_through({chain, 0}, point);
+      if (!(reach > 0 && chains.distance({chain, 0}, point) <= reach)) continue;
+      if (!common) common.emplace(outlines);
+      if (common->is_any(chain, point)) chains.route_through({chain, 0}, point);
     }
   }
 }
