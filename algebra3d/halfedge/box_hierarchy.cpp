@@ -32,26 +32,73 @@ std::uint64_t spread_bits(std::uint64_t value) {
 constexpr unsigned kDigitBits = 11, kRounds = 3;
 constexpr std::size_t kBuckets = std::size_t{1} << kDigitBits;
 
+constexpr std::size_t kFacesPerHistogram = 16384;
+/// Up to so many, comparisons cost less than histograms.
+constexpr std::size_t kFewFaces = 256;
+
+unsigned digit(CodedFace face, unsigned round) {
+  return static_cast<unsigned>(face >> (32 + round * kDigitBits)) % kBuckets;
+}
+
+/// For each range of faces and each digit: the number of faces, then the place of the first one in the sorted order.
+class Histograms {
+ public:
+  explicit Histograms(std::size_t face_count)
+      : ranges_((face_count + kFacesPerHistogram - 1) / kFacesPerHistogram), counts_(ranges_ * kBuckets) {}
+
+  /// Calls visit(counts, begin, end) for each range, in parallel.
+  template <typename Visit>
+  void for_each_range(std::size_t face_count, const Visit& visit) {
+    parallel_for(ranges_, 1, [&](std::size_t range) {
+      const std::size_t begin = range * kFacesPerHistogram;
+      visit(std::span(counts_).subspan(range * kBuckets, kBuckets), begin,
+            std::min(begin + kFacesPerHistogram, face_count));
+    });
+  }
+  /// From counts to places. False if all faces have one digit.
+  bool add_up(std::size_t face_count) {
+    std::uint32_t sum = 0;
+    for (std::size_t bucket = 0; bucket < kBuckets; ++bucket) {
+      const std::uint32_t before = sum;
+      for (std::size_t range = 0; range < ranges_; ++range)
+        sum += std::exchange(counts_[range * kBuckets + bucket], sum);
+      if (sum - before == face_count) return false;
+    }
+    return true;
+  }
+
+ private:
+  std::size_t ranges_;
+  std::vector<std::uint32_t> counts_;
+};
+
 /// Stable sort by the upper halves; a round whose digit is the same everywhere is left out.
 void radix_sort(std::vector<CodedFace>& faces) {
-  const auto digit = [](CodedFace face, unsigned round) { return (face >> (32 + round * kDigitBits)) % kBuckets; };
-  std::vector<std::array<std::uint32_t, kBuckets>> counts(kRounds);
-  for (const CodedFace face : faces)
-    for (unsigned round = 0; round < kRounds; ++round) ++counts[round][digit(face, round)];
+  // The lower halves ascend.
+  if (faces.size() < kFewFaces) {
+    std::ranges::sort(faces);
+    return;
+  }
   std::vector<CodedFace> sorted(faces.size());
+  Histograms histograms(faces.size());
   for (unsigned round = 0; round < kRounds; ++round) {
-    auto& starts = counts[round];
-    if (starts[digit(faces[0], round)] == faces.size()) continue;
-    std::uint32_t sum = 0;
-    for (std::uint32_t& start : starts) sum += std::exchange(start, sum);
-    for (const CodedFace face : faces) sorted[starts[digit(face, round)]++] = face;
+    histograms.for_each_range(faces.size(), [&](auto counts, std::size_t begin, std::size_t end) {
+      std::ranges::fill(counts, 0U);
+      for (std::size_t i = begin; i < end; ++i) ++counts[digit(faces[i], round)];
+    });
+    if (!histograms.add_up(faces.size())) continue;
+    histograms.for_each_range(faces.size(), [&](auto places, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) sorted[places[digit(faces[i], round)]++] = faces[i];
+    });
     faces.swap(sorted);
   }
 }
 
 /// Orders by the full codes, where more faces than a leaf holds have the same upper half: small parts far apart.
-void sort_ties(std::vector<CodedFace>& faces, std::span<const std::uint64_t> codes) {
-  const auto full_code = [&](CodedFace face) { return std::pair(codes[static_cast<std::uint32_t>(face)], face); };
+/// code_of(i) is the full code of the i-th face.
+template <typename CodeOf>
+void sort_ties(std::vector<CodedFace>& faces, const CodeOf& code_of) {
+  const auto full_code = [&](CodedFace face) { return std::pair(code_of(static_cast<std::uint32_t>(face)), face); };
   for (std::size_t begin = 0, end = 0; begin < faces.size(); begin = end) {
     while (end < faces.size() && faces[end] >> 32 == faces[begin] >> 32) ++end;
     if (end - begin > BoxHierarchy::kLeafSize)
@@ -77,6 +124,18 @@ Box3 wide_box_of(const PointRef& point, double margin) {
   return box;
 }
 
+Box3 wide_bounds(const PointArray& points, double margin) {
+  const std::vector<Box3> parts =
+      parallel_collect(points.size(), kFacesPerTask, [&](std::size_t begin, std::size_t end) {
+        Box3 bounds;
+        for (std::size_t i = begin; i < end; ++i) bounds.extend(wide_box_of(points[i], margin));
+        return std::vector<Box3>{bounds};
+      });
+  Box3 bounds;
+  for (const Box3& part : parts) bounds.extend(part);
+  return bounds;
+}
+
 std::vector<std::uint32_t> all_faces(const TriangleMesh& mesh) {
   std::vector<std::uint32_t> faces(mesh.face_count());
   std::iota(faces.begin(), faces.end(), 0U);
@@ -99,22 +158,24 @@ BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> 
   if (faces_.empty()) return;
   const PointArray& points = mesh.points();
   choose_scale(points, margin);
-  std::vector<Box> corners(points.size()), boxes(faces_.size());
+  std::vector<Box> corners(points.size());
   parallel_for(points.size(), kFacesPerTask,
                [&](std::size_t i) { corners[i] = scaled(wide_box_of(points[i], margin)); });
-  parallel_for(faces_.size(), kFacesPerTask, [&](std::size_t i) {
+  const auto box_of_face = [&](std::size_t i) {
     const TriangleMesh::Triangle triangle = mesh.triangle(FaceId(faces_[i]));
-    boxes[i] = corners[triangle[0]];
-    boxes[i].extend(corners[triangle[1]]);
-    boxes[i].extend(corners[triangle[2]]);
-  });
-  sort_faces(boxes);
+    Box box = corners[triangle[0]];
+    box.extend(corners[triangle[1]]);
+    box.extend(corners[triangle[2]]);
+    return box;
+  };
+  sort_faces(box_of_face);
+  face_boxes_.resize(faces_.size());
+  parallel_for(faces_.size(), kFacesPerTask, [&](std::size_t i) { face_boxes_[i] = box_of_face(i); });
   build_levels();
 }
 
 void BoxHierarchy::choose_scale(const PointArray& points, double margin) {
-  Box3 bounds;
-  for (std::size_t i = 0; i < points.size(); ++i) bounds.extend(wide_box_of(points[i], margin));
+  const Box3 bounds = wide_bounds(points, margin);
   origin_ = bounds.min;
   // Halved first, so that the extent of the largest doubles is finite. A power of two, so that few coordinates are
   // rounded; 2^20 units are what the codes can tell apart.
@@ -209,47 +270,42 @@ void BoxHierarchy::push_children_of_both(const BoxHierarchy& other, const FrameC
   }
 }
 
-void BoxHierarchy::sort_faces(std::vector<Box>& boxes) {
-  std::vector<std::uint64_t> codes(boxes.size());
-  std::vector<CodedFace> coded(boxes.size());
-  parallel_for(boxes.size(), kFacesPerTask, [&](std::size_t i) {
+template <typename BoxOfFace>
+void BoxHierarchy::sort_faces(const BoxOfFace& box_of_face) {
+  const auto code_of = [&](std::size_t i) {
+    const Box box = box_of_face(i);
     // Sums of two coordinates up to 2^20; 21 bits hold all but the very last value.
-    const auto cell = [&box = boxes[i]](std::size_t axis) {
+    const auto cell = [&](std::size_t axis) {
       return std::min(static_cast<std::uint64_t>(box.min[axis] + box.max[axis]), std::uint64_t{0x1FFFFF});
     };
-    codes[i] = spread_bits(cell(0)) | spread_bits(cell(1)) << 1 | spread_bits(cell(2)) << 2;
-    // The code has 63 bits.
-    coded[i] = codes[i] >> 31 << 32 | i;
-  });
+    return spread_bits(cell(0)) | spread_bits(cell(1)) << 1 | spread_bits(cell(2)) << 2;
+  };
+  std::vector<CodedFace> coded(faces_.size());
+  // The code has 63 bits.
+  parallel_for(coded.size(), kFacesPerTask, [&](std::size_t i) { coded[i] = code_of(i) >> 31 << 32 | i; });
   radix_sort(coded);
-  sort_ties(coded, codes);
-  std::vector<std::uint32_t> sorted_faces(coded.size());
-  face_boxes_.resize(coded.size());
-  parallel_for(coded.size(), kFacesPerTask, [&](std::size_t i) {
-    sorted_faces[i] = faces_[static_cast<std::uint32_t>(coded[i])];
-    face_boxes_[i] = boxes[static_cast<std::uint32_t>(coded[i])];
-  });
-  faces_ = std::move(sorted_faces);
+  sort_ties(coded, code_of);
+  std::vector<std::uint32_t> sorted(coded.size());
+  parallel_for(coded.size(), kFacesPerTask,
+               [&](std::size_t i) { sorted[i] = faces_[static_cast<std::uint32_t>(coded[i])]; });
+  faces_ = std::move(sorted);
 }
 
 void BoxHierarchy::build_levels() {
-  Level leaves;
-  for (std::size_t begin = 0; begin < faces_.size(); begin += kLeafSize) {
-    Box box = face_boxes_[begin];
-    const std::size_t end = std::min(begin + kLeafSize, faces_.size());
-    for (std::size_t i = begin + 1; i < end; ++i) box.extend(face_boxes_[i]);
-    leaves.boxes.push_back(box);
-  }
-  levels_.push_back(std::move(leaves));
-  while (levels_.back().boxes.size() > 1) {
-    const std::vector<Box>& below = levels_.back().boxes;
+  // A box around the next `count` boxes of the level below.
+  const auto make_level = [](const std::vector<Box>& below, std::size_t count) {
     Level level;
-    for (std::size_t i = 0; i < below.size(); i += 2) {
-      level.boxes.push_back(below[i]);
-      if (i + 1 < below.size()) level.boxes.back().extend(below[i + 1]);
-    }
-    levels_.push_back(std::move(level));
-  }
+    level.boxes.resize((below.size() + count - 1) / count);
+    parallel_for(level.boxes.size(), kFacesPerTask / count, [&](std::size_t node) {
+      const std::size_t begin = node * count, end = std::min(begin + count, below.size());
+      Box box = below[begin];
+      for (std::size_t i = begin + 1; i < end; ++i) box.extend(below[i]);
+      level.boxes[node] = box;
+    });
+    return level;
+  };
+  levels_.push_back(make_level(face_boxes_, kLeafSize));
+  while (levels_.back().boxes.size() > 1) levels_.push_back(make_level(levels_.back().boxes, 2));
 }
 
 std::span<const std::uint32_t> BoxHierarchy::leaf_faces(std::size_t leaf) const {

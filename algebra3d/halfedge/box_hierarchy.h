@@ -140,7 +140,9 @@ class BoxHierarchy {
     std::uint32_t index = std::numeric_limits<std::uint32_t>::max();
     std::array<Box, kLeafSize> boxes{};
   };
-  void sort_faces(std::vector<Box>& boxes);
+  /// Brings the faces into Morton order; box_of_face(i) is the box of the i-th one before.
+  template <typename BoxOfFace>
+  void sort_faces(const BoxOfFace& box_of_face);
   void build_levels();
   static bool is_one_group(const Level& level, std::uint32_t a, std::uint32_t b) {
     return !level.groups.empty() && level.groups[a] != kNoGroup && level.groups[a] == level.groups[b];

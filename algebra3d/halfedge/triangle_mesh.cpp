@@ -55,11 +55,6 @@ std::vector<VertexId> TriangleMesh::nonmanifold_vertices() const {
   return result;
 }
 
-TriangleMesh::Triangle TriangleMesh::triangle(FaceId f) const {
-  const std::size_t first = halfedge(f).index();
-  return {origins_[first], origins_[first + 1], origins_[first + 2]};
-}
-
 TriangleRef TriangleMesh::corners(FaceId f) const {
   const Triangle t = triangle(f);
   return {points_[t[0]], points_[t[1]], points_[t[2]]};

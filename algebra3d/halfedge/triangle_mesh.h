@@ -89,7 +89,10 @@ class TriangleMesh {
 
   PointRef point(VertexId v) const { return points_[v.index()]; }
   const PointArray& points() const { return points_; }
-  Triangle triangle(FaceId f) const;
+  Triangle triangle(FaceId f) const {
+    const std::size_t first = halfedge(f).index();
+    return {origins_[first], origins_[first + 1], origins_[first + 2]};
+  }
   TriangleRef corners(FaceId f) const;
 
   /// Known planes of faces, possibly none. Results do not depend on them.

@@ -22,8 +22,8 @@
 #include "algebra3d/validity/detail/edges.h"
 #include "algebra3d/validity/detail/intersections.h"
 #include "algebra3d/validity/detail/near_faces.h"
+#include "algebra3d/validity/detail/proved_parts.h"
 #include "algebra3d/validity/detail/triangles.h"
-#include "algebra3d/validity/detail/vertex_stars.h"
 #include "algebra3d/validity/validity.h"
 
 namespace algebra3d {
@@ -130,13 +130,13 @@ Result<bool> is_valid_replacement(const TriangleMesh& volume, const std::vector<
   const ProofOptions options = options_for(mesh.face_count(), 0, added.face_count(), cancel);
 
   ValidityReport report;
-  const EmbeddedStars stars(mesh, options.known);
-  const SoundFaces sound = check_triangles(mesh, stars, options.known, report);
+  const ProvedParts proved(mesh, options.known);
+  const SoundFaces sound = check_triangles(mesh, proved, report);
   check_edges(mesh, sound, report, options.known);
   if (!report.is_valid()) return false;
   BoxHierarchy hierarchy(mesh);
   FaceSet ignored;
-  ALGEBRA3D_RETURN_IF_ERROR(find_intersections(mesh, stars, hierarchy, options, report, ignored));
+  ALGEBRA3D_RETURN_IF_ERROR(find_intersections(mesh, proved, hierarchy, options, report, ignored));
   if (!report.is_valid()) return false;
   return do_all_shells_go_on(mesh) ? Result<bool>(true) : is_valid_whole(replacement, cancel);
 }

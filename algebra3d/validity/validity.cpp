@@ -1,12 +1,14 @@
 #include "algebra3d/validity/validity.h"
 
 #include <cassert>
+#include <optional>
 
+#include "algebra3d/base/scheduler.h"
 #include "algebra3d/halfedge/box_hierarchy.h"
 #include "algebra3d/validity/detail/edges.h"
 #include "algebra3d/validity/detail/intersections.h"
+#include "algebra3d/validity/detail/proved_parts.h"
 #include "algebra3d/validity/detail/triangles.h"
-#include "algebra3d/validity/detail/vertex_stars.h"
 #include "algebra3d/validity/detail/winding.h"
 
 namespace algebra3d {
@@ -20,6 +22,9 @@ Status check_cancelled(const ProofOptions& options) {
   return {};
 }
 
+/// From so many faces on, the hierarchy is built at the same time as parts are proved.
+constexpr std::size_t kManyFaces = 10'000;
+
 std::vector<std::uint32_t> list_of(const SoundFaces& sound) {
   std::vector<std::uint32_t> faces;
   faces.reserve(sound.size());
@@ -28,25 +33,21 @@ std::vector<std::uint32_t> list_of(const SoundFaces& sound) {
   return faces;
 }
 
-Result<ShellWindings> find_windings(const TriangleMesh& mesh, const BoxHierarchy& hierarchy,
+Result<ShellWindings> find_windings(const TriangleMesh& mesh, const HeightFields& fields, const BoxHierarchy& hierarchy,
                                     const ProofOptions& options) {
-  if (options.preimage.mesh == nullptr) return find_shell_windings(mesh, hierarchy, options.cancel);
-  return find_shell_windings(mesh, options.preimage, hierarchy, options.cancel);
+  if (options.preimage.mesh == nullptr) return find_shell_windings(mesh, fields, hierarchy, options.cancel);
+  return find_shell_windings(mesh, fields, options.preimage, hierarchy, options.cancel);
 }
 
-Status check_windings(const TriangleMesh& mesh, const BoxHierarchy& hierarchy, const ProofOptions& options,
-                      ValidityReport& report) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ShellWindings shells, find_windings(mesh, hierarchy, options));
+Status check_windings(const TriangleMesh& mesh, const HeightFields& fields, const BoxHierarchy& hierarchy,
+                      const ProofOptions& options, ValidityReport& report) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const ShellWindings shells, find_windings(mesh, fields, hierarchy, options));
   for (std::size_t shell = 0; shell < shells.fronts.size(); ++shell) {
     if (shells.fronts[shell] == 0) continue;
     const FaceId face(shells.first_faces[shell]);
     report.add({Defect::wrong_winding, face, FaceId(), mesh.corners(face)[0].approx});
   }
   return {};
-}
-
-EmbeddedStars stars_of(const TriangleMesh& mesh, const FaceSet& known) {
-  return known.is_empty() ? EmbeddedStars(mesh) : EmbeddedStars(mesh, known);
 }
 
 BoxHierarchy hierarchy_for_pairs(const TriangleMesh& mesh, const SoundFaces& sound, const Preimage& preimage) {
@@ -59,19 +60,27 @@ BoxHierarchy hierarchy_for_pairs(const TriangleMesh& mesh, const SoundFaces& sou
 Result<ValidityReport> prove(const TriangleMesh& mesh, Kind kind, const ProofOptions& options, FaceSet& free) {
   ValidityReport report;
   const auto is_done = [&] { return options.thoroughness == Thoroughness::first_defect && !report.is_valid(); };
-  const EmbeddedStars stars = stars_of(mesh, options.known);
+  std::optional<ProvedParts> proved;
+  std::optional<BoxHierarchy> hierarchy;
+  const SoundFaces all(mesh.face_count(), true);
+  const bool is_large = mesh.face_count() > kManyFaces;
+  parallel_invoke(
+      is_large, [&] { proved.emplace(mesh, options.known); },
+      [&] {
+        if (is_large) hierarchy.emplace(hierarchy_for_pairs(mesh, all, options.preimage));
+      });
   ALGEBRA3D_RETURN_IF_ERROR(check_cancelled(options));
-  const SoundFaces sound = check_triangles(mesh, stars, options.known, report);
+  const SoundFaces sound = check_triangles(mesh, *proved, report);
   if (!free.is_empty()) free = FaceSet(sound);
   if (is_done()) return report;
   if (kind == Kind::volume) check_edges(mesh, sound, report);
   if (is_done()) return report;
   ALGEBRA3D_RETURN_IF_ERROR(check_cancelled(options));
-  BoxHierarchy hierarchy = hierarchy_for_pairs(mesh, sound, options.preimage);
-  ALGEBRA3D_RETURN_IF_ERROR(find_intersections(mesh, stars, hierarchy, options, report, free));
+  if (!hierarchy || sound != all) hierarchy.emplace(hierarchy_for_pairs(mesh, sound, options.preimage));
+  ALGEBRA3D_RETURN_IF_ERROR(find_intersections(mesh, *proved, *hierarchy, options, report, free));
   // Off the beaten track a winding number means nothing.
   if (kind == Kind::volume && report.is_valid())
-    ALGEBRA3D_RETURN_IF_ERROR(check_windings(mesh, hierarchy, options, report));
+    ALGEBRA3D_RETURN_IF_ERROR(check_windings(mesh, proved->fields, *hierarchy, options, report));
   return report;
 }
 
@@ -80,8 +89,8 @@ Result<ValidityReport> prove(const TriangleMesh& mesh, Kind kind, const ProofOpt
 Result<std::vector<Entanglement>> disentangle(const TriangleMesh& mesh, const std::atomic<bool>* cancel,
                                               const FaceSet& known) {
   ValidityReport ignored;
-  const EmbeddedStars stars = stars_of(mesh, known);
-  const SoundFaces sound = check_triangles(mesh, stars, known, ignored);
+  const ProvedParts proved(mesh, known);
+  const SoundFaces sound = check_triangles(mesh, proved, ignored);
   std::vector<Entanglement> result(mesh.face_count(), Entanglement::none);
   for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
     const TriangleRef corners = mesh.corners(FaceId(f));
@@ -96,7 +105,7 @@ Result<std::vector<Entanglement>> disentangle(const TriangleMesh& mesh, const st
     if (result[first.index()] == Entanglement::none) result[second.index()] = Entanglement::entangled;
     return true;
   };
-  ALGEBRA3D_RETURN_IF_ERROR(for_each_intersection(mesh, stars, known, hierarchy, cancel, part_from_first));
+  ALGEBRA3D_RETURN_IF_ERROR(for_each_intersection(mesh, proved, hierarchy, cancel, part_from_first));
   return result;
 }
 

@@ -5,10 +5,13 @@
 #include <span>
 #include <vector>
 
+#include "algebra3d/base/scheduler.h"
 #include "algebra3d/halfedge/topology.h"
 
 namespace algebra3d {
 namespace {
+
+constexpr std::size_t kHalfedgesPerTask = 32768;
 
 /// One triangle at an edge, as someone sees it who looks along the edge.
 struct Wing {
@@ -39,6 +42,15 @@ bool alternates(const TriangleMesh& mesh, std::span<const HalfedgeId> edge) {
   return true;
 }
 
+std::vector<HalfedgeId> boundary_halfedges(const TriangleMesh& mesh) {
+  return parallel_collect(mesh.halfedge_count(), kHalfedgesPerTask, [&](std::size_t begin, std::size_t end) {
+    std::vector<HalfedgeId> boundary;
+    for (std::size_t i = begin; i < end; ++i)
+      if (mesh.is_boundary(HalfedgeId(i))) boundary.emplace_back(i);
+    return boundary;
+  });
+}
+
 /// `edge` has no opposite half-edges: alone in one direction, both in the same, or more than two.
 void check_nonmanifold_edge(const TriangleMesh& mesh, std::span<const HalfedgeId> edge, const SoundFaces& sound,
                             ValidityReport& report) {
@@ -55,11 +67,8 @@ void check_nonmanifold_edge(const TriangleMesh& mesh, std::span<const HalfedgeId
 
 void check_edges(const TriangleMesh& mesh, const SoundFaces& sound, ValidityReport& report, const FaceSet& excepted) {
   const auto is_excepted = [&](HalfedgeId h) { return excepted.contains(TriangleMesh::face(h).index()); };
-  for (std::size_t i = 0; i < mesh.halfedge_count(); ++i) {
-    const HalfedgeId h(i);
-    if (mesh.is_boundary(h) && !is_excepted(h))
-      report.add({Defect::boundary_edge, TriangleMesh::face(h), FaceId(), middle(mesh, h)});
-  }
+  for (const HalfedgeId h : boundary_halfedges(mesh))
+    if (!is_excepted(h)) report.add({Defect::boundary_edge, TriangleMesh::face(h), FaceId(), middle(mesh, h)});
   for (std::size_t n = 0; n < mesh.nonmanifold_edge_count(); ++n)
     if (const auto edge = mesh.nonmanifold_edge(n); !std::ranges::all_of(edge, is_excepted))
       check_nonmanifold_edge(mesh, edge, sound, report);

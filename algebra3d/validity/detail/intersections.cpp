@@ -41,10 +41,12 @@ bool on_one_side(const std::array<const Vec3*, 3>& triangle, const std::array<co
 
 class PairTest {
  public:
-  PairTest(const TriangleMesh& mesh, const EmbeddedStars& stars)
-      : mesh_(mesh), stars_(stars), all_double_(mesh.points().exact_count() == 0) {}
+  PairTest(const TriangleMesh& mesh, const ProvedParts& proved)
+      : mesh_(mesh), proved_(proved), all_double_(mesh.points().exact_count() == 0) {}
 
   bool is_improper(FaceId f, FaceId g) const {
+    if (proved_.fields.are_in_one(f, g)) return false;
+    if (proved_.known.contains(f.index()) && proved_.known.contains(g.index())) return false;
     const TriangleMesh::Triangle s = mesh_.triangle(f), t = mesh_.triangle(g);
     // Without branches: three of four pairs end here, but which is hard to predict.
     const int has0 = is_corner(s[0], t), has1 = is_corner(s[1], t), has2 = is_corner(s[2], t);
@@ -58,7 +60,7 @@ class PairTest {
   static int is_corner(std::uint32_t vertex, const TriangleMesh::Triangle& t) {
     return static_cast<int>(vertex == t[0]) | static_cast<int>(vertex == t[1]) | static_cast<int>(vertex == t[2]);
   }
-  int is_embedded(std::uint32_t vertex) const { return static_cast<int>(stars_.is_embedded(VertexId(vertex))); }
+  int is_embedded(std::uint32_t vertex) const { return static_cast<int>(proved_.stars.is_embedded(VertexId(vertex))); }
 
   bool is_improper_stranger(FaceId f, FaceId g) const {
     if (all_double_) {
@@ -88,7 +90,7 @@ class PairTest {
   }
 
   const TriangleMesh& mesh_;
-  const EmbeddedStars& stars_;
+  const ProvedParts& proved_;
   bool all_double_;
 };
 
@@ -107,16 +109,28 @@ std::uint32_t common_embedded_corner(const TriangleMesh& mesh, const EmbeddedSta
 
 constexpr std::size_t kLeavesPerTask = 1024;
 
-// All triangles at the tip of a cone or the pole of a sphere meet there, so their boxes do, and their pairs are
-// quadratically many. The group of a leaf is such a corner; then whole nodes are known to be free of intersections.
-// Leaves with known faces alone are one group: it has a number that no corner has.
-void group_leaves(const TriangleMesh& mesh, const EmbeddedStars& stars, const FaceSet& known, BoxHierarchy& hierarchy) {
-  const auto known_group = static_cast<std::uint32_t>(mesh.vertex_count());
-  const auto is_known = [&](std::uint32_t face) { return known.contains(face); };
+/// The field that contains all faces of a leaf; none if there is none.
+RegionId common_field(const HeightFields& fields, std::span<const std::uint32_t> faces) {
+  const RegionId field = fields.field(FaceId(faces[0]));
+  const auto is_in_field = [&](std::uint32_t face) { return fields.field(FaceId(face)) == field; };
+  return std::ranges::all_of(faces, is_in_field) ? field : RegionId();
+}
+
+// Pairs of leaves of one group need no test. Leaves with known faces alone are one group, those in one height field
+// another. All triangles at the tip of a cone or the pole of a sphere meet there, so their boxes do, and their pairs
+// are quadratically many: the group of such a leaf is the corner. The three kinds have different numbers.
+void group_leaves(const TriangleMesh& mesh, const ProvedParts& proved, BoxHierarchy& hierarchy) {
+  const auto known_group = static_cast<std::uint32_t>(mesh.vertex_count()), first_field = known_group + 1;
+  const auto is_known = [&](std::uint32_t face) { return proved.known.contains(face); };
   std::vector<std::uint32_t> groups(hierarchy.leaf_count());
   parallel_for(groups.size(), kLeavesPerTask, [&](std::size_t leaf) {
     const auto faces = hierarchy.leaf_faces(leaf);
-    groups[leaf] = std::ranges::all_of(faces, is_known) ? known_group : common_embedded_corner(mesh, stars, faces);
+    if (std::ranges::all_of(faces, is_known))
+      groups[leaf] = known_group;
+    else if (const RegionId field = common_field(proved.fields, faces); !field.is_none())
+      groups[leaf] = first_field + field.index();
+    else
+      groups[leaf] = common_embedded_corner(mesh, proved.stars, faces);
   });
   hierarchy.set_groups(groups);
 }
@@ -143,8 +157,8 @@ class PairSearch {
  public:
   using Pairs = std::vector<std::pair<FaceId, FaceId>>;
 
-  PairSearch(const PairTest& test, const FaceSet& known, const BoxHierarchy& hierarchy, const std::atomic<bool>* cancel)
-      : test_(test), known_(known), hierarchy_(hierarchy), cancel_(cancel) {}
+  PairSearch(const PairTest& test, const BoxHierarchy& hierarchy, const std::atomic<bool>* cancel)
+      : test_(test), hierarchy_(hierarchy), cancel_(cancel) {}
 
   bool is_cancelled() const { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
 
@@ -154,7 +168,6 @@ class PairSearch {
     hierarchy_.for_each_pair(
         part,
         [&](std::uint32_t a, std::uint32_t b) {
-          if (known_.contains(a) && known_.contains(b)) return true;
           const FaceId first(std::min(a, b)), second(std::max(a, b));
           return !test_.is_improper(first, second) || visit(first, second);
         },
@@ -186,19 +199,18 @@ class PairSearch {
 
  private:
   const PairTest& test_;
-  const FaceSet& known_;
   const BoxHierarchy& hierarchy_;
   const std::atomic<bool>* cancel_;
 };
 
 }  // namespace
 
-Status for_each_intersection(const TriangleMesh& mesh, const EmbeddedStars& stars, const FaceSet& known,
-                             BoxHierarchy& hierarchy, const std::atomic<bool>* cancel,
-                             const std::function<bool(FaceId, FaceId)>& visit, bool only_first) {
-  group_leaves(mesh, stars, known, hierarchy);
-  const PairTest test(mesh, stars);
-  const PairSearch search(test, known, hierarchy, cancel);
+Status for_each_intersection(const TriangleMesh& mesh, const ProvedParts& proved, BoxHierarchy& hierarchy,
+                             const std::atomic<bool>* cancel, const std::function<bool(FaceId, FaceId)>& visit,
+                             bool only_first) {
+  group_leaves(mesh, proved, hierarchy);
+  const PairTest test(mesh, proved);
+  const PairSearch search(test, hierarchy, cancel);
   const bool is_large = hierarchy.face_count() > kFewFaces;
   const std::vector<BoxHierarchy::NodePair> parts = hierarchy.parts_of_search(is_large ? kParts : 1);
   const auto pairs = is_large ? search.all_pairs(parts, only_first) : std::nullopt;
@@ -220,7 +232,7 @@ Status for_each_intersection(const TriangleMesh& mesh, const EmbeddedStars& star
   return {};
 }
 
-Status find_intersections(const TriangleMesh& mesh, const EmbeddedStars& stars, BoxHierarchy& hierarchy,
+Status find_intersections(const TriangleMesh& mesh, const ProvedParts& proved, BoxHierarchy& hierarchy,
                           const ProofOptions& options, ValidityReport& report, FaceSet& free) {
   const std::uint64_t limit = options.thoroughness == Thoroughness::first_defect
                                   ? 1
@@ -232,7 +244,7 @@ Status find_intersections(const TriangleMesh& mesh, const EmbeddedStars& stars, 
     report.is_cut_short = report.count(Defect::intersecting_triangles) == limit;
     return !report.is_cut_short;
   };
-  return for_each_intersection(mesh, stars, options.known, hierarchy, options.cancel, add, limit == 1);
+  return for_each_intersection(mesh, proved, hierarchy, options.cancel, add, limit == 1);
 }
 
 }  // namespace algebra3d

@@ -5,23 +5,23 @@
 
 #include "algebra3d/base/error.h"
 #include "algebra3d/halfedge/box_hierarchy.h"
-#include "algebra3d/validity/detail/vertex_stars.h"
+#include "algebra3d/validity/detail/proved_parts.h"
 #include "algebra3d/validity/validity.h"
 
 namespace algebra3d {
 
 /// Calls visit(f, g), f < g, for every pair of faces whose intersection is not empty, nor one point, nor a whole edge
 /// of both; always in the same order. Ends when it returns false. `only_first`: it does so at the first one. The faces
-/// must not be degenerate or duplicates, and faces in `known` must not
-/// intersect each other. Sets the groups of the hierarchy. Exact. Errors: interrupted. Cost: that of the pairs whose
-/// boxes meet; pairs at a common embedded corner cost a few nanoseconds.
-Status for_each_intersection(const TriangleMesh& mesh, const EmbeddedStars& stars, const FaceSet& known,
-                             BoxHierarchy& hierarchy, const std::atomic<bool>* cancel,
-                             const std::function<bool(FaceId, FaceId)>& visit, bool only_first = false);
+/// must not be degenerate or duplicates, and known faces must not intersect each other. Sets the groups of the
+/// hierarchy. Exact. Errors: interrupted. Cost: that of the pairs whose boxes meet; pairs in one height field, or at a
+/// common embedded corner, cost a few nanoseconds or nothing.
+Status for_each_intersection(const TriangleMesh& mesh, const ProvedParts& proved, BoxHierarchy& hierarchy,
+                             const std::atomic<bool>* cancel, const std::function<bool(FaceId, FaceId)>& visit,
+                             bool only_first = false);
 
 /// Adds the pairs of for_each_intersection to `report` and removes their faces from `free`, unless that is empty. Stops
 /// after the first pair if `options` say so.
-Status find_intersections(const TriangleMesh& mesh, const EmbeddedStars& stars, BoxHierarchy& hierarchy,
+Status find_intersections(const TriangleMesh& mesh, const ProvedParts& proved, BoxHierarchy& hierarchy,
                           const ProofOptions& options, ValidityReport& report, FaceSet& free);
 
 }  // namespace algebra3d

@@ -5,6 +5,8 @@
 #include <span>
 #include <tuple>
 
+#include "algebra3d/base/scheduler.h"
+
 namespace algebra3d {
 namespace {
 
@@ -13,14 +15,25 @@ VertexId apex(const TriangleMesh& mesh, HalfedgeId h) {
   return mesh.origin(TriangleMesh::prev(h));
 }
 
-void check_degenerate(const TriangleMesh& mesh, const EmbeddedStars& stars, const FaceSet& known, SoundFaces& sound,
-                      ValidityReport& report) {
-  for (std::size_t i = 0; i < mesh.face_count(); ++i) {
-    const FaceId face(i);
-    if (known.contains(face.index()) || stars.is_at_embedded(mesh, face)) continue;
+constexpr std::size_t kFacesPerCheck = 8192;
+
+/// The faces without an embedded corner, ascending: the others are neither degenerate nor duplicates.
+std::vector<FaceId> doubtful_faces(const TriangleMesh& mesh, const EmbeddedStars& stars) {
+  return parallel_collect(mesh.face_count(), kFacesPerCheck, [&](std::size_t begin, std::size_t end) {
+    std::vector<FaceId> doubtful;
+    for (std::size_t f = begin; f < end; ++f)
+      if (!stars.is_at_embedded(mesh, FaceId(f))) doubtful.emplace_back(f);
+    return doubtful;
+  });
+}
+
+void check_degenerate(const TriangleMesh& mesh, const ProvedParts& proved, const std::vector<FaceId>& doubtful,
+                      SoundFaces& sound, ValidityReport& report) {
+  for (const FaceId face : doubtful) {
+    if (proved.known.contains(face.index()) || !proved.fields.field(face).is_none()) continue;
     const TriangleRef corners = mesh.corners(face);
     if (!collinear(corners[0], corners[1], corners[2])) continue;
-    sound[i] = false;
+    sound[face.index()] = false;
     report.add({Defect::degenerate_triangle, face, FaceId(), corners[0].approx});
   }
 }
@@ -32,13 +45,15 @@ class DuplicateSearch {
   DuplicateSearch(const TriangleMesh& mesh, SoundFaces& sound, ValidityReport& report)
       : mesh_(mesh), sound_(sound), report_(report) {}
 
-  void run(const EmbeddedStars& stars, const FaceSet& known) {
-    for (std::size_t i = 0; i < mesh_.halfedge_count(); ++i) {
-      const HalfedgeId h(i);
-      const HalfedgeId other = mesh_.opposite(h);
-      if (!other.is_valid() || !(h < other) || stars.is_embedded(mesh_.origin(h))) continue;
-      if (known.contains(TriangleMesh::face(h).index()) && known.contains(TriangleMesh::face(other).index())) continue;
-      search({{h, other}});
+  void run(const ProvedParts& proved, const std::vector<FaceId>& doubtful) {
+    for (const FaceId face : doubtful) {
+      for (std::uint32_t corner = 0; corner < 3; ++corner) {
+        const HalfedgeId h = TriangleMesh::halfedge(face, corner), other = mesh_.opposite(h);
+        if (!other.is_valid() || !(h < other)) continue;
+        const FaceId next = TriangleMesh::face(other);
+        if (proved.known.contains(face.index()) && proved.known.contains(next.index())) continue;
+        if (!proved.fields.are_in_one(face, next)) search({{h, other}});
+      }
     }
     for (std::size_t n = 0; n < mesh_.nonmanifold_edge_count(); ++n) {
       const std::span<const HalfedgeId> edge = mesh_.nonmanifold_edge(n);
@@ -71,11 +86,11 @@ class DuplicateSearch {
 
 }  // namespace
 
-SoundFaces check_triangles(const TriangleMesh& mesh, const EmbeddedStars& stars, const FaceSet& known,
-                           ValidityReport& report) {
+SoundFaces check_triangles(const TriangleMesh& mesh, const ProvedParts& proved, ValidityReport& report) {
   SoundFaces sound(mesh.face_count(), true);
-  check_degenerate(mesh, stars, known, sound, report);
-  DuplicateSearch(mesh, sound, report).run(stars, known);
+  const std::vector<FaceId> doubtful = doubtful_faces(mesh, proved.stars);
+  check_degenerate(mesh, proved, doubtful, sound, report);
+  DuplicateSearch(mesh, sound, report).run(proved, doubtful);
   return sound;
 }
 

@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "algebra3d/halfedge/triangle_mesh.h"
-#include "algebra3d/validity/detail/vertex_stars.h"
-#include "algebra3d/validity/face_set.h"
+#include "algebra3d/validity/detail/proved_parts.h"
 #include "algebra3d/validity/report.h"
 
 namespace algebra3d {
@@ -14,9 +13,8 @@ namespace algebra3d {
 using SoundFaces = std::vector<bool>;
 
 /// Adds degenerate and duplicate triangles to `report` and returns the remaining faces for the later stages. Of n
-/// triangles with the same corners n - 1 are duplicates. Faces in `known` must not be degenerate or duplicates of each
+/// triangles with the same corners n - 1 are duplicates. Known faces must not be degenerate or duplicates of each
 /// other. Exact. Cost: linear; n log n where many share one edge.
-SoundFaces check_triangles(const TriangleMesh& mesh, const EmbeddedStars& stars, const FaceSet& known,
-                           ValidityReport& report);
+SoundFaces check_triangles(const TriangleMesh& mesh, const ProvedParts& proved, ValidityReport& report);
 
 }  // namespace algebra3d

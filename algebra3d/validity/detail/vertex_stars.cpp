@@ -127,26 +127,35 @@ bool is_embedded_star(const TriangleMesh& mesh, VertexId v, Star& star) {
   return direction != Vec3{} && goes_round_once(star, direction);
 }
 
+/// Per vertex: whether it is a corner of a face that is not known. Empty if nothing is known.
+std::vector<bool> corners_of_unknown(const TriangleMesh& mesh, const FaceSet& known) {
+  if (known.is_empty()) return {};
+  std::vector<bool> are_corners(mesh.vertex_count());
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
+    if (!known.contains(f))
+      for (const std::uint32_t corner : mesh.triangle(FaceId(f))) are_corners[corner] = true;
+  return are_corners;
+}
+
 }  // namespace
 
 EmbeddedStars::EmbeddedStars(const TriangleMesh& mesh) : is_embedded_(mesh.vertex_count(), 0) {
-  look_at(mesh, std::vector<bool>(mesh.vertex_count(), true));
+  test(mesh, [](std::size_t /*vertex*/) { return true; });
 }
 
-EmbeddedStars::EmbeddedStars(const TriangleMesh& mesh, const FaceSet& known) : is_embedded_(mesh.vertex_count(), 0) {
-  std::vector<bool> is_asked(mesh.vertex_count());
-  for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
-    if (!known.contains(f))
-      for (const std::uint32_t corner : mesh.triangle(FaceId(f))) is_asked[corner] = true;
-  look_at(mesh, is_asked);
+EmbeddedStars::EmbeddedStars(const TriangleMesh& mesh, const HeightFields& fields, const FaceSet& known)
+    : is_embedded_(fields.are_inside()) {
+  const std::vector<bool> is_asked = corners_of_unknown(mesh, known);
+  test(mesh, [&](std::size_t vertex) { return is_embedded_[vertex] == 0 && (is_asked.empty() || is_asked[vertex]); });
 }
 
-void EmbeddedStars::look_at(const TriangleMesh& mesh, const std::vector<bool>& is_asked) {
+template <typename IsAsked>
+void EmbeddedStars::test(const TriangleMesh& mesh, const IsAsked& is_asked) {
   const std::size_t count = mesh.vertex_count();
   parallel_for((count + kVerticesPerTask - 1) / kVerticesPerTask, 1, [&](std::size_t task) {
     Star star;
     for (std::size_t i = task * kVerticesPerTask; i < std::min(count, (task + 1) * kVerticesPerTask); ++i)
-      if (is_asked[i]) is_embedded_[i] = static_cast<std::uint8_t>(is_embedded_star(mesh, VertexId(i), star));
+      if (is_asked(i)) is_embedded_[i] = static_cast<std::uint8_t>(is_embedded_star(mesh, VertexId(i), star));
   });
 }
 

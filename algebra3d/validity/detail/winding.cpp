@@ -20,6 +20,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "algebra3d/base/disjoint_sets.h"
+#include "algebra3d/base/scheduler.h"
 #include "algebra3d/exact/plane.h"
 #include "algebra3d/exact/vertical_line.h"
 #include "algebra3d/validity/shell_tops.h"
@@ -28,39 +30,39 @@ namespace algebra3d {
 namespace {
 
 constexpr std::uint32_t kNoShell = 0xFFFFFFFF;
+constexpr std::size_t kFacesPerLabelling = 32768;
 
-/// Labels the shell of `first` by an explicit stack.
-void flood(const TriangleMesh& mesh, std::uint32_t first, std::uint32_t shell, std::vector<std::uint32_t>& shells) {
-  std::vector<std::uint32_t> stack{first};
-  shells[first] = shell;
-  const auto reach = [&](HalfedgeId h) {
-    const std::uint32_t face = TriangleMesh::face(h).index();
-    if (shells[face] != kNoShell) return;
-    shells[face] = shell;
-    stack.push_back(face);
-  };
-  while (!stack.empty()) {
-    const FaceId face(stack.back());
-    stack.pop_back();
-    for (std::uint32_t corner = 0; corner < 3; ++corner) {
-      const HalfedgeId h = TriangleMesh::halfedge(face, corner);
-      if (mesh.opposite(h).is_valid()) {
-        reach(mesh.opposite(h));
-      } else if (mesh.is_nonmanifold(h)) {
-        std::ranges::for_each(mesh.edge_halfedges(h), reach);
-      }
-    }
-  }
+/// Joins the regions that share edges.
+DisjointSets connected_regions(const TriangleMesh& mesh, const HeightFields& fields) {
+  const FacingRegions& regions = fields.regions();
+  const auto region_of = [&](HalfedgeId h) { return regions.of_face[TriangleMesh::face(h)].index(); };
+  DisjointSets sets(regions.regions.size());
+  for (const HalfedgeId h : fields.borders())
+    if (const HalfedgeId opposite = mesh.opposite(h); opposite.is_valid())
+      sets.unite(region_of(h), region_of(opposite));
+  for (std::size_t n = 0; n < mesh.nonmanifold_edge_count(); ++n)
+    for (const HalfedgeId h : mesh.nonmanifold_edge(n))
+      sets.unite(region_of(mesh.nonmanifold_edge(n)[0]), region_of(h));
+  return sets;
 }
 
-ShellWindings find_shells(const TriangleMesh& mesh) {
+ShellWindings find_shells(const TriangleMesh& mesh, const HeightFields& fields) {
+  const FacingRegions& regions = fields.regions();
+  DisjointSets sets = connected_regions(mesh, fields);
   ShellWindings shells;
-  shells.shell_of_face.assign(mesh.face_count(), kNoShell);
-  for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
-    if (shells.shell_of_face[face] != kNoShell) continue;
-    flood(mesh, face, static_cast<std::uint32_t>(shells.first_faces.size()), shells.shell_of_face);
-    shells.first_faces.push_back(face);
+  IdVector<RegionId, std::uint32_t> shell_of_region(regions.regions.size());
+  // The lowest region of a set, by which it is represented, has its lowest face.
+  for (const RegionId region : regions.regions.ids()) {
+    if (const RegionId lowest(sets.find(region.index())); lowest != region) {
+      shell_of_region[region] = shell_of_region[lowest];
+      continue;
+    }
+    shell_of_region[region] = static_cast<std::uint32_t>(shells.first_faces.size());
+    shells.first_faces.push_back(regions.regions[region].first.index());
   }
+  shells.shell_of_face.resize(mesh.face_count());
+  parallel_for(mesh.face_count(), kFacesPerLabelling,
+               [&](std::size_t face) { shells.shell_of_face[face] = shell_of_region[regions.of_face[FaceId(face)]]; });
   return shells;
 }
 
@@ -246,17 +248,18 @@ bool ShellWindings::is_inside_out() const {
   return !fronts.empty() && std::ranges::all_of(fronts, [](int front) { return front == -1; });
 }
 
-Result<ShellWindings> find_shell_windings(const TriangleMesh& mesh, const BoxHierarchy& hierarchy,
-                                          const std::atomic<bool>* cancel) {
-  ShellWindings shells = find_shells(mesh);
+Result<ShellWindings> find_shell_windings(const TriangleMesh& mesh, const HeightFields& fields,
+                                          const BoxHierarchy& hierarchy, const std::atomic<bool>* cancel) {
+  ShellWindings shells = find_shells(mesh, fields);
   shells.fronts.assign(shells.first_faces.size(), kUnknown);
   ALGEBRA3D_RETURN_IF_ERROR(ask_for_unknown(mesh, hierarchy, cancel, shells));
   return shells;
 }
 
-Result<ShellWindings> find_shell_windings(const TriangleMesh& mesh, const Preimage& preimage, const BoxHierarchy& near,
+Result<ShellWindings> find_shell_windings(const TriangleMesh& mesh, const HeightFields& fields,
+                                          const Preimage& preimage, const BoxHierarchy& near,
                                           const std::atomic<bool>* cancel) {
-  ShellWindings shells = find_shells(mesh);
+  ShellWindings shells = find_shells(mesh, fields);
   shells.fronts.assign(shells.first_faces.size(), kUnknown);
   if (shells.first_faces.size() > kFewShells)
     ALGEBRA3D_RETURN_IF_ERROR(take_over(mesh, preimage, near, cancel, shells));
@@ -266,7 +269,7 @@ Result<ShellWindings> find_shell_windings(const TriangleMesh& mesh, const Preima
 }
 
 Result<ShellWindings> find_shell_windings(const TriangleMesh& mesh, const std::atomic<bool>* cancel) {
-  return find_shell_windings(mesh, BoxHierarchy(mesh), cancel);
+  return find_shell_windings(mesh, HeightFields(mesh), BoxHierarchy(mesh), cancel);
 }
 
 }  // namespace algebra3d

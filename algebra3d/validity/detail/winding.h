@@ -8,6 +8,7 @@
 #include "algebra3d/halfedge/box_hierarchy.h"
 #include "algebra3d/halfedge/mesh_image.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/validity/detail/height_fields.h"
 
 namespace algebra3d {
 
@@ -22,17 +23,18 @@ struct ShellWindings {
   bool is_inside_out() const;
 };
 
-/// Computes the shells and their winding numbers. Requires a mesh without other defects of prove_volume, and a
-/// `hierarchy` over all its faces. Errors: interrupted. Exact. Cost: linear for the shells; for each of a few shells
-/// one vertical ray, for each of many one search for the face above its top (shell_tops.h).
-Result<ShellWindings> find_shell_windings(const TriangleMesh& mesh, const BoxHierarchy& hierarchy,
-                                          const std::atomic<bool>* cancel = nullptr);
+/// Computes the shells, from the regions of `fields`, and their winding numbers. Requires a mesh without other defects
+/// of prove_volume, and a `hierarchy` over all its faces. Errors: interrupted. Exact. Cost: linear for the shells; for
+/// each of a few shells one vertical ray, for each of many one search for the face above its top (shell_tops.h).
+Result<ShellWindings> find_shell_windings(const TriangleMesh& mesh, const HeightFields& fields,
+                                          const BoxHierarchy& hierarchy, const std::atomic<bool>* cancel = nullptr);
 /// The same for the rounded image of a valid volume. `near`: a hierarchy over the faces of the preimage, whose boxes
 /// meet if the faces are within reach. Cost: linear, and the pairs whose boxes meet; for shells joined by such a pair
 /// that of the other overloads.
-Result<ShellWindings> find_shell_windings(const TriangleMesh& mesh, const Preimage& preimage, const BoxHierarchy& near,
+Result<ShellWindings> find_shell_windings(const TriangleMesh& mesh, const HeightFields& fields,
+                                          const Preimage& preimage, const BoxHierarchy& near,
                                           const std::atomic<bool>* cancel = nullptr);
-/// The same; builds the hierarchy.
+/// The same; finds the regions and builds the hierarchy.
 Result<ShellWindings> find_shell_windings(const TriangleMesh& mesh, const std::atomic<bool>* cancel = nullptr);
 
 }  // namespace algebra3d
