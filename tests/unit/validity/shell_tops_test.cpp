@@ -185,7 +185,7 @@ TEST(Preimage, windings_of_shells_far_from_others_are_taken_over) {
   std::vector<int> fronts(120, 0);
   fronts[95] = -1;
   EXPECT_EQ(find_shell_windings(image)->fronts, fronts);
-  EXPECT_EQ(find_shell_windings(image, preimage, near)->fronts, fronts);
+  EXPECT_EQ(find_shell_windings(image, HeightFields(image), preimage, near)->fronts, fronts);
 }
 
 TEST(Preimage, spares_a_proof_the_pairs_of_slanted_boxes) {
