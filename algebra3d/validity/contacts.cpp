@@ -1,0 +1,117 @@
+#include "algebra3d/validity/contacts.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <set>
+
+#include "algebra3d/base/monitor.h"
+#include "algebra3d/exact/predicates.h"
+#include "algebra3d/halfedge/box_hierarchy.h"
+#include "algebra3d/halfedge/circulators.h"
+#include "algebra3d/halfedge/topology.h"
+#include "algebra3d/validity/detail/near_faces.h"
+
+namespace algebra3d {
+namespace {
+
+/// Nearly all points are outside the box. Rounded numbers are enough, as rounding is monotonic.
+bool is_in_box_of(const TriangleRef& triangle, const Vec3& p) {
+  const auto is_between = [&](std::size_t axis) {
+    const auto [low, high] =
+        std::minmax({triangle[0].approx[axis], triangle[1].approx[axis], triangle[2].approx[axis]});
+    return low <= p[axis] && p[axis] <= high;
+  };
+  return is_between(0) && is_between(1) && is_between(2);
+}
+
+/// True if the point lies in the triangle, which is not degenerate, or in an edge, and is no corner.
+bool is_in(const TriangleRef& triangle, const PointRef& p) {
+  if (!is_in_box_of(triangle, p.approx)) return false;
+  if (orient3d(triangle[0], triangle[1], triangle[2], p) != 0) return false;
+  const ProjectedTurn turn = dominant_turn(triangle);
+  int edges = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int side = orient2d(turn.projection, triangle[i], triangle[(i + 1) % 3], p);
+    if (side == -turn.sign) return false;
+    edges += side == 0 ? 1 : 0;
+  }
+  return edges < 2;
+}
+
+class ContactSearch {
+ public:
+  ContactSearch(const TriangleMesh& mesh, const std::vector<bool>& is_new)
+      : mesh_(mesh), is_new_(is_new), owner_(mesh.vertex_count(), kNone) {
+    std::vector<FaceId> fresh;
+    for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
+      if (is_new_face(f)) fresh.push_back(FaceId(f));
+    if (fresh.size() < mesh.face_count())
+      for (const FaceId face : faces_near(mesh, is_new, submesh(mesh, fresh), 0)) add(face);
+    // Last, so that they own their vertices.
+    for (const FaceId face : fresh) add(face);
+  }
+
+  /// The new faces and those near them: all faces of a vertex that lies in a new face are among these.
+  const std::vector<std::uint32_t>& faces_in_question() const { return faces_; }
+
+  void look_at(std::uint32_t f, std::uint32_t g) {
+    if (!is_new_face(f) && !is_new_face(g)) return;
+    add_vertices_in(f, g);
+    add_vertices_in(g, f);
+  }
+
+  std::vector<VertexContact> contacts() && {
+    const auto key = [](const VertexContact& contact) { return std::pair(contact.face, contact.vertex); };
+    std::ranges::sort(contacts_, {}, key);
+    return std::move(contacts_);
+  }
+
+ private:
+  void add(FaceId face) {
+    faces_.push_back(static_cast<std::uint32_t>(face.index()));
+    for (const std::uint32_t v : mesh_.triangle(face)) owner_[v] = faces_.back();
+  }
+
+  bool is_new_face(std::uint32_t face) const { return is_new_.empty() || is_new_[face]; }
+
+  /// Those that the other face owns, so that each vertex is looked at once.
+  void add_vertices_in(std::uint32_t face, std::uint32_t other) {
+    const TriangleMesh::Triangle corners = mesh_.triangle(FaceId(face));
+    for (const std::uint32_t v : mesh_.triangle(FaceId(other)))
+      if (owner_[v] == other && std::ranges::find(corners, v) == corners.end() &&
+          is_in(mesh_.corners(FaceId(face)), mesh_.points()[v]))
+        contacts_.push_back({VertexId(v), FaceId(face)});
+  }
+
+  const TriangleMesh& mesh_;
+  const std::vector<bool>& is_new_;
+  std::vector<std::uint32_t> faces_;
+  std::vector<std::uint32_t> owner_;  // of each vertex of these: one of them, a new one if there is any
+  std::vector<VertexContact> contacts_;
+};
+
+}  // namespace
+
+Result<std::vector<VertexContact>> vertex_contacts(const TriangleMesh& mesh, const std::atomic<bool>* cancel,
+                                                   const std::vector<bool>& is_new) {
+  ContactSearch search(mesh, is_new);
+  const BoxHierarchy hierarchy(mesh, search.faces_in_question());
+  const Monitor monitor(cancel);
+  hierarchy.for_each_pair(
+      [&](std::uint32_t f, std::uint32_t g) {
+        search.look_at(f, g);
+        return true;
+      },
+      [&] { return !monitor.is_cancelled(); });
+  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  return std::move(search).contacts();
+}
+
+std::size_t vertex_count_of(const std::vector<VertexContact>& contacts) {
+  std::set<VertexId> vertices;
+  for (const VertexContact& contact : contacts) vertices.insert(contact.vertex);
+  return vertices.size();
+}
+
+}  // namespace algebra3d
