@@ -11,7 +11,9 @@
 #include "algebra3d/base/polygon_soup.h"
 #include "algebra3d/repair/mesh_volume.h"
 #include "algebra3d/rounding/coordinate_grid.h"
+#include "algebra3d/rounding/divided_contacts.h"
 #include "algebra3d/rounding/rounded_solid.h"
+#include "algebra3d/validity/contacts.h"
 #include "mesh_files/mesh_content.h"
 #include "mesh_files/mesh_format.h"
 
@@ -76,7 +78,8 @@ Result<std::string> visible_change(const Context& context, const TriangleMesh& s
   const bool loses_shells = rounded.shells_after < rounded.shells_before;
   const bool is_seen = rounded.largest_movement > kVisiblePart * diagonal_of(solid) || changes_volume || loses_shells;
   if (!is_seen && rounded.reach == 0) return std::string();
-  std::string text = fmt::format("which moves the boundary by at most {}", real_text(rounded.largest_movement));
+  std::string text = fmt::format("which moves the boundary by at most {} ({})", real_text(rounded.largest_movement),
+                                 name_of(rounded.method));
   if (!is_seen) text += " where it is crowded";
   if (changes_volume)
     text += fmt::format(" and makes the volume {} instead of {}", real_text(after), real_text(before));
@@ -95,7 +98,9 @@ Result<ExportedSolid> export_rounded(Context& context, const std::string& name, 
   if (!change.empty())
     context.diagnostics.report(fmt::format("{}: rounded to {}, {}{}", name, numbers.name, change, numbers.advice),
                                file);
-  const Status written = write(context.resolve(file), *rounded.mesh);
+  // Many programs take vertices inside edges or faces of others for crossings.
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto contacts, vertex_contacts(*rounded.mesh, context.cancel));
+  const Status written = write(context.resolve(file), divided_at_contacts(*rounded.mesh, contacts));
   if (!written) return refuse(context, written.error().code, name + ": " + written.error().message);
   return ExportedSolid();
 }

@@ -25,7 +25,7 @@ class Solid : public Shape<Solid, Volume3d> {
   std::string exact_volume() const;
   /// The centre of mass. Errors: invalid_value for the empty solid. Cost: linear.
   Result<Vec3> centroid() const;
-  /// A solid of doubles near this one. Errors: invalid_value, with the reason, if none was found; interrupted.
+  /// A solid of doubles near this one. Errors: invalid_value if a coordinate is out of range; interrupted.
   Result<Solid> rounded(const Monitor& monitor = {}) const;
   /// The bodies, each with its cavities. Errors: interrupted.
   Result<std::vector<Solid>> components(const Monitor& monitor = {}) const;

@@ -20,15 +20,16 @@
 namespace algebra3d {
 namespace {
 
-/// The text of the note on a rounding: how far it moved what, and what vanished.
+/// The text of the note on a rounding: how far it moved what, by which method, and what vanished.
 template <typename Rounded>
 std::string rounding_note(const Rounded& rounded, std::size_t vertex_count) {
   if (rounded.mesh->is_empty()) return "nothing is left: nowhere is it thicker than the grid";
-  std::string text = fmt::format("{} of {} vertices moved, and the boundary by at most {}", rounded.moved_vertices,
-                                 vertex_count, real_text(rounded.largest_movement));
-  if (rounded.reach > 0)
-    text += fmt::format("; features nearer to each other than {} were joined where triangles crossed",
-                        real_text(rounded.reach));
+  std::string text =
+      fmt::format("{} of {} vertices moved, and the boundary by at most {}; method: {}", rounded.moved_vertices,
+                  vertex_count, real_text(rounded.largest_movement), name_of(rounded.method));
+  if (rounded.reach > 0) text += fmt::format(" within {}", real_text(rounded.reach));
+  if (rounded.contact_vertices > 0)
+    text += fmt::format("; {} vertices lie inside edges or faces of others", rounded.contact_vertices);
   return text;
 }
 
@@ -89,12 +90,17 @@ void register_rounding(Registry& registry) {
           "The surface or solid with all coordinates rounded to doubles, or to the doubles nearest to multiples of a "
           "grid width.",
       .detail =
-          "A diagnostic gives the number of moved vertices, and the largest distance by which the boundary moved. "
-          "The result is a valid surface or solid: facets are triangulated anew, and where triangles would cross each "
-          "other, vertices, edges and facets that are nearly one are joined, which the diagnostic tells too. Parts "
-          "thinner than the grid vanish. A value whose coordinates are on the grid is unchanged. Of a solid only the "
+          "A diagnostic gives the number of moved vertices, the largest distance by which the boundary moved, and the "
+          "method. The result is always a valid surface or solid. The first of these methods that gives one is taken: "
+          "vertices moved; edges led round vertices; divided where triangles crossed (where a grid is given); features "
+          "joined, that is, vertices and edges of crossing triangles that are nearly one; facets made coplanar; "
+          "rounded "
+          "to a coarser grid; cover of cubes (faces of cubes for a surface), which cannot fail. The last two have "
+          "never "
+          "been needed. Vertices that lie inside edges or faces of others are counted. Parts thinner than the grid "
+          "vanish. A value whose coordinates are on the grid is unchanged. Of a solid only the "
           "facets with corners that move are changed and proved again, so the cost follows the length of the seams. "
-          "Undefined if a coordinate would be out of range, or if no valid result is found.",
+          "Undefined only if a coordinate would be out of range.",
       .exactness = Exactness::reported,
       .frame_use = FrameUse::coordinates,
       .overloads = {overload<&rounded_to_doubles<Volume3d>>("solid"),

@@ -4,6 +4,9 @@
 
 namespace algebra3d {
 
+/// Why nothing is rounded to a grid: a coordinate, or the next number of the grid, is beyond its largest number.
+inline constexpr const char* kOutOfRange = "a coordinate is out of range";
+
 /// A grid of doubles to which coordinates are rounded.
 class CoordinateGrid {
  public:

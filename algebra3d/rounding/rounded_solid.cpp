@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "algebra3d/rounding/detail/met_cells.h"
 #include "algebra3d/rounding/detail/rounded_vertices.h"
 #include "algebra3d/rounding/detail/rounding_job.h"
 #include "algebra3d/rounding/detail/rounding_rungs.h"
@@ -23,7 +25,8 @@ constexpr double kReachGrowth = 4;
 Result<bool> round_part(RoundingJob& job) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const RoundingCandidate snapped, snap_rounded(job.mesh(), job.vertices(), job.cancel()));
   ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_found, job.accept(snapped));
-  return is_found || !job.grid().is_floating() ? Result<bool>(is_found) : join_features(job, snapped, kModestReach);
+  return is_found || !job.grid().is_floating() ? Result<bool>(is_found)
+                                               : join_features(job, snapped, job.grid(), kModestReach);
 }
 
 /// All rungs. Where the grid may be coarse for the solid, dividing comes before joining; else it would only take time.
@@ -34,7 +37,7 @@ Result<bool> round_whole(RoundingJob& job) {
     ALGEBRA3D_ASSIGN_OR_RETURN(is_found, divide_at_crossings(job));
   }
   if (!is_found) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_features(job, snapped, kModestReach));
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_features(job, snapped, job.grid(), kModestReach));
   }
   if (is_found) return true;
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<bool> crowded, crowded_vertices(job, snapped.mesh));
@@ -43,12 +46,22 @@ Result<bool> round_whole(RoundingJob& job) {
     ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_coplanar(job, crowded, reach, kModestReach));
   }
   if (!is_found) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_features(job, snapped, kLargestReach));
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_features(job, snapped, job.grid(), kLargestReach));
   }
   for (; !is_found && reach <= kLargestReach; reach *= kReachGrowth) {
     ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_coplanar(job, crowded, reach, kLargestReach));
   }
-  return is_found;
+  return is_found ? Result<bool>(true) : round_to_coarser_grids(job);
+}
+
+/// The last rung. Where the type has no numbers beyond the solid, there is no cover.
+Result<RoundedSolid> covered(RoundingJob& job) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<RoundingCandidate> cover,
+                             cover_of_cubes(job.mesh(), job.grid(), cell_budget(job.mesh()), job.cancel()));
+  if (!cover) return RoundedSolid{std::nullopt, kOutOfRange};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, job.accept(*cover));
+  if (!is_valid) return Error(ErrorCode::internal, "a cover of cubes is not valid");
+  return job.result();
 }
 
 /// The rounded solid: of a part of it, or else of the whole.
@@ -56,11 +69,11 @@ Result<RoundedSolid> climbed(const TriangleMesh& solid, SolidPart part, const Co
                              const std::atomic<bool>* cancel) {
   const bool is_whole = part.is_whole();
   RoundingJob job(solid, std::move(part), grid, cancel);
-  if (!job.vertices().are_finite) return RoundedSolid{std::nullopt, "a coordinate is out of range"};
+  if (!job.vertices().are_finite) return RoundedSolid{std::nullopt, kOutOfRange};
   ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_found, is_whole ? round_whole(job) : round_part(job));
   if (is_found) return job.result();
   if (!is_whole) return climbed(solid, SolidPart(solid), grid, cancel);
-  return RoundedSolid{std::nullopt, "no rounding was found that keeps the solid free of self-intersections"};
+  return covered(job);
 }
 
 }  // namespace

@@ -18,7 +18,10 @@ struct RoundedSolid {
   const char* reason = "";         ///< why there is none
   std::size_t moved_vertices = 0;  ///< of the given ones
   double largest_movement = 0;     ///< in coordinate units: no point of the new boundary is farther from the given one
-  RoundingMethod method = RoundingMethod::none;
+  RoundingMethod method = RoundingMethod::none;  ///< that found the mesh
+  /// How many vertices lie inside edges or faces of others, if their faces or these are among those that changed:
+  /// valid, but other programs may take them for crossings (divided_contacts.h).
+  std::size_t contact_vertices = 0;
   /// In coordinate units: where triangles crossed after the vertices had moved, features nearer to each other than this
   /// were joined. 0 if none crossed.
   double reach = 0;
@@ -38,12 +41,15 @@ struct RoundedSolid {
 ///     turns with the selection of cells as in 2, as long as no more than some half of the crossings are left.
 ///  4. Facets that nearly lie upon each other are made coplanar (coplanar_snapping.h), then 3.
 ///  5. 3 and 4 with reaches of up to 2^20 spacings.
+///  6. 1 and 3 on grids of multiples of up to 2^20 spacings.
+///  7. The cubes of a lattice that meet the solid replace it (cell_cover.h). This cannot fail.
 /// A simpler form of each result is proved first: without corners of facets with moved corners that lie on the
 /// surface or on an edge of it anyway, up to two spacings (vertex_removal.h); not on a grid of multiples. There is no
-/// result if a coordinate is out of range, or if the last rung gives none. `cancel` ends the call with the error
-/// interrupted; progress is not told. Exactness: rounded; validity is exact. Deterministic. Errors: interrupted,
-/// limit_exceeded. Cost: for nearly all solids a scan, and snap rounding and a proof of the faces near vertices that
-/// move. Source: snap rounding after [hobby1999] and [halperin2002].
+/// result only if a coordinate is out of range. It is empty only where 1 to 4 leave nothing within a reach of two
+/// spacings, and no cell of the grid lies within the solid. `cancel` ends the call with the error interrupted; progress
+/// is not told. Exactness: rounded; validity is exact. Deterministic. Errors: interrupted, limit_exceeded. Cost: for
+/// nearly all solids a scan, and snap rounding and a proof of the faces near vertices that move. Source: snap rounding
+/// after [hobby1999] and [halperin2002].
 Result<RoundedSolid> rounded_solid(const TriangleMesh& solid, const CoordinateGrid& grid,
                                    const std::atomic<bool>* cancel = nullptr);
 

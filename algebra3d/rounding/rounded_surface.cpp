@@ -1,14 +1,19 @@
 #include "algebra3d/rounding/rounded_surface.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <optional>
 #include <utility>
 
 #include "algebra3d/arrangement/surface_arrangement.h"
 #include "algebra3d/autorefinement/valid_parts.h"
 #include "algebra3d/halfedge/boxes.h"
 #include "algebra3d/rounding/detail/feature_snapping.h"
+#include "algebra3d/rounding/detail/met_cells.h"
 #include "algebra3d/rounding/detail/rounded_vertices.h"
 #include "algebra3d/rounding/detail/snap_rounding.h"
+#include "algebra3d/rounding/detail/square_cover.h"
+#include "algebra3d/validity/contacts.h"
 #include "algebra3d/validity/validity.h"
 
 namespace algebra3d {
@@ -20,6 +25,8 @@ constexpr int kFarTurns = 4;
 /// These reaches, in spacings of the grid.
 constexpr double kModest = 32;
 constexpr double kFar = 0x1p20;
+/// Wider ones join what is not thinner than the grid, and may not leave nothing.
+constexpr double kLargestReachToVanish = 2;
 
 class SurfaceRounding {
  public:
@@ -31,9 +38,9 @@ class SurfaceRounding {
   Result<bool> is_valid() const;
   Status join_features(double largest_reach);
   Status divide_at_crossings();
-  RoundedSurface result(std::size_t moved_vertices) && {
-    return {std::move(mesh_), "", moved_vertices, movement_, reach_};
-  }
+  /// Puts faces of cubes in place of the surface; false if the type has no numbers beyond it.
+  Result<bool> cover(const TriangleMesh& surface);
+  Result<RoundedSurface> result(std::size_t moved_vertices) &&;
 
  private:
   CoordinateGrid grid_;
@@ -41,14 +48,17 @@ class SurfaceRounding {
   const std::atomic<bool>* cancel_;
   TriangleMesh mesh_;
   double movement_ = 0, reach_ = 0;
+  RoundingMethod method_ = RoundingMethod::vertices_moved;
 };
 
 void SurfaceRounding::begin(SnappedMesh snapped, double movement) {
   mesh_ = std::move(snapped.mesh);
   movement_ += rounded_up(movement + snapped.largest_detour);
+  if (snapped.largest_detour > 0) method_ = std::max(method_, RoundingMethod::edges_led_round);
 }
 
 Result<bool> SurfaceRounding::is_valid() const {
+  if (mesh_.is_empty() && reach_ > kLargestReachToVanish * spacing_) return false;
   const ProofOptions options{.thoroughness = Thoroughness::first_defect, .cancel = cancel_};
   ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport report, prove_surface(mesh_, options));
   return report.is_valid();
@@ -60,6 +70,7 @@ Status SurfaceRounding::join_features(double largest_reach) {
   mesh_ = std::move(joined.mesh);
   movement_ += joined.largest_displacement;
   reach_ = std::max(reach_, joined.reach);
+  if (joined.reach > 0) method_ = std::max(method_, RoundingMethod::features_joined);
   return {};
 }
 
@@ -71,7 +82,24 @@ Status SurfaceRounding::divide_at_crossings() {
   const RoundedVertices vertices = rounded_vertices(divided, grid_);
   ALGEBRA3D_ASSIGN_OR_RETURN(SnappedMesh snapped, snap_round(divided, vertices, cancel_));
   begin(std::move(snapped), vertices.largest_movement);
+  method_ = std::max(method_, RoundingMethod::crossings_divided);
   return {};
+}
+
+Result<bool> SurfaceRounding::cover(const TriangleMesh& surface) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<MetCells> met,
+                             finest_met_cells(surface, grid_, cell_budget(surface), cancel_));
+  if (!met) return false;
+  ALGEBRA3D_ASSIGN_OR_RETURN(mesh_, square_cover(surface, *met, cancel_));
+  movement_ = met->lattice.diagonal();
+  reach_ = 0;
+  method_ = RoundingMethod::faces_of_cubes;
+  return true;
+}
+
+Result<RoundedSurface> SurfaceRounding::result(std::size_t moved_vertices) && {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto contacts, vertex_contacts(mesh_, cancel_));
+  return RoundedSurface{std::move(mesh_), "", moved_vertices, movement_, method_, vertex_count_of(contacts), reach_};
 }
 
 }  // namespace
@@ -79,7 +107,7 @@ Status SurfaceRounding::divide_at_crossings() {
 Result<RoundedSurface> rounded_surface(const TriangleMesh& surface, const CoordinateGrid& grid,
                                        const std::atomic<bool>* cancel) {
   const RoundedVertices vertices = rounded_vertices(surface, grid);
-  if (!vertices.are_finite) return RoundedSurface{std::nullopt, "a coordinate is out of range"};
+  if (!vertices.are_finite) return RoundedSurface{std::nullopt, kOutOfRange};
   if (vertices.moved == 0) return RoundedSurface{surface};
   SurfaceRounding rounding(grid, grid.spacing_up_to(largest_coordinate(surface)), cancel);
   ALGEBRA3D_ASSIGN_OR_RETURN(SnappedMesh snapped, snap_round(surface, vertices, cancel));
@@ -93,7 +121,9 @@ Result<RoundedSurface> rounded_surface(const TriangleMesh& surface, const Coordi
     if (is_valid) return std::move(rounding).result(vertices.moved);
     ALGEBRA3D_RETURN_IF_ERROR(rounding.divide_at_crossings());
   }
-  return RoundedSurface{std::nullopt, "no rounding was found that keeps the surface free of self-intersections"};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_covered, rounding.cover(surface));
+  if (!is_covered) return RoundedSurface{std::nullopt, kOutOfRange};
+  return std::move(rounding).result(vertices.moved);
 }
 
 }  // namespace algebra3d

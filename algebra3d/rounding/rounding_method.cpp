@@ -16,6 +16,12 @@ const char* name_of(RoundingMethod method) {
       return "features joined";
     case RoundingMethod::facets_made_coplanar:
       return "facets made coplanar";
+    case RoundingMethod::coarser_grid:
+      return "rounded to a coarser grid";
+    case RoundingMethod::cover_of_cubes:
+      return "cover of cubes";
+    case RoundingMethod::faces_of_cubes:
+      return "faces of cubes";
   }
   return "";
 }

@@ -1,15 +1,20 @@
 #include "algebra3d/rounding/detail/rounding_job.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "algebra3d/halfedge/boxes.h"
 #include "algebra3d/halfedge/circulators.h"
 #include "algebra3d/halfedge/topology.h"
+#include "algebra3d/rounding/detail/cell_cover.h"
+#include "algebra3d/rounding/detail/met_cells.h"
 #include "algebra3d/rounding/detail/snap_rounding.h"
 #include "algebra3d/rounding/detail/vertex_removal.h"
+#include "algebra3d/validity/contacts.h"
 
 namespace algebra3d {
 namespace {
@@ -17,6 +22,9 @@ namespace {
 /// Vertices no farther from the surface than so many spacings are superfluous. With one, a chain of 2000 turned
 /// intersections has twice as many triangles as it needs, with two a third more.
 constexpr double kSuperfluous = 2;
+
+/// Among so many cells at its boundary one within a solid is looked for, before the solid may vanish.
+constexpr std::size_t kSearchedCells = 10'000;
 
 }  // namespace
 
@@ -34,7 +42,8 @@ RoundingJob::RoundingJob(const TriangleMesh& solid, SolidPart part, const Coordi
     : solid_(solid),
       part_(std::move(part)),
       grid_(grid),
-      spacing_(grid.spacing_up_to(largest_coordinate(solid))),
+      size_(largest_coordinate(solid)),
+      spacing_(grid.spacing_up_to(size_)),
       cancel_(cancel),
       vertices_(rounded_vertices(part_.mesh(), grid)) {
   if (vertices_.are_finite) find_places_that_stay();
@@ -52,13 +61,30 @@ void RoundingJob::find_places_that_stay() {
     if (!is_at_moved_facet[v]) places_that_stay_.intern(mesh().points()[v]);
 }
 
+Result<bool> RoundingJob::may_vanish(double reach) const {
+  if (reach > kFirstReach * spacing_) return false;
+  if (!is_whole()) return true;  // the rest stays
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<MetCells> met,
+                             finest_met_cells(mesh(), grid_, kSearchedCells, cancel_));
+  if (!met) return true;
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_inner_cell, CellCover(mesh(), *met).has_inner_cell(cancel_));
+  return !has_inner_cell;
+}
+
 Result<bool> RoundingJob::accept_as_it_is(const RoundingCandidate& candidate) {
-  if (candidate.mesh.is_empty() && candidate.reach > kFirstReach * spacing_) return false;
+  if (candidate.mesh.is_empty()) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool may_be_empty, may_vanish(candidate.reach));
+    if (!may_be_empty) return false;
+  }
   ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, part_.is_valid_with(candidate.mesh, candidate.movement, cancel_));
   if (!is_valid) return false;
   if (!part_.keeps_shells_with(candidate.mesh)) result_.shells_before = connected_components(solid_).count;
   result_.mesh = part_.solid_with(candidate.mesh);
   if (result_.shells_before > 0) result_.shells_after = connected_components(*result_.mesh).count;
+  std::vector<bool> is_new(result_.mesh->face_count(), true);
+  std::fill_n(is_new.begin(), is_new.size() - candidate.mesh.face_count(), false);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto contacts, vertex_contacts(*result_.mesh, cancel_, is_new));
+  result_.contact_vertices = vertex_count_of(contacts);
   result_.largest_movement = candidate.movement;
   result_.reach = candidate.reach;
   result_.method = candidate.method;

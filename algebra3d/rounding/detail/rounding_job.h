@@ -21,8 +21,7 @@ struct RoundingCandidate {
   RoundingMethod method = RoundingMethod::vertices_moved;
 };
 
-/// The smallest reach within which features are joined, in spacings of the grid. Only what it joins may leave nothing
-/// of a solid: a wider one joins walls that are thicker than the grid.
+/// The smallest reach within which features are joined, in spacings of the grid.
 inline constexpr double kFirstReach = 2;
 
 /// The snap rounded mesh. Errors: interrupted.
@@ -41,12 +40,14 @@ class RoundingJob {
   bool is_whole() const { return part_.is_whole(); }
   const RoundedVertices& vertices() const { return vertices_; }
   const CoordinateGrid& grid() const { return grid_; }
-  /// The spacing of the grid at the largest coordinate of the solid.
+  double size() const { return size_; }  ///< the largest coordinate of the solid
+  /// The spacing of the grid there.
   double spacing() const { return spacing_; }
   const std::atomic<bool>* cancel() const { return cancel_; }
 
   /// Proves the candidate; true if it is valid, and the result from now on. First its form without superfluous vertices
-  /// is tried. An empty one is refused if something thicker than the grid would vanish.
+  /// is tried. An empty one is refused if a wider reach than the first one was needed, or if a cell of the grid lies
+  /// within the solid: nothing may vanish altogether that is thicker than the grid.
   Result<bool> accept(const RoundingCandidate& candidate);
 
   /// The last accepted candidate, put in place of the part; nothing is known of the vertices that moved.
@@ -54,13 +55,14 @@ class RoundingJob {
 
  private:
   void find_places_that_stay();
+  Result<bool> may_vanish(double reach) const;
   Result<RoundingCandidate> without_superfluous(const RoundingCandidate& candidate) const;
   Result<bool> accept_as_it_is(const RoundingCandidate& candidate);
 
   const TriangleMesh& solid_;
   SolidPart part_;
   CoordinateGrid grid_;
-  double spacing_;
+  double size_, spacing_;
   const std::atomic<bool>* cancel_;
   RoundedVertices vertices_;
   PointTable places_that_stay_;  // of vertices of the part of which no facet has a moved corner

@@ -10,8 +10,11 @@
 #include "algebra3d/arrangement/operand.h"
 #include "algebra3d/autorefinement/winding_selection.h"
 #include "algebra3d/halfedge/circulators.h"
+#include "algebra3d/rounding/detail/cell_cover.h"
 #include "algebra3d/rounding/detail/coplanar_snapping.h"
 #include "algebra3d/rounding/detail/feature_snapping.h"
+#include "algebra3d/rounding/detail/met_cells.h"
+#include "algebra3d/rounding/detail/rounded_vertices.h"
 #include "algebra3d/rounding/detail/snap_rounding.h"
 #include "algebra3d/validity/validity.h"
 
@@ -27,6 +30,11 @@ constexpr int kMaxDivisions = 4;
 /// How often features are joined and cells selected in one rung; and how many crossings need not become fewer.
 constexpr int kMaxTurns = 6;
 constexpr std::size_t kToleratedCrossings = 20;
+
+/// How much coarser the grids get from one to the next, the coarsest one, and the reach there, in its spacings.
+constexpr double kCoarserGrids = 0x1p4;
+constexpr double kCoarsestGrid = 0x1p20;
+constexpr double kReachOnCoarserGrids = 4;
 
 /// A limit of the pairs of triangles that may touch. If a rounding has folded them, all may do so; that is hopeless.
 std::size_t max_pairs(const TriangleMesh& mesh) {
@@ -48,15 +56,15 @@ Result<std::optional<TriangleMesh>> positive_cells(const TriangleMesh& mesh, con
 }
 
 /// Selects cells, and rounds the new corners. False if that is too much.
-Result<bool> select_cells(const RoundingJob& job, RoundingCandidate& candidate) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<TriangleMesh> solid, positive_cells(candidate.mesh, job.cancel()));
+Result<bool> select_cells(RoundingCandidate& candidate, const CoordinateGrid& grid, const std::atomic<bool>* cancel) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<TriangleMesh> solid, positive_cells(candidate.mesh, cancel));
   if (!solid) return false;
-  const RoundedVertices vertices = rounded_vertices(*solid, job.grid());
+  const RoundedVertices vertices = rounded_vertices(*solid, grid);
   if (vertices.moved == 0) {
     candidate.mesh = *std::move(solid);
     return true;
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(RoundingCandidate snapped, snap_rounded(*solid, vertices, job.cancel()));
+  ALGEBRA3D_ASSIGN_OR_RETURN(RoundingCandidate snapped, snap_rounded(*solid, vertices, cancel));
   candidate.mesh = std::move(snapped.mesh);
   candidate.movement += snapped.movement;
   return true;
@@ -83,11 +91,13 @@ Result<bool> divide_at_crossings(RoundingJob& job) {
   return false;
 }
 
-Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, double largest_reach) {
+Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, const CoordinateGrid& grid,
+                           double largest_reach) {
+  const double spacing = grid.spacing_up_to(job.size());
   std::size_t most_crossings = SIZE_MAX;
   for (int turn = 0; turn < kMaxTurns; ++turn) {
     ALGEBRA3D_ASSIGN_OR_RETURN(FeatureSnappedMesh joined,
-                               snap_features(candidate.mesh, job.grid(), job.spacing(), largest_reach, job.cancel()));
+                               snap_features(candidate.mesh, grid, spacing, largest_reach, job.cancel()));
     candidate.mesh = std::move(joined.mesh);
     candidate.movement += joined.largest_displacement;
     candidate.reach = std::max(candidate.reach, joined.reach);
@@ -99,7 +109,7 @@ Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, double
     const bool grows = candidate.mesh.face_count() > 2 * max_faces(job.mesh());
     if (!job.is_whole() || joined.crossings_before > most_crossings || grows) return false;
     most_crossings = joined.crossings_before / 2 + kToleratedCrossings;
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_selected, select_cells(job, candidate));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_selected, select_cells(candidate, grid, job.cancel()));
     if (!is_selected) return false;
   }
   return false;
@@ -124,8 +134,35 @@ Result<bool> join_coplanar(RoundingJob& job, const std::vector<bool>& crowded, d
   ALGEBRA3D_ASSIGN_OR_RETURN(SnappedMesh snapped, snap_round(job.mesh(), moved, job.cancel()));
   RoundingCandidate coplanar{std::move(snapped.mesh), rounded_up(farthest + snapped.largest_detour),
                              reach * job.spacing(), RoundingMethod::facets_made_coplanar};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_selected, select_cells(job, coplanar));
-  return is_selected ? join_features(job, std::move(coplanar), largest_reach) : Result<bool>(false);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_selected, select_cells(coplanar, job.grid(), job.cancel()));
+  return is_selected ? join_features(job, std::move(coplanar), job.grid(), largest_reach) : Result<bool>(false);
+}
+
+Result<bool> round_to_coarser_grids(RoundingJob& job) {
+  for (double factor = kCoarserGrids; factor <= kCoarsestGrid; factor *= kCoarserGrids) {
+    const double spacing = factor * job.spacing();
+    const CoordinateGrid coarser = CoordinateGrid::multiples(spacing);
+    const RoundedVertices vertices = rounded_vertices(job.mesh(), coarser);
+    if (!vertices.are_finite) return false;
+    ALGEBRA3D_ASSIGN_OR_RETURN(RoundingCandidate candidate, snap_rounded(job.mesh(), vertices, job.cancel()));
+    candidate.reach = spacing;
+    candidate.method = RoundingMethod::coarser_grid;
+    ALGEBRA3D_ASSIGN_OR_RETURN(bool is_accepted, job.accept(candidate));
+    if (!is_accepted) {
+      ALGEBRA3D_ASSIGN_OR_RETURN(is_accepted, join_features(job, std::move(candidate), coarser, kReachOnCoarserGrids));
+    }
+    if (is_accepted) return true;
+  }
+  return false;
+}
+
+Result<std::optional<RoundingCandidate>> cover_of_cubes(const TriangleMesh& solid, const CoordinateGrid& grid,
+                                                        std::size_t budget, const std::atomic<bool>* cancel) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<MetCells> met, finest_met_cells(solid, grid, budget, cancel));
+  if (!met) return std::optional<RoundingCandidate>();
+  ALGEBRA3D_ASSIGN_OR_RETURN(TriangleMesh boundary, CellCover(solid, *met).boundary(cancel));
+  return std::optional(
+      RoundingCandidate{std::move(boundary), met->lattice.diagonal(), 0, RoundingMethod::cover_of_cubes});
 }
 
 }  // namespace algebra3d
