@@ -22,7 +22,7 @@ constexpr double kLeastReach = 2;
 constexpr int kMaxSnappingRounds = 40;
 constexpr int kMaxRoundsWithoutGain = 10;
 /// After so many rounds no cluster begins again.
-constexpr int kMaxRounds = 400;
+constexpr int kMaxRoundsTogether = 400;
 
 /// Clusters that are given up with no more crossings stay as they are; others are restored.
 constexpr std::size_t kFewCrossings = 20;
@@ -169,7 +169,7 @@ std::vector<PointId> FeatureSnapping::raise_levels(const std::vector<PointId>& c
 /// crossings stay as they are. Removes the faults of all these.
 FeatureSnapping::Left FeatureSnapping::leave_hopeless_clusters(Faults& faults) {
   const std::vector<PointId> hopeless = hopeless_clusters();
-  const std::vector<PointId> given_up = rounds_ < kMaxRounds ? raise_levels(hopeless, faults) : hopeless;
+  const std::vector<PointId> given_up = rounds_ < kMaxRoundsTogether ? raise_levels(hopeless, faults) : hopeless;
   Left left;
   for (const PointId cluster : hopeless) {
     Progress& progress = progress_[cluster];
