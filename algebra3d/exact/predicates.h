@@ -85,6 +85,23 @@ Contact intersect_triangles(const TriangleRef& s, const TriangleRef& t);
 /// The same for two triangles in one plane.
 Contact intersect_coplanar_triangles(const TriangleRef& s, const TriangleRef& t);
 
+/// The intersection of two triangles, and where the corners of each lie relative to the plane of the other: all 0 if
+/// they are coplanar.
+struct TriangleContact {
+  Contact kind = Contact::none;
+  std::array<int, 3> s_sides{};  ///< of the corners of s; meaningless if the kind is `none`
+  std::array<int, 3> t_sides{};
+
+  bool is_coplanar() const { return kind != Contact::none && t_sides == std::array<int, 3>{}; }
+};
+/// The same as `intersect_triangles`, with the sides that it finds on the way.
+TriangleContact contact_of_triangles(const TriangleRef& s, const TriangleRef& t);
+/// True if p lies on the triangle, its edges and corners included. It must not be degenerate. Exact. Cost: one orient3d
+/// if p is not in its plane.
+bool is_on_triangle(PointRef p, const TriangleRef& triangle);
+/// True if p lies on the segment ab, ends included.
+bool is_on_segment(PointRef p, PointRef a, PointRef b);
+
 /// True if the triangles (shared, s1, s2) and (shared, t1, t2) share more than the corner `shared`, that is, a segment
 /// or an area. Neither may be degenerate. Cost: two to four calls of orient3d unless they are coplanar.
 bool meet_beyond_shared_vertex(PointRef shared, PointRef s1, PointRef s2, PointRef t1, PointRef t2);

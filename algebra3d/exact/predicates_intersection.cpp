@@ -226,12 +226,33 @@ Contact intersect_coplanar_triangles(const TriangleRef& s, const TriangleRef& t)
 }
 
 Contact intersect_triangles(const TriangleRef& s, const TriangleRef& t) {
-  const Signs t_heights = sides_of_plane(s, t);
-  if (all_equal_and_not_zero(t_heights)) return Contact::none;
-  if (all_zero(t_heights)) return intersect_coplanar_triangles(s, t);
-  const Signs s_heights = sides_of_plane(t, s);
-  if (all_equal_and_not_zero(s_heights)) return Contact::none;
-  return intervals_on_common_line(s, s_heights, t, t_heights);
+  return contact_of_triangles(s, t).kind;
+}
+
+TriangleContact contact_of_triangles(const TriangleRef& s, const TriangleRef& t) {
+  TriangleContact contact;
+  contact.t_sides = sides_of_plane(s, t);
+  if (all_equal_and_not_zero(contact.t_sides)) return contact;
+  if (all_zero(contact.t_sides)) {
+    contact.kind = intersect_coplanar_triangles(s, t);
+    return contact;
+  }
+  contact.s_sides = sides_of_plane(t, s);
+  if (!all_equal_and_not_zero(contact.s_sides))
+    contact.kind = intervals_on_common_line(s, contact.s_sides, t, contact.t_sides);
+  return contact;
+}
+
+bool is_on_triangle(PointRef p, const TriangleRef& triangle) {
+  const auto& [a, b, c] = triangle;
+  if (orient3d(a, b, c, p) != 0) return false;
+  const auto [plane, turn] = dominant_turn(triangle);
+  return orient2d(plane, a, b, p) * turn >= 0 && orient2d(plane, b, c, p) * turn >= 0 &&
+         orient2d(plane, c, a, p) * turn >= 0;
+}
+
+bool is_on_segment(PointRef p, PointRef a, PointRef b) {
+  return point_on_collinear_segment(p, a, b) == Contact::point && collinear(p, a, b);
 }
 
 bool meet_beyond_shared_vertex(PointRef shared, PointRef s1, PointRef s2, PointRef t1, PointRef t2) {

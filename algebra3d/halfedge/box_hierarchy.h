@@ -74,6 +74,10 @@ class BoxHierarchy {
   /// A box around all faces, slightly larger than the smallest one; empty without faces.
   Box3 bounds() const;
 
+  /// Calls visit(f) for each face whose box meets `box`, until it returns false.
+  template <typename Visit>
+  void for_each_meeting(const Box3& box, Visit visit) const;
+
   /// Calls visit(f) for each face whose box meets the vertical ray from `where` (a box around a point in the mesh's
   /// box), upwards if `upward` is positive, else downwards; `where` itself belongs to the ray.
   template <typename Visit>
@@ -162,6 +166,9 @@ class BoxHierarchy {
   template <typename Visit>
   bool visit_cross_leaves(const BoxHierarchy& other, const FrameChange& change, const CrossPair& pair,
                           ChangedLeaf& changed_leaf, Visit& visit) const;
+  /// Calls visit(f) for each face whose box meets the window, until it returns false.
+  template <typename Visit>
+  void visit_window(const Box& window, Visit& visit) const;
 
   Vec3 origin_;
   double scale_ = 1;
@@ -305,10 +312,8 @@ void BoxHierarchy::for_each_pair_with(const BoxHierarchy& other, Visit visit, Pa
 }
 
 template <typename Visit>
-void BoxHierarchy::for_each_on_vertical_ray(const Box3& where, int upward, Visit visit) const {
+void BoxHierarchy::visit_window(const Box& window, Visit& visit) const {
   if (faces_.empty()) return;
-  Box window = scaled(where);
-  (upward > 0 ? window.max : window.min)[2] = upward > 0 ? kInfinity : -kInfinity;
   std::vector<Node> stack{{static_cast<std::uint32_t>(levels_.size() - 1), 0}};
   while (!stack.empty()) {
     const Node node = stack.back();
@@ -322,8 +327,24 @@ void BoxHierarchy::for_each_on_vertical_ray(const Box3& where, int upward, Visit
     }
     const std::size_t begin = node.index * kLeafSize, end = std::min(begin + kLeafSize, faces_.size());
     for (std::size_t i = begin; i < end; ++i)
-      if (face_boxes_[i].meets(window)) visit(faces_[i]);
+      if (face_boxes_[i].meets(window) && !visit(faces_[i])) return;
   }
+}
+
+template <typename Visit>
+void BoxHierarchy::for_each_meeting(const Box3& box, Visit visit) const {
+  visit_window(scaled(box), visit);
+}
+
+template <typename Visit>
+void BoxHierarchy::for_each_on_vertical_ray(const Box3& where, int upward, Visit visit) const {
+  Box window = scaled(where);
+  (upward > 0 ? window.max : window.min)[2] = upward > 0 ? kInfinity : -kInfinity;
+  const auto visit_all = [&](std::uint32_t face) {
+    visit(face);
+    return true;
+  };
+  visit_window(window, visit_all);
 }
 
 template <typename Visit>

@@ -9,6 +9,7 @@
 #include "algebra3d/exact/plane.h"
 #include "algebra3d/exact/point.h"
 #include "algebra3d/halfedge/box_hierarchy.h"
+#include "algebra3d/halfedge/edge_components.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
 #include "algebra3d/types/value.h"
 #include "algebra3d/validity/validity.h"
@@ -48,7 +49,7 @@ class Points3d {
   std::shared_ptr<const std::vector<ExactPoint>> points_ = std::make_shared<const std::vector<ExactPoint>>();
 };
 
-/// The triangles of a valid surface or volume, with their box and hierarchy. Immutable and shared.
+/// The triangles of a valid surface or volume, with their box, hierarchy and components. Immutable and shared.
 struct Geometry {
   TriangleMesh mesh;
   Box3 box;  ///< outward-rounded; empty for the empty value
@@ -56,10 +57,13 @@ struct Geometry {
   Geometry(TriangleMesh triangles, const Box3& bounds) : mesh(std::move(triangles)), box(bounds) {}
   /// The hierarchy over all triangles, built at the first call, by any thread. Cost: linear at the first call.
   const BoxHierarchy& hierarchy() const;
+  /// The components of the faces, found at the first call, likewise.
+  const EdgeComponents& components() const;
 
  private:
-  mutable std::once_flag once_;
+  mutable std::once_flag hierarchy_once_, components_once_;
   mutable std::unique_ptr<const BoxHierarchy> hierarchy_;
+  mutable std::unique_ptr<const EdgeComponents> components_;
 };
 
 /// surface3d: a surface without the defects of validity/report.h, valid by construction. Cheap to copy. Triangles keep

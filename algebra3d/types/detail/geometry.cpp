@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -59,12 +58,13 @@ std::strong_ordering compare_boxes(const Box3& a, const Box3& b) {
 }  // namespace
 
 const BoxHierarchy& Geometry::hierarchy() const {
-  std::call_once(once_, [this] {
-    std::vector<std::uint32_t> faces(mesh.face_count());
-    std::iota(faces.begin(), faces.end(), 0U);
-    hierarchy_ = std::make_unique<const BoxHierarchy>(mesh, std::move(faces));
-  });
+  std::call_once(hierarchy_once_, [this] { hierarchy_ = std::make_unique<const BoxHierarchy>(mesh); });
   return *hierarchy_;
+}
+
+const EdgeComponents& Geometry::components() const {
+  std::call_once(components_once_, [this] { components_ = std::make_unique<const EdgeComponents>(mesh); });
+  return *components_;
 }
 
 std::shared_ptr<const Geometry> make_geometry(TriangleMesh mesh) {

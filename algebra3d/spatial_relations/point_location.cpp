@@ -1,0 +1,57 @@
+#include "algebra3d/spatial_relations/point_location.h"
+
+#include "algebra3d/exact/vertical_line.h"
+#include "algebra3d/halfedge/circulators.h"
+
+namespace algebra3d {
+namespace {
+
+/// False if the point cannot be on the triangle, by rounded coordinates, which rounding keeps in order.
+bool may_hold(const TriangleRef& triangle, const Vec3& p) {
+  const Vec3 &a = triangle[0].approx, &b = triangle[1].approx, &c = triangle[2].approx;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (p[axis] < std::min({a[axis], b[axis], c[axis]}) || p[axis] > std::max({a[axis], b[axis], c[axis]}))
+      return false;
+  return true;
+}
+
+bool is_on_boundary_edge(const TriangleMesh& mesh, FaceId face, PointRef point) {
+  for (const HalfedgeId h : halfedges_of(mesh, face))
+    if (mesh.is_boundary(h) && is_on_segment(point, mesh.point(mesh.origin(h)), mesh.point(mesh.target(h))))
+      return true;
+  return false;
+}
+
+}  // namespace
+
+Placement place_in_solid(PointRef point, const Geometry& solid) {
+  const Box3 box = box_of(point);
+  if (!solid.box.intersects(box)) return Placement::outside;
+  int winding_number = 0;
+  bool is_on_face = false;
+  solid.hierarchy().for_each_on_vertical_ray(box, 1, [&](std::uint32_t face) {
+    if (is_on_face) return;
+    const TriangleRef corners = solid.mesh.corners(FaceId(face));
+    is_on_face = may_hold(corners, point.approx) && is_on_triangle(point, corners);
+    const LineCrossing crossing = cross_vertical_line(point, corners);
+    if (crossing.side == -1) winding_number += crossing.sign;
+  });
+  if (is_on_face) return Placement::boundary;
+  return winding_number != 0 ? Placement::inside : Placement::outside;
+}
+
+Placement place_on_surface(PointRef point, const Geometry& surface) {
+  Placement result = Placement::outside;
+  const Box3 box = box_of(point);
+  if (!surface.box.intersects(box)) return result;
+  surface.hierarchy().for_each_meeting(box, [&](std::uint32_t face) {
+    const TriangleRef corners = surface.mesh.corners(FaceId(face));
+    if (!may_hold(corners, point.approx) || !is_on_triangle(point, corners)) return true;
+    const bool is_at_edge = is_on_boundary_edge(surface.mesh, FaceId(face), point);
+    result = is_at_edge ? Placement::boundary : Placement::inside;
+    return !is_at_edge;
+  });
+  return result;
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+
+#include "algebra3d/types/spatial.h"
+
+namespace algebra3d {
+
+/// Where a point lies relative to a closed set.
+enum class Placement : std::uint8_t { outside, boundary, inside };
+
+/// Where a point lies relative to a solid. Exact. Cost: that of a vertical ray through the box hierarchy.
+Placement place_in_solid(PointRef point, const Geometry& solid);
+
+/// Where a point lies relative to a surface: `inside` is on it and on no boundary edge. Exact. Cost: that of the
+/// triangles whose boxes hold the point.
+Placement place_on_surface(PointRef point, const Geometry& surface);
+
+}  // namespace algebra3d
