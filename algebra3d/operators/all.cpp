@@ -38,6 +38,9 @@ Registry make_registry() {
       {"set operations", "Unions, intersections, differences and cuts, all exact.", Cost::arrangement});
   register_set_operations(registry);
   register_cuts(registry);
+  registry.begin_family({"spatial relations",
+                         "Whether and how points, boxes, surfaces, solids and regions meet, all exact.", Cost::linear});
+  register_spatial_relations(registry);
   registry.begin_family({"parts of solids", "The parts of a surface or solid.", Cost::linear});
   register_decomposition(registry);
   registry.begin_family({"mesh files",

@@ -1,5 +1,4 @@
-// rect3: rectangle3, intersects, inside, contains, enlargeRect, minD, maxD. What `inside` and `contains` mean for
-// others.
+// rect3: rectangle3, enlargeRect, minD, maxD.
 #include <cmath>
 
 #include "algebra3d/operators/all.h"
@@ -7,7 +6,6 @@
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
-#include "algebra3d/types/time.h"
 
 namespace algebra3d {
 namespace {
@@ -16,25 +14,6 @@ Maybe<Box3> make_box(double x1, double x2, double y1, double y2, double z1, doub
   const Box3 box{{x1, y1, z1}, {x2, y2, z2}};
   if (box.is_empty()) return Undefined{"a minimum is above its maximum"};
   return box;
-}
-
-bool boxes_intersect(const Box3& a, const Box3& b) {
-  return a.intersects(b);
-}
-bool box_inside(const Box3& inner, const Box3& outer) {
-  return outer.contains(inner);
-}
-bool instant_inside(const Instant& instant, const TimeInterval& interval) {
-  return interval.contains(instant);
-}
-bool box_contains(const Box3& outer, const Box3& inner) {
-  return outer.contains(inner);
-}
-bool string_contains(const std::string& whole, const std::string& part) {
-  return whole.find(part) != std::string::npos;
-}
-bool text_contains(const Text& whole, const Text& part) {
-  return whole.content.find(part.content) != std::string::npos;
 }
 
 // Each bound rounded outward, so that the result holds every point within the distances.
@@ -68,47 +47,6 @@ const std::string kUndefinedBox = "(rect3 undefined)";
 const std::string kUnit = "(rectangle3 0 1 0 1 0 1)";
 const std::string kShifted = "(rectangle3 1 2 0 1 0 1)";
 
-void register_box_predicates(Registry& registry) {
-  registry.add({
-      .name = "intersects",
-      .syntax = "_ intersects _",
-      .doc = "True if the boxes have a point in common; touching counts.",
-      .exactness = Exactness::exact,
-      .overloads = {symmetric(overload<&boxes_intersect>("a", "b"))},
-      .examples = {{{kUnit, kShifted}, "TRUE"},
-                   {{kUnit, "(rectangle3 2 3 0 1 0 1)"}, "FALSE"},
-                   {{kUnit, kUndefinedBox}, "undefined"}},
-      .errors = {{{kUnit, "1"}, "intersects: expected (rect3 rect3), got (rect3 int)"}},
-  });
-  registry.add({
-      .name = "inside",
-      .syntax = "_ inside _",
-      .doc = "True if every point of the first box lies in the second, or the instant in the interval.",
-      .detail = "Boxes may share boundaries.",
-      .exactness = Exactness::exact,
-      .overloads = {overload<&box_inside>("inner", "outer"), overload<&instant_inside>("instant", "interval")},
-      .examples = {{{kUnit, "(rectangle3 0 2 0 2 0 2)"}, "TRUE"},
-                   {{kUnit, kShifted}, "FALSE"},
-                   {{"(theInstant 2012)", R"((interval ("2011-01-01" "2012-01-01" TRUE FALSE)))"}, "FALSE"},
-                   {{kUnit, kUndefinedBox}, "undefined"}},
-      .errors = {{{kUnit, "1"}, "inside: expected (rect3 rect3) or (instant interval), got (rect3 int)"}},
-  });
-  registry.add({
-      .name = "contains",
-      .syntax = "_ contains _",
-      .doc = "True if the first box contains every point of the second, or the first string or text contains the "
-             "second.",
-      .exactness = Exactness::exact,
-      .overloads = {overload<&box_contains>("outer", "inner"), overload<&string_contains>("whole", "part"),
-                    overload<&text_contains>("whole", "part")},
-      .examples = {{{"(rectangle3 0 2 0 2 0 2)", kUnit}, "TRUE"},
-                   {{R"("gearbox")", R"("box")"}, "TRUE"},
-                   {{"'gearbox.stl'", R"("cog")"}, "FALSE"},
-                   {{kUnit, kUndefinedBox}, "undefined"}},
-      .errors = {{{kUnit, "1"}, "contains: expected (rect3 rect3)"}},
-  });
-}
-
 }  // namespace
 
 void register_boxes(Registry& registry) {
@@ -124,7 +62,6 @@ void register_boxes(Registry& registry) {
                    {{"0", "1", "0", "2", "0", "(real undefined)"}, "undefined"}},
       .errors = {{{"0", "1"}, "rectangle3: expected (real real real real real real), got (int int)"}},
   });
-  register_box_predicates(registry);
   registry.add({
       .name = "enlargeRect",
       .syntax = "enlargeRect(_, _, _, _)",

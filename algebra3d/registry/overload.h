@@ -19,6 +19,24 @@ struct HeaderOf {
   GeometryHeader header;
 };
 
+/// A parameter whose geometry is loaded when it is asked for: perhaps box and count tell enough.
+template <typename T>
+class OnDemand {
+ public:
+  explicit OnDemand(const Value& value) : value_(&value) {}
+
+  GeometryHeader header() const { return value_->header(); }
+  /// The value. Errors: those of loading.
+  Result<T> load() const {
+    if (!value_->is_deferred()) return value_->get<T>();
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value_->loaded());
+    return loaded.template get<T>();
+  }
+
+ private:
+  const Value* value_;
+};
+
 namespace detail {
 
 // The conversion of a Value to a C++ parameter.
@@ -36,6 +54,14 @@ struct ArgumentOf<HeaderOf<T>> {
   static constexpr bool kNeedsContent = false;
   static const Type& type() { return TypeOf<T>::type(); }
   static HeaderOf<T> take(const Value& value) { return {value.header()}; }
+};
+
+template <typename T>
+struct ArgumentOf<OnDemand<T>> {
+  static constexpr bool kAcceptsUndefined = false;
+  static constexpr bool kNeedsContent = false;
+  static const Type& type() { return TypeOf<T>::type(); }
+  static OnDemand<T> take(const Value& value) { return OnDemand<T>(value); }
 };
 
 template <typename T>
@@ -199,8 +225,9 @@ struct SignatureOf<Function, Return (*)(Context&, Parameters...)>
 
 /// The overload that calls `Function`, with one name per parameter for people. Parameters are deduced from the
 /// function: `const T&` or T (a defined value), `std::optional<T>` (undefined too), `HeaderOf<T>` (box and count, no
-/// geometry), each perhaps after a leading `Context&`. It returns T, `Maybe<T>`, `Result<...>` of these, or
-/// `std::vector<T>` or Elements<T> (a table of one column, Elem). A real that is not finite becomes undefined.
+/// geometry), `OnDemand<T>` (geometry when asked for), each perhaps after a leading `Context&`. It returns T,
+/// `Maybe<T>`, `Result<...>` of these, or `std::vector<T>` or Elements<T> (a table of one column, Elem). A real that is
+/// not finite becomes undefined.
 template <auto Function, typename... Names>
 Overload overload(Names... names) {
   using Signature = detail::SignatureOf<Function, decltype(Function)>;

@@ -1,5 +1,8 @@
 #include "algebra3d/spatial_relations/point_location.h"
 
+#include <algorithm>
+
+#include "algebra3d/base/scheduler.h"
 #include "algebra3d/exact/vertical_line.h"
 #include "algebra3d/halfedge/circulators.h"
 
@@ -38,6 +41,14 @@ Placement place_in_solid(PointRef point, const Geometry& solid) {
   });
   if (is_on_face) return Placement::boundary;
   return winding_number != 0 ? Placement::inside : Placement::outside;
+}
+
+std::vector<Placement> place_in_solid(std::span<const PointRef> points, const Geometry& solid) {
+  constexpr std::size_t kPointsOfTask = 2048;
+  std::vector<Placement> result(points.size());
+  solid.hierarchy();
+  parallel_for(points.size(), kPointsOfTask, [&](std::size_t i) { result[i] = place_in_solid(points[i], solid); });
+  return result;
 }
 
 Placement place_on_surface(PointRef point, const Geometry& surface) {

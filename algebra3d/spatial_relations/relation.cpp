@@ -149,7 +149,11 @@ Result<std::optional<MeetingWitness>> witness_of_meeting(const SpatialSet& a, co
                                                          const Monitor& monitor) {
   Findings findings(Question::witness);
   ALGEBRA3D_RETURN_IF_ERROR(find(a, b, findings, monitor));
-  return findings.witness();
+  std::optional<MeetingWitness> witness = findings.witness();
+  // The triangles of a box are not those of a value.
+  if (witness && std::holds_alternative<Box3>(a)) witness->first_face = {};
+  if (witness && std::holds_alternative<Box3>(b)) witness->second_face = {};
+  return witness;
 }
 
 }  // namespace algebra3d

@@ -51,7 +51,7 @@ Result<SpatialRelation> relation_of(const SpatialSet& a, const SpatialSet& b, co
 /// Why two sets meet.
 struct MeetingWitness {
   ExactPoint point;                ///< common to both
-  FaceId first_face, second_face;  ///< triangles that meet in it; invalid if the point is not on triangles of both
+  FaceId first_face, second_face;  ///< triangles of surfaces and solids that meet in it; else invalid
 };
 /// A common point, or nothing if there is none. Deterministic.
 Result<std::optional<MeetingWitness>> witness_of_meeting(const SpatialSet& a, const SpatialSet& b,

@@ -37,6 +37,7 @@ void register_changes(algebra3d::Registry& registry);
 void register_updates(algebra3d::Registry& registry);
 void register_indexes(algebra3d::Registry& registry);
 void register_spatial_join(algebra3d::Registry& registry);
+void register_points_inside(algebra3d::Registry& registry);
 void register_ordered_indexes(algebra3d::Registry& registry);
 void register_language_notes(algebra3d::Registry& registry);
 void register_csv_import(algebra3d::Registry& registry);

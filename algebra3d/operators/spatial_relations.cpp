@@ -1,0 +1,407 @@
+// intersects, disjoint, touches, inside, contains, covers, coveredBy, overlaps, relation, commonPoint: of boxes,
+// points, surfaces and solids in space, and of points, rectangles and regions in the plane. What `inside` and
+// `contains` mean for others.
+#include "algebra3d/spatial_relations/relation.h"
+
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+#include "algebra3d/constructions/region_meshes.h"
+#include "algebra3d/operators/all.h"
+#include "algebra3d/operators/detail/sample_values.h"
+#include "algebra3d/registry/operator.h"
+#include "algebra3d/registry/overload.h"
+#include "algebra3d/types/planar.h"
+#include "algebra3d/types/scalars.h"
+#include "algebra3d/types/time.h"
+
+namespace algebra3d {
+namespace {
+
+// ---- values as sets of points; those in the plane lie at z = 0
+
+Result<SpatialSet> set_of(const Box3& box, Context& /*context*/) {
+  return SpatialSet(box);
+}
+Result<SpatialSet> set_of(const Point3d& point, Context& /*context*/) {
+  return SpatialSet(PointSet{{&point.position, 1}});
+}
+Result<SpatialSet> set_of(const Points3d& points, Context& /*context*/) {
+  return SpatialSet(PointSet{points.points()});
+}
+Result<SpatialSet> set_of(const Surface3d& surface, Context& /*context*/) {
+  return SpatialSet(surface);
+}
+Result<SpatialSet> set_of(const Volume3d& solid, Context& /*context*/) {
+  return SpatialSet(solid);
+}
+Result<SpatialSet> set_of(const Point2d& point, Context& /*context*/) {
+  return SpatialSet(PointSet{{&point.position, 1}});
+}
+Result<SpatialSet> set_of(const Rect& rect, Context& /*context*/) {
+  return SpatialSet(rect.box());
+}
+Result<SpatialSet> set_of(const Region& region, Context& context) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(TriangleMesh mesh, flat_mesh(region, context.monitor()));
+  return SpatialSet(Surface3d::trusted(std::move(mesh)));
+}
+
+/// Loads both and calls ask(a, b).
+template <typename A, typename B, typename Ask>
+auto ask_loaded(Context& context, const OnDemand<A>& a, const OnDemand<B>& b, const Ask& ask)
+    -> decltype(ask(std::declval<SpatialSet>(), std::declval<SpatialSet>())) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const A first, a.load());
+  ALGEBRA3D_ASSIGN_OR_RETURN(const B second, b.load());
+  ALGEBRA3D_ASSIGN_OR_RETURN(const SpatialSet first_set, set_of(first, context));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const SpatialSet second_set, set_of(second, context));
+  return ask(first_set, second_set);
+}
+
+/// True if they have no point in common because one is empty or their boxes are apart.
+bool are_apart(const GeometryHeader& a, const GeometryHeader& b) {
+  return a.box.is_empty() || b.box.is_empty() || !a.box.intersects(b.box);
+}
+
+// ---- predicates
+
+enum class Predicate : std::uint8_t { intersects, disjoint, touches, inside, contains, overlaps };
+
+constexpr bool is_symmetric(Predicate predicate) {
+  return predicate != Predicate::inside && predicate != Predicate::contains;
+}
+
+/// The answer for sets that are apart.
+bool answer_apart(Predicate predicate, const GeometryHeader& a, const GeometryHeader& b) {
+  switch (predicate) {
+    case Predicate::disjoint:
+      return true;
+    case Predicate::inside:
+      return a.box.is_empty();
+    case Predicate::contains:
+      return b.box.is_empty();
+    default:
+      return false;
+  }
+}
+
+Result<bool> negated(Result<bool> result) {
+  if (result.ok()) return !*result;
+  return result;
+}
+
+Result<bool> answer(Predicate predicate, const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) {
+  switch (predicate) {
+    case Predicate::intersects:
+      return do_meet(a, b, monitor);
+    case Predicate::disjoint:
+      return negated(do_meet(a, b, monitor));
+    case Predicate::touches:
+      return do_touch(a, b, monitor);
+    case Predicate::inside:
+      return is_inside(a, b, monitor);
+    case Predicate::contains:
+      return is_inside(b, a, monitor);
+    default:
+      return do_overlap(a, b, monitor);
+  }
+}
+
+template <Predicate kPredicate, typename A, typename B>
+Result<bool> holds(Context& context, const OnDemand<A>& a, const OnDemand<B>& b) {
+  if (are_apart(a.header(), b.header())) return answer_apart(kPredicate, a.header(), b.header());
+  return ask_loaded(context, a, b, [&](const SpatialSet& first, const SpatialSet& second) {
+    return answer(kPredicate, first, second, context.monitor());
+  });
+}
+
+// ---- relation and commonPoint
+
+/// The name of a relation: the first that holds.
+std::string name_of(const SpatialRelation& relation) {
+  if (!relation.do_meet) return "disjoint";
+  if (!relation.do_interiors_meet) return "touches";
+  if (relation.is_first_inside && relation.is_second_inside) return "equal";
+  if (relation.is_first_inside) return "inside";
+  return relation.is_second_inside ? "contains" : "overlaps";
+}
+
+using RelationRow = std::tuple<std::string, std::int64_t, std::int64_t>;
+
+template <typename A, typename B>
+Result<RelationRow> relation_row(Context& context, const OnDemand<A>& a, const OnDemand<B>& b) {
+  if (are_apart(a.header(), b.header())) return RelationRow("disjoint", -1, -1);
+  return ask_loaded(context, a, b, [&](const SpatialSet& first, const SpatialSet& second) -> Result<RelationRow> {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const SpatialRelation relation, relation_of(first, second, context.monitor()));
+    return RelationRow(name_of(relation), relation.shared_dimension, relation.shared_boundary_dimension);
+  });
+}
+
+using WitnessRows = Rows<Point3d, std::optional<std::int64_t>, std::optional<std::int64_t>>;
+
+/// The number of a triangle, counted from 1.
+std::optional<std::int64_t> number_of(FaceId face) {
+  if (!face.is_valid()) return std::nullopt;
+  return std::int64_t{face.index()} + 1;
+}
+
+template <typename A, typename B>
+Result<WitnessRows> common_point_row(Context& context, const OnDemand<A>& a, const OnDemand<B>& b) {
+  std::vector<WitnessRows::Cells> rows;
+  if (are_apart(a.header(), b.header())) return WitnessRows(std::move(rows));
+  return ask_loaded(context, a, b, [&](const SpatialSet& first, const SpatialSet& second) -> Result<WitnessRows> {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto witness, witness_of_meeting(first, second, context.monitor()));
+    if (witness)
+      rows.emplace_back(Point3d{witness->point}, number_of(witness->first_face), number_of(witness->second_face));
+    return WitnessRows(std::move(rows));
+  });
+}
+
+// ---- overloads for all pairs of kinds
+
+template <Predicate kPredicate>
+struct PredicateMaker {
+  template <typename A, typename B>
+  static Overload make() {
+    Overload made = overload<&holds<kPredicate, A, B>>("a", "b");
+    made.is_symmetric = std::is_same_v<A, B> && is_symmetric(kPredicate);
+    return made;
+  }
+};
+
+struct RelationMaker {
+  template <typename A, typename B>
+  static Overload make() {
+    return table<&relation_row<A, B>>({"Relation", "SharedDimension", "BoundaryDimension"}, "a", "b");
+  }
+};
+
+struct CommonPointMaker {
+  template <typename A, typename B>
+  static Overload make() {
+    return table<&common_point_row<A, B>>({"Point", "FirstTriangle", "SecondTriangle"}, "a", "b");
+  }
+};
+
+template <typename Maker, typename First, typename... Seconds>
+void add_row(std::vector<Overload>& overloads) {
+  (overloads.push_back(Maker::template make<First, Seconds>()), ...);
+}
+template <typename Maker, typename... Kinds>
+void add_pairs(std::vector<Overload>& overloads) {
+  (add_row<Maker, Kinds, Kinds...>(overloads), ...);
+}
+template <typename Maker>
+std::vector<Overload> pairs_in_space() {
+  std::vector<Overload> overloads;
+  add_pairs<Maker, Box3, Point3d, Points3d, Surface3d, Volume3d>(overloads);
+  return overloads;
+}
+template <typename Maker>
+std::vector<Overload> all_pairs() {
+  std::vector<Overload> overloads = pairs_in_space<Maker>();
+  add_pairs<Maker, Rect, Point2d, Region>(overloads);
+  return overloads;
+}
+template <Predicate kPredicate>
+std::vector<Overload> predicate_overloads(std::vector<Overload> others = {}) {
+  std::vector<Overload> overloads = all_pairs<PredicateMaker<kPredicate>>();
+  overloads.insert(overloads.end(), others.begin(), others.end());
+  return overloads;
+}
+
+bool instant_inside(const Instant& instant, const TimeInterval& interval) {
+  return interval.contains(instant);
+}
+bool string_contains(const std::string& whole, const std::string& part) {
+  return whole.find(part) != std::string::npos;
+}
+bool text_contains(const Text& whole, const Text& part) {
+  return whole.content.find(part.content) != std::string::npos;
+}
+
+// ---- descriptions
+
+const std::string kUndefinedBox = "(rect3 undefined)";
+const std::string kUnit = "(rectangle3 0 1 0 1 0 1)";
+const std::string kShifted = "(rectangle3 1 2 0 1 0 1)";
+const std::string kInnerCube = "(createCube (makePoint3D 0.5 0.5 0.5) (makePoint3D 1.5 1.5 1.5))";
+const std::string kNextCube = "(createCube (makePoint3D 2 0 0) (makePoint3D 3 2 2))";
+const std::string kCrossingCube = "(createCube (makePoint3D 1 1 1) (makePoint3D 3 3 3))";
+const std::string kFloor = "(surface3d (((0 0 0) (2 0 0) (2 2 0))))";
+const std::string kCorner = "(makePoint3D 2 2 2)";
+const std::string kRegion = "(rect2region (rectangle2 0 1 0 1))";
+
+constexpr const char* kSets =
+    "All sets are closed; solids are solids, not their surfaces. The interior of a point is the point; that of a flat "
+    "box is that within its plane or line; that of a surface is the surface without its boundary edges. The empty set "
+    "is inside every set and meets none. Decided exactly, also for coordinates that are not doubles.";
+
+void register_meeting(Registry& registry) {
+  registry.add({
+      .name = "intersects",
+      .syntax = "_ intersects _",
+      .doc = "True if the sets have a point in common; touching counts.",
+      .detail = kSets,
+      .exactness = Exactness::exact,
+      .sources = {"guigue2003", "lauterbach2009"},
+      .overloads = predicate_overloads<Predicate::intersects>(),
+      .examples = {{{kUnit, kShifted}, "TRUE"},
+                   {{kUnit, "(rectangle3 2 3 0 1 0 1)"}, "FALSE"},
+                   {{kCubeOfTwo, kInnerCube}, "TRUE"},
+                   {{kCorner, kCubeOfTwo}, "TRUE"},
+                   {{kRegion, "(rectangle2 1 2 1 2)"}, "TRUE"},
+                   {{kUnit, kUndefinedBox}, "undefined"}},
+      .errors = {{{kUnit, "1"}, "intersects: expected (rect3 rect3)"}},
+  });
+  registry.add({
+      .name = "disjoint",
+      .syntax = "_ disjoint _",
+      .doc = "True if the sets have no point in common.",
+      .detail = kSets,
+      .exactness = Exactness::exact,
+      .overloads = predicate_overloads<Predicate::disjoint>(),
+      .examples = {{{kCubeOfTwo, kNextCube}, "FALSE"},
+                   {{kInnerCube, kNextCube}, "TRUE"},
+                   {{kCorner, "(volume3d ())"}, "TRUE"},
+                   {{kUnit, kUndefinedBox}, "undefined"}},
+      .errors = {{{kUnit, "1"}, "disjoint: expected (rect3 rect3)"}},
+  });
+  registry.add({
+      .name = "touches",
+      .syntax = "_ touches _",
+      .doc = "True if the sets meet but their interiors do not.",
+      .detail = kSets,
+      .exactness = Exactness::exact,
+      .overloads = predicate_overloads<Predicate::touches>(),
+      .examples = {{{kCubeOfTwo, kNextCube}, "TRUE"},
+                   {{kCubeOfTwo, kCrossingCube}, "FALSE"},
+                   {{kCorner, kCubeOfTwo}, "TRUE"},
+                   {{kFloor, kCubeOfTwo}, "TRUE"},
+                   {{kCorner, kUndefinedSolid}, "undefined"}},
+      .errors = {{{kUnit, "1"}, "touches: expected (rect3 rect3)"}},
+  });
+  registry.add({
+      .name = "overlaps",
+      .host_name = "overlaps_with",
+      .syntax = "_ overlaps _",
+      .doc = "True if the interiors of the sets meet and neither is inside the other.",
+      .detail = kSets,
+      .exactness = Exactness::exact,
+      .overloads = predicate_overloads<Predicate::overlaps>(),
+      .examples = {{{kCubeOfTwo, kCrossingCube}, "TRUE"},
+                   {{kCubeOfTwo, kNextCube}, "FALSE"},
+                   {{kCubeOfTwo, kInnerCube}, "FALSE"},
+                   {{kCubeOfTwo, kUndefinedSolid}, "undefined"}},
+      .errors = {{{kUnit, "1"}, "overlaps: expected (rect3 rect3)"}},
+  });
+}
+
+void register_inclusion(Registry& registry) {
+  registry.add({
+      .name = "inside",
+      .syntax = "_ inside _",
+      .doc = "True if every point of the first set lies in the second, or the instant in the interval.",
+      .detail = std::string("The boundaries may meet. ") + kSets,
+      .exactness = Exactness::exact,
+      .overloads = predicate_overloads<Predicate::inside>({overload<&instant_inside>("instant", "interval")}),
+      .examples = {{{kUnit, "(rectangle3 0 2 0 2 0 2)"}, "TRUE"},
+                   {{kUnit, kShifted}, "FALSE"},
+                   {{kInnerCube, kCubeOfTwo}, "TRUE"},
+                   {{kFloor, kCubeOfTwo}, "TRUE"},
+                   {{"(makePoint 2 0)", kRegion}, "FALSE"},
+                   {{"(theInstant 2012)", R"((interval ("2011-01-01" "2012-01-01" TRUE FALSE)))"}, "FALSE"},
+                   {{kUnit, kUndefinedBox}, "undefined"}},
+      .errors = {{{kUnit, "1"}, "inside: expected (rect3 rect3)"}},
+  });
+  registry.add({
+      .name = "contains",
+      .syntax = "_ contains _",
+      .doc = "True if the first set contains every point of the second, or the first string or text contains the "
+             "second.",
+      .detail = std::string("The boundaries may meet. ") + kSets,
+      .exactness = Exactness::exact,
+      .overloads = predicate_overloads<Predicate::contains>(
+          {overload<&string_contains>("whole", "part"), overload<&text_contains>("whole", "part")}),
+      .examples = {{{"(rectangle3 0 2 0 2 0 2)", kUnit}, "TRUE"},
+                   {{kCubeOfTwo, kCorner}, "TRUE"},
+                   {{R"("gearbox")", R"("box")"}, "TRUE"},
+                   {{"'gearbox.stl'", R"("cog")"}, "FALSE"},
+                   {{kUnit, kUndefinedBox}, "undefined"}},
+      .errors = {{{kUnit, "1"}, "contains: expected (rect3 rect3)"}},
+  });
+  registry.add({
+      .name = "coveredBy",
+      .syntax = "_ coveredBy _",
+      .doc = "True if every point of the first set lies in the second; the same as `inside`.",
+      .detail = kSets,
+      .exactness = Exactness::exact,
+      .overloads = predicate_overloads<Predicate::inside>(),
+      .examples = {{{kInnerCube, kCubeOfTwo}, "TRUE"},
+                   {{kCubeOfTwo, kInnerCube}, "FALSE"},
+                   {{kInnerCube, kUndefinedSolid}, "undefined"}},
+      .errors = {{{kUnit, "1"}, "coveredBy: expected (rect3 rect3)"}},
+  });
+  registry.add({
+      .name = "covers",
+      .syntax = "_ covers _",
+      .doc = "True if the first set contains every point of the second; the same as `contains`.",
+      .detail = kSets,
+      .exactness = Exactness::exact,
+      .overloads = predicate_overloads<Predicate::contains>(),
+      .examples = {{{kCubeOfTwo, kInnerCube}, "TRUE"},
+                   {{kInnerCube, kCubeOfTwo}, "FALSE"},
+                   {{kInnerCube, kUndefinedSolid}, "undefined"}},
+      .errors = {{{kUnit, "1"}, "covers: expected (rect3 rect3)"}},
+  });
+}
+
+void register_details(Registry& registry) {
+  registry.add({
+      .name = "relation",
+      .host_name = "spatial_relation",
+      .syntax = "relation(_, _)",
+      .doc = "The relation of two sets, in one row (Relation: string, SharedDimension: int, BoundaryDimension: int).",
+      .detail = std::string("Relation is the first that holds of: disjoint; touches; equal, inside and contains, of "
+                            "sets whose interiors meet; overlaps. SharedDimension is that of what the sets have in "
+                            "common: -1 if nothing, 0 for points, 1 for lines, 2 for faces, 3 for space; "
+                            "BoundaryDimension that of what their boundaries have in common. So two solids that touch "
+                            "in a face have 2 and 2, those that touch in an edge 1 and 1. ") +
+                kSets,
+      .exactness = Exactness::exact,
+      .overloads = all_pairs<RelationMaker>(),
+      .examples = {{{kCubeOfTwo, kNextCube}, R"((("touches" 2 2)))"},
+                   {{kCubeOfTwo, kCrossingCube}, R"((("overlaps" 3 1)))"},
+                   {{kInnerCube, kCubeOfTwo}, R"((("inside" 3 -1)))"},
+                   {{kInnerCube, kNextCube}, R"((("disjoint" -1 -1)))"},
+                   {{kInnerCube, kUndefinedSolid}, "()"}},
+      .errors = {{{kUnit, "1"}, "relation: expected (rect3 rect3)"}},
+  });
+  registry.add({
+      .name = "commonPoint",
+      .syntax = "commonPoint(_, _)",
+      .doc = "A point that two sets have in common, in one row (Point: point3d, FirstTriangle: int, SecondTriangle: "
+             "int); no row if they are disjoint.",
+      .detail = "If triangles of two surfaces or solids meet in the point, their numbers are given, counted from 1. If "
+                "the point is inside a solid, or one of the sets has no triangles, they are undefined. The same values "
+                "give the same point.",
+      .exactness = Exactness::exact,
+      .overloads = pairs_in_space<CommonPointMaker>(),
+      .examples = {{{kCorner, kCubeOfTwo}, "(((2.0 2.0 2.0) undefined undefined))"},
+                   {{kInnerCube, kCubeOfTwo}, "(((0.5 0.5 0.5) undefined undefined))"},
+                   {{kInnerCube, kNextCube}, "()"},
+                   {{kInnerCube, kUndefinedSolid}, "()"}},
+      .errors = {{{kUnit, "1"}, "commonPoint: expected (rect3 rect3)"}},
+  });
+}
+
+}  // namespace
+
+void register_spatial_relations(Registry& registry) {
+  register_meeting(registry);
+  register_inclusion(registry);
+  register_details(registry);
+}
+
+}  // namespace algebra3d
