@@ -162,6 +162,37 @@ TEST_P(EachFamily, segment_and_triangle_meet_as_in_exact_arithmetic) {
   }
 }
 
+TEST_P(EachFamily, points_on_triangles_and_segments_are_those_of_exact_arithmetic) {
+  Random random(17);
+  for (int i = 0; i < 2000; ++i) {
+    const auto p = make_points(GetParam(), random, 4);
+    const TestTriangle t(p[1], p[2], p[3]);
+    if (p[1].oracle != p[2].oracle) {
+      ASSERT_EQ(is_on_segment(p[0].ours, p[1].ours, p[2].ours),
+                Kernel::Segment_3(p[1].oracle, p[2].oracle).has_on(p[0].oracle));
+    }
+    if (t.is_degenerate()) continue;
+    ASSERT_EQ(is_on_triangle(p[0].ours, shuffled(t.ours, random)), t.oracle.has_on(p[0].oracle)) << "sample " << i;
+    for (const PointRef& corner : t.ours) ASSERT_TRUE(is_on_triangle(corner, t.ours));
+  }
+}
+
+TEST_P(EachFamily, contacts_of_triangles_tell_the_sides_of_corners) {
+  Random random(18);
+  for (int i = 0; i < 2000; ++i) {
+    const auto p = make_points(GetParam(), random, 6);
+    const TestTriangle s(p[0], p[1], p[2]), t(p[3], p[4], p[5]);
+    if (s.is_degenerate() || t.is_degenerate()) continue;
+    const TriangleContact contact = contact_of_triangles(s.ours, t.ours);
+    ASSERT_EQ(contact.kind, oracle_contact(s.oracle, t.oracle));
+    if (contact.kind == Contact::none) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      ASSERT_EQ(contact.s_sides[k], sign_of(CGAL::orientation(p[3].oracle, p[4].oracle, p[5].oracle, p[k].oracle)));
+      ASSERT_EQ(contact.t_sides[k], sign_of(CGAL::orientation(p[0].oracle, p[1].oracle, p[2].oracle, p[k + 3].oracle)));
+    }
+  }
+}
+
 TEST_P(EachFamily, neighbours_meet_beyond_their_common_corner_as_in_exact_arithmetic) {
   Random random(8);
   std::array<int, 2> seen{};

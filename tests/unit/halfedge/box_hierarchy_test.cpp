@@ -180,6 +180,25 @@ TEST(box_hierarchy, parts_of_the_search_give_its_pairs_in_its_order) {
   EXPECT_TRUE(BoxHierarchy(TriangleMesh()).parts_of_search(40).empty());
 }
 
+TEST(box_hierarchy, a_window_meets_its_boxes_until_the_visitor_ends_it) {
+  const TriangleMesh mesh = random_triangles(500, 0.2, 3);
+  const BoxHierarchy hierarchy(mesh);
+  const Box3 window{{3.2, 3.4, 3.1}, {3.5, 3.5, 3.6}};
+  std::set<std::uint32_t> expected, found;
+  for (std::uint32_t i = 0; i < mesh.face_count(); ++i)
+    if (box_of_face(mesh, i).intersects(window)) expected.insert(i);
+  hierarchy.for_each_meeting(window, [&](std::uint32_t face) {
+    EXPECT_TRUE(found.insert(face).second) << "named twice";
+    return true;
+  });
+  EXPECT_GT(expected.size(), 2U);
+  EXPECT_TRUE(std::ranges::includes(found, expected));
+  EXPECT_LE(found.size(), expected.size() + 2);
+  int visits = 0;
+  hierarchy.for_each_meeting(window, [&](std::uint32_t) { return ++visits < 2; });
+  EXPECT_EQ(visits, 2);
+}
+
 TEST(box_hierarchy, a_vertical_ray_meets_the_boxes_above_or_below) {
   const TriangleMesh mesh = random_triangles(500, 0.3, 100);
   const BoxHierarchy hierarchy(mesh, all_faces(mesh));
