@@ -314,15 +314,17 @@ void BoxHierarchy::for_each_pair_with(const BoxHierarchy& other, Visit visit, Pa
 template <typename Visit>
 void BoxHierarchy::visit_window(const Box& window, Visit& visit) const {
   if (faces_.empty()) return;
-  std::vector<Node> stack{{static_cast<std::uint32_t>(levels_.size() - 1), 0}};
-  while (!stack.empty()) {
-    const Node node = stack.back();
-    stack.pop_back();
+  // Of each level one sibling waits at most.
+  std::array<Node, 40> stack;  // NOLINT(cppcoreguidelines-pro-type-member-init): as far as it is used
+  std::size_t waiting = 0;
+  stack[waiting++] = {static_cast<std::uint32_t>(levels_.size() - 1), 0};
+  while (waiting > 0) {
+    const Node node = stack[--waiting];
     if (!levels_[node.level].boxes[node.index].meets(window)) continue;
     if (node.level > 0) {
       const auto child_count = static_cast<std::uint32_t>(levels_[node.level - 1].boxes.size());
       for (std::uint32_t child = std::min(2 * node.index + 2, child_count); child-- > 2 * node.index;)
-        stack.push_back({node.level - 1, child});
+        stack[waiting++] = {node.level - 1, child};
       continue;
     }
     const std::size_t begin = node.index * kLeafSize, end = std::min(begin + kLeafSize, faces_.size());

@@ -204,11 +204,12 @@ std::vector<Overload> all_pairs() {
   add_pairs<Maker, Rect, Point2d, Region>(overloads);
   return overloads;
 }
+/// The overloads of a predicate, after `others`, which messages then name.
 template <Predicate kPredicate>
 std::vector<Overload> predicate_overloads(std::vector<Overload> others = {}) {
-  std::vector<Overload> overloads = all_pairs<PredicateMaker<kPredicate>>();
-  overloads.insert(overloads.end(), others.begin(), others.end());
-  return overloads;
+  const std::vector<Overload> overloads = all_pairs<PredicateMaker<kPredicate>>();
+  others.insert(others.end(), overloads.begin(), overloads.end());
+  return others;
 }
 
 bool instant_inside(const Instant& instant, const TimeInterval& interval) {
@@ -313,7 +314,7 @@ void register_inclusion(Registry& registry) {
                    {{"(makePoint 2 0)", kRegion}, "FALSE"},
                    {{"(theInstant 2012)", R"((interval ("2011-01-01" "2012-01-01" TRUE FALSE)))"}, "FALSE"},
                    {{kUnit, kUndefinedBox}, "undefined"}},
-      .errors = {{{kUnit, "1"}, "inside: expected (rect3 rect3)"}},
+      .errors = {{{kUnit, "1"}, "inside: expected (instant interval), (rect3 rect3)"}},
   });
   registry.add({
       .name = "contains",
@@ -329,7 +330,7 @@ void register_inclusion(Registry& registry) {
                    {{R"("gearbox")", R"("box")"}, "TRUE"},
                    {{"'gearbox.stl'", R"("cog")"}, "FALSE"},
                    {{kUnit, kUndefinedBox}, "undefined"}},
-      .errors = {{{kUnit, "1"}, "contains: expected (rect3 rect3)"}},
+      .errors = {{{kUnit, "1"}, "contains: expected (string string), (text text), (rect3 rect3)"}},
   });
   registry.add({
       .name = "coveredBy",

@@ -14,8 +14,7 @@ enum class Placement : std::uint8_t { outside, boundary, inside };
 /// Where a point lies relative to a solid. Exact. Cost: that of a vertical ray through the box hierarchy.
 Placement place_in_solid(PointRef point, const Geometry& solid);
 
-/// Where each of many points lies relative to a solid, in parallel. Exact. Cost: as for one, for each; the points are
-/// taken in a spatial order, so that neighbours use the same boxes.
+/// Where each of many points lies relative to a solid, in parallel. Exact. Cost: as for one, for each.
 std::vector<Placement> place_in_solid(std::span<const PointRef> points, const Geometry& solid);
 
 /// Where a point lies relative to a surface: `inside` is on it and on no boundary edge. Exact. Cost: that of the
