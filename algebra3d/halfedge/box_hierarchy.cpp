@@ -205,6 +205,18 @@ Box3 BoxHierarchy::unscaled(const Box& box) const {
   return result;
 }
 
+std::size_t BoxHierarchy::filter_windows(std::span<const Box> windows, const Box& box, std::size_t begin,
+                                         std::size_t end, std::vector<std::uint32_t>& reaching) {
+  if (reaching.size() < 2 * end - begin) reaching.resize(2 * end - begin);
+  std::size_t size = end;
+  for (std::size_t i = begin; i < end; ++i) {
+    // No branch: whether a window meets the box is unpredictable.
+    reaching[size] = reaching[i];
+    size += static_cast<std::size_t>(box.meets(windows[reaching[i]]));
+  }
+  return size;
+}
+
 Box3 BoxHierarchy::bounds() const {
   return faces_.empty() ? Box3{} : unscaled(levels_.back().boxes[0]);
 }

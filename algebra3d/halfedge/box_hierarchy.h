@@ -83,6 +83,11 @@ class BoxHierarchy {
   template <typename Visit>
   void for_each_on_vertical_ray(const Box3& where, int upward, Visit visit) const;
 
+  /// Calls visit(i, f) for each face whose box meets the ray upwards from point i (a box around it), face by face. The
+  /// points go down the hierarchy together, so this is several times as fast as one ray after the other.
+  template <typename Visit>
+  void for_each_on_upward_rays(std::span<const Box3> points, Visit visit) const;
+
   /// The same for the ray upwards, nodes with lower boxes first. visit(f) returns a height (infinite: none); faces
   /// whose boxes lie above it are skipped from then on.
   template <typename Visit>
@@ -166,6 +171,9 @@ class BoxHierarchy {
   template <typename Visit>
   bool visit_cross_leaves(const BoxHierarchy& other, const FrameChange& change, const CrossPair& pair,
                           ChangedLeaf& changed_leaf, Visit& visit) const;
+  /// Appends to the first `end` of `reaching` those from `begin` on whose windows meet the box. Returns the new end.
+  static std::size_t filter_windows(std::span<const Box> windows, const Box& box, std::size_t begin, std::size_t end,
+                                    std::vector<std::uint32_t>& reaching);
   /// Calls visit(f) for each face whose box meets the window, until it returns false.
   template <typename Visit>
   void visit_window(const Box& window, Visit& visit) const;
@@ -347,6 +355,41 @@ void BoxHierarchy::for_each_on_vertical_ray(const Box3& where, int upward, Visit
     return true;
   };
   visit_window(window, visit_all);
+}
+
+template <typename Visit>
+void BoxHierarchy::for_each_on_upward_rays(std::span<const Box3> points, Visit visit) const {
+  if (faces_.empty() || points.empty()) return;
+  std::vector<Box> windows(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    windows[i] = scaled(points[i]);
+    windows[i].max[2] = kInfinity;
+  }
+  // The points that reach a node, after those that reach its parent. Of a waiting node the points of the parent are
+  // kept.
+  struct Waiting {
+    Node node;
+    std::size_t begin, end;
+  };
+  std::vector<std::uint32_t> reaching(points.size());
+  for (std::uint32_t i = 0; i < reaching.size(); ++i) reaching[i] = i;
+  std::vector<Waiting> stack{{{static_cast<std::uint32_t>(levels_.size() - 1), 0}, 0, reaching.size()}};
+  while (!stack.empty()) {
+    const auto [node, begin, end] = stack.back();
+    stack.pop_back();
+    const std::size_t size = filter_windows(windows, levels_[node.level].boxes[node.index], begin, end, reaching);
+    if (size == end) continue;
+    if (node.level > 0) {
+      const auto child_count = static_cast<std::uint32_t>(levels_[node.level - 1].boxes.size());
+      for (std::uint32_t child = std::min(2 * node.index + 2, child_count); child-- > 2 * node.index;)
+        stack.push_back({{node.level - 1, child}, end, size});
+      continue;
+    }
+    const std::size_t first = node.index * kLeafSize, last = std::min(first + kLeafSize, faces_.size());
+    for (std::size_t i = first; i < last; ++i)
+      for (std::size_t k = end; k < size; ++k)
+        if (face_boxes_[i].meets(windows[reaching[k]])) visit(reaching[k], faces_[i]);
+  }
 }
 
 template <typename Visit>

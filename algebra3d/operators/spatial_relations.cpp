@@ -363,7 +363,8 @@ void register_details(Registry& registry) {
       .name = "relation",
       .host_name = "spatial_relation",
       .syntax = "relation(_, _)",
-      .doc = "The relation of two sets, in one row (Relation: string, SharedDimension: int, BoundaryDimension: int).",
+      .doc = "How two sets lie to each other, in one row (Relation: string, SharedDimension: int, BoundaryDimension: "
+             "int).",
       .detail = std::string("Relation is the first that holds of: disjoint; touches; equal, inside and contains, of "
                             "sets whose interiors meet; overlaps. SharedDimension is that of what the sets have in "
                             "common: -1 if nothing, 0 for points, 1 for lines, 2 for faces, 3 for space; "

@@ -25,6 +25,25 @@ bool is_on_boundary_edge(const TriangleMesh& mesh, FaceId face, PointRef point) 
   return false;
 }
 
+/// Places points of one task. A point on a face counts as on it whatever its winding number.
+void place_together(std::span<const PointRef> points, const Geometry& solid, std::span<Placement> result) {
+  std::vector<Box3> boxes;
+  boxes.reserve(points.size());
+  for (const PointRef& point : points) boxes.push_back(box_of(point));
+  std::vector<std::int32_t> winding_numbers(points.size());
+  std::ranges::fill(result, Placement::outside);
+  FaceId face;
+  TriangleRef corners{Vec3{}, Vec3{}, Vec3{}};
+  solid.hierarchy().for_each_on_upward_rays(boxes, [&](std::uint32_t i, std::uint32_t f) {
+    if (face != FaceId(f)) corners = solid.mesh.corners(face = FaceId(f));
+    if (may_hold(corners, points[i].approx) && is_on_triangle(points[i], corners)) result[i] = Placement::boundary;
+    const LineCrossing crossing = cross_vertical_line(points[i], corners);
+    if (crossing.side == -1) winding_numbers[i] += crossing.sign;
+  });
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (result[i] == Placement::outside && winding_numbers[i] != 0) result[i] = Placement::inside;
+}
+
 }  // namespace
 
 Placement place_in_solid(PointRef point, const Geometry& solid) {
@@ -44,10 +63,14 @@ Placement place_in_solid(PointRef point, const Geometry& solid) {
 }
 
 std::vector<Placement> place_in_solid(std::span<const PointRef> points, const Geometry& solid) {
-  constexpr std::size_t kPointsOfTask = 2048;
+  // So many that most nodes of a large hierarchy are reached by several.
+  constexpr std::size_t kPointsOfTask = 16384;
   std::vector<Placement> result(points.size());
-  solid.hierarchy();
-  parallel_for(points.size(), kPointsOfTask, [&](std::size_t i) { result[i] = place_in_solid(points[i], solid); });
+  const std::size_t task_count = (points.size() + kPointsOfTask - 1) / kPointsOfTask;
+  parallel_for(task_count, 1, [&](std::size_t task) {
+    const std::size_t begin = task * kPointsOfTask, count = std::min(kPointsOfTask, points.size() - begin);
+    place_together(points.subspan(begin, count), solid, std::span(result).subspan(begin, count));
+  });
   return result;
 }
 

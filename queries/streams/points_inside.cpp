@@ -32,7 +32,7 @@ class TuplesInside {
   }
 
  private:
-  static constexpr std::size_t kFirstBlock = 64, kLargestBlock = 16384;
+  static constexpr std::size_t kFirstBlock = 64, kLargestBlock = 65536;
 
   /// True if there was no tuple left.
   Result<bool> read_block() {

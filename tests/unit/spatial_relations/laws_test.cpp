@@ -34,7 +34,7 @@ void expect_laws(solids::SetOperations& engine, const TriangleMesh& a, const Tri
 
 TEST(SpatialRelationLaws, set_operations_agree) {
   const char* rounds = std::getenv("ALGEBRA3D_ROUNDS");
-  const int count = rounds == nullptr ? 40 : std::atoi(rounds);
+  const int count = rounds == nullptr ? 25 : std::atoi(rounds);
   for (int seed = 0; seed < count; ++seed) {
     SCOPED_TRACE(seed);
     solids::SetOperations engine;
