@@ -87,7 +87,7 @@ Contact intersect_coplanar_triangles(const TriangleRef& s, const TriangleRef& t)
 
 /// The intersection of two triangles, and where the corners of each lie relative to the plane of the other: all 0 if
 /// they are coplanar.
-struct TriangleContact {
+struct SidedContact {
   Contact kind = Contact::none;
   std::array<int, 3> s_sides{};  ///< of the corners of s; meaningless if the kind is `none`
   std::array<int, 3> t_sides{};
@@ -95,7 +95,7 @@ struct TriangleContact {
   bool is_coplanar() const { return kind != Contact::none && t_sides == std::array<int, 3>{}; }
 };
 /// The same as `intersect_triangles`, with the sides that it finds on the way.
-TriangleContact contact_of_triangles(const TriangleRef& s, const TriangleRef& t);
+SidedContact contact_of_triangles(const TriangleRef& s, const TriangleRef& t);
 /// True if p lies on the triangle, its edges and corners included. It must not be degenerate. Exact. Cost: one orient3d
 /// if p is not in its plane.
 bool is_on_triangle(PointRef p, const TriangleRef& triangle);

@@ -229,8 +229,8 @@ Contact intersect_triangles(const TriangleRef& s, const TriangleRef& t) {
   return contact_of_triangles(s, t).kind;
 }
 
-TriangleContact contact_of_triangles(const TriangleRef& s, const TriangleRef& t) {
-  TriangleContact contact;
+SidedContact contact_of_triangles(const TriangleRef& s, const TriangleRef& t) {
+  SidedContact contact;
   contact.t_sides = sides_of_plane(s, t);
   if (all_equal_and_not_zero(contact.t_sides)) return contact;
   if (all_zero(contact.t_sides)) {

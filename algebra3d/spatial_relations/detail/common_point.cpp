@@ -42,7 +42,7 @@ std::optional<ExactPoint> crossing_of_coplanar_edges(const TriangleRef& s, const
 
 }  // namespace
 
-ExactPoint common_point(const TriangleRef& s, const TriangleRef& t, const TriangleContact& contact) {
+ExactPoint common_point(const TriangleRef& s, const TriangleRef& t, const SidedContact& contact) {
   std::optional<ExactPoint> point = common_corner(s, t);
   if (!point) point = common_corner(t, s);
   if (!point && contact.is_coplanar()) point = crossing_of_coplanar_edges(s, t);

@@ -29,7 +29,7 @@ HalfedgeId edge_in_plane(FaceId face, const Sides& sides) {
 struct FacePairContact {
   std::array<FaceId, 2> faces;
   std::array<TriangleRef, 2> corners;
-  TriangleContact contact;
+  SidedContact contact;
 
   /// Of the corners of one triangle, relative to the plane of the other.
   const Sides& sides(Role role) const { return role == Role::first ? contact.s_sides : contact.t_sides; }

@@ -183,7 +183,7 @@ TEST_P(EachFamily, contacts_of_triangles_tell_the_sides_of_corners) {
     const auto p = make_points(GetParam(), random, 6);
     const TestTriangle s(p[0], p[1], p[2]), t(p[3], p[4], p[5]);
     if (s.is_degenerate() || t.is_degenerate()) continue;
-    const TriangleContact contact = contact_of_triangles(s.ours, t.ours);
+    const SidedContact contact = contact_of_triangles(s.ours, t.ours);
     ASSERT_EQ(contact.kind, oracle_contact(s.oracle, t.oracle));
     if (contact.kind == Contact::none) continue;
     for (std::size_t k = 0; k < 3; ++k) {
