@@ -282,6 +282,41 @@ void BoxHierarchy::push_children_of_both(const BoxHierarchy& other, const FrameC
   }
 }
 
+double BoxHierarchy::squared_gap(const Box& own, const Box& other) {
+  // Twice what rounding to float moves a coordinate of this frame, which is 2^20 at most.
+  constexpr double kRounding = 0x1p-3;
+  double sum = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const float gap = std::max(other.min[axis] - own.max[axis], own.min[axis] - other.max[axis]);
+    const double certain = std::max(0.0, double{gap} * (1 - 0x1p-20) - kRounding);
+    sum += certain * certain;
+  }
+  return sum;
+}
+
+double BoxHierarchy::squared_in_frame(double length) const {
+  const double scaled_length = length / 2 * scale_;
+  return scaled_length * scaled_length * (1 + 0x1p-40);
+}
+
+/// The higher node is opened, as for pairs that meet.
+void BoxHierarchy::push_near_children(const BoxHierarchy& other, const FrameChange& change, const NearPair& pair,
+                                      std::vector<NearPair>& stack) const {
+  const bool opens_own = pair.own.level > pair.other.level;
+  const Node& opened = opens_own ? pair.own : pair.other;
+  const std::vector<Box>& below = (opens_own ? levels_ : other.levels_)[opened.level - 1].boxes;
+  const std::size_t first_new = stack.size();
+  const auto end = std::min(2 * opened.index + 2, static_cast<std::uint32_t>(below.size()));
+  for (std::uint32_t child = 2 * opened.index; child < end; ++child) {
+    const Node node{opened.level - 1, child};
+    const Box box = opens_own ? pair.box : changed(change, below[child]);
+    const Box& own = opens_own ? below[child] : levels_[pair.own.level].boxes[pair.own.index];
+    stack.push_back({{opens_own ? node : pair.own, opens_own ? pair.other : node, box}, squared_gap(own, box)});
+  }
+  if (stack.size() == first_new + 2 && stack[first_new].squared_gap < stack[first_new + 1].squared_gap)
+    std::swap(stack[first_new], stack[first_new + 1]);
+}
+
 template <typename BoxOfFace>
 void BoxHierarchy::sort_faces(const BoxOfFace& box_of_face) {
   const auto code_of = [&](std::size_t i) {

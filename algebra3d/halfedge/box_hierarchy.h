@@ -71,6 +71,13 @@ class BoxHierarchy {
   template <typename Visit, typename Pause>
   void for_each_pair_with(const BoxHierarchy& other, Visit visit, Pause pause, Share share = {0, 1}) const;
 
+  /// Calls visit(f, g) for pairs of a face of this hierarchy and a face of another one, near ones first where the boxes
+  /// tell. It returns a distance: pairs whose boxes are farther from each other are left out from then on, all at the
+  /// beginning that are farther apart than `reach`; a negative one ends the search. `pause` as above. No recursion. Cost: that of the pairs of nodes
+  /// within the last distance, and of the way to the first pair.
+  template <typename Visit, typename Pause>
+  void for_each_near_pair_with(const BoxHierarchy& other, double reach, Visit visit, Pause pause) const;
+
   /// A box around all faces, slightly larger than the smallest one; empty without faces.
   Box3 bounds() const;
 
@@ -149,6 +156,16 @@ class BoxHierarchy {
     std::uint32_t index = std::numeric_limits<std::uint32_t>::max();
     std::array<Box, kLeafSize> boxes{};
   };
+  /// The same with all pairs of children, their squared distances, and the nearest pair on top.
+  struct NearPair : CrossPair {
+    double squared_gap;
+  };
+  void push_near_children(const BoxHierarchy& other, const FrameChange& change, const NearPair& pair,
+                          std::vector<NearPair>& stack) const;
+  /// A lower bound of the squared distance of what the boxes stand for, in this frame.
+  static double squared_gap(const Box& own, const Box& other);
+  /// The square of a length in coordinate units, in this frame, rounded up.
+  double squared_in_frame(double length) const;
   /// Brings the faces into Morton order; box_of_face(i) is the box of the i-th one before.
   template <typename BoxOfFace>
   void sort_faces(const BoxOfFace& box_of_face);
@@ -316,6 +333,40 @@ void BoxHierarchy::for_each_pair_with(const BoxHierarchy& other, Visit visit, Pa
       push_children_of_both(other, change, pair, stack);
     else if (!visit_cross_leaves(other, change, pair, changed_leaf, visit))
       return;
+  }
+}
+
+template <typename Visit, typename Pause>
+void BoxHierarchy::for_each_near_pair_with(const BoxHierarchy& other, double reach, Visit visit, Pause pause) const {
+  if (faces_.empty() || other.faces_.empty()) return;
+  const FrameChange change = change_from(other);
+  double limit = squared_in_frame(reach);
+  std::vector<NearPair> stack{{{{static_cast<std::uint32_t>(levels_.size() - 1), 0},
+                                {static_cast<std::uint32_t>(other.levels_.size() - 1), 0},
+                                changed(change, other.levels_.back().boxes[0])},
+                               0}};
+  std::uint32_t steps = 0;
+  while (!stack.empty()) {
+    const NearPair pair = stack.back();
+    stack.pop_back();
+    if (++steps % 4096 == 0 && !pause()) return;
+    if (pair.squared_gap > limit) continue;
+    if (pair.own.level > 0 || pair.other.level > 0) {
+      push_near_children(other, change, pair, stack);
+      continue;
+    }
+    const std::size_t own_begin = pair.own.index * kLeafSize, own_end = std::min(own_begin + kLeafSize, faces_.size());
+    const std::size_t begin = pair.other.index * kLeafSize, end = std::min(begin + kLeafSize, other.faces_.size());
+    for (std::size_t j = begin; j < end; ++j) {
+      const Box box = changed(change, other.face_boxes_[j]);
+      if (squared_gap(levels_[0].boxes[pair.own.index], box) > limit) continue;
+      for (std::size_t i = own_begin; i < own_end; ++i) {
+        if (squared_gap(face_boxes_[i], box) > limit) continue;
+        const double farthest = visit(faces_[i], other.faces_[j]);
+        if (farthest < 0) return;
+        limit = squared_in_frame(farthest);
+      }
+    }
   }
 }
 
