@@ -1,0 +1,45 @@
+#include "algebra3d/spatial_relations/nearest_points.h"
+
+#include <utility>
+
+#include "algebra3d/distance/distance.h"
+#include "algebra3d/spatial_relations/detail/face_set.h"
+
+namespace algebra3d {
+namespace {
+
+bool has_inside(const SpatialSet& set) {
+  return std::holds_alternative<Volume3d>(set) || std::holds_alternative<Box3>(set);
+}
+
+/// A common point of sets whose boundaries are apart: one may lie inside the other.
+Result<std::optional<MeetingWitness>> enclosed_point(const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) {
+  if (!has_inside(a) && !has_inside(b)) return std::optional<MeetingWitness>();
+  return witness_of_meeting(a, b, monitor);
+}
+
+}  // namespace
+
+Result<std::optional<NearestPoints>> nearest_points(const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) {
+  const FaceSet first(a), second(b);
+  ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<ClosestPoints> closest,
+                             closest_points(first.operand(), second.operand(), monitor));
+  if (!closest) return std::optional<NearestPoints>();
+  if (closest->squared_distance.sign() > 0) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<MeetingWitness> enclosed, enclosed_point(a, b, monitor));
+    if (enclosed) return std::optional(NearestPoints{enclosed->point, enclosed->point, 0});
+  }
+  return std::optional(
+      NearestPoints{std::move(closest->first), std::move(closest->second), std::move(closest->squared_distance)});
+}
+
+Result<bool> are_within(const SpatialSet& a, const SpatialSet& b, const Rational& distance, const Monitor& monitor) {
+  if (distance.sign() < 0) return false;
+  const FaceSet first(a), second(b);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool are_near, are_within(first.operand(), second.operand(), distance, monitor));
+  if (are_near) return true;
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<MeetingWitness> enclosed, enclosed_point(a, b, monitor));
+  return enclosed.has_value();
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+
+#include "algebra3d/base/error.h"
+#include "algebra3d/base/monitor.h"
+#include "algebra3d/exact/point.h"
+#include "algebra3d/exact/rational.h"
+#include "algebra3d/spatial_relations/relation.h"
+
+namespace algebra3d {
+
+// Distances of two sets in space: the smallest of the distances of a point of one and a point of the other, so 0 if
+// they meet. What lies inside a solid belongs to it. How it is computed: docs/spatial-relations.md. Errors:
+// interrupted.
+
+/// A point of each of two sets, nearest to each other, and the square of their distance.
+struct NearestPoints {
+  ExactPoint first, second;
+  Rational squared_distance;
+};
+
+/// The nearest points, a common point if the sets meet; nothing if a set is empty. If several pairs are equally near,
+/// always the same one of them. Exact. Cost: that of the pairs of boxes which are nearer to each other than the sets.
+Result<std::optional<NearestPoints>> nearest_points(const SpatialSet& a, const SpatialSet& b,
+                                                    const Monitor& monitor = {});
+
+/// True if the distance of the sets is at most `distance`; false if a set is empty or `distance` negative. Exact. Cost:
+/// as nearest_points, and less if the sets are clearly nearer or farther.
+Result<bool> are_within(const SpatialSet& a, const SpatialSet& b, const Rational& distance,
+                        const Monitor& monitor = {});
+
+}  // namespace algebra3d
