@@ -41,6 +41,8 @@ Registry make_registry() {
   registry.begin_family({"spatial relations",
                          "Whether and how points, boxes, surfaces, solids and regions meet, all exact.", Cost::linear});
   register_spatial_relations(registry);
+  registry.begin_family({"distances", "Distances of points, boxes, surfaces, solids and regions.", Cost::linear});
+  register_distances(registry);
   registry.begin_family({"parts of solids", "The parts of a surface or solid.", Cost::linear});
   register_decomposition(registry);
   registry.begin_family({"mesh files",

@@ -8,56 +8,16 @@
 #include <type_traits>
 #include <vector>
 
-#include "algebra3d/constructions/region_meshes.h"
 #include "algebra3d/operators/all.h"
 #include "algebra3d/operators/detail/sample_values.h"
+#include "algebra3d/operators/detail/spatial_sets.h"
 #include "algebra3d/registry/operator.h"
 #include "algebra3d/registry/overload.h"
-#include "algebra3d/types/planar.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/time.h"
 
 namespace algebra3d {
 namespace {
-
-// ---- values as sets of points; those in the plane lie at z = 0
-
-Result<SpatialSet> set_of(const Box3& box, Context& /*context*/) {
-  return SpatialSet(box);
-}
-Result<SpatialSet> set_of(const Point3d& point, Context& /*context*/) {
-  return SpatialSet(PointSet{{&point.position, 1}});
-}
-Result<SpatialSet> set_of(const Points3d& points, Context& /*context*/) {
-  return SpatialSet(PointSet{points.points()});
-}
-Result<SpatialSet> set_of(const Surface3d& surface, Context& /*context*/) {
-  return SpatialSet(surface);
-}
-Result<SpatialSet> set_of(const Volume3d& solid, Context& /*context*/) {
-  return SpatialSet(solid);
-}
-Result<SpatialSet> set_of(const Point2d& point, Context& /*context*/) {
-  return SpatialSet(PointSet{{&point.position, 1}});
-}
-Result<SpatialSet> set_of(const Rect& rect, Context& /*context*/) {
-  return SpatialSet(rect.box());
-}
-Result<SpatialSet> set_of(const Region& region, Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(TriangleMesh mesh, flat_mesh(region, context.monitor()));
-  return SpatialSet(Surface3d::trusted(std::move(mesh)));
-}
-
-/// Loads both and calls ask(a, b).
-template <typename A, typename B, typename Ask>
-auto ask_loaded(Context& context, const OnDemand<A>& a, const OnDemand<B>& b, const Ask& ask)
-    -> decltype(ask(std::declval<SpatialSet>(), std::declval<SpatialSet>())) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const A first, a.load());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const B second, b.load());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SpatialSet first_set, set_of(first, context));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SpatialSet second_set, set_of(second, context));
-  return ask(first_set, second_set);
-}
 
 /// True if they have no point in common because one is empty or their boxes are apart.
 bool are_apart(const GeometryHeader& a, const GeometryHeader& b) {
@@ -184,26 +144,6 @@ struct CommonPointMaker {
   }
 };
 
-template <typename Maker, typename First, typename... Seconds>
-void add_row(std::vector<Overload>& overloads) {
-  (overloads.push_back(Maker::template make<First, Seconds>()), ...);
-}
-template <typename Maker, typename... Kinds>
-void add_pairs(std::vector<Overload>& overloads) {
-  (add_row<Maker, Kinds, Kinds...>(overloads), ...);
-}
-template <typename Maker>
-std::vector<Overload> pairs_in_space() {
-  std::vector<Overload> overloads;
-  add_pairs<Maker, Box3, Point3d, Points3d, Surface3d, Volume3d>(overloads);
-  return overloads;
-}
-template <typename Maker>
-std::vector<Overload> all_pairs() {
-  std::vector<Overload> overloads = pairs_in_space<Maker>();
-  add_pairs<Maker, Rect, Point2d, Region>(overloads);
-  return overloads;
-}
 /// The overloads of a predicate, after `others`, which messages then name.
 template <Predicate kPredicate>
 std::vector<Overload> predicate_overloads(std::vector<Overload> others = {}) {
