@@ -1,8 +1,18 @@
-// itSpatialJoin: pairs of tuples whose boxes meet.
+// itSpatialJoin, spatialJoin, distanceJoin: pairs of tuples by the boxes, the relation or the distance of their sets.
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "algebra3d/halfedge/boxes.h"
 #include "algebra3d/registry/operator.h"
 #include "algebra3d/types/scalars.h"
 #include "queries/streams/all.h"
-#include "queries/streams/detail/block_join.h"
+#include "queries/streams/detail/box_join.h"
+#include "queries/streams/detail/parallel_filter.h"
 #include "queries/streams/detail/spatial_attribute.h"
 #include "queries/streams/mapping.h"
 
@@ -10,72 +20,126 @@ namespace queries {
 namespace {
 
 using algebra3d::Box3;
-using Tree = SpatialIndex::Tree;
-using Entry = rtree::Entry<std::uint64_t>;
+using algebra3d::Registry;
+using algebra3d::ResolvedCall;
 
-/// Tuples with an R-tree over the boxes of one attribute: the table of a BlockJoin.
-class BoxTable {
- public:
-  /// Attribute numbers: `key` of the tuples in the tree, `probe` of those that look them up.
-  BoxTable(std::size_t key, std::size_t probe, const Context& context)
-      : key_(key), probe_(probe), account_(context.memory) {}
+/// The arguments that all joins have in common: two streams, and an attribute of each.
+struct JoinArguments {
+  std::size_t left_key, right_key;
+  TypeExpr joined;
+  std::size_t left_size;  ///< number of attributes of the first stream
+  TypeExpr left_type, right_type;
 
-  Result<bool> add(const TuplePtr& tuple) {
-    const Box3 box = window_of(tuple->attributes[key_]);
-    if (box.is_empty()) return true;
-    // An entry stands once in the list and once, or nearly so, in the tree.
-    if (!account_.take(heap_bytes(*tuple) + sizeof(TuplePtr) + 3 * sizeof(Entry)) && !tuples_.empty()) return false;
-    entries_.push_back({box, tuples_.size()});
-    tuples_.push_back(tuple);
-    return true;
-  }
-  void finish() { tree_ = Tree::bulk_load(std::exchange(entries_, {})); }
-  Status find(const Tuple& probe, std::vector<TuplePtr>& found) const {
-    for (const std::uint64_t position : ids_in_window(tree_, window_of(probe.attributes[probe_])))
-      found.push_back(tuples_[position]);
-    return {};
-  }
-  void clear() {
-    tuples_.clear();
-    tree_ = Tree();
-    account_.clear();
-  }
-
- private:
-  std::size_t key_;
-  std::size_t probe_;
-  algebra3d::MemoryAccount account_;
-  std::vector<TuplePtr> tuples_;
-  std::vector<Entry> entries_;
-  Tree tree_;
+  /// The same key in a joined tuple.
+  std::size_t right_in_joined() const { return left_size + right_key; }
 };
 
-TypeMapping map_spatial_join(const algebra3d::Registry& registry) {
+Result<JoinArguments> join_arguments(const Registry& registry, const MappingCheck& check) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr left, check.stream(0));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr right, check.stream(1));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t left_key, spatial_attribute(registry, check, 2, left));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t right_key, spatial_attribute(registry, check, 3, right));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr joined, check.concatenated(left, right));
+  return JoinArguments{left_key,
+                       right_key,
+                       joined,
+                       left.attributes().size(),
+                       left.attributes()[left_key].type,
+                       right.attributes()[right_key].type};
+}
+
+TupleStreamPtr pairs_by_boxes(const JoinArguments& join, const std::vector<Datum>& given, WindowOfBox window,
+                              const Context& context) {
+  return box_join({given[0].tuples(), join.left_key}, {given[1].tuples(), join.right_key}, std::move(window), context);
+}
+
+Box3 itself(const Box3& box) {
+  return box;
+}
+
+TypeMapping map_box_join(const Registry& registry) {
   return [&registry](std::span<const ArgumentType> arguments) -> Result<BoundOperator> {
     const MappingCheck check("itSpatialJoin", arguments);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr left, check.stream(0));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr right, check.stream(1));
     ALGEBRA3D_RETURN_IF_ERROR(check.argument_count(4, 7));
     for (std::size_t place = 4; place < check.count(); ++place) ALGEBRA3D_RETURN_IF_ERROR(check.type(place, "int"));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t left_key, spatial_attribute(registry, check, 2, left));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t right_key, spatial_attribute(registry, check, 3, right));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr joined, check.concatenated(left, right));
-    return BoundOperator{TypeExpr::stream(joined), [=](std::vector<Datum> given, Context& context) -> Result<Datum> {
-                           const auto combine = [](const Tuple& build, const Tuple& probe) {
-                             return concatenated(build, probe);
-                           };
-                           return Datum{block_join(given[0].tuples(), given[1].tuples(),
-                                                   BoxTable(left_key, right_key, context), combine, context)};
+    ALGEBRA3D_ASSIGN_OR_RETURN(const JoinArguments join, join_arguments(registry, check));
+    return BoundOperator{TypeExpr::stream(join.joined),
+                         [join](const std::vector<Datum>& given, Context& context) -> Result<Datum> {
+                           return Datum{pairs_by_boxes(join, given, itself, context)};
                          }};
+  };
+}
+
+/// The joined tuples for which a predicate of the registry holds, asked of the two keys and of further arguments.
+TupleStreamPtr refined(const JoinArguments& join, TupleStreamPtr pairs, const ResolvedCall& predicate,
+                       std::vector<Value> further, Context& context) {
+  const auto holds = [=, left = join.left_key, right = join.right_in_joined()](const Tuple& pair,
+                                                                               Context& own) -> Result<bool> {
+    std::vector<Value> values{pair.attributes[left], pair.attributes[right]};
+    values.insert(values.end(), further.begin(), further.end());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Value result, Registry::call(predicate, values, own));
+    return is_true(result);
+  };
+  return parallel_filter(std::move(pairs), holds, context);
+}
+
+Result<ResolvedCall> resolve(const Registry& registry, const std::string& name, std::span<const TypeExpr> types) {
+  return registry.resolve(*registry.find_operator(name), types);
+}
+
+/// The predicates that hold only of sets that meet, so that meeting boxes find all pairs.
+constexpr std::array<std::string_view, 7> kPredicates{"intersects", "touches",   "inside",  "contains",
+                                                      "covers",     "coveredBy", "overlaps"};
+
+Result<std::string> predicate_name(const MappingCheck& check, std::size_t place) {
+  ALGEBRA3D_RETURN_IF_ERROR(check.characters(place));
+  if (!check[place].constant) return check.error("expected a constant as the name of the predicate");
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, check[place].constant());
+  const std::string name = value.is_defined() ? algebra3d::characters_of(value) : std::string("undefined");
+  if (std::ranges::find(kPredicates, name) == kPredicates.end())
+    return check.error(fmt::format("expected a predicate: {}; got '{}'", fmt::join(kPredicates, ", "), name));
+  return name;
+}
+
+TypeMapping map_spatial_join(const Registry& registry) {
+  return [&registry](std::span<const ArgumentType> arguments) -> Result<BoundOperator> {
+    const MappingCheck check("spatialJoin", arguments);
+    ALGEBRA3D_ASSIGN_OR_RETURN(const JoinArguments join, join_arguments(registry, check));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const std::string name, predicate_name(check, 4));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const ResolvedCall predicate,
+                               resolve(registry, name, std::array{join.left_type, join.right_type}));
+    return BoundOperator{
+        TypeExpr::stream(join.joined), [=](const std::vector<Datum>& given, Context& context) -> Result<Datum> {
+          return Datum{refined(join, pairs_by_boxes(join, given, itself, context), predicate, {}, context)};
+        }};
+  };
+}
+
+TypeMapping map_distance_join(const Registry& registry) {
+  return [&registry](std::span<const ArgumentType> arguments) -> Result<BoundOperator> {
+    const MappingCheck check("distanceJoin", arguments);
+    ALGEBRA3D_ASSIGN_OR_RETURN(const JoinArguments join, join_arguments(registry, check));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Conversion conversion, check.conversion(4, TypeExpr("real")));
+    ALGEBRA3D_ASSIGN_OR_RETURN(
+        const ResolvedCall predicate,
+        resolve(registry, "withinDistance", std::array{join.left_type, join.right_type, TypeExpr("real")}));
+    return BoundOperator{
+        TypeExpr::stream(join.joined), [=](const std::vector<Datum>& given, Context& context) -> Result<Datum> {
+          const Value limit = converted(given[4].value(), conversion);
+          const auto window = [limit](const Box3& box) {
+            return limit.is_defined() && limit.get<double>() >= 0 ? padded(box, limit.get<double>()) : Box3();
+          };
+          return Datum{refined(join, pairs_by_boxes(join, given, window, context), predicate, {limit}, context)};
+        }};
   };
 }
 
 constexpr std::string_view kJoinedBoxes =
     "[const rel(tuple([No: int, B: rect3])) value ((1 (0 1 0 1 0 1)) (2 (5 6 0 1 0 1)) (3 undefined))] feed ";
+const std::string kBalls =
+    "intstream(1, 4) transformstream extend[Ball: createSphere(makePoint3D(1.5 * .Elem, .Elem, 0), 1, 8)] ";
 
-}  // namespace
-
-void register_spatial_join(algebra3d::Registry& registry) {
+void register_box_join(Registry& registry) {
   const std::string boxes(kJoinedBoxes);
   registry.add({
       .name = "itSpatialJoin",
@@ -86,7 +150,7 @@ void register_spatial_join(algebra3d::Registry& registry) {
           "memory of `set \"memory\"`. Touching counts. Up to three ints (node sizes and memory) are accepted and "
           "not needed.",
       .cost = algebra3d::Cost::sorting,
-      .stream = stream_operator(map_spatial_join(registry)),
+      .stream = stream_operator(map_box_join(registry)),
       .signatures = {"(stream(tuple) stream(tuple) NAME NAME) -> stream(tuple)"},
       .handles_undefined = true,
       .query_examples = {{boxes + "{a} " + boxes + "{b} itSpatialJoin[B_a, B_b] project[No_a, No_b] consume",
@@ -96,6 +160,59 @@ void register_spatial_join(algebra3d::Registry& registry) {
                        {"query " + boxes + "{a} " + boxes + "{b} itSpatialJoin[No_a, B_b] count",
                         "itSpatialJoin: expected an attribute of kind SPATIAL2D or SPATIAL3D, got int"}},
   });
+}
+
+constexpr const char* kRefined =
+    "Pairs whose boxes are near enough are found as by `itSpatialJoin`, and examined exactly, many in parallel; the "
+    "result and its order do not depend on that. Empty and undefined sets have no partners.";
+
+void register_exact_joins(Registry& registry) {
+  const std::string pairs = kBalls + "{a} " + kBalls + "{b} ";
+  registry.add({
+      .name = "spatialJoin",
+      .syntax = "_ _ spatialJoin[attribute, attribute; _]",
+      .doc = "The pairs of tuples of both streams for whose attributes a predicate holds, in the order of the second "
+             "stream.",
+      .detail = fmt::format("The predicate is a constant, one of {}. {}", fmt::join(kPredicates, ", "), kRefined),
+      .exactness = algebra3d::Exactness::exact,
+      .cost = algebra3d::Cost::sorting,
+      .stream = stream_operator(map_spatial_join(registry)),
+      .signatures = {"(stream(tuple) stream(tuple) NAME NAME string) -> stream(tuple)"},
+      .handles_undefined = true,
+      .query_examples = {{pairs + "spatialJoin[Ball_a, Ball_b; \"intersects\"] filter[.Elem_a < .Elem_b] "
+                                  "project[Elem_a, Elem_b] consume",
+                          "((1 2) (2 3) (3 4))"},
+                         {pairs + "spatialJoin[Ball_a, Ball_b; \"inside\"] count", "4"}},
+      .query_errors = {{"query " + pairs + "spatialJoin[Ball_a, Ball_b; \"disjoint\"] count",
+                        "spatialJoin: expected a predicate: intersects, touches, inside"},
+                       {"query " + pairs + "spatialJoin[Elem_a, Ball_b; \"intersects\"] count",
+                        "spatialJoin: expected an attribute of kind SPATIAL2D or SPATIAL3D, got int"}},
+  });
+  registry.add({
+      .name = "distanceJoin",
+      .syntax = "_ _ distanceJoin[attribute, attribute, _]",
+      .doc = "The pairs of tuples of both streams whose attributes are at most a distance apart, in the order of the "
+             "second stream.",
+      .detail = std::string("No pairs for an undefined or negative distance. ") + kRefined,
+      .exactness = algebra3d::Exactness::exact,
+      .cost = algebra3d::Cost::sorting,
+      .stream = stream_operator(map_distance_join(registry)),
+      .signatures = {"(stream(tuple) stream(tuple) NAME NAME real) -> stream(tuple)"},
+      .handles_undefined = true,
+      .query_examples = {{kBalls + "{a} " + kBalls +
+                              "{b} distanceJoin[Ball_a, Ball_b, 2] filter[.Elem_a < .Elem_b] "
+                              "project[Elem_a, Elem_b] consume",
+                          "((1 2) (1 3) (2 3) (2 4) (3 4))"},
+                         {pairs + "distanceJoin[Ball_a, Ball_b, -1] count", "0"}},
+      .query_errors = {{"query " + pairs + "distanceJoin[Ball_a, Ball_b, \"2\"] count", "distanceJoin: expected"}},
+  });
+}
+
+}  // namespace
+
+void register_spatial_join(Registry& registry) {
+  register_box_join(registry);
+  register_exact_joins(registry);
 }
 
 }  // namespace queries
