@@ -12,6 +12,7 @@
 #include "algebra3d/registry/operator.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/spatial_relations/nearest_points.h"
+#include "algebra3d/types/scalars.h"
 
 namespace algebra3d {
 namespace {

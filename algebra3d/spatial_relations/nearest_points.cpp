@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "algebra3d/distance/distance.h"
-#include "algebra3d/spatial_relations/detail/face_set.h"
+#include "algebra3d/spatial_relations/detail/boundary_faces.h"
 
 namespace algebra3d {
 namespace {
@@ -21,7 +21,7 @@ Result<std::optional<MeetingWitness>> enclosed_point(const SpatialSet& a, const 
 }  // namespace
 
 Result<std::optional<NearestPoints>> nearest_points(const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) {
-  const FaceSet first(a), second(b);
+  const BoundaryFaces first(a), second(b);
   ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<ClosestPoints> closest,
                              closest_points(first.operand(), second.operand(), monitor));
   if (!closest) return std::optional<NearestPoints>();
@@ -35,7 +35,7 @@ Result<std::optional<NearestPoints>> nearest_points(const SpatialSet& a, const S
 
 Result<bool> are_within(const SpatialSet& a, const SpatialSet& b, const Rational& distance, const Monitor& monitor) {
   if (distance.sign() < 0) return false;
-  const FaceSet first(a), second(b);
+  const BoundaryFaces first(a), second(b);
   ALGEBRA3D_ASSIGN_OR_RETURN(const bool are_near, are_within(first.operand(), second.operand(), distance, monitor));
   if (are_near) return true;
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<MeetingWitness> enclosed, enclosed_point(a, b, monitor));

@@ -44,15 +44,23 @@ class ParallelFilter final : public TupleStream {
     algebra3d::parallel_for(block_.size(), 1, [&](std::size_t i) {
       Context own = context_;
       own.report = nullptr;
+      own.failed_calls = nullptr;
       fulfil[i] = own.is_cancelled() ? Result<bool>(algebra3d::Monitor::interrupted()) : condition_(*block_[i], own);
     });
     std::size_t kept = 0;
     for (std::size_t i = 0; i < block_.size(); ++i) {
-      if (!fulfil[i]) return std::move(fulfil[i]).error();
+      if (!fulfil[i]) return error_of(*block_[i], std::move(fulfil[i]).error());
       if (*fulfil[i]) block_[kept++] = std::move(block_[i]);
     }
     block_.resize(kept);
     return {};
+  }
+
+  /// The error of a tuple. Its condition is asked again, so that the context takes the call that failed.
+  Error error_of(const Tuple& tuple, Error error) {
+    if (error.code != ErrorCode::internal) return error;
+    const Result<bool> again = condition_(tuple, context_);
+    return again ? error : again.error();
   }
 
   TupleStreamPtr stream_;

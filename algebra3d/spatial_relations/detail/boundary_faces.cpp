@@ -1,4 +1,4 @@
-#include "algebra3d/spatial_relations/detail/face_set.h"
+#include "algebra3d/spatial_relations/detail/boundary_faces.h"
 
 #include <utility>
 #include <vector>
@@ -7,11 +7,11 @@
 
 namespace algebra3d {
 
-FaceSet::FaceSet(const SpatialSet& set) {
+BoundaryFaces::BoundaryFaces(const SpatialSet& set) {
   std::visit([this](const auto& kind) { take(kind); }, set);
 }
 
-void FaceSet::take(const PointSet& set) {
+void BoundaryFaces::take(const PointSet& set) {
   PointArray points;
   std::vector<IndexTriangle> faces;
   for (const ExactPoint& point : set.points) {
@@ -24,7 +24,7 @@ void FaceSet::take(const PointSet& set) {
 
 /// Along an axis without extent, corners are those of its lower end; so the sides of a flat box are rectangles, edges
 /// and points of it.
-void FaceSet::take(const Box3& box) {
+void BoundaryFaces::take(const Box3& box) {
   PointArray points;
   std::uint32_t extended_axes = 0;
   for (std::uint32_t axis = 0; axis < 3; ++axis)
@@ -36,12 +36,12 @@ void FaceSet::take(const Box3& box) {
   own({std::move(points), faces});
 }
 
-void FaceSet::refer_to(const Geometry& geometry) {
+void BoundaryFaces::refer_to(const Geometry& geometry) {
   mesh_ = &geometry.mesh;
   hierarchy_ = &geometry.hierarchy();
 }
 
-void FaceSet::own(TriangleMesh mesh) {
+void BoundaryFaces::own(TriangleMesh mesh) {
   own_mesh_ = std::make_unique<const TriangleMesh>(std::move(mesh));
   own_hierarchy_ = std::make_unique<const BoxHierarchy>(*own_mesh_);
   mesh_ = own_mesh_.get();

@@ -11,9 +11,9 @@ namespace algebra3d {
 /// The points, edges and triangles of a set as faces of a mesh: for a surface its own, for a solid or a box those of
 /// the boundary; points are faces that repeat their corner. Refers to a surface or solid, and owns the mesh of other
 /// sets.
-class FaceSet {
+class BoundaryFaces {
  public:
-  explicit FaceSet(const SpatialSet& set);
+  explicit BoundaryFaces(const SpatialSet& set);
 
   DistanceOperand operand() const { return {mesh_, hierarchy_}; }
 
