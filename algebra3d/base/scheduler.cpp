@@ -10,8 +10,8 @@
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 
 #include "algebra3d/base/nearest_rounding.h"
 
@@ -66,7 +66,11 @@ void run_both(const std::function<void()>& first, const std::function<void()>& s
       work();
     };
   };
-  tbb::this_task_arena::isolate([&] { tbb::parallel_invoke(rounding_to_nearest(first), rounding_to_nearest(second)); });
+  tbb::this_task_arena::isolate([&] {
+    tbb::task_group tasks;
+    tasks.run(rounding_to_nearest(second));
+    tasks.run_and_wait(rounding_to_nearest(first));
+  });
 }
 
 void run_ranges(std::size_t count, std::size_t grain,
