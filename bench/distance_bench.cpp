@@ -1,7 +1,7 @@
 // Distances of meshes beside FCL's, which walks trees of oriented boxes (OBBRSS) and computes with doubles. The search
-// alone is timed: ours has the hierarchy at hand that stored values have, FCL its trees. Ours is exact, with the nearest
-// points as fractions; `error` is the difference of FCL's distance in roundings of the larger one. Compare lines of the
-// same arguments: the frequency of the spheres, and the gap between them in thousandths of their radius.
+// alone is timed: ours has the hierarchy at hand that stored values have, FCL its trees. Ours is exact, with the
+// nearest points as fractions; `error` is the difference of FCL's distance in roundings of the larger one. Compare
+// lines of the same arguments: the frequency of the spheres, and the gap between them in thousandths of their radius.
 #include <benchmark/benchmark.h>
 
 #ifdef BENCH_WITH_FCL

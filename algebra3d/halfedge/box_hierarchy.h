@@ -73,8 +73,8 @@ class BoxHierarchy {
 
   /// Calls visit(f, g) for pairs of a face of this hierarchy and a face of another one, near ones first where the boxes
   /// tell. It returns a distance: pairs whose boxes are farther from each other are left out from then on, all at the
-  /// beginning that are farther apart than `reach`; a negative one ends the search. `pause` as above. No recursion. Cost: that of the pairs of nodes
-  /// within the last distance, and of the way to the first pair.
+  /// beginning that are farther apart than `reach`; a negative one ends the search. `pause` as above. No recursion.
+  /// Cost: that of the pairs of nodes within the last distance, and of the way to the first pair.
   template <typename Visit, typename Pause>
   void for_each_near_pair_with(const BoxHierarchy& other, double reach, Visit visit, Pause pause) const;
 
