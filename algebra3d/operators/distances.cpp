@@ -90,11 +90,9 @@ struct ClosestPointsMaker {
 };
 
 const std::string kFarCube = "(createCube (makePoint3D 5 6 0) (makePoint3D 6 7 1))";
-const std::string kInnerCube = "(createCube (makePoint3D 0.5 0.5 0.5) (makePoint3D 1.5 1.5 1.5))";
 const std::string kEmptySolid = "(volume3d ())";
-const std::string kRegion = "(rect2region (rectangle2 0 1 0 1))";
 
-constexpr const char* kSets =
+constexpr const char* kMeaningOfDistance =
     "All sets are closed; what lies inside a solid or box belongs to it, so sets that meet have the distance 0.";
 
 }  // namespace
@@ -105,7 +103,8 @@ void register_distances(Registry& registry) {
       .host_name = "distance_between",
       .syntax = "distance(_, _)",
       .doc = "The smallest distance of a point of one set and a point of the other, in coordinate units.",
-      .detail = std::string(kSets) + " Undefined if a set is empty, or if the distance is beyond the range of doubles.",
+      .detail = std::string(kMeaningOfDistance) +
+                " Undefined if a set is empty, or if the distance is beyond the range of doubles.",
       .exactness = Exactness::rounded_once,
       .sources = {"larsen2000", "ericson2005"},
       .overloads = all_pairs<DistanceMaker>(),
@@ -113,7 +112,7 @@ void register_distances(Registry& registry) {
                    {{kCubeOfTwo, kInnerCube}, "0.0"},
                    {{"(makePoint3D 1 1 4)", kCubeOfTwo}, "2.0"},
                    {{"(rectangle3 0 1 0 1 0 1)", "(rectangle3 2 3 2 3 0 1)"}, "1.4142135623730951"},
-                   {{"(makePoint 4 5)", kRegion}, "5.0"},
+                   {{"(makePoint 4 5)", kUnitRegion}, "5.0"},
                    {{kCubeOfTwo, kEmptySolid}, "undefined"},
                    {{kCubeOfTwo, kUndefinedSolid}, "undefined"}},
       .errors = {{{kCubeOfTwo, "1"}, "distance: expected (rect3 rect3)"}},
@@ -122,7 +121,7 @@ void register_distances(Registry& registry) {
       .name = "withinDistance",
       .syntax = "withinDistance(_, _, _)",
       .doc = "True if the distance of two sets is at most a limit, in coordinate units.",
-      .detail = std::string(kSets) + " False if a set is empty or the limit is negative.",
+      .detail = std::string(kMeaningOfDistance) + " False if a set is empty or the limit is negative.",
       .exactness = Exactness::exact,
       .sources = {"larsen2000", "ericson2005"},
       .overloads = all_pairs<WithinMaker>(),
@@ -139,7 +138,7 @@ void register_distances(Registry& registry) {
       .doc =
           "A point of each of two sets, nearest to each other, in one row (First: point3d, Second: point3d, Distance: "
           "real); no row if a set is empty.",
-      .detail = std::string(kSets) +
+      .detail = std::string(kMeaningOfDistance) +
                 " The points are exact. If several pairs of points are equally near, always the same one of them.",
       .exactness = Exactness::rounded_once,
       .sources = {"larsen2000", "ericson2005"},

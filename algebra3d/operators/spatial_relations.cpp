@@ -164,17 +164,15 @@ bool text_contains(const Text& whole, const Text& part) {
 
 // ---- descriptions
 
-const std::string kUndefinedBox = "(rect3 undefined)";
-const std::string kUnit = "(rectangle3 0 1 0 1 0 1)";
-const std::string kShifted = "(rectangle3 1 2 0 1 0 1)";
-const std::string kInnerCube = "(createCube (makePoint3D 0.5 0.5 0.5) (makePoint3D 1.5 1.5 1.5))";
+const std::string kUndefinedRect3 = "(rect3 undefined)";
+const std::string kUnitBox = "(rectangle3 0 1 0 1 0 1)";
+const std::string kShiftedBox = "(rectangle3 1 2 0 1 0 1)";
 const std::string kNextCube = "(createCube (makePoint3D 2 0 0) (makePoint3D 3 2 2))";
 const std::string kCrossingCube = "(createCube (makePoint3D 1 1 1) (makePoint3D 3 3 3))";
 const std::string kFloor = "(surface3d (((0 0 0) (2 0 0) (2 2 0))))";
-const std::string kCorner = "(makePoint3D 2 2 2)";
-const std::string kRegion = "(rect2region (rectangle2 0 1 0 1))";
+const std::string kCornerOfCube = "(makePoint3D 2 2 2)";
 
-constexpr const char* kSets =
+constexpr const char* kMeaningOfSets =
     "All sets are closed; solids are solids, not their surfaces. The interior of a point is the point; that of a flat "
     "box is that within its plane or line; that of a surface is the surface without its boundary edges. The empty set "
     "is inside every set and meets none. Decided exactly, also for coordinates that are not doubles.";
@@ -184,58 +182,58 @@ void register_meeting(Registry& registry) {
       .name = "intersects",
       .syntax = "_ intersects _",
       .doc = "True if the sets have a point in common; touching counts.",
-      .detail = kSets,
+      .detail = kMeaningOfSets,
       .exactness = Exactness::exact,
       .sources = {"guigue2003", "lauterbach2009"},
       .overloads = predicate_overloads<Predicate::intersects>(),
-      .examples = {{{kUnit, kShifted}, "TRUE"},
-                   {{kUnit, "(rectangle3 2 3 0 1 0 1)"}, "FALSE"},
+      .examples = {{{kUnitBox, kShiftedBox}, "TRUE"},
+                   {{kUnitBox, "(rectangle3 2 3 0 1 0 1)"}, "FALSE"},
                    {{kCubeOfTwo, kInnerCube}, "TRUE"},
-                   {{kCorner, kCubeOfTwo}, "TRUE"},
-                   {{kRegion, "(rectangle2 1 2 1 2)"}, "TRUE"},
-                   {{kUnit, kUndefinedBox}, "undefined"}},
-      .errors = {{{kUnit, "1"}, "intersects: expected (rect3 rect3)"}},
+                   {{kCornerOfCube, kCubeOfTwo}, "TRUE"},
+                   {{kUnitRegion, "(rectangle2 1 2 1 2)"}, "TRUE"},
+                   {{kUnitBox, kUndefinedRect3}, "undefined"}},
+      .errors = {{{kUnitBox, "1"}, "intersects: expected (rect3 rect3)"}},
   });
   registry.add({
       .name = "disjoint",
       .syntax = "_ disjoint _",
       .doc = "True if the sets have no point in common.",
-      .detail = kSets,
+      .detail = kMeaningOfSets,
       .exactness = Exactness::exact,
       .overloads = predicate_overloads<Predicate::disjoint>(),
       .examples = {{{kCubeOfTwo, kNextCube}, "FALSE"},
                    {{kInnerCube, kNextCube}, "TRUE"},
-                   {{kCorner, "(volume3d ())"}, "TRUE"},
-                   {{kUnit, kUndefinedBox}, "undefined"}},
-      .errors = {{{kUnit, "1"}, "disjoint: expected (rect3 rect3)"}},
+                   {{kCornerOfCube, "(volume3d ())"}, "TRUE"},
+                   {{kUnitBox, kUndefinedRect3}, "undefined"}},
+      .errors = {{{kUnitBox, "1"}, "disjoint: expected (rect3 rect3)"}},
   });
   registry.add({
       .name = "touches",
       .syntax = "_ touches _",
       .doc = "True if the sets meet but their interiors do not.",
-      .detail = kSets,
+      .detail = kMeaningOfSets,
       .exactness = Exactness::exact,
       .overloads = predicate_overloads<Predicate::touches>(),
       .examples = {{{kCubeOfTwo, kNextCube}, "TRUE"},
                    {{kCubeOfTwo, kCrossingCube}, "FALSE"},
-                   {{kCorner, kCubeOfTwo}, "TRUE"},
+                   {{kCornerOfCube, kCubeOfTwo}, "TRUE"},
                    {{kFloor, kCubeOfTwo}, "TRUE"},
-                   {{kCorner, kUndefinedSolid}, "undefined"}},
-      .errors = {{{kUnit, "1"}, "touches: expected (rect3 rect3)"}},
+                   {{kCornerOfCube, kUndefinedSolid}, "undefined"}},
+      .errors = {{{kUnitBox, "1"}, "touches: expected (rect3 rect3)"}},
   });
   registry.add({
       .name = "overlaps",
       .host_name = "overlaps_with",
       .syntax = "_ overlaps _",
       .doc = "True if the interiors of the sets meet and neither is inside the other.",
-      .detail = kSets,
+      .detail = kMeaningOfSets,
       .exactness = Exactness::exact,
       .overloads = predicate_overloads<Predicate::overlaps>(),
       .examples = {{{kCubeOfTwo, kCrossingCube}, "TRUE"},
                    {{kCubeOfTwo, kNextCube}, "FALSE"},
                    {{kCubeOfTwo, kInnerCube}, "FALSE"},
                    {{kCubeOfTwo, kUndefinedSolid}, "undefined"}},
-      .errors = {{{kUnit, "1"}, "overlaps: expected (rect3 rect3)"}},
+      .errors = {{{kUnitBox, "1"}, "overlaps: expected (rect3 rect3)"}},
   });
 }
 
@@ -244,57 +242,57 @@ void register_inclusion(Registry& registry) {
       .name = "inside",
       .syntax = "_ inside _",
       .doc = "True if every point of the first set lies in the second, or the instant in the interval.",
-      .detail = std::string("The boundaries may meet. ") + kSets,
+      .detail = std::string("The boundaries may meet. ") + kMeaningOfSets,
       .exactness = Exactness::exact,
       .overloads = predicate_overloads<Predicate::inside>({overload<&instant_inside>("instant", "interval")}),
-      .examples = {{{kUnit, "(rectangle3 0 2 0 2 0 2)"}, "TRUE"},
-                   {{kUnit, kShifted}, "FALSE"},
+      .examples = {{{kUnitBox, "(rectangle3 0 2 0 2 0 2)"}, "TRUE"},
+                   {{kUnitBox, kShiftedBox}, "FALSE"},
                    {{kInnerCube, kCubeOfTwo}, "TRUE"},
                    {{kFloor, kCubeOfTwo}, "TRUE"},
-                   {{"(makePoint 2 0)", kRegion}, "FALSE"},
+                   {{"(makePoint 2 0)", kUnitRegion}, "FALSE"},
                    {{"(theInstant 2012)", R"((interval ("2011-01-01" "2012-01-01" TRUE FALSE)))"}, "FALSE"},
-                   {{kUnit, kUndefinedBox}, "undefined"}},
-      .errors = {{{kUnit, "1"}, "inside: expected (instant interval), (rect3 rect3)"}},
+                   {{kUnitBox, kUndefinedRect3}, "undefined"}},
+      .errors = {{{kUnitBox, "1"}, "inside: expected (instant interval), (rect3 rect3)"}},
   });
   registry.add({
       .name = "contains",
       .syntax = "_ contains _",
       .doc = "True if the first set contains every point of the second, or the first string or text contains the "
              "second.",
-      .detail = std::string("The boundaries may meet. ") + kSets,
+      .detail = std::string("The boundaries may meet. ") + kMeaningOfSets,
       .exactness = Exactness::exact,
       .overloads = predicate_overloads<Predicate::contains>(
           {overload<&string_contains>("whole", "part"), overload<&text_contains>("whole", "part")}),
-      .examples = {{{"(rectangle3 0 2 0 2 0 2)", kUnit}, "TRUE"},
-                   {{kCubeOfTwo, kCorner}, "TRUE"},
+      .examples = {{{"(rectangle3 0 2 0 2 0 2)", kUnitBox}, "TRUE"},
+                   {{kCubeOfTwo, kCornerOfCube}, "TRUE"},
                    {{R"("gearbox")", R"("box")"}, "TRUE"},
                    {{"'gearbox.stl'", R"("cog")"}, "FALSE"},
-                   {{kUnit, kUndefinedBox}, "undefined"}},
-      .errors = {{{kUnit, "1"}, "contains: expected (string string), (text text), (rect3 rect3)"}},
+                   {{kUnitBox, kUndefinedRect3}, "undefined"}},
+      .errors = {{{kUnitBox, "1"}, "contains: expected (string string), (text text), (rect3 rect3)"}},
   });
   registry.add({
       .name = "coveredBy",
       .syntax = "_ coveredBy _",
       .doc = "True if every point of the first set lies in the second; the same as `inside`.",
-      .detail = kSets,
+      .detail = kMeaningOfSets,
       .exactness = Exactness::exact,
       .overloads = predicate_overloads<Predicate::inside>(),
       .examples = {{{kInnerCube, kCubeOfTwo}, "TRUE"},
                    {{kCubeOfTwo, kInnerCube}, "FALSE"},
                    {{kInnerCube, kUndefinedSolid}, "undefined"}},
-      .errors = {{{kUnit, "1"}, "coveredBy: expected (rect3 rect3)"}},
+      .errors = {{{kUnitBox, "1"}, "coveredBy: expected (rect3 rect3)"}},
   });
   registry.add({
       .name = "covers",
       .syntax = "_ covers _",
       .doc = "True if the first set contains every point of the second; the same as `contains`.",
-      .detail = kSets,
+      .detail = kMeaningOfSets,
       .exactness = Exactness::exact,
       .overloads = predicate_overloads<Predicate::contains>(),
       .examples = {{{kCubeOfTwo, kInnerCube}, "TRUE"},
                    {{kInnerCube, kCubeOfTwo}, "FALSE"},
                    {{kInnerCube, kUndefinedSolid}, "undefined"}},
-      .errors = {{{kUnit, "1"}, "covers: expected (rect3 rect3)"}},
+      .errors = {{{kUnitBox, "1"}, "covers: expected (rect3 rect3)"}},
   });
 }
 
@@ -310,7 +308,7 @@ void register_details(Registry& registry) {
                             "common: -1 if nothing, 0 for points, 1 for lines, 2 for faces, 3 for space; "
                             "BoundaryDimension that of what their boundaries have in common. So two solids that touch "
                             "in a face have 2 and 2, those that touch in an edge 1 and 1. ") +
-                kSets,
+                kMeaningOfSets,
       .exactness = Exactness::exact,
       .overloads = all_pairs<RelationMaker>(),
       .examples = {{{kCubeOfTwo, kNextCube}, R"((("touches" 2 2)))"},
@@ -318,7 +316,7 @@ void register_details(Registry& registry) {
                    {{kInnerCube, kCubeOfTwo}, R"((("inside" 3 -1)))"},
                    {{kInnerCube, kNextCube}, R"((("disjoint" -1 -1)))"},
                    {{kInnerCube, kUndefinedSolid}, "()"}},
-      .errors = {{{kUnit, "1"}, "relation: expected (rect3 rect3)"}},
+      .errors = {{{kUnitBox, "1"}, "relation: expected (rect3 rect3)"}},
   });
   registry.add({
       .name = "commonPoint",
@@ -330,11 +328,11 @@ void register_details(Registry& registry) {
                 "give the same point.",
       .exactness = Exactness::exact,
       .overloads = pairs_in_space<CommonPointMaker>(),
-      .examples = {{{kCorner, kCubeOfTwo}, "(((2.0 2.0 2.0) undefined undefined))"},
+      .examples = {{{kCornerOfCube, kCubeOfTwo}, "(((2.0 2.0 2.0) undefined undefined))"},
                    {{kInnerCube, kCubeOfTwo}, "(((0.5 0.5 0.5) undefined undefined))"},
                    {{kInnerCube, kNextCube}, "()"},
                    {{kInnerCube, kUndefinedSolid}, "()"}},
-      .errors = {{{kUnit, "1"}, "commonPoint: expected (rect3 rect3)"}},
+      .errors = {{{kUnitBox, "1"}, "commonPoint: expected (rect3 rect3)"}},
   });
 }
 
