@@ -194,7 +194,9 @@ TEST(Ranges, no_operands_break_an_operator) {
   for (const Operator* op : range_registry().operators())
     for (const Overload& overload : op->overloads) {
       SCOPED_TRACE(op->name + overload.signature());
-      for (int i = 0; i < 25; ++i) {
+      // Predicates have an overload for each pair of types.
+      const std::size_t calls = op->overloads.size() > 10 ? 5 : 25;
+      for (std::size_t i = 0; i < calls; ++i) {
         std::vector<Value> arguments;
         std::string text;
         for (const Parameter& parameter : overload.parameters)
