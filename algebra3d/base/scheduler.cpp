@@ -48,7 +48,7 @@ class ForkGuard {
     is_attached_.store(false, std::memory_order_release);
   }
 
-  inline static ForkGuard* self_ = nullptr;
+  inline static ForkGuard* self_ = nullptr;  // NOLINT(readability-identifier-naming): a member like others
   std::atomic<bool> is_attached_ = false;
   std::mutex mutex_;
   std::optional<tbb::task_scheduler_handle> handle_;

@@ -1,5 +1,7 @@
 #include "algebra3d/distance/distance.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <unordered_map>
 #include <utility>
@@ -23,9 +25,7 @@ class FarSide {
       : mesh_(mesh), point_(std::move(point)), normal_(std::move(normal)) {}
 
   bool has(FaceId face) {
-    for (const std::uint32_t corner : mesh_.triangle(face))
-      if (!has(VertexId(corner))) return false;
-    return true;
+    return std::ranges::all_of(mesh_.triangle(face), [this](std::uint32_t corner) { return has(VertexId(corner)); });
   }
 
  private:

@@ -83,7 +83,8 @@ void PointArray::set_exact(std::size_t index, SharedCoordinates exact) {
 
 void PointArray::append(const PointArray& from, std::size_t first, std::size_t count) {
   const std::size_t shift = approx_.size() - first;
-  approx_.insert(approx_.end(), from.approx_.begin() + first, from.approx_.begin() + first + count);
+  approx_.insert(approx_.end(), from.approx_.begin() + static_cast<std::ptrdiff_t>(first),
+                 from.approx_.begin() + static_cast<std::ptrdiff_t>(first + count));
   const std::size_t begin = std::max(first, from.first_exact_);
   const std::size_t end = std::min(first + count, from.first_exact_ + from.exact_.size());
   for (std::size_t i = begin; i < end; ++i)

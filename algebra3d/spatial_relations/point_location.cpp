@@ -19,10 +19,11 @@ bool may_hold(const TriangleRef& triangle, const Vec3& p) {
 }
 
 bool is_on_boundary_edge(const TriangleMesh& mesh, FaceId face, PointRef point) {
-  for (const HalfedgeId h : halfedges_of(mesh, face))
-    if (mesh.is_boundary(h) && is_on_segment(point, mesh.point(mesh.origin(h)), mesh.point(mesh.target(h))))
-      return true;
-  return false;
+  const auto is_boundary_with_point = [&](HalfedgeId h) {
+    return mesh.is_boundary(h) && is_on_segment(point, mesh.point(mesh.origin(h)), mesh.point(mesh.target(h)));
+  };
+  const auto edges = halfedges_of(mesh, face);
+  return std::any_of(edges.begin(), edges.end(), is_boundary_with_point);
 }
 
 /// Places points of one task. A point on a face counts as on it whatever its winding number.

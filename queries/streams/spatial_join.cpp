@@ -72,7 +72,7 @@ TypeMapping map_box_join(const Registry& registry) {
 
 /// The joined tuples for which a predicate of the registry holds, asked of the two keys and of further arguments.
 TupleStreamPtr refined(const JoinArguments& join, TupleStreamPtr pairs, const ResolvedCall& predicate,
-                       std::vector<Value> further, Context& context) {
+                       const std::vector<Value>& further, Context& context) {
   const auto holds = [=, left = join.left_key, right = join.right_in_joined()](const Tuple& pair,
                                                                                Context& own) -> Result<bool> {
     std::vector<Value> values{pair.attributes[left], pair.attributes[right]};

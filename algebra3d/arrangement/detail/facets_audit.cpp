@@ -87,7 +87,8 @@ void FacetsAudit::check_face(FacetId f, InputFaceId face) {
 }
 
 void FacetsAudit::check_plane(PlaneId id) {
-  const auto& [triangle, projection, coefficients] = facets_.planes[id];
+  const auto& [triangle, projection, known] = facets_.planes[id];
+  const IntegerPlane& coefficients = known;  // clang 14 captures no parts of a struct
   violations_.expect(orient2d(projection, triangle[0], triangle[1], triangle[2]) > 0,
                      "plane {}: its triangle does not turn counter-clockwise", id.index());
   if (!coefficients.is_null())

@@ -1,5 +1,6 @@
 #include "algebra3d/distance/detail/exact_closest.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cassert>
@@ -83,9 +84,8 @@ std::optional<ExactClosest> closest_of_features(const Corners& a, const Corners&
 
 /// True if all corners lie on the side of the plane through `point` to which `normal` points, or in the plane.
 bool are_in_front(const Corners& corners, const RationalVec3& point, const RationalVec3& normal) {
-  for (const RationalVec3& corner : corners)
-    if (dot(normal, corner - point).sign() < 0) return false;
-  return true;
+  return std::ranges::all_of(corners,
+                             [&](const RationalVec3& corner) { return dot(normal, corner - point).sign() >= 0; });
 }
 
 /// True if no points of the simplices are nearer to each other: between convex sets, the planes through the two points
@@ -108,10 +108,12 @@ class ClosestSearch {
   /// Small features first, which take the fewest operations.
   ExactClosest try_all() const {
     for (int corner_count = 2; corner_count <= 6; ++corner_count)
-      for (Feature first = 1; first < 1U << a_.size(); ++first)
-        for (Feature second = 1; second < 1U << b_.size(); ++second) {
+      for (unsigned first = 1; first < 1U << a_.size(); ++first)
+        for (unsigned second = 1; second < 1U << b_.size(); ++second) {
           if (std::popcount(first) + std::popcount(second) != corner_count) continue;
-          if (std::optional<ExactClosest> points = try_features(first, second)) return *std::move(points);
+          if (std::optional<ExactClosest> points =
+                  try_features(static_cast<Feature>(first), static_cast<Feature>(second)))
+            return *std::move(points);
         }
     assert(false && "convex sets have closest points");
     return {};
