@@ -52,7 +52,13 @@ Result<bool> is_within(Context& context, const OnDemand<A>& a, const OnDemand<B>
   });
 }
 
-using ClosestRows = Rows<Point3d, Point3d, double>;
+using ClosestRows = Rows<Point3d, Point3d, std::optional<double>>;
+
+/// Nothing beyond the range of doubles.
+std::optional<double> length_of(const NearestPoints& nearest) {
+  const double length = nearest.squared_distance.nearest_root();
+  return std::isfinite(length) ? std::optional(length) : std::nullopt;
+}
 
 template <typename A, typename B>
 Result<ClosestRows> closest_points_row(Context& context, const OnDemand<A>& a, const OnDemand<B>& b) {
@@ -60,8 +66,7 @@ Result<ClosestRows> closest_points_row(Context& context, const OnDemand<A>& a, c
   if (is_either_empty(a.header(), b.header())) return ClosestRows(std::move(rows));
   return ask_loaded(context, a, b, [&](const SpatialSet& first, const SpatialSet& second) -> Result<ClosestRows> {
     ALGEBRA3D_ASSIGN_OR_RETURN(const auto nearest, nearest_points(first, second, context.monitor()));
-    if (nearest)
-      rows.emplace_back(Point3d{nearest->first}, Point3d{nearest->second}, nearest->squared_distance.nearest_root());
+    if (nearest) rows.emplace_back(Point3d{nearest->first}, Point3d{nearest->second}, length_of(*nearest));
     return ClosestRows(std::move(rows));
   });
 }
