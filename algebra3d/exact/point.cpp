@@ -73,7 +73,7 @@ void PointArray::push_back(const PointRef& point) {
   if (!point.is_double()) set_exact(approx_.size() - 1, SharedCoordinates(point.exact));
 }
 
-/// Of a point after all others that have exact coordinates.
+/// Stores the exact coordinates of a point whose index is larger than those of all points that have some.
 void PointArray::set_exact(std::size_t index, SharedCoordinates exact) {
   if (exact_.empty()) first_exact_ = index;
   exact_.resize(index - first_exact_);

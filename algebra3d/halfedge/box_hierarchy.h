@@ -373,7 +373,7 @@ void BoxHierarchy::for_each_near_pair_with(const BoxHierarchy& other, double rea
 template <typename Visit>
 void BoxHierarchy::visit_window(const Box& window, Visit& visit) const {
   if (faces_.empty()) return;
-  // Of each level one sibling waits at most.
+  // Depth-first search: at most one sibling of each level waits.
   std::array<Node, 40> stack;  // NOLINT(cppcoreguidelines-pro-type-member-init): as far as it is used
   std::size_t waiting = 0;
   stack[waiting++] = {static_cast<std::uint32_t>(levels_.size() - 1), 0};

@@ -33,8 +33,8 @@ Result<Maybe<double>> distance_of(Context& context, const OnDemand<A>& a, const 
   });
 }
 
-/// What the boxes tell: nothing if they are neither clearly farther apart nor so near that any two points are within
-/// the distance.
+/// The answer by boxes alone: false if they are farther apart than the limit, true if any two points of them are within
+/// it, else nothing.
 std::optional<bool> are_within_by_boxes(const Box3& a, const Box3& b, double limit) {
   constexpr double kMargin = 0x1p-40;  // for the rounding of sums of squares
   if (distance(a, b) * (1 - kMargin) > limit) return false;

@@ -42,9 +42,9 @@ struct SpatialRelation {
   bool do_interiors_meet = false;
   bool is_first_inside = false;   ///< every point of the first is in the second
   bool is_second_inside = false;  ///< the converse
-  /// Of what they have in common: -1 if that is empty, else 0 to 3 for points, lines, faces and space.
+  /// The dimension of the common part: -1 if it is empty, else 0 to 3 for points, lines, faces and space.
   int shared_dimension = -1;
-  int shared_boundary_dimension = -1;  ///< of what their boundaries have in common
+  int shared_boundary_dimension = -1;  ///< the same of the boundaries alone
 };
 Result<SpatialRelation> relation_of(const SpatialSet& a, const SpatialSet& b, const Monitor& monitor = {});
 

@@ -75,7 +75,7 @@ class ContactSearch {
 
   bool is_new_face(std::uint32_t face) const { return is_new_.empty() || is_new_[face]; }
 
-  /// Those that the other face owns, so that each vertex is looked at once.
+  /// Vertices of `other` that lie in `face`, if `other` owns them: so each vertex is looked at once.
   void add_vertices_in(std::uint32_t face, std::uint32_t other) {
     const TriangleMesh::Triangle corners = mesh_.triangle(FaceId(face));
     for (const std::uint32_t v : mesh_.triangle(FaceId(other)))

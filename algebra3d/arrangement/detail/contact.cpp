@@ -94,8 +94,8 @@ std::optional<Place> place_of(const Signs& inside) {
 /// Place in `target` of the point in which an edge crosses its plane, coming from the side `side` of it.
 std::optional<Place> locate_crossing(const InputEdgeEnds& edge, int side, const PlaneTriangle& target,
                                      EdgeSides& edge_sides) {
-  // Of thin triangles one edge often needs exact arithmetic, and another one tells without it that the point is
-  // outside.
+  // Rounded signs of all edges first: where one edge of a thin triangle needs exact arithmetic, another one often
+  // shows without it that the point is outside.
   Signs sides{};
   for (std::size_t j = 0; j < 3; ++j) {
     sides[j] = EdgeSides::rounded_side(edge, target.edge(j));

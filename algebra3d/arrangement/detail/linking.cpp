@@ -41,7 +41,8 @@ class Linker {
   // Half-planes with jumps in radial order, space edge by space edge, and those of each.
   std::vector<SubEdgeSide> half_planes_;
   std::vector<Slice> round_edges_;
-  // Those of the uncut edge or space edge at hand; members, so that their memory is used again.
+  // Half-edges of the uncut edge, and half-planes of the space edge, at hand; members, so that their memory is used
+  // again.
   std::vector<InputHalfedgeId> along_edge_;
   std::vector<SubEdgeSide> around_;
   std::vector<OperandId> operands_at_edge_;

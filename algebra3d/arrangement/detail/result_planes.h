@@ -23,7 +23,8 @@ class ResultPlanes {
   FacePlanes take_planes() { return std::move(planes_); }
 
  private:
-  /// Of each plane of an operand its number among those of the result, or kUnknown; empty before the first.
+  /// The numbers that the planes of an operand have in the result, kUnknown for those not yet taken; empty before the
+  /// first one is.
   using NewNumbers = std::vector<std::uint32_t>;
 
   const Subdivision& subdivision_;

@@ -35,7 +35,7 @@ class RoundingJob {
   /// The solid must outlive this.
   RoundingJob(const TriangleMesh& solid, SolidPart part, const CoordinateGrid& grid, const std::atomic<bool>* cancel);
 
-  /// What is to be rounded, and its vertices rounded.
+  /// The mesh that is to be rounded: the solid or a part of it.
   const TriangleMesh& mesh() const { return part_.mesh(); }
   bool is_whole() const { return part_.is_whole(); }
   const RoundedVertices& vertices() const { return vertices_; }

@@ -305,7 +305,7 @@ void SnappedFaces::untie(std::span<const PointId> clusters) {
   ties_ = std::move(ties);
 }
 
-/// Of the given faces, before any is listed.
+/// Removes given faces that lie upon each other; called before any face is listed.
 void SnappedFaces::drop_folded_given() {
   struct Key {
     Corners corners;

@@ -11,7 +11,7 @@
 
 namespace algebra3d {
 
-/// What is asked of two sets, which says when a search may end.
+/// The question about two sets. It determines when the search may end.
 enum class Question : std::uint8_t { meeting, touching, first_inside, overlap, witness, everything };
 
 /// One of the two sets.
@@ -24,8 +24,8 @@ constexpr std::size_t index_of(Role role) {
 }
 inline constexpr Role kRoles[] = {Role::first, Role::second};
 
-/// What has been found out about two sets that are not empty. Facts are only added, so a search may end as soon as they
-/// answer the question; at its end what was not found is not so.
+/// The facts found so far about two sets that are not empty. Facts are only added, so the search may end as soon as
+/// they answer the question; a fact that was not found by its end is false.
 class Findings {
  public:
   explicit Findings(Question question) : question_(question) {}

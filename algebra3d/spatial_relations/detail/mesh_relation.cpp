@@ -31,7 +31,7 @@ struct FacePairContact {
   std::array<TriangleRef, 2> corners;
   SidedContact contact;
 
-  /// Of the corners of one triangle, relative to the plane of the other.
+  /// The sides on which the corners of one triangle lie of the plane of the other.
   const Sides& sides(Role role) const { return role == Role::first ? contact.s_sides : contact.t_sides; }
 };
 
@@ -74,8 +74,8 @@ void MeshRelation::run() {
     if (!findings_.is_complete() && !monitor_.is_cancelled()) locate_components(role);
 }
 
-/// What dimensions and boxes tell. A box is the smallest around its set, so a set whose box is not in that of another
-/// is not inside it.
+/// Adds the facts that follow from dimensions and boxes. A box is the smallest around its set, so a set whose box is
+/// not within that of another is not inside it.
 void MeshRelation::compare_extents() {
   for (const Role role : kRoles) {
     const MeshSet &own = set(role), &its_other = set(other(role));
