@@ -117,25 +117,11 @@ TriangleMesh united(const TriangleMesh& a, const TriangleMesh& b) {
   return algebra3d::combine_solids(std::array<Operand, 2>{{{&a, 0}, {&b, 1}}}, in_any).value();
 }
 
-/// Square rods of a sponge of a cube of side 3^level, as one group.
+/// A turned cube less all rods of a sponge at once.
 void sponge(int level) {
-  const double side = std::pow(3, level), radians = kRoot2 / 2;
-  const auto turned = [&](const Shape& shape) { return mesh_of(moved(shape, kAxis, radians, {})); };
-  std::vector<TriangleMesh> solids{turned(box({}, {side, side, side}))};
-  for (int k = 1; k <= level; ++k) {
-    const auto count = static_cast<int>(std::pow(3, k - 1));
-    const double step = side / count, width = step / 3;
-    for (int i = 0; i < count; ++i)
-      for (int j = 0; j < count; ++j) {
-        bool is_hole = false;
-        for (int a = i, b = j; a > 0 || b > 0; a /= 3, b /= 3) is_hole = is_hole || (a % 3 == 1 && b % 3 == 1);
-        if (is_hole) continue;
-        const double p = i * step + width, q = j * step + width;
-        solids.push_back(turned(box({-1, p, q}, {side + 1, p + width, q + width})));
-        solids.push_back(turned(box({p, -1, q}, {p + width, side + 1, q + width})));
-        solids.push_back(turned(box({p, q, -1}, {p + width, q + width, side + 1})));
-      }
-  }
+  const double radians = kRoot2 / 2;
+  std::vector<TriangleMesh> solids{mesh_of(sponge_cube(level, radians))};
+  for (const Shape& rod : rods(level, radians)) solids.push_back(mesh_of(rod));
   std::vector<Operand> operands;
   for (const TriangleMesh& solid : solids) operands.push_back({&solid, operands.empty() ? 0U : 1U});
   const auto in_first_only = [](const WindingVector& h) { return h[0] > 0 && h[1] == 0; };

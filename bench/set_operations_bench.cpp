@@ -237,35 +237,6 @@ BENCHMARK(cubes_chain_corefine<Inexact>)->Arg(200)->Unit(benchmark::kMillisecond
 
 // ---- Menger sponge --------------------------------------------------------------------------------------------------
 
-/// Square rods that leave a sponge of a cube of side 3^level, turned by `radians`.
-std::vector<Shape> rods(int level, double radians) {
-  std::vector<Shape> result;
-  const double side = std::pow(3, level);
-  for (int k = 1; k <= level; ++k) {
-    const auto count = static_cast<int>(std::pow(3, k - 1));
-    const double step = side / count, width = step / 3;
-    for (int i = 0; i < count; ++i)
-      for (int j = 0; j < count; ++j) {
-        bool is_hole = false;
-        for (int a = i, b = j; a > 0 || b > 0; a /= 3, b /= 3) is_hole = is_hole || (a % 3 == 1 && b % 3 == 1);
-        if (is_hole) continue;
-        const double p = i * step + width, q = j * step + width;
-        result.push_back(box({-1, p, q}, {side + 1, p + width, q + width}));
-        result.push_back(box({p, -1, q}, {p + width, side + 1, q + width}));
-        result.push_back(box({p, q, -1}, {p + width, q + width, side + 1}));
-      }
-  }
-  for (Shape& rod : result)
-    if (radians != 0) rod = moved(rod, kAxis, radians, {});
-  return result;
-}
-
-Shape sponge_cube(int level, double radians) {
-  const double side = std::pow(3, level);
-  const Shape cube = box({}, {side, side, side});
-  return radians != 0 ? moved(cube, kAxis, radians, {}) : cube;
-}
-
 /// Arguments: level, and 1 for the rotated one.
 void sponge_ours(benchmark::State& state) {
   const auto level = static_cast<int>(state.range(0));
