@@ -42,10 +42,10 @@ bool is_in(const TriangleRef& triangle, const PointRef& p) {
 class ContactSearch {
  public:
   ContactSearch(const TriangleMesh& mesh, const std::vector<bool>& is_new)
-      : mesh_(mesh), is_new_(is_new), owner_(mesh.vertex_count(), kNone) {
+      : mesh_(mesh), is_new_(is_new), owner_(mesh.vertex_count()) {
     std::vector<FaceId> fresh;
-    for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
-      if (is_new_face(f)) fresh.push_back(FaceId(f));
+    for (const FaceId face : faces(mesh))
+      if (is_new_face(face)) fresh.push_back(face);
     if (fresh.size() < mesh.face_count())
       for (const FaceId face : faces_near(mesh, is_new, submesh(mesh, fresh), 0)) add(face);
     // Last, so that they own their vertices.
@@ -55,7 +55,7 @@ class ContactSearch {
   /// The new faces and those near them: all faces of a vertex that lies in a new face are among these.
   const std::vector<std::uint32_t>& faces_in_question() const { return faces_; }
 
-  void look_at(std::uint32_t f, std::uint32_t g) {
+  void look_at(FaceId f, FaceId g) {
     if (!is_new_face(f) && !is_new_face(g)) return;
     add_vertices_in(f, g);
     add_vertices_in(g, f);
@@ -69,25 +69,25 @@ class ContactSearch {
 
  private:
   void add(FaceId face) {
-    faces_.push_back(static_cast<std::uint32_t>(face.index()));
-    for (const std::uint32_t v : mesh_.triangle(face)) owner_[v] = faces_.back();
+    faces_.push_back(face.index());
+    for (const std::uint32_t v : mesh_.triangle(face)) owner_[v] = face;
   }
 
-  bool is_new_face(std::uint32_t face) const { return is_new_.empty() || is_new_[face]; }
+  bool is_new_face(FaceId face) const { return is_new_.empty() || is_new_[face.index()]; }
 
   /// Vertices of `other` that lie in `face`, if `other` owns them: so each vertex is looked at once.
-  void add_vertices_in(std::uint32_t face, std::uint32_t other) {
-    const TriangleMesh::Triangle corners = mesh_.triangle(FaceId(face));
-    for (const std::uint32_t v : mesh_.triangle(FaceId(other)))
+  void add_vertices_in(FaceId face, FaceId other) {
+    const TriangleMesh::Triangle corners = mesh_.triangle(face);
+    for (const std::uint32_t v : mesh_.triangle(other))
       if (owner_[v] == other && std::ranges::find(corners, v) == corners.end() &&
-          is_in(mesh_.corners(FaceId(face)), mesh_.points()[v]))
-        contacts_.push_back({VertexId(v), FaceId(face)});
+          is_in(mesh_.corners(face), mesh_.points()[v]))
+        contacts_.push_back({VertexId(v), face});
   }
 
   const TriangleMesh& mesh_;
   const std::vector<bool>& is_new_;
-  std::vector<std::uint32_t> faces_;
-  std::vector<std::uint32_t> owner_;  // of each vertex of these: one of them, a new one if there is any
+  std::vector<std::uint32_t> faces_;  // as a hierarchy takes them
+  std::vector<FaceId> owner_;         // a face of each vertex of these, a new one if there is any
   std::vector<VertexContact> contacts_;
 };
 
@@ -100,7 +100,7 @@ Result<std::vector<VertexContact>> vertex_contacts(const TriangleMesh& mesh, con
   const Monitor monitor(cancel);
   hierarchy.for_each_pair(
       [&](std::uint32_t f, std::uint32_t g) {
-        search.look_at(f, g);
+        search.look_at(FaceId(f), FaceId(g));
         return true;
       },
       [&] { return !monitor.is_cancelled(); });
