@@ -1,11 +1,11 @@
 // pointsInside: tuples whose point lies in a solid, many at a time.
-#include <algorithm>
-#include <utility>
+#include <span>
 #include <vector>
 
 #include "algebra3d/registry/operator.h"
 #include "algebra3d/spatial_relations/point_location.h"
 #include "queries/streams/all.h"
+#include "queries/streams/detail/parallel_filter.h"
 #include "queries/streams/mapping.h"
 
 namespace queries {
@@ -16,66 +16,21 @@ using algebra3d::Point3d;
 using algebra3d::PointRef;
 using algebra3d::Volume3d;
 
-/// The tuples of a stream whose point is in the solid. They are read in blocks, whose points are located in parallel;
-/// the first blocks are small, so that the first tuples come soon.
-class TuplesInside {
- public:
-  TuplesInside(TupleStreamPtr stream, std::size_t attribute, Volume3d solid, const Context& context)
-      : stream_(std::move(stream)), attribute_(attribute), solid_(std::move(solid)), context_(&context) {}
-
-  Result<TuplePtr> operator()() {
-    while (next_ == found_.size()) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_at_end, read_block());
-      if (is_at_end) return TuplePtr();
-    }
-    return std::move(found_[next_++]);
+/// Whether the points of tuples are in a solid. An undefined point is not.
+std::vector<bool> are_inside(std::span<const TuplePtr> tuples, std::size_t attribute, const Volume3d& solid) {
+  std::vector<PointRef> points;
+  std::vector<std::size_t> places;  // of their tuples
+  for (std::size_t i = 0; i < tuples.size(); ++i) {
+    const Value& value = tuples[i]->attributes[attribute];
+    if (!value.is_defined()) continue;
+    points.push_back(value.get<Point3d>().position.ref());
+    places.push_back(i);
   }
-
- private:
-  static constexpr std::size_t kFirstBlock = 64, kLargestBlock = 65536;
-
-  /// True if there was no tuple left.
-  Result<bool> read_block() {
-    ALGEBRA3D_RETURN_IF_ERROR(context_->check_cancelled());
-    found_.clear();
-    next_ = 0;
-    points_.clear();
-    std::size_t read = 0;
-    for (; read < block_; ++read) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr tuple, stream_->next());
-      if (tuple == nullptr) break;
-      ALGEBRA3D_RETURN_IF_ERROR(add(std::move(tuple)));
-    }
-    block_ = std::min(4 * block_, kLargestBlock);
-    keep_inside();
-    return read == 0;
-  }
-
-  Status add(TuplePtr tuple) {
-    const Value& value = tuple->attributes[attribute_];
-    if (!value.is_defined()) return {};
-    points_.push_back(value.get<Point3d>().position.ref());
-    found_.push_back(std::move(tuple));
-    return {};
-  }
-
-  void keep_inside() {
-    const std::vector<Placement> places = place_in_solid(points_, solid_.geometry());
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < found_.size(); ++i)
-      if (places[i] != Placement::outside) found_[kept++] = std::move(found_[i]);
-    found_.resize(kept);
-  }
-
-  TupleStreamPtr stream_;
-  std::size_t attribute_;
-  Volume3d solid_;
-  const Context* context_;
-  std::size_t block_ = kFirstBlock;
-  std::vector<TuplePtr> found_;
-  std::size_t next_ = 0;
-  std::vector<PointRef> points_;  // those of found_, while a block is read
-};
+  const std::vector<Placement> placements = place_in_solid(points, solid.geometry());
+  std::vector<bool> result(tuples.size());
+  for (std::size_t k = 0; k < places.size(); ++k) result[places[k]] = placements[k] != Placement::outside;
+  return result;
+}
 
 Result<BoundOperator> map_points_inside(std::span<const ArgumentType> arguments) {
   const MappingCheck check("pointsInside", arguments);
@@ -84,12 +39,17 @@ Result<BoundOperator> map_points_inside(std::span<const ArgumentType> arguments)
   if (const TypeExpr& type = tuple.attributes()[attribute].type; !type.is("point3d"))
     return check.expected("an attribute of type point3d", type);
   ALGEBRA3D_RETURN_IF_ERROR(check.type(2, "volume3d"));
-  return BoundOperator{
-      TypeExpr::stream(tuple), [=](std::vector<Datum> given, Context& context) -> Result<Datum> {
-        if (!given[2].value().is_defined()) return Datum{make_stream([]() -> Result<TuplePtr> { return TuplePtr(); })};
-        ALGEBRA3D_ASSIGN_OR_RETURN(const Value solid, given[2].value().loaded());
-        return Datum{make_stream(TuplesInside(given[0].tuples(), attribute, solid.get<Volume3d>(), context))};
-      }};
+  return BoundOperator{TypeExpr::stream(tuple), [=](std::vector<Datum> given, Context& context) -> Result<Datum> {
+                         if (!given[2].value().is_defined())
+                           return Datum{make_stream([]() -> Result<TuplePtr> { return TuplePtr(); })};
+                         ALGEBRA3D_ASSIGN_OR_RETURN(const Value solid, given[2].value().loaded());
+                         const auto condition = [attribute,
+                                                 solid](std::span<const TuplePtr> block) -> Result<std::vector<bool>> {
+                           return are_inside(block, attribute, solid.get<Volume3d>());
+                         };
+                         constexpr std::size_t kLargestBlock = 16384;
+                         return Datum{block_filter(given[0].tuples(), kLargestBlock, condition, context)};
+                       }};
 }
 
 }  // namespace
