@@ -158,14 +158,17 @@ BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> 
   if (faces_.empty()) return;
   const PointArray& points = mesh.points();
   choose_scale(points, margin);
-  std::vector<Box> corners(points.size());
-  parallel_for(points.size(), kFacesPerTask,
-               [&](std::size_t i) { corners[i] = scaled(wide_box_of(points[i], margin)); });
+  const auto box_of_point = [&](std::size_t i) { return scaled(wide_box_of(points[i], margin)); };
+  // Boxes of points are made once, unless the faces are few: a part of the mesh near a seam.
+  const bool has_few_faces = 3 * faces_.size() < points.size();
+  std::vector<Box> boxes_of_points(has_few_faces ? 0 : points.size());
+  parallel_for(boxes_of_points.size(), kFacesPerTask, [&](std::size_t i) { boxes_of_points[i] = box_of_point(i); });
+  const auto box_of_corner = [&](std::uint32_t v) { return has_few_faces ? box_of_point(v) : boxes_of_points[v]; };
   const auto box_of_face = [&](std::size_t i) {
     const TriangleMesh::Triangle triangle = mesh.triangle(FaceId(faces_[i]));
-    Box box = corners[triangle[0]];
-    box.extend(corners[triangle[1]]);
-    box.extend(corners[triangle[2]]);
+    Box box = box_of_corner(triangle[0]);
+    box.extend(box_of_corner(triangle[1]));
+    box.extend(box_of_corner(triangle[2]));
     return box;
   };
   sort_faces(box_of_face);
