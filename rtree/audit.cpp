@@ -8,95 +8,106 @@ namespace {
 template <typename Payload>
 class Auditor {
  public:
-  explicit Auditor(const Storage<Payload>& storage) : storage_(storage), visits_(storage.nodes.size()) {}
+  explicit Auditor(const Storage<Payload>& storage)
+      : storage_(storage), leaf_visits_(storage.leaves.size()), inner_visits_(storage.inner.size()) {}
 
   std::vector<std::string> run() {
-    if (storage_.nodes.size() != storage_.infos.size()) {
-      complain("{} nodes, but {} infos", storage_.nodes.size(), storage_.infos.size());
-      return std::move(problems_);
-    }
+    if (!storage_.remainders.empty() && storage_.remainders.size() != storage_.leaves.size())
+      complain("{} leaves, but remainders for {}", storage_.leaves.size(), storage_.remainders.size());
     walk();
-    check_free_nodes();
+    check_free_nodes(storage_.free_leaves, leaf_visits_, "leaf");
+    check_free_nodes(storage_.free_inner, inner_visits_, "inner node");
     if (entries_found_ != storage_.entry_count)
       complain("{} entries in leaves, but the count says {}", entries_found_, storage_.entry_count);
     return std::move(problems_);
   }
 
  private:
+  struct Step {
+    NodeIndex node;
+    std::uint32_t level;
+  };
+
   template <typename... Args>
   void complain(fmt::format_string<Args...> format, Args&&... args) {
     problems_.push_back(fmt::format(format, std::forward<Args>(args)...));
   }
 
+  static const char* kind(std::uint32_t level) { return level == 0 ? "leaf" : "inner node"; }
+  std::vector<std::uint32_t>& visits(std::uint32_t level) { return level == 0 ? leaf_visits_ : inner_visits_; }
+  const KeyBoxes& boxes(const Step& step) const {
+    return step.level == 0 ? static_cast<const KeyBoxes&>(storage_.leaves[step.node]) : storage_.inner[step.node];
+  }
+
   void walk() {
-    if (storage_.root == kNoNode) return;
-    if (storage_.root >= storage_.nodes.size()) return complain("root {} does not exist", storage_.root);
-    if (storage_.infos[storage_.root].parent != kNoNode) complain("the root has a parent");
-    std::vector<NodeIndex> stack{storage_.root};
-    visits_[storage_.root] = 1;
-    while (!stack.empty()) {
-      const NodeIndex node = stack.back();
-      stack.pop_back();
-      if (!check_fill(node)) continue;
-      if (storage_.infos[node].level == 0)
-        entries_found_ += storage_.infos[node].count;
+    if (storage_.empty()) return;
+    if (storage_.height >= kMaxLevels) return complain("a height of {} is not possible", storage_.height);
+    if (storage_.root >= visits(storage_.height).size()) return complain("root {} does not exist", storage_.root);
+    std::vector<Step> steps{{storage_.root, storage_.height}};
+    visits(storage_.height)[storage_.root] = 1;
+    while (!steps.empty()) {
+      const Step step = steps.back();
+      steps.pop_back();
+      check_fill(step);
+      if (step.level == 0)
+        entries_found_ += boxes(step).count();
       else
-        check_children(node, stack);
+        check_children(step, steps);
     }
   }
 
-  bool check_fill(NodeIndex node) {
-    const NodeInfo info = storage_.infos[node];
-    if (info.count > kFanOut) {
-      complain("node {} has {} slots in use, at most {} are possible", node, info.count, kFanOut);
-      return false;
-    }
-    const std::size_t least = node != storage_.root ? kMinFill : info.level > 0 ? 2 : 1;
-    if (info.count < least) complain("node {} has {} slots in use, at least {} are expected", node, info.count, least);
+  void check_fill(const Step& step) {
+    const KeyBoxes& node = boxes(step);
+    const bool is_root = step.level == storage_.height;
+    const std::size_t least = !is_root ? kMinFill : step.level > 0 ? 2 : 1;
+    const std::size_t count = node.count();
+    if (count < least)
+      complain("{} {} has {} slots in use, at least {} are expected", kind(step.level), step.node, count, least);
     for (std::size_t slot = 0; slot < kFanOut; ++slot) {
-      const Box3 box = storage_.nodes[node].box(slot);
-      if (slot < info.count && box.is_empty()) complain("node {} slot {} holds an empty box", node, slot);
-      if (slot >= info.count && box.min.x == box.min.x) complain("node {} slot {} is unused but has a box", node, slot);
-    }
-    return true;
-  }
-
-  void check_children(NodeIndex node, std::vector<NodeIndex>& stack) {
-    const NodeInfo info = storage_.infos[node];
-    for (std::size_t slot = 0; slot < info.count; ++slot) {
-      const NodeIndex child = storage_.nodes[node].child(slot);
-      if (child >= storage_.nodes.size()) {
-        complain("node {} slot {} names node {}, which does not exist", node, slot, child);
-        continue;
+      const KeyBox box = node.box(slot);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (slot < count && box.min[axis] > box.max[axis])
+          complain("{} {} slot {} holds an empty box", kind(step.level), step.node, slot);
+        if (slot >= count && (box.min[axis] != INT32_MAX || box.max[axis] != INT32_MIN))
+          complain("{} {} slot {} is unused but has a box", kind(step.level), step.node, slot);
       }
-      if (++visits_[child] > 1) {
-        complain("node {} is reached more than once", child);
-        continue;
-      }
-      const NodeInfo child_info = storage_.infos[child];
-      if (child_info.parent != node) complain("node {} names {} as its parent, not {}", child, child_info.parent, node);
-      if (child_info.level + 1 != info.level)
-        complain("node {} of level {} has child {} of level {}", node, info.level, child, child_info.level);
-      else
-        stack.push_back(child);
-      if (child_info.count <= kFanOut && storage_.bounds(child) != storage_.nodes[node].box(slot))
-        complain("node {} slot {}: the box is not the union of the boxes of child {}", node, slot, child);
     }
   }
 
-  void check_free_nodes() {
-    for (const NodeIndex node : storage_.free_nodes) {
-      if (node >= storage_.nodes.size())
-        complain("free node {} does not exist", node);
-      else if (++visits_[node] > 1)
-        complain("free node {} is in use or listed twice", node);
+  void check_children(const Step& step, std::vector<Step>& steps) {
+    const InnerNode& node = storage_.inner[step.node];
+    for (std::size_t slot = 0; slot < node.count(); ++slot) {
+      const Step child{node.reference[slot], step.level - 1};
+      if (child.node >= visits(child.level).size()) {
+        complain("inner node {} slot {} names {} {}, which does not exist", step.node, slot, kind(child.level),
+                 child.node);
+        continue;
+      }
+      if (++visits(child.level)[child.node] > 1) {
+        complain("{} {} is reached more than once", kind(child.level), child.node);
+        continue;
+      }
+      steps.push_back(child);
+      if (boxes(child).bounds() != node.box(slot))
+        complain("inner node {} slot {}: the box is not the union of the boxes of {} {}", step.node, slot,
+                 kind(child.level), child.node);
     }
-    for (std::size_t node = 0; node < visits_.size(); ++node)
-      if (visits_[node] == 0) complain("node {} is neither reachable nor free", node);
+  }
+
+  void check_free_nodes(const std::vector<NodeIndex>& free_nodes, std::vector<std::uint32_t>& visits,
+                        const char* kind) {
+    for (const NodeIndex node : free_nodes) {
+      if (node >= visits.size())
+        complain("free {} {} does not exist", kind, node);
+      else if (++visits[node] > 1)
+        complain("free {} {} is in use or listed twice", kind, node);
+    }
+    for (std::size_t node = 0; node < visits.size(); ++node)
+      if (visits[node] == 0) complain("{} {} is neither reachable nor free", kind, node);
   }
 
   const Storage<Payload>& storage_;
-  std::vector<std::uint32_t> visits_;
+  std::vector<std::uint32_t> leaf_visits_, inner_visits_;
   std::vector<std::string> problems_;
   std::size_t entries_found_ = 0;
 };

@@ -1,109 +1,133 @@
 #include <algorithm>
-#include <array>
-#include <cassert>
 #include <optional>
+#include <vector>
 
-#include "rtree/detail/split.h"
+#include "rtree/detail/box_size.h"
+#include "rtree/detail/node_scan.h"
+#include "rtree/detail/redistribution.h"
 #include "rtree/detail/storage.h"
 
 namespace rtree {
 namespace {
 
-struct Place {
+struct Found {
+  Path path;
   NodeIndex leaf;
   std::size_t slot;
 };
 
-// Slots whose boxes contain `box`.
+// Looks for one entry along all ways to it, without recursion.
 template <typename Payload>
-SlotMask slots_containing(const Node<Payload>& node, const Box3& box) {
-  SlotMask result = 0;
-  for (SlotMask slots = slots_meeting(node, box); slots != 0;) {
-    const std::size_t slot = take_slot(slots);
-    if (node.box(slot).contains(box)) result |= SlotMask{1} << slot;
-  }
-  return result;
-}
+class Finder {
+ public:
+  Finder(const Storage<Payload>& storage, const Entry<Payload>& entry)
+      : storage_(storage), payload_(entry.payload), box_(OrderedBox::of(entry.box)), keys_(storage.frame.keys(box_)) {}
 
-template <typename Payload>
-std::optional<Place> find(const Storage<Payload>& storage, const Entry<Payload>& entry) {
-  std::vector<NodeIndex> stack;
-  if (storage.root != kNoNode) stack.push_back(storage.root);
-  while (!stack.empty()) {
-    const NodeIndex index = stack.back();
-    stack.pop_back();
-    const Node<Payload>& node = storage.nodes[index];
-    const bool is_leaf = storage.infos[index].level == 0;
-    for (SlotMask slots = slots_containing(node, entry.box); slots != 0;) {
+  std::optional<Found> find() {
+    if (storage_.empty() || !storage_.frame.has(box_)) return std::nullopt;
+    steps_.push_back({{}, storage_.root, storage_.height});
+    while (!steps_.empty()) {
+      const Step step = steps_.back();
+      steps_.pop_back();
+      if (step.level > 0) {
+        push_children(step);
+        continue;
+      }
+      for (SlotMask slots = containing(storage_.leaves[step.node]); slots != 0;) {
+        const std::size_t slot = take_slot(slots);
+        const auto content = storage_.content(step.node, 0, slot);
+        if (content.reference == payload_ && content.box == box_) return Found{step.path, step.node, slot};
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  struct Step {
+    Path path;
+    NodeIndex node;
+    std::uint32_t level;
+  };
+
+  void push_children(const Step& step) {
+    const InnerNode& node = storage_.inner[step.node];
+    for (SlotMask slots = containing(node); slots != 0;) {
       const std::size_t slot = take_slot(slots);
-      if (!is_leaf)
-        stack.push_back(node.child(slot));
-      else if (node.entry(slot) == entry)
-        return Place{index, slot};
+      Step next{step.path, node.reference[slot], step.level - 1};
+      next.path[next.level] = {step.node, slot};
+      steps_.push_back(next);
     }
   }
-  return std::nullopt;
-}
+
+  // The slots whose boxes contain that of the entry.
+  SlotMask containing(const KeyBoxes& node) const {
+    SlotMask result = 0;
+    for (SlotMask slots = scans_.meeting(node, keys_); slots != 0;) {
+      const std::size_t slot = take_slot(slots);
+      if (node.box(slot).contains(keys_)) result |= SlotMask{1} << slot;
+    }
+    return result;
+  }
+
+  const NodeScans& scans_ = node_scans();
+  const Storage<Payload>& storage_;
+  Payload payload_;
+  OrderedBox box_;
+  KeyBox keys_;
+  std::vector<Step> steps_;
+};
 
 template <typename Payload>
-void tighten_slot(Storage<Payload>& storage, NodeIndex node) {
-  storage.nodes[storage.infos[node].parent].set_box(storage.slot_in_parent(node), storage.bounds(node));
+void tighten_slot(Storage<Payload>& storage, const PathStep& parent, std::uint32_t child_level) {
+  const NodeIndex child = storage.inner[parent.node].reference[parent.slot];
+  storage.inner[parent.node].set_box(parent.slot, storage.node(child, child_level).bounds());
 }
 
-// The sister that grows least by taking the node in; of equal ones that in the lowest slot.
+// The slot of the sister that grows least by taking the node in; of equal ones the lowest.
 template <typename Payload>
-NodeIndex choose_sister(const Storage<Payload>& storage, NodeIndex node) {
-  const NodeIndex parent = storage.infos[node].parent;
-  const std::size_t own_slot = storage.slot_in_parent(node);
-  const Box3 own = storage.bounds(node);
-  const auto margin = [](const Box3& box) {
-    return (box.max.x - box.min.x) + (box.max.y - box.min.y) + (box.max.z - box.min.z);
-  };
+std::size_t choose_sister(const Storage<Payload>& storage, const PathStep& parent) {
+  const InnerNode& node = storage.inner[parent.node];
+  const auto box_at = [&](std::size_t slot) { return storage.frame.outer_box(node.box(slot)).box(); };
+  const Box3 own = box_at(parent.slot);
   std::size_t best = kFanOut;
   double least_growth = 0;
-  for (std::size_t slot = 0; slot < storage.infos[parent].count; ++slot) {
-    if (slot == own_slot) continue;
-    const Box3 box = storage.nodes[parent].box(slot);
+  for (std::size_t slot = 0; slot < node.count(); ++slot) {
+    if (slot == parent.slot) continue;
+    const Box3 box = box_at(slot);
     const double growth = margin(unite(box, own)) - margin(box);
     if (best < kFanOut && !(growth < least_growth)) continue;
     best = slot;
     least_growth = growth;
   }
-  return storage.nodes[parent].child(best);
+  return best;
 }
 
 // Merges an underfull node with a sister ([guttman1984], section 3.3, names it as the alternative to reinsertion), or
 // shares the entries out anew where one node cannot hold them. Local and bounded, whatever the tree looks like.
 template <typename Payload>
-void fill_up(Storage<Payload>& storage, NodeIndex node) {
-  const NodeIndex sister = choose_sister(storage, node);
-  std::array<Entry<Payload>, kMaxSplit> entries;
-  std::size_t count = 0;
-  for (const NodeIndex source : {sister, node})
-    for (std::size_t slot = 0; slot < storage.infos[source].count; ++slot)
-      entries[count++] = storage.nodes[source].entry(slot);
-  const std::span<Entry<Payload>> all(entries.data(), count);
-  const std::size_t kept = count <= kFanOut ? count : split<Payload>(all);
-  storage.clear(sister);
-  storage.clear(node);
-  for (std::size_t i = 0; i < count; ++i) storage.append(i < kept ? sister : node, all[i]);
-  tighten_slot(storage, sister);
-  if (kept < count) return tighten_slot(storage, node);
-  storage.remove_slot(storage.infos[node].parent, storage.slot_in_parent(node));
-  storage.free_node(node);
+void fill_up(Storage<Payload>& storage, const PathStep& parent, std::uint32_t level) {
+  // The sister is chosen by the box that the node has now.
+  tighten_slot(storage, parent, level);
+  const PathStep sister_step{parent.node, choose_sister(storage, parent)};
+  const NodeIndex node = storage.inner[parent.node].reference[parent.slot];
+  const NodeIndex sister = storage.inner[parent.node].reference[sister_step.slot];
+  Redistribution<Payload> redistribution;
+  redistribution.take(storage, sister, level);
+  redistribution.take(storage, node, level);
+  const std::size_t left = redistribution.distribute(storage, sister, node, level);
+  tighten_slot(storage, sister_step, level);
+  if (left > 0) return tighten_slot(storage, parent, level);
+  storage.remove_slot(parent.node, level + 1, parent.slot);
+  storage.free_node(node, level);
 }
 
-// Shortens the tree while the root has a single child; an empty tree has no root.
+// Shortens the tree while the root has a single child.
 template <typename Payload>
 void shrink_root(Storage<Payload>& storage) {
-  while (storage.infos[storage.root].count <= 1) {
+  while (storage.height > 0 && storage.inner[storage.root].count() == 1) {
     const NodeIndex old_root = storage.root;
-    const NodeInfo info = storage.infos[old_root];
-    if (info.level == 0 && info.count == 1) return;
-    storage.root = info.level == 0 ? kNoNode : storage.nodes[old_root].child(0);
-    storage.free_node(old_root);
-    if (storage.root == kNoNode) return;
-    storage.infos[storage.root].parent = kNoNode;
+    storage.root = storage.inner[old_root].reference[0];
+    storage.free_node(old_root, storage.height--);
   }
 }
 
@@ -111,17 +135,21 @@ void shrink_root(Storage<Payload>& storage) {
 
 template <typename Payload>
 bool erase(Storage<Payload>& storage, const Entry<Payload>& entry) {
-  const auto place = find(storage, entry);
-  if (!place) return false;
-  storage.remove_slot(place->leaf, place->slot);
-  --storage.entry_count;
-  for (NodeIndex node = place->leaf; node != storage.root;) {
-    const NodeIndex parent = storage.infos[node].parent;
-    if (storage.infos[node].count < kMinFill)
-      fill_up(storage, node);
+  const auto found = Finder<Payload>(storage, entry).find();
+  if (!found) return false;
+  if (--storage.entry_count == 0) {
+    storage = {};
+    return true;
+  }
+  storage.remove_slot(found->leaf, 0, found->slot);
+  NodeIndex node = found->leaf;
+  for (std::uint32_t level = 0; level < storage.height; ++level) {
+    const PathStep& parent = found->path[level];
+    if (storage.node(node, level).count() < kMinFill)
+      fill_up(storage, parent, level);
     else
-      tighten_slot(storage, node);
-    node = parent;
+      tighten_slot(storage, parent, level);
+    node = parent.node;
   }
   shrink_root(storage);
   return true;

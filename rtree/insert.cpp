@@ -1,16 +1,15 @@
 #include <algorithm>
 #include <array>
-#include <cassert>
 
 #include "rtree/detail/box_size.h"
-#include "rtree/detail/split.h"
+#include "rtree/detail/redistribution.h"
 #include "rtree/detail/storage.h"
 
 namespace rtree {
 namespace {
 
 // Slots whose growth of overlap is computed. [beckmann1990] takes 32 of larger nodes; four was chosen, not measured.
-constexpr std::ptrdiff_t kTried = 4;
+constexpr std::size_t kTried = 4;
 
 // What it costs to put a box into a slot, in the order in which costs are compared.
 struct Cost {
@@ -23,22 +22,29 @@ struct Cost {
   auto operator<=>(const Cost&) const = default;
 };
 
-template <typename Payload>
-Cost cost_of(const Node<Payload>& node, std::size_t slot, const Box3& added) {
-  const Box3 box = node.box(slot);
+// The boxes of a node's slots, as doubles.
+struct NodeBoxes {
+  std::size_t count;
+  std::array<Box3, kFanOut> boxes;
+
+  NodeBoxes(const KeyBoxes& node, const KeyFrame& frame) : count(node.count()) {
+    for (std::size_t slot = 0; slot < count; ++slot) boxes[slot] = frame.outer_box(node.box(slot)).box();
+  }
+};
+
+Cost cost_of(const Box3& box, std::size_t slot, const Box3& added) {
   const Box3 grown = unite(box, added);
   return {0, volume(grown) - volume(box), margin(grown) - margin(box), volume(box), slot};
 }
 
 // The volume that `box` shares with the other slots.
-template <typename Payload>
-double shared_volume(const Node<Payload>& node, std::size_t count, std::size_t slot, const Box3& box) {
+double shared_volume(const NodeBoxes& node, std::size_t slot, const Box3& box) {
   double sum = 0;
-  for (std::size_t other = 0; other < count; ++other) {
+  for (std::size_t other = 0; other < node.count; ++other) {
     double common = other != slot;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double low = std::max(box.min[axis], node.min[axis][other]);
-      const double high = std::min(box.max[axis], node.max[axis][other]);
+      const double low = std::max(box.min[axis], node.boxes[other].min[axis]);
+      const double high = std::min(box.max[axis], node.boxes[other].max[axis]);
       common *= std::max(high - low, 0.0);
     }
     sum += common;
@@ -48,58 +54,63 @@ double shared_volume(const Node<Payload>& node, std::size_t count, std::size_t s
 
 // [beckmann1990], section 4.1: above the leaves the least growth of overlap, elsewhere the least growth of volume. The
 // overlap is computed for the kTried slots that grow least.
-template <typename Payload>
-std::size_t choose_slot(const Storage<Payload>& storage, NodeIndex index, const Box3& added) {
-  const Node<Payload>& node = storage.nodes[index];
-  const NodeInfo info = storage.infos[index];
+std::size_t choose_slot(const NodeBoxes& node, std::uint32_t level, const Box3& added) {
   std::array<Cost, kFanOut> costs;
-  for (std::size_t slot = 0; slot < info.count; ++slot) costs[slot] = cost_of(node, slot, added);
+  for (std::size_t slot = 0; slot < node.count; ++slot) costs[slot] = cost_of(node.boxes[slot], slot, added);
   const auto is_cheaper = [](const Cost& a, const Cost& b) { return a < b; };
   auto* const first = costs.data();
-  auto* const last = first + info.count;
-  if (info.level > 1) return std::min_element(first, last, is_cheaper)->slot;
-  auto* const tried = first + std::min<std::ptrdiff_t>(kTried, info.count);
+  auto* const last = first + node.count;
+  if (level > 1) return std::min_element(first, last, is_cheaper)->slot;
+  auto* const tried = first + std::min(kTried, node.count);
   std::partial_sort(first, tried, last, is_cheaper);
   if (first->growth == 0 && first->margin_growth == 0) return first->slot;
   for (auto* cost = first; cost != tried; ++cost) {
-    const Box3 box = node.box(cost->slot);
-    cost->overlap = shared_volume(node, info.count, cost->slot, unite(box, added)) -
-                    shared_volume(node, info.count, cost->slot, box);
+    const Box3& box = node.boxes[cost->slot];
+    cost->overlap = shared_volume(node, cost->slot, unite(box, added)) - shared_volume(node, cost->slot, box);
   }
   return std::min_element(first, tried, is_cheaper)->slot;
 }
 
-// Puts `entry` into the full `node` and hands half of it to a new sister, which is returned as an entry for the parent.
 template <typename Payload>
-Entry<Payload> split_node(Storage<Payload>& storage, NodeIndex node, const Entry<Payload>& entry) {
-  std::array<Entry<Payload>, kFanOut + 1> entries;
-  for (std::size_t slot = 0; slot < kFanOut; ++slot) entries[slot] = storage.nodes[node].entry(slot);
-  entries[kFanOut] = entry;
-  const std::size_t kept = split<Payload>(entries);
-  const NodeIndex sister = storage.add_node(storage.infos[node].level);
-  storage.clear(node);
-  for (std::size_t i = 0; i < entries.size(); ++i) storage.append(i < kept ? node : sister, entries[i]);
-  return {storage.bounds(sister), Payload{sister}};
+Path choose_path(const Storage<Payload>& storage, const Box3& added) {
+  Path path;
+  NodeIndex node = storage.root;
+  for (std::uint32_t level = storage.height; level > 0; --level) {
+    const std::size_t slot = choose_slot(NodeBoxes(storage.inner[node], storage.frame), level, added);
+    path[level - 1] = {node, slot};
+    node = storage.inner[node].reference[slot];
+  }
+  return path;
+}
+
+// Puts the content into the full `node` and hands half of it to a new sister, which is returned for the parent.
+template <typename Payload>
+SlotContent<Payload> split_node(Storage<Payload>& storage, NodeIndex node, std::uint32_t level,
+                                const SlotContent<Payload>& added) {
+  Redistribution<Payload> redistribution;
+  redistribution.take(storage, node, level);
+  redistribution.take(added);
+  const NodeIndex sister = storage.add_node(level);
+  redistribution.distribute(storage, node, sister, level);
+  return child_content(storage, sister, level);
 }
 
 template <typename Payload>
-void add_root(Storage<Payload>& storage, const Entry<Payload>& sister) {
-  const NodeIndex old_root = storage.root;
-  storage.root = storage.add_node(storage.infos[old_root].level + std::size_t{1});
-  storage.append(storage.root, {storage.bounds(old_root), Payload{old_root}});
-  storage.append(storage.root, sister);
+void add_root(Storage<Payload>& storage, const SlotContent<Payload>& sister) {
+  const SlotContent<Payload> old_root = child_content(storage, storage.root, storage.height);
+  storage.root = storage.add_node(++storage.height);
+  storage.set(storage.root, storage.height, 0, old_root);
+  storage.set(storage.root, storage.height, 1, sister);
 }
 
-// Grows the boxes above `node` by `added`.
+// Grows the boxes above a node of `level` by `added`.
 template <typename Payload>
-void grow_ancestors(Storage<Payload>& storage, NodeIndex node, const Box3& added) {
-  while (node != storage.root) {
-    const NodeIndex parent = storage.infos[node].parent;
-    const std::size_t slot = storage.slot_in_parent(node);
-    const Box3 box = storage.nodes[parent].box(slot);
-    if (box.contains(added)) return;
-    storage.nodes[parent].set_box(slot, unite(box, added));
-    node = parent;
+void grow_ancestors(Storage<Payload>& storage, const Path& path, std::uint32_t level, const OrderedBox& added) {
+  const KeyBox keys = storage.frame.keys_in_range(added);
+  for (; level < storage.height; ++level) {
+    KeyBox box = storage.inner[path[level].node].box(path[level].slot);
+    box.extend(keys);
+    storage.inner[path[level].node].set_box(path[level].slot, box);
   }
 }
 
@@ -107,21 +118,26 @@ void grow_ancestors(Storage<Payload>& storage, NodeIndex node, const Box3& added
 
 template <typename Payload>
 void insert(Storage<Payload>& storage, const Entry<Payload>& entry) {
-  ++storage.entry_count;
-  if (storage.root == kNoNode) storage.root = storage.add_node(0);
-  NodeIndex node = storage.root;
-  while (storage.infos[node].level > 0) node = storage.nodes[node].child(choose_slot(storage, node, entry.box));
-
-  Entry<Payload> pending = entry;
-  while (storage.infos[node].count == kFanOut) {
-    pending = split_node(storage, node, pending);
-    if (node == storage.root) return add_root(storage, pending);
-    const NodeIndex parent = storage.infos[node].parent;
-    storage.nodes[parent].set_box(storage.slot_in_parent(node), storage.bounds(node));
-    node = parent;
+  SlotContent<Payload> pending{OrderedBox::of(entry.box), entry.payload};
+  if (storage.empty()) {
+    storage = {};
+    storage.root = storage.add_node(0);
   }
-  storage.append(node, pending);
-  grow_ancestors(storage, node, entry.box);
+  if (!storage.frame.has(pending.box)) storage.widen_frame(pending.box);
+  ++storage.entry_count;
+  const Path path = choose_path(storage, entry.box);
+  NodeIndex node = storage.height == 0 ? storage.root : storage.inner[path[0].node].reference[path[0].slot];
+  std::uint32_t level = 0;
+  while (storage.node(node, level).count() == kFanOut) {
+    pending = split_node(storage, node, level, pending);
+    if (level == storage.height) return add_root(storage, pending);
+    const PathStep parent = path[level];
+    storage.inner[parent.node].set_box(parent.slot, storage.node(node, level).bounds());
+    node = parent.node;
+    ++level;
+  }
+  storage.set(node, level, storage.node(node, level).count(), pending);
+  grow_ancestors(storage, path, level, OrderedBox::of(entry.box));
 }
 
 template void insert(Storage<std::uint32_t>&, const Entry<std::uint32_t>&);

@@ -1,11 +1,18 @@
 #include <algorithm>
 
+#include "algebra3d/base/scheduler.h"
 #include "rtree/detail/cursors.h"
+#include "rtree/detail/translation.h"
 
 namespace rtree {
 namespace {
 
-constexpr std::size_t kBatchSize = 512;
+// A batch is to have about so many pairs.
+constexpr std::size_t kFewPairs = std::size_t{1} << 13;
+constexpr std::size_t kManyPairs = std::size_t{1} << 16;
+constexpr std::size_t kMostTasks = std::size_t{1} << 12;
+// Tasks that are worth a thread.
+constexpr std::size_t kGrain = 32;
 
 SlotMask slots_after(std::size_t slot) {
   return ~((SlotMask{2} << slot) - 1);
@@ -14,104 +21,160 @@ SlotMask slots_after(std::size_t slot) {
 }  // namespace
 
 template <typename Payload>
-JoinCursor<Payload>::JoinCursor(const Storage<Payload>& first, const Storage<Payload>& second)
-    : first_(&first), second_(&second), within_one_(false) {
-  if (first.root == kNoNode || second.root == kNoNode) return;
-  tasks_.push_back({first.root, second.root, static_cast<std::uint32_t>(first.height()),
-                    static_cast<std::uint32_t>(second.height()), second.bounds(second.root)});
+JoinCursor<Payload>::JoinCursor(const TreeView<Payload>& first, const TreeView<Payload>& second)
+    : first_(first), second_(second), exact_first_(first), exact_second_(second), within_one_(false) {
+  if (first.empty() || second.empty()) return;
+  // Keys are compared in one frame: that of the larger tree, so that the work is that of the smaller one.
+  if (first.frame != second.frame) {
+    TreeView<Payload>& smaller = first.entry_count < second.entry_count ? first_ : second_;
+    const TreeView<Payload>& larger = first.entry_count < second.entry_count ? second_ : first_;
+    translated_ = std::make_shared<const Translation<Payload>>(smaller, larger.frame);
+    smaller = translated_->view();
+  }
+  tasks_.push_back({first.root, second.root, first.height, second.height});
 }
 
 template <typename Payload>
-JoinCursor<Payload>::JoinCursor(const Storage<Payload>& storage) : JoinCursor(storage, storage) {
+JoinCursor<Payload>::JoinCursor(const TreeView<Payload>& tree) : JoinCursor(tree, tree) {
   within_one_ = true;
 }
 
+// The batch grows while it gives few pairs: the first pair comes soon, and then there is work for all threads.
 template <typename Payload>
 bool JoinCursor<Payload>::refill() {
   pairs_.clear();
   position_ = 0;
-  pairs_.reserve(kBatchSize + kFanOut * kFanOut);
-  while (!tasks_.empty() && pairs_.size() < kBatchSize) {
-    const Task task = tasks_.back();
-    tasks_.pop_back();
-    expand(task);
+  while (pairs_.empty() && !tasks_.empty()) {
+    const std::vector<Task> tasks = next_tasks();
+    pairs_ = algebra3d::parallel_collect(tasks.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      Pairs pairs;
+      for (std::size_t i = begin; i < end; ++i) match(tasks[i], pairs);
+      return pairs;
+    });
+    if (pairs_.size() < kFewPairs) batch_tasks_ = std::min(batch_tasks_ * 2, kMostTasks);
+    if (pairs_.size() > kManyPairs) batch_tasks_ = std::max(batch_tasks_ / 2, std::size_t{1});
   }
   return !pairs_.empty();
+}
+
+// Pairs of nodes just above the leaves, or of leaves.
+template <typename Payload>
+auto JoinCursor<Payload>::next_tasks() -> std::vector<Task> {
+  std::vector<Task> tasks;
+  while (!tasks_.empty() && tasks.size() < batch_tasks_) {
+    const Task task = tasks_.back();
+    tasks_.pop_back();
+    if (std::max(task.first_level, task.second_level) <= 1 && task.first_level == task.second_level)
+      tasks.push_back(task);
+    else
+      expand(task);
+  }
+  return tasks;
 }
 
 template <typename Payload>
 void JoinCursor<Payload>::expand(const Task& task) {
   if (within_one_ && task.first == task.second) return expand_self(task);
-  if (task.first_level == task.second_level) return task.first_level == 0 ? match_leaves(task) : expand_both(task);
+  if (task.first_level == task.second_level) return expand_both(task);
   if (task.first_level > task.second_level) {
-    const Node<Payload>& node = first_->nodes[task.first];
-    for (SlotMask slots = slots_meeting(node, task.second_box); slots != 0;)
-      tasks_.push_back(
-          {node.child(take_slot(slots)), task.second, task.first_level - 1, task.second_level, task.second_box});
+    const InnerNode& node = first_.inner[task.first];
+    const KeyBox box = second_.node(task.second, task.second_level).bounds();
+    for (SlotMask slots = scans_->meeting(node, box); slots != 0;)
+      tasks_.push_back({node.reference[take_slot(slots)], task.second, task.first_level - 1, task.second_level});
     return;
   }
-  const Node<Payload>& node = second_->nodes[task.second];
-  for (SlotMask slots = slots_meeting(node, first_->bounds(task.first)); slots != 0;) {
-    const std::size_t slot = take_slot(slots);
-    tasks_.push_back({task.first, node.child(slot), task.first_level, task.second_level - 1, node.box(slot)});
-  }
+  const InnerNode& node = second_.inner[task.second];
+  const KeyBox box = first_.node(task.first, task.first_level).bounds();
+  for (SlotMask slots = scans_->meeting(node, box); slots != 0;)
+    tasks_.push_back({task.first, node.reference[take_slot(slots)], task.first_level, task.second_level - 1});
 }
 
 // Only children that meet the other node are compared with its children: many pairs of nodes overlap in a small part.
 template <typename Payload>
 void JoinCursor<Payload>::expand_both(const Task& task) {
-  const Node<Payload>& first = first_->nodes[task.first];
-  const Node<Payload>& second = second_->nodes[task.second];
+  const InnerNode& first = first_.inner[task.first];
+  const InnerNode& second = second_.inner[task.second];
   const std::uint32_t level = task.first_level - 1;
-  for (SlotMask rows = slots_meeting(first, task.second_box); rows != 0;) {
+  for (SlotMask rows = scans_->meeting(first, second.bounds()); rows != 0;) {
     const std::size_t row = take_slot(rows);
-    for (SlotMask columns = slots_meeting(second, first.box(row)); columns != 0;) {
-      const std::size_t column = take_slot(columns);
-      tasks_.push_back({first.child(row), second.child(column), level, level, second.box(column)});
-    }
+    for (SlotMask columns = scans_->meeting(second, first.box(row)); columns != 0;)
+      tasks_.push_back({first.reference[row], second.reference[take_slot(columns)], level, level});
   }
 }
 
 template <typename Payload>
 void JoinCursor<Payload>::expand_self(const Task& task) {
-  if (task.first_level == 0) return match_within(task.first);
-  const Node<Payload>& node = first_->nodes[task.first];
+  const InnerNode& node = first_.inner[task.first];
   const std::uint32_t level = task.first_level - 1;
-  const std::size_t count = first_->infos[task.first].count;
-  for (std::size_t row = 0; row < count; ++row) {
-    const Box3 box = node.box(row);
-    for (SlotMask columns = slots_meeting(node, box) & slots_after(row); columns != 0;) {
-      const std::size_t column = take_slot(columns);
-      tasks_.push_back({node.child(row), node.child(column), level, level, node.box(column)});
-    }
-    tasks_.push_back({node.child(row), node.child(row), level, level, box});
+  for (std::size_t row = 0; row < kFanOut && node.is_used(row); ++row) {
+    for (SlotMask columns = scans_->meeting(node, node.box(row)) & slots_after(row); columns != 0;)
+      tasks_.push_back({node.reference[row], node.reference[take_slot(columns)], level, level});
+    tasks_.push_back({node.reference[row], node.reference[row], level, level});
   }
 }
 
 template <typename Payload>
-void JoinCursor<Payload>::match_leaves(const Task& task) {
-  const Node<Payload>& first = first_->nodes[task.first];
-  const Node<Payload>& second = second_->nodes[task.second];
-  for (SlotMask rows = slots_meeting(first, task.second_box); rows != 0;) {
+void JoinCursor<Payload>::match(const Task& task, Pairs& pairs) const {
+  const bool is_self = within_one_ && task.first == task.second;
+  if (task.first_level == 0) {
+    if (is_self) return match_within(task.first, pairs);
+    return match_leaves(task.first, task.second, 0xffff, pairs);
+  }
+  const InnerNode& first = first_.inner[task.first];
+  const InnerNode& second = second_.inner[task.second];
+  for (SlotMask rows = is_self ? 0xffff : scans_->meeting(first, second.bounds()); rows != 0;) {
     const std::size_t row = take_slot(rows);
-    for (SlotMask columns = slots_meeting(second, first.box(row)); columns != 0;)
-      emit(first.reference[row], second.reference[take_slot(columns)]);
+    if (!first.is_used(row)) return;
+    SlotMask columns = scans_->meeting(second, first.box(row));
+    if (is_self) {
+      match_within(first.reference[row], pairs);
+      columns &= slots_after(row);
+    }
+    while (columns != 0) {
+      const std::size_t column = take_slot(columns);
+      const SlotMask meeting = scans_->meeting(first_.leaves[first.reference[row]], second.box(column));
+      match_leaves(first.reference[row], second.reference[column], meeting, pairs);
+    }
   }
 }
 
 template <typename Payload>
-void JoinCursor<Payload>::match_within(NodeIndex leaf) {
-  const Node<Payload>& node = first_->nodes[leaf];
-  const std::size_t count = first_->infos[leaf].count;
-  for (std::size_t row = 0; row < count; ++row)
-    for (SlotMask columns = slots_meeting(node, node.box(row)) & slots_after(row); columns != 0;)
-      emit(node.reference[row], node.reference[take_slot(columns)]);
+void JoinCursor<Payload>::match_leaves(NodeIndex first, NodeIndex second, SlotMask rows, Pairs& pairs) const {
+  const Node<Payload>& first_leaf = first_.leaves[first];
+  const Node<Payload>& second_leaf = second_.leaves[second];
+  Meeting meetings[kFanOut];
+  scans_->meeting_rows(first_leaf, rows, second_leaf, meetings);
+  while (rows != 0) {
+    const std::size_t row = take_slot(rows);
+    SlotMask columns = meetings[row].slots();
+    for (SlotMask open = meetings[row].open(); open != 0;) {
+      const std::size_t column = take_slot(open);
+      if (!exact_first_.exact_box(first, row).intersects(exact_second_.exact_box(second, column)))
+        columns &= ~(SlotMask{1} << column);
+    }
+    while (columns != 0) emit(first_leaf.reference[row], second_leaf.reference[take_slot(columns)], pairs);
+  }
 }
 
 template <typename Payload>
-void JoinCursor<Payload>::emit(Payload first, Payload second) {
+void JoinCursor<Payload>::match_within(NodeIndex index, Pairs& pairs) const {
+  const Node<Payload>& leaf = first_.leaves[index];
+  for (std::size_t row = 0; row < kFanOut && leaf.is_used(row); ++row) {
+    const Meeting meeting = scans_->meeting_exactly(leaf, leaf.box(row));
+    for (SlotMask columns = meeting.slots() & slots_after(row); columns != 0;) {
+      const std::size_t column = take_slot(columns);
+      if ((meeting.open() >> column & 1) != 0 &&
+          !first_.exact_box(index, row).intersects(first_.exact_box(index, column)))
+        continue;
+      emit(leaf.reference[row], leaf.reference[column], pairs);
+    }
+  }
+}
+
+template <typename Payload>
+void JoinCursor<Payload>::emit(Payload first, Payload second, Pairs& pairs) const {
   if (within_one_ && second < first) std::swap(first, second);
-  pairs_.push_back({first, second});
+  pairs.push_back({first, second});
 }
 
 template class JoinCursor<std::uint32_t>;

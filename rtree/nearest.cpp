@@ -8,9 +8,6 @@
 namespace rtree {
 namespace {
 
-// Up to this limit a bound is kept, whose upkeep is logarithmic in the limit. Chosen, not measured.
-constexpr std::size_t kLargestBoundedLimit = 64;
-
 // Where the square lies outside of this range, the scaled one is computed instead.
 constexpr double kSmallSquare = 0x1p-900;
 constexpr double kLargeSquare = 0x1p1000;
@@ -19,6 +16,16 @@ double gap_on(const Box3& a, const Box3& b, std::size_t axis) {
   const double above = a.min[axis] - b.max[axis];
   const double below = b.min[axis] - a.max[axis];
   return above > 0 ? above : below > 0 ? below : 0;
+}
+
+// In the order of the scans of nodes.
+double square_of_distance(const Box3& a, const Box3& b) {
+  double sum = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double gap = gap_on(a, b, axis);
+    sum += gap * gap;
+  }
+  return sum;
 }
 
 // Scaled by a power of two, the squares neither overflow nor underflow, and the distance is the one that the plain
@@ -60,59 +67,91 @@ double distance_of_far_code(double code) {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(1.0) - std::bit_cast<std::uint64_t>(-code));
 }
 
-bool reaches_far(const Box3& box) {
+bool reaches_beyond(double limit, const Box3& box) {
   for (std::size_t axis = 0; axis < 3; ++axis)
-    if (box.min[axis] < -kNoOverflow || box.max[axis] > kNoOverflow) return true;
+    if (box.min[axis] < -limit || box.max[axis] > limit) return true;
   return false;
 }
 
 }  // namespace
 
 template <typename Payload>
-NearestCursor<Payload>::NearestCursor(const Storage<Payload>& storage, const Box3& box, std::size_t limit)
-    : storage_(&storage), box_(box), limit_(limit) {
-  if (storage.root == kNoNode || box.is_empty() || limit == 0) return;
-  if (limit <= kLargestBoundedLimit) {
-    bounds_size_ = limit;
-    bounds_.reserve(limit);
+NearestCursor<Payload>::NearestCursor(const TreeView<Payload>& tree, const Box3& box, std::size_t limit)
+    : tree_(tree), target_(box, tree.frame), limit_(limit) {
+  if (tree.empty() || box.is_empty() || limit == 0) return;
+  const Box3 bounds = tree.frame.outer_box(tree.node(tree.root, tree.height).bounds()).box();
+  const auto any_reaches_beyond = [&](double length) {
+    return reaches_beyond(length, box) || reaches_beyond(length, bounds);
+  };
+  if (limit <= kMostNearest && !any_reaches_beyond(kNoSquareOverflow)) {
+    find_all();
+    return;
   }
-  heap_.reserve(128);
-  is_far_ = reaches_far(box) || reaches_far(storage.bounds(storage.root));
-  expand(storage.root, static_cast<std::uint32_t>(storage.height()));
+  is_far_ = any_reaches_beyond(kNoOverflow);
+  push({0, tree.root, kNode + tree.height});
+}
+
+// The exact boxes may lie far apart, and are fetched together.
+template <typename Payload>
+void NearestCursor<Payload>::find_all() {
+  const std::vector<LeafSlot> places = k_nearest(tree_, target_, limit_);
+  heap_.reserve(places.size());
+  for (const LeafSlot& place : places) tree_.prefetch_exact_box(place.leaf, place.slot);
+  for (const LeafSlot& place : places) measure(place);
 }
 
 template <typename Payload>
 std::optional<Neighbor<Payload>> NearestCursor<Payload>::next() {
   while (limit_ > 0 && !heap_.empty()) {
     const Candidate nearest = pop();
-    if (nearest.level == 0) {
+    if (nearest.rank == kExact) {
       --limit_;
-      return Neighbor<Payload>{nearest.reference, is_far_ ? distance_of_far_code(nearest.distance) : nearest.distance};
+      return Neighbor<Payload>{static_cast<Payload>(nearest.reference),
+                               is_far_ ? distance_of_far_code(nearest.distance) : nearest.distance};
+    }
+    if (nearest.rank == kEntry) {
+      measure({static_cast<NodeIndex>(nearest.reference / kFanOut),
+               static_cast<std::uint32_t>(nearest.reference % kFanOut)});
+      continue;
     }
     // What is nearest now is most likely expanded next.
-    if (!heap_.empty() && heap_.front().level == 1)
-      prefetch(storage_->nodes[static_cast<NodeIndex>(heap_.front().reference)]);
-    expand(static_cast<NodeIndex>(nearest.reference), nearest.level - 1);
+    if (!heap_.empty() && heap_.front().rank == kNode)
+      prefetch(tree_.leaves[static_cast<NodeIndex>(heap_.front().reference)]);
+    expand(static_cast<NodeIndex>(nearest.reference), nearest.rank - kNode);
   }
   return std::nullopt;
 }
 
+// The distances of nodes and of keys are lower bounds of those of entries: also as rounded, since all are computed
+// alike.
 template <typename Payload>
-void NearestCursor<Payload>::expand(NodeIndex node_index, std::uint32_t level) {
-  const Node<Payload>& node = storage_->nodes[node_index];
+void NearestCursor<Payload>::expand(NodeIndex index, std::uint32_t level) {
+  const KeyBoxes& node = tree_.node(index, level);
   double squares[kFanOut];
-  for (SlotMask slots = squared_distances(node, box_, squares); slots != 0;) {
-    const std::size_t slot = take_slot(slots);
-    const double square = squares[slot];
-    if (square > square_bound_) continue;
-    double distance = std::sqrt(square);
-    if (square < kSmallSquare) distance = scaled_distance(node.box(slot), box_, 0x1p600);
-    if (square > kLargeSquare) distance = scaled_large_distance(node.box(slot), box_, 0x1p-600) / 0x1p-600;
-    if (is_far_) distance = far_code(node.box(slot), distance);
-    if (distance > bound_) continue;
-    push({distance, node.reference[slot], level});
-    if (level == 0 && bounds_size_ > 0) lower_bound(distance);
+  scans_->squared_distances(node, target_, tree_.frame, squares);
+  for (std::size_t slot = 0; slot < kFanOut && node.is_used(slot); ++slot) {
+    const double distance = distance_to(tree_.frame.outer_box(node.box(slot)).box(), squares[slot]);
+    if (level == 0)
+      push({distance, std::uint64_t{index} * kFanOut + slot, kEntry});
+    else
+      push({distance, tree_.inner[index].reference[slot], kNode + level - 1});
   }
+}
+
+// Adds the entry at its exact distance.
+template <typename Payload>
+void NearestCursor<Payload>::measure(const LeafSlot& place) {
+  const Box3 box = tree_.exact_box(place.leaf, place.slot).box();
+  const double distance = distance_to(box, square_of_distance(box, target_.box));
+  push({distance, tree_.leaves[place.leaf].reference[place.slot], kExact});
+}
+
+template <typename Payload>
+double NearestCursor<Payload>::distance_to(const Box3& box, double square) const {
+  double distance = std::sqrt(square);
+  if (square < kSmallSquare) distance = scaled_distance(box, target_.box, 0x1p600);
+  if (square > kLargeSquare) distance = scaled_large_distance(box, target_.box, 0x1p-600) / 0x1p-600;
+  return is_far_ ? far_code(box, distance) : distance;
 }
 
 // A distance may be beyond the largest double, and is to be told from others that are.
@@ -120,24 +159,7 @@ template <typename Payload>
 double NearestCursor<Payload>::far_code(const Box3& to, double distance) const {
   if (distance < 1) return near_code(distance);
   if (distance < kNoOverflow) return distance * kFarScale;
-  return scaled_large_distance(to, box_, 0x1p-600) * (kFarScale * 0x1p600);
-}
-
-// The bound is the largest of the nearest distances seen, once there are as many as are asked for.
-template <typename Payload>
-void NearestCursor<Payload>::lower_bound(double distance) {
-  if (bounds_.size() == bounds_size_) {
-    if (distance >= bounds_.front()) return;
-    std::ranges::pop_heap(bounds_);
-    bounds_.pop_back();
-  }
-  bounds_.push_back(distance);
-  std::ranges::push_heap(bounds_);
-  if (bounds_.size() < bounds_size_) return;
-  bound_ = bounds_.front();
-  if (is_far_) return;
-  // A little more than the square, whatever was rounded: it only spares the root.
-  square_bound_ = std::max(bound_ * bound_, kSmallSquare) * (1 + 0x1p-48);
+  return scaled_large_distance(to, target_.box, 0x1p-600) * (kFarScale * 0x1p600);
 }
 
 template <typename Payload>

@@ -22,17 +22,25 @@ bool RTree<Payload>::erase(const Box3& box, Payload payload) {
 }
 
 template <typename Payload>
-Box3 RTree<Payload>::bounds() const {
-  return storage_.root == kNoNode ? Box3{} : storage_.bounds(storage_.root);
-}
-
-template <typename Payload>
-std::size_t RTree<Payload>::heap_bytes() const {
-  return storage_.nodes.capacity() * sizeof(Node<Payload>) + storage_.infos.capacity() * sizeof(NodeInfo) +
-         storage_.free_nodes.capacity() * sizeof(NodeIndex);
+std::vector<Entry<Payload>> RTree<Payload>::entries() const {
+  const TreeView<Payload> tree = view();
+  std::vector<bool> is_free(tree.leaf_count);
+  for (const NodeIndex leaf : storage_.free_leaves) is_free[leaf] = true;
+  std::vector<Entry<Payload>> result;
+  result.reserve(size());
+  for (std::size_t i = 0; i < tree.leaf_count; ++i) {
+    const auto leaf = static_cast<NodeIndex>(i);
+    for (std::size_t slot = 0; !is_free[i] && slot < kFanOut && tree.leaves[i].is_used(slot); ++slot)
+      result.push_back({tree.exact_box(leaf, slot).box(), tree.leaves[i].reference[slot]});
+  }
+  return result;
 }
 
 template class RTree<std::uint32_t>;
 template class RTree<std::uint64_t>;
+
+BoxTree::BoxTree(std::span<const Box3> boxes) : boxes_(boxes.data()) {
+  bulk_load(storage_, boxes.data(), boxes.size());
+}
 
 }  // namespace rtree

@@ -12,16 +12,16 @@ namespace rtree {
 /// std::uint64_t (tuple).
 ///
 /// Touching boxes meet. Equal entries may be stored several times. Entries with an empty box are not stored, since they
-/// meet nothing. At most 2^32 - 1 entries can be bulk loaded, and 2^32 - 1 nodes stored. Deterministic; a bulk-loaded
-/// tree does not depend on the order of its entries. The tree must outlive its cursors and must not be changed while
-/// they are in use. Concurrent calls of const members are safe.
+/// meet nothing. At most 2^32 - 1 entries can be bulk loaded, and 2^32 - 1 nodes stored. Deterministic, for any number
+/// of threads; a bulk-loaded tree does not depend on the order of its entries. The tree must outlive its cursors and
+/// must not be changed while they are in use. Concurrent calls of const members are safe.
 template <typename Payload>
 class RTree {
  public:
   RTree() = default;
 
   /// Builds a tree over all `entries`: its nodes are fuller, and it is faster to build and to search than by inserts.
-  /// Cost: n log n.
+  /// Cost: linear, and if the payloads do not ascend that of sorting by them.
   static RTree bulk_load(std::span<const Entry<Payload>> entries);
 
   /// Stores the entry; false if the box is empty. Cost: logarithmic.
@@ -32,26 +32,58 @@ class RTree {
   void clear() { storage_ = {}; }
 
   /// The entries that meet `window`: `for (auto id : tree.window(box))`.
-  WindowCursor<Payload> window(const Box3& window) const { return {storage_, window}; }
+  WindowCursor<Payload> window(const Box3& window) const { return {view(), window}; }
   /// At most `limit` entries by ascending distance from `box`, then by payload.
-  NearestCursor<Payload> nearest(const Box3& box, std::size_t limit = SIZE_MAX) const { return {storage_, box, limit}; }
+  NearestCursor<Payload> nearest(const Box3& box, std::size_t limit = SIZE_MAX) const { return {view(), box, limit}; }
   /// The pairs of an entry of this tree and an entry of `other` that meet.
-  JoinCursor<Payload> join(const RTree& other) const { return {storage_, other.storage_}; }
+  JoinCursor<Payload> join(const RTree& other) const { return {view(), other.view()}; }
   /// The pairs of different entries of this tree that meet, each once, the smaller payload first.
-  JoinCursor<Payload> self_join() const { return JoinCursor<Payload>(storage_); }
+  JoinCursor<Payload> self_join() const { return JoinCursor<Payload>(view()); }
 
   std::size_t size() const { return storage_.entry_count; }
   bool empty() const { return size() == 0; }
   /// Smallest box around all entries.
-  Box3 bounds() const;
+  Box3 bounds() const { return view().bounds(); }
+  /// All entries, in the order of the tree.
+  std::vector<Entry<Payload>> entries() const;
   /// Bytes on the heap, with unused capacity.
-  std::size_t heap_bytes() const;
+  std::size_t heap_bytes() const { return storage_.heap_bytes(); }
 
   /// The nodes, for `audit`.
   const Storage<Payload>& storage() const { return storage_; }
 
  private:
+  TreeView<Payload> view() const { return storage_.view(); }
+
   Storage<Payload> storage_;
+};
+
+/// An R-tree over boxes that stay where they are, each named by its index: half the memory of RTree, and not to be
+/// changed. The boxes must outlive the tree; else as RTree.
+class BoxTree {
+ public:
+  BoxTree() = default;
+  /// At most 2^32 - 1 boxes. Cost: linear.
+  explicit BoxTree(std::span<const Box3> boxes);
+
+  WindowCursor<std::uint32_t> window(const Box3& window) const { return {view(), window}; }
+  NearestCursor<std::uint32_t> nearest(const Box3& box, std::size_t limit = SIZE_MAX) const {
+    return {view(), box, limit};
+  }
+  JoinCursor<std::uint32_t> join(const BoxTree& other) const { return {view(), other.view()}; }
+  JoinCursor<std::uint32_t> self_join() const { return JoinCursor<std::uint32_t>(view()); }
+
+  std::size_t size() const { return storage_.entry_count; }
+  bool empty() const { return size() == 0; }
+  Box3 bounds() const { return view().bounds(); }
+  std::size_t heap_bytes() const { return storage_.heap_bytes(); }
+  const Storage<std::uint32_t>& storage() const { return storage_; }
+
+ private:
+  TreeView<std::uint32_t> view() const { return storage_.view(boxes_); }
+
+  Storage<std::uint32_t> storage_;
+  const Box3* boxes_ = nullptr;
 };
 
 /// Calls `visit(first, second)` for every pair of different entries that meet, each pair once, the smaller payload

@@ -3,36 +3,41 @@
 namespace rtree {
 
 template <typename Payload>
-WindowCursor<Payload>::WindowCursor(const Storage<Payload>& storage, const Box3& window)
-    : nodes_(storage.nodes.data()), window_(window) {
-  if (storage.root == kNoNode || window.is_empty()) return;
-  enter(nodes_[storage.root], static_cast<std::uint32_t>(storage.height()));
+WindowCursor<Payload>::WindowCursor(const TreeView<Payload>& tree, const Box3& window)
+    : tree_(tree), window_(window, tree.frame) {
+  if (tree.empty() || window.is_empty()) return;
+  enter(tree.root, tree.height);
 }
 
 template <typename Payload>
-void WindowCursor<Payload>::enter(const Node<Payload>& node, std::uint32_t level) {
-  const SlotMask slots = slots_meeting(node, window_);
-  if (level == 0) {
-    leaf_ = &node;
-    leaf_slots_ = slots;
-    return;
-  }
+void WindowCursor<Payload>::enter(NodeIndex node, std::uint32_t level) {
+  if (level == 0) return enter_leaf(node);
+  const InnerNode& inner = tree_.inner[node];
+  SlotMask slots = scans_->meeting(inner, window_.keys);
   if (slots == 0) return;
-  frames_[depth_++] = {&node, slots, level};
-  if (level == 1) prefetch_leaves(node, slots);
+  frames_[depth_++] = {&inner, slots, level};
+  // All leaves at once, so that their cache misses overlap: in a tree larger than the cache they are what a query
+  // costs.
+  if (level == 1)
+    while (slots != 0) prefetch(tree_.leaves[inner.reference[take_slot(slots)]]);
 }
 
-// All leaves at once, so that their cache misses overlap: in a tree larger than the cache they are what a query costs.
 template <typename Payload>
-void WindowCursor<Payload>::prefetch_leaves(const Node<Payload>& node, SlotMask slots) const {
-  while (slots != 0) prefetch(nodes_[node.child(take_slot(slots))]);
+void WindowCursor<Payload>::enter_leaf(NodeIndex leaf) {
+  leaf_ = &tree_.leaves[leaf];
+  const Meeting meeting = scans_->meeting_exactly(*leaf_, window_.keys);
+  leaf_slots_ = meeting.slots();
+  for (SlotMask open = meeting.open(); open != 0;) {
+    const std::size_t slot = take_slot(open);
+    if (!tree_.exact_box(leaf, slot).intersects(window_.exact)) leaf_slots_ &= ~(SlotMask{1} << slot);
+  }
 }
 
 template <typename Payload>
 bool WindowCursor<Payload>::find_leaf() {
   while (leaf_slots_ == 0 && depth_ > 0) {
     Frame& top = frames_[depth_ - 1];
-    const Node<Payload>& child = nodes_[top.node->child(take_slot(top.slots))];
+    const NodeIndex child = top.node->reference[take_slot(top.slots)];
     const std::uint32_t level = top.level - 1;
     if (top.slots == 0) --depth_;
     enter(child, level);

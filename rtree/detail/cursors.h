@@ -2,10 +2,13 @@
 
 #include <array>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <span>
 
-#include "rtree/detail/storage.h"
+#include "rtree/detail/k_nearest.h"
+#include "rtree/detail/node_scan.h"
+#include "rtree/detail/translation.h"
 
 namespace rtree {
 
@@ -37,7 +40,7 @@ class WindowCursor {
   };
 
   /// Domain: any window, infinite extents included; an empty one meets nothing.
-  WindowCursor(const Storage<Payload>& storage, const Box3& window);
+  WindowCursor(const TreeView<Payload>& tree, const Box3& window);
 
   std::optional<Payload> next() {
     if (leaf_slots_ == 0 && !find_leaf()) return std::nullopt;
@@ -48,20 +51,21 @@ class WindowCursor {
 
  private:
   struct Frame {
-    const Node<Payload>* node;
+    const InnerNode* node;
     SlotMask slots;  ///< children not yet visited
     std::uint32_t level;
   };
 
   bool find_leaf();
-  void enter(const Node<Payload>& node, std::uint32_t level);
-  void prefetch_leaves(const Node<Payload>& node, SlotMask slots) const;
+  void enter(NodeIndex node, std::uint32_t level);
+  void enter_leaf(NodeIndex leaf);
 
-  const Node<Payload>* nodes_;
+  const NodeScans* scans_ = &node_scans();
+  TreeView<Payload> tree_;
+  Target window_;
   const Node<Payload>* leaf_ = nullptr;
   SlotMask leaf_slots_ = 0;
   std::uint32_t depth_ = 0;
-  Box3 window_;
   std::array<Frame, kMaxLevels> frames_;
 };
 
@@ -80,40 +84,44 @@ struct Neighbor {
 template <typename Payload>
 class NearestCursor {
  public:
-  /// The cursor ends after `limit` entries; a limit saves work. Domain: any box, infinite extents included; the empty
-  /// box has no neighbours.
-  NearestCursor(const Storage<Payload>& storage, const Box3& box, std::size_t limit);
+  /// The cursor ends after `limit` entries; a small limit saves work, which is then done at once. Domain: any box,
+  /// infinite extents included; the empty box has no neighbours.
+  NearestCursor(const TreeView<Payload>& tree, const Box3& box, std::size_t limit);
 
   std::optional<Neighbor<Payload>> next();
 
  private:
+  // What a candidate is; a node of level L has the rank kNode + L.
+  static constexpr std::uint32_t kExact = 0;  ///< an entry; the reference is its payload
+  static constexpr std::uint32_t kEntry = 1;  ///< an entry at the distance of its keys; the reference names its slot
+  static constexpr std::uint32_t kNode = 2;
+
   struct Candidate {
     double distance;  // or its substitute beyond the largest double
-    Payload reference;
-    std::uint32_t level;  ///< 0: an entry; else one above the level of the node
+    std::uint64_t reference;
+    std::uint32_t rank;
 
-    // Nodes come before entries at the same distance, since they may contain an entry with a smaller payload.
+    // At the same distance exact entries come last, since others may lead to one with a smaller payload.
     bool is_after(const Candidate& other) const {
       if (distance != other.distance) return distance > other.distance;
-      if ((level == 0) != (other.level == 0)) return level == 0;
+      if (rank != other.rank) return rank < other.rank;
       return reference > other.reference;
     }
   };
 
-  void expand(NodeIndex node_index, std::uint32_t level);
+  void find_all();
+  void expand(NodeIndex node, std::uint32_t level);
+  void measure(const LeafSlot& place);
   void push(const Candidate& candidate);
   Candidate pop();
-  void lower_bound(double distance);
+  double distance_to(const Box3& box, double square) const;
   double far_code(const Box3& to, double distance) const;
 
-  const Storage<Payload>* storage_;
-  Box3 box_;
-  std::size_t limit_;               // number of entries still to be returned
-  bool is_far_ = false;             // distances may be beyond the largest double
-  double bound_ = Box3::kInfinity;  // farther entries cannot be among them
-  double square_bound_ = Box3::kInfinity;
-  std::vector<double> bounds_;   // distances of the nearest entries seen, the largest first; for small limits
-  std::size_t bounds_size_ = 0;  // capacity of `bounds_`; 0: no bound is kept
+  const NodeScans* scans_ = &node_scans();
+  TreeView<Payload> tree_;
+  Target target_;
+  std::size_t limit_;    // number of entries still to be returned
+  bool is_far_ = false;  // distances may be beyond the largest double
   std::vector<Candidate> heap_;
 };
 
@@ -126,21 +134,22 @@ struct Pair {
   friend auto operator<=>(const Pair&, const Pair&) = default;
 };
 
-/// A cursor over pairs of entries whose boxes meet, of two trees or within one, found on demand. Lifetime: as
-/// WindowCursor, for both trees. Source: [brinkhoff1993], section 4, without the plane sweep.
+/// A cursor over pairs of entries whose boxes meet, of two trees or within one, found on demand. Large joins are done
+/// by several threads, in batches that grow; the order of the pairs does not depend on that. Lifetime: as WindowCursor,
+/// for both trees. Source: [brinkhoff1993], section 4, without the plane sweep.
 template <typename Payload>
 class JoinCursor {
  public:
   /// All pairs of an entry of `first` and an entry of `second`.
-  JoinCursor(const Storage<Payload>& first, const Storage<Payload>& second);
+  JoinCursor(const TreeView<Payload>& first, const TreeView<Payload>& second);
   /// All pairs of different entries of one tree, each once, the smaller payload first.
-  explicit JoinCursor(const Storage<Payload>& storage);
+  explicit JoinCursor(const TreeView<Payload>& tree);
 
   std::optional<Pair<Payload>> next() {
     if (position_ == pairs_.size() && !refill()) return std::nullopt;
     return pairs_[position_++];
   }
-  /// The next pairs, some hundred at a time; empty at the end. Valid until the next call.
+  /// The next pairs, some thousand at a time; empty at the end. Valid until the next call.
   std::span<const Pair<Payload>> next_batch() {
     if (position_ == pairs_.size() && !refill()) return {};
     const auto batch = std::span<const Pair<Payload>>(pairs_).subspan(position_);
@@ -152,22 +161,27 @@ class JoinCursor {
   struct Task {
     NodeIndex first, second;
     std::uint32_t first_level, second_level;
-    Box3 second_box;
   };
+  using Pairs = std::vector<Pair<Payload>>;
 
   bool refill();
+  std::vector<Task> next_tasks();
   void expand(const Task& task);
   void expand_both(const Task& task);
   void expand_self(const Task& task);
-  void match_leaves(const Task& task);
-  void match_within(NodeIndex leaf);
-  void emit(Payload first, Payload second);
+  void match(const Task& task, Pairs& pairs) const;
+  void match_leaves(NodeIndex first, NodeIndex second, SlotMask rows, Pairs& pairs) const;
+  void match_within(NodeIndex leaf, Pairs& pairs) const;
+  void emit(Payload first, Payload second, Pairs& pairs) const;
 
-  const Storage<Payload>* first_;
-  const Storage<Payload>* second_;
+  const NodeScans* scans_ = &node_scans();
+  TreeView<Payload> first_, second_;              // with keys of one frame
+  TreeView<Payload> exact_first_, exact_second_;  // as given
+  std::shared_ptr<const Translation<Payload>> translated_;
   bool within_one_;
   std::vector<Task> tasks_;
-  std::vector<Pair<Payload>> pairs_;
+  std::size_t batch_tasks_ = 1;
+  Pairs pairs_;
   std::size_t position_ = 0;
 };
 

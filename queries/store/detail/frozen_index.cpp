@@ -20,21 +20,7 @@ constexpr IndexFrame kTreeFrame = {
 constexpr std::size_t kEntryBytes = 56;
 
 std::vector<Entry> entries_of(const SpatialIndex::Tree& tree) {
-  const auto& storage = tree.storage();
-  std::vector<Entry> entries;
-  entries.reserve(tree.size());
-  std::vector<rtree::NodeIndex> stack;
-  if (storage.root != rtree::kNoNode) stack.push_back(storage.root);
-  while (!stack.empty()) {
-    const rtree::NodeIndex node = stack.back();
-    stack.pop_back();
-    for (std::size_t slot = 0; slot < storage.infos[node].count; ++slot) {
-      if (storage.infos[node].level == 0)
-        entries.push_back(storage.nodes[node].entry(slot));
-      else
-        stack.push_back(storage.nodes[node].child(slot));
-    }
-  }
+  std::vector<Entry> entries = tree.entries();
   // The order of a tree depends on how it grew.
   std::ranges::sort(entries, [](const Entry& a, const Entry& b) {
     return std::tie(a.payload, a.box.min, a.box.max) < std::tie(b.payload, b.box.min, b.box.max);

@@ -20,7 +20,7 @@ void expect_complaint(const Nodes& nodes, const std::string& text) {
 
 NodeIndex some_leaf(const Nodes& nodes) {
   NodeIndex node = nodes.root;
-  while (nodes.infos[node].level > 0) node = nodes.nodes[node].child(0);
+  for (std::uint32_t level = nodes.height; level > 0; --level) node = nodes.inner[node].reference[0];
   return node;
 }
 
@@ -30,8 +30,8 @@ TEST(Audit, sound_nodes_have_no_problems) {
 
 TEST(Audit, finds_a_box_that_is_not_the_union) {
   Nodes nodes = sound_nodes();
-  nodes.nodes[nodes.root].max[1][0] += 1;
-  expect_complaint(nodes, "the box is not the union of the boxes of child");
+  nodes.inner[nodes.root].max[1][0] += 1;
+  expect_complaint(nodes, "the box is not the union of the boxes of inner node");
 }
 
 TEST(Audit, finds_wrong_counts) {
@@ -39,44 +39,47 @@ TEST(Audit, finds_wrong_counts) {
   ++nodes.entry_count;
   expect_complaint(nodes, "300 entries in leaves, but the count says 301");
   nodes = sound_nodes();
-  nodes.infos[some_leaf(nodes)].count = 3;
+  for (std::size_t slot = 3; slot < kFanOut; ++slot) static_cast<KeyBoxes&>(nodes.leaves[some_leaf(nodes)]).clear(slot);
   expect_complaint(nodes, "has 3 slots in use, at least 6 are expected");
-  nodes.infos[some_leaf(nodes)].count = 17;
-  expect_complaint(nodes, "has 17 slots in use, at most 16 are possible");
+  nodes = sound_nodes();
+  nodes.remainders.pop_back();
+  expect_complaint(nodes, "19 leaves, but remainders for 18");
 }
 
 TEST(Audit, finds_unreachable_and_twice_reached_nodes) {
   Nodes nodes = sound_nodes();
   nodes.add_node(0);
-  expect_complaint(nodes, "is neither reachable nor free");
+  expect_complaint(nodes, "leaf 19 is neither reachable nor free");
   nodes = sound_nodes();
-  nodes.free_nodes.push_back(some_leaf(nodes));
+  nodes.add_node(1);
+  expect_complaint(nodes, "inner node 3 is neither reachable nor free");
+  nodes = sound_nodes();
+  nodes.free_leaves.push_back(some_leaf(nodes));
   expect_complaint(nodes, "is in use or listed twice");
   nodes = sound_nodes();
-  nodes.nodes[nodes.root].reference[1] = nodes.nodes[nodes.root].reference[0];
+  nodes.inner[nodes.root].reference[1] = nodes.inner[nodes.root].reference[0];
   expect_complaint(nodes, "is reached more than once");
 }
 
-TEST(Audit, finds_wrong_parents_levels_and_references) {
+TEST(Audit, finds_wrong_references_and_heights) {
   Nodes nodes = sound_nodes();
-  nodes.infos[some_leaf(nodes)].parent = nodes.root;
-  expect_complaint(nodes, "as its parent, not");
+  nodes.inner[nodes.root].reference[0] = 999'999;
+  expect_complaint(nodes, "names inner node 999999, which does not exist");
   nodes = sound_nodes();
-  nodes.infos[some_leaf(nodes)].level = 1;
-  expect_complaint(nodes, "of level 1 has child");
+  nodes.root = 999'999;
+  expect_complaint(nodes, "root 999999 does not exist");
   nodes = sound_nodes();
-  nodes.nodes[nodes.root].reference[0] = 999'999;
-  expect_complaint(nodes, "which does not exist");
+  nodes.height = 1000;
+  expect_complaint(nodes, "a height of 1000 is not possible");
 }
 
 TEST(Audit, finds_empty_boxes_and_boxes_in_unused_slots) {
   Nodes nodes = sound_nodes();
-  nodes.nodes[some_leaf(nodes)].set_box(2, Box3{});
+  nodes.leaves[some_leaf(nodes)].set_box(2, {{0, 0, 0}, {0, 0, -1}});
   expect_complaint(nodes, "slot 2 holds an empty box");
   nodes = sound_nodes();
-  const std::size_t unused = nodes.infos[nodes.root].count;
-  nodes.nodes[nodes.root].set_box(unused, {{0, 0, 0}, {1, 1, 1}});
-  expect_complaint(nodes, "is unused but has a box");
+  nodes.inner[nodes.root].set_box(5, {{INT32_MAX, 0, 0}, {1, 1, 1}});
+  expect_complaint(nodes, "slot 5 is unused but has a box");
 }
 
 }  // namespace

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "rtree/detail/node_scan.h"
+#include "rtree/detail/storage.h"
+
+namespace rtree {
+
+/// A slot of a leaf.
+struct LeafSlot {
+  NodeIndex leaf;
+  std::uint32_t slot;
+};
+
+/// Maximum of `k` for k_nearest: a list of so many is kept in order. Chosen, not measured.
+inline constexpr std::size_t kMostNearest = 64;
+/// Coordinates up to here have squares that do not overflow.
+inline constexpr double kNoSquareOverflow = 0x1p500;
+
+/// Few entries among which are the `k` nearest to the target, told by keys alone. Domain: the tree is not empty; its
+/// coordinates and those of the target are at most kNoSquareOverflow; k is from 1 to kMostNearest. Source:
+/// [roussopoulos1995], with the order of children by distance.
+template <typename Payload>
+std::vector<LeafSlot> k_nearest(const TreeView<Payload>& tree, const Target& target, std::size_t k);
+
+}  // namespace rtree

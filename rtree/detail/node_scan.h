@@ -1,0 +1,44 @@
+#pragma once
+
+#include "rtree/detail/node.h"
+
+namespace rtree {
+
+/// What a box that is asked for is compared with: the keys, and the coordinates for distances.
+struct Target {
+  Box3 box;
+  OrderedBox exact;
+  KeyBox keys;
+
+  Target(const Box3& asked, const KeyFrame& frame)
+      : box(asked), exact(OrderedBox::of(asked)), keys(frame.keys(exact)) {}
+};
+
+/// The slots of a node that meet a box: the upper 16 bits have those for which keys do not prove it.
+struct Meeting {
+  std::uint32_t bits;
+
+  SlotMask slots() const { return bits & 0xffff; }
+  SlotMask open() const { return bits >> 16; }
+};
+
+/// The scans of nodes, in the widest vectors that the processor has. All give the same results.
+struct NodeScans {
+  /// The slots that may meet the box.
+  SlotMask (*meeting)(const KeyBoxes& node, const KeyBox& box);
+  /// The same, with those that are to be looked at closer.
+  Meeting (*meeting_exactly)(const KeyBoxes& node, const KeyBox& box);
+  /// `meetings[row]` for each of the rows: the slots of `second` that meet the slot `row` of `first`.
+  void (*meeting_rows)(const KeyBoxes& first, SlotMask rows, const KeyBoxes& second, Meeting (&meetings)[kFanOut]);
+  /// Lower bounds of the squared distances of the slots from the box. Unused slots get any number.
+  void (*squared_distances)(const KeyBoxes& node, const Target& target, const KeyFrame& frame,
+                            double (&squares)[kFanOut]);
+};
+
+/// The scans for this processor.
+const NodeScans& node_scans();
+
+/// All that can run here, for tests; plain code first.
+std::size_t available_scans(const NodeScans* (&scans)[4]);
+
+}  // namespace rtree

@@ -1,0 +1,56 @@
+#include "rtree/detail/translation.h"
+
+#include "algebra3d/base/scheduler.h"
+
+namespace rtree {
+namespace {
+
+constexpr std::size_t kGrain = 256;
+
+}  // namespace
+
+template <typename Payload>
+Translation<Payload>::Translation(const TreeView<Payload>& tree, const KeyFrame& frame)
+    : tree_(tree), frame_(frame), inner_(tree.inner_count), leaves_(tree.leaf_count) {
+  algebra3d::parallel_for(leaves_.size(), kGrain, [&](std::size_t leaf) {
+    leaves_[leaf] = tree.leaves[leaf];
+    for (std::size_t slot = 0; slot < kFanOut && tree.leaves[leaf].is_used(slot); ++slot)
+      leaves_[leaf].set_box(slot, translated(static_cast<NodeIndex>(leaf), slot));
+  });
+  algebra3d::parallel_for(inner_.size(), kGrain, [&](std::size_t node) {
+    inner_[node] = tree.inner[node];
+    for (std::size_t slot = 0; slot < kFanOut && inner_[node].is_used(slot); ++slot)
+      inner_[node].set_box(slot, frame.keys(tree.frame.outer_box(inner_[node].box(slot))));
+  });
+}
+
+// Mostly the key determines the other one; the exact box of an entry may have to be fetched from far away.
+template <typename Payload>
+KeyBox Translation<Payload>::translated(NodeIndex leaf, std::size_t slot) const {
+  const KeyBox keys = tree_.leaves[leaf].box(slot);
+  KeyBox least, greatest;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const AxisFrame &from = tree_.frame.axes[axis], &to = frame_.axes[axis];
+    least.min[axis] = to.key(from.position(keys.min[axis], 0));
+    least.max[axis] = to.key(from.position(keys.max[axis], 0));
+    greatest.min[axis] = to.key(from.position(keys.min[axis], from.remainders()));
+    greatest.max[axis] = to.key(from.position(keys.max[axis], from.remainders()));
+  }
+  return least == greatest ? least : frame_.keys(tree_.exact_box(leaf, slot));
+}
+
+template <typename Payload>
+TreeView<Payload> Translation<Payload>::view() const {
+  TreeView<Payload> result = tree_;
+  result.inner = inner_.data();
+  result.leaves = leaves_.data();
+  result.remainders = nullptr;
+  result.boxes = nullptr;
+  result.frame = frame_;
+  return result;
+}
+
+template class Translation<std::uint32_t>;
+template class Translation<std::uint64_t>;
+
+}  // namespace rtree

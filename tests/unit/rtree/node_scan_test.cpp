@@ -1,0 +1,95 @@
+#include <gtest/gtest.h>
+
+#include "rtree/detail/node_scan.h"
+#include "unit/rtree/rtree_samples.h"
+
+namespace rtree {
+namespace {
+
+using samples::Kind;
+
+struct Sample {
+  KeyFrame frame;
+  KeyBoxes node;
+  std::vector<OrderedBox> boxes;
+};
+
+Sample sample(std::mt19937_64& random, Kind kind) {
+  Sample result;
+  OrderedBox bounds{{INT64_MAX, INT64_MAX, INT64_MAX}, {INT64_MIN, INT64_MIN, INT64_MIN}};
+  for (std::size_t i = 0; i < random() % (kFanOut + 1); ++i) {
+    result.boxes.push_back(OrderedBox::of(samples::random_box(random, kind)));
+    bounds.extend(result.boxes.back());
+  }
+  if (!result.boxes.empty()) result.frame = KeyFrame::of(bounds);
+  result.node.clear();
+  for (std::size_t i = 0; i < result.boxes.size(); ++i)
+    result.node.set_box(i, result.frame.keys_in_range(result.boxes[i]));
+  return result;
+}
+
+// What is proved is true, and what is true is not lost.
+TEST(NodeScan, all_give_what_boxes_say) {
+  const NodeScans* scans[4];
+  const std::size_t count = available_scans(scans);
+  std::mt19937_64 random(1);
+  for (const Kind kind : samples::kKinds) {
+    for (int round = 0; round < 300; ++round) {
+      const Sample node = sample(random, kind);
+      const Target target(samples::random_box(random, kind), node.frame);
+      for (std::size_t i = 0; i < count; ++i) {
+        const Meeting meeting = scans[i]->meeting_exactly(node.node, target.keys);
+        ASSERT_EQ(meeting.slots(), scans[i]->meeting(node.node, target.keys));
+        ASSERT_EQ(meeting.bits, scans[0]->meeting_exactly(node.node, target.keys).bits);
+        for (std::size_t slot = 0; slot < kFanOut; ++slot) {
+          const bool meets = slot < node.boxes.size() && node.boxes[slot].intersects(target.exact);
+          const bool is_found = (meeting.slots() >> slot & 1) != 0, is_open = (meeting.open() >> slot & 1) != 0;
+          ASSERT_TRUE(is_found || !meets);
+          ASSERT_TRUE(meets || !is_found || is_open);
+          ASSERT_TRUE(is_found || !is_open);
+        }
+      }
+    }
+  }
+}
+
+TEST(NodeScan, rows_are_single_scans) {
+  const NodeScans* scans[4];
+  const std::size_t count = available_scans(scans);
+  std::mt19937_64 random(2);
+  for (int round = 0; round < 300; ++round) {
+    const Sample first = sample(random, Kind::grid), second = sample(random, Kind::grid);
+    const SlotMask rows = (SlotMask{1} << first.boxes.size()) - 1;
+    for (std::size_t i = 0; i < count; ++i) {
+      Meeting meetings[kFanOut];
+      scans[i]->meeting_rows(first.node, rows, second.node, meetings);
+      for (std::size_t row = 0; row < first.boxes.size(); ++row)
+        ASSERT_EQ(meetings[row].bits, scans[0]->meeting_exactly(second.node, first.node.box(row)).bits);
+    }
+  }
+}
+
+TEST(NodeScan, distances_are_lower_bounds) {
+  const NodeScans* scans[4];
+  const std::size_t count = available_scans(scans);
+  std::mt19937_64 random(3);
+  for (const Kind kind : samples::kKinds) {
+    for (int round = 0; round < 300; ++round) {
+      const Sample node = sample(random, kind);
+      const Target target(samples::random_box(random, kind), node.frame);
+      double expected[kFanOut];
+      scans[0]->squared_distances(node.node, target, node.frame, expected);
+      for (std::size_t i = 0; i < count; ++i) {
+        double squares[kFanOut];
+        scans[i]->squared_distances(node.node, target, node.frame, squares);
+        for (std::size_t slot = 0; slot < node.boxes.size(); ++slot) {
+          ASSERT_EQ(squares[slot], expected[slot]);
+          ASSERT_LE(squares[slot], squared_distance(node.boxes[slot].box(), target.box));
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rtree
