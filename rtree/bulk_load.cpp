@@ -21,7 +21,6 @@ struct EntrySource {
 
   const Box3& box(std::size_t i) const { return entries[i].box; }
   Payload payload(std::size_t i) const { return entries[i].payload; }
-  const void* address(std::size_t i) const { return entries + i; }
 };
 
 struct BoxSource {
@@ -29,7 +28,6 @@ struct BoxSource {
 
   const Box3& box(std::size_t i) const { return boxes[i]; }
   std::uint32_t payload(std::size_t i) const { return static_cast<std::uint32_t>(i); }
-  const void* address(std::size_t i) const { return boxes + i; }
 };
 
 }  // namespace

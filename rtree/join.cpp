@@ -12,7 +12,7 @@ constexpr std::size_t kFewPairs = std::size_t{1} << 13;
 constexpr std::size_t kManyPairs = std::size_t{1} << 16;
 constexpr std::size_t kMostTasks = std::size_t{1} << 12;
 // Tasks that are worth a thread.
-constexpr std::size_t kGrain = 32;
+constexpr std::size_t kTaskGrain = 32;
 
 SlotMask slots_after(std::size_t slot) {
   return ~((SlotMask{2} << slot) - 1);
@@ -46,7 +46,7 @@ bool JoinCursor<Payload>::refill() {
   position_ = 0;
   while (pairs_.empty() && !tasks_.empty()) {
     const std::vector<Task> tasks = next_tasks();
-    pairs_ = algebra3d::parallel_collect(tasks.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    pairs_ = algebra3d::parallel_collect(tasks.size(), kTaskGrain, [&](std::size_t begin, std::size_t end) {
       Pairs pairs;
       for (std::size_t i = begin; i < end; ++i) match(tasks[i], pairs);
       return pairs;

@@ -35,7 +35,7 @@ class Search {
         target_(target),
         k_(k),
         resolution_(resolution(tree.frame, tree.node(tree.root, tree.height).bounds())) {
-    found_.reserve(4 * kMostNearest);
+    found_.reserve(4 * k);
   }
 
   std::vector<LeafSlot> run() {
@@ -46,9 +46,10 @@ class Search {
       if (slot == kFanOut)
         --depth_;
       else
-        enter(tree_.inner[top.node].reference[slot], top.level - 1);
+        enter(top.node->reference[slot], top.level - 1);
     }
     std::vector<LeafSlot> result;
+    result.reserve(found_.size());
     for (const Found& found : found_)
       if (found.square <= bound_) result.push_back(found.place);
     return result;
@@ -56,7 +57,7 @@ class Search {
 
  private:
   struct Frame {
-    NodeIndex node;
+    const InnerNode* node;
     std::uint32_t level;
     double squares[kFanOut];  // of children not yet visited; else infinite
   };
@@ -68,7 +69,7 @@ class Search {
   void enter(NodeIndex node, std::uint32_t level) {
     if (level == 0) return enter_leaf(node);
     Frame& frame = frames_[depth_++];
-    frame.node = node;
+    frame.node = &tree_.inner[node];
     frame.level = level;
     scans_.squared_distances(tree_.inner[node], target_, tree_.frame, frame.squares);
     for (std::size_t slot = tree_.inner[node].count(); slot < kFanOut; ++slot) frame.squares[slot] = Box3::kInfinity;
@@ -76,40 +77,55 @@ class Search {
 
   // Takes the nearest child; kFanOut if all that are left are too far.
   std::size_t nearest_slot(Frame& frame) const {
-    std::size_t best = 0;
-    for (std::size_t slot = 1; slot < kFanOut; ++slot) best = frame.squares[slot] < frame.squares[best] ? slot : best;
+    const std::size_t best = smallest(frame.squares);
     const double square = std::exchange(frame.squares[best], Box3::kInfinity);
-    if (frame.level == 1) prefetch_nearest(frame);
-    return square <= bound_ && square < Box3::kInfinity ? best : kFanOut;
+    if (square > bound_ || square == Box3::kInfinity) return kFanOut;
+    // The leaf after this one is on its way meanwhile.
+    if (frame.level == 1) {
+      const std::size_t after = smallest(frame.squares);
+      if (frame.squares[after] <= bound_) prefetch(tree_.leaves[frame.node->reference[after]]);
+    }
+    return best;
   }
 
-  // The leaf after the next one is on its way meanwhile.
-  void prefetch_nearest(const Frame& frame) const {
-    std::size_t best = 0;
-    for (std::size_t slot = 1; slot < kFanOut; ++slot) best = frame.squares[slot] < frame.squares[best] ? slot : best;
-    if (frame.squares[best] <= bound_) prefetch(tree_.leaves[tree_.inner[frame.node].reference[best]]);
+  // Four chains of comparisons that do not wait for each other.
+  static std::size_t smallest(const double (&squares)[kFanOut]) {
+    std::size_t best[4] = {0, 1, 2, 3};
+    for (std::size_t first = 4; first < kFanOut; first += 4)
+      for (std::size_t lane = 0; lane < 4; ++lane)
+        best[lane] = squares[first + lane] < squares[best[lane]] ? first + lane : best[lane];
+    const std::size_t low = squares[best[1]] < squares[best[0]] ? best[1] : best[0];
+    const std::size_t high = squares[best[3]] < squares[best[2]] ? best[3] : best[2];
+    return squares[high] < squares[low] ? high : low;
   }
 
   void enter_leaf(NodeIndex index) {
     const Node<Payload>& leaf = tree_.leaves[index];
     double squares[kFanOut];
     scans_.squared_distances(leaf, target_, tree_.frame, squares);
-    for (std::uint32_t slot = 0; slot < kFanOut && leaf.is_used(slot); ++slot) {
-      if (squares[slot] > bound_) continue;
+    SlotMask near = 0;
+    for (std::size_t slot = 0; slot < kFanOut; ++slot)
+      near |= static_cast<SlotMask>((squares[slot] <= bound_) & leaf.is_used(slot)) << slot;
+    while (near != 0) {
+      const auto slot = static_cast<std::uint32_t>(take_slot(near));
       found_.push_back({squares[slot], {index, slot}});
-      lower_bound(squares[slot]);
+      keep(squares[slot]);
     }
+    if (nearest_count_ == k_) lower_bound();
   }
 
-  // The bound comes from the largest of the k nearest squares seen. These are of keys: exact distances may be larger by
-  // the resolution and by what was rounded.
-  void lower_bound(double square) {
+  // Keeps the square if it is one of the k smallest.
+  void keep(double square) {
     if (nearest_count_ == k_ && square >= nearest_[k_ - 1]) return;
     if (nearest_count_ < k_) ++nearest_count_;
     std::size_t place = nearest_count_ - 1;
     for (; place > 0 && nearest_[place - 1] > square; --place) nearest_[place] = nearest_[place - 1];
     nearest_[place] = square;
-    if (nearest_count_ < k_) return;
+  }
+
+  // The bound comes from the largest of the k nearest squares seen. These are of keys: exact distances may be larger by
+  // the resolution and by what was rounded.
+  void lower_bound() {
     const double distance = (std::sqrt(nearest_[k_ - 1]) + resolution_ + kUnderflow) * kRounding;
     bound_ = distance * distance * kRounding + kUnderflow;
   }

@@ -48,15 +48,6 @@ KeyBox KeyFrame::keys(const OrderedBox& box) const {
   return result;
 }
 
-KeyBox KeyFrame::keys_in_range(const OrderedBox& box) const {
-  KeyBox result;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    result.min[axis] = axes[axis].key_in_range(box.min[axis]);
-    result.max[axis] = axes[axis].key_in_range(box.max[axis]);
-  }
-  return result;
-}
-
 OrderedBox KeyFrame::outer_box(const KeyBox& keys) const {
   OrderedBox result;
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -124,7 +124,14 @@ struct KeyFrame {
   KeyFrame widened(const OrderedBox& box) const;
   KeyBox keys(const OrderedBox& box) const;
   /// Domain: `has(box)`.
-  KeyBox keys_in_range(const OrderedBox& box) const;
+  KeyBox keys_in_range(const OrderedBox& box) const {
+    KeyBox result;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      result.min[axis] = axes[axis].key_in_range(box.min[axis]);
+      result.max[axis] = axes[axis].key_in_range(box.max[axis]);
+    }
+    return result;
+  }
   /// The largest box with these keys.
   OrderedBox outer_box(const KeyBox& keys) const;
 

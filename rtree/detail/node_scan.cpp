@@ -114,4 +114,6 @@ const NodeScans& node_scans() {
   return best;
 }
 
+#undef VECTOR_OF
+
 }  // namespace rtree

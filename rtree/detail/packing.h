@@ -28,12 +28,13 @@ class Packing {
 
   /// From `count` entries of the source; with the exact boxes if `are_exact`.
   void load(std::size_t count, bool are_exact) {
-    const Region region = collect(count);
-    storage_.entry_count = places_.size();
-    if (places_.empty()) return;
-    storage_.frame = KeyFrame::of(OrderedBox::of(region.boxes));
-    const auto center = [this](std::size_t i) { return half_center(source_.box(i)); };
-    SpatialSorter(std::span<Place>(places_), center).sort(region.centers);
+    const Box3 region = measure(count);
+    storage_.entry_count = block_begins_.back();
+    if (storage_.empty()) return;
+    storage_.frame = KeyFrame::of(OrderedBox::of(region));
+    encode(count, CellGrid(region));
+    const auto box_at = [this](std::size_t i) -> const Box3& { return source_.box(items_[i].index); };
+    SpatialSorter(std::span<Place>(places_), box_at).sort();
     make_leaves(are_exact);
     make_inner_nodes();
   }
@@ -42,38 +43,32 @@ class Packing {
   static constexpr std::size_t kBlock = std::size_t{1} << 14;
   static constexpr std::size_t kGrain = 256;
 
-  struct Region {
-    Box3 boxes, centers;
+  struct alignas(32) Item {
+    KeyBox keys;
+    std::uint32_t index;  // in the input
   };
 
-  // Lists what is not empty.
-  Region collect(std::size_t count) {
+  // The box around all, and how many of each block are not empty.
+  Box3 measure(std::size_t count) {
     assert(count <= UINT32_MAX);
     const std::size_t block_count = (count + kBlock - 1) / kBlock;
-    std::vector<Region> regions(block_count);
-    std::vector<std::size_t> begins(block_count + 1);
+    std::vector<Box3> regions(block_count);
+    block_begins_.resize(block_count + 1);
     algebra3d::parallel_for(block_count, 1, [&](std::size_t block) {
+      Box3 region;
+      std::size_t used = 0;
       for (std::size_t i = block * kBlock; i < std::min(count, (block + 1) * kBlock); ++i) {
         const Box3& box = source_.box(i);
         if (box.is_empty()) continue;
-        extend(regions[block].boxes, box);
-        const Vec3 center = half_center(box);
-        extend(regions[block].centers, {center, center});
-        ++begins[block + 1];
+        ++used;
+        extend(region, box);
       }
+      regions[block] = region;
+      block_begins_[block + 1] = used;
     });
-    std::partial_sum(begins.begin(), begins.end(), begins.begin());
-    places_.resize(begins.back());
-    algebra3d::parallel_for(block_count, 1, [&](std::size_t block) {
-      std::size_t place = begins[block];
-      for (std::size_t i = block * kBlock; i < std::min(count, (block + 1) * kBlock); ++i)
-        if (!source_.box(i).is_empty()) places_[place++] = {0, static_cast<std::uint32_t>(i)};
-    });
-    Region result;
-    for (const Region& region : regions) {
-      extend(result.boxes, region.boxes);
-      extend(result.centers, region.centers);
-    }
+    std::partial_sum(block_begins_.begin(), block_begins_.end(), block_begins_.begin());
+    Box3 result;
+    for (const Box3& region : regions) extend(result, region);
     return result;
   }
 
@@ -84,37 +79,61 @@ class Packing {
     }
   }
 
+  // Lists what is not empty, with its keys: later these are read in the order of the tree, which is no order in memory,
+  // and the boxes of the input, which are larger and in smaller pages, are not.
+  void encode(std::size_t count, const CellGrid& grid) {
+    places_.resize(storage_.entry_count);
+    items_.resize(storage_.entry_count);
+    algebra3d::parallel_for(block_begins_.size() - 1, 1, [&](std::size_t block) {
+      const KeyFrame frame = storage_.frame;
+      std::size_t place = block_begins_[block];
+      for (std::size_t i = block * kBlock; i < std::min(count, (block + 1) * kBlock); ++i) {
+        const Box3& box = source_.box(i);
+        if (box.is_empty()) continue;
+        places_[place] = {grid.code(box), static_cast<std::uint32_t>(place)};
+        items_[place++] = {frame.keys_in_range(OrderedBox::of(box)), static_cast<std::uint32_t>(i)};
+      }
+    });
+  }
+
   void make_leaves(bool are_exact) {
     const Nodes nodes{places_.size()};
     storage_.leaves.resize(nodes.count());
     if (are_exact) storage_.remainders.resize(nodes.count());
     algebra3d::parallel_for(nodes.count(), kGrain, [&](std::size_t leaf) {
-      prefetch_entries(nodes.begin(leaf) + 4 * kFanOut);
-      fill_leaf(leaf, {nodes.begin(leaf), nodes.begin(leaf + 1)});
+      prefetch_items(nodes.begin(leaf) + 4 * kFanOut);
+      fill_leaf(leaf, nodes.begin(leaf), nodes.begin(leaf + 1) - nodes.begin(leaf));
     });
   }
 
-  // The entries lie all over the input: they are on their way while leaves before theirs are filled.
-  void prefetch_entries(std::size_t first) const {
-    for (std::size_t i = first; i < std::min(first + kFanOut, places_.size()); ++i) {
-      const auto* bytes = static_cast<const char*>(source_.address(places_[i].index));
-      __builtin_prefetch(bytes);
-      __builtin_prefetch(bytes + sizeof(Box3) - 1);
-    }
+  // The items of a leaf lie all over their list: they are on their way while leaves before it are filled.
+  void prefetch_items(std::size_t first) const {
+    const std::size_t last = std::min(first + kFanOut, places_.size());
+    for (std::size_t i = first; i < last; ++i) __builtin_prefetch(&items_[places_[i].index]);
+    if (storage_.remainders.empty() || last <= 2 * kFanOut) return;
+    // The items before are there, and name the boxes.
+    for (std::size_t i = first; i < last; ++i)
+      __builtin_prefetch(&source_.box(items_[places_[i - 2 * kFanOut].index].index));
   }
 
-  void fill_leaf(std::size_t index, std::pair<std::size_t, std::size_t> span) {
+  void fill_leaf(std::size_t index, std::size_t begin, std::size_t count) {
     Node<Payload>& leaf = storage_.leaves[index];
-    leaf.clear();
-    if (!storage_.remainders.empty()) storage_.remainders[index].clear();
-    for (std::size_t i = span.first; i < span.second; ++i) {
-      const std::uint32_t entry = places_[i].index;
-      const OrderedBox box = OrderedBox::of(source_.box(entry));
-      leaf.set_box(i - span.first, storage_.frame.keys_in_range(box));
-      leaf.reference[i - span.first] = source_.payload(entry);
-      if (!storage_.remainders.empty()) storage_.remainders[index].set(i - span.first, box, storage_.frame);
+    for (std::size_t slot = 0; slot < count; ++slot) {
+      const Item& item = items_[places_[begin + slot].index];
+      leaf.set_box(slot, item.keys);
+      leaf.reference[slot] = source_.payload(item.index);
     }
-    for (std::size_t slot = span.second - span.first; slot < kFanOut; ++slot) leaf.reference[slot] = 0;
+    for (std::size_t slot = count; slot < kFanOut; ++slot) {
+      leaf.KeyBoxes::clear(slot);
+      leaf.reference[slot] = 0;
+    }
+    if (!storage_.remainders.empty()) fill_remainders(storage_.remainders[index], begin, count);
+  }
+
+  void fill_remainders(Remainders& remainders, std::size_t begin, std::size_t count) const {
+    remainders.clear();
+    for (std::size_t slot = 0; slot < count; ++slot)
+      remainders.set(slot, OrderedBox::of(source_.box(items_[places_[begin + slot].index].index)), storage_.frame);
   }
 
   // Level by level, and the nodes of each in a row.
@@ -152,7 +171,9 @@ class Packing {
 
   Storage<Payload>& storage_;
   Source source_;
-  LargeVector<Place> places_;
+  std::vector<std::size_t> block_begins_;
+  LargeVector<Item> items_;
+  LargeVector<Place> places_;  // of items
 };
 
 }  // namespace rtree

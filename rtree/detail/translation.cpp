@@ -5,19 +5,19 @@
 namespace rtree {
 namespace {
 
-constexpr std::size_t kGrain = 256;
+constexpr std::size_t kNodeGrain = 256;
 
 }  // namespace
 
 template <typename Payload>
 Translation<Payload>::Translation(const TreeView<Payload>& tree, const KeyFrame& frame)
     : tree_(tree), frame_(frame), inner_(tree.inner_count), leaves_(tree.leaf_count) {
-  algebra3d::parallel_for(leaves_.size(), kGrain, [&](std::size_t leaf) {
+  algebra3d::parallel_for(leaves_.size(), kNodeGrain, [&](std::size_t leaf) {
     leaves_[leaf] = tree.leaves[leaf];
     for (std::size_t slot = 0; slot < kFanOut && tree.leaves[leaf].is_used(slot); ++slot)
       leaves_[leaf].set_box(slot, translated(static_cast<NodeIndex>(leaf), slot));
   });
-  algebra3d::parallel_for(inner_.size(), kGrain, [&](std::size_t node) {
+  algebra3d::parallel_for(inner_.size(), kNodeGrain, [&](std::size_t node) {
     inner_[node] = tree.inner[node];
     for (std::size_t slot = 0; slot < kFanOut && inner_[node].is_used(slot); ++slot)
       inner_[node].set_box(slot, frame.keys(tree.frame.outer_box(inner_[node].box(slot))));
