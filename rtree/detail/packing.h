@@ -1,6 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <cassert>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 #include "rtree/detail/spatial_order.h"
 #include "rtree/detail/storage.h"

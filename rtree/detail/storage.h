@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <new>
+#include <utility>
 #include <vector>
 
 #include "algebra3d/base/large_allocator.h"
