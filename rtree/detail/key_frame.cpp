@@ -22,9 +22,9 @@ KeyFrame KeyFrame::of(const OrderedBox& bounds) {
 }
 
 bool KeyFrame::has(const OrderedBox& box) const {
-  bool result = true;
-  for (std::size_t axis = 0; axis < 3; ++axis) result &= axes[axis].has(box.min[axis]) & axes[axis].has(box.max[axis]);
-  return result;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (!axes[axis].has(box.min[axis]) || !axes[axis].has(box.max[axis])) return false;
+  return true;
 }
 
 // Up to the next multiple of four of the shift: few steps from the keys of one double to those of all.
