@@ -7,7 +7,7 @@ namespace rtree {
 namespace {
 
 using samples::Kind;
-using Pairs = std::vector<Pair<std::uint32_t>>;
+using NarrowPairs = std::vector<Pair<std::uint32_t>>;
 
 std::vector<Box3> random_boxes(std::size_t count, Kind kind, unsigned seed) {
   std::vector<Box3> boxes;
@@ -61,8 +61,8 @@ TEST(BoxTree, takes_thirty_bytes_an_entry) {
   EXPECT_LE(BoxTree(boxes).heap_bytes(), 30 * boxes.size());
 }
 
-Pairs all_pairs(JoinCursor<std::uint32_t> cursor) {
-  Pairs pairs;
+NarrowPairs all_pairs(JoinCursor<std::uint32_t> cursor) {
+  NarrowPairs pairs;
   while (const auto pair = cursor.next()) pairs.push_back(*pair);
   return pairs;
 }
@@ -75,7 +75,7 @@ TEST(BoxTree, does_not_depend_on_the_number_of_threads) {
       for (Box3& box : boxes) box.max = box.min + 0.1 * (box.max - box.min);
     if (kind == Kind::clustered)
       for (Box3& box : boxes) box.max = box.min;
-    std::vector<Pairs> pairs;
+    std::vector<NarrowPairs> pairs;
     std::vector<std::vector<std::uint32_t>> orders;
     for (const int threads : {1, 2, 4}) {
       algebra3d::with_threads(threads, [&] {

@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "unit/rtree/rtree_samples.h"
 
 // Boxes that differ by less than keys of 32 bits can tell: compared with a scan over the doubles.
@@ -10,11 +8,11 @@ namespace {
 
 using samples::Entries;
 using samples::Tree;
-using Pairs = std::vector<Pair<std::uint64_t>>;
-
-constexpr double kInfinity = Box3::kInfinity;
-constexpr double kMax = std::numeric_limits<double>::max();
-constexpr double kLeast = std::numeric_limits<double>::denorm_min();
+using samples::kInfinity;
+using samples::kLeast;
+using samples::kMax;
+using samples::Pairs;
+using samples::scan_pairs;
 
 // Coordinates around `place`, `ulps` representable steps from it at most.
 struct Around {
@@ -42,15 +40,6 @@ Entries entries_of(const Coordinate& coordinate, std::size_t count, unsigned see
     entries.push_back({box, id});
   }
   return entries;
-}
-
-Pairs scan_pairs(const Entries& first, const Entries& second) {
-  Pairs pairs;
-  for (const auto& a : first)
-    for (const auto& b : second)
-      if (a.box.intersects(b.box)) pairs.push_back({a.payload, b.payload});
-  std::ranges::sort(pairs);
-  return pairs;
 }
 
 std::vector<Box3> boxes_of(const Entries& entries) {

@@ -8,16 +8,8 @@ namespace {
 using samples::Entries;
 using samples::Kind;
 using samples::Tree;
-using Pairs = std::vector<Pair<std::uint64_t>>;
-
-Pairs scan_pairs(const Entries& first, const Entries& second) {
-  Pairs pairs;
-  for (const auto& a : first)
-    for (const auto& b : second)
-      if (a.box.intersects(b.box)) pairs.push_back({a.payload, b.payload});
-  std::ranges::sort(pairs);
-  return pairs;
-}
+using samples::Pairs;
+using samples::scan_pairs;
 
 Pairs scan_own_pairs(const Entries& entries) {
   Pairs pairs = scan_pairs(entries, entries);

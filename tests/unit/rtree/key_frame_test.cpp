@@ -1,17 +1,14 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <limits>
-#include <random>
-
 #include "rtree/detail/key_frame.h"
+#include "unit/rtree/rtree_samples.h"
 
 namespace rtree {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kMax = std::numeric_limits<double>::max();
-constexpr double kLeast = std::numeric_limits<double>::denorm_min();
+using samples::kInfinity;
+using samples::kLeast;
+using samples::kMax;
 
 const std::vector<double> kAscending = {-kInfinity, -kMax,    -1e300, -2, std::nextafter(-1, -2), -1, -1e-300, -kLeast,
                                         0,          kLeast,   1e-300, 1,  std::nextafter(1, 2),   2,  1e9,     1e300,

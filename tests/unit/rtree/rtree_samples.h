@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -12,6 +13,11 @@ namespace rtree::samples {
 
 using Entries = std::vector<Entry<std::uint64_t>>;
 using Tree = RTree<std::uint64_t>;
+using Pairs = std::vector<Pair<std::uint64_t>>;
+
+inline constexpr double kInfinity = Box3::kInfinity;
+inline constexpr double kMax = std::numeric_limits<double>::max();
+inline constexpr double kLeast = std::numeric_limits<double>::denorm_min();
 
 inline Box3 box_at(const Vec3& corner, const Vec3& size) {
   return {corner, corner + size};
@@ -79,6 +85,15 @@ inline std::vector<std::uint64_t> scan(const Entries& entries, const Box3& windo
     if (entry.box.intersects(window)) ids.push_back(entry.payload);
   std::ranges::sort(ids);
   return ids;
+}
+
+inline Pairs scan_pairs(const Entries& first, const Entries& second) {
+  Pairs pairs;
+  for (const auto& a : first)
+    for (const auto& b : second)
+      if (a.box.intersects(b.box)) pairs.push_back({a.payload, b.payload});
+  std::ranges::sort(pairs);
+  return pairs;
 }
 
 inline std::vector<std::uint64_t> window_ids(const Tree& tree, const Box3& window) {

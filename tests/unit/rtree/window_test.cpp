@@ -9,10 +9,9 @@ namespace rtree {
 namespace {
 
 using samples::Entries;
+using samples::kInfinity;
 using samples::Kind;
 using samples::Tree;
-
-constexpr double kInfinity = Box3::kInfinity;
 
 TEST(Window, bulk_loaded_and_inserted_trees_find_what_a_scan_finds) {
   for (const Kind kind : samples::kKinds) {
