@@ -258,7 +258,7 @@ void nearest_boost(benchmark::State& state) {
   }
 }
 
-std::size_t count_pairs(rtree::JoinCursor<std::uint32_t> cursor) {
+std::size_t count_pairs(BoxTree::JoinCursor cursor) {
   std::size_t pairs = 0;
   for (auto batch = cursor.next_batch(); !batch.empty(); batch = cursor.next_batch()) pairs += batch.size();
   return pairs;

@@ -5,15 +5,13 @@
 namespace rtree {
 namespace {
 
-template <typename Payload>
+template <typename Leaf>
 class Auditor {
  public:
-  explicit Auditor(const Storage<Payload>& storage)
+  explicit Auditor(const Storage<Leaf>& storage)
       : storage_(storage), leaf_visits_(storage.leaves.size()), inner_visits_(storage.inner.size()) {}
 
   std::vector<std::string> run() {
-    if (!storage_.remainders.empty() && storage_.remainders.size() != storage_.leaves.size())
-      complain("{} leaves, but remainders for {}", storage_.leaves.size(), storage_.remainders.size());
     walk();
     check_free_nodes(storage_.free_leaves, leaf_visits_, "leaf");
     check_free_nodes(storage_.free_inner, inner_visits_, "inner node");
@@ -36,7 +34,7 @@ class Auditor {
   static const char* kind(std::uint32_t level) { return level == 0 ? "leaf" : "inner node"; }
   std::vector<std::uint32_t>& visits(std::uint32_t level) { return level == 0 ? leaf_visits_ : inner_visits_; }
   const KeyBoxes& boxes(const Step& step) const {
-    return step.level == 0 ? static_cast<const KeyBoxes&>(storage_.leaves[step.node]) : storage_.inner[step.node];
+    return storage_.node(step.node, step.level);
   }
 
   void walk() {
@@ -106,7 +104,7 @@ class Auditor {
       if (visits[node] == 0) complain("{} {} is neither reachable nor free", kind, node);
   }
 
-  const Storage<Payload>& storage_;
+  const Storage<Leaf>& storage_;
   std::vector<std::uint32_t> leaf_visits_, inner_visits_;
   std::vector<std::string> problems_;
   std::size_t entries_found_ = 0;
@@ -114,9 +112,9 @@ class Auditor {
 
 }  // namespace
 
-template <typename Payload>
-std::vector<std::string> audit(const Storage<Payload>& storage) {
-  return Auditor<Payload>(storage).run();
+template <typename Leaf>
+std::vector<std::string> audit(const Storage<Leaf>& storage) {
+  return Auditor<Leaf>(storage).run();
 }
 
 template <typename Payload>
@@ -124,8 +122,9 @@ std::vector<std::string> audit(const RTree<Payload>& tree) {
   return audit(tree.storage());
 }
 
-template std::vector<std::string> audit(const Storage<std::uint32_t>&);
-template std::vector<std::string> audit(const Storage<std::uint64_t>&);
+template std::vector<std::string> audit(const Storage<IndexLeaf>&);
+template std::vector<std::string> audit(const Storage<ExactLeaf<std::uint32_t>>&);
+template std::vector<std::string> audit(const Storage<ExactLeaf<std::uint64_t>>&);
 template std::vector<std::string> audit(const RTree<std::uint32_t>&);
 template std::vector<std::string> audit(const RTree<std::uint64_t>&);
 

@@ -35,23 +35,23 @@ struct BoxSource {
 // Ties are broken by the place in the input; ordered by payload, the input gives the same tree in whatever order it
 // came.
 template <typename Payload>
-void bulk_load(Storage<Payload>& storage, const Entry<Payload>* entries, std::size_t count) {
+void bulk_load(Storage<ExactLeaf<Payload>>& storage, const Entry<Payload>* entries, std::size_t count) {
   assert(storage.empty());
   if (std::is_sorted(entries, entries + count, comes_before<Payload>)) {
-    Packing(storage, EntrySource<Payload>{entries}).load(count, true);
+    Packing(storage, EntrySource<Payload>{entries}).load(count);
     return;
   }
   std::vector<Entry<Payload>> ordered(entries, entries + count);
   std::sort(ordered.begin(), ordered.end(), comes_before<Payload>);
-  Packing(storage, EntrySource<Payload>{ordered.data()}).load(count, true);
+  Packing(storage, EntrySource<Payload>{ordered.data()}).load(count);
 }
 
-void bulk_load(Storage<std::uint32_t>& storage, const Box3* boxes, std::size_t count) {
+void bulk_load(Storage<IndexLeaf>& storage, const Box3* boxes, std::size_t count) {
   assert(storage.empty());
-  Packing(storage, BoxSource{boxes}).load(count, false);
+  Packing(storage, BoxSource{boxes}).load(count);
 }
 
-template void bulk_load(Storage<std::uint32_t>&, const Entry<std::uint32_t>*, std::size_t);
-template void bulk_load(Storage<std::uint64_t>&, const Entry<std::uint64_t>*, std::size_t);
+template void bulk_load(Storage<ExactLeaf<std::uint32_t>>&, const Entry<std::uint32_t>*, std::size_t);
+template void bulk_load(Storage<ExactLeaf<std::uint64_t>>&, const Entry<std::uint64_t>*, std::size_t);
 
 }  // namespace rtree

@@ -20,7 +20,7 @@ struct Found {
 template <typename Payload>
 class Finder {
  public:
-  Finder(const Storage<Payload>& storage, const Entry<Payload>& entry)
+  Finder(const Storage<ExactLeaf<Payload>>& storage, const Entry<Payload>& entry)
       : storage_(storage), payload_(entry.payload), box_(OrderedBox::of(entry.box)), keys_(storage.frame.keys(box_)) {}
 
   std::optional<Found> find() {
@@ -70,7 +70,7 @@ class Finder {
   }
 
   const NodeScans& scans_ = node_scans();
-  const Storage<Payload>& storage_;
+  const Storage<ExactLeaf<Payload>>& storage_;
   Payload payload_;
   OrderedBox box_;
   KeyBox keys_;
@@ -78,14 +78,14 @@ class Finder {
 };
 
 template <typename Payload>
-void tighten_slot(Storage<Payload>& storage, const PathStep& parent, std::uint32_t child_level) {
+void tighten_slot(Storage<ExactLeaf<Payload>>& storage, const PathStep& parent, std::uint32_t child_level) {
   const NodeIndex child = storage.inner[parent.node].reference[parent.slot];
-  storage.inner[parent.node].set_box(parent.slot, storage.node(child, child_level).bounds());
+  storage.set_child_box(parent, storage.node(child, child_level).bounds());
 }
 
 // The slot of the sister that grows least by taking the node in; of equal ones the lowest.
 template <typename Payload>
-std::size_t choose_sister(const Storage<Payload>& storage, const PathStep& parent) {
+std::size_t choose_sister(const Storage<ExactLeaf<Payload>>& storage, const PathStep& parent) {
   const InnerNode& node = storage.inner[parent.node];
   const auto box_at = [&](std::size_t slot) { return storage.frame.outer_box(node.box(slot)).box(); };
   const Box3 own = box_at(parent.slot);
@@ -105,7 +105,7 @@ std::size_t choose_sister(const Storage<Payload>& storage, const PathStep& paren
 // Merges an underfull node with a sister ([guttman1984], section 3.3, names it as the alternative to reinsertion), or
 // shares the entries out anew where one node cannot hold them. Local and bounded, whatever the tree looks like.
 template <typename Payload>
-void fill_up(Storage<Payload>& storage, const PathStep& parent, std::uint32_t level) {
+void fill_up(Storage<ExactLeaf<Payload>>& storage, const PathStep& parent, std::uint32_t level) {
   // The sister is chosen by the box that the node has now.
   tighten_slot(storage, parent, level);
   const PathStep sister_step{parent.node, choose_sister(storage, parent)};
@@ -123,7 +123,7 @@ void fill_up(Storage<Payload>& storage, const PathStep& parent, std::uint32_t le
 
 // Shortens the tree while the root has a single child.
 template <typename Payload>
-void shrink_root(Storage<Payload>& storage) {
+void shrink_root(Storage<ExactLeaf<Payload>>& storage) {
   while (storage.height > 0 && storage.inner[storage.root].count() == 1) {
     const NodeIndex old_root = storage.root;
     storage.root = storage.inner[old_root].reference[0];
@@ -134,7 +134,7 @@ void shrink_root(Storage<Payload>& storage) {
 }  // namespace
 
 template <typename Payload>
-bool erase(Storage<Payload>& storage, const Entry<Payload>& entry) {
+bool erase(Storage<ExactLeaf<Payload>>& storage, const Entry<Payload>& entry) {
   const auto found = Finder<Payload>(storage, entry).find();
   if (!found) return false;
   if (--storage.entry_count == 0) {
@@ -155,7 +155,7 @@ bool erase(Storage<Payload>& storage, const Entry<Payload>& entry) {
   return true;
 }
 
-template bool erase(Storage<std::uint32_t>&, const Entry<std::uint32_t>&);
-template bool erase(Storage<std::uint64_t>&, const Entry<std::uint64_t>&);
+template bool erase(Storage<ExactLeaf<std::uint32_t>>&, const Entry<std::uint32_t>&);
+template bool erase(Storage<ExactLeaf<std::uint64_t>>&, const Entry<std::uint64_t>&);
 
 }  // namespace rtree

@@ -72,7 +72,7 @@ std::size_t choose_slot(const NodeBoxes& node, std::uint32_t level, const Box3& 
 }
 
 template <typename Payload>
-Path choose_path(const Storage<Payload>& storage, const Box3& added) {
+Path choose_path(const Storage<ExactLeaf<Payload>>& storage, const Box3& added) {
   Path path;
   NodeIndex node = storage.root;
   for (std::uint32_t level = storage.height; level > 0; --level) {
@@ -85,7 +85,7 @@ Path choose_path(const Storage<Payload>& storage, const Box3& added) {
 
 // Puts the content into the full `node` and hands half of it to a new sister, which is returned for the parent.
 template <typename Payload>
-SlotContent<Payload> split_node(Storage<Payload>& storage, NodeIndex node, std::uint32_t level,
+SlotContent<Payload> split_node(Storage<ExactLeaf<Payload>>& storage, NodeIndex node, std::uint32_t level,
                                 const SlotContent<Payload>& added) {
   Redistribution<Payload> redistribution;
   redistribution.take(storage, node, level);
@@ -96,7 +96,7 @@ SlotContent<Payload> split_node(Storage<Payload>& storage, NodeIndex node, std::
 }
 
 template <typename Payload>
-void add_root(Storage<Payload>& storage, const SlotContent<Payload>& sister) {
+void add_root(Storage<ExactLeaf<Payload>>& storage, const SlotContent<Payload>& sister) {
   const SlotContent<Payload> old_root = child_content(storage, storage.root, storage.height);
   storage.root = storage.add_node(++storage.height);
   storage.set(storage.root, storage.height, 0, old_root);
@@ -105,19 +105,19 @@ void add_root(Storage<Payload>& storage, const SlotContent<Payload>& sister) {
 
 // Grows the boxes above a node of `level` by `added`.
 template <typename Payload>
-void grow_ancestors(Storage<Payload>& storage, const Path& path, std::uint32_t level, const OrderedBox& added) {
+void grow_ancestors(Storage<ExactLeaf<Payload>>& storage, const Path& path, std::uint32_t level, const OrderedBox& added) {
   const KeyBox keys = storage.frame.keys_in_range(added);
   for (; level < storage.height; ++level) {
     KeyBox box = storage.inner[path[level].node].box(path[level].slot);
     box.extend(keys);
-    storage.inner[path[level].node].set_box(path[level].slot, box);
+    storage.set_child_box(path[level], box);
   }
 }
 
 }  // namespace
 
 template <typename Payload>
-void insert(Storage<Payload>& storage, const Entry<Payload>& entry) {
+void insert(Storage<ExactLeaf<Payload>>& storage, const Entry<Payload>& entry) {
   SlotContent<Payload> pending{OrderedBox::of(entry.box), entry.payload};
   if (storage.empty()) {
     storage = {};
@@ -132,7 +132,7 @@ void insert(Storage<Payload>& storage, const Entry<Payload>& entry) {
     pending = split_node(storage, node, level, pending);
     if (level == storage.height) return add_root(storage, pending);
     const PathStep parent = path[level];
-    storage.inner[parent.node].set_box(parent.slot, storage.node(node, level).bounds());
+    storage.set_child_box(parent, storage.node(node, level).bounds());
     node = parent.node;
     ++level;
   }
@@ -140,7 +140,7 @@ void insert(Storage<Payload>& storage, const Entry<Payload>& entry) {
   grow_ancestors(storage, path, level, OrderedBox::of(entry.box));
 }
 
-template void insert(Storage<std::uint32_t>&, const Entry<std::uint32_t>&);
-template void insert(Storage<std::uint64_t>&, const Entry<std::uint64_t>&);
+template void insert(Storage<ExactLeaf<std::uint32_t>>&, const Entry<std::uint32_t>&);
+template void insert(Storage<ExactLeaf<std::uint64_t>>&, const Entry<std::uint64_t>&);
 
 }  // namespace rtree

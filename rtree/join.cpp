@@ -20,28 +20,28 @@ SlotMask slots_after(std::size_t slot) {
 
 }  // namespace
 
-template <typename Payload>
-JoinCursor<Payload>::JoinCursor(const TreeView<Payload>& first, const TreeView<Payload>& second)
+template <typename Leaf>
+BasicJoinCursor<Leaf>::BasicJoinCursor(const TreeView<Leaf>& first, const TreeView<Leaf>& second)
     : first_(first), second_(second), exact_first_(first), exact_second_(second), within_one_(false) {
   if (first.empty() || second.empty()) return;
   // Keys are compared in one frame: that of the larger tree, so that the work is that of the smaller one.
   if (first.frame != second.frame) {
-    TreeView<Payload>& smaller = first.entry_count < second.entry_count ? first_ : second_;
-    const TreeView<Payload>& larger = first.entry_count < second.entry_count ? second_ : first_;
-    translated_ = std::make_shared<const Translation<Payload>>(smaller, larger.frame);
+    TreeView<Leaf>& smaller = first.entry_count < second.entry_count ? first_ : second_;
+    const TreeView<Leaf>& larger = first.entry_count < second.entry_count ? second_ : first_;
+    translated_ = std::make_shared<const Translation<Leaf>>(smaller, larger.frame);
     smaller = translated_->view();
   }
   tasks_.push_back({first.root, second.root, first.height, second.height});
 }
 
-template <typename Payload>
-JoinCursor<Payload>::JoinCursor(const TreeView<Payload>& tree) : JoinCursor(tree, tree) {
+template <typename Leaf>
+BasicJoinCursor<Leaf>::BasicJoinCursor(const TreeView<Leaf>& tree) : BasicJoinCursor(tree, tree) {
   within_one_ = true;
 }
 
 // The batch grows while it gives few pairs: the first pair comes soon, and then there is work for all threads.
-template <typename Payload>
-bool JoinCursor<Payload>::refill() {
+template <typename Leaf>
+bool BasicJoinCursor<Leaf>::refill() {
   pairs_.clear();
   position_ = 0;
   while (pairs_.empty() && !tasks_.empty()) {
@@ -58,8 +58,8 @@ bool JoinCursor<Payload>::refill() {
 }
 
 // Pairs of nodes just above the leaves, or of leaves.
-template <typename Payload>
-auto JoinCursor<Payload>::next_tasks() -> std::vector<Task> {
+template <typename Leaf>
+auto BasicJoinCursor<Leaf>::next_tasks() -> std::vector<Task> {
   std::vector<Task> tasks;
   while (!tasks_.empty() && tasks.size() < batch_tasks_) {
     const Task task = tasks_.back();
@@ -72,8 +72,8 @@ auto JoinCursor<Payload>::next_tasks() -> std::vector<Task> {
   return tasks;
 }
 
-template <typename Payload>
-void JoinCursor<Payload>::expand(const Task& task) {
+template <typename Leaf>
+void BasicJoinCursor<Leaf>::expand(const Task& task) {
   if (within_one_ && task.first == task.second) return expand_self(task);
   if (task.first_level == task.second_level) return expand_both(task);
   if (task.first_level > task.second_level) {
@@ -90,8 +90,8 @@ void JoinCursor<Payload>::expand(const Task& task) {
 }
 
 // Only children that meet the other node are compared with its children: many pairs of nodes overlap in a small part.
-template <typename Payload>
-void JoinCursor<Payload>::expand_both(const Task& task) {
+template <typename Leaf>
+void BasicJoinCursor<Leaf>::expand_both(const Task& task) {
   const InnerNode& first = first_.inner[task.first];
   const InnerNode& second = second_.inner[task.second];
   const std::uint32_t level = task.first_level - 1;
@@ -102,8 +102,8 @@ void JoinCursor<Payload>::expand_both(const Task& task) {
   }
 }
 
-template <typename Payload>
-void JoinCursor<Payload>::expand_self(const Task& task) {
+template <typename Leaf>
+void BasicJoinCursor<Leaf>::expand_self(const Task& task) {
   const InnerNode& node = first_.inner[task.first];
   const std::uint32_t level = task.first_level - 1;
   for (std::size_t row = 0; row < kFanOut && node.is_used(row); ++row) {
@@ -113,8 +113,8 @@ void JoinCursor<Payload>::expand_self(const Task& task) {
   }
 }
 
-template <typename Payload>
-void JoinCursor<Payload>::match(const Task& task, Pairs& pairs) const {
+template <typename Leaf>
+void BasicJoinCursor<Leaf>::match(const Task& task, Pairs& pairs) const {
   const bool is_self = within_one_ && task.first == task.second;
   if (task.first_level == 0) {
     if (is_self) return match_within(task.first, pairs);
@@ -132,16 +132,16 @@ void JoinCursor<Payload>::match(const Task& task, Pairs& pairs) const {
     }
     while (columns != 0) {
       const std::size_t column = take_slot(columns);
-      const SlotMask meeting = scans_->meeting(first_.leaves[first.reference[row]], second.box(column));
+      const SlotMask meeting = scans_->meeting(first_.leaf(first.reference[row]), second.box(column));
       match_leaves(first.reference[row], second.reference[column], meeting, pairs);
     }
   }
 }
 
-template <typename Payload>
-void JoinCursor<Payload>::match_leaves(NodeIndex first, NodeIndex second, SlotMask rows, Pairs& pairs) const {
-  const Node<Payload>& first_leaf = first_.leaves[first];
-  const Node<Payload>& second_leaf = second_.leaves[second];
+template <typename Leaf>
+void BasicJoinCursor<Leaf>::match_leaves(NodeIndex first, NodeIndex second, SlotMask rows, Pairs& pairs) const {
+  const Leaf& first_leaf = first_.leaf(first);
+  const Leaf& second_leaf = second_.leaf(second);
   Meeting meetings[kFanOut];
   scans_->meeting_rows(first_leaf, rows, second_leaf, meetings);
   while (rows != 0) {
@@ -156,9 +156,9 @@ void JoinCursor<Payload>::match_leaves(NodeIndex first, NodeIndex second, SlotMa
   }
 }
 
-template <typename Payload>
-void JoinCursor<Payload>::match_within(NodeIndex index, Pairs& pairs) const {
-  const Node<Payload>& leaf = first_.leaves[index];
+template <typename Leaf>
+void BasicJoinCursor<Leaf>::match_within(NodeIndex index, Pairs& pairs) const {
+  const Leaf& leaf = first_.leaf(index);
   for (std::size_t row = 0; row < kFanOut && leaf.is_used(row); ++row) {
     const Meeting meeting = scans_->meeting_exactly(leaf, leaf.box(row));
     for (SlotMask columns = meeting.slots() & slots_after(row); columns != 0;) {
@@ -171,13 +171,14 @@ void JoinCursor<Payload>::match_within(NodeIndex index, Pairs& pairs) const {
   }
 }
 
-template <typename Payload>
-void JoinCursor<Payload>::emit(Payload first, Payload second, Pairs& pairs) const {
+template <typename Leaf>
+void BasicJoinCursor<Leaf>::emit(Payload first, Payload second, Pairs& pairs) const {
   if (within_one_ && second < first) std::swap(first, second);
   pairs.push_back({first, second});
 }
 
-template class JoinCursor<std::uint32_t>;
-template class JoinCursor<std::uint64_t>;
+template class BasicJoinCursor<IndexLeaf>;
+template class BasicJoinCursor<ExactLeaf<std::uint32_t>>;
+template class BasicJoinCursor<ExactLeaf<std::uint64_t>>;
 
 }  // namespace rtree

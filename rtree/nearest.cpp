@@ -75,8 +75,8 @@ bool reaches_beyond(double limit, const Box3& box) {
 
 }  // namespace
 
-template <typename Payload>
-NearestCursor<Payload>::NearestCursor(const TreeView<Payload>& tree, const Box3& box, std::size_t limit)
+template <typename Leaf>
+BasicNearestCursor<Leaf>::BasicNearestCursor(const TreeView<Leaf>& tree, const Box3& box, std::size_t limit)
     : tree_(tree), target_(box, tree.frame), limit_(limit) {
   if (tree.empty() || box.is_empty() || limit == 0) return;
   const Box3 bounds = tree.frame.outer_box(tree.node(tree.root, tree.height).bounds()).box();
@@ -92,16 +92,16 @@ NearestCursor<Payload>::NearestCursor(const TreeView<Payload>& tree, const Box3&
 }
 
 // The exact boxes may lie far apart, and are fetched together.
-template <typename Payload>
-void NearestCursor<Payload>::find_all() {
+template <typename Leaf>
+void BasicNearestCursor<Leaf>::find_all() {
   const std::vector<LeafSlot> places = k_nearest(tree_, target_, limit_);
   heap_.reserve(places.size());
   for (const LeafSlot& place : places) tree_.prefetch_exact_box(place.leaf, place.slot);
   for (const LeafSlot& place : places) measure(place);
 }
 
-template <typename Payload>
-std::optional<Neighbor<Payload>> NearestCursor<Payload>::next() {
+template <typename Leaf>
+auto BasicNearestCursor<Leaf>::next() -> std::optional<Neighbor<Payload>> {
   while (limit_ > 0 && !heap_.empty()) {
     const Candidate nearest = pop();
     if (nearest.rank == kExact) {
@@ -124,8 +124,8 @@ std::optional<Neighbor<Payload>> NearestCursor<Payload>::next() {
 
 // The distances of nodes and of keys are lower bounds of those of entries: also as rounded, since all are computed
 // alike.
-template <typename Payload>
-void NearestCursor<Payload>::expand(NodeIndex index, std::uint32_t level) {
+template <typename Leaf>
+void BasicNearestCursor<Leaf>::expand(NodeIndex index, std::uint32_t level) {
   const KeyBoxes& node = tree_.node(index, level);
   double squares[kFanOut];
   scans_->squared_distances(node, target_, tree_.frame, squares);
@@ -139,15 +139,15 @@ void NearestCursor<Payload>::expand(NodeIndex index, std::uint32_t level) {
 }
 
 // Adds the entry at its exact distance.
-template <typename Payload>
-void NearestCursor<Payload>::measure(const LeafSlot& place) {
+template <typename Leaf>
+void BasicNearestCursor<Leaf>::measure(const LeafSlot& place) {
   const Box3 box = tree_.exact_box(place.leaf, place.slot).box();
   const double distance = distance_to(box, square_of_distance(box, target_.box));
-  push({distance, tree_.leaves[place.leaf].reference[place.slot], kExact});
+  push({distance, tree_.leaf(place.leaf).reference[place.slot], kExact});
 }
 
-template <typename Payload>
-double NearestCursor<Payload>::distance_to(const Box3& box, double square) const {
+template <typename Leaf>
+double BasicNearestCursor<Leaf>::distance_to(const Box3& box, double square) const {
   double distance = std::sqrt(square);
   if (square < kSmallSquare) distance = scaled_distance(box, target_.box, 0x1p600);
   if (square > kLargeSquare) distance = scaled_large_distance(box, target_.box, 0x1p-600) / 0x1p-600;
@@ -155,28 +155,29 @@ double NearestCursor<Payload>::distance_to(const Box3& box, double square) const
 }
 
 // A distance may be beyond the largest double, and is to be told from others that are.
-template <typename Payload>
-double NearestCursor<Payload>::far_code(const Box3& to, double distance) const {
+template <typename Leaf>
+double BasicNearestCursor<Leaf>::far_code(const Box3& to, double distance) const {
   if (distance < 1) return near_code(distance);
   if (distance < kNoOverflow) return distance * kFarScale;
   return scaled_large_distance(to, target_.box, 0x1p-600) * (kFarScale * 0x1p600);
 }
 
-template <typename Payload>
-void NearestCursor<Payload>::push(const Candidate& candidate) {
+template <typename Leaf>
+void BasicNearestCursor<Leaf>::push(const Candidate& candidate) {
   heap_.push_back(candidate);
   std::push_heap(heap_.begin(), heap_.end(), [](const auto& a, const auto& b) { return a.is_after(b); });
 }
 
-template <typename Payload>
-auto NearestCursor<Payload>::pop() -> Candidate {
+template <typename Leaf>
+auto BasicNearestCursor<Leaf>::pop() -> Candidate {
   std::pop_heap(heap_.begin(), heap_.end(), [](const auto& a, const auto& b) { return a.is_after(b); });
   const Candidate nearest = heap_.back();
   heap_.pop_back();
   return nearest;
 }
 
-template class NearestCursor<std::uint32_t>;
-template class NearestCursor<std::uint64_t>;
+template class BasicNearestCursor<IndexLeaf>;
+template class BasicNearestCursor<ExactLeaf<std::uint32_t>>;
+template class BasicNearestCursor<ExactLeaf<std::uint64_t>>;
 
 }  // namespace rtree

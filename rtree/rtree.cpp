@@ -23,16 +23,12 @@ bool RTree<Payload>::erase(const Box3& box, Payload payload) {
 
 template <typename Payload>
 std::vector<Entry<Payload>> RTree<Payload>::entries() const {
-  const TreeView<Payload> tree = view();
-  std::vector<bool> is_free(tree.leaf_count);
-  for (const NodeIndex leaf : storage_.free_leaves) is_free[leaf] = true;
   std::vector<Entry<Payload>> result;
   result.reserve(size());
-  for (std::size_t i = 0; i < tree.leaf_count; ++i) {
-    const auto leaf = static_cast<NodeIndex>(i);
-    for (std::size_t slot = 0; !is_free[i] && slot < kFanOut && tree.leaves[i].is_used(slot); ++slot)
-      result.push_back({tree.exact_box(leaf, slot).box(), tree.leaves[i].reference[slot]});
-  }
+  // Free leaves have no slots in use.
+  for (const ExactLeaf<Payload>& leaf : storage_.leaves.all())
+    for (std::size_t slot = 0; slot < kFanOut && leaf.is_used(slot); ++slot)
+      result.push_back({exact_box(storage_.frame, leaf, leaf.remainders, slot).box(), leaf.reference[slot]});
   return result;
 }
 

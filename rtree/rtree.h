@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "algebra3d/base/error.h"
 #include "rtree/detail/cursors.h"
+#include "rtree/image.h"
 
 namespace rtree {
 
@@ -14,7 +16,8 @@ namespace rtree {
 /// Touching boxes meet. Equal entries may be stored several times. Entries with an empty box are not stored, since they
 /// meet nothing. At most 2^32 - 1 entries can be bulk loaded, and 2^32 - 1 nodes stored. Deterministic, for any number
 /// of threads; a bulk-loaded tree does not depend on the order of its entries. The tree must outlive its cursors and
-/// must not be changed while they are in use. Concurrent calls of const members are safe.
+/// must not be changed while they are in use. Concurrent calls of const members are safe. The state can be stored and
+/// taken back as it lies in memory: see image.h.
 template <typename Payload>
 class RTree {
  public:
@@ -29,7 +32,23 @@ class RTree {
   /// Removes one entry with exactly this box and payload; false if there is none. Cost: logarithmic if few boxes
   /// overlap there.
   bool erase(const Box3& box, Payload payload);
-  void clear() { storage_ = {}; }
+  void clear() { *this = {}; }
+
+  /// The whole state as bytes. Reads the leaves that were not read.
+  ImageParts image() const;
+  /// What has to be written to an image that has the state of the last call: the header and the parts of the arrays
+  /// that were changed by inserts and erases since, in whole nodes; all at the first call, and none after from_image.
+  /// Where the arrays became shorter, what is beyond their end is to be dropped.
+  ImageParts take_changes();
+  /// The tree of an image. Cost: that of copying it, and of a look at each node: whatever the bytes are, the tree can be
+  /// used and changed without harm, but only bytes of an image give its answers. Errors: database_corrupt;
+  /// database_version for an image of another version or byte order.
+  static algebra3d::Result<RTree> from_image(std::span<const std::byte> header, std::span<const std::byte> inner,
+                                             std::span<const std::byte> leaves);
+  /// The same, where leaves are read when they are first needed, and looked at then: all other members may throw what
+  /// the reader throws, or DamagedImage. Cost: that of copying the inner nodes, one for 16 leaves, and looking at them.
+  static algebra3d::Result<RTree> from_image(std::span<const std::byte> header, std::span<const std::byte> inner,
+                                             LeafReader leaves);
 
   /// The entries that meet `window`: `for (auto id : tree.window(box))`.
   WindowCursor<Payload> window(const Box3& window) const { return {view(), window}; }
@@ -50,12 +69,13 @@ class RTree {
   std::size_t heap_bytes() const { return storage_.heap_bytes(); }
 
   /// The nodes, for `audit`.
-  const Storage<Payload>& storage() const { return storage_; }
+  const Storage<ExactLeaf<Payload>>& storage() const { return storage_; }
 
  private:
-  TreeView<Payload> view() const { return storage_.view(); }
+  TreeView<ExactLeaf<Payload>> view() const { return storage_.view(); }
 
-  Storage<Payload> storage_;
+  Storage<ExactLeaf<Payload>> storage_;
+  bool is_stored_ = false;  // an image has all but what storage_ lists as changed
 };
 
 /// An R-tree over boxes that stay where they are, each named by its index: half the memory of RTree, and not to be
@@ -66,23 +86,25 @@ class BoxTree {
   /// At most 2^32 - 1 boxes. Cost: linear.
   explicit BoxTree(std::span<const Box3> boxes);
 
-  WindowCursor<std::uint32_t> window(const Box3& window) const { return {view(), window}; }
-  NearestCursor<std::uint32_t> nearest(const Box3& box, std::size_t limit = SIZE_MAX) const {
-    return {view(), box, limit};
-  }
-  JoinCursor<std::uint32_t> join(const BoxTree& other) const { return {view(), other.view()}; }
-  JoinCursor<std::uint32_t> self_join() const { return JoinCursor<std::uint32_t>(view()); }
+  using WindowCursor = BasicWindowCursor<IndexLeaf>;
+  using NearestCursor = BasicNearestCursor<IndexLeaf>;
+  using JoinCursor = BasicJoinCursor<IndexLeaf>;
+
+  WindowCursor window(const Box3& window) const { return {view(), window}; }
+  NearestCursor nearest(const Box3& box, std::size_t limit = SIZE_MAX) const { return {view(), box, limit}; }
+  JoinCursor join(const BoxTree& other) const { return {view(), other.view()}; }
+  JoinCursor self_join() const { return JoinCursor(view()); }
 
   std::size_t size() const { return storage_.entry_count; }
   bool empty() const { return size() == 0; }
   Box3 bounds() const { return view().bounds(); }
   std::size_t heap_bytes() const { return storage_.heap_bytes(); }
-  const Storage<std::uint32_t>& storage() const { return storage_; }
+  const Storage<IndexLeaf>& storage() const { return storage_; }
 
  private:
-  TreeView<std::uint32_t> view() const { return storage_.view(boxes_); }
+  TreeView<IndexLeaf> view() const { return storage_.view(boxes_); }
 
-  Storage<std::uint32_t> storage_;
+  Storage<IndexLeaf> storage_;
   const Box3* boxes_ = nullptr;
 };
 
@@ -99,7 +121,7 @@ void for_each_pair(const RTree<Payload>& tree, Visit visit) {
 template <typename Payload>
 std::vector<std::string> audit(const RTree<Payload>& tree);
 /// The same for a Storage.
-template <typename Payload>
-std::vector<std::string> audit(const Storage<Payload>& storage);
+template <typename Leaf>
+std::vector<std::string> audit(const Storage<Leaf>& storage);
 
 }  // namespace rtree

@@ -2,15 +2,15 @@
 
 namespace rtree {
 
-template <typename Payload>
-WindowCursor<Payload>::WindowCursor(const TreeView<Payload>& tree, const Box3& window)
+template <typename Leaf>
+BasicWindowCursor<Leaf>::BasicWindowCursor(const TreeView<Leaf>& tree, const Box3& window)
     : tree_(tree), window_(window, tree.frame) {
   if (tree.empty() || window.is_empty()) return;
   enter(tree.root, tree.height);
 }
 
-template <typename Payload>
-void WindowCursor<Payload>::enter(NodeIndex node, std::uint32_t level) {
+template <typename Leaf>
+void BasicWindowCursor<Leaf>::enter(NodeIndex node, std::uint32_t level) {
   if (level == 0) return enter_leaf(node);
   const InnerNode& inner = tree_.inner[node];
   SlotMask slots = scans_->meeting(inner, window_.keys);
@@ -22,9 +22,9 @@ void WindowCursor<Payload>::enter(NodeIndex node, std::uint32_t level) {
     while (slots != 0) prefetch(tree_.leaves[inner.reference[take_slot(slots)]]);
 }
 
-template <typename Payload>
-void WindowCursor<Payload>::enter_leaf(NodeIndex leaf) {
-  leaf_ = &tree_.leaves[leaf];
+template <typename Leaf>
+void BasicWindowCursor<Leaf>::enter_leaf(NodeIndex leaf) {
+  leaf_ = &tree_.leaf(leaf);
   const Meeting meeting = scans_->meeting_exactly(*leaf_, window_.keys);
   leaf_slots_ = meeting.slots();
   for (SlotMask open = meeting.open(); open != 0;) {
@@ -33,8 +33,8 @@ void WindowCursor<Payload>::enter_leaf(NodeIndex leaf) {
   }
 }
 
-template <typename Payload>
-bool WindowCursor<Payload>::find_leaf() {
+template <typename Leaf>
+bool BasicWindowCursor<Leaf>::find_leaf() {
   while (leaf_slots_ == 0 && depth_ > 0) {
     Frame& top = frames_[depth_ - 1];
     const NodeIndex child = top.node->reference[take_slot(top.slots)];
@@ -45,7 +45,8 @@ bool WindowCursor<Payload>::find_leaf() {
   return leaf_slots_ != 0;
 }
 
-template class WindowCursor<std::uint32_t>;
-template class WindowCursor<std::uint64_t>;
+template class BasicWindowCursor<IndexLeaf>;
+template class BasicWindowCursor<ExactLeaf<std::uint32_t>>;
+template class BasicWindowCursor<ExactLeaf<std::uint64_t>>;
 
 }  // namespace rtree

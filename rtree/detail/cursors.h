@@ -15,9 +15,11 @@ namespace rtree {
 /// A cursor over the payloads of the entries whose boxes meet a window, found on demand by `next` or as a single-pass
 /// range. The order is that of the tree and depends on its history only. The tree must outlive the cursor, and changing
 /// or moving it invalidates the cursor.
-template <typename Payload>
-class WindowCursor {
+template <typename Leaf>
+class BasicWindowCursor {
  public:
+  using Payload = typename Leaf::Payload;
+
   class Iterator {
    public:
     using value_type = Payload;
@@ -25,7 +27,7 @@ class WindowCursor {
     using iterator_concept = std::input_iterator_tag;
 
     Iterator() = default;
-    explicit Iterator(WindowCursor& cursor) : cursor_(&cursor), current_(cursor.next()) {}
+    explicit Iterator(BasicWindowCursor& cursor) : cursor_(&cursor), current_(cursor.next()) {}
     Payload operator*() const { return *current_; }
     Iterator& operator++() {
       current_ = cursor_->next();
@@ -35,12 +37,12 @@ class WindowCursor {
     friend bool operator==(const Iterator& it, std::default_sentinel_t) { return !it.current_.has_value(); }
 
    private:
-    WindowCursor* cursor_ = nullptr;
+    BasicWindowCursor* cursor_ = nullptr;
     std::optional<Payload> current_;
   };
 
   /// Domain: any window, infinite extents included; an empty one meets nothing.
-  WindowCursor(const TreeView<Payload>& tree, const Box3& window);
+  BasicWindowCursor(const TreeView<Leaf>& tree, const Box3& window);
 
   std::optional<Payload> next() {
     if (leaf_slots_ == 0 && !find_leaf()) return std::nullopt;
@@ -61,13 +63,15 @@ class WindowCursor {
   void enter_leaf(NodeIndex leaf);
 
   const NodeScans* scans_ = &node_scans();
-  TreeView<Payload> tree_;
+  TreeView<Leaf> tree_;
   Target window_;
-  const Node<Payload>* leaf_ = nullptr;
+  const Leaf* leaf_ = nullptr;
   SlotMask leaf_slots_ = 0;
   std::uint32_t depth_ = 0;
   std::array<Frame, kMaxLevels> frames_;
 };
+template <typename Payload>
+using WindowCursor = BasicWindowCursor<ExactLeaf<Payload>>;
 
 /// One result of a nearest search.
 template <typename Payload>
@@ -81,12 +85,14 @@ struct Neighbor {
 /// A cursor over entries by ascending distance from a box, then by payload; the search is incremental. Distances are
 /// rounded and compared as rounded, for any size of coordinates. Distances beyond the largest double are returned as
 /// infinite, but are ordered, too. Lifetime: as WindowCursor. Source: [hjaltason1999].
-template <typename Payload>
-class NearestCursor {
+template <typename Leaf>
+class BasicNearestCursor {
  public:
+  using Payload = typename Leaf::Payload;
+
   /// The cursor ends after `limit` entries; a small limit saves work, which is then done at once. Domain: any box,
   /// infinite extents included; the empty box has no neighbours.
-  NearestCursor(const TreeView<Payload>& tree, const Box3& box, std::size_t limit);
+  BasicNearestCursor(const TreeView<Leaf>& tree, const Box3& box, std::size_t limit);
 
   std::optional<Neighbor<Payload>> next();
 
@@ -118,12 +124,14 @@ class NearestCursor {
   double far_code(const Box3& to, double distance) const;
 
   const NodeScans* scans_ = &node_scans();
-  TreeView<Payload> tree_;
+  TreeView<Leaf> tree_;
   Target target_;
   std::size_t limit_;    // number of entries still to be returned
   bool is_far_ = false;  // distances may be beyond the largest double
   std::vector<Candidate> heap_;
 };
+template <typename Payload>
+using NearestCursor = BasicNearestCursor<ExactLeaf<Payload>>;
 
 /// Two entries whose boxes meet.
 template <typename Payload>
@@ -137,13 +145,15 @@ struct Pair {
 /// A cursor over pairs of entries whose boxes meet, of two trees or within one, found on demand. Large joins are done
 /// by several threads, in batches that grow; the order of the pairs does not depend on that. Lifetime: as WindowCursor,
 /// for both trees. Source: [brinkhoff1993], section 4, without the plane sweep.
-template <typename Payload>
-class JoinCursor {
+template <typename Leaf>
+class BasicJoinCursor {
  public:
+  using Payload = typename Leaf::Payload;
+
   /// All pairs of an entry of `first` and an entry of `second`.
-  JoinCursor(const TreeView<Payload>& first, const TreeView<Payload>& second);
+  BasicJoinCursor(const TreeView<Leaf>& first, const TreeView<Leaf>& second);
   /// All pairs of different entries of one tree, each once, the smaller payload first.
-  explicit JoinCursor(const TreeView<Payload>& tree);
+  explicit BasicJoinCursor(const TreeView<Leaf>& tree);
 
   std::optional<Pair<Payload>> next() {
     if (position_ == pairs_.size() && !refill()) return std::nullopt;
@@ -175,14 +185,16 @@ class JoinCursor {
   void emit(Payload first, Payload second, Pairs& pairs) const;
 
   const NodeScans* scans_ = &node_scans();
-  TreeView<Payload> first_, second_;              // with keys of one frame
-  TreeView<Payload> exact_first_, exact_second_;  // as given
-  std::shared_ptr<const Translation<Payload>> translated_;
+  TreeView<Leaf> first_, second_;              // with keys of one frame
+  TreeView<Leaf> exact_first_, exact_second_;  // as given
+  std::shared_ptr<const Translation<Leaf>> translated_;
   bool within_one_;
   std::vector<Task> tasks_;
   std::size_t batch_tasks_ = 1;
   Pairs pairs_;
   std::size_t position_ = 0;
 };
+template <typename Payload>
+using JoinCursor = BasicJoinCursor<ExactLeaf<Payload>>;
 
 }  // namespace rtree

@@ -27,10 +27,10 @@ double resolution(const KeyFrame& frame, const KeyBox& bounds) {
   return sum;
 }
 
-template <typename Payload>
+template <typename Leaf>
 class Search {
  public:
-  Search(const TreeView<Payload>& tree, const Target& target, std::size_t k)
+  Search(const TreeView<Leaf>& tree, const Target& target, std::size_t k)
       : tree_(tree),
         target_(target),
         k_(k),
@@ -100,7 +100,7 @@ class Search {
   }
 
   void enter_leaf(NodeIndex index) {
-    const Node<Payload>& leaf = tree_.leaves[index];
+    const Leaf& leaf = tree_.leaf(index);
     double squares[kFanOut];
     scans_.squared_distances(leaf, target_, tree_.frame, squares);
     SlotMask near = 0;
@@ -131,7 +131,7 @@ class Search {
   }
 
   const NodeScans& scans_ = node_scans();
-  const TreeView<Payload>& tree_;
+  const TreeView<Leaf>& tree_;
   const Target& target_;
   std::size_t k_;
   double resolution_;
@@ -145,12 +145,13 @@ class Search {
 
 }  // namespace
 
-template <typename Payload>
-std::vector<LeafSlot> k_nearest(const TreeView<Payload>& tree, const Target& target, std::size_t k) {
-  return Search<Payload>(tree, target, k).run();
+template <typename Leaf>
+std::vector<LeafSlot> k_nearest(const TreeView<Leaf>& tree, const Target& target, std::size_t k) {
+  return Search<Leaf>(tree, target, k).run();
 }
 
-template std::vector<LeafSlot> k_nearest(const TreeView<std::uint32_t>&, const Target&, std::size_t);
-template std::vector<LeafSlot> k_nearest(const TreeView<std::uint64_t>&, const Target&, std::size_t);
+template std::vector<LeafSlot> k_nearest(const TreeView<IndexLeaf>&, const Target&, std::size_t);
+template std::vector<LeafSlot> k_nearest(const TreeView<ExactLeaf<std::uint32_t>>&, const Target&, std::size_t);
+template std::vector<LeafSlot> k_nearest(const TreeView<ExactLeaf<std::uint64_t>>&, const Target&, std::size_t);
 
 }  // namespace rtree

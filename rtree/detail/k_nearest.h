@@ -21,7 +21,7 @@ inline constexpr double kNoSquareOverflow = 0x1p500;
 /// Few entries among which are the `k` nearest to the target, told by keys alone. Domain: the tree is not empty; its
 /// coordinates and those of the target are at most kNoSquareOverflow; k is from 1 to kMostNearest. Source:
 /// [roussopoulos1995], with the order of children by distance.
-template <typename Payload>
-std::vector<LeafSlot> k_nearest(const TreeView<Payload>& tree, const Target& target, std::size_t k);
+template <typename Leaf>
+std::vector<LeafSlot> k_nearest(const TreeView<Leaf>& tree, const Target& target, std::size_t k);
 
 }  // namespace rtree

@@ -94,6 +94,12 @@ struct AxisFrame {
   /// `least_shift`.
   static AxisFrame of(std::int64_t low, std::int64_t high, std::uint32_t least_shift = 0);
 
+  /// True for the frames that `of` gives: all positions in the range are within 64 bits.
+  bool is_valid() const {
+    if (shift >= 32) return shift == 32 && base == 0;
+    const std::int64_t least = INT64_MIN >> shift, greatest = (INT64_MAX >> shift) - UINT32_MAX;
+    return base >= least - INT32_MIN && base <= greatest - INT32_MIN;
+  }
   std::int64_t first() const { return (base + INT32_MIN) << shift; }
   // The key INT32_MAX is that of no coordinate: it is the least one of an unused slot, which no box meets.
   std::int64_t last() const { return ((base + INT32_MAX) << shift) - 1; }

@@ -67,6 +67,9 @@ struct alignas(64) KeyBoxes {
     while (result < kFanOut && is_used(result)) ++result;
     return result;
   }
+  /// True if at least `fewest` slots are used, these come first with boxes that are not empty, and the others are as
+  /// `clear` leaves them.
+  bool is_sound(std::size_t fewest) const;
   /// The least box around all; that of an unused slot if there are none.
   KeyBox bounds() const {
     KeyBox result = box(0);
@@ -84,6 +87,7 @@ struct alignas(64) KeyBoxes {
 template <typename Reference>
 struct Node : KeyBoxes {
   static_assert(std::is_unsigned_v<Reference>);
+  using Payload = Reference;
 
   Reference reference[kFanOut];  ///< leaf: payload; inner node: index of the child
 };
@@ -103,6 +107,17 @@ struct Remainders {
   }
 };
 
+/// A leaf with exact boxes.
+template <typename Payload>
+struct ExactLeaf : Node<Payload> {
+  Remainders remainders;
+};
+/// A leaf of a tree over boxes that lie elsewhere, each named by its index.
+using IndexLeaf = Node<std::uint32_t>;
+
+template <typename Leaf>
+inline constexpr bool kHasRemainders = requires(Leaf leaf) { leaf.remainders; };
+
 /// The exact box of an entry.
 inline OrderedBox exact_box(const KeyFrame& frame, const KeyBoxes& leaf, const Remainders& remainders,
                             std::size_t slot) {
@@ -115,11 +130,15 @@ inline OrderedBox exact_box(const KeyFrame& frame, const KeyBoxes& leaf, const R
   return box;
 }
 
-/// Prefetches a node.
+inline void prefetch_bytes(const void* begin, std::size_t count) {
+  const auto* bytes = static_cast<const char*>(begin);
+  for (std::size_t line = 0; line < count; line += 64) __builtin_prefetch(bytes + line);
+  if (count % 64 != 0) __builtin_prefetch(bytes + count - 1);
+}
+/// Prefetches a node; of a leaf not the remainders, which are seldom needed.
 template <typename Reference>
 inline void prefetch(const Node<Reference>& node) {
-  const auto* bytes = reinterpret_cast<const char*>(&node);
-  for (std::size_t line = 0; line < sizeof(node); line += 64) __builtin_prefetch(bytes + line);
+  prefetch_bytes(&node, sizeof(node));
 }
 
 }  // namespace rtree

@@ -25,13 +25,13 @@ struct Nodes {
 
 /// Bulk loading: sorts entries along a curve, cuts this into leaves, and runs of leaves into nodes above. `Source` has
 /// the boxes and payloads of the input.
-template <typename Payload, typename Source>
+template <typename Leaf, typename Source>
 class Packing {
  public:
-  Packing(Storage<Payload>& storage, const Source& source) : storage_(storage), source_(source) {}
+  Packing(Storage<Leaf>& storage, const Source& source) : storage_(storage), source_(source) {}
 
-  /// From `count` entries of the source; with the exact boxes if `are_exact`.
-  void load(std::size_t count, bool are_exact) {
+  /// From `count` entries of the source.
+  void load(std::size_t count) {
     const Box3 region = measure(count);
     storage_.entry_count = block_begins_.back();
     if (storage_.empty()) return;
@@ -39,7 +39,7 @@ class Packing {
     encode(count, CellGrid(region));
     const auto box_at = [this](std::size_t i) -> const Box3& { return source_.box(items_[i].index); };
     SpatialSorter(std::span<Place>(places_), box_at).sort();
-    make_leaves(are_exact);
+    make_leaves();
     make_inner_nodes();
   }
 
@@ -100,10 +100,9 @@ class Packing {
     });
   }
 
-  void make_leaves(bool are_exact) {
+  void make_leaves() {
     const Nodes nodes{places_.size()};
     storage_.leaves.resize(nodes.count());
-    if (are_exact) storage_.remainders.resize(nodes.count());
     algebra3d::parallel_for(nodes.count(), kGrain, [&](std::size_t leaf) {
       prefetch_items(nodes.begin(leaf) + 4 * kFanOut);
       fill_leaf(leaf, nodes.begin(leaf), nodes.begin(leaf + 1) - nodes.begin(leaf));
@@ -114,14 +113,14 @@ class Packing {
   void prefetch_items(std::size_t first) const {
     const std::size_t last = std::min(first + kFanOut, places_.size());
     for (std::size_t i = first; i < last; ++i) __builtin_prefetch(&items_[places_[i].index]);
-    if (storage_.remainders.empty() || last <= 2 * kFanOut) return;
+    if (!kHasRemainders<Leaf> || last <= 2 * kFanOut) return;
     // The items before are there, and name the boxes.
     for (std::size_t i = first; i < last; ++i)
       __builtin_prefetch(&source_.box(items_[places_[i - 2 * kFanOut].index].index));
   }
 
   void fill_leaf(std::size_t index, std::size_t begin, std::size_t count) {
-    Node<Payload>& leaf = storage_.leaves[index];
+    Leaf& leaf = storage_.leaves[index];
     for (std::size_t slot = 0; slot < count; ++slot) {
       const Item& item = items_[places_[begin + slot].index];
       leaf.set_box(slot, item.keys);
@@ -131,7 +130,7 @@ class Packing {
       leaf.KeyBoxes::clear(slot);
       leaf.reference[slot] = 0;
     }
-    if (!storage_.remainders.empty()) fill_remainders(storage_.remainders[index], begin, count);
+    if constexpr (kHasRemainders<Leaf>) fill_remainders(leaf.remainders, begin, count);
   }
 
   void fill_remainders(Remainders& remainders, std::size_t begin, std::size_t count) const {
@@ -173,7 +172,7 @@ class Packing {
     }
   }
 
-  Storage<Payload>& storage_;
+  Storage<Leaf>& storage_;
   Source source_;
   std::vector<std::size_t> block_begins_;
   LargeVector<Item> items_;

@@ -11,7 +11,7 @@ namespace rtree {
 template <typename Payload>
 class Redistribution {
  public:
-  void take(const Storage<Payload>& storage, NodeIndex node, std::uint32_t level) {
+  void take(const Storage<ExactLeaf<Payload>>& storage, NodeIndex node, std::uint32_t level) {
     const std::size_t count = level == 0 ? storage.leaves[node].count() : storage.inner[node].count();
     for (std::size_t slot = 0; slot < count; ++slot) take(storage.content(node, level, slot));
   }
@@ -21,7 +21,7 @@ class Redistribution {
   }
 
   /// Puts all into `first` if they fit, else by `split` into both. Returns how many `second` has.
-  std::size_t distribute(Storage<Payload>& storage, NodeIndex first, NodeIndex second, std::uint32_t level) {
+  std::size_t distribute(Storage<ExactLeaf<Payload>>& storage, NodeIndex first, NodeIndex second, std::uint32_t level) {
     const std::span<SplitItem> items(items_.data(), count_);
     const std::size_t kept = count_ <= kFanOut ? count_ : split(items);
     storage.clear(first, level);
@@ -39,7 +39,7 @@ class Redistribution {
 
 /// A node as its parent has it.
 template <typename Payload>
-SlotContent<Payload> child_content(const Storage<Payload>& storage, NodeIndex node, std::uint32_t level) {
+SlotContent<Payload> child_content(const Storage<ExactLeaf<Payload>>& storage, NodeIndex node, std::uint32_t level) {
   const KeyBox bounds = level == 0 ? storage.leaves[node].bounds() : storage.inner[node].bounds();
   return {storage.frame.outer_box(bounds), Payload{node}};
 }

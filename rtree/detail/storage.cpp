@@ -4,8 +4,20 @@
 
 namespace rtree {
 
-template <typename Payload>
-Box3 TreeView<Payload>::bounds() const {
+bool KeyBoxes::is_sound(std::size_t fewest) const {
+  const std::size_t used = count();
+  bool result = used >= fewest;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t slot = 0; slot < kFanOut; ++slot) {
+      const std::int32_t low = min[axis][slot], high = max[axis][slot];
+      result &= slot < used ? (low <= high) & (high != INT32_MAX) : (low == INT32_MAX) & (high == INT32_MIN);
+    }
+  }
+  return result;
+}
+
+template <typename Leaf>
+Box3 TreeView<Leaf>::bounds() const {
   if (empty()) return {};
   const KeyBox keys = node(root, height).bounds();
   OrderedBox result{{INT64_MAX, INT64_MAX, INT64_MAX}, {INT64_MIN, INT64_MIN, INT64_MIN}};
@@ -33,100 +45,111 @@ Box3 TreeView<Payload>::bounds() const {
   return result.box();
 }
 
-template <typename Payload>
-std::size_t Storage<Payload>::heap_bytes() const {
-  return inner.capacity() * sizeof(InnerNode) + leaves.capacity() * sizeof(Node<Payload>) +
-         remainders.capacity() * sizeof(Remainders) +
-         (free_inner.capacity() + free_leaves.capacity()) * sizeof(NodeIndex);
-}
-
-template <typename Payload>
-NodeIndex Storage<Payload>::add_node(std::uint32_t level) {
+template <typename Leaf>
+NodeIndex Storage<Leaf>::add_node(std::uint32_t level) {
   std::vector<NodeIndex>& free_nodes = level == 0 ? free_leaves : free_inner;
-  NodeIndex node;
+  const std::size_t count = level == 0 ? leaves.size() : inner.size();
+  auto node = static_cast<NodeIndex>(count);
   if (!free_nodes.empty()) {
     node = free_nodes.back();
     free_nodes.pop_back();
-  } else if (level > 0) {
-    node = static_cast<NodeIndex>(inner.size());
-    inner.emplace_back();
+  } else if (level == 0) {
+    leaves.resize(count + 1);
   } else {
-    node = static_cast<NodeIndex>(leaves.size());
-    leaves.emplace_back();
-    remainders.emplace_back();
+    inner.emplace_back();
   }
   clear(node, level);
   return node;
 }
 
-template <typename Payload>
-void Storage<Payload>::free_node(NodeIndex node, std::uint32_t level) {
+template <typename Leaf>
+void Storage<Leaf>::free_node(NodeIndex node, std::uint32_t level) {
   clear(node, level);
   (level == 0 ? free_leaves : free_inner).push_back(node);
 }
 
-template <typename Payload>
-void Storage<Payload>::clear(NodeIndex node, std::uint32_t level) {
-  this->node(node, level).clear();
+template <typename Leaf>
+void Storage<Leaf>::clear(NodeIndex node, std::uint32_t level) {
+  mark(node, level);
   if (level > 0) {
+    inner[node].clear();
     std::ranges::fill(inner[node].reference, 0);
     return;
   }
-  std::ranges::fill(leaves[node].reference, 0);
-  remainders[node].clear();
+  Leaf& leaf = leaves[node];
+  leaf.clear();
+  std::ranges::fill(leaf.reference, 0);
+  leaf.remainders.clear();
 }
 
-template <typename Payload>
-SlotContent<Payload> Storage<Payload>::content(NodeIndex node, std::uint32_t level, std::size_t slot) const {
+template <typename Leaf>
+auto Storage<Leaf>::content(NodeIndex node, std::uint32_t level, std::size_t slot) const -> SlotContent<Payload> {
   if (level > 0) return {frame.outer_box(inner[node].box(slot)), Payload{inner[node].reference[slot]}};
-  return {view().exact_box(node, slot), leaves[node].reference[slot]};
+  return {exact_box(frame, leaves[node], leaves[node].remainders, slot), leaves[node].reference[slot]};
 }
 
-template <typename Payload>
-void Storage<Payload>::set(NodeIndex node, std::uint32_t level, std::size_t slot, const SlotContent<Payload>& content) {
-  this->node(node, level).set_box(slot, frame.keys_in_range(content.box));
+template <typename Leaf>
+void Storage<Leaf>::set(NodeIndex node, std::uint32_t level, std::size_t slot, const SlotContent<Payload>& content) {
+  mark(node, level);
+  const KeyBox keys = frame.keys_in_range(content.box);
   if (level > 0) {
+    inner[node].set_box(slot, keys);
     inner[node].reference[slot] = static_cast<NodeIndex>(content.reference);
     return;
   }
-  leaves[node].reference[slot] = content.reference;
-  remainders[node].set(slot, content.box, frame);
+  Leaf& leaf = leaves[node];
+  leaf.set_box(slot, keys);
+  leaf.reference[slot] = content.reference;
+  leaf.remainders.set(slot, content.box, frame);
 }
 
-template <typename Payload>
-void Storage<Payload>::remove_slot(NodeIndex node, std::uint32_t level, std::size_t slot) {
-  KeyBoxes& boxes = this->node(node, level);
-  const std::size_t last = boxes.count() - 1;
+template <typename Leaf>
+void Storage<Leaf>::set_child_box(const PathStep& place, const KeyBox& box) {
+  if (inner[place.node].box(place.slot) == box) return;
+  changed_inner.insert(place.node);
+  inner[place.node].set_box(place.slot, box);
+}
+
+template <typename Leaf>
+void Storage<Leaf>::remove_slot(NodeIndex node, std::uint32_t level, std::size_t slot) {
+  const std::size_t last = this->node(node, level).count() - 1;
   set(node, level, slot, content(node, level, last));
-  boxes.clear(last);
   if (level > 0) {
+    inner[node].KeyBoxes::clear(last);
     inner[node].reference[last] = 0;
     return;
   }
-  leaves[node].reference[last] = 0;
-  remainders[node].set(last, {}, frame);
+  Leaf& leaf = leaves[node];
+  leaf.KeyBoxes::clear(last);
+  leaf.reference[last] = 0;
+  leaf.remainders.set(last, {}, frame);
 }
 
-template <typename Payload>
-void Storage<Payload>::widen_frame(const OrderedBox& box) {
+template <typename Leaf>
+void Storage<Leaf>::widen_frame(const OrderedBox& box) {
   const KeyFrame old = frame;
   frame = old.widened(box);
-  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {
-    for (std::size_t slot = 0; slot < kFanOut && leaves[leaf].is_used(slot); ++slot) {
-      const OrderedBox exact = exact_box(old, leaves[leaf], remainders[leaf], slot);
-      leaves[leaf].set_box(slot, frame.keys_in_range(exact));
-      remainders[leaf].set(slot, exact, frame);
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    Leaf& leaf = leaves[i];
+    changed_leaves.insert(static_cast<NodeIndex>(i));
+    for (std::size_t slot = 0; slot < kFanOut && leaf.is_used(slot); ++slot) {
+      const OrderedBox exact = exact_box(old, leaf, leaf.remainders, slot);
+      leaf.set_box(slot, frame.keys_in_range(exact));
+      leaf.remainders.set(slot, exact, frame);
     }
   }
   // Rounding to wider keys keeps unions.
-  for (InnerNode& node : inner)
-    for (std::size_t slot = 0; slot < kFanOut && node.is_used(slot); ++slot)
-      node.set_box(slot, frame.keys_in_range(old.outer_box(node.box(slot))));
+  for (std::size_t i = 0; i < inner.size(); ++i) {
+    changed_inner.insert(static_cast<NodeIndex>(i));
+    for (std::size_t slot = 0; slot < kFanOut && inner[i].is_used(slot); ++slot)
+      inner[i].set_box(slot, frame.keys_in_range(old.outer_box(inner[i].box(slot))));
+  }
 }
 
-template struct TreeView<std::uint32_t>;
-template struct TreeView<std::uint64_t>;
-template struct Storage<std::uint32_t>;
-template struct Storage<std::uint64_t>;
+template struct TreeView<IndexLeaf>;
+template struct TreeView<ExactLeaf<std::uint32_t>>;
+template struct TreeView<ExactLeaf<std::uint64_t>>;
+template struct Storage<ExactLeaf<std::uint32_t>>;
+template struct Storage<ExactLeaf<std::uint64_t>>;
 
 }  // namespace rtree

@@ -1,61 +1,48 @@
 #pragma once
 
 #include <array>
-#include <new>
-#include <utility>
 #include <vector>
 
-#include "algebra3d/base/large_allocator.h"
-#include "rtree/detail/node.h"
+#include "rtree/detail/leaf_array.h"
 
 namespace rtree {
 
-/// An allocator that leaves new elements without initial values: they are written next, by several threads.
-template <typename T>
-struct PlainAllocator : algebra3d::LargeAllocator<T> {
-  PlainAllocator() = default;
-  template <typename U>
-  explicit PlainAllocator(const PlainAllocator<U>&) {}
-
-  template <typename U>
-  void construct(U* place) {
-    ::new (static_cast<void*>(place)) U;
-  }
-  template <typename U, typename... Args>
-  void construct(U* place, Args&&... args) {
-    ::new (static_cast<void*>(place)) U(std::forward<Args>(args)...);
-  }
-};
-template <typename T>
-using LargeVector = std::vector<T, PlainAllocator<T>>;
-
 /// A tree as cursors see it: arrays of nodes that name each other by index, wherever they lie.
-template <typename Payload>
+template <typename Leaf>
 struct TreeView {
+  using Payload = typename Leaf::Payload;
+
   const InnerNode* inner = nullptr;
-  const Node<Payload>* leaves = nullptr;
+  const Leaf* leaves = nullptr;
+  const LeafArray<Leaf>* pending = nullptr;  ///< null if all leaves have been read
   std::size_t inner_count = 0, leaf_count = 0;
-  // Where the exact boxes are: either of the two.
-  const Remainders* remainders = nullptr;  ///< parallel to `leaves`
-  const Box3* boxes = nullptr;             ///< by payload
+  const Box3* boxes = nullptr;  ///< by payload, if the leaves have no remainders
   KeyFrame frame;
   NodeIndex root = 0;  ///< a leaf if the height is 0, else an inner node
   std::uint32_t height = 0;
   std::size_t entry_count = 0;
 
   bool empty() const { return entry_count == 0; }
-  const KeyBoxes& node(NodeIndex index, std::uint32_t level) const {
-    return level == 0 ? static_cast<const KeyBoxes&>(leaves[index]) : inner[index];
+  const Leaf& leaf(NodeIndex index) const {
+    if (pending != nullptr) pending->need(index);
+    return leaves[index];
   }
+  const KeyBoxes& node(NodeIndex index, std::uint32_t level) const {
+    return level == 0 ? static_cast<const KeyBoxes&>(leaf(index)) : inner[index];
+  }
+  /// Domain: a leaf that has been read.
   OrderedBox exact_box(NodeIndex leaf, std::size_t slot) const {
-    if (remainders == nullptr) return OrderedBox::of(boxes[leaves[leaf].reference[slot]]);
-    return rtree::exact_box(frame, leaves[leaf], remainders[leaf], slot);
+    if constexpr (kHasRemainders<Leaf>)
+      return rtree::exact_box(frame, leaves[leaf], leaves[leaf].remainders, slot);
+    else
+      return OrderedBox::of(boxes[leaves[leaf].reference[slot]]);
   }
   void prefetch_exact_box(NodeIndex leaf, std::size_t slot) const {
-    if (remainders != nullptr) return;  // next to each other, and soon read
-    const auto* bytes = reinterpret_cast<const char*>(boxes + leaves[leaf].reference[slot]);
-    __builtin_prefetch(bytes);
-    __builtin_prefetch(bytes + sizeof(Box3) - 1);
+    if constexpr (kHasRemainders<Leaf>) {
+      prefetch_bytes(&leaves[leaf].remainders, sizeof(Remainders));
+    } else {
+      prefetch_bytes(boxes + leaves[leaf].reference[slot], sizeof(Box3));
+    }
   }
   /// Smallest box around all entries. Cost: that of finding the entries whose keys are those of the whole tree.
   Box3 bounds() const;
@@ -79,26 +66,33 @@ using Path = std::array<PathStep, kMaxLevels>;
 /// The nodes of a tree in flat arrays. Invariants (those that `audit` checks): all leaves have the same depth; the box
 /// of a child's slot is the union of the child's boxes; every node but the root has at least kMinFill used slots, an
 /// inner root two; every node is either reachable from the root exactly once or listed as free.
-template <typename Payload>
+template <typename Leaf>
 struct Storage {
+  using Payload = typename Leaf::Payload;
+
   LargeVector<InnerNode> inner;
-  LargeVector<Node<Payload>> leaves;
-  LargeVector<Remainders> remainders;  ///< parallel to `leaves`; empty if the boxes lie elsewhere
+  LeafArray<Leaf> leaves;
   std::vector<NodeIndex> free_inner, free_leaves;
+  NodeSet changed_inner, changed_leaves;  ///< since the state was last stored
   KeyFrame frame;
   NodeIndex root = 0;
   std::uint32_t height = 0;
   std::size_t entry_count = 0;
 
   bool empty() const { return entry_count == 0; }
-  TreeView<Payload> view(const Box3* boxes = nullptr) const {
-    return {inner.data(), leaves.data(), inner.size(), leaves.size(), boxes == nullptr ? remainders.data() : nullptr,
-            boxes,        frame,         root,         height,        entry_count};
+  TreeView<Leaf> view(const Box3* boxes = nullptr) const {
+    return {inner.data(),  leaves.data(), leaves.is_pending() ? &leaves : nullptr,
+            inner.size(),  leaves.size(), boxes,
+            frame,         root,          height,
+            entry_count};
   }
-  KeyBoxes& node(NodeIndex index, std::uint32_t level) {
-    return level == 0 ? static_cast<KeyBoxes&>(leaves[index]) : inner[index];
+  const KeyBoxes& node(NodeIndex index, std::uint32_t level) const {
+    return level == 0 ? static_cast<const KeyBoxes&>(leaves[index]) : inner[index];
   }
-  std::size_t heap_bytes() const;
+  std::size_t heap_bytes() const {
+    return inner.capacity() * sizeof(InnerNode) + leaves.heap_bytes() +
+           (free_inner.capacity() + free_leaves.capacity()) * sizeof(NodeIndex);
+  }
 
   /// Adds an empty node.
   NodeIndex add_node(std::uint32_t level);
@@ -110,22 +104,27 @@ struct Storage {
   SlotContent<Payload> content(NodeIndex node, std::uint32_t level, std::size_t slot) const;
   /// Sets a slot; the box is in the range of the frame.
   void set(NodeIndex node, std::uint32_t level, std::size_t slot, const SlotContent<Payload>& content);
+  /// Sets the box of a child.
+  void set_child_box(const PathStep& place, const KeyBox& box);
   /// Removes a slot; the last used slot moves to its position.
   void remove_slot(NodeIndex node, std::uint32_t level, std::size_t slot);
   /// Changes the keys of all nodes to a frame whose range has `box` besides. Cost: linear; the range at least doubles.
   void widen_frame(const OrderedBox& box);
+
+ private:
+  void mark(NodeIndex node, std::uint32_t level) { (level == 0 ? changed_leaves : changed_inner).insert(node); }
 };
 
 /// Bulk loads the empty `storage` with the entries whose boxes are not empty.
 template <typename Payload>
-void bulk_load(Storage<Payload>& storage, const Entry<Payload>* entries, std::size_t count);
+void bulk_load(Storage<ExactLeaf<Payload>>& storage, const Entry<Payload>* entries, std::size_t count);
 /// The same for boxes that stay where they are, each with its index as its payload.
-void bulk_load(Storage<std::uint32_t>& storage, const Box3* boxes, std::size_t count);
+void bulk_load(Storage<IndexLeaf>& storage, const Box3* boxes, std::size_t count);
 /// Adds an entry whose box is not empty.
 template <typename Payload>
-void insert(Storage<Payload>& storage, const Entry<Payload>& entry);
+void insert(Storage<ExactLeaf<Payload>>& storage, const Entry<Payload>& entry);
 /// Removes one entry equal to `entry`; false if there is none.
 template <typename Payload>
-bool erase(Storage<Payload>& storage, const Entry<Payload>& entry);
+bool erase(Storage<ExactLeaf<Payload>>& storage, const Entry<Payload>& entry);
 
 }  // namespace rtree

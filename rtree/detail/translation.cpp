@@ -9,12 +9,12 @@ constexpr std::size_t kNodeGrain = 256;
 
 }  // namespace
 
-template <typename Payload>
-Translation<Payload>::Translation(const TreeView<Payload>& tree, const KeyFrame& frame)
+template <typename Leaf>
+Translation<Leaf>::Translation(const TreeView<Leaf>& tree, const KeyFrame& frame)
     : tree_(tree), frame_(frame), inner_(tree.inner_count), leaves_(tree.leaf_count) {
   algebra3d::parallel_for(leaves_.size(), kNodeGrain, [&](std::size_t leaf) {
-    leaves_[leaf] = tree.leaves[leaf];
-    for (std::size_t slot = 0; slot < kFanOut && tree.leaves[leaf].is_used(slot); ++slot)
+    leaves_[leaf] = tree.leaf(static_cast<NodeIndex>(leaf));
+    for (std::size_t slot = 0; slot < kFanOut && leaves_[leaf].is_used(slot); ++slot)
       leaves_[leaf].set_box(slot, translated(static_cast<NodeIndex>(leaf), slot));
   });
   algebra3d::parallel_for(inner_.size(), kNodeGrain, [&](std::size_t node) {
@@ -25,9 +25,9 @@ Translation<Payload>::Translation(const TreeView<Payload>& tree, const KeyFrame&
 }
 
 // Mostly the key determines the other one; the exact box of an entry may have to be fetched from far away.
-template <typename Payload>
-KeyBox Translation<Payload>::translated(NodeIndex leaf, std::size_t slot) const {
-  const KeyBox keys = tree_.leaves[leaf].box(slot);
+template <typename Leaf>
+KeyBox Translation<Leaf>::translated(NodeIndex leaf, std::size_t slot) const {
+  const KeyBox keys = tree_.leaf(leaf).box(slot);
   KeyBox least, greatest;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const AxisFrame &from = tree_.frame.axes[axis], &to = frame_.axes[axis];
@@ -39,18 +39,19 @@ KeyBox Translation<Payload>::translated(NodeIndex leaf, std::size_t slot) const 
   return least == greatest ? least : frame_.keys(tree_.exact_box(leaf, slot));
 }
 
-template <typename Payload>
-TreeView<Payload> Translation<Payload>::view() const {
-  TreeView<Payload> result = tree_;
+template <typename Leaf>
+TreeView<Leaf> Translation<Leaf>::view() const {
+  TreeView<Leaf> result = tree_;
   result.inner = inner_.data();
   result.leaves = leaves_.data();
-  result.remainders = nullptr;
+  result.pending = nullptr;
   result.boxes = nullptr;
   result.frame = frame_;
   return result;
 }
 
-template class Translation<std::uint32_t>;
-template class Translation<std::uint64_t>;
+template class Translation<IndexLeaf>;
+template class Translation<ExactLeaf<std::uint32_t>>;
+template class Translation<ExactLeaf<std::uint64_t>>;
 
 }  // namespace rtree

@@ -5,22 +5,22 @@
 namespace rtree {
 
 /// The nodes of a tree with the keys of another frame, so that they can be compared with the nodes of a tree that has
-/// it. The boxes of inner nodes contain those below, but need not be the least that do. Without remainders. Cost:
-/// linear.
-template <typename Payload>
+/// it. The boxes of inner nodes contain those below, but need not be the least that do. For exact boxes ask the tree.
+/// Cost: linear.
+template <typename Leaf>
 class Translation {
  public:
-  Translation(const TreeView<Payload>& tree, const KeyFrame& frame);
+  Translation(const TreeView<Leaf>& tree, const KeyFrame& frame);
 
-  TreeView<Payload> view() const;
+  TreeView<Leaf> view() const;
 
  private:
   KeyBox translated(NodeIndex leaf, std::size_t slot) const;
 
-  TreeView<Payload> tree_;
+  TreeView<Leaf> tree_;
   KeyFrame frame_;
   LargeVector<InnerNode> inner_;
-  LargeVector<Node<Payload>> leaves_;
+  LargeVector<Leaf> leaves_;
 };
 
 }  // namespace rtree

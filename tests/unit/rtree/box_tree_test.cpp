@@ -61,7 +61,7 @@ TEST(BoxTree, takes_thirty_bytes_an_entry) {
   EXPECT_LE(BoxTree(boxes).heap_bytes(), 30 * boxes.size());
 }
 
-NarrowPairs all_pairs(JoinCursor<std::uint32_t> cursor) {
+NarrowPairs all_pairs(BoxTree::JoinCursor cursor) {
   NarrowPairs pairs;
   while (const auto pair = cursor.next()) pairs.push_back(*pair);
   return pairs;

@@ -48,14 +48,14 @@ std::vector<Box3> boxes_of(const Entries& entries) {
   return boxes;
 }
 
-std::vector<std::uint64_t> ids_of(WindowCursor<std::uint32_t> cursor) {
+std::vector<std::uint64_t> ids_of(BoxTree::WindowCursor cursor) {
   std::vector<std::uint64_t> ids;
   for (const std::uint32_t id : cursor) ids.push_back(id);
   std::ranges::sort(ids);
   return ids;
 }
 
-Pairs pairs_of(JoinCursor<std::uint32_t> cursor) {
+Pairs pairs_of(BoxTree::JoinCursor cursor) {
   Pairs pairs;
   while (const auto pair = cursor.next()) pairs.push_back({pair->first, pair->second});
   std::ranges::sort(pairs);

@@ -6,7 +6,10 @@ namespace rtree {
 namespace {
 
 using samples::Entries;
+using samples::kInfinity;
 using samples::Kind;
+using samples::kLeast;
+using samples::kMax;
 using samples::Tree;
 
 struct Expected {
@@ -109,8 +112,6 @@ TEST(Nearest, distances_whose_squares_underflow_or_overflow_keep_their_order) {
 
 // Beyond the largest double, too, distances were equal once.
 TEST(Nearest, distances_that_overflow_keep_their_order) {
-  constexpr double kMax = std::numeric_limits<double>::max();
-  constexpr double kLeast = std::numeric_limits<double>::denorm_min();
   const std::vector<algebra3d::Vec3> points = {
       {-kMax, -kMax, -kMax},  {-kMax, -kMax, 0},         {0, -kMax, 0},     {1e308, 0, 0}, {kMax, kMax, 1e308},
       {kMax, kMax, kMax / 2}, {kMax, kMax, 0.75 * kMax}, {kMax, kMax, kMax}};
@@ -133,7 +134,6 @@ TEST(Nearest, distances_that_overflow_keep_their_order) {
 }
 
 TEST(Nearest, infinite_boxes_have_distances_too) {
-  constexpr double kInfinity = Box3::kInfinity;
   Tree tree;
   tree.insert({{-kInfinity, 5, 5}, {kInfinity, 6, 6}}, 1);
   tree.insert({{0, 0, 2}, {1, 1, 3}}, 2);

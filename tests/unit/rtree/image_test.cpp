@@ -1,0 +1,266 @@
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "algebra3d/base/scheduler.h"
+#include "unit/rtree/rtree_samples.h"
+
+namespace rtree {
+namespace {
+
+using samples::Entries;
+using samples::Kind;
+using samples::Tree;
+using ByteVector = std::vector<std::byte>;
+
+// A stored image, to which changes are written as a store would.
+struct StoredImage {
+  ByteVector header, inner, leaves;
+
+  std::size_t write(const ImageParts& parts) {
+    header.assign(parts.header.begin(), parts.header.end());
+    return write(parts.inner, parts.inner_bytes, inner) + write(parts.leaves, parts.leaves_bytes, leaves);
+  }
+  Tree tree() const { return std::move(Tree::from_image(header, inner, leaves)).value(); }
+  Tree lazy_tree(std::size_t leaves_at_once, std::size_t* read_bytes = nullptr) const {
+    const auto read = [this, read_bytes](std::size_t begin, std::span<std::byte> bytes) {
+      std::memcpy(bytes.data(), leaves.data() + begin, bytes.size());
+      if (read_bytes != nullptr) *read_bytes += bytes.size();
+    };
+    return std::move(Tree::from_image(header, inner, LeafReader{leaves.size(), leaves_at_once, read})).value();
+  }
+
+ private:
+  static std::size_t write(const std::vector<ImagePart>& parts, std::size_t size, ByteVector& array) {
+    array.resize(size);
+    std::size_t written = 0;
+    for (const ImagePart& part : parts) {
+      std::memcpy(array.data() + part.begin, part.bytes.data(), part.bytes.size());
+      written += part.bytes.size();
+    }
+    return written;
+  }
+};
+
+StoredImage stored(const Tree& tree) {
+  StoredImage result;
+  result.write(tree.image());
+  return result;
+}
+
+std::vector<std::uint64_t> order_of(const Tree& tree, const Box3& window) {
+  std::vector<std::uint64_t> ids;
+  for (const std::uint64_t id : tree.window(window)) ids.push_back(id);
+  return ids;
+}
+
+void expect_same(const Tree& found, const Tree& expected, Kind kind) {
+  ASSERT_EQ(audit(found), std::vector<std::string>{});
+  ASSERT_EQ(found.size(), expected.size());
+  ASSERT_EQ(found.bounds(), expected.bounds());
+  ASSERT_EQ(order_of(found, found.bounds()), order_of(expected, found.bounds()));
+  std::mt19937_64 random(1);
+  for (int round = 0; round < 20; ++round) {
+    const Box3 box = samples::random_box(random, kind);
+    ASSERT_EQ(order_of(found, box), order_of(expected, box));
+    auto nearest = found.nearest(box, 5), expected_nearest = expected.nearest(box, 5);
+    for (int i = 0; i < 5; ++i) ASSERT_EQ(nearest.next(), expected_nearest.next());
+  }
+}
+
+TEST(Image, gives_the_tree_again) {
+  for (const Kind kind : samples::kKinds) {
+    for (const std::size_t count : {0, 1, 16, 17, 300, 5000}) {
+      const Tree tree = Tree::bulk_load(samples::random_entries(count, kind, 1));
+      const StoredImage image = stored(tree);
+      expect_same(image.tree(), tree, kind);
+      for (const std::size_t at_once : {1, 4, 7, 10'000}) expect_same(image.lazy_tree(at_once), tree, kind);
+    }
+  }
+}
+
+TEST(Image, payloads_of_32_bits) {
+  std::vector<Entry<std::uint32_t>> entries;
+  for (const auto& entry : samples::random_entries(1000, Kind::clustered, 1))
+    entries.push_back({entry.box, static_cast<std::uint32_t>(entry.payload)});
+  const auto tree = RTree<std::uint32_t>::bulk_load(entries);
+  const ImageParts parts = tree.image();
+  const auto again = RTree<std::uint32_t>::from_image(parts.header, parts.inner[0].bytes, parts.leaves[0].bytes);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->entries(), tree.entries());
+  const auto other = Tree::from_image(parts.header, parts.inner[0].bytes, parts.leaves[0].bytes);
+  ASSERT_FALSE(other);
+  EXPECT_EQ(other.error().message, "image of an R-tree: payloads of 4 bytes and nodes of 16 slots");
+}
+
+// The same bytes in whatever order they are written down here: what the format says of one entry.
+TEST(Image, of_one_entry_is_as_documented) {
+  Tree tree;
+  tree.insert({{1, 2, 3}, {4, 5, 6}}, 7);
+  const ImageParts parts = tree.image();
+  const auto number = [](std::span<const std::byte> bytes, std::size_t at, std::size_t width) {
+    std::uint64_t result = 0;
+    for (std::size_t i = width; i-- > 0;) result = result << 8 | std::to_integer<std::uint64_t>(bytes[at + i]);
+    return result;
+  };
+  const std::span<const std::byte> header = parts.header, leaf = parts.leaves.at(0).bytes;
+  EXPECT_EQ(number(header, 0, 8), 0x0a1a0a0d54334189U);
+  EXPECT_EQ(number(header, 8, 4), kImageVersion);
+  EXPECT_EQ(number(header, 12, 4), 0x01020304U);
+  EXPECT_EQ(number(header, 16, 4), 8U);
+  EXPECT_EQ(number(header, 20, 4), 16U);
+  EXPECT_EQ(number(header, 24, 8), 1U);
+  EXPECT_EQ(number(header, 32, 4), 0U);
+  EXPECT_EQ(number(header, 36, 4), 1U);
+  ASSERT_EQ(leaf.size(), leaf_bytes(8));
+  EXPECT_EQ(number(leaf, 4, 4), 0x7fffffffU);
+  EXPECT_EQ(number(leaf, 384, 8), 7U);
+  // 1.0 is 0x3ff0000000000000: key and remainder give it back.
+  const std::uint64_t base = number(header, 48, 8), shift = number(header, 56, 4);
+  const auto key = static_cast<std::int32_t>(number(leaf, 0, 4));
+  EXPECT_EQ((base + static_cast<std::uint64_t>(key)) << shift | number(leaf, 512, 4), 0x3ff0000000000000U);
+}
+
+TEST(Image, leaves_are_read_when_they_are_needed) {
+  const Entries entries = samples::random_entries(20'000, Kind::points, 2);
+  const Tree tree = Tree::bulk_load(entries);
+  const StoredImage image = stored(tree);
+  std::size_t read = 0;
+  const Tree lazy = image.lazy_tree(4, &read);
+  EXPECT_EQ(read, 0U);
+  EXPECT_EQ(samples::window_ids(lazy, entries[5].box), samples::scan(entries, entries[5].box));
+  EXPECT_LE(read, image.leaves.size() / 20);
+  const Tree copy = lazy;
+  EXPECT_EQ(read, image.leaves.size());
+  EXPECT_EQ(copy.entries(), tree.entries());
+}
+
+TEST(Image, leaves_are_read_by_many_threads) {
+  const Tree tree = Tree::bulk_load(samples::random_entries(20'000, Kind::uniform, 3));
+  const StoredImage image = stored(tree);
+  for (const int threads : {1, 4})
+    algebra3d::with_threads(threads, [&] {
+      EXPECT_EQ(samples::sorted_pairs(image.lazy_tree(3).self_join()), samples::sorted_pairs(tree.self_join()));
+    });
+}
+
+// A store that writes only what is said to have changed has the tree after each operation; the trees that come out of
+// it go on in the same way.
+TEST(Image, changes_are_all_that_has_to_be_written) {
+  for (const Kind kind : {Kind::uniform, Kind::grid, Kind::outlier}) {
+    Entries alive = samples::random_entries(700, kind, 4);
+    Tree tree = Tree::bulk_load(alive);
+    StoredImage image;
+    image.write(tree.take_changes());
+    std::mt19937_64 random(5);
+    for (int step = 0; step < 3000; ++step) {
+      if (alive.empty() || random() % 10 < (step < 1000 ? 6U : 2U)) {
+        alive.push_back({samples::random_box(random, kind), static_cast<std::uint64_t>(1000 + step)});
+        ASSERT_TRUE(tree.insert(alive.back().box, alive.back().payload));
+      } else {
+        std::swap(alive[random() % alive.size()], alive.back());
+        ASSERT_TRUE(tree.erase(alive.back().box, alive.back().payload));
+        alive.pop_back();
+      }
+      image.write(tree.take_changes());
+      if (step % 50 == 0) tree = step % 100 == 0 ? image.tree() : image.lazy_tree(4);
+      if (step % 50 == 25) expect_same(image.tree(), tree, kind);
+    }
+  }
+}
+
+// Of a full tree of a million entries one is moved a little.
+TEST(Image, an_update_changes_few_pages) {
+  Entries entries = samples::random_entries(200'000, Kind::points, 6);
+  Tree tree = Tree::bulk_load(entries);
+  tree.take_changes();
+  std::size_t most = 0;
+  for (std::size_t i = 0; i < entries.size(); i += 100) {
+    tree.erase(entries[i].box, entries[i].payload);
+    tree.insert({entries[i].box.min + Vec3{1e-3, 0, 0}, entries[i].box.max + Vec3{1e-3, 0, 0}}, entries[i].payload);
+    const ImageParts changes = tree.take_changes();
+    std::size_t pages = 1;  // of the header
+    const auto count = [&](const std::vector<ImagePart>& parts, std::size_t node_bytes, std::size_t nodes_on_page) {
+      std::vector<bool> seen;
+      for (const ImagePart& part : parts) {
+        for (std::size_t at = part.begin; at < part.begin + part.bytes.size(); at += node_bytes) {
+          const std::size_t page = at / node_bytes / nodes_on_page;
+          if (page >= seen.size()) seen.resize(page + 1);
+          pages += !seen[page];
+          seen[page] = true;
+        }
+      }
+    };
+    count(changes.inner, kInnerBytes, 9);
+    count(changes.leaves, leaf_bytes(8), 4);
+    most = std::max(most, pages);
+  }
+  EXPECT_LE(most, 10U);
+}
+
+TEST(Image, other_versions_and_byte_orders_are_refused) {
+  const StoredImage sound = stored(Tree::bulk_load(samples::random_entries(100, Kind::uniform, 7)));
+  for (const std::size_t place : {8, 12}) {
+    StoredImage image = sound;
+    image.header[place] ^= std::byte{1};
+    const auto tree = Tree::from_image(image.header, image.inner, image.leaves);
+    ASSERT_FALSE(tree);
+    EXPECT_EQ(tree.error().code, algebra3d::ErrorCode::database_version);
+  }
+}
+
+// Whatever is done with a tree of damaged bytes, it ends.
+void use(Tree& tree, std::mt19937_64& random) {
+  std::size_t found = 0;
+  for (int round = 0; round < 4; ++round) {
+    const Box3 box = samples::random_box(random, Kind::uniform);
+    for (const std::uint64_t id : tree.window(box)) found += id % 2;
+    auto nearest = tree.nearest(box, round % 2 == 0 ? 10 : 100);
+    while (const auto next = nearest.next()) found += next->payload % 2;
+    tree.insert(box, 1);
+    tree.erase(box, round % 2 == 0 ? 1 : 2);
+  }
+  for (const auto& entry : tree.entries()) tree.erase(entry.box, entry.payload);
+  found += samples::sorted_pairs(tree.self_join()).size();
+  EXPECT_LT(found, SIZE_MAX);
+}
+
+TEST(Image, damaged_bytes_do_no_harm) {
+  const Tree tree = Tree::bulk_load(samples::random_entries(400, Kind::uniform, 8));
+  const StoredImage sound = stored(tree);
+  std::mt19937_64 random(9);
+  std::size_t refused = 0, used = 0;
+  for (int round = 0; round < 3000; ++round) {
+    StoredImage image = sound;
+    ByteVector* const arrays[] = {&image.header, &image.inner, &image.leaves};
+    for (std::size_t times = random() % 3 + 1; times > 0; --times) {
+      ByteVector& array = *arrays[random() % 3];
+      const std::size_t place = random() % array.size();
+      const std::byte values[] = {std::byte{0}, std::byte{0xff}, std::byte{0x80}, array[random() % array.size()]};
+      array[place] = values[random() % 4];
+    }
+    if (random() % 10 == 0) image.leaves.resize(random() % image.leaves.size());
+    if (auto whole = Tree::from_image(image.header, image.inner, image.leaves)) {
+      use(*whole, random);
+      ++used;
+    } else {
+      ++refused;
+    }
+    image.leaves.resize(sound.leaves.size());
+    try {
+      const auto read = [&](std::size_t begin, std::span<std::byte> bytes) {
+        if (begin + bytes.size() > image.leaves.size()) throw DamagedImage("too short");
+        std::memcpy(bytes.data(), image.leaves.data() + begin, bytes.size());
+      };
+      auto lazy = Tree::from_image(image.header, image.inner, LeafReader{sound.leaves.size(), 2, read});
+      if (lazy) use(*lazy, random);
+    } catch (const DamagedImage&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 300U);
+  EXPECT_GT(used, 300U);
+}
+
+}  // namespace
+}  // namespace rtree
