@@ -43,6 +43,9 @@ Registry make_registry() {
   register_spatial_relations(registry);
   registry.begin_family({"distances", "Distances of points, boxes, surfaces, solids and regions.", Cost::linear});
   register_distances(registry);
+  registry.begin_family(
+      {"enclosing shapes", "Convex shapes around points, boxes, surfaces and solids.", Cost::sorting});
+  register_enclosing_shapes(registry);
   registry.begin_family({"parts of solids", "The parts of a surface or solid.", Cost::linear});
   register_decomposition(registry);
   registry.begin_family({"mesh files",
