@@ -16,6 +16,9 @@ namespace {
 using detail::BitRange;
 using Triangle = std::array<std::uint32_t, 3>;
 
+/// The pairs of axes of second moments: xx, yy, zz, yz, zx, xy.
+constexpr std::array<std::array<std::size_t, 2>, 6> kAxisPairs{{{0, 0}, {1, 1}, {2, 2}, {1, 2}, {2, 0}, {0, 1}}};
+
 /// Per axis, the bits of the coordinates.
 using AxisRanges = std::array<BitRange, 3>;
 
@@ -31,7 +34,7 @@ class FixedSums {
                          detail::wide_integer<Limbs>(p.z, ranges[2].exponent())});
   }
 
-  template <bool kMoments>
+  template <int kDegree>
   void add(const Triangle& t) {
     const Point &a = points_[t[0]], &b = points_[t[1]], &c = points_[t[2]];
     // With k = 64 * Limbs - 4 bits per coordinate, a minor has 2k + 1 and the determinant 3k + 3.
@@ -42,23 +45,42 @@ class FixedSums {
     }
     const detail::WideInteger<3 * Limbs> product = determinant.total();
     volume_.add(product);
-    if constexpr (kMoments) {
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        moments_[axis].add(product * detail::WideSum<Limbs>().add(a[axis]).add(b[axis]).add(c[axis]).total());
+    if constexpr (kDegree >= 1) {
+      Point sum;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        sum[axis] = detail::WideSum<Limbs>().add(a[axis]).add(b[axis]).add(c[axis]).total();
+        moments_[axis].add(product * sum[axis]);
+      }
+      if constexpr (kDegree >= 2) add_second(product, sum, t);
     }
   }
   void get_volume(mpz_class& result) const { detail::set_integer(result.get_mpz_t(), volume_.total()); }
   void get_moment(std::size_t axis, mpz_class& result) const {
     detail::set_integer(result.get_mpz_t(), moments_[axis].total());
   }
+  void get_second_moment(std::size_t pair, mpz_class& result) const {
+    detail::set_integer(result.get_mpz_t(), second_[pair].total());
+  }
 
  private:
   using Point = std::array<detail::WideInteger<Limbs>, 3>;
+
+  /// The factor of the determinant has 2k + 4 bits.
+  void add_second(const detail::WideInteger<3 * Limbs>& determinant, const Point& sum, const Triangle& t) {
+    for (std::size_t pair = 0; pair < kAxisPairs.size(); ++pair) {
+      const auto [i, j] = kAxisPairs[pair];
+      detail::WideSum<2 * Limbs> factor;
+      factor.add(sum[i] * sum[j]);
+      for (const std::uint32_t corner : t) factor.add(points_[corner][i] * points_[corner][j]);
+      second_[pair].add(determinant * factor.total());
+    }
+  }
 
   std::vector<Point> points_;
   // One limb more for the number of triangles.
   detail::WideSum<3 * Limbs + 1> volume_;
   std::array<detail::WideSum<4 * Limbs + 1>, 3> moments_;
+  std::array<detail::WideSum<5 * Limbs + 1>, 6> second_;
 };
 
 /// The same for integers of any size.
@@ -66,7 +88,7 @@ class LongSums {
  public:
   LongSums(const PointArray& points, const AxisRanges& ranges) : points_(points), ranges_(ranges) {}
 
-  template <bool kMoments>
+  template <int kDegree>
   void add(const Triangle& t) {
     for (std::size_t corner = 0; corner < 3; ++corner)
       for (std::size_t axis = 0; axis < 3; ++axis)
@@ -76,12 +98,20 @@ class LongSums {
     determinant_ += a[1] * (b[2] * c[0] - b[0] * c[2]);
     determinant_ += a[2] * (b[0] * c[1] - b[1] * c[0]);
     volume_ += determinant_;
-    if constexpr (kMoments) {
+    if constexpr (kDegree >= 1) {
       for (std::size_t axis = 0; axis < 3; ++axis) moments_[axis] += determinant_ * (a[axis] + b[axis] + c[axis]);
+    }
+    if constexpr (kDegree >= 2) {
+      for (std::size_t pair = 0; pair < kAxisPairs.size(); ++pair) {
+        const auto [i, j] = kAxisPairs[pair];
+        second_[pair] += determinant_ * mpz_class((a[i] + b[i] + c[i]) * (a[j] + b[j] + c[j]) + a[i] * a[j] +
+                                                  b[i] * b[j] + c[i] * c[j]);
+      }
     }
   }
   void get_volume(mpz_class& result) const { result = volume_; }
   void get_moment(std::size_t axis, mpz_class& result) const { result = moments_[axis]; }
+  void get_second_moment(std::size_t pair, mpz_class& result) const { result = second_[pair]; }
 
  private:
   const PointArray& points_;
@@ -89,6 +119,7 @@ class LongSums {
   std::array<std::array<mpz_class, 3>, 3> corners_;
   mpz_class determinant_, volume_;
   std::array<mpz_class, 3> moments_;
+  std::array<mpz_class, 6> second_;
 };
 
 /// The same for triangles with a corner that is no double.
@@ -96,21 +127,32 @@ class RationalSums {
  public:
   explicit RationalSums(const PointArray& points) : points_(points) {}
 
-  template <bool kMoments>
+  template <int kDegree>
   void add(const Triangle& t) {
     Rational determinant = determinant_of(t);
-    if constexpr (kMoments) {
+    if constexpr (kDegree >= 1) {
       const RationalVec3 sum = points_[t[0]].rational() + points_[t[1]].rational() + points_[t[2]].rational();
       moments_[0].add(determinant * sum.x);
       moments_[1].add(determinant * sum.y);
       moments_[2].add(determinant * sum.z);
+      if constexpr (kDegree >= 2) add_second(determinant, sum, t);
     }
     volume_.add(std::move(determinant));
   }
   Rational volume() const { return volume_.total(); }
   Rational moment(std::size_t axis) const { return moments_[axis].total(); }
+  Rational second_moment(std::size_t pair) const { return second_[pair].total(); }
 
  private:
+  void add_second(const Rational& determinant, const RationalVec3& sum, const Triangle& t) {
+    for (std::size_t pair = 0; pair < kAxisPairs.size(); ++pair) {
+      const auto [i, j] = kAxisPairs[pair];
+      Rational factor = sum[i] * sum[j];
+      for (const std::uint32_t corner : t) factor += points_[corner].coordinate(i) * points_[corner].coordinate(j);
+      second_[pair].add(determinant * factor);
+    }
+  }
+
   /// With a common denominator, so that common divisors are looked for but once.
   Rational determinant_of(const Triangle& t) {
     const detail::HomogeneousView a(points_[t[0]], buffers_[0]), b(points_[t[1]], buffers_[1]),
@@ -138,6 +180,7 @@ class RationalSums {
   mpz_class minor_, numerator_, denominator_;
   detail::BalancedSum volume_;
   std::array<detail::BalancedSum, 3> moments_;
+  std::array<detail::BalancedSum, 6> second_;
 };
 
 AxisRanges ranges_of(const PointArray& points) {
@@ -147,52 +190,67 @@ AxisRanges ranges_of(const PointArray& points) {
   return ranges;
 }
 
-template <bool kMoments, typename Sums>
-Result<SolidMoments> sum_with(const PointArray& points, const AxisRanges& ranges, IndexTriangles triangles,
-                              const std::atomic<bool>* cancel) {
+template <int kDegree, typename Sums>
+Result<SolidSecondMoments> sum_with(const PointArray& points, const AxisRanges& ranges, IndexTriangles triangles,
+                                    const std::atomic<bool>* cancel) {
   Sums sums(points, ranges);
   RationalSums rational(points);
   ALGEBRA3D_RETURN_IF_ERROR(detail::for_each_triangle(triangles, cancel, [&](const Triangle& t) {
     if (detail::has_exact_corner(points, t))
-      rational.template add<kMoments>(t);
+      rational.template add<kDegree>(t);
     else
-      sums.template add<kMoments>(t);
+      sums.template add<kDegree>(t);
   }));
   const long exponent = long{ranges[0].exponent()} + ranges[1].exponent() + ranges[2].exponent();
   mpz_class total;
   sums.get_volume(total);
-  SolidMoments result;
-  result.volume = detail::scaled_rational(total, exponent, 6) + rational.volume() / Rational(6);
-  if constexpr (kMoments) {
+  SolidSecondMoments result;
+  result.lower.volume = detail::scaled_rational(total, exponent, 6) + rational.volume() / Rational(6);
+  if constexpr (kDegree >= 1) {
     const auto moment = [&](std::size_t axis) {
       sums.get_moment(axis, total);
       return detail::scaled_rational(total, exponent + ranges[axis].exponent(), 24) +
              rational.moment(axis) / Rational(24);
     };
-    result.first = RationalVec3(moment(0), moment(1), moment(2));
+    result.lower.first = RationalVec3(moment(0), moment(1), moment(2));
+  }
+  if constexpr (kDegree >= 2) {
+    for (std::size_t pair = 0; pair < kAxisPairs.size(); ++pair) {
+      const auto [i, j] = kAxisPairs[pair];
+      sums.get_second_moment(pair, total);
+      result.second[pair] =
+          detail::scaled_rational(total, exponent + ranges[i].exponent() + ranges[j].exponent(), 120) +
+          rational.second_moment(pair) / Rational(120);
+    }
   }
   return result;
 }
 
-template <bool kMoments>
-Result<SolidMoments> sum(const PointArray& points, IndexTriangles triangles, const std::atomic<bool>* cancel) {
+template <int kDegree>
+Result<SolidSecondMoments> sum(const PointArray& points, IndexTriangles triangles, const std::atomic<bool>* cancel) {
   const AxisRanges ranges = ranges_of(points);
   const int bits = std::max({ranges[0].bit_count(), ranges[1].bit_count(), ranges[2].bit_count()});
-  if (bits <= 60) return sum_with<kMoments, FixedSums<1>>(points, ranges, triangles, cancel);
-  if (bits <= 124) return sum_with<kMoments, FixedSums<2>>(points, ranges, triangles, cancel);
-  return sum_with<kMoments, LongSums>(points, ranges, triangles, cancel);
+  if (bits <= 60) return sum_with<kDegree, FixedSums<1>>(points, ranges, triangles, cancel);
+  if (bits <= 124) return sum_with<kDegree, FixedSums<2>>(points, ranges, triangles, cancel);
+  return sum_with<kDegree, LongSums>(points, ranges, triangles, cancel);
 }
 
 }  // namespace
 
 Result<Rational> exact_volume(const PointArray& points, IndexTriangles triangles, const std::atomic<bool>* cancel) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(SolidMoments sums, sum<false>(points, triangles, cancel));
-  return std::move(sums.volume);
+  ALGEBRA3D_ASSIGN_OR_RETURN(SolidSecondMoments sums, sum<0>(points, triangles, cancel));
+  return std::move(sums.lower.volume);
 }
 
 Result<SolidMoments> exact_moments(const PointArray& points, IndexTriangles triangles,
                                    const std::atomic<bool>* cancel) {
-  return sum<true>(points, triangles, cancel);
+  ALGEBRA3D_ASSIGN_OR_RETURN(SolidSecondMoments sums, sum<1>(points, triangles, cancel));
+  return std::move(sums.lower);
+}
+
+Result<SolidSecondMoments> exact_second_moments(const PointArray& points, IndexTriangles triangles,
+                                                const std::atomic<bool>* cancel) {
+  return sum<2>(points, triangles, cancel);
 }
 
 }  // namespace algebra3d

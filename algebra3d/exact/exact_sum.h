@@ -31,6 +31,15 @@ struct SolidMoments {
 Result<SolidMoments> exact_moments(const PointArray& points, IndexTriangles triangles,
                                    const std::atomic<bool>* cancel = nullptr);
 
+/// These, and the integrals of xx, yy, zz, yz, zx and xy.
+struct SolidSecondMoments {
+  SolidMoments lower;
+  std::array<Rational, 6> second;
+};
+/// Volume, first and second moments. As `exact_volume`, at about four times the cost.
+Result<SolidSecondMoments> exact_second_moments(const PointArray& points, IndexTriangles triangles,
+                                                const std::atomic<bool>* cancel = nullptr);
+
 /// Sum of the areas of the triangles, in squared coordinate units; infinite beyond the range of doubles. Exactness:
 /// rounded once if the area of each triangle is a double (or any other multiple of a power of two). Otherwise the sum
 /// has a relative error below 2^-90 before it is rounded. Errors: interrupted. Cost: linear, some tens of nanoseconds

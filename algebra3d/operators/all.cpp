@@ -28,8 +28,9 @@ Registry make_registry() {
   register_boxes(registry);
   registry.begin_family({"facts about values", "Sizes, boxes and emptiness of spatial values.", Cost::constant});
   register_information(registry);
-  registry.begin_family({"measures", "Volume, area and centre of solids, surfaces and regions.", Cost::linear});
+  registry.begin_family({"measures", "Volume, area, centre and inertia of solids, surfaces and regions.", Cost::linear});
   register_measure(registry);
+  register_inertia(registry);
   registry.begin_family({"creation of solids", "Cubes, cylinders, cones and spheres.", Cost::linear});
   register_creation(registry);
   registry.begin_family({"transformations", "Translation, rotation, reflection and scaling.", Cost::linear});

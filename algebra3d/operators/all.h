@@ -18,6 +18,7 @@ void register_points(Registry& registry);
 void register_boxes(Registry& registry);
 void register_information(Registry& registry);
 void register_measure(Registry& registry);
+void register_inertia(Registry& registry);
 void register_creation(Registry& registry);
 void register_transformation(Registry& registry);
 void register_set_operations(Registry& registry);
