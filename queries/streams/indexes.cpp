@@ -172,7 +172,7 @@ Result<ScanOptions> scan_options(const Registry& registry, const MappingCheck& c
   const std::size_t word = options.has_limit ? 4 : 3;
   if (word == check.count()) return options;
   if (word == 3 && !check[3].type.is("string") && !check[3].type.is("text"))
-    return check.expected("int or \"exact\"", check[3].type);
+    return check.expected("int", check[3].type);
   ALGEBRA3D_ASSIGN_OR_RETURN(options.is_exact, asks_for_exact(check, word));
   const std::array types{check[0].type.arguments()[1], check[2].type};
   const auto distance = registry.resolve(*registry.find_operator("distance"), types);
