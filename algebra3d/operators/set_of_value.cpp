@@ -1,7 +1,7 @@
 #include "algebra3d/operators/set_of_value.h"
 
-#include <array>
 #include <algorithm>
+#include <array>
 
 #include "algebra3d/operators/detail/spatial_sets.h"
 
@@ -26,9 +26,8 @@ SetType set_type() {
 }
 
 const SetType* find_set_type(const Type& type) {
-  static const std::array types{set_type<Box3>(),      set_type<Point3d>(),  set_type<Points3d>(),
-                                set_type<Surface3d>(), set_type<Volume3d>(), set_type<Rect>(),
-                                set_type<Point2d>(),   set_type<Region>()};
+  static const std::array types{set_type<Box3>(),     set_type<Point3d>(), set_type<Points3d>(), set_type<Surface3d>(),
+                                set_type<Volume3d>(), set_type<Rect>(),    set_type<Point2d>(),  set_type<Region>()};
   const auto* const found = std::ranges::find(types, &type, &SetType::type);
   return found == types.end() ? nullptr : found;
 }

@@ -21,20 +21,19 @@ struct IndexedOperator {
   IndexUse of_first, of_second;
 };
 
-constexpr std::array kIndexedOperators{
-    IndexedOperator{"intersects", IndexUse::meets, IndexUse::meets},
-    IndexedOperator{"touches", IndexUse::meets, IndexUse::meets},
-    IndexedOperator{"overlaps", IndexUse::meets, IndexUse::meets},
-    IndexedOperator{"inside", IndexUse::is_inside, IndexUse::contains},
-    IndexedOperator{"coveredBy", IndexUse::is_inside, IndexUse::contains},
-    IndexedOperator{"contains", IndexUse::contains, IndexUse::is_inside},
-    IndexedOperator{"covers", IndexUse::contains, IndexUse::is_inside},
-    IndexedOperator{"withinDistance", IndexUse::is_near, IndexUse::is_near},
-    IndexedOperator{"=", IndexUse::equals, IndexUse::equals},
-    IndexedOperator{"<", IndexUse::at_most, IndexUse::at_least},
-    IndexedOperator{"<=", IndexUse::at_most, IndexUse::at_least},
-    IndexedOperator{">", IndexUse::at_least, IndexUse::at_most},
-    IndexedOperator{">=", IndexUse::at_least, IndexUse::at_most}};
+constexpr std::array kIndexedOperators{IndexedOperator{"intersects", IndexUse::meets, IndexUse::meets},
+                                       IndexedOperator{"touches", IndexUse::meets, IndexUse::meets},
+                                       IndexedOperator{"overlaps", IndexUse::meets, IndexUse::meets},
+                                       IndexedOperator{"inside", IndexUse::is_inside, IndexUse::contains},
+                                       IndexedOperator{"coveredBy", IndexUse::is_inside, IndexUse::contains},
+                                       IndexedOperator{"contains", IndexUse::contains, IndexUse::is_inside},
+                                       IndexedOperator{"covers", IndexUse::contains, IndexUse::is_inside},
+                                       IndexedOperator{"withinDistance", IndexUse::is_near, IndexUse::is_near},
+                                       IndexedOperator{"=", IndexUse::equals, IndexUse::equals},
+                                       IndexedOperator{"<", IndexUse::at_most, IndexUse::at_least},
+                                       IndexedOperator{"<=", IndexUse::at_most, IndexUse::at_least},
+                                       IndexedOperator{">", IndexUse::at_least, IndexUse::at_most},
+                                       IndexedOperator{">=", IndexUse::at_least, IndexUse::at_most}};
 
 /// The expressions that an operator is applied to; none if some argument is something else.
 std::vector<ExpressionPtr> operands_of(const Application& application) {
@@ -90,7 +89,8 @@ void add_conditions(const Expression& predicate, const algebra3d::Registry& regi
       add_conditions(*operand, registry, is_function, conditions);
     return;
   }
-  if (auto condition = index_condition(*application, registry, is_function)) conditions.push_back(std::move(*condition));
+  if (auto condition = index_condition(*application, registry, is_function))
+    conditions.push_back(std::move(*condition));
 }
 
 }  // namespace
@@ -102,10 +102,12 @@ bool is_same_for_all_tuples(const Expression& expression, const algebra3d::Regis
   const auto* application = std::get_if<Application>(&expression.node);
   if (application == nullptr) return false;
   const algebra3d::Operator* const op = registry.find_operator(application->name);
-  if (op == nullptr || takes_streams(*op) || !op->is_pure || op->kind() != algebra3d::OperatorKind::scalar) return false;
+  if (op == nullptr || takes_streams(*op) || !op->is_pure || op->kind() != algebra3d::OperatorKind::scalar)
+    return false;
   const std::vector<ExpressionPtr> operands = operands_of(*application);
   return operands.size() == application->arguments.size() &&
-         std::ranges::all_of(operands, [&](const ExpressionPtr& each) { return is_same_for_all_tuples(*each, registry); });
+         std::ranges::all_of(operands,
+                             [&](const ExpressionPtr& each) { return is_same_for_all_tuples(*each, registry); });
 }
 
 std::vector<IndexCondition> index_conditions(const Expression& predicate, const algebra3d::Registry& registry,

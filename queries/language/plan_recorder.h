@@ -16,9 +16,9 @@ struct PlanStep {
   std::string signature;  ///< argument types and result type of the chosen overload
   int depth = 0;          ///< number of enclosing operators
   std::uint64_t calls = 0;
-  std::uint64_t tuples = 0;  ///< that it returned, if its result is a stream
-  double seconds = 0;        ///< including the operators below it
-  std::string remark;        ///< how it works, such as the index that it reads
+  std::uint64_t tuples = 0;               ///< that it returned, if its result is a stream
+  double seconds = 0;                     ///< including the operators below it
+  std::string remark;                     ///< how it works, such as the index that it reads
   std::optional<std::uint64_t> estimate;  ///< of `tuples`, before it runs
   std::vector<StageCount> stages;         ///< of its streams, added up
 };

@@ -48,12 +48,11 @@ Status run_to_end(const TypedNode& node, Context& context) {
 NestedList plan_list(const PlanRecorder& recorder) {
   NestedList::List rows;
   for (const PlanStep& step : recorder.steps())
-    rows.push_back(NestedList::list(NestedList(step.depth), NestedList::symbol(step.name),
-                                    NestedList::text(step.signature), NestedList(static_cast<std::int64_t>(step.calls)),
-                                    NestedList(static_cast<std::int64_t>(step.tuples)),
-                                    NestedList(in_milliseconds(step.seconds)),
-                                    NestedList(step.estimate ? static_cast<std::int64_t>(*step.estimate) : -1),
-                                    NestedList::text(how_text(step))));
+    rows.push_back(NestedList::list(
+        NestedList(step.depth), NestedList::symbol(step.name), NestedList::text(step.signature),
+        NestedList(static_cast<std::int64_t>(step.calls)), NestedList(static_cast<std::int64_t>(step.tuples)),
+        NestedList(in_milliseconds(step.seconds)),
+        NestedList(step.estimate ? static_cast<std::int64_t>(*step.estimate) : -1), NestedList::text(how_text(step))));
   return NestedList::list(NestedList::symbol("inquiry"),
                           NestedList::list(NestedList::symbol("plan"), NestedList(std::move(rows))));
 }

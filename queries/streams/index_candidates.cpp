@@ -45,8 +45,8 @@ Result<Candidates> ordered_candidates(const IndexQuestion& question, const TypeE
   if (!conversion) return Candidates();
   ALGEBRA3D_ASSIGN_OR_RETURN(const Value bound, loaded_as(question.operand, *conversion));
   const bool has_low = question.use != IndexUse::at_most, has_high = question.use != IndexUse::at_least;
-  std::vector<TupleId> ids = index.tree().range(has_low ? std::optional(bound) : std::nullopt,
-                                                has_high ? std::optional(bound) : std::nullopt);
+  std::vector<TupleId> ids =
+      index.tree().range(has_low ? std::optional(bound) : std::nullopt, has_high ? std::optional(bound) : std::nullopt);
   std::ranges::sort(ids);
   return Candidates(std::move(ids));
 }

@@ -295,8 +295,9 @@ void register_indexes(algebra3d::Registry& registry) {
       .syntax = "_ _ distancescan[_ ...]",
       .doc = "The tuples of a relation by ascending distance of their indexed boxes from the box of a value; if k is "
              "given, only the first k.",
-      .detail = "Equal distances: by tuple id. No tuples for an undefined or empty value. With \"exact\" the distance is "
-                "that of the geometry, as by `distance`, compared before it is rounded.",
+      .detail =
+          "Equal distances: by tuple id. No tuples for an undefined or empty value. With \"exact\" the distance is "
+          "that of the geometry, as by `distance`, compared before it is rounded.",
       .sources = {"hjaltason1999"},
       .stream = stream_operator(map_distancescan(registry)),
       .signatures = {"(rtree3(tuple SPATIAL3D) rel(tuple) SPATIAL3D) -> stream(tuple)",
@@ -306,7 +307,8 @@ void register_indexes(algebra3d::Registry& registry) {
       .handles_undefined = true,
       .query_examples = {{"Boxes_B Boxes distancescan[makePoint3D(9, 0, 0), 1] project[No] consume", "((2))"},
                          {"Boxes_B Boxes distancescan[makePoint3D(0, 0, 0)] project[No] consume", "((1) (2))"},
-                         {"Boxes_B Boxes distancescan[makePoint3D(4, 0, 0), 1, \"exact\"] project[No] consume", "((2))"},
+                         {"Boxes_B Boxes distancescan[makePoint3D(4, 0, 0), 1, \"exact\"] project[No] consume",
+                          "((2))"},
                          {"Boxes_B Boxes distancescan[[const point3d value undefined]] count", "0"}},
       .query_errors = {{"query 5 6 distancescan[7]", "distancescan: expected an R-tree, got int"},
                        {"query Boxes_B Boxes distancescan[makePoint3D(0, 0, 0), \"nearly\"] count",

@@ -5,9 +5,9 @@
 
 #include "algebra3d/registry/operator.h"
 #include "queries/streams/all.h"
+#include "queries/streams/detail/join_condition.h"
 #include "queries/streams/detail/nearest_join.h"
 #include "queries/streams/detail/spatial_operands.h"
-#include "queries/streams/detail/join_condition.h"
 #include "queries/streams/mapping.h"
 
 namespace queries {
@@ -61,14 +61,14 @@ TypeMapping map_closest_pair(const Registry& registry, const char* op, Operands 
   return [&registry, op, operands](std::span<const ArgumentType> arguments) -> Result<BoundOperator> {
     const MappingCheck check(op, arguments);
     ALGEBRA3D_ASSIGN_OR_RETURN(const SpatialOperands join, nearest_operands(registry, check, operands));
-    return BoundOperator{
-        TypeExpr::stream(join.joined), [=](const std::vector<Datum>& given, Context& context) -> Result<Datum> {
-          const NearestTask task{join.left_key, join.right_key, 1,
-                                 operands == Operands::two_streams ? Partners::all : Partners::later};
-          return run_join(given, operands, context, [&](TupleStreamPtr probes, TupleBuffer partners) {
-            return closest_pair(std::move(probes), std::move(partners), task, context);
-          });
-        }};
+    return BoundOperator{TypeExpr::stream(join.joined),
+                         [=](const std::vector<Datum>& given, Context& context) -> Result<Datum> {
+                           const NearestTask task{join.left_key, join.right_key, 1,
+                                                  operands == Operands::two_streams ? Partners::all : Partners::later};
+                           return run_join(given, operands, context, [&](TupleStreamPtr probes, TupleBuffer partners) {
+                             return closest_pair(std::move(probes), std::move(partners), task, context);
+                           });
+                         }};
   };
 }
 
@@ -113,8 +113,9 @@ void register_knn_joins(Registry& registry) {
       .syntax = "_ knnSelfJoin[attribute, _]",
       .doc = "Each tuple of a stream with each of the k other ones that are nearest to it, in the order of the stream, "
              "the nearest one first.",
-      .detail = std::string("Equal distances: in the order of the stream. No pairs if k is undefined or not positive. ") +
-                kExactly + kSuffixes,
+      .detail =
+          std::string("Equal distances: in the order of the stream. No pairs if k is undefined or not positive. ") +
+          kExactly + kSuffixes,
       .exactness = algebra3d::Exactness::exact,
       .cost = algebra3d::Cost::sorting,
       .sources = {"hjaltason1999"},
@@ -164,7 +165,8 @@ void register_closest_pairs(Registry& registry) {
       .query_examples = {{kPoints + "closestSelfPair[P] project[No_a, No_b] consume", "((2 3))"},
                          {kSolids + "closestSelfPair[S] project[Elem_a, Elem_b] consume", "((1 2))"},
                          {kPoints + "filter[.No > 2] closestSelfPair[P] count", "0"}},
-      .query_errors = {{"query " + kPoints + "closestSelfPair[No] count", std::string("closestSelfPair") + kNotSpatial}},
+      .query_errors = {{"query " + kPoints + "closestSelfPair[No] count",
+                        std::string("closestSelfPair") + kNotSpatial}},
   });
 }
 

@@ -48,12 +48,11 @@ TypeMapping map_spatial_join(const Registry& registry) {
     ALGEBRA3D_ASSIGN_OR_RETURN(const SpatialOperands join, spatial_operands(registry, check));
     ALGEBRA3D_ASSIGN_OR_RETURN(const std::string name, predicate_name(check, 4));
     ALGEBRA3D_RETURN_IF_ERROR(check_operands(registry, name, std::array{join.left_type, join.right_type}));
-    return BoundOperator{TypeExpr::stream(join.joined),
-                         [=](const std::vector<Datum>& given, Context& context) -> Result<Datum> {
-                           return Datum{refined_join(pairs_by_boxes(join, given, itself, context),
-                                                     {join.left_key, join.right_key}, predicate_test(name, false),
-                                                     context)};
-                         }};
+    return BoundOperator{
+        TypeExpr::stream(join.joined), [=](const std::vector<Datum>& given, Context& context) -> Result<Datum> {
+          return Datum{refined_join(pairs_by_boxes(join, given, itself, context), {join.left_key, join.right_key},
+                                    predicate_test(name, false), context)};
+        }};
   };
 }
 

@@ -85,8 +85,9 @@ std::string plan_text(const NestedList& content, std::size_t columns) {
     const bool is_stream = atom_text(cells[2]).find("-> (stream") != std::string::npos;
     const std::int64_t estimate = cells[6].as_int();
     table.add({indentation + atom_text(cells[1]), one_line(atom_text(cells[2]), columns),
-               estimate < 0 ? "" : std::to_string(estimate), std::to_string(cells[3].as_int()), tuples == 0 && !is_stream ? "" : std::to_string(tuples),
-               fmt::format("{:.1f}", cells[5].as_real()), atom_text(cells[7])});
+               estimate < 0 ? "" : std::to_string(estimate), std::to_string(cells[3].as_int()),
+               tuples == 0 && !is_stream ? "" : std::to_string(tuples), fmt::format("{:.1f}", cells[5].as_real()),
+               atom_text(cells[7])});
   }
   return table_or(table, content.elements().size(), "no operators: the value is a constant or an object", columns);
 }

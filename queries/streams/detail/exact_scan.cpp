@@ -27,7 +27,8 @@ class ExactDistanceScan final : public TupleStream {
 
   Result<TuplePtr> next() override {
     if (left_ == 0) return TuplePtr();
-    while (pending_ && (near_.empty() || may_be_within(pending_->distance, distance_bound(near_.front().squared_distance))))
+    while (pending_ &&
+           (near_.empty() || may_be_within(pending_->distance, distance_bound(near_.front().squared_distance))))
       ALGEBRA3D_RETURN_IF_ERROR(take_candidates());
     if (near_.empty()) return TuplePtr();
     --left_;

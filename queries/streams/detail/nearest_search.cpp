@@ -76,7 +76,8 @@ class NearestSearch::Table {
 /// The candidates that are examined at the same time.
 class NearestSearch::Round {
  public:
-  Round(const Table& table, const NearestTask& task, std::span<const NearestProbe> probes) : table_(table), task_(task) {
+  Round(const Table& table, const NearestTask& task, std::span<const NearestProbe> probes)
+      : table_(table), task_(task) {
     for (std::uint32_t i = 0; i < probes.size(); ++i)
       searches_.push_back({i, table.tree().nearest(window_of(probes[i].tuple->attributes[task.probe_key])), {}, {}});
   }
@@ -202,9 +203,8 @@ Status NearestSearch::take_distances(std::span<NearestProbe> probes, Round& roun
     ALGEBRA3D_ASSIGN_OR_RETURN(distances[i], squared_distance_of(a.set, b.set, monitor));
     return {};
   };
-  ALGEBRA3D_RETURN_IF_ERROR(
-      examiner_.ask(round.pairs(), fmt::format("distances of {} pairs for {} tuples", round.pairs().size(), probe_count_),
-                    question));
+  ALGEBRA3D_RETURN_IF_ERROR(examiner_.ask(
+      round.pairs(), fmt::format("distances of {} pairs for {} tuples", round.pairs().size(), probe_count_), question));
   candidate_count_ += round.pairs().size();
   for (std::size_t i = 0; i < distances.size(); ++i) {
     if (!distances[i]) continue;
@@ -213,8 +213,8 @@ Status NearestSearch::take_distances(std::span<NearestProbe> probes, Round& roun
     const Table::Partner& partner = round.table().partner(position);
     NearTuple found{*std::move(distances[i]), partner.place, partner.tuple};
     std::vector<NearTuple>& nearest = probes[probe].nearest;
-    const auto where = std::ranges::upper_bound(
-        nearest, found, [](const NearTuple& a, const NearTuple& b) { return a.is_before(b); });
+    const auto where =
+        std::ranges::upper_bound(nearest, found, [](const NearTuple& a, const NearTuple& b) { return a.is_before(b); });
     nearest.insert(where, std::move(found));
     if (nearest.size() > task_.limit) nearest.pop_back();
   }

@@ -113,9 +113,8 @@ class RefinedJoin final : public TupleStream {
       exact_tests[i] = algebra3d::exact_calls_of_this_thread() - before;
       return {};
     };
-    ALGEBRA3D_RETURN_IF_ERROR(
-        examiner_.ask(open, fmt::format("examining {} pairs after {}", open.size(), counts_.pairs - block_.size()),
-                      question));
+    ALGEBRA3D_RETURN_IF_ERROR(examiner_.ask(
+        open, fmt::format("examining {} pairs after {}", open.size(), counts_.pairs - block_.size()), question));
     for (const std::uint64_t count : exact_tests) {
       ++(count == 0 ? counts_.by_hierarchy : counts_.by_exact_tests);
       counts_.exact_tests += count;

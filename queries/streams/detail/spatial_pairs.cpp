@@ -86,7 +86,7 @@ struct SpatialPairs::Batches {
   }
 
   std::vector<const Value*> values;
-  std::vector<std::optional<LoadedSet>> sets;  ///< of the values that are loaded
+  std::vector<std::optional<LoadedSet>> sets;                    ///< of the values that are loaded
   std::vector<std::pair<std::uint32_t, std::uint32_t>> numbers;  ///< of each pair, in `values`
 };
 

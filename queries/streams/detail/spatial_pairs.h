@@ -36,8 +36,8 @@ class SpatialPairs {
   explicit SpatialPairs(const Context& context) : context_(context), account_(context.memory) {}
 
   /// Asked once for each pair, from several threads at once, in any order.
-  using Question =
-      std::function<Status(std::size_t pair, const LoadedSet& a, const LoadedSet& b, const algebra3d::Monitor& monitor)>;
+  using Question = std::function<Status(std::size_t pair, const LoadedSet& a, const LoadedSet& b,
+                                        const algebra3d::Monitor& monitor)>;
   /// Errors: those of loading; that of the first pair whose question fails; interrupted.
   Status ask(std::span<const ValuePair> pairs, const std::string& progress, const Question& question);
 
