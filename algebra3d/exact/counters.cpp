@@ -76,6 +76,11 @@ ExactCounters exact_counters() {
   return {sum.calls, sum.filter_failures, sum.big_fallbacks, sum.heap_rationals};
 }
 
+std::uint64_t exact_calls_of_this_thread() {
+  const detail::ThreadCounters* const counters = detail::thread_counters;
+  return counters == nullptr ? 0 : counters->calls.load(std::memory_order_relaxed);
+}
+
 void reset_exact_counters() {
   auto& registry = detail::registry();
   const std::lock_guard lock(registry.mutex);

@@ -27,20 +27,9 @@ template <typename A, typename B>
 Result<Maybe<double>> distance_of(Context& context, const OnDemand<A>& a, const OnDemand<B>& b) {
   if (is_either_empty(a.header(), b.header())) return Maybe<double>(kNoDistance);
   return ask_loaded(context, a, b, [&](const SpatialSet& first, const SpatialSet& second) -> Result<Maybe<double>> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto nearest, nearest_points(first, second, context.monitor()));
-    if (!nearest) return Maybe<double>(kNoDistance);
-    return Maybe<double>(nearest->squared_distance.nearest_root());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto square, squared_distance_of(first, second, context.monitor()));
+    return square ? Maybe<double>(square->nearest_root()) : Maybe<double>(kNoDistance);
   });
-}
-
-/// The answer by boxes alone: false if they are farther apart than the limit, true if any two points of them are within
-/// it, else nothing.
-std::optional<bool> are_within_by_boxes(const Box3& a, const Box3& b, double limit) {
-  constexpr double kMargin = 0x1p-40;  // for the rounding of sums of squares
-  if (distance(a, b) * (1 - kMargin) > limit) return false;
-  const Box3 both = unite(a, b);
-  if (length(both.max - both.min) * (1 + kMargin) <= limit) return true;
-  return std::nullopt;
 }
 
 template <typename A, typename B>

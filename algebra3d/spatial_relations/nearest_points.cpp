@@ -33,6 +33,17 @@ Result<std::optional<NearestPoints>> nearest_points(const SpatialSet& a, const S
       NearestPoints{std::move(closest->first), std::move(closest->second), std::move(closest->squared_distance)});
 }
 
+// Where sets cross, many pairs of triangles are at the distance 0, and each would be a candidate.
+Result<std::optional<Rational>> squared_distance_of(const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool meet, do_meet(a, b, monitor));
+  if (meet) return std::optional<Rational>(0);
+  const BoundaryFaces first(a), second(b);
+  ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<ClosestPoints> closest,
+                             closest_points(first.operand(), second.operand(), monitor));
+  if (!closest) return std::optional<Rational>();
+  return std::optional(std::move(closest->squared_distance));
+}
+
 Result<bool> are_within(const SpatialSet& a, const SpatialSet& b, const Rational& distance, const Monitor& monitor) {
   if (distance.sign() < 0) return false;
   const BoundaryFaces first(a), second(b);
@@ -40,6 +51,14 @@ Result<bool> are_within(const SpatialSet& a, const SpatialSet& b, const Rational
   if (are_near) return true;
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<MeetingWitness> enclosed, enclosed_point(a, b, monitor));
   return enclosed.has_value();
+}
+
+std::optional<bool> are_within_by_boxes(const Box3& a, const Box3& b, double distance) {
+  constexpr double kMargin = 0x1p-40;  // for the rounding of sums of squares
+  if (algebra3d::distance(a, b) * (1 - kMargin) > distance) return false;
+  const Box3 both = unite(a, b);
+  if (length(both.max - both.min) * (1 + kMargin) <= distance) return true;
+  return std::nullopt;
 }
 
 }  // namespace algebra3d

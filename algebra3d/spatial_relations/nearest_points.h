@@ -25,9 +25,19 @@ struct NearestPoints {
 Result<std::optional<NearestPoints>> nearest_points(const SpatialSet& a, const SpatialSet& b,
                                                     const Monitor& monitor = {});
 
+/// The square of the distance of the sets; nothing if a set is empty. Exact. Cost: as nearest_points, and that of
+/// do_meet if they meet.
+Result<std::optional<Rational>> squared_distance_of(const SpatialSet& a, const SpatialSet& b,
+                                                    const Monitor& monitor = {});
+
 /// True if the distance of the sets is at most `distance`; false if a set is empty or `distance` negative. Exact. Cost:
 /// as nearest_points, and less if the sets are clearly nearer or farther.
 Result<bool> are_within(const SpatialSet& a, const SpatialSet& b, const Rational& distance,
                         const Monitor& monitor = {});
+
+/// The answer of `are_within` by the boxes of two sets alone: false if they are farther apart than `distance`, true if
+/// any two points of them are within it, else nothing. Boxes that are not empty, and as small as doubles allow or
+/// larger.
+std::optional<bool> are_within_by_boxes(const Box3& a, const Box3& b, double distance);
 
 }  // namespace algebra3d

@@ -59,6 +59,7 @@ Result<TypedPtr> Checker::check(const Application& application, const SourcePlac
   if (recorder_ == nullptr) return application_node(op, application, place, types);
   const std::size_t step = recorder_->begin(op.name);
   ALGEBRA3D_ASSIGN_OR_RETURN(TypedPtr node, application_node(op, application, place, types));
+  recorder_->describe(step, {}, estimated_tuples(application));
   std::string signature = algebra3d::argument_list_text(types) + " -> " + node->type().text();
   return recorder_->finish(step, std::move(signature), std::move(node));
 }
@@ -120,7 +121,11 @@ Result<TypedPtr> Checker::stream_application(const Operator& op, const Applicati
     const bool is_declared = !is_operand && bracket < pattern.places.size();
     const FunctionPlace functions{is_declared ? pattern.places[bracket].parameters : none, operands};
     ArgumentType type;
-    auto node = checked_argument(application.arguments[index], checked[index], functions, type);
+    TypedPtr known = checked[index];
+    if (index == 0 && known == nullptr && op.name == "filter") {
+      ALGEBRA3D_ASSIGN_OR_RETURN(known, indexed_feed(application));
+    }
+    auto node = checked_argument(application.arguments[index], known, functions, type);
     if (!node) {
       Error error = std::move(node).error();
       if (!error.place.is_known()) error.message = op.name + ": " + error.message;

@@ -95,9 +95,11 @@ struct DeleteType {
 struct Query {
   ExpressionPtr value;
 };
-/// `explain E`: runs the expression and shows tuples and time per operator.
+/// `explain E`: shows the operators of an expression, with estimated numbers of tuples; `explain query E`: also runs it
+/// and shows calls, tuples, time and stages of each operator.
 struct Explain {
   ExpressionPtr value;
+  bool runs = false;
 };
 /// `list objects` and the other `list` commands
 struct Inquiry {

@@ -1,6 +1,8 @@
 #include "queries/language/plan_recorder.h"
 
+#include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "queries/streams/mapping.h"
 
@@ -22,15 +24,40 @@ class Stopwatch {
   Clock::time_point begin_;
 };
 
+/// Adds the stages of a stream to those of a step, by their names.
+void add_stages(PlanStep& step, const std::vector<StageCount>& stages) {
+  for (const StageCount& stage : stages) {
+    const auto known = std::ranges::find(step.stages, stage.what, &StageCount::what);
+    if (known == step.stages.end())
+      step.stages.push_back(stage);
+    else
+      known->count += stage.count;
+  }
+}
+
+class MeasuredTuples final : public TupleStream {
+ public:
+  MeasuredTuples(TupleStreamPtr stream, PlanStep& step) : stream_(std::move(stream)), step_(step) {}
+  ~MeasuredTuples() override { add_stages(step_, stream_->stages()); }
+  MeasuredTuples(const MeasuredTuples&) = delete;
+  MeasuredTuples& operator=(const MeasuredTuples&) = delete;
+
+  Result<TuplePtr> next() override {
+    const Stopwatch watch(step_);
+    auto next = stream_->next();
+    if (next && *next != nullptr) ++step_.tuples;
+    return next;
+  }
+
+ private:
+  TupleStreamPtr stream_;
+  PlanStep& step_;
+};
+
 // The streams keep the node, and with it the steps, alive only through the caller: the recorder outlives both.
 Datum measured(Datum result, PlanStep& step) {
   if (const auto* tuples = std::get_if<TupleStreamPtr>(&result.content))
-    return Datum{make_stream([stream = *tuples, &step]() -> Result<TuplePtr> {
-      const Stopwatch watch(step);
-      auto next = stream->next();
-      if (next && *next != nullptr) ++step.tuples;
-      return next;
-    })};
+    return Datum{TupleStreamPtr(std::make_shared<MeasuredTuples>(*tuples, step))};
   if (const auto* values = std::get_if<ValueStreamPtr>(&result.content))
     return Datum{make_value_stream([stream = *values, &step]() -> Result<std::optional<Value>> {
       const Stopwatch watch(step);
@@ -67,6 +94,11 @@ std::size_t PlanRecorder::begin(const std::string& name) {
   step.depth = depth_++;
   steps_.push_back(std::move(step));
   return steps_.size() - 1;
+}
+
+void PlanRecorder::describe(std::size_t step, std::string remark, std::optional<std::uint64_t> estimate) {
+  steps_[step].remark = std::move(remark);
+  steps_[step].estimate = estimate;
 }
 
 TypedPtr PlanRecorder::finish(std::size_t step, std::string signature, TypedPtr node) {

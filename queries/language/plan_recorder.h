@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,11 @@ struct PlanStep {
   std::string signature;  ///< argument types and result type of the chosen overload
   int depth = 0;          ///< number of enclosing operators
   std::uint64_t calls = 0;
-  std::uint64_t tuples = 0;  ///< that it returned, if its result is a stream
-  double seconds = 0;        ///< including the operators below it
+  std::uint64_t tuples = 0;               ///< that it returned, if its result is a stream
+  double seconds = 0;                     ///< including the operators below it
+  std::string remark;                     ///< how it works, such as the index that it reads
+  std::optional<std::uint64_t> estimate;  ///< of `tuples`, before it runs
+  std::vector<StageCount> stages;         ///< of its streams, added up
 };
 
 /// Records the operators of an expression while it is checked, and wraps each to count its calls, tuples and time while
@@ -29,6 +33,7 @@ class PlanRecorder {
   /// To be called before the arguments of an operator are checked; `finish` after them. If they are wrong, the whole
   /// check fails.
   std::size_t begin(const std::string& name);
+  void describe(std::size_t step, std::string remark, std::optional<std::uint64_t> estimate);
   TypedPtr finish(std::size_t step, std::string signature, TypedPtr node);
 
  private:

@@ -60,6 +60,18 @@ class ObjectSource {
   virtual Result<Datum> value_of(const std::string& name) = 0;
   /// The type that a name stands for, or nothing.
   virtual Result<std::optional<TypeExpr>> named_type(const std::string& name) = 0;
+  /// An index that follows a relation.
+  struct IndexName {
+    std::string name;
+    std::string attribute;  ///< of the relation
+    TypeExpr type;
+  };
+  /// The indexes that follow a relation, by name.
+  virtual Result<std::vector<IndexName>> indexes_of(const std::string& /*relation*/) {
+    return std::vector<IndexName>();
+  }
+  /// An index as it is now; `value_of` may give one that was read before a change of the statement.
+  virtual Result<Datum> current_index(const std::string& name) { return value_of(name); }
   /// False if there can be no objects, because no database is open.
   virtual bool is_open() const { return true; }
   /// Names of all objects, for suggestions.

@@ -17,7 +17,7 @@ std::vector<std::string> columns_of(const std::string& what) {
       {"operators", {"Name", "Signatures", "Syntax", "Meaning"}},
       {"constructors", {"Name", "Kinds", "Notation", "Meaning"}},
       {"counters", {"Name", "Count"}},
-      {"plan", {"Depth", "Operator", "Signature", "Calls", "Tuples", "Milliseconds"}},
+      {"plan", {"Depth", "Operator", "Signature", "Calls", "Tuples", "Milliseconds", "Estimate", "How"}},
       {"findings", {"Object", "Tuple", "Attribute", "Problem"}}};
   const auto found = columns.find(what);
   return found == columns.end() ? std::vector<std::string>{"Name"} : found->second;

@@ -1,6 +1,9 @@
 #include "queries/session/plan.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <string>
 
 #include "queries/streams/mapping.h"
 #include "queries/streams/relation.h"
@@ -26,15 +29,30 @@ double in_milliseconds(double seconds) {
   return std::round(seconds * 1e6) / 1e3;
 }
 
+/// "by the index Halls_Shape; 12 pairs of boxes, 5 decided by exact tests"
+std::string how_text(const PlanStep& step) {
+  std::string text;
+  for (const StageCount& stage : step.stages)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", stage.count, stage.what);
+  if (step.remark.empty() || text.empty()) return step.remark + text;
+  return step.remark + "; " + text;
+}
+
 }  // namespace
+
+Status run_to_end(const TypedNode& node, Context& context) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Datum value, node.evaluate(nullptr, context));
+  return exhaust(value, context);
+}
 
 NestedList plan_list(const PlanRecorder& recorder) {
   NestedList::List rows;
   for (const PlanStep& step : recorder.steps())
-    rows.push_back(NestedList::list(NestedList(step.depth), NestedList::symbol(step.name),
-                                    NestedList::text(step.signature), NestedList(static_cast<std::int64_t>(step.calls)),
-                                    NestedList(static_cast<std::int64_t>(step.tuples)),
-                                    NestedList(in_milliseconds(step.seconds))));
+    rows.push_back(NestedList::list(
+        NestedList(step.depth), NestedList::symbol(step.name), NestedList::text(step.signature),
+        NestedList(static_cast<std::int64_t>(step.calls)), NestedList(static_cast<std::int64_t>(step.tuples)),
+        NestedList(in_milliseconds(step.seconds)),
+        NestedList(step.estimate ? static_cast<std::int64_t>(*step.estimate) : -1), NestedList::text(how_text(step))));
   return NestedList::list(NestedList::symbol("inquiry"),
                           NestedList::list(NestedList::symbol("plan"), NestedList(std::move(rows))));
 }

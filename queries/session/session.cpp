@@ -130,15 +130,13 @@ Status Session::run(const Query& command, Presenter& presenter, Context& context
   return status;
 }
 
-// (inquiry (plan ((depth operator 'signature' calls tuples milliseconds) ...)))
 Status Session::run(const Explain& command, Presenter& presenter, Context& context) {
   return in_transaction(false, [&]() -> Status {
     PlanRecorder recorder;
     Objects objects(registry_, store_.get(), context);
     ALGEBRA3D_ASSIGN_OR_RETURN(const TypedPtr node,
                                Checker(registry_, objects, context, &recorder).check(*command.value));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Datum value, node->evaluate(nullptr, context));
-    ALGEBRA3D_RETURN_IF_ERROR(exhaust(value, context));
+    if (command.runs) ALGEBRA3D_RETURN_IF_ERROR(run_to_end(*node, context));
     return presenter.present_inquiry(plan_list(recorder));
   });
 }

@@ -25,10 +25,11 @@ inline bool is_index(const TypeExpr& type) {
 struct ObjectInfo {
   std::string name;
   TypeExpr type;
-  bool has_value = true;            ///< false after `create N : T` until the first `update`
-  std::string function_text;        ///< of a function: its text; else empty
-  std::string derived_text;         ///< of a derived object: the expression of its value; else empty
-  std::string index_relation = {};  ///< of an index that follows a relation: its name; else empty
+  bool has_value = true;             ///< false after `create N : T` until the first `update`
+  std::string function_text;         ///< of a function: its text; else empty
+  std::string derived_text;          ///< of a derived object: the expression of its value; else empty
+  std::string index_relation = {};   ///< of an index that follows a relation: its name; else empty
+  std::string index_attribute = {};  ///< of an index: the name of the indexed attribute; else empty
 };
 
 /// A name for a type.

@@ -41,6 +41,8 @@ void register_stream_operators(algebra3d::Registry& registry) {
       {"indexes", "Spatial and ordered indexes of relations, and searches in them.", algebra3d::Cost::linear});
   register_indexes(registry);
   register_spatial_join(registry);
+  register_spatial_self_join(registry);
+  register_nearest_joins(registry);
   register_points_inside(registry);
   register_ordered_indexes(registry);
   registry.begin_family({"tables from files", "Relations from CSV and JSON files.", algebra3d::Cost::file});

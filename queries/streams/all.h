@@ -37,6 +37,8 @@ void register_changes(algebra3d::Registry& registry);
 void register_updates(algebra3d::Registry& registry);
 void register_indexes(algebra3d::Registry& registry);
 void register_spatial_join(algebra3d::Registry& registry);
+void register_spatial_self_join(algebra3d::Registry& registry);
+void register_nearest_joins(algebra3d::Registry& registry);
 void register_points_inside(algebra3d::Registry& registry);
 void register_ordered_indexes(algebra3d::Registry& registry);
 void register_language_notes(algebra3d::Registry& registry);

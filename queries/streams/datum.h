@@ -33,6 +33,12 @@ struct Tuple {
 };
 using TuplePtr = std::shared_ptr<const Tuple>;
 
+/// A number that a stream knows about its work so far, for `explain`.
+struct StageCount {
+  std::string what;
+  std::uint64_t count = 0;
+};
+
 /// A stream of tuples that the consumer pulls one by one. Used by one thread; ends with the first null.
 class TupleStream {
  public:
@@ -42,6 +48,8 @@ class TupleStream {
   TupleStream& operator=(const TupleStream&) = delete;
   /// The next tuple, or null at the end.
   virtual Result<TuplePtr> next() = 0;
+  /// The numbers of its stages, such as the pairs that a join has examined; by default none.
+  virtual std::vector<StageCount> stages() const { return {}; }
 };
 using TupleStreamPtr = std::shared_ptr<TupleStream>;
 

@@ -1,11 +1,14 @@
 // creatertree, bulkloadrtree, windowintersects, windowintersectsS, distancescan: R-trees on relations.
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "algebra3d/registry/operator.h"
 #include "algebra3d/types/scalars.h"
 #include "queries/streams/all.h"
+#include "queries/streams/detail/exact_scan.h"
 #include "queries/streams/detail/index_operands.h"
+#include "queries/streams/detail/parallel_filter.h"
 #include "queries/streams/detail/spatial_attribute.h"
 #include "queries/streams/mapping.h"
 #include "queries/streams/spatial_index.h"
@@ -14,6 +17,8 @@ namespace queries {
 namespace {
 
 using algebra3d::Box3;
+using algebra3d::Registry;
+using algebra3d::ResolvedCall;
 using Tree = SpatialIndex::Tree;
 using Entry = rtree::Entry<std::uint64_t>;
 
@@ -76,17 +81,61 @@ Status check_window(const algebra3d::Registry& registry, const MappingCheck& che
   return check.expected("a rect3 or another spatial value", check[position].type);
 }
 
-TypeMapping map_windowintersects(const algebra3d::Registry& registry) {
+/// Whether the argument at `position` is the constant "exact".
+Result<bool> asks_for_exact(const MappingCheck& check, std::size_t position) {
+  ALGEBRA3D_RETURN_IF_ERROR(check.characters(position));
+  if (check[position].constant) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Value word, check[position].constant());
+    if (word.is_defined() && algebra3d::characters_of(word) == "exact") return true;
+  }
+  return check.error("expected the constant \"exact\"");
+}
+
+/// The search of an operator with an index and a relation as operands.
+Result<IndexSearch> index_search(const std::vector<Datum>& given, std::string_view op) {
+  const auto& index = given[0].index();
+  const RelationPtr& relation = given[1].relation();
+  ALGEBRA3D_RETURN_IF_ERROR(check_fits(*index, *relation, op));
+  const auto& attributes = relation->tuple_type().attributes();
+  const auto found = std::ranges::find(attributes, index->attribute(), &TypeExpr::Attribute::name);
+  if (found == attributes.end())
+    return Error{ErrorCode::type_error, "{}: the relation has no attribute '{}'", op, index->attribute()};
+  return IndexSearch{index, relation, static_cast<std::size_t>(found - attributes.begin())};
+}
+
+/// The tuples whose indexed geometry meets that of the window.
+TupleStreamPtr meeting(TupleStreamPtr candidates, std::size_t attribute, const ResolvedCall& predicate,
+                       const Value& window, Context& context) {
+  const auto condition = [=](const Tuple& tuple, Context& own) -> Result<bool> {
+    std::array values{tuple.attributes[attribute], window};
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Value result, Registry::call(predicate, values, own));
+    return is_true(result);
+  };
+  return parallel_filter(std::move(candidates), condition, context);
+}
+
+TypeMapping map_windowintersects(const Registry& registry) {
   return [&registry](std::span<const ArgumentType> arguments) -> Result<BoundOperator> {
     const MappingCheck check("windowintersects", arguments);
     ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, indexed_relation(check));
+    ALGEBRA3D_RETURN_IF_ERROR(check.argument_count(3, 4));
     ALGEBRA3D_RETURN_IF_ERROR(check_window(registry, check, 2));
-    return BoundOperator{TypeExpr::stream(tuple), [](std::vector<Datum> given, Context&) -> Result<Datum> {
-                           const auto& index = given[0].index();
-                           ALGEBRA3D_RETURN_IF_ERROR(check_fits(*index, *given[1].relation(), "windowintersects"));
-                           return Datum{fetched(given[1].relation(),
-                                                one_by_one(ids_in_window(index->tree(), window_of(given[2].value()))))};
-                         }};
+    std::optional<ResolvedCall> predicate;
+    if (check.count() == 4) {
+      ALGEBRA3D_RETURN_IF_ERROR(asks_for_exact(check, 3));
+      const std::array types{check[0].type.arguments()[1], check[2].type};
+      ALGEBRA3D_ASSIGN_OR_RETURN(predicate, registry.resolve(*registry.find_operator("intersects"), types));
+    }
+    return BoundOperator{
+        TypeExpr::stream(tuple), [predicate](std::vector<Datum> given, Context& context) -> Result<Datum> {
+          ALGEBRA3D_ASSIGN_OR_RETURN(const IndexSearch search, index_search(given, "windowintersects"));
+          const Value& window = given[2].value();
+          TupleStreamPtr tuples =
+              fetched(search.relation, one_by_one(ids_in_window(search.index->tree(), window_of(window))));
+          if (!predicate) return Datum{std::move(tuples)};
+          ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, window.loaded());
+          return Datum{meeting(std::move(tuples), search.attribute, *predicate, loaded, context)};
+        }};
   };
 }
 
@@ -108,28 +157,58 @@ TypeMapping map_window_ids(const algebra3d::Registry& registry) {
   };
 }
 
-TypeMapping map_distancescan(const algebra3d::Registry& registry) {
+/// The arguments of distancescan after the value.
+struct ScanOptions {
+  bool has_limit = false;  ///< at place 3
+  bool is_exact = false;
+};
+
+Result<ScanOptions> scan_options(const Registry& registry, const MappingCheck& check) {
+  ScanOptions options;
+  ALGEBRA3D_RETURN_IF_ERROR(check.argument_count(3, 5));
+  ALGEBRA3D_RETURN_IF_ERROR(check_window(registry, check, 2));
+  options.has_limit = check.count() == 5 || (check.count() == 4 && check[3].type.is("int"));
+  if (options.has_limit) ALGEBRA3D_RETURN_IF_ERROR(check.type(3, "int"));
+  const std::size_t word = options.has_limit ? 4 : 3;
+  if (word == check.count()) return options;
+  if (word == 3 && !check[3].type.is("string") && !check[3].type.is("text"))
+    return check.expected("int", check[3].type);
+  ALGEBRA3D_ASSIGN_OR_RETURN(options.is_exact, asks_for_exact(check, word));
+  const std::array types{check[0].type.arguments()[1], check[2].type};
+  const auto distance = registry.resolve(*registry.find_operator("distance"), types);
+  if (!distance) return distance.error();
+  return options;
+}
+
+/// The largest number of tuples that a scan returns: none for an undefined limit.
+std::uint64_t scan_limit(const std::vector<Datum>& given, const ScanOptions& options) {
+  if (!options.has_limit) return std::numeric_limits<std::uint64_t>::max();
+  const Value& limit = given[3].value();
+  return limit.is_defined() ? static_cast<std::uint64_t>(std::max<std::int64_t>(0, limit.get<std::int64_t>())) : 0;
+}
+
+TypeMapping map_distancescan(const Registry& registry) {
   return [&registry](std::span<const ArgumentType> arguments) -> Result<BoundOperator> {
     const MappingCheck check("distancescan", arguments);
     ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, indexed_relation(check));
-    ALGEBRA3D_RETURN_IF_ERROR(check.argument_count(3, 4));
-    ALGEBRA3D_RETURN_IF_ERROR(check_window(registry, check, 2));
-    if (check.count() == 4) ALGEBRA3D_RETURN_IF_ERROR(check.type(3, "int"));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const ScanOptions options, scan_options(registry, check));
     return BoundOperator{
-        TypeExpr::stream(tuple), [](std::vector<Datum> given, Context&) -> Result<Datum> {
-          const auto index = given[0].index();
-          ALGEBRA3D_RETURN_IF_ERROR(check_fits(*index, *given[1].relation(), "distancescan"));
+        TypeExpr::stream(tuple), [options](std::vector<Datum> given, Context& context) -> Result<Datum> {
+          ALGEBRA3D_ASSIGN_OR_RETURN(IndexSearch search, index_search(given, "distancescan"));
           const Box3 box = window_of(given[2].value());
-          std::int64_t left = std::numeric_limits<std::int64_t>::max();
-          if (given.size() == 4) left = given[3].value().is_defined() ? given[3].value().get<std::int64_t>() : 0;
-          if (box.is_empty()) left = 0;
-          return Datum{
-              fetched(given[1].relation(),
-                      [index, left, cursor = index->tree().nearest(box)]() mutable -> std::optional<std::uint64_t> {
-                        if (left-- <= 0) return std::nullopt;
-                        const auto next = cursor.next();
-                        return next ? std::optional(next->payload) : std::nullopt;
-                      })};
+          std::uint64_t left = box.is_empty() ? 0 : scan_limit(given, options);
+          if (options.is_exact && left > 0) {
+            ALGEBRA3D_ASSIGN_OR_RETURN(const Value to, given[2].value().loaded());
+            return Datum{exact_distance_scan(std::move(search), to, left, context)};
+          }
+          return Datum{fetched(search.relation,
+                               [index = search.index, left,
+                                cursor = search.index->tree().nearest(box)]() mutable -> std::optional<std::uint64_t> {
+                                 if (left == 0) return std::nullopt;
+                                 --left;
+                                 const auto next = cursor.next();
+                                 return next ? std::optional(next->payload) : std::nullopt;
+                               })};
         }};
   };
 }
@@ -192,32 +271,48 @@ void register_indexes(algebra3d::Registry& registry) {
   });
   registry.add({
       .name = "windowintersects",
-      .syntax = "_ _ windowintersects[_]",
-      .doc = "The tuples of a relation whose indexed box meets the window, in the order of their ids.",
+      .syntax = "_ _ windowintersects[_ ...]",
+      .doc = "The tuples of a relation whose indexed box meets the window, in the order of their ids; with \"exact\" "
+             "those whose geometry meets that of the window.",
       .detail =
           "The window is a rect3 or the box of any spatial value. Touching counts. Undefined and empty windows meet "
-          "nothing.",
+          "nothing. With \"exact\" the result is that of `intersects`, asked only where boxes meet.",
       .stream = stream_operator(map_windowintersects(registry)),
-      .signatures = {"(rtree3(tuple SPATIAL3D) rel(tuple) SPATIAL3D) -> stream(tuple)"},
+      .signatures = {"(rtree3(tuple SPATIAL3D) rel(tuple) SPATIAL3D) -> stream(tuple)",
+                     "(rtree3(tuple SPATIAL3D) rel(tuple) SPATIAL3D string) -> stream(tuple)"},
       .handles_undefined = true,
       .query_examples = {{"Boxes_B Boxes windowintersects[rectangle3(0, 2, 0, 2, 0, 2)] project[No] consume", "((1))"},
+                         {"Boxes_B Boxes windowintersects[createSphere(makePoint3D(2, 2, 0), 1, 8)] count", "1"},
+                         {"Boxes_B Boxes windowintersects[createSphere(makePoint3D(2, 2, 0), 1, 8), \"exact\"] count",
+                          "0"},
                          {"Boxes_B Boxes windowintersects[[const rect3 value undefined]] count", "0"}},
-      .query_errors = {{"query 5 6 windowintersects[7]", "windowintersects: expected an R-tree, got int"}},
+      .query_errors = {{"query 5 6 windowintersects[7]", "windowintersects: expected an R-tree, got int"},
+                       {"query Boxes_B Boxes windowintersects[makePoint3D(5, 0, 0), \"fast\"] count",
+                        "windowintersects: expected the constant \"exact\""}},
   });
   registry.add({
       .name = "distancescan",
       .syntax = "_ _ distancescan[_ ...]",
       .doc = "The tuples of a relation by ascending distance of their indexed boxes from the box of a value; if k is "
              "given, only the first k.",
-      .detail = "Equal distances: by tuple id. No tuples for an undefined or empty value.",
+      .detail =
+          "Equal distances: by tuple id. No tuples for an undefined or empty value. With \"exact\" the distance is "
+          "that of the geometry, as by `distance`, compared before it is rounded.",
+      .sources = {"hjaltason1999"},
       .stream = stream_operator(map_distancescan(registry)),
       .signatures = {"(rtree3(tuple SPATIAL3D) rel(tuple) SPATIAL3D) -> stream(tuple)",
-                     "(rtree3(tuple SPATIAL3D) rel(tuple) SPATIAL3D int) -> stream(tuple)"},
+                     "(rtree3(tuple SPATIAL3D) rel(tuple) SPATIAL3D int) -> stream(tuple)",
+                     "(rtree3(tuple SPATIAL3D) rel(tuple) SPATIAL3D string) -> stream(tuple)",
+                     "(rtree3(tuple SPATIAL3D) rel(tuple) SPATIAL3D int string) -> stream(tuple)"},
       .handles_undefined = true,
       .query_examples = {{"Boxes_B Boxes distancescan[makePoint3D(9, 0, 0), 1] project[No] consume", "((2))"},
                          {"Boxes_B Boxes distancescan[makePoint3D(0, 0, 0)] project[No] consume", "((1) (2))"},
+                         {"Boxes_B Boxes distancescan[makePoint3D(4, 0, 0), 1, \"exact\"] project[No] consume",
+                          "((2))"},
                          {"Boxes_B Boxes distancescan[[const point3d value undefined]] count", "0"}},
-      .query_errors = {{"query 5 6 distancescan[7]", "distancescan: expected an R-tree, got int"}},
+      .query_errors = {{"query 5 6 distancescan[7]", "distancescan: expected an R-tree, got int"},
+                       {"query Boxes_B Boxes distancescan[makePoint3D(0, 0, 0), \"nearly\"] count",
+                        "distancescan: expected the constant \"exact\""}},
   });
 }
 

@@ -1,5 +1,9 @@
 #include "queries/streams/relation.h"
 
+#include <utility>
+
+#include "queries/streams/mapping.h"
+
 namespace queries {
 namespace {
 
@@ -8,6 +12,16 @@ Error not_stored() {
 }
 
 }  // namespace
+
+Result<TupleStreamPtr> Relation::select(std::vector<TupleId> ids) {
+  return make_stream([this, ids = std::move(ids), position = std::size_t{0}]() mutable -> Result<TuplePtr> {
+    while (position < ids.size()) {
+      ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr tuple, fetch(ids[position++]));
+      if (tuple != nullptr) return tuple;
+    }
+    return TuplePtr();
+  });
+}
 
 Result<TupleId> Relation::insert(const Tuple&) {
   return not_stored();

@@ -23,6 +23,9 @@ class Relation {
   virtual Result<TupleStreamPtr> scan() = 0;
   /// The tuple with this id, or null.
   virtual Result<TuplePtr> fetch(TupleId id) = 0;
+  /// A stream of the tuples with these ids, which are ascending; ids that are not there are left out. It shows the
+  /// relation as `scan` does. The relation outlives it.
+  virtual Result<TupleStreamPtr> select(std::vector<TupleId> ids);
   /// Name of a stored relation; empty for a relation in memory.
   virtual std::string name() const { return {}; }
 

@@ -1,19 +1,17 @@
 // itSpatialJoin, spatialJoin, distanceJoin: pairs of tuples by the boxes, the relation or the distance of their sets.
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "algebra3d/halfedge/boxes.h"
 #include "algebra3d/registry/operator.h"
-#include "algebra3d/types/scalars.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/box_join.h"
-#include "queries/streams/detail/parallel_filter.h"
-#include "queries/streams/detail/spatial_attribute.h"
+#include "queries/streams/detail/join_condition.h"
+#include "queries/streams/detail/refined_join.h"
+#include "queries/streams/detail/spatial_operands.h"
 #include "queries/streams/mapping.h"
 
 namespace queries {
@@ -21,36 +19,10 @@ namespace {
 
 using algebra3d::Box3;
 using algebra3d::Registry;
-using algebra3d::ResolvedCall;
 
-/// The arguments that all joins have in common: two streams, and an attribute of each.
-struct JoinArguments {
-  std::size_t left_key, right_key;
-  TypeExpr joined;
-  std::size_t left_size;  ///< number of attributes of the first stream
-  TypeExpr left_type, right_type;
-
-  /// The same key in a joined tuple.
-  std::size_t right_in_joined() const { return left_size + right_key; }
-};
-
-Result<JoinArguments> join_arguments(const Registry& registry, const MappingCheck& check) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr left, check.stream(0));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr right, check.stream(1));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t left_key, spatial_attribute(registry, check, 2, left));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t right_key, spatial_attribute(registry, check, 3, right));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr joined, check.concatenated(left, right));
-  return JoinArguments{left_key,
-                       right_key,
-                       joined,
-                       left.attributes().size(),
-                       left.attributes()[left_key].type,
-                       right.attributes()[right_key].type};
-}
-
-TupleStreamPtr pairs_by_boxes(const JoinArguments& join, const std::vector<Datum>& given, WindowOfBox window,
-                              const Context& context) {
-  return box_join({given[0].tuples(), join.left_key}, {given[1].tuples(), join.right_key}, std::move(window), context);
+PairStreamPtr pairs_by_boxes(const SpatialOperands& join, const std::vector<Datum>& given, WindowOfBox window,
+                             const Context& context) {
+  return box_pairs({given[0].tuples(), join.left_key}, {given[1].tuples(), join.right_key}, std::move(window), context);
 }
 
 Box3 itself(const Box3& box) {
@@ -62,55 +34,24 @@ TypeMapping map_box_join(const Registry& registry) {
     const MappingCheck check("itSpatialJoin", arguments);
     ALGEBRA3D_RETURN_IF_ERROR(check.argument_count(4, 7));
     for (std::size_t place = 4; place < check.count(); ++place) ALGEBRA3D_RETURN_IF_ERROR(check.type(place, "int"));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const JoinArguments join, join_arguments(registry, check));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const SpatialOperands join, spatial_operands(registry, check));
     return BoundOperator{TypeExpr::stream(join.joined),
                          [join](const std::vector<Datum>& given, Context& context) -> Result<Datum> {
-                           return Datum{pairs_by_boxes(join, given, itself, context)};
+                           return Datum{concatenated_pairs(pairs_by_boxes(join, given, itself, context))};
                          }};
   };
-}
-
-/// The joined tuples for which a predicate of the registry holds, asked of the two keys and of further arguments.
-TupleStreamPtr refined(const JoinArguments& join, TupleStreamPtr pairs, const ResolvedCall& predicate,
-                       const std::vector<Value>& further, Context& context) {
-  const auto holds = [=, left = join.left_key, right = join.right_in_joined()](const Tuple& pair,
-                                                                               Context& own) -> Result<bool> {
-    std::vector<Value> values{pair.attributes[left], pair.attributes[right]};
-    values.insert(values.end(), further.begin(), further.end());
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Value result, Registry::call(predicate, values, own));
-    return is_true(result);
-  };
-  return parallel_filter(std::move(pairs), holds, context);
-}
-
-Result<ResolvedCall> resolve(const Registry& registry, const std::string& name, std::span<const TypeExpr> types) {
-  return registry.resolve(*registry.find_operator(name), types);
-}
-
-/// The predicates that hold only of sets that meet, so that meeting boxes find all pairs.
-constexpr std::array<std::string_view, 7> kPredicates{"intersects", "touches",   "inside",  "contains",
-                                                      "covers",     "coveredBy", "overlaps"};
-
-Result<std::string> predicate_name(const MappingCheck& check, std::size_t place) {
-  ALGEBRA3D_RETURN_IF_ERROR(check.characters(place));
-  if (!check[place].constant) return check.error("expected a constant as the name of the predicate");
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, check[place].constant());
-  const std::string name = value.is_defined() ? algebra3d::characters_of(value) : std::string("undefined");
-  if (std::ranges::find(kPredicates, name) == kPredicates.end())
-    return check.error(fmt::format("expected a predicate: {}; got '{}'", fmt::join(kPredicates, ", "), name));
-  return name;
 }
 
 TypeMapping map_spatial_join(const Registry& registry) {
   return [&registry](std::span<const ArgumentType> arguments) -> Result<BoundOperator> {
     const MappingCheck check("spatialJoin", arguments);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const JoinArguments join, join_arguments(registry, check));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const SpatialOperands join, spatial_operands(registry, check));
     ALGEBRA3D_ASSIGN_OR_RETURN(const std::string name, predicate_name(check, 4));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const ResolvedCall predicate,
-                               resolve(registry, name, std::array{join.left_type, join.right_type}));
+    ALGEBRA3D_RETURN_IF_ERROR(check_operands(registry, name, std::array{join.left_type, join.right_type}));
     return BoundOperator{
         TypeExpr::stream(join.joined), [=](const std::vector<Datum>& given, Context& context) -> Result<Datum> {
-          return Datum{refined(join, pairs_by_boxes(join, given, itself, context), predicate, {}, context)};
+          return Datum{refined_join(pairs_by_boxes(join, given, itself, context), {join.left_key, join.right_key},
+                                    predicate_test(name, false), context)};
         }};
   };
 }
@@ -118,19 +59,16 @@ TypeMapping map_spatial_join(const Registry& registry) {
 TypeMapping map_distance_join(const Registry& registry) {
   return [&registry](std::span<const ArgumentType> arguments) -> Result<BoundOperator> {
     const MappingCheck check("distanceJoin", arguments);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const JoinArguments join, join_arguments(registry, check));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const SpatialOperands join, spatial_operands(registry, check));
     ALGEBRA3D_ASSIGN_OR_RETURN(const Conversion conversion, check.conversion(4, TypeExpr("real")));
-    ALGEBRA3D_ASSIGN_OR_RETURN(
-        const ResolvedCall predicate,
-        resolve(registry, "withinDistance", std::array{join.left_type, join.right_type, TypeExpr("real")}));
-    return BoundOperator{
-        TypeExpr::stream(join.joined), [=](const std::vector<Datum>& given, Context& context) -> Result<Datum> {
-          const Value limit = converted(given[4].value(), conversion);
-          const auto window = [limit](const Box3& box) {
-            return limit.is_defined() && limit.get<double>() >= 0 ? padded(box, limit.get<double>()) : Box3();
-          };
-          return Datum{refined(join, pairs_by_boxes(join, given, window, context), predicate, {limit}, context)};
-        }};
+    ALGEBRA3D_RETURN_IF_ERROR(
+        check_operands(registry, "withinDistance", std::array{join.left_type, join.right_type, TypeExpr("real")}));
+    return BoundOperator{TypeExpr::stream(join.joined),
+                         [=](const std::vector<Datum>& given, Context& context) -> Result<Datum> {
+                           const Value limit = converted(given[4].value(), conversion);
+                           return Datum{refined_join(pairs_by_boxes(join, given, distance_window(limit), context),
+                                                     {join.left_key, join.right_key}, distance_test(limit), context)};
+                         }};
   };
 }
 
@@ -173,7 +111,7 @@ void register_exact_joins(Registry& registry) {
       .syntax = "_ _ spatialJoin[attribute, attribute; _]",
       .doc = "The pairs of tuples of both streams for whose attributes a predicate holds, in the order of the second "
              "stream.",
-      .detail = fmt::format("The predicate is a constant, one of {}. {}", fmt::join(kPredicates, ", "), kRefined),
+      .detail = fmt::format("The predicate is a constant, one of {}. {}", predicate_names(), kRefined),
       .exactness = algebra3d::Exactness::exact,
       .cost = algebra3d::Cost::sorting,
       .stream = stream_operator(map_spatial_join(registry)),

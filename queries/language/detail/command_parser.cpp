@@ -109,8 +109,10 @@ CommandParser::Content CommandParser::query() {
 }
 
 CommandParser::Content CommandParser::explain() {
+  const bool runs = input_.at("query");
+  if (runs) input_.skip();
   ALGEBRA3D_ASSIGN_OR_RETURN(ExpressionPtr value, input_.expression());
-  return CommandContent(Explain{std::move(value)});
+  return CommandContent(Explain{std::move(value), runs});
 }
 
 CommandParser::Content CommandParser::let() {

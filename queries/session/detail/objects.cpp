@@ -57,6 +57,15 @@ Result<Datum> Session::Objects::value_of(const std::string& name) {
   return values_.emplace(name, std::move(value)).first->second;
 }
 
+Result<std::vector<ObjectSource::IndexName>> Session::Objects::indexes_of(const std::string& relation) {
+  std::vector<IndexName> indexes;
+  if (store_ == nullptr) return indexes;
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto objects, store_->objects());
+  for (const ObjectInfo& info : objects)
+    if (info.index_relation == relation) indexes.push_back({info.name, info.index_attribute, info.type});
+  return indexes;
+}
+
 // A function may be defined by others, `let g = [f]`, and after an update even by itself. Its body does not count: what
 // stands there is looked at when the function is called.
 Result<Datum> Session::Objects::function_of(const ObjectInfo& info) {

@@ -25,6 +25,8 @@ class Session::Objects final : public ObjectSource {
   Result<std::optional<TypeExpr>> type_of(const std::string& name) override;
   Result<Datum> value_of(const std::string& name) override;
   Result<std::optional<TypeExpr>> named_type(const std::string& name) override;
+  Result<std::vector<IndexName>> indexes_of(const std::string& relation) override;
+  Result<Datum> current_index(const std::string& name) override { return store_->read(name); }
   bool is_open() const override { return store_ != nullptr; }
   std::vector<std::string> names() override;
 

@@ -14,7 +14,8 @@ namespace {
 
 constexpr auto kCommands = std::to_array<CommandDescription>({
     {"query EXPRESSION", "Show the value of an expression (also `querynt`)"},
-    {"explain EXPRESSION", "Run it, and show its operators with calls, tuples and times"},
+    {"explain EXPRESSION", "Show its operators, with indexes and estimated tuples, without running it"},
+    {"explain query EXPRESSION", "Run it, and show its operators with calls, tuples, times and stages"},
     {"let NAME = EXPRESSION", "Make an object"},
     {"let_ NAME = EXPRESSION", "Make an object, or replace the one of this name"},
     {"derive NAME = EXPRESSION", "Make an object that is computed again when the database is restored"},

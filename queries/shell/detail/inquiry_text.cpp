@@ -73,18 +73,21 @@ std::string counters_text(const NestedList& content, std::size_t columns) {
   return table.print(columns);
 }
 
-// ((depth name 'signature' calls tuples milliseconds) ...)
+// ((depth name 'signature' calls tuples milliseconds estimate 'how') ...)
 std::string plan_text(const NestedList& content, std::size_t columns) {
-  TextTable table({"Operator", "Signature", "Calls", "Tuples", "ms"}, {false, false, true, true, true});
+  TextTable table({"Operator", "Signature", "Estimate", "Calls", "Tuples", "ms", "How"},
+                  {false, false, true, true, true, true, false});
   for (const NestedList& step : content.elements()) {
     const auto& cells = step.elements();
     const std::string indentation(static_cast<std::size_t>(2 * cells[0].as_int()), ' ');
     // Only streams give tuples.
     const std::int64_t tuples = cells[4].as_int();
     const bool is_stream = atom_text(cells[2]).find("-> (stream") != std::string::npos;
+    const std::int64_t estimate = cells[6].as_int();
     table.add({indentation + atom_text(cells[1]), one_line(atom_text(cells[2]), columns),
-               std::to_string(cells[3].as_int()), tuples == 0 && !is_stream ? "" : std::to_string(tuples),
-               fmt::format("{:.1f}", cells[5].as_real())});
+               estimate < 0 ? "" : std::to_string(estimate), std::to_string(cells[3].as_int()),
+               tuples == 0 && !is_stream ? "" : std::to_string(tuples), fmt::format("{:.1f}", cells[5].as_real()),
+               atom_text(cells[7])});
   }
   return table_or(table, content.elements().size(), "no operators: the value is a constant or an object", columns);
 }

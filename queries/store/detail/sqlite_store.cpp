@@ -11,7 +11,8 @@ namespace queries {
 namespace {
 
 ObjectInfo info_of(const CatalogueEntry& entry) {
-  return {entry.name, entry.type, entry.has_value, entry.function_text, entry.derived_text, entry.index_relation};
+  return {entry.name,         entry.type,           entry.has_value,      entry.function_text,
+          entry.derived_text, entry.index_relation, entry.index_attribute};
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "queries/store/detail/chunks.h"
 #include "queries/store/detail/relation_scan.h"
+#include "queries/store/detail/relation_selection.h"
 
 namespace queries {
 
@@ -33,6 +34,11 @@ Result<TuplePtr> StoredRelation::fetch(TupleId id) {
   RowReader reader(database_, layout_, database_->changes().now());
   ALGEBRA3D_RETURN_IF_ERROR(reader.take(statement));
   return reader.tuple();
+}
+
+Result<TupleStreamPtr> StoredRelation::select(std::vector<TupleId> ids) {
+  ALGEBRA3D_RETURN_IF_ERROR(entry());
+  return TupleStreamPtr(std::make_shared<RelationSelection>(database_, layout_, std::move(ids)));
 }
 
 // The values that ordered indexes have of the tuple.

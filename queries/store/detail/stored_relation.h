@@ -22,6 +22,7 @@ class StoredRelation final : public Relation {
   Result<std::int64_t> count() const override;
   Result<TupleStreamPtr> scan() override;
   Result<TuplePtr> fetch(TupleId id) override;
+  Result<TupleStreamPtr> select(std::vector<TupleId> ids) override;
 
   Result<TupleId> insert(const Tuple& tuple) override;
   Status erase(TupleId id) override;

@@ -40,35 +40,41 @@ class StreamBlocks final : public TupleStream {
   TuplePtr pending_;  // the first tuple of the next block
 };
 
-/// A block nested-loop join of two streams. The build side is read into a table, block by block; the probe side is read
-/// once for each block, and each of its tuples looks up its partners. Order: block by block, and within a block that of
-/// the probe side.
+/// Two tuples that belong together; null on both sides at the end of the pairs.
+struct TuplePair {
+  TuplePtr build, probe;
+};
+
+/// The pairs of a block nested-loop join of two streams. The build side is read into a table, block by block; the probe
+/// side is read once for each block, and each of its tuples looks up its partners. Order: block by block, and within a
+/// block that of the probe side.
 ///
 /// `Table` has `add(tuple)` (false if the table is full), `finish()`, `find(tuple, found)` and `clear()`, as HashTable.
-/// `Combine` makes the resulting tuple from one tuple of the build side and one of the probe side. Interruptible.
-template <typename Table, typename Combine>
-class BlockJoin final : public TupleStream {
+/// Interruptible.
+template <typename Table>
+class BlockPairs {
  public:
   /// `table` is empty.
-  BlockJoin(TupleStreamPtr build, TupleStreamPtr probe, Table table, Combine combine, const Context& context)
-      : build_(std::move(build)),
-        probe_(std::move(probe)),
-        table_(std::move(table)),
-        combine_(std::move(combine)),
-        context_(context) {}
+  BlockPairs(TupleStreamPtr build, TupleStreamPtr probe, Table table, const Context& context)
+      : build_(std::move(build)), probe_(std::move(probe)), table_(std::move(table)), context_(context) {}
+  /// The probe side is in a buffer already.
+  BlockPairs(TupleStreamPtr build, TupleBuffer probe, Table table, const Context& context)
+      : BlockPairs(std::move(build), TupleStreamPtr(), std::move(table), context) {
+    probed_ = std::move(probe);
+  }
   /// `table` has been filled with the whole build side.
-  BlockJoin(Table table, TupleStreamPtr probe, Combine combine, const Context& context)
-      : BlockJoin(nullptr, std::move(probe), std::move(table), std::move(combine), context) {
+  BlockPairs(Table table, TupleStreamPtr probe, const Context& context)
+      : BlockPairs(nullptr, std::move(probe), std::move(table), context) {
     table_.finish();
     has_block_ = true;
     is_last_ = true;
   }
 
-  Result<TuplePtr> next() override {
+  Result<TuplePair> next() {
     while (position_ == found_.size()) {
       if (++steps_ % 256 == 0) ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
       if (!has_block_) {
-        if (is_last_) return TuplePtr();
+        if (is_last_) return TuplePair();
         ALGEBRA3D_RETURN_IF_ERROR(begin_block());
       }
       ALGEBRA3D_ASSIGN_OR_RETURN(current_, probe_->next());
@@ -79,7 +85,7 @@ class BlockJoin final : public TupleStream {
       if (keeps_probe_) ALGEBRA3D_RETURN_IF_ERROR(probed_->add(current_));
       ALGEBRA3D_RETURN_IF_ERROR(table_.find(*current_, found_));
     }
-    return combine_(*found_[position_++], *current_);
+    return TuplePair{found_[position_++], current_};
   }
 
  private:
@@ -101,7 +107,6 @@ class BlockJoin final : public TupleStream {
   StreamBlocks build_;
   TupleStreamPtr probe_;
   Table table_;
-  Combine combine_;
   const Context& context_;
   std::optional<TupleBuffer> probed_;  // copy of the probe side for the later blocks
   bool keeps_probe_ = false;
@@ -113,16 +118,36 @@ class BlockJoin final : public TupleStream {
   std::uint32_t steps_ = 0;
 };
 
+/// A block nested-loop join: what `Combine` makes of one tuple of the build side and one of the probe side, for each of
+/// the BlockPairs.
+template <typename Table, typename Combine>
+class BlockJoin final : public TupleStream {
+ public:
+  /// `arguments` are those of BlockPairs.
+  template <typename... Arguments>
+  explicit BlockJoin(Combine combine, Arguments&&... arguments)
+      : pairs_(std::forward<Arguments>(arguments)...), combine_(std::move(combine)) {}
+
+  Result<TuplePtr> next() override {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePair pair, pairs_.next());
+    return pair.build == nullptr ? TuplePtr() : combine_(*pair.build, *pair.probe);
+  }
+
+ private:
+  BlockPairs<Table> pairs_;
+  Combine combine_;
+};
+
 /// The stream of a BlockJoin.
 template <typename Table, typename Combine>
 TupleStreamPtr block_join(TupleStreamPtr build, TupleStreamPtr probe, Table table, Combine combine,
                           const Context& context) {
-  return std::make_shared<BlockJoin<Table, Combine>>(std::move(build), std::move(probe), std::move(table),
-                                                     std::move(combine), context);
+  return std::make_shared<BlockJoin<Table, Combine>>(std::move(combine), std::move(build), std::move(probe),
+                                                     std::move(table), context);
 }
 template <typename Table, typename Combine>
 TupleStreamPtr block_join(Table table, TupleStreamPtr probe, Combine combine, const Context& context) {
-  return std::make_shared<BlockJoin<Table, Combine>>(std::move(table), std::move(probe), std::move(combine), context);
+  return std::make_shared<BlockJoin<Table, Combine>>(std::move(combine), std::move(table), std::move(probe), context);
 }
 
 }  // namespace queries

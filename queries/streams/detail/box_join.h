@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 
 #include "algebra3d/base/box3.h"
 #include "queries/streams/datum.h"
+#include "queries/streams/detail/block_join.h"
 #include "queries/streams/mapping.h"
 
 namespace queries {
@@ -18,9 +20,27 @@ struct JoinSide {
 /// The window that looks up the partners of a tuple, from the box of its attribute; empty for no partners.
 using WindowOfBox = std::function<algebra3d::Box3(const algebra3d::Box3& box)>;
 
-/// The concatenated pairs of tuples of both sides such that the box of the first meets the window of the second, in the
-/// order of the second stream. The first side is held in memory with an R-tree over it, part by part if it exceeds the
-/// work memory (block_join.h). Interruptible.
-TupleStreamPtr box_join(JoinSide build, JoinSide probe, WindowOfBox window, const Context& context);
+/// A stream of pairs of tuples, like TupleStream.
+class PairStream {
+ public:
+  virtual ~PairStream() = default;
+  PairStream() = default;
+  PairStream(const PairStream&) = delete;
+  PairStream& operator=(const PairStream&) = delete;
+  virtual Result<TuplePair> next() = 0;
+};
+using PairStreamPtr = std::shared_ptr<PairStream>;
+
+/// The pairs of tuples of both sides such that the box of the first (the build side) meets the window of the second
+/// (the probe side), in the order of the second stream. The first side is held in memory with an R-tree over it, part
+/// by part if it exceeds the work memory (block_join.h). Interruptible.
+PairStreamPtr box_pairs(JoinSide build, JoinSide probe, WindowOfBox window, const Context& context);
+
+/// The same for the pairs of different tuples of one stream, each once: the earlier tuple first, in the order of the
+/// later ones. The stream is read to its end. Errors: those of the stream.
+Result<PairStreamPtr> box_pairs_within(const JoinSide& side, WindowOfBox window, const Context& context);
+
+/// The tuples of pairs, concatenated.
+TupleStreamPtr concatenated_pairs(PairStreamPtr pairs);
 
 }  // namespace queries

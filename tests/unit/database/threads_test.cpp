@@ -82,7 +82,7 @@ TEST(DatabaseThreads, changes_are_kept_when_the_end_of_the_rows_was_asked_for_an
     std::this_thread::sleep_for(30ms);
   }
   EXPECT_EQ(*database.value("query Numbers count"), Value(3));
-  { Result<Rows> rows = database.query("explain Numbers feed Numbers deletedirect count"); }
+  { Result<Rows> rows = database.query("explain query Numbers feed Numbers deletedirect count"); }
   EXPECT_EQ(*database.value("query Numbers count"), Value(3));
   Result<Rows> rows = database.query("query Numbers feed head[1] Numbers deletedirect");
   ASSERT_TRUE(rows->next()->has_value());

@@ -1,0 +1,36 @@
+#include "queries/store/detail/relation_selection.h"
+
+#include <utility>
+
+namespace queries {
+
+RelationSelection::RelationSelection(std::shared_ptr<Database> database, std::shared_ptr<const RelationLayout> layout,
+                                     std::vector<TupleId> ids)
+    : database_(std::move(database)),
+      layout_(std::move(layout)),
+      statement_(database_->statement()),
+      ids_(std::move(ids)) {}
+
+Result<TuplePtr> RelationSelection::next() {
+  ALGEBRA3D_RETURN_IF_ERROR(database_->check_statement(statement_));
+  if (!reader_) {
+    time_ = database_->changes().now();
+    reader_.emplace(database_, layout_, time_);
+  }
+  if (database_->changes().is_gone(layout_->table_number(), time_))
+    return Error{ErrorCode::wrong_usage, "{}: the relation was replaced or deleted while it was read",
+                 layout_->relation()};
+  while (position_ < ids_.size()) {
+    const TupleId id = ids_[position_++];
+    ALGEBRA3D_ASSIGN_OR_RETURN(SqliteConnection * source, database_->source_of(*layout_, id, time_));
+    ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement, source->use(layout_->fetch_sql()));
+    statement.bind(1, id);
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, statement.step());
+    if (!has_row) continue;
+    ALGEBRA3D_RETURN_IF_ERROR(reader_->take(statement));
+    return reader_->tuple();
+  }
+  return TuplePtr();
+}
+
+}  // namespace queries

@@ -1,0 +1,119 @@
+#include "queries/streams/detail/join_condition.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+#include "algebra3d/halfedge/boxes.h"
+#include "algebra3d/spatial_relations/nearest_points.h"
+#include "algebra3d/types/scalars.h"
+
+namespace queries {
+namespace {
+
+using algebra3d::Box3;
+using algebra3d::Monitor;
+using algebra3d::SpatialSet;
+
+Result<bool> are_inside(const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) {
+  return is_inside(a, b, monitor);
+}
+Result<bool> do_contain(const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) {
+  return is_inside(b, a, monitor);
+}
+
+bool may_be_inside(const Box3& a, const Box3& b) {
+  return b.contains(a);
+}
+bool may_contain(const Box3& a, const Box3& b) {
+  return a.contains(b);
+}
+bool may_meet(const Box3& a, const Box3& b) {
+  return a.intersects(b);
+}
+
+struct SpatialPredicate {
+  std::string_view name;
+  bool is_symmetric;
+  /// False if the predicate does not hold of any sets with these boxes.
+  bool (*may_hold)(const Box3& a, const Box3& b);
+  Result<bool> (*holds)(const SpatialSet& a, const SpatialSet& b, const Monitor& monitor);
+};
+
+constexpr std::array<SpatialPredicate, 7> kPredicates{{{"intersects", true, may_meet, algebra3d::do_meet},
+                                                       {"touches", true, may_meet, algebra3d::do_touch},
+                                                       {"inside", false, may_be_inside, are_inside},
+                                                       {"contains", false, may_contain, do_contain},
+                                                       {"covers", false, may_contain, do_contain},
+                                                       {"coveredBy", false, may_be_inside, are_inside},
+                                                       {"overlaps", true, may_meet, algebra3d::do_overlap}}};
+
+const SpatialPredicate* find_predicate(std::string_view name) {
+  const auto* const found = std::ranges::find(kPredicates, name, &SpatialPredicate::name);
+  return found == kPredicates.end() ? nullptr : found;
+}
+
+}  // namespace
+
+std::string predicate_names() {
+  std::vector<std::string_view> names;
+  for (const SpatialPredicate& predicate : kPredicates) names.push_back(predicate.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+Result<std::string> predicate_name(const MappingCheck& check, std::size_t place) {
+  ALGEBRA3D_RETURN_IF_ERROR(check.characters(place));
+  if (!check[place].constant) return check.error("expected a constant as the name of the predicate");
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, check[place].constant());
+  const std::string name = value.is_defined() ? algebra3d::characters_of(value) : std::string("undefined");
+  if (find_predicate(name) == nullptr)
+    return check.error(fmt::format("expected a predicate: {}; got '{}'", predicate_names(), name));
+  return name;
+}
+
+PairTest predicate_test(const std::string& name, bool in_both_orders) {
+  const SpatialPredicate* const predicate = find_predicate(name);
+  const bool tries_turned = in_both_orders && !predicate->is_symmetric;
+  PairTest test;
+  test.by_boxes = [=](const Box3& a, const Box3& b) -> std::optional<Verdict> {
+    if (predicate->may_hold(a, b) || (tries_turned && predicate->may_hold(b, a))) return std::nullopt;
+    return Verdict::no;
+  };
+  test.by_geometry = [=](const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) -> Result<Verdict> {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool holds, predicate->holds(a, b, monitor));
+    if (holds || !tries_turned) return holds ? Verdict::yes : Verdict::no;
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool holds_turned, predicate->holds(b, a, monitor));
+    return holds_turned ? Verdict::turned : Verdict::no;
+  };
+  return test;
+}
+
+PairTest distance_test(const Value& given) {
+  const double limit = given.is_defined() ? given.get<double>() : -1;
+  const auto verdict = [](bool is_near) { return is_near ? Verdict::yes : Verdict::no; };
+  PairTest test;
+  test.by_boxes = [=](const Box3& a, const Box3& b) -> std::optional<Verdict> {
+    const std::optional<bool> answer = algebra3d::are_within_by_boxes(a, b, limit);
+    return answer ? std::optional(verdict(*answer)) : std::nullopt;
+  };
+  test.by_geometry = [=](const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) -> Result<Verdict> {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_near, are_within(a, b, algebra3d::Rational(limit), monitor));
+    return verdict(is_near);
+  };
+  return test;
+}
+
+WindowOfBox distance_window(const Value& limit) {
+  const bool is_some = limit.is_defined() && limit.get<double>() >= 0;
+  return [is_some, by = is_some ? limit.get<double>() : 0](const Box3& box) {
+    return is_some ? algebra3d::padded(box, by) : Box3();
+  };
+}
+
+Status check_operands(const algebra3d::Registry& registry, std::string_view name, std::span<const TypeExpr> types) {
+  const auto call = registry.resolve(*registry.find_operator(name), types);
+  return call ? Status() : Status(call.error());
+}
+
+}  // namespace queries

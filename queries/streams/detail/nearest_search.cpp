@@ -1,0 +1,231 @@
+#include "queries/streams/detail/nearest_search.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "algebra3d/base/scheduler.h"
+#include "algebra3d/spatial_relations/nearest_points.h"
+#include "queries/streams/detail/block_join.h"
+#include "queries/streams/detail/spatial_attribute.h"
+
+namespace queries {
+
+using algebra3d::Box3;
+using algebra3d::Rational;
+using Tree = SpatialIndex::Tree;
+using Entry = rtree::Entry<std::uint64_t>;
+using Cursor = rtree::NearestCursor<std::uint64_t>;
+
+double distance_bound(const Rational& squared_distance) {
+  return std::nextafter(squared_distance.nearest_root(), Box3::kInfinity);
+}
+
+bool may_be_within(double distance_of_boxes, double bound) {
+  constexpr double kMargin = 0x1p-40;  // for the rounding of sums of squares
+  return distance_of_boxes * (1 - kMargin) <= bound;
+}
+
+/// The partners that fit into the work memory, with an R-tree over their boxes.
+class NearestSearch::Table {
+ public:
+  Table(std::size_t key, const Context& context) : key_(key), account_(context.memory) {}
+
+  Result<bool> add(const TuplePtr& tuple) {
+    const Box3 box = window_of(tuple->attributes[key_]);
+    if (!box.is_empty()) {
+      if (!account_.take(heap_bytes(*tuple) + sizeof(Partner) + 3 * sizeof(Entry)) && !partners_.empty()) return false;
+      entries_.push_back({box, partners_.size()});
+      partners_.push_back({tuple, added_count_});
+    }
+    ++added_count_;
+    return true;
+  }
+  void finish() { tree_ = Tree::bulk_load(std::exchange(entries_, {})); }
+  /// Of the next block; places go on.
+  void clear() {
+    partners_.clear();
+    tree_ = Tree();
+    account_.clear();
+  }
+  void start_anew() {
+    clear();
+    added_count_ = 0;
+  }
+
+  struct Partner {
+    TuplePtr tuple;
+    std::uint64_t place;
+  };
+  const Partner& partner(std::uint64_t position) const { return partners_[position]; }
+  const Value& key(std::uint64_t position) const { return partners_[position].tuple->attributes[key_]; }
+  const Tree& tree() const { return tree_; }
+
+ private:
+  std::size_t key_;
+  algebra3d::MemoryAccount account_;
+  std::vector<Partner> partners_;
+  std::vector<Entry> entries_;
+  Tree tree_;
+  std::uint64_t added_count_ = 0;
+};
+
+/// The candidates that are examined at the same time.
+class NearestSearch::Round {
+ public:
+  Round(const Table& table, const NearestTask& task, std::span<const NearestProbe> probes)
+      : table_(table), task_(task) {
+    for (std::uint32_t i = 0; i < probes.size(); ++i)
+      searches_.push_back({i, table.tree().nearest(window_of(probes[i].tuple->attributes[task.probe_key])), {}, {}});
+  }
+
+  bool is_over() const { return searches_.empty(); }
+
+  /// Proposes the next candidates of each probe; probes without any are done.
+  void propose(std::span<const NearestProbe> probes, double reach) {
+    algebra3d::parallel_for(searches_.size(), 16, [&](std::size_t i) {
+      Search& search = searches_[i];
+      const NearestProbe& probe = probes[search.probe];
+      const std::size_t missing = task_.limit - probe.nearest.size();
+      // More and more, since there is no telling how many boxes are near.
+      propose(search, probe, missing > 0 ? missing : extra_, reach);
+    });
+    std::erase_if(searches_, [](const Search& search) { return search.candidates.empty(); });
+    extra_ *= 2;
+    pairs_.clear();
+    candidates_.clear();
+    for (const Search& search : searches_)
+      for (const std::uint64_t candidate : search.candidates) {
+        pairs_.push_back({&probes[search.probe].tuple->attributes[task_.probe_key], &table_.key(candidate)});
+        candidates_.push_back({search.probe, candidate});
+      }
+  }
+
+  struct Candidate {
+    std::uint32_t probe;
+    std::uint64_t partner;  ///< position in the table
+  };
+  const std::vector<ValuePair>& pairs() const { return pairs_; }
+  const std::vector<Candidate>& candidates() const { return candidates_; }
+  const Table& table() const { return table_; }
+
+ private:
+  struct Search {
+    std::uint32_t probe;
+    Cursor cursor;
+    std::optional<rtree::Neighbor<std::uint64_t>> pending;  // found and too far for now
+    std::vector<std::uint64_t> candidates;
+  };
+
+  void propose(Search& search, const NearestProbe& probe, std::size_t wanted, double reach) const {
+    search.candidates.clear();
+    const bool is_full = probe.nearest.size() == task_.limit;
+    const double bound = is_full ? std::min(reach, distance_bound(probe.nearest.back().squared_distance)) : reach;
+    while (search.candidates.size() < wanted) {
+      const auto next = search.pending ? std::exchange(search.pending, std::nullopt) : search.cursor.next();
+      if (!next) return;
+      if (!may_be_within(next->distance, bound)) {
+        search.pending = next;
+        return;
+      }
+      if (is_partner(probe.place, table_.partner(next->payload).place)) search.candidates.push_back(next->payload);
+    }
+  }
+
+  bool is_partner(std::uint64_t probe, std::uint64_t partner) const {
+    switch (task_.partners) {
+      case Partners::others:
+        return partner != probe;
+      case Partners::later:
+        return partner > probe;
+      default:
+        return true;
+    }
+  }
+
+  const Table& table_;
+  const NearestTask& task_;
+  std::vector<Search> searches_;
+  std::size_t extra_ = 4;  // candidates of a probe that has enough neighbours
+  std::vector<ValuePair> pairs_;
+  std::vector<Candidate> candidates_;
+};
+
+NearestSearch::NearestSearch(TupleBuffer partners, NearestTask task, const Context& context)
+    : partners_(std::move(partners)),
+      task_(task),
+      context_(context),
+      examiner_(context),
+      table_(std::make_unique<Table>(task.partner_key, context)) {}
+
+NearestSearch::~NearestSearch() = default;
+
+Status NearestSearch::search(std::span<NearestProbe> probes) {
+  probe_count_ += probes.size();
+  if (is_whole_) return search_table(probes);
+  StreamBlocks blocks(partners_.scan());
+  table_->start_anew();
+  for (bool is_first = true, is_last = false; !is_last; is_first = false) {
+    table_->clear();
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_last, blocks.fill(*table_, context_));
+    table_->finish();
+    is_whole_ = is_first && is_last;
+    ALGEBRA3D_RETURN_IF_ERROR(search_table(probes));
+  }
+  return {};
+}
+
+Status NearestSearch::search_table(std::span<NearestProbe> probes) {
+  Round round(*table_, task_, probes);
+  while (true) {
+    ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
+    round.propose(probes, reach_);
+    if (round.is_over()) return {};
+    ALGEBRA3D_RETURN_IF_ERROR(take_distances(probes, round));
+  }
+}
+
+/// Computes the distances of the candidates, and keeps the nearest ones.
+Status NearestSearch::take_distances(std::span<NearestProbe> probes, Round& round) {
+  std::vector<std::optional<Rational>> distances(round.pairs().size());
+  const auto question = [&](std::size_t i, const LoadedSet& a, const LoadedSet& b,
+                            const algebra3d::Monitor& monitor) -> Status {
+    const std::vector<NearTuple>& nearest = probes[round.candidates()[i].probe].nearest;
+    double bound = reach_;
+    if (nearest.size() == task_.limit) bound = std::min(bound, distance_bound(nearest.back().squared_distance));
+    if (std::isfinite(bound)) {
+      ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_near, are_within(a.set, b.set, Rational(bound), monitor));
+      if (!is_near) return {};
+    }
+    ALGEBRA3D_ASSIGN_OR_RETURN(distances[i], squared_distance_of(a.set, b.set, monitor));
+    return {};
+  };
+  ALGEBRA3D_RETURN_IF_ERROR(examiner_.ask(
+      round.pairs(), fmt::format("distances of {} pairs for {} tuples", round.pairs().size(), probe_count_), question));
+  candidate_count_ += round.pairs().size();
+  for (std::size_t i = 0; i < distances.size(); ++i) {
+    if (!distances[i]) continue;
+    ++distance_count_;
+    const auto [probe, position] = round.candidates()[i];
+    const Table::Partner& partner = round.table().partner(position);
+    NearTuple found{*std::move(distances[i]), partner.place, partner.tuple};
+    std::vector<NearTuple>& nearest = probes[probe].nearest;
+    const auto where =
+        std::ranges::upper_bound(nearest, found, [](const NearTuple& a, const NearTuple& b) { return a.is_before(b); });
+    nearest.insert(where, std::move(found));
+    if (nearest.size() > task_.limit) nearest.pop_back();
+  }
+  return {};
+}
+
+std::vector<StageCount> NearestSearch::stages() const {
+  return {{"tuples searched for", probe_count_},
+          {"candidates by boxes", candidate_count_},
+          {"exact distances", distance_count_},
+          {"geometries loaded", examiner_.load_count()}};
+}
+
+}  // namespace queries

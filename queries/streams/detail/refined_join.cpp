@@ -1,0 +1,146 @@
+#include "queries/streams/detail/refined_join.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "algebra3d/exact/counters.h"
+#include "queries/streams/detail/spatial_pairs.h"
+#include "queries/streams/tuple_buffer.h"
+
+namespace queries {
+namespace {
+
+/// How the pairs of a join were decided.
+struct DecisionCounts {
+  std::uint64_t pairs = 0;
+  std::uint64_t by_boxes = 0;      ///< without geometry
+  std::uint64_t by_hierarchy = 0;  ///< by the box hierarchies of both values
+  std::uint64_t by_exact_tests = 0;
+  std::uint64_t exact_tests = 0;  ///< signs of determinants
+};
+
+class RefinedJoin final : public TupleStream {
+ public:
+  RefinedJoin(PairStreamPtr pairs, PairKeys keys, PairTest test, const Context& context)
+      : pairs_(std::move(pairs)),
+        keys_(keys),
+        test_(std::move(test)),
+        context_(context),
+        account_(context.memory),
+        examiner_(context) {}
+
+  Result<TuplePtr> next() override {
+    while (true) {
+      for (; next_ < block_.size(); ++next_)
+        if (verdicts_[next_] != Verdict::no) return joined(next_++);
+      if (is_at_end_) return TuplePtr();
+      ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
+      ALGEBRA3D_RETURN_IF_ERROR(read_block());
+      ALGEBRA3D_RETURN_IF_ERROR(decide());
+    }
+  }
+
+  std::vector<StageCount> stages() const override {
+    return {{"pairs of boxes", counts_.pairs},
+            {"decided by boxes", counts_.by_boxes},
+            {"decided by hierarchies", counts_.by_hierarchy},
+            {"decided by exact tests", counts_.by_exact_tests},
+            {"exact tests", counts_.exact_tests},
+            {"geometries loaded", examiner_.load_count()}};
+  }
+
+ private:
+  static constexpr std::size_t kFirstBlock = 16, kLargestBlock = std::size_t{1} << 18;
+  static constexpr std::size_t kBytesOfPair = 160;  // in all lists together
+
+  const Value& build_key(const TuplePair& pair) const { return pair.build->attributes[keys_.build]; }
+  const Value& probe_key(const TuplePair& pair) const { return pair.probe->attributes[keys_.probe]; }
+
+  TuplePtr joined(std::size_t i) const {
+    const TuplePair& pair = block_[i];
+    return verdicts_[i] == Verdict::turned ? concatenated(*pair.probe, *pair.build)
+                                           : concatenated(*pair.build, *pair.probe);
+  }
+
+  /// Pairs of one tuple of the probe side follow one another.
+  Status read_block() {
+    block_.clear();
+    next_ = 0;
+    account_.clear();
+    const Tuple* last_probe = nullptr;
+    while (block_.size() < size_) {
+      if (pending_.build == nullptr) {
+        ALGEBRA3D_ASSIGN_OR_RETURN(pending_, pairs_->next());
+      }
+      is_at_end_ = pending_.build == nullptr;
+      if (is_at_end_) break;
+      const std::size_t probe_bytes = pending_.probe.get() == last_probe ? 0 : heap_bytes(*pending_.probe);
+      if (!account_.take(kBytesOfPair + probe_bytes) && !block_.empty()) break;
+      last_probe = pending_.probe.get();
+      block_.push_back(std::exchange(pending_, {}));
+    }
+    size_ = std::min(4 * size_, kLargestBlock);
+    return {};
+  }
+
+  Status decide() {
+    verdicts_.assign(block_.size(), Verdict::no);
+    counts_.pairs += block_.size();
+    std::vector<ValuePair> open;           // that boxes do not decide
+    std::vector<std::uint32_t> positions;  // of these in the block
+    for (std::uint32_t i = 0; i < block_.size(); ++i) {
+      const Value &a = build_key(block_[i]), &b = probe_key(block_[i]);
+      if (const auto verdict = test_.by_boxes(a.header().box, b.header().box)) {
+        verdicts_[i] = *verdict;
+        ++counts_.by_boxes;
+        continue;
+      }
+      open.push_back({&a, &b});
+      positions.push_back(i);
+    }
+    return examine(open, positions);
+  }
+
+  Status examine(std::span<const ValuePair> open, std::span<const std::uint32_t> positions) {
+    std::vector<std::uint64_t> exact_tests(open.size());
+    const auto question = [&](std::size_t i, const LoadedSet& a, const LoadedSet& b,
+                              const algebra3d::Monitor& monitor) -> Status {
+      const std::uint64_t before = algebra3d::exact_calls_of_this_thread();
+      ALGEBRA3D_ASSIGN_OR_RETURN(verdicts_[positions[i]], test_.by_geometry(a.set, b.set, monitor));
+      exact_tests[i] = algebra3d::exact_calls_of_this_thread() - before;
+      return {};
+    };
+    ALGEBRA3D_RETURN_IF_ERROR(examiner_.ask(
+        open, fmt::format("examining {} pairs after {}", open.size(), counts_.pairs - block_.size()), question));
+    for (const std::uint64_t count : exact_tests) {
+      ++(count == 0 ? counts_.by_hierarchy : counts_.by_exact_tests);
+      counts_.exact_tests += count;
+    }
+    return {};
+  }
+
+  PairStreamPtr pairs_;
+  PairKeys keys_;
+  PairTest test_;
+  const Context& context_;
+  algebra3d::MemoryAccount account_;
+  SpatialPairs examiner_;
+  DecisionCounts counts_;
+  std::size_t size_ = kFirstBlock;  // of the next block
+  TuplePair pending_;               // the first one of the next block
+  std::vector<TuplePair> block_;
+  std::vector<Verdict> verdicts_;
+  std::size_t next_ = 0;
+  bool is_at_end_ = false;
+};
+
+}  // namespace
+
+TupleStreamPtr refined_join(PairStreamPtr pairs, PairKeys keys, PairTest test, const Context& context) {
+  return std::make_shared<RefinedJoin>(std::move(pairs), keys, std::move(test), context);
+}
+
+}  // namespace queries

@@ -1,0 +1,179 @@
+#include "queries/streams/detail/spatial_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <unordered_map>
+
+#include "algebra3d/base/scheduler.h"
+#include "algebra3d/operators/set_of_value.h"
+
+namespace queries {
+
+using algebra3d::Box3;
+using algebra3d::Monitor;
+using algebra3d::Vec3;
+
+namespace {
+
+/// Memory of a loaded value with its hierarchy, estimated by its size.
+std::size_t loaded_bytes(const Value& value) {
+  constexpr std::size_t kOfElement = 192, kOfValue = 1024;
+  return value.is_deferred() ? kOfElement * value.header().size + kOfValue : sizeof(LoadedSet);
+}
+
+/// The bits of a number of 21 bits, with two zeros between them.
+std::uint64_t spread(std::uint64_t bits) {
+  bits = (bits | bits << 32) & 0x001F00000000FFFF;
+  bits = (bits | bits << 16) & 0x001F0000FF0000FF;
+  bits = (bits | bits << 8) & 0x100F00F00F00F00F;
+  bits = (bits | bits << 4) & 0x10C30C30C30C30C3;
+  return (bits | bits << 2) & 0x1249249249249249;
+}
+
+Vec3 middle(const Box3& box) {
+  return 0.5 * box.min + 0.5 * box.max;
+}
+
+std::uint64_t morton_code(const Vec3& point, const Box3& frame) {
+  constexpr double kCells = 0x1p21;
+  std::uint64_t code = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double size = frame.max[axis] / 2 - frame.min[axis] / 2;
+    const double position = size > 0 ? (point[axis] / 2 - frame.min[axis] / 2) / size : 0;
+    code |= spread(static_cast<std::uint64_t>(std::clamp(position * kCells, 0.0, kCells - 1))) << axis;
+  }
+  return code;
+}
+
+Result<LoadedSet> loaded_set(const Value& value, const Monitor& monitor) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(Value loaded, value.loaded());
+  ALGEBRA3D_ASSIGN_OR_RETURN(algebra3d::SpatialSet set, algebra3d::set_of_value(loaded, monitor));
+  return LoadedSet{std::move(loaded), std::move(set)};
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> morton_order(std::span<const Box3> boxes) {
+  Box3 frame;
+  for (const Box3& box : boxes) frame.extend(middle(box));
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> codes(boxes.size());
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) codes[i] = {morton_code(middle(boxes[i]), frame), i};
+  std::ranges::sort(codes);
+  std::vector<std::uint32_t> order(boxes.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = codes[i].second;
+  return order;
+}
+
+/// The different values of all pairs.
+struct SpatialPairs::Batches {
+  explicit Batches(std::span<const ValuePair> pairs) {
+    std::unordered_map<const Value*, std::uint32_t> known;
+    const auto number = [&](const Value* value) {
+      const auto [place, is_new] = known.try_emplace(value, static_cast<std::uint32_t>(values.size()));
+      if (is_new) values.push_back(value);
+      return place->second;
+    };
+    numbers.reserve(pairs.size());
+    for (const ValuePair& pair : pairs) numbers.emplace_back(number(pair.first), number(pair.second));
+    sets.resize(values.size());
+  }
+
+  std::size_t bytes() const {
+    return std::transform_reduce(values.begin(), values.end(), std::size_t{0}, std::plus<>(),
+                                 [](const Value* value) { return loaded_bytes(*value); });
+  }
+
+  std::vector<const Value*> values;
+  std::vector<std::optional<LoadedSet>> sets;                    ///< of the values that are loaded
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> numbers;  ///< of each pair, in `values`
+};
+
+Status SpatialPairs::ask(std::span<const ValuePair> pairs, const std::string& progress, const Question& question) {
+  if (pairs.empty()) return {};
+  Batches all(pairs);
+  std::vector<std::uint32_t> order(pairs.size());
+  std::iota(order.begin(), order.end(), 0U);
+  account_.clear();
+  if (account_.take(all.bytes())) {
+    ALGEBRA3D_RETURN_IF_ERROR(load(all, order));
+    ALGEBRA3D_RETURN_IF_ERROR(ask_batch(all, order, progress, question));
+    account_.clear();
+    return {};
+  }
+  std::vector<Box3> boxes;
+  boxes.reserve(pairs.size());
+  for (const ValuePair& pair : pairs) boxes.push_back(pair.second->header().box);
+  order = morton_order(boxes);
+  std::vector<std::uint32_t> last_batch(all.values.size(), 0);  // that needs the value
+  std::uint32_t batch = 0;
+  for (std::size_t begin = 0; begin < order.size();) {
+    ++batch;
+    account_.clear();
+    std::size_t end = begin;
+    for (; end < order.size(); ++end) {
+      const auto [a, b] = all.numbers[order[end]];
+      std::size_t bytes = last_batch[a] == batch ? 0 : loaded_bytes(*all.values[a]);
+      if (a != b && last_batch[b] != batch) bytes += loaded_bytes(*all.values[b]);
+      if (!account_.take(bytes) && end > begin) break;
+      last_batch[a] = last_batch[b] = batch;
+    }
+    for (std::size_t i = 0; i < all.sets.size(); ++i)
+      if (last_batch[i] != batch) all.sets[i].reset();
+    const auto part = std::span<const std::uint32_t>(order).subspan(begin, end - begin);
+    ALGEBRA3D_RETURN_IF_ERROR(load(all, part));
+    ALGEBRA3D_RETURN_IF_ERROR(ask_batch(all, part, progress, question));
+    begin = end;
+  }
+  account_.clear();
+  return {};
+}
+
+/// Loads what these pairs need and is not loaded.
+Status SpatialPairs::load(Batches& all, std::span<const std::uint32_t> pairs) {
+  std::vector<std::uint32_t> missing;
+  std::vector<bool> is_listed(all.values.size());
+  for (const std::uint32_t pair : pairs)
+    for (const std::uint32_t number : {all.numbers[pair].first, all.numbers[pair].second}) {
+      if (!all.sets[number] && !is_listed[number]) missing.push_back(number);
+      is_listed[number] = true;
+    }
+  const Monitor monitor = context_.monitor().silent();
+  std::vector<Status> statuses(missing.size());
+  algebra3d::parallel_for(missing.size(), 4, [&](std::size_t i) {
+    if (monitor.is_cancelled()) return;
+    Result<LoadedSet> set = loaded_set(*all.values[missing[i]], monitor);
+    if (set)
+      all.sets[missing[i]] = std::move(set).value();
+    else
+      statuses[i] = std::move(set).error();
+  });
+  load_count_ += missing.size();
+  ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
+  for (Status& status : statuses) ALGEBRA3D_RETURN_IF_ERROR(std::move(status));
+  return {};
+}
+
+Status SpatialPairs::ask_batch(const Batches& all, std::span<const std::uint32_t> pairs, const std::string& progress,
+                               const Question& question) const {
+  // Many pairs are mostly small ones; of few each may be worth a thread.
+  const std::size_t chunk = pairs.size() >= 1024 ? 16 : 1;
+  const std::size_t chunk_count = (pairs.size() + chunk - 1) / chunk;
+  const Monitor silent = context_.monitor().silent();
+  std::vector<Status> statuses(chunk_count);  // of the first pair of each that failed
+  const algebra3d::Stage stage(context_.monitor(), progress, chunk_count);
+  algebra3d::parallel_for(chunk_count, 1, [&](std::size_t i) {
+    algebra3d::Stage own = stage;
+    if (!own.begin_step() || silent.is_cancelled()) return;
+    for (std::size_t k = i * chunk; k < std::min((i + 1) * chunk, pairs.size()) && statuses[i].ok(); ++k) {
+      const auto [a, b] = all.numbers[pairs[k]];
+      statuses[i] = question(pairs[k], *all.sets[a], *all.sets[b], silent);
+    }
+  });
+  ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
+  for (Status& status : statuses) ALGEBRA3D_RETURN_IF_ERROR(std::move(status));
+  return {};
+}
+
+}  // namespace queries

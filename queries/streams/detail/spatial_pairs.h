@@ -1,0 +1,62 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "algebra3d/base/work_memory.h"
+#include "algebra3d/spatial_relations/relation.h"
+#include "queries/streams/datum.h"
+#include "queries/streams/mapping.h"
+
+namespace queries {
+
+/// A loaded spatial value, and its geometry.
+struct LoadedSet {
+  Value value;
+  algebra3d::SpatialSet set;  ///< refers to `value`
+};
+
+/// Two defined spatial values that are not empty, perhaps deferred. The caller keeps them; equal addresses are one
+/// value.
+struct ValuePair {
+  const Value* first;
+  const Value* second;
+};
+
+/// Questions about pairs of spatial values, asked in parallel.
+///
+/// The geometry of each value is loaded once for all pairs of a call. If it exceeds the work memory, the pairs are
+/// asked in batches along a space-filling curve, and what the next batch needs, too, stays loaded. Interruptible; tells
+/// its progress.
+class SpatialPairs {
+ public:
+  explicit SpatialPairs(const Context& context) : context_(context), account_(context.memory) {}
+
+  /// Asked once for each pair, from several threads at once, in any order.
+  using Question = std::function<Status(std::size_t pair, const LoadedSet& a, const LoadedSet& b,
+                                        const algebra3d::Monitor& monitor)>;
+  /// Errors: those of loading; that of the first pair whose question fails; interrupted.
+  Status ask(std::span<const ValuePair> pairs, const std::string& progress, const Question& question);
+
+  /// Number of values that were loaded so far, some of them several times.
+  std::uint64_t load_count() const { return load_count_; }
+
+ private:
+  struct Batches;
+
+  Status load(Batches& all, std::span<const std::uint32_t> pairs);
+  Status ask_batch(const Batches& all, std::span<const std::uint32_t> pairs, const std::string& progress,
+                   const Question& question) const;
+
+  const Context& context_;
+  algebra3d::MemoryAccount account_;
+  std::uint64_t load_count_ = 0;
+};
+
+/// Positions of boxes, which are not empty, in Morton order of their centres; equal ones in their order.
+std::vector<std::uint32_t> morton_order(std::span<const algebra3d::Box3> boxes);
+
+}  // namespace queries

@@ -1,0 +1,74 @@
+#include "queries/streams/index_candidates.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "algebra3d/halfedge/boxes.h"
+#include "queries/streams/detail/spatial_attribute.h"
+#include "queries/streams/mapping.h"
+#include "queries/streams/ordered_index.h"
+
+namespace queries {
+namespace {
+
+using algebra3d::Box3;
+using Candidates = std::optional<std::vector<TupleId>>;
+
+bool is_spatial_use(IndexUse use) {
+  return use == IndexUse::meets || use == IndexUse::is_inside || use == IndexUse::contains || use == IndexUse::is_near;
+}
+
+/// The window of the boxes of an index; empty if no tuple fulfils the condition.
+Box3 window_for(const IndexQuestion& question) {
+  const Box3 box = window_of(question.operand);
+  if (question.use != IndexUse::is_near || box.is_empty()) return box;
+  const Value& limit = *question.limit;
+  if (!limit.is_defined()) return {};
+  const double by = limit.type().name() == "int" ? static_cast<double>(limit.get<std::int64_t>()) : limit.get<double>();
+  return by < 0 ? Box3() : algebra3d::padded(box, by);
+}
+
+Candidates spatial_candidates(const IndexQuestion& question, const SpatialIndex& index, std::uint64_t tuple_count) {
+  if (!question.operand.is_defined()) return std::vector<TupleId>();
+  // Empty values are not in the index, and are inside of everything; so is an empty operand.
+  if (question.use == IndexUse::is_inside && index.tree().size() != tuple_count) return std::nullopt;
+  if (question.use == IndexUse::contains && window_of(question.operand).is_empty()) return std::nullopt;
+  std::vector<TupleId> ids;
+  for (const std::uint64_t id : ids_in_window(index.tree(), window_for(question)))
+    ids.push_back(static_cast<TupleId>(id));
+  return ids;
+}
+
+Result<Candidates> ordered_candidates(const IndexQuestion& question, const TypeExpr& key, const OrderedIndex& index) {
+  if (!question.operand.is_defined()) return Candidates();
+  const auto conversion = conversion_to(key, TypeExpr(question.operand.type().name()));
+  if (!conversion) return Candidates();
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Value bound, loaded_as(question.operand, *conversion));
+  const bool has_low = question.use != IndexUse::at_most, has_high = question.use != IndexUse::at_least;
+  std::vector<TupleId> ids =
+      index.tree().range(has_low ? std::optional(bound) : std::nullopt, has_high ? std::optional(bound) : std::nullopt);
+  std::ranges::sort(ids);
+  return Candidates(std::move(ids));
+}
+
+}  // namespace
+
+bool can_serve(const TypeExpr& index, IndexUse use, const TypeExpr& operand, const TypeExpr& limit,
+               const algebra3d::Registry& registry) {
+  if (is_spatial_use(use))
+    return index.is("rtree3") && is_spatial(registry, operand) &&
+           (use != IndexUse::is_near || limit.is("real") || limit.is("int"));
+  if (!index.is("btree") || index.arguments().size() != 2) return false;
+  const TypeExpr& key = index.arguments()[1];
+  const bool is_number = key.is("int") || key.is("real");
+  if (!is_number && !(key.is("string") && use == IndexUse::equals)) return false;
+  return operand == key || (key.is("real") && operand.is("int"));
+}
+
+Result<std::optional<std::vector<TupleId>>> index_candidates(const Datum& index, const TypeExpr& index_type,
+                                                             const IndexQuestion& question, std::uint64_t tuple_count) {
+  if (is_spatial_use(question.use)) return spatial_candidates(question, *index.index(), tuple_count);
+  return ordered_candidates(question, index_type.arguments()[1], *index.ordered_index());
+}
+
+}  // namespace queries

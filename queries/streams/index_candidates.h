@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "algebra3d/registry/registry.h"
+#include "queries/streams/datum.h"
+
+namespace queries {
+
+/// How a condition limits an attribute A, for an index on it.
+enum class IndexUse : std::uint8_t {
+  meets,      ///< the box of A meets that of the operand
+  is_inside,  ///< the same, or A is empty
+  contains,   ///< the same, or the operand is empty
+  is_near,    ///< the box of A is at most a limit away from that of the operand
+  equals,     ///< A is equal to the operand
+  at_least,   ///< A is not less than the operand
+  at_most,    ///< A is not greater than the operand
+};
+
+/// True if an index of type `index` can serve a condition with operands of these types; `limit` is that of
+/// IndexUse::is_near, else any.
+bool can_serve(const TypeExpr& index, IndexUse use, const TypeExpr& operand, const TypeExpr& limit,
+               const algebra3d::Registry& registry);
+
+/// A condition with the values of its operands.
+struct IndexQuestion {
+  IndexUse use;
+  Value operand;
+  std::optional<Value> limit;  ///< of IndexUse::is_near
+};
+
+/// The ids of the tuples for which a condition may hold, ascending: all of those for which it does, and others. Nothing
+/// if the index cannot tell. `index` is an index object of type `index_type` on a relation of `tuple_count` tuples.
+/// Errors: those of loading the operand.
+Result<std::optional<std::vector<TupleId>>> index_candidates(const Datum& index, const TypeExpr& index_type,
+                                                             const IndexQuestion& question, std::uint64_t tuple_count);
+
+}  // namespace queries
