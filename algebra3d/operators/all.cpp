@@ -28,7 +28,8 @@ Registry make_registry() {
   register_boxes(registry);
   registry.begin_family({"facts about values", "Sizes, boxes and emptiness of spatial values.", Cost::constant});
   register_information(registry);
-  registry.begin_family({"measures", "Volume, area, centre and inertia of solids, surfaces and regions.", Cost::linear});
+  registry.begin_family(
+      {"measures", "Volume, area, centre and inertia of solids, surfaces and regions.", Cost::linear});
   register_measure(registry);
   register_inertia(registry);
   registry.begin_family({"creation of solids", "Cubes, cylinders, cones and spheres.", Cost::linear});
@@ -47,6 +48,8 @@ Registry make_registry() {
   registry.begin_family(
       {"enclosing shapes", "Convex shapes around points, boxes, surfaces and solids.", Cost::sorting});
   register_enclosing_shapes(registry);
+  registry.begin_family({"congruence", "Solids that are equal up to a motion.", Cost::linear});
+  register_congruence(registry);
   registry.begin_family({"parts of solids", "The parts of a surface or solid.", Cost::linear});
   register_decomposition(registry);
   registry.begin_family({"mesh files",

@@ -24,6 +24,7 @@ void register_transformation(Registry& registry);
 void register_set_operations(Registry& registry);
 void register_spatial_relations(Registry& registry);
 void register_distances(Registry& registry);
+void register_congruence(Registry& registry);
 void register_enclosing_shapes(Registry& registry);
 void register_cuts(Registry& registry);
 void register_decomposition(Registry& registry);

@@ -1,0 +1,95 @@
+#include "algebra3d/congruence/congruence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "algebra3d/congruence/detail/boundary_cover.h"
+#include "algebra3d/congruence/detail/centred_solid.h"
+#include "algebra3d/congruence/detail/motion_candidates.h"
+#include "algebra3d/exact/predicates_filter.h"
+
+namespace algebra3d {
+namespace {
+
+using detail::CentredSolid;
+using detail::Rotation;
+
+/// The unit of length: a power of two near the size of the solid.
+double unit_of(const CongruenceOperand& solid) {
+  const Box3 bounds = solid.hierarchy->bounds();
+  int exponent = 0;
+  std::frexp(detail::largest(0.5 * bounds.max - 0.5 * bounds.min), &exponent);
+  return std::ldexp(1, std::clamp(exponent, -1070, 1020));
+}
+
+/// The tolerance in a unit, raised to what the rounded check needs.
+double effective_tolerance(const CentredSolid& a, const CentredSolid& b, double tolerance, double unit) {
+  const double size = std::max(a.radius(), b.radius());
+  const double coordinates = std::max(detail::largest(a.centre()), detail::largest(b.centre())) / unit + size;
+  return std::max({tolerance / unit, 0x1p-36 * size, 0x1p-48 * coordinates});
+}
+
+/// An upper bound of the volume of all points within the tolerance of the boundary, which contains the symmetric
+/// difference with every solid whose boundary is within the tolerance.
+double volume_near_boundary(const CentredSolid& solid, double tolerance) {
+  double area = 0, edges = 0, corners = 0;
+  for (std::size_t f = 0; f < solid.mesh().face_count(); ++f) {
+    const auto [a, b, c] = solid.triangle(FaceId(f));
+    area += length(cross(b - a, c - a)) / 2;
+    edges += length(b - a) + length(c - b) + length(a - c);
+    corners += 3;
+  }
+  constexpr double kPi = std::numbers::pi, kMargin = 1 + 0x1p-20;  // for roundings
+  return kMargin * tolerance * (2 * area + kPi * tolerance * (edges + 4.0 / 3 * tolerance * corners));
+}
+
+/// False if invariants tell that no motion can carry one onto the other.
+bool may_be_congruent(const CentredSolid& a, const CentredSolid& b, double tolerance) {
+  if (std::abs(a.radius() - b.radius()) > 2 * tolerance) return false;
+  const double difference = volume_near_boundary(a, tolerance);
+  if (std::abs(a.volume() - b.volume()) > difference + 0x1p-50 * a.volume()) return false;
+  // No moment changes by more than the integral of the squared distance over what is different.
+  const double reach = a.radius() + 2 * tolerance;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double change = std::abs(a.axes().values[i] - b.axes().values[i]);
+    if (change > 2 * difference * reach * reach + 0x1p-50 * a.axes().values[i]) return false;
+  }
+  return true;
+}
+
+RigidMotion motion_of(const CentredSolid& a, const CentredSolid& b, Rotation rotation) {
+  RigidMotion motion;
+  motion.centre = a.centre();
+  motion.translation = b.centre() - a.centre();
+  motion.is_mirrored = rotation.is_mirrored();
+  if (motion.is_mirrored)
+    for (Vec3& row : rotation.rows) row = -1 * row;
+  const auto [axis, angle] = detail::axis_angle(rotation);
+  motion.axis = axis;
+  motion.angle_degrees = angle;
+  return motion;
+}
+
+}  // namespace
+
+Result<std::optional<RigidMotion>> find_congruence(const CongruenceOperand& first, const CongruenceOperand& second,
+                                                   double tolerance, const Monitor& monitor) {
+  using Found = std::optional<RigidMotion>;
+  if (tolerance < 0 || first.mesh->is_empty() || second.mesh->is_empty()) return Found();
+  const double unit = unit_of(first);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const CentredSolid a, CentredSolid::make(first, unit, monitor));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const CentredSolid b, CentredSolid::make(second, unit, monitor));
+  const double reach = effective_tolerance(a, b, tolerance, unit);
+  if (!may_be_congruent(a, b, reach)) return Found();
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto rotations, detail::candidate_rotations(a, b, reach, monitor));
+  for (const Rotation& rotation : rotations) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_there, detail::is_boundary_near(a, rotation, b, reach, monitor));
+    if (!is_there) continue;
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_back, detail::is_boundary_near(b, rotation.inverse(), a, reach, monitor));
+    if (is_back) return Found(motion_of(a, b, rotation));
+  }
+  return Found();
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,111 @@
+#include "algebra3d/convex/detail/hull_outline.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "algebra3d/base/box3.h"
+#include "algebra3d/exact/predicates_filter.h"
+#include "algebra3d/exact/principal_axes.h"
+
+namespace algebra3d::detail {
+namespace {
+
+constexpr std::size_t kMaxPoints = 400;   // for one search, so that a direction takes some ten microseconds
+constexpr std::size_t kMaxNormals = 200;  // that are tried first
+
+Vec3 mean_of(const std::vector<Vec3>& points) {
+  Vec3 sum;
+  for (const Vec3& p : points) sum = sum + p;
+  return 1 / static_cast<double>(points.size()) * sum;
+}
+
+/// Vertices that are farthest in evenly spread directions, along a spiral of golden angles.
+std::vector<Vec3> spread_points(const std::vector<Vec3>& points) {
+  if (points.size() <= kMaxPoints) return points;
+  std::vector<Vec3> chosen;
+  for (std::size_t i = 0; i < kMaxPoints; ++i) {
+    const double z = 1 - (2 * static_cast<double>(i) + 1) / kMaxPoints, around = std::sqrt(1 - z * z);
+    const double angle = static_cast<double>(i) * std::numbers::pi * (3 - std::sqrt(5.0));
+    const Vec3 direction{around * std::cos(angle), around * std::sin(angle), z};
+    chosen.push_back(*std::ranges::max_element(points, {}, [&](const Vec3& p) { return dot(p, direction); }));
+  }
+  std::ranges::sort(chosen);
+  const auto rest = std::ranges::unique(chosen);
+  chosen.erase(rest.begin(), rest.end());
+  return chosen;
+}
+
+Vec3 main_axis_of(const std::vector<Vec3>& points) {
+  SymmetricMatrix spread;
+  for (const Vec3& p : points) {
+    spread.xx += Rational(p.x * p.x), spread.yy += Rational(p.y * p.y), spread.zz += Rational(p.z * p.z);
+    spread.yz += Rational(p.y * p.z), spread.zx += Rational(p.z * p.x), spread.xy += Rational(p.x * p.y);
+  }
+  const PrincipalAxes axes = principal_axes(spread);
+  const auto& [low, middle, high] = axes.values;
+  return high * low > middle * middle ? axes.axes[2] : axes.axes[0];
+}
+
+}  // namespace
+
+HullOutline::HullOutline(const TriangleMesh& hull) {
+  Box3 box;
+  for (const Vec3& p : hull.points().approx()) box.extend(p);
+  const Vec3 half = 0.5 * box.max - 0.5 * box.min, centre = box.min + half;
+  int exponent = 0;
+  std::frexp(largest(half), &exponent);
+  unit_ = std::ldexp(1, std::clamp(exponent, -1070, 1020));
+  std::vector<Vec3> vertices;
+  for (const Vec3& p : hull.points().approx()) {
+    const Vec3 relative = p - centre;
+    vertices.push_back({relative.x / unit_, relative.y / unit_, relative.z / unit_});
+  }
+  const Vec3 inside = mean_of(vertices);
+  for (Vec3& p : vertices) p = p - inside;
+
+  inner_radius_ = std::numeric_limits<double>::infinity();
+  std::vector<std::pair<double, Vec3>> facets;
+  for (std::size_t f = 0; f < hull.face_count(); ++f) {
+    const auto [a, b, c] = hull.triangle(FaceId(f));
+    const Vec3 normal = cross(vertices[b] - vertices[a], vertices[c] - vertices[a]);
+    const double area = length(normal);
+    if (!(area > 0)) {
+      inner_radius_ = 0;
+      continue;
+    }
+    inner_radius_ = std::min(inner_radius_, dot(1 / area * normal, vertices[a]));
+    facets.emplace_back(-area, 1 / area * normal);
+  }
+  inner_radius_ = std::max(0.0, inner_radius_ - 0x1p-40);  // for roundings
+  std::ranges::sort(facets);
+  for (std::size_t i = 0; i < std::min(kMaxNormals, facets.size()); ++i) normals_.push_back(facets[i].second);
+
+  points_ = spread_points(vertices);
+  for (const Vec3& p : points_) radius_ = std::max(radius_, length(p));
+  main_axis_ = main_axis_of(points_);
+}
+
+HullOutline::View HullOutline::seen_along(const Vec3& direction) const {
+  View view;
+  const Vec3 across = cross(direction, std::abs(direction.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0});
+  view.x_axis = 1 / length(across) * across;
+  view.y_axis = cross(direction, view.x_axis);
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  std::vector<PlanePoint> projected;
+  projected.reserve(points_.size());
+  for (const Vec3& p : points_) {
+    const double height = dot(p, direction);
+    low = std::min(low, height), high = std::max(high, height);
+    projected.push_back({dot(p, view.x_axis), dot(p, view.y_axis)});
+  }
+  view.height = high - low;
+  view.outline = planar_hull(std::move(projected));
+  return view;
+}
+
+}  // namespace algebra3d::detail
