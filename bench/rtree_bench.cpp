@@ -181,12 +181,17 @@ void window_owning(benchmark::State& state) {
 // After a tenth of the entries was erased one by one and others inserted.
 void window_after_changes(benchmark::State& state) {
   const Data& d = data(state.range(0));
-  Tree tree = Tree::bulk_load(d.entries);
+  Tree tree = Tree::bulk_load(d.entries, rtree::Filling::room_for_changes);
   for (std::size_t i = 0; i < d.entries.size(); i += 10) {
     tree.erase(d.entries[i].box, d.entries[i].payload);
     tree.insert(d.second[i], d.entries[i].payload);
   }
   ask_windows(state, d, tree);
+}
+
+void window_before_changes(benchmark::State& state) {
+  const Data& d = data(state.range(0));
+  ask_windows(state, d, Tree::bulk_load(d.entries, rtree::Filling::room_for_changes));
 }
 
 void window_boost(benchmark::State& state) {
@@ -331,6 +336,7 @@ BENCHMARK(build_owning)->Apply(sizes_and_threads);
 BENCHMARK(build_boost)->Apply(sizes);
 BENCHMARK(window_ours)->Apply(sizes);
 BENCHMARK(window_owning)->Apply(sizes);
+BENCHMARK(window_before_changes)->Apply(small_sizes);
 BENCHMARK(window_after_changes)->Apply(small_sizes);
 BENCHMARK(window_boost)->Apply(sizes);
 BENCHMARK(window_boost_eager)->Apply(sizes);

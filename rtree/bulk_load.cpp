@@ -35,23 +35,23 @@ struct BoxSource {
 // Ties are broken by the place in the input; ordered by payload, the input gives the same tree in whatever order it
 // came.
 template <typename Payload>
-void bulk_load(Storage<ExactLeaf<Payload>>& storage, const Entry<Payload>* entries, std::size_t count) {
+void bulk_load(Storage<ExactLeaf<Payload>>& storage, std::span<const Entry<Payload>> entries, std::size_t fill) {
   assert(storage.empty());
-  if (std::is_sorted(entries, entries + count, comes_before<Payload>)) {
-    Packing(storage, EntrySource<Payload>{entries}).load(count);
+  if (std::is_sorted(entries.begin(), entries.end(), comes_before<Payload>)) {
+    Packing(storage, EntrySource<Payload>{entries.data()}, fill).load(entries.size());
     return;
   }
-  std::vector<Entry<Payload>> ordered(entries, entries + count);
+  std::vector<Entry<Payload>> ordered(entries.begin(), entries.end());
   std::sort(ordered.begin(), ordered.end(), comes_before<Payload>);
-  Packing(storage, EntrySource<Payload>{ordered.data()}).load(count);
+  Packing(storage, EntrySource<Payload>{ordered.data()}, fill).load(ordered.size());
 }
 
-void bulk_load(Storage<IndexLeaf>& storage, const Box3* boxes, std::size_t count) {
+void bulk_load(Storage<IndexLeaf>& storage, std::span<const Box3> boxes) {
   assert(storage.empty());
-  Packing(storage, BoxSource{boxes}).load(count);
+  Packing(storage, BoxSource{boxes.data()}, kFanOut).load(boxes.size());
 }
 
-template void bulk_load(Storage<ExactLeaf<std::uint32_t>>&, const Entry<std::uint32_t>*, std::size_t);
-template void bulk_load(Storage<ExactLeaf<std::uint64_t>>&, const Entry<std::uint64_t>*, std::size_t);
+template void bulk_load(Storage<ExactLeaf<std::uint32_t>>&, std::span<const Entry<std::uint32_t>>, std::size_t);
+template void bulk_load(Storage<ExactLeaf<std::uint64_t>>&, std::span<const Entry<std::uint64_t>>, std::size_t);
 
 }  // namespace rtree

@@ -1,15 +1,14 @@
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "rtree/detail/box_size.h"
+#include "rtree/detail/node_scan.h"
 #include "rtree/detail/redistribution.h"
 #include "rtree/detail/storage.h"
 
 namespace rtree {
 namespace {
-
-// Slots whose growth of overlap is computed. [beckmann1990] takes 32 of larger nodes; four was chosen, not measured.
-constexpr std::size_t kTried = 4;
 
 // What it costs to put a box into a slot, in the order in which costs are compared.
 struct Cost {
@@ -52,23 +51,20 @@ double shared_volume(const NodeBoxes& node, std::size_t slot, const Box3& box) {
   return sum;
 }
 
-// [beckmann1990], section 4.1: above the leaves the least growth of overlap, elsewhere the least growth of volume. The
-// overlap is computed for the kTried slots that grow least.
-std::size_t choose_slot(const NodeBoxes& node, std::uint32_t level, const Box3& added) {
+// The least growth of overlap, then of volume: [beckmann1990], section 4.1, on all levels and for all slots.
+std::size_t choose_slot(const NodeBoxes& node, const Box3& added) {
   std::array<Cost, kFanOut> costs;
   for (std::size_t slot = 0; slot < node.count; ++slot) costs[slot] = cost_of(node.boxes[slot], slot, added);
   const auto is_cheaper = [](const Cost& a, const Cost& b) { return a < b; };
   auto* const first = costs.data();
   auto* const last = first + node.count;
-  if (level > 1) return std::min_element(first, last, is_cheaper)->slot;
-  auto* const tried = first + std::min(kTried, node.count);
-  std::partial_sort(first, tried, last, is_cheaper);
-  if (first->growth == 0 && first->margin_growth == 0) return first->slot;
-  for (auto* cost = first; cost != tried; ++cost) {
+    const auto* const least = std::min_element(first, last, is_cheaper);
+  if (least->growth == 0 && least->margin_growth == 0) return least->slot;
+  for (auto* cost = first; cost != last; ++cost) {
     const Box3& box = node.boxes[cost->slot];
     cost->overlap = shared_volume(node, cost->slot, unite(box, added)) - shared_volume(node, cost->slot, box);
   }
-  return std::min_element(first, tried, is_cheaper)->slot;
+  return std::min_element(first, last, is_cheaper)->slot;
 }
 
 template <typename Payload>
@@ -76,12 +72,71 @@ Path choose_path(const Storage<ExactLeaf<Payload>>& storage, const Box3& added) 
   Path path;
   NodeIndex node = storage.root;
   for (std::uint32_t level = storage.height; level > 0; --level) {
-    const std::size_t slot = choose_slot(NodeBoxes(storage.inner[node], storage.frame), level, added);
+    const std::size_t slot = choose_slot(NodeBoxes(storage.inner[node], storage.frame), added);
     path[level - 1] = {node, slot};
     node = storage.inner[node].reference[slot];
   }
   return path;
 }
+
+// Looks for the leaf whose box meets the added one and grows least, in all parts of the tree: where boxes overlap, a way
+// that decides at each node for itself often ends at leaves that have to grow much.
+template <typename Payload>
+class LeafChoice {
+ public:
+  LeafChoice(const Storage<ExactLeaf<Payload>>& storage, const Box3& added)
+      : storage_(storage), added_(added), keys_(storage.frame.keys_in_range(OrderedBox::of(added))) {}
+
+  /// The way to it; none if the box meets no leaf.
+  std::optional<Path> choose() {
+    if (storage_.height == 0) return std::nullopt;
+    std::vector<Step> steps{{{}, storage_.root, storage_.height}};
+    for (std::size_t visited = 0; !steps.empty() && visited < kMostVisited && least_cost_ > 0; ++visited) {
+      const Step step = steps.back();
+      steps.pop_back();
+      const InnerNode& node = storage_.inner[step.node];
+      for (SlotMask slots = node_scans().meeting(node, keys_); slots != 0;) {
+        const std::size_t slot = take_slot(slots);
+        Path path = step.path;
+        path[step.level - 1] = {step.node, slot};
+        if (step.level > 1)
+          steps.push_back({path, node.reference[slot], step.level - 1});
+        else
+          judge(path, node, slot);
+      }
+    }
+    return best_;
+  }
+
+ private:
+  // More nodes than this are visited only where so many boxes overlap that the choice matters little.
+  static constexpr std::size_t kMostVisited = 64;
+  // What halving a cube adds to its surface.
+  static constexpr double kSplitCost = 0.26;
+
+  struct Step {
+    Path path;
+    NodeIndex node;
+    std::uint32_t level;
+  };
+
+  // By surface, as the cost of a search is estimated by [goldsmith1987].
+  void judge(const Path& path, const InnerNode& node, std::size_t slot) {
+    const Box3 box = storage_.frame.outer_box(node.box(slot)).box();
+    double cost = surface(unite(box, added_)) - surface(box);
+    if (!(cost < least_cost_)) return;
+    if (storage_.leaves[node.reference[slot]].is_used(kFanOut - 1)) cost += kSplitCost * surface(box);
+    if (!(cost < least_cost_)) return;
+    least_cost_ = cost;
+    best_ = path;
+  }
+
+  const Storage<ExactLeaf<Payload>>& storage_;
+  Box3 added_;
+  KeyBox keys_;
+  double least_cost_ = Box3::kInfinity;
+  std::optional<Path> best_;
+};
 
 // Puts the content into the full `node` and hands half of it to a new sister, which is returned for the parent.
 template <typename Payload>
@@ -125,7 +180,8 @@ void insert(Storage<ExactLeaf<Payload>>& storage, const Entry<Payload>& entry) {
   }
   if (!storage.frame.has(pending.box)) storage.widen_frame(pending.box);
   ++storage.entry_count;
-  const Path path = choose_path(storage, entry.box);
+  const std::optional<Path> chosen = LeafChoice<Payload>(storage, entry.box).choose();
+  const Path path = chosen ? *chosen : choose_path(storage, entry.box);
   NodeIndex node = storage.height == 0 ? storage.root : storage.inner[path[0].node].reference[path[0].slot];
   std::uint32_t level = 0;
   while (storage.node(node, level).count() == kFanOut) {

@@ -1,11 +1,17 @@
 #include "rtree/rtree.h"
 
 namespace rtree {
+namespace {
+
+// Used slots of a node that leaves room for changes.
+constexpr std::size_t kRoomyFill = 14;
+
+}  // namespace
 
 template <typename Payload>
-RTree<Payload> RTree<Payload>::bulk_load(std::span<const Entry<Payload>> entries) {
+RTree<Payload> RTree<Payload>::bulk_load(std::span<const Entry<Payload>> entries, Filling filling) {
   RTree tree;
-  rtree::bulk_load(tree.storage_, entries.data(), entries.size());
+  rtree::bulk_load(tree.storage_, entries, filling == Filling::full ? kFanOut : kRoomyFill);
   return tree;
 }
 
@@ -36,7 +42,7 @@ template class RTree<std::uint32_t>;
 template class RTree<std::uint64_t>;
 
 BoxTree::BoxTree(std::span<const Box3> boxes) : boxes_(boxes.data()) {
-  bulk_load(storage_, boxes.data(), boxes.size());
+  bulk_load(storage_, boxes);
 }
 
 }  // namespace rtree

@@ -10,6 +10,12 @@
 
 namespace rtree {
 
+/// How many slots of its nodes a bulk load uses.
+enum class Filling {
+  full,              ///< all: smallest and fastest, but the first inserts split node after node
+  room_for_changes,  ///< an eighth is left, so that few of the first inserts split nodes
+};
+
 /// An R-tree in memory over closed boxes in space, each with a payload: std::uint32_t (element of a mesh) or
 /// std::uint64_t (tuple).
 ///
@@ -25,7 +31,7 @@ class RTree {
 
   /// Builds a tree over all `entries`: its nodes are fuller, and it is faster to build and to search than by inserts.
   /// Cost: linear, and if the payloads do not ascend that of sorting by them.
-  static RTree bulk_load(std::span<const Entry<Payload>> entries);
+  static RTree bulk_load(std::span<const Entry<Payload>> entries, Filling filling = Filling::full);
 
   /// Stores the entry; false if the box is empty. Cost: logarithmic.
   bool insert(const Box3& box, Payload payload);

@@ -11,14 +11,15 @@
 
 namespace rtree {
 
-/// Division of a number of things into nodes: full ones, but the last has kMinFill at least.
+/// Division of a number of things into nodes with `fill` of them each, but the last has kMinFill at least.
 struct Nodes {
   std::size_t item_count;
+  std::size_t fill;
 
-  std::size_t count() const { return (item_count + kFanOut - 1) / kFanOut; }
+  std::size_t count() const { return (item_count + fill - 1) / fill; }
   std::size_t begin(std::size_t node) const {
     if (node == count()) return item_count;
-    const std::size_t full = node * kFanOut;
+    const std::size_t full = node * fill;
     return node > 0 && node + 1 == count() ? std::min(full, item_count - kMinFill) : full;
   }
 };
@@ -28,7 +29,9 @@ struct Nodes {
 template <typename Leaf, typename Source>
 class Packing {
  public:
-  Packing(Storage<Leaf>& storage, const Source& source) : storage_(storage), source_(source) {}
+  /// `fill` slots of each node are used.
+  Packing(Storage<Leaf>& storage, const Source& source, std::size_t fill)
+      : storage_(storage), source_(source), fill_(fill) {}
 
   /// From `count` entries of the source.
   void load(std::size_t count) {
@@ -101,7 +104,7 @@ class Packing {
   }
 
   void make_leaves() {
-    const Nodes nodes{places_.size()};
+    const Nodes nodes{places_.size(), fill_};
     storage_.leaves.resize(nodes.count());
     algebra3d::parallel_for(nodes.count(), kGrain, [&](std::size_t leaf) {
       prefetch_items(nodes.begin(leaf) + 4 * kFanOut);
@@ -143,7 +146,7 @@ class Packing {
   void make_inner_nodes() {
     storage_.inner.reserve(inner_count());
     std::size_t first_child = 0;
-    for (Nodes nodes{storage_.leaves.size()}; nodes.item_count > 1; nodes = {nodes.count()}) {
+    for (Nodes nodes{storage_.leaves.size(), fill_}; nodes.item_count > 1; nodes.item_count = nodes.count()) {
       const std::size_t first = storage_.inner.size();
       storage_.inner.resize(first + nodes.count());
       algebra3d::parallel_for(nodes.count(), kGrain, [&](std::size_t node) {
@@ -157,7 +160,7 @@ class Packing {
 
   std::size_t inner_count() const {
     std::size_t result = 0;
-    for (Nodes nodes{storage_.leaves.size()}; nodes.item_count > 1; nodes = {nodes.count()}) result += nodes.count();
+    for (Nodes nodes{storage_.leaves.size(), fill_}; nodes.item_count > 1; nodes.item_count = nodes.count()) result += nodes.count();
     return result;
   }
 
@@ -174,6 +177,7 @@ class Packing {
 
   Storage<Leaf>& storage_;
   Source source_;
+  std::size_t fill_;
   std::vector<std::size_t> block_begins_;
   LargeVector<Item> items_;
   LargeVector<Place> places_;  // of items

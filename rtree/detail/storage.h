@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "rtree/detail/leaf_array.h"
@@ -115,11 +116,11 @@ struct Storage {
   void mark(NodeIndex node, std::uint32_t level) { (level == 0 ? changed_leaves : changed_inner).insert(node); }
 };
 
-/// Bulk loads the empty `storage` with the entries whose boxes are not empty.
+/// Bulk loads the empty `storage` with the entries whose boxes are not empty; `fill` slots of each node are used.
 template <typename Payload>
-void bulk_load(Storage<ExactLeaf<Payload>>& storage, const Entry<Payload>* entries, std::size_t count);
+void bulk_load(Storage<ExactLeaf<Payload>>& storage, std::span<const Entry<Payload>> entries, std::size_t fill);
 /// The same for boxes that stay where they are, each with its index as its payload.
-void bulk_load(Storage<IndexLeaf>& storage, const Box3* boxes, std::size_t count);
+void bulk_load(Storage<IndexLeaf>& storage, std::span<const Box3> boxes);
 /// Adds an entry whose box is not empty.
 template <typename Payload>
 void insert(Storage<ExactLeaf<Payload>>& storage, const Entry<Payload>& entry);

@@ -98,7 +98,7 @@ Result<std::shared_ptr<SpatialIndex::Tree>> SqliteStore::tree_of(const Catalogue
       entries.push_back({box, static_cast<std::uint64_t>(tuple.id)});
     return {};
   }));
-  auto tree = std::make_shared<SpatialIndex::Tree>(SpatialIndex::Tree::bulk_load(entries));
+  auto tree = std::make_shared<SpatialIndex::Tree>(SpatialIndex::Tree::bulk_load(entries, rtree::Filling::room_for_changes));
   database_->indexes().add(relation.table_number, position, tree);
   return tree;
 }
