@@ -33,9 +33,7 @@ class Auditor {
 
   static const char* kind(std::uint32_t level) { return level == 0 ? "leaf" : "inner node"; }
   std::vector<std::uint32_t>& visits(std::uint32_t level) { return level == 0 ? leaf_visits_ : inner_visits_; }
-  const KeyBoxes& boxes(const Step& step) const {
-    return storage_.node(step.node, step.level);
-  }
+  const KeyBoxes& boxes(const Step& step) const { return storage_.node(step.node, step.level); }
 
   void walk() {
     if (storage_.empty()) return;

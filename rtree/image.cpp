@@ -76,7 +76,8 @@ Result<HeaderFields> read_header(Bytes bytes, std::size_t payload_bytes, std::si
   std::memcpy(&fields, bytes.data(), kHeaderBytes);
   if (fields.magic != kMagic) return corrupt("wrong magic bytes");
   if (fields.version != kImageVersion || fields.byte_order != kByteOrder)
-    return Error{ErrorCode::database_version, "image of an R-tree: version or byte order are not those of this program"};
+    return Error{ErrorCode::database_version,
+                 "image of an R-tree: version or byte order are not those of this program"};
   if (fields.payload_bytes != payload_bytes || fields.slots != kFanOut)
     return corrupt("payloads of {} bytes and nodes of {} slots", fields.payload_bytes, fields.slots);
   for (const auto& [base, shift, zero] : fields.axes)

@@ -30,9 +30,9 @@ namespace rtree {
 // leaves   leaf_bytes for each leaf: least and greatest keys as above, payloads (16 x 4 or 8), remainders of the least
 //          and of the greatest coordinates (2 x 3 x 16 x 4)
 //
-// Numbers are in the byte order of the machine; an image of the other order is refused. What keys and remainders mean is
-// told in detail/key_frame.h. Unused slots have the least keys INT32_MAX and the greatest keys INT32_MIN, else zeros.
-// Nodes that no node names are free; their bytes mean nothing. An image has no checksum.
+// Numbers are in the byte order of the machine; an image of the other order is refused. What keys and remainders mean
+// is told in detail/key_frame.h. Unused slots have the least keys INT32_MAX and the greatest keys INT32_MIN, else
+// zeros. Nodes that no node names are free; their bytes mean nothing. An image has no checksum.
 
 inline constexpr std::uint32_t kImageVersion = 1;
 inline constexpr std::size_t kHeaderBytes = 128;
@@ -49,8 +49,8 @@ struct ImagePart {
   std::span<const std::byte> bytes;
 };
 
-/// The header, and bytes of the other arrays of an image, in the order of their places. The bytes are those of the tree:
-/// valid until it is changed, moved or destroyed.
+/// The header, and bytes of the other arrays of an image, in the order of their places. The bytes are those of the
+/// tree: valid until it is changed, moved or destroyed.
 struct ImageParts {
   ImageHeader header;
   std::vector<ImagePart> inner, leaves;
@@ -66,8 +66,8 @@ struct LeafReader {
   std::function<void(std::size_t begin, std::span<std::byte> bytes)> read;
 };
 
-/// Thrown when leaves that were read for an image are not such as a tree has. After it left `insert` or `erase` the tree
-/// may only be destroyed.
+/// Thrown when leaves that were read for an image are not such as a tree has. After it left `insert` or `erase` the
+/// tree may only be destroyed.
 class DamagedImage : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

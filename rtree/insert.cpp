@@ -58,7 +58,7 @@ std::size_t choose_slot(const NodeBoxes& node, const Box3& added) {
   const auto is_cheaper = [](const Cost& a, const Cost& b) { return a < b; };
   auto* const first = costs.data();
   auto* const last = first + node.count;
-    const auto* const least = std::min_element(first, last, is_cheaper);
+  const auto* const least = std::min_element(first, last, is_cheaper);
   if (least->growth == 0 && least->margin_growth == 0) return least->slot;
   for (auto* cost = first; cost != last; ++cost) {
     const Box3& box = node.boxes[cost->slot];
@@ -79,8 +79,8 @@ Path choose_path(const Storage<ExactLeaf<Payload>>& storage, const Box3& added) 
   return path;
 }
 
-// Looks for the leaf whose box meets the added one and grows least, in all parts of the tree: where boxes overlap, a way
-// that decides at each node for itself often ends at leaves that have to grow much.
+// Looks for the leaf whose box meets the added one and grows least, in all parts of the tree: where boxes overlap, a
+// way that decides at each node for itself often ends at leaves that have to grow much.
 template <typename Payload>
 class LeafChoice {
  public:
@@ -160,7 +160,8 @@ void add_root(Storage<ExactLeaf<Payload>>& storage, const SlotContent<Payload>& 
 
 // Grows the boxes above a node of `level` by `added`.
 template <typename Payload>
-void grow_ancestors(Storage<ExactLeaf<Payload>>& storage, const Path& path, std::uint32_t level, const OrderedBox& added) {
+void grow_ancestors(Storage<ExactLeaf<Payload>>& storage, const Path& path, std::uint32_t level,
+                    const OrderedBox& added) {
   const KeyBox keys = storage.frame.keys_in_range(added);
   for (; level < storage.height; ++level) {
     KeyBox box = storage.inner[path[level].node].box(path[level].slot);

@@ -12,10 +12,14 @@ namespace {
 constexpr double kSmallSquare = 0x1p-900;
 constexpr double kLargeSquare = 0x1p1000;
 
+// Infinities that were subtracted from each other count as no gap.
+double largest_gap(double above, double below) {
+  const double gap = std::max(0.0, above);
+  return std::max(gap, below);
+}
+
 double gap_on(const Box3& a, const Box3& b, std::size_t axis) {
-  const double above = a.min[axis] - b.max[axis];
-  const double below = b.min[axis] - a.max[axis];
-  return above > 0 ? above : below > 0 ? below : 0;
+  return largest_gap(a.min[axis] - b.max[axis], b.min[axis] - a.max[axis]);
 }
 
 // In the order of the scans of nodes.
@@ -45,7 +49,7 @@ double scaled_large_distance(const Box3& a, const Box3& b, double scale) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double above = scale * a.min[axis] - scale * b.max[axis];
     const double below = scale * b.min[axis] - scale * a.max[axis];
-    const double gap = above > 0 ? above : below > 0 ? below : 0;
+    const double gap = largest_gap(above, below);
     sum += gap * gap;
   }
   return std::sqrt(sum);
@@ -95,23 +99,30 @@ BasicNearestCursor<Leaf>::BasicNearestCursor(const TreeView<Leaf>& tree, const B
 template <typename Leaf>
 void BasicNearestCursor<Leaf>::find_all() {
   const std::vector<LeafSlot> places = k_nearest(tree_, target_, limit_);
-  heap_.reserve(places.size());
   for (const LeafSlot& place : places) tree_.prefetch_exact_box(place.leaf, place.slot);
-  for (const LeafSlot& place : places) measure(place);
+  heap_.resize(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Box3 box = tree_.exact_coordinates(places[i].leaf, places[i].slot);
+    const double square = square_of_distance(box, target_.box);
+    heap_[i] = {std::sqrt(square), tree_.leaves[places[i].leaf].reference[places[i].slot], kExact};
+    if (square < kSmallSquare || square > kLargeSquare) heap_[i].distance = distance_to(box, square);
+  }
+  std::sort(heap_.begin(), heap_.end(), [](const auto& a, const auto& b) { return a.is_after(b); });
+  is_sorted_ = true;
 }
 
 template <typename Leaf>
 auto BasicNearestCursor<Leaf>::next() -> std::optional<Neighbor<Payload>> {
   while (limit_ > 0 && !heap_.empty()) {
-    const Candidate nearest = pop();
+    const Candidate nearest = is_sorted_ ? take_last() : pop();
     if (nearest.rank == kExact) {
       --limit_;
       return Neighbor<Payload>{static_cast<Payload>(nearest.reference),
                                is_far_ ? distance_of_far_code(nearest.distance) : nearest.distance};
     }
     if (nearest.rank == kEntry) {
-      measure({static_cast<NodeIndex>(nearest.reference / kFanOut),
-               static_cast<std::uint32_t>(nearest.reference % kFanOut)});
+      push(measured({static_cast<NodeIndex>(nearest.reference / kFanOut),
+                     static_cast<std::uint32_t>(nearest.reference % kFanOut)}));
       continue;
     }
     // What is nearest now is most likely expanded next.
@@ -138,12 +149,12 @@ void BasicNearestCursor<Leaf>::expand(NodeIndex index, std::uint32_t level) {
   }
 }
 
-// Adds the entry at its exact distance.
+// The entry at its exact distance.
 template <typename Leaf>
-void BasicNearestCursor<Leaf>::measure(const LeafSlot& place) {
-  const Box3 box = tree_.exact_box(place.leaf, place.slot).box();
+auto BasicNearestCursor<Leaf>::measured(const LeafSlot& place) const -> Candidate {
+  const Box3 box = tree_.exact_coordinates(place.leaf, place.slot);
   const double distance = distance_to(box, square_of_distance(box, target_.box));
-  push({distance, tree_.leaf(place.leaf).reference[place.slot], kExact});
+  return {distance, tree_.leaves[place.leaf].reference[place.slot], kExact};
 }
 
 template <typename Leaf>
@@ -171,6 +182,11 @@ void BasicNearestCursor<Leaf>::push(const Candidate& candidate) {
 template <typename Leaf>
 auto BasicNearestCursor<Leaf>::pop() -> Candidate {
   std::pop_heap(heap_.begin(), heap_.end(), [](const auto& a, const auto& b) { return a.is_after(b); });
+  return take_last();
+}
+
+template <typename Leaf>
+auto BasicNearestCursor<Leaf>::take_last() -> Candidate {
   const Candidate nearest = heap_.back();
   heap_.pop_back();
   return nearest;

@@ -46,8 +46,8 @@ class RTree {
   /// that were changed by inserts and erases since, in whole nodes; all at the first call, and none after from_image.
   /// Where the arrays became shorter, what is beyond their end is to be dropped.
   ImageParts take_changes();
-  /// The tree of an image. Cost: that of copying it, and of a look at each node: whatever the bytes are, the tree can be
-  /// used and changed without harm, but only bytes of an image give its answers. Errors: database_corrupt;
+  /// The tree of an image. Cost: that of copying it, and of a look at each node: whatever the bytes are, the tree can
+  /// be used and changed without harm, but only bytes of an image give its answers. Errors: database_corrupt;
   /// database_version for an image of another version or byte order.
   static algebra3d::Result<RTree> from_image(std::span<const std::byte> header, std::span<const std::byte> inner,
                                              std::span<const std::byte> leaves);

@@ -117,17 +117,19 @@ class BasicNearestCursor {
 
   void find_all();
   void expand(NodeIndex node, std::uint32_t level);
-  void measure(const LeafSlot& place);
+  Candidate measured(const LeafSlot& place) const;
   void push(const Candidate& candidate);
   Candidate pop();
+  Candidate take_last();
   double distance_to(const Box3& box, double square) const;
   double far_code(const Box3& to, double distance) const;
 
   const NodeScans* scans_ = &node_scans();
   TreeView<Leaf> tree_;
   Target target_;
-  std::size_t limit_;    // number of entries still to be returned
-  bool is_far_ = false;  // distances may be beyond the largest double
+  std::size_t limit_;       // number of entries still to be returned
+  bool is_far_ = false;     // distances may be beyond the largest double
+  bool is_sorted_ = false;  // heap_ has all results, the nearest last
   std::vector<Candidate> heap_;
 };
 template <typename Payload>

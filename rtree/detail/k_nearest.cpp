@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 namespace rtree {
 namespace {
@@ -27,6 +26,9 @@ double resolution(const KeyFrame& frame, const KeyBox& bounds) {
   return sum;
 }
 
+// Children that are fetched as long as no entries are known.
+constexpr int kFirstPrefetched = 4;
+
 template <typename Leaf>
 class Search {
  public:
@@ -35,23 +37,30 @@ class Search {
         target_(target),
         k_(k),
         resolution_(resolution(tree.frame, tree.node(tree.root, tree.height).bounds())) {
-    found_.reserve(4 * k);
+    found_.resize(4 * k + 2 * kFanOut);
+    std::ranges::fill(nearest(), Box3::kInfinity);
   }
 
   std::vector<LeafSlot> run() {
     enter(tree_.root, tree_.height);
     while (depth_ > 0) {
       Frame& top = frames_[depth_ - 1];
-      const std::size_t slot = nearest_slot(top);
-      if (slot == kFanOut)
+      const double square = scans_.least(top.children);
+      if (square > bound_ || square >= RankedSlots::kFarthest) {
         --depth_;
-      else
-        enter(top.node->reference[slot], top.level - 1);
+        continue;
+      }
+      const std::size_t slot = RankedSlots::slot(square);
+      top.children.squares[slot] = RankedSlots::kFarthest;
+      enter(top.node->reference[slot], top.level - 1);
     }
-    std::vector<LeafSlot> result;
-    result.reserve(found_.size());
-    for (const Found& found : found_)
-      if (found.square <= bound_) result.push_back(found.place);
+    std::vector<LeafSlot> result(found_count_);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < found_count_; ++i) {
+      result[count] = found_[i].place;
+      count += found_[i].square <= bound_;
+    }
+    result.resize(count);
     return result;
   }
 
@@ -59,7 +68,7 @@ class Search {
   struct Frame {
     const InnerNode* node;
     std::uint32_t level;
-    double squares[kFanOut];  // of children not yet visited; else infinite
+    RankedSlots children;  // those that were visited are farthest
   };
   struct Found {
     double square;
@@ -71,56 +80,48 @@ class Search {
     Frame& frame = frames_[depth_++];
     frame.node = &tree_.inner[node];
     frame.level = level;
-    scans_.squared_distances(tree_.inner[node], target_, tree_.frame, frame.squares);
-    for (std::size_t slot = tree_.inner[node].count(); slot < kFanOut; ++slot) frame.squares[slot] = Box3::kInfinity;
+    const SlotMask near = scans_.rank(*frame.node, target_, tree_.frame, bound_, frame.children);
+    if (level <= 2) prefetch_children(frame, near);
   }
 
-  // Takes the nearest child; kFanOut if all that are left are too far.
-  std::size_t nearest_slot(Frame& frame) const {
-    const std::size_t best = smallest(frame.squares);
-    const double square = std::exchange(frame.squares[best], Box3::kInfinity);
-    if (square > bound_ || square == Box3::kInfinity) return kFanOut;
-    // The leaf after this one is on its way meanwhile.
-    if (frame.level == 1) {
-      const std::size_t after = smallest(frame.squares);
-      if (frame.squares[after] <= bound_) prefetch(tree_.leaves[frame.node->reference[after]]);
+  // What will most likely be entered is on its way meanwhile: the children within the bound; as long as there is none,
+  // some of the nearest.
+  void prefetch_children(const Frame& frame, SlotMask near) const {
+    if (bound_ == Box3::kInfinity) {
+      near = 0;
+      RankedSlots children = frame.children;
+      for (int i = 0; i < kFirstPrefetched; ++i) {
+        const std::size_t slot = RankedSlots::slot(scans_.least(children));
+        children.squares[slot] = RankedSlots::kFarthest;
+        near |= SlotMask{1} << slot;
+      }
     }
-    return best;
-  }
-
-  // Four chains of comparisons that do not wait for each other.
-  static std::size_t smallest(const double (&squares)[kFanOut]) {
-    std::size_t best[4] = {0, 1, 2, 3};
-    for (std::size_t first = 4; first < kFanOut; first += 4)
-      for (std::size_t lane = 0; lane < 4; ++lane)
-        best[lane] = squares[first + lane] < squares[best[lane]] ? first + lane : best[lane];
-    const std::size_t low = squares[best[1]] < squares[best[0]] ? best[1] : best[0];
-    const std::size_t high = squares[best[3]] < squares[best[2]] ? best[3] : best[2];
-    return squares[high] < squares[low] ? high : low;
+    while (near != 0) {
+      const NodeIndex child = frame.node->reference[take_slot(near)];
+      if (frame.level == 1)
+        prefetch(tree_.leaves[child]);
+      else
+        prefetch(tree_.inner[child]);
+    }
   }
 
   void enter_leaf(NodeIndex index) {
-    const Leaf& leaf = tree_.leaf(index);
-    double squares[kFanOut];
-    scans_.squared_distances(leaf, target_, tree_.frame, squares);
-    SlotMask near = 0;
-    for (std::size_t slot = 0; slot < kFanOut; ++slot)
-      near |= static_cast<SlotMask>((squares[slot] <= bound_) & leaf.is_used(slot)) << slot;
+    RankedSlots slots;
+    SlotMask near = scans_.rank(tree_.leaf(index), target_, tree_.frame, bound_, slots);
+    if (near == 0) return;
+    scans_.keep(slots, near, nearest());
+    if (found_.size() < found_count_ + kFanOut) found_.resize(2 * found_.size());
     while (near != 0) {
       const auto slot = static_cast<std::uint32_t>(take_slot(near));
-      found_.push_back({squares[slot], {index, slot}});
-      keep(squares[slot]);
+      found_[found_count_++] = {slots.squares[slot], {index, slot}};
     }
-    if (nearest_count_ == k_) lower_bound();
+    if (nearest_[k_ - 1] < RankedSlots::kFarthest) lower_bound();
   }
 
-  // Keeps the square if it is one of the k smallest.
-  void keep(double square) {
-    if (nearest_count_ == k_ && square >= nearest_[k_ - 1]) return;
-    if (nearest_count_ < k_) ++nearest_count_;
-    std::size_t place = nearest_count_ - 1;
-    for (; place > 0 && nearest_[place - 1] > square; --place) nearest_[place] = nearest_[place - 1];
-    nearest_[place] = square;
+  // At least the k smallest squares of entries.
+  std::span<double> nearest() {
+    constexpr std::size_t kGrain = RankedSlots::kListGrain;
+    return std::span(nearest_).first((k_ + kGrain - 1) / kGrain * kGrain);
   }
 
   // The bound comes from the largest of the k nearest squares seen. These are of keys: exact distances may be larger by
@@ -135,10 +136,10 @@ class Search {
   const Target& target_;
   std::size_t k_;
   double resolution_;
-  double bound_ = Box3::kInfinity;  // on squares; farther entries are not among the nearest
-  std::size_t nearest_count_ = 0;
+  double bound_ = Box3::kInfinity;            // on squares; farther entries are not among the nearest
   std::array<double, kMostNearest> nearest_;  // squares, ascending
-  std::vector<Found> found_;
+  algebra3d::LargeVector<Found> found_;
+  std::size_t found_count_ = 0;
   std::uint32_t depth_ = 0;
   std::array<Frame, kMaxLevels> frames_;
 };

@@ -42,8 +42,7 @@ void LeafArray<Leaf>::read(std::size_t leaf) const {
   if (pending_->is_read(leaf)) return;
   const std::size_t at_once = pending_->reader.leaves_at_once;
   const std::size_t first = leaf / at_once * at_once, last = std::min(first + at_once, pending_->count);
-  pending_->reader.read(first * sizeof(Leaf),
-                        std::as_writable_bytes(std::span(leaves_).subspan(first, last - first)));
+  pending_->reader.read(first * sizeof(Leaf), std::as_writable_bytes(std::span(leaves_).subspan(first, last - first)));
   for (std::size_t i = first; i < last; ++i)
     if (!accept(leaves_[i], pending_->rules.free.has(static_cast<NodeIndex>(i)), pending_->rules))
       throw DamagedImage(fmt::format("leaf {} of an R-tree is damaged", i));

@@ -116,7 +116,9 @@ struct ExactLeaf : Node<Payload> {
 using IndexLeaf = Node<std::uint32_t>;
 
 template <typename Leaf>
-inline constexpr bool kHasRemainders = requires(Leaf leaf) { leaf.remainders; };
+inline constexpr bool kHasRemainders = requires(Leaf leaf) {
+  leaf.remainders;
+};
 
 /// The exact box of an entry.
 inline OrderedBox exact_box(const KeyFrame& frame, const KeyBoxes& leaf, const Remainders& remainders,

@@ -1,5 +1,7 @@
 #include "rtree/detail/node_scan.h"
 
+#include <algorithm>
+
 #if defined(__x86_64__)
 #include <immintrin.h>
 #elif defined(__aarch64__)
@@ -41,8 +43,18 @@ inline SlotMask slots_of(Keys lanes) {
 #endif
 }
 
+inline SlotMask wide_slots_of(const Signed& lanes) {
+  return slots_of(__builtin_convertvector(lanes, Keys));
+}
+
+#define LEAST_LANE(doubles) std::min(std::min(doubles[0], doubles[1]), std::min(doubles[2], doubles[3]))
+#define SHIFTED(before, here) __builtin_shufflevector(before, here, 3, 4, 5, 6)
+#define WIDENED(keys) __builtin_convertvector(keys, Signed)
 #include "rtree/detail/node_scan.inl"
 #undef SCAN_TARGET
+#undef SHIFTED
+#undef LEAST_LANE
+#undef WIDENED
 
 }  // namespace common
 
@@ -65,8 +77,20 @@ SCAN_TARGET inline SlotMask slots_of(Keys lanes) {
   return static_cast<SlotMask>(_mm256_movemask_ps(bits));
 }
 
+SCAN_TARGET inline SlotMask wide_slots_of(const Signed& lanes) {
+  __m256d bits;
+  __builtin_memcpy(&bits, &lanes, sizeof(bits));
+  return static_cast<SlotMask>(_mm256_movemask_pd(bits));
+}
+
+#define LEAST_LANE(doubles) std::min(std::min(doubles[0], doubles[1]), std::min(doubles[2], doubles[3]))
+#define SHIFTED(before, here) __builtin_shufflevector(before, here, 3, 4, 5, 6)
+#define WIDENED(keys) __builtin_convertvector(keys, Signed)
 #include "rtree/detail/node_scan.inl"
 #undef SCAN_TARGET
+#undef SHIFTED
+#undef LEAST_LANE
+#undef WIDENED
 
 }  // namespace avx2
 
@@ -87,8 +111,29 @@ SCAN_TARGET inline SlotMask slots_of(Keys lanes) {
   return _mm512_movepi32_mask(bits);
 }
 
+SCAN_TARGET inline SlotMask wide_slots_of(const Signed& lanes) {
+  __m512i bits;
+  __builtin_memcpy(&bits, &lanes, sizeof(bits));
+  return _mm512_movepi64_mask(bits);
+}
+
+SCAN_TARGET inline double least_lane(const Doubles& doubles) {
+  using Half = VECTOR_OF(double, 4);
+  const Half low = __builtin_shufflevector(doubles, doubles, 0, 1, 2, 3);
+  const Half high = __builtin_shufflevector(doubles, doubles, 4, 5, 6, 7);
+  const Half least = high < low ? high : low;
+  return std::min(std::min(least[0], least[1]), std::min(least[2], least[3]));
+}
+
+#define SHIFTED(before, here) __builtin_shufflevector(before, here, 7, 8, 9, 10, 11, 12, 13, 14)
+// g++ 12 makes two halves of a conversion, and warns of the plain intrinsic.
+#define WIDENED(keys) ((Signed)_mm512_maskz_cvtepi32_epi64(0xff, (__m256i)(keys)))
+#define LEAST_LANE(doubles) least_lane(doubles)
 #include "rtree/detail/node_scan.inl"
 #undef SCAN_TARGET
+#undef SHIFTED
+#undef LEAST_LANE
+#undef WIDENED
 
 }  // namespace avx512
 

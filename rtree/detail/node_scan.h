@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "rtree/detail/node.h"
 
 namespace rtree {
@@ -22,6 +24,17 @@ struct Meeting {
   SlotMask open() const { return bits >> 16; }
 };
 
+/// Lower bounds of squared distances, each with its slot in the lowest four bits: so the least of them names its slot.
+/// Those of unused slots are kFarthest at least.
+struct RankedSlots {
+  static constexpr double kFarthest = 0x1p1023;
+  static constexpr std::size_t kListGrain = 8;
+
+  double squares[kFanOut];
+
+  static std::size_t slot(double square) { return std::bit_cast<std::uint64_t>(square) % kFanOut; }
+};
+
 /// The scans of nodes, in the widest vectors that the processor has. All give the same results.
 struct NodeScans {
   /// The slots that may meet the box.
@@ -33,6 +46,15 @@ struct NodeScans {
   /// Lower bounds of the squared distances of the slots from the box. Unused slots get any number.
   void (*squared_distances)(const KeyBoxes& node, const Target& target, const KeyFrame& frame,
                             double (&squares)[kFanOut]);
+  /// The same, rounded down to have room for the slots; returns the slots whose bounds are at most `limit`. Domain:
+  /// coordinates whose squares do not overflow.
+  SlotMask (*rank)(const KeyBoxes& node, const Target& target, const KeyFrame& frame, double limit,
+                   RankedSlots& ranked);
+  /// Puts those of the slots into an ascending list, of which the largest numbers fall out; its length is a multiple of
+  /// RankedSlots::kListGrain.
+  void (*keep)(const RankedSlots& ranked, SlotMask slots, std::span<double> list);
+  /// The least of the ranked squares.
+  double (*least)(const RankedSlots& ranked);
 };
 
 /// The scans for this processor.

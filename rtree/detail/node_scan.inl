@@ -1,6 +1,8 @@
 // The scans of nodes for one instruction set, included by node_scan.cpp in a namespace of each. There are defined
 // before: SCAN_TARGET, the attribute of functions for the instruction set; kLanes and kWideLanes, the numbers of keys
-// and of doubles that are worked on at once; slots_of(Keys), one bit for each lane that is -1.
+// and of doubles that are worked on at once; slots_of(Keys) and wide_slots_of(Signed), one bit for each lane that is
+// -1; LEAST_LANE(Doubles); WIDENED(WideKeys), the keys as Signed; SHIFTED(before, here), the last lane of the one and
+// all but the last of the other.
 
 constexpr std::size_t kGroups = kFanOut / kLanes;
 
@@ -51,32 +53,85 @@ SCAN_TARGET void meeting_rows(const KeyBoxes& first, SlotMask rows, const KeyBox
   }
 }
 
-// Of each slot only the side that faces the box counts: its position among the doubles is that of the box of the keys.
+// The squared distances of the slots from `first` on. Of each slot only the side that faces the box counts: its
+// position among the doubles is that of the box of the keys.
+SCAN_TARGET inline void add_squares(const KeyBoxes& node, std::size_t first, const Target& target,
+                                    const KeyFrame& frame, Doubles& sum) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    WideKeys low, high;
+    __builtin_memcpy(&low, node.min[axis] + first, sizeof(low));
+    __builtin_memcpy(&high, node.max[axis] + first, sizeof(high));
+    const WideKeys above = low > target.keys.max[axis];
+    const WideKeys key = (low & above) | (high & ~above);
+    const auto is_above = (Unsigned)WIDENED(above);
+    const AxisFrame& map = frame.axes[axis];
+    const auto wide_key = (Unsigned)WIDENED(key);
+    const Unsigned position = ((wide_key + static_cast<std::uint64_t>(map.base)) << map.shift) +
+                              (~is_above & static_cast<std::uint64_t>(map.remainders()));
+    const auto sign = (Unsigned)((Signed)position >> 63);
+    const Unsigned bits = ((position ^ sign) - sign) | (sign & (std::uint64_t{1} << 63));
+    const auto edge = (Doubles)bits;
+    const Doubles gap = is_above ? edge - target.box.max[axis] : target.box.min[axis] - edge;
+    const Doubles positive = gap > 0.0 ? gap : Doubles{};  // not where infinities were subtracted
+    sum += positive * positive;
+  }
+}
+
 SCAN_TARGET void squared_distances(const KeyBoxes& node, const Target& target, const KeyFrame& frame,
                                    double (&squares)[kFanOut]) {
   for (std::size_t first = 0; first < kFanOut; first += kWideLanes) {
     Doubles sum = {};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      WideKeys low, high;
-      __builtin_memcpy(&low, node.min[axis] + first, sizeof(low));
-      __builtin_memcpy(&high, node.max[axis] + first, sizeof(high));
-      const WideKeys above = low > target.keys.max[axis];
-      const WideKeys key = (low & above) | (high & ~above);
-      const auto is_above = __builtin_convertvector(__builtin_convertvector(above, Signed), Unsigned);
-      const AxisFrame& map = frame.axes[axis];
-      const auto wide_key = __builtin_convertvector(__builtin_convertvector(key, Signed), Unsigned);
-      const Unsigned position = ((wide_key + static_cast<std::uint64_t>(map.base)) << map.shift) +
-                                (~is_above & static_cast<std::uint64_t>(map.remainders()));
-      const auto sign = __builtin_convertvector(__builtin_convertvector(position, Signed) >> 63, Unsigned);
-      const Unsigned bits = ((position ^ sign) - sign) | (sign & (std::uint64_t{1} << 63));
-      Doubles edge;
-      __builtin_memcpy(&edge, &bits, sizeof(edge));
-      const Doubles gap = is_above ? edge - target.box.max[axis] : target.box.min[axis] - edge;
-      const Doubles positive = gap > 0.0 ? gap : Doubles{};  // not where infinities were subtracted
-      sum += positive * positive;
-    }
+    add_squares(node, first, target, frame, sum);
     __builtin_memcpy(squares + first, &sum, sizeof(sum));
   }
 }
 
-constexpr NodeScans kScans = {meeting, meeting_exactly, meeting_rows, squared_distances};
+constexpr std::int64_t kSlots[kFanOut] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+
+SCAN_TARGET SlotMask rank(const KeyBoxes& node, const Target& target, const KeyFrame& frame, double limit,
+                          RankedSlots& ranked) {
+  SlotMask slots = 0;
+  for (std::size_t first = 0; first < kFanOut; first += kWideLanes) {
+    WideKeys low;
+    Signed lane;
+    __builtin_memcpy(&low, node.min[0] + first, sizeof(low));
+    __builtin_memcpy(&lane, kSlots + first, sizeof(lane));
+    const Signed is_unused = WIDENED(low == INT32_MAX);
+    Doubles sum = {};
+    add_squares(node, first, target, frame, sum);
+    sum = is_unused ? Doubles{} + RankedSlots::kFarthest : sum;
+    const Signed bits = ((Signed)sum & ~std::int64_t{kFanOut - 1}) | lane;
+    __builtin_memcpy(ranked.squares + first, &bits, sizeof(bits));
+    slots |= wide_slots_of((sum <= limit) & ~is_unused) << first;
+  }
+  return slots;
+}
+
+// Without branches: each place gets the smaller of itself and the larger of the place before and the new number.
+SCAN_TARGET void keep(const RankedSlots& ranked, SlotMask slots, std::span<double> list) {
+  while (slots != 0) {
+    const Doubles square = Doubles{} + ranked.squares[take_slot(slots)];
+    for (std::size_t group = list.size(); group > 0; group -= kWideLanes) {
+      Doubles here, before = {};
+      __builtin_memcpy(&here, list.data() + group - kWideLanes, sizeof(here));
+      if (group > kWideLanes) __builtin_memcpy(&before, list.data() + group - 2 * kWideLanes, sizeof(before));
+      const Doubles shifted = SHIFTED(before, here);
+      const Doubles larger = shifted > square ? shifted : square;
+      const Doubles kept = here < larger ? here : larger;
+      __builtin_memcpy(list.data() + group - kWideLanes, &kept, sizeof(kept));
+    }
+  }
+}
+
+SCAN_TARGET double least(const RankedSlots& ranked) {
+  Doubles low;
+  __builtin_memcpy(&low, ranked.squares, sizeof(low));
+  for (std::size_t first = kWideLanes; first < kFanOut; first += kWideLanes) {
+    Doubles other;
+    __builtin_memcpy(&other, ranked.squares + first, sizeof(other));
+    low = other < low ? other : low;
+  }
+  return LEAST_LANE(low);
+}
+
+constexpr NodeScans kScans = {meeting, meeting_exactly, meeting_rows, squared_distances, rank, keep, least};

@@ -160,7 +160,8 @@ class Packing {
 
   std::size_t inner_count() const {
     std::size_t result = 0;
-    for (Nodes nodes{storage_.leaves.size(), fill_}; nodes.item_count > 1; nodes.item_count = nodes.count()) result += nodes.count();
+    for (Nodes nodes{storage_.leaves.size(), fill_}; nodes.item_count > 1; nodes.item_count = nodes.count())
+      result += nodes.count();
     return result;
   }
 

@@ -38,6 +38,13 @@ struct TreeView {
     else
       return OrderedBox::of(boxes[leaves[leaf].reference[slot]]);
   }
+  /// The same as doubles.
+  Box3 exact_coordinates(NodeIndex leaf, std::size_t slot) const {
+    if constexpr (kHasRemainders<Leaf>)
+      return exact_box(leaf, slot).box();
+    else
+      return boxes[leaves[leaf].reference[slot]];
+  }
   void prefetch_exact_box(NodeIndex leaf, std::size_t slot) const {
     if constexpr (kHasRemainders<Leaf>) {
       prefetch_bytes(&leaves[leaf].remainders, sizeof(Remainders));
@@ -82,9 +89,9 @@ struct Storage {
 
   bool empty() const { return entry_count == 0; }
   TreeView<Leaf> view(const Box3* boxes = nullptr) const {
-    return {inner.data(),  leaves.data(), leaves.is_pending() ? &leaves : nullptr,
-            inner.size(),  leaves.size(), boxes,
-            frame,         root,          height,
+    return {inner.data(), leaves.data(), leaves.is_pending() ? &leaves : nullptr,
+            inner.size(), leaves.size(), boxes,
+            frame,        root,          height,
             entry_count};
   }
   const KeyBoxes& node(NodeIndex index, std::uint32_t level) const {

@@ -7,12 +7,12 @@ namespace rtree {
 namespace {
 
 using samples::Entries;
-using samples::Tree;
 using samples::kInfinity;
 using samples::kLeast;
 using samples::kMax;
 using samples::Pairs;
 using samples::scan_pairs;
+using samples::Tree;
 
 // Coordinates around `place`, `ulps` representable steps from it at most.
 struct Around {

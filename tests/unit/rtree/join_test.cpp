@@ -7,9 +7,9 @@ namespace {
 
 using samples::Entries;
 using samples::Kind;
-using samples::Tree;
 using samples::Pairs;
 using samples::scan_pairs;
+using samples::Tree;
 
 Pairs scan_own_pairs(const Entries& entries) {
   Pairs pairs = scan_pairs(entries, entries);

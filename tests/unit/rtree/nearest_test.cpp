@@ -6,8 +6,8 @@ namespace rtree {
 namespace {
 
 using samples::Entries;
-using samples::kInfinity;
 using samples::Kind;
+using samples::kInfinity;
 using samples::kLeast;
 using samples::kMax;
 using samples::Tree;

@@ -69,6 +69,61 @@ TEST(NodeScan, rows_are_single_scans) {
   }
 }
 
+// Rounded down by no more than the bits of a slot; the least one, and those within a limit.
+TEST(NodeScan, ranks_are_squares_with_their_slots) {
+  const NodeScans* scans[4];
+  const std::size_t count = available_scans(scans);
+  std::mt19937_64 random(4);
+  for (const Kind kind : {Kind::uniform, Kind::clustered, Kind::points, Kind::identical, Kind::slivers, Kind::grid}) {
+    for (int round = 0; round < 300; ++round) {
+      const Sample node = sample(random, kind);
+      const Target target(samples::random_box(random, kind), node.frame);
+      double squares[kFanOut];
+      scans[0]->squared_distances(node.node, target, node.frame, squares);
+      const double limit = round % 3 == 0 ? samples::kInfinity : squares[random() % kFanOut];
+      for (std::size_t i = 0; i < count; ++i) {
+        RankedSlots ranked;
+        const SlotMask near = scans[i]->rank(node.node, target, node.frame, limit, ranked);
+        double least = samples::kInfinity;
+        for (std::size_t slot = 0; slot < kFanOut; ++slot) {
+          const double square = ranked.squares[slot];
+          const bool is_used = slot < node.boxes.size();
+          least = std::min(least, square);
+          ASSERT_EQ(RankedSlots::slot(square), slot);
+          ASSERT_EQ(near >> slot & 1, is_used && squares[slot] <= limit ? 1U : 0U);
+          if (is_used) {
+            ASSERT_NEAR(square, squares[slot], squares[slot] * 0x1p-48 + 1e-300);
+          } else {
+            ASSERT_GE(square, RankedSlots::kFarthest);
+          }
+        }
+        ASSERT_EQ(scans[i]->least(ranked), least);
+      }
+    }
+  }
+}
+
+TEST(NodeScan, lists_keep_the_least) {
+  const NodeScans* scans[4];
+  const std::size_t count = available_scans(scans);
+  std::mt19937_64 random(5);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (const std::size_t length : {8, 16, 64}) {
+      std::vector<double> list(length, samples::kInfinity), all;
+      for (int round = 0; round < 20; ++round) {
+        RankedSlots ranked;
+        for (double& square : ranked.squares) square = static_cast<double>(random() % 100);
+        const auto slots = static_cast<SlotMask>(random() % 0x10000);
+        scans[i]->keep(ranked, slots, list);
+        for (std::size_t slot = 0; slot < kFanOut; ++slot)
+          if ((slots >> slot & 1) != 0) all.push_back(ranked.squares[slot]);
+        std::ranges::sort(all);
+        for (std::size_t j = 0; j < length; ++j) ASSERT_EQ(list[j], j < all.size() ? all[j] : samples::kInfinity);
+      }
+    }
+  }
+}
+
 TEST(NodeScan, distances_are_lower_bounds) {
   const NodeScans* scans[4];
   const std::size_t count = available_scans(scans);

@@ -9,8 +9,8 @@ namespace rtree {
 namespace {
 
 using samples::Entries;
-using samples::kInfinity;
 using samples::Kind;
+using samples::kInfinity;
 using samples::Tree;
 
 TEST(Window, bulk_loaded_and_inserted_trees_find_what_a_scan_finds) {
