@@ -78,6 +78,12 @@ class BoxHierarchy {
   template <typename Visit, typename Pause>
   void for_each_near_pair_with(const BoxHierarchy& other, double reach, Visit visit, Pause pause) const;
 
+  /// Calls visit(f) for faces near a place (a box around a point), near ones first where the boxes tell. It returns a
+  /// distance, as above: faces whose boxes are farther from the place are left out from then on, all at the beginning
+  /// that are farther than `reach`.
+  template <typename Visit>
+  void for_each_near(const Box3& where, double reach, Visit visit) const;
+
   /// A box around all faces, slightly larger than the smallest one; empty without faces.
   Box3 bounds() const;
 
@@ -162,6 +168,12 @@ class BoxHierarchy {
   };
   void push_near_children(const BoxHierarchy& other, const FrameChange& change, const NearPair& pair,
                           std::vector<NearPair>& stack) const;
+  /// A node, and a lower bound of its squared distance from a place, in this frame.
+  struct NearNode : Node {
+    double squared_gap;
+  };
+  /// Pushes the children of an inner node, the nearest one on top.
+  void push_near_children(const Node& node, const Box& where, std::vector<NearNode>& stack) const;
   /// A lower bound of the squared distance of what the boxes stand for, in this frame.
   static double squared_gap(const Box& own, const Box& other);
   /// The square of a length in coordinate units, in this frame, rounded up.
@@ -366,6 +378,30 @@ void BoxHierarchy::for_each_near_pair_with(const BoxHierarchy& other, double rea
         if (farthest < 0) return;
         limit = squared_in_frame(farthest);
       }
+    }
+  }
+}
+
+template <typename Visit>
+void BoxHierarchy::for_each_near(const Box3& where, double reach, Visit visit) const {
+  if (faces_.empty()) return;
+  const Box place = scaled(where);
+  double limit = squared_in_frame(reach);
+  std::vector<NearNode> stack{{{static_cast<std::uint32_t>(levels_.size() - 1), 0}, 0}};
+  while (!stack.empty()) {
+    const NearNode node = stack.back();
+    stack.pop_back();
+    if (node.squared_gap > limit) continue;
+    if (node.level > 0) {
+      push_near_children(node, place, stack);
+      continue;
+    }
+    const std::size_t begin = node.index * kLeafSize, end = std::min(begin + kLeafSize, faces_.size());
+    for (std::size_t i = begin; i < end; ++i) {
+      if (squared_gap(face_boxes_[i], place) > limit) continue;
+      const double farthest = visit(faces_[i]);
+      if (farthest < 0) return;
+      limit = squared_in_frame(farthest);
     }
   }
 }

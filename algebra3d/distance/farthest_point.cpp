@@ -1,0 +1,45 @@
+#include "algebra3d/distance/farthest_point.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "algebra3d/distance/detail/piece_search.h"
+
+namespace algebra3d {
+namespace {
+
+using distances::PieceSearch;
+
+Result<std::vector<PieceSearch>> with_measured_vertices(std::span<const FarthestSearch> searches,
+                                                        const Monitor& monitor) {
+  std::vector<PieceSearch> measured;
+  for (const FarthestSearch& search : searches) {
+    const Box3 box = unite(search.from.hierarchy->bounds(), search.to.hierarchy->bounds());
+    measured.emplace_back(search, box);
+    ALGEBRA3D_RETURN_IF_ERROR(measured.back().measure_vertices(monitor));
+  }
+  return measured;
+}
+
+}  // namespace
+
+Result<std::optional<FarthestPoint>> farthest_point(std::span<const FarthestSearch> searches, const Monitor& monitor) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<PieceSearch> all, with_measured_vertices(searches, monitor));
+  double at_least = 0;
+  for (const PieceSearch& search : all) at_least = std::max(at_least, search.lower_bound());
+  std::optional<FarthestPoint> farthest;
+  double upper_bound = 0;
+  for (PieceSearch& search : all) {
+    ALGEBRA3D_RETURN_IF_ERROR(search.refine(at_least, monitor));
+    upper_bound = std::max(upper_bound, search.upper_bound());
+    if (search.best().is_none()) continue;
+    auto [squared_distance, nearest] = search.samples().exact_distance(search.best());
+    if (farthest && squared_distance <= farthest->squared_distance) continue;
+    farthest = {search.samples()[search.best()].point, nearest, std::move(squared_distance), 0};
+  }
+  if (farthest) farthest->upper_bound = upper_bound;
+  return farthest;
+}
+
+}  // namespace algebra3d

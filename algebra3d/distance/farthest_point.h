@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "algebra3d/base/error.h"
+#include "algebra3d/base/monitor.h"
+#include "algebra3d/distance/distance.h"
+#include "algebra3d/exact/point.h"
+#include "algebra3d/exact/rational.h"
+
+namespace algebra3d {
+
+/// A search for the point of one set of triangles that is farthest from another one, which must not be empty.
+struct FarthestSearch {
+  DistanceOperand from, to;
+  /// If set, only points count of which it is true. It must be true on one side of the other set, as inside of a solid,
+  /// and false on the other. Exact, and callable by several threads.
+  std::function<bool(const PointRef& point)> counts = nullptr;
+};
+
+/// The farthest point that was found, and how far others can be at most.
+struct FarthestPoint {
+  ExactPoint point;  ///< of `from`, or within some roundings of its largest coordinate
+  FaceId nearest;    ///< the face of `to` that is nearest to it
+  Rational squared_distance;  ///< of this point; exact
+  double upper_bound = 0;     ///< no point that counts is farther
+};
+
+/// The farthest point of all searches; nothing if no point counts. Its distance is that of a vertex wherever a vertex
+/// is farthest, but for the bound. The upper bound exceeds the distance by no more than a billionth and 2^-40 of the
+/// largest coordinate, or else by what 2^22 parts of triangles for each search could not decide. Deterministic; the
+/// distance does not depend on the order of the searches. Errors: interrupted. Cost: a search in the hierarchy for each
+/// vertex, in parallel, and some for each triangle that may have a farther point than all vertices. Sources: [tang2009]
+/// for the bounds of a triangle's distance by that of its corners from one triangle; [guthe2005] for the search, best
+/// bounds first.
+Result<std::optional<FarthestPoint>> farthest_point(std::span<const FarthestSearch> searches,
+                                                    const Monitor& monitor = {});
+
+}  // namespace algebra3d
