@@ -30,13 +30,15 @@ Result<std::optional<FarthestPoint>> farthest_point(std::span<const FarthestSear
   for (const PieceSearch& search : all) at_least = std::max(at_least, search.lower_bound());
   std::optional<FarthestPoint> farthest;
   double upper_bound = 0;
-  for (PieceSearch& search : all) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    PieceSearch& search = all[i];
     ALGEBRA3D_RETURN_IF_ERROR(search.refine(at_least, monitor));
     upper_bound = std::max(upper_bound, search.upper_bound());
     if (search.best().is_none()) continue;
     auto [squared_distance, nearest] = search.samples().exact_distance(search.best());
     if (farthest && squared_distance <= farthest->squared_distance) continue;
-    farthest = {search.samples()[search.best()].point, nearest, std::move(squared_distance), 0};
+    const distances::SampledSet::Sample& sample = search.samples()[search.best()];
+    farthest = {sample.point, sample.face, nearest, std::move(squared_distance), i, 0};
   }
   if (farthest) farthest->upper_bound = upper_bound;
   return farthest;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <span>
@@ -15,16 +16,18 @@ namespace algebra3d {
 /// A search for the point of one set of triangles that is farthest from another one, which must not be empty.
 struct FarthestSearch {
   DistanceOperand from, to;
-  /// If set, only points count of which it is true. It must be true on one side of the other set, as inside of a solid,
-  /// and false on the other. Exact, and callable by several threads.
+  /// If set, only points count of which it is true. It must be true inside of the closed surface `to`, and false outside
+  /// of it. Exact, and callable by several threads.
   std::function<bool(const PointRef& point)> counts = nullptr;
 };
 
 /// The farthest point that was found, and how far others can be at most.
 struct FarthestPoint {
   ExactPoint point;  ///< of `from`, or within some roundings of its largest coordinate
-  FaceId nearest;    ///< the face of `to` that is nearest to it
+  FaceId face;                ///< of `from`, in which it lies
+  FaceId nearest;             ///< the face of `to` that is nearest to it
   Rational squared_distance;  ///< of this point; exact
+  std::size_t search = 0;     ///< index of the search that found it
   double upper_bound = 0;     ///< no point that counts is farther
 };
 

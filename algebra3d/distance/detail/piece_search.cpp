@@ -46,10 +46,11 @@ Status PieceSearch::measure_vertices(const Monitor& monitor) {
   const Stage stage(monitor, "measuring distances", count);
   parallel_for((count + kTask - 1) / kTask, 1, [&](std::size_t task) {
     Stage own(stage);
-    FaceId near;  // consecutive vertices are mostly near each other
+    FaceId near(0);  // consecutive vertices are mostly near each other
     for (std::size_t i = task * kTask; i < std::min((task + 1) * kTask, count) && own.begin_step(); ++i) {
-      if (from_.is_isolated(VertexId(i))) continue;
-      samples[i] = set_.measured(from_.points().point(i), near);
+      const HalfedgeId outgoing = from_.outgoing(VertexId(i));
+      if (!outgoing.is_valid()) continue;
+      samples[i] = set_.measured(from_.points().point(i), TriangleMesh::face(outgoing), near);
       near = samples[i].nearest;
     }
   });
@@ -65,7 +66,7 @@ Status PieceSearch::refine(double at_least, const Monitor& monitor) {
   lower_ = std::max(lower_, at_least);
   for (std::size_t f = 0; f < from_.face_count(); ++f) {
     const auto [a, b, c] = from_.triangle(FaceId(f));
-    push({SampleId(a), SampleId(b), SampleId(c)}, kInfinity, 0);
+    push({{SampleId(a), SampleId(b), SampleId(c)}, FaceId(f), kInfinity, 0});
   }
   std::size_t count = 0;
   while (!pieces_.empty() && !is_settled(pieces_.top().upper) && ++count < kMaxPieces) {
@@ -100,12 +101,15 @@ double PieceSearch::upper_bound_of_sides(const Corners& corners) const {
   return least;
 }
 
-void PieceSearch::push(const Corners& corners, double parent_upper, std::uint32_t depth) {
+/// Adds a piece whose bound is that of its parent, unless it need not be divided.
+void PieceSearch::push(Piece piece) {
+  piece.upper = std::min(piece.upper, upper_bound_of_sides(piece.corners));
+  if (is_settled(piece.upper)) return;
   double upper = kInfinity;
   FaceId face;
-  for (const SampleId corner : corners) bound_by(set_[corner].nearest, corners, upper, face);
-  upper = std::min({upper + rounding_, upper_bound_of_sides(corners), parent_upper});
-  if (!is_settled(upper)) pieces_.push({corners, upper, depth});
+  for (const SampleId corner : piece.corners) bound_by(set_[corner].nearest, piece.corners, upper, face);
+  piece.upper = std::min(piece.upper, upper + rounding_);
+  if (!is_settled(piece.upper)) pieces_.push(piece);
 }
 
 /// How much farther a point is from the second face than from the first one.
@@ -124,8 +128,8 @@ Vec3 PieceSearch::equally_far(Vec3 near_first, Vec3 near_second, FaceId first, F
   return between(near_first, near_second, high);
 }
 
-SampleId PieceSearch::new_sample(const Vec3& point, FaceId near) {
-  const SampleId id = set_.add(set_.measured(ExactPoint(point), near));
+SampleId PieceSearch::new_sample(const Piece& piece, const Vec3& point, FaceId near) {
+  const SampleId id = set_.add(set_.measured(ExactPoint(point), piece.face, near));
   take_sample(id, rounding_);
   return id;
 }
@@ -145,7 +149,7 @@ bool PieceSearch::divide_between(const Piece& piece, FaceId first, FaceId second
     const bool begins_near_first = nearer[i] > 0;
     const Vec3 point = equally_far(position(begins_near_first ? corner : other),
                                    position(begins_near_first ? other : corner), first, second);
-    const SampleId cut = new_sample(point, first);
+    const SampleId cut = new_sample(piece, point, first);
     division.first.push_back(cut);
     division.second.push_back(cut);
   }
@@ -161,14 +165,14 @@ void PieceSearch::halve(const Piece& piece, Division& division) {
     length = std::max(length, own);
   }
   const SampleId a = piece.corners[longest], b = piece.corners[(longest + 1) % 3], c = piece.corners[(longest + 2) % 3];
-  const SampleId middle = new_sample(between(position(a), position(b), 0.5), set_[a].nearest);
+  const SampleId middle = new_sample(piece, between(position(a), position(b), 0.5), set_[a].nearest);
   division.first = {a, middle, c};
   division.second = {middle, b, c};
 }
 
 void PieceSearch::push_polygon(const std::vector<SampleId>& polygon, const Piece& parent) {
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-    push({polygon[0], polygon[i], polygon[i + 1]}, parent.upper, parent.depth + 1);
+    push({{polygon[0], polygon[i], polygon[i + 1]}, parent.face, parent.upper, parent.depth + 1});
 }
 
 void PieceSearch::divide(const Piece& piece) {
@@ -178,7 +182,7 @@ void PieceSearch::divide(const Piece& piece) {
   for (const SampleId corner : piece.corners) bound_by(set_[corner].nearest, piece.corners, upper, best);
   const Vec3 middle = between(position(piece.corners[0]), position(piece.corners[1]), 0.5);
   const SampleId centre =
-      new_sample(between(middle, position(piece.corners[2]), 1.0 / 3), set_[piece.corners[0]].nearest);
+      new_sample(piece, between(middle, position(piece.corners[2]), 1.0 / 3), set_[piece.corners[0]].nearest);
   bound_by(set_[centre].nearest, piece.corners, upper, best);
   if (is_settled(std::min(upper + rounding_, piece.upper))) return;
 
@@ -191,7 +195,7 @@ void PieceSearch::divide(const Piece& piece) {
   const bool is_divided =
       piece.depth % 4 != 3 && divide_between(piece, best, set_[farthest].nearest, division);
   if (!is_divided) halve(piece, division);
-  const Piece parent{piece.corners, std::min(upper + rounding_, piece.upper), piece.depth};
+  const Piece parent{piece.corners, piece.face, std::min(upper + rounding_, piece.upper), piece.depth};
   push_polygon(division.first, parent);
   push_polygon(division.second, parent);
 }

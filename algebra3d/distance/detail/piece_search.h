@@ -44,6 +44,7 @@ class PieceSearch {
   using Corners = std::array<SampleId, 3>;
   struct Piece {
     Corners corners;
+    FaceId face;  // of which it is a part
     double upper;
     std::uint32_t depth;
     friend bool operator<(const Piece& a, const Piece& b) { return a.upper < b.upper; }
@@ -55,7 +56,7 @@ class PieceSearch {
 
   static double largest_coordinate(const Box3& box);
   void take_sample(SampleId id, double rounding);
-  void push(const Corners& corners, double parent_upper, std::uint32_t depth);
+  void push(Piece piece);
   bool is_settled(double upper) const { return upper <= lower_ * (1 + kRelative) + tolerance_; }
   void bound_by(FaceId face, const Corners& corners, double& least, FaceId& of_least) const;
   double upper_bound_of_sides(const Corners& corners) const;
@@ -63,7 +64,7 @@ class PieceSearch {
   bool divide_between(const Piece& piece, FaceId first, FaceId second, Division& division);
   void halve(const Piece& piece, Division& division);
   void push_polygon(const std::vector<SampleId>& polygon, const Piece& parent);
-  SampleId new_sample(const Vec3& point, FaceId near);
+  SampleId new_sample(const Piece& piece, const Vec3& point, FaceId near);
   Vec3 position(SampleId id) const { return set_[id].point.approx(); }
   double nearness(const Vec3& point, FaceId first, FaceId second) const;
   Vec3 equally_far(Vec3 near_first, Vec3 near_second, FaceId first, FaceId second) const;

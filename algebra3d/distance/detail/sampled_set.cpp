@@ -18,22 +18,26 @@ DistanceBounds SampledSet::bounds(const PointRef& point, FaceId face) const {
   return rounded_.bounds(simplex_of(point), Simplex::of_face(*to_.mesh, face));
 }
 
-SampledSet::Sample SampledSet::measured(ExactPoint point, FaceId near) const {
+SampledSet::Sample SampledSet::measured(ExactPoint point, FaceId face, FaceId near) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Sample sample{std::move(point), near, kInfinity, kInfinity, true};
+  Sample sample{std::move(point), face, near, kInfinity, kInfinity, true};
   const PointRef place = sample.point;
-  const auto visit = [&](FaceId face) {
-    const DistanceBounds bounds = this->bounds(place, face);
+  if (counts_) sample.counts = counts_(place);
+  if (!sample.counts && !bounds_of_set_.contains(place.approx)) {
+    sample.lower = distance(Box3::of(place.approx), bounds_of_set_) * (1 - 0x1p-48);
+    return sample;
+  }
+  const auto visit = [&](FaceId other) {
+    const DistanceBounds bounds = this->bounds(place, other);
     sample.lower = std::min(sample.lower, bounds.lower);
     if (bounds.upper < sample.upper) {
       sample.upper = bounds.upper;
-      sample.nearest = face;
+      sample.nearest = other;
     }
     return sample.upper;
   };
-  if (near.is_valid()) visit(near);
-  to_.hierarchy->for_each_near(box_of(place), sample.upper, [&](std::uint32_t face) { return visit(FaceId(face)); });
-  if (counts_) sample.counts = counts_(place);
+  visit(near);
+  to_.hierarchy->for_each_near(box_of(place), sample.upper, [&](std::uint32_t other) { return visit(FaceId(other)); });
   return sample;
 }
 

@@ -19,18 +19,20 @@ class SampledSet {
 
   /// `box` holds all points and the set.
   SampledSet(const DistanceOperand& to, const Box3& box, Counts counts)
-      : to_(to), rounded_(box), counts_(std::move(counts)) {}
+      : to_(to), bounds_of_set_(to.hierarchy->bounds()), rounded_(box), counts_(std::move(counts)) {}
 
   /// A point with its distance. It counts if it is on the side that is asked for (FarthestSearch).
   struct Sample {
     ExactPoint point;
-    FaceId nearest;
+    FaceId face;     // in which it lies
+    FaceId nearest;  // of the set
     double lower = 0, upper = 0;  // bounds of the distance
     bool counts = true;
   };
 
-  /// Measures a point; `near` may be a face that is probably near it. Callable by several threads.
-  Sample measured(ExactPoint point, FaceId near) const;
+  /// Measures a point of a face; `near` is a face of the set that is probably near it. Of a point that does not count,
+  /// and is outside the box of the set, only a lower bound is found. Callable by several threads.
+  Sample measured(ExactPoint point, FaceId face, FaceId near) const;
   SampleId add(Sample sample) {
     samples_.push_back(std::move(sample));
     return SampleId(samples_.size() - 1);
@@ -45,6 +47,7 @@ class SampledSet {
 
  private:
   DistanceOperand to_;
+  Box3 bounds_of_set_;
   RoundedDistances rounded_;
   Counts counts_;
   std::vector<Sample> samples_;

@@ -1,8 +1,8 @@
-#include "algebra3d/spatial_relations/hausdorff_distance.h"
+#include "algebra3d/measures/hausdorff_distance.h"
 
 #include <array>
 
-#include "algebra3d/spatial_relations/detail/boundary_faces.h"
+#include "algebra3d/spatial_relations/boundary_faces.h"
 
 namespace algebra3d {
 

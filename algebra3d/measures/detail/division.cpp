@@ -1,0 +1,52 @@
+#include "algebra3d/measures/detail/division.h"
+
+#include <array>
+#include <vector>
+
+#include "algebra3d/arrangement/arrangement.h"
+#include "algebra3d/constructions/solid_components.h"
+#include "algebra3d/halfedge/topology.h"
+
+namespace algebra3d {
+namespace {
+
+/// The bodies of a solid, each as a solid.
+Result<std::vector<Volume3d>> bodies_of(const Volume3d& solid, const Monitor& monitor) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto components,
+                             solid_components(solid.mesh(), solid.geometry().hierarchy(), monitor.cancel()));
+  if (components.size() == 1) return std::vector{solid};
+  std::vector<Volume3d> bodies;
+  SubmeshMaker maker(solid.mesh());
+  for (const std::vector<FaceId>& faces : components) bodies.push_back(Volume3d::trusted(maker.make(faces)));
+  return bodies;
+}
+
+Result<std::size_t> body_count_without(const Volume3d& body, const Volume3d& solid, const Monitor& monitor) {
+  const std::array<Operand, 2> operands{{{&body.mesh(), 0, &body.geometry().hierarchy()},
+                                         {&solid.mesh(), 1, &solid.geometry().hierarchy()}}};
+  const auto is_left = [](const WindingVector& windings) { return windings[0] > 0 && windings[1] == 0; };
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TriangleMesh rest, combine_solids(operands, is_left, monitor));
+  if (rest.is_empty()) return std::size_t{0};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto components, solid_components(rest, BoxHierarchy(rest), monitor.cancel()));
+  return components.size();
+}
+
+Result<bool> does_divide(const Volume3d& divider, const Volume3d& solid, const Monitor& monitor) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<Volume3d> bodies, bodies_of(solid, monitor));
+  for (const Volume3d& body : bodies) {
+    if (!body.box().intersects(divider.box())) continue;
+    ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t count, body_count_without(body, divider, monitor));
+    if (count > 1) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Result<bool> do_divide(const Volume3d& a, const Volume3d& b, const Monitor& monitor) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_second_divided, does_divide(a, b, monitor));
+  if (is_second_divided) return true;
+  return does_divide(b, a, monitor);
+}
+
+}  // namespace algebra3d
