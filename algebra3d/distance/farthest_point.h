@@ -29,10 +29,11 @@ struct FarthestPoint {
   Rational squared_distance;  ///< of this point; exact
   std::size_t search = 0;     ///< index of the search that found it
   double upper_bound = 0;     ///< no point that counts is farther
+  bool is_bounded = true;     ///< false if the search ended before the upper bound was as near as it should be
 };
 
 /// The farthest point of all searches; nothing if no point counts. Its distance is that of a vertex wherever a vertex
-/// is farthest, but for the bound. The upper bound exceeds the distance by no more than a billionth and 2^-40 of the
+/// is farthest, but for the bound. The upper bound exceeds the distance by no more than a billionth and 2^-44 of the
 /// largest coordinate, or else by what 2^22 parts of triangles for each search could not decide. Deterministic; the
 /// distance does not depend on the order of the searches. Errors: interrupted. Cost: a search in the hierarchy for each
 /// vertex, in parallel, and some for each triangle that may have a farther point than all vertices. Sources: [tang2009]

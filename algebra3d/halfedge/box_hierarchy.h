@@ -91,6 +91,11 @@ class BoxHierarchy {
   template <typename Visit>
   void for_each_meeting(const Box3& box, Visit visit) const;
 
+  /// Calls visit(f) for each face whose box passes a test; `test` is called with a box around that of the face, and
+  /// around those of all nodes above it. It must be true for every box around one for which it is true.
+  template <typename Test, typename Visit>
+  void for_each_where(const Test& test, Visit visit) const;
+
   /// Calls visit(f) for each face whose box meets the vertical ray from `where` (a box around a point in the mesh's
   /// box), upwards if `upward` is positive, else downwards; `where` itself belongs to the ray.
   template <typename Visit>
@@ -431,6 +436,26 @@ void BoxHierarchy::visit_window(const Box& window, Visit& visit) const {
 template <typename Visit>
 void BoxHierarchy::for_each_meeting(const Box3& box, Visit visit) const {
   visit_window(scaled(box), visit);
+}
+
+template <typename Test, typename Visit>
+void BoxHierarchy::for_each_where(const Test& test, Visit visit) const {
+  if (faces_.empty()) return;
+  std::vector<Node> stack{{static_cast<std::uint32_t>(levels_.size() - 1), 0}};
+  while (!stack.empty()) {
+    const Node node = stack.back();
+    stack.pop_back();
+    if (!test(unscaled(levels_[node.level].boxes[node.index]))) continue;
+    if (node.level > 0) {
+      const auto child_count = static_cast<std::uint32_t>(levels_[node.level - 1].boxes.size());
+      for (std::uint32_t child = std::min(2 * node.index + 2, child_count); child-- > 2 * node.index;)
+        stack.push_back({node.level - 1, child});
+      continue;
+    }
+    const std::size_t begin = node.index * kLeafSize, end = std::min(begin + kLeafSize, faces_.size());
+    for (std::size_t i = begin; i < end; ++i)
+      if (test(unscaled(face_boxes_[i]))) visit(faces_[i]);
+  }
 }
 
 template <typename Visit>

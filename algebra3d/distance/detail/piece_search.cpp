@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "algebra3d/base/scheduler.h"
@@ -75,7 +76,10 @@ Status PieceSearch::refine(double at_least, const Monitor& monitor) {
     pieces_.pop();
     divide(piece);
   }
-  upper_ = (pieces_.empty() ? lower_ : std::max(lower_, pieces_.top().upper)) * (1 + 0x1p-50) + tolerance_;
+  // Pieces that were left out have bounds up to this one.
+  upper_ = lower_ * (1 + kRelative) + tolerance_;
+  is_bounded_ = pieces_.empty() || is_settled(pieces_.top().upper);
+  if (!is_bounded_) upper_ = pieces_.top().upper;
   return {};
 }
 
@@ -118,12 +122,14 @@ double PieceSearch::nearness(const Vec3& point, FaceId first, FaceId second) con
 }
 
 /// A point of a segment, one end of which is nearer to the first face and the other to the second one, that is about
-/// equally far from both.
-Vec3 PieceSearch::equally_far(Vec3 near_first, Vec3 near_second, FaceId first, FaceId second) const {
+/// equally far from both; nothing if it is too near an end to be worth a division.
+std::optional<Vec3> PieceSearch::equally_far(Vec3 near_first, Vec3 near_second, FaceId first, FaceId second) const {
+  constexpr double kLeastShare = 1.0 / 16;
   double low = 0, high = 1;
   for (int step = 0; step < 52; ++step) {
     const double middle = (low + high) / 2;
     (nearness(between(near_first, near_second, middle), first, second) > 0 ? low : high) = middle;
+    if (low > 1 - kLeastShare || high < kLeastShare) return std::nullopt;
   }
   return between(near_first, near_second, high);
 }
@@ -134,10 +140,14 @@ SampleId PieceSearch::new_sample(const Piece& piece, const Vec3& point, FaceId n
   return id;
 }
 
-/// Divides a piece where it is equally far from two faces. False if no corners are nearer to different ones.
+/// Divides a piece where it is equally far from two faces. False if no corners are clearly nearer to different ones, or
+/// if only a corner would be cut off.
 bool PieceSearch::divide_between(const Piece& piece, FaceId first, FaceId second, Division& division) {
   std::array<double, 3> nearer{};
-  for (std::size_t i = 0; i < 3; ++i) nearer[i] = nearness(position(piece.corners[i]), first, second);
+  for (std::size_t i = 0; i < 3; ++i) {
+    nearer[i] = nearness(position(piece.corners[i]), first, second);
+    if (std::abs(nearer[i]) < tolerance_ / 4) nearer[i] = 0;
+  }
   const auto [least, largest] = std::ranges::minmax(nearer);
   if (!(least < 0 && largest > 0)) return false;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -147,9 +157,10 @@ bool PieceSearch::divide_between(const Piece& piece, FaceId first, FaceId second
     if (nearer[i] <= 0) division.second.push_back(corner);
     if (!(nearer[i] < 0 && nearer[next] > 0) && !(nearer[i] > 0 && nearer[next] < 0)) continue;
     const bool begins_near_first = nearer[i] > 0;
-    const Vec3 point = equally_far(position(begins_near_first ? corner : other),
-                                   position(begins_near_first ? other : corner), first, second);
-    const SampleId cut = new_sample(piece, point, first);
+    const std::optional<Vec3> point = equally_far(position(begins_near_first ? corner : other),
+                                                  position(begins_near_first ? other : corner), first, second);
+    if (!point) return false;
+    const SampleId cut = new_sample(piece, *point, first);
     division.first.push_back(cut);
     division.second.push_back(cut);
   }
@@ -191,10 +202,12 @@ void PieceSearch::divide(const Piece& piece) {
   for (const SampleId corner : piece.corners)
     if (set_.bounds(corner, best).upper > set_.bounds(farthest, best).upper) farthest = corner;
   Division division;
-  // Every fourth time in the middle, so that pieces shrink whatever the faces are.
-  const bool is_divided =
-      piece.depth % 4 != 3 && divide_between(piece, best, set_[farthest].nearest, division);
-  if (!is_divided) halve(piece, division);
+  // Then twice in the middle, so that pieces shrink whatever the faces are.
+  const bool is_divided = piece.depth % 4 < 2 && divide_between(piece, best, set_[farthest].nearest, division);
+  if (!is_divided) {
+    division = {};
+    halve(piece, division);
+  }
   const Piece parent{piece.corners, piece.face, std::min(upper + rounding_, piece.upper), piece.depth};
   push_polygon(division.first, parent);
   push_polygon(division.second, parent);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <queue>
 #include <vector>
 
@@ -21,8 +22,8 @@ class PieceSearch {
   PieceSearch(const FarthestSearch& search, const Box3& box)
       : from_(*search.from.mesh),
         set_(search.to, box, search.counts),
-        rounding_(kRoundings * largest_coordinate(box)),
-        tolerance_(kTolerance * largest_coordinate(box)) {}
+        rounding_(kRoundings * largest_coordinate(box) + kLeast),
+        tolerance_(kTolerance * largest_coordinate(box) + 4 * kLeast) {}
 
   /// Measures all vertices.
   Status measure_vertices(const Monitor& monitor);
@@ -35,10 +36,13 @@ class PieceSearch {
   double lower_bound() const { return lower_; }
   /// An upper bound, after `refine`.
   double upper_bound() const { return upper_; }
+  /// False if there were too many pieces, so that the upper bound is larger than it should be.
+  bool is_bounded() const { return is_bounded_; }
   const SampledSet& samples() const { return set_; }
 
  private:
-  static constexpr double kRoundings = 0x1p-46, kTolerance = 0x1p-40, kRelative = 0x1p-30;
+  static constexpr double kRoundings = 0x1p-46, kTolerance = 0x1p-44, kRelative = 0x1p-30;
+  static constexpr double kLeast = 0x1p-1068;  // for roundings of subnormal numbers
   static constexpr std::size_t kMaxPieces = std::size_t{1} << 22U;
 
   using Corners = std::array<SampleId, 3>;
@@ -67,7 +71,7 @@ class PieceSearch {
   SampleId new_sample(const Piece& piece, const Vec3& point, FaceId near);
   Vec3 position(SampleId id) const { return set_[id].point.approx(); }
   double nearness(const Vec3& point, FaceId first, FaceId second) const;
-  Vec3 equally_far(Vec3 near_first, Vec3 near_second, FaceId first, FaceId second) const;
+  std::optional<Vec3> equally_far(Vec3 near_first, Vec3 near_second, FaceId first, FaceId second) const;
 
   const TriangleMesh& from_;
   SampledSet set_;
@@ -75,6 +79,7 @@ class PieceSearch {
   double tolerance_;  // what no piece is divided for
   SampleId best_;
   double lower_ = 0, upper_ = 0;
+  bool is_bounded_ = true;
   std::priority_queue<Piece> pieces_;
 };
 

@@ -4,31 +4,17 @@
 #include <vector>
 
 #include "algebra3d/arrangement/arrangement.h"
-#include "algebra3d/constructions/solid_components.h"
-#include "algebra3d/halfedge/topology.h"
+#include "algebra3d/measures/detail/bodies.h"
 
 namespace algebra3d {
 namespace {
-
-/// The bodies of a solid, each as a solid.
-Result<std::vector<Volume3d>> bodies_of(const Volume3d& solid, const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto components,
-                             solid_components(solid.mesh(), solid.geometry().hierarchy(), monitor.cancel()));
-  if (components.size() == 1) return std::vector{solid};
-  std::vector<Volume3d> bodies;
-  SubmeshMaker maker(solid.mesh());
-  for (const std::vector<FaceId>& faces : components) bodies.push_back(Volume3d::trusted(maker.make(faces)));
-  return bodies;
-}
 
 Result<std::size_t> body_count_without(const Volume3d& body, const Volume3d& solid, const Monitor& monitor) {
   const std::array<Operand, 2> operands{{{&body.mesh(), 0, &body.geometry().hierarchy()},
                                          {&solid.mesh(), 1, &solid.geometry().hierarchy()}}};
   const auto is_left = [](const WindingVector& windings) { return windings[0] > 0 && windings[1] == 0; };
   ALGEBRA3D_ASSIGN_OR_RETURN(const TriangleMesh rest, combine_solids(operands, is_left, monitor));
-  if (rest.is_empty()) return std::size_t{0};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto components, solid_components(rest, BoxHierarchy(rest), monitor.cancel()));
-  return components.size();
+  return body_count(rest, monitor);
 }
 
 Result<bool> does_divide(const Volume3d& divider, const Volume3d& solid, const Monitor& monitor) {
