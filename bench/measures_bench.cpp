@@ -68,7 +68,8 @@ std::vector<std::pair<Vec3, Vec3>> random_rays() {
   std::uniform_real_distribution<double> number(-0.5, 0.5);
   std::vector<std::pair<Vec3, Vec3>> rays;
   for (int i = 0; i < 200; ++i)
-    rays.push_back({{number(random), number(random), number(random)}, {number(random), number(random), number(random)}});
+    rays.push_back(
+        {{number(random), number(random), number(random)}, {number(random), number(random), number(random)}});
   return rays;
 }
 

@@ -36,11 +36,10 @@ Result<std::optional<FarthestPoint>> farthest_point(std::span<const FarthestSear
     ALGEBRA3D_RETURN_IF_ERROR(search.refine(at_least, monitor));
     upper_bound = std::max(upper_bound, search.upper_bound());
     is_bounded = is_bounded && search.is_bounded();
-    if (search.best().is_none()) continue;
     auto [squared_distance, nearest] = search.samples().exact_distance(search.best());
     if (farthest && squared_distance <= farthest->squared_distance) continue;
     const distances::SampledSet::Sample& sample = search.samples()[search.best()];
-    farthest = {sample.point, sample.face, nearest, std::move(squared_distance), i, 0, true};
+    farthest = {sample.point, nearest, std::move(squared_distance), i, 0, true};
   }
   if (farthest) {
     farthest->upper_bound = upper_bound;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <span>
 
@@ -13,26 +12,22 @@
 
 namespace algebra3d {
 
-/// A search for the point of one set of triangles that is farthest from another one, which must not be empty.
+/// A search for the point of one set of triangles that is farthest from another one. Neither may be empty.
 struct FarthestSearch {
   DistanceOperand from, to;
-  /// If set, only points count of which it is true. It must be true inside of the closed surface `to`, and false outside
-  /// of it. Exact, and callable by several threads.
-  std::function<bool(const PointRef& point)> counts = nullptr;
 };
 
 /// The farthest point that was found, and how far others can be at most.
 struct FarthestPoint {
-  ExactPoint point;  ///< of `from`, or within some roundings of its largest coordinate
-  FaceId face;                ///< of `from`, in which it lies
+  ExactPoint point;           ///< of `from`, or within some roundings of its largest coordinate
   FaceId nearest;             ///< the face of `to` that is nearest to it
   Rational squared_distance;  ///< of this point; exact
   std::size_t search = 0;     ///< index of the search that found it
-  double upper_bound = 0;     ///< no point that counts is farther
+  double upper_bound = 0;     ///< no point is farther
   bool is_bounded = true;     ///< false if the search ended before the upper bound was as near as it should be
 };
 
-/// The farthest point of all searches; nothing if no point counts. Its distance is that of a vertex wherever a vertex
+/// The farthest point of all searches; nothing if there are none. Its distance is that of a vertex wherever a vertex
 /// is farthest, but for the bound. The upper bound exceeds the distance by no more than a billionth and 2^-44 of the
 /// largest coordinate, or else by what 2^22 parts of triangles for each search could not decide. Deterministic; the
 /// distance does not depend on the order of the searches. Errors: interrupted. Cost: a search in the hierarchy for each

@@ -10,9 +10,9 @@ Result<std::optional<FarthestPoint>> hausdorff_distance(const SpatialSet& a, con
                                                         const Monitor& monitor) {
   const BoundaryFaces first(a), second(b);
   if (first.operand().mesh->is_empty() || second.operand().mesh->is_empty()) return std::optional<FarthestPoint>();
-  return farthest_point(std::array<FarthestSearch, 2>{{{first.operand(), second.operand()},
-                                                       {second.operand(), first.operand()}}},
-                        monitor);
+  return farthest_point(
+      std::array<FarthestSearch, 2>{{{first.operand(), second.operand()}, {second.operand(), first.operand()}}},
+      monitor);
 }
 
 }  // namespace algebra3d

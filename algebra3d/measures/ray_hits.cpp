@@ -14,8 +14,8 @@ namespace {
 struct OpenHit {
   RayHit hit;
   std::size_t section_count = 0;
-  int sign = 0;                    // of all sections, if they agree
-  bool do_signs_agree = true;      // on a sign that is not 0
+  int sign = 0;                // of all sections, if they agree
+  bool do_signs_agree = true;  // on a sign that is not 0
 };
 
 /// Joins sections that meet each other.
@@ -23,7 +23,8 @@ std::vector<OpenHit> joined(const Ray& ray, std::vector<RaySection> sections) {
   std::vector<OpenHit> hits;
   for (RaySection& section : sections) {
     if (hits.empty() || section.first > hits.back().hit.last)
-      hits.push_back({{section.first, section.first, {}, {}, RayHitKind::touching, section.face}, 0, section.sign, true});
+      hits.push_back(
+          {{section.first, section.first, {}, {}, RayHitKind::touching, section.face}, 0, section.sign, true});
     OpenHit& open = hits.back();
     ++open.section_count;
     open.do_signs_agree = open.do_signs_agree && section.sign != 0 && section.sign == open.sign;

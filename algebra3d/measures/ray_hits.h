@@ -10,9 +10,9 @@
 
 namespace algebra3d {
 
-/// Where a ray goes at a hit. Solid: from outside to inside, from inside to outside, or it stays on one side. A ray that
-/// begins on the boundary enters or leaves by how it goes on. Surface: through the triangles there from their front, from
-/// behind, or neither.
+/// Where a ray goes at a hit. Solid: from outside to inside, from inside to outside, or it stays on one side. A ray
+/// that begins on the boundary enters or leaves by how it goes on. Surface: through the triangles there from their
+/// front, from behind, or neither.
 enum class RayHitKind : std::uint8_t { entering, leaving, touching };
 /// Its name in results: "entering".
 std::string_view name_of(RayHitKind kind);

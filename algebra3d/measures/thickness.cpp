@@ -16,7 +16,8 @@ FacetThickness thickness_behind(const Geometry& solid, FaceId face) {
   const Ray ray{corner + Rational(1, 3) * (u + v), cross(v, u)};
   const std::vector<RaySection> sections = sections_of(ray, solid);
   // Other triangles may touch the centroid. The ray is inside right behind it, and must leave.
-  const auto opposite = std::ranges::find_if(sections, [](const RaySection& section) { return section.first.sign() > 0; });
+  const auto opposite =
+      std::ranges::find_if(sections, [](const RaySection& section) { return section.first.sign() > 0; });
   return {face, ExactPoint(ray.origin), opposite->first * opposite->first * dot(ray.direction, ray.direction),
           opposite->face};
 }
@@ -27,8 +28,8 @@ Result<std::vector<FacetThickness>> facet_thicknesses(const Volume3d& solid, con
   constexpr std::size_t kTask = 64;
   const Geometry& geometry = solid.geometry();
   const Stage stage(monitor, "measuring thickness", geometry.mesh.face_count());
-  std::vector<FacetThickness> all = parallel_collect(
-      geometry.mesh.face_count(), kTask, [&](std::size_t begin, std::size_t end) {
+  std::vector<FacetThickness> all =
+      parallel_collect(geometry.mesh.face_count(), kTask, [&](std::size_t begin, std::size_t end) {
         std::vector<FacetThickness> part;
         Stage own(stage);
         for (std::size_t f = begin; f < end && own.begin_step(); ++f)

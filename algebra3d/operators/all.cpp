@@ -44,11 +44,11 @@ Registry make_registry() {
   registry.begin_family({"distances", "Distances of points, boxes, surfaces, solids and regions.", Cost::linear});
   register_distances(registry);
   register_hausdorff(registry);
-  registry.begin_family({"clashes and contacts", "Where and how much solids and surfaces overlap and touch.",
-                         Cost::arrangement});
+  registry.begin_family(
+      {"clashes and contacts", "Where and how much solids and surfaces overlap and touch.", Cost::arrangement});
   register_contacts(registry);
-  registry.begin_family({"rays and thickness", "Where rays meet surfaces and solids, and how thick solids are.",
-                         Cost::linear});
+  registry.begin_family(
+      {"rays and thickness", "Where rays meet surfaces and solids, and how thick solids are.", Cost::linear});
   register_rays(registry);
   registry.begin_family({"parts of solids", "The parts of a surface or solid.", Cost::linear});
   register_decomposition(registry);

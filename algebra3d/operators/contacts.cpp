@@ -71,8 +71,8 @@ Result<Maybe<ClashRows>> clash_row(Context& context, const OnDemand<A>& a, const
   if (clash)
     rows.emplace_back(std::string(name_of(clash->kind)),
                       clash->squared_depth ? root_of(*clash->squared_depth) : std::nullopt,
-                      root_of(clash->squared_distance), Point3d{clash->point},
-                      triangle_number<A>(clash->first_face), triangle_number<B>(clash->second_face));
+                      root_of(clash->squared_distance), Point3d{clash->point}, triangle_number<A>(clash->first_face),
+                      triangle_number<B>(clash->second_face));
   return Maybe(ClashRows(std::move(rows)));
 }
 
@@ -155,10 +155,11 @@ void register_contact_area(Registry& registry) {
       .syntax = "contactArea(_, _)",
       .doc = "The area that two surfaces, or the boundaries of solids or boxes, have in common, in squared coordinate "
              "units.",
-      .detail = "Of solids that touch it is the area of their contact; of solids that overlap, of all parts where faces "
-                "lie upon each other, on whichever sides the insides are. Coplanar faces are found exactly. The area in "
-                "each triangle of the first set has a relative error below 2^-100; the sum is rounded once. 0 if a set "
-                "is empty.",
+      .detail =
+          "Of solids that touch it is the area of their contact; of solids that overlap, of all parts where faces "
+          "lie upon each other, on whichever sides the insides are. Coplanar faces are found exactly. The area in "
+          "each triangle of the first set has a relative error below 2^-100; the sum is rounded once. 0 if a set "
+          "is empty.",
       .exactness = Exactness::two_ulp,
       .cost = Cost::linear,
       .overloads = contact_area_overloads(),
@@ -184,7 +185,8 @@ double volume_of_box(const Box3& box) {
 template <typename A, typename B>
 Result<double> common_volume_of(Context& context, const OnDemand<A>& a, const OnDemand<B>& b) {
   const Box3 first_box = a.header().box, second_box = b.header().box;
-  if constexpr (std::is_same_v<A, Box3> && std::is_same_v<B, Box3>) return volume_of_box(intersect(first_box, second_box));
+  if constexpr (std::is_same_v<A, Box3> && std::is_same_v<B, Box3>)
+    return volume_of_box(intersect(first_box, second_box));
   if (!first_box.intersects(second_box)) return 0.0;
   ALGEBRA3D_ASSIGN_OR_RETURN(const A first, a.load());
   ALGEBRA3D_ASSIGN_OR_RETURN(const B second, b.load());
@@ -214,8 +216,9 @@ void register_common_volume(Registry& registry) {
       .name = "commonVolume",
       .syntax = "commonVolume(_, _)",
       .doc = "The volume that two solids or boxes have in common, in cubed coordinate units.",
-      .detail = "That of their intersection, which is not made if they do not overlap, or one is inside the other. 0 if "
-                "they only touch, or one is empty.",
+      .detail =
+          "That of their intersection, which is not made if they do not overlap, or one is inside the other. 0 if "
+          "they only touch, or one is empty.",
       .exactness = Exactness::rounded_once,
       .sources = {"lien1984"},
       .overloads = common_volume_overloads(),

@@ -18,8 +18,8 @@
 namespace algebra3d {
 namespace {
 
-using RayRows = Rows<std::optional<double>, std::optional<double>, Point3d, Point3d, std::string,
-                     std::optional<std::int64_t>>;
+using RayRows =
+    Rows<std::optional<double>, std::optional<double>, Point3d, Point3d, std::string, std::optional<std::int64_t>>;
 
 std::optional<double> if_finite(double number) {
   return std::isfinite(number) ? std::optional(number) : std::nullopt;
@@ -85,15 +85,18 @@ void register_ray_hits(Registry& registry) {
   registry.add({
       .name = "rayHits",
       .syntax = "rayHits(_, _, _)",
-      .doc = "Where a ray meets a surface or the boundary of a solid or box, a row for each hit in ascending order (From: "
-             "real, To: real, First: point3d, Last: point3d, Kind: string, Triangle: int).",
+      .doc =
+          "Where a ray meets a surface or the boundary of a solid or box, a row for each hit in ascending order (From: "
+          "real, To: real, First: point3d, Last: point3d, Kind: string, Triangle: int).",
       .detail =
           "The ray begins at the point, with the parameter 0, and has the point plus the vector at the parameter 1. A "
           "hit is a point, or a run along faces or edges: From and To are the parameters of its ends, rounded once, "
-          "First and Last the exact ends. A hit in an edge or a vertex is one hit. Kind, for a solid: entering, leaving, or touching if "
+          "First and Last the exact ends. A hit in an edge or a vertex is one hit. Kind, for a solid: entering, "
+          "leaving, or touching if "
           "the ray stays on the same side; a ray that begins on the boundary enters or leaves by how it goes on. For a "
           "surface: entering through the front of all triangles there, leaving through their backs, or else touching. "
-          "Triangle is the lowest number, from 1, of those that hold the first point; undefined for boxes. Undefined for "
+          "Triangle is the lowest number, from 1, of those that hold the first point; undefined for boxes. Undefined "
+          "for "
           "the zero vector, and for boxes that are segments or points.",
       .exactness = Exactness::rounded_once,
       .frame_use = FrameUse::none,
@@ -144,9 +147,7 @@ void register_thickness(Registry& registry) {
       .cost = Cost::sorting,
       .sources = {"inui2016"},
       .overloads = {table<&thickness_rows>({"Triangle", "Point", "Thickness", "Opposite"}, "solid")},
-      .examples = {{{kCubeOfTwo}, "12", "(count _)"},
-                   {{"(volume3d ())"}, "()"},
-                   {{kUndefinedSolid}, "()"}},
+      .examples = {{{kCubeOfTwo}, "12", "(count _)"}, {{"(volume3d ())"}, "()"}, {{kUndefinedSolid}, "()"}},
       .errors = {{{"1"}, "facetThickness: expected (volume3d), got (int)"}},
   });
 }

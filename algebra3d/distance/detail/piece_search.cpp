@@ -35,7 +35,7 @@ double PieceSearch::largest_coordinate(const Box3& box) {
 void PieceSearch::take_sample(SampleId id, double rounding) {
   const SampledSet::Sample& sample = set_[id];
   const double lower = sample.lower - rounding;
-  if (!sample.counts || (!best_.is_none() && lower <= lower_ * (1 + 0x1p-44) + tolerance_ / 4)) return;
+  if (!best_.is_none() && lower <= lower_ * (1 + 0x1p-44) + tolerance_ / 4) return;
   best_ = id;
   lower_ = std::max(lower_, lower);
 }
@@ -49,9 +49,8 @@ Status PieceSearch::measure_vertices(const Monitor& monitor) {
     Stage own(stage);
     FaceId near(0);  // consecutive vertices are mostly near each other
     for (std::size_t i = task * kTask; i < std::min((task + 1) * kTask, count) && own.begin_step(); ++i) {
-      const HalfedgeId outgoing = from_.outgoing(VertexId(i));
-      if (!outgoing.is_valid()) continue;
-      samples[i] = set_.measured(from_.points().point(i), TriangleMesh::face(outgoing), near);
+      if (from_.is_isolated(VertexId(i))) continue;
+      samples[i] = set_.measured(from_.points().point(i), near);
       near = samples[i].nearest;
     }
   });
@@ -67,7 +66,7 @@ Status PieceSearch::refine(double at_least, const Monitor& monitor) {
   lower_ = std::max(lower_, at_least);
   for (std::size_t f = 0; f < from_.face_count(); ++f) {
     const auto [a, b, c] = from_.triangle(FaceId(f));
-    push({{SampleId(a), SampleId(b), SampleId(c)}, FaceId(f), kInfinity, 0});
+    push({{SampleId(a), SampleId(b), SampleId(c)}, kInfinity, 0});
   }
   std::size_t count = 0;
   while (!pieces_.empty() && !is_settled(pieces_.top().upper) && ++count < kMaxPieces) {
@@ -91,24 +90,8 @@ void PieceSearch::bound_by(FaceId face, const Corners& corners, double& least, F
   of_least = face;
 }
 
-/// From the corners that do not count: a point that does is farther from them than the set is.
-double PieceSearch::upper_bound_of_sides(const Corners& corners) const {
-  double least = kInfinity;
-  if (!set_.has_sides()) return least;
-  for (const SampleId corner : corners) {
-    if (set_[corner].counts) continue;
-    double longest = 0;
-    for (const SampleId other : corners)
-      longest = std::max(longest, length_between(position(corner), position(other)));
-    least = std::min(least, longest + 2 * rounding_ - set_[corner].lower);
-  }
-  return least;
-}
-
 /// Adds a piece whose bound is that of its parent, unless it need not be divided.
 void PieceSearch::push(Piece piece) {
-  piece.upper = std::min(piece.upper, upper_bound_of_sides(piece.corners));
-  if (is_settled(piece.upper)) return;
   double upper = kInfinity;
   FaceId face;
   for (const SampleId corner : piece.corners) bound_by(set_[corner].nearest, piece.corners, upper, face);
@@ -121,46 +104,50 @@ double PieceSearch::nearness(const Vec3& point, FaceId first, FaceId second) con
   return set_.bounds(point, second).upper - set_.bounds(point, first).upper;
 }
 
-/// A point of a segment, one end of which is nearer to the first face and the other to the second one, that is about
-/// equally far from both; nothing if it is too near an end to be worth a division.
-std::optional<Vec3> PieceSearch::equally_far(Vec3 near_first, Vec3 near_second, FaceId first, FaceId second) const {
-  constexpr double kLeastShare = 1.0 / 16;
+/// The share of a segment, from its end that is nearer to the first face, up to the point that is about equally far
+/// from both faces.
+double PieceSearch::share_near(const Vec3& near_first, const Vec3& near_second, FaceId first, FaceId second) const {
   double low = 0, high = 1;
   for (int step = 0; step < 52; ++step) {
     const double middle = (low + high) / 2;
     (nearness(between(near_first, near_second, middle), first, second) > 0 ? low : high) = middle;
-    if (low > 1 - kLeastShare || high < kLeastShare) return std::nullopt;
   }
-  return between(near_first, near_second, high);
+  return high;
 }
 
-SampleId PieceSearch::new_sample(const Piece& piece, const Vec3& point, FaceId near) {
-  const SampleId id = set_.add(set_.measured(ExactPoint(point), piece.face, near));
+SampleId PieceSearch::new_sample(const Vec3& point, FaceId near) {
+  const SampleId id = set_.add(set_.measured(ExactPoint(point), near));
   take_sample(id, rounding_);
   return id;
 }
 
 /// Divides a piece where it is equally far from two faces. False if no corners are clearly nearer to different ones, or
-/// if only a corner would be cut off.
+/// if only the tip at a corner would be cut off: that can go on for ever.
 bool PieceSearch::divide_between(const Piece& piece, FaceId first, FaceId second, Division& division) {
+  constexpr double kTip = 1.0 / 16;
   std::array<double, 3> nearer{};
   for (std::size_t i = 0; i < 3; ++i) {
     nearer[i] = nearness(position(piece.corners[i]), first, second);
     if (std::abs(nearer[i]) < tolerance_ / 4) nearer[i] = 0;
   }
-  const auto [least, largest] = std::ranges::minmax(nearer);
-  if (!(least < 0 && largest > 0)) return false;
+  std::array<std::optional<Vec3>, 3> cuts;  // of the edges from each corner to the next one
+  std::array<int, 3> cuts_near{};           // each corner
   for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t next = (i + 1) % 3;
-    const SampleId corner = piece.corners[i], other = piece.corners[next];
-    if (nearer[i] >= 0) division.first.push_back(corner);
-    if (nearer[i] <= 0) division.second.push_back(corner);
-    if (!(nearer[i] < 0 && nearer[next] > 0) && !(nearer[i] > 0 && nearer[next] < 0)) continue;
-    const bool begins_near_first = nearer[i] > 0;
-    const std::optional<Vec3> point = equally_far(position(begins_near_first ? corner : other),
-                                                  position(begins_near_first ? other : corner), first, second);
-    if (!point) return false;
-    const SampleId cut = new_sample(piece, *point, first);
+    std::size_t from = i, to = (i + 1) % 3;
+    if (nearer[from] < nearer[to]) std::swap(from, to);
+    if (!(nearer[from] > 0 && nearer[to] < 0)) continue;
+    const Vec3 begin = position(piece.corners[from]), end = position(piece.corners[to]);
+    const double share = share_near(begin, end, first, second);
+    cuts[i] = between(begin, end, share);
+    if (share < kTip) ++cuts_near[from];
+    if (share > 1 - kTip) ++cuts_near[to];
+  }
+  if (cuts == decltype(cuts){} || std::ranges::max(cuts_near) == 2) return false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (nearer[i] >= 0) division.first.push_back(piece.corners[i]);
+    if (nearer[i] <= 0) division.second.push_back(piece.corners[i]);
+    if (!cuts[i]) continue;
+    const SampleId cut = new_sample(*cuts[i], first);
     division.first.push_back(cut);
     division.second.push_back(cut);
   }
@@ -176,14 +163,14 @@ void PieceSearch::halve(const Piece& piece, Division& division) {
     length = std::max(length, own);
   }
   const SampleId a = piece.corners[longest], b = piece.corners[(longest + 1) % 3], c = piece.corners[(longest + 2) % 3];
-  const SampleId middle = new_sample(piece, between(position(a), position(b), 0.5), set_[a].nearest);
+  const SampleId middle = new_sample(between(position(a), position(b), 0.5), set_[a].nearest);
   division.first = {a, middle, c};
   division.second = {middle, b, c};
 }
 
 void PieceSearch::push_polygon(const std::vector<SampleId>& polygon, const Piece& parent) {
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-    push({{polygon[0], polygon[i], polygon[i + 1]}, parent.face, parent.upper, parent.depth + 1});
+    push({{polygon[0], polygon[i], polygon[i + 1]}, parent.upper, parent.depth + 1});
 }
 
 void PieceSearch::divide(const Piece& piece) {
@@ -193,7 +180,7 @@ void PieceSearch::divide(const Piece& piece) {
   for (const SampleId corner : piece.corners) bound_by(set_[corner].nearest, piece.corners, upper, best);
   const Vec3 middle = between(position(piece.corners[0]), position(piece.corners[1]), 0.5);
   const SampleId centre =
-      new_sample(piece, between(middle, position(piece.corners[2]), 1.0 / 3), set_[piece.corners[0]].nearest);
+      new_sample(between(middle, position(piece.corners[2]), 1.0 / 3), set_[piece.corners[0]].nearest);
   bound_by(set_[centre].nearest, piece.corners, upper, best);
   if (is_settled(std::min(upper + rounding_, piece.upper))) return;
 
@@ -204,11 +191,8 @@ void PieceSearch::divide(const Piece& piece) {
   Division division;
   // Then twice in the middle, so that pieces shrink whatever the faces are.
   const bool is_divided = piece.depth % 4 < 2 && divide_between(piece, best, set_[farthest].nearest, division);
-  if (!is_divided) {
-    division = {};
-    halve(piece, division);
-  }
-  const Piece parent{piece.corners, piece.face, std::min(upper + rounding_, piece.upper), piece.depth};
+  if (!is_divided) halve(piece, division);
+  const Piece parent{piece.corners, std::min(upper + rounding_, piece.upper), piece.depth};
   push_polygon(division.first, parent);
   push_polygon(division.second, parent);
 }

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <queue>
 #include <vector>
 
@@ -21,7 +20,7 @@ class PieceSearch {
   /// `box` holds both sets.
   PieceSearch(const FarthestSearch& search, const Box3& box)
       : from_(*search.from.mesh),
-        set_(search.to, box, search.counts),
+        set_(search.to, box),
         rounding_(kRoundings * largest_coordinate(box) + kLeast),
         tolerance_(kTolerance * largest_coordinate(box) + 4 * kLeast) {}
 
@@ -30,9 +29,9 @@ class PieceSearch {
   /// Divides pieces until none can have a point that is clearly farther than `at_least` and the best sample.
   Status refine(double at_least, const Monitor& monitor);
 
-  /// The best sample that counts; none if no sample counts.
+  /// The best sample.
   SampleId best() const { return best_; }
-  /// A lower bound of the largest distance; 0 if no sample counts.
+  /// A lower bound of the largest distance.
   double lower_bound() const { return lower_; }
   /// An upper bound, after `refine`.
   double upper_bound() const { return upper_; }
@@ -48,7 +47,6 @@ class PieceSearch {
   using Corners = std::array<SampleId, 3>;
   struct Piece {
     Corners corners;
-    FaceId face;  // of which it is a part
     double upper;
     std::uint32_t depth;
     friend bool operator<(const Piece& a, const Piece& b) { return a.upper < b.upper; }
@@ -63,15 +61,14 @@ class PieceSearch {
   void push(Piece piece);
   bool is_settled(double upper) const { return upper <= lower_ * (1 + kRelative) + tolerance_; }
   void bound_by(FaceId face, const Corners& corners, double& least, FaceId& of_least) const;
-  double upper_bound_of_sides(const Corners& corners) const;
   void divide(const Piece& piece);
   bool divide_between(const Piece& piece, FaceId first, FaceId second, Division& division);
   void halve(const Piece& piece, Division& division);
   void push_polygon(const std::vector<SampleId>& polygon, const Piece& parent);
-  SampleId new_sample(const Piece& piece, const Vec3& point, FaceId near);
+  SampleId new_sample(const Vec3& point, FaceId near);
   Vec3 position(SampleId id) const { return set_[id].point.approx(); }
   double nearness(const Vec3& point, FaceId first, FaceId second) const;
-  std::optional<Vec3> equally_far(Vec3 near_first, Vec3 near_second, FaceId first, FaceId second) const;
+  double share_near(const Vec3& near_first, const Vec3& near_second, FaceId first, FaceId second) const;
 
   const TriangleMesh& from_;
   SampledSet set_;

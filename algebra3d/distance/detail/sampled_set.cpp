@@ -18,15 +18,10 @@ DistanceBounds SampledSet::bounds(const PointRef& point, FaceId face) const {
   return rounded_.bounds(simplex_of(point), Simplex::of_face(*to_.mesh, face));
 }
 
-SampledSet::Sample SampledSet::measured(ExactPoint point, FaceId face, FaceId near) const {
+SampledSet::Sample SampledSet::measured(ExactPoint point, FaceId near) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Sample sample{std::move(point), face, near, kInfinity, kInfinity, true};
+  Sample sample{std::move(point), near, kInfinity, kInfinity};
   const PointRef place = sample.point;
-  if (counts_) sample.counts = counts_(place);
-  if (!sample.counts && !bounds_of_set_.contains(place.approx)) {
-    sample.lower = distance(Box3::of(place.approx), bounds_of_set_) * (1 - 0x1p-48);
-    return sample;
-  }
   const auto visit = [&](FaceId other) {
     const DistanceBounds bounds = this->bounds(place, other);
     sample.lower = std::min(sample.lower, bounds.lower);

@@ -37,8 +37,8 @@ void link_at_edge(const TriangleMesh& mesh, std::span<const HalfedgeId> edge, Di
     std::optional<HalfedgeId> next;
     for (const HalfedgeId forward : edge) {
       if (mesh.origin(forward) != begin) continue;
-      if (!next || compare_around_edge(mesh.point(begin), mesh.point(end), third(backward), third(forward),
-                                       third(*next)) < 0)
+      if (!next ||
+          compare_around_edge(mesh.point(begin), mesh.point(end), third(backward), third(forward), third(*next)) < 0)
         next = forward;
     }
     if (next) linked.unite(TriangleMesh::face(backward), TriangleMesh::face(*next));
@@ -65,16 +65,15 @@ Result<std::vector<Shell>> shells_of(const TriangleMesh& mesh, const Monitor& mo
   SubmeshMaker maker(mesh);
   for (Shell& shell : shells) {
     shell.mesh = maker.make(shell.faces);
-    ALGEBRA3D_ASSIGN_OR_RETURN(
-        shell.volume, exact_volume(shell.mesh.points(), triangles_of(shell.mesh), monitor.cancel()));
+    ALGEBRA3D_ASSIGN_OR_RETURN(shell.volume,
+                               exact_volume(shell.mesh.points(), triangles_of(shell.mesh), monitor.cancel()));
   }
   return shells;
 }
 
 /// Inner points of a triangle, all different.
 ExactPoint inner_point(const TriangleRef& triangle, std::int64_t attempt) {
-  const RationalVec3 sum =
-      triangle[0].rational() + triangle[1].rational() + Rational(attempt) * triangle[2].rational();
+  const RationalVec3 sum = triangle[0].rational() + triangle[1].rational() + Rational(attempt) * triangle[2].rational();
   return ExactPoint(Rational(1, attempt + 2) * sum);
 }
 

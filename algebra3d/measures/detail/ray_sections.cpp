@@ -131,16 +131,15 @@ std::vector<RaySection> sections_of(const Ray& ray, const Geometry& geometry) {
   std::vector<RaySection> sections;
   const RayFilter boxes(ray);
   const LineFilter line(ray);
-  geometry.hierarchy().for_each_where(
-      [&](const Box3& box) { return boxes.may_meet(box); },
-      [&](std::uint32_t face) {
-        const TriangleRef triangle = geometry.mesh.corners(FaceId(face));
-        if (!line.may_meet(triangle)) return;
-        std::optional<RaySection> section = section_of_triangle(ray, triangle);
-        if (!section) return;
-        section->face = FaceId(face);
-        sections.push_back(*std::move(section));
-      });
+  geometry.hierarchy().for_each_where([&](const Box3& box) { return boxes.may_meet(box); },
+                                      [&](std::uint32_t face) {
+                                        const TriangleRef triangle = geometry.mesh.corners(FaceId(face));
+                                        if (!line.may_meet(triangle)) return;
+                                        std::optional<RaySection> section = section_of_triangle(ray, triangle);
+                                        if (!section) return;
+                                        section->face = FaceId(face);
+                                        sections.push_back(*std::move(section));
+                                      });
   std::ranges::sort(sections, {}, [](const RaySection& section) { return std::tie(section.first, section.face); });
   return sections;
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <random>
@@ -90,16 +91,23 @@ TEST(FarthestPoint, EquallyFarFromThreePoints) {
   expect_bound(point);
 }
 
-TEST(FarthestPoint, OnlyOneSideCounts) {
-  // Below the plate: the tip at depth 2; above it the other corners are farther.
-  const Set from({{0, 0, -2}, {1, 0, 9}, {-1, 0, 9}}, {{0, 1, 2}}), to = plate(-20, -20, 40, 0, 3, false);
-  FarthestSearch search{from.operand(), to.operand(), [](const PointRef& p) { return p.approx.z < 0; }};
-  const FarthestPoint point = farthest_point({&search, 1}).value().value();
-  EXPECT_EQ(point.squared_distance, 4);
+TEST(FarthestPoint, TheFarthestOfSeveralSearches) {
+  const Set low = plate(0, 0, 1, 1, 1, false), high = plate(0, 0, 1, 5, 1, false),
+            ground = plate(-1, -1, 3, 0, 2, true);
+  const std::array<FarthestSearch, 2> searches{{{low.operand(), ground.operand()}, {high.operand(), ground.operand()}}};
+  const auto point = farthest_point(searches).value();
+  EXPECT_EQ(point->squared_distance, 25);
+  EXPECT_EQ(point->search, 1U);
+  EXPECT_FALSE(farthest_point({}).value());
+}
+
+TEST(FarthestPoint, AnEdgeBesideARidge) {
+  // The plate begins at y = 0; the points that are equally far from both rails are at y = 5e-8.
+  const Set to({{-9, -5, 0}, {9, -5, 0}, {-9, 5 + 1e-7, 0}, {9, 5 + 1e-7, 0}}, {{0, 1, 1}, {2, 3, 3}});
+  const FarthestPoint point = farthest(plate(-4, 0, 8, 12, 5, false), to);
   expect_bound(point);
-  const Set above({{0, 0, 1}, {1, 0, 9}, {-1, 0, 9}}, {{0, 1, 2}});
-  search.from = above.operand();
-  EXPECT_FALSE(farthest_point({&search, 1}).value());
+  EXPECT_GE(point.upper_bound, std::hypot(12, 5 + 5e-8) * (1 - 0x1p-50));
+  EXPECT_LE(distance_of(point), std::hypot(12, 5 + 5e-8) * (1 + 0x1p-50));
 }
 
 TEST(FarthestPoint, RandomSetsAgainstSamples) {
@@ -109,7 +117,8 @@ TEST(FarthestPoint, RandomSetsAgainstSamples) {
     const auto draw = [&](int count) {
       std::vector<Vec3> points;
       std::vector<TriangleMesh::Triangle> triangles;
-      for (int i = 0; i < 3 * count; ++i) points.push_back({coordinate(random), coordinate(random), coordinate(random)});
+      for (int i = 0; i < 3 * count; ++i)
+        points.push_back({coordinate(random), coordinate(random), coordinate(random)});
       for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(count); ++i)
         triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
       return Set(std::move(points), std::move(triangles));
@@ -126,8 +135,7 @@ TEST(FarthestPoint, RandomSetsAgainstSamples) {
           const double u = double(i) / kSteps, v = double(j) / kSteps;
           const Set sample({t[0].approx + u * (t[1].approx - t[0].approx) + v * (t[2].approx - t[0].approx)},
                            {{0, 0, 0}});
-          const double distance =
-              (*closest_points(sample.operand(), b.operand()))->squared_distance.nearest_root();
+          const double distance = (*closest_points(sample.operand(), b.operand()))->squared_distance.nearest_root();
           sampled = std::max(sampled, distance);
         }
     EXPECT_LE(sampled, point.upper_bound + 1e-12);

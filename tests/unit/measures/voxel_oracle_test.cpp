@@ -63,7 +63,8 @@ std::string expected_kind(const Voxels& a, const Voxels& b, int squared_clearanc
   return divides(a, b) || divides(b, a) ? "piercing" : "protrusion";
 }
 
-/// A lower bound of the depth: points of the boundary of `of` every half unit, inside `within`, against its unit squares.
+/// A lower bound of the depth: points of the boundary of `of` every half unit, inside `within`, against its unit
+/// squares.
 double sampled_depth(const Voxels& of, const Voxels& within) {
   double deepest = 0;
   const auto squares = within.boundary();
@@ -118,8 +119,7 @@ TEST(VoxelOracle, Pairs) {
     expect_clash(a, b, first, second, frame);
     expect_clash(b, a, second, first, frame);
 
-    EXPECT_EQ(*common_volume(first, second),
-              Rational(a.common_count(b)) * frame.factor * frame.factor * frame.factor);
+    EXPECT_EQ(*common_volume(first, second), Rational(a.common_count(b)) * frame.factor * frame.factor * frame.factor);
     const auto own = a.boundary(), other = b.boundary();
     std::size_t common_squares = 0;
     for (const auto& square : own) common_squares += other.contains(square) ? 1 : 0;
@@ -139,9 +139,7 @@ struct ExpectedHit {
 /// Of a ray that begins at a multiple of half a unit, and moves by a quarter along some axes with each step: it meets
 /// planes of the grid after whole numbers of steps, and what lies between them after others.
 std::vector<ExpectedHit> expected_hits(const Voxels& set, const Cell& begin, const Cell& step, int count) {
-  const auto at = [&](int i) {
-    return Cell{begin[0] + i * step[0], begin[1] + i * step[1], begin[2] + i * step[2]};
-  };
+  const auto at = [&](int i) { return Cell{begin[0] + i * step[0], begin[1] + i * step[1], begin[2] + i * step[2]}; };
   std::vector<ExpectedHit> hits;
   for (int i = 0; i <= count; ++i) {
     if (set.place(at(i)) != Place::boundary) continue;
@@ -202,7 +200,8 @@ TEST(VoxelOracle, ThicknessIsAWholeNumberOfCells) {
     for (const FacetThickness& facet : *all) {
       // Count cells along the normal from the cell behind the centroid.
       const TriangleRef triangle = solid.mesh().corners(facet.face);
-      const RationalVec3 p = triangle[0].rational(), normal = cross(triangle[1].rational() - p, triangle[2].rational() - p);
+      const RationalVec3 p = triangle[0].rational(),
+                         normal = cross(triangle[1].rational() - p, triangle[2].rational() - p);
       const std::size_t axis = normal.x.sign() != 0 ? 0 : normal.y.sign() != 0 ? 1 : 2;
       std::array<std::vector<int>, 3> candidates;
       const RationalVec3 centroid = facet.centroid.rational();
