@@ -320,6 +320,16 @@ void BoxHierarchy::push_near_children(const BoxHierarchy& other, const FrameChan
     std::swap(stack[first_new], stack[first_new + 1]);
 }
 
+void BoxHierarchy::push_near_children(const Node& node, const Box& where, std::vector<NearNode>& stack) const {
+  const std::vector<Box>& below = levels_[node.level - 1].boxes;
+  const auto end = std::min(2 * node.index + 2, static_cast<std::uint32_t>(below.size()));
+  const std::size_t first_new = stack.size();
+  for (std::uint32_t child = 2 * node.index; child < end; ++child)
+    stack.push_back({{node.level - 1, child}, squared_gap(below[child], where)});
+  if (stack.size() == first_new + 2 && stack[first_new].squared_gap < stack[first_new + 1].squared_gap)
+    std::swap(stack[first_new], stack[first_new + 1]);
+}
+
 template <typename BoxOfFace>
 void BoxHierarchy::sort_faces(const BoxOfFace& box_of_face) {
   const auto code_of = [&](std::size_t i) {

@@ -78,12 +78,23 @@ class BoxHierarchy {
   template <typename Visit, typename Pause>
   void for_each_near_pair_with(const BoxHierarchy& other, double reach, Visit visit, Pause pause) const;
 
+  /// Calls visit(f) for faces near a place (a box around a point), near ones first where the boxes tell. It returns a
+  /// distance, as above: faces whose boxes are farther from the place are left out from then on, all at the beginning
+  /// that are farther than `reach`.
+  template <typename Visit>
+  void for_each_near(const Box3& where, double reach, Visit visit) const;
+
   /// A box around all faces, slightly larger than the smallest one; empty without faces.
   Box3 bounds() const;
 
   /// Calls visit(f) for each face whose box meets `box`, until it returns false.
   template <typename Visit>
   void for_each_meeting(const Box3& box, Visit visit) const;
+
+  /// Calls visit(f) for each face whose box passes a test; `test` is called with a box around that of the face, and
+  /// around those of all nodes above it. It must be true for every box around one for which it is true.
+  template <typename Test, typename Visit>
+  void for_each_where(const Test& test, Visit visit) const;
 
   /// Calls visit(f) for each face whose box meets the vertical ray from `where` (a box around a point in the mesh's
   /// box), upwards if `upward` is positive, else downwards; `where` itself belongs to the ray.
@@ -162,6 +173,12 @@ class BoxHierarchy {
   };
   void push_near_children(const BoxHierarchy& other, const FrameChange& change, const NearPair& pair,
                           std::vector<NearPair>& stack) const;
+  /// A node, and a lower bound of its squared distance from a place, in this frame.
+  struct NearNode : Node {
+    double squared_gap;
+  };
+  /// Pushes the children of an inner node, the nearest one on top.
+  void push_near_children(const Node& node, const Box& where, std::vector<NearNode>& stack) const;
   /// A lower bound of the squared distance of what the boxes stand for, in this frame.
   static double squared_gap(const Box& own, const Box& other);
   /// The square of a length in coordinate units, in this frame, rounded up.
@@ -371,6 +388,30 @@ void BoxHierarchy::for_each_near_pair_with(const BoxHierarchy& other, double rea
 }
 
 template <typename Visit>
+void BoxHierarchy::for_each_near(const Box3& where, double reach, Visit visit) const {
+  if (faces_.empty()) return;
+  const Box place = scaled(where);
+  double limit = squared_in_frame(reach);
+  std::vector<NearNode> stack{{{static_cast<std::uint32_t>(levels_.size() - 1), 0}, 0}};
+  while (!stack.empty()) {
+    const NearNode node = stack.back();
+    stack.pop_back();
+    if (node.squared_gap > limit) continue;
+    if (node.level > 0) {
+      push_near_children(node, place, stack);
+      continue;
+    }
+    const std::size_t begin = node.index * kLeafSize, end = std::min(begin + kLeafSize, faces_.size());
+    for (std::size_t i = begin; i < end; ++i) {
+      if (squared_gap(face_boxes_[i], place) > limit) continue;
+      const double farthest = visit(faces_[i]);
+      if (farthest < 0) return;
+      limit = squared_in_frame(farthest);
+    }
+  }
+}
+
+template <typename Visit>
 void BoxHierarchy::visit_window(const Box& window, Visit& visit) const {
   if (faces_.empty()) return;
   // Depth-first search: at most one sibling of each level waits.
@@ -395,6 +436,26 @@ void BoxHierarchy::visit_window(const Box& window, Visit& visit) const {
 template <typename Visit>
 void BoxHierarchy::for_each_meeting(const Box3& box, Visit visit) const {
   visit_window(scaled(box), visit);
+}
+
+template <typename Test, typename Visit>
+void BoxHierarchy::for_each_where(const Test& test, Visit visit) const {
+  if (faces_.empty()) return;
+  std::vector<Node> stack{{static_cast<std::uint32_t>(levels_.size() - 1), 0}};
+  while (!stack.empty()) {
+    const Node node = stack.back();
+    stack.pop_back();
+    if (!test(unscaled(levels_[node.level].boxes[node.index]))) continue;
+    if (node.level > 0) {
+      const auto child_count = static_cast<std::uint32_t>(levels_[node.level - 1].boxes.size());
+      for (std::uint32_t child = std::min(2 * node.index + 2, child_count); child-- > 2 * node.index;)
+        stack.push_back({node.level - 1, child});
+      continue;
+    }
+    const std::size_t begin = node.index * kLeafSize, end = std::min(begin + kLeafSize, faces_.size());
+    for (std::size_t i = begin; i < end; ++i)
+      if (test(unscaled(face_boxes_[i]))) visit(faces_[i]);
+  }
 }
 
 template <typename Visit>

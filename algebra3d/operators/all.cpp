@@ -45,6 +45,13 @@ Registry make_registry() {
   register_spatial_relations(registry);
   registry.begin_family({"distances", "Distances of points, boxes, surfaces, solids and regions.", Cost::linear});
   register_distances(registry);
+  register_hausdorff(registry);
+  registry.begin_family(
+      {"clashes and contacts", "Where and how much solids and surfaces overlap and touch.", Cost::arrangement});
+  register_contacts(registry);
+  registry.begin_family(
+      {"rays and thickness", "Where rays meet surfaces and solids, and how thick solids are.", Cost::linear});
+  register_rays(registry);
   registry.begin_family(
       {"enclosing shapes", "Convex shapes around points, boxes, surfaces and solids.", Cost::sorting});
   register_enclosing_shapes(registry);

@@ -17,10 +17,6 @@
 namespace algebra3d {
 namespace {
 
-bool is_either_empty(const GeometryHeader& a, const GeometryHeader& b) {
-  return a.box.is_empty() || b.box.is_empty();
-}
-
 const Undefined kNoDistance{"the empty set has no distance"};
 
 template <typename A, typename B>

@@ -14,6 +14,8 @@ std::string_view describe(Exactness exactness) {
       return "within 2 units in the last place";
     case Exactness::outward:
       return "the exact result, rounded outward";
+    case Exactness::bounded:
+      return "within the bound of the description";
     case Exactness::reported:
       return "off by no more than a diagnostic says";
     case Exactness::not_numeric:

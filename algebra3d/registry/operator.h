@@ -21,6 +21,7 @@ enum class Exactness : std::uint8_t {
   rounded_once,  ///< the exact result, rounded once to doubles
   two_ulp,       ///< within two units in the last place of the exact result
   outward,       ///< a box around the exact result, each bound the nearest double outward
+  bounded,       ///< the error is at most that in the description
   reported,      ///< the error is at most that in a diagnostic
   not_numeric,   ///< nothing is computed that could be inexact
 };

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "algebra3d/distance/distance.h"
-#include "algebra3d/spatial_relations/detail/boundary_faces.h"
+#include "algebra3d/spatial_relations/boundary_faces.h"
 
 namespace algebra3d {
 namespace {

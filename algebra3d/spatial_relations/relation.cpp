@@ -4,6 +4,7 @@
 #include <concepts>
 #include <utility>
 
+#include "algebra3d/spatial_relations/box_meshes.h"
 #include "algebra3d/spatial_relations/detail/box_relation.h"
 #include "algebra3d/spatial_relations/detail/findings.h"
 #include "algebra3d/spatial_relations/detail/mesh_relation.h"

@@ -41,6 +41,10 @@ inline Result<SpatialSet> set_of(const Region& region, Context& context) {
   return SpatialSet(Surface3d::trusted(std::move(mesh)));
 }
 
+inline bool is_either_empty(const GeometryHeader& a, const GeometryHeader& b) {
+  return a.box.is_empty() || b.box.is_empty();
+}
+
 /// Loads both and calls ask(a, b).
 template <typename A, typename B, typename Ask>
 auto ask_loaded(Context& context, const OnDemand<A>& a, const OnDemand<B>& b, const Ask& ask)

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "algebra3d/base/box_corners.h"
+#include "algebra3d/spatial_relations/box_meshes.h"
 
 namespace algebra3d {
 namespace {
@@ -33,21 +33,7 @@ std::vector<Box3> sides_of(const Box3& box) {
   return result;
 }
 
-TriangleMesh mesh_of_corners(const Box3& box, std::span<const unsigned> corners,
-                             std::span<const IndexTriangle> triangles) {
-  PointArray points;
-  points.reserve(corners.size());
-  for (const unsigned corner : corners) points.push_back(PointRef(ExactPoint(corner_of(box, corner))));
-  return {std::move(points), triangles};
-}
-
 }  // namespace
-
-int dimension_of(const Box3& box) {
-  int dimension = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) dimension += is_flat(box, axis) ? 0 : 1;
-  return dimension;
-}
 
 void relate_boxes(const Box3& first, const Box3& second, Findings& findings) {
   if (!second.contains(first)) findings.add_leaving(Role::first);
@@ -65,19 +51,6 @@ void relate_boxes(const Box3& first, const Box3& second, Findings& findings) {
   for (const Box3& a : sides_of(first))
     for (const Box3& b : sides_of(second))
       if (a.intersects(b)) findings.add_common_boundary(dimension_of(intersect(a, b)));
-}
-
-Volume3d solid_of_box(const Box3& box) {
-  constexpr std::array<unsigned, 8> kCorners{0, 1, 2, 3, 4, 5, 6, 7};
-  return Volume3d::trusted(mesh_of_corners(box, kCorners, kBoxTriangles));
-}
-
-Surface3d surface_of_box(const Box3& box) {
-  constexpr std::array<IndexTriangle, 2> kTriangles{{{0, 1, 3}, {0, 3, 2}}};
-  // Bits of the corners along the two axes with an extent.
-  const unsigned first = is_flat(box, 0) ? 2U : 1U, second = is_flat(box, 2) ? 2U : 4U;
-  const std::array<unsigned, 4> corners{0, first, second, first | second};
-  return Surface3d::trusted(mesh_of_corners(box, corners, kTriangles));
 }
 
 }  // namespace algebra3d

@@ -4,18 +4,12 @@
 
 #include <atomic>
 
+#include "unit/distance/triangle_set.h"
+
 namespace algebra3d {
 namespace {
 
-/// A set with its hierarchy.
-struct Set {
-  TriangleMesh mesh;
-  BoxHierarchy hierarchy;
-
-  Set(std::vector<Vec3> points, std::vector<TriangleMesh::Triangle> triangles)
-      : mesh(PointArray(std::move(points)), triangles), hierarchy(mesh) {}
-  DistanceOperand operand() const { return {&mesh, &hierarchy}; }
-};
+using Set = TriangleSet;
 
 ClosestPoints closest(const Set& a, const Set& b) {
   return closest_points(a.operand(), b.operand()).value().value();

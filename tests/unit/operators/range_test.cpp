@@ -17,15 +17,16 @@ namespace {
 using ranges::is_shape;
 
 /// Of numbers: the power of the scale that belongs to them. Shapes have that of lengths.
-const std::map<std::string_view, int> kDegrees = {{"area", 2},   {"areaExact", 2},   {"bboxDistance", 1}, {"cross", 2},
-                                                  {"dot", 2},    {"distance", 1},    {"getx", 1},         {"gety", 1},
-                                                  {"getz", 1},   {"length", 1},      {"maxD", 1},         {"minD", 1},
-                                                  {"volume", 3}, {"volumeExact", 3}, {"perimeter", 1}};
-/// No law: a text with coordinates in it, one of several points that would do, or files, which hold floats or what
-/// another operator has written.
-const std::set<std::string_view> kLawless = {"commonPoint", "closestPoints", "region2wkt", "exportSTL",
-                                             "exportOBJ",   "exportOFF",     "importSTL",  "importOBJ",
-                                             "importOFF",   "importSurface"};
+const std::map<std::string_view, int> kDegrees = {
+    {"area", 2},           {"areaExact", 2}, {"bboxDistance", 1}, {"cross", 2},        {"dot", 2},
+    {"distance", 1},       {"getx", 1},      {"gety", 1},         {"commonVolume", 3}, {"contactArea", 2},
+    {"facetThickness", 1}, {"rayHits", 0},   {"thickness", 1},    {"getz", 1},         {"length", 1},
+    {"maxD", 1},           {"minD", 1},      {"volume", 3},       {"volumeExact", 3},  {"perimeter", 1}};
+/// No law: a text with coordinates in it, one of several points that would do, a number within a bound, or files, which
+/// hold floats or what another operator has written.
+const std::set<std::string_view> kLawless = {"commonPoint", "closestPoints", "clash",     "hausdorffDistance",
+                                             "region2wkt",  "exportSTL",     "exportOBJ", "exportOFF",
+                                             "importSTL",   "importOBJ",     "importOFF", "importSurface"};
 
 const Registry& range_registry() {
   static const Registry the_registry = make_registry();

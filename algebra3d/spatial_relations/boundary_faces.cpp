@@ -1,4 +1,4 @@
-#include "algebra3d/spatial_relations/detail/boundary_faces.h"
+#include "algebra3d/spatial_relations/boundary_faces.h"
 
 #include <utility>
 #include <vector>

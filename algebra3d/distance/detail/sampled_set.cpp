@@ -1,0 +1,55 @@
+#include "algebra3d/distance/detail/sampled_set.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace algebra3d::distances {
+namespace {
+
+Simplex simplex_of(const PointRef& point) {
+  return {{point, point, point}, 1};
+}
+
+}  // namespace
+
+DistanceBounds SampledSet::bounds(const PointRef& point, FaceId face) const {
+  return rounded_.bounds(simplex_of(point), Simplex::of_face(*to_.mesh, face));
+}
+
+SampledSet::Sample SampledSet::measured(ExactPoint point, FaceId near) const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Sample sample{std::move(point), near, kInfinity, kInfinity};
+  const PointRef place = sample.point;
+  const auto visit = [&](FaceId other) {
+    const DistanceBounds bounds = this->bounds(place, other);
+    sample.lower = std::min(sample.lower, bounds.lower);
+    if (bounds.upper < sample.upper) {
+      sample.upper = bounds.upper;
+      sample.nearest = other;
+    }
+    return sample.upper;
+  };
+  visit(near);
+  to_.hierarchy->for_each_near(box_of(place), sample.upper, [&](std::uint32_t other) { return visit(FaceId(other)); });
+  return sample;
+}
+
+std::pair<Rational, FaceId> SampledSet::exact_distance(SampleId id) const {
+  const Sample& sample = samples_[id.index()];
+  const PointRef place = sample.point;
+  std::optional<std::pair<Rational, FaceId>> nearest;
+  to_.hierarchy->for_each_near(box_of(place), sample.upper, [&](std::uint32_t face) {
+    const Simplex simplex = Simplex::of_face(*to_.mesh, FaceId(face));
+    const DistanceBounds bounds = rounded_.bounds(simplex_of(place), simplex);
+    if (bounds.lower > sample.upper) return sample.upper;
+    Rational squared = exact_closest(simplex_of(place), simplex, bounds.features).squared_distance;
+    const std::pair candidate(std::move(squared), FaceId(face));
+    if (!nearest || candidate < *nearest) nearest = candidate;
+    return sample.upper;
+  });
+  return *std::move(nearest);
+}
+
+}  // namespace algebra3d::distances

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "algebra3d/base/error.h"
+#include "algebra3d/base/monitor.h"
+#include "algebra3d/distance/distance.h"
+#include "algebra3d/exact/point.h"
+#include "algebra3d/exact/rational.h"
+
+namespace algebra3d {
+
+/// A search for the point of one set of triangles that is farthest from another one. Neither may be empty.
+struct FarthestSearch {
+  DistanceOperand from, to;
+};
+
+/// The farthest point that was found, and how far others can be at most.
+struct FarthestPoint {
+  ExactPoint point;           ///< of `from`, or within some roundings of its largest coordinate
+  FaceId nearest;             ///< the face of `to` that is nearest to it
+  Rational squared_distance;  ///< of this point; exact
+  std::size_t search = 0;     ///< index of the search that found it
+  double upper_bound = 0;     ///< no point is farther
+  bool is_bounded = true;     ///< false if the search ended before the upper bound was as near as it should be
+};
+
+/// The farthest point of all searches; nothing if there are none. Its distance is that of a vertex wherever a vertex
+/// is farthest, but for the bound. The upper bound exceeds the distance by no more than a billionth and 2^-44 of the
+/// largest coordinate, or else by what 2^22 parts of triangles for each search could not decide. Deterministic; the
+/// distance does not depend on the order of the searches. Errors: interrupted. Cost: a search in the hierarchy for each
+/// vertex, in parallel, and some for each triangle that may have a farther point than all vertices. Sources: [tang2009]
+/// for the bounds of a triangle's distance by that of its corners from one triangle; [guthe2005] for the search, best
+/// bounds first.
+Result<std::optional<FarthestPoint>> farthest_point(std::span<const FarthestSearch> searches,
+                                                    const Monitor& monitor = {});
+
+}  // namespace algebra3d

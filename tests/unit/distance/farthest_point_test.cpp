@@ -1,0 +1,157 @@
+// The largest distance of one set from another: cases by hand, and random sets against samples.
+#include "algebra3d/distance/farthest_point.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <random>
+
+#include "unit/distance/triangle_set.h"
+
+namespace algebra3d {
+namespace {
+
+using Set = TriangleSet;
+
+FarthestPoint farthest(const Set& from, const Set& to) {
+  const FarthestSearch search{from.operand(), to.operand()};
+  return farthest_point({&search, 1}).value().value();
+}
+
+double distance_of(const FarthestPoint& farthest) {
+  return farthest.squared_distance.nearest_root();
+}
+
+void expect_bound(const FarthestPoint& farthest) {
+  EXPECT_GE(farthest.upper_bound, distance_of(farthest));
+  EXPECT_LE(farthest.upper_bound, distance_of(farthest) * (1 + 0x1p-29) + 1e-10);
+}
+
+/// A rectangle at a height, of several squares, each divided along one of its diagonals.
+Set plate(double x, double y, double width, double z, int count, bool is_turned) {
+  std::vector<Vec3> points;
+  std::vector<TriangleMesh::Triangle> triangles;
+  const auto side = static_cast<std::uint32_t>(count + 1);
+  for (int i = 0; i <= count; ++i)
+    for (int j = 0; j <= count; ++j) points.push_back({x + i * width / count, y + j * width / count, z});
+  for (std::uint32_t i = 0; i + 1 < side; ++i)
+    for (std::uint32_t j = 0; j + 1 < side; ++j) {
+      const std::uint32_t a = i * side + j, b = a + side, c = b + 1, d = a + 1;
+      if (is_turned) {
+        triangles.push_back({a, b, d});
+        triangles.push_back({b, c, d});
+      } else {
+        triangles.push_back({a, b, c});
+        triangles.push_back({a, c, d});
+      }
+    }
+  return {std::move(points), std::move(triangles)};
+}
+
+TEST(FarthestPoint, AVertexIsFarthest) {
+  const Set from({{0, 0, 1}, {1, 0, 1}, {0, 0, 7}}, {{0, 1, 2}}), to = plate(-4, -4, 8, 0, 1, false);
+  const FarthestPoint point = farthest(from, to);
+  EXPECT_EQ(point.squared_distance, 49);
+  EXPECT_EQ(point.point, ExactPoint(Vec3{0, 0, 7}));
+  expect_bound(point);
+}
+
+TEST(FarthestPoint, ParallelPlatesOfDifferentTriangles) {
+  const Set from = plate(0, 0, 5, 0.375, 7, false), to = plate(-1, -1, 7, 0, 5, true);
+  const FarthestPoint point = farthest(from, to);
+  EXPECT_EQ(point.squared_distance, Rational(9, 64));
+  expect_bound(point);
+}
+
+TEST(FarthestPoint, TheSamePlateOfDifferentTriangles) {
+  const Set from = plate(0, 0, 5, 1, 7, false), to = plate(0, 0, 5, 1, 5, true);
+  const FarthestPoint point = farthest(from, to);
+  EXPECT_LE(distance_of(point), 1e-11);
+  expect_bound(point);
+}
+
+TEST(FarthestPoint, ARidgeBetweenTwoRails) {
+  // Rails along x at y = -3 and y = 7 and the height 12 below: all points of the plate with y = 2 are at 13.
+  const Set from = plate(0, 0, 4, 0, 3, false);
+  const Set to({{-9, -3, -12}, {9, -3, -12}, {-9, 7, -12}, {9, 7, -12}}, {{0, 1, 1}, {2, 3, 3}});
+  const FarthestPoint point = farthest(from, to);
+  EXPECT_NEAR(distance_of(point), 13, 13e-9);
+  EXPECT_GE(point.upper_bound, 13);
+  expect_bound(point);
+}
+
+TEST(FarthestPoint, EquallyFarFromThreePoints) {
+  // The circumcircle of the points has its centre at (0, 0) and the radius 5; 12 above it.
+  const Set from = plate(-2, -3, 6, 12, 1, true);
+  const Set to({{5, 0, 0}, {-3, 4, 0}, {-4, -3, 0}}, {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}});
+  const FarthestPoint point = farthest(from, to);
+  EXPECT_GE(distance_of(point), 13 - 13e-9);
+  expect_bound(point);
+}
+
+TEST(FarthestPoint, TheFarthestOfSeveralSearches) {
+  const Set low = plate(0, 0, 1, 1, 1, false), high = plate(0, 0, 1, 5, 1, false),
+            ground = plate(-1, -1, 3, 0, 2, true);
+  const std::array<FarthestSearch, 2> searches{{{low.operand(), ground.operand()}, {high.operand(), ground.operand()}}};
+  const auto point = farthest_point(searches).value();
+  EXPECT_EQ(point->squared_distance, 25);
+  EXPECT_EQ(point->search, 1U);
+  EXPECT_FALSE(farthest_point({}).value());
+}
+
+TEST(FarthestPoint, AnEdgeBesideARidge) {
+  // The plate begins at y = 0; the points that are equally far from both rails are at y = 5e-8.
+  const Set to({{-9, -5, 0}, {9, -5, 0}, {-9, 5 + 1e-7, 0}, {9, 5 + 1e-7, 0}}, {{0, 1, 1}, {2, 3, 3}});
+  const FarthestPoint point = farthest(plate(-4, 0, 8, 12, 5, false), to);
+  expect_bound(point);
+  EXPECT_GE(point.upper_bound, std::hypot(12, 5 + 5e-8) * (1 - 0x1p-50));
+  EXPECT_LE(distance_of(point), std::hypot(12, 5 + 5e-8) * (1 + 0x1p-50));
+}
+
+TEST(FarthestPoint, RandomSetsAgainstSamples) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> coordinate(0, 1);
+  for (int round = 0; round < 40; ++round) {
+    const auto draw = [&](int count) {
+      std::vector<Vec3> points;
+      std::vector<TriangleMesh::Triangle> triangles;
+      for (int i = 0; i < 3 * count; ++i)
+        points.push_back({coordinate(random), coordinate(random), coordinate(random)});
+      for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(count); ++i)
+        triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+      return Set(std::move(points), std::move(triangles));
+    };
+    const Set a = draw(3), b = draw(5);
+    const FarthestPoint point = farthest(a, b);
+    expect_bound(point);
+    constexpr int kSteps = 12;
+    double sampled = 0;
+    for (std::size_t f = 0; f < a.mesh.face_count(); ++f)
+      for (int i = 0; i <= kSteps; ++i)
+        for (int j = 0; i + j <= kSteps; ++j) {
+          const TriangleRef t = a.mesh.corners(FaceId(f));
+          const double u = double(i) / kSteps, v = double(j) / kSteps;
+          const Set sample({t[0].approx + u * (t[1].approx - t[0].approx) + v * (t[2].approx - t[0].approx)},
+                           {{0, 0, 0}});
+          const double distance = (*closest_points(sample.operand(), b.operand()))->squared_distance.nearest_root();
+          sampled = std::max(sampled, distance);
+        }
+    EXPECT_LE(sampled, point.upper_bound + 1e-12);
+    EXPECT_GE(sampled, distance_of(point) - 1.8 / kSteps);
+    const Set found({point.point.approx()}, {{0, 0, 0}});
+    EXPECT_EQ((*closest_points(found.operand(), b.operand()))->squared_distance, point.squared_distance);
+    EXPECT_LE((*closest_points(found.operand(), a.operand()))->squared_distance.nearest_root(), 1e-14);
+  }
+}
+
+TEST(FarthestPoint, CanBeCancelled) {
+  const std::atomic<bool> cancel = true;
+  const Set set = plate(0, 0, 1, 0, 1, false);
+  const FarthestSearch search{set.operand(), set.operand()};
+  EXPECT_EQ(farthest_point({&search, 1}, &cancel).error().code, ErrorCode::interrupted);
+}
+
+}  // namespace
+}  // namespace algebra3d
