@@ -125,7 +125,7 @@ class Data:
         counts = {what: int(count) for count, what in re.findall(r"(\d+) ([a-z ]+)", stages)}
         pairs = counts.get("pairs of boxes", counts.get("candidates by boxes", 0))
         print(f"{name:34} {seconds:8.2f} s  {tuples:9} results  {pairs:9} pairs of boxes  {pairs / seconds:10.0f} pairs/s  "
-              f"{counts.get('exact tests', 0) / max(1, pairs):8.1f} tests/pair\n    {stages}")
+              f"{counts.get('exact tests', 0) / max(1, pairs):8.1f} exact tests each\n    {stages}")
 
 
 def main():
