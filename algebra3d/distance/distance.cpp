@@ -93,6 +93,19 @@ Result<std::optional<ClosestPoints>> closest_points(const DistanceOperand& a, co
   return nearest_of(a, b, candidates, 0);
 }
 
+// The distance is that of one of the candidates, which are ordered by their lower bounds.
+Result<std::optional<DistanceRange>> distance_range(const DistanceOperand& a, const DistanceOperand& b, double reach,
+                                                    const Monitor& monitor) {
+  if (a.mesh->is_empty() || b.mesh->is_empty()) return std::optional<DistanceRange>();
+  constexpr double kNothing = -1;
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<CandidatePair> candidates,
+                             distances::find_candidates(a, b, reach, kNothing, monitor));
+  if (candidates.empty()) return std::optional<DistanceRange>();
+  DistanceRange range{candidates.front().bounds.lower, std::numeric_limits<double>::infinity()};
+  for (const CandidatePair& pair : candidates) range.upper = std::min(range.upper, pair.bounds.upper);
+  return std::optional(range);
+}
+
 Result<bool> are_within(const DistanceOperand& a, const DistanceOperand& b, const Rational& distance,
                         const Monitor& monitor) {
   if (a.mesh->is_empty() || b.mesh->is_empty()) return false;

@@ -34,6 +34,17 @@ struct ClosestPoints {
 Result<std::optional<ClosestPoints>> closest_points(const DistanceOperand& a, const DistanceOperand& b,
                                                     const Monitor& monitor = {});
 
+/// Two doubles between which a distance lies.
+struct DistanceRange {
+  double lower = 0, upper = 0;
+};
+
+/// Bounds of the distance, in coordinate units: the upper one is infinite beyond the range of doubles. Nothing if a set
+/// is empty, or if they are certainly farther apart than `reach`. Rounded arithmetic only: both are within some hundred
+/// roundings of the distance. Errors: interrupted. Cost: a small part of that of closest_points.
+Result<std::optional<DistanceRange>> distance_range(const DistanceOperand& a, const DistanceOperand& b, double reach,
+                                                    const Monitor& monitor = {});
+
 /// True if a point of one set is at most so far from one of the other; false if a set is empty. `distance` must not be
 /// negative. Exact. Errors: interrupted. Cost: as closest_points, and less where faces are clearly nearer.
 Result<bool> are_within(const DistanceOperand& a, const DistanceOperand& b, const Rational& distance,

@@ -239,13 +239,15 @@ BoxHierarchy::FrameChange BoxHierarchy::change_from(const BoxHierarchy& other) c
 
 std::vector<BoxHierarchy::CrossPair> BoxHierarchy::cross_roots(const BoxHierarchy& other,
                                                                const FrameChange& change) const {
-  constexpr std::size_t kEnough = 48;
+  // A small search is not worth the division.
+  constexpr std::size_t kEnough = 48, kFewLeaves = 64;
   std::vector<CrossPair> pairs, below;
   const Box other_root = changed(change, other.levels_.back().boxes[0]);
   if (levels_.back().boxes[0].meets(other_root))
     pairs.push_back({{static_cast<std::uint32_t>(levels_.size() - 1), 0},
                      {static_cast<std::uint32_t>(other.levels_.size() - 1), 0},
                      other_root});
+  if (leaf_count() <= kFewLeaves && other.leaf_count() <= kFewLeaves) return pairs;
   while (!pairs.empty() && pairs.size() < kEnough && pairs[0].own.level + pairs[0].other.level > 0) {
     below.clear();
     for (const CrossPair& pair : pairs) push_cross_children(other, change, pair, below);

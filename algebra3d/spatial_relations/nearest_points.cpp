@@ -44,6 +44,14 @@ Result<std::optional<Rational>> squared_distance_of(const SpatialSet& a, const S
   return std::optional(std::move(closest->squared_distance));
 }
 
+Result<std::optional<DistanceRange>> distance_range_of(const SpatialSet& a, const SpatialSet& b, double reach,
+                                                       const Monitor& monitor) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool meet, do_meet(a, b, monitor));
+  if (meet) return std::optional(DistanceRange{0, 0});
+  const BoundaryFaces first(a), second(b);
+  return distance_range(first.operand(), second.operand(), reach, monitor);
+}
+
 Result<bool> are_within(const SpatialSet& a, const SpatialSet& b, const Rational& distance, const Monitor& monitor) {
   if (distance.sign() < 0) return false;
   const BoundaryFaces first(a), second(b);

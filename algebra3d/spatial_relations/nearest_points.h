@@ -4,6 +4,7 @@
 
 #include "algebra3d/base/error.h"
 #include "algebra3d/base/monitor.h"
+#include "algebra3d/distance/distance.h"
 #include "algebra3d/exact/point.h"
 #include "algebra3d/exact/rational.h"
 #include "algebra3d/spatial_relations/relation.h"
@@ -29,6 +30,11 @@ Result<std::optional<NearestPoints>> nearest_points(const SpatialSet& a, const S
 /// do_meet if they meet.
 Result<std::optional<Rational>> squared_distance_of(const SpatialSet& a, const SpatialSet& b,
                                                     const Monitor& monitor = {});
+
+/// Bounds of the distance of the sets, both 0 if they meet; nothing if a set is empty, or if they are certainly farther
+/// apart than `reach`. Cost: that of do_meet, and of a search in rounded arithmetic.
+Result<std::optional<DistanceRange>> distance_range_of(const SpatialSet& a, const SpatialSet& b, double reach,
+                                                       const Monitor& monitor = {});
 
 /// True if the distance of the sets is at most `distance`; false if a set is empty or `distance` negative. Exact. Cost:
 /// as nearest_points, and less if the sets are clearly nearer or farther.

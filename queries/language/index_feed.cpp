@@ -42,8 +42,10 @@ Result<std::optional<std::vector<TupleId>>> ids_to_read(const Relation& relation
   if (!question) return ids;
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::int64_t count, relation.count());
   const auto tuple_count = static_cast<std::uint64_t>(count);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Datum index, objects.current_index(choice.index.name));
-  ALGEBRA3D_ASSIGN_OR_RETURN(ids, index_candidates(index, choice.index.type, *question, tuple_count));
+  // What is wrong with an index is no reason not to answer.
+  const Result<Datum> index = objects.current_index(choice.index.name);
+  if (!index) return ids;
+  ALGEBRA3D_ASSIGN_OR_RETURN(ids, index_candidates(*index, choice.index.type, *question, tuple_count));
   if (ids && !pays(ids->size(), tuple_count)) ids.reset();
   return ids;
 }

@@ -1,30 +1,56 @@
 #include "queries/store/detail/value_cache.h"
 
+#include <iterator>
+
 namespace queries {
 
 std::optional<algebra3d::Value> ValueCache::find(const ValuePlace& place) {
   const auto found = places_.find(place);
   if (found == places_.end()) return std::nullopt;
-  order_.splice(order_.begin(), order_, found->second);
+  keep(found->second, kept_.entries.begin());
   return found->second->value;
+}
+
+/// Moves an entry to those that are kept, before another one of them.
+void ValueCache::keep(Entries::iterator entry, Entries::iterator before) {
+  Order& from = entry->is_kept ? kept_ : new_;
+  from.bytes -= entry->bytes;
+  kept_.bytes += entry->bytes;
+  entry->is_kept = true;
+  kept_.entries.splice(before, from.entries, entry);
 }
 
 void ValueCache::add(const ValuePlace& place, const algebra3d::Value& value, std::uint64_t bytes) {
   if (places_.contains(place)) return;
-  order_.push_front({place, value, bytes});
-  places_.emplace(place, order_.begin());
-  bytes_ += bytes;
-  while (bytes_ > limit_ && order_.size() > 1) {
-    const auto oldest = places_.find(order_.back().place);
+  new_.entries.push_front({place, value, bytes});
+  places_.emplace(place, new_.entries.begin());
+  new_.bytes += bytes;
+  shrink();
+}
+
+// The newest value stays in any case.
+void ValueCache::shrink() {
+  while (bytes() > limit_ && places_.size() > 1) {
+    const bool has_older_new = new_.entries.size() > 1;
+    if (has_older_new && (new_.bytes > limit_ / 4 || kept_.entries.empty())) {
+      // While little is kept, what comes first fills the cache.
+      const bool has_room = kept_.bytes + new_.entries.back().bytes <= limit_ - limit_ / 4;
+      if (has_room || ++unasked_count_ % kPromoted == 0) {
+        keep(std::prev(new_.entries.end()), has_room ? kept_.entries.end() : kept_.entries.begin());
+        continue;
+      }
+    }
+    Order& shrinking = has_older_new && new_.bytes > limit_ / 4 ? new_ : kept_.entries.empty() ? new_ : kept_;
+    const auto oldest = places_.find(shrinking.entries.back().place);
     erase(oldest, std::next(oldest));
   }
 }
 
-void ValueCache::erase(std::map<ValuePlace, Order::iterator>::iterator first,
-                       std::map<ValuePlace, Order::iterator>::iterator last) {
+void ValueCache::erase(Places::iterator first, Places::iterator last) {
   for (auto place = first; place != last; ++place) {
-    bytes_ -= place->second->bytes;
-    order_.erase(place->second);
+    Order& order = place->second->is_kept ? kept_ : new_;
+    order.bytes -= place->second->bytes;
+    order.entries.erase(place->second);
   }
   places_.erase(first, last);
 }
@@ -38,9 +64,9 @@ void ValueCache::erase_table(std::int64_t table_number) {
 }
 
 void ValueCache::clear() {
-  order_.clear();
   places_.clear();
-  bytes_ = 0;
+  new_ = {};
+  kept_ = {};
 }
 
 }  // namespace queries

@@ -19,8 +19,14 @@ struct ValuePlace {
   friend auto operator<=>(const ValuePlace&, const ValuePlace&) = default;
 };
 
-/// A least-recently-used cache of loaded values with a limit in bytes; it outlives statements. A change of a stored
-/// value must erase it here. Used under the lock of its owner.
+/// A cache of loaded values with a limit in bytes; it outlives statements. A change of a stored value must erase it
+/// here. Used under the lock of its owner.
+///
+/// Two lists, each by last use: values that were asked for again since they came are kept for as long as there are no
+/// newer ones of this kind; new values share a quarter of the limit once the cache is full. So a scan of more than the
+/// cache holds drops its own values and not what it finds here the next time; in a plain list by last use it would find
+/// nothing. One in kPromoted of the values that leave the new ones unasked is kept too, in place of what is no longer
+/// used. Source: [johnson1994] for the two lists, [qureshi2007] for the rare promotion.
 class ValueCache {
  public:
   explicit ValueCache(std::uint64_t limit) : limit_(limit) {}
@@ -33,23 +39,31 @@ class ValueCache {
   void erase_table(std::int64_t table_number);
   void clear();
 
-  std::uint64_t bytes() const { return bytes_; }
+  std::uint64_t bytes() const { return new_.bytes + kept_.bytes; }
 
  private:
-  struct Kept {
+  struct Entry {
     ValuePlace place;
     algebra3d::Value value;
     std::uint64_t bytes;
+    bool is_kept = false;  ///< in `kept_`
   };
-  using Order = std::list<Kept>;  // most recently used first
+  using Entries = std::list<Entry>;
+  struct Order {
+    Entries entries;  ///< most recently used first
+    std::uint64_t bytes = 0;
+  };
+  using Places = std::map<ValuePlace, Entries::iterator>;
+  static constexpr std::uint32_t kPromoted = 32;
 
-  void erase(std::map<ValuePlace, Order::iterator>::iterator first,
-             std::map<ValuePlace, Order::iterator>::iterator last);
+  void keep(Entries::iterator entry, Entries::iterator before);
+  void shrink();
+  void erase(Places::iterator first, Places::iterator last);
 
   std::uint64_t limit_;
-  std::uint64_t bytes_ = 0;
-  Order order_;
-  std::map<ValuePlace, Order::iterator> places_;
+  Order new_, kept_;
+  Places places_;
+  std::uint32_t unasked_count_ = 0;
 };
 
 }  // namespace queries

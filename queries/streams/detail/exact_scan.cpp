@@ -28,7 +28,7 @@ class ExactDistanceScan final : public TupleStream {
   Result<TuplePtr> next() override {
     if (left_ == 0) return TuplePtr();
     while (pending_ &&
-           (near_.empty() || may_be_within(pending_->distance, distance_bound(near_.front().squared_distance))))
+           (near_.empty() || may_be_within(pending_->distance, distance_bound(*near_.front().squared_distance))))
       ALGEBRA3D_RETURN_IF_ERROR(take_candidates());
     if (near_.empty()) return TuplePtr();
     --left_;
@@ -71,7 +71,7 @@ class ExactDistanceScan final : public TupleStream {
       if (!distances[i]) continue;
       ++distance_count_;
       const auto id = static_cast<std::uint64_t>(tuples[i]->id);
-      near_.push_back({*std::move(distances[i]), id, std::move(tuples[i])});
+      near_.push_back({{}, std::move(distances[i]), id, std::move(tuples[i])});
       std::ranges::push_heap(near_, is_after);
     }
     return {};

@@ -16,10 +16,10 @@ using algebra3d::Box3;
 using algebra3d::Monitor;
 using algebra3d::SpatialSet;
 
-Result<bool> are_inside(const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) {
+Result<bool> lies_inside(const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) {
   return is_inside(a, b, monitor);
 }
-Result<bool> do_contain(const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) {
+Result<bool> lies_around(const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) {
   return is_inside(b, a, monitor);
 }
 
@@ -43,10 +43,10 @@ struct SpatialPredicate {
 
 constexpr std::array<SpatialPredicate, 7> kPredicates{{{"intersects", true, may_meet, algebra3d::do_meet},
                                                        {"touches", true, may_meet, algebra3d::do_touch},
-                                                       {"inside", false, may_be_inside, are_inside},
-                                                       {"contains", false, may_contain, do_contain},
-                                                       {"covers", false, may_contain, do_contain},
-                                                       {"coveredBy", false, may_be_inside, are_inside},
+                                                       {"inside", false, may_be_inside, lies_inside},
+                                                       {"contains", false, may_contain, lies_around},
+                                                       {"covers", false, may_contain, lies_around},
+                                                       {"coveredBy", false, may_be_inside, lies_inside},
                                                        {"overlaps", true, may_meet, algebra3d::do_overlap}}};
 
 const SpatialPredicate* find_predicate(std::string_view name) {

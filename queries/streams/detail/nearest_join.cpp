@@ -82,16 +82,18 @@ class ClosestPair final : public TupleStream {
     TuplePtr best_probe;
     std::vector<NearestProbe> probes;
     // Nothing is nearer than 0, and later tuples do not precede.
-    while (!best || best->squared_distance.sign() > 0) {
+    while (!best || best->squared_distance->sign() > 0) {
       ALGEBRA3D_RETURN_IF_ERROR(blocks_.read(probes));
       if (probes.empty()) break;
       ALGEBRA3D_RETURN_IF_ERROR(search_.search(probes));
+      ALGEBRA3D_RETURN_IF_ERROR(search_.make_first_exact(probes));
       for (NearestProbe& probe : probes) {
-        if (probe.nearest.empty()) continue;
-        if (best && probe.nearest.front().squared_distance >= best->squared_distance) continue;
+        // Those without an exact distance are farther away than another one of the block.
+        if (probe.nearest.empty() || !probe.nearest.front().squared_distance) continue;
+        if (best && *probe.nearest.front().squared_distance >= *best->squared_distance) continue;
         best = std::move(probe.nearest.front());
         best_probe = probe.tuple;
-        search_.set_reach(distance_bound(best->squared_distance));
+        search_.set_reach(distance_bound(*best->squared_distance));
       }
     }
     return best ? concatenated(*best_probe, *best->tuple) : TuplePtr();

@@ -14,11 +14,15 @@
 
 namespace queries {
 
+namespace {
+
 using algebra3d::Box3;
 using algebra3d::Rational;
 using Tree = SpatialIndex::Tree;
 using Entry = rtree::Entry<std::uint64_t>;
 using Cursor = rtree::NearestCursor<std::uint64_t>;
+
+}  // namespace
 
 double distance_bound(const Rational& squared_distance) {
   return std::nextafter(squared_distance.nearest_root(), Box3::kInfinity);
@@ -89,9 +93,9 @@ class NearestSearch::Round {
     algebra3d::parallel_for(searches_.size(), 16, [&](std::size_t i) {
       Search& search = searches_[i];
       const NearestProbe& probe = probes[search.probe];
-      const std::size_t missing = task_.limit - probe.nearest.size();
+      const std::size_t known = probe.nearest.size();
       // More and more, since there is no telling how many boxes are near.
-      propose(search, probe, missing > 0 ? missing : extra_, reach);
+      propose(search, probe, known < task_.limit ? task_.limit - known : extra_, std::min(reach, probe.bound));
     });
     std::erase_if(searches_, [](const Search& search) { return search.candidates.empty(); });
     extra_ *= 2;
@@ -120,10 +124,8 @@ class NearestSearch::Round {
     std::vector<std::uint64_t> candidates;
   };
 
-  void propose(Search& search, const NearestProbe& probe, std::size_t wanted, double reach) const {
+  void propose(Search& search, const NearestProbe& probe, std::size_t wanted, double bound) const {
     search.candidates.clear();
-    const bool is_full = probe.nearest.size() == task_.limit;
-    const double bound = is_full ? std::min(reach, distance_bound(probe.nearest.back().squared_distance)) : reach;
     while (search.candidates.size() < wanted) {
       const auto next = search.pending ? std::exchange(search.pending, std::nullopt) : search.cursor.next();
       if (!next) return;
@@ -165,6 +167,11 @@ NearestSearch::~NearestSearch() = default;
 
 Status NearestSearch::search(std::span<NearestProbe> probes) {
   probe_count_ += probes.size();
+  ALGEBRA3D_RETURN_IF_ERROR(search_all(probes));
+  return settle(probes);
+}
+
+Status NearestSearch::search_all(std::span<NearestProbe> probes) {
   if (is_whole_) return search_table(probes);
   StreamBlocks blocks(partners_.scan());
   table_->start_anew();
@@ -188,43 +195,104 @@ Status NearestSearch::search_table(std::span<NearestProbe> probes) {
   }
 }
 
-/// Computes the distances of the candidates, and keeps the nearest ones.
-Status NearestSearch::take_distances(std::span<NearestProbe> probes, Round& round) {
-  std::vector<std::optional<Rational>> distances(round.pairs().size());
+namespace {
+
+/// Keeps the neighbours that may be among the nearest ones, `limit` of them if no distances are equal.
+void drop_distant(NearestProbe& probe, std::size_t limit) {
+  if (probe.nearest.size() < limit) return;
+  std::vector<double> upper;
+  for (const NearTuple& near : probe.nearest) upper.push_back(near.distance.upper);
+  const auto last = upper.begin() + static_cast<std::ptrdiff_t>(limit) - 1;
+  std::ranges::nth_element(upper, last);
+  probe.bound = *last;
+  std::erase_if(probe.nearest, [&](const NearTuple& near) { return near.distance.lower > probe.bound; });
+}
+
+}  // namespace
+
+/// Bounds the distances of the candidates, and keeps those that may be among the nearest ones.
+Status NearestSearch::take_distances(std::span<NearestProbe> probes, const Round& round) {
+  std::vector<std::optional<algebra3d::DistanceRange>> ranges(round.pairs().size());
   const auto question = [&](std::size_t i, const LoadedSet& a, const LoadedSet& b,
                             const algebra3d::Monitor& monitor) -> Status {
-    const std::vector<NearTuple>& nearest = probes[round.candidates()[i].probe].nearest;
-    double bound = reach_;
-    if (nearest.size() == task_.limit) bound = std::min(bound, distance_bound(nearest.back().squared_distance));
-    if (std::isfinite(bound)) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_near, are_within(a.set, b.set, Rational(bound), monitor));
-      if (!is_near) return {};
-    }
-    ALGEBRA3D_ASSIGN_OR_RETURN(distances[i], squared_distance_of(a.set, b.set, monitor));
+    const double bound = std::min(reach_, probes[round.candidates()[i].probe].bound);
+    ALGEBRA3D_ASSIGN_OR_RETURN(ranges[i], distance_range_of(a.set, b.set, bound, monitor));
     return {};
   };
-  ALGEBRA3D_RETURN_IF_ERROR(examiner_.ask(
-      round.pairs(), fmt::format("distances of {} pairs for {} tuples", round.pairs().size(), probe_count_), question));
+  const std::string progress = fmt::format("{} pairs for {} tuples", round.pairs().size(), probe_count_);
+  ALGEBRA3D_RETURN_IF_ERROR(examiner_.ask(round.pairs(), progress, question));
   candidate_count_ += round.pairs().size();
-  for (std::size_t i = 0; i < distances.size(); ++i) {
-    if (!distances[i]) continue;
-    ++distance_count_;
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
     const auto [probe, position] = round.candidates()[i];
-    const Table::Partner& partner = round.table().partner(position);
-    NearTuple found{*std::move(distances[i]), partner.place, partner.tuple};
-    std::vector<NearTuple>& nearest = probes[probe].nearest;
-    const auto where =
-        std::ranges::upper_bound(nearest, found, [](const NearTuple& a, const NearTuple& b) { return a.is_before(b); });
-    nearest.insert(where, std::move(found));
-    if (nearest.size() > task_.limit) nearest.pop_back();
+    if (ranges[i]) {
+      const Table::Partner& partner = round.table().partner(position);
+      const bool is_zero = ranges[i]->upper == 0;
+      probes[probe].nearest.push_back(
+          {*ranges[i], is_zero ? std::optional<Rational>(0) : std::nullopt, partner.place, partner.tuple});
+    }
+    // The candidates of a probe follow one another.
+    if (i + 1 == ranges.size() || round.candidates()[i + 1].probe != probe) drop_distant(probes[probe], task_.limit);
   }
   return {};
+}
+
+/// Sorts the neighbours, and keeps the nearest ones. Where ranges overlap, the squares of the distances decide.
+Status NearestSearch::settle(std::span<NearestProbe> probes) {
+  std::vector<OpenDistance> open;
+  for (NearestProbe& probe : probes) {
+    std::vector<NearTuple>& nearest = probe.nearest;
+    std::ranges::sort(nearest, {}, [](const NearTuple& near) { return std::pair(near.distance.lower, near.place); });
+    // Groups of overlapping ranges, as far as they begin among the nearest ones.
+    std::size_t end = 0;
+    for (std::size_t begin = 0; begin < std::min(nearest.size(), task_.limit); begin = end) {
+      double upper = nearest[begin].distance.upper;
+      for (end = begin + 1; end < nearest.size() && nearest[end].distance.lower <= upper; ++end)
+        upper = std::max(upper, nearest[end].distance.upper);
+      if (end == begin + 1) continue;
+      for (std::size_t i = begin; i < end; ++i)
+        if (!nearest[i].squared_distance) open.push_back({probe.tuple.get(), &nearest[i]});
+    }
+    nearest.erase(nearest.begin() + static_cast<std::ptrdiff_t>(end), nearest.end());
+  }
+  ALGEBRA3D_RETURN_IF_ERROR(make_exact(open));
+  for (NearestProbe& probe : probes) {
+    std::ranges::sort(probe.nearest, [](const NearTuple& a, const NearTuple& b) { return a.is_before(b); });
+    if (probe.nearest.size() > task_.limit)
+      probe.nearest.erase(probe.nearest.begin() + static_cast<std::ptrdiff_t>(task_.limit), probe.nearest.end());
+  }
+  return {};
+}
+
+Status NearestSearch::make_exact(std::span<const OpenDistance> open) {
+  std::vector<ValuePair> pairs;
+  for (const OpenDistance& each : open)
+    pairs.push_back({&each.probe->attributes[task_.probe_key], &each.neighbour->tuple->attributes[task_.partner_key]});
+  exact_count_ += pairs.size();
+  return examiner_.ask(
+      pairs, fmt::format("{} exact distances", pairs.size()),
+      [&](std::size_t i, const LoadedSet& a, const LoadedSet& b, const algebra3d::Monitor& monitor) -> Status {
+        ALGEBRA3D_ASSIGN_OR_RETURN(open[i].neighbour->squared_distance, squared_distance_of(a.set, b.set, monitor));
+        return {};
+      });
+}
+
+Status NearestSearch::make_first_exact(std::span<NearestProbe> probes) {
+  double smallest = Box3::kInfinity;
+  for (const NearestProbe& probe : probes)
+    if (!probe.nearest.empty()) smallest = std::min(smallest, probe.nearest.front().distance.upper);
+  std::vector<OpenDistance> open;
+  for (NearestProbe& probe : probes) {
+    if (probe.nearest.empty()) continue;
+    NearTuple& first = probe.nearest.front();
+    if (!first.squared_distance && first.distance.lower <= smallest) open.push_back({probe.tuple.get(), &first});
+  }
+  return make_exact(open);
 }
 
 std::vector<StageCount> NearestSearch::stages() const {
   return {{"tuples searched for", probe_count_},
           {"candidates by boxes", candidate_count_},
-          {"exact distances", distance_count_},
+          {"exact distances", exact_count_},
           {"geometries loaded", examiner_.load_count()}};
 }
 

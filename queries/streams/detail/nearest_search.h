@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "algebra3d/distance/distance.h"
 #include "algebra3d/exact/rational.h"
 #include "queries/streams/datum.h"
 #include "queries/streams/detail/spatial_pairs.h"
@@ -16,12 +19,15 @@ namespace queries {
 
 /// A tuple near another one. `place` is its number in its stream, by which equal distances are ordered.
 struct NearTuple {
-  algebra3d::Rational squared_distance;
+  algebra3d::DistanceRange distance;
+  std::optional<algebra3d::Rational> squared_distance;  ///< where the range does not tell the order
   std::uint64_t place = 0;
   TuplePtr tuple;
 
+  /// For tuples whose squared distances are known, or whose ranges are apart.
   bool is_before(const NearTuple& other) const {
-    const auto order = squared_distance <=> other.squared_distance;
+    if (!squared_distance || !other.squared_distance) return distance.upper < other.distance.lower;
+    const auto order = *squared_distance <=> *other.squared_distance;
     return order != 0 ? order < 0 : place < other.place;
   }
 };
@@ -30,7 +36,8 @@ struct NearTuple {
 struct NearestProbe {
   TuplePtr tuple;
   std::uint64_t place = 0;
-  std::vector<NearTuple> nearest = {};  ///< the result, the nearest one first
+  std::vector<NearTuple> nearest = {};        ///< the result, the nearest one first
+  double bound = algebra3d::Box3::kInfinity;  ///< what is farther away is not among them
 };
 
 /// The tuples that may be neighbours of a probe.
@@ -54,8 +61,9 @@ struct NearestTask {
 
 /// The search for the nearest partners of many tuples by the exact distance of their geometry. Boxes of partners are in
 /// an R-tree: candidates come by the distance of their boxes, several for each probe at a time, until the next box is
-/// farther away than the last neighbour. Their distances are computed in parallel by SpatialPairs. If the partners
-/// exceed the work memory, there are several trees, one after the other, for each call. Interruptible. Source:
+/// farther away than the last neighbour. Their distances are bounded in parallel by SpatialPairs, in rounded
+/// arithmetic; where these bounds leave the order of neighbours open, squares of distances are compared exactly. If the
+/// partners exceed the work memory, there are several trees, one after the other, for each call. Interruptible. Source:
 /// [hjaltason1999] for the order of candidates.
 class NearestSearch {
  public:
@@ -66,6 +74,8 @@ class NearestSearch {
 
   /// Fills `nearest` of the probes. Errors: those of reading and loading, interrupted.
   Status search(std::span<NearestProbe> probes);
+  /// Computes the squared distance of the first neighbour of each probe that may have the nearest one of all.
+  Status make_first_exact(std::span<NearestProbe> probes);
   /// From now on, neighbours that are farther away are not wanted.
   void set_reach(double reach) { reach_ = reach; }
 
@@ -75,8 +85,16 @@ class NearestSearch {
   class Table;
   class Round;
 
+  Status search_all(std::span<NearestProbe> probes);
   Status search_table(std::span<NearestProbe> probes);
-  Status take_distances(std::span<NearestProbe> probes, Round& round);
+  Status take_distances(std::span<NearestProbe> probes, const Round& round);
+  Status settle(std::span<NearestProbe> probes);
+  /// A neighbour whose squared distance is needed.
+  struct OpenDistance {
+    const Tuple* probe;
+    NearTuple* neighbour;
+  };
+  Status make_exact(std::span<const OpenDistance> open);
 
   TupleBuffer partners_;
   NearestTask task_;
@@ -87,7 +105,7 @@ class NearestSearch {
   double reach_ = algebra3d::Box3::kInfinity;
   std::uint64_t probe_count_ = 0;
   std::uint64_t candidate_count_ = 0;
-  std::uint64_t distance_count_ = 0;
+  std::uint64_t exact_count_ = 0;
 };
 
 }  // namespace queries

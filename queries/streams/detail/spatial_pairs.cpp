@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <unordered_map>
 
@@ -78,53 +77,48 @@ struct SpatialPairs::Batches {
     numbers.reserve(pairs.size());
     for (const ValuePair& pair : pairs) numbers.emplace_back(number(pair.first), number(pair.second));
     sets.resize(values.size());
+    last_batch.resize(values.size());
   }
 
-  std::size_t bytes() const {
-    return std::transform_reduce(values.begin(), values.end(), std::size_t{0}, std::plus<>(),
-                                 [](const Value* value) { return loaded_bytes(*value); });
+  /// Takes the memory for what a pair needs beyond what its batch has; false if there is not enough.
+  bool take(std::uint32_t pair, std::uint32_t batch, algebra3d::MemoryAccount& account) const {
+    const auto [a, b] = numbers[pair];
+    std::size_t bytes = last_batch[a] == batch ? 0 : loaded_bytes(*values[a]);
+    if (a != b && last_batch[b] != batch) bytes += loaded_bytes(*values[b]);
+    return account.take(bytes);
+  }
+  /// Forgets what is loaded and the batch does not need.
+  void unload_all_but(std::uint32_t batch) {
+    for (std::size_t i = 0; i < sets.size(); ++i)
+      if (last_batch[i] != batch) sets[i].reset();
   }
 
   std::vector<const Value*> values;
   std::vector<std::optional<LoadedSet>> sets;                    ///< of the values that are loaded
+  std::vector<std::uint32_t> last_batch;                         ///< that needs the value; they count from 1
   std::vector<std::pair<std::uint32_t, std::uint32_t>> numbers;  ///< of each pair, in `values`
 };
 
+// Also where all geometry fits: neighbours on the curve have values in common, which are then in the processor's cache.
 Status SpatialPairs::ask(std::span<const ValuePair> pairs, const std::string& progress, const Question& question) {
   if (pairs.empty()) return {};
-  Batches all(pairs);
-  std::vector<std::uint32_t> order(pairs.size());
-  std::iota(order.begin(), order.end(), 0U);
-  account_.clear();
-  if (account_.take(all.bytes())) {
-    ALGEBRA3D_RETURN_IF_ERROR(load(all, order));
-    ALGEBRA3D_RETURN_IF_ERROR(ask_batch(all, order, progress, question));
-    account_.clear();
-    return {};
-  }
   std::vector<Box3> boxes;
   boxes.reserve(pairs.size());
   for (const ValuePair& pair : pairs) boxes.push_back(pair.second->header().box);
-  order = morton_order(boxes);
-  std::vector<std::uint32_t> last_batch(all.values.size(), 0);  // that needs the value
+  const std::vector<std::uint32_t> order = morton_order(boxes);
+  Batches all(pairs);
   std::uint32_t batch = 0;
-  for (std::size_t begin = 0; begin < order.size();) {
+  for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
     ++batch;
     account_.clear();
-    std::size_t end = begin;
-    for (; end < order.size(); ++end) {
-      const auto [a, b] = all.numbers[order[end]];
-      std::size_t bytes = last_batch[a] == batch ? 0 : loaded_bytes(*all.values[a]);
-      if (a != b && last_batch[b] != batch) bytes += loaded_bytes(*all.values[b]);
-      if (!account_.take(bytes) && end > begin) break;
-      last_batch[a] = last_batch[b] = batch;
+    while (end < order.size() && (all.take(order[end], batch, account_) || end == begin)) {
+      const auto [a, b] = all.numbers[order[end++]];
+      all.last_batch[a] = all.last_batch[b] = batch;
     }
-    for (std::size_t i = 0; i < all.sets.size(); ++i)
-      if (last_batch[i] != batch) all.sets[i].reset();
+    all.unload_all_but(batch);
     const auto part = std::span<const std::uint32_t>(order).subspan(begin, end - begin);
     ALGEBRA3D_RETURN_IF_ERROR(load(all, part));
     ALGEBRA3D_RETURN_IF_ERROR(ask_batch(all, part, progress, question));
-    begin = end;
   }
   account_.clear();
   return {};

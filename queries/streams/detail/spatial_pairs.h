@@ -28,9 +28,9 @@ struct ValuePair {
 
 /// Questions about pairs of spatial values, asked in parallel.
 ///
-/// The geometry of each value is loaded once for all pairs of a call. If it exceeds the work memory, the pairs are
-/// asked in batches along a space-filling curve, and what the next batch needs, too, stays loaded. Interruptible; tells
-/// its progress.
+/// Pairs are asked along a space-filling curve. The geometry of each value is loaded once for all pairs of a call; if
+/// it exceeds the work memory, there are several batches, and what the next one needs, too, stays loaded.
+/// Interruptible; tells its progress.
 class SpatialPairs {
  public:
   explicit SpatialPairs(const Context& context) : context_(context), account_(context.memory) {}
@@ -38,7 +38,7 @@ class SpatialPairs {
   /// Asked once for each pair, from several threads at once, in any order.
   using Question = std::function<Status(std::size_t pair, const LoadedSet& a, const LoadedSet& b,
                                         const algebra3d::Monitor& monitor)>;
-  /// Errors: those of loading; that of the first pair whose question fails; interrupted.
+  /// Errors: those of loading; that of the first pair on the curve whose question fails; interrupted.
   Status ask(std::span<const ValuePair> pairs, const std::string& progress, const Question& question);
 
   /// Number of values that were loaded so far, some of them several times.
