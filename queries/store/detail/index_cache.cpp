@@ -1,26 +1,33 @@
 #include "queries/store/detail/index_cache.h"
 
 #include <cstdint>
+#include <utility>
 
 namespace queries {
 
-std::shared_ptr<IndexCache::Tree> IndexCache::find(std::int64_t table_number, std::size_t attribute) const {
+bool IndexCache::Spatial::ensure_open() {
+  if (open != nullptr) tree = std::exchange(open, nullptr)();
+  return tree != nullptr;
+}
+
+std::shared_ptr<IndexCache::Tree> IndexCache::find(std::int64_t table_number, std::size_t attribute) {
   const auto found = trees_.find({table_number, attribute});
-  return found == trees_.end() ? nullptr : found->second.tree;
+  return found != trees_.end() && found->second.ensure_open() ? found->second.tree : nullptr;
 }
 
 void IndexCache::add(std::int64_t table_number, std::size_t attribute, std::shared_ptr<Tree> tree) {
-  trees_.insert_or_assign({table_number, attribute}, Spatial{std::move(tree), true, true});
+  trees_.insert_or_assign({table_number, attribute},
+                          Spatial{.tree = std::move(tree), .is_new = true, .is_changed = true});
 }
 
-void IndexCache::add_stored(std::int64_t table_number, std::size_t attribute, std::shared_ptr<Tree> tree) {
-  trees_.insert_or_assign({table_number, attribute}, Spatial{std::move(tree), false, false});
+void IndexCache::add_stored(std::int64_t table_number, std::size_t attribute, Open open) {
+  trees_.insert_or_assign({table_number, attribute}, Spatial{.open = std::move(open)});
 }
 
 std::vector<IndexCache::Unstored> IndexCache::unstored() const {
   std::vector<Unstored> result;
   for (const auto& [place, entry] : trees_)
-    if (entry.is_changed && entry.tree != nullptr) result.push_back({place, entry.tree, entry.is_new});
+    if (entry.is_changed && entry.is_known()) result.push_back({place, entry.tree, entry.is_new});
   return result;
 }
 
@@ -31,6 +38,7 @@ void IndexCache::set_stored(const Place& place) {
 
 void IndexCache::set_unstorable(const Place& place) {
   Spatial& entry = trees_.at(place);
+  if (entry.tree == nullptr) entry = {};
   entry.is_new = true;
   entry.is_changed = false;
 }
@@ -41,10 +49,10 @@ void IndexCache::change(std::int64_t table_number, std::span<const algebra3d::Bo
        each != trees_.end() && each->first.table_number == table_number; ++each) {
     const algebra3d::Box3& box = boxes[each->first.attribute];
     Spatial& entry = each->second;
-    if (entry.tree == nullptr) continue;
+    if (!entry.is_known()) continue;
     // Also if the boxes stay: what is stored names the state of the relation.
     entry.is_changed = true;
-    if (box.is_empty()) continue;
+    if (box.is_empty() || !entry.ensure_open()) continue;
     // A stored tree that is damaged where the change is made is no longer followed, and so not up to date.
     const auto changed = reading_tree([&] {
       if (entry.tree.use_count() > 1) entry.tree = std::make_shared<Tree>(*entry.tree);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <compare>
+#include <functional>
 #include <map>
 #include <memory>
 #include <set>
@@ -26,22 +27,25 @@ class IndexCache {
     friend auto operator<=>(const Place&, const Place&) = default;
   };
 
-  /// The tree, or null.
-  std::shared_ptr<Tree> find(std::int64_t table_number, std::size_t attribute) const;
-  /// True if the tree was looked for: it is open, or there is none that is up to date.
+  /// Reads a stored tree; null if it turns out to be damaged.
+  using Open = std::function<std::shared_ptr<Tree>()>;
+
+  /// The tree, or null. Opens a stored one.
+  std::shared_ptr<Tree> find(std::int64_t table_number, std::size_t attribute);
+  /// True if the tree was looked for: it is known, or there is none that is up to date.
   bool knows(std::int64_t table_number, std::size_t attribute) const {
     return trees_.contains({table_number, attribute});
   }
   /// Adds a tree that is not stored.
   void add(std::int64_t table_number, std::size_t attribute, std::shared_ptr<Tree> tree);
-  /// Adds a tree that is stored as it is; null: there is none that is up to date.
-  void add_stored(std::int64_t table_number, std::size_t attribute, std::shared_ptr<Tree> tree);
+  /// Adds a tree that is stored as it is, and opened when it is needed; null: there is none that is up to date.
+  void add_stored(std::int64_t table_number, std::size_t attribute, Open open);
 
   /// A tree that differs from the stored one.
   struct Unstored {
     Place place;
-    std::shared_ptr<Tree> tree;
-    bool is_new;  ///< not stored at all
+    std::shared_ptr<Tree> tree;  ///< null if only the state of its relation has changed
+    bool is_new;                 ///< not stored at all
   };
   std::vector<Unstored> unstored() const;
   void set_stored(const Place& place);
@@ -71,9 +75,14 @@ class IndexCache {
 
  private:
   struct Spatial {
-    std::shared_ptr<Tree> tree;
+    std::shared_ptr<Tree> tree = nullptr;
+    Open open = nullptr;  // null if the tree is open
     bool is_new = false;
     bool is_changed = false;
+
+    bool is_known() const { return tree != nullptr || open != nullptr; }
+    /// Opens the tree if it is not; false if there is none.
+    bool ensure_open();
   };
   template <typename Change>
   void change(std::int64_t table_number, std::span<const algebra3d::Box3> boxes, Change apply);

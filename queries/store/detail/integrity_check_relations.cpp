@@ -218,9 +218,13 @@ void IntegrityCheck::check_trees(Walk& walk) {
       check_tree(walk, attribute, *open, "the index in memory");
     const auto owner = tree_owner(database_->catalogue(), *walk.layout, attribute);
     if (!owner || database_->catalogue().version() < kFirstVersionWithIndexPages) continue;
-    const auto stored = load_tree(database_, *owner, relation_state(walk.entry, attribute));
-    if (stored && *stored != nullptr) check_tree(walk, attribute, **stored, "the stored index");
-    if (!stored)
+    const auto is_stored = has_tree(database_->connection(), *owner, relation_state(walk.entry, attribute));
+    if (is_stored && !*is_stored) continue;
+    const auto stored =
+        is_stored ? load_tree(database_, *owner) : Result<std::shared_ptr<SpatialIndex::Tree>>(is_stored.error());
+    if (stored)
+      check_tree(walk, attribute, **stored, "the stored index");
+    else
       static_cast<void>(add({.object = walk.entry.name,
                              .attribute = walk.layout->attributes()[attribute].name,
                              .message = "the stored index: "},

@@ -29,19 +29,35 @@ std::partial_ordering order_of(const Cell& a, const Cell& b) {
   return std::partial_ordering::equivalent;
 }
 
-/// A key that outlives the row that it was read from.
-class KeptKey {
+/// Entries that are looked at on each side of a range.
+constexpr int kNeighbours = 2;
+
+/// Whether entries come in strict order.
+class Walk {
  public:
-  const Cell& cell() const { return cell_; }
-  void keep(const Cell& cell) {
-    cell_ = cell;
-    text_.assign(cell.bytes);
-    cell_.bytes = text_;
+  enum class Direction : std::uint8_t { up, down };
+  explicit Walk(Direction direction) : direction_(direction) {}
+
+  /// False if the entry does not come behind the last one.
+  bool pass(const Cell& key, TupleId id) {
+    const auto order = order_of(key_, key);
+    const bool is_up = order < 0 || (order == 0 && id_ < id);
+    const bool is_down = order > 0 || (order == 0 && id_ > id);
+    const bool is_right = is_first_ || (direction_ == Direction::up ? is_up : is_down);
+    is_first_ = false;
+    key_ = key;
+    text_.assign(key.bytes);
+    key_.bytes = text_;
+    id_ = id;
+    return is_right;
   }
 
  private:
-  Cell cell_;
-  std::string text_;
+  Direction direction_;
+  bool is_first_ = true;
+  Cell key_;
+  std::string text_;  // the key's, which outlives the row
+  TupleId id_ = 0;
 };
 
 }  // namespace
@@ -83,56 +99,58 @@ Result<std::vector<TupleId>> StoredOrder::range(const std::optional<Value>& low,
   return tree->range(low, high);
 }
 
+// The entries are walked through as they lie: two before the range, those of the range, two behind it. An entry with a
+// wrong key leads a search astray only to a place next to it; one from another place stands out from its neighbours.
 Result<std::vector<TupleId>> StoredOrder::proved_range(const Bounds& bounds) const {
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement found, entries(bounds.low && bounds.high ? "i.{0} >= ?1 AND i.{0} <= ?2"
-                                                            : bounds.low              ? "i.{0} >= ?1"
-                                                            : bounds.high             ? "i.{0} <= ?2"
-                                                                                      : "i.{0} IS NOT NULL",
-                                                            ""));
+  ALGEBRA3D_RETURN_IF_ERROR(check_before(bounds));
+  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement found, entries(bounds.low ? "i.{0} >= ?1" : "i.{0} IS NOT NULL", ""));
   if (bounds.low) found.bind(1, *bounds.low);
-  if (bounds.high) found.bind(2, *bounds.high);
   std::vector<TupleId> ids;
-  KeptKey last;
-  while (true) {
+  Walk walk(Walk::Direction::up);
+  for (int behind = 0; behind < kNeighbours;) {
     ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, found.step());
     if (!has_row) break;
     const Cell key = found.column(kKeyInIndex);
     const TupleId id = found.column(kTuple).integer;
-    const auto from_last = order_of(last.cell(), key);
-    const bool is_behind_last = ids.empty() || from_last < 0 || (from_last == 0 && ids.back() < id);
-    const bool is_within =
-        (!bounds.low || order_of(*bounds.low, key) <= 0) && (!bounds.high || order_of(key, *bounds.high) <= 0);
-    if (!is_behind_last || !is_within || order_of(key, found.column(kKeyInRow)) != 0) return damaged();
-    last.keep(key);
-    ids.push_back(id);
+    const bool is_right = walk.pass(key, id) && order_of(key, found.column(kKeyInRow)) == 0 &&
+                          (!bounds.low || order_of(*bounds.low, key) <= 0);
+    if (!is_right) return damaged();
+    if (bounds.high && order_of(key, *bounds.high) > 0)
+      ++behind;
+    else
+      ids.push_back(id);
   }
-  if (bounds.low) ALGEBRA3D_RETURN_IF_ERROR(check_neighbour(bounds, true));
-  if (bounds.high) ALGEBRA3D_RETURN_IF_ERROR(check_neighbour(bounds, false));
   return ids;
 }
 
-// A search that damage has led astray ends between entries of another place. An entry whose key has changed is found
-// beside the place of its true key, since a search by halves takes all others for what they are.
-Status StoredOrder::check_neighbour(const Bounds& bounds, bool is_below) const {
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement found,
-                             is_below ? entries("i.{0} < ?1", " DESC") : entries("i.{0} > ?1", ""));
-  const Cell& bound = is_below ? *bounds.low : *bounds.high;
-  found.bind(1, bound);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, found.step());
-  if (!has_row) return check_nothing_beyond(bound, is_below);
-  const Cell key = found.column(kKeyInIndex);
-  const bool is_beyond = is_below ? order_of(key, bound) < 0 : order_of(key, bound) > 0;
-  return is_beyond && order_of(key, found.column(kKeyInRow)) == 0 ? Status() : damaged();
+Status StoredOrder::check_before(const Bounds& bounds) const {
+  int count = 0;
+  if (bounds.low) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement found, entries("i.{0} < ?1", " DESC"));
+    found.bind(1, *bounds.low);
+    Walk walk(Walk::Direction::down);
+    for (; count < kNeighbours; ++count) {
+      ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, found.step());
+      if (!has_row) break;
+      const Cell key = found.column(kKeyInIndex);
+      const bool is_right = walk.pass(key, found.column(kTuple).integer) && order_of(key, *bounds.low) < 0 &&
+                            order_of(key, found.column(kKeyInRow)) == 0;
+      if (!is_right) return damaged();
+    }
+  }
+  return count == 0 ? check_beginning(bounds) : Status();
 }
 
-// A key that has become NULL ends a search for the next one.
-Status StoredOrder::check_nothing_beyond(const Cell& bound, bool is_below) const {
-  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement outermost, entries("i.{0} IS NOT NULL", is_below ? "" : " DESC"));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, outermost.step());
-  if (!has_row) return {};
-  const Cell key = outermost.column(kKeyInIndex);
-  const bool is_beyond = is_below ? !(order_of(key, bound) >= 0) : !(order_of(key, bound) <= 0);
-  return !is_beyond && order_of(key, outermost.column(kKeyInRow)) == 0 ? Status() : damaged();
+// A key that has become NULL ends the way down, or stands at the end of those that are.
+Status StoredOrder::check_beginning(const Bounds& bounds) const {
+  if (bounds.low) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement least, entries("i.{0} IS NOT NULL", ""));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, least.step());
+    if (has_row && !(order_of(least.column(kKeyInIndex), *bounds.low) >= 0)) return damaged();
+  }
+  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement undefined, entries("i.{0} IS NULL", " DESC"));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, undefined.step());
+  return has_row && !undefined.column(kKeyInRow).is_null() ? Status(damaged()) : Status();
 }
 
 Result<bool> has_stored_order(SqliteConnection& connection, const RelationLayout& layout, std::size_t attribute) {

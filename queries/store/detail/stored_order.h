@@ -12,9 +12,9 @@ namespace queries {
 /// The ordered index of an attribute with a native order (AttributeColumns::has_native_order): an index of SQLite on
 /// the relation's table. It shows the relation as it is when it is asked, in the statement that made this object.
 ///
-/// SQLite does not notice changed bytes in an index. So each entry that is found, and its two neighbours in the index,
-/// are compared with the rows that they name. Where they differ, or cannot be read, the answer comes from a tree in
-/// memory that is made of the rows, and the index is made anew after the statement.
+/// SQLite does not notice changed bytes in an index. So each entry that is found, and its neighbours in the index, are
+/// compared with the rows that they name, and with each other. Where they are wrong, or cannot be read, the answer
+/// comes from a tree in memory that is made of the rows, and the index is made anew after the statement.
 class StoredOrder final : public OrderedEntries {
  public:
   StoredOrder(std::shared_ptr<Database> database, std::shared_ptr<const RelationLayout> layout, std::size_t attribute)
@@ -31,8 +31,8 @@ class StoredOrder final : public OrderedEntries {
     std::optional<Cell> low, high;
   };
   Result<std::vector<TupleId>> proved_range(const Bounds& bounds) const;
-  Status check_neighbour(const Bounds& bounds, bool is_below) const;
-  Status check_nothing_beyond(const Cell& bound, bool is_below) const;
+  Status check_before(const Bounds& bounds) const;
+  Status check_beginning(const Bounds& bounds) const;
   Result<SqliteStatement> entries(std::string_view condition, std::string_view order) const;
   Error damaged() const;
 

@@ -133,7 +133,7 @@ Result<TupleId> StoredRelation::insert(const Tuple& tuple) {
   const TupleId id = own->next_tuple;
   ALGEBRA3D_ASSIGN_OR_RETURN(const auto writer, RowWriter::make(*database_, *layout_, id, tuple));
   ALGEBRA3D_RETURN_IF_ERROR(database_->change([&]() -> Status {
-    open_trees(database_, layout_);
+    follow_changes(database_, layout_);
     CatalogueEntry& edited = *database_->catalogue().edit(layout_->relation());
     ++edited.next_tuple;
     database_->note_inserted(layout_->table_number(), id);
@@ -146,7 +146,7 @@ Result<TupleId> StoredRelation::insert(const Tuple& tuple) {
 Status StoredRelation::erase(TupleId id) {
   ALGEBRA3D_RETURN_IF_ERROR(entry());
   Status status = database_->change([&] {
-    open_trees(database_, layout_);
+    follow_changes(database_, layout_);
     return erase_row(*database_->catalogue().edit(layout_->relation()), id);
   });
   if (status) ++database_->change_counts().deleted;
@@ -159,7 +159,7 @@ Status StoredRelation::update(TupleId id, const Tuple& tuple) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const auto old, read_row(id));
   ALGEBRA3D_ASSIGN_OR_RETURN(const auto writer, RowWriter::make(*database_, *layout_, id, tuple, &old->reader));
   Status status = database_->change([&] {
-    open_trees(database_, layout_);
+    follow_changes(database_, layout_);
     return overwrite(*database_->catalogue().edit(layout_->relation()), old->reader, *writer, id);
   });
   if (status) ++database_->change_counts().updated;

@@ -39,17 +39,23 @@ struct TreeHeader {
   std::string image;
 };
 
-std::string encode_header(const RelationState& state, const rtree::ImageParts& parts) {
+TreeHeader header_of(const RelationState& state, const rtree::ImageParts& parts) {
+  TreeHeader header{state, parts.inner_bytes, parts.leaves_bytes, {}};
+  for (const std::byte byte : parts.header) header.image += std::to_integer<char>(byte);
+  return header;
+}
+
+std::string encode_header(const TreeHeader& header) {
   std::string bytes;
   algebra3d::ByteWriter writer(bytes);
-  writer.u64(static_cast<std::uint64_t>(state.table_number));
-  writer.u64(static_cast<std::uint64_t>(state.attribute));
-  writer.u64(static_cast<std::uint64_t>(state.tuple_count));
-  writer.u64(static_cast<std::uint64_t>(state.next_tuple));
-  writer.u64(state.tuple_sum);
-  writer.u64(parts.inner_bytes);
-  writer.u64(parts.leaves_bytes);
-  for (const std::byte byte : parts.header) writer.u8(std::to_integer<std::uint8_t>(byte));
+  writer.u64(static_cast<std::uint64_t>(header.state.table_number));
+  writer.u64(static_cast<std::uint64_t>(header.state.attribute));
+  writer.u64(static_cast<std::uint64_t>(header.state.tuple_count));
+  writer.u64(static_cast<std::uint64_t>(header.state.next_tuple));
+  writer.u64(header.state.tuple_sum);
+  writer.u64(header.inner_bytes);
+  writer.u64(header.leaves_bytes);
+  writer.raw(header.image);
   return bytes;
 }
 
@@ -69,6 +75,13 @@ Result<TreeHeader> decode_header(std::string_view bytes) {
                            header.leaves_bytes / kLeafPages.node_bytes < kMiddlePage;
   if (!is_possible) return Error{ErrorCode::database_corrupt, "stored index: too many nodes"};
   return header;
+}
+
+Result<std::optional<TreeHeader>> read_header(SqliteConnection& connection, std::int64_t owner) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto page, read_index_page(connection, {owner, kHeaderPage}));
+  if (!page) return std::optional<TreeHeader>();
+  ALGEBRA3D_ASSIGN_OR_RETURN(TreeHeader header, decode_header(*page));
+  return std::optional(std::move(header));
 }
 
 std::span<const std::byte> bytes_of(std::string_view text) {
@@ -128,13 +141,16 @@ Status write_array(SqliteConnection& connection, std::int64_t owner, const Paged
 
 }  // namespace
 
-Result<std::shared_ptr<Tree>> load_tree(const std::shared_ptr<Database>& database, std::int64_t owner,
-                                        const RelationState& state) {
+Result<bool> has_tree(SqliteConnection& connection, std::int64_t owner, const RelationState& state) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto header, read_header(connection, owner));
+  return header && header->state == state;
+}
+
+Result<std::shared_ptr<Tree>> load_tree(const std::shared_ptr<Database>& database, std::int64_t owner) {
   SqliteConnection& connection = database->connection();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto page, read_index_page(connection, {owner, kHeaderPage}));
-  if (!page) return std::shared_ptr<Tree>();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const TreeHeader header, decode_header(*page));
-  if (!(header.state == state)) return std::shared_ptr<Tree>();
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto stored, read_header(connection, owner));
+  if (!stored) return Error{ErrorCode::database_corrupt, "stored index: it is missing"};
+  const TreeHeader& header = *stored;
   ALGEBRA3D_ASSIGN_OR_RETURN(std::string inner, read_index_pages(connection, {owner, kInnerPages.first_page},
                                                                  kInnerPages.page_count(header.inner_bytes)));
   if (inner.size() < header.inner_bytes)
@@ -149,17 +165,30 @@ Result<std::shared_ptr<Tree>> load_tree(const std::shared_ptr<Database>& databas
   return std::make_shared<Tree>(std::move(tree));
 }
 
+namespace {
+
+/// Writes the state of the relation beside a tree that stays as it is.
+Status store_state(SqliteConnection& connection, std::int64_t owner, const RelationState& state) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(auto header, read_header(connection, owner));
+  if (!header) return Error{ErrorCode::database_corrupt, "stored index: it is missing"};
+  header->state = state;
+  return write_index_page(connection, {owner, kHeaderPage}, encode_header(*header));
+}
+
+/// Writes a tree that is new, or what has changed in it since it was loaded or written.
 Status store_tree(SqliteConnection& connection, std::int64_t owner, const RelationState& state, Tree& tree,
                   bool is_new) {
   // A new tree is marked as stored when it is: until then it may be needed as a whole again.
   const rtree::ImageParts parts = is_new ? tree.image() : tree.take_changes();
   if (is_new) ALGEBRA3D_RETURN_IF_ERROR(erase_index_pages(connection, owner));
-  ALGEBRA3D_RETURN_IF_ERROR(write_index_page(connection, {owner, kHeaderPage}, encode_header(state, parts)));
+  ALGEBRA3D_RETURN_IF_ERROR(write_index_page(connection, {owner, kHeaderPage}, encode_header(header_of(state, parts))));
   ALGEBRA3D_RETURN_IF_ERROR(write_array(connection, owner, kInnerPages, parts.inner_bytes, parts.inner));
   ALGEBRA3D_RETURN_IF_ERROR(write_array(connection, owner, kLeafPages, parts.leaves_bytes, parts.leaves));
   if (is_new) tree.take_changes();
   return {};
 }
+
+}  // namespace
 
 std::optional<std::int64_t> tree_owner(const Catalogue& catalogue, const RelationLayout& layout,
                                        std::size_t attribute) {
@@ -178,27 +207,32 @@ RelationState relation_state(const CatalogueEntry& relation, std::size_t attribu
 
 namespace {
 
-/// The tree that is open or stored; null if there is none that is up to date. Whatever keeps it from being read, it can
-/// be made of the rows.
-std::shared_ptr<Tree> open_tree(const std::shared_ptr<Database>& database,
-                                const std::shared_ptr<const RelationLayout>& layout, std::size_t attribute) {
+/// Finds the stored tree of an attribute if nobody has. Whatever keeps it from being read, it can be made of the rows.
+void find_stored(const std::shared_ptr<Database>& database, const RelationLayout& layout, std::size_t attribute) {
   IndexCache& indexes = database->indexes();
-  const std::int64_t table_number = layout->table_number();
-  if (indexes.knows(table_number, attribute)) return indexes.find(table_number, attribute);
-  const CatalogueEntry* const relation = database->catalogue().find(layout->relation());
-  const auto owner = tree_owner(database->catalogue(), *layout, attribute);
-  std::shared_ptr<Tree> tree;
-  if (relation != nullptr && owner && database->catalogue().version() >= kFirstVersionWithIndexPages)
-    if (auto stored = load_tree(database, *owner, relation_state(*relation, attribute))) tree = *std::move(stored);
-  indexes.add_stored(table_number, attribute, tree);
-  return tree;
+  if (indexes.knows(layout.table_number(), attribute)) return;
+  const CatalogueEntry* const relation = database->catalogue().find(layout.relation());
+  const auto owner = tree_owner(database->catalogue(), layout, attribute);
+  IndexCache::Open open;
+  if (relation != nullptr && owner && database->catalogue().version() >= kFirstVersionWithIndexPages) {
+    const auto found = has_tree(database->connection(), *owner, relation_state(*relation, attribute));
+    if (found && *found)
+      open = [weak = std::weak_ptr(database), owner = *owner]() -> std::shared_ptr<Tree> {
+        const auto own = weak.lock();
+        if (own == nullptr) return nullptr;
+        auto tree = load_tree(own, owner);
+        return tree ? *std::move(tree) : nullptr;
+      };
+  }
+  indexes.add_stored(layout.table_number(), attribute, std::move(open));
 }
 
 }  // namespace
 
 Result<std::shared_ptr<Tree>> spatial_tree(const std::shared_ptr<Database>& database,
                                            const std::shared_ptr<const RelationLayout>& layout, std::size_t attribute) {
-  if (auto tree = open_tree(database, layout, attribute)) return tree;
+  find_stored(database, *layout, attribute);
+  if (auto tree = database->indexes().find(layout->table_number(), attribute)) return tree;
   return tree_of_rows(database, layout, attribute);
 }
 
@@ -219,11 +253,11 @@ Result<std::shared_ptr<Tree>> tree_of_rows(const std::shared_ptr<Database>& data
   return tree;
 }
 
-void open_trees(const std::shared_ptr<Database>& database, const std::shared_ptr<const RelationLayout>& layout) {
+void follow_changes(const std::shared_ptr<Database>& database, const std::shared_ptr<const RelationLayout>& layout) {
   if (!database->indexes().begins_to_follow(layout->table_number())) return;
   for (std::size_t attribute = 0; attribute < layout->attributes().size(); ++attribute)
     if (layout->attributes()[attribute].has_box() && tree_owner(database->catalogue(), *layout, attribute))
-      open_tree(database, layout, attribute);
+      find_stored(database, *layout, attribute);
 }
 
 void store_trees(Database& database) {
@@ -238,8 +272,9 @@ void store_trees(Database& database) {
     if (!owner) continue;
     const auto stored = reading_tree([&]() -> Status {
       ALGEBRA3D_RETURN_IF_ERROR(connection.execute("SAVEPOINT tree"));
-      return store_tree(connection, *owner, relation_state(relation->second, each.place.attribute), *each.tree,
-                        each.is_new);
+      const RelationState state = relation_state(relation->second, each.place.attribute);
+      if (each.tree == nullptr) return store_state(connection, *owner, state);
+      return store_tree(connection, *owner, state, *each.tree, each.is_new);
     });
     if (stored && *stored && connection.execute("RELEASE tree")) {
       database.indexes().set_stored(each.place);

@@ -25,10 +25,12 @@ struct RelationState {
   friend bool operator==(const RelationState&, const RelationState&) = default;
 };
 
-/// The tree that the pages of `owner` hold, if it has this state; else null. Its leaves are read when they are first
-/// needed, within a statement of `database`. Errors: database_corrupt.
+/// True if the pages of `owner` hold a tree of this state. Errors: database_corrupt.
+algebra3d::Result<bool> has_tree(SqliteConnection& connection, std::int64_t owner, const RelationState& state);
+/// The tree that the pages of `owner` hold. Its leaves are read when they are first needed, within a statement of
+/// `database`. Errors: database_corrupt.
 algebra3d::Result<std::shared_ptr<IndexCache::Tree>> load_tree(const std::shared_ptr<Database>& database,
-                                                               std::int64_t owner, const RelationState& state);
+                                                               std::int64_t owner);
 
 /// The number under which the tree of an attribute is stored, that of the first object that is an index on it; nothing
 /// if there is none.
@@ -45,15 +47,11 @@ algebra3d::Result<std::shared_ptr<IndexCache::Tree>> spatial_tree(const std::sha
 algebra3d::Result<std::shared_ptr<IndexCache::Tree>> tree_of_rows(const std::shared_ptr<Database>& database,
                                                                   const std::shared_ptr<const RelationLayout>& layout,
                                                                   std::size_t attribute);
-/// Opens the stored trees of a relation that is about to be changed, so that they follow.
-void open_trees(const std::shared_ptr<Database>& database, const std::shared_ptr<const RelationLayout>& layout);
+/// Finds the stored trees of a relation that is about to be changed, so that they follow.
+void follow_changes(const std::shared_ptr<Database>& database, const std::shared_ptr<const RelationLayout>& layout);
 
 /// Writes the trees that differ from the stored ones. One that cannot be written is not up to date in the file, and is
 /// made anew when it is needed.
 void store_trees(Database& database);
-
-/// Writes a tree that is new, or what has changed in it since it was loaded or written. Errors: those of writing.
-algebra3d::Status store_tree(SqliteConnection& connection, std::int64_t owner, const RelationState& state,
-                             IndexCache::Tree& tree, bool is_new);
 
 }  // namespace queries
