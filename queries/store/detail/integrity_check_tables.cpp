@@ -179,7 +179,7 @@ Status IntegrityCheck::check_schema() {
   std::set<std::string> known = {"chunks_by_place"};
   for (const auto& [table, begin] : kOwnTables) known.insert(table);
   for (const auto& [number, layout] : layouts_) known.insert(layout->table());
-  auto rows = database_->connection().use("SELECT type, name FROM sqlite_schema WHERE name NOT LIKE 'sqlite_%'");
+  auto rows = database_->connection().use("SELECT type, name, tbl_name FROM sqlite_schema WHERE name NOT LIKE 'sqlite_%'");
   if (!rows) return add({.message = kCatalogueFinding}, rows.error());
   while (true) {
     const auto has_row = rows->step();
@@ -193,7 +193,11 @@ Status IntegrityCheck::check_schema() {
     // To SQLite a table has the same name in another case.
     const auto layout = layouts_.find(number);
     if (layout != layouts_.end() && sqlite3_stricmp(layout->second->table().c_str(), name.c_str()) == 0) continue;
-    add({.message = fmt::format("the {} {} belongs to no object", rows->column(0).bytes, ascii_text(name))});
+    if (rows->column(0).bytes == "index")
+      add({.message = fmt::format("the table {} has an index {} that belongs to no object",
+                                  ascii_text(rows->column(2).bytes), ascii_text(name))});
+    else
+      add({.message = fmt::format("the {} {} belongs to no object", rows->column(0).bytes, ascii_text(name))});
   }
 }
 
