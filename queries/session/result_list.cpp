@@ -16,10 +16,10 @@ Result<NestedList> tuple_list(const Tuple& tuple) {
 }
 
 template <typename Index>
-NestedList index_list(const Index& index) {
+Result<NestedList> index_list(const Index& index) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t size, index.size());
   return NestedList::list(NestedList::symbol(index.is_definition() ? index.relation() : "frozen"),
-                          NestedList::symbol(index.attribute()),
-                          NestedList(static_cast<std::int64_t>(index.tree().size())));
+                          NestedList::symbol(index.attribute()), NestedList(static_cast<std::int64_t>(size)));
 }
 
 Result<NestedList> relation_list(Relation& relation, Context& context) {

@@ -129,8 +129,9 @@ class Store {
   /// Replaces the value of an existing object (not a function) by one of exactly its type. A relation may be assigned
   /// another relation or a tuple stream.
   virtual Status assign(const std::string& name, const Datum& value, const algebra3d::Context& context) = 0;
-  /// Reads the value of an object that is not a function. Relations are stored relations, which read on demand; rtree
-  /// objects are up-to-date trees. Errors: unknown_name, not_evaluable for an object without a value, database_corrupt.
+  /// Reads the value of an object that is not a function. Relations are stored relations, which read on demand; indexes
+  /// that follow a relation are up to date, and made from its rows if the stored ones are stale, damaged or missing.
+  /// Errors: unknown_name, not_evaluable for an object without a value, database_corrupt.
   virtual Result<Datum> read(const std::string& name) = 0;
   /// Removes an object, and with a relation its index definitions.
   virtual Status remove(const std::string& name) = 0;
@@ -149,9 +150,9 @@ class Store {
   virtual Status remove_type(const std::string& name) = 0;
 
   /// Checks the whole database: SQLite's own structures, the checksum of each row and value, the validity of each
-  /// geometry, box and size columns, the indexes in memory, and that all data belong to an object. An empty list means
-  /// that no defect was found. Call within a statement. Memory: one value at a time. Cost: linear in the file. Errors:
-  /// interrupted, io_error.
+  /// geometry, box and size columns, the stored indexes and those in memory, and that all data belong to an object. An
+  /// empty list means that no defect was found. Call within a statement. Memory: one value at a time. Cost: linear in
+  /// the file. Errors: interrupted, io_error.
   virtual Result<std::vector<Finding>> check(const algebra3d::Context& context,
                                              const std::function<void(const CheckProgress&)>& progress) = 0;
 

@@ -28,15 +28,17 @@ Box3 window_for(const IndexQuestion& question) {
   return by < 0 ? Box3() : algebra3d::padded(box, by);
 }
 
-Candidates spatial_candidates(const IndexQuestion& question, const SpatialIndex& index, std::uint64_t tuple_count) {
-  if (!question.operand.is_defined()) return std::vector<TupleId>();
+Result<Candidates> spatial_candidates(const IndexQuestion& question, const SpatialIndex& index,
+                                      std::uint64_t tuple_count) {
+  if (!question.operand.is_defined()) return Candidates(std::vector<TupleId>());
   // Empty values are not in the index, and are inside of everything; so is an empty operand.
-  if (question.use == IndexUse::is_inside && index.tree().size() != tuple_count) return std::nullopt;
-  if (question.use == IndexUse::contains && window_of(question.operand).is_empty()) return std::nullopt;
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t entry_count, index.size());
+  if (question.use == IndexUse::is_inside && entry_count != tuple_count) return Candidates();
+  if (question.use == IndexUse::contains && window_of(question.operand).is_empty()) return Candidates();
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto found, ids_in_window(index, window_for(question)));
   std::vector<TupleId> ids;
-  for (const std::uint64_t id : ids_in_window(index.tree(), window_for(question)))
-    ids.push_back(static_cast<TupleId>(id));
-  return ids;
+  for (const std::uint64_t id : found) ids.push_back(static_cast<TupleId>(id));
+  return Candidates(std::move(ids));
 }
 
 Result<Candidates> ordered_candidates(const IndexQuestion& question, const TypeExpr& key, const OrderedIndex& index) {
@@ -45,8 +47,9 @@ Result<Candidates> ordered_candidates(const IndexQuestion& question, const TypeE
   if (!conversion) return Candidates();
   ALGEBRA3D_ASSIGN_OR_RETURN(const Value bound, loaded_as(question.operand, *conversion));
   const bool has_low = question.use != IndexUse::at_most, has_high = question.use != IndexUse::at_least;
-  std::vector<TupleId> ids =
-      index.tree().range(has_low ? std::optional(bound) : std::nullopt, has_high ? std::optional(bound) : std::nullopt);
+  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<TupleId> ids,
+                             index.entries().range(has_low ? std::optional(bound) : std::nullopt,
+                                                   has_high ? std::optional(bound) : std::nullopt));
   std::ranges::sort(ids);
   return Candidates(std::move(ids));
 }

@@ -8,6 +8,7 @@
 #include "queries/streams/all.h"
 #include "queries/streams/detail/exact_scan.h"
 #include "queries/streams/detail/index_operands.h"
+#include "queries/streams/detail/nearest_entries.h"
 #include "queries/streams/detail/parallel_filter.h"
 #include "queries/streams/detail/spatial_attribute.h"
 #include "queries/streams/mapping.h"
@@ -33,8 +34,8 @@ Result<TypeExpr> index_operand(const MappingCheck& check, std::size_t position) 
   return check.expected("an R-tree", type);
 }
 
-Result<Datum> create_index(const Datum& source, const IndexSource& from, std::size_t attribute, std::string_view op,
-                           const Context& context) {
+Result<std::shared_ptr<Tree>> tree_of(const Datum& source, const IndexSource& from, std::size_t attribute,
+                                      std::string_view op, const Context& context) {
   std::vector<Entry> entries;
   ALGEBRA3D_RETURN_IF_ERROR(
       for_each_indexed(source, from.id_attribute, op, context, [&](const Tuple& tuple, TupleId id) -> Status {
@@ -42,9 +43,25 @@ Result<Datum> create_index(const Datum& source, const IndexSource& from, std::si
           entries.push_back({box, static_cast<std::uint64_t>(id)});
         return {};
       }));
-  auto tree = std::make_shared<Tree>(Tree::bulk_load(entries));
-  return Datum{
-      std::make_shared<SpatialIndex>(stored_name(source), from.given.attributes()[attribute].name, std::move(tree))};
+  return std::make_shared<Tree>(Tree::bulk_load(entries));
+}
+
+// An index on a stored relation that is to be stored is made by the store, and not here.
+Result<Datum> create_index(const Datum& source, const IndexSource& from, std::size_t attribute, const char* op,
+                           const Context& context) {
+  const std::string& name = from.given.attributes()[attribute].name;
+  if (std::string relation = stored_name(source); !relation.empty())
+    return Datum{std::make_shared<SpatialIndex>(
+        std::move(relation), name,
+        SpatialIndex::Source{[=, &context, made = std::shared_ptr<Tree>()]() mutable -> Result<std::shared_ptr<Tree>> {
+                               if (made == nullptr) {
+                                 ALGEBRA3D_ASSIGN_OR_RETURN(made, tree_of(source, from, attribute, op, context));
+                               }
+                               return made;
+                             },
+                             {}})};
+  ALGEBRA3D_ASSIGN_OR_RETURN(auto tree, tree_of(source, from, attribute, op, context));
+  return Datum{std::make_shared<SpatialIndex>("", name, std::move(tree))};
 }
 
 TypeMapping map_creatertree(const algebra3d::Registry& registry, const char* op) {
@@ -130,8 +147,8 @@ TypeMapping map_windowintersects(const Registry& registry) {
         TypeExpr::stream(tuple), [predicate](std::vector<Datum> given, Context& context) -> Result<Datum> {
           ALGEBRA3D_ASSIGN_OR_RETURN(const IndexSearch search, index_search(given, "windowintersects"));
           const Value& window = given[2].value();
-          TupleStreamPtr tuples =
-              fetched(search.relation, one_by_one(ids_in_window(search.index->tree(), window_of(window))));
+          ALGEBRA3D_ASSIGN_OR_RETURN(auto ids, ids_in_window(*search.index, window_of(window)));
+          TupleStreamPtr tuples = fetched(search.relation, one_by_one(std::move(ids)));
           if (!predicate) return Datum{std::move(tuples)};
           ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, window.loaded());
           return Datum{meeting(std::move(tuples), search.attribute, *predicate, loaded, context)};
@@ -147,9 +164,9 @@ TypeMapping map_window_ids(const algebra3d::Registry& registry) {
     return BoundOperator{
         TypeExpr::stream(TypeExpr::tuple({{"Id", TypeExpr("tid")}})),
         [](std::vector<Datum> given, Context&) -> Result<Datum> {
-          auto ids = one_by_one(ids_in_window(given[0].index()->tree(), window_of(given[1].value())));
-          return Datum{make_stream([ids = std::move(ids)]() mutable -> Result<TuplePtr> {
-            const auto id = ids();
+          ALGEBRA3D_ASSIGN_OR_RETURN(auto found, ids_in_window(*given[0].index(), window_of(given[1].value())));
+          return Datum{make_stream([ids = one_by_one(std::move(found))]() mutable -> Result<TuplePtr> {
+            ALGEBRA3D_ASSIGN_OR_RETURN(const auto id, ids());
             if (!id) return TuplePtr();
             return TuplePtr(std::make_shared<const Tuple>(Tuple{{id_value(static_cast<TupleId>(*id))}}));
           })};
@@ -202,11 +219,11 @@ TypeMapping map_distancescan(const Registry& registry) {
             return Datum{exact_distance_scan(std::move(search), to, left, context)};
           }
           return Datum{fetched(search.relation,
-                               [index = search.index, left,
-                                cursor = search.index->tree().nearest(box)]() mutable -> std::optional<std::uint64_t> {
-                                 if (left == 0) return std::nullopt;
+                               [nearest = NearestEntries(search.index, box),
+                                left]() mutable -> Result<std::optional<std::uint64_t>> {
+                                 if (left == 0) return std::optional<std::uint64_t>();
                                  --left;
-                                 const auto next = cursor.next();
+                                 ALGEBRA3D_ASSIGN_OR_RETURN(const auto next, nearest.next());
                                  return next ? std::optional(next->payload) : std::nullopt;
                                })};
         }};

@@ -18,11 +18,30 @@ OrderedTree OrderedTree::bulk_load(std::vector<Entry> entries) {
   return tree;
 }
 
-std::vector<TupleId> OrderedTree::range(const std::optional<Value>& low, const std::optional<Value>& high) const {
+Result<std::vector<TupleId>> OrderedTree::range(const std::optional<Value>& low,
+                                                const std::optional<Value>& high) const {
   std::vector<TupleId> ids;
   auto entry = low ? entries_.lower_bound({*low, std::numeric_limits<TupleId>::min()}) : entries_.begin();
   for (; entry != entries_.end() && (!high || compare(entry->key, *high) <= 0); ++entry) ids.push_back(entry->id);
   return ids;
+}
+
+Result<const OrderedEntries*> DeferredOrder::made() const {
+  if (made_ == nullptr) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(made_, make_());
+  }
+  return made_.get();
+}
+
+Result<std::size_t> DeferredOrder::size() const {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const OrderedEntries* entries, made());
+  return entries->size();
+}
+
+Result<std::vector<TupleId>> DeferredOrder::range(const std::optional<Value>& low,
+                                                  const std::optional<Value>& high) const {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const OrderedEntries* entries, made());
+  return entries->range(low, high);
 }
 
 }  // namespace queries

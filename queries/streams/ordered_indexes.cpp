@@ -7,8 +7,8 @@
 namespace queries {
 namespace {
 
-Result<Datum> create_index(const Datum& source, const IndexSource& from, std::size_t attribute,
-                           const Context& context) {
+Result<std::shared_ptr<const OrderedTree>> tree_of(const Datum& source, const IndexSource& from, std::size_t attribute,
+                                                   const Context& context) {
   std::vector<OrderedTree::Entry> entries;
   ALGEBRA3D_RETURN_IF_ERROR(for_each_indexed(
       source, from.id_attribute, "createbtree", context, [&](const Tuple& tuple, TupleId id) -> Status {
@@ -16,9 +16,22 @@ Result<Datum> create_index(const Datum& source, const IndexSource& from, std::si
         if (key.is_defined()) entries.push_back({std::move(key), id});
         return {};
       }));
-  auto tree = std::make_shared<OrderedTree>(OrderedTree::bulk_load(std::move(entries)));
-  return Datum{
-      std::make_shared<OrderedIndex>(stored_name(source), from.given.attributes()[attribute].name, std::move(tree))};
+  return std::make_shared<const OrderedTree>(OrderedTree::bulk_load(std::move(entries)));
+}
+
+// An index on a stored relation that is to be stored is made by the store, and not here.
+Result<Datum> create_index(const Datum& source, const IndexSource& from, std::size_t attribute,
+                           const Context& context) {
+  const std::string& name = from.given.attributes()[attribute].name;
+  if (std::string relation = stored_name(source); !relation.empty()) {
+    const auto make = [=, &context]() -> Result<std::shared_ptr<const OrderedEntries>> {
+      ALGEBRA3D_ASSIGN_OR_RETURN(std::shared_ptr<const OrderedEntries> tree, tree_of(source, from, attribute, context));
+      return tree;
+    };
+    return Datum{std::make_shared<OrderedIndex>(std::move(relation), name, std::make_shared<DeferredOrder>(make))};
+  }
+  ALGEBRA3D_ASSIGN_OR_RETURN(auto tree, tree_of(source, from, attribute, context));
+  return Datum{std::make_shared<OrderedIndex>(name, std::move(tree))};
 }
 
 Result<BoundOperator> map_createbtree(std::span<const ArgumentType> arguments) {
@@ -53,7 +66,8 @@ Result<Datum> found(const std::vector<Datum>& given, const Bounds& bounds, const
     if (!(*each)->is_defined()) return Datum{fetched(given[1].relation(), one_by_one(std::vector<TupleId>()))};
     ALGEBRA3D_ASSIGN_OR_RETURN(*each, (*each)->loaded());
   }
-  return Datum{fetched(given[1].relation(), one_by_one(index->tree().range(low, high)))};
+  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<TupleId> ids, index->entries().range(low, high));
+  return Datum{fetched(given[1].relation(), one_by_one(std::move(ids)))};
 }
 
 TypeMapping map_search(Bounds bounds) {

@@ -26,12 +26,16 @@ class Relation {
   /// A stream of the tuples with these ids, which are ascending; ids that are not there are left out. It shows the
   /// relation as `scan` does. The relation outlives it.
   virtual Result<TupleStreamPtr> select(std::vector<TupleId> ids);
+  /// True if what `fetch` gives of this tuple now can be read until the statement ends, also the values that it defers,
+  /// whatever becomes of the tuple.
+  virtual bool keeps(TupleId /*id*/) const { return false; }
   /// Name of a stored relation; empty for a relation in memory.
   virtual std::string name() const { return {}; }
 
   // Changes of a stored relation; its indexes are updated. Errors: wrong_usage for a relation in memory.
   virtual Result<TupleId> insert(const Tuple& tuple);
   virtual Status erase(TupleId id);
+  /// Writes only the values that differ.
   virtual Status update(TupleId id, const Tuple& tuple);
 };
 using RelationPtr = std::shared_ptr<Relation>;

@@ -41,10 +41,11 @@ Result<TupleStreamPtr> update_all(const TupleBuffer& old_tuples, Relation& relat
     std::vector<Value> values;
     ALGEBRA3D_RETURN_IF_ERROR(append_results(functions, Datum{old}, values));
     Tuple made = *old;
-    for (std::size_t i = 0; i < values.size(); ++i)
-      made.attributes[assignments.attributes[i]] = converted(values[i], assignments.conversions[i]);
-    ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr loaded, loaded_tuple(made));
-    return new_tuples.add(std::move(loaded));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      Value& assigned = made.attributes[assignments.attributes[i]];
+      ALGEBRA3D_ASSIGN_OR_RETURN(assigned, converted(values[i], assignments.conversions[i]).loaded());
+    }
+    return new_tuples.add(std::make_shared<const Tuple>(std::move(made)));
   };
   ALGEBRA3D_RETURN_IF_ERROR(for_each_tuple(*old_tuples.scan(), context, make_new));
   ALGEBRA3D_RETURN_IF_ERROR(for_each_tuple(*new_tuples.scan(), context,

@@ -31,7 +31,11 @@ bool accept(Leaf& leaf, bool is_free, const LeafRules& rules) {
 
 template <typename Leaf>
 LeafArray<Leaf>::LeafArray(std::size_t count, LeafReader reader, LeafRules rules)
-    : leaves_(count), pending_(new Pending{count, std::move(reader), std::move(rules), {}, {}}) {
+    : pending_(new Pending{count, std::move(reader), std::move(rules), {}, {}}) {
+  // An array without room would be copied with the first new leaf, and the leaves that were not read would take memory.
+  constexpr std::size_t kLeastRoom = 64;
+  leaves_.reserve(count + count / 16 + kLeastRoom);
+  leaves_.resize(count);
   const std::size_t at_once = pending_->reader.leaves_at_once;
   pending_->blocks = std::make_unique<std::atomic<bool>[]>((count + at_once - 1) / at_once);
 }

@@ -199,14 +199,20 @@ std::uint64_t Catalogue::sum() const {
 Status Catalogue::upgrade() {
   ALGEBRA3D_RETURN_IF_ERROR(load());
   if (version_ == kDatabaseVersion) return {};
+  if (version_ == 1) ALGEBRA3D_RETURN_IF_ERROR(upgrade_from_version1());
+  ALGEBRA3D_RETURN_IF_ERROR(connection_.execute(kCreateIndexPages));
+  ALGEBRA3D_RETURN_IF_ERROR(connection_.execute(fmt::format("PRAGMA user_version = {}", kDatabaseVersion)));
+  version_ = kDatabaseVersion;
+  return flush();
+}
+
+Status Catalogue::upgrade_from_version1() {
   ALGEBRA3D_RETURN_IF_ERROR(connection_.execute("DROP TABLE catalogue"));
   for (const char* sql : {kCreateCatalogue, kCreateNamedTypes, kCreateAbandoned})
     ALGEBRA3D_RETURN_IF_ERROR(connection_.execute(sql));
-  ALGEBRA3D_RETURN_IF_ERROR(connection_.execute(fmt::format("PRAGMA user_version = {}", kDatabaseVersion)));
-  version_ = kDatabaseVersion;
   for (const auto& [name, entry] : entries_) edited_.insert(name);
   is_changed_ = true;
-  return flush();
+  return {};
 }
 
 void Catalogue::forget() {

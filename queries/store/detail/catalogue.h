@@ -47,6 +47,8 @@ class Catalogue {
   /// Drops the catalogue from memory, after a rollback or when another process has written.
   void forget();
   bool is_loaded() const { return is_loaded_; }
+  /// The version of the file.
+  std::int64_t version() const { return version_; }
   /// Upgrades the tables of an older file to this version, and writes the catalogue again. Call within a transaction.
   algebra3d::Status upgrade();
 
@@ -76,6 +78,7 @@ class Catalogue {
   algebra3d::Status flush();
 
  private:
+  algebra3d::Status upgrade_from_version1();
   algebra3d::Status read_all();
   algebra3d::Status read_entries(bool backwards = false);
   algebra3d::Status read_readable();

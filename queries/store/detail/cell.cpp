@@ -42,6 +42,10 @@ std::uint64_t checksum_of(std::string_view bytes) {
   return XXH3_64bits(bytes.data(), bytes.size());
 }
 
+std::uint64_t checksum_of(std::string_view bytes, std::uint64_t seed) {
+  return XXH3_64bits_withSeed(bytes.data(), bytes.size(), seed);
+}
+
 void append_cells(std::span<const Cell> cells, std::string& bytes) {
   const std::size_t begin = bytes.size();
   bytes.resize(begin + written_size(cells));

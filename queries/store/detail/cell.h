@@ -34,6 +34,8 @@ void take_cells(std::string_view bytes, std::span<Cell> cells);
 std::uint64_t checksum_of(std::span<const Cell> cells);
 /// Checksum of the bytes of a stored value.
 std::uint64_t checksum_of(std::string_view bytes);
+/// The same with a seed.
+std::uint64_t checksum_of(std::string_view bytes, std::uint64_t seed);
 
 /// Converts a checksum to SQLite's signed integers; all 64 bits are kept.
 inline std::int64_t as_signed(std::uint64_t bits) {

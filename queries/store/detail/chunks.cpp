@@ -33,6 +33,12 @@ Result<std::string> read_chunks(SqliteConnection& connection, const ChunkPlace& 
                           connection.file(), bytes.size(), size};
 }
 
+Status erase_chunks(SqliteConnection& connection, const ChunkPlace& place) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement,
+                             connection.use("DELETE FROM chunks WHERE owner = ? AND tuple = ? AND attribute = ?"));
+  return statement.bind(1, place.owner).bind(2, place.tuple).bind(3, place.attribute).run();
+}
+
 Status erase_chunks(SqliteConnection& connection, std::int64_t owner, std::int64_t tuple) {
   ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement,
                              connection.use("DELETE FROM chunks WHERE owner = ? AND tuple = ?"));

@@ -19,6 +19,9 @@ algebra3d::Status write_chunks(SqliteConnection& connection, const ChunkPlace& p
                                std::uint64_t chunk_bytes);
 /// Reads and joins all chunks; `size` bytes in all. Errors: database_corrupt.
 algebra3d::Result<std::string> read_chunks(SqliteConnection& connection, const ChunkPlace& place, std::int64_t size);
+/// Erases the chunks of one value.
+algebra3d::Status erase_chunks(SqliteConnection& connection, const ChunkPlace& place);
+/// Erases the chunks of all attributes of a tuple.
 algebra3d::Status erase_chunks(SqliteConnection& connection, std::int64_t owner, std::int64_t tuple);
 algebra3d::Status erase_all_chunks(SqliteConnection& connection, std::int64_t owner);
 

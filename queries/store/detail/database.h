@@ -30,6 +30,12 @@ struct LargeValue {
   ChangeTime time = 0;          ///< time of reading in this statement
 };
 
+/// An attribute of a relation that has an index.
+struct IndexPlace {
+  std::shared_ptr<const RelationLayout> layout;
+  std::size_t attribute = 0;
+};
+
 /// The state that the parts of a store share: the connection, the running statement, and the caches. Owned jointly by
 /// the store and by streams and values that read lazily; these get errors after the end of their statement or of the
 /// store. Used by one thread, except `load` and `with_bytes`, which several threads may call while the statement runs.
@@ -77,6 +83,8 @@ class Database : public std::enable_shared_from_this<Database> {
   SqliteConnection& connection() { return *connection_; }
   Catalogue& catalogue() { return catalogue_; }
   IndexCache& indexes() { return indexes_; }
+  /// Makes SQLite's index of an ordered index anew when the statement has ended, if the file can be written then.
+  void restore_order_later(IndexPlace place) { orders_to_restore_.push_back(std::move(place)); }
   const ChangeLog& changes() const { return changes_; }
   ChangeCounts& change_counts() { return change_counts_; }  // since opening
   Result<std::shared_ptr<const RelationLayout>> layout_of(const CatalogueEntry& relation);
@@ -110,12 +118,15 @@ class Database : public std::enable_shared_from_this<Database> {
   void rollback_within_transaction();
   void end_transaction();
   Status write_end();
+  Status end_in_sqlite();
   Status check_place() const;
   bool is_outdated(const RelationLayout& layout, TupleId tuple) const;
   Status notice_other_processes();
   void forget_everything();
   void end_statement();
   Result<SqliteConnection*> original();
+  void restore_indexes();
+  Status restore_order(const IndexPlace& place);
   static Error lost(const RelationLayout& layout, TupleId tuple);
   Result<Value> decode(const LargeValue& value, std::uint64_t& byte_count);
 
@@ -142,6 +153,7 @@ class Database : public std::enable_shared_from_this<Database> {
   bool has_written_ = false;
   std::optional<Error> failure_;
   std::vector<std::shared_ptr<const RelationLayout>> dropped_;
+  std::vector<IndexPlace> orders_to_restore_;
 
   // Used by the threads that load values.
   mutable std::mutex mutex_;

@@ -1,6 +1,10 @@
 // When a Database's statements and transactions begin and end, and what is forgotten then.
+#include <algorithm>
+#include <utility>
+
 #include "queries/store/detail/chunks.h"
 #include "queries/store/detail/database.h"
+#include "queries/store/detail/stored_tree.h"
 #include "queries/store/detail/tables.h"
 
 namespace queries {
@@ -127,7 +131,7 @@ Status Database::commit() {
   Status status = failure_ ? Status(*failure_) : check_reading();
   if (status && has_written_) status = check_place();
   if (status && has_written_) status = write_end();
-  if (status) status = connection_->execute(is_explicit_ ? kEndStatement : "COMMIT");
+  if (status) status = end_in_sqlite();
   if (!status) {
     rollback();
     return status;
@@ -135,7 +139,60 @@ Status Database::commit() {
   transaction_has_written_ = is_explicit_ && (transaction_has_written_ || has_written_);
   if (is_explicit_) earlier_.add(changes_);
   end_statement();
+  restore_indexes();
   return {};
+}
+
+// A statement that only reads has made an index that is missing or damaged. What goes wrong here is tried again after
+// another statement: the answers come from memory meanwhile.
+void Database::restore_indexes() {
+  if ((orders_to_restore_.empty() && indexes_.unstored().empty()) || is_explicit_ || is_read_only_) return;
+  const std::vector<IndexPlace> places = std::exchange(orders_to_restore_, {});
+  connection_->wait_at_most(0);
+  Status status = connection_->execute("BEGIN IMMEDIATE");
+  connection_->wait_at_most(options_.busy_milliseconds);
+  if (!status) return;
+  status = notice_other_processes();
+  if (status) status = catalogue_.load();
+  if (status) store_trees(*this);
+  for (const IndexPlace& place : places)
+    if (status) status = restore_order(place);
+  if (status) status = connection_->execute("COMMIT");
+  if (!status && connection_->in_transaction()) static_cast<void>(connection_->execute("ROLLBACK"));
+  if (!status) return;
+  for (const IndexPlace& place : places) indexes_.drop_ordered(place.layout->table_number(), place.attribute);
+}
+
+// SQLite frees the pages of an index along its links, which may lead to pages of others if they are damaged. Then the
+// index is left where it is, for `check database` to find.
+Status Database::restore_order(const IndexPlace& place) {
+  const RelationLayout& layout = *place.layout;
+  const auto is_definition = [&](const auto& each) {
+    const CatalogueEntry& entry = each.second;
+    return entry.type.is("btree") && entry.index_relation == layout.relation() &&
+           entry.index_attribute == layout.attributes()[place.attribute].name;
+  };
+  const CatalogueEntry* const relation = catalogue_.find(layout.relation());
+  if (relation == nullptr || relation->table_number != layout.table_number() ||
+      std::ranges::none_of(catalogue_.entries(), is_definition))
+    return {};
+  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement check,
+                             connection_->use(fmt::format("PRAGMA quick_check({})", layout.table())));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, check.step());
+  if (!has_row || check.column(0).bytes != "ok")
+    return Error{ErrorCode::database_corrupt, "{}: the index or the relation is damaged", layout.relation()};
+  { const SqliteStatement done = std::move(check); }
+  ALGEBRA3D_RETURN_IF_ERROR(connection_->execute(layout.drop_order_sql(place.attribute)));
+  return connection_->execute(layout.create_order_sql(place.attribute));
+}
+
+// After it has met damage, SQLite refuses to commit. Where an index was damaged and its answer came from the rows, a
+// statement that has only read has nothing to commit.
+Status Database::end_in_sqlite() {
+  Status status = connection_->execute(is_explicit_ ? kEndStatement : "COMMIT");
+  const bool may_go_back = !is_explicit_ && !has_written_ && !orders_to_restore_.empty();
+  if (status || !may_go_back || status.error().code != ErrorCode::database_corrupt) return status;
+  return connection_->in_transaction() ? connection_->execute("ROLLBACK") : Status();
 }
 
 // A file that was removed behind our back would take with it what is written to it now.
@@ -151,6 +208,7 @@ Status Database::write_end() {
     ALGEBRA3D_RETURN_IF_ERROR(connection_->execute(layout->drop_sql()));
     ALGEBRA3D_RETURN_IF_ERROR(erase_all_chunks(*connection_, layout->table_number()));
   }
+  store_trees(*this);
   return catalogue_.flush();
 }
 

@@ -27,7 +27,7 @@ std::string encode_order(const OrderedTree& tree) {
     writer.u64(static_cast<std::uint64_t>(entry.id));
     writer.text(algebra3d::encode(entry.key));
   }
-  return framed(kOrderFrame, tree.size(), body);
+  return framed(kOrderFrame, *tree.size(), body);
 }
 
 Result<std::shared_ptr<OrderedTree>> decode_order(const algebra3d::Type& key_type, std::string_view bytes) {

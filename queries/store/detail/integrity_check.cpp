@@ -5,7 +5,9 @@
 #include "algebra3d/types/codec.h"
 #include "queries/store/detail/frozen_index.h"
 #include "queries/store/detail/frozen_order.h"
+#include "queries/store/detail/index_pages.h"
 #include "queries/store/detail/stored_object.h"
+#include "queries/store/detail/tables.h"
 
 namespace queries {
 namespace {
@@ -42,6 +44,7 @@ Result<std::vector<Finding>> IntegrityCheck::run() {
   ALGEBRA3D_RETURN_IF_ERROR(check_numbers("object_values", "id"));
   ALGEBRA3D_RETURN_IF_ERROR(check_numbers("imported_files", "relation"));
   ALGEBRA3D_RETURN_IF_ERROR(check_chunks());
+  ALGEBRA3D_RETURN_IF_ERROR(check_index_pages());
   ALGEBRA3D_RETURN_IF_ERROR(check_abandoned());
   add_readable_objects();
   for (const auto& [name, count] : finding_counts_)
@@ -152,6 +155,30 @@ Status IntegrityCheck::check_definition(const CatalogueEntry& entry) {
          .message = fmt::format("the relation '{}' has no attribute '{}' for the index", entry.index_relation,
                                 entry.index_attribute)});
   return {};
+}
+
+// Of objects that are no indexes, or of none.
+Status IntegrityCheck::check_index_pages() {
+  if (database_->catalogue().version() < kFirstVersionWithIndexPages) return {};
+  std::set<std::int64_t> known = abandoned_;
+  for (const auto& [name, entry] : database_->catalogue().entries())
+    if (entry.type.is("rtree3")) known.insert(entry.id);
+  const Finding where{.message = "the table index_pages, which holds spatial indexes: "};
+  std::int64_t from = INT64_MIN;
+  while (true) {
+    auto next =
+        database_->connection().use("SELECT place >> 32 FROM index_pages WHERE place >= ? ORDER BY place LIMIT 1");
+    if (!next) return add(where, next.error());
+    const auto has_row = next->bind(1, from).step();
+    if (!has_row) return add(where, has_row.error());
+    if (!*has_row) return {};
+    const std::int64_t owner = next->column(0).integer;
+    if (!known.contains(owner))
+      add({.message =
+               fmt::format("the table index_pages has rows of the object number {}, which is not there", owner)});
+    if (owner >= INT32_MAX) return {};
+    from = IndexPage{owner + 1, 0}.place();
+  }
 }
 
 Status IntegrityCheck::check_numbers(std::string_view table, std::string_view column) {

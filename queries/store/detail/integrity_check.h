@@ -34,6 +34,8 @@ class IntegrityCheck {
   Status check_pages();
   Result<bool> check_pages_of(std::string_view sql, const Finding& place);
   Status check_schema();
+  bool is_stored_order(const std::string& name) const;
+  Status check_stored_orders();
   Status check_columns();
   Status check_columns_of(SqliteConnection& model, const std::string& table, const Finding& place);
   Status check_meta();
@@ -60,9 +62,11 @@ class IntegrityCheck {
   Result<Value> proved(const Value& value);
   void check_totals(const Walk& walk);
   void check_trees(Walk& walk);
+  void check_tree(const Walk& walk, std::size_t attribute, const SpatialIndex::Tree& tree, std::string_view which);
 
   Status check_numbers(std::string_view table, std::string_view column);
   Status check_chunks();
+  Status check_index_pages();
   Result<bool> has_chunks(std::int64_t owner, std::int64_t tuple, std::int64_t attribute);
 
   void add(Finding finding);

@@ -1,9 +1,13 @@
 // The part of the integrity check that reads relations.
+#include <algorithm>
+#include <tuple>
+
 #include "algebra3d/types/codec.h"
-#include "queries/store/detail/frozen_index.h"
 #include "queries/store/detail/frozen_order.h"
 #include "queries/store/detail/integrity_check.h"
+#include "queries/store/detail/stored_tree.h"
 #include "queries/store/detail/stored_value.h"
+#include "queries/store/detail/tables.h"
 
 namespace queries {
 namespace {
@@ -15,6 +19,10 @@ std::string range_text(TupleId first, TupleId last) {
   return first == last ? fmt::format("tuple {}", first) : fmt::format("tuples {} to {}", first, last);
 }
 
+bool entry_before(const rtree::Entry<std::uint64_t>& a, const rtree::Entry<std::uint64_t>& b) {
+  return std::tie(a.payload, a.box.min, a.box.max) < std::tie(b.payload, b.box.min, b.box.max);
+}
+
 }  // namespace
 
 struct IntegrityCheck::Walk {
@@ -22,6 +30,7 @@ struct IntegrityCheck::Walk {
   std::shared_ptr<const RelationLayout> layout;
   std::int64_t count = 0;
   std::uint64_t sum = 0;
+  bool are_rows_sound = true;
   TupleId last = 0;
   /// Tuples that cannot be read, in ascending order; the last ones may be without an end.
   struct Gap {
@@ -39,15 +48,17 @@ Status IntegrityCheck::check_relation(const CatalogueEntry& entry) {
   if (!layout) return add({.object = entry.name}, layout.error());
   layouts_.emplace(entry.table_number, *layout);
   Walk walk{entry, *layout};
-  for (std::size_t i = 0; i < (*layout)->attributes().size(); ++i)
-    if (database_->indexes().find(entry.table_number, i) != nullptr) walk.boxes[i] = {};
+  for (std::size_t i = 0; i < (*layout)->attributes().size(); ++i) {
+    const bool is_open = database_->indexes().find(entry.table_number, i) != nullptr;
+    if (is_open || tree_owner(database_->catalogue(), **layout, i)) walk.boxes[i] = {};
+  }
   for (const std::size_t attribute : database_->indexes().ordered_attributes(entry.table_number))
     walk.keys[attribute] = {};
   ALGEBRA3D_RETURN_IF_ERROR(check_rows(walk));
   if (!walk.gaps.empty()) add_readable(walk);
   if (!walk.gaps.empty()) return {};
   check_totals(walk);
-  check_trees(walk);
+  if (walk.are_rows_sound && walk.sum == entry.tuple_sum) check_trees(walk);
   return {};
 }
 
@@ -145,6 +156,7 @@ Status IntegrityCheck::check_row(Walk& walk, const SqliteStatement& row) {
   ++walk.count;
   walk.sum += reader.checksum();
   if (!taken) {
+    walk.are_rows_sound = false;
     add({.object = walk.entry.name, .tuple = reader.id(), .message = "the row is not what was written"});
     return {};
   }
@@ -198,18 +210,25 @@ void IntegrityCheck::check_totals(const Walk& walk) {
     wrong(fmt::format("there is a tuple {}, the next one is to be {}", walk.last, entry.next_tuple));
 }
 
-// The same entries give the same bytes.
+// One that is stored with another state of the relation is made anew when it is needed, and no damage.
 void IntegrityCheck::check_trees(Walk& walk) {
-  for (const auto& [attribute, boxes] : walk.boxes) {
-    const auto tree = database_->indexes().find(walk.entry.table_number, attribute);
-    const std::string& name = walk.layout->attributes()[attribute].name;
-    const auto faults = rtree::audit(*tree);
-    for (const std::string& fault : faults)
-      add({.object = walk.entry.name, .attribute = name, .message = "the index in memory: " + fault});
-    if (faults.empty() && encode_tree(*tree) != encode_tree(SpatialIndex::Tree::bulk_load(boxes)))
-      add({.object = walk.entry.name,
-           .attribute = name,
-           .message = "the index in memory does not have the boxes of the relation"});
+  for (auto& [attribute, boxes] : walk.boxes) {
+    std::ranges::sort(boxes, entry_before);
+    if (const auto open = database_->indexes().find(walk.entry.table_number, attribute))
+      check_tree(walk, attribute, *open, "the index in memory");
+    const auto owner = tree_owner(database_->catalogue(), *walk.layout, attribute);
+    if (!owner || database_->catalogue().version() < kFirstVersionWithIndexPages) continue;
+    const auto is_stored = has_tree(database_->connection(), *owner, relation_state(walk.entry, attribute));
+    if (is_stored && !*is_stored) continue;
+    const auto stored =
+        is_stored ? load_tree(database_, *owner) : Result<std::shared_ptr<SpatialIndex::Tree>>(is_stored.error());
+    if (stored)
+      check_tree(walk, attribute, **stored, "the stored index");
+    else
+      static_cast<void>(add({.object = walk.entry.name,
+                             .attribute = walk.layout->attributes()[attribute].name,
+                             .message = "the stored index: "},
+                            stored.error()));
   }
   for (auto& [attribute, keys] : walk.keys) {
     const auto tree = database_->indexes().find_ordered(walk.entry.table_number, attribute);
@@ -218,6 +237,26 @@ void IntegrityCheck::check_trees(Walk& walk) {
            .attribute = walk.layout->attributes()[attribute].name,
            .message = "the ordered index in memory does not have the values of the relation"});
   }
+}
+
+/// Compares a tree with the sorted boxes of the rows.
+void IntegrityCheck::check_tree(const Walk& walk, std::size_t attribute, const SpatialIndex::Tree& tree,
+                                std::string_view which) {
+  const auto finding = [&](std::string_view fault) {
+    add({.object = walk.entry.name,
+         .attribute = walk.layout->attributes()[attribute].name,
+         .message = fmt::format("{}{}", which, fault)});
+  };
+  const auto read = reading_tree([&] {
+    const auto faults = rtree::audit(tree);
+    for (const std::string& fault : faults) finding(": " + fault);
+    if (!faults.empty()) return true;
+    Entries entries = tree.entries();
+    std::ranges::sort(entries, entry_before);
+    if (entries != walk.boxes.at(attribute)) finding(" does not have the boxes of the relation");
+    return true;
+  });
+  if (!read) finding(": " + read.error().message);
 }
 
 }  // namespace queries

@@ -17,6 +17,7 @@ constexpr std::pair<const char*, const char*> kOwnTables[] = {
     {"abandoned", "the catalogue (table abandoned): "},
     {"object_values", "the table object_values, which holds the values of objects that are no relations: "},
     {"chunks", "the table chunks, which holds long values: "},
+    {"index_pages", "the table index_pages, which holds spatial indexes: "},
     {"imported_files", "the table imported_files, which says what was imported: "},
 };
 
@@ -159,11 +160,26 @@ void IntegrityCheck::add_page_finding(const Finding& place, std::string_view lin
   add(std::move(found));
 }
 
+/// Whether an index of SQLite is that of an ordered index on a relation that is there or was abandoned.
+bool IntegrityCheck::is_stored_order(const std::string& name) const {
+  const auto number = number_after(name, "order_");
+  if (!name.starts_with("order_") || !number) return false;
+  const std::int64_t table = std::atoll(number->number.c_str());
+  if (abandoned_.contains(table)) return true;
+  const auto layout = layouts_.find(table);
+  if (layout == layouts_.end()) return false;
+  return std::ranges::any_of(database_->catalogue().entries(), [&](const auto& each) {
+    const CatalogueEntry& entry = each.second;
+    return entry.type.is("btree") && entry.index_relation == layout->second->relation() &&
+           layout->second->order_name(layout->second->find(entry.index_attribute)) == name;
+  });
+}
+
 Status IntegrityCheck::check_schema() {
   std::set<std::string> known = {"chunks_by_place"};
   for (const auto& [table, begin] : kOwnTables) known.insert(table);
   for (const auto& [number, layout] : layouts_) known.insert(layout->table());
-  auto rows = database_->connection().use("SELECT type, name FROM sqlite_schema WHERE name NOT LIKE 'sqlite_%'");
+  auto rows = database_->connection().use("SELECT type, name, tbl_name FROM sqlite_schema WHERE name NOT LIKE 'sqlite_%'");
   if (!rows) return add({.message = kCatalogueFinding}, rows.error());
   while (true) {
     const auto has_row = rows->step();
@@ -173,11 +189,15 @@ Status IntegrityCheck::check_schema() {
     constexpr std::size_t kAfterPrefix = 4;
     const bool is_relation = name.starts_with("rel_") && rows->column(0).bytes == "table";
     const std::int64_t number = is_relation ? std::atoll(name.c_str() + kAfterPrefix) : 0;
-    if (known.contains(name) || abandoned_.contains(number)) continue;
+    if (known.contains(name) || abandoned_.contains(number) || is_stored_order(name)) continue;
     // To SQLite a table has the same name in another case.
     const auto layout = layouts_.find(number);
     if (layout != layouts_.end() && sqlite3_stricmp(layout->second->table().c_str(), name.c_str()) == 0) continue;
-    add({.message = fmt::format("the {} {} belongs to no object", rows->column(0).bytes, ascii_text(name))});
+    if (rows->column(0).bytes == "index")
+      add({.message = fmt::format("the table {} has an index {} that belongs to no object",
+                                  ascii_text(rows->column(2).bytes), ascii_text(name))});
+    else
+      add({.message = fmt::format("the {} {} belongs to no object", rows->column(0).bytes, ascii_text(name))});
   }
 }
 
@@ -195,6 +215,7 @@ Status IntegrityCheck::check_columns() {
     if (is_new) ALGEBRA3D_RETURN_IF_ERROR(check_columns_of(*model, table, place));
   }
   ALGEBRA3D_RETURN_IF_ERROR(check_indexes(*model));
+  ALGEBRA3D_RETURN_IF_ERROR(check_stored_orders());
   return check_meta();
 }
 
@@ -217,6 +238,31 @@ Status IntegrityCheck::check_indexes(SqliteConnection& model) {
       add({.message = fmt::format("the table {}: its index {} is {}", table, name,
                                   *is_there ? "not as it was made" : "not there")});
   }
+}
+
+// One that is not there is made when it is asked. Whether it has the values of the rows, SQLite's own check has told.
+Status IntegrityCheck::check_stored_orders() {
+  for (const auto& [number, layout] : layouts_) {
+    for (std::size_t attribute = 0; attribute < layout->attributes().size(); ++attribute) {
+      const std::string name = layout->order_name(attribute);
+      auto columns = database_->connection().use(
+          "SELECT i.tbl_name, c.name, (SELECT count(*) FROM pragma_index_info(i.name)) FROM sqlite_schema AS i, "
+          "pragma_index_info(i.name) AS c WHERE i.type = 'index' AND i.name = ?");
+      const Finding place{.object = layout->relation(), .attribute = layout->attributes()[attribute].name};
+      if (!columns) return add(place, columns.error());
+      const auto has_row = columns->bind(1, std::string_view(name)).step();
+      if (!has_row) return add(place, has_row.error());
+      if (!*has_row) continue;
+      const bool is_right =
+          sqlite3_stricmp(std::string(columns->column(0).bytes).c_str(), layout->table().c_str()) == 0 &&
+          columns->column(1).bytes == layout->column(layout->attributes()[attribute].value) &&
+          columns->column(2).integer == 1;
+      Finding wrong = place;
+      wrong.message = fmt::format("the index {} is not as it was made", name);
+      if (!is_right) add(std::move(wrong));
+    }
+  }
+  return {};
 }
 
 // A table that is not there is told where it is read.

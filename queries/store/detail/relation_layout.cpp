@@ -152,6 +152,27 @@ std::string RelationLayout::bytes_sql(std::size_t attribute) const {
   return fmt::format("SELECT {} FROM {} WHERE id = ?", columns_[attributes_[attribute].value], table_);
 }
 
+std::string RelationLayout::update_sql(std::span<const std::size_t> columns) const {
+  std::string sql = "UPDATE " + table_ + " SET ";
+  for (const std::size_t column : columns) sql += columns_[column] + " = ?, ";
+  sql.resize(sql.size() - 2);
+  return sql + " WHERE id = ?";
+}
+
+// Without the name of the relation: SQLite cannot rename an index.
+std::string RelationLayout::order_name(std::size_t attribute) const {
+  return fmt::format("order_{}_{}", table_number_, attribute + 1);
+}
+
+std::string RelationLayout::create_order_sql(std::size_t attribute) const {
+  return fmt::format("CREATE INDEX {} ON {}({})", order_name(attribute), table_,
+                     columns_[attributes_[attribute].value]);
+}
+
+std::string RelationLayout::drop_order_sql(std::size_t attribute) const {
+  return "DROP INDEX IF EXISTS " + order_name(attribute);
+}
+
 std::size_t RelationLayout::find(const std::string& attribute) const {
   const auto found = std::ranges::find(attributes_, attribute, &AttributeColumns::name);
   return static_cast<std::size_t>(found - attributes_.begin());

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,11 @@ struct AttributeColumns {
   std::size_t box = 0;    ///< first of the columns min x, y, z, max x, y, z, size; for `large` also the checksum
 
   bool has_box() const { return form == AttributeForm::spatial || form == AttributeForm::large; }
+  /// True if SQLite orders the column as the language orders the values: numbers, truth values and texts.
+  bool has_native_order() const {
+    return form == AttributeForm::integer || form == AttributeForm::boolean || form == AttributeForm::real ||
+           form == AttributeForm::string || form == AttributeForm::text;
+  }
 };
 
 /// Offset of the size column from `AttributeColumns::box`.
@@ -65,14 +71,22 @@ class RelationLayout {
   std::string rename_sql(const RelationLayout& renamed) const;
   const std::string& table() const { return table_; }
   const std::string& insert_sql() const { return insert_sql_; }  ///< all columns
-  const std::string& erase_sql() const { return erase_sql_; }    ///< id
-  const std::string& page_sql() const { return page_sql_; }      ///< id > first, id <= second, limit
-  const std::string& tail_sql() const { return tail_sql_; }      ///< id >= first, limit
+  /// Overwrites these columns: their values, id.
+  std::string update_sql(std::span<const std::size_t> columns) const;
+  const std::string& erase_sql() const { return erase_sql_; }  ///< id
+  const std::string& page_sql() const { return page_sql_; }    ///< id > first, id <= second, limit
+  const std::string& tail_sql() const { return tail_sql_; }    ///< id >= first, limit
   /// Passes rows to a RowSink: id > first, id <= second, sink. Empty if the relation has too many columns for a
   /// RowSink.
   const std::string& taken_sql() const { return taken_sql_; }
-  const std::string& fetch_sql() const { return fetch_sql_; }                          ///< id
-  std::string bytes_sql(std::size_t attribute) const;                                  ///< id
+  const std::string& fetch_sql() const { return fetch_sql_; }  ///< id
+  std::string bytes_sql(std::size_t attribute) const;          ///< id
+  const std::string& column(std::size_t index) const { return columns_[index]; }
+
+  // SQLite's index on the column of an attribute with a native order: the stored form of an ordered index.
+  std::string order_name(std::size_t attribute) const;
+  std::string create_order_sql(std::size_t attribute) const;
+  std::string drop_order_sql(std::size_t attribute) const;  ///< does nothing if there is none
   std::string row_sql() const { return "SELECT * FROM " + table_ + " WHERE id = ?"; }  ///< id; all columns
 
  private:

@@ -65,6 +65,9 @@ class SqliteConnection {
   /// Sets the flag that ends waiting for locks with the error `interrupted`; null for none.
   void end_waiting_when(const std::atomic<bool>* cancel) { cancel_ = cancel; }
 
+  /// Sets how long statements wait for locks of other connections.
+  void wait_at_most(int milliseconds) { longest_wait_ = std::chrono::milliseconds(milliseconds); }
+
   algebra3d::Error error(int code, std::string_view doing) const;
   /// Only for SqliteStatement.
   void give_back(sqlite3_stmt* statement, bool* in_use);

@@ -61,10 +61,15 @@ class SqliteStore final : public Store {
   Result<Datum> read_index(const CatalogueEntry& entry);
   Result<Datum> read_ordered_index(const CatalogueEntry& entry);
   Result<const CatalogueEntry*> indexed_relation(const CatalogueEntry& index);
-  Result<std::shared_ptr<SpatialIndex::Tree>> tree_of(const CatalogueEntry& relation, const std::string& attribute);
+  Result<IndexPlace> spatial_place(const CatalogueEntry& relation, const std::string& attribute);
 
   Status assign_relation(CatalogueEntry& entry, const Datum& value, const algebra3d::Context& context);
-  Result<std::shared_ptr<OrderedTree>> ordered_tree_of(const CatalogueEntry& relation, const std::string& attribute);
+  Result<std::shared_ptr<const OrderedEntries>> ordered_entries_of(const CatalogueEntry& relation,
+                                                                   const std::string& attribute);
+  Status make_stored_index(const CatalogueEntry& index, const CatalogueEntry& relation);
+  /// Makes the stored indexes on a relation that was filled.
+  Status make_stored_indexes(const CatalogueEntry& relation);
+  Status drop_stored_index(const CatalogueEntry& index);
   template <typename Index>
   Status assign_index(CatalogueEntry& entry, const Index& index);
   Status assign_value(CatalogueEntry& entry, const Value& value);

@@ -27,6 +27,7 @@ Status SqliteStore::remove(const std::string& name) {
 Status SqliteStore::remove_entry(const CatalogueEntry& entry) {
   SqliteConnection& connection = database_->connection();
   ALGEBRA3D_RETURN_IF_ERROR(drop_table(entry));
+  ALGEBRA3D_RETURN_IF_ERROR(drop_stored_index(entry));
   ALGEBRA3D_RETURN_IF_ERROR(erase_chunks(connection, 0, entry.id));
   for (const char* sql : {"DELETE FROM object_values WHERE id = ?", "DELETE FROM imported_files WHERE relation = ?"}) {
     ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement, connection.use(sql));

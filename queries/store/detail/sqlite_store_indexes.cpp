@@ -1,52 +1,90 @@
 // The parts of the store that deal with indexes.
-#include <functional>
 #include <vector>
 
 #include "queries/store/detail/frozen_index.h"
 #include "queries/store/detail/frozen_order.h"
-#include "queries/store/detail/relation_scan.h"
+#include "queries/store/detail/index_pages.h"
 #include "queries/store/detail/sqlite_store.h"
 #include "queries/store/detail/stored_object.h"
+#include "queries/store/detail/stored_order.h"
+#include "queries/store/detail/stored_tree.h"
 
 namespace queries {
 namespace {
 
-std::string frozen(const SpatialIndex& index) {
-  return encode_tree(index.tree());
+Result<std::string> frozen(const SpatialIndex& index) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto tree, index.tree());
+  return encode_tree(*tree);
 }
 
-std::string frozen(const OrderedIndex& index) {
-  return encode_order(index.tree());
-}
-
-/// All tuples of a relation, one after the other.
-Status for_each_tuple(const std::shared_ptr<Database>& database, const std::shared_ptr<const RelationLayout>& layout,
-                      const std::function<Status(const Tuple&)>& visit) {
-  RelationScan scan(database, layout);
-  while (true) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr tuple, scan.next());
-    if (tuple == nullptr) return {};
-    ALGEBRA3D_RETURN_IF_ERROR(visit(*tuple));
-  }
+Result<std::string> frozen(const OrderedIndex& index) {
+  return encode_order(index.frozen());
 }
 
 }  // namespace
 
 template <typename Index>
 Status SqliteStore::assign_index(CatalogueEntry& entry, const Index& index) {
+  ALGEBRA3D_RETURN_IF_ERROR(drop_stored_index(entry));
   entry.index_relation.clear();
   entry.index_attribute = index.attribute();
-  if (!index.is_definition()) return write_object_bytes(*database_, entry, frozen(index));
+  if (!index.is_definition()) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const std::string bytes, frozen(index));
+    return write_object_bytes(*database_, entry, bytes);
+  }
   const CatalogueEntry* const relation = database_->catalogue().find(index.relation());
   if (relation == nullptr || !relation->type.is_relation())
     return Error{ErrorCode::unknown_name, "{}: there is no relation '{}' for the index", entry.name, index.relation()};
   entry.index_relation = index.relation();
   entry.has_value = true;
-  return {};
+  return make_stored_index(entry, *relation);
 }
 
 template Status SqliteStore::assign_index(CatalogueEntry& entry, const SpatialIndex& index);
 template Status SqliteStore::assign_index(CatalogueEntry& entry, const OrderedIndex& index);
+
+Status SqliteStore::make_stored_index(const CatalogueEntry& index, const CatalogueEntry& relation) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto layout, database_->layout_of(relation));
+  const std::size_t attribute = layout->find(index.index_attribute);
+  if (index.type.is("rtree3")) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const IndexPlace place, spatial_place(relation, index.index_attribute));
+    ALGEBRA3D_RETURN_IF_ERROR(spatial_tree(database_, place.layout, place.attribute));
+    return {};
+  }
+  if (attribute == layout->attributes().size() || !layout->attributes()[attribute].has_native_order()) return {};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_there, has_stored_order(database_->connection(), *layout, attribute));
+  return is_there ? Status() : database_->connection().execute(layout->create_order_sql(attribute));
+}
+
+// Several objects may be the same index. With its relation an ordered index goes at the end of the statement.
+Status SqliteStore::drop_stored_index(const CatalogueEntry& index) {
+  if (index.index_relation.empty()) return {};
+  const CatalogueEntry* const relation = database_->catalogue().find(index.index_relation);
+  if (index.type.is("rtree3")) {
+    const auto place = relation != nullptr ? spatial_place(*relation, index.index_attribute) : Result<IndexPlace>({});
+    if (place && place->layout != nullptr)
+      database_->indexes().forget({place->layout->table_number(), place->attribute});
+    // Pages that cannot be erased belong to no object, as `check database` says.
+    static_cast<void>(erase_index_pages(database_->connection(), index.id));
+    return {};
+  }
+  if (!index.type.is("btree") || relation == nullptr || relation->table_number == 0) return {};
+  for (const auto& [name, other] : database_->catalogue().entries())
+    if (other.id != index.id && other.type.is("btree") && other.index_relation == index.index_relation &&
+        other.index_attribute == index.index_attribute)
+      return {};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto layout, database_->layout_of(*relation));
+  const std::size_t attribute = layout->find(index.index_attribute);
+  if (attribute == layout->attributes().size()) return {};
+  database_->indexes().drop_ordered(layout->table_number(), attribute);
+  return database_->connection().execute(layout->drop_order_sql(attribute));
+}
+
+Status SqliteStore::make_stored_indexes(const CatalogueEntry& relation) {
+  for (const auto& [name, index] : database_->catalogue().entries())
+    if (index.index_relation == relation.name) ALGEBRA3D_RETURN_IF_ERROR(make_stored_index(index, relation));
+  return {};
+}
 
 Result<const CatalogueEntry*> SqliteStore::indexed_relation(const CatalogueEntry& index) {
   const CatalogueEntry* const relation = database_->catalogue().find(index.index_relation);
@@ -63,8 +101,11 @@ Result<Datum> SqliteStore::read_index(const CatalogueEntry& entry) {
     return Datum{std::make_shared<SpatialIndex>("", entry.index_attribute, *std::move(tree))};
   }
   ALGEBRA3D_ASSIGN_OR_RETURN(const CatalogueEntry* relation, indexed_relation(entry));
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto tree, tree_of(*relation, entry.index_attribute));
-  return Datum{std::make_shared<SpatialIndex>(entry.index_relation, entry.index_attribute, std::move(tree))};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const IndexPlace place, spatial_place(*relation, entry.index_attribute));
+  SpatialIndex::Source source;
+  source.tree = [database = database_, place] { return spatial_tree(database, place.layout, place.attribute); };
+  source.remade_tree = [database = database_, place] { return tree_of_rows(database, place.layout, place.attribute); };
+  return Datum{std::make_shared<SpatialIndex>(entry.index_relation, entry.index_attribute, std::move(source))};
 }
 
 Result<Datum> SqliteStore::read_ordered_index(const CatalogueEntry& entry) {
@@ -75,50 +116,29 @@ Result<Datum> SqliteStore::read_ordered_index(const CatalogueEntry& entry) {
     ALGEBRA3D_ASSIGN_OR_RETURN(const std::string bytes, read_object_bytes(*database_, entry));
     auto tree = decode_order(*key_type, bytes);
     if (!tree) return Error{tree.error().code, "{}: {}", entry.name, tree.error().message};
-    return Datum{std::make_shared<OrderedIndex>("", entry.index_attribute, *std::move(tree))};
+    return Datum{std::make_shared<OrderedIndex>(entry.index_attribute, *std::move(tree))};
   }
   ALGEBRA3D_ASSIGN_OR_RETURN(const CatalogueEntry* relation, indexed_relation(entry));
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto tree, ordered_tree_of(*relation, entry.index_attribute));
-  return Datum{std::make_shared<OrderedIndex>(entry.index_relation, entry.index_attribute, std::move(tree))};
+  ALGEBRA3D_ASSIGN_OR_RETURN(auto entries, ordered_entries_of(*relation, entry.index_attribute));
+  return Datum{std::make_shared<OrderedIndex>(entry.index_relation, entry.index_attribute, std::move(entries))};
 }
 
-Result<std::shared_ptr<SpatialIndex::Tree>> SqliteStore::tree_of(const CatalogueEntry& relation,
-                                                                 const std::string& attribute) {
+Result<IndexPlace> SqliteStore::spatial_place(const CatalogueEntry& relation, const std::string& attribute) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const auto layout, database_->layout_of(relation));
   const std::size_t position = layout->find(attribute);
   if (position == layout->attributes().size() || !layout->attributes()[position].has_box())
     return Error{ErrorCode::database_corrupt, "{}: there is no spatial attribute '{}' for an index", relation.name,
                  attribute};
-  if (auto known = database_->indexes().find(relation.table_number, position)) return known;
-  std::vector<rtree::Entry<std::uint64_t>> entries;
-  ALGEBRA3D_RETURN_IF_ERROR(for_each_tuple(database_, layout, [&](const Tuple& tuple) -> Status {
-    const Value& value = tuple.attributes[position];
-    if (!value.is_defined()) return {};
-    if (const auto box = value.header().box; !box.is_empty())
-      entries.push_back({box, static_cast<std::uint64_t>(tuple.id)});
-    return {};
-  }));
-  auto tree = std::make_shared<SpatialIndex::Tree>(SpatialIndex::Tree::bulk_load(entries, rtree::Filling::room_for_changes));
-  database_->indexes().add(relation.table_number, position, tree);
-  return tree;
+  return IndexPlace{layout, position};
 }
 
-Result<std::shared_ptr<OrderedTree>> SqliteStore::ordered_tree_of(const CatalogueEntry& relation,
-                                                                  const std::string& attribute) {
+Result<std::shared_ptr<const OrderedEntries>> SqliteStore::ordered_entries_of(const CatalogueEntry& relation,
+                                                                              const std::string& attribute) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const auto layout, database_->layout_of(relation));
   const std::size_t position = layout->find(attribute);
   if (position == layout->attributes().size())
     return Error{ErrorCode::database_corrupt, "{}: there is no attribute '{}' for an index", relation.name, attribute};
-  if (auto known = database_->indexes().find_ordered(relation.table_number, position)) return known;
-  std::vector<OrderedTree::Entry> entries;
-  ALGEBRA3D_RETURN_IF_ERROR(for_each_tuple(database_, layout, [&](const Tuple& tuple) -> Status {
-    ALGEBRA3D_ASSIGN_OR_RETURN(Value key, tuple.attributes[position].loaded());
-    if (key.is_defined()) entries.push_back({std::move(key), tuple.id});
-    return {};
-  }));
-  auto tree = std::make_shared<OrderedTree>(OrderedTree::bulk_load(std::move(entries)));
-  database_->indexes().add_ordered(relation.table_number, position, tree);
-  return tree;
+  return ordered_entries(database_, layout, position);
 }
 
 }  // namespace queries

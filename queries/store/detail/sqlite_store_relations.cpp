@@ -26,7 +26,7 @@ Status SqliteStore::assign_relation(CatalogueEntry& entry, const Datum& value, c
   ALGEBRA3D_RETURN_IF_ERROR(fill_relation(*database_, *layout, filled, *tuples, context));
   ALGEBRA3D_RETURN_IF_ERROR(drop_table(entry));
   entry = std::move(filled);
-  return {};
+  return make_stored_indexes(entry);
 }
 
 Status SqliteStore::drop_table(const CatalogueEntry& entry) {

@@ -24,7 +24,7 @@ Result<std::string> read_object_bytes(Database& database, const CatalogueEntry& 
 Status write_object_bytes(Database& database, CatalogueEntry& entry, std::string_view bytes) {
   SqliteConnection& connection = database.connection();
   ALGEBRA3D_RETURN_IF_ERROR(erase_chunks(connection, 0, entry.id));
-  const bool is_long = bytes.size() > database.options().inline_bytes;
+  const bool is_long = bytes.size() > database.options().chunk_bytes;
   ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement,
                              connection.use("INSERT OR REPLACE INTO object_values VALUES(?, ?)"));
   statement.bind(1, entry.id);

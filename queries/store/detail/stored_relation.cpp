@@ -3,6 +3,7 @@
 #include "queries/store/detail/chunks.h"
 #include "queries/store/detail/relation_scan.h"
 #include "queries/store/detail/relation_selection.h"
+#include "queries/store/detail/stored_tree.h"
 
 namespace queries {
 
@@ -41,6 +42,11 @@ Result<TupleStreamPtr> StoredRelation::select(std::vector<TupleId> ids) {
   return TupleStreamPtr(std::make_shared<RelationSelection>(database_, layout_, std::move(ids)));
 }
 
+// Until the statement ends, the row can be read through another connection as it is now, if it has not changed before.
+bool StoredRelation::keeps(TupleId id) const {
+  return database_->changes().is_untouched(layout_->table_number(), id);
+}
+
 // The values that ordered indexes have of the tuple.
 Result<StoredRelation::Keys> StoredRelation::keys(const std::function<Result<Value>(std::size_t)>& value_of) const {
   Keys keys;
@@ -53,12 +59,37 @@ Result<StoredRelation::Keys> StoredRelation::keys(const std::function<Result<Val
   return keys;
 }
 
+/// A row with its bytes, which do not change under a reader when the row is written.
+struct StoredRelation::OldRow {
+  std::string bytes;
+  RowReader reader;
+};
+
+Result<std::unique_ptr<StoredRelation::OldRow>> StoredRelation::read_row(TupleId id) const {
+  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement, database_->connection().use(layout_->fetch_sql()));
+  statement.bind(1, id);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, statement.step());
+  if (!has_row) return Error{ErrorCode::unknown_name, "{}: there is no tuple {}", layout_->relation(), id};
+  std::vector<Cell> cells(layout_->small_column_count());
+  statement.read_columns(cells);
+  auto row = std::make_unique<OldRow>(OldRow{{}, {database_, layout_, database_->changes().now()}});
+  if (!append_proved(cells, row->bytes)) return damaged_row(*layout_, id);
+  row->reader.take(row->bytes, as_unsigned(cells[1].integer));
+  return row;
+}
+
+void StoredRelation::change_keys(const Keys& old_keys, const Keys& new_keys, TupleId id) {
+  for (const auto& [attribute, key] : old_keys)
+    database_->indexes().erase_key(layout_->table_number(), attribute, key, id);
+  for (const auto& [attribute, key] : new_keys)
+    database_->indexes().insert_key(layout_->table_number(), attribute, key, id);
+}
+
 Status StoredRelation::write(CatalogueEntry& entry, RowWriter& writer, TupleId id) {
   const auto value_of = [&](std::size_t attribute) -> Result<Value> { return writer.value(attribute); };
   ALGEBRA3D_ASSIGN_OR_RETURN(const Keys new_keys, keys(value_of));
   ALGEBRA3D_RETURN_IF_ERROR(writer.write());
-  for (const auto& [attribute, key] : new_keys)
-    database_->indexes().insert_key(layout_->table_number(), attribute, key, id);
+  change_keys({}, new_keys, id);
   ++entry.tuple_count;
   entry.tuple_sum += writer.row().checksum;
   database_->indexes().insert(layout_->table_number(), id, writer.row().boxes);
@@ -67,25 +98,34 @@ Status StoredRelation::write(CatalogueEntry& entry, RowWriter& writer, TupleId i
 
 Status StoredRelation::erase_row(CatalogueEntry& entry, TupleId id) {
   SqliteConnection& connection = database_->connection();
-  {
-    ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement, connection.use(layout_->fetch_sql()));
-    statement.bind(1, id);
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, statement.step());
-    if (!has_row) return Error{ErrorCode::unknown_name, "{}: there is no tuple {}", layout_->relation(), id};
-    RowReader reader(database_, layout_, database_->changes().now());
-    ALGEBRA3D_RETURN_IF_ERROR(reader.take(statement));
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Keys old_keys,
-                               keys([&](std::size_t attribute) { return reader.value(attribute); }));
-    for (const auto& [attribute, key] : old_keys)
-      database_->indexes().erase_key(layout_->table_number(), attribute, key, id);
-    --entry.tuple_count;
-    entry.tuple_sum -= reader.checksum();
-    database_->indexes().erase(layout_->table_number(), id, reader.boxes());
-  }
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto old, read_row(id));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Keys old_keys,
+                             keys([&](std::size_t attribute) { return old->reader.value(attribute); }));
+  change_keys(old_keys, {}, id);
+  --entry.tuple_count;
+  entry.tuple_sum -= old->reader.checksum();
+  database_->indexes().erase(layout_->table_number(), id, old->reader.boxes());
   ALGEBRA3D_RETURN_IF_ERROR(database_->note_tuple(*layout_, id));
   ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement, connection.use(layout_->erase_sql()));
   ALGEBRA3D_RETURN_IF_ERROR(statement.bind(1, id).run());
   return erase_chunks(connection, layout_->table_number(), id);
+}
+
+Status StoredRelation::overwrite(CatalogueEntry& entry, const RowReader& old, RowWriter& writer, TupleId id) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Keys old_keys, keys([&](std::size_t attribute) { return old.value(attribute); }));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Keys new_keys,
+                             keys([&](std::size_t attribute) -> Result<Value> { return writer.value(attribute); }));
+  change_keys(old_keys, new_keys, id);
+  ALGEBRA3D_RETURN_IF_ERROR(database_->note_tuple(*layout_, id));
+  ALGEBRA3D_RETURN_IF_ERROR(writer.overwrite());
+  entry.tuple_sum += writer.row().checksum - old.checksum();
+  std::vector<algebra3d::Box3> old_boxes = old.boxes();
+  std::vector<algebra3d::Box3> new_boxes = writer.row().boxes;
+  for (std::size_t i = 0; i < old_boxes.size(); ++i)
+    if (old_boxes[i] == new_boxes[i]) old_boxes[i] = new_boxes[i] = {};
+  database_->indexes().erase(layout_->table_number(), id, old_boxes);
+  database_->indexes().insert(layout_->table_number(), id, new_boxes);
+  return {};
 }
 
 Result<TupleId> StoredRelation::insert(const Tuple& tuple) {
@@ -93,6 +133,7 @@ Result<TupleId> StoredRelation::insert(const Tuple& tuple) {
   const TupleId id = own->next_tuple;
   ALGEBRA3D_ASSIGN_OR_RETURN(const auto writer, RowWriter::make(*database_, *layout_, id, tuple));
   ALGEBRA3D_RETURN_IF_ERROR(database_->change([&]() -> Status {
+    follow_changes(database_, layout_);
     CatalogueEntry& edited = *database_->catalogue().edit(layout_->relation());
     ++edited.next_tuple;
     database_->note_inserted(layout_->table_number(), id);
@@ -104,19 +145,22 @@ Result<TupleId> StoredRelation::insert(const Tuple& tuple) {
 
 Status StoredRelation::erase(TupleId id) {
   ALGEBRA3D_RETURN_IF_ERROR(entry());
-  Status status = database_->change([&] { return erase_row(*database_->catalogue().edit(layout_->relation()), id); });
+  Status status = database_->change([&] {
+    follow_changes(database_, layout_);
+    return erase_row(*database_->catalogue().edit(layout_->relation()), id);
+  });
   if (status) ++database_->change_counts().deleted;
   return status;
 }
 
-// The writer reads what the new tuple defers before the old one goes, which may be the same.
+// The writer reads what the new tuple defers before the old one goes, if that is not to stay where it is.
 Status StoredRelation::update(TupleId id, const Tuple& tuple) {
   ALGEBRA3D_RETURN_IF_ERROR(entry());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto writer, RowWriter::make(*database_, *layout_, id, tuple));
-  Status status = database_->change([&]() -> Status {
-    CatalogueEntry& edited = *database_->catalogue().edit(layout_->relation());
-    ALGEBRA3D_RETURN_IF_ERROR(erase_row(edited, id));
-    return write(edited, *writer, id);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto old, read_row(id));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto writer, RowWriter::make(*database_, *layout_, id, tuple, &old->reader));
+  Status status = database_->change([&] {
+    follow_changes(database_, layout_);
+    return overwrite(*database_->catalogue().edit(layout_->relation()), old->reader, *writer, id);
   });
   if (status) ++database_->change_counts().updated;
   return status;

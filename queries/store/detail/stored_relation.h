@@ -23,6 +23,7 @@ class StoredRelation final : public Relation {
   Result<TupleStreamPtr> scan() override;
   Result<TuplePtr> fetch(TupleId id) override;
   Result<TupleStreamPtr> select(std::vector<TupleId> ids) override;
+  bool keeps(TupleId id) const override;
 
   Result<TupleId> insert(const Tuple& tuple) override;
   Status erase(TupleId id) override;
@@ -33,8 +34,12 @@ class StoredRelation final : public Relation {
 
   Result<const CatalogueEntry*> entry() const;
   Result<Keys> keys(const std::function<Result<Value>(std::size_t)>& value_of) const;
+  struct OldRow;
+  Result<std::unique_ptr<OldRow>> read_row(TupleId id) const;
   Status write(CatalogueEntry& entry, RowWriter& writer, TupleId id);
   Status erase_row(CatalogueEntry& entry, TupleId id);
+  Status overwrite(CatalogueEntry& entry, const RowReader& old, RowWriter& writer, TupleId id);
+  void change_keys(const Keys& old_keys, const Keys& new_keys, TupleId id);
 
   std::shared_ptr<Database> database_;
   std::shared_ptr<const RelationLayout> layout_;

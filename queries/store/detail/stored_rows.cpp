@@ -1,5 +1,7 @@
 #include "queries/store/detail/stored_rows.h"
 
+#include <bit>
+#include <cassert>
 #include <limits>
 #include <span>
 
@@ -16,6 +18,14 @@ using algebra3d::GeometryHeader;
 using Kind = Cell::Kind;
 
 constexpr std::size_t kChecksumColumn = 1;
+
+/// Whether two cells are the same to the last bit.
+bool are_same(const Cell& a, const Cell& b) {
+  if (a.kind != b.kind) return false;
+  if (a.is(Kind::integer)) return a.integer == b.integer;
+  if (a.is(Kind::real)) return std::bit_cast<std::uint64_t>(a.real) == std::bit_cast<std::uint64_t>(b.real);
+  return a.bytes == b.bytes;
+}
 
 /// Over the id and all small columns but the checksum itself, which counts as NULL.
 std::uint64_t row_checksum(const RelationLayout& layout, std::vector<Cell>& cells) {
@@ -149,13 +159,35 @@ Result<Value> RowReader::value(std::size_t attribute) const {
   return corrupt(columns);
 }
 
+Cell native_cell(AttributeForm form, const Value& value) {
+  switch (form) {
+    case AttributeForm::integer:
+      return Cell::of(value.get<std::int64_t>());
+    case AttributeForm::boolean:
+      return Cell::of(std::int64_t{value.get<bool>()});
+    case AttributeForm::real:
+      return Cell::of(value.get<double>());
+    case AttributeForm::string:
+      return Cell::text(value.get<std::string>());
+    case AttributeForm::text:
+      return Cell::text(value.get<algebra3d::Text>().content);
+    case AttributeForm::bytes:
+    case AttributeForm::spatial:
+    case AttributeForm::large:
+      break;
+  }
+  assert(false && "an attribute without a native order");
+  return {};
+}
+
 Result<std::unique_ptr<RowWriter>> RowWriter::make(Database& database, const RelationLayout& layout, TupleId id,
-                                                   const Tuple& tuple) {
+                                                   const Tuple& tuple, const RowReader* old) {
   const auto& attributes = layout.attributes();
   if (tuple.attributes.size() != attributes.size())
     return Error{ErrorCode::internal, "{}: a tuple of {} attributes, expected {}", layout.relation(),
                  tuple.attributes.size(), attributes.size()};
   std::unique_ptr<RowWriter> writer(new RowWriter(database, layout));
+  writer->old_ = old;
   writer->cells_.resize(layout.column_count());
   writer->row_.boxes.resize(attributes.size());
   writer->values_ = tuple.attributes;
@@ -172,45 +204,51 @@ Status RowWriter::add(std::size_t attribute, const Value& value) {
     return Error{ErrorCode::internal, "{}: a value of type {} for '{}', expected {}",
                  layout_.relation(),  value.type().name(),
                  columns.name,        columns.type->name()};
-  if (!value.is_defined()) return {};
-  Cell& cell = cells_[columns.value];
-  switch (columns.form) {
-    case AttributeForm::integer:
-      cell = Cell::of(value.get<std::int64_t>());
-      return {};
-    case AttributeForm::boolean:
-      cell = Cell::of(std::int64_t{value.get<bool>()});
-      return {};
-    case AttributeForm::real:
-      cell = Cell::of(value.get<double>());
-      return {};
-    case AttributeForm::string:
-      cell = Cell::text(value.get<std::string>());
-      return {};
-    case AttributeForm::text:
-      cell = Cell::text(value.get<algebra3d::Text>().content);
-      return {};
-    case AttributeForm::bytes:
-    case AttributeForm::spatial:
-    case AttributeForm::large:
-      break;
+  if (!value.is_defined()) {
+    const bool was_defined =
+        old_ != nullptr && columns.has_box() && !old_->cells()[columns.box + kSizeAfterBox].is_null();
+    if (was_defined && columns.form == AttributeForm::large) changed_large_.push_back(attribute);
+    return {};
   }
-  return add_bytes(attribute, value);
+  if (!columns.has_native_order()) return add_bytes(attribute, value);
+  cells_[columns.value] = native_cell(columns.form, value);
+  return {};
 }
 
 Status RowWriter::add_bytes(std::size_t attribute, const Value& value) {
   const AttributeColumns& columns = layout_.attributes()[attribute];
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::string bytes, encoded_bytes(database_, value));
-  encoded_.push_back(std::make_unique<std::string>(std::move(bytes)));
   if (columns.has_box()) {
     const GeometryHeader header = value.header();
     row_.boxes[attribute] = header.box;
     add_header(columns, header);
   }
-  if (columns.form == AttributeForm::large)
-    cells_[columns.box + kSumAfterBox] = Cell::of(as_signed(checksum_of(*encoded_.back())));
+  if (is_in_old_row(attribute, value)) {
+    cells_[columns.box + kSumAfterBox] = old_->cells()[columns.box + kSumAfterBox];
+    return {};
+  }
+  ALGEBRA3D_ASSIGN_OR_RETURN(std::string bytes, encoded_bytes(database_, value));
+  encoded_.push_back(std::make_unique<std::string>(std::move(bytes)));
+  if (columns.form == AttributeForm::large) {
+    const std::size_t sum = columns.box + kSumAfterBox;
+    cells_[sum] = Cell::of(as_signed(checksum_of(*encoded_.back())));
+    if (old_ != nullptr && are_same(cells_[sum], old_->cells()[sum])) return {};
+    changed_large_.push_back(attribute);
+  }
   place_bytes(attribute, *encoded_.back());
   return {};
+}
+
+/// Whether a large value is one that was read from the old row, and is still there.
+bool RowWriter::is_in_old_row(std::size_t attribute, const Value& value) const {
+  const AttributeColumns& columns = layout_.attributes()[attribute];
+  const auto deferred = value.deferred();
+  if (old_ == nullptr || columns.form != AttributeForm::large || deferred == nullptr) return false;
+  const auto* stored = dynamic_cast<const StoredValue*>(deferred.get());
+  if (stored == nullptr || stored->database() != &database_) return false;
+  const LargeValue& place = stored->place();
+  const Cell& sum = old_->cells()[columns.box + kSumAfterBox];
+  return place.layout->table_number() == layout_.table_number() && place.tuple == old_->id() &&
+         place.attribute == attribute && sum.is(Kind::integer) && as_unsigned(sum.integer) == place.checksum;
 }
 
 void RowWriter::add_header(const AttributeColumns& columns, const GeometryHeader& header) {
@@ -239,11 +277,35 @@ Status RowWriter::write() {
   ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement, connection.use(layout_.insert_sql()));
   for (std::size_t i = 0; i < cells_.size(); ++i) statement.bind(static_cast<int>(i) + 1, cells_[i]);
   ALGEBRA3D_RETURN_IF_ERROR(statement.run());
+  return write_long();
+}
+
+Status RowWriter::write_long() {
   for (const auto& [attribute, bytes] : long_) {
     const ChunkPlace place{layout_.table_number(), cells_[0].integer, static_cast<std::int64_t>(attribute)};
-    ALGEBRA3D_RETURN_IF_ERROR(write_chunks(connection, place, bytes, database_.options().chunk_bytes));
+    ALGEBRA3D_RETURN_IF_ERROR(write_chunks(database_.connection(), place, bytes, database_.options().chunk_bytes));
   }
   return {};
+}
+
+// SQLite writes the entries of its indexes again for each column that is named, so that only those that differ are.
+Status RowWriter::overwrite() {
+  std::vector<std::size_t> columns;
+  for (std::size_t column = 1; column < layout_.small_column_count(); ++column)
+    if (!are_same(cells_[column], old_->cells()[column])) columns.push_back(column);
+  for (const std::size_t attribute : changed_large_) columns.push_back(layout_.attributes()[attribute].value);
+  if (columns.empty()) return {};
+  SqliteConnection& connection = database_.connection();
+  for (const std::size_t attribute : changed_large_) {
+    const ChunkPlace place{layout_.table_number(), cells_[0].integer, static_cast<std::int64_t>(attribute)};
+    ALGEBRA3D_RETURN_IF_ERROR(erase_chunks(connection, place));
+  }
+  ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement, connection.use(layout_.update_sql(columns)));
+  int parameter = 0;
+  for (const std::size_t column : columns) statement.bind(++parameter, cells_[column]);
+  statement.bind(++parameter, cells_[0]);
+  ALGEBRA3D_RETURN_IF_ERROR(statement.run());
+  return write_long();
 }
 
 }  // namespace queries

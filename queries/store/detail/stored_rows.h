@@ -33,6 +33,8 @@ class RowReader {
   std::vector<algebra3d::Box3> boxes() const;
   /// Number of points or triangles of a defined spatial attribute.
   std::uint32_t size(std::size_t attribute) const;
+  /// The cells of all small columns.
+  std::span<const Cell> cells() const { return cells_; }
   Result<TuplePtr> tuple() const;
   /// An attribute value; large ones are deferred. Errors: database_corrupt.
   Result<Value> value(std::size_t attribute) const;
@@ -48,19 +50,27 @@ class RowReader {
   std::string checked_;  // reused for all rows
 };
 
+/// The cell of a defined value in the column of an attribute with a native order. It refers to the value's text.
+Cell native_cell(AttributeForm form, const Value& value);
+
 /// Properties of a row that has been written.
 struct WrittenRow {
   std::uint64_t checksum = 0;
   std::vector<algebra3d::Box3> boxes;  ///< one per attribute
 };
 
-/// A tuple prepared for writing: its values are loaded and encoded, so only the writing itself can still fail.
+/// A tuple prepared for writing: its values are encoded, so only the writing itself can still fail.
 class RowWriter {
  public:
-  /// Errors: those of loading deferred values; internal if the tuple is not of the relation's type.
+  /// `old`: the row that is to be overwritten, if there is one. It must live as long as the writer; of its large
+  /// values, those that stay are neither read nor encoded. Errors: those of loading deferred values; internal if the
+  /// tuple is not of the relation's type.
   static Result<std::unique_ptr<RowWriter>> make(Database& database, const RelationLayout& layout, TupleId id,
-                                                 const Tuple& tuple);
+                                                 const Tuple& tuple, const RowReader* old = nullptr);
+  /// Writes a new row.
   Status write();
+  /// Writes into the old row what differs from it.
+  Status overwrite();
   const WrittenRow& row() const { return row_; }
   const Value& value(std::size_t attribute) const { return values_[attribute]; }
 
@@ -75,6 +85,8 @@ class RowWriter {
   Status add_bytes(std::size_t attribute, const Value& value);
   void add_header(const AttributeColumns& columns, const algebra3d::GeometryHeader& header);
   void place_bytes(std::size_t attribute, std::string_view bytes);
+  bool is_in_old_row(std::size_t attribute, const Value& value) const;
+  Status write_long();
 
   Database& database_;
   const RelationLayout& layout_;
@@ -82,6 +94,8 @@ class RowWriter {
   std::vector<Value> values_;                          // the cells refer to their texts
   std::vector<std::unique_ptr<std::string>> encoded_;  // the cells refer to them
   std::vector<Long> long_;
+  const RowReader* old_ = nullptr;
+  std::vector<std::size_t> changed_large_;  // attributes whose bytes differ from those of the old row
   std::uint64_t inline_bytes_ = 0;
   WrittenRow row_;
 };

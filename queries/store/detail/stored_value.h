@@ -20,6 +20,7 @@ class StoredValue final : public algebra3d::DeferredValue {
   void append_reference(std::string& bytes) const override;
 
   const Database* database() const { return database_.get(); }
+  const LargeValue& place() const { return value_; }
   /// The stored bytes, for copying without decoding.
   Result<std::string> encoded() const;
 

@@ -10,7 +10,9 @@ inline constexpr std::int64_t kApplicationId = 0x41334442;
 /// Application id of a database under construction, until it gets its name: "A3DR".
 inline constexpr std::int64_t kDraftApplicationId = 0x41334452;
 /// Version of the tables, docs/file_format.md. Newer versions are refused, older ones upgraded at the first write.
-inline constexpr std::int64_t kDatabaseVersion = 2;
+inline constexpr std::int64_t kDatabaseVersion = 3;
+/// The first version with stored spatial indexes.
+inline constexpr std::int64_t kFirstVersionWithIndexPages = 3;
 
 inline constexpr const char* kCreateCatalogue =
     "CREATE TABLE catalogue(id INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE COLLATE BINARY, type TEXT NOT NULL, "
@@ -21,6 +23,9 @@ inline constexpr const char* kCreateNamedTypes =
     "CREATE TABLE named_types(name TEXT PRIMARY KEY NOT NULL, type TEXT NOT NULL, checksum INTEGER NOT NULL)";
 inline constexpr const char* kCreateAbandoned =
     "CREATE TABLE abandoned(number INTEGER PRIMARY KEY, name TEXT NOT NULL)";
+
+inline constexpr const char* kCreateIndexPages =
+    "CREATE TABLE index_pages(place INTEGER PRIMARY KEY, checksum INTEGER NOT NULL, bytes BLOB NOT NULL)";
 
 inline constexpr const char* kCreateChunks =
     "CREATE TABLE chunks(owner INTEGER NOT NULL, tuple INTEGER NOT NULL, attribute INTEGER NOT NULL, part INTEGER NOT "
@@ -39,6 +44,7 @@ inline constexpr std::array kCreateTables = {
     "CREATE TABLE object_values(id INTEGER PRIMARY KEY, value BLOB)",
     kCreateChunks,
     kCreateChunkIndex,
+    kCreateIndexPages,
     "CREATE TABLE imported_files(relation INTEGER NOT NULL, path TEXT NOT NULL, size INTEGER NOT NULL, hash INTEGER "
     "NOT NULL, PRIMARY KEY(relation, path))",
 };

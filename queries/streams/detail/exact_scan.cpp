@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "algebra3d/spatial_relations/nearest_points.h"
+#include "queries/streams/detail/nearest_entries.h"
 #include "queries/streams/detail/nearest_search.h"
 #include "queries/streams/detail/spatial_attribute.h"
 
@@ -22,11 +23,13 @@ class ExactDistanceScan final : public TupleStream {
         left_(limit),
         context_(context),
         examiner_(context),
-        cursor_(search_.index->tree().nearest(window_of(to_))),
-        pending_(cursor_.next()) {}
+        candidates_(search_.index, window_of(to_)) {}
 
   Result<TuplePtr> next() override {
     if (left_ == 0) return TuplePtr();
+    if (!std::exchange(is_started_, true)) {
+      ALGEBRA3D_ASSIGN_OR_RETURN(pending_, candidates_.next());
+    }
     while (pending_ &&
            (near_.empty() || may_be_within(pending_->distance, distance_bound(*near_.front().squared_distance))))
       ALGEBRA3D_RETURN_IF_ERROR(take_candidates());
@@ -53,7 +56,7 @@ class ExactDistanceScan final : public TupleStream {
     std::vector<ValuePair> pairs;
     while (pending_ && tuples.size() < batch_) {
       ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr tuple, search_.relation->fetch(static_cast<TupleId>(pending_->payload)));
-      pending_ = cursor_.next();
+      ALGEBRA3D_ASSIGN_OR_RETURN(pending_, candidates_.next());
       // A frozen index may know tuples that have changed since.
       if (tuple == nullptr || window_of(tuple->attributes[search_.attribute]).is_empty()) continue;
       pairs.push_back({&to_, &tuple->attributes[search_.attribute]});
@@ -82,7 +85,8 @@ class ExactDistanceScan final : public TupleStream {
   std::uint64_t left_;
   const Context& context_;
   SpatialPairs examiner_;
-  rtree::NearestCursor<std::uint64_t> cursor_;
+  NearestEntries candidates_;
+  bool is_started_ = false;
   std::optional<rtree::Neighbor<std::uint64_t>> pending_;  // the next candidate
   std::vector<NearTuple> near_;                            // a heap, the nearest one first
   std::size_t batch_ = 8;

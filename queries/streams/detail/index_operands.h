@@ -49,22 +49,24 @@ Status check_fits(const Index& index, const Relation& relation, std::string_view
                relation.name()};
 }
 
-/// A stream of the tuples with the given ids. Ids that are no longer in the relation are skipped (frozen indexes).
+/// A stream of the tuples with the given ids; `next_id` returns a Result of an optional id. Ids that are no longer in
+/// the relation are skipped (frozen indexes).
 template <typename NextId>
 TupleStreamPtr fetched(RelationPtr relation, NextId next_id) {
   return make_stream([relation = std::move(relation), next_id = std::move(next_id)]() mutable -> Result<TuplePtr> {
-    while (const auto id = next_id()) {
+    while (true) {
+      ALGEBRA3D_ASSIGN_OR_RETURN(const auto id, next_id());
+      if (!id) return TuplePtr();
       ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr tuple, relation->fetch(static_cast<TupleId>(*id)));
       if (tuple != nullptr) return tuple;
     }
-    return TuplePtr();
   });
 }
 
 /// A function object that returns the elements of a vector one by one, then nothing.
 template <typename T>
 auto one_by_one(std::vector<T> elements) {
-  return [elements = std::move(elements), position = std::size_t{0}]() mutable {
+  return [elements = std::move(elements), position = std::size_t{0}]() mutable -> Result<std::optional<T>> {
     return position == elements.size() ? std::nullopt : std::optional(elements[position++]);
   };
 }

@@ -52,6 +52,16 @@ Result<bool> are_equal(const Tuple& a, const Tuple& b) {
   return true;
 }
 
+namespace {
+
+/// A tuple of the relation that can be read when it has been changed; `stored` is the same, fetched now.
+Result<TuplePtr> lasting_tuple(const Relation& relation, const TuplePtr& tuple, const TuplePtr& stored) {
+  if (relation.keeps(tuple->id)) return stored;
+  return loaded_tuple(*tuple);
+}
+
+}  // namespace
+
 Result<TupleBuffer> own_tuples(TupleStream& tuples, Relation& relation, std::string_view op, const Context& context) {
   TupleBuffer result(context);
   std::unordered_set<TupleId> seen;
@@ -66,8 +76,8 @@ Result<TupleBuffer> own_tuples(TupleStream& tuples, Relation& relation, std::str
     if (stored == nullptr || quick_hash(*stored) != quick_hash(*tuple))
       return Error{ErrorCode::wrong_usage, "{}: a tuple of the stream is not one of the relation '{}'", op,
                    relation.name()};
-    ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr loaded, loaded_tuple(*tuple));
-    return result.add(std::move(loaded));
+    ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr lasting, lasting_tuple(relation, tuple, stored));
+    return result.add(std::move(lasting));
   }));
   return result;
 }
@@ -77,8 +87,8 @@ Result<TupleBuffer> tuple_by_id(const Value& id, Relation& relation) {
   if (!id.is_defined()) return TupleBuffer(found);
   ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr stored, relation.fetch(id_of(id)));
   if (stored == nullptr) return TupleBuffer(found);
-  ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr loaded, loaded_tuple(*stored));
-  found.push_back(std::move(loaded));
+  ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr lasting, lasting_tuple(relation, stored, stored));
+  found.push_back(std::move(lasting));
   return TupleBuffer(std::move(found));
 }
 

@@ -35,11 +35,12 @@ std::size_t quick_hash(const Tuple& tuple);
 /// Whether all attributes are equal. Undefined equals undefined.
 Result<bool> are_equal(const Tuple& a, const Tuple& b);
 
-/// The tuples of the operand, loaded and without duplicates; checks that they are tuples of the relation. Errors:
-/// wrong_usage for a tuple without an id or one that differs from that of the relation.
+/// The tuples of the operand without duplicates; checks that they are tuples of the relation. They can be read after
+/// they were changed in it. Errors: wrong_usage for a tuple without an id or one that differs from that of the
+/// relation.
 Result<TupleBuffer> own_tuples(TupleStream& tuples, Relation& relation, std::string_view op, const Context& context);
 
-/// The tuple with this id (tid or int), loaded; an empty buffer if there is none.
+/// The tuple with this id (tid or int), which can be read after it was changed; an empty buffer if there is none.
 Result<TupleBuffer> tuple_by_id(const Value& id, Relation& relation);
 
 }  // namespace queries

@@ -23,6 +23,10 @@ Box3 window_of(const Value& value) {
   return value.is_defined() ? value.header().box : Box3{};
 }
 
+Result<std::vector<std::uint64_t>> ids_in_window(const SpatialIndex& index, const Box3& window) {
+  return index.ask([&](const SpatialIndex::Tree& tree) { return ids_in_window(tree, window); });
+}
+
 std::vector<std::uint64_t> ids_in_window(const SpatialIndex::Tree& tree, const Box3& window) {
   std::vector<std::uint64_t> ids;
   if (window.is_empty()) return ids;

@@ -81,14 +81,14 @@ TEST_F(StoredCatalogue, a_relation_under_another_name_keeps_tuples_indexes_and_i
     let_index("I", "Parts", "Solid", "volume3d");
     ok(store_->remember_imported("Parts", file));
   });
-  read([&] { EXPECT_EQ(index("I")->tree().size(), 3U); });
+  read([&] { EXPECT_EQ(*index("I")->size(), 3U); });
   write([&] { ok(store_->rename("Parts", "Teile")); });
   for (int round = 0; round < 2; ++round) {
     EXPECT_FALSE(store_->find("Parts")->has_value());
     read([&] {
       EXPECT_EQ(rows("Teile").size(), 3U);
       EXPECT_EQ(index("I")->relation(), "Teile");
-      EXPECT_EQ(index("I")->tree().size(), 3U);
+      EXPECT_EQ(*index("I")->size(), 3U);
     });
     EXPECT_TRUE(*store_->is_imported("Teile", file));
     EXPECT_EQ(table_of("Teile").substr(0, 4), "rel_");
@@ -96,7 +96,7 @@ TEST_F(StoredCatalogue, a_relation_under_another_name_keeps_tuples_indexes_and_i
   }
   write([&] {
     EXPECT_EQ(*relation("Teile")->insert(part(7)), 4);
-    EXPECT_EQ(index("I")->tree().size(), 4U);
+    EXPECT_EQ(*index("I")->size(), 4U);
     ok(store_->remove("Teile"));
   });
   EXPECT_TRUE(store_->objects()->empty());
@@ -215,7 +215,7 @@ class OlderVersion : public StoreTest {
           "(((0 0 0) (0 1 0) (1 0 0)) ((0 0 0) (1 0 0) (0 0 1)) ((1 0 0) (0 1 0) (0 0 1)) ((0 1 0) (0 0 0) (0 0 1)))";
       EXPECT_EQ(rows("Parts"),
                 (std::vector<std::string>{"1 \"one\" " + text(value("volume3d", tetrahedron)), "2 \"two\" undefined"}));
-      EXPECT_EQ(index("Parts_Solid")->tree().size(), 1U);
+      EXPECT_EQ(*index("Parts_Solid")->size(), 1U);
     });
   }
 };
@@ -223,9 +223,9 @@ class OlderVersion : public StoreTest {
 TEST_F(OlderVersion, opened_for_writing_it_is_upgraded_once_and_says_so) {
   reopen(OpenMode::read_write);
   EXPECT_EQ(store_->opening_notice(),
-            path().string() + ": the database was upgraded from version 1 to 2; older programs cannot open it");
+            path().string() + ": the database was upgraded from version 1 to 3; older programs cannot open it");
   expect_contents();
-  EXPECT_EQ(sql("PRAGMA user_version"), "2");
+  EXPECT_EQ(sql("PRAGMA user_version"), "3");
   write([&] { ok(store_->create_derived("d", "int", "v + 1")); });
   reopen(OpenMode::read_write);
   EXPECT_EQ(store_->opening_notice(), "");
@@ -268,10 +268,10 @@ TEST_F(OlderVersion, a_damaged_one_is_left_as_it_was) {
 // A process that has the file open while another one, of a later version, upgrades it.
 TEST_F(OlderVersion, a_version_that_becomes_newer_while_the_file_is_open_is_refused) {
   reopen(OpenMode::read_write);
-  sql("PRAGMA user_version = 3");
+  sql("PRAGMA user_version = 4");
   EXPECT_EQ(
       store_->begin(true).error().message,
-      path().string() + ": the database has version 3, this program reads versions up to 2; use a newer algebra3d");
+      path().string() + ": the database has version 4, this program reads versions up to 3; use a newer algebra3d");
 }
 
 }  // namespace

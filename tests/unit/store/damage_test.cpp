@@ -24,7 +24,8 @@ class StoreDamage : public StoreTest {
       if (info.type.is_function()) continue;
       ALGEBRA3D_ASSIGN_OR_RETURN(const Datum datum, store.read(info.name));
       if (info.type.is("rtree3")) {
-        result += fmt::format("{}\n", datum.index()->tree().size());
+        ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t size, datum.index()->size());
+        result += fmt::format("{}\n", size);
       } else if (info.type.is_relation()) {
         ALGEBRA3D_RETURN_IF_ERROR(append(*datum.relation(), result));
       } else {

@@ -30,11 +30,17 @@ class StoredIndexes : public StoreTest {
     let_relation("R", "(tuple ((B rect3)))", content);
     let_index("I", "R", "B", "rect3");
   }
+  /// The tree of an index.
+  static SpatialIndex::Tree& tree_of(const SpatialIndex& index) {
+    const auto tree = index.tree();
+    EXPECT_TRUE(tree.ok()) << (tree ? "" : tree.error().message);
+    return **tree;
+  }
   /// The index gives for random windows what a scan gives.
   void expect_index_equals_scan(Store& store, const std::string& name = "I") {
     const auto stored = tuples(*store.read("R")->relation());
     const auto index = store.read(name)->index();
-    EXPECT_TRUE(rtree::audit(index->tree()).empty());
+    EXPECT_TRUE(rtree::audit(tree_of(*index)).empty());
     for (int i = 0; i < 20; ++i) {
       Box3 window = random_box();
       window.extend(random_box());
@@ -43,7 +49,7 @@ class StoredIndexes : public StoreTest {
         if (each->attributes[0].is_defined() && each->attributes[0].get<Box3>().intersects(window))
           expected.insert(static_cast<std::uint64_t>(each->id));
       std::set<std::uint64_t> found;
-      for (const std::uint64_t id : index->tree().window(window)) found.insert(id);
+      for (const std::uint64_t id : tree_of(*index).window(window)) found.insert(id);
       EXPECT_EQ(found, expected);
     }
   }
@@ -103,15 +109,15 @@ TEST_F(StoredIndexes, a_definition_follows_an_update_of_the_whole_relation) {
 TEST_F(StoredIndexes, a_tree_in_use_does_not_change_under_its_user) {
   write([&] { let_boxes(100); });
   write([&] {
-    const auto held = index("I");
-    const std::size_t before = held->tree().size();
-    auto cursor = held->tree().window({{0, 0, 0}, {200, 200, 200}});
+    const auto held = *index("I")->tree();
+    const std::size_t before = held->size();
+    auto cursor = held->window({{0, 0, 0}, {200, 200, 200}});
     std::size_t seen = 0;
     while (cursor.next()) {
       ok(relation("R")->erase(static_cast<TupleId>(++seen)));
     }
     EXPECT_EQ(seen, before);
-    EXPECT_EQ(index("I")->tree().size(), 0U);
+    EXPECT_EQ(tree_of(*index("I")).size(), 0U);
   });
 }
 
@@ -130,7 +136,7 @@ TEST_F(StoredIndexes, building_an_index_reads_no_geometry) {
   reopen(OpenMode::read_write);
   read([&] {
     std::set<std::uint64_t> found;
-    for (const std::uint64_t id : index("I")->tree().window({{95, 0, 0}, {120, 1, 1}})) found.insert(id);
+    for (const std::uint64_t id : tree_of(*index("I")).window({{95, 0, 0}, {120, 1, 1}})) found.insert(id);
     EXPECT_EQ(found, (std::set<std::uint64_t>{11, 12, 13}));
     EXPECT_EQ(store_->geometry_loads(), 0U);
   });
@@ -151,10 +157,10 @@ TEST_F(StoredIndexes, a_frozen_copy_stays_as_it_was) {
   read([&] {
     const auto frozen = index("F");
     EXPECT_FALSE(frozen->is_definition());
-    EXPECT_EQ(frozen->tree().size(), 1000U);
-    EXPECT_TRUE(rtree::audit(frozen->tree()).empty());
+    EXPECT_EQ(tree_of(*frozen).size(), 1000U);
+    EXPECT_TRUE(rtree::audit(tree_of(*frozen)).empty());
     std::set<std::uint64_t> found;
-    for (const std::uint64_t id : frozen->tree().window(window)) found.insert(id);
+    for (const std::uint64_t id : tree_of(*frozen).window(window)) found.insert(id);
     EXPECT_EQ(found, expected);
   });
 }

@@ -30,12 +30,12 @@ class StoreIntegrity : public StoreTest {
       ok(store_->remember_imported("R", {"a.stl", 84, 1}));
     });
     read([&] {
-      EXPECT_EQ(index("I")->tree().size(), 9U);
+      EXPECT_EQ(*index("I")->size(), 9U);
       const auto index_of_all = index("I");
       ok(store_->create("frozen", type("(rtree3 (tuple ((No int))) volume3d FALSE)")));
       ok(store_->assign(
           "frozen",
-          Datum{std::make_shared<SpatialIndex>("", "", std::make_shared<SpatialIndex::Tree>(index_of_all->tree()))},
+          Datum{std::make_shared<SpatialIndex>("", "", std::make_shared<SpatialIndex::Tree>(**index_of_all->tree()))},
           context_));
     });
   }
@@ -166,7 +166,7 @@ TEST_F(StoreIntegrity, boxes_sizes_and_geometry_are_compared_behind_the_checksum
 
 TEST_F(StoreIntegrity, an_index_in_memory_that_missed_a_change_is_found) {
   let_everything();
-  read([&] { index("I")->tree().insert({{0, 0, 0}, {1, 1, 1}}, 5); });
+  read([&] { (*index("I")->tree())->insert({{0, 0, 0}, {1, 1, 1}}, 5); });
   EXPECT_EQ(findings(*store_), Texts{"R: 'Solid': the index in memory does not have the boxes of the relation"});
 }
 

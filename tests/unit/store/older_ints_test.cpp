@@ -20,9 +20,10 @@ class OlderInts : public StoreTest {
  protected:
   OlderInts() { fs::copy_file(fs::path(ALGEBRA3D_SOURCE) / "tests/unit/store/data/ints32.database", path()); }
 
-  std::string ids(const OrderedTree& tree, std::int64_t low, std::int64_t high) {
+  std::string ids(const OrderedIndex& index, std::int64_t low, std::int64_t high) {
     std::string text;
-    for (const TupleId id : tree.range(Value::of(low), Value::of(high))) text += std::to_string(id) + " ";
+    const auto found = index.entries().range(Value::of(low), Value::of(high));
+    for (const TupleId id : *found) text += std::to_string(id) + " ";
     return text;
   }
 };
@@ -38,8 +39,8 @@ TEST_F(OlderInts, are_read) {
                                                          "3 undefined 2.5 \"c\" 'z'",
                                                          "4 0 9007199254740992.0 \"d\" 'w'", "5 -1 -0.5 \"e\" 'v'"}));
     EXPECT_EQ(rows("Stamps"), (std::vector<std::string>{"1 (3 5)", "4294967297 (-7 1)"}));
-    EXPECT_EQ(ids(store_->read("Numbers_N")->ordered_index()->tree(), INT64_MIN, INT64_MAX), "2 5 4 1 ");
-    EXPECT_EQ(ids(store_->read("Frozen_N")->ordered_index()->tree(), -1, 2147483647), "5 4 1 ");
+    EXPECT_EQ(ids(*store_->read("Numbers_N")->ordered_index(), INT64_MIN, INT64_MAX), "2 5 4 1 ");
+    EXPECT_EQ(ids(*store_->read("Frozen_N")->ordered_index(), -1, 2147483647), "5 4 1 ");
   });
 }
 
@@ -57,7 +58,7 @@ TEST_F(OlderInts, take_larger_ones) {
   read([&] {
     EXPECT_EQ(text(store_->read("large")->value()), "9223372036854775807");
     EXPECT_EQ(rows("Numbers").back(), "6 -9223372036854775808 0.5 \"f\" 'u'");
-    EXPECT_EQ(ids(store_->read("Numbers_N")->ordered_index()->tree(), INT64_MIN, INT64_MAX), "7 2 5 4 1 6 ");
+    EXPECT_EQ(ids(*store_->read("Numbers_N")->ordered_index(), INT64_MIN, INT64_MAX), "7 2 5 4 1 6 ");
   });
   EXPECT_EQ(sql("PRAGMA integrity_check"), "ok");
 }

@@ -127,7 +127,7 @@ TEST_F(StoreProcesses, indexes_and_geometry_in_memory_notice_what_another_proces
     let_index("I", "Parts", "Solid", "volume3d");
   });
   read([&] {
-    EXPECT_EQ(index("I")->tree().size(), 5U);
+    EXPECT_EQ(*index("I")->size(), 5U);
     EXPECT_EQ(rows("Parts").size(), 5U);
   });
   const int status = outcome(start([&] {
@@ -141,7 +141,8 @@ TEST_F(StoreProcesses, indexes_and_geometry_in_memory_notice_what_another_proces
   read([&] {
     EXPECT_EQ(rows("Parts"), (std::vector<std::string>{text(part(40)), text(part(2)), text(part(3)), text(part(4))}));
     std::vector<std::uint64_t> far_away;
-    for (const auto id : index("I")->tree().window({{399, -1, -1}, {500, 2, 2}})) far_away.push_back(id);
+    const auto tree = *index("I")->tree();
+    for (const auto id : tree->window({{399, -1, -1}, {500, 2, 2}})) far_away.push_back(id);
     EXPECT_EQ(far_away, std::vector<std::uint64_t>{2});
   });
 }

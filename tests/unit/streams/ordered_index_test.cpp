@@ -43,13 +43,13 @@ class PlainIndex {
 };
 
 void expect_same(const OrderedTree& tree, const PlainIndex& plain) {
-  EXPECT_EQ(tree.size(), plain.size());
-  EXPECT_EQ(tree.range({}, {}), plain.range({}, {}));
+  EXPECT_EQ(*tree.size(), plain.size());
+  EXPECT_EQ(*tree.range({}, {}), plain.range({}, {}));
   for (std::int64_t low = -1; low <= 20; low += 3) {
-    EXPECT_EQ(tree.range(key(low), {}), plain.range(low, {}));
-    EXPECT_EQ(tree.range({}, key(low)), plain.range({}, low));
+    EXPECT_EQ(*tree.range(key(low), {}), plain.range(low, {}));
+    EXPECT_EQ(*tree.range({}, key(low)), plain.range({}, low));
     for (std::int64_t high = low - 1; high <= 20; high += 4)
-      EXPECT_EQ(tree.range(key(low), key(high)), plain.range(low, high));
+      EXPECT_EQ(*tree.range(key(low), key(high)), plain.range(low, high));
   }
 }
 
@@ -90,8 +90,8 @@ TEST(OrderedTree, a_copy_is_a_tree_of_its_own) {
   const OrderedTree copy = tree;
   tree.insert(key(2), 2);
   tree.erase(key(1), 1);
-  EXPECT_EQ(copy.range({}, {}), std::vector<TupleId>{1});
-  EXPECT_EQ(tree.range({}, {}), std::vector<TupleId>{2});
+  EXPECT_EQ(*copy.range({}, {}), std::vector<TupleId>{1});
+  EXPECT_EQ(*tree.range({}, {}), std::vector<TupleId>{2});
 }
 
 TEST(OrderedTree, entries_come_in_order) {
