@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <numeric>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -40,7 +41,7 @@ class Packing {
     if (storage_.empty()) return;
     storage_.frame = KeyFrame::of(OrderedBox::of(region));
     encode(count, CellGrid(region));
-    const auto box_at = [this](std::size_t i) -> const Box3& { return source_.box(items_[i].index); };
+    const auto box_at = [this](std::size_t i) { return box_of(items_[i]); };
     SpatialSorter(std::span<Place>(places_), box_at).sort();
     make_leaves();
     make_inner_nodes();
@@ -50,10 +51,19 @@ class Packing {
   static constexpr std::size_t kBlock = std::size_t{1} << 14;
   static constexpr std::size_t kGrain = 256;
 
-  struct alignas(32) Item {
+  using Payload = typename Leaf::Payload;
+
+  // All that a leaf gets of an entry, on one line of the cache.
+  struct alignas(32) IndexItem {
     KeyBox keys;
-    std::uint32_t index;  // in the input
+    Payload payload;
   };
+  struct alignas(64) ExactItem {
+    KeyBox keys;
+    std::uint32_t min_remainder[3], max_remainder[3];
+    Payload payload;
+  };
+  using Item = std::conditional_t<kHasRemainders<Leaf>, ExactItem, IndexItem>;
 
   // The box around all, and how many of each block are not empty.
   Box3 measure(std::size_t count) {
@@ -66,6 +76,7 @@ class Packing {
       std::size_t used = 0;
       for (std::size_t i = block * kBlock; i < std::min(count, (block + 1) * kBlock); ++i) {
         const Box3& box = source_.box(i);
+        prefetch_source(i, count);
         if (box.is_empty()) continue;
         ++used;
         extend(region, box);
@@ -77,6 +88,12 @@ class Packing {
     Box3 result;
     for (const Box3& region : regions) extend(result, region);
     return result;
+  }
+
+  // The processor itself does not look ahead beyond a page of the input.
+  void prefetch_source(std::size_t i, std::size_t count) const {
+    constexpr std::size_t kAhead = 32;
+    __builtin_prefetch(&source_.box(std::min(i + kAhead, count - 1)));
   }
 
   static void extend(Box3& box, const Box3& other) {
@@ -96,50 +113,75 @@ class Packing {
       std::size_t place = block_begins_[block];
       for (std::size_t i = block * kBlock; i < std::min(count, (block + 1) * kBlock); ++i) {
         const Box3& box = source_.box(i);
+        prefetch_source(i, count);
         if (box.is_empty()) continue;
         places_[place] = {grid.code(box), static_cast<std::uint32_t>(place)};
-        items_[place++] = {frame.keys_in_range(OrderedBox::of(box)), static_cast<std::uint32_t>(i)};
+        set_item(items_[place++], OrderedBox::of(box), source_.payload(i), frame);
       }
     });
+  }
+
+  static void set_item(Item& item, const OrderedBox& box, Payload payload, const KeyFrame& frame) {
+    item.keys = frame.keys_in_range(box);
+    item.payload = payload;
+    if constexpr (kHasRemainders<Leaf>) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        item.min_remainder[axis] = frame.axes[axis].remainder(box.min[axis]);
+        item.max_remainder[axis] = frame.axes[axis].remainder(box.max[axis]);
+      }
+    }
+  }
+
+  Box3 box_of(const Item& item) const {
+    if constexpr (kHasRemainders<Leaf>) {
+      OrderedBox box;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const AxisFrame& map = storage_.frame.axes[axis];
+        box.min[axis] = map.position(item.keys.min[axis], item.min_remainder[axis]);
+        box.max[axis] = map.position(item.keys.max[axis], item.max_remainder[axis]);
+      }
+      return box.box();
+    } else {
+      return source_.box(item.payload);
+    }
   }
 
   void make_leaves() {
     const Nodes nodes{places_.size(), fill_};
     storage_.leaves.resize(nodes.count());
     algebra3d::parallel_for(nodes.count(), kGrain, [&](std::size_t leaf) {
-      prefetch_items(nodes.begin(leaf) + 4 * kFanOut);
       fill_leaf(leaf, nodes.begin(leaf), nodes.begin(leaf + 1) - nodes.begin(leaf));
     });
   }
 
-  // The items of a leaf lie all over their list: they are on their way while leaves before it are filled.
-  void prefetch_items(std::size_t first) const {
-    const std::size_t last = std::min(first + kFanOut, places_.size());
-    for (std::size_t i = first; i < last; ++i) __builtin_prefetch(&items_[places_[i].index]);
-    if (!kHasRemainders<Leaf> || last <= 2 * kFanOut) return;
-    // The items before are there, and name the boxes.
-    for (std::size_t i = first; i < last; ++i)
-      __builtin_prefetch(&source_.box(items_[places_[i - 2 * kFanOut].index].index));
+  // Items lie all over their list: those of the leaves after the next ones are on their way. One at a time, since only
+  // few can be on their way at once.
+  void prefetch_item(std::size_t i) const {
+    constexpr std::size_t kAhead = 3 * kFanOut;
+    __builtin_prefetch(&items_[places_[std::min(i + kAhead, places_.size() - 1)].index]);
   }
 
   void fill_leaf(std::size_t index, std::size_t begin, std::size_t count) {
     Leaf& leaf = storage_.leaves[index];
     for (std::size_t slot = 0; slot < count; ++slot) {
+      prefetch_item(begin + slot);
       const Item& item = items_[places_[begin + slot].index];
       leaf.set_box(slot, item.keys);
-      leaf.reference[slot] = source_.payload(item.index);
+      leaf.reference[slot] = item.payload;
+      if constexpr (kHasRemainders<Leaf>) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          leaf.remainders.min[axis][slot] = item.min_remainder[axis];
+          leaf.remainders.max[axis][slot] = item.max_remainder[axis];
+        }
+      }
     }
     for (std::size_t slot = count; slot < kFanOut; ++slot) {
       leaf.KeyBoxes::clear(slot);
       leaf.reference[slot] = 0;
+      if constexpr (kHasRemainders<Leaf>)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          leaf.remainders.min[axis][slot] = leaf.remainders.max[axis][slot] = 0;
     }
-    if constexpr (kHasRemainders<Leaf>) fill_remainders(leaf.remainders, begin, count);
-  }
-
-  void fill_remainders(Remainders& remainders, std::size_t begin, std::size_t count) const {
-    remainders.clear();
-    for (std::size_t slot = 0; slot < count; ++slot)
-      remainders.set(slot, OrderedBox::of(source_.box(items_[places_[begin + slot].index].index)), storage_.frame);
   }
 
   // Level by level, and the nodes of each in a row.
