@@ -73,8 +73,8 @@ std::string counters_text(const NestedList& content, std::size_t columns) {
   return table.print(columns);
 }
 
-// ((depth name 'signature' calls tuples milliseconds estimate 'how') ...): a table, and below it how operators work, which
-// may be long
+// ((depth name 'signature' calls tuples milliseconds estimate 'how') ...): a table, and below it how operators work,
+// which may be long
 std::string plan_text(const NestedList& content, std::size_t columns) {
   TextTable table({"Operator", "Signature", "Estimate", "Calls", "Tuples", "ms"},
                   {false, false, true, true, true, true});
