@@ -33,6 +33,7 @@ class PlanRecorder {
   /// To be called before the arguments of an operator are checked; `finish` after them. If they are wrong, the whole
   /// check fails.
   std::size_t begin(const std::string& name);
+  /// Adds how an operator works, and how many tuples it is expected to return.
   void describe(std::size_t step, std::string remark, std::optional<std::uint64_t> estimate);
   TypedPtr finish(std::size_t step, std::string signature, TypedPtr node);
 

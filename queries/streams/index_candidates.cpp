@@ -23,14 +23,12 @@ Box3 window_for(const IndexQuestion& question) {
   const Box3 box = window_of(question.operand);
   if (question.use != IndexUse::is_near || box.is_empty()) return box;
   const Value& limit = *question.limit;
-  if (!limit.is_defined()) return {};
   const double by = limit.type().name() == "int" ? static_cast<double>(limit.get<std::int64_t>()) : limit.get<double>();
   return by < 0 ? Box3() : algebra3d::padded(box, by);
 }
 
 Result<Candidates> spatial_candidates(const IndexQuestion& question, const SpatialIndex& index,
                                       std::uint64_t tuple_count) {
-  if (!question.operand.is_defined()) return Candidates(std::vector<TupleId>());
   // Empty values are not in the index, and are inside of everything; so is an empty operand.
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t entry_count, index.size());
   if (question.use == IndexUse::is_inside && entry_count != tuple_count) return Candidates();
@@ -42,7 +40,6 @@ Result<Candidates> spatial_candidates(const IndexQuestion& question, const Spati
 }
 
 Result<Candidates> ordered_candidates(const IndexQuestion& question, const TypeExpr& key, const OrderedIndex& index) {
-  if (!question.operand.is_defined()) return Candidates();
   const auto conversion = conversion_to(key, TypeExpr(question.operand.type().name()));
   if (!conversion) return Candidates();
   ALGEBRA3D_ASSIGN_OR_RETURN(const Value bound, loaded_as(question.operand, *conversion));
@@ -70,6 +67,8 @@ bool can_serve(const TypeExpr& index, IndexUse use, const TypeExpr& operand, con
 
 Result<std::optional<std::vector<TupleId>>> index_candidates(const Datum& index, const TypeExpr& index_type,
                                                              const IndexQuestion& question, std::uint64_t tuple_count) {
+  // Then no tuple fulfils the condition, but why is told where it is asked.
+  if (!question.operand.is_defined() || (question.limit && !question.limit->is_defined())) return Candidates();
   if (is_spatial_use(question.use)) return spatial_candidates(question, *index.index(), tuple_count);
   return ordered_candidates(question, index_type.arguments()[1], *index.ordered_index());
 }

@@ -73,23 +73,26 @@ std::string counters_text(const NestedList& content, std::size_t columns) {
   return table.print(columns);
 }
 
-// ((depth name 'signature' calls tuples milliseconds estimate 'how') ...)
+// ((depth name 'signature' calls tuples milliseconds estimate 'how') ...): a table, and below it how operators work,
+// which may be long
 std::string plan_text(const NestedList& content, std::size_t columns) {
-  TextTable table({"Operator", "Signature", "Estimate", "Calls", "Tuples", "ms", "How"},
-                  {false, false, true, true, true, true, false});
+  TextTable table({"Operator", "Signature", "Estimate", "Calls", "Tuples", "ms"},
+                  {false, false, true, true, true, true});
+  std::string below;
   for (const NestedList& step : content.elements()) {
     const auto& cells = step.elements();
     const std::string indentation(static_cast<std::size_t>(2 * cells[0].as_int()), ' ');
     // Only streams give tuples.
-    const std::int64_t tuples = cells[4].as_int();
+    const std::int64_t tuples = cells[4].as_int(), estimate = cells[6].as_int();
     const bool is_stream = atom_text(cells[2]).find("-> (stream") != std::string::npos;
-    const std::int64_t estimate = cells[6].as_int();
     table.add({indentation + atom_text(cells[1]), one_line(atom_text(cells[2]), columns),
                estimate < 0 ? "" : std::to_string(estimate), std::to_string(cells[3].as_int()),
-               tuples == 0 && !is_stream ? "" : std::to_string(tuples), fmt::format("{:.1f}", cells[5].as_real()),
-               atom_text(cells[7])});
+               tuples == 0 && !is_stream ? "" : std::to_string(tuples), fmt::format("{:.1f}", cells[5].as_real())});
+    if (const std::string how = atom_text(cells[7]); !how.empty())
+      below += printable(fmt::format("{}: {}", atom_text(cells[1]), how)) + "\n";
   }
-  return table_or(table, content.elements().size(), "no operators: the value is a constant or an object", columns);
+  return table_or(table, content.elements().size(), "no operators: the value is a constant or an object", columns) +
+         below;
 }
 
 // ((object tuple attribute 'what is wrong') ...)

@@ -41,6 +41,18 @@ TEST_F(Notes, what_is_not_evaluated_notes_nothing) {
   EXPECT_EQ(session_.notes(), "/: division by zero\n");
 }
 
+TEST_F(Notes, a_filter_by_an_index_tells_why_its_operand_is_undefined) {
+  const std::string flat = "createCube(makePoint3D(0, 0, 0), makePoint3D(0, 1, 1))";
+  EXPECT_EQ(session_.run("query Shapes feed filter[.Shape intersects " + flat + "] count"), "0");
+  const std::string notes = session_.notes();
+  EXPECT_NE(notes, "");
+  EXPECT_EQ(session_.run("let Index = Shapes creatertree[Shape]"), "");
+  EXPECT_EQ(session_.run("query Shapes feed filter[.Shape intersects " + flat + "] count"), "0");
+  EXPECT_EQ(session_.notes(), notes);
+  EXPECT_EQ(session_.run("query Shapes feed filter[.Shape intersects makePoint3D(0, 0, 0)] count"), "1");
+  EXPECT_EQ(session_.notes(), "");
+}
+
 TEST_F(Notes, inquiries_give_integers) {
   const std::string plan = session_.run("explain query Shapes feed count");
   EXPECT_TRUE(plan.starts_with("(inquiry (plan ((0 count '((stream (tuple ((No int) (Shape points3d))))) -> int' 1 0 "))

@@ -29,11 +29,12 @@ TEST(InquiryText, named_types_are_a_table) {
 }
 
 TEST(InquiryText, a_plan_is_an_indented_tree) {
-  EXPECT_EQ(shown("(inquiry (plan ((0 count 'x' 1 0 2.25) (1 feed 'y' 1 7 0.5))))"),
-            "Operator | Signature | Calls | Tuples |  ms\n"
-            "---------+-----------+-------+--------+----\n"
-            "count    | x         |     1 |        | 2.2\n"
-            "  feed   | y         |     1 |      7 | 0.5\n");
+  EXPECT_EQ(shown("(inquiry (plan ((0 count 'x' 1 0 2.25 -1 '') (1 feed 'y' 1 7 0.5 8 'by the index I'))))"),
+            "Operator | Signature | Estimate | Calls | Tuples |  ms\n"
+            "---------+-----------+----------+-------+--------+----\n"
+            "count    | x         |          |     1 |        | 2.2\n"
+            "  feed   | y         |        8 |     1 |      7 | 0.5\n"
+            "feed: by the index I\n");
 }
 
 TEST(InquiryText, findings_and_names_stand_one_per_line) {
