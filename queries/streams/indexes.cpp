@@ -218,14 +218,14 @@ TypeMapping map_distancescan(const Registry& registry) {
             ALGEBRA3D_ASSIGN_OR_RETURN(const Value to, given[2].value().loaded());
             return Datum{exact_distance_scan(std::move(search), to, left, context)};
           }
-          return Datum{fetched(search.relation,
-                               [nearest = NearestEntries(search.index, box),
-                                left]() mutable -> Result<std::optional<std::uint64_t>> {
-                                 if (left == 0) return std::optional<std::uint64_t>();
-                                 --left;
-                                 ALGEBRA3D_ASSIGN_OR_RETURN(const auto next, nearest.next());
-                                 return next ? std::optional(next->payload) : std::nullopt;
-                               })};
+          return Datum{fetched(
+              search.relation,
+              [nearest = NearestEntries(search.index, box), left]() mutable -> Result<std::optional<std::uint64_t>> {
+                if (left == 0) return std::optional<std::uint64_t>();
+                --left;
+                ALGEBRA3D_ASSIGN_OR_RETURN(const auto next, nearest.next());
+                return next ? std::optional(next->payload) : std::nullopt;
+              })};
         }};
   };
 }

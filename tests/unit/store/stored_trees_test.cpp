@@ -249,6 +249,32 @@ TEST_F(StoredTrees, missing_pages_and_a_missing_table_hinder_nothing) {
   read([&] { expect_index_equals_scan(); });
 }
 
+// Of all other tuples neither row nor geometry can be read.
+TEST_F(StoredTrees, a_window_reads_only_what_it_returns) {
+  const StoreOptions apart{.inline_bytes = 50};
+  reopen(OpenMode::open_or_create, apart);
+  write([&] {
+    let_parts(1000);
+    let_index("P", "Parts", "Solid", "volume3d");
+  });
+  reopen();
+  const std::string parts = sql("SELECT name FROM sqlite_schema WHERE name LIKE 'rel_%_Parts'");
+  sql("UPDATE " + parts + " SET checksum = checksum + 1 WHERE id NOT IN (11, 12, 13)");
+  sql("DELETE FROM chunks WHERE tuple NOT IN (11, 12, 13)");
+  read([&] {
+    const auto ids = found(*index("P"), {{95, 0, 0}, {120, 1, 1}});
+    ASSERT_TRUE(ids.ok()) << ids.error().message;
+    EXPECT_EQ(*ids, (Ids{11, 12, 13}));
+    const RelationPtr stored = relation("Parts");
+    for (const std::uint64_t id : *ids) {
+      const auto tuple = stored->fetch(static_cast<TupleId>(id));
+      ASSERT_TRUE(tuple.ok()) << tuple.error().message;
+      EXPECT_EQ(text(**tuple), text(part(static_cast<int>(id) - 1)));
+    }
+    EXPECT_EQ(store_->geometry_loads(), 3U);
+  });
+}
+
 TEST_F(StoredTrees, go_with_their_index_and_their_relation) {
   make_database(100);
   write([&] {
