@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -51,25 +53,29 @@ class RayFilter {
   std::array<int, 3> sign_{};
 };
 
-/// Finds out, by signs, which triangles the line of a ray misses.
-class LineFilter {
+/// Finds out, by signs, which triangles the line of a ray meets.
+class Line {
  public:
-  explicit LineFilter(const Ray& ray) : begin_(ray.origin) {
+  enum class Meeting : std::uint8_t { none, some, unknown };
+
+  explicit Line(const Ray& ray) : begin_(ray.origin) {
     const RationalVec3 end = ray.origin + ray.direction;
     is_known_ = true;
     for (std::size_t axis = 0; axis < 3; ++axis) is_known_ = is_known_ && std::isfinite(end[axis].nearest_double());
     if (is_known_) end_ = ExactPoint(end);
   }
 
-  bool may_meet(const TriangleRef& triangle) const {
-    if (!is_known_) return true;
+  /// Exact for triangles that are not coplanar with the line; `some` for all that are. Unknown if the end of the
+  /// direction is beyond the range of doubles.
+  Meeting meeting(const TriangleRef& triangle) const {
+    if (!is_known_) return Meeting::unknown;
     bool is_left = false, is_right = false;
     for (std::size_t i = 0; i < 3; ++i) {
       const int side = orient3d(begin_, end_, triangle[i], triangle[(i + 1) % 3]);
       is_left = is_left || side > 0;
       is_right = is_right || side < 0;
     }
-    return !is_left || !is_right;
+    return is_left && is_right ? Meeting::none : Meeting::some;
   }
 
  private:
@@ -101,9 +107,9 @@ bool clip(const Ray& ray, const std::array<RationalVec3, 3>& corners, Projection
   return !last || first <= *last;
 }
 
-}  // namespace
-
-std::optional<RaySection> section_of_triangle(const Ray& ray, const TriangleRef& triangle) {
+/// The section of a triangle that is not degenerate; nothing if the ray misses it. `is_met` tells that the line of the
+/// ray meets it or is coplanar with it.
+std::optional<RaySection> section_of_triangle(const Ray& ray, const TriangleRef& triangle, bool is_met) {
   const std::array<RationalVec3, 3> corners{triangle[0].rational(), triangle[1].rational(), triangle[2].rational()};
   const RationalVec3 normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
   const Rational height = dot(normal, corners[0] - ray.origin), rise = dot(normal, ray.direction);
@@ -115,6 +121,7 @@ std::optional<RaySection> section_of_triangle(const Ray& ray, const TriangleRef&
     last = first = height / rise;
     if (first.sign() < 0) return std::nullopt;
   }
+  if (rise.sign() != 0 && is_met) return RaySection{first, first, {}, rise.sign()};
   const auto [plane, turn] = dominant_turn(triangle);
   if (rise.sign() != 0) {
     // The only point is clipped as a ray of its own, without a direction.
@@ -127,19 +134,22 @@ std::optional<RaySection> section_of_triangle(const Ray& ray, const TriangleRef&
   return RaySection{std::move(first), *std::move(last), {}, rise.sign()};
 }
 
+}  // namespace
+
 std::vector<RaySection> sections_of(const Ray& ray, const Geometry& geometry) {
   std::vector<RaySection> sections;
   const RayFilter boxes(ray);
-  const LineFilter line(ray);
-  geometry.hierarchy().for_each_where([&](const Box3& box) { return boxes.may_meet(box); },
-                                      [&](std::uint32_t face) {
-                                        const TriangleRef triangle = geometry.mesh.corners(FaceId(face));
-                                        if (!line.may_meet(triangle)) return;
-                                        std::optional<RaySection> section = section_of_triangle(ray, triangle);
-                                        if (!section) return;
-                                        section->face = FaceId(face);
-                                        sections.push_back(*std::move(section));
-                                      });
+  const Line line(ray);
+  const auto add = [&](std::uint32_t face) {
+    const TriangleRef triangle = geometry.mesh.corners(FaceId(face));
+    const Line::Meeting meeting = line.meeting(triangle);
+    if (meeting == Line::Meeting::none) return;
+    std::optional<RaySection> section = section_of_triangle(ray, triangle, meeting == Line::Meeting::some);
+    if (!section) return;
+    section->face = FaceId(face);
+    sections.push_back(*std::move(section));
+  };
+  geometry.hierarchy().for_each_where([&](const Box3& box) { return boxes.may_meet(box); }, add);
   std::ranges::sort(sections, {}, [](const RaySection& section) { return std::tie(section.first, section.face); });
   return sections;
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "algebra3d/exact/plane.h"
@@ -23,9 +22,6 @@ struct RaySection {
   /// 1 if the ray comes from behind the triangle, -1 if from its front, 0 if it lies in its plane.
   int sign = 0;
 };
-
-/// The section of a triangle that is not degenerate; nothing if the ray misses it. Exact. Cost: microseconds.
-std::optional<RaySection> section_of_triangle(const Ray& ray, const TriangleRef& triangle);
 
 /// The sections of all triangles, in ascending order, then by their faces. Exact. Cost: that of the triangles whose
 /// boxes the ray meets; microseconds for each one that it meets.

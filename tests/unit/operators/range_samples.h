@@ -67,7 +67,7 @@ inline const Texts& plain_values() {
 /// Parameters of type real or vector3d that are no lengths, by name: factors, angles, directions. All others of an
 /// operator on shapes are lengths.
 inline bool is_plain(const Parameter& parameter) {
-  static const std::set<std::string_view> names = {"factor", "factors", "degrees", "axis"};
+  static const std::set<std::string_view> names = {"factor", "factors", "degrees", "axis", "direction"};
   return names.contains(parameter.name);
 }
 

@@ -20,7 +20,7 @@ using ranges::is_shape;
 const std::map<std::string_view, int> kDegrees = {
     {"area", 2},           {"areaExact", 2}, {"bboxDistance", 1}, {"cross", 2},        {"dot", 2},
     {"distance", 1},       {"getx", 1},      {"gety", 1},         {"commonVolume", 3}, {"contactArea", 2},
-    {"facetThickness", 1}, {"rayHits", 0},   {"thickness", 1},    {"getz", 1},         {"length", 1},
+    {"facetThickness", 1}, {"rayHits", 1},   {"thickness", 1},    {"getz", 1},         {"length", 1},
     {"maxD", 1},           {"minD", 1},      {"volume", 3},       {"volumeExact", 3},  {"perimeter", 1}};
 /// No law: a text with coordinates in it, one of several points that would do, a number within a bound, or files, which
 /// hold floats or what another operator has written.
