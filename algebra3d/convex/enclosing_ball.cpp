@@ -1,5 +1,6 @@
 #include "algebra3d/convex/enclosing_ball.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -44,11 +45,10 @@ std::optional<ExactBall> circumscribed_ball(const Support& points) {
 }
 
 bool contains(const ExactBall& ball, const Support& points) {
-  for (const RationalVec3& p : points) {
+  return std::ranges::all_of(points, [&](const RationalVec3& p) {
     const RationalVec3 d = p - ball.centre;
-    if (ball.squared_radius < dot(d, d)) return false;
-  }
-  return true;
+    return dot(d, d) <= ball.squared_radius;
+  });
 }
 
 /// The smallest ball around at most five points, the last of which is on its boundary; keeps those that hold it.

@@ -61,7 +61,7 @@ class Eigenvalue {
   /// Nearest double, ties to even; infinite beyond the range of doubles.
   double rounded() const {
     if (is_huge_) return std::numeric_limits<double>::infinity();
-    const double low = std::bit_cast<double>(low_bits_), high = std::bit_cast<double>(low_bits_ + 1);
+    const auto low = std::bit_cast<double>(low_bits_), high = std::bit_cast<double>(low_bits_ + 1);
     const Rational middle = Rational(1, 2) * (Rational(low) + Rational(high));
     const RootCount count = count_roots(polynomial_, middle);
     if (count.above >= count_) return high;
@@ -187,10 +187,10 @@ DoubleAxes double_axes(const SymmetricMatrix& m, const Rational& double_value) {
 
 /// Narrows the intervals until their widths are small beside the gaps between them.
 void separate(std::array<Eigenvalue, 3>& values) {
-  const Rational kSmall(1, std::int64_t{1} << 56);
+  const Rational small(1, std::int64_t{1} << 56);
   for (std::size_t i = 0; i < 2; ++i) {
     Eigenvalue &below = values[i], &above = values[i + 1];
-    while (kSmall * (above.low() - below.high()) <= below.width() + above.width()) {
+    while (small * (above.low() - below.high()) <= below.width() + above.width()) {
       below.halve();
       above.halve();
     }

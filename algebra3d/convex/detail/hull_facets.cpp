@@ -22,7 +22,7 @@ class FacetJoiner {
   HullBoundary boundary() {
     HullBoundary result;
     for (std::size_t v = 0; v < points_.size(); ++v)
-      if (is_extreme(VertexId(v))) result.extreme_points.push_back(VertexId(v));
+      if (is_extreme(VertexId(v))) result.extreme_points.emplace_back(v);
     std::ranges::sort(result.extreme_points,
                       [&](VertexId a, VertexId b) { return compare(points_[a.index()], points_[b.index()]) < 0; });
     numbers_.resize(points_.size());
@@ -49,13 +49,14 @@ class FacetJoiner {
       int side = plane.side(plane.height(beyond.approx));
       if (side == kUndecided) side = orient3d(point(0), point(1), point(2), beyond);
       if (side == 0) continue;
-      for (const HalfedgeId h : {HalfedgeId(3 * face.index() + edge), opposite}) {
+      for (const HalfedgeId h : {halfedge(face, edge), opposite}) {
         is_crease_[h.index()] = true;
         ++crease_counts_[origin(h)];
       }
     }
   }
 
+  static HalfedgeId halfedge(FaceId face, std::size_t edge) { return HalfedgeId(3 * std::size_t{face.index()} + edge); }
   static HalfedgeId next(HalfedgeId h) { return HalfedgeId(h.index() % 3 == 2 ? h.index() - 2 : h.index() + 1); }
   static HalfedgeId previous(HalfedgeId h) { return HalfedgeId(h.index() % 3 == 0 ? h.index() + 2 : h.index() - 1); }
   VertexId origin(HalfedgeId h) const { return triangles_[h.index() / 3].corners[h.index() % 3]; }
@@ -64,7 +65,7 @@ class FacetJoiner {
     const FaceId neighbour = triangle.neighbours[edge];
     const auto& corners = triangles_[neighbour.index()].corners;
     const auto place = std::ranges::find(corners, triangle.corners[(edge + 1) % 3]) - corners.begin();
-    return HalfedgeId(3 * neighbour.index() + static_cast<std::size_t>(place));
+    return halfedge(neighbour, static_cast<std::size_t>(place));
   }
 
   /// A corner inside a facet has no creases, one inside an edge of the hull has two.
@@ -86,7 +87,7 @@ class FacetJoiner {
       if (is_extreme(origin(h))) facet_.push_back(numbers_[origin(h)]);
       h = next_crease(h);
     } while (h != first);
-    std::ranges::rotate(facet_, std::ranges::min_element(facet_));
+    std::rotate(facet_.begin(), std::ranges::min_element(facet_), facet_.end());
     for (std::size_t i = 2; i < facet_.size(); ++i) triangles.push_back({facet_[0], facet_[i - 1], facet_[i]});
   }
 

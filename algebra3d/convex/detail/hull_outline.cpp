@@ -35,8 +35,7 @@ std::vector<Vec3> spread_points(const std::vector<Vec3>& points) {
     chosen.push_back(*std::ranges::max_element(points, {}, [&](const Vec3& p) { return dot(p, direction); }));
   }
   std::ranges::sort(chosen);
-  const auto rest = std::ranges::unique(chosen);
-  chosen.erase(rest.begin(), rest.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
   return chosen;
 }
 

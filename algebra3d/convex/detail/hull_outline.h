@@ -45,7 +45,8 @@ class HullOutline {
 /// Improves a direction by trying its neighbours, at shrinking distances.
 template <typename ValueOf>
 FoundDirection polished(FoundDirection best, const ValueOf& value_of) {
-  for (double step = 0x1p-4; step > 0x1p-40; step /= 2) {
+  for (int exponent = -4; exponent > -40; --exponent) {
+    const double step = std::ldexp(1, exponent);
     const Vec3 u = best.direction;
     const Vec3 across = cross(u, std::abs(u.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0});
     const Vec3 x = 1 / length(across) * across, y = cross(u, x);
