@@ -179,7 +179,8 @@ Status IntegrityCheck::check_schema() {
   std::set<std::string> known = {"chunks_by_place"};
   for (const auto& [table, begin] : kOwnTables) known.insert(table);
   for (const auto& [number, layout] : layouts_) known.insert(layout->table());
-  auto rows = database_->connection().use("SELECT type, name, tbl_name FROM sqlite_schema WHERE name NOT LIKE 'sqlite_%'");
+  auto rows =
+      database_->connection().use("SELECT type, name, tbl_name FROM sqlite_schema WHERE name NOT LIKE 'sqlite_%'");
   if (!rows) return add({.message = kCatalogueFinding}, rows.error());
   while (true) {
     const auto has_row = rows->step();
