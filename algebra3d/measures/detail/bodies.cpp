@@ -60,7 +60,7 @@ Result<std::vector<Shell>> shells_of(const TriangleMesh& mesh, const Monitor& mo
       shell = shells.size();
       shells.emplace_back();
     }
-    shells[shell].faces.push_back(FaceId(f));
+    shells[shell].faces.emplace_back(f);
   }
   SubmeshMaker maker(mesh);
   for (Shell& shell : shells) {
@@ -101,6 +101,7 @@ Result<std::vector<Volume3d>> bodies_of(const Volume3d& solid, const Monitor& mo
   for (Shell& shell : shells) (shell.volume.sign() > 0 ? outer : cavities).push_back(std::move(shell));
   if (outer.size() <= 1) return std::vector<Volume3d>(outer.size(), solid);
   std::vector<Volume3d> filled;
+  filled.reserve(outer.size());
   for (Shell& shell : outer) filled.push_back(Volume3d::trusted(std::move(shell.mesh)));
   for (const Shell& cavity : cavities) {
     ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
@@ -113,6 +114,7 @@ Result<std::vector<Volume3d>> bodies_of(const Volume3d& solid, const Monitor& mo
       outer[*innermost].faces.insert(outer[*innermost].faces.end(), cavity.faces.begin(), cavity.faces.end());
   }
   std::vector<Volume3d> bodies;
+  bodies.reserve(outer.size());
   SubmeshMaker maker(solid.mesh());
   for (const Shell& shell : outer) bodies.push_back(Volume3d::trusted(maker.make(shell.faces)));
   return bodies;
