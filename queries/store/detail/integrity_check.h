@@ -62,7 +62,7 @@ class IntegrityCheck {
   Result<Value> proved(const Value& value);
   void check_totals(const Walk& walk);
   void check_trees(Walk& walk);
-  void check_tree(const Walk& walk, std::size_t attribute, const SpatialIndex::Tree& tree, std::string_view which);
+  Status check_tree(const Entries& boxes, const SpatialIndex::Tree& tree, const Finding& place);
 
   Status check_numbers(std::string_view table, std::string_view column);
   Status check_chunks();

@@ -54,8 +54,10 @@ Status IntegrityCheck::check_relation(const CatalogueEntry& entry) {
   }
   for (const std::size_t attribute : database_->indexes().ordered_attributes(entry.table_number))
     walk.keys[attribute] = {};
+  // Those may be pages of an index of SQLite alone.
+  const bool has_damaged_pages = finding_counts_.contains(entry.name);
   ALGEBRA3D_RETURN_IF_ERROR(check_rows(walk));
-  if (!walk.gaps.empty()) add_readable(walk);
+  if (!walk.gaps.empty() || has_damaged_pages) add_readable(walk);
   if (!walk.gaps.empty()) return {};
   check_totals(walk);
   if (walk.are_rows_sound && walk.sum == entry.tuple_sum) check_trees(walk);
@@ -210,25 +212,27 @@ void IntegrityCheck::check_totals(const Walk& walk) {
     wrong(fmt::format("there is a tuple {}, the next one is to be {}", walk.last, entry.next_tuple));
 }
 
-// One that is stored with another state of the relation is made anew when it is needed, and no damage.
+// A tree that is stored with another state of the relation is made anew when it is needed, and no damage. Damage to a
+// stored tree is that of the index, and not of its relation.
 void IntegrityCheck::check_trees(Walk& walk) {
   for (auto& [attribute, boxes] : walk.boxes) {
     std::ranges::sort(boxes, entry_before);
+    const std::string& name = walk.layout->attributes()[attribute].name;
+    // What of it cannot be read is told of the stored one.
     if (const auto open = database_->indexes().find(walk.entry.table_number, attribute))
-      check_tree(walk, attribute, *open, "the index in memory");
+      static_cast<void>(
+          check_tree(boxes, *open, {.object = walk.entry.name, .attribute = name, .message = "the index in memory"}));
     const auto owner = tree_owner(database_->catalogue(), *walk.layout, attribute);
     if (!owner || database_->catalogue().version() < kFirstVersionWithIndexPages) continue;
     const auto is_stored = has_tree(database_->connection(), *owner, relation_state(walk.entry, attribute));
     if (is_stored && !*is_stored) continue;
+    const auto index = std::ranges::find_if(database_->catalogue().entries(),
+                                            [&](const auto& each) { return each.second.id == *owner; });
+    const Finding place{.object = index->first, .message = "the stored index"};
     const auto stored =
         is_stored ? load_tree(database_, *owner) : Result<std::shared_ptr<SpatialIndex::Tree>>(is_stored.error());
-    if (stored)
-      check_tree(walk, attribute, **stored, "the stored index");
-    else
-      static_cast<void>(add({.object = walk.entry.name,
-                             .attribute = walk.layout->attributes()[attribute].name,
-                             .message = "the stored index: "},
-                            stored.error()));
+    const Status status = stored ? check_tree(boxes, **stored, place) : Status(stored.error());
+    if (!status) add({.object = place.object, .message = place.message + ": " + status.error().message});
   }
   for (auto& [attribute, keys] : walk.keys) {
     const auto tree = database_->indexes().find_ordered(walk.entry.table_number, attribute);
@@ -239,13 +243,12 @@ void IntegrityCheck::check_trees(Walk& walk) {
   }
 }
 
-/// Compares a tree with the sorted boxes of the rows.
-void IntegrityCheck::check_tree(const Walk& walk, std::size_t attribute, const SpatialIndex::Tree& tree,
-                                std::string_view which) {
+/// Compares a tree with the sorted boxes of the rows. Errors: those of reading the tree.
+Status IntegrityCheck::check_tree(const Entries& boxes, const SpatialIndex::Tree& tree, const Finding& place) {
   const auto finding = [&](std::string_view fault) {
-    add({.object = walk.entry.name,
-         .attribute = walk.layout->attributes()[attribute].name,
-         .message = fmt::format("{}{}", which, fault)});
+    Finding found = place;
+    found.message += fault;
+    add(std::move(found));
   };
   const auto read = reading_tree([&] {
     const auto faults = rtree::audit(tree);
@@ -253,10 +256,10 @@ void IntegrityCheck::check_tree(const Walk& walk, std::size_t attribute, const S
     if (!faults.empty()) return true;
     Entries entries = tree.entries();
     std::ranges::sort(entries, entry_before);
-    if (entries != walk.boxes.at(attribute)) finding(" does not have the boxes of the relation");
+    if (entries != boxes) finding(" does not have the boxes of the relation");
     return true;
   });
-  if (!read) finding(": " + read.error().message);
+  return read ? Status() : Status(read.error());
 }
 
 }  // namespace queries
