@@ -79,7 +79,7 @@ Result<CatalogueEntry> entry_from(const SqliteConnection& connection, const Sqli
                         column_count == kColumns ? std::string(row[12].bytes) : std::string()};
 }
 
-std::uint64_t checksum_of(const CatalogueEntry& entry, std::int64_t version) {
+std::uint64_t checksum_of_entry(const CatalogueEntry& entry, std::int64_t version) {
   const std::string type = entry.type.text();
   return checksum_of(row_of(entry, type, version));
 }
@@ -191,7 +191,7 @@ Status Catalogue::check_sum() {
 // The next number is part of the sum, so that a wrong one does not give a number twice.
 std::uint64_t Catalogue::sum() const {
   std::uint64_t total = as_unsigned(next_number_);
-  for (const auto& [name, entry] : entries_) total += checksum_of(entry, version_);
+  for (const auto& [name, entry] : entries_) total += checksum_of_entry(entry, version_);
   for (const auto& [name, type] : types_) total += type_checksum(name, type.text());
   return total;
 }
