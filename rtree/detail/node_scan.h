@@ -11,9 +11,13 @@ struct Target {
   Box3 box;
   OrderedBox exact;
   KeyBox keys;
+  /// What has a key from here on is above the box on this axis. The first key is above what is before the frame.
+  std::int32_t first_above[3];
 
-  Target(const Box3& asked, const KeyFrame& frame)
-      : box(asked), exact(OrderedBox::of(asked)), keys(frame.keys(exact)) {}
+  Target(const Box3& asked, const KeyFrame& frame) : box(asked), exact(OrderedBox::of(asked)), keys(frame.keys(exact)) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      first_above[axis] = exact.max[axis] < frame.axes[axis].first() ? INT32_MIN : keys.max[axis] + 1;
+  }
 };
 
 /// The slots of a node that meet a box: the upper 16 bits have those for which keys do not prove it.

@@ -61,7 +61,7 @@ SCAN_TARGET inline void add_squares(const KeyBoxes& node, std::size_t first, con
     WideKeys low, high;
     __builtin_memcpy(&low, node.min[axis] + first, sizeof(low));
     __builtin_memcpy(&high, node.max[axis] + first, sizeof(high));
-    const WideKeys above = low > target.keys.max[axis];
+    const WideKeys above = low >= target.first_above[axis];
     const WideKeys key = (low & above) | (high & ~above);
     const auto is_above = (Unsigned)WIDENED(above);
     const AxisFrame& map = frame.axes[axis];

@@ -98,6 +98,36 @@ TEST(Nearest, a_limit_ends_the_search_and_changes_nothing_before) {
   }
 }
 
+// All of them touch the ends of the frame of keys, before and behind which there are no keys.
+TEST(Nearest, of_boxes_outside_of_the_frame_of_keys) {
+  Entries entries;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const double side : {0.0, 1.0})
+      for (int copy = 0; copy < 8; ++copy) {
+        Vec3 low{0, 0, 0}, high{1, 1, 1};
+        low[axis] = high[axis] = side;
+        Box3 box = Box3::of(low);
+        box.extend(high);
+        entries.push_back({box, entries.size()});
+      }
+  const Tree tree = Tree::bulk_load(entries);
+  for (const double x : {-0.75, -0x1p-1060, 0.25, 1.5})
+    for (const double y : {-0.375, 0.5, 1.25})
+      for (const double z : {-4.0, 0.125, 7.0}) {
+        const Box3 place = Box3::of({x, y, z});
+        expect_all_neighbours(entries, tree, place);
+        const std::vector<Expected> wanted = scan_distances(entries, place);
+        for (const std::size_t limit : {1, 9, 40}) {
+          auto cursor = tree.nearest(place, limit);
+          for (std::size_t i = 0; i < limit; ++i) {
+            const auto found = cursor.next();
+            ASSERT_TRUE(found.has_value());
+            ASSERT_NEAR(found->distance, static_cast<double>(wanted[i].distance), 1e-14);
+          }
+        }
+      }
+}
+
 TEST(Nearest, distances_whose_squares_underflow_or_overflow_keep_their_order) {
   for (const double unit : {1e-200, 1e-310, 1e300}) {
     Tree tree;

@@ -134,7 +134,7 @@ TEST(CommandTable, help_finds_parts_of_names_and_words_of_descriptions) {
   algebra3d::Registry registry = algebra3d::make_registry();
   register_stream_operators(registry);
   const std::string sphere = shell_help("SPHERE", registry).value();
-  EXPECT_TRUE(sphere.starts_with("Operators with 'SPHERE' in their names\n  createSphere(_, _, _)")) << sphere;
+  EXPECT_TRUE(sphere.starts_with("Operators with 'SPHERE' in their names\n  boundingSphere(_)")) << sphere;
   const std::string duplicates = shell_help("equal any earlier tuple", registry).value();
   EXPECT_NE(duplicates.find("Operators with 'equal any earlier tuple' in their descriptions\n  _ rduph"),
             std::string::npos)
