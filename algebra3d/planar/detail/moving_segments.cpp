@@ -114,11 +114,11 @@ std::optional<Moment> vanishing(const MovingSegment& segment) {
   return is_point && s > 0 && s < 1 ? std::optional(Moment{{s}}) : std::nullopt;
 }
 
-std::optional<Clash> first_clash(const MovingSegment& ab, const MovingSegment& cd, bool may_touch) {
+std::optional<SegmentClash> first_clash(const MovingSegment& ab, const MovingSegment& cd, bool may_touch) {
   SegmentPair pair(ab, cd);
-  const auto clash_at = [&](const Moment& moment) -> std::optional<Clash> {
+  const auto clash_at = [&](const Moment& moment) -> std::optional<SegmentClash> {
     const SegmentIntersection intersection = pair.intersection_at(moment);
-    return is_forbidden(intersection, may_touch) ? std::optional(Clash{intersection, moment}) : std::nullopt;
+    return is_forbidden(intersection, may_touch) ? std::optional(SegmentClash{intersection, moment}) : std::nullopt;
   };
   const std::vector<Surd> moments = pair.moments();
   if (auto clash = clash_at({{0}, true})) return clash;

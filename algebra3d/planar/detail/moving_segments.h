@@ -23,7 +23,7 @@ struct MovingSegment {
 enum class SegmentIntersection : std::uint8_t { none, touching, crossing, overlap };
 
 /// An intersection of moving segments and its time.
-struct Clash {
+struct SegmentClash {
   SegmentIntersection intersection = SegmentIntersection::none;
   Moment moment;
 };
@@ -35,7 +35,7 @@ std::optional<Moment> vanishing(const MovingSegment& segment);
 
 /// The first time at which two segments cross or overlap, or, if `may_touch` is false, have any point in common.
 /// Requires that neither vanishes. If two roots are equal after rounding, either may count as the first.
-std::optional<Clash> first_clash(const MovingSegment& ab, const MovingSegment& cd, bool may_touch);
+std::optional<SegmentClash> first_clash(const MovingSegment& ab, const MovingSegment& cd, bool may_touch);
 /// The first time at which the segments from `corner` to `a` and to `b` overlap. Requires that neither vanishes.
 std::optional<Moment> first_fold(const MovingPoint& a, const MovingPoint& corner, const MovingPoint& b);
 

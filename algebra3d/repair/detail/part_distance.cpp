@@ -61,7 +61,7 @@ void measure_distance(const MeasureFrame& frame, const TriangleMesh& mesh, const
   const auto farthest_from = [&](double distance) {
     return SurfaceDistance(triangles_near(frame, mesh, parts, distance)).farthest(triangles);
   };
-  FarthestPoint farthest = farthest_from(reach);
+  FarthestBounds farthest = farthest_from(reach);
   if (!(farthest.at_most <= reach)) farthest = farthest_from(std::numeric_limits<double>::infinity());
   amount.distance = frame.scale().unscaled(farthest.at_most);
   amount.where = frame.scale().unscaled(farthest.where);

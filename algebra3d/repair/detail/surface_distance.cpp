@@ -46,10 +46,10 @@ SurfaceDistance::Nearest SurfaceDistance::nearest(const Vec3& point) const {
   return best;
 }
 
-FarthestPoint SurfaceDistance::bounds(const Triangle3& triangle) const {
+FarthestBounds SurfaceDistance::bounds(const Triangle3& triangle) const {
   const Vec3 middle = middle_of(triangle);
   const Nearest from_middle = nearest(middle);
-  FarthestPoint result{from_middle.distance, std::numeric_limits<double>::infinity(), middle};
+  FarthestBounds result{from_middle.distance, std::numeric_limits<double>::infinity(), middle};
   if (is_empty()) return result;
   // The distance from one triangle is convex, so that it is largest in a corner; no point is farther from the middle
   // than a corner.
@@ -69,7 +69,7 @@ bool SurfaceDistance::is_near(const Triangle3& triangle, double distance) const 
     if (looks == kMostLooks) return false;
     const Triangle3 next = open.back();
     open.pop_back();
-    const FarthestPoint found = bounds(next);
+    const FarthestBounds found = bounds(next);
     if (found.at_least > distance) return false;
     if (!(found.at_most <= distance))
       for (const Triangle3& part : quarters(next)) open.push_back(part);
@@ -77,14 +77,14 @@ bool SurfaceDistance::is_near(const Triangle3& triangle, double distance) const 
   return true;
 }
 
-FarthestPoint SurfaceDistance::farthest(std::span<const Triangle3> triangles) const {
+FarthestBounds SurfaceDistance::farthest(std::span<const Triangle3> triangles) const {
   constexpr std::uint32_t kMostLooks = 40'000;
   constexpr double kApart = 1.01;
-  FarthestPoint best;
+  FarthestBounds best;
   std::priority_queue<Open> open;
   std::uint32_t looks = 0;
   const auto look_at = [&](const Triangle3& triangle) {
-    const FarthestPoint found = bounds(triangle);
+    const FarthestBounds found = bounds(triangle);
     if (found.at_least > best.at_least) best = {found.at_least, 0, found.where};
     if (found.at_most > best.at_least) open.push({found.at_most, looks, triangle});
     ++looks;

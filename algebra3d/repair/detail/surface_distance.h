@@ -11,7 +11,7 @@
 namespace algebra3d {
 
 /// Bounds of a one-sided Hausdorff distance: the largest distance of a point of some triangles from a surface.
-struct FarthestPoint {
+struct FarthestBounds {
   double at_least = 0, at_most = 0;
   Vec3 where;  ///< a point that is `at_least` away
 };
@@ -30,7 +30,7 @@ class SurfaceDistance {
   bool is_near(const Triangle3& triangle, double distance) const;
   /// The point of the triangles that is farthest from the surface. The bounds differ by at most a hundredth, unless
   /// that takes more than 40,000 searches besides one for each triangle.
-  FarthestPoint farthest(std::span<const Triangle3> triangles) const;
+  FarthestBounds farthest(std::span<const Triangle3> triangles) const;
 
  private:
   struct Nearest {
@@ -40,7 +40,7 @@ class SurfaceDistance {
 
   Nearest nearest(const Vec3& point) const;
   /// Bounds of the largest distance of a point of the triangle, from one search.
-  FarthestPoint bounds(const Triangle3& triangle) const;
+  FarthestBounds bounds(const Triangle3& triangle) const;
 
   std::vector<Triangle3> triangles_;
   rtree::RTree<std::uint32_t> tree_;

@@ -76,28 +76,28 @@ PairTest predicate_test(const std::string& name, bool in_both_orders) {
   const SpatialPredicate* const predicate = find_predicate(name);
   const bool tries_turned = in_both_orders && !predicate->is_symmetric;
   PairTest test;
-  test.by_boxes = [=](const Box3& a, const Box3& b) -> std::optional<Verdict> {
+  test.by_boxes = [=](const Box3& a, const Box3& b) -> std::optional<PairVerdict> {
     if (predicate->may_hold(a, b) || (tries_turned && predicate->may_hold(b, a))) return std::nullopt;
-    return Verdict::no;
+    return PairVerdict::no;
   };
-  test.by_geometry = [=](const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) -> Result<Verdict> {
+  test.by_geometry = [=](const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) -> Result<PairVerdict> {
     ALGEBRA3D_ASSIGN_OR_RETURN(const bool holds, predicate->holds(a, b, monitor));
-    if (holds || !tries_turned) return holds ? Verdict::yes : Verdict::no;
+    if (holds || !tries_turned) return holds ? PairVerdict::yes : PairVerdict::no;
     ALGEBRA3D_ASSIGN_OR_RETURN(const bool holds_turned, predicate->holds(b, a, monitor));
-    return holds_turned ? Verdict::turned : Verdict::no;
+    return holds_turned ? PairVerdict::turned : PairVerdict::no;
   };
   return test;
 }
 
 PairTest distance_test(const Value& given) {
   const double limit = given.is_defined() ? given.get<double>() : -1;
-  const auto verdict = [](bool is_near) { return is_near ? Verdict::yes : Verdict::no; };
+  const auto verdict = [](bool is_near) { return is_near ? PairVerdict::yes : PairVerdict::no; };
   PairTest test;
-  test.by_boxes = [=](const Box3& a, const Box3& b) -> std::optional<Verdict> {
+  test.by_boxes = [=](const Box3& a, const Box3& b) -> std::optional<PairVerdict> {
     const std::optional<bool> answer = algebra3d::are_within_by_boxes(a, b, limit);
     return answer ? std::optional(verdict(*answer)) : std::nullopt;
   };
-  test.by_geometry = [=](const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) -> Result<Verdict> {
+  test.by_geometry = [=](const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) -> Result<PairVerdict> {
     ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_near, are_within(a, b, algebra3d::Rational(limit), monitor));
     return verdict(is_near);
   };

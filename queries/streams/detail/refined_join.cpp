@@ -35,7 +35,7 @@ class RefinedJoin final : public TupleStream {
   Result<TuplePtr> next() override {
     while (true) {
       for (; next_ < block_.size(); ++next_)
-        if (verdicts_[next_] != Verdict::no) return joined(next_++);
+        if (verdicts_[next_] != PairVerdict::no) return joined(next_++);
       if (is_at_end_) return TuplePtr();
       ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
       ALGEBRA3D_RETURN_IF_ERROR(read_block());
@@ -61,8 +61,8 @@ class RefinedJoin final : public TupleStream {
 
   TuplePtr joined(std::size_t i) const {
     const TuplePair& pair = block_[i];
-    return verdicts_[i] == Verdict::turned ? concatenated(*pair.probe, *pair.build)
-                                           : concatenated(*pair.build, *pair.probe);
+    return verdicts_[i] == PairVerdict::turned ? concatenated(*pair.probe, *pair.build)
+                                               : concatenated(*pair.build, *pair.probe);
   }
 
   /// Pairs of one tuple of the probe side follow one another.
@@ -87,7 +87,7 @@ class RefinedJoin final : public TupleStream {
   }
 
   Status decide() {
-    verdicts_.assign(block_.size(), Verdict::no);
+    verdicts_.assign(block_.size(), PairVerdict::no);
     counts_.pairs += block_.size();
     std::vector<ValuePair> open;           // that boxes do not decide
     std::vector<std::uint32_t> positions;  // of these in the block
@@ -132,7 +132,7 @@ class RefinedJoin final : public TupleStream {
   std::size_t size_ = kFirstBlock;  // of the next block
   TuplePair pending_;               // the first one of the next block
   std::vector<TuplePair> block_;
-  std::vector<Verdict> verdicts_;
+  std::vector<PairVerdict> verdicts_;
   std::size_t next_ = 0;
   bool is_at_end_ = false;
 };

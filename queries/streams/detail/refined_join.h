@@ -13,7 +13,7 @@
 namespace queries {
 
 /// Whether a pair of sets belongs to a join.
-enum class Verdict : std::uint8_t {
+enum class PairVerdict : std::uint8_t {
   no,
   yes,
   turned,  ///< yes, with the second one first
@@ -22,9 +22,9 @@ enum class Verdict : std::uint8_t {
 /// The condition of a join. Called from several threads at once.
 struct PairTest {
   /// The verdict if boxes tell it, else nothing; so geometry is not loaded where it is not needed.
-  std::function<std::optional<Verdict>(const algebra3d::Box3& a, const algebra3d::Box3& b)> by_boxes;
-  std::function<Result<Verdict>(const algebra3d::SpatialSet& a, const algebra3d::SpatialSet& b,
-                                const algebra3d::Monitor& monitor)>
+  std::function<std::optional<PairVerdict>(const algebra3d::Box3& a, const algebra3d::Box3& b)> by_boxes;
+  std::function<Result<PairVerdict>(const algebra3d::SpatialSet& a, const algebra3d::SpatialSet& b,
+                                    const algebra3d::Monitor& monitor)>
       by_geometry;
 };
 
