@@ -202,9 +202,10 @@ void register_bounding_cylinder(Registry& registry) {
              "volume, in "
              "one row (Base: point3d, Axis: vector3d, Radius, Height, Volume, Ratio: real).",
       .detail =
-          std::string("Base is the centre of one end, from which Axis, a unit vector, points to the other. Radius and "
-                      "Height are enlarged by 2^-40 of the size of the set, and 2^-50 of its coordinates, so that "
-                      "the cylinder contains the set in spite of rounding.") +
+          std::string(
+              "Base is the centre of one end, from which Axis, a unit vector, points to the other. Radius and "
+              "Height are enlarged by 2^-40 of the size of the set, and 2^-50 of its coordinates, so that "
+              "the cylinder contains the set in spite of rounding. No row if it is beyond the range of doubles.") +
           kMeaningOfRatio,
       .exactness = Exactness::not_numeric,
       .frame_use = FrameUse::axes,
