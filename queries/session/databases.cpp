@@ -82,7 +82,12 @@ Status Session::run(const TransactionStep& command, Presenter&, Context&) {
 // Nothing is written, so that the statement can end by going back; SQLite may refuse to commit after it met damage.
 Result<std::vector<Finding>> Session::findings(Presenter& presenter, Context& context) {
   const auto report = [&presenter](const CheckProgress& progress) { presenter.advance(how_far(progress)); };
-  if (damaged_) return Store::check_damaged(damaged_->file, registry_, context, report);
+  if (damaged_) {
+    auto found = Store::check_damaged(damaged_->file, registry_, context, report);
+    // What kept the file from being opened is a finding, also if the check has found a way round it.
+    if (found && found->empty()) found->push_back({.message = "the catalogue: " + damaged_->error.message});
+    return found;
+  }
   ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
   ALGEBRA3D_RETURN_IF_ERROR(store->begin(false));
   auto found = store->check(context, report);
