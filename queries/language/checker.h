@@ -70,7 +70,7 @@ class Checker {
   bool is_function_object(const std::string& name);
   Result<TypedPtr> indexed_feed(const Application& filter);
   std::unique_ptr<IndexChoice> index_choice(const ObjectSource::IndexName& index, const IndexCondition& condition);
-  Result<TypedPtr> recorded_feed(TypedPtr relation, IndexChoice choice, const SourcePlace& place);
+  Result<TypedPtr> recorded_feed(TypedPtr relation, std::vector<IndexChoice> choices, const SourcePlace& place);
   std::optional<std::uint64_t> estimated_tuples(const Application& application);
   Result<TypedPtr> checked_argument(const Argument& argument, const TypedPtr& checked,
                                     const FunctionPlace& function_place, ArgumentType& type);

@@ -1,6 +1,7 @@
 // The part of the checker that lets a filter read by an index, and that estimates numbers of tuples for plans.
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -22,8 +23,18 @@ const Expression* operand_of(const ExpressionPtr& expression, std::string_view n
   return application->arguments[0].value.get();
 }
 
-std::optional<std::uint64_t> value_of(const Result<std::uint64_t>& result) {
-  return result ? std::optional(*result) : std::nullopt;
+/// Adds the range of a lower bound and an upper one on the same index.
+void add_closed_ranges(std::vector<IndexChoice>& choices) {
+  std::vector<IndexChoice> ranges;
+  for (const IndexChoice& low : choices) {
+    const auto is_upper_bound = [&](const IndexChoice& other) {
+      return other.use == IndexUse::at_most && other.index.name == low.index.name;
+    };
+    if (low.use != IndexUse::at_least) continue;
+    const auto high = std::ranges::find_if(choices, is_upper_bound);
+    if (high != choices.end()) ranges.push_back({low.index, IndexUse::between, low.operand, high->operand});
+  }
+  std::ranges::move(ranges, std::back_inserter(choices));
 }
 
 }  // namespace
@@ -54,15 +65,16 @@ Result<TypedPtr> Checker::indexed_feed(const Application& filter) {
                                            [this](const std::string& each) { return is_function_object(each); });
   if (conditions.empty()) return TypedPtr();
   ALGEBRA3D_ASSIGN_OR_RETURN(const auto indexes, objects_.indexes_of(name));
+  std::vector<IndexChoice> choices;
   for (const IndexCondition& condition : conditions)
     for (const auto& index : indexes) {
       if (index.attribute != condition.attribute) continue;
-      auto choice = index_choice(index, condition);
-      if (choice == nullptr) continue;
-      ALGEBRA3D_ASSIGN_OR_RETURN(TypedPtr source, check(*relation));
-      return recorded_feed(std::move(source), std::move(*choice), relation->place);
+      if (auto choice = index_choice(index, condition)) choices.push_back(std::move(*choice));
     }
-  return TypedPtr();
+  if (choices.empty()) return TypedPtr();
+  add_closed_ranges(choices);
+  ALGEBRA3D_ASSIGN_OR_RETURN(TypedPtr source, check(*relation));
+  return recorded_feed(std::move(source), std::move(choices), relation->place);
 }
 
 /// Null if the index does not serve the condition. Operands that are wrong are reported where the filter is checked.
@@ -85,19 +97,25 @@ std::unique_ptr<IndexChoice> Checker::index_choice(const ObjectSource::IndexName
   return std::make_unique<IndexChoice>(IndexChoice{index, condition.use, *operand, std::move(limit)});
 }
 
-Result<TypedPtr> Checker::recorded_feed(TypedPtr relation, IndexChoice choice, const SourcePlace& place) {
+Result<TypedPtr> Checker::recorded_feed(TypedPtr relation, std::vector<IndexChoice> choices, const SourcePlace& place) {
   const TypeExpr type = relation->type();
   const TypeExpr stream = TypeExpr::stream(type.element());
-  const auto node = std::make_shared<IndexFeedNode>(stream, std::move(choice), std::move(relation), objects_, place);
+  const auto node = std::make_shared<IndexFeedNode>(stream, std::move(choices), std::move(relation), objects_, place);
   if (recorder_ == nullptr) return TypedPtr(node);
   const std::size_t step = recorder_->begin("feed");
   std::optional<std::uint64_t> estimate;
-  if (scopes_.empty()) estimate = value_of(node->estimate(context_));
-  recorder_->describe(step, node->text(), estimate);
+  std::string how = node->text();
+  if (scopes_.empty()) {
+    if (auto plan = node->plan(context_)) {
+      estimate = plan->tuple_count;
+      how = std::move(plan->text);
+    }
+  }
+  recorder_->describe(step, how, estimate);
   return recorder_->finish(step, algebra3d::argument_list_text(std::array{type}) + " -> " + stream.text(), node);
 }
 
-/// Of the tuples that an operator returns, if it is a scan of a stored relation.
+/// The number of tuples that an operator returns, if it is a scan of a stored relation.
 std::optional<std::uint64_t> Checker::estimated_tuples(const Application& application) {
   if (application.name != "feed" || application.arguments.size() != 1 || application.arguments[0].value == nullptr)
     return std::nullopt;

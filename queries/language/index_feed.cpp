@@ -1,10 +1,12 @@
 #include "queries/language/index_feed.h"
 
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
+
+#include <fmt/ranges.h>
 
 #include "algebra3d/base/diagnostics.h"
 #include "queries/streams/mapping.h"
@@ -34,65 +36,100 @@ bool pays(std::uint64_t candidate_count, std::uint64_t tuple_count) {
   return candidate_count * kFetchCost <= tuple_count;
 }
 
-/// The ids of the tuples to read; nothing if all tuples are to be read.
-Result<std::optional<std::vector<TupleId>>> ids_to_read(const Relation& relation, const IndexChoice& choice,
-                                                        const std::optional<IndexQuestion>& question,
-                                                        ObjectSource& objects) {
-  std::optional<std::vector<TupleId>> ids;
-  if (!question) return ids;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::int64_t count, relation.count());
-  const auto tuple_count = static_cast<std::uint64_t>(count);
-  // What is wrong with an index is no reason not to answer.
-  const Result<Datum> index = objects.current_index(choice.index.name);
-  if (!index) return ids;
-  ALGEBRA3D_ASSIGN_OR_RETURN(ids, index_candidates(*index, choice.index.type, *question, tuple_count));
-  if (ids && !pays(ids->size(), tuple_count)) ids.reset();
-  return ids;
+/// The smaller, the fewer tuples a condition is likely to leave.
+int rank(IndexUse use) {
+  switch (use) {
+    case IndexUse::equals:
+      return 0;
+    case IndexUse::between:
+      return 2;
+    case IndexUse::at_least:
+    case IndexUse::at_most:
+      return 3;
+    default:
+      return 1;
+  }
 }
 
-/// The tuples of a relation that the index finds, or all of them.
-Result<TupleStreamPtr> found_tuples(Relation& relation, const IndexChoice& choice,
-                                    const std::optional<IndexQuestion>& question, ObjectSource& objects) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto ids, ids_to_read(relation, choice, question, objects));
-  return ids ? relation.select(*std::move(ids)) : relation.scan();
+/// What an index finds.
+struct Found {
+  std::vector<TupleId> ids;
+  std::string index;
+};
+
+/// Of the first index that pays; nothing if all tuples are to be read.
+Result<std::optional<Found>> found_by_index(const Relation& relation, const std::vector<IndexChoice>& choices,
+                                            const std::vector<std::optional<IndexQuestion>>& questions,
+                                            ObjectSource& objects) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::int64_t count, relation.count());
+  const auto tuple_count = static_cast<std::uint64_t>(count);
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (!questions[i]) continue;
+    // What is wrong with an index is no reason not to answer.
+    const Result<Datum> index = objects.current_index(choices[i].index.name);
+    if (!index) continue;
+    ALGEBRA3D_ASSIGN_OR_RETURN(auto ids, index_candidates(*index, choices[i].index.type, *questions[i], tuple_count));
+    if (ids && pays(ids->size(), tuple_count)) return std::optional(Found{*std::move(ids), choices[i].index.name});
+  }
+  return std::optional<Found>();
+}
+
+/// The tuples of a relation that an index finds, or all of them.
+Result<TupleStreamPtr> tuples_of(Relation& relation, const std::vector<IndexChoice>& choices,
+                                 const std::vector<std::optional<IndexQuestion>>& questions, ObjectSource& objects) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(auto found, found_by_index(relation, choices, questions, objects));
+  return found ? relation.select(std::move(found->ids)) : relation.scan();
+}
+
+std::vector<std::optional<IndexQuestion>> questions_of(const std::vector<IndexChoice>& choices, const Frame* frame,
+                                                       Context& context) {
+  std::vector<std::optional<IndexQuestion>> questions;
+  for (const IndexChoice& choice : choices) questions.push_back(question_of(choice, frame, context));
+  return questions;
 }
 
 }  // namespace
 
-IndexFeedNode::IndexFeedNode(TypeExpr stream, IndexChoice choice, TypedPtr relation, ObjectSource& objects,
-                             SourcePlace place)
+IndexFeedNode::IndexFeedNode(TypeExpr stream, std::vector<IndexChoice> choices, TypedPtr relation,
+                             ObjectSource& objects, SourcePlace place)
     : TypedNode(std::move(stream), std::move(place)),
-      choice_(std::move(choice)),
+      choices_(std::move(choices)),
       relation_(std::move(relation)),
-      objects_(objects) {}
+      objects_(objects) {
+  std::ranges::stable_sort(choices_, {}, [](const IndexChoice& choice) { return rank(choice.use); });
+}
 
 // The index is asked when the first tuple is wanted, so that it shows the same state as a scan.
 Result<Datum> IndexFeedNode::evaluate(const Frame* frame, Context& context) const {
   ALGEBRA3D_ASSIGN_OR_RETURN(const Datum relation, relation_->evaluate(frame, context));
   auto self = std::static_pointer_cast<const IndexFeedNode>(shared_from_this());
   return Datum{make_stream([self = std::move(self), relation = relation.relation(), &context,
-                            question = question_of(choice_, frame, context), tuples = TupleStreamPtr(),
+                            questions = questions_of(choices_, frame, context), tuples = TupleStreamPtr(),
                             step = 0U]() mutable -> Result<TuplePtr> {
     if (++step % 256 == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
     if (tuples == nullptr) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(tuples, found_tuples(*relation, self->choice_, question, self->objects_));
+      ALGEBRA3D_ASSIGN_OR_RETURN(tuples, tuples_of(*relation, self->choices_, questions, self->objects_));
     }
     return tuples->next();
   })};
 }
 
-Result<std::uint64_t> IndexFeedNode::estimate(Context& context) const {
+Result<IndexFeedPlan> IndexFeedNode::plan(Context& context) const {
   ALGEBRA3D_ASSIGN_OR_RETURN(const Datum datum, relation_->evaluate(nullptr, context));
   const Relation& relation = *datum.relation();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto ids,
-                             ids_to_read(relation, choice_, question_of(choice_, nullptr, context), objects_));
-  if (ids) return ids->size();
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto found,
+                             found_by_index(relation, choices_, questions_of(choices_, nullptr, context), objects_));
+  if (found) return IndexFeedPlan{found->ids.size(), fmt::format("by the index {}", found->index)};
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::int64_t count, relation.count());
-  return static_cast<std::uint64_t>(count);
+  return IndexFeedPlan{static_cast<std::uint64_t>(count),
+                       fmt::format("a scan: not {}, which would find too many tuples or cannot tell", text())};
 }
 
 std::string IndexFeedNode::text() const {
-  return fmt::format("by the index {}", choice_.index.name);
+  std::vector<std::string> names;
+  for (const IndexChoice& choice : choices_)
+    if (std::ranges::find(names, choice.index.name) == names.end()) names.push_back(choice.index.name);
+  return fmt::format("by the index {}", fmt::join(names, " or "));
 }
 
 }  // namespace queries

@@ -39,14 +39,25 @@ Result<Candidates> spatial_candidates(const IndexQuestion& question, const Spati
   return Candidates(std::move(ids));
 }
 
+/// An operand as a key of the index; nothing if it cannot be one.
+Result<std::optional<Value>> as_key(const Value& operand, const TypeExpr& key) {
+  const auto conversion = conversion_to(key, TypeExpr(operand.type().name()));
+  if (!conversion) return std::optional<Value>();
+  ALGEBRA3D_ASSIGN_OR_RETURN(Value value, loaded_as(operand, *conversion));
+  return std::optional(std::move(value));
+}
+
 Result<Candidates> ordered_candidates(const IndexQuestion& question, const TypeExpr& key, const OrderedIndex& index) {
-  const auto conversion = conversion_to(key, TypeExpr(question.operand.type().name()));
-  if (!conversion) return Candidates();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Value bound, loaded_as(question.operand, *conversion));
-  const bool has_low = question.use != IndexUse::at_most, has_high = question.use != IndexUse::at_least;
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<TupleId> ids,
-                             index.entries().range(has_low ? std::optional(bound) : std::nullopt,
-                                                   has_high ? std::optional(bound) : std::nullopt));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<Value> operand, as_key(question.operand, key));
+  if (!operand) return Candidates();
+  std::optional<Value> low = operand, high = operand;
+  if (question.use == IndexUse::between) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(high, as_key(*question.limit, key));
+    if (!high) return Candidates();
+  }
+  if (question.use == IndexUse::at_least) high.reset();
+  if (question.use == IndexUse::at_most) low.reset();
+  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<TupleId> ids, index.entries().range(low, high));
   std::ranges::sort(ids);
   return Candidates(std::move(ids));
 }

@@ -18,6 +18,7 @@ enum class IndexUse : std::uint8_t {
   equals,     ///< A is equal to the operand
   at_least,   ///< A is not less than the operand
   at_most,    ///< A is not greater than the operand
+  between,    ///< A is from the operand to the limit, both included
 };
 
 /// True if an index of type `index` can serve a condition with operands of these types; `limit` is that of
@@ -29,7 +30,7 @@ bool can_serve(const TypeExpr& index, IndexUse use, const TypeExpr& operand, con
 struct IndexQuestion {
   IndexUse use;
   Value operand;
-  std::optional<Value> limit;  ///< of IndexUse::is_near
+  std::optional<Value> limit;  ///< of IndexUse::is_near and between
 };
 
 /// The ids of the tuples for which a condition may hold, ascending: all of those for which it does, and others. Nothing
