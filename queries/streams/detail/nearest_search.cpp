@@ -197,9 +197,25 @@ Status NearestSearch::search_table(std::span<NearestProbe> probes) {
 
 namespace {
 
+/// If there are `limit` neighbours at the distance 0: drops all that cannot precede the last of them, and ends the
+/// search. For candidates come by the distance of their boxes, then by place, so all others at the distance 0 come
+/// later.
+bool is_settled_by_zeros(NearestProbe& probe, std::size_t limit) {
+  constexpr double kNothing = -1;  // no distance is within this bound
+  std::vector<std::uint64_t> zeros;
+  for (const NearTuple& near : probe.nearest)
+    if (near.distance.upper == 0) zeros.push_back(near.place);
+  if (zeros.size() < limit) return false;
+  const auto last = zeros.begin() + static_cast<std::ptrdiff_t>(limit) - 1;
+  std::ranges::nth_element(zeros, last);
+  std::erase_if(probe.nearest, [&](const NearTuple& near) { return near.distance.lower > 0 || near.place > *last; });
+  probe.bound = kNothing;
+  return true;
+}
+
 /// Keeps the neighbours that may be among the nearest ones, `limit` of them if no distances are equal.
 void drop_distant(NearestProbe& probe, std::size_t limit) {
-  if (probe.nearest.size() < limit) return;
+  if (probe.nearest.size() < limit || is_settled_by_zeros(probe, limit)) return;
   std::vector<double> upper;
   for (const NearTuple& near : probe.nearest) upper.push_back(near.distance.upper);
   const auto last = upper.begin() + static_cast<std::ptrdiff_t>(limit) - 1;
