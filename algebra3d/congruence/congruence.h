@@ -30,12 +30,12 @@ struct RigidMotion {
 /// `tolerance` from the other one (the Hausdorff distance of the boundaries). So triangulations do not matter. Nothing
 /// if none is found. Proper motions before mirrored ones, then small angles before large ones.
 ///
-/// What is found is checked on all of both boundaries, with doubles. A tolerance below 2^-36 of the size of the solids,
-/// or below 2^-48 of their coordinates, is raised to that. Which motions are tried: those that map the centres of mass
-/// to each other, and principal axes to principal axes, or, where moments are equal or nearly so, vertices to vertices.
-/// So copies are found that were moved and rounded; of solids that are alike only within a coarse tolerance, a motion
-/// may be missed. Errors: interrupted. Cost: linear in most cases, since wrong motions fail soon; quadratic if all
-/// vertices are equally far from the centre.
+/// A motion is checked on all of both boundaries, with doubles, before it is given. A tolerance below 2^-36 of the size
+/// of the solids, or below 2^-48 of their coordinates, is raised to that. Which motions are tried: those that map the
+/// centres of mass to each other, and principal axes to principal axes, or, where moments are equal or nearly so,
+/// vertices to vertices. So copies are found that were moved and rounded; of solids that are alike only within a coarse
+/// tolerance, a motion may be missed. Errors: interrupted. Cost: linear in most cases, since wrong motions fail soon;
+/// quadratic if all vertices are equally far from the centre.
 Result<std::optional<RigidMotion>> find_congruence(const CongruenceOperand& first, const CongruenceOperand& second,
                                                    double tolerance, const Monitor& monitor = {});
 

@@ -23,7 +23,7 @@ using Support = std::vector<RationalVec3>;
 /// dependent. At most four points.
 std::optional<ExactBall> circumscribed_ball(const Support& points) {
   const std::size_t n = points.size() - 1;
-  // Of the centre a + sum of f_j (p_j - a): rows sum of 2 f_j u_i.u_j = u_i.u_i.
+  // The linear equations for the centre a + sum of f_j (p_j - a): in each row, sum of 2 f_j u_i.u_j = u_i.u_i.
   std::array<std::array<Rational, 4>, 3> rows;
   for (std::size_t i = 0; i < n; ++i) {
     const RationalVec3 u = points[i + 1] - points[0];

@@ -126,7 +126,7 @@ class Eigenvalue {
 /// Eigenvalues of the matrix, rounded, ascending: estimates by the trigonometric formula.
 std::array<double, 3> estimates(const CharacteristicPolynomial& p) {
   const Rational trace = -p.a;
-  // Of the matrix divided by its trace, with the third of the trace taken off: t^3 - q t - r.
+  // The polynomial t^3 - q t - r is that of the matrix divided by its trace, less a third of the identity.
   const double b = (p.b / (trace * trace)).nearest_double(), c = (p.c / (trace * trace * trace)).nearest_double();
   const double q = std::max(0.0, 1.0 / 3 - b), r = 2.0 / 27 - b / 3 - c;
   const double size = 2 * std::sqrt(q / 3);

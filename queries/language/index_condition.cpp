@@ -15,7 +15,7 @@ namespace {
 using IsFunction = std::function<bool(const std::string& name)>;
 using PlaceKind = algebra3d::SyntaxPattern::PlaceKind;
 
-/// What an operator says of its first operand, and of its second one.
+/// An operator, and how it limits its first operand and its second one.
 struct IndexedOperator {
   std::string_view name;
   IndexUse of_first, of_second;

@@ -17,7 +17,7 @@ namespace {
 
 /// The condition with its operands evaluated; nothing if that failed: the filter will tell.
 std::optional<IndexQuestion> question_of(const IndexChoice& choice, const Frame* frame, Context& context) {
-  // What there is to note is noted by the filter.
+  // Notes are left to the filter, which evaluates its operands again.
   algebra3d::Diagnostics unheard;
   Context own{unheard, context.cancel, context.folder, context.memory};
   Result<Value> operand = choice.operand->evaluate_value(frame, own);
@@ -65,7 +65,7 @@ Result<std::optional<Found>> found_by_index(const Relation& relation, const std:
   const auto tuple_count = static_cast<std::uint64_t>(count);
   for (std::size_t i = 0; i < choices.size(); ++i) {
     if (!questions[i]) continue;
-    // What is wrong with an index is no reason not to answer.
+    // An index that cannot be read is passed over: the relation is there.
     const Result<Datum> index = objects.current_index(choices[i].index.name);
     if (!index) continue;
     ALGEBRA3D_ASSIGN_OR_RETURN(auto ids, index_candidates(*index, choices[i].index.type, *questions[i], tuple_count));

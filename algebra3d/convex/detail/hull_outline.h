@@ -9,7 +9,7 @@
 
 namespace algebra3d::detail {
 
-/// What the searches for enclosing boxes and cylinders need of a convex hull, in doubles: some hundreds of its
+/// A convex hull in doubles, simplified for the searches for enclosing boxes and cylinders: some hundreds of its
 /// vertices, relative to a point inside and divided by a unit, so that their size is near 1. Bounds that are proved for
 /// these hold for the hull, which contains them.
 class HullOutline {

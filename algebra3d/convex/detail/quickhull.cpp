@@ -222,7 +222,7 @@ class Quickhull {
   IdVector<VertexId, FaceId> faces_from_;  // of a horizon edge that begins at the point
   Stage stage_;
 
-  // Of the current round.
+  // The state of the current round, which adds one point.
   std::uint32_t round_ = 0;
   std::vector<FaceId> visible_, created_;
   std::vector<HorizonEdge> horizon_;

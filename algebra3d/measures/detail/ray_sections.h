@@ -15,7 +15,7 @@ struct Ray {
   RationalVec3 at(const Rational& parameter) const { return origin + parameter * direction; }
 };
 
-/// What a ray has in common with a triangle: the points with parameters from `first` to `last`.
+/// The common part of a ray and a triangle: the points with parameters from `first` to `last`.
 struct RaySection {
   Rational first, last;
   FaceId face;

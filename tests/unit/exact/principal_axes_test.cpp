@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "algebra3d/base/box_corners.h"
 #include "algebra3d/exact/mass_properties.h"
 #include "algebra3d/exact/plane.h"
 
@@ -113,19 +114,7 @@ TEST_P(mass_properties_at, of_solids_by_hand) {
   const Rational shift = *Rational::parse(GetParam());
   const MassProperties box =
       properties_of({{0, 0, 0}, {2, 0, 0}, {0, 4, 0}, {2, 4, 0}, {0, 0, 6}, {2, 0, 6}, {0, 4, 6}, {2, 4, 6}},
-                    {{0, 2, 3},
-                     {0, 3, 1},
-                     {4, 5, 7},
-                     {4, 7, 6},
-                     {0, 1, 5},
-                     {0, 5, 4},
-                     {2, 6, 7},
-                     {2, 7, 3},
-                     {0, 4, 6},
-                     {0, 6, 2},
-                     {1, 3, 7},
-                     {1, 7, 5}},
-                    shift);
+                    {kBoxTriangles.begin(), kBoxTriangles.end()}, shift);
   EXPECT_EQ(box.volume, Rational(48));
   EXPECT_EQ(box.centre, RationalVec3(Rational(1) + shift, Rational(2) + shift, Rational(3) + shift));
   // V/12 (b^2 + c^2).

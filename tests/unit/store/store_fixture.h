@@ -88,6 +88,15 @@ class StoreTest : public testing::Test {
     work();
     ok(store_->commit());
   }
+  /// Pages that `work`, as a statement that writes, appends to the log.
+  template <typename Work>
+  std::uintmax_t logged_pages(Work work) {
+    const auto log = path().string() + "-wal";
+    const auto before = std::filesystem::exists(log) ? std::filesystem::file_size(log) : 0;
+    write(work);
+    constexpr std::uintmax_t kFrameBytes = 4096 + 24;
+    return (std::filesystem::file_size(log) - before) / kFrameBytes;
+  }
   /// Runs `work(store)` as one statement that reads at first.
   template <typename Work>
   void read(Work work) {

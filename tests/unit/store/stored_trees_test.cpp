@@ -80,15 +80,6 @@ class StoredTrees : public StoreTest {
       EXPECT_TRUE(findings->empty()) << findings->front().text();
     });
   }
-  /// Pages that `work`, as a statement, appends to the log.
-  template <typename Work>
-  std::uintmax_t logged_pages(Work work) {
-    const auto log = path().string() + "-wal";
-    const auto before = std::filesystem::exists(log) ? std::filesystem::file_size(log) : 0;
-    write(work);
-    constexpr std::uintmax_t kFrameBytes = 4096 + 24;
-    return (std::filesystem::file_size(log) - before) / kFrameBytes;
-  }
 
   std::mt19937 random_{7};
 };

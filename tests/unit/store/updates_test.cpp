@@ -27,15 +27,6 @@ class StoredUpdates : public StoreTest {
     });
     reopen(OpenMode::read_write);
   }
-  /// Pages that `work`, as a statement, appends to the log.
-  template <typename Work>
-  std::uintmax_t logged_pages(Work work) {
-    const auto log = path().string() + "-wal";
-    const auto before = std::filesystem::exists(log) ? std::filesystem::file_size(log) : 0;
-    write(work);
-    constexpr std::uintmax_t kFrameBytes = 4096 + 24;
-    return (std::filesystem::file_size(log) - before) / kFrameBytes;
-  }
   /// The tuple with another number.
   Tuple numbered(TupleId id, std::int64_t number) {
     Tuple changed = **relation("R")->fetch(id);
