@@ -98,7 +98,7 @@ class NearestSearch::Round {
       propose(search, probe, known < task_.limit ? task_.limit - known : extra_, std::min(reach, probe.bound));
     });
     std::erase_if(searches_, [](const Search& search) { return search.candidates.empty(); });
-    extra_ *= 2;
+    extra_ = std::min(2 * extra_, kMostExtra);
     pairs_.clear();
     candidates_.clear();
     for (const Search& search : searches_)
@@ -151,6 +151,7 @@ class NearestSearch::Round {
   const Table& table_;
   const NearestTask& task_;
   std::vector<Search> searches_;
+  static constexpr std::size_t kMostExtra = 256;
   std::size_t extra_ = 4;  // candidates of a probe that has enough neighbours
   std::vector<ValuePair> pairs_;
   std::vector<Candidate> candidates_;
@@ -185,7 +186,15 @@ Status NearestSearch::search_all(std::span<NearestProbe> probes) {
   return {};
 }
 
+/// In groups, since a search holds all boxes that are equally far, up to all partners.
 Status NearestSearch::search_table(std::span<NearestProbe> probes) {
+  constexpr std::size_t kSearchesAtOnce = 128;
+  for (std::size_t begin = 0; begin < probes.size(); begin += kSearchesAtOnce)
+    ALGEBRA3D_RETURN_IF_ERROR(search_group(probes.subspan(begin, std::min(kSearchesAtOnce, probes.size() - begin))));
+  return {};
+}
+
+Status NearestSearch::search_group(std::span<NearestProbe> probes) {
   Round round(*table_, task_, probes);
   while (true) {
     ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
@@ -211,6 +220,13 @@ bool is_settled_by_zeros(NearestProbe& probe, std::size_t limit) {
   std::erase_if(probe.nearest, [&](const NearTuple& near) { return near.distance.lower > 0 || near.place > *last; });
   probe.bound = kNothing;
   return true;
+}
+
+/// Sorts neighbours whose order is known, and keeps the nearest ones.
+void keep_nearest(NearestProbe& probe, std::size_t limit) {
+  std::ranges::sort(probe.nearest, [](const NearTuple& a, const NearTuple& b) { return a.is_before(b); });
+  if (probe.nearest.size() > limit)
+    probe.nearest.erase(probe.nearest.begin() + static_cast<std::ptrdiff_t>(limit), probe.nearest.end());
 }
 
 /// Keeps the neighbours that may be among the nearest ones, `limit` of them if no distances are equal.
@@ -249,6 +265,25 @@ Status NearestSearch::take_distances(std::span<NearestProbe> probes, const Round
     // The candidates of a probe follow one another.
     if (i + 1 == ranges.size() || round.candidates()[i + 1].probe != probe) drop_distant(probes[probe], task_.limit);
   }
+  return thin_out(probes);
+}
+
+/// Where many neighbours are equally far, as far as ranges tell, decides exactly which are kept, so that they do not
+/// pile up.
+Status NearestSearch::thin_out(std::span<NearestProbe> probes) {
+  const std::size_t most = 4 * task_.limit + 64;
+  std::vector<OpenDistance> open;
+  for (NearestProbe& probe : probes) {
+    if (probe.nearest.size() <= most) continue;
+    for (NearTuple& near : probe.nearest)
+      if (!near.squared_distance) open.push_back({probe.tuple.get(), &near});
+  }
+  ALGEBRA3D_RETURN_IF_ERROR(make_exact(open));
+  for (NearestProbe& probe : probes) {
+    if (probe.nearest.size() <= most) continue;
+    keep_nearest(probe, task_.limit);
+    probe.bound = std::min(probe.bound, distance_bound(*probe.nearest.back().squared_distance));
+  }
   return {};
 }
 
@@ -271,11 +306,7 @@ Status NearestSearch::settle(std::span<NearestProbe> probes) {
     nearest.erase(nearest.begin() + static_cast<std::ptrdiff_t>(end), nearest.end());
   }
   ALGEBRA3D_RETURN_IF_ERROR(make_exact(open));
-  for (NearestProbe& probe : probes) {
-    std::ranges::sort(probe.nearest, [](const NearTuple& a, const NearTuple& b) { return a.is_before(b); });
-    if (probe.nearest.size() > task_.limit)
-      probe.nearest.erase(probe.nearest.begin() + static_cast<std::ptrdiff_t>(task_.limit), probe.nearest.end());
-  }
+  for (NearestProbe& probe : probes) keep_nearest(probe, task_.limit);
   return {};
 }
 

@@ -87,7 +87,9 @@ class NearestSearch {
 
   Status search_all(std::span<NearestProbe> probes);
   Status search_table(std::span<NearestProbe> probes);
+  Status search_group(std::span<NearestProbe> probes);
   Status take_distances(std::span<NearestProbe> probes, const Round& round);
+  Status thin_out(std::span<NearestProbe> probes);
   Status settle(std::span<NearestProbe> probes);
   /// A neighbour whose squared distance is needed.
   struct OpenDistance {

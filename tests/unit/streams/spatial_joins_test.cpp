@@ -119,6 +119,18 @@ TEST_F(SpatialJoins, find_the_nearest_partners_with_little_memory) {
   EXPECT_EQ(nearest(probes, partners, 5), nearest_pairs(probes, partners, 5));
 }
 
+// The boxes are few different ones, so that most distances occur many times, 0 among them.
+TEST_F(SpatialJoins, find_the_nearest_partners_among_equal_distances) {
+  for (const int extent : {1, 2, 9}) {
+    const auto probes = random_boxes(150, extent), partners = random_boxes(1200, extent);
+    for (const std::size_t count : {1, 5, 200})
+      EXPECT_EQ(nearest(probes, partners, count), nearest_pairs(probes, partners, count));
+    auto away = partners;
+    for (Box3& box : away) box.min.x += 20, box.max.x += 20;
+    EXPECT_EQ(nearest(probes, away, 3), nearest_pairs(probes, away, 3));
+  }
+}
+
 TEST_F(SpatialJoins, find_the_closest_pair) {
   for (int round = 0; round < 20; ++round) {
     const auto probes = random_boxes(40, 200), partners = random_boxes(60, 200);
