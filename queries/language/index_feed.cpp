@@ -84,6 +84,7 @@ Result<TupleStreamPtr> tuples_of(Relation& relation, const std::vector<IndexChoi
 std::vector<std::optional<IndexQuestion>> questions_of(const std::vector<IndexChoice>& choices, const Frame* frame,
                                                        Context& context) {
   std::vector<std::optional<IndexQuestion>> questions;
+  questions.reserve(choices.size());
   for (const IndexChoice& choice : choices) questions.push_back(question_of(choice, frame, context));
   return questions;
 }

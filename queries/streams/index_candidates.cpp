@@ -34,9 +34,7 @@ Result<Candidates> spatial_candidates(const IndexQuestion& question, const Spati
   if (question.use == IndexUse::is_inside && entry_count != tuple_count) return Candidates();
   if (question.use == IndexUse::contains && window_of(question.operand).is_empty()) return Candidates();
   ALGEBRA3D_ASSIGN_OR_RETURN(const auto found, ids_in_window(index, window_for(question)));
-  std::vector<TupleId> ids;
-  for (const std::uint64_t id : found) ids.push_back(static_cast<TupleId>(id));
-  return Candidates(std::move(ids));
+  return Candidates(std::vector<TupleId>(found.begin(), found.end()));
 }
 
 /// An operand as a key of the index; nothing if it cannot be one.

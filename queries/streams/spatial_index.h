@@ -47,7 +47,7 @@ class SpatialIndex : public IndexObject {
     std::function<Result<TreePtr>()> remade_tree;
   };
 
-  SpatialIndex(std::string relation, std::string attribute, TreePtr tree)
+  SpatialIndex(std::string relation, std::string attribute, const TreePtr& tree)
       : IndexObject(std::move(relation), std::move(attribute)), source_{[tree] { return tree; }, {}} {}
   SpatialIndex(std::string relation, std::string attribute, Source source)
       : IndexObject(std::move(relation), std::move(attribute)), source_(std::move(source)) {}

@@ -31,7 +31,10 @@ class LeafArray {
   LeafArray(std::size_t count, LeafReader reader, LeafRules rules);
   LeafArray(const LeafArray& other) : leaves_(other.all()) {}
   LeafArray(LeafArray&& other) noexcept = default;
-  LeafArray& operator=(const LeafArray& other) { return *this = LeafArray(other); }
+  LeafArray& operator=(const LeafArray& other) {
+    *this = LeafArray(other);
+    return *this;
+  }
   LeafArray& operator=(LeafArray&& other) noexcept = default;
   ~LeafArray() = default;
 

@@ -1,6 +1,6 @@
 #include "queries/streams/detail/join_condition.h"
 
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -57,9 +57,9 @@ const SpatialPredicate* find_predicate(std::string_view name) {
 }  // namespace
 
 std::string predicate_names() {
-  std::vector<std::string_view> names;
-  for (const SpatialPredicate& predicate : kPredicates) names.push_back(predicate.name);
-  return fmt::format("{}", fmt::join(names, ", "));
+  std::string names;
+  for (const SpatialPredicate& predicate : kPredicates) names.append(names.empty() ? "" : ", ").append(predicate.name);
+  return names;
 }
 
 Result<std::string> predicate_name(const MappingCheck& check, std::size_t place) {
@@ -89,16 +89,16 @@ PairTest predicate_test(const std::string& name, bool in_both_orders) {
   return test;
 }
 
-PairTest distance_test(const Value& given) {
-  const double limit = given.is_defined() ? given.get<double>() : -1;
+PairTest distance_test(const Value& limit) {
+  const double most = limit.is_defined() ? limit.get<double>() : -1;
   const auto verdict = [](bool is_near) { return is_near ? PairVerdict::yes : PairVerdict::no; };
   PairTest test;
   test.by_boxes = [=](const Box3& a, const Box3& b) -> std::optional<PairVerdict> {
-    const std::optional<bool> answer = algebra3d::are_within_by_boxes(a, b, limit);
+    const std::optional<bool> answer = algebra3d::are_within_by_boxes(a, b, most);
     return answer ? std::optional(verdict(*answer)) : std::nullopt;
   };
   test.by_geometry = [=](const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) -> Result<PairVerdict> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_near, are_within(a, b, algebra3d::Rational(limit), monitor));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_near, are_within(a, b, algebra3d::Rational(most), monitor));
     return verdict(is_near);
   };
   return test;
