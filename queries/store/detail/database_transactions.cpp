@@ -154,7 +154,7 @@ void Database::restore_indexes() {
   if (!status) return;
   status = notice_other_processes();
   if (status) status = catalogue_.load();
-  if (status) store_trees(*this);
+  if (status) status = store_trees(*this);
   for (const IndexPlace& place : places)
     if (status) status = restore_order(place);
   if (status) status = connection_->execute("COMMIT");
@@ -208,7 +208,7 @@ Status Database::write_end() {
     ALGEBRA3D_RETURN_IF_ERROR(connection_->execute(layout->drop_sql()));
     ALGEBRA3D_RETURN_IF_ERROR(erase_all_chunks(*connection_, layout->table_number()));
   }
-  store_trees(*this);
+  ALGEBRA3D_RETURN_IF_ERROR(store_trees(*this));
   return catalogue_.flush();
 }
 

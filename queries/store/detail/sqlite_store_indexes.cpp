@@ -64,9 +64,9 @@ Status SqliteStore::drop_stored_index(const CatalogueEntry& index) {
     const auto place = relation != nullptr ? spatial_place(*relation, index.index_attribute) : Result<IndexPlace>({});
     if (place && place->layout != nullptr)
       database_->indexes().forget({place->layout->table_number(), place->attribute});
-    // Pages that cannot be erased belong to no object, as `check database` says.
-    static_cast<void>(erase_index_pages(database_->connection(), index.id));
-    return {};
+    // Pages that cannot be erased belong to no object, as `check database` says; unless SQLite has undone everything.
+    Status status = erase_index_pages(database_->connection(), index.id);
+    return database_->connection().in_transaction() ? Status() : status;
   }
   if (!index.type.is("btree") || relation == nullptr || relation->table_number == 0) return {};
   for (const auto& [name, other] : database_->catalogue().entries())

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
 #include <map>
 
 #include "algebra3d/types/binary_io.h"
@@ -188,6 +189,18 @@ Status store_tree(SqliteConnection& connection, std::int64_t owner, const Relati
   return {};
 }
 
+/// Runs `work`, which writes, and undoes it if it fails.
+Status within_savepoint(SqliteConnection& connection, const std::function<Status()>& work) {
+  ALGEBRA3D_RETURN_IF_ERROR(connection.execute("SAVEPOINT tree"));
+  const auto done = reading_tree(work);
+  Status status = done ? *done : Status(done.error());
+  if (status) status = connection.execute("RELEASE tree");
+  if (status || !connection.in_transaction()) return status;
+  if (!(connection.execute("ROLLBACK TO tree") && connection.execute("RELEASE tree")))
+    static_cast<void>(connection.execute("ROLLBACK"));
+  return status;
+}
+
 }  // namespace
 
 std::optional<std::int64_t> tree_owner(const Catalogue& catalogue, const RelationLayout& layout,
@@ -260,7 +273,8 @@ void follow_changes(const std::shared_ptr<Database>& database, const std::shared
       find_stored(database, *layout, attribute);
 }
 
-void store_trees(Database& database) {
+// SQLite may answer a failure by rolling back the whole transaction; what came after it would be lasting at once.
+Status store_trees(Database& database) {
   SqliteConnection& connection = database.connection();
   for (const IndexCache::Unstored& each : database.indexes().unstored()) {
     const auto relation = std::ranges::find_if(database.catalogue().entries(), [&](const auto& entry) {
@@ -270,20 +284,19 @@ void store_trees(Database& database) {
     const auto layout = database.layout_of(relation->second);
     const auto owner = layout ? tree_owner(database.catalogue(), **layout, each.place.attribute) : std::nullopt;
     if (!owner) continue;
-    const auto stored = reading_tree([&]() -> Status {
-      ALGEBRA3D_RETURN_IF_ERROR(connection.execute("SAVEPOINT tree"));
-      const RelationState state = relation_state(relation->second, each.place.attribute);
+    const RelationState state = relation_state(relation->second, each.place.attribute);
+    Status status = within_savepoint(connection, [&] {
       if (each.tree == nullptr) return store_state(connection, *owner, state);
       return store_tree(connection, *owner, state, *each.tree, each.is_new);
     });
-    if (stored && *stored && connection.execute("RELEASE tree")) {
+    if (status) {
       database.indexes().set_stored(each.place);
       continue;
     }
-    if (connection.in_transaction() && !(connection.execute("ROLLBACK TO tree") && connection.execute("RELEASE tree")))
-      static_cast<void>(connection.execute("ROLLBACK"));
+    if (!connection.in_transaction()) return status;
     database.indexes().set_unstorable(each.place);
   }
+  return {};
 }
 
 }  // namespace queries

@@ -51,7 +51,7 @@ algebra3d::Result<std::shared_ptr<IndexCache::Tree>> tree_of_rows(const std::sha
 void follow_changes(const std::shared_ptr<Database>& database, const std::shared_ptr<const RelationLayout>& layout);
 
 /// Writes the trees that differ from the stored ones. One that cannot be written is not up to date in the file, and is
-/// made anew when it is needed.
-void store_trees(Database& database);
+/// made anew when it is needed. Errors: a failure at which SQLite has rolled back the whole transaction.
+algebra3d::Status store_trees(Database& database);
 
 }  // namespace queries
