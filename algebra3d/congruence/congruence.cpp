@@ -15,11 +15,23 @@ namespace {
 using detail::CentredSolid;
 using detail::Rotation;
 
+/// Half of the longest side of the box around the solid.
+double half_extent(const CongruenceOperand& solid) {
+  const Box3 bounds = solid.hierarchy->bounds();
+  return detail::largest(0.5 * bounds.max - 0.5 * bounds.min);
+}
+
+/// False if the boxes tell that the diameters differ by more than the tolerance allows: a diameter is at most the
+/// square root of 3 times the longest side of its box.
+bool have_similar_sizes(const CongruenceOperand& a, const CongruenceOperand& b, double tolerance) {
+  const double size_a = half_extent(a), size_b = half_extent(b);
+  return std::max(size_a, size_b) / 2 <= std::min(size_a, size_b) + tolerance;
+}
+
 /// The unit of length: a power of two near the size of the solid.
 double unit_of(const CongruenceOperand& solid) {
-  const Box3 bounds = solid.hierarchy->bounds();
   int exponent = 0;
-  std::frexp(detail::largest(0.5 * bounds.max - 0.5 * bounds.min), &exponent);
+  std::frexp(half_extent(solid), &exponent);
   return std::ldexp(1, std::clamp(exponent, -1070, 1020));
 }
 
@@ -77,6 +89,7 @@ Result<std::optional<RigidMotion>> find_congruence(const CongruenceOperand& firs
                                                    double tolerance, const Monitor& monitor) {
   using Found = std::optional<RigidMotion>;
   if (tolerance < 0 || first.mesh->is_empty() || second.mesh->is_empty()) return Found();
+  if (!have_similar_sizes(first, second, tolerance)) return Found();
   const double unit = unit_of(first);
   ALGEBRA3D_ASSIGN_OR_RETURN(const CentredSolid a, CentredSolid::make(first, unit, monitor));
   ALGEBRA3D_ASSIGN_OR_RETURN(const CentredSolid b, CentredSolid::make(second, unit, monitor));

@@ -84,16 +84,19 @@ class Eigenvalue {
   bool is_above(const Rational& t) const { return count_roots(polynomial_, t).above >= count_; }
   bool is_above(std::uint64_t bits) const { return is_above(Rational(std::bit_cast<double>(bits))); }
 
+  /// The step after this one, which never wraps around to 0.
+  static constexpr std::uint64_t longer(std::uint64_t step) { return step < kLargest / 4 ? 4 * step : kLargest; }
+
   /// Finds the double below the eigenvalue, near an estimate: steps of growing length, then halving. Positive doubles
   /// are ordered as their bits.
   void bracket(std::uint64_t estimate) {
     std::uint64_t low = estimate, high = estimate;
-    for (std::uint64_t step = 1; low > 0 && !is_above(low); step *= 4) {
+    for (std::uint64_t step = 1; low > 0 && !is_above(low); step = longer(step)) {
       high = low;
       low -= std::min(step, low);
     }
     if (high == low) high = low + 1;
-    for (std::uint64_t step = 1; is_above(high); step *= 4) {
+    for (std::uint64_t step = 1; is_above(high); step = longer(step)) {
       if (high == kLargest) {
         set_huge();
         return;

@@ -39,13 +39,20 @@ std::vector<Vec3> spread_points(const std::vector<Vec3>& points) {
   return chosen;
 }
 
+/// The direction in which the points, which are of the size 1, spread most unlike in the others; a place to begin. All
+/// entries of the matrix are multiples of a small part of its trace, so that its exact axes cost little for needles and
+/// sheets too.
 Vec3 main_axis_of(const std::vector<Vec3>& points) {
-  SymmetricMatrix spread;
+  double xx = 0, yy = 0, zz = 0, yz = 0, zx = 0, xy = 0;
   for (const Vec3& p : points) {
-    spread.xx += Rational(p.x * p.x), spread.yy += Rational(p.y * p.y), spread.zz += Rational(p.z * p.z);
-    spread.yz += Rational(p.y * p.z), spread.zx += Rational(p.z * p.x), spread.xy += Rational(p.x * p.y);
+    xx += p.x * p.x, yy += p.y * p.y, zz += p.z * p.z;
+    yz += p.y * p.z, zx += p.z * p.x, xy += p.x * p.y;
   }
-  const PrincipalAxes axes = principal_axes(spread);
+  const double trace = xx + yy + zz;
+  const auto coarse = [trace](double entry) { return Rational((entry + trace) - trace); };
+  const Rational least(0x1p-40 * trace);  // makes all eigenvalues positive, and leaves the axes where they are
+  const PrincipalAxes axes = principal_axes(
+      {coarse(xx) + least, coarse(yy) + least, coarse(zz) + least, coarse(yz), coarse(zx), coarse(xy)});
   const auto& [low, middle, high] = axes.values;
   return high * low > middle * middle ? axes.axes[2] : axes.axes[0];
 }

@@ -78,6 +78,15 @@ TEST(minimal_box, of_a_cuboid_is_the_cuboid) {
 }
 
 // [orourke1985]: the smallest box of a regular tetrahedron is the cube on whose diagonals its edges are.
+TEST(minimal_box, of_needles_and_sheets_of_all_widths) {
+  for (const Vec3 size : {Vec3{1, 1e-300, 2e-300}, Vec3{1, 1e-300, 1e-290}, Vec3{1, 1, 1e-320}, Vec3{1, 1e-8, 1e300}}) {
+    const auto points = cuboid(size);
+    const auto box = minimal_box(hull_of(points)).value();
+    ASSERT_TRUE(box);
+    EXPECT_GE(box->ratio, 1);
+  }
+}
+
 TEST(minimal_box, of_a_regular_tetrahedron_is_a_cube) {
   const auto box = minimal_box(hull_of({Vec3{0, 0, 0}, Vec3{1, 1, 0}, Vec3{1, 0, 1}, Vec3{0, 1, 1}})).value();
   EXPECT_LE(volume_of(*box), 1.0001);

@@ -83,6 +83,21 @@ TEST(principal_axes, of_rotated_diagonal_matrices) {
   }
 }
 
+// The estimates know nothing of values that are far below the trace.
+TEST(principal_axes, of_values_of_all_sizes) {
+  const auto power = [](int exponent) { return Rational(std::ldexp(1.0, exponent)); };
+  const auto axes = orthogonal({3, -1, 4, 1});
+  for (const std::array<int, 3> exponents : {std::array{400, 410, 1000}, std::array{-1000, 390, 1000},
+                                             std::array{-1000, -999, 1000}, std::array{-900, 900, 901}}) {
+    const auto [a, b, c] = exponents;
+    const PrincipalAxes found = principal_axes(matrix_of(axes, {power(a), power(b), power(c)}));
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_EQ(found.values[i], std::ldexp(1.0, exponents[i]));
+      expect_parallel(found.axes[i], axes[i]);
+    }
+  }
+}
+
 TEST(principal_axes, are_those_of_the_coordinates_if_all_values_are_equal) {
   const PrincipalAxes found = principal_axes({Rational(3), Rational(3), Rational(3), 0, 0, 0});
   EXPECT_EQ(found.values, (std::array<double, 3>{3, 3, 3}));
