@@ -51,8 +51,8 @@ Vec3 main_axis_of(const std::vector<Vec3>& points) {
   const double trace = xx + yy + zz;
   const auto coarse = [trace](double entry) { return Rational((entry + trace) - trace); };
   const Rational least(0x1p-40 * trace);  // makes all eigenvalues positive, and leaves the axes where they are
-  const PrincipalAxes axes = principal_axes(
-      {coarse(xx) + least, coarse(yy) + least, coarse(zz) + least, coarse(yz), coarse(zx), coarse(xy)});
+  const PrincipalAxes axes =
+      principal_axes({coarse(xx) + least, coarse(yy) + least, coarse(zz) + least, coarse(yz), coarse(zx), coarse(xy)});
   const auto& [low, middle, high] = axes.values;
   return high * low > middle * middle ? axes.axes[2] : axes.axes[0];
 }

@@ -311,7 +311,8 @@ Status Catalogue::write_meta() {
 Status Catalogue::flush() {
   if (!is_changed_) return {};
   if (!connection_.in_transaction())
-    return Error{ErrorCode::internal, "{}: the catalogue would be written outside of a transaction", connection_.file()};
+    return Error{ErrorCode::internal, "{}: the catalogue would be written outside of a transaction",
+                 connection_.file()};
   for (const std::int64_t id : removed_) {
     ALGEBRA3D_ASSIGN_OR_RETURN(SqliteStatement statement, connection_.use("DELETE FROM catalogue WHERE id = ?"));
     ALGEBRA3D_RETURN_IF_ERROR(statement.bind(1, id).run());
