@@ -53,7 +53,7 @@ class RefinedJoin final : public TupleStream {
   }
 
  private:
-  static constexpr std::size_t kFirstBlock = 16, kLargestBlock = std::size_t{1} << 18;
+  static constexpr std::size_t kFirstBlock = 16, kGrowth = 64, kLargestBlock = std::size_t{1} << 18;
   static constexpr std::size_t kBytesOfPair = 160;  // in all lists together
 
   const Value& build_key(const TuplePair& pair) const { return pair.build->attributes[keys_.build]; }
@@ -65,7 +65,8 @@ class RefinedJoin final : public TupleStream {
                                                : concatenated(*pair.build, *pair.probe);
   }
 
-  /// Pairs of one tuple of the probe side follow one another.
+  // Pairs of one tuple of the probe side follow one another. The first block is small, so that the first results come
+  // soon; there are few, since the values of a block come from everywhere and many are in the next one again.
   Status read_block() {
     block_.clear();
     next_ = 0;
@@ -82,7 +83,7 @@ class RefinedJoin final : public TupleStream {
       last_probe = pending_.probe.get();
       block_.push_back(std::exchange(pending_, {}));
     }
-    size_ = std::min(4 * size_, kLargestBlock);
+    size_ = std::min(kGrowth * size_, kLargestBlock);
     return {};
   }
 
