@@ -57,4 +57,14 @@ double distance(const Box3& a, const Box3& b) {
   return std::hypot(gap.x, gap.y, gap.z);
 }
 
+// Half of the smallest side that there is would be 0.
+double length_unit(const Box3& box) {
+  constexpr int kLowest = -1070, kHighest = 1020;
+  double half = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) half = std::max(half, 0.5 * box.max[axis] - 0.5 * box.min[axis]);
+  int exponent = kLowest;
+  if (half > 0) std::frexp(half, &exponent);
+  return std::ldexp(1, std::clamp(exponent, kLowest, kHighest));
+}
+
 }  // namespace algebra3d

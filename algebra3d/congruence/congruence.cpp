@@ -28,13 +28,6 @@ bool have_similar_sizes(const CongruenceOperand& a, const CongruenceOperand& b, 
   return std::max(size_a, size_b) / 2 <= std::min(size_a, size_b) + tolerance;
 }
 
-/// The unit of length: a power of two near the size of the solid.
-double unit_of(const CongruenceOperand& solid) {
-  int exponent = 0;
-  std::frexp(half_extent(solid), &exponent);
-  return std::ldexp(1, std::clamp(exponent, -1070, 1020));
-}
-
 /// The tolerance in a unit, raised to what the rounded check needs.
 double effective_tolerance(const CentredSolid& a, const CentredSolid& b, double tolerance, double unit) {
   const double size = std::max(a.radius(), b.radius());
@@ -90,7 +83,7 @@ Result<std::optional<RigidMotion>> find_congruence(const CongruenceOperand& firs
   using Found = std::optional<RigidMotion>;
   if (tolerance < 0 || first.mesh->is_empty() || second.mesh->is_empty()) return Found();
   if (!have_similar_sizes(first, second, tolerance)) return Found();
-  const double unit = unit_of(first);
+  const double unit = length_unit(first.hierarchy->bounds());
   ALGEBRA3D_ASSIGN_OR_RETURN(const CentredSolid a, CentredSolid::make(first, unit, monitor));
   ALGEBRA3D_ASSIGN_OR_RETURN(const CentredSolid b, CentredSolid::make(second, unit, monitor));
   const double reach = effective_tolerance(a, b, tolerance, unit);

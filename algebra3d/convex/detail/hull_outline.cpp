@@ -63,9 +63,7 @@ HullOutline::HullOutline(const TriangleMesh& hull) {
   Box3 box;
   for (const Vec3& p : hull.points().approx()) box.extend(p);
   const Vec3 half = 0.5 * box.max - 0.5 * box.min, centre = box.min + half;
-  int exponent = 0;
-  std::frexp(largest(half), &exponent);
-  unit_ = std::ldexp(1, std::clamp(exponent, -1070, 1020));
+  unit_ = length_unit(box);
   std::vector<Vec3> vertices;
   for (const Vec3& p : hull.points().approx()) {
     const Vec3 relative = p - centre;

@@ -40,6 +40,13 @@ TEST(Box3, distance_is_that_of_the_nearest_points) {
   EXPECT_EQ(distance(kUnit, Box3::of({0.5, 0.5, 1e300})), 1e300);
 }
 
+TEST(Box3, its_length_unit_is_near_its_size) {
+  EXPECT_EQ(length_unit({{0, 0, 0}, {1, 5, 2}}), 4);
+  EXPECT_EQ(length_unit({{-3, 0, 0}, {3, 0, 0}}), 4);
+  EXPECT_EQ(length_unit({{-1.7e308, 0, 0}, {1.7e308, 0, 0}}), 0x1p1020);
+  for (const double side : {0.0, 5e-324, 1e-322}) EXPECT_EQ(length_unit({{0, 0, 0}, {side, 0, 0}}), 0x1p-1070);
+}
+
 TEST(Box3, separate_boxes_have_no_common_part) {
   EXPECT_TRUE(intersect(kUnit, {{2, 0, 0}, {3, 1, 1}}).is_empty());
 }
