@@ -62,11 +62,44 @@ Status PieceSearch::measure_vertices(const Monitor& monitor) {
   return {};
 }
 
+Status PieceSearch::bound_faces(double at_least, const Monitor& monitor) {
+  constexpr std::size_t kTask = 64;
+  lower_ = std::max(lower_, at_least);
+  const std::size_t count = from_.face_count();
+  face_bounds_.resize(count);
+  const Stage stage(monitor, "bounding distances", count);
+  parallel_for((count + kTask - 1) / kTask, 1, [&](std::size_t task) {
+    Stage own(stage);
+    FaceBounds bounds(from_, to_, box_, enough());
+    for (std::size_t f = task * kTask; f < std::min((task + 1) * kTask, count) && own.begin_step(); ++f) {
+      const auto [a, b, c] = from_.triangle(FaceId(f));
+      face_bounds_[f] =
+          bounds.of(FaceId(f), {set_[SampleId(a)].nearest, set_[SampleId(b)].nearest, set_[SampleId(c)].nearest});
+    }
+  });
+  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  probe_faces();
+  return {};
+}
+
+void PieceSearch::probe_faces() {
+  std::vector<std::uint32_t> faces;
+  for (std::uint32_t f = 0; f < face_bounds_.size(); ++f)
+    if (!is_settled(face_bounds_[f].upper)) faces.push_back(f);
+  const std::size_t count = std::min(faces.size(), kProbedFaces);
+  std::ranges::partial_sort(faces, faces.begin() + static_cast<std::ptrdiff_t>(count), [&](auto a, auto b) {
+    return std::pair(-face_bounds_[a].upper, a) < std::pair(-face_bounds_[b].upper, b);
+  });
+  for (std::size_t i = 0; i < count && !is_settled(face_bounds_[faces[i]].upper); ++i)
+    new_sample(face_bounds_[faces[i]].where, face_bounds_[faces[i]].near);
+}
+
 Status PieceSearch::refine(double at_least, const Monitor& monitor) {
   lower_ = std::max(lower_, at_least);
   for (std::size_t f = 0; f < from_.face_count(); ++f) {
+    if (is_settled(face_bounds_[f].upper)) continue;
     const auto [a, b, c] = from_.triangle(FaceId(f));
-    push({{SampleId(a), SampleId(b), SampleId(c)}, kInfinity, 0});
+    push({{SampleId(a), SampleId(b), SampleId(c)}, face_bounds_[f].upper, 0});
   }
   std::size_t count = 0;
   while (!pieces_.empty() && !is_settled(pieces_.top().upper) && ++count < kMaxPieces) {
