@@ -9,9 +9,9 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// A bound of the roundings of a distance, and of exact corners, in units: coordinates are below 2.
-constexpr double kRoundings = 0x1p-46;
-/// A bound of the roundings of a point of an edge, for each unit of its length and of a coordinate.
-constexpr double kOfPoint = 0x1p-51;
+constexpr double kRoundings = 0x1p-48;
+/// A bound of the roundings of a point of an edge: of its coordinates, and twice that for each unit of the edge.
+constexpr double kOfPoint = 0x1p-52;
 /// Grows a number by more than a few roundings.
 constexpr double kGrowth = 1 + 0x1p-50;
 /// More candidates for a part are not compared with it one by one.
@@ -126,6 +126,24 @@ FaceBounds::Near FaceBounds::nearest(const Vec3& point, FaceId near) const {
   return best;
 }
 
+/// From face to neighbouring face as long as that is nearer: mostly what is nearest, if the first one is near.
+FaceBounds::Near FaceBounds::walk(const Vec3& point, FaceId from) const {
+  Near best{from, distance(point, target(from))};
+  for (bool has_moved = true; has_moved;) {
+    has_moved = false;
+    const FaceId face = best.face;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const HalfedgeId opposite = to_.mesh->opposite(TriangleMesh::halfedge(face, i));
+      if (!opposite.is_valid()) continue;
+      const double own = distance(point, target(TriangleMesh::face(opposite)));
+      if (own >= best.distance) continue;
+      best = {TriangleMesh::face(opposite), own};
+      has_moved = true;
+    }
+  }
+  return best;
+}
+
 void FaceBounds::take(const Farthest& farthest, FaceId near) {
   if (farthest.upper <= irrelevant()) return;
   best_ = farthest;
@@ -170,13 +188,24 @@ bool FaceBounds::gather(const Part& part, double reach) {
 /// Bounds the part, or divides it until few faces are near.
 void FaceBounds::visit(const Part& part) {
   const Vec3 centre = centre_of(part);
-  const Near near = nearest(centre, hint_);
-  hint_ = near.face;
-  const Farthest bound = farthest(part, target(near.face));
-  if (bound.upper <= irrelevant()) return;
   double radius = 0;
   for (std::uint32_t i = 0; i < part.size; ++i) radius = std::max(radius, size_of(part.corners[i] - centre));
-  if (gather(part, std::min(bound.upper, (near.distance + radius + kRoundings) * kGrowth)))
+  Near near = walk(centre, hint_);
+  Farthest bound = farthest(part, target(near.face));
+  const auto is_bounded = [&] { return bound.upper <= irrelevant(); };
+  const auto has_gathered = [&] {
+    return gather(part, std::min(bound.upper, (near.distance + radius + kRoundings) * kGrowth));
+  };
+  if (is_bounded()) return;
+  bool has_few = has_gathered();
+  if (!has_few) {
+    near = nearest(centre, near.face);
+    bound = farthest(part, target(near.face));
+    if (is_bounded()) return;
+    has_few = has_gathered();
+  }
+  hint_ = near.face;
+  if (has_few)
     cover(part);
   else if (near.distance < radius && part.depth < kMaxDepth / 2)
     halve(part, waiting_);
@@ -232,7 +261,7 @@ bool FaceBounds::divide_by_cell(const Part& part, const Target& target) {
 /// Divides a part along a plane. False if the part has too many corners, or if roundings hide where the plane is. The
 /// division is exact in this sense: the cuts are at shares of the edges, and the exact part has the same ones.
 bool FaceBounds::cut(const Part& part, const CellSide& side, Part& inside, Part& outside) {
-  constexpr double kNear = 0x1p-30;
+  constexpr double kNear = 0x1p-50;
   std::array<double, Part::kMaxCorners> heights;  // NOLINT(cppcoreguidelines-pro-type-member-init): as far as used
   double highest = 0, longest = 0;
   for (std::uint32_t i = 0; i < part.size; ++i) {
@@ -273,7 +302,7 @@ bool FaceBounds::cut(const Part& part, const CellSide& side, Part& inside, Part&
   }
   if (cut_count + on_plane != 2) return false;
   inside.depth = outside.depth = part.depth + 1;
-  inside.deviation = outside.deviation = part.deviation + (cut_count > 0 ? kOfPoint * (2 + longest) : 0);
+  inside.deviation = outside.deviation = part.deviation + (cut_count > 0 ? kOfPoint * (1 + 2 * longest) : 0);
   return true;
 }
 
@@ -297,7 +326,7 @@ void FaceBounds::halve(const Part& part, std::vector<Part>& halves) {
     }
     const Vec3 &a = part.corners[longest], &b = part.corners[(longest + 1) % 3], &c = part.corners[(longest + 2) % 3];
     const Vec3 middle = 0.5 * a + 0.5 * b;
-    first.deviation = second.deviation = part.deviation + kOfPoint * 2;
+    first.deviation = second.deviation = part.deviation + kOfPoint;
     for (const Vec3& corner : {a, middle, c}) first.add(corner);
     for (const Vec3& corner : {middle, b, c}) second.add(corner);
   }

@@ -72,6 +72,7 @@ class FaceBounds {
   static double distance(const Vec3& point, const Target& target);
   static Farthest farthest(const Part& part, const Target& target);
   static Vec3 centre_of(const Part& part);
+  Near walk(const Vec3& point, FaceId from) const;
   Near nearest(const Vec3& point, FaceId near) const;
   double irrelevant() const { return best_.upper > enough_ ? best_.upper : enough_; }
   void take(const Farthest& farthest, FaceId near);

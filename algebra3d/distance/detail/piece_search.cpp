@@ -32,12 +32,24 @@ double PieceSearch::largest_coordinate(const Box3& box) {
 }
 
 /// Samples must be better by more than roundings to replace others, so that vertices are preferred.
+bool PieceSearch::is_better(double distance) const {
+  return best_.is_none() || distance > lower_ * (1 + 0x1p-44) + tolerance_ / 4;
+}
+
 void PieceSearch::take_sample(SampleId id, double rounding) {
-  const SampledSet::Sample& sample = set_[id];
-  const double lower = sample.lower - rounding;
-  if (!best_.is_none() && lower <= lower_ * (1 + 0x1p-44) + tolerance_ / 4) return;
+  const double lower = set_[id].lower - rounding;
+  if (!is_better(lower)) return;
   best_ = id;
   lower_ = std::max(lower_, lower);
+}
+
+/// If it may be better, first makes bounds exact that are farther apart than is good enough: the rounded lower bound is
+/// poor where a set is near in comparison with its triangles.
+void PieceSearch::take_sharpened(SampleId id, double rounding) {
+  const double upper = set_[id].upper;
+  if (!is_better(upper - rounding)) return;
+  if (upper - set_[id].lower > upper * (kRelative / 16) + tolerance_ / 16) set_.make_exact(id);
+  take_sample(id, rounding);
 }
 
 Status PieceSearch::measure_vertices(const Monitor& monitor) {
@@ -55,10 +67,14 @@ Status PieceSearch::measure_vertices(const Monitor& monitor) {
     }
   });
   ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  SampleId largest;
   for (std::size_t i = 0; i < count; ++i) {
     const SampleId id = set_.add(std::move(samples[i]));
-    if (!from_.is_isolated(VertexId(i))) take_sample(id, 0);
+    if (from_.is_isolated(VertexId(i))) continue;
+    take_sample(id, 0);
+    if (largest.is_none() || set_[id].upper > set_[largest].upper) largest = id;
   }
+  if (!largest.is_none()) take_sharpened(largest, 0);
   return {};
 }
 
@@ -150,7 +166,7 @@ double PieceSearch::share_near(const Vec3& near_first, const Vec3& near_second, 
 
 SampleId PieceSearch::new_sample(const Vec3& point, FaceId near) {
   const SampleId id = set_.add(set_.measured(ExactPoint(point), near));
-  take_sample(id, rounding_);
+  take_sharpened(id, rounding_);
   return id;
 }
 

@@ -64,7 +64,9 @@ class PieceSearch {
   };
 
   static double largest_coordinate(const Box3& box);
+  bool is_better(double distance) const;
   void take_sample(SampleId id, double rounding);
+  void take_sharpened(SampleId id, double rounding);
   void push(Piece piece);
   double enough() const { return lower_ * (1 + kRelative) + tolerance_; }
   bool is_settled(double upper) const { return upper <= enough(); }
