@@ -7,13 +7,13 @@
 namespace algebra3d::distances {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 /// A bound of the roundings of a distance, and of exact corners, in units: coordinates are below 2.
-constexpr double kRoundings = 0x1p-48;
+constexpr double kOfDistance = 0x1p-48;
 /// A bound of the roundings of a point of an edge: of its coordinates, and twice that for each unit of the edge.
 constexpr double kOfPoint = 0x1p-52;
 /// Grows a number by more than a few roundings.
-constexpr double kGrowth = 1 + 0x1p-50;
+constexpr double kGrown = 1 + 0x1p-50;
 /// More candidates for a part are not compared with it one by one.
 constexpr std::size_t kManyCandidates = 64;
 /// Parts are not divided more often.
@@ -105,7 +105,7 @@ FaceBounds::Farthest FaceBounds::farthest(const Part& part, const Target& target
   Farthest result{-1, {}};
   for (std::uint32_t i = 0; i < part.size; ++i)
     if (const double own = distance(part.corners[i], target); own > result.upper) result = {own, part.corners[i]};
-  result.upper = (result.upper + (kRoundings + part.deviation)) * kGrowth;
+  result.upper = (result.upper + (kOfDistance + part.deviation)) * kGrown;
   return result;
 }
 
@@ -117,7 +117,7 @@ Vec3 FaceBounds::centre_of(const Part& part) {
 
 FaceBounds::Near FaceBounds::nearest(const Vec3& point, FaceId near) const {
   Near best{near, distance(point, target(near))};
-  const auto reach = [&] { return unscaled(best.distance + kRoundings); };
+  const auto reach = [&] { return unscaled(best.distance + kOfDistance); };
   to_.hierarchy->for_each_near(Box3::of(unscaled(point)), reach(), [&](std::uint32_t face) {
     const double own = distance(point, target(FaceId(face)));
     if (own < best.distance) best = {FaceId(face), own};
@@ -153,7 +153,7 @@ void FaceBounds::take(const Farthest& farthest, FaceId near) {
 FaceBound FaceBounds::of(FaceId face, const std::array<FaceId, 3>& nearest) {
   Part whole;
   for (const std::uint32_t corner : from_.triangle(face)) whole.add(scaled(from_.points().approx()[corner]));
-  double least = kInfinity;
+  double least = kUnbounded;
   for (const FaceId near : nearest) {
     const double upper = farthest(whole, target(near)).upper;
     if (upper <= enough_) return {};
@@ -178,11 +178,15 @@ bool FaceBounds::gather(const Part& part, double reach) {
   Box3 box;
   for (std::uint32_t i = 0; i < part.size; ++i) box.extend(unscaled(part.corners[i]));
   const double limit = unscaled(reach);
-  to_.hierarchy->for_each_near(box, limit, [&](std::uint32_t face) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    box.min[axis] = std::nextafter(box.min[axis] - limit, -kUnbounded);
+    box.max[axis] = std::nextafter(box.max[axis] + limit, kUnbounded);
+  }
+  to_.hierarchy->for_each_meeting(box, [&](std::uint32_t face) {
     candidates_.push_back(target(FaceId(face)));
-    return candidates_.size() > kManyCandidates ? -1 : limit;
+    return candidates_.size() <= kManyCandidates;
   });
-  return candidates_.size() <= kManyCandidates;
+  return !candidates_.empty() && candidates_.size() <= kManyCandidates;
 }
 
 /// Bounds the part, or divides it until few faces are near.
@@ -194,7 +198,7 @@ void FaceBounds::visit(const Part& part) {
   Farthest bound = farthest(part, target(near.face));
   const auto is_bounded = [&] { return bound.upper <= irrelevant(); };
   const auto has_gathered = [&] {
-    return gather(part, std::min(bound.upper, (near.distance + radius + kRoundings) * kGrowth));
+    return gather(part, std::min(bound.upper, (near.distance + radius + kOfDistance) * kGrown));
   };
   if (is_bounded()) return;
   bool has_few = has_gathered();
@@ -222,7 +226,7 @@ void FaceBounds::cover(const Part& part) {
     uncovered_.pop_back();
     const Vec3 centre = centre_of(next);
     const Target* near = nullptr;
-    double least = kInfinity;
+    double least = kUnbounded;
     for (const Target& candidate : candidates_) {
       const double own = distance(centre, candidate);
       if (own < least) near = &candidate;
