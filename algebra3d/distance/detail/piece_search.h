@@ -11,11 +11,11 @@
 
 namespace algebra3d::distances {
 
-/// Branch and bound for one FarthestSearch. A piece is a part of a triangle, with an upper bound of the distance of its
-/// points: the distance from one triangle is convex, so it is largest in a corner of the piece. The piece with the
-/// largest bound is divided next: along the points that are equally far from the two triangles that are nearest to its
-/// corners, so that few pieces are needed where large parts are at one distance, or else in the middle of its longest
-/// edge.
+/// Branch and bound for one FarthestSearch, for faces whose FaceBounds do not settle them. A piece is a part of a
+/// triangle, with an upper bound of the distance of its points: the distance from one triangle is convex, so it is
+/// largest in a corner of the piece. The piece with the largest bound is divided next: along the points that are
+/// equally far from the two triangles that are nearest to its corners, so that few pieces are needed where large parts
+/// are at one distance, or else in the middle of its longest edge.
 class PieceSearch {
  public:
   /// `box` holds both sets.
