@@ -225,7 +225,7 @@ void FaceBounds::cover(const Part& part) {
     const Part next = uncovered_.back();
     uncovered_.pop_back();
     const Vec3 centre = centre_of(next);
-    const Target* near = nullptr;
+    const Target* near = &candidates_.front();
     double least = kUnbounded;
     for (const Target& candidate : candidates_) {
       const double own = distance(centre, candidate);
