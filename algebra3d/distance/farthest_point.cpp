@@ -28,6 +28,8 @@ Result<std::optional<FarthestPoint>> farthest_point(std::span<const FarthestSear
   ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<PieceSearch> all, with_measured_vertices(searches, monitor));
   double at_least = 0;
   for (const PieceSearch& search : all) at_least = std::max(at_least, search.lower_bound());
+  for (PieceSearch& search : all) ALGEBRA3D_RETURN_IF_ERROR(search.bound_faces(at_least, monitor));
+  for (const PieceSearch& search : all) at_least = std::max(at_least, search.lower_bound());
   std::optional<FarthestPoint> farthest;
   double upper_bound = 0;
   bool is_bounded = true;

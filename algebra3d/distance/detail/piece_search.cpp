@@ -32,12 +32,24 @@ double PieceSearch::largest_coordinate(const Box3& box) {
 }
 
 /// Samples must be better by more than roundings to replace others, so that vertices are preferred.
+bool PieceSearch::is_better(double distance) const {
+  return best_.is_none() || distance > lower_ * (1 + 0x1p-44) + tolerance_ / 4;
+}
+
 void PieceSearch::take_sample(SampleId id, double rounding) {
-  const SampledSet::Sample& sample = set_[id];
-  const double lower = sample.lower - rounding;
-  if (!best_.is_none() && lower <= lower_ * (1 + 0x1p-44) + tolerance_ / 4) return;
+  const double lower = set_[id].lower - rounding;
+  if (!is_better(lower)) return;
   best_ = id;
   lower_ = std::max(lower_, lower);
+}
+
+/// If it may be better, first makes bounds exact that are farther apart than is good enough: the rounded lower bound is
+/// poor where a set is near in comparison with its triangles.
+void PieceSearch::take_sharpened(SampleId id, double rounding) {
+  const double upper = set_[id].upper;
+  if (!is_better(upper - rounding)) return;
+  if (upper - set_[id].lower > upper * (kRelative / 16) + tolerance_ / 16) set_.make_exact(id);
+  take_sample(id, rounding);
 }
 
 Status PieceSearch::measure_vertices(const Monitor& monitor) {
@@ -55,18 +67,55 @@ Status PieceSearch::measure_vertices(const Monitor& monitor) {
     }
   });
   ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  SampleId largest;
   for (std::size_t i = 0; i < count; ++i) {
     const SampleId id = set_.add(std::move(samples[i]));
-    if (!from_.is_isolated(VertexId(i))) take_sample(id, 0);
+    if (from_.is_isolated(VertexId(i))) continue;
+    take_sample(id, 0);
+    if (largest.is_none() || set_[id].upper > set_[largest].upper) largest = id;
   }
+  if (!largest.is_none()) take_sharpened(largest, 0);
   return {};
+}
+
+Status PieceSearch::bound_faces(double at_least, const Monitor& monitor) {
+  constexpr std::size_t kTask = 64;
+  lower_ = std::max(lower_, at_least);
+  const std::size_t count = from_.face_count();
+  face_bounds_.resize(count);
+  const Stage stage(monitor, "bounding distances", count);
+  parallel_for((count + kTask - 1) / kTask, 1, [&](std::size_t task) {
+    Stage own(stage);
+    FaceBounds bounds(from_, to_, box_, enough());
+    for (std::size_t f = task * kTask; f < std::min((task + 1) * kTask, count) && own.begin_step(); ++f) {
+      const auto [a, b, c] = from_.triangle(FaceId(f));
+      face_bounds_[f] =
+          bounds.of(FaceId(f), {set_[SampleId(a)].nearest, set_[SampleId(b)].nearest, set_[SampleId(c)].nearest});
+    }
+  });
+  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  probe_faces();
+  return {};
+}
+
+void PieceSearch::probe_faces() {
+  std::vector<std::uint32_t> faces;
+  for (std::uint32_t f = 0; f < face_bounds_.size(); ++f)
+    if (!is_settled(face_bounds_[f].upper)) faces.push_back(f);
+  const std::size_t count = std::min(faces.size(), kProbedFaces);
+  std::ranges::partial_sort(faces, faces.begin() + static_cast<std::ptrdiff_t>(count), [&](auto a, auto b) {
+    return std::pair(-face_bounds_[a].upper, a) < std::pair(-face_bounds_[b].upper, b);
+  });
+  for (std::size_t i = 0; i < count && !is_settled(face_bounds_[faces[i]].upper); ++i)
+    new_sample(face_bounds_[faces[i]].where, face_bounds_[faces[i]].near);
 }
 
 Status PieceSearch::refine(double at_least, const Monitor& monitor) {
   lower_ = std::max(lower_, at_least);
   for (std::size_t f = 0; f < from_.face_count(); ++f) {
+    if (is_settled(face_bounds_[f].upper)) continue;
     const auto [a, b, c] = from_.triangle(FaceId(f));
-    push({{SampleId(a), SampleId(b), SampleId(c)}, kInfinity, 0});
+    push({{SampleId(a), SampleId(b), SampleId(c)}, face_bounds_[f].upper, 0});
   }
   std::size_t count = 0;
   while (!pieces_.empty() && !is_settled(pieces_.top().upper) && ++count < kMaxPieces) {
@@ -117,7 +166,7 @@ double PieceSearch::share_near(const Vec3& near_first, const Vec3& near_second, 
 
 SampleId PieceSearch::new_sample(const Vec3& point, FaceId near) {
   const SampleId id = set_.add(set_.measured(ExactPoint(point), near));
-  take_sample(id, rounding_);
+  take_sharpened(id, rounding_);
   return id;
 }
 

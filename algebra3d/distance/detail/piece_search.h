@@ -5,27 +5,33 @@
 #include <queue>
 #include <vector>
 
+#include "algebra3d/distance/detail/face_bounds.h"
 #include "algebra3d/distance/detail/sampled_set.h"
 #include "algebra3d/distance/farthest_point.h"
 
 namespace algebra3d::distances {
 
-/// Branch and bound for one FarthestSearch. A piece is a part of a triangle, with an upper bound of the distance of its
-/// points: the distance from one triangle is convex, so it is largest in a corner of the piece. The piece with the
-/// largest bound is divided next: along the points that are equally far from the two triangles that are nearest to its
-/// corners, so that few pieces are needed where large parts are at one distance, or else in the middle of its longest
-/// edge.
+/// Branch and bound for one FarthestSearch, for faces whose FaceBounds do not settle them. A piece is a part of a
+/// triangle, with an upper bound of the distance of its points: the distance from one triangle is convex, so it is
+/// largest in a corner of the piece. The piece with the largest bound is divided next: along the points that are
+/// equally far from the two triangles that are nearest to its corners, so that few pieces are needed where large parts
+/// are at one distance, or else in the middle of its longest edge.
 class PieceSearch {
  public:
   /// `box` holds both sets.
   PieceSearch(const FarthestSearch& search, const Box3& box)
       : from_(*search.from.mesh),
+        to_(search.to),
+        box_(box),
         set_(search.to, box),
         rounding_(kRoundings * largest_coordinate(box) + kLeast),
         tolerance_(kTolerance * largest_coordinate(box) + 4 * kLeast) {}
 
   /// Measures all vertices.
   Status measure_vertices(const Monitor& monitor);
+  /// Bounds the distance of each face, unless it is clearly not farther than `at_least` and the best sample. Then takes
+  /// samples of the faces with the largest bounds, where these were found.
+  Status bound_faces(double at_least, const Monitor& monitor);
   /// Divides pieces until none can have a point that is clearly farther than `at_least` and the best sample.
   Status refine(double at_least, const Monitor& monitor);
 
@@ -43,6 +49,7 @@ class PieceSearch {
   static constexpr double kRoundings = 0x1p-46, kTolerance = 0x1p-44, kRelative = 0x1p-30;
   static constexpr double kLeast = 0x1p-1068;  // for roundings of subnormal numbers
   static constexpr std::size_t kMaxPieces = std::size_t{1} << 22U;
+  static constexpr std::size_t kProbedFaces = 64;
 
   using Corners = std::array<SampleId, 3>;
   struct Piece {
@@ -57,9 +64,13 @@ class PieceSearch {
   };
 
   static double largest_coordinate(const Box3& box);
+  bool is_better(double distance) const;
   void take_sample(SampleId id, double rounding);
+  void take_sharpened(SampleId id, double rounding);
   void push(Piece piece);
-  bool is_settled(double upper) const { return upper <= lower_ * (1 + kRelative) + tolerance_; }
+  double enough() const { return lower_ * (1 + kRelative) + tolerance_; }
+  bool is_settled(double upper) const { return upper <= enough(); }
+  void probe_faces();
   void bound_by(FaceId face, const Corners& corners, double& least, FaceId& of_least) const;
   void divide(const Piece& piece);
   bool divide_between(const Piece& piece, FaceId first, FaceId second, Division& division);
@@ -71,12 +82,15 @@ class PieceSearch {
   double share_near(const Vec3& near_first, const Vec3& near_second, FaceId first, FaceId second) const;
 
   const TriangleMesh& from_;
+  DistanceOperand to_;
+  Box3 box_;
   SampledSet set_;
   double rounding_;   // of points on the way to pieces
   double tolerance_;  // what no piece is divided for
   SampleId best_;
   double lower_ = 0, upper_ = 0;
   bool is_bounded_ = true;
+  std::vector<FaceBound> face_bounds_;
   std::priority_queue<Piece> pieces_;
 };
 

@@ -1,6 +1,7 @@
 #include "algebra3d/distance/detail/sampled_set.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -34,6 +35,15 @@ SampledSet::Sample SampledSet::measured(ExactPoint point, FaceId near) const {
   visit(near);
   to_.hierarchy->for_each_near(box_of(place), sample.upper, [&](std::uint32_t other) { return visit(FaceId(other)); });
   return sample;
+}
+
+void SampledSet::make_exact(SampleId id) {
+  const auto [squared_distance, nearest] = exact_distance(id);
+  const double root = squared_distance.nearest_root();
+  Sample& sample = samples_[id.index()];
+  sample.nearest = nearest;
+  sample.lower = std::nextafter(root, 0.0);
+  sample.upper = std::nextafter(root, std::numeric_limits<double>::infinity());
 }
 
 std::pair<Rational, FaceId> SampledSet::exact_distance(SampleId id) const {

@@ -35,6 +35,8 @@ class SampledSet {
   /// Bounds of the distance of a sample from one face.
   DistanceBounds bounds(SampleId id, FaceId face) const { return bounds(samples_[id.index()].point, face); }
   DistanceBounds bounds(const PointRef& point, FaceId face) const;
+  /// Makes the bounds of a sample those of its exact distance.
+  void make_exact(SampleId id);
   /// The squared distance of a sample, and the face that is nearest to it: exact.
   std::pair<Rational, FaceId> exact_distance(SampleId id) const;
 

@@ -8,21 +8,12 @@
 #include <cmath>
 #include <random>
 
-#include "unit/distance/triangle_set.h"
+#include "unit/distance/farthest.h"
 
 namespace algebra3d {
 namespace {
 
 using Set = TriangleSet;
-
-FarthestPoint farthest(const Set& from, const Set& to) {
-  const FarthestSearch search{from.operand(), to.operand()};
-  return farthest_point({&search, 1}).value().value();
-}
-
-double distance_of(const FarthestPoint& farthest) {
-  return farthest.squared_distance.nearest_root();
-}
 
 void expect_bound(const FarthestPoint& farthest) {
   EXPECT_GE(farthest.upper_bound, distance_of(farthest));

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "algebra3d/base/box3.h"
+#include "algebra3d/base/vec3.h"
+#include "algebra3d/distance/distance.h"
+
+namespace algebra3d::distances {
+
+/// An upper bound of the distance of all points of a face, and the point where it was found.
+struct FaceBound {
+  double upper = 0;  ///< 0 if nothing is farther than what is enough
+  Vec3 where;        ///< of the face, within roundings
+  FaceId near;       ///< a face of the set that is near that point, if not nearest
+};
+
+/// Upper bounds of the distances of faces from a set of triangles, in rounded arithmetic with guaranteed bounds. A face
+/// is divided by the local Voronoi cells of the set: the space over a triangle between the planes that halve the angles
+/// at its edges. The distance from one triangle is convex, so the part in a cell has its largest distance from that
+/// triangle in a corner. Where the cells hold what is nearest to their triangles, as they do near a manifold set whose
+/// angles are flat, the bound is tight. It holds in any case, since any division does. Has its own storage: one for
+/// each thread.
+class FaceBounds {
+ public:
+  /// `box` holds both sets. Bounds up to `enough` are not of interest.
+  FaceBounds(const TriangleMesh& from, const DistanceOperand& to, const Box3& box, double enough);
+
+  /// The bound for a face of `from`; `nearest` are faces of the set that are near its corners. Cost: some points
+  /// against some triangles if one of these faces shows that it is enough; else a microsecond for each cell that the
+  /// face meets.
+  FaceBound of(FaceId face, const std::array<FaceId, 3>& nearest);
+
+ private:
+  /// A triangle by a corner and two edges.
+  struct Target {
+    FaceId face;
+    Vec3 corner, first_edge, second_edge;
+  };
+  /// A convex part of the face. The exact part has corners within `deviation` of these.
+  struct Part {
+    static constexpr std::size_t kMaxCorners = 12;
+    std::array<Vec3, kMaxCorners> corners;
+    std::uint32_t size = 0, depth = 0;
+    double deviation = 0;
+
+    void add(const Vec3& corner) { corners[size++] = corner; }
+  };
+  struct Near {
+    FaceId face;
+    double distance;
+  };
+  /// The corner of a part that is farthest from a triangle, and a bound for the part.
+  struct Farthest {
+    double upper;
+    Vec3 where;
+  };
+  /// A plane through a point; what lies along the normal is inside.
+  struct CellSide {
+    Vec3 point, inward;
+  };
+
+  Vec3 scaled(const Vec3& point) const { return half_scale_ * (0.5 * point); }
+  Vec3 unscaled(const Vec3& point) const;
+  double unscaled(double length) const { return length / half_scale_ * 2; }
+  Target target(FaceId face) const;
+  Vec3 unit_normal(FaceId face) const;
+  std::array<CellSide, 3> cell_of(FaceId face) const;
+  static double distance(const Vec3& point, const Target& target);
+  static Farthest farthest(const Part& part, const Target& target);
+  static Vec3 centre_of(const Part& part);
+  Near walk(const Vec3& point, FaceId from) const;
+  Near nearest(const Vec3& point, FaceId near) const;
+  double irrelevant() const { return best_.upper > enough_ ? best_.upper : enough_; }
+  void take(const Farthest& farthest, FaceId near);
+  bool gather(const Part& part, double reach);
+  void visit(const Part& part);
+  void cover(const Part& part);
+  bool divide_by_cell(const Part& part, const Target& target);
+  static bool cut(const Part& part, const CellSide& side, Part& inside, Part& outside);
+  static void halve(const Part& part, std::vector<Part>& halves);
+
+  const TriangleMesh& from_;
+  DistanceOperand to_;
+  Box3 box_;
+  double half_scale_;  // from halved coordinates to units, in which the largest one is from 1 to 2
+  double enough_;      // in units
+  Farthest best_{};
+  FaceId best_near_, hint_;
+  std::vector<Part> waiting_, uncovered_;
+  std::vector<Target> candidates_;
+};
+
+}  // namespace algebra3d::distances
