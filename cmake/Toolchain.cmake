@@ -27,7 +27,10 @@ if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   add_compile_options(-Wno-subobject-linkage)
 endif()
 
-if(ALGEBRA3D_SANITIZE)
+if(ALGEBRA3D_SANITIZE STREQUAL thread)
+  add_compile_options(-fsanitize=thread -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=thread)
+elseif(ALGEBRA3D_SANITIZE)
   # Left out are the checks that double the compile time and find nothing that AddressSanitizer does not stop as well.
   add_compile_options(-fsanitize=address,undefined -fno-sanitize=null,vptr,alignment,object-size
                       -fno-sanitize-recover=all -fno-omit-frame-pointer)
