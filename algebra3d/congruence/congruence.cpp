@@ -15,16 +15,17 @@ namespace {
 using detail::CentredSolid;
 using detail::Rotation;
 
-/// Half of the longest side of the box around the solid.
-double half_extent(const CongruenceOperand& solid) {
-  const Box3 bounds = solid.hierarchy->bounds();
-  return detail::largest(0.5 * bounds.max - 0.5 * bounds.min);
+/// The box around the rounded vertices; that of the hierarchy is coarse where coordinates are subnormal.
+Box3 bounds_of(const TriangleMesh& mesh) {
+  Box3 box;
+  for (const Vec3& p : mesh.points().approx()) box.extend(p);
+  return box;
 }
 
 /// False if the boxes tell that the diameters differ by more than the tolerance allows: a diameter is at most the
 /// square root of 3 times the longest side of its box.
-bool have_similar_sizes(const CongruenceOperand& a, const CongruenceOperand& b, double tolerance) {
-  const double size_a = half_extent(a), size_b = half_extent(b);
+bool may_have_one_diameter(const Box3& a, const Box3& b, double tolerance) {
+  const double size_a = detail::largest(0.5 * a.max - 0.5 * a.min), size_b = detail::largest(0.5 * b.max - 0.5 * b.min);
   return std::max(size_a, size_b) / 2 <= std::min(size_a, size_b) + tolerance;
 }
 
@@ -82,8 +83,9 @@ Result<std::optional<RigidMotion>> find_congruence(const CongruenceOperand& firs
                                                    double tolerance, const Monitor& monitor) {
   using Found = std::optional<RigidMotion>;
   if (tolerance < 0 || first.mesh->is_empty() || second.mesh->is_empty()) return Found();
-  if (!have_similar_sizes(first, second, tolerance)) return Found();
-  const double unit = length_unit(first.hierarchy->bounds());
+  const Box3 box = bounds_of(*first.mesh);
+  if (!may_have_one_diameter(box, bounds_of(*second.mesh), tolerance)) return Found();
+  const double unit = length_unit(box);
   ALGEBRA3D_ASSIGN_OR_RETURN(const CentredSolid a, CentredSolid::make(first, unit, monitor));
   ALGEBRA3D_ASSIGN_OR_RETURN(const CentredSolid b, CentredSolid::make(second, unit, monitor));
   const double reach = effective_tolerance(a, b, tolerance, unit);

@@ -34,11 +34,12 @@ Result<CentredSolid> CentredSolid::make(const CongruenceOperand& operand, double
   solid.volume_ = (mass.volume / (length_unit * length_unit * length_unit)).nearest_double();
   solid.axes_ = principal_axes(in_unit(mass.inertia, length_unit));
   solid.centre_ = nearest(mass.centre);
-  const Vec3 rest = nearest(mass.centre - RationalVec3(solid.centre_));
+  // What rounding the centre left, which may be below the smallest double.
+  const Vec3 rest = nearest(Rational(1) / length_unit * (mass.centre - RationalVec3(solid.centre_)));
   solid.vertices_.reserve(mesh.vertex_count());
   for (const Vec3& p : mesh.points().approx()) {
-    const Vec3 relative = (p - solid.centre_) - rest;
-    solid.vertices_.push_back({relative.x / unit, relative.y / unit, relative.z / unit});
+    const Vec3 relative = p - solid.centre_;
+    solid.vertices_.push_back(Vec3{relative.x / unit, relative.y / unit, relative.z / unit} - rest);
     solid.radius_ = std::max(solid.radius_, length(solid.vertices_.back()));
   }
   return solid;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "algebra3d/congruence/congruence.h"
@@ -30,7 +31,7 @@ class CentredSolid {
   /// Calls visit(face) for each face whose box meets the box, but for rounding.
   template <typename Visit>
   void for_each_meeting(const Box3& box, const Visit& visit) const {
-    operand_.hierarchy->for_each_meeting({unit_ * box.min + centre_, unit_ * box.max + centre_},
+    operand_.hierarchy->for_each_meeting({unit_ * box.min + centre_ - kSlack, unit_ * box.max + centre_ + kSlack},
                                          [&](std::uint32_t face) { return visit(FaceId(face)), true; });
   }
 
@@ -38,6 +39,10 @@ class CentredSolid {
   CentredSolid() = default;
 
   CongruenceOperand operand_;
+  /// More than what the centre and a window lose where the smallest doubles are their unit.
+  static constexpr double kLeast = 4 * std::numeric_limits<double>::denorm_min();
+  static constexpr Vec3 kSlack{kLeast, kLeast, kLeast};
+
   double unit_ = 1, volume_ = 0;
   PrincipalAxes axes_;
   Vec3 centre_;
