@@ -29,8 +29,9 @@ struct ClosestPoints {
 
 /// The nearest points; if several pairs are equally near, always the same one of them; nothing if a set is empty.
 /// Exact: rounded arithmetic with bounds leaves few pairs of faces, of which rationals choose. Errors: interrupted.
-/// Cost: that of the pairs of boxes that are nearer to each other than the sets; a millisecond for meshes of a million
-/// faces that are not parallel to each other over large parts. Source: [larsen2000] for the search in two hierarchies.
+/// Cost: that of the pairs of boxes that are nearer to each other than the sets and that the slab across the direction
+/// of the nearest points does not keep apart; some milliseconds for meshes of a million faces that are not parallel to
+/// each other over large parts. Source: [larsen2000] for the search in two hierarchies.
 Result<std::optional<ClosestPoints>> closest_points(const DistanceOperand& a, const DistanceOperand& b,
                                                     const Monitor& monitor = {});
 

@@ -73,10 +73,20 @@ class BoxHierarchy {
 
   /// Calls visit(f, g) for pairs of a face of this hierarchy and a face of another one, near ones first where the boxes
   /// tell. It returns a distance: pairs whose boxes are farther from each other are left out from then on, all at the
-  /// beginning that are farther apart than `reach`; a negative one ends the search. `pause` as above. No recursion.
-  /// Cost: that of the pairs of nodes within the last distance, and of the way to the first pair.
-  template <typename Visit, typename Pause>
-  void for_each_near_pair_with(const BoxHierarchy& other, double reach, Visit visit, Pause pause) const;
+  /// beginning that are farther apart than `reach`; a negative one ends the search. `are_apart(m, n)` is asked about
+  /// pairs of a node of this hierarchy and a node of the other one, both up to kAskedLevel; if true, the pairs of their
+  /// faces are left out. `pause` as above. No recursion. Cost: that of the pairs of nodes within the last distance, and
+  /// of the way to the first pair.
+  template <typename Visit, typename Apart, typename Pause>
+  void for_each_near_pair_with(const BoxHierarchy& other, double reach, Visit visit, Apart are_apart,
+                               Pause pause) const;
+
+  /// Node `index` of a level has the children 2 `index` and 2 `index` + 1 in the level below, if they exist; those of
+  /// level 0 are the leaves.
+  struct Node {
+    std::uint32_t level, index;
+  };
+  static constexpr std::uint32_t kAskedLevel = 6;
 
   /// Calls visit(f) for faces near a place (a box around a point), near ones first where the boxes tell. It returns a
   /// distance, as above: faces whose boxes are farther from the place are left out from then on, all at the beginning
@@ -121,10 +131,7 @@ class BoxHierarchy {
   };
   static constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-  struct Node {
-    std::uint32_t level, index;
-  };
-  /// The nodes of one level; node i has the children 2i and 2i + 1 in the level below, if they exist.
+  /// The nodes of one level.
   struct Level {
     std::vector<Box> boxes;
     std::vector<std::uint32_t> groups;  // empty: none
@@ -353,8 +360,9 @@ void BoxHierarchy::for_each_pair_with(const BoxHierarchy& other, Visit visit, Pa
   }
 }
 
-template <typename Visit, typename Pause>
-void BoxHierarchy::for_each_near_pair_with(const BoxHierarchy& other, double reach, Visit visit, Pause pause) const {
+template <typename Visit, typename Apart, typename Pause>
+void BoxHierarchy::for_each_near_pair_with(const BoxHierarchy& other, double reach, Visit visit, Apart are_apart,
+                                           Pause pause) const {
   if (faces_.empty() || other.faces_.empty()) return;
   const FrameChange change = change_from(other);
   double limit = squared_in_frame(reach);
@@ -368,6 +376,7 @@ void BoxHierarchy::for_each_near_pair_with(const BoxHierarchy& other, double rea
     stack.pop_back();
     if (++steps % 4096 == 0 && !pause()) return;
     if (pair.squared_gap > limit) continue;
+    if (std::max(pair.own.level, pair.other.level) <= kAskedLevel && are_apart(pair.own, pair.other)) continue;
     if (pair.own.level > 0 || pair.other.level > 0) {
       push_near_children(other, change, pair, stack);
       continue;

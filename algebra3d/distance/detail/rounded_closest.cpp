@@ -147,11 +147,12 @@ DistanceBounds RoundedDistances::bounds(const Simplex& a, const Simplex& b) cons
   const double extent = std::max(largest_coordinate(first.points()), largest_coordinate(second.points()));
   const double of_exact = (rounding_of_exact(a) + rounding_of_exact(b)) * half_scale_;
   const double error = kRoundings * extent + 4 * of_exact + smallest_rounding_ + kUnderflow;
-  const double gap = distance > 0 ? gap_along((1 / distance) * (nearest.second - nearest.first), first, second) : 0;
+  const Vec3 direction = distance > 0 ? (1 / distance) * (nearest.second - nearest.first) : Vec3{};
+  const double gap = distance > 0 ? gap_along(direction, first, second) : 0;
   const double upper = (distance + error) * kGrowth, lower = std::max(0.0, gap - error) / kGrowth;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   return {std::max(0.0, std::nextafter(lower / half_scale_ * 2, -kInfinity)),
-          std::nextafter(upper / half_scale_ * 2, kInfinity), nearest.features};
+          std::nextafter(upper / half_scale_ * 2, kInfinity), nearest.features, direction};
 }
 
 }  // namespace algebra3d::distances

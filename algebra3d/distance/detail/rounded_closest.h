@@ -10,6 +10,7 @@ namespace algebra3d::distances {
 struct DistanceBounds {
   double lower = 0, upper = 0;
   ClosestFeatures features;
+  Vec3 direction;  ///< from the nearest points of the first to those of the second, of length 1; 0 if they seem to meet
 };
 
 /// Distances of simplices in rounded arithmetic, with guaranteed bounds. Computes in units of a power of two that is
