@@ -49,6 +49,7 @@ Vec3 main_axis_of(const std::vector<Vec3>& points) {
     yz += p.y * p.z, zx += p.z * p.x, xy += p.x * p.y;
   }
   const double trace = xx + yy + zz;
+  if (!(trace > 0)) return {1, 0, 0};  // far from the origin, exact points may have the same nearest doubles
   const auto coarse = [trace](double entry) { return Rational((entry + trace) - trace); };
   const Rational least(0x1p-40 * trace);  // makes all eigenvalues positive, and leaves the axes where they are
   const PrincipalAxes axes =

@@ -62,6 +62,7 @@ PlaneRectangle smallest_rectangle(std::span<const PlanePoint> hull) {
     }
     if ((right - left) * high < best.area) best = {along, (right - left) * high};
   }
+  if (std::isinf(best.area)) best.area = 0;  // one point
   return best;
 }
 

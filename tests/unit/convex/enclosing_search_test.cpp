@@ -147,6 +147,29 @@ TEST(bounding_cylinder, contains_random_sets) {
   }
 }
 
+// Radius and height are enlarged by some units of the smallest doubles, so that the ratio is large.
+TEST(bounding_cylinder, of_the_smallest_cube) {
+  const TriangleMesh hull = hull_of(cuboid({5e-324, 5e-324, 5e-324}));
+  const auto cylinder = bounding_cylinder(hull).value();
+  ASSERT_TRUE(cylinder.has_value());
+  expect_contains(*cylinder, hull);
+  EXPECT_GT(cylinder->ratio, 100);
+}
+
+// All nearest doubles are the same.
+TEST(bounding_cylinder, of_the_smallest_cube_far_away) {
+  std::vector<ExactPoint> points;
+  for (const ExactPoint& p : cuboid({5e-324, 5e-324, 5e-324}))
+    points.emplace_back(p.rational() + RationalVec3(Vec3{1, 2, 3}));
+  const TriangleMesh hull = hull_of(points);
+  const auto cylinder = bounding_cylinder(hull).value();
+  ASSERT_TRUE(cylinder.has_value());
+  expect_contains(*cylinder, hull);
+  const auto box = minimal_box(hull).value();
+  ASSERT_TRUE(box);
+  for (const Rational& size : box->sizes) EXPECT_GE(size, Rational(5e-324) * Rational(1, 2));
+}
+
 // By hand: of a prism over a regular polygon with many corners that is long or flat, the cylinder around it.
 TEST(bounding_cylinder, of_prisms) {
   for (const double height : {0.01, 20.0}) {
