@@ -16,7 +16,6 @@
 namespace mesh_files {
 
 using algebra3d::counted;
-using algebra3d::Error;
 using algebra3d::ErrorCode;
 using algebra3d::Result;
 using algebra3d::Vec3;

@@ -116,7 +116,7 @@ class BasicNearestCursor {
   };
 
   void find_all();
-  void expand(NodeIndex node, std::uint32_t level);
+  void expand(NodeIndex index, std::uint32_t level);
   Candidate measured(const LeafSlot& place) const;
   void push(const Candidate& candidate);
   Candidate pop();

@@ -59,7 +59,7 @@ class EdgeChains {
   };
 
   void sort_insertions();
-  void refine(ChainId chain, std::span<const Insertion> insertions);
+  void refine(ChainId id, std::span<const Insertion> insertions);
 
   const IdVector<PointId, Vec3>& points_;
   IdVector<ChainId, std::vector<PointId>> chains_;
