@@ -16,6 +16,12 @@ Vec3 gap_between(const Box3& a, const Box3& b) {
 
 }  // namespace
 
+Box3 Box3::around(std::span<const Vec3> points) {
+  Box3 box;
+  for (const Vec3& point : points) box.extend(point);
+  return box;
+}
+
 void Box3::extend(const Vec3& point) {
   extend(Box3::of(point));
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <span>
 
 #include "algebra3d/base/vec3.h"
 
@@ -15,6 +16,8 @@ struct Box3 {
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
   static Box3 of(const Vec3& point) { return {point, point}; }
+  /// Smallest box around all points; empty without any.
+  static Box3 around(std::span<const Vec3> points);
 
   bool is_empty() const { return !(min.x <= max.x && min.y <= max.y && min.z <= max.z); }
   bool intersects(const Box3& other) const {

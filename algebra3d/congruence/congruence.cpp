@@ -15,13 +15,6 @@ namespace {
 using detail::CentredSolid;
 using detail::Rotation;
 
-/// The box around the rounded vertices; that of the hierarchy is coarse where coordinates are subnormal.
-Box3 bounds_of(const TriangleMesh& mesh) {
-  Box3 box;
-  for (const Vec3& p : mesh.points().approx()) box.extend(p);
-  return box;
-}
-
 /// False if the boxes tell that the diameters differ by more than the tolerance allows: a diameter is at most the
 /// square root of 3 times the longest side of its box.
 bool may_have_one_diameter(const Box3& a, const Box3& b, double tolerance) {
@@ -83,8 +76,9 @@ Result<std::optional<RigidMotion>> find_congruence(const CongruenceOperand& firs
                                                    double tolerance, const Monitor& monitor) {
   using Found = std::optional<RigidMotion>;
   if (tolerance < 0 || first.mesh->is_empty() || second.mesh->is_empty()) return Found();
-  const Box3 box = bounds_of(*first.mesh);
-  if (!may_have_one_diameter(box, bounds_of(*second.mesh), tolerance)) return Found();
+  // Boxes of the hierarchies are coarse where coordinates are subnormal.
+  const Box3 box = Box3::around(first.mesh->points().approx());
+  if (!may_have_one_diameter(box, Box3::around(second.mesh->points().approx()), tolerance)) return Found();
   const double unit = length_unit(box);
   ALGEBRA3D_ASSIGN_OR_RETURN(const CentredSolid a, CentredSolid::make(first, unit, monitor));
   ALGEBRA3D_ASSIGN_OR_RETURN(const CentredSolid b, CentredSolid::make(second, unit, monitor));

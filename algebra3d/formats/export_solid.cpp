@@ -64,8 +64,7 @@ FileNumbers doubles() {
 constexpr double kVisiblePart = 1e-4;
 
 double diagonal_of(const TriangleMesh& mesh) {
-  Box3 box;
-  for (const Vec3& point : mesh.points().approx()) box.extend(point);
+  const Box3 box = Box3::around(mesh.points().approx());
   return box.is_empty() ? 0 : length(box.max - box.min);
 }
 

@@ -21,8 +21,7 @@ namespace algebra3d {
 namespace {
 
 double diagonal_of(const WeldedTriangles& welded) {
-  Box3 box;
-  for (const Vec3& point : welded.points.approx()) box.extend(point);
+  const Box3 box = Box3::around(welded.points.approx());
   return box.is_empty() ? 0 : length(box.max - box.min);
 }
 

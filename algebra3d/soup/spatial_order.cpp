@@ -27,8 +27,7 @@ std::uint64_t spread(std::uint64_t value) {
 class CentreCode {
  public:
   explicit CentreCode(std::span<const Vec3> points) {
-    Box3 box;
-    for (const Vec3& p : points) box.extend(p);
+    const Box3 box = Box3::around(points);
     if (box.is_empty()) return;
     origin_ = 0.25 * box.min;
     const Vec3 extent = 0.25 * box.max - origin_;

@@ -51,13 +51,13 @@ int rank(IndexUse use) {
   }
 }
 
-/// What an index finds.
+/// The tuples that an index finds, and its name.
 struct Found {
   std::vector<TupleId> ids;
   std::string index;
 };
 
-/// Of the first index that pays; nothing if all tuples are to be read.
+/// The tuples that the first index finds that pays; nothing if all tuples are to be read.
 Result<std::optional<Found>> found_by_index(const Relation& relation, const std::vector<IndexChoice>& choices,
                                             const std::vector<std::optional<IndexQuestion>>& questions,
                                             ObjectSource& objects) {

@@ -17,7 +17,7 @@ struct IndexChoice {
   TypedPtr limit;    ///< of IndexUse::is_near and between; else null
 };
 
-/// What an IndexFeedNode would do now.
+/// The way in which an IndexFeedNode would read now.
 struct IndexFeedPlan {
   std::uint64_t tuple_count;  ///< that it would give
   std::string text;           ///< how, for people

@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "algebra3d/base/nearest_in_triangle.h"
+
 namespace algebra3d::detail {
 namespace {
 
@@ -11,24 +13,10 @@ using Corners = std::array<Vec3, 3>;
 /// A convex polygon.
 using Piece = std::vector<Vec3>;
 
-/// The point of a triangle nearest to p, rounded. Source: [ericson2005], section 5.1.5.
 Vec3 nearest_point(const Vec3& p, const Corners& triangle) {
   const auto& [a, b, c] = triangle;
-  const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
-  const double d1 = dot(ab, ap), d2 = dot(ac, ap);
-  if (d1 <= 0 && d2 <= 0) return a;
-  const double d3 = dot(ab, bp), d4 = dot(ac, bp);
-  if (d3 >= 0 && d4 <= d3) return b;
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + d1 / (d1 - d3) * ab;
-  const double d5 = dot(ab, cp), d6 = dot(ac, cp);
-  if (d6 >= 0 && d5 <= d6) return c;
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + d2 / (d2 - d6) * ac;
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 >= d3 && d5 >= d6) return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
-  const double whole = va + vb + vc;
-  return a + vb / whole * ab + vc / whole * ac;
+  const auto [first, second] = nearest_in_triangle(p - a, b - a, c - a);
+  return a + first * (b - a) + second * (c - a);
 }
 
 template <typename Points>
@@ -118,9 +106,8 @@ bool is_covered(const Corners& triangle, const std::vector<Corners>& others, dou
   return std::ranges::all_of(pieces, is_near_one);
 }
 
-Box3 box_around(const Corners& corners, double margin) {
-  Box3 box;
-  for (const Vec3& p : corners) box.extend(p);
+Box3 enlarged_box(const Corners& corners, double margin) {
+  const Box3 box = Box3::around(corners);
   const Vec3 all{margin, margin, margin};
   return {box.min - all, box.max + all};
 }
@@ -136,7 +123,7 @@ Result<bool> is_boundary_near(const CentredSolid& solid, const Rotation& rotatio
     for (Vec3& corner : corners) corner = rotation(corner);
     others.clear();
     // Twice the tolerance: the centre of the other is rounded.
-    other.for_each_meeting(box_around(corners, 2 * tolerance),
+    other.for_each_meeting(enlarged_box(corners, 2 * tolerance),
                            [&](FaceId face) { others.push_back(other.triangle(face)); });
     if (!is_covered(corners, others, tolerance)) return false;
   }

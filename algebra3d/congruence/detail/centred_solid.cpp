@@ -34,7 +34,7 @@ Result<CentredSolid> CentredSolid::make(const CongruenceOperand& operand, double
   solid.volume_ = (mass.volume / (length_unit * length_unit * length_unit)).nearest_double();
   solid.axes_ = principal_axes(in_unit(mass.inertia, length_unit));
   solid.centre_ = nearest(mass.centre);
-  // What rounding the centre left, which may be below the smallest double.
+  // The rounding error of the centre, in units: in coordinates it may be below the smallest double.
   const Vec3 rest = nearest(Rational(1) / length_unit * (mass.centre - RationalVec3(solid.centre_)));
   solid.vertices_.reserve(mesh.vertex_count());
   for (const Vec3& p : mesh.points().approx()) {

@@ -36,13 +36,13 @@ class CentredSolid {
   }
 
  private:
-  CentredSolid() = default;
-
-  CongruenceOperand operand_;
-  /// More than what the centre and a window lose where the smallest doubles are their unit.
+  /// A margin of windows, above the roundings of the centre and of a window in the subnormal range.
   static constexpr double kLeast = 4 * std::numeric_limits<double>::denorm_min();
   static constexpr Vec3 kSlack{kLeast, kLeast, kLeast};
 
+  CentredSolid() = default;
+
+  CongruenceOperand operand_;
   double unit_ = 1, volume_ = 0;
   PrincipalAxes axes_;
   Vec3 centre_;

@@ -35,8 +35,7 @@ VertexId confirmed(const PointArray& points, VertexId guess, const IsSuitable& i
 
 /// Two points far from each other, along the axis of the largest extent.
 std::pair<VertexId, VertexId> far_points(const PointArray& points) {
-  Box3 box;
-  for (const Vec3& p : points.approx()) box.extend(p);
+  const Box3 box = Box3::around(points.approx());
   const Vec3 extent = box.max - box.min;
   const std::size_t axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
   return {point_of_largest(points, [&](const Vec3& p) { return box.max[axis] - p[axis]; }),

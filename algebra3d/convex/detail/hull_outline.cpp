@@ -61,8 +61,7 @@ Vec3 main_axis_of(const std::vector<Vec3>& points) {
 }  // namespace
 
 HullOutline::HullOutline(const TriangleMesh& hull) {
-  Box3 box;
-  for (const Vec3& p : hull.points().approx()) box.extend(p);
+  const Box3 box = Box3::around(hull.points().approx());
   const Vec3 half = 0.5 * box.max - 0.5 * box.min, centre = box.min + half;
   unit_ = length_unit(box);
   std::vector<Vec3> vertices;

@@ -17,8 +17,7 @@ struct CoordinateBounds {
   bool are_doubles = true;
 
   explicit CoordinateBounds(const PointArray& points) : are_doubles(points.exact_count() == 0) {
-    Box3 box;
-    for (const Vec3& p : points.approx()) box.extend(p);
+    const Box3 box = Box3::around(points.approx());
     if (box.is_empty()) return;
     extent = box.max - box.min;
     if (!are_doubles) rounding = 0x1p-51 * std::max(largest(box.min), largest(box.max));

@@ -5,7 +5,8 @@
 #include <limits>
 #include <tuple>
 
-#include "algebra3d/distance/detail/slab.h"
+#include "algebra3d/distance/detail/near_pair.h"
+#include "algebra3d/distance/detail/slabs.h"
 
 namespace algebra3d::distances {
 namespace {
@@ -33,24 +34,16 @@ class CandidateSearch {
     return bounds.upper <= enough_ ? -1 : nearest_;
   }
 
-  /// Looks for a near pair before the search, in which a bound and a direction from the beginning spare most pairs of
-  /// nodes. From the middle of one set to the nearest point of the other, from there back, and so on: each way is
-  /// shorter than the one before. Where sets are small the search itself costs no more.
+  /// Takes a near pair into account before the search, if the sets are large: a bound and a direction from the
+  /// beginning spare most pairs of nodes.
   void begin() {
     constexpr std::size_t kMany = 256;
-    constexpr int kRounds = 3;
     if (std::min(a_.hierarchy->face_count(), b_.hierarchy->face_count()) < kMany) return;
-    const Box3 box = b_.hierarchy->bounds();
-    Vec3 place = 0.5 * box.min + 0.5 * box.max;
-    FaceId first, second;
-    for (int round = 0; round < kRounds; ++round) {
-      first = approach(a_, place);
-      if (first.is_valid()) second = approach(b_, place);
-      if (!first.is_valid() || !second.is_valid()) return;
-    }
+    const auto pair = near_pair(a_, b_, rounded_);
+    if (!pair) return;
     // Also where the pair is beyond the reach, its direction is a good one.
-    slabs_.turn(bounds(first, second).direction);
-    visit(first, second);
+    slabs_.turn(bounds(pair->first, pair->second).direction);
+    visit(pair->first, pair->second);
   }
 
   /// The distance beyond which pairs are of no interest.
@@ -68,27 +61,8 @@ class CandidateSearch {
     return rounded_.bounds(Simplex::of_face(*a_.mesh, first), Simplex::of_face(*b_.mesh, second));
   }
 
-  /// The face that seems nearest to the place, which moves to its nearest point, but for rounding. Invalid if distances
-  /// leave the range of doubles.
-  FaceId approach(const DistanceOperand& set, Vec3& place) const {
-    const Vec3 start = place;
-    const PointRef from(start);
-    DistanceBounds best;
-    best.upper = std::numeric_limits<double>::infinity();
-    FaceId nearest;
-    set.hierarchy->for_each_near(Box3::of(start), best.upper, [&](std::uint32_t face) {
-      const DistanceBounds bounds = rounded_.bounds({{from, from, from}, 1}, Simplex::of_face(*set.mesh, FaceId(face)));
-      if (bounds.upper < best.upper) {
-        best = bounds;
-        nearest = FaceId(face);
-      }
-      return best.upper;
-    });
-    if (nearest.is_valid()) place = start + best.upper * best.direction;
-    return nearest;
-  }
-
-  /// The direction of the nearest pair so far is that of the slabs. It is left for a while where little changes.
+  /// Keeps the bound of the nearest pair so far, and turns the slabs to its direction, unless the bound has changed
+  /// little and they were turned not long ago.
   void improve(const DistanceBounds& bounds) {
     constexpr double kMuch = 0.99;
     constexpr std::uint64_t kWhile = 256;

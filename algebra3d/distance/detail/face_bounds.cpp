@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "algebra3d/base/nearest_in_triangle.h"
+
 namespace algebra3d::distances {
 namespace {
 
@@ -21,11 +23,6 @@ constexpr std::uint32_t kMaxDepth = 96;
 
 double size_of(const Vec3& v) {
   return std::sqrt(dot(v, v));
-}
-
-double share_of(double of, double whole) {
-  const double share = of / whole;
-  return share > 0 ? std::min(share, 1.0) : 0;  // 0 if it is NaN
 }
 
 double scale_for(const Box3& box) {
@@ -76,29 +73,11 @@ std::array<FaceBounds::CellSide, 3> FaceBounds::cell_of(FaceId face) const {
   return sides;
 }
 
-/// The distance of a point of the triangle that is nearest but for roundings: never too small by more than roundings,
-/// also if the triangle is degenerate. Source: [ericson2005], section 5.1.5.
+/// The distance of a point of the triangle that is nearest but for roundings: never too small by more than roundings.
 double FaceBounds::distance(const Vec3& point, const Target& target) {
-  const Vec3 &u = target.first_edge, &v = target.second_edge, from_a = point - target.corner;
-  const auto from = [&](double of_u, double of_v) { return size_of(from_a - (of_u * u + of_v * v)); };
-  const double d1 = dot(u, from_a), d2 = dot(v, from_a);
-  if (d1 <= 0 && d2 <= 0) return from(0, 0);
-  const Vec3 from_b = from_a - u, from_c = from_a - v;
-  const double d3 = dot(u, from_b), d4 = dot(v, from_b);
-  if (d3 >= 0 && d4 <= d3) return from(1, 0);
-  const double of_c = d1 * d4 - d3 * d2;
-  if (of_c <= 0 && d1 >= 0 && d3 <= 0) return from(share_of(d1, d1 - d3), 0);
-  const double d5 = dot(u, from_c), d6 = dot(v, from_c);
-  if (d6 >= 0 && d5 <= d6) return from(0, 1);
-  const double of_b = d5 * d2 - d1 * d6;
-  if (of_b <= 0 && d2 >= 0 && d6 <= 0) return from(0, share_of(d2, d2 - d6));
-  const double of_a = d3 * d6 - d5 * d4;
-  if (of_a <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-    const double share = share_of(d4 - d3, (d4 - d3) + (d5 - d6));
-    return from(1 - share, share);
-  }
-  const double of_first = share_of(of_b, of_a + of_b + of_c);
-  return from(of_first, std::min(share_of(of_c, of_a + of_b + of_c), 1 - of_first));
+  const Vec3 from_corner = point - target.corner;
+  const auto [first, second] = nearest_in_triangle(from_corner, target.first_edge, target.second_edge);
+  return size_of(from_corner - (first * target.first_edge + second * target.second_edge));
 }
 
 FaceBounds::Farthest FaceBounds::farthest(const Part& part, const Target& target) {

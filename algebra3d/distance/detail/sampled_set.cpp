@@ -7,16 +7,9 @@
 #include <utility>
 
 namespace algebra3d::distances {
-namespace {
-
-Simplex simplex_of(const PointRef& point) {
-  return {{point, point, point}, 1};
-}
-
-}  // namespace
 
 DistanceBounds SampledSet::bounds(const PointRef& point, FaceId face) const {
-  return rounded_.bounds(simplex_of(point), Simplex::of_face(*to_.mesh, face));
+  return rounded_.bounds(Simplex::of_point(point), Simplex::of_face(*to_.mesh, face));
 }
 
 SampledSet::Sample SampledSet::measured(ExactPoint point, FaceId near) const {
@@ -52,9 +45,9 @@ std::pair<Rational, FaceId> SampledSet::exact_distance(SampleId id) const {
   std::optional<std::pair<Rational, FaceId>> nearest;
   to_.hierarchy->for_each_near(box_of(place), sample.upper, [&](std::uint32_t face) {
     const Simplex simplex = Simplex::of_face(*to_.mesh, FaceId(face));
-    const DistanceBounds bounds = rounded_.bounds(simplex_of(place), simplex);
+    const DistanceBounds bounds = rounded_.bounds(Simplex::of_point(place), simplex);
     if (bounds.lower > sample.upper) return sample.upper;
-    Rational squared = exact_closest(simplex_of(place), simplex, bounds.features).squared_distance;
+    Rational squared = exact_closest(Simplex::of_point(place), simplex, bounds.features).squared_distance;
     const std::pair candidate(std::move(squared), FaceId(face));
     if (!nearest || candidate < *nearest) nearest = candidate;
     return sample.upper;

@@ -14,6 +14,7 @@ struct Simplex {
   TriangleRef corners;
   std::size_t size;  ///< number of corners
 
+  static Simplex of_point(const PointRef& point) { return {{point, point, point}, 1}; }
   /// The points of a face. A face that repeats a corner is a segment or a point.
   static Simplex of_face(const TriangleMesh& mesh, FaceId face) {
     const TriangleRef corners = mesh.corners(face);

@@ -117,6 +117,8 @@ class NearestSearch::Round {
   const Table& table() const { return table_; }
 
  private:
+  static constexpr std::size_t kMostExtra = 256;
+
   struct Search {
     std::uint32_t probe;
     Cursor cursor;
@@ -151,7 +153,6 @@ class NearestSearch::Round {
   const Table& table_;
   const NearestTask& task_;
   std::vector<Search> searches_;
-  static constexpr std::size_t kMostExtra = 256;
   std::size_t extra_ = 4;  // candidates of a probe that has enough neighbours
   std::vector<ValuePair> pairs_;
   std::vector<Candidate> candidates_;

@@ -66,7 +66,8 @@ class RefinedJoin final : public TupleStream {
   }
 
   // Pairs of one tuple of the probe side follow one another. The first block is small, so that the first results come
-  // soon; there are few, since the values of a block come from everywhere and many are in the next one again.
+  // soon. The next ones are far larger: the values of a block come from everywhere, so that the next one needs most of
+  // them again.
   Status read_block() {
     block_.clear();
     next_ = 0;

@@ -1,7 +1,6 @@
-#include "algebra3d/distance/detail/slab.h"
+#include "algebra3d/distance/detail/slabs.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "algebra3d/exact/predicates_filter.h"

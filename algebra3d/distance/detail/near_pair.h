@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+#include <utility>
+
+#include "algebra3d/distance/detail/rounded_closest.h"
+#include "algebra3d/distance/distance.h"
+
+namespace algebra3d::distances {
+
+/// Two faces of two sets that are near each other, if not nearest: found by going from the middle of one set to the
+/// nearest point of the other, from there back, and so on three times; each way is at most as long as the one before.
+/// Nothing if distances leave the range of doubles. `rounded` is for both sets. Cost: six searches for a nearest face.
+std::optional<std::pair<FaceId, FaceId>> near_pair(const DistanceOperand& a, const DistanceOperand& b,
+                                                   const RoundedDistances& rounded);
+
+}  // namespace algebra3d::distances
