@@ -1,10 +1,14 @@
 #include "algebra3d/distance/farthest_point.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "algebra3d/distance/detail/piece_search.h"
+#include "algebra3d/exact/affine_map.h"
+#include "algebra3d/exact/predicates_filter.h"
+#include "algebra3d/halfedge/mesh_image.h"
 
 namespace algebra3d {
 namespace {
@@ -22,9 +26,7 @@ Result<std::vector<PieceSearch>> with_measured_vertices(std::span<const Farthest
   return measured;
 }
 
-}  // namespace
-
-Result<std::optional<FarthestPoint>> farthest_point(std::span<const FarthestSearch> searches, const Monitor& monitor) {
+Result<std::optional<FarthestPoint>> farthest_of_all(std::span<const FarthestSearch> searches, const Monitor& monitor) {
   ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<PieceSearch> all, with_measured_vertices(searches, monitor));
   double at_least = 0;
   for (const PieceSearch& search : all) at_least = std::max(at_least, search.lower_bound());
@@ -48,6 +50,63 @@ Result<std::optional<FarthestPoint>> farthest_point(std::span<const FarthestSear
     farthest->is_bounded = is_bounded;
   }
   return farthest;
+}
+
+/// Sets below this size are enlarged by this factor: near the least double a rounding is a large part of a number, so
+/// bounds that are relative to the numbers do not hold.
+constexpr double kTiny = 0x1p-900, kEnlargement = 0x1p1000;
+
+bool are_tiny(std::span<const FarthestSearch> searches) {
+  return std::ranges::all_of(searches, [](const FarthestSearch& search) {
+    const Box3 box = unite(search.from.hierarchy->bounds(), search.to.hierarchy->bounds());
+    return std::max(detail::largest(box.min), detail::largest(box.max)) < kTiny;
+  });
+}
+
+AffineMap scaling_by(double factor) {
+  return AffineMap::scaling({0, 0, 0}, {factor, factor, factor});
+}
+
+/// The image of a set, which is not tiny.
+struct Enlarged {
+  TriangleMesh mesh;
+  BoxHierarchy hierarchy;
+
+  DistanceOperand operand() const { return {&mesh, &hierarchy}; }
+};
+
+Result<Enlarged> enlarged(const TriangleMesh& mesh, const Monitor& monitor) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(auto image, exact_image(scaling_by(kEnlargement), mesh, monitor.cancel()));
+  BoxHierarchy hierarchy(*image);
+  return Enlarged{std::move(image).value(), std::move(hierarchy)};
+}
+
+Result<std::optional<FarthestPoint>> farthest_of_enlarged(std::span<const FarthestSearch> searches,
+                                                          const Monitor& monitor) {
+  std::vector<std::unique_ptr<const Enlarged>> sets;
+  std::vector<FarthestSearch> images;
+  const auto image_of = [&](const DistanceOperand& set) -> Result<DistanceOperand> {
+    ALGEBRA3D_ASSIGN_OR_RETURN(Enlarged image, enlarged(*set.mesh, monitor));
+    return sets.emplace_back(std::make_unique<const Enlarged>(std::move(image)))->operand();
+  };
+  for (const FarthestSearch& search : searches) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const DistanceOperand from, image_of(search.from));
+    ALGEBRA3D_ASSIGN_OR_RETURN(const DistanceOperand to, image_of(search.to));
+    images.push_back({from, to});
+  }
+  ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<FarthestPoint> farthest, farthest_of_all(images, monitor));
+  if (!farthest) return farthest;
+  const Rational factor = Rational(1) / Rational(kEnlargement);
+  farthest->point = ExactPoint(factor * farthest->point.rational());
+  farthest->squared_distance *= factor * factor;
+  farthest->upper_bound = (Rational(farthest->upper_bound) * factor).upper_double();
+  return farthest;
+}
+
+}  // namespace
+
+Result<std::optional<FarthestPoint>> farthest_point(std::span<const FarthestSearch> searches, const Monitor& monitor) {
+  return are_tiny(searches) ? farthest_of_enlarged(searches, monitor) : farthest_of_all(searches, monitor);
 }
 
 }  // namespace algebra3d

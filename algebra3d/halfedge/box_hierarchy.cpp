@@ -220,6 +220,11 @@ std::size_t BoxHierarchy::filter_windows(std::span<const Box> windows, const Box
   return size;
 }
 
+std::span<const std::uint32_t> BoxHierarchy::faces_of(Node node) const {
+  const std::size_t faces = kLeafSize << node.level, first = node.index * faces;
+  return std::span(faces_).subspan(first, std::min(faces, faces_.size() - first));
+}
+
 Box3 BoxHierarchy::bounds() const {
   return faces_.empty() ? Box3{} : unscaled(levels_.back().boxes[0]);
 }

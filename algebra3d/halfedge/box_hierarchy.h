@@ -41,6 +41,18 @@ class BoxHierarchy {
   /// Faces of a leaf: at most kLeafSize.
   std::span<const std::uint32_t> leaf_faces(std::size_t leaf) const;
 
+  /// Node `index` of a level has the children 2 `index` and 2 `index` + 1 in the level below, if they exist; those of
+  /// level 0 are the leaves.
+  struct Node {
+    std::uint32_t level, index;
+  };
+  static constexpr std::uint32_t kAskedLevel = 6;
+
+  /// The faces below a node.
+  std::span<const std::uint32_t> faces_of(Node node) const;
+  /// A box around the faces of a node, slightly larger than the smallest one.
+  Box3 bounds(Node node) const { return unscaled(levels_[node.level].boxes[node.index]); }
+
   /// Assigns each leaf a group or kNoGroup. A node whose leaves are all in one group is in that group; `for_each_pair`
   /// skips pairs within a group without enumerating them.
   void set_groups(std::span<const std::uint32_t> leaf_groups);
@@ -69,24 +81,22 @@ class BoxHierarchy {
   /// The same for pairs of a face of this hierarchy and a face of another one, regardless of groups. Each pair is in
   /// one share, which depends only on the meshes and the number of shares.
   template <typename Visit, typename Pause>
-  void for_each_pair_with(const BoxHierarchy& other, Visit visit, Pause pause, Share share = {0, 1}) const;
+  void for_each_pair_with(const BoxHierarchy& other, Visit visit, Pause pause, Share share = {0, 1}) const {
+    for_each_pair_with(
+        other, visit, [](Node, Node) { return false; }, pause, share);
+  }
+  /// The same, without the pairs of faces of two nodes up to kAskedLevel about which `are_apart(m, n)` is true, m a
+  /// node of this hierarchy, n one of the other.
+  template <typename Visit, typename Apart, typename Pause>
+  void for_each_pair_with(const BoxHierarchy& other, Visit visit, Apart are_apart, Pause pause, Share share) const;
 
   /// Calls visit(f, g) for pairs of a face of this hierarchy and a face of another one, near ones first where the boxes
   /// tell. It returns a distance: pairs whose boxes are farther from each other are left out from then on, all at the
-  /// beginning that are farther apart than `reach`; a negative one ends the search. `are_apart(m, n)` is asked about
-  /// pairs of a node of this hierarchy and a node of the other one, both up to kAskedLevel; if true, the pairs of their
-  /// faces are left out. `pause` as above. No recursion. Cost: that of the pairs of nodes within the last distance, and
-  /// of the way to the first pair.
+  /// beginning that are farther apart than `reach`; a negative one ends the search. `are_apart` and `pause` as above.
+  /// No recursion. Cost: that of the pairs of nodes within the last distance, and of the way to the first pair.
   template <typename Visit, typename Apart, typename Pause>
   void for_each_near_pair_with(const BoxHierarchy& other, double reach, Visit visit, Apart are_apart,
                                Pause pause) const;
-
-  /// Node `index` of a level has the children 2 `index` and 2 `index` + 1 in the level below, if they exist; those of
-  /// level 0 are the leaves.
-  struct Node {
-    std::uint32_t level, index;
-  };
-  static constexpr std::uint32_t kAskedLevel = 6;
 
   /// Calls visit(f) for faces near a place (a box around a point), near ones first where the boxes tell. It returns a
   /// distance, as above: faces whose boxes are farther from the place are left out from then on, all at the beginning
@@ -338,8 +348,9 @@ bool BoxHierarchy::visit_cross_leaves(const BoxHierarchy& other, const FrameChan
   return true;
 }
 
-template <typename Visit, typename Pause>
-void BoxHierarchy::for_each_pair_with(const BoxHierarchy& other, Visit visit, Pause pause, Share share) const {
+template <typename Visit, typename Apart, typename Pause>
+void BoxHierarchy::for_each_pair_with(const BoxHierarchy& other, Visit visit, Apart are_apart, Pause pause,
+                                      Share share) const {
   if (faces_.empty() || other.faces_.empty()) return;
   const FrameChange change = change_from(other);
   const std::vector<CrossPair> roots = cross_roots(other, change);
@@ -351,6 +362,7 @@ void BoxHierarchy::for_each_pair_with(const BoxHierarchy& other, Visit visit, Pa
     const CrossPair pair = stack.back();
     stack.pop_back();
     if (++steps % 4096 == 0 && !pause()) return;
+    if (std::max(pair.own.level, pair.other.level) <= kAskedLevel && are_apart(pair.own, pair.other)) continue;
     if (pair.own.level != pair.other.level)
       push_cross_children(other, change, pair, stack);
     else if (pair.own.level > 0)

@@ -6,6 +6,7 @@
 #include "algebra3d/arrangement/detail/task_sizes.h"
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/halfedge/boxes.h"
+#include "algebra3d/halfedge/node_gaps.h"
 
 namespace algebra3d::arrangement {
 namespace {
@@ -43,12 +44,14 @@ class CandidateFinder {
 
 std::vector<FacePair> CandidateFinder::pair_two(OperandId a, OperandId b, BoxHierarchy::Share share) const {
   std::vector<FacePair> pairs;
+  NodeGaps gaps(operands_.mesh(a), operands_.hierarchy(a), operands_.mesh(b), operands_.hierarchy(b));
   operands_.hierarchy(a).for_each_pair_with(
       operands_.hierarchy(b),
       [&](std::uint32_t f, std::uint32_t g) {
         pairs.push_back({operands_.input(a, FaceId(f)), operands_.input(b, FaceId(g))});
         return pairs.size() <= max_pairs_;
       },
+      [&gaps](BoxHierarchy::Node m, BoxHierarchy::Node n) { return gaps.exceed(m, n, 0); },
       [&] { return !monitor_.is_cancelled(); }, share);
   return pairs;
 }

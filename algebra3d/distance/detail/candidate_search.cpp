@@ -7,6 +7,7 @@
 
 #include "algebra3d/distance/detail/near_pair.h"
 #include "algebra3d/distance/detail/slabs.h"
+#include "algebra3d/halfedge/node_gaps.h"
 
 namespace algebra3d::distances {
 namespace {
@@ -18,6 +19,7 @@ class CandidateSearch {
         b_(b),
         rounded_(unite(a.hierarchy->bounds(), b.hierarchy->bounds())),
         slabs_(a, b),
+        gaps_(*a.mesh, *a.hierarchy, *b.mesh, *b.hierarchy),
         nearest_(reach),
         enough_(enough) {}
 
@@ -27,8 +29,10 @@ class CandidateSearch {
     ++visits_;
     if (slabs_.distance(first, second) > nearest_) return nearest_;
     const DistanceBounds bounds = this->bounds(first, second);
+    // Also of a pair beyond the reach, the direction is a good one.
+    if (bounds.upper < closest_) turn_slabs(bounds);
     if (bounds.lower > nearest_) return nearest_;
-    if (bounds.upper < nearest_) improve(bounds);
+    nearest_ = std::min(nearest_, bounds.upper);
     candidates_.push_back({first, second, bounds});
     if (candidates_.size() > 2 * kept_ + kFew) drop_distant();
     return bounds.upper <= enough_ ? -1 : nearest_;
@@ -39,11 +43,7 @@ class CandidateSearch {
   void begin() {
     constexpr std::size_t kMany = 256;
     if (std::min(a_.hierarchy->face_count(), b_.hierarchy->face_count()) < kMany) return;
-    const auto pair = near_pair(a_, b_, rounded_);
-    if (!pair) return;
-    // Also where the pair is beyond the reach, its direction is a good one.
-    slabs_.turn(bounds(pair->first, pair->second).direction);
-    visit(pair->first, pair->second);
+    if (const auto pair = near_pair(a_, b_, rounded_)) visit(pair->first, pair->second);
   }
 
   /// The distance beyond which pairs are of no interest.
@@ -51,7 +51,7 @@ class CandidateSearch {
 
   /// True if no faces of two nodes are of interest.
   bool are_apart(BoxHierarchy::Node first, BoxHierarchy::Node second) {
-    return slabs_.distance(first, second) > nearest_;
+    return slabs_.distance(first, second) > nearest_ || gaps_.exceed(first, second, nearest_);
   }
 
   std::vector<CandidatePair> take();
@@ -61,15 +61,15 @@ class CandidateSearch {
     return rounded_.bounds(Simplex::of_face(*a_.mesh, first), Simplex::of_face(*b_.mesh, second));
   }
 
-  /// Keeps the bound of the nearest pair so far, and turns the slabs to its direction, unless the bound has changed
-  /// little and they were turned not long ago.
-  void improve(const DistanceBounds& bounds) {
+  /// Turns the slabs to the direction of the closest pair so far, unless it is little closer than that of the slabs and
+  /// these were turned not long ago.
+  void turn_slabs(const DistanceBounds& bounds) {
     constexpr double kMuch = 0.99;
     constexpr std::uint64_t kWhile = 256;
-    nearest_ = bounds.upper;
-    if (nearest_ > kMuch * nearest_of_slabs_ && visits_ < visits_of_slabs_ + kWhile) return;
+    closest_ = bounds.upper;
+    if (closest_ > kMuch * closest_of_slabs_ && visits_ < visits_of_slabs_ + kWhile) return;
     slabs_.turn(bounds.direction);
-    nearest_of_slabs_ = nearest_;
+    closest_of_slabs_ = closest_;
     visits_of_slabs_ = visits_;
   }
 
@@ -83,8 +83,10 @@ class CandidateSearch {
   const DistanceOperand &a_, &b_;
   RoundedDistances rounded_;
   Slabs slabs_;
+  NodeGaps gaps_;
   double nearest_, enough_;
-  double nearest_of_slabs_ = std::numeric_limits<double>::infinity();  // when they were turned
+  double closest_ = std::numeric_limits<double>::infinity();           // pair so far, also beyond `nearest_`
+  double closest_of_slabs_ = std::numeric_limits<double>::infinity();  // when they were turned
   std::uint64_t visits_ = 0, visits_of_slabs_ = 0;
   std::vector<CandidatePair> candidates_;
   std::size_t kept_ = 0;  // after the last time when distant ones were dropped

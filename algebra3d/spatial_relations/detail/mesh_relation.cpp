@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "algebra3d/halfedge/circulators.h"
+#include "algebra3d/halfedge/node_gaps.h"
 #include "algebra3d/spatial_relations/detail/common_point.h"
 #include "algebra3d/spatial_relations/detail/half_plane.h"
 
@@ -85,12 +86,12 @@ void MeshRelation::compare_extents() {
 }
 
 void MeshRelation::compare_faces() {
-  set(Role::first)
-      .geometry->hierarchy()
-      .for_each_pair_with(
-          set(Role::second).geometry->hierarchy(),
-          [this](std::uint32_t f, std::uint32_t g) { return visit(FaceId(f), FaceId(g)); },
-          [this] { return !monitor_.is_cancelled(); });
+  const Geometry &first = *set(Role::first).geometry, &second = *set(Role::second).geometry;
+  NodeGaps gaps(first.mesh, first.hierarchy(), second.mesh, second.hierarchy());
+  first.hierarchy().for_each_pair_with(
+      second.hierarchy(), [this](std::uint32_t f, std::uint32_t g) { return visit(FaceId(f), FaceId(g)); },
+      [&gaps](BoxHierarchy::Node m, BoxHierarchy::Node n) { return gaps.exceed(m, n, 0); },
+      [this] { return !monitor_.is_cancelled(); }, {0, 1});
 }
 
 /// Returns whether to go on.

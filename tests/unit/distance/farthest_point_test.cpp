@@ -49,6 +49,32 @@ TEST(FarthestPoint, AVertexIsFarthest) {
   expect_bound(point);
 }
 
+// The cubes have the sides u and 4 u; the corner (4 u, 4 u, 4 u) is 3 u from the other cube along each axis.
+TEST(FarthestPoint, CubesOfTheSizeOfTheLeastDoubles) {
+  for (const int exponent : {-1074, -1073, -1070, -1060, -1022, -901, -899, -500}) {
+    const double u = std::ldexp(1.0, exponent);
+    const auto cube = [](double side) {
+      std::vector<Vec3> points;
+      for (int i = 0; i < 8; ++i) points.push_back({side * (i & 1), side * (i >> 1 & 1), side * (i >> 2 & 1)});
+      return Set(std::move(points), {{0, 2, 1},
+                                     {1, 2, 3},
+                                     {4, 5, 6},
+                                     {5, 7, 6},
+                                     {0, 1, 4},
+                                     {1, 5, 4},
+                                     {2, 6, 3},
+                                     {3, 6, 7},
+                                     {0, 4, 2},
+                                     {2, 4, 6},
+                                     {1, 3, 5},
+                                     {3, 7, 5}});
+    };
+    const Rational unit(u);
+    EXPECT_EQ(farthest(cube(4 * u), cube(u)).squared_distance, 27 * unit * unit) << exponent;
+    EXPECT_EQ(farthest(cube(4 * u), cube(u)).point, ExactPoint(Vec3{4 * u, 4 * u, 4 * u})) << exponent;
+  }
+}
+
 TEST(FarthestPoint, ParallelPlatesOfDifferentTriangles) {
   const Set from = plate(0, 0, 5, 0.375, 7, false), to = plate(-1, -1, 7, 0, 5, true);
   const FarthestPoint point = farthest(from, to);
