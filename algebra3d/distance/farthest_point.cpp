@@ -7,7 +7,7 @@
 
 #include "algebra3d/distance/detail/piece_search.h"
 #include "algebra3d/exact/affine_map.h"
-#include "algebra3d/exact/predicates_filter.h"
+#include "algebra3d/halfedge/boxes.h"
 #include "algebra3d/halfedge/mesh_image.h"
 
 namespace algebra3d {
@@ -58,13 +58,12 @@ constexpr double kTiny = 0x1p-900, kEnlargement = 0x1p1000;
 
 bool are_tiny(std::span<const FarthestSearch> searches) {
   return std::ranges::all_of(searches, [](const FarthestSearch& search) {
-    const Box3 box = unite(search.from.hierarchy->bounds(), search.to.hierarchy->bounds());
-    return std::max(detail::largest(box.min), detail::largest(box.max)) < kTiny;
+    return std::max(largest_coordinate(*search.from.mesh), largest_coordinate(*search.to.mesh)) < kTiny;
   });
 }
 
 AffineMap scaling_by(double factor) {
-  return AffineMap::scaling({0, 0, 0}, {factor, factor, factor});
+  return AffineMap::scaling(RationalVec3(Vec3{}), RationalVec3(Vec3{factor, factor, factor}));
 }
 
 /// The image of a set, which is not tiny.

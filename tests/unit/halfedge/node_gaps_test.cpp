@@ -82,15 +82,15 @@ SlantingPair slanting_pair(double height) {
   std::vector<Vec3> points;
   std::vector<TriangleMesh::Triangle> triangles;
   for (std::uint32_t i = 0; i < 64; ++i) {
-    const double z = 0.01 * i;
-    points.insert(points.end(), {{-100, 100, z}, {100, -100, z}, {100, -100, z + 0.01}});
+    const double x = 0.001 * i;
+    points.insert(points.end(), {{x - 100, 100, 0}, {x + 100, -100, 0}, {x + 100, -100, 2}});
     triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
   }
   SlantingPair pair{TriangleMesh(PointArray(points), triangles), {}};
   points.clear();
   triangles.clear();
   for (std::uint32_t i = 0; i < 4096; ++i) {
-    const Vec3 p{height + i % 64 * 0.001, height, i / 64 * 0.01};
+    const Vec3 p{height + i % 64 * 0.001, height, 0.1 + i / 64 * 0.01};
     points.insert(points.end(), {p, p + Vec3{0.001, 0, 0}, p + Vec3{0, 0, 0.01}});
     triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
   }
@@ -124,7 +124,7 @@ TEST(NodeGaps, LongTrianglesAslantAreToldFromWhatLiesInTheirBoxes) {
 
 TEST(NodeGaps, PairsThatMeetAreVisited) {
   // The patch crosses the plane x + y = 0 of the long triangles.
-  const SlantingPair pair = slanting_pair(-0.01);
+  const SlantingPair pair = slanting_pair(0);
   const BoxHierarchy first(pair.rods), second(pair.patch);
   const auto crossing_pairs = [&](bool is_used) {
     std::size_t count = 0;
