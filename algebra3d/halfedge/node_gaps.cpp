@@ -57,27 +57,17 @@ NodeGaps::NodeGaps(const TriangleMesh& first, const BoxHierarchy& of_first, cons
   error_ = 0x1p-46 * std::max(detail::largest(box.min), detail::largest(box.max)) + 0x1p-1000;
 }
 
-/// Not for the first questions; and where few answers have been of use, for each 16th only.
-bool NodeGaps::is_asked() {
-  constexpr std::uint64_t kFirst = 512, kTrial = 64, kSeldom = 16;
-  ++questions_;
-  if (questions_ < kFirst) return false;
-  return answers_ < kTrial || successes_ * kSeldom >= answers_ || questions_ % kSeldom == 0;
-}
-
 bool NodeGaps::exceed(BoxHierarchy::Node first, BoxHierarchy::Node second, double distance) {
-  if (std::max(first.level, second.level) > kMaxLevel || !std::isfinite(distance) || !is_asked()) return false;
-  ++answers_;
-  const bool are_apart = are_far(first_, first, second_.hierarchy.bounds(second), distance) ||
-                         are_far(second_, second, first_.hierarchy.bounds(first), distance);
-  successes_ += are_apart ? 1 : 0;
-  return are_apart;
+  if (std::max(first.level, second.level) > kMaxLevel || credit_ < 0 || !std::isfinite(distance)) return false;
+  return are_far(first_, first, second_.hierarchy.bounds(second), distance) ||
+         are_far(second_, second, first_.hierarchy.bounds(first), distance);
 }
 
-bool NodeGaps::are_far(const Side& side, BoxHierarchy::Node node, const Box3& box, double distance) const {
+bool NodeGaps::are_far(const Side& side, BoxHierarchy::Node node, const Box3& box, double distance) {
   const std::vector<Vec3>& points = side.mesh.points().approx();
   return std::ranges::all_of(side.hierarchy.faces_of(node), [&](std::uint32_t face) {
     const auto [a, b, c] = side.mesh.triangle(FaceId(face));
+    --credit_;
     return gap_between(std::array{points[a], points[b], points[c]}, box, distance, error_) > distance;
   });
 }

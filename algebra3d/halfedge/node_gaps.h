@@ -13,32 +13,36 @@ namespace algebra3d {
 /// with the box around the other. Boxes along the axes say little of long triangles that lie aslant; a small set within
 /// such a box would be compared with the triangle face by face. For one search by one thread; refers to its operands.
 ///
-/// It answers only after a while, so that short searches do not pay for it, and seldom where it hardly ever helps.
+/// Its work is bounded by that of the search: each pair of faces that is visited pays for some comparisons. So a search
+/// that boxes guide well does not pay for it.
 class NodeGaps {
  public:
-  /// Nodes up to this level are compared: of up to 64 faces.
-  static constexpr std::uint32_t kMaxLevel = 3;
+  /// Nodes up to this level are compared: of up to 256 faces.
+  static constexpr std::uint32_t kMaxLevel = 5;
 
   /// The hierarchies are those over the meshes, or over some of their faces.
   NodeGaps(const TriangleMesh& first, const BoxHierarchy& of_first, const TriangleMesh& second,
            const BoxHierarchy& of_second);
 
+  /// To be called for each pair of faces that is visited.
+  void note_visit() { credit_ += kComparisonsForAVisit; }
   /// True if the faces of two nodes are certainly farther apart than `distance`, in coordinate units. Rounded
   /// arithmetic with bounds. Cost: some 50 nanoseconds per face at most.
   bool exceed(BoxHierarchy::Node first, BoxHierarchy::Node second, double distance);
 
  private:
+  static constexpr std::int64_t kComparisonsForAVisit = 4;
+
   struct Side {
     const TriangleMesh& mesh;
     const BoxHierarchy& hierarchy;
   };
   /// Whether all faces of a node of `side` are farther than `distance` from a box.
-  bool are_far(const Side& side, BoxHierarchy::Node node, const Box3& box, double distance) const;
-  bool is_asked();
+  bool are_far(const Side& side, BoxHierarchy::Node node, const Box3& box, double distance);
 
   Side first_, second_;
   double error_;
-  std::uint64_t questions_ = 0, answers_ = 0, successes_ = 0;
+  std::int64_t credit_ = -4096;  // comparisons that visits have paid for; the first visits pay for none
 };
 
 /// A lower bound of the distance of a triangle and a box: of the gaps between their projections to thirteen axes, the

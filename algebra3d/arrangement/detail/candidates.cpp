@@ -48,6 +48,7 @@ std::vector<FacePair> CandidateFinder::pair_two(OperandId a, OperandId b, BoxHie
   operands_.hierarchy(a).for_each_pair_with(
       operands_.hierarchy(b),
       [&](std::uint32_t f, std::uint32_t g) {
+        gaps.note_visit();
         pairs.push_back({operands_.input(a, FaceId(f)), operands_.input(b, FaceId(g))});
         return pairs.size() <= max_pairs_;
       },

@@ -27,6 +27,7 @@ class CandidateSearch {
   /// enough.
   double visit(FaceId first, FaceId second) {
     ++visits_;
+    gaps_.note_visit();
     if (slabs_.distance(first, second) > nearest_) return nearest_;
     const DistanceBounds bounds = this->bounds(first, second);
     // Also of a pair beyond the reach, the direction is a good one.

@@ -89,7 +89,11 @@ void MeshRelation::compare_faces() {
   const Geometry &first = *set(Role::first).geometry, &second = *set(Role::second).geometry;
   NodeGaps gaps(first.mesh, first.hierarchy(), second.mesh, second.hierarchy());
   first.hierarchy().for_each_pair_with(
-      second.hierarchy(), [this](std::uint32_t f, std::uint32_t g) { return visit(FaceId(f), FaceId(g)); },
+      second.hierarchy(),
+      [&](std::uint32_t f, std::uint32_t g) {
+        gaps.note_visit();
+        return visit(FaceId(f), FaceId(g));
+      },
       [&gaps](BoxHierarchy::Node m, BoxHierarchy::Node n) { return gaps.exceed(m, n, 0); },
       [this] { return !monitor_.is_cancelled(); }, {0, 1});
 }

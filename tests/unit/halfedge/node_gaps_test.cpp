@@ -107,6 +107,7 @@ std::array<std::size_t, 2> visited(const SlantingPair& pair) {
     first.for_each_pair_with(
         second,
         [&](std::uint32_t, std::uint32_t) {
+          gaps.note_visit();
           ++count[is_used ? 1 : 0];
           return true;
         },
