@@ -116,9 +116,10 @@ void register_rounding(Registry& registry) {
           "slanted ones may be thicker than the grid and have none, up to 3.5 times. A value whose coordinates are on "
           "the grid is "
           "unchanged. Of a solid only the facets with corners that move are changed and proved again, so the cost "
-          "follows the length of the seams. With doubles and floats, corners that rounding made superfluous are "
-          "removed; with a grid width they stay, so that triangles multiply in a long chain of set operations rounded "
-          "that way. Undefined if a coordinate would be out of range, and for other strings.",
+          "follows the length of the seams. Corners of a solid that rounding made "
+          "superfluous are removed, but not with a grid wider than 1/256 of the largest coordinate: there triangles "
+          "multiply in a long chain of rounded set operations. Undefined if a coordinate would be out of range, and "
+          "for other strings.",
       .exactness = Exactness::reported,
       .frame_use = FrameUse::coordinates,
       .overloads = {overload<&rounded_to_doubles<Volume3d>>("solid"),

@@ -45,12 +45,12 @@ struct RoundedSolid {
 ///  6. 1 and 3 on grids of multiples of up to 2^20 spacings.
 ///  7. The cubes of a lattice that meet the solid replace it (cell_cover.h). This cannot fail.
 /// A simpler form of each result is proved first: without corners of facets with moved corners that lie on the
-/// surface or on an edge of it anyway, up to two spacings (vertex_removal.h); not on a grid of multiples. There is no
-/// result only if a coordinate is out of range. It is empty only where 1 to 4 leave nothing within a reach of two
-/// spacings, and no cell of the grid is found within the solid. `cancel` ends the call with the error interrupted;
-/// progress is not told. Exactness: rounded; validity is exact. Deterministic. Errors: interrupted, limit_exceeded.
-/// Cost: for nearly all solids a scan, and snap rounding and a proof of the faces near vertices that move. Source: snap
-/// rounding after [hobby1999] and [halperin2002].
+/// surface or on an edge of it anyway, up to two spacings (vertex_removal.h); on a grid of multiples only if that is
+/// fine for the solid. There is no result only if a coordinate is out of range. It is empty only where 1 to 4 leave
+/// nothing within a reach of two spacings, and no cell of the grid is found within the solid. `cancel` ends the call
+/// with the error interrupted; progress is not told. Exactness: rounded; validity is exact. Deterministic. Errors:
+/// interrupted, limit_exceeded. Cost: for nearly all solids a scan, and snap rounding and a proof of the faces near
+/// vertices that move. Source: snap rounding after [hobby1999] and [halperin2002].
 Result<RoundedSolid> rounded_solid(const TriangleMesh& solid, const CoordinateGrid& grid,
                                    const std::atomic<bool>* cancel = nullptr);
 

@@ -22,6 +22,10 @@ namespace {
 /// Vertices no farther from the surface than so many spacings are superfluous. With one, a chain of 2000 turned
 /// intersections has twice as many triangles as it needs, with two a third more.
 constexpr double kSuperfluous = 2;
+/// The same on a grid of multiples, which was asked for and may be seen; and how many times its spacing the largest
+/// coordinate must be. On a coarser one a spacing may be half of a part of the solid.
+constexpr double kSuperfluousOnMultiples = 1;
+constexpr double kFineGrid = 256;
 
 /// Among so many cells at its boundary one within a solid is looked for, before the solid may vanish.
 constexpr std::size_t kSearchedCells = 10'000;
@@ -84,18 +88,18 @@ Result<bool> SolidRounding::accept_as_it_is(const RoundingCandidate& candidate) 
   return true;
 }
 
-/// Without corners of facets with moved corners that lie on the surface or on an edge anyway, up to two spacings of
-/// the grid: rounding left them there, now or earlier. On a grid of multiples, which may be coarse for the solid, all
-/// stay.
+/// Without corners of facets with moved corners that lie on the surface or on an edge anyway, up to a spacing or two of
+/// the grid: rounding left them there, now or earlier. On a grid of multiples that is coarse for the solid all stay.
 Result<RoundingCandidate> SolidRounding::without_superfluous(const RoundingCandidate& candidate) const {
-  if (!grid().is_floating()) return candidate;
+  if (!grid().is_floating() && size() < kFineGrid * spacing()) return candidate;
+  const double tolerance = (grid().is_floating() ? kSuperfluous : kSuperfluousOnMultiples) * spacing();
   std::vector<bool> may_go;
   may_go.reserve(candidate.mesh.vertex_count());
   for (const Vec3& place : candidate.mesh.points().approx()) may_go.push_back(places_that_stay_.find(place) == kNone);
   ALGEBRA3D_ASSIGN_OR_RETURN(TriangleMesh simpler,
-                             without_superfluous_vertices(candidate.mesh, may_go, kSuperfluous * spacing(), cancel()));
+                             without_superfluous_vertices(candidate.mesh, may_go, tolerance, cancel()));
   if (simpler.face_count() == candidate.mesh.face_count()) return candidate;
-  const double movement = candidate.movement + rounded_up(2 * kSuperfluous * spacing());
+  const double movement = candidate.movement + rounded_up(2 * tolerance);
   return RoundingCandidate{std::move(simpler), movement, candidate.reach, candidate.method};
 }
 
