@@ -133,6 +133,7 @@ FacetOutline FacetOutlines::outline(CoplanarFacetId facet) const {
     if (is_slit) ++i;
   }
   FacetOutline outline{without_opposites(std::move(links)), {}};
+  if (slits.empty()) return outline;
   std::set<DirectedEdge> listed;
   for (const auto& [from, to] : outline.boundary) listed.insert(std::minmax(from, to));
   for (const auto& [from, to] : slits)

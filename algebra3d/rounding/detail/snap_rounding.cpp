@@ -45,7 +45,7 @@ bool SnapRounding::fill(Projection plane, const FacetOutline& outline,
     if (outlines_.orientation(plane, PointId(a), PointId(b), PointId(c)) <= 0) return false;
     sides.insert(sides.end(), {{a, b}, {b, c}, {c, a}});
   }
-  std::ranges::sort(sides);
+  if (!outline.slits.empty()) std::ranges::sort(sides);
   const auto is_side = [&](const DirectedEdge& slit) { return std::ranges::binary_search(sides, slit); };
   return std::ranges::all_of(outline.slits, is_side) && without_opposites(std::move(sides)) == outline.boundary;
 }
