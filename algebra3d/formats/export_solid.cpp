@@ -1,6 +1,9 @@
 #include "algebra3d/formats/export_solid.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 
 #include <fmt/format.h>
@@ -14,6 +17,7 @@
 #include "algebra3d/rounding/divided_contacts.h"
 #include "algebra3d/rounding/rounded_solid.h"
 #include "algebra3d/validity/contacts.h"
+#include "algebra3d/validity/edge_contacts.h"
 #include "mesh_files/mesh_content.h"
 #include "mesh_files/mesh_format.h"
 
@@ -77,13 +81,29 @@ Result<std::string> visible_change(const Context& context, const TriangleMesh& s
   const bool loses_shells = rounded.shells_after < rounded.shells_before;
   const bool is_seen = rounded.largest_movement > kVisiblePart * diagonal_of(solid) || changes_volume || loses_shells;
   if (!is_seen && rounded.reach == 0) return std::string();
-  std::string text = fmt::format("which moves the boundary by at most {} ({})", real_text(rounded.largest_movement),
-                                 name_of(rounded.method));
+  std::string text = fmt::format("which moves the boundary by at most {} where it is left ({})",
+                                 real_text(rounded.largest_movement), name_of(rounded.method));
   if (!is_seen) text += " where it is crowded";
   if (changes_volume)
     text += fmt::format(" and makes the volume {} instead of {}", real_text(after), real_text(before));
   if (loses_shells) text += fmt::format(" and leaves {} of {} shells", rounded.shells_after, rounded.shells_before);
   return text;
+}
+
+/// A mesh that touches itself in corners only, but for some pairs of edges that cross.
+struct DividedMesh {
+  TriangleMesh mesh;
+  std::ptrdiff_t contacts_left = 0;  ///< these, in points that are not on the grid
+};
+
+/// Many programs take vertices inside edges or faces of others for crossings, and edges that touch, too.
+Result<DividedMesh> divided_where_it_touches(const TriangleMesh& mesh, const CoordinateGrid& grid,
+                                             const std::atomic<bool>* cancel) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto at_vertices, vertex_contacts(mesh, cancel));
+  const TriangleMesh divided = divided_at_contacts(mesh, at_vertices);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto at_edges, edge_contacts(divided, cancel));
+  const auto is_left = [&](const EdgeContact& contact) { return !is_on_grid(contact.point, grid); };
+  return DividedMesh{divided_at_edge_contacts(divided, at_edges, grid), std::ranges::count_if(at_edges, is_left)};
 }
 
 Result<ExportedSolid> export_rounded(Context& context, const std::string& name, const Volume3d& solid,
@@ -97,9 +117,14 @@ Result<ExportedSolid> export_rounded(Context& context, const std::string& name, 
   if (!change.empty())
     context.diagnostics.report(fmt::format("{}: rounded to {}, {}{}", name, numbers.name, change, numbers.advice),
                                file);
-  // Many programs take vertices inside edges or faces of others for crossings.
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto contacts, vertex_contacts(*rounded.mesh, context.cancel));
-  const Status written = write(context.resolve(file), divided_at_contacts(*rounded.mesh, contacts));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const DividedMesh divided,
+                             divided_where_it_touches(*rounded.mesh, numbers.grid, context.cancel));
+  if (divided.contacts_left > 0)
+    context.diagnostics.report(
+        fmt::format("{}: {} pairs of edges cross in points that are no {}: other programs may take them for crossings",
+                    name, divided.contacts_left, numbers.name),
+        file);
+  const Status written = write(context.resolve(file), divided.mesh);
   if (!written) return refuse(context, written.error().code, name + ": " + written.error().message);
   return ExportedSolid();
 }

@@ -20,13 +20,20 @@
 namespace algebra3d {
 namespace {
 
+std::string nothing_left(const RoundedSolid& /*rounded*/) {
+  return "nothing is left: no cube of the grid was found within it";
+}
+std::string nothing_left(const RoundedSurface& /*rounded*/) {
+  return "nothing is left: all of its triangles are thinner than the grid";
+}
+
 /// The text of the note on a rounding: how far it moved what, by which method, and what vanished.
 template <typename Rounded>
 std::string rounding_note(const Rounded& rounded, std::size_t vertex_count) {
-  if (rounded.mesh->is_empty()) return "nothing is left: nowhere is it thicker than the grid";
+  if (rounded.mesh->is_empty()) return nothing_left(rounded);
   std::string text =
-      fmt::format("{} of {} vertices moved, and the boundary by at most {}; method: {}", rounded.moved_vertices,
-                  vertex_count, real_text(rounded.largest_movement), name_of(rounded.method));
+      fmt::format("{} of {} vertices moved, and the boundary by at most {} where it is left; method: {}",
+                  rounded.moved_vertices, vertex_count, real_text(rounded.largest_movement), name_of(rounded.method));
   if (rounded.reach > 0) text += fmt::format(" within {}", real_text(rounded.reach));
   if (rounded.contact_vertices > 0)
     text += fmt::format("; {} vertices lie inside edges or faces of others", rounded.contact_vertices);
@@ -67,6 +74,13 @@ Result<Maybe<T>> rounded_to_multiples(Context& context, const T& geometry, doubl
   return rounded_to(context, geometry, CoordinateGrid::multiples(step));
 }
 
+template <typename T>
+Result<Maybe<T>> rounded_to_numbers(Context& context, const T& geometry, const std::string& numbers) {
+  if (numbers == "doubles") return rounded_to(context, geometry, CoordinateGrid::doubles());
+  if (numbers == "floats") return rounded_to(context, geometry, CoordinateGrid::floats());
+  return Maybe<T>(Undefined{fmt::format("expected \"doubles\" or \"floats\", found \"{}\"", numbers)});
+}
+
 /// Nearly always the image with each coordinate rounded is valid, and neither exact images nor a ladder are needed.
 Result<Maybe<Volume3d>> rotated_and_rounded(Context& context, const Volume3d& solid, const Point3d& centre,
                                             const Vector3d& axis, double angle_degrees) {
@@ -86,36 +100,49 @@ void register_rounding(Registry& registry) {
   registry.add({
       .name = "roundCoordinates",
       .syntax = "roundCoordinates(_ ...)",
-      .doc =
-          "The surface or solid with all coordinates rounded to doubles, or to the doubles nearest to multiples of a "
-          "grid width.",
+      .doc = "The surface or solid with all coordinates rounded to doubles, to floats, or to the doubles nearest to "
+             "multiples of a grid width.",
       .detail =
-          "A diagnostic gives the number of moved vertices, the largest distance by which the boundary moved, and the "
-          "method. The result is always a valid surface or solid. The first of these methods that gives one is taken: "
-          "vertices moved; edges led round vertices; divided where triangles crossed (where a grid is given); features "
-          "joined, that is, vertices and edges of crossing triangles that are nearly one; facets made coplanar; "
-          "rounded "
-          "to a coarser grid; cover of cubes (faces of cubes for a surface), which cannot fail. The last two have "
-          "never "
-          "been needed. Vertices that lie inside edges or faces of others are counted. Parts thinner than the grid "
-          "vanish. A value whose coordinates are on the grid is unchanged. Of a solid only the "
-          "facets with corners that move are changed and proved again, so the cost follows the length of the seams. "
-          "Undefined only if a coordinate would be out of range.",
+          "A string names the numbers: doubles, which are also taken without it, or floats. A diagnostic gives the "
+          "number of moved vertices, the largest distance by which the boundary moved, and the method. The distance is "
+          "one-sided: no point of the result is farther from the given boundary. It says nothing of what vanished: "
+          "walls and fins thinner than the grid go, and slots narrower than it close, however long they are "
+          "(hausdorffDistance tells both sides). The result is always a valid surface or solid. The first of these "
+          "methods that gives one is taken: vertices moved; edges led round vertices; divided where triangles crossed "
+          "(where a grid width is given); features joined, that is, vertices and edges of crossing triangles that are "
+          "nearly one; facets made coplanar; rounded to a coarser grid; cover of cubes (faces of cubes for a surface), "
+          "which cannot fail. The last two have never been needed. Vertices that lie inside edges or faces of others "
+          "are counted. A solid vanishes altogether only if no cube of the grid is found within it; "
+          "slanted ones may be thicker than the grid and have none, up to 3.5 times. A value whose coordinates are on "
+          "the grid is "
+          "unchanged. Of a solid only the facets with corners that move are changed and proved again, so the cost "
+          "follows the length of the seams. Corners of a solid that rounding made "
+          "superfluous are removed, but not with a grid wider than 1/256 of the largest coordinate: there triangles "
+          "multiply in a long chain of rounded set operations. Undefined if a coordinate would be out of range, and "
+          "for other strings.",
       .exactness = Exactness::reported,
       .frame_use = FrameUse::coordinates,
       .overloads = {overload<&rounded_to_doubles<Volume3d>>("solid"),
                     overload<&rounded_to_multiples<Volume3d>>("solid", "grid"),
+                    overload<&rounded_to_numbers<Volume3d>>("solid", "numbers"),
                     overload<&rounded_to_doubles<Surface3d>>("surface"),
-                    overload<&rounded_to_multiples<Surface3d>>("surface", "grid")},
+                    overload<&rounded_to_multiples<Surface3d>>("surface", "grid"),
+                    overload<&rounded_to_numbers<Surface3d>>("surface", "numbers")},
       .examples = {{{kUnitCube}, "1.0", "(volume _)"},
                    {{kUnitCube, "0.75"}, "0.421875", "(volume _)"},
                    {{kUnitCube, "3.0"}, "TRUE", "(isEmpty _)"},
                    {{"(surface3d (((0 0 0) (1 0 0) (0 1 0.4))))", "1.0"}, "0.5", "(area _)"},
+                   {{"(surface3d (((0 0 0) (1 0 0) (0 0.1 0))))", "\"floats\""},
+                    "0.10000000149011612",
+                    "(* 2.0 (area _))"},
+                   {{kUnitCube, "\"doubles\""}, "1.0", "(volume _)"},
+                   {{kUnitCube, "\"integers\""}, "undefined"},
                    {{kUnitCube, "0.0"}, "undefined"},
                    {{"(volume3d undefined)"}, "undefined"}},
-      .errors =
-          {{{"1"},
-            "roundCoordinates: expected (volume3d), (volume3d real), (surface3d) or (surface3d real), got (int)"}},
+      .errors = {{{"1"},
+                  "roundCoordinates: expected (volume3d), (volume3d real), (volume3d string), (surface3d), (surface3d "
+                  "real) or "
+                  "(surface3d string), got (int)"}},
   });
   registry.add({
       .name = "rotateRounded",

@@ -3,7 +3,9 @@
 #include <vector>
 
 #include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/rounding/coordinate_grid.h"
 #include "algebra3d/validity/contacts.h"
+#include "algebra3d/validity/edge_contacts.h"
 
 namespace algebra3d {
 
@@ -11,5 +13,13 @@ namespace algebra3d {
 /// same points, and as valid. `contacts`: all of the mesh (vertex_contacts). The pieces of a face take its place in the
 /// order. Exact. Errors: none. Cost: linear.
 TriangleMesh divided_at_contacts(const TriangleMesh& mesh, const std::vector<VertexContact>& contacts);
+
+/// The mesh with edges that cross, and all faces along them, divided where they do, if that point is on the grid: a new
+/// vertex at the end for each such point. Otherwise as above.
+TriangleMesh divided_at_edge_contacts(const TriangleMesh& mesh, const std::vector<EdgeContact>& contacts,
+                                      const CoordinateGrid& grid);
+
+/// True if all coordinates of the point are numbers of the grid.
+bool is_on_grid(const ExactPoint& point, const CoordinateGrid& grid);
 
 }  // namespace algebra3d

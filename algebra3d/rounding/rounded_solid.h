@@ -17,7 +17,8 @@ struct RoundedSolid {
   std::optional<TriangleMesh> mesh;
   const char* reason = "";         ///< why there is none
   std::size_t moved_vertices = 0;  ///< of the given ones
-  double largest_movement = 0;     ///< in coordinate units: no point of the new boundary is farther from the given one
+  /// In coordinate units: no point of the new boundary is farther from the given one. What vanished is not in it.
+  double largest_movement = 0;
   RoundingMethod method = RoundingMethod::none;  ///< that found the mesh
   /// How many vertices lie inside edges or faces of others, if their faces or these are among those that changed:
   /// valid, but other programs may take them for crossings (divided_contacts.h).
@@ -33,7 +34,7 @@ struct RoundedSolid {
 /// Rounds the vertices of a solid to a grid, and proves the result (docs/set-operations.md, "Rounding of solids").
 /// Parts thinner than the grid vanish. Only faces near vertices that move are changed and proved; if that fails, or if
 /// these are more than half of all faces, the whole solid is rounded. A ladder of methods: the first proved result is
-/// taken.
+/// taken. On a grid of multiples vertices are moved, and no more, at first.
 ///  1. The solid is snap rounded (snap_rounding.h).
 ///  2. On a grid of multiples: a few times the mesh is divided at its crossings, the cells with a positive winding
 ///     number are kept, and their new corners rounded.
@@ -44,12 +45,12 @@ struct RoundedSolid {
 ///  6. 1 and 3 on grids of multiples of up to 2^20 spacings.
 ///  7. The cubes of a lattice that meet the solid replace it (cell_cover.h). This cannot fail.
 /// A simpler form of each result is proved first: without corners of facets with moved corners that lie on the
-/// surface or on an edge of it anyway, up to two spacings (vertex_removal.h); not on a grid of multiples. There is no
-/// result only if a coordinate is out of range. It is empty only where 1 to 4 leave nothing within a reach of two
-/// spacings, and no cell of the grid lies within the solid. `cancel` ends the call with the error interrupted; progress
-/// is not told. Exactness: rounded; validity is exact. Deterministic. Errors: interrupted, limit_exceeded. Cost: for
-/// nearly all solids a scan, and snap rounding and a proof of the faces near vertices that move. Source: snap rounding
-/// after [hobby1999] and [halperin2002].
+/// surface or on an edge of it anyway, up to two spacings (vertex_removal.h); on a grid of multiples only if that is
+/// fine for the solid. There is no result only if a coordinate is out of range. It is empty only where 1 to 4 leave
+/// nothing within a reach of two spacings, and no cell of the grid is found within the solid. `cancel` ends the call
+/// with the error interrupted; progress is not told. Exactness: rounded; validity is exact. Deterministic. Errors:
+/// interrupted, limit_exceeded. Cost: for nearly all solids a scan, and snap rounding and a proof of the faces near
+/// vertices that move. Source: snap rounding after [hobby1999] and [halperin2002].
 Result<RoundedSolid> rounded_solid(const TriangleMesh& solid, const CoordinateGrid& grid,
                                    const std::atomic<bool>* cancel = nullptr);
 

@@ -17,7 +17,8 @@ struct RoundedSurface {
   std::optional<TriangleMesh> mesh;
   const char* reason = "";         ///< why there is none
   std::size_t moved_vertices = 0;  ///< of the given ones
-  double largest_movement = 0;     ///< in coordinate units: no point of the result is farther from the given surface
+  /// In coordinate units: no point of the result is farther from the given surface. What vanished is not in it.
+  double largest_movement = 0;
   RoundingMethod method = RoundingMethod::none;  ///< that found the mesh
   /// How many vertices lie inside edges or faces of others: valid, but other programs may take them for crossings.
   std::size_t contact_vertices = 0;
@@ -26,9 +27,8 @@ struct RoundedSurface {
   double reach = 0;
 };
 
-/// Rounds the vertices of a valid surface to a grid, and proves the result. The surface is snap rounded
-/// (snap_rounding.h); where triangles cross then, features that are nearly one are joined (feature_snapping.h), and
-/// what still crosses is divided and rounded again, in turns. If triangles still cross after some turns, faces of cubes
+/// Rounds the vertices of a valid surface to a grid, and proves the result. The ladder is that of solids
+/// (rounded_solid.h); where a mesh is divided all pieces stay, no vertices are removed, and at last faces of cubes
 /// replace the surface (square_cover.h), which cannot fail. Triangles that come to lie upon each other become one,
 /// oriented as the first of them; those that become thinner than the grid vanish. There is no result only if a
 /// coordinate is out of range. `cancel` ends the call with the error interrupted.

@@ -1,6 +1,7 @@
 #include "algebra3d/rounding/detail/facet_outlines.h"
 
 #include <algorithm>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -30,7 +31,7 @@ FacetOutlines::FacetOutlines(const TriangleMesh& mesh, const MovedVertices& move
   note_movements(moved);
   find_outline_chains();
   if (monitor.is_cancelled()) return;
-  route_through_passed_points(*this);
+  route_through_passed_points(*this, monitor);
   apply_routes();
   for (const CoplanarFacetId facet : facets_.ids()) first_link_counts_.push_back(link_count(facet));
   route_around_crossings(monitor);
@@ -107,20 +108,43 @@ std::vector<OutlineLink> FacetOutlines::links_to_check() {
 
 void FacetOutlines::route_around_crossings(const Monitor& monitor) {
   for (int round = 0; round < kMaxRounds && !monitor.is_cancelled(); ++round) {
-    for (const CoplanarFacetId facet : resolve_crossings(*this, links_to_check())) is_given_up_[facet] = true;
+    for (const CoplanarFacetId facet : resolve_crossings(*this, links_to_check(), monitor)) is_given_up_[facet] = true;
     if (!apply_routes()) return;
   }
 }
 
-std::vector<DirectedEdge> FacetOutlines::outline(CoplanarFacetId facet) const {
-  std::vector<DirectedEdge> links;
-  for (const OutlineChain& side : outline_chains(facet))
-    for (std::uint32_t index = 0; index < chains_.link_count(side.chain); ++index) {
-      const auto [from, to] = chains_.ends({side.chain, index});
-      links.push_back(side.is_reversed ? DirectedEdge(to.index(), from.index())
-                                       : DirectedEdge(from.index(), to.index()));
-    }
-  return without_opposites(std::move(links));
+/// Adds the links of a chain, in the direction of the outline.
+void FacetOutlines::add_links(const OutlineChain& side, std::vector<DirectedEdge>& links) const {
+  for (std::uint32_t index = 0; index < chains_.link_count(side.chain); ++index) {
+    const auto [from, to] = chains_.ends({side.chain, index});
+    links.push_back(side.is_reversed ? DirectedEdge(to.index(), from.index()) : DirectedEdge(from.index(), to.index()));
+  }
+}
+
+// A pair of opposite links of two chains bounds nothing; that of one chain, with the facet on both sides, is an edge at
+// which other facets end.
+FacetOutline FacetOutlines::outline(CoplanarFacetId facet) const {
+  const auto sides = outline_chains(facet);  // those of one chain are neighbours
+  std::vector<DirectedEdge> links, slits;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const bool is_slit = i + 1 < sides.size() && sides[i].chain == sides[i + 1].chain &&
+                         sides[i].is_reversed != sides[i + 1].is_reversed;
+    add_links(sides[i], is_slit ? slits : links);
+    if (is_slit) ++i;
+  }
+  FacetOutline outline{without_opposites(std::move(links)), {}};
+  if (slits.empty()) return outline;
+  std::set<DirectedEdge> listed;
+  for (const auto& [from, to] : outline.boundary) listed.insert(std::minmax(from, to));
+  for (const auto& [from, to] : slits)
+    if (listed.insert(std::minmax(from, to)).second)
+      outline.slits.insert(outline.slits.end(), {{from, to}, {to, from}});
+  return outline;
+}
+
+void FacetOutline::reverse() {
+  for (auto& [from, to] : boundary) std::swap(from, to);
+  boundary = without_opposites(std::move(boundary));
 }
 
 std::vector<DirectedEdge> without_opposites(std::vector<DirectedEdge> edges) {

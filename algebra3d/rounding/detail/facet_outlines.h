@@ -26,6 +26,16 @@ struct OutlineLink {
   ChainLink link;
 };
 
+/// The links of the outline of a facet, as pairs of points.
+struct FacetOutline {
+  std::vector<DirectedEdge> boundary;  ///< without pairs of opposite links; ascending by their ends
+  /// Of edges with the facet on both sides, as where another sheet ends within it: each link in both directions. None
+  /// is a link of the boundary.
+  std::vector<DirectedEdge> slits;
+
+  void reverse();
+};
+
 /// The outlines of the coplanar facets of a mesh of which vertices have moved: an outline is made of chains, a chain of
 /// links (edge_chains.h). Edges that lie upon each other now are one chain. Chains lead through every point that their
 /// edge may have passed over, for all facets along it (passed_points.h). Where two links of one outline still cross,
@@ -48,8 +58,7 @@ class FacetOutlines {
   bool is_moved(CoplanarFacetId facet) const { return is_moved_[facet]; }
   /// False if the outline may still cross itself.
   bool is_simple(CoplanarFacetId facet) const { return !is_given_up_[facet] && !to_check_[facet]; }
-  /// The links of the outline, as pairs of points, without pairs of opposite links; ascending.
-  std::vector<DirectedEdge> outline(CoplanarFacetId facet) const;
+  FacetOutline outline(CoplanarFacetId facet) const;
   /// The corners of a face of the mesh, as points.
   IndexTriangle triangle(FaceId face) const;
   /// The orientation of three points in the projection: 1 counter-clockwise, -1 clockwise, 0 collinear. Exact.
@@ -61,6 +70,7 @@ class FacetOutlines {
   void note_movements(const MovedVertices& moved);
   void find_outline_chains();
   std::size_t link_count(CoplanarFacetId facet) const;
+  void add_links(const OutlineChain& side, std::vector<DirectedEdge>& links) const;
   /// Applies the pending insertions into chains. False if there are none.
   bool apply_routes();
   /// The links of changed outlines. Outlines that have grown too much are given up.
@@ -79,7 +89,7 @@ class FacetOutlines {
   IdVector<CoplanarFacetId, std::size_t> first_link_counts_;
 };
 
-/// Directed edges without pairs of opposite edges; ascending.
+/// Directed edges without pairs of opposite edges; ascending by their ends.
 std::vector<DirectedEdge> without_opposites(std::vector<DirectedEdge> edges);
 
 }  // namespace algebra3d

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "algebra3d/base/id_vector.h"
+#include "algebra3d/base/monitor.h"
 #include "algebra3d/exact/predicates.h"
 #include "algebra3d/rounding/detail/crossing_faces.h"
 #include "algebra3d/rounding/detail/near_features.h"
@@ -27,6 +28,10 @@ constexpr int kMaxRoundsTogether = 400;
 /// Clusters that are given up with no more crossings stay as they are; others are restored.
 constexpr std::size_t kFewCrossings = 20;
 
+/// A cluster with more crossings than so many times the given faces is folded: to join features would multiply its
+/// faces by as much, round by round.
+constexpr std::size_t kMostCrossingsPerFace = 32;
+
 /// How a cluster gets on.
 struct Progress {
   int rounds = 0, last_gain = 0;
@@ -40,9 +45,9 @@ struct Progress {
     fewest = crossings;
     last_gain = rounds;
   }
-  bool is_hopeless() const {
+  bool is_hopeless(std::size_t given_faces) const {
     return crossings > 0 && (!can_join || rounds > kMaxSnappingRounds || rounds - last_gain > kMaxRoundsWithoutGain ||
-                             crossings > 4 * fewest + 20);
+                             crossings > 4 * fewest + 20 || crossings > kMostCrossingsPerFace * given_faces);
   }
 };
 
@@ -84,7 +89,7 @@ class FeatureSnapping {
   std::vector<PointId> hopeless_clusters() const;
   std::vector<PointId> raise_levels(const std::vector<PointId>& clusters, const Faults& faults);
   Left leave_hopeless_clusters(Faults& faults);
-  FeatureJoins joins_of(const Faults& faults);
+  Result<FeatureJoins> joins_of(const Faults& faults);
 
   SnappedFaces faces_;
   CoordinateGrid grid_;
@@ -139,7 +144,7 @@ void FeatureSnapping::note_progress(const Faults& faults) {
 std::vector<PointId> FeatureSnapping::hopeless_clusters() const {
   std::vector<PointId> clusters;
   for (const auto& [cluster, progress] : progress_)
-    if (!progress.is_given_up && progress.is_hopeless()) clusters.push_back(cluster);
+    if (!progress.is_given_up && progress.is_hopeless(faces_.given_count())) clusters.push_back(cluster);
   return clusters;
 }
 
@@ -191,10 +196,12 @@ FeatureSnapping::Left FeatureSnapping::leave_hopeless_clusters(Faults& faults) {
   return left;
 }
 
-FeatureJoins FeatureSnapping::joins_of(const Faults& faults) {
+Result<FeatureJoins> FeatureSnapping::joins_of(const Faults& faults) {
+  const Monitor monitor(cancel_);
   FeatureJoins joins;
   for (const FacePair& pair : faults.pairs) progress_[cluster_of(pair.first)].can_join = false;
   for (const FacePair& pair : faults.pairs) {
+    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
     Progress& progress = progress_[cluster_of(pair.first)];
     const int level = level_of(pair);
     const double reach = reach_at(level) * spacing_;
@@ -219,14 +226,14 @@ Result<FeatureSnappedMesh> FeatureSnapping::run() {
     note_progress(faults);
     Left left = leave_hopeless_clusters(faults);
     if (faults.pairs.empty() && faults.flat_faces.empty() && left.restored.empty()) break;
-    FeatureJoins joins = joins_of(faults);
+    ALGEBRA3D_ASSIGN_OR_RETURN(FeatureJoins joins, joins_of(faults));
     std::vector<std::size_t> open = std::move(left.faces);
     open.insert(open.end(), faults.flat_faces.begin(), faults.flat_faces.end());
     for (const auto& [f, g] : faults.pairs) open.insert(open.end(), {f, g});
     faces_.close_all_but(std::move(open));
     faces_.restore(left.restored);
     if (!left.again.empty()) faces_.untie(left.again);
-    faces_.apply(std::move(joins));
+    ALGEBRA3D_RETURN_IF_ERROR(faces_.apply(std::move(joins), cancel_));
   }
   FeatureSnappedMesh result{faces_.mesh(), faces_.largest_displacement(), reached_, crossings_before};
   for (const auto& [cluster, progress] : progress_)

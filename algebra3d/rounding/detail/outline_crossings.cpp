@@ -18,7 +18,7 @@ class CrossingResolver {
  public:
   explicit CrossingResolver(FacetOutlines& outlines) : outlines_(outlines), chains_(outlines.chains()) {}
 
-  void run(const std::vector<OutlineLink>& links);
+  void run(const std::vector<OutlineLink>& links, const Monitor& monitor);
   std::vector<CoplanarFacetId> given_up() && { return std::move(given_up_); }
 
  private:
@@ -91,11 +91,12 @@ Box3 CrossingResolver::box_of_link(const OutlineLink& link) const {
   return box;
 }
 
-void CrossingResolver::run(const std::vector<OutlineLink>& links) {
+void CrossingResolver::run(const std::vector<OutlineLink>& links, const Monitor& monitor) {
   std::vector<rtree::Entry<std::uint32_t>> entries;
   entries.reserve(links.size());
   for (std::uint32_t i = 0; i < links.size(); ++i) entries.push_back({box_of_link(links[i]), i});
   rtree::for_each_pair(rtree::RTree<std::uint32_t>::bulk_load(entries), [&](std::uint32_t i, std::uint32_t j) {
+    if (monitor.is_cancelled()) return;
     const ChainLink &a = links[i].link, &b = links[j].link;
     const bool is_same_link = a.chain == b.chain && a.index == b.index;
     if (links[i].facet == links[j].facet && !is_same_link) resolve(links[i].facet, a, b);
@@ -104,9 +105,10 @@ void CrossingResolver::run(const std::vector<OutlineLink>& links) {
 
 }  // namespace
 
-std::vector<CoplanarFacetId> resolve_crossings(FacetOutlines& outlines, const std::vector<OutlineLink>& links) {
+std::vector<CoplanarFacetId> resolve_crossings(FacetOutlines& outlines, const std::vector<OutlineLink>& links,
+                                               const Monitor& monitor) {
   CrossingResolver resolver(outlines);
-  resolver.run(links);
+  resolver.run(links, monitor);
   return std::move(resolver).given_up();
 }
 

@@ -41,7 +41,7 @@ class CommonFacets {
 
 }  // namespace
 
-void route_through_passed_points(FacetOutlines& outlines) {
+void route_through_passed_points(FacetOutlines& outlines, const Monitor& monitor) {
   const MovedPoints& points = outlines.points();
   EdgeChains& chains = outlines.chains();
   IdVector<ChainId, double> movements(chains.ids().size());
@@ -58,6 +58,7 @@ void route_through_passed_points(FacetOutlines& outlines) {
   std::optional<CommonFacets> common;  // hardly ever asked for
   for (const PointId point : points.points.ids()) {
     if (!is_corner[point]) continue;
+    if (monitor.is_cancelled()) return;
     const double movement = points.movements[point];
     for (const std::uint32_t number : tree.window(padded(Box3::of(points.points[point]), movement))) {
       const ChainId chain(number);

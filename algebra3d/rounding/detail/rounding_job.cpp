@@ -1,32 +1,17 @@
 #include "algebra3d/rounding/detail/rounding_job.h"
 
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
 #include <utility>
-#include <vector>
 
-#include "algebra3d/halfedge/boxes.h"
-#include "algebra3d/halfedge/circulators.h"
-#include "algebra3d/halfedge/topology.h"
-#include "algebra3d/rounding/detail/cell_cover.h"
-#include "algebra3d/rounding/detail/met_cells.h"
 #include "algebra3d/rounding/detail/snap_rounding.h"
-#include "algebra3d/rounding/detail/vertex_removal.h"
-#include "algebra3d/validity/contacts.h"
 
 namespace algebra3d {
-namespace {
 
-/// Vertices no farther from the surface than so many spacings are superfluous. With one, a chain of 2000 turned
-/// intersections has twice as many triangles as it needs, with two a third more.
-constexpr double kSuperfluous = 2;
-
-/// Among so many cells at its boundary one within a solid is looked for, before the solid may vanish.
-constexpr std::size_t kSearchedCells = 10'000;
-
-}  // namespace
+Result<RoundingCandidate> with_moved_vertices(const TriangleMesh& mesh, const RoundedVertices& vertices,
+                                              const std::atomic<bool>* cancel) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(SnappedMesh moved, moved_mesh(mesh, vertices.points, cancel));
+  return RoundingCandidate{std::move(moved.mesh), rounded_up(vertices.largest_movement + moved.largest_detour)};
+}
 
 Result<RoundingCandidate> snap_rounded(const TriangleMesh& mesh, const RoundedVertices& vertices,
                                        const std::atomic<bool>* cancel) {
@@ -37,80 +22,18 @@ Result<RoundingCandidate> snap_rounded(const TriangleMesh& mesh, const RoundedVe
                            method};
 }
 
-RoundingJob::RoundingJob(const TriangleMesh& solid, SolidPart part, const CoordinateGrid& grid,
+// Far out multiples of a grid are denser than doubles.
+RoundingJob::RoundingJob(const TriangleMesh& mesh, double size, const CoordinateGrid& grid,
                          const std::atomic<bool>* cancel)
-    : solid_(solid),
-      part_(std::move(part)),
+    : mesh_(mesh),
       grid_(grid),
-      size_(largest_coordinate(solid)),
-      spacing_(grid.spacing_up_to(size_)),
+      size_(size),
+      spacing_(std::max(grid.spacing_up_to(size), CoordinateGrid::doubles().spacing_up_to(size))),
       cancel_(cancel),
-      vertices_(rounded_vertices(part_.mesh(), grid)) {
-  if (vertices_.are_finite) find_places_that_stay();
-}
+      vertices_(rounded_vertices(mesh, grid)) {}
 
-void RoundingJob::find_places_that_stay() {
-  std::vector<bool> is_at_moved_facet(mesh().vertex_count());
-  for (const FaceId face : faces(mesh())) {
-    const TriangleMesh::Triangle corners = mesh().triangle(face);
-    if (std::ranges::any_of(corners, [&](std::uint32_t v) { return vertices_.movements[v] > 0; }))
-      for (const std::uint32_t v : corners) is_at_moved_facet[v] = true;
-  }
-  places_that_stay_ = PointTable(mesh().vertex_count());
-  for (std::size_t v = 0; v < mesh().vertex_count(); ++v)
-    if (!is_at_moved_facet[v]) places_that_stay_.intern(mesh().points()[v]);
-}
-
-Result<bool> RoundingJob::may_vanish(double reach) const {
-  if (reach > kFirstReach * spacing_) return false;
-  if (!is_whole()) return true;  // the rest stays
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<MetCells> met,
-                             finest_met_cells(mesh(), grid_, kSearchedCells, cancel_));
-  if (!met) return true;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_inner_cell, CellCover(mesh(), *met).has_inner_cell(cancel_));
-  return !has_inner_cell;
-}
-
-Result<bool> RoundingJob::accept_as_it_is(const RoundingCandidate& candidate) {
-  if (candidate.mesh.is_empty()) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool may_be_empty, may_vanish(candidate.reach));
-    if (!may_be_empty) return false;
-  }
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, part_.is_valid_with(candidate.mesh, candidate.movement, cancel_));
-  if (!is_valid) return false;
-  if (!part_.keeps_shells_with(candidate.mesh)) result_.shells_before = connected_components(solid_).count;
-  result_.mesh = part_.solid_with(candidate.mesh);
-  if (result_.shells_before > 0) result_.shells_after = connected_components(*result_.mesh).count;
-  std::vector<bool> is_new(result_.mesh->face_count(), true);
-  std::fill_n(is_new.begin(), is_new.size() - candidate.mesh.face_count(), false);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto contacts, vertex_contacts(*result_.mesh, cancel_, is_new));
-  result_.contact_vertices = vertex_count_of(contacts);
-  result_.largest_movement = candidate.movement;
-  result_.reach = candidate.reach;
-  result_.method = candidate.method;
-  return true;
-}
-
-/// Without corners of facets with moved corners that lie on the surface or on an edge anyway, up to two spacings of
-/// the grid: rounding left them there, now or earlier. On a grid of multiples, which may be coarse for the solid, all
-/// stay.
-Result<RoundingCandidate> RoundingJob::without_superfluous(const RoundingCandidate& candidate) const {
-  if (!grid_.is_floating()) return candidate;
-  std::vector<bool> may_go;
-  may_go.reserve(candidate.mesh.vertex_count());
-  for (const Vec3& place : candidate.mesh.points().approx()) may_go.push_back(places_that_stay_.find(place) == kNone);
-  ALGEBRA3D_ASSIGN_OR_RETURN(TriangleMesh simpler,
-                             without_superfluous_vertices(candidate.mesh, may_go, kSuperfluous * spacing_, cancel_));
-  if (simpler.face_count() == candidate.mesh.face_count()) return candidate;
-  const double movement = candidate.movement + rounded_up(2 * kSuperfluous * spacing_);
-  return RoundingCandidate{std::move(simpler), movement, candidate.reach, candidate.method};
-}
-
-Result<bool> RoundingJob::accept(const RoundingCandidate& candidate) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const RoundingCandidate simpler, without_superfluous(candidate));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, accept_as_it_is(simpler));
-  if (is_valid || simpler.mesh.face_count() == candidate.mesh.face_count()) return is_valid;
-  return accept_as_it_is(candidate);
+std::size_t max_divided_pairs(const TriangleMesh& mesh) {
+  return 100 * mesh.face_count() + 100'000;
 }
 
 }  // namespace algebra3d

@@ -1,22 +1,22 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
+#include <optional>
 
 #include "algebra3d/base/error.h"
-#include "algebra3d/exact/point_table.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
 #include "algebra3d/rounding/coordinate_grid.h"
 #include "algebra3d/rounding/detail/rounded_vertices.h"
-#include "algebra3d/rounding/detail/solid_part.h"
-#include "algebra3d/rounding/rounded_solid.h"
+#include "algebra3d/rounding/detail/snapped_faces.h"
 #include "algebra3d/rounding/rounding_method.h"
 
 namespace algebra3d {
 
-/// A closed mesh on the grid that may be the rounded solid.
+/// A mesh on the grid that may be the rounded one.
 struct RoundingCandidate {
   TriangleMesh mesh;
-  double movement = 0;  ///< no point is farther from the given boundary, in coordinate units
+  double movement = 0;  ///< no point is farther from the given mesh, in coordinate units
   double reach = 0;     ///< within which features were joined, in coordinate units; 0 if none were
   RoundingMethod method = RoundingMethod::vertices_moved;
 };
@@ -24,49 +24,55 @@ struct RoundingCandidate {
 /// The smallest reach within which features are joined, in spacings of the grid.
 inline constexpr double kFirstReach = 2;
 
+/// The mesh with its vertices moved, and no more. Errors: interrupted.
+Result<RoundingCandidate> with_moved_vertices(const TriangleMesh& mesh, const RoundedVertices& vertices,
+                                              const std::atomic<bool>* cancel);
 /// The snap rounded mesh. Errors: interrupted.
 Result<RoundingCandidate> snap_rounded(const TriangleMesh& mesh, const RoundedVertices& vertices,
                                        const std::atomic<bool>* cancel);
 
-/// The rounding of a solid, or of a part of it, while methods make candidates: what is given, and the first candidate
-/// that was proved.
+/// The rounding of a mesh while methods make candidates: what is given, and the first candidate that was proved. What
+/// differs between solids and surfaces is told by the classes that derive from this (solid_rounding.h,
+/// surface_rounding.h).
 class RoundingJob {
  public:
-  /// The solid must outlive this.
-  RoundingJob(const TriangleMesh& solid, SolidPart part, const CoordinateGrid& grid, const std::atomic<bool>* cancel);
+  RoundingJob(const RoundingJob&) = delete;
+  RoundingJob& operator=(const RoundingJob&) = delete;
+  virtual ~RoundingJob() = default;
 
-  /// The mesh that is to be rounded: the solid or a part of it.
-  const TriangleMesh& mesh() const { return part_.mesh(); }
-  bool is_whole() const { return part_.is_whole(); }
+  /// The mesh that is to be rounded: a solid, a part of one, or a surface.
+  const TriangleMesh& mesh() const { return mesh_; }
   const RoundedVertices& vertices() const { return vertices_; }
   const CoordinateGrid& grid() const { return grid_; }
-  double size() const { return size_; }  ///< the largest coordinate of the solid
-  /// The spacing of the grid there.
+  double size() const { return size_; }  ///< the largest coordinate of what is given
+  /// The spacing of the numbers of the grid there.
   double spacing() const { return spacing_; }
   const std::atomic<bool>* cancel() const { return cancel_; }
 
-  /// Proves the candidate; true if it is valid, and the result from now on. First its form without superfluous vertices
-  /// is tried. An empty one is refused if a wider reach than the first one was needed, or if a cell of the grid lies
-  /// within the solid: nothing may vanish altogether that is thicker than the grid.
-  Result<bool> accept(const RoundingCandidate& candidate);
+  /// True unless the rest of a solid is passed on as it is.
+  virtual bool is_whole() const { return true; }
+  /// The rule for triangles with the same corners.
+  virtual Folded folded() const = 0;
+  /// A candidate's mesh divided where it crosses itself; of a solid the cells that are inside. Nothing if that is too
+  /// much. Errors: interrupted.
+  virtual Result<std::optional<TriangleMesh>> divided(const TriangleMesh& mesh) const = 0;
+  /// Proves the candidate; true if it is valid, and the result from now on.
+  virtual Result<bool> accept(const RoundingCandidate& candidate) = 0;
 
-  /// The last accepted candidate, put in place of the part; nothing is known of the vertices that moved.
-  RoundedSolid&& result() { return std::move(result_); }
+ protected:
+  /// The mesh must outlive this. `size`: the largest coordinate of what is given, of which the mesh may be a part.
+  RoundingJob(const TriangleMesh& mesh, double size, const CoordinateGrid& grid, const std::atomic<bool>* cancel);
 
  private:
-  void find_places_that_stay();
-  Result<bool> may_vanish(double reach) const;
-  Result<RoundingCandidate> without_superfluous(const RoundingCandidate& candidate) const;
-  Result<bool> accept_as_it_is(const RoundingCandidate& candidate);
-
-  const TriangleMesh& solid_;
-  SolidPart part_;
+  const TriangleMesh& mesh_;
   CoordinateGrid grid_;
   double size_, spacing_;
   const std::atomic<bool>* cancel_;
   RoundedVertices vertices_;
-  PointTable places_that_stay_;  // of vertices of the part of which no facet has a moved corner
-  RoundedSolid result_;
 };
+
+/// A limit of the pairs of triangles that may touch where a mesh is divided. If a rounding has folded them, all may do
+/// so; that is hopeless.
+std::size_t max_divided_pairs(const TriangleMesh& mesh);
 
 }  // namespace algebra3d

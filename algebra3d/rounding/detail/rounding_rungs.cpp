@@ -8,8 +8,6 @@
 #include <set>
 #include <utility>
 
-#include "algebra3d/arrangement/operand.h"
-#include "algebra3d/autorefinement/winding_selection.h"
 #include "algebra3d/halfedge/circulators.h"
 #include "algebra3d/rounding/detail/cell_cover.h"
 #include "algebra3d/rounding/detail/coplanar_snapping.h"
@@ -38,35 +36,21 @@ constexpr int kGridStep = 4;
 constexpr int kCoarsestGrid = 20;
 constexpr double kReachOnCoarserGrids = 4;
 
-/// A limit of the pairs of triangles that may touch. If a rounding has folded them, all may do so; that is hopeless.
-std::size_t max_pairs(const TriangleMesh& mesh) {
-  return 100 * mesh.face_count() + 100'000;
-}
-
 /// A limit of the triangles of what is divided again.
-std::size_t max_faces(const TriangleMesh& solid) {
-  return solid.face_count() + solid.face_count() / 4 + 250;
+std::size_t max_faces(const TriangleMesh& given) {
+  return given.face_count() + given.face_count() / 4 + 250;
 }
 
-/// Divides the mesh at its crossings, and keeps the cells with a positive winding number. Nothing if that is too much.
-Result<std::optional<TriangleMesh>> positive_cells(const TriangleMesh& mesh, const std::atomic<bool>* cancel) {
-  const auto is_inside = [](int winding) { return winding > 0; };
-  auto solid = solid_by_winding(mesh, is_inside, cancel, {Closure::together, max_pairs(mesh)});
-  if (!solid.ok() && solid.error().code == ErrorCode::limit_exceeded) return std::optional<TriangleMesh>();
-  if (!solid.ok()) return std::move(solid).error();
-  return std::optional(*std::move(solid));
-}
-
-/// Selects cells, and rounds the new corners. False if that is too much.
-Result<bool> select_cells(RoundingCandidate& candidate, const CoordinateGrid& grid, const std::atomic<bool>* cancel) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<TriangleMesh> solid, positive_cells(candidate.mesh, cancel));
-  if (!solid) return false;
-  const RoundedVertices vertices = rounded_vertices(*solid, grid);
+/// Divides the candidate at its crossings, and rounds the new corners. False if that is too much.
+Result<bool> divide(const RoundingJob& job, RoundingCandidate& candidate, const CoordinateGrid& grid) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<TriangleMesh> divided, job.divided(candidate.mesh));
+  if (!divided) return false;
+  const RoundedVertices vertices = rounded_vertices(*divided, grid);
   if (vertices.moved == 0) {
-    candidate.mesh = *std::move(solid);
+    candidate.mesh = *std::move(divided);
     return true;
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(RoundingCandidate snapped, snap_rounded(*solid, vertices, cancel));
+  ALGEBRA3D_ASSIGN_OR_RETURN(RoundingCandidate snapped, snap_rounded(*divided, vertices, job.cancel()));
   candidate.mesh = std::move(snapped.mesh);
   candidate.movement += snapped.movement;
   return true;
@@ -74,32 +58,28 @@ Result<bool> select_cells(RoundingCandidate& candidate, const CoordinateGrid& gr
 
 }  // namespace
 
-Result<bool> divide_at_crossings(RoundingJob& job) {
-  TriangleMesh solid = job.mesh();
-  double moved_before = 0;
-  for (int i = 0; i < kMaxDivisions && solid.face_count() <= max_faces(job.mesh()); ++i) {
-    const RoundedVertices vertices = rounded_vertices(solid, job.grid());
-    ALGEBRA3D_ASSIGN_OR_RETURN(SnappedMesh snapped, moved_mesh(solid, vertices.points, job.cancel()));
-    const double movement = moved_before + rounded_up(vertices.largest_movement + snapped.largest_detour);
-    const RoundingMethod method = i == 0 ? RoundingMethod::vertices_moved : RoundingMethod::crossings_divided;
-    const RoundingCandidate candidate{std::move(snapped.mesh), movement, 0, method};
+Result<bool> divide_at_crossings(RoundingJob& job, RoundingCandidate candidate) {
+  for (int i = 0; i < kMaxDivisions; ++i) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<TriangleMesh> divided, job.divided(candidate.mesh));
+    if (!divided || divided->face_count() > max_faces(job.mesh())) return false;
+    const double moved_before = candidate.movement;
+    ALGEBRA3D_ASSIGN_OR_RETURN(candidate,
+                               with_moved_vertices(*divided, rounded_vertices(*divided, job.grid()), job.cancel()));
+    candidate.movement += moved_before;
+    candidate.method = RoundingMethod::crossings_divided;
     ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_accepted, job.accept(candidate));
     if (is_accepted) return true;
-    ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<TriangleMesh> cells, positive_cells(candidate.mesh, job.cancel()));
-    if (!cells) return false;
-    solid = *std::move(cells);
-    moved_before = movement;
   }
   return false;
 }
 
 Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, const CoordinateGrid& grid,
                            double largest_reach) {
-  const double spacing = grid.spacing_up_to(job.size());
+  const double spacing = std::max(grid.spacing_up_to(job.size()), job.spacing());
   std::size_t most_crossings = SIZE_MAX;
   for (int turn = 0; turn < kMaxTurns; ++turn) {
     ALGEBRA3D_ASSIGN_OR_RETURN(FeatureSnappedMesh joined,
-                               snap_features(candidate.mesh, grid, spacing, largest_reach, job.cancel()));
+                               snap_features(candidate.mesh, grid, spacing, largest_reach, job.cancel(), job.folded()));
     candidate.mesh = std::move(joined.mesh);
     candidate.movement += joined.largest_displacement;
     candidate.reach = std::max(candidate.reach, joined.reach);
@@ -111,8 +91,8 @@ Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, const 
     const bool grows = candidate.mesh.face_count() > 2 * max_faces(job.mesh());
     if (!job.is_whole() || joined.crossings_before > most_crossings || grows) return false;
     most_crossings = joined.crossings_before / 2 + kToleratedCrossings;
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_selected, select_cells(candidate, grid, job.cancel()));
-    if (!is_selected) return false;
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_divided, divide(job, candidate, grid));
+    if (!is_divided) return false;
   }
   return false;
 }
@@ -136,8 +116,8 @@ Result<bool> join_coplanar(RoundingJob& job, const std::vector<bool>& crowded, d
   ALGEBRA3D_ASSIGN_OR_RETURN(SnappedMesh snapped, snap_round(job.mesh(), moved, job.cancel()));
   RoundingCandidate coplanar{std::move(snapped.mesh), rounded_up(farthest + snapped.largest_detour),
                              reach * job.spacing(), RoundingMethod::facets_made_coplanar};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_selected, select_cells(coplanar, job.grid(), job.cancel()));
-  return is_selected ? join_features(job, std::move(coplanar), job.grid(), largest_reach) : Result<bool>(false);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_divided, divide(job, coplanar, job.grid()));
+  return is_divided ? join_features(job, std::move(coplanar), job.grid(), largest_reach) : Result<bool>(false);
 }
 
 Result<bool> round_to_coarser_grids(RoundingJob& job) {

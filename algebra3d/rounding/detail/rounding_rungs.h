@@ -13,18 +13,18 @@
 namespace algebra3d {
 
 /// The rungs of the ladder above snap rounding. Each makes candidates until the job accepts one; false if it accepts
-/// none. All but join_features are for whole solids. Errors: interrupted, limit_exceeded.
+/// none. All but join_features are for the whole. Errors: interrupted, limit_exceeded.
 
-/// The rung that moves least: vertices move and no edge is led round any, then cells are selected, a few times. Best
-/// where the grid is coarse for the solid; where long thin triangles cross, they multiply.
-Result<bool> divide_at_crossings(RoundingJob& job);
+/// The rung that moves least: the candidate is divided at its crossings and new corners are rounded, a few times. Best
+/// where the grid is coarse for what is given; where long thin triangles cross, they multiply.
+Result<bool> divide_at_crossings(RoundingJob& job, RoundingCandidate candidate);
 
-/// Joins features that are nearly one, up to a reach in spacings of the grid, and selects cells, in turns, as long as
-/// no more than some half of the crossings are left. `grid`: that of the candidate, the job's or a coarser one.
+/// Joins features that are nearly one, up to a reach in spacings of the grid, and divides at crossings, in turns, as
+/// long as no more than some half of the crossings are left. `grid`: that of the candidate, the job's or a coarser one.
 Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, const CoordinateGrid& grid,
                            double largest_reach);
 
-/// Which vertices of the solid are corners of triangles that cross others after snap rounding.
+/// Which vertices of the mesh are corners of triangles that cross others after snap rounding.
 Result<std::vector<bool>> crowded_vertices(const RoundingJob& job, const TriangleMesh& snapped);
 
 /// Makes crowded facets exactly coplanar with others nearer than `reach`: facets that nearly lie upon each other and

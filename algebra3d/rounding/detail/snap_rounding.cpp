@@ -1,5 +1,6 @@
 #include "algebra3d/rounding/detail/snap_rounding.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <utility>
@@ -25,8 +26,7 @@ class SnapRounding {
  private:
   void add(const IndexTriangle& triangle);
   void add(PointId a, PointId b, PointId c) { add({a.index(), b.index(), c.index()}); }
-  bool fill(Projection plane, const std::vector<DirectedEdge>& outline,
-            const std::vector<IndexTriangle>& triangles) const;
+  bool fill(Projection plane, const FacetOutline& outline, const std::vector<IndexTriangle>& triangles) const;
   std::vector<IndexTriangle> old_triangles(CoplanarFacetId facet) const;
   bool add_triangulated(CoplanarFacetId facet);
   void add_moved(CoplanarFacetId facet);
@@ -37,15 +37,17 @@ class SnapRounding {
   std::vector<IndexTriangle> triangles_;
 };
 
-/// True if none of the triangles turns over, and all together have this boundary.
-bool SnapRounding::fill(Projection plane, const std::vector<DirectedEdge>& outline,
+/// True if none of the triangles turns over, and all together have this boundary and the slits as edges.
+bool SnapRounding::fill(Projection plane, const FacetOutline& outline,
                         const std::vector<IndexTriangle>& triangles) const {
   std::vector<DirectedEdge> sides;
   for (const auto& [a, b, c] : triangles) {
     if (outlines_.orientation(plane, PointId(a), PointId(b), PointId(c)) <= 0) return false;
     sides.insert(sides.end(), {{a, b}, {b, c}, {c, a}});
   }
-  return without_opposites(std::move(sides)) == outline;
+  if (!outline.slits.empty()) std::ranges::sort(sides);
+  const auto is_side = [&](const DirectedEdge& slit) { return std::ranges::binary_search(sides, slit); };
+  return std::ranges::all_of(outline.slits, is_side) && without_opposites(std::move(sides)) == outline.boundary;
 }
 
 void SnapRounding::add(const IndexTriangle& triangle) {
@@ -67,16 +69,15 @@ std::vector<IndexTriangle> SnapRounding::old_triangles(CoplanarFacetId facet) co
 bool SnapRounding::add_triangulated(CoplanarFacetId facet) {
   const Projection plane = outlines_.facets().projection(facet);
   const bool is_flipped = outlines_.facets().is_flipped(facet);
-  std::vector<DirectedEdge> edges = outlines_.outline(facet);
-  if (is_flipped) {
-    for (auto& [from, to] : edges) std::swap(from, to);
-    edges = without_opposites(std::move(edges));
-  }
+  FacetOutline outline = outlines_.outline(facet);
+  if (is_flipped) outline.reverse();
   std::vector<IndexTriangle> triangles = old_triangles(facet);
-  if (!fill(plane, edges, triangles)) {
+  if (!fill(plane, outline, triangles)) {
     triangles.clear();
+    std::vector<DirectedEdge> edges = outline.boundary;
+    edges.insert(edges.end(), outline.slits.begin(), outline.slits.end());
     const bool is_region = triangulate_by_sweep(outlines_.points().table, plane, edges, triangles);
-    if (!is_region || !fill(plane, edges, triangles)) return false;
+    if (!is_region || !fill(plane, outline, triangles)) return false;
   }
   for (const auto& [a, b, c] : triangles) triangles_.push_back(is_flipped ? std::array{a, c, b} : std::array{a, b, c});
   return true;

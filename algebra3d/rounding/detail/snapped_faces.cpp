@@ -170,7 +170,7 @@ void SnappedFaces::tie_to_given(const Face& face) {
   for (const PointId corner : face.corners) ties_.unite(corner, face.corners[0]);
 }
 
-void SnappedFaces::merge(FeatureJoins& joins) {
+Status SnappedFaces::merge(FeatureJoins& joins, const Monitor& monitor) {
   DisjointIds<PointId> sets(table_.size());
   for (const auto& [a, b] : joins.merged) sets.unite(a, b);
   std::vector<std::size_t> changing;
@@ -183,6 +183,7 @@ void SnappedFaces::merge(FeatureJoins& joins) {
   std::ranges::sort(changing);
   changing.erase(std::unique(changing.begin(), changing.end()), changing.end());
   for (const std::size_t f : changing) {
+    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
     Face face = faces_[f];
     for (std::size_t i = 0; i < 3; ++i) {
       const PointId old = face.corners[i], merged = sets.find(old);
@@ -198,6 +199,7 @@ void SnappedFaces::merge(FeatureJoins& joins) {
     for (const PointId p : points) led[ordered(sets.find(edge.first), sets.find(edge.second))].push_back(sets.find(p));
   joins.led = std::move(led);
   for (auto& [face, p] : joins.divided) p = sets.find(p);
+  return {};
 }
 
 void SnappedFaces::sort_along(const PointPair& edge, std::vector<PointId>& points) const {
@@ -248,9 +250,10 @@ void SnappedFaces::triangulate(std::size_t given, const Chain& ab, const Chain& 
 }
 
 /// Leads edges, in all faces along them.
-void SnappedFaces::lead(FeatureJoins& joins) {
+Status SnappedFaces::lead(FeatureJoins& joins, const Monitor& monitor) {
   std::vector<std::size_t> changing;
   for (auto& [edge, points] : joins.led) {
+    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
     sort_along(edge, points);
     if (points.empty() || edge.first == edge.second) continue;
     const std::vector<std::size_t> along = faces_along(edge);
@@ -265,7 +268,11 @@ void SnappedFaces::lead(FeatureJoins& joins) {
     triangulate(face.given, chain(a, b, joins), chain(b, c, joins), chain(c, a, joins), parts);
   }
   for (const std::size_t f : changing) take_away(f);
-  for (const Face& part : parts) add(part);
+  for (const Face& part : parts) {
+    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    add(part);
+  }
+  return {};
 }
 
 /// Divides a face in three.
@@ -276,12 +283,15 @@ void SnappedFaces::divide(std::size_t face, PointId point) {
   for (std::size_t i = 0; i < 3; ++i) add(part_of(old.given, corner(old, i), corner(old, (i + 1) % 3), inner));
 }
 
-void SnappedFaces::apply(FeatureJoins joins) {
-  if (!joins.merged.empty()) merge(joins);
-  lead(joins);
-  for (const auto& [face, point] : joins.divided)
+Status SnappedFaces::apply(FeatureJoins joins, const Monitor& monitor) {
+  if (!joins.merged.empty()) ALGEBRA3D_RETURN_IF_ERROR(merge(joins, monitor));
+  ALGEBRA3D_RETURN_IF_ERROR(lead(joins, monitor));
+  for (const auto& [face, point] : joins.divided) {
+    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
     if (faces_[face].is_there) divide(face, point);
+  }
   tidy_lists();
+  return {};
 }
 
 void SnappedFaces::restore(std::span<const PointId> clusters) {

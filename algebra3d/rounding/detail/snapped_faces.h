@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "algebra3d/base/disjoint_ids.h"
+#include "algebra3d/base/error.h"
 #include "algebra3d/base/id_vector.h"
 #include "algebra3d/base/indices.h"
+#include "algebra3d/base/monitor.h"
 #include "algebra3d/exact/point_table.h"
 #include "algebra3d/exact/predicates.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
@@ -80,8 +82,8 @@ class SnappedFaces {
   void close_all_but(std::vector<std::size_t> faces);
 
   /// Merges points, then leads edges, in all faces along them, through points, in the order along the edge, then
-  /// divides those faces that have not changed otherwise.
-  void apply(FeatureJoins joins);
+  /// divides those faces that have not changed otherwise. Errors: interrupted; then the faces mean nothing.
+  Status apply(FeatureJoins joins, const Monitor& monitor = {});
 
   /// The cluster of a point, as one of its points.
   PointId cluster_of(PointId point) { return ties_.find(point); }
@@ -132,8 +134,8 @@ class SnappedFaces {
   void tidy_lists();
 
   void tie_to_given(const Face& face);
-  void merge(FeatureJoins& joins);
-  void lead(FeatureJoins& joins);
+  Status merge(FeatureJoins& joins, const Monitor& monitor);
+  Status lead(FeatureJoins& joins, const Monitor& monitor);
   void divide(std::size_t face, PointId point);
   void sort_along(const PointPair& edge, std::vector<PointId>& points) const;
   Chain chain(const Corner& from, const Corner& to, const FeatureJoins& joins) const;

@@ -1,5 +1,6 @@
 #include "algebra3d/validity/contacts.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <string>
@@ -7,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "algebra3d/rounding/divided_contacts.h"
+#include "algebra3d/validity/edge_contacts.h"
 #include "algebra3d/validity/validity.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/arrangement/set_operations.h"
@@ -78,6 +80,26 @@ TEST(VertexContacts, are_corners_after_division) {
   EXPECT_EQ(divided.points(), touched.points());
 }
 
+TEST(EdgeContacts, are_corners_after_division) {
+  const std::vector<TriangleMesh::Triangle> faces{{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}};
+  // Edges along y and along x cross in the origin.
+  const TriangleMesh below(PointArray(std::vector<Vec3>{{0, -1, 0}, {0, 1, 0}, {1, 0, -1}, {-1, 0, -1}}), faces);
+  const TriangleMesh above(PointArray(std::vector<Vec3>{{1, 0, 0}, {-1, 0, 0}, {0, -1, 1}, {0, 1, 1}}), faces);
+  const TriangleMesh touched = together({below, above});
+  ASSERT_EQ(prove_volume(touched)->text(), "");
+  const auto contacts = edge_contacts(touched, nullptr);
+  ASSERT_EQ(contacts->size(), 1U);
+  EXPECT_EQ((*contacts)[0].point, ExactPoint(Vec3{0, 0, 0}));
+  const TriangleMesh divided = divided_at_edge_contacts(touched, *contacts, CoordinateGrid::floats());
+  EXPECT_EQ(prove_volume(divided)->text(), "");
+  EXPECT_TRUE(edge_contacts(divided, nullptr)->empty());
+  EXPECT_EQ(divided.face_count(), touched.face_count() + 4);
+  EXPECT_EQ(divided.vertex_count(), touched.vertex_count() + 1);
+  const TriangleMesh same = divided_at_edge_contacts(
+      touched, {{(*contacts)[0].first, (*contacts)[0].second, ExactPoint(Vec3{0.3, 0, 0})}}, CoordinateGrid::floats());
+  EXPECT_EQ(same.face_count(), touched.face_count());
+}
+
 /// The contacts by CGAL: the vertices of pairs of triangles that share one point, a corner of one of them only; and the
 /// number of points where two edges cross.
 std::pair<std::set<Vec3>, int> contacts_by_cgal(const TriangleMesh& mesh) {
@@ -120,6 +142,15 @@ TEST(VertexContacts, of_tetrahedra_that_touch_are_those_of_all_pairs) {
     const TriangleMesh divided = divided_at_contacts(both, contacts);
     EXPECT_EQ(prove_volume(divided)->text(), "");
     EXPECT_EQ(contacts_by_cgal(divided), std::pair(std::set<Vec3>(), crossings));
+    const auto edges = edge_contacts(divided, nullptr);
+    ASSERT_TRUE(edges.ok());
+    EXPECT_EQ(edges->empty(), crossings == 0);
+    const TriangleMesh touching = divided_at_edge_contacts(divided, *edges, CoordinateGrid::doubles());
+    EXPECT_EQ(prove_volume(touching)->text(), "");
+    EXPECT_EQ(exact_volume_of(touching), exact_volume_of(both));
+    const bool are_on_grid = std::ranges::all_of(
+        *edges, [](const EdgeContact& contact) { return is_on_grid(contact.point, CoordinateGrid::doubles()); });
+    EXPECT_EQ(contacts_by_cgal(touching).second == 0, are_on_grid);
     contact_count += found.size();
     crossing_count += static_cast<std::size_t>(crossings);
   }

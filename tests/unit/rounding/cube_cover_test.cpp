@@ -8,6 +8,8 @@
 #include "algebra3d/halfedge/topology.h"
 #include "algebra3d/rounding/detail/met_cells.h"
 #include "algebra3d/rounding/detail/rounding_rungs.h"
+#include "algebra3d/rounding/detail/solid_part.h"
+#include "algebra3d/rounding/detail/solid_rounding.h"
 #include "algebra3d/rounding/detail/square_cover.h"
 #include "algebra3d/validity/validity.h"
 #include "unit/arrangement/random_solids.h"
@@ -93,7 +95,8 @@ TEST(CoarserGrids, round_close_spheres) {
   const AffineMap turn = *AffineMap::rotation(RationalVec3(Vec3{0, 0, 0}), RationalVec3(Vec3{1, 2, 3}), 1e-4);
   const TriangleMesh solid = SetOperations().subtract(
       sphere, mapped(sphere, [&](const Vec3& p) { return turn.apply_rounded(ExactPoint(p)); }));
-  RoundingJob job(solid, SolidPart(solid), CoordinateGrid::doubles(), nullptr);
+  const SolidPart whole(solid);
+  SolidRounding job(solid, whole, CoordinateGrid::doubles(), nullptr);
   const auto is_found = round_to_coarser_grids(job);
   ASSERT_TRUE(is_found.ok() && *is_found);
   const RoundedSolid rounded = job.result();

@@ -1,6 +1,7 @@
 #include "algebra3d/rounding/detail/feature_snapping.h"
 
 #include <algorithm>
+#include <atomic>
 #include <map>
 #include <utility>
 #include <vector>
@@ -75,7 +76,7 @@ TEST(SnappedFaces, stay_closed_and_near_whatever_is_joined) {
         joins.led[ordered(corners[0], corners[1])].push_back(any_point());
         joins.divided.emplace(any_face(), any_point());
       }
-      faces.apply(std::move(joins));
+      ASSERT_TRUE(faces.apply(std::move(joins)));
       EXPECT_TRUE(is_closed(faces));
       EXPECT_LE(faces.largest_displacement(), 2 * 1.01);  // the diameter
     }
@@ -87,11 +88,22 @@ TEST(SnappedFaces, edges_are_led_through_points_in_their_order) {
   const PointId from = faces.add_point({0, 0, 0}), to = faces.add_point({8, 0, 0});
   FeatureJoins joins;
   for (const double x : {6.0, 2.0, 4.0}) joins.led[ordered(from, to)].push_back(faces.add_point({x, -0.5, 0}));
-  faces.apply(std::move(joins));
+  ASSERT_TRUE(faces.apply(std::move(joins)));
   EXPECT_EQ(faces.size(), 12U + 2 * 3);
   EXPECT_NEAR(faces.largest_displacement(), 0.5, 1e-9);
   EXPECT_EQ(CrossingSearch(faces).find(nullptr)->size(), 0U);
   EXPECT_TRUE(is_closed(faces));
+}
+
+TEST(SnappedFaces, changes_end_when_they_are_cancelled) {
+  const std::atomic<bool> cancel = true;
+  SnappedFaces faces(box({0, 0, 0}, {8, 8, 8}));
+  FeatureJoins merging, leading, dividing;
+  merging.merged = {ordered(faces.add_point({0, 0, 0}), faces.add_point({8, 0, 0}))};
+  leading.led[ordered(faces.add_point({0, 0, 0}), faces.add_point({8, 0, 0}))] = {faces.add_point({4, 0, 0})};
+  dividing.divided = {{0, faces.add_point({1, 2, 0})}};
+  for (const FeatureJoins& joins : {merging, leading, dividing})
+    EXPECT_EQ(faces.apply(joins, &cancel).error().code, ErrorCode::interrupted);
 }
 
 TEST(SnappedFaces, opposite_triangles_vanish) {
@@ -100,7 +112,7 @@ TEST(SnappedFaces, opposite_triangles_vanish) {
   for (const double x : {0.0, 1.0})
     for (const double y : {0.0, 1.0})
       joins.merged.push_back(ordered(faces.add_point({x, y, 0}), faces.add_point({x, y, 1})));
-  faces.apply(std::move(joins));
+  ASSERT_TRUE(faces.apply(std::move(joins)));
   EXPECT_TRUE(is_closed(faces));
   EXPECT_LE(faces.size(), 4U);  // none, if both sides have the same diagonal
 }
@@ -110,7 +122,7 @@ TEST(SnappedFaces, of_a_restored_cluster_are_those_that_were_given) {
   const auto corner = [&](double at) { return faces.add_point({at, at, at}); };
   FeatureJoins joins;  // a corner of each box goes
   joins.merged = {ordered(corner(0), faces.add_point({1, 0, 0})), ordered(corner(5), faces.add_point({4, 5, 5}))};
-  faces.apply(std::move(joins));
+  ASSERT_TRUE(faces.apply(std::move(joins)));
   EXPECT_EQ(faces.size(), 20U);
   const std::vector<PointId> cluster = {faces.cluster_of(corner(0))};
   EXPECT_NE(faces.cluster_of(corner(5)), cluster[0]);

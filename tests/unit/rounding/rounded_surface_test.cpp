@@ -1,11 +1,15 @@
 #include "algebra3d/rounding/rounded_surface.h"
 
+#include <atomic>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "algebra3d/arrangement/surface_arrangement.h"
+#include "algebra3d/exact/affine_map.h"
 #include "algebra3d/halfedge/boxes.h"
 #include "algebra3d/validity/validity.h"
 #include "unit/arrangement/random_solids.h"
@@ -71,12 +75,67 @@ TriangleMesh sheets(const std::vector<Vec3>& corners) {
   return {PointArray(corners), triangles};
 }
 
+/// The union of triangles that cross.
+TriangleMesh united_sheets(const std::vector<std::vector<Vec3>>& triangles) {
+  std::vector<TriangleMesh> meshes;
+  for (const std::vector<Vec3>& corners : triangles) meshes.push_back(sheets(corners));
+  std::vector<Operand> operands;
+  for (const TriangleMesh& mesh : meshes) operands.push_back({&mesh, 0});
+  return unite_surfaces(operands).value();
+}
+
+/// A surface and a copy of it that is turned by a small angle about an axis which is not parallel to any coordinate
+/// plane.
+TriangleMesh with_turned_copy(const TriangleMesh& surface, double degrees) {
+  const auto map = AffineMap::rotation(RationalVec3(Vec3{0, 0, 0}), RationalVec3(Vec3{1, 2, 3}), degrees);
+  PointArray points;
+  for (std::size_t v = 0; v < surface.vertex_count(); ++v) points.push_back(map->apply_rounded(surface.points()[v]));
+  const TriangleMesh turned(std::move(points), triangles_of(surface));
+  return both_surfaces(surface, turned);
+}
+
+void expect_rounded_nearby(const TriangleMesh& surface, const CoordinateGrid& grid) {
+  const auto rounded = rounded_surface(surface, grid);
+  ASSERT_TRUE(rounded.ok() && rounded->mesh);
+  EXPECT_EQ(prove_surface(*rounded->mesh)->text(), "");
+  EXPECT_LE(rounded->mesh->face_count(), 2 * surface.face_count());
+  EXPECT_LE(rounded->largest_movement, 64 * grid.spacing_up_to(largest_coordinate(surface)));
+}
+
+// Where one sheet ended within another one, rounding forgot the edge in which they meet: so nearly coplanar triangles
+// crossed all along it, features were joined within 2^20 spacings, and triangles multiplied.
+TEST(RoundedSurface, of_sheets_and_a_copy_turned_by_a_hair_moves_by_a_hair) {
+  const TriangleMesh two = united_sheets({{{1, -1, 1}, {0, 1, 0}, {1, 2, 2}}, {{0, 0, 3}, {3, 1, 2}, {1, 2, -3}}});
+  const TriangleMesh three = united_sheets(
+      {{{0, 3, 3}, {1, 0, 3}, {1, 2, 2}}, {{1, 2, 1}, {-3, -2, -3}, {0, 3, 2}}, {{0, 3, 3}, {3, 3, 0}, {0, -3, 3}}});
+  const TriangleMesh others = united_sheets({{{2, -1, -2}, {1, 2, 2}, {1, -1, 1}},
+                                             {{1, 1, -2}, {-1, -3, 1}, {-2, -1, 3}},
+                                             {{3, -1, 1}, {-2, 3, -2}, {3, -1, 0}}});
+  expect_rounded_nearby(with_turned_copy(two, 1e-7), CoordinateGrid::doubles());
+  expect_rounded_nearby(with_turned_copy(three, 1e-10), CoordinateGrid::doubles());
+  expect_rounded_nearby(with_turned_copy(others, 1e-7), CoordinateGrid::doubles());
+}
+
 TEST(RoundedSurface, sheets_that_come_to_lie_upon_each_other_become_one) {
   const TriangleMesh two = sheets({{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {0, 0, 0.25}, {0, 8, 0.25}, {8, 0, 0.25}});
   const auto rounded = rounded_surface(two, CoordinateGrid::multiples(1));
   ASSERT_TRUE(rounded.ok() && rounded->mesh) << rounded->reason;
   EXPECT_EQ(area_of(*rounded->mesh), 32);
   EXPECT_EQ(prove_surface(*rounded->mesh)->text(), "");
+}
+
+// An edge led round the third corner, which lies within the movements of both, would close the triangle.
+TEST(RoundedSurface, vertices_are_moved_before_edges_are_led_on_a_grid_of_multiples) {
+  const auto rounded = rounded_surface(sheets({{0, 0, 0.4}, {1, 0, 0.4}, {0, 1, 0.4}}), CoordinateGrid::multiples(1));
+  ASSERT_TRUE(rounded.ok() && rounded->mesh) << rounded->reason;
+  EXPECT_EQ(area_of(*rounded->mesh), 0.5);
+  EXPECT_EQ(rounded->method, RoundingMethod::vertices_moved);
+}
+
+TEST(RoundedSurface, ends_when_it_is_cancelled) {
+  const std::atomic<bool> cancel = true;
+  const TriangleMesh surface = with_turned_copy(united_sheets({{{1, -1, 1}, {0, 1, 0}, {1, 2, 2}}}), 1e-7);
+  EXPECT_EQ(rounded_surface(surface, CoordinateGrid::floats(), &cancel).error().code, ErrorCode::interrupted);
 }
 
 TEST(RoundedSurface, thinner_than_the_grid_vanishes_and_out_of_range_has_a_reason) {

@@ -1,0 +1,65 @@
+#include "algebra3d/rounding/detail/rounding_ladder.h"
+
+#include <vector>
+
+#include "algebra3d/rounding/detail/rounding_rungs.h"
+
+namespace algebra3d {
+namespace {
+
+/// Within which reach, in spacings of the grid, features are joined, and facets made coplanar: how far before other
+/// ways are tried, and at last. That of coplanar facets grows from rung to rung.
+constexpr double kModestReach = 32;
+constexpr double kLargestReach = 0x1p20;
+constexpr double kReachGrowth = 4;
+
+/// Only on a grid of multiples, which may be coarse: what edges led round vertices close may be as wide as a triangle.
+/// On other grids this gives the same as snap rounding, or triangles that cross.
+Result<bool> move_vertices(RoundingJob& job) {
+  if (job.grid().is_floating()) return false;
+  ALGEBRA3D_ASSIGN_OR_RETURN(const RoundingCandidate moved,
+                             with_moved_vertices(job.mesh(), job.vertices(), job.cancel()));
+  return job.accept(moved);
+}
+
+}  // namespace
+
+Result<bool> round_part(RoundingJob& job) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_moved, move_vertices(job));
+  if (is_moved) return true;
+  ALGEBRA3D_ASSIGN_OR_RETURN(const RoundingCandidate snapped, snap_rounded(job.mesh(), job.vertices(), job.cancel()));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_found, job.accept(snapped));
+  return is_found || !job.grid().is_floating() ? Result<bool>(is_found)
+                                               : join_features(job, snapped, job.grid(), kModestReach);
+}
+
+// Where the grid may be coarse for the solid, dividing comes before joining; else it would only take time.
+Result<bool> round_whole(RoundingJob& job) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(bool is_found, move_vertices(job));
+  if (is_found) return true;
+  ALGEBRA3D_ASSIGN_OR_RETURN(const RoundingCandidate snapped, snap_rounded(job.mesh(), job.vertices(), job.cancel()));
+  ALGEBRA3D_ASSIGN_OR_RETURN(is_found, job.accept(snapped));
+  if (!is_found && !job.grid().is_floating()) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const RoundingCandidate moved,
+                               with_moved_vertices(job.mesh(), job.vertices(), job.cancel()));
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, divide_at_crossings(job, moved));
+  }
+  if (!is_found) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_features(job, snapped, job.grid(), kModestReach));
+  }
+  if (is_found) return true;
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<bool> crowded, crowded_vertices(job, snapped.mesh));
+  double reach = kFirstReach;
+  for (; !is_found && reach <= kModestReach; reach *= kReachGrowth) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_coplanar(job, crowded, reach, kModestReach));
+  }
+  if (!is_found) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_features(job, snapped, job.grid(), kLargestReach));
+  }
+  for (; !is_found && reach <= kLargestReach; reach *= kReachGrowth) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(is_found, join_coplanar(job, crowded, reach, kLargestReach));
+  }
+  return is_found ? Result<bool>(true) : round_to_coarser_grids(job);
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <atomic>
+#include <optional>
+
+#include "algebra3d/base/error.h"
+#include "algebra3d/exact/point_table.h"
+#include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/rounding/coordinate_grid.h"
+#include "algebra3d/rounding/detail/rounding_job.h"
+#include "algebra3d/rounding/detail/solid_part.h"
+#include "algebra3d/rounding/rounded_solid.h"
+
+namespace algebra3d {
+
+/// The rounding of a solid, or of a part of it.
+class SolidRounding : public RoundingJob {
+ public:
+  /// The solid and the part must outlive this.
+  SolidRounding(const TriangleMesh& solid, const SolidPart& part, const CoordinateGrid& grid,
+                const std::atomic<bool>* cancel);
+
+  bool is_whole() const override { return part_.is_whole(); }
+  Folded folded() const override { return Folded::vanishes; }
+  /// The cells with a positive winding number.
+  Result<std::optional<TriangleMesh>> divided(const TriangleMesh& mesh) const override;
+  /// First the candidate's form without superfluous vertices is tried. An empty one is refused if a wider reach than
+  /// the first one was needed, or if a cell of the grid is found within the solid.
+  Result<bool> accept(const RoundingCandidate& candidate) override;
+
+  /// The last accepted candidate, put in place of the part; nothing is known of the vertices that moved.
+  RoundedSolid&& result() { return std::move(result_); }
+
+ private:
+  void find_places_that_stay();
+  Result<bool> may_vanish(double reach) const;
+  Result<RoundingCandidate> without_superfluous(const RoundingCandidate& candidate) const;
+  Result<bool> accept_as_it_is(const RoundingCandidate& candidate);
+
+  const TriangleMesh& solid_;
+  const SolidPart& part_;
+  PointTable places_that_stay_;  // of vertices of the part of which no facet has a moved corner
+  RoundedSolid result_;
+};
+
+}  // namespace algebra3d

@@ -1,0 +1,37 @@
+#include "algebra3d/rounding/detail/surface_rounding.h"
+
+#include <utility>
+
+#include "algebra3d/arrangement/surface_arrangement.h"
+#include "algebra3d/autorefinement/valid_parts.h"
+#include "algebra3d/halfedge/boxes.h"
+#include "algebra3d/validity/contacts.h"
+#include "algebra3d/validity/validity.h"
+
+namespace algebra3d {
+
+SurfaceRounding::SurfaceRounding(const TriangleMesh& surface, const CoordinateGrid& grid,
+                                 const std::atomic<bool>* cancel)
+    : RoundingJob(surface, largest_coordinate(surface), grid, cancel) {}
+
+Result<std::optional<TriangleMesh>> SurfaceRounding::divided(const TriangleMesh& mesh) const {
+  const Monitor monitor(cancel());
+  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidParts parts, ValidParts::make(mesh, monitor));
+  auto pieces = unite_surfaces(parts.operands(), monitor, {Closure::together, max_divided_pairs(mesh)});
+  if (!pieces.ok() && pieces.error().code == ErrorCode::limit_exceeded) return std::optional<TriangleMesh>();
+  if (!pieces.ok()) return std::move(pieces).error();
+  return std::optional(*std::move(pieces));
+}
+
+Result<bool> SurfaceRounding::accept(const RoundingCandidate& candidate) {
+  if (candidate.mesh.is_empty() && candidate.reach > kFirstReach * spacing()) return false;
+  const ProofOptions options{.thoroughness = Thoroughness::first_defect, .cancel = cancel()};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport report, prove_surface(candidate.mesh, options));
+  if (!report.is_valid()) return false;
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto contacts, vertex_contacts(candidate.mesh, cancel()));
+  result_ = RoundedSurface{candidate.mesh, "", 0, candidate.movement, candidate.method, vertex_count_of(contacts),
+                           candidate.reach};
+  return true;
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <atomic>
+#include <optional>
+
+#include "algebra3d/base/error.h"
+#include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/rounding/coordinate_grid.h"
+#include "algebra3d/rounding/detail/rounding_job.h"
+#include "algebra3d/rounding/rounded_surface.h"
+
+namespace algebra3d {
+
+/// The rounding of a surface.
+class SurfaceRounding : public RoundingJob {
+ public:
+  /// The surface must outlive this.
+  SurfaceRounding(const TriangleMesh& surface, const CoordinateGrid& grid, const std::atomic<bool>* cancel);
+
+  Folded folded() const override { return Folded::stays; }
+  /// All pieces, each once.
+  Result<std::optional<TriangleMesh>> divided(const TriangleMesh& mesh) const override;
+  /// An empty candidate is refused if a wider reach than the first one was needed.
+  Result<bool> accept(const RoundingCandidate& candidate) override;
+
+  /// The last accepted candidate; nothing is known of the vertices that moved.
+  RoundedSurface&& result() { return std::move(result_); }
+
+ private:
+  RoundedSurface result_;
+};
+
+}  // namespace algebra3d
