@@ -159,6 +159,7 @@ std::vector<int> shell_orientations(const TriangleMesh& mesh, std::span<const st
     sums[shell].add(mesh.corners(FaceId(face)), mesh.point(origins[shell]));
   }
   std::vector<int> signs;
+  signs.reserve(shell_count);
   for (const EstimatedSum& sum : sums) signs.push_back(sum.sign());
   if (std::ranges::find(signs, detail::kUndecided) == signs.end()) return signs;
   std::vector<LooseTriangles> undecided(shell_count);

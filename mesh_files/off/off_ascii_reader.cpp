@@ -17,7 +17,6 @@ namespace mesh_files {
 
 using algebra3d::AsciiCursor;
 using algebra3d::counted;
-using algebra3d::Error;
 using algebra3d::ErrorCode;
 using algebra3d::found_text;
 using algebra3d::is_blank;

@@ -20,7 +20,7 @@ class CellGrid {
       origin_[axis] = finite(region.min[axis]) / 4;
       longest = std::max(longest, finite(region.max[axis]) / 4 - origin_[axis]);
     }
-    scale_ = kCellsOnAxis / 2 / longest;
+    scale_ = 0.5 * kCellsOnAxis / longest;
   }
 
   /// False if the region is a point, or next to one.

@@ -154,6 +154,7 @@ void ParityEstimate::compare_along(const std::vector<Crossing>& given, const std
     bool is_of_solid;
   };
   std::vector<Event> events;
+  events.reserve(given.size() + solid.size());
   for (const Crossing& c : given) events.push_back({c.at, c.sign, false});
   for (const Crossing& c : solid) events.push_back({c.at, c.sign, true});
   std::ranges::sort(events, {}, [](const Event& e) { return std::tuple(e.at, e.is_of_solid); });

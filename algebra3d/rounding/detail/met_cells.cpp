@@ -62,7 +62,7 @@ class KeySet {
  private:
   bool is_within_budget() {
     std::ranges::sort(keys_);
-    keys_.erase(std::ranges::unique(keys_).begin(), keys_.end());
+    keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
     return keys_.size() <= budget_;
   }
 

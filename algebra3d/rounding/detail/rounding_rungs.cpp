@@ -1,6 +1,7 @@
 #include "algebra3d/rounding/detail/rounding_rungs.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -31,9 +32,10 @@ constexpr int kMaxDivisions = 4;
 constexpr int kMaxTurns = 6;
 constexpr std::size_t kToleratedCrossings = 20;
 
-/// How much coarser the grids get from one to the next, the coarsest one, and the reach there, in its spacings.
-constexpr double kCoarserGrids = 0x1p4;
-constexpr double kCoarsestGrid = 0x1p20;
+/// How much coarser the grids get from one to the next, and the coarsest one, as powers of two; and the reach there, in
+/// spacings of the coarser grid.
+constexpr int kGridStep = 4;
+constexpr int kCoarsestGrid = 20;
 constexpr double kReachOnCoarserGrids = 4;
 
 /// A limit of the pairs of triangles that may touch. If a rounding has folded them, all may do so; that is hopeless.
@@ -139,8 +141,8 @@ Result<bool> join_coplanar(RoundingJob& job, const std::vector<bool>& crowded, d
 }
 
 Result<bool> round_to_coarser_grids(RoundingJob& job) {
-  for (double factor = kCoarserGrids; factor <= kCoarsestGrid; factor *= kCoarserGrids) {
-    const double spacing = factor * job.spacing();
+  for (int exponent = kGridStep; exponent <= kCoarsestGrid; exponent += kGridStep) {
+    const double spacing = std::ldexp(job.spacing(), exponent);
     const CoordinateGrid coarser = CoordinateGrid::multiples(spacing);
     const RoundedVertices vertices = rounded_vertices(job.mesh(), coarser);
     if (!vertices.are_finite) return false;
