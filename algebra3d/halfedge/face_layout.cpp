@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "algebra3d/base/shrink.h"
+
 namespace algebra3d {
 
 PolygonLayout::PolygonLayout(LargeVector<std::uint32_t> starts) : starts_(std::move(starts)) {
@@ -12,7 +14,7 @@ PolygonLayout::PolygonLayout(LargeVector<std::uint32_t> starts) : starts_(std::m
   assert(std::ranges::adjacent_find(starts_, std::greater_equal<>()) == starts_.end());
   const std::size_t face_count = starts_.size() - 1;
   if (face_count == 0) {
-    starts_ = {};
+    starts_ = LargeVector<std::uint32_t>();  // `{}` would keep the memory
     return;
   }
   const std::uint32_t first_degree = starts_[1];
@@ -20,9 +22,10 @@ PolygonLayout::PolygonLayout(LargeVector<std::uint32_t> starts) : starts_(std::m
   for (std::size_t f = 1; f < face_count && is_common; ++f) is_common = starts_[f + 1] - starts_[f] == first_degree;
   if (is_common) {
     degree_ = first_degree;
-    starts_ = {};
+    starts_ = LargeVector<std::uint32_t>();  // `{}` would keep the memory
     return;
   }
+  shrink(starts_);
   faces_.reserve(starts_.back());
   for (std::size_t f = 0; f < face_count; ++f) faces_.resize(starts_[f + 1], static_cast<std::uint32_t>(f));
 }
