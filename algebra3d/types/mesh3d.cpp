@@ -10,6 +10,7 @@
 #include "algebra3d/types/coordinate_text.h"
 #include "algebra3d/types/described_type.h"
 #include "algebra3d/types/detail/codec_points.h"
+#include "algebra3d/types/detail/mesh_attribute_codec.h"
 
 namespace algebra3d {
 namespace {
@@ -128,8 +129,9 @@ class Mesh3dType final : public DescribedType {
   Mesh3dType()
       : DescribedType({.name = "mesh3d",
                        .doc = "Vertices with exact coordinates, and faces of three or more corners, which may be bent, "
-                              "may cross and may be non-manifold; numbered from 0.",
-                       .notation = "(((x y z)*) ((vertex vertex vertex+)*)), a vertex as its number",
+                              "may cross and may be non-manifold; numbered from 0. Elements may have attributes.",
+                       .notation = "(((x y z)*) ((vertex vertex vertex+)*)), a vertex as its number; perhaps with a "
+                                   "third list of attributes ((element \"name\" kind (value*))*)",
                        .example = "(((0.0 0.0 0.0) (1.0 0.0 0.0) (1.0 1.0 0.0) (0.0 1.0 0.0)) ((0 1 2 3)))",
                        .kinds = {Kind::data, Kind::spatial3d},
                        .is_large = true,
@@ -137,9 +139,10 @@ class Mesh3dType final : public DescribedType {
                        .coordinates = Coordinates::mesh}) {}
 
   Result<Value> from_nested(const NestedList& list, Context& /*context*/) const override {
-    if (!list.is_list() || list.elements().size() != 2 || !list.elements()[0].is_list() ||
-        !list.elements()[1].is_list())
-      return expected("((points) (faces))", list);
+    const auto is_list = [](const NestedList& part) { return part.is_list(); };
+    if (!list.is_list() || (list.elements().size() != 2 && list.elements().size() != 3) ||
+        !std::ranges::all_of(list.elements(), is_list))
+      return expected("((points) (faces)) or ((points) (faces) (attributes))", list);
     ALGEBRA3D_ASSIGN_OR_RETURN(PointArray points, points_from_nested(list.elements()[0]));
     LargeVector<std::uint32_t> corners;
     LargeVector<std::uint32_t> starts{0};
@@ -148,7 +151,10 @@ class Mesh3dType final : public DescribedType {
       ALGEBRA3D_RETURN_IF_ERROR(add_face(faces[f], f, points.size(), corners));
       starts.push_back(static_cast<std::uint32_t>(corners.size()));
     }
-    return Value::of(Mesh3d(PolygonMesh(std::move(points), PolygonLayout(std::move(starts)), std::move(corners))));
+    PolygonMesh mesh(std::move(points), PolygonLayout(std::move(starts)), std::move(corners));
+    if (list.elements().size() == 2) return Value::of(Mesh3d(std::move(mesh)));
+    ALGEBRA3D_ASSIGN_OR_RETURN(MeshAttributes attributes, attributes_from_nested(list.elements()[2], mesh));
+    return Value::of(Mesh3d(std::move(mesh), std::move(attributes)));
   }
 
   NestedList to_nested(const Value& value) const override {
@@ -163,11 +169,17 @@ class Mesh3dType final : public DescribedType {
       for (const VertexId v : vertices_of(mesh, f)) corners.push_back(NestedList(std::int64_t{v.index()}));
       all_faces.emplace_back(std::move(corners));
     }
-    return NestedList::list(NestedList(std::move(points)), NestedList(std::move(all_faces)));
+    if (attributes_of(value).is_empty())
+      return NestedList::list(NestedList(std::move(points)), NestedList(std::move(all_faces)));
+    return NestedList::list(NestedList(std::move(points)), NestedList(std::move(all_faces)),
+                            attributes_to_nested(attributes_of(value)));
   }
 
   std::strong_ordering compare(const Value& a, const Value& b) const override {
-    const PolygonMesh &p = mesh_of(a), &q = mesh_of(b);
+    const auto order = compare_meshes(mesh_of(a), mesh_of(b));
+    return std::is_eq(order) ? attributes_of(a) <=> attributes_of(b) : order;
+  }
+  static std::strong_ordering compare_meshes(const PolygonMesh& p, const PolygonMesh& q) {
     if (&p == &q) return std::strong_ordering::equal;
     if (const auto order = p.vertex_count() <=> q.vertex_count(); std::is_neq(order)) return order;
     if (const auto order = p.face_count() <=> q.face_count(); std::is_neq(order)) return order;
@@ -185,11 +197,12 @@ class Mesh3dType final : public DescribedType {
     for (const Vec3& p : mesh.points().approx())
       for (const double coordinate : {p.x, p.y, p.z}) result = combine_hashes(result, hash_real(coordinate));
     for (const std::uint32_t corner : mesh.origins()) result = combine_hashes(result, corner);
-    return result;
+    return combine_hashes(result, attributes_of(value).hash());
   }
 
   std::size_t heap_bytes(const Value& value) const override {
-    return 2 * object_bytes<Mesh3d>() + sizeof(PolygonMesh) + mesh_of(value).heap_bytes();
+    return 2 * object_bytes<Mesh3d>() + sizeof(PolygonMesh) + mesh_of(value).heap_bytes() +
+           attributes_of(value).heap_bytes();
   }
   GeometryHeader header(const Value& value) const override {
     return {value.get<Mesh3d>().box(), static_cast<std::uint32_t>(mesh_of(value).face_count())};
@@ -199,18 +212,23 @@ class Mesh3dType final : public DescribedType {
     ByteWriter writer(bytes);
     write_points(writer, mesh_of(value).points());
     write_faces(writer, mesh_of(value));
+    write_attributes(writer, attributes_of(value));
   }
   Result<Value> decode(std::string_view bytes, bool /*trusted*/) const override {
     ByteReader reader(bytes, name());
     PointArray points = read_points(reader);
     LargeVector<std::uint32_t> starts = read_starts(reader);
     LargeVector<std::uint32_t> corners = read_corners(reader, starts.empty() ? 0 : starts.back(), points.size());
+    ALGEBRA3D_RETURN_IF_ERROR(reader.status());
+    PolygonMesh mesh(std::move(points), PolygonLayout(std::move(starts)), std::move(corners));
+    MeshAttributes attributes = read_attributes(reader, mesh);
     ALGEBRA3D_RETURN_IF_ERROR(reader.finish());
-    return Value::of(Mesh3d(PolygonMesh(std::move(points), PolygonLayout(std::move(starts)), std::move(corners))));
+    return Value::of(Mesh3d(std::move(mesh), std::move(attributes)));
   }
 
  private:
   static const PolygonMesh& mesh_of(const Value& value) { return value.get<Mesh3d>().mesh(); }
+  static const MeshAttributes& attributes_of(const Value& value) { return value.get<Mesh3d>().attributes(); }
 };
 
 }  // namespace
@@ -225,6 +243,18 @@ Mesh3d::Mesh3d(PolygonMesh mesh) {
   assert(std::ranges::all_of(faces(mesh), [&](FaceId f) { return mesh.degree(f) >= 3; }));
   const Box3 box = box_around(mesh.points());
   content_ = std::make_shared<const Content>(Content{std::move(mesh), box});
+}
+
+Mesh3d::Mesh3d(PolygonMesh mesh, MeshAttributes attributes) : Mesh3d(std::move(mesh)) {
+  assert(attributes.fits(content_->mesh));
+  attributes_ = std::move(attributes);
+}
+
+Mesh3d Mesh3d::with_attributes(MeshAttributes attributes) const {
+  assert(attributes.fits(mesh()));
+  Mesh3d result = *this;
+  result.attributes_ = std::move(attributes);
+  return result;
 }
 
 const Type& TypeOf<Mesh3d>::type() {

@@ -4,6 +4,7 @@
 
 #include "algebra3d/halfedge/audit.h"
 #include "algebra3d/halfedge/circulators.h"
+#include "algebra3d/halfedge/nonmanifold_text.h"
 #include "algebra3d/halfedge/topology.h"
 #include "polygon_samples.h"
 #include "same_mesh.h"
@@ -188,6 +189,17 @@ TEST(PolygonMesh, damage_is_found) {
   MeshTester::opposites(open)[0] = 0xFFFFFFFF;
   ASSERT_EQ(audit(open).size(), 2U);
   EXPECT_TRUE(audit(open)[0].starts_with("half-edge 0: boundary, its edge demands opposite ")) << audit(open)[0];
+}
+
+TEST(PolygonMesh, nonmanifold_places_are_counted) {
+  const auto mesh_of = [](LargeVector<std::uint32_t> starts, LargeVector<std::uint32_t> corners) {
+    return PolygonMesh(PointArray(std::vector<Vec3>(9)), PolygonLayout(std::move(starts)), std::move(corners));
+  };
+  EXPECT_EQ(nonmanifold_text(PolygonMesh()), "");
+  EXPECT_EQ(nonmanifold_text(mesh_of({0, 4, 7}, {0, 1, 2, 3, 1, 0, 4})), "");
+  EXPECT_EQ(nonmanifold_text(mesh_of({0, 4, 7}, {0, 1, 2, 3, 0, 4, 5})), "1 non-manifold vertex (first 0)");
+  EXPECT_EQ(nonmanifold_text(mesh_of({0, 4, 7, 10}, {0, 1, 2, 3, 2, 1, 4, 1, 2, 5})),
+            "1 non-manifold edge (first between vertices 1 and 2) and 2 non-manifold vertices (first 1)");
 }
 
 TEST(PolygonMesh, copy_and_move_keep_everything) {

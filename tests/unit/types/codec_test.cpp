@@ -101,6 +101,8 @@ const std::vector<std::pair<const Type*, std::string_view>>& samples() {
       {&TypeOf<Mesh3d>::type(), "(((0 0 0) (1/3 1 1)) ())"},
       {&TypeOf<Mesh3d>::type(),
        "(((0 0 0) (1 0 0) (1 1/7 0) (0 1 2) (9 9 9)) ((3 2 1 0) (0 1 2) (0 0 4) (0 3 1) (0 1 2 3 2)))"},
+      {&TypeOf<Mesh3d>::type(),
+       "(((0 0 0) (1 0 0) (0 1 0)) ((0 1 2)) ((vertex \"W\" real (1 undefined 2)) (face \"M\" text ('a'))))"},
       {&TypeOf<Instant>::type(), R"("2011-07-08-14:00:00.001")"},
       {&TypeOf<Duration>::type(), "(-3 5)"},
       {&TypeOf<TimeInterval>::type(), "(-1 2.5 FALSE TRUE)"},

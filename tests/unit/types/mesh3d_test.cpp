@@ -37,10 +37,10 @@ TEST(mesh3d_text, what_is_printed_is_what_was_read) {
 }
 
 TEST(mesh3d_text, errors_name_the_place_and_what_was_expected) {
-  const std::string notation = "mesh3d: expected ((points) (faces)), got ";
+  const std::string notation = "mesh3d: expected ((points) (faces)) or ((points) (faces) (attributes)), got ";
   EXPECT_TRUE(error_of("()").starts_with(notation)) << error_of("()");
   EXPECT_TRUE(error_of("5").starts_with(notation)) << error_of("5");
-  EXPECT_TRUE(error_of("(() () ())").starts_with(notation)) << error_of("(() () ())");
+  EXPECT_TRUE(error_of("(() () () ())").starts_with(notation)) << error_of("(() () () ())");
   EXPECT_TRUE(error_of("(5 ())").starts_with(notation)) << error_of("(5 ())");
   EXPECT_EQ(error_of("(((0 0 0) (1 0 0)) ((0 1)))"),
             "mesh3d: face 0: expected the numbers of three or more vertices, got (0 1)");
@@ -53,6 +53,40 @@ TEST(mesh3d_text, errors_name_the_place_and_what_was_expected) {
   EXPECT_EQ(error_of("(((0 0 0) (1 0 0)) ((0 1 0.5)))"),
             "mesh3d: face 0: expected the number of a vertex below 2, got 0.5");
   EXPECT_TRUE(error_of("(((0 0 0) (1 0)) ())").starts_with("mesh3d: vertex 1")) << error_of("(((0 0 0) (1 0)) ())");
+}
+
+constexpr std::string_view kWithAttributes =
+    "(((0.0 0.0 0.0) (1.0 0.0 0.0) (0.0 1.0 0.0)) ((0 1 2)) ((vertex \"Weight\" real (1.5 undefined -2.0)) "
+    "(edge \"Seam\" text (undefined 'yes' 'no')) (halfedge \"Normal\" vector ((0.0 0.0 1.0) undefined (1.0 2.0 3.0))) "
+    "(halfedge \"TextureCoordinate\" pair ((0.0 0.5) (1.0 0.0) undefined)) (face \"Material\" text ('steel'))))";
+
+TEST(mesh3d_text, attributes_are_a_third_list) {
+  EXPECT_EQ(mesh_of(kWithAttributes).to_nested().print(), kWithAttributes);
+  EXPECT_EQ(mesh_of("(() () ())").to_nested().print(), "(() ())");
+  const auto with = [](const std::string& attributes) {
+    return error_of("(((0 0 0) (1 0 0) (0 1 0)) ((0 1 2)) (" + attributes + "))");
+  };
+  const std::string expected =
+      "mesh3d: attribute 0: expected (element \"name\" kind (values)) with the element vertex, edge, halfedge or face "
+      "and the kind real, pair, vector or text, got ";
+  EXPECT_EQ(with("5"), expected + "5");
+  EXPECT_EQ(with("(side \"a\" real ())"), expected + "(side \"a\" real ())");
+  EXPECT_EQ(with("(face \"a\" int ())"), expected + "(face \"a\" int ())");
+  EXPECT_EQ(with("(face \"a\" real (1 2))"), "mesh3d: attribute 0: expected 1 values, one for each face, got 2");
+  EXPECT_EQ(with("(face \"a\" pair (1))"), "mesh3d: attribute 0: value 0: expected 2 numbers, got 1");
+  EXPECT_EQ(with("(face \"a\" text (1))"), "mesh3d: attribute 0: value 0: expected a text, got 1");
+  EXPECT_EQ(with("(face \"a\" real (1)) (face \"a\" text ('b'))"),
+            "mesh3d: attribute 1: a second attribute \"a\" of the same elements");
+}
+
+TEST(mesh3d_order, counts_attributes) {
+  const Value plain = mesh_of("(((0 0 0) (1 0 0) (0 1 0)) ((0 1 2)))");
+  const Value attributed = mesh_of(kWithAttributes);
+  EXPECT_EQ(compare(plain, attributed), std::strong_ordering::less);
+  EXPECT_EQ(compare(attributed, mesh_of(kWithAttributes)), std::strong_ordering::equal);
+  EXPECT_EQ(hash(attributed), hash(mesh_of(kWithAttributes)));
+  EXPECT_NE(hash(attributed), hash(plain));
+  EXPECT_LT(heap_bytes(plain), heap_bytes(attributed));
 }
 
 TEST(mesh3d_text, box_and_size_are_those_of_vertices_and_faces) {
@@ -120,6 +154,26 @@ TEST(mesh3d_codec, meshes_come_back_number_by_number) {
     ASSERT_EQ(compare(*decoded, value), std::strong_ordering::equal);
     ASSERT_EQ(decoded->header().box, value.header().box);
     ASSERT_TRUE(audit(decoded->get<Mesh3d>().mesh()).empty());
+  }
+}
+
+TEST(mesh3d_codec, attributes_come_back_and_damage_never_crashes) {
+  const Value value = mesh_of(kWithAttributes);
+  const auto decoded = decode(mesh_type(), encode(value), Origin::elsewhere);
+  ASSERT_TRUE(decoded.ok()) << decoded.error().message;
+  EXPECT_EQ(decoded->to_nested().print(), kWithAttributes);
+  std::string body;
+  mesh_type().encode(value, body);
+  for (std::size_t length = 0; length < body.size(); ++length)
+    ASSERT_FALSE(mesh_type().decode(std::string_view(body).substr(0, length), false).ok()) << length;
+  for (std::size_t bit = 0; bit < 8 * body.size(); ++bit) {
+    std::string damaged = body;
+    damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << (bit % 8)));
+    const auto read = mesh_type().decode(damaged, false);
+    if (!read.ok()) continue;
+    const Mesh3d& mesh = read->get<Mesh3d>();
+    ASSERT_TRUE(mesh.attributes().fits(mesh.mesh()));
+    ASSERT_EQ(compare(*read, mesh_of(read->to_nested().print())), std::strong_ordering::equal);
   }
 }
 
