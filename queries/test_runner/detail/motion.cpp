@@ -235,11 +235,14 @@ Motion::Moved Motion::triangles(const NestedList& list) const {
   });
 }
 
+// Attributes stay: a case in which vectors are to turn says so.
 Motion::Moved Motion::mesh(const NestedList& list) const {
-  if (!list.is_list() || list.elements().size() != 2) return std::nullopt;
+  if (!list.is_list() || list.elements().size() < 2) return std::nullopt;
   auto moved = points(list.elements()[0]);
   if (!moved) return std::nullopt;
-  return NestedList::list(*std::move(moved), list.elements()[1]);
+  NestedList::List parts = list.elements();
+  parts[0] = *std::move(moved);
+  return NestedList(std::move(parts));
 }
 
 // The distance of a moved plane is no double as a rule; the form with a point is exact. Where the origin stays, the
