@@ -148,14 +148,14 @@ const std::string kUndefinedMesh = "(mesh3d undefined)";
 
 constexpr const char* kElements =
     "The elements are \"vertex\", \"edge\", \"halfedge\" or \"face\", numbered from 0; a half-edge keeps what belongs "
-    "to the corner of its face. ";
+    "to the corner of its face.";
 
 void register_setting(Registry& registry) {
   registry.add({
       .name = "withAttribute",
       .syntax = "withAttribute(_, _, _, _)",
-      .doc = "The mesh with a named attribute that has the same value for all its elements of a kind.",
-      .detail = std::string(kElements) + "An attribute with this name is replaced. Coordinates are rounded to doubles.",
+      .doc = "The mesh with a named value, the same one for all its elements of a kind.",
+      .detail = std::string(kElements) + " Values with this name are replaced. Coordinates are rounded to doubles.",
       .exactness = Exactness::rounded_once,
       .overloads = {overload<&with_attribute<double>>("mesh", "elements", "name", "value"),
                     overload<&with_attribute<Point2d>>("mesh", "elements", "name", "value"),
@@ -170,10 +170,10 @@ void register_setting(Registry& registry) {
   registry.add({
       .name = "setAttribute",
       .syntax = "setAttribute(_, _, _, _, _)",
-      .doc = "The mesh with another value of an attribute for one element.",
-      .detail = std::string(kElements) + "If there is no such attribute, it is undefined for all others. Coordinates "
-                                         "are rounded to doubles. Undefined if the number is no element, or if the "
-                                         "attribute has values of another kind.",
+      .doc = "The mesh with another named value of one element.",
+      .detail = std::string(kElements) +
+                " If there are no values with this name, those of all others are undefined. Coordinates are rounded to "
+                "doubles. Undefined if the number is no element, or if the values with this name are of another kind.",
       .exactness = Exactness::rounded_once,
       .overloads = {overload<&set_attribute<double>>("mesh", "elements", "name", "id", "value"),
                     overload<&set_attribute<Point2d>>("mesh", "elements", "name", "id", "value"),
@@ -190,7 +190,7 @@ void register_setting(Registry& registry) {
   registry.add({
       .name = "removeAttribute",
       .syntax = "removeAttribute(_, _, _)",
-      .doc = "The mesh without an attribute; the mesh itself if it has none with this name.",
+      .doc = "The mesh without the values with a name; the mesh itself if there are none.",
       .detail = kElements,
       .exactness = Exactness::exact,
       .overloads = {overload<&remove_attribute>("mesh", "elements", "name")},
@@ -211,8 +211,9 @@ void register_values(Registry& registry, const std::string& what, const std::str
   registry.add({
       .name = name,
       .syntax = name + "(_, _, _)",
-      .doc = fmt::format("The values of an attribute of {}, a row for each element (Id: int, Value: {}).", what, type),
-      .detail = std::string(kElements) + "Undefined if the mesh has no such attribute of this kind.",
+      .doc = fmt::format("The named values of elements that are {}, a row for each element (Id: int, Value: {}).", what,
+                         type),
+      .detail = std::string(kElements) + " Undefined if there are no values with this name, or of another kind.",
       .exactness = Exactness::exact,
       .overloads = {table<&value_rows<T>>({"Id", "Value"}, "mesh", "elements", "name")},
       .examples = std::move(examples),
@@ -227,7 +228,9 @@ void register_mesh_attributes(Registry& registry) {
   registry.add({
       .name = "attributes",
       .syntax = "attributes(_)",
-      .doc = "The attributes of a mesh, a row for each (Elements: string, Name: string, Kind: string, Defined: int).",
+      .doc = "The named values of the elements of a mesh, a row for each name (Elements: string, Name: string, Kind: "
+             "string, "
+             "Defined: int).",
       .detail = "Kind is real, pair, vector or text; Defined the number of elements with a value. In the order of "
                 "elements (vertex, edge, halfedge, face) and names.",
       .exactness = Exactness::exact,
