@@ -105,6 +105,8 @@ Status append_with_attributes(AtomicFile& file, const PolygonSoup& soup) {
 
 Status append_obj(AtomicFile& file, const PolygonSoup& soup, std::string_view name) {
   if (!name.empty()) ALGEBRA3D_RETURN_IF_ERROR(file.append(object_line(name)));
+  // A file without bytes is none for readers.
+  if (name.empty() && soup.points.empty()) ALGEBRA3D_RETURN_IF_ERROR(file.append("# no vertices\n"));
   std::string line;
   for (const Vec3& point : soup.points) {
     line = "v";
