@@ -47,6 +47,10 @@ struct MeshFormat {
   /// of AtomicFile.
   algebra3d::Status (*write)(const std::filesystem::path& path, const Facets& facets, std::string_view name,
                              Encoding encoding);
+  /// `read` with the attributes of polygons (PolygonSoup::attributes), which `write` then writes; null if the format
+  /// has none.
+  algebra3d::Result<MeshContent> (*read_with_attributes)(std::string_view bytes, std::string_view file_name,
+                                                         const std::atomic<bool>* cancel) = nullptr;
 
   /// The form with this encoding; null if there is none.
   [[nodiscard]] const FileForm* form(Encoding encoding) const;

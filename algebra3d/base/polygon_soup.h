@@ -3,10 +3,12 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "algebra3d/base/soup_attributes.h"
 #include "algebra3d/base/vec3.h"
 
 namespace algebra3d {
@@ -24,6 +26,8 @@ struct PolygonSoup {
   std::vector<std::uint32_t> corners;
   /// Name of the first object, as written; may be empty.
   std::string name;
+  /// Attributes of corners and faces, if they were asked for and the file has some; else null.
+  std::shared_ptr<const SoupAttributes> attributes = nullptr;
 
   [[nodiscard]] std::size_t face_count() const { return face_starts.size() - 1; }
   /// The corners of a face, at least 3 in soups from readers. Cost: constant.

@@ -1,9 +1,13 @@
 #include "algebra3d/constructions/value_images.h"
 
 #include <algorithm>
+#include <array>
+#include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "algebra3d/halfedge/circulators.h"
 #include "algebra3d/halfedge/mesh_image.h"
 #include "algebra3d/soup/weld.h"
 
@@ -93,6 +97,88 @@ Result<Maybe<T>> image_of_mesh(Context& context, const AffineMap& map, const T& 
   return exact_image_of_mesh(context, map, geometry);
 }
 
+/// The vertices of a mesh: all exact, or all rounded once.
+Result<Maybe<PointArray>> image_of_points(Context& context, const AffineMap& map, const PointArray& points) {
+  if (keeps_exact_image(map, points.exact_count() > 0)) return exact_images(map, points, context.cancel);
+  ALGEBRA3D_ASSIGN_OR_RETURN(RoundedPoints rounded, round_points(context, map, points));
+  if (!std::ranges::all_of(rounded.points, is_finite)) return Maybe<PointArray>(Undefined{kImageOutOfRange});
+  return Maybe<PointArray>(PointArray(std::move(rounded.points)));
+}
+
+LargeVector<std::uint32_t> image_corners(const AffineMap& map, const PolygonMesh& mesh) {
+  LargeVector<std::uint32_t> corners = mesh.origins();
+  if (map.orientation() >= 0) return corners;
+  for (const FaceId f : faces(mesh)) {
+    std::uint32_t* const first = corners.data() + mesh.halfedge(f).index();
+    std::reverse(first + 1, first + mesh.degree(f));
+  }
+  return corners;
+}
+
+/// The elements of a mesh of which the corners of all faces were reversed.
+ElementSources sources_of_reversed(const PolygonMesh& image, const PolygonMesh& mesh) {
+  ElementSources sources;
+  sources.vertices.resize(mesh.vertex_count());
+  std::iota(sources.vertices.begin(), sources.vertices.end(), 0U);
+  sources.faces.resize(mesh.face_count());
+  std::iota(sources.faces.begin(), sources.faces.end(), 0U);
+  std::vector<std::uint32_t> along;
+  for (const FaceId f : faces(mesh)) {
+    const std::uint32_t first = mesh.halfedge(f).index(), degree = mesh.degree(f);
+    for (std::uint32_t i = 0; i < degree; ++i) {
+      sources.halfedges.push_back(first + (degree - i) % degree);
+      along.push_back(first + degree - 1 - i);
+    }
+  }
+  sources.edges = edge_sources(image, mesh, along);
+  return sources;
+}
+
+/// The matrix of cofactors with the sign of the determinant, times a positive factor, rounded.
+std::array<Vec3, 3> rounded_cofactors(const AffineMap& map) {
+  const std::array<RationalVec3, 3>& rows = map.rows();
+  std::array<RationalVec3, 3> cofactors;
+  Rational largest(0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    cofactors[i] = cross(rows[(i + 1) % 3], rows[(i + 2) % 3]);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const Rational& entry = cofactors[i][axis];
+      largest = std::max(largest, entry.sign() < 0 ? -entry : entry);
+    }
+  }
+  std::array<Vec3, 3> rounded;
+  if (largest.sign() == 0) return rounded;
+  const Rational factor = Rational(map.orientation() < 0 ? -1 : 1) / largest;
+  for (std::size_t i = 0; i < 3; ++i) rounded[i] = ExactPoint(factor * cofactors[i]).approx();
+  return rounded;
+}
+
+/// Normals of the image, as long as they were: by the matrix of cofactors of the map, rounded.
+AttributeValues image_normals(const AffineMap& map, const AttributeValues& normals) {
+  const std::array<Vec3, 3> cofactors = rounded_cofactors(map);
+  AttributeValues images(AttributeKind::vector, normals.size());
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    if (!normals.is_defined(i)) continue;
+    const std::span<const double> n = normals.numbers(i);
+    const Vec3 given{n[0], n[1], n[2]};
+    const Vec3 turned{dot(cofactors[0], given), dot(cofactors[1], given), dot(cofactors[2], given)};
+    const double factor = length(given) / length(turned);
+    images.set(i, std::array{turned.x * factor, turned.y * factor, turned.z * factor});
+  }
+  return images;
+}
+
+/// The attributes of the image of a mesh: the same, except that vectors called Normal turn with the faces.
+MeshAttributes image_attributes(const AffineMap& map, const Mesh3d& mesh, const PolygonMesh& image) {
+  MeshAttributes attributes = mesh.attributes();
+  if (map.orientation() < 0) attributes = taken_over(attributes, sources_of_reversed(image, mesh.mesh()));
+  for (const MeshElement element : kMeshElements)
+    if (const MeshAttribute* const normals = attributes.find(element, kNormalAttribute);
+        normals != nullptr && normals->values->kind() == AttributeKind::vector)
+      attributes = attributes.with(element, kNormalAttribute, image_normals(map, *normals->values));
+  return attributes;
+}
+
 Result<Maybe<Region>> exact_image_of(Context& context, const AffineMap& map, const Region& region) {
   Polygons image = region.polygons();
   ALGEBRA3D_ASSIGN_OR_RETURN(auto corners, exact_images(map, image.corners, context.cancel));
@@ -166,6 +252,15 @@ Result<Maybe<Surface3d>> image_of(Context& context, const AffineMap& map, const 
 
 Result<Maybe<Volume3d>> image_of(Context& context, const AffineMap& map, const Volume3d& solid) {
   return image_of_mesh(context, map, solid);
+}
+
+Result<Maybe<Mesh3d>> image_of(Context& context, const AffineMap& map, const Mesh3d& mesh) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(auto points, image_of_points(context, map, mesh.mesh().points()));
+  if (!points) return Maybe<Mesh3d>(Undefined{points.reason()});
+  PolygonMesh image(*std::move(points), mesh.mesh().layout(), image_corners(map, mesh.mesh()));
+  if (mesh.attributes().is_empty()) return Maybe<Mesh3d>(Mesh3d(std::move(image)));
+  MeshAttributes attributes = image_attributes(map, mesh, image);
+  return Maybe<Mesh3d>(Mesh3d(std::move(image), std::move(attributes)));
 }
 
 Result<Maybe<Region>> image_of(Context& context, const AffineMap& map, const Region& region) {

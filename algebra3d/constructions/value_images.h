@@ -5,6 +5,7 @@
 #include "algebra3d/base/context.h"
 #include "algebra3d/base/error.h"
 #include "algebra3d/exact/affine_map.h"
+#include "algebra3d/types/mesh3d.h"
 #include "algebra3d/types/moving_region.h"
 #include "algebra3d/types/planar.h"
 #include "algebra3d/types/spatial.h"
@@ -16,6 +17,9 @@ namespace algebra3d {
 //   or region invalid, the exact image is kept, with a diagnostic.
 // - A value with other exact coordinates: the exact image, if the matrix of the map is dyadic
 //   (AffineMap::has_dyadic_matrix); else rounded as above. In a set this is decided per point.
+// - A mesh3d is always valid: only the kind of its coordinates decides. A singular map flattens it, a map that mirrors
+//   reverses the corners of its faces, the first one stays. Attributes are kept; vectors called Normal turn with the
+//   faces and keep their length, rounded.
 // Undefined if a coordinate of the image is beyond the range of doubles, and for a surface, solid or region under a
 // singular map. Errors: interrupted. Maps of regions keep the plane z = 0.
 
@@ -23,6 +27,7 @@ Result<Maybe<Point3d>> image_of(Context& context, const AffineMap& map, const Po
 Result<Maybe<Points3d>> image_of(Context& context, const AffineMap& map, const Points3d& points);
 Result<Maybe<Surface3d>> image_of(Context& context, const AffineMap& map, const Surface3d& surface);
 Result<Maybe<Volume3d>> image_of(Context& context, const AffineMap& map, const Volume3d& solid);
+Result<Maybe<Mesh3d>> image_of(Context& context, const AffineMap& map, const Mesh3d& mesh);
 Result<Maybe<Region>> image_of(Context& context, const AffineMap& map, const Region& region);
 Result<Maybe<MovingRegion>> image_of(Context& context, const AffineMap& map, const MovingRegion& moving);
 

@@ -25,13 +25,27 @@ struct MeshFile {
   std::optional<mesh_files::WrongCount> wrong_count;
 };
 
+/// The facets of a mesh file as it stores them: triangles or polygons.
+struct MeshFacets {
+  mesh_files::Facets facets;
+  std::vector<std::string> remarks;                ///< as in MeshFile
+  const mesh_files::MeshFormat* format = nullptr;  ///< never null
+  mesh_files::Encoding encoding = mesh_files::Encoding::binary;
+  std::optional<mesh_files::WrongCount> wrong_count;
+};
+
 /// Reads a mesh file of the given format or, if that is null, of the detected one (MeshFormats::detect). If the content
 /// is clearly of another format, it is read as that, with a remark, or the error says so. Errors: those of FileContent,
 /// refuse_unwritten, refuse_foreign and MeshFormat::read, with the file name.
 Result<MeshFile> read_mesh_file(const std::filesystem::path& path, const mesh_files::MeshFormat* format,
                                 const std::atomic<bool>* cancel = nullptr);
 
-/// The same for the bytes of a file; `name` is for messages, and to find the format if the content is ambiguous.
+/// The same with the facets as they are in the file, and with the attributes of polygons.
+Result<MeshFacets> read_mesh_facets(const std::filesystem::path& path, const mesh_files::MeshFormat* format,
+                                    const std::atomic<bool>* cancel = nullptr);
+
+/// `read_mesh_file` for the bytes of a file; `name` is for messages, and to find the format if the content is
+/// ambiguous.
 Result<MeshFile> read_mesh(std::string_view bytes, const std::string& name, const mesh_files::MeshFormat* format,
                            const std::atomic<bool>* cancel = nullptr,
                            const mesh_files::MeshFormats& formats = mesh_files::known_mesh_formats());

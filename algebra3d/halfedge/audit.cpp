@@ -49,10 +49,12 @@ std::vector<std::uint32_t> indices_in_list(const std::vector<std::uint32_t>& sta
 }  // namespace
 
 /// Derives from the origins alone what all else must be, and compares.
-struct TriangleMeshAuditor {
+template <typename Layout>
+struct MeshAuditor {
+  using Mesh = HalfedgeMesh<Layout>;
   using Indices = std::vector<std::uint32_t>;
 
-  const TriangleMesh& mesh;
+  const Mesh& mesh;
   std::vector<std::string> violations;
   std::vector<Indices> nonmanifold_edges;  // in order of first half-edge
   Indices opposites;                       // as they must be stored
@@ -65,7 +67,6 @@ struct TriangleMeshAuditor {
     for (std::uint32_t h = 0; h < opposites.size(); ++h) check_opposite(h);
     for (std::uint32_t v = 0; v < fans.size(); ++v) check_outgoing(v);
     check_tables();
-    check_planes();
   }
 
  private:
@@ -73,10 +74,10 @@ struct TriangleMeshAuditor {
   void report(fmt::format_string<Args...> format, Args&&... args) {
     violations.push_back(fmt::format(format, std::forward<Args>(args)...));
   }
-  static std::uint32_t next(std::uint32_t h) { return TriangleMesh::next(HalfedgeId(h)).index(); }
+  std::uint32_t next(std::uint32_t h) const { return mesh.next(HalfedgeId(h)).index(); }
   std::uint32_t origin(std::uint32_t h) const { return mesh.origins_[h]; }
   std::uint32_t target(std::uint32_t h) const { return mesh.origins_[next(h)]; }
-  static bool has_opposite(std::uint32_t stored) { return (stored & TriangleMesh::kNoOpposite) == 0; }
+  static bool has_opposite(std::uint32_t stored) { return (stored & Mesh::kNoOpposite) == 0; }
 
   bool check_sizes();
   bool check_origins();
@@ -87,24 +88,17 @@ struct TriangleMeshAuditor {
   void check_opposite(std::uint32_t h);
   void check_outgoing(std::uint32_t v);
   void check_tables();
-  void check_planes();
-  void check_edge_table(const TriangleMesh::NonManifold& tables);
-  void check_vertex_table(const TriangleMesh::NonManifold& tables);
+  void check_edge_table(const NonManifoldTables& tables);
+  void check_vertex_table(const NonManifoldTables& tables);
 };
 
-void TriangleMeshAuditor::check_planes() {
-  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
-    const IntegerPlane* plane = mesh.planes().find(f);
-    if (plane != nullptr && !(*plane == IntegerPlane::through(mesh.corners(FaceId(f)))))
-      report("face {}: the plane that is known is not that of its corners", f);
-  }
-}
-
-bool TriangleMeshAuditor::check_sizes() {
+template <typename Layout>
+bool MeshAuditor<Layout>::check_sizes() {
   const std::size_t before = violations.size();
   const std::size_t halfedge_count = mesh.origins_.size();
-  if (halfedge_count % 3 != 0) report("{} origins, expected a multiple of 3", halfedge_count);
-  if (halfedge_count / 3 > TriangleMesh::kMaxFaces) report("{} faces, expected at most the limit", halfedge_count / 3);
+  for (std::string& violation : mesh.layout_violations(halfedge_count)) violations.push_back(std::move(violation));
+  if (halfedge_count > Mesh::kMaxHalfedges)
+    report("{} half-edges, expected {} at most", halfedge_count, Mesh::kMaxHalfedges);
   if (mesh.opposites_.size() != halfedge_count)
     report("{} opposites, expected one per half-edge ({})", mesh.opposites_.size(), halfedge_count);
   if (mesh.outgoing_.size() != mesh.points_.size())
@@ -112,18 +106,20 @@ bool TriangleMeshAuditor::check_sizes() {
   return violations.size() == before;
 }
 
-bool TriangleMeshAuditor::check_origins() {
+template <typename Layout>
+bool MeshAuditor<Layout>::check_origins() {
   const std::size_t before = violations.size();
   for (std::uint32_t h = 0; h < mesh.origins_.size(); ++h)
     if (origin(h) >= mesh.points_.size()) report("half-edge {}: origin {} is no vertex", h, origin(h));
   return violations.size() == before;
 }
 
-void TriangleMeshAuditor::derive_opposites() {
+template <typename Layout>
+void MeshAuditor<Layout>::derive_opposites() {
   std::vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>> keyed;
   for (std::uint32_t h = 0; h < mesh.origins_.size(); ++h) keyed.emplace_back(std::minmax({origin(h), target(h)}), h);
   std::ranges::sort(keyed);
-  opposites.assign(mesh.origins_.size(), TriangleMesh::kBoundary);
+  opposites.assign(mesh.origins_.size(), Mesh::kBoundary);
   for (std::size_t i = 0; i < keyed.size();) {
     Indices along;
     for (const auto edge = keyed[i].first; i < keyed.size() && keyed[i].first == edge; ++i)
@@ -132,10 +128,11 @@ void TriangleMeshAuditor::derive_opposites() {
   }
   std::ranges::sort(nonmanifold_edges);
   for (std::uint32_t n = 0; n < nonmanifold_edges.size(); ++n)
-    for (const std::uint32_t h : nonmanifold_edges[n]) opposites[h] = TriangleMesh::kNoOpposite | n;
+    for (const std::uint32_t h : nonmanifold_edges[n]) opposites[h] = Mesh::kNoOpposite | n;
 }
 
-void TriangleMeshAuditor::derive_edge(const Indices& along) {
+template <typename Layout>
+void MeshAuditor<Layout>::derive_edge(const Indices& along) {
   const bool is_loop = origin(along[0]) == target(along[0]);
   if (along.size() == 1 && !is_loop) return;
   if (along.size() == 2 && origin(along[0]) == target(along[1]) && !is_loop) {
@@ -148,7 +145,8 @@ void TriangleMeshAuditor::derive_edge(const Indices& along) {
 
 /// The corners at a vertex that are linked across manifold edges are a fan. It starts at the half-edge without opposite
 /// if it is open, else at the lowest.
-void TriangleMeshAuditor::derive_fans() {
+template <typename Layout>
+void MeshAuditor<Layout>::derive_fans() {
   HalfedgeSets corners(opposites.size());
   for (std::uint32_t h = 0; h < opposites.size(); ++h)
     if (has_opposite(opposites[h])) corners.unite(h, next(opposites[h]));
@@ -162,13 +160,15 @@ void TriangleMeshAuditor::derive_fans() {
   for (Indices& of_vertex : fans) std::ranges::sort(of_vertex);
 }
 
-std::string TriangleMeshAuditor::state(std::uint32_t stored) {
-  if (stored == TriangleMesh::kBoundary) return "boundary";
+template <typename Layout>
+std::string MeshAuditor<Layout>::state(std::uint32_t stored) {
+  if (stored == Mesh::kBoundary) return "boundary";
   if (has_opposite(stored)) return fmt::format("opposite {}", stored);
-  return fmt::format("non-manifold edge {}", stored & ~TriangleMesh::kNoOpposite);
+  return fmt::format("non-manifold edge {}", stored & ~Mesh::kNoOpposite);
 }
 
-void TriangleMeshAuditor::check_opposite(std::uint32_t h) {
+template <typename Layout>
+void MeshAuditor<Layout>::check_opposite(std::uint32_t h) {
   const std::uint32_t stored = mesh.opposites_[h];
   if (stored != opposites[h]) report("half-edge {}: {}, its edge demands {}", h, state(stored), state(opposites[h]));
   if (!has_opposite(stored)) return;
@@ -180,7 +180,8 @@ void TriangleMeshAuditor::check_opposite(std::uint32_t h) {
            origin(stored), target(stored));
 }
 
-void TriangleMeshAuditor::check_outgoing(std::uint32_t v) {
+template <typename Layout>
+void MeshAuditor<Layout>::check_outgoing(std::uint32_t v) {
   const HalfedgeId stored = mesh.outgoing_[v];
   if (!stored.is_valid()) {
     if (!fans[v].empty()) report("vertex {}: no outgoing half-edge, but faces", v);
@@ -194,7 +195,8 @@ void TriangleMeshAuditor::check_outgoing(std::uint32_t v) {
   }
 }
 
-void TriangleMeshAuditor::check_tables() {
+template <typename Layout>
+void MeshAuditor<Layout>::check_tables() {
   const bool is_needed =
       !nonmanifold_edges.empty() || std::ranges::any_of(fans, [](const Indices& starts) { return starts.size() > 1; });
   if (mesh.nonmanifold_ == nullptr) {
@@ -206,7 +208,8 @@ void TriangleMeshAuditor::check_tables() {
   check_vertex_table(*mesh.nonmanifold_);
 }
 
-void TriangleMeshAuditor::check_edge_table(const TriangleMesh::NonManifold& tables) {
+template <typename Layout>
+void MeshAuditor<Layout>::check_edge_table(const NonManifoldTables& tables) {
   if (!are_list_starts(tables.edge_starts, tables.edge_halfedges.size()))
     return report("table of non-manifold edges: its {} starts do not divide {} half-edges", tables.edge_starts.size(),
                   tables.edge_halfedges.size());
@@ -221,7 +224,8 @@ void TriangleMeshAuditor::check_edge_table(const TriangleMesh::NonManifold& tabl
   }
 }
 
-void TriangleMeshAuditor::check_vertex_table(const TriangleMesh::NonManifold& tables) {
+template <typename Layout>
+void MeshAuditor<Layout>::check_vertex_table(const NonManifoldTables& tables) {
   if (tables.fan_starts.size() != tables.vertices.size() + 1 || !are_list_starts(tables.fan_starts, tables.fans.size()))
     return report("table of non-manifold vertices: its {} starts do not divide {} fans among {} vertices",
                   tables.fan_starts.size(), tables.fans.size(), tables.vertices.size());
@@ -244,10 +248,30 @@ void TriangleMeshAuditor::check_vertex_table(const TriangleMesh::NonManifold& ta
       report("vertex {}: {} fans, but not in the table of non-manifold vertices", v, fans[v].size());
 }
 
-std::vector<std::string> audit(const TriangleMesh& mesh) {
-  TriangleMeshAuditor auditor{mesh, {}, {}, {}, {}};
+namespace {
+
+template <typename Layout>
+std::vector<std::string> audit_links(const HalfedgeMesh<Layout>& mesh) {
+  MeshAuditor<Layout> auditor{mesh, {}, {}, {}, {}};
   auditor.run();
   return std::move(auditor.violations);
+}
+
+}  // namespace
+
+std::vector<std::string> audit(const TriangleMesh& mesh) {
+  std::vector<std::string> violations = audit_links(mesh);
+  if (!violations.empty()) return violations;
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    const IntegerPlane* plane = mesh.planes().find(f);
+    if (plane != nullptr && !(*plane == IntegerPlane::through(mesh.corners(FaceId(f)))))
+      violations.push_back(fmt::format("face {}: the plane that is known is not that of its corners", f));
+  }
+  return violations;
+}
+
+std::vector<std::string> audit(const PolygonMesh& mesh) {
+  return audit_links(mesh);
 }
 
 }  // namespace algebra3d

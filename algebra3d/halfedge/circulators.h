@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstddef>
-#include <ranges>
 #include <span>
+#include <utility>
 
 #include "algebra3d/halfedge/detail/cursor_range.h"
-#include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/halfedge/halfedge_mesh.h"
 
 /// Neighbourhoods and elements of a mesh as lazy ranges: forward (all elements of a kind: random access), without
 /// allocation, for use with std::views. Iterators may outlive their range but not the mesh. Handles that are passed
@@ -17,13 +17,14 @@ namespace algebra3d {
 namespace circulators {
 
 /// Walks over the half-edges that leave a vertex.
+template <typename Layout>
 class CornerCursor {
  public:
   using value_type = HalfedgeId;
 
   CornerCursor() = default;
   /// The first half-edge of `fans`.
-  CornerCursor(const TriangleMesh& mesh, std::span<const HalfedgeId> fans)
+  CornerCursor(const HalfedgeMesh<Layout>& mesh, std::span<const HalfedgeId> fans)
       : mesh_(&mesh), fan_(fans.data()), fans_end_(fans.data() + fans.size()) {
     enter_fan();
   }
@@ -40,40 +41,45 @@ class CornerCursor {
   }
   bool operator==(const CornerCursor& other) const { return fan_ == other.fan_ && current_ == other.current_; }
 
-  HalfedgeId next_in_fan() const { return mesh_->opposite(TriangleMesh::prev(current_)); }
+  HalfedgeId next_in_fan() const { return mesh_->opposite(mesh_->prev(current_)); }
+  const HalfedgeMesh<Layout>& mesh() const { return *mesh_; }
 
  private:
   void enter_fan() { current_ = fan_ == fans_end_ ? HalfedgeId() : *fan_; }
 
-  const TriangleMesh* mesh_ = nullptr;
+  const HalfedgeMesh<Layout>* mesh_ = nullptr;
   const HalfedgeId* fan_ = nullptr;
   const HalfedgeId* fans_end_ = nullptr;
   HalfedgeId current_;
 };
 
-struct IncomingCursor : CornerCursor {
-  using CornerCursor::CornerCursor;
-  HalfedgeId get() const { return TriangleMesh::prev(CornerCursor::get()); }
+template <typename Layout>
+struct IncomingCursor : CornerCursor<Layout> {
+  using CornerCursor<Layout>::CornerCursor;
+  HalfedgeId get() const { return this->mesh().prev(CornerCursor<Layout>::get()); }
 };
 
-struct FaceCursor : CornerCursor {
+template <typename Layout>
+struct FaceCursor : CornerCursor<Layout> {
   using value_type = FaceId;
-  using CornerCursor::CornerCursor;
-  FaceId get() const { return TriangleMesh::face(CornerCursor::get()); }
+  using CornerCursor<Layout>::CornerCursor;
+  FaceId get() const { return this->mesh().face(CornerCursor<Layout>::get()); }
 };
 
 /// Walks over the neighbours of a vertex: the target of each outgoing half-edge, and in an open fan the origin of the
 /// last incoming one.
+template <typename Layout>
 class NeighbourCursor {
  public:
   using value_type = VertexId;
 
   NeighbourCursor() = default;
-  NeighbourCursor(const TriangleMesh& mesh, std::span<const HalfedgeId> fans) : mesh_(&mesh), corner_(mesh, fans) {}
+  NeighbourCursor(const HalfedgeMesh<Layout>& mesh, std::span<const HalfedgeId> fans)
+      : mesh_(&mesh), corner_(mesh, fans) {}
 
   VertexId get() const {
     const HalfedgeId h = corner_.get();
-    return at_last_incoming_ ? mesh_->origin(TriangleMesh::prev(h)) : mesh_->target(h);
+    return at_last_incoming_ ? mesh_->origin(mesh_->prev(h)) : mesh_->target(h);
   }
   void advance() {
     at_last_incoming_ = !at_last_incoming_ && !corner_.next_in_fan().is_valid();
@@ -84,23 +90,24 @@ class NeighbourCursor {
   }
 
  private:
-  const TriangleMesh* mesh_ = nullptr;
-  CornerCursor corner_;
+  const HalfedgeMesh<Layout>* mesh_ = nullptr;
+  CornerCursor<Layout> corner_;
   bool at_last_incoming_ = false;
 };
 
-/// Walks over the other half-edges along the three edges of a face.
+/// Walks over the faces along the edges of a face: those of the other half-edges.
+template <typename Layout>
 class AdjacentFaceCursor {
  public:
   using value_type = FaceId;
 
   AdjacentFaceCursor() = default;
-  AdjacentFaceCursor(const TriangleMesh& mesh, std::size_t halfedge, std::size_t end)
+  AdjacentFaceCursor(const HalfedgeMesh<Layout>& mesh, std::size_t halfedge, std::size_t end)
       : mesh_(&mesh), halfedge_(halfedge), end_(end) {
     skip();
   }
 
-  FaceId get() const { return TriangleMesh::face(other()); }
+  FaceId get() const { return mesh_->face(other()); }
   void advance() {
     ++place_;
     skip();
@@ -118,23 +125,24 @@ class AdjacentFaceCursor {
   void skip() {
     for (; halfedge_ != end_; ++halfedge_, place_ = 0) {
       for (HalfedgeId h = other(); h.is_valid(); ++place_, h = other())
-        if (TriangleMesh::face(h) != TriangleMesh::face(HalfedgeId(halfedge_))) return;
+        if (mesh_->face(h) != mesh_->face(HalfedgeId(halfedge_))) return;
     }
   }
 
-  const TriangleMesh* mesh_ = nullptr;
+  const HalfedgeMesh<Layout>* mesh_ = nullptr;
   std::size_t halfedge_ = 0;
   std::size_t end_ = 0;
   std::size_t place_ = 0;
 };
 
 /// Walks over the half-edges that are the first along their edge.
+template <typename Layout>
 class EdgeCursor {
  public:
   using value_type = HalfedgeId;
 
   EdgeCursor() = default;
-  EdgeCursor(const TriangleMesh& mesh, std::size_t halfedge) : mesh_(&mesh), halfedge_(halfedge) { skip(); }
+  EdgeCursor(const HalfedgeMesh<Layout>& mesh, std::size_t halfedge) : mesh_(&mesh), halfedge_(halfedge) { skip(); }
 
   HalfedgeId get() const { return HalfedgeId(halfedge_); }
   void advance() {
@@ -152,98 +160,105 @@ class EdgeCursor {
     while (halfedge_ < mesh_->halfedge_count() && !is_first()) ++halfedge_;
   }
 
-  const TriangleMesh* mesh_ = nullptr;
+  const HalfedgeMesh<Layout>* mesh_ = nullptr;
   std::size_t halfedge_ = 0;
 };
 
 /// Walks over the origins of half-edges by index.
+template <typename Layout>
 class OriginCursor {
  public:
   using value_type = VertexId;
 
   OriginCursor() = default;
-  OriginCursor(const TriangleMesh& mesh, std::size_t halfedge) : mesh_(&mesh), halfedge_(halfedge) {}
+  OriginCursor(const HalfedgeMesh<Layout>& mesh, std::size_t halfedge) : mesh_(&mesh), halfedge_(halfedge) {}
 
   VertexId get() const { return mesh_->origin(HalfedgeId(halfedge_)); }
   void advance() { ++halfedge_; }
   bool operator==(const OriginCursor& other) const { return halfedge_ == other.halfedge_; }
 
  private:
-  const TriangleMesh* mesh_ = nullptr;
+  const HalfedgeMesh<Layout>* mesh_ = nullptr;
   std::size_t halfedge_ = 0;
 };
 
-template <typename Cursor>
-CursorRange<Cursor> around(const TriangleMesh& mesh, VertexId v) {
+template <typename Cursor, typename Layout>
+CursorRange<Cursor> around(const HalfedgeMesh<Layout>& mesh, VertexId v) {
   const auto fans = mesh.fans(v);
   return {Cursor(mesh, fans), Cursor(mesh, fans.subspan(fans.size()))};
+}
+
+/// The numbers of the half-edges of a face: the first, and the end.
+template <typename Layout>
+std::pair<std::size_t, std::size_t> halfedge_bounds(const HalfedgeMesh<Layout>& mesh, FaceId f) {
+  const std::size_t first = mesh.halfedge(f).index();
+  return {first, first + mesh.degree(f)};
 }
 
 }  // namespace circulators
 
 /// Half-edges that leave `v`, one per corner at `v`.
-inline auto outgoing_halfedges(const TriangleMesh& mesh, VertexId v) {
-  return circulators::around<circulators::CornerCursor>(mesh, v);
+template <typename Layout>
+auto outgoing_halfedges(const HalfedgeMesh<Layout>& mesh, VertexId v) {
+  return circulators::around<circulators::CornerCursor<Layout>>(mesh, v);
 }
 /// Half-edges that end in `v`, one per corner at `v`: the predecessors of `outgoing_halfedges`.
-inline auto incoming_halfedges(const TriangleMesh& mesh, VertexId v) {
-  return circulators::around<circulators::IncomingCursor>(mesh, v);
+template <typename Layout>
+auto incoming_halfedges(const HalfedgeMesh<Layout>& mesh, VertexId v) {
+  return circulators::around<circulators::IncomingCursor<Layout>>(mesh, v);
 }
-/// Faces with a corner at `v`; a triangle that repeats a corner appears once per corner at `v`.
-inline auto faces_around(const TriangleMesh& mesh, VertexId v) {
-  return circulators::around<circulators::FaceCursor>(mesh, v);
+/// Faces with a corner at `v`; a face that repeats a corner appears once per corner at `v`.
+template <typename Layout>
+auto faces_around(const HalfedgeMesh<Layout>& mesh, VertexId v) {
+  return circulators::around<circulators::FaceCursor<Layout>>(mesh, v);
 }
 /// One-ring of `v`: the other end of each edge at `v`, each once; across a non-manifold edge once per side of a fan
 /// that the edge bounds.
-inline auto adjacent_vertices(const TriangleMesh& mesh, VertexId v) {
-  return circulators::around<circulators::NeighbourCursor>(mesh, v);
+template <typename Layout>
+auto adjacent_vertices(const HalfedgeMesh<Layout>& mesh, VertexId v) {
+  return circulators::around<circulators::NeighbourCursor<Layout>>(mesh, v);
 }
 
-/// The three half-edges of `f`, from corner 0.
-inline HandleRange<HalfedgeId> halfedges_of(const TriangleMesh& /*mesh*/, FaceId f) {
-  return {TriangleMesh::halfedge(f).index(), TriangleMesh::halfedge(f).index() + 3};
+/// The half-edges of `f`, from corner 0.
+template <typename Layout>
+HandleRange<HalfedgeId> halfedges_of(const HalfedgeMesh<Layout>& mesh, FaceId f) {
+  const auto [first, end] = circulators::halfedge_bounds(mesh, f);
+  return {first, end};
 }
-/// The three corners of `f`, from corner 0.
-inline auto vertices_of(const TriangleMesh& mesh, FaceId f) {
-  using circulators::OriginCursor;
-  const std::size_t first = TriangleMesh::halfedge(f).index();
-  return CursorRange<OriginCursor>(OriginCursor(mesh, first), OriginCursor(mesh, first + 3));
+/// The corners of `f`, from corner 0.
+template <typename Layout>
+auto vertices_of(const HalfedgeMesh<Layout>& mesh, FaceId f) {
+  using Cursor = circulators::OriginCursor<Layout>;
+  const auto [first, end] = circulators::halfedge_bounds(mesh, f);
+  return CursorRange<Cursor>(Cursor(mesh, first), Cursor(mesh, end));
 }
 /// Faces that share an edge with `f`, without `f`: edge by edge from half-edge 0; across a non-manifold edge all other
 /// faces, ascending. A face that shares two edges appears twice.
-inline auto adjacent_faces(const TriangleMesh& mesh, FaceId f) {
-  using circulators::AdjacentFaceCursor;
-  const std::size_t first = TriangleMesh::halfedge(f).index();
-  return CursorRange<AdjacentFaceCursor>(AdjacentFaceCursor(mesh, first, first + 3),
-                                         AdjacentFaceCursor(mesh, first + 3, first + 3));
+template <typename Layout>
+auto adjacent_faces(const HalfedgeMesh<Layout>& mesh, FaceId f) {
+  using Cursor = circulators::AdjacentFaceCursor<Layout>;
+  const auto [first, end] = circulators::halfedge_bounds(mesh, f);
+  return CursorRange<Cursor>(Cursor(mesh, first, end), Cursor(mesh, end, end));
 }
 
 /// All elements, ascending. Random access.
-inline HandleRange<VertexId> vertices(const TriangleMesh& mesh) {
+template <typename Layout>
+HandleRange<VertexId> vertices(const HalfedgeMesh<Layout>& mesh) {
   return {0, mesh.vertex_count()};
 }
-inline HandleRange<FaceId> faces(const TriangleMesh& mesh) {
+template <typename Layout>
+HandleRange<FaceId> faces(const HalfedgeMesh<Layout>& mesh) {
   return {0, mesh.face_count()};
 }
-inline HandleRange<HalfedgeId> halfedges(const TriangleMesh& mesh) {
+template <typename Layout>
+HandleRange<HalfedgeId> halfedges(const HalfedgeMesh<Layout>& mesh) {
   return {0, mesh.halfedge_count()};
 }
 /// One half-edge per undirected edge, the first along it; ascending. Non-manifold edges are included.
-inline auto edges(const TriangleMesh& mesh) {
-  using circulators::EdgeCursor;
-  return CursorRange<EdgeCursor>(EdgeCursor(mesh, 0), EdgeCursor(mesh, mesh.halfedge_count()));
+template <typename Layout>
+auto edges(const HalfedgeMesh<Layout>& mesh) {
+  using Cursor = circulators::EdgeCursor<Layout>;
+  return CursorRange<Cursor>(Cursor(mesh, 0), Cursor(mesh, mesh.halfedge_count()));
 }
-
-static_assert(std::ranges::random_access_range<HandleRange<VertexId>> &&
-              std::ranges::borrowed_range<HandleRange<VertexId>>);
-static_assert(std::ranges::forward_range<decltype(vertices_of(TriangleMesh(), FaceId()))>);
-static_assert(std::ranges::forward_range<decltype(outgoing_halfedges(TriangleMesh(), VertexId()))>);
-static_assert(std::ranges::forward_range<decltype(incoming_halfedges(TriangleMesh(), VertexId()))>);
-static_assert(std::ranges::forward_range<decltype(faces_around(TriangleMesh(), VertexId()))>);
-static_assert(std::ranges::forward_range<decltype(adjacent_vertices(TriangleMesh(), VertexId()))>);
-static_assert(std::ranges::forward_range<decltype(adjacent_faces(TriangleMesh(), FaceId()))>);
-static_assert(std::ranges::forward_range<decltype(edges(TriangleMesh()))>);
-static_assert(std::ranges::view<decltype(edges(TriangleMesh()))> &&
-              std::ranges::borrowed_range<decltype(edges(TriangleMesh()))>);
 
 }  // namespace algebra3d

@@ -18,9 +18,10 @@ struct ComponentCounts {
   std::int64_t nonmanifold_edges = 0;
 };
 
-std::vector<ComponentCounts> count_elements(const TriangleMesh& mesh, const FaceComponents& components) {
+template <typename Layout>
+std::vector<ComponentCounts> count_elements(const HalfedgeMesh<Layout>& mesh, const FaceComponents& components) {
   std::vector<ComponentCounts> counts(components.count);
-  const auto component_of = [&](HalfedgeId h) { return components.of_face[TriangleMesh::face(h).index()]; };
+  const auto component_of = [&](HalfedgeId h) { return components.of_face[mesh.face(h).index()]; };
   for (const std::uint32_t component : components.of_face) ++counts[component].faces;
   for (const HalfedgeId h : edges(mesh)) {
     ComponentCounts& own = counts[component_of(h)];
@@ -52,8 +53,8 @@ Maybe<std::int64_t> genus_from(const ComponentCounts& counts) {
 
 /// Calls visit(other) for half-edges that share the edge of `h`. Only the first along a non-manifold edge sees all the
 /// others, these see the first: enough to connect them, and linear.
-template <typename Visit>
-void for_each_link(const TriangleMesh& mesh, HalfedgeId h, Visit visit) {
+template <typename Layout, typename Visit>
+void for_each_link(const HalfedgeMesh<Layout>& mesh, HalfedgeId h, Visit visit) {
   if (!mesh.is_nonmanifold(h)) {
     if (const HalfedgeId other = mesh.opposite(h); other.is_valid()) visit(other);
     return;
@@ -65,10 +66,11 @@ void for_each_link(const TriangleMesh& mesh, HalfedgeId h, Visit visit) {
 
 /// The boundary half-edge that follows boundary half-edge `h` round the same fan; invalid if the fan ends on a
 /// non-manifold edge.
-HalfedgeId next_on_boundary(const TriangleMesh& mesh, HalfedgeId h) {
-  HalfedgeId leaving = TriangleMesh::next(h);
+template <typename Layout>
+HalfedgeId next_on_boundary(const HalfedgeMesh<Layout>& mesh, HalfedgeId h) {
+  HalfedgeId leaving = mesh.next(h);
   for (HalfedgeId other = mesh.opposite(leaving); other.is_valid(); other = mesh.opposite(leaving))
-    leaving = TriangleMesh::next(other);
+    leaving = mesh.next(other);
   return mesh.is_boundary(leaving) ? leaving : HalfedgeId();
 }
 
@@ -82,7 +84,8 @@ std::vector<std::vector<FaceId>> FaceComponents::faces() const {
   return result;
 }
 
-FaceComponents connected_components(const TriangleMesh& mesh) {
+template <typename Layout>
+FaceComponents connected_components(const HalfedgeMesh<Layout>& mesh) {
   FaceComponents components{std::vector<std::uint32_t>(mesh.face_count(), kUnset), 0};
   std::vector<FaceId> pending;
   for (const FaceId seed : faces(mesh)) {
@@ -98,13 +101,14 @@ FaceComponents connected_components(const TriangleMesh& mesh) {
       const FaceId f = pending.back();
       pending.pop_back();
       for (const HalfedgeId h : halfedges_of(mesh, f))
-        for_each_link(mesh, h, [&](HalfedgeId other) { enter(TriangleMesh::face(other)); });
+        for_each_link(mesh, h, [&](HalfedgeId other) { enter(mesh.face(other)); });
     }
   }
   return components;
 }
 
-std::vector<BoundaryLoop> boundary_loops(const TriangleMesh& mesh) {
+template <typename Layout>
+std::vector<BoundaryLoop> boundary_loops(const HalfedgeMesh<Layout>& mesh) {
   // Runs that are not closed must be entered at their start: at the half-edges that follow no other.
   std::vector<bool> follows(mesh.halfedge_count(), false);
   for (const HalfedgeId h : halfedges(mesh)) {
@@ -128,30 +132,36 @@ std::vector<BoundaryLoop> boundary_loops(const TriangleMesh& mesh) {
   return loops;
 }
 
-std::size_t edge_count(const TriangleMesh& mesh) {
+template <typename Layout>
+std::size_t edge_count(const HalfedgeMesh<Layout>& mesh) {
   return static_cast<std::size_t>(std::ranges::distance(edges(mesh)));
 }
 
-std::int64_t euler_characteristic(const TriangleMesh& mesh) {
+template <typename Layout>
+std::int64_t euler_characteristic(const HalfedgeMesh<Layout>& mesh) {
   const auto used = std::ranges::count_if(vertices(mesh), [&](VertexId v) { return !mesh.is_isolated(v); });
   return used - static_cast<std::int64_t>(edge_count(mesh)) + static_cast<std::int64_t>(mesh.face_count());
 }
 
-bool is_closed(const TriangleMesh& mesh) {
+template <typename Layout>
+bool is_closed(const HalfedgeMesh<Layout>& mesh) {
   return std::ranges::none_of(halfedges(mesh), [&](HalfedgeId h) { return mesh.is_boundary(h); });
 }
 
-bool is_manifold(const TriangleMesh& mesh) {
+template <typename Layout>
+bool is_manifold(const HalfedgeMesh<Layout>& mesh) {
   return mesh.nonmanifold_edge_count() == 0 && mesh.nonmanifold_vertices().empty();
 }
 
-bool is_balanced(const TriangleMesh& mesh, std::span<const HalfedgeId> edge) {
+template <typename Layout>
+bool is_balanced(const HalfedgeMesh<Layout>& mesh, std::span<const HalfedgeId> edge) {
   const auto forward =
       std::ranges::count_if(edge, [&](HalfedgeId h) { return mesh.origin(h) == mesh.origin(edge[0]); });
   return 2 * static_cast<std::size_t>(forward) == edge.size();
 }
 
-bool is_consistently_oriented(const TriangleMesh& mesh) {
+template <typename Layout>
+bool is_consistently_oriented(const HalfedgeMesh<Layout>& mesh) {
   for (std::size_t n = 0; n < mesh.nonmanifold_edge_count(); ++n) {
     std::int64_t balance = 0;
     for (const HalfedgeId h : mesh.nonmanifold_edge(n)) {
@@ -163,7 +173,8 @@ bool is_consistently_oriented(const TriangleMesh& mesh) {
   return true;
 }
 
-Maybe<std::int64_t> genus(const TriangleMesh& mesh) {
+template <typename Layout>
+Maybe<std::int64_t> genus(const HalfedgeMesh<Layout>& mesh) {
   const FaceComponents components = connected_components(mesh);
   ComponentCounts total;
   for (const ComponentCounts& part : count_elements(mesh, components)) {
@@ -180,12 +191,34 @@ Maybe<std::int64_t> genus(const TriangleMesh& mesh) {
   return *connected + static_cast<std::int64_t>(components.count) - 1;
 }
 
-std::vector<Maybe<std::int64_t>> component_genus(const TriangleMesh& mesh, const FaceComponents& components) {
+template <typename Layout>
+std::vector<Maybe<std::int64_t>> component_genus(const HalfedgeMesh<Layout>& mesh, const FaceComponents& components) {
   std::vector<Maybe<std::int64_t>> result;
   result.reserve(components.count);
   for (const ComponentCounts& counts : count_elements(mesh, components)) result.push_back(genus_from(counts));
   return result;
 }
+
+template FaceComponents connected_components(const HalfedgeMesh<TriangleLayout>&);
+template std::vector<BoundaryLoop> boundary_loops(const HalfedgeMesh<TriangleLayout>&);
+template std::size_t edge_count(const HalfedgeMesh<TriangleLayout>&);
+template std::int64_t euler_characteristic(const HalfedgeMesh<TriangleLayout>&);
+template bool is_closed(const HalfedgeMesh<TriangleLayout>&);
+template bool is_manifold(const HalfedgeMesh<TriangleLayout>&);
+template bool is_balanced(const HalfedgeMesh<TriangleLayout>&, std::span<const HalfedgeId>);
+template bool is_consistently_oriented(const HalfedgeMesh<TriangleLayout>&);
+template Maybe<std::int64_t> genus(const HalfedgeMesh<TriangleLayout>&);
+template std::vector<Maybe<std::int64_t>> component_genus(const HalfedgeMesh<TriangleLayout>&, const FaceComponents&);
+template FaceComponents connected_components(const HalfedgeMesh<PolygonLayout>&);
+template std::vector<BoundaryLoop> boundary_loops(const HalfedgeMesh<PolygonLayout>&);
+template std::size_t edge_count(const HalfedgeMesh<PolygonLayout>&);
+template std::int64_t euler_characteristic(const HalfedgeMesh<PolygonLayout>&);
+template bool is_closed(const HalfedgeMesh<PolygonLayout>&);
+template bool is_manifold(const HalfedgeMesh<PolygonLayout>&);
+template bool is_balanced(const HalfedgeMesh<PolygonLayout>&, std::span<const HalfedgeId>);
+template bool is_consistently_oriented(const HalfedgeMesh<PolygonLayout>&);
+template Maybe<std::int64_t> genus(const HalfedgeMesh<PolygonLayout>&);
+template std::vector<Maybe<std::int64_t>> component_genus(const HalfedgeMesh<PolygonLayout>&, const FaceComponents&);
 
 TriangleMesh flipped(const TriangleMesh& mesh) {
   std::vector<TriangleMesh::Triangle> triangles;

@@ -18,9 +18,10 @@ struct FaceComponents {
   std::vector<std::vector<FaceId>> faces() const;
 };
 
-/// Finds connected components: triangles are connected across common edges, manifold or not, but not by common
+/// Finds connected components: faces are connected across common edges, manifold or not, but not by common
 /// vertices. Cost: linear.
-FaceComponents connected_components(const TriangleMesh& mesh);
+template <typename Layout>
+FaceComponents connected_components(const HalfedgeMesh<Layout>& mesh);
 
 /// A maximal chain of boundary half-edges with their faces to the left.
 struct BoundaryLoop {
@@ -30,30 +31,39 @@ struct BoundaryLoop {
 };
 
 /// All boundary loops; each boundary half-edge is in one. At a non-manifold vertex a loop stays on its fan, so
-/// triangles that touch in a point have separate loops. Closed loops start at their lowest half-edge; loops are ordered
+/// faces that touch in a point have separate loops. Closed loops start at their lowest half-edge; loops are ordered
 /// by first half-edge. Cost: linear.
-std::vector<BoundaryLoop> boundary_loops(const TriangleMesh& mesh);
+template <typename Layout>
+std::vector<BoundaryLoop> boundary_loops(const HalfedgeMesh<Layout>& mesh);
 
 /// Number of undirected edges: manifold, boundary and non-manifold ones. Cost: linear.
-std::size_t edge_count(const TriangleMesh& mesh);
+template <typename Layout>
+std::size_t edge_count(const HalfedgeMesh<Layout>& mesh);
 /// Vertices minus edges plus faces, without isolated vertices. Cost: linear.
-std::int64_t euler_characteristic(const TriangleMesh& mesh);
+template <typename Layout>
+std::int64_t euler_characteristic(const HalfedgeMesh<Layout>& mesh);
 
 /// True if no edge is boundary (non-manifold edges are not boundary). The empty mesh is closed.
-bool is_closed(const TriangleMesh& mesh);
+template <typename Layout>
+bool is_closed(const HalfedgeMesh<Layout>& mesh);
 /// True if no edge and no vertex is non-manifold; then the surface is also consistently oriented, since the half-edges
 /// of a manifold edge run in opposite directions.
-bool is_manifold(const TriangleMesh& mesh);
+template <typename Layout>
+bool is_manifold(const HalfedgeMesh<Layout>& mesh);
 /// True if equally many of the half-edges of an edge run in each direction.
-bool is_balanced(const TriangleMesh& mesh, std::span<const HalfedgeId> edge);
+template <typename Layout>
+bool is_balanced(const HalfedgeMesh<Layout>& mesh, std::span<const HalfedgeId> edge);
 /// True if every edge that is not boundary is balanced. Half-edges from a vertex to itself do not count.
-bool is_consistently_oriented(const TriangleMesh& mesh);
+template <typename Layout>
+bool is_consistently_oriented(const HalfedgeMesh<Layout>& mesh);
 
 /// Number of handles of a closed manifold mesh, summed over its components; 0 for the empty mesh. Undefined, with the
 /// reason, if the mesh has boundary edges or non-manifold edges or vertices. Cost: linear.
-Maybe<std::int64_t> genus(const TriangleMesh& mesh);
+template <typename Layout>
+Maybe<std::int64_t> genus(const HalfedgeMesh<Layout>& mesh);
 /// The genus of each component, also of components that touch each other in vertices.
-std::vector<Maybe<std::int64_t>> component_genus(const TriangleMesh& mesh, const FaceComponents& components);
+template <typename Layout>
+std::vector<Maybe<std::int64_t>> component_genus(const HalfedgeMesh<Layout>& mesh, const FaceComponents& components);
 
 /// The mesh with all triangles flipped: second and third corner are swapped. Cost: linear.
 TriangleMesh flipped(const TriangleMesh& mesh);

@@ -59,6 +59,12 @@ Registry make_registry() {
   register_congruence(registry);
   registry.begin_family({"parts of solids", "The parts of a surface or solid.", Cost::linear});
   register_decomposition(registry);
+  registry.begin_family({"meshes",
+                         "Meshes of polygons: from solids and surfaces and back, built by hand, and their attributes.",
+                         Cost::linear});
+  register_meshes(registry);
+  register_mesh_building(registry);
+  register_mesh_attributes(registry);
   registry.begin_family({"mesh files",
                          "Import of solids and surfaces from STL, OBJ and OFF files, with repair and reports.",
                          Cost::file});

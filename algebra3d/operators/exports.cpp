@@ -8,9 +8,11 @@
 
 #include "algebra3d/base/diagnostics.h"
 #include "algebra3d/formats/export_solid.h"
+#include "algebra3d/formats/mesh3d_files.h"
 #include "algebra3d/operators/all.h"
 #include "algebra3d/operators/detail/sample_values.h"
 #include "algebra3d/registry/operator.h"
+#include "algebra3d/types/mesh3d.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
 #include "mesh_files/mesh_content.h"
@@ -32,8 +34,21 @@ std::string export_name(const MeshFormat& format) {
   return "export" + std::string(format.name);
 }
 
+/// What is exported: a solid or a mesh.
+template <typename T>
+Parameter exported_parameter();
+template <>
+Parameter exported_parameter<Volume3d>() {
+  return {"solid", &TypeOf<Volume3d>::type(), true};
+}
+template <>
+Parameter exported_parameter<Mesh3d>() {
+  return {"mesh", &TypeOf<Mesh3d>::type(), true};
+}
+
+template <typename T>
 std::vector<Parameter> export_parameters(const MeshFormat& format) {
-  std::vector<Parameter> parameters{{"solid", &TypeOf<Volume3d>::type(), true}};
+  std::vector<Parameter> parameters{exported_parameter<T>()};
   if (format.stores_name) parameters.push_back({"name", &TypeOf<std::string>::type(), true});
   parameters.push_back({"file", &TypeOf<Text>::type(), true});
   if (has_choice(format)) parameters.push_back({"binary", &TypeOf<bool>::type(), true});
@@ -45,34 +60,46 @@ Result<Outcome> unwritten(Context& context, const std::string& reason) {
   return Outcome(Value::of<bool>(false));
 }
 
+Result<ExportedSolid> export_value(Context& context, const std::string& op, const Volume3d& solid,
+                                   const std::string& name, const std::string& file, const MeshFileForm& form) {
+  return export_solid(context, op, solid, name, file, form);
+}
+Result<ExportedSolid> export_value(Context& context, const std::string& op, const Mesh3d& mesh, const std::string& name,
+                                   const std::string& file, const MeshFileForm& form) {
+  return export_mesh(context, op, mesh, name, file, form);
+}
+
 /// `given` are the arguments for export_parameters.
+template <typename T>
 Result<Outcome> export_to(const MeshFormat& format, std::span<const Value> given, Context& context) {
   const std::string op = export_name(format);
   std::size_t place = 0;
-  const Value& solid = given[place++];
+  const Value& exported = given[place++];
   const Value* const name = format.stores_name ? &given[place++] : nullptr;
   const Value& file = given[place++];
   const Value* const is_binary = has_choice(format) ? &given[place++] : nullptr;
-  if (!solid.is_defined()) return unwritten(context, op + ": the solid is undefined");
+  if (!exported.is_defined())
+    return unwritten(context, fmt::format("{}: the {} is undefined", op, exported_parameter<T>().name));
   for (const auto& [value, what] : {std::pair(name, "name"), std::pair(&file, "file"), std::pair(is_binary, "format")})
     if (value != nullptr && !value->is_defined())
       return unwritten(context, fmt::format("{}: the {} is undefined", op, what));
   MeshFileForm form{&format, format.forms.front().encoding};
   if (is_binary != nullptr) form.encoding = is_binary->get<bool>() ? Encoding::binary : Encoding::ascii;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, solid.loaded());
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, exported.loaded());
   ALGEBRA3D_ASSIGN_OR_RETURN(
-      const ExportedSolid exported,
-      export_solid(context, op, loaded.get<Volume3d>(), name != nullptr ? name->get<std::string>() : std::string(),
+      const ExportedSolid result,
+      export_value(context, op, loaded.get<T>(), name != nullptr ? name->get<std::string>() : std::string(),
                    file.get<Text>().content, form));
-  return Outcome(Value::of<bool>(!exported.refusal));
+  return Outcome(Value::of<bool>(!result.refusal));
 }
 
+template <typename T>
 Overload export_overload(const MeshFormat& format) {
   Overload overload;
-  overload.parameters = export_parameters(format);
+  overload.parameters = export_parameters<T>(format);
   overload.result = &TypeOf<bool>::type();
   overload.function = [&format](std::span<const Value> given, Context& context) {
-    return export_to(format, given, context);
+    return export_to<T>(format, given, context);
   };
   return overload;
 }
@@ -106,37 +133,58 @@ std::vector<std::string> example_arguments(const MeshFormat& format, const std::
   return arguments;
 }
 
-/// "(volume3d string text bool)"
+std::vector<Overload> export_overloads(const MeshFormat& format) {
+  std::vector<Overload> overloads{export_overload<Volume3d>(format)};
+  if (!format.stores_triangles) overloads.push_back(export_overload<Mesh3d>(format));
+  return overloads;
+}
+
+/// "(volume3d string text bool)", for polygons with "or (mesh3d string text bool)".
 std::string parameter_types(const MeshFormat& format) {
-  std::string types;
-  for (const Parameter& parameter : export_parameters(format))
-    types += (types.empty() ? "(" : " ") + std::string(parameter.type->name());
-  return types + ")";
+  std::string text;
+  for (const Overload& overload : export_overloads(format)) {
+    std::string types;
+    for (const Parameter& parameter : overload.parameters)
+      types += (types.empty() ? "(" : " ") + std::string(parameter.type->name());
+    text += (text.empty() ? "" : " or ") + types + ")";
+  }
+  return text;
+}
+
+std::vector<Example> export_examples(const MeshFormat& format) {
+  std::vector<Example> examples{{example_arguments(format, kUnitCube, "no such folder/"), "FALSE"},
+                                {example_arguments(format, kUndefinedSolid, ""), "FALSE"}};
+  if (!format.stores_triangles)
+    examples.push_back({example_arguments(format, "(mesh3d (() ()))", "no such folder/"), "FALSE"});
+  return examples;
 }
 
 void register_export(Registry& registry, const MeshFormat& format) {
   const std::string op = export_name(format);
   std::string syntax = "_ " + op + "[_";
-  for (std::size_t i = 2; i < export_parameters(format).size(); ++i) syntax += ", _";
+  for (std::size_t i = 2; i < export_parameters<Volume3d>(format).size(); ++i) syntax += ", _";
   registry.add({
       .name = op,
       .syntax = syntax + "]",
-      .doc = fmt::format("Writes a solid to {}{}{}; TRUE if the file was written.", format.title,
-                         format.stores_name ? " with a name" : "",
-                         has_choice(format) ? ", in binary (TRUE) or ASCII" : ""),
+      .doc =
+          fmt::format("Writes a solid{} to {}{}{}; TRUE if the file was written.",
+                      format.stores_triangles ? "" : " or mesh", format.title, format.stores_name ? " with a name" : "",
+                      has_choice(format) ? ", in binary (TRUE) or ASCII" : ""),
       .detail = coordinates_text(format) +
                 "A diagnostic reports the change of the boundary and of the volume if it exceeds a ten thousandth of "
                 "the diagonal or of the volume, if shells vanished, or if facets were divided. FALSE with a "
                 "diagnostic if a coordinate is beyond the range of the file's numbers, if nothing of the solid is "
                 "left, if an argument is undefined, or if the file cannot be written; an existing file is then "
-                "unchanged.",
+                "unchanged." +
+                (format.stores_triangles ? std::string()
+                                         : " The vertices and faces of a mesh are written in their order, with a "
+                                           "diagnostic that counts the vertices whose coordinates are rounded."),
       .exactness = Exactness::reported,
       .frame_use = FrameUse::coordinates,
       .is_pure = false,
       .writes_files = true,
-      .overloads = {export_overload(format)},
-      .examples = {{example_arguments(format, kUnitCube, "no such folder/"), "FALSE"},
-                   {example_arguments(format, kUndefinedSolid, ""), "FALSE"}},
+      .overloads = export_overloads(format),
+      .examples = export_examples(format),
       .errors = {{{kUnitCube, "5"}, fmt::format("{}: expected {}, got (volume3d int)", op, parameter_types(format))}},
   });
 }

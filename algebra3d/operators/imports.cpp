@@ -1,4 +1,4 @@
-// importSTL, importOBJ, importOFF (one operator for each format of mesh files), checkSTL, importSurface.
+// importSTL, importOBJ, importOFF (one operator for each format of mesh files), checkSTL, importSurface, importMesh.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "algebra3d/formats/import_solid.h"
+#include "algebra3d/formats/mesh3d_files.h"
 #include "algebra3d/operators/all.h"
 #include "algebra3d/registry/operator.h"
 #include "algebra3d/registry/overload.h"
@@ -73,6 +74,13 @@ Result<Maybe<Surface3d>> import_as_surface(Context& context, const Text& file) {
     context.diagnostics.report("importSurface: " + remark, file.content);
   if (imported.surface) return Maybe<Surface3d>(*std::move(imported.surface));
   return Maybe<Surface3d>(Undefined{imported.refusal->message});
+}
+
+Result<Maybe<Mesh3d>> import_as_mesh(Context& context, const Text& file) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(ImportedMesh imported, import_mesh(context.resolve(file.content), context.monitor()));
+  for (const std::string& remark : imported.remarks) context.diagnostics.report("importMesh: " + remark, file.content);
+  if (imported.mesh) return Maybe<Mesh3d>(*std::move(imported.mesh));
+  return Maybe<Mesh3d>(Undefined{imported.refusal->message});
 }
 
 constexpr const char* kRepairDetail =
@@ -149,6 +157,24 @@ void register_imports(Registry& registry) {
                    {{"'no such file.stl'"}, "undefined"},
                    {{"(text undefined)"}, "undefined"}},
       .errors = {{{"5"}, "importSurface: expected (text), got (int)"}},
+  });
+  registry.add({
+      .name = "importMesh",
+      .syntax = "importMesh(_)",
+      .doc = "The vertices and polygons in an " + formats.names("or") + " file, as they are.",
+      .detail =
+          "Vertices and faces keep their order; equal corners of the triangles of an STL file become one vertex. "
+          "Nothing is repaired: a diagnostic counts non-manifold edges and vertices. Undefined, with the reason, for a "
+          "file that cannot be read. The format is detected from the content of the file and, if that is ambiguous, "
+          "from its name.",
+      .exactness = Exactness::exact,
+      .is_pure = false,
+      .reads_files = true,
+      .overloads = {overload<&import_as_mesh>("file")},
+      .examples = {{{"'no such file.obj'"}, "FALSE", "(isdefined _)"},
+                   {{"'no such file.obj'"}, "undefined"},
+                   {{"(text undefined)"}, "undefined"}},
+      .errors = {{{"5"}, "importMesh: expected (text), got (int)"}},
   });
 }
 

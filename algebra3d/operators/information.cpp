@@ -4,6 +4,7 @@
 #include "algebra3d/operators/all.h"
 #include "algebra3d/registry/operator.h"
 #include "algebra3d/registry/overload.h"
+#include "algebra3d/types/mesh3d.h"
 #include "algebra3d/types/moving_region.h"
 #include "algebra3d/types/planar.h"
 #include "algebra3d/types/scalars.h"
@@ -51,19 +52,19 @@ void register_sizes(Registry& registry) {
   registry.add({
       .name = "size",
       .syntax = "size(_)",
-      .doc = "The number of points or triangles; for a region or moving region the number of segments.",
+      .doc = "The number of points, triangles or faces; for a region or moving region the number of segments.",
       .detail = "A point3d has size 1. Reads no geometry.",
       .exactness = Exactness::exact,
       .overloads = {overload<&size_of<Point3d>>("point"), overload<&size_of<Points3d>>("points"),
                     overload<&size_of<Surface3d>>("surface"), overload<&size_of<Volume3d>>("solid"),
-                    overload<&size_of<Region>>("region"), overload<&size_of<RegionUnit>>("unit"),
-                    overload<&size_of<MovingRegion>>("moving")},
+                    overload<&size_of<Mesh3d>>("mesh"), overload<&size_of<Region>>("region"),
+                    overload<&size_of<RegionUnit>>("unit"), overload<&size_of<MovingRegion>>("moving")},
       .examples = {{{"(createCube (makePoint3D 0 0 0) (makePoint3D 1 1 1))"}, "12"},
                    {{"(surface3d ())"}, "0"},
                    {{"(volume3d undefined)"}, "undefined"}},
       .errors = {{{"1"},
-                  "size: expected (point3d), (points3d), (surface3d), (volume3d), (region), (uregion) or (mregion), "
-                  "got (int)"}},
+                  "size: expected (point3d), (points3d), (surface3d), (volume3d), (mesh3d), (region), (uregion) or "
+                  "(mregion), got (int)"}},
   });
   registry.add({
       .name = "isEmpty",
@@ -74,8 +75,8 @@ void register_sizes(Registry& registry) {
       .exactness = Exactness::exact,
       .overloads = {overload<&is_empty<Point3d>>("point"), overload<&is_empty<Points3d>>("points"),
                     overload<&is_empty<Surface3d>>("surface"), overload<&is_empty<Volume3d>>("solid"),
-                    overload<&is_empty<Box3>>("box"), overload<&is_empty<Region>>("region"),
-                    overload<&is_empty<MovingRegion>>("moving")},
+                    overload<&is_empty<Mesh3d>>("mesh"), overload<&is_empty<Box3>>("box"),
+                    overload<&is_empty<Region>>("region"), overload<&is_empty<MovingRegion>>("moving")},
       .examples = {{{"(volume3d ())"}, "TRUE"},
                    {{"(makePoint3D 0 0 0)"}, "FALSE"},
                    {{"(volume3d undefined)"}, "TRUE"},
@@ -108,9 +109,10 @@ void register_box_operator(Registry& registry, const std::string& name) {
       .exactness = Exactness::outward,
       .overloads = {overload<&box_of<Point3d>>("point"), overload<&box_of<Points3d>>("points"),
                     overload<&box_of<Surface3d>>("surface"), overload<&box_of<Volume3d>>("solid"),
-                    overload<&box_of<Box3>>("box"), overload<&rect_of<Point2d>>("point"),
-                    overload<&rect_of<Region>>("region"), overload<&rect_of<Rect>>("rectangle"),
-                    overload<&rect_of<RegionUnit>>("unit"), overload<&rect_of<MovingRegion>>("moving")},
+                    overload<&box_of<Mesh3d>>("mesh"), overload<&box_of<Box3>>("box"),
+                    overload<&rect_of<Point2d>>("point"), overload<&rect_of<Region>>("region"),
+                    overload<&rect_of<Rect>>("rectangle"), overload<&rect_of<RegionUnit>>("unit"),
+                    overload<&rect_of<MovingRegion>>("moving")},
       .examples = {{{"(createCube (makePoint3D 0 0 0) (makePoint3D 1 2 3))"}, "(0.0 1.0 0.0 2.0 0.0 3.0)"},
                    {{"(region ((((0 0) (4 0) (4 3)))))"}, "(0.0 4.0 0.0 3.0)"},
                    {{"(volume3d ())"}, "undefined"},
@@ -136,7 +138,8 @@ void register_information(Registry& registry) {
       .overloads = {overload<&box_distance<Point3d>>("point", "box"),
                     overload<&box_distance<Points3d>>("points", "box"),
                     overload<&box_distance<Surface3d>>("surface", "box"),
-                    overload<&box_distance<Volume3d>>("solid", "box"), overload<&box_distance<Box3>>("other", "box")},
+                    overload<&box_distance<Volume3d>>("solid", "box"), overload<&box_distance<Mesh3d>>("mesh", "box"),
+                    overload<&box_distance<Box3>>("other", "box")},
       .examples = {{{cube, "(rectangle3 4 5 5 6 0 1)"}, "5.0"},
                    {{"(volume3d undefined)", "(rectangle3 4 5 5 6 0 1)"}, "-1.0"},
                    {{"(rect3 undefined)", "(rectangle3 4 5 5 6 0 1)"}, "-1.0"},
@@ -153,6 +156,7 @@ void register_information(Registry& registry) {
                     overload<&box_intersects<Points3d>>("points", "box"),
                     overload<&box_intersects<Surface3d>>("surface", "box"),
                     overload<&box_intersects<Volume3d>>("solid", "box"),
+                    overload<&box_intersects<Mesh3d>>("mesh", "box"),
                     symmetric(overload<&box_intersects<Box3>>("other", "box"))},
       .examples = {{{cube, "(rectangle3 1 2 1 2 1 2)"}, "TRUE"},
                    {{"(rectangle3 0 1 0 1 0 1)", "(rectangle3 2 3 0 1 0 1)"}, "FALSE"},

@@ -55,7 +55,9 @@ const std::string kRounding =
     "diagnostic. A value with coordinates that are not doubles, such as a union may have, keeps its exact image if "
     "the map is exact: a translation, a scaling by doubles, quarter turns about axes parallel to the coordinate "
     "axes, and reflections that map the directions of these axes to each other. For points3d this is decided per "
-    "point. Triangles keep their order.";
+    "point. Triangles keep their order, and so do the vertices and faces of a mesh; a flat face of it may be bent by "
+    "rounding. A reflection reverses the corners of its faces, the first one stays. Attributes of a mesh "
+    "are kept; vectors called Normal turn with the faces.";
 
 void register_motions(Registry& registry) {
   registry.add({
@@ -69,7 +71,8 @@ void register_motions(Registry& registry) {
       .overloads = {overload<&rotated<Point3d>>("point", "centre", "axis", "degrees"),
                     overload<&rotated<Points3d>>("points", "centre", "axis", "degrees"),
                     overload<&rotated<Surface3d>>("surface", "centre", "axis", "degrees"),
-                    overload<&rotated<Volume3d>>("solid", "centre", "axis", "degrees")},
+                    overload<&rotated<Volume3d>>("solid", "centre", "axis", "degrees"),
+                    overload<&rotated<Mesh3d>>("mesh", "centre", "axis", "degrees")},
       .examples = {{{kPoint, kOrigin, "(makeVector3D 0 0 1)", "90"}, "(-2.0 1.0 3.0)"},
                    {{kCuboid, kOrigin, "(makeVector3D 1 0 0)", "180"}, "(0.0 1.0 -2.0 0.0 -3.0 0.0)", "(bbox _)"},
                    {{kPoint, kOrigin, "(makeVector3D 0 0 0)", "90"}, "undefined"},
@@ -83,8 +86,8 @@ void register_motions(Registry& registry) {
       .detail = kRounding,
       .exactness = Exactness::rounded_once,
       .overloads = {overload<&mirrored<Point3d>>("point", "plane"), overload<&mirrored<Points3d>>("points", "plane"),
-                    overload<&mirrored<Surface3d>>("surface", "plane"),
-                    overload<&mirrored<Volume3d>>("solid", "plane")},
+                    overload<&mirrored<Surface3d>>("surface", "plane"), overload<&mirrored<Volume3d>>("solid", "plane"),
+                    overload<&mirrored<Mesh3d>>("mesh", "plane")},
       .examples = {{{kPoint, "(plane3d (2 0 0 1))"}, "(1.0 2.0 1.0)"},
                    {{kCuboid, "(plane3d (0 1 1 0))"}, "6.0", "(volume _)"},
                    {{kUndefinedPoint, "(plane3d (2 0 0 1))"}, "undefined"}},
@@ -101,7 +104,8 @@ void register_motions(Registry& registry) {
       .exactness = Exactness::rounded_once,
       .overloads = {overload<&translated<Point3d>>("point", "by"), overload<&translated<Points3d>>("points", "by"),
                     overload<&translated<Surface3d>>("surface", "by"), overload<&translated<Volume3d>>("solid", "by"),
-                    overload<&translated_region>("region", "by"), overload<&translated_motion>("moving", "by")},
+                    overload<&translated<Mesh3d>>("mesh", "by"), overload<&translated_region>("region", "by"),
+                    overload<&translated_motion>("moving", "by")},
       .examples = {{{kPoint, "(makeVector3D 1 0 -3)"}, "(2.0 2.0 0.0)"},
                    {{kCuboid, "(vector3d (10 0 0))"}, "(10.0 11.0 0.0 2.0 0.0 3.0)", "(bbox _)"},
                    {{"(region ((((0 0) (3 0) (0 4)))))", "(makeVector3D 1 -1 0)"},
@@ -126,7 +130,8 @@ void register_transformation(Registry& registry) {
       .overloads = {overload<&scaled<Point3d>>("point", "centre", "factor"),
                     overload<&scaled<Points3d>>("points", "centre", "factor"),
                     overload<&scaled<Surface3d>>("surface", "centre", "factor"),
-                    overload<&scaled<Volume3d>>("solid", "centre", "factor")},
+                    overload<&scaled<Volume3d>>("solid", "centre", "factor"),
+                    overload<&scaled<Mesh3d>>("mesh", "centre", "factor")},
       .examples = {{{kPoint, "(makePoint3D 1 1 1)", "2"}, "(1.0 3.0 5.0)"},
                    {{kCuboid, kOrigin, "-2"}, "48.0", "(volume _)"},
                    {{kCuboid, kOrigin, "0"}, "undefined"},
@@ -144,7 +149,8 @@ void register_transformation(Registry& registry) {
       .overloads = {overload<&scaled_by_axis<Point3d>>("point", "centre", "factors"),
                     overload<&scaled_by_axis<Points3d>>("points", "centre", "factors"),
                     overload<&scaled_by_axis<Surface3d>>("surface", "centre", "factors"),
-                    overload<&scaled_by_axis<Volume3d>>("solid", "centre", "factors")},
+                    overload<&scaled_by_axis<Volume3d>>("solid", "centre", "factors"),
+                    overload<&scaled_by_axis<Mesh3d>>("mesh", "centre", "factors")},
       .examples = {{{kPoint, kOrigin, "(makeVector3D 1 0 -1)"}, "(1.0 0.0 -3.0)"},
                    {{kCuboid, kOrigin, "(makeVector3D 2 1 -1)"}, "(0.0 2.0 0.0 2.0 -3.0 0.0)", "(bbox _)"},
                    {{kCuboid, kOrigin, "(makeVector3D 2 0 1)"}, "undefined"},

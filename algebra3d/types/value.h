@@ -40,6 +40,7 @@ class Type {
     direction,  ///< `(x y z)`, independent of the origin
     points,     ///< a list of points; their order depends on the frame
     triangles,  ///< a list of triples of points; their order and first corners depend on the frame
+    mesh,       ///< `((points) (faces))`, faces as numbers of points
     plane,      ///< `(d nx ny nz)` or `(point normal)`
     box,        ///< bounds along the axes: `(x_min x_max y_min y_max z_min z_max)`
   };

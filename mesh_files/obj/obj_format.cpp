@@ -28,6 +28,12 @@ Result<MeshContent> read_obj_content(std::string_view bytes, std::string_view fi
   return MeshContent{std::move(read.soup), Encoding::ascii, std::move(read.remarks), std::nullopt};
 }
 
+Result<MeshContent> read_obj_with_attributes(std::string_view bytes, std::string_view file_name,
+                                             const std::atomic<bool>* cancel) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(ReadMesh read, read_obj(bytes, file_name, cancel, ObjWanted::attributes));
+  return MeshContent{std::move(read.soup), Encoding::ascii, std::move(read.remarks), std::nullopt};
+}
+
 Status write_obj_content(const std::filesystem::path& path, const Facets& facets, std::string_view name,
                          Encoding /*encoding*/) {
   return write_obj_file(path, std::get<PolygonSoup>(facets), name);
@@ -45,7 +51,8 @@ MeshFormat obj_format() {
           .stores_name = true,
           .detect = detect_obj,
           .read = read_obj_content,
-          .write = write_obj_content};
+          .write = write_obj_content,
+          .read_with_attributes = read_obj_with_attributes};
 }
 
 }  // namespace mesh_files

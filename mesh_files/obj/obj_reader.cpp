@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "mesh_files/detail/padding.h"
 #include "mesh_files/detail/reading.h"
 #include "mesh_files/detail/soup_capacity.h"
+#include "mesh_files/obj/obj_attributes.h"
 #include "mesh_files/obj/obj_statement.h"
 
 namespace mesh_files {
@@ -42,9 +44,10 @@ constexpr std::size_t kMostInSoup = std::numeric_limits<std::uint32_t>::max();
 class ObjReader : Reading {
  public:
   /// `point_limit` is the number of vertices, or kGreatestInteger while it is not known.
-  ObjReader(std::string_view bytes, std::string_view file_name, const std::atomic<bool>* cancel,
+  ObjReader(std::string_view bytes, std::string_view file_name, const std::atomic<bool>* cancel, ObjWanted wanted,
             std::uint64_t point_limit)
       : Reading(bytes, file_name, cancel),
+        wants_attributes_(wanted == ObjWanted::attributes),
         point_limit_(point_limit),
         cursor_(bytes.data(), bytes.data() + bytes.size()),
         end_(bytes.data() + bytes.size()),
@@ -56,6 +59,7 @@ class ObjReader : Reading {
     if (!read_statements()) return take_error();
     if (read_.soup.points.size() > kMostInSoup) return too_many("vertices");
     add_remarks();
+    if (wants_attributes_) add_attributes();
     return std::move(read_);
   }
 
@@ -82,8 +86,9 @@ class ObjReader : Reading {
     AsciiCursor cursor = cursor_;
     for (std::size_t count = 0; count < kStatementsPerPoll; ++count) {
       cursor.skip_blanks();
-      const bool is_taken =
-          cursor.take_text("v ") ? take_plain_vertex(cursor) : cursor.take_text("f ") && take_plain_face(cursor);
+      const bool is_taken = cursor.take_text("v ")
+                                ? take_plain_vertex(cursor)
+                                : !wants_attributes_ && cursor.take_text("f ") && take_plain_face(cursor);
       if (!is_taken) return count;
       cursor_ = cursor;
     }
@@ -158,9 +163,18 @@ class ObjReader : Reading {
     ++counts_[static_cast<std::size_t>(statement)];
     const char* const behind_keyword = cursor_.position();
     skip_statement();
-    if (statement == ObjStatement::object || statement == ObjStatement::group)
-      note_name(statement, {behind_keyword, static_cast<std::size_t>(cursor_.position() - behind_keyword)});
+    const std::string_view rest(behind_keyword, static_cast<std::size_t>(cursor_.position() - behind_keyword));
+    if (statement == ObjStatement::object || statement == ObjStatement::group) note_name(statement, rest);
+    if (wants_attributes_) note_attribute(statement, keyword, rest);
     return true;
+  }
+
+  void note_attribute(ObjStatement statement, std::string_view keyword, std::string_view rest) {
+    if (statement == ObjStatement::texture_coordinates && keyword == "vt") attributes_.add_texture(rest);
+    if (statement == ObjStatement::normal) attributes_.add_normal(rest);
+    if (statement == ObjStatement::group) attributes_.begin_group(name_in(rest));
+    if (statement == ObjStatement::object) attributes_.begin_object(name_in(rest));
+    if (keyword == "usemtl") attributes_.begin_material(name_in(rest));
   }
 
   // Behind `v`.
@@ -214,6 +228,7 @@ class ObjReader : Reading {
         return false;
     }
     if (corners.size() - first_corner < 3) [[unlikely]] {
+      if (wants_attributes_) attributes_.drop_corners(corners.size() - first_corner);
       corners.resize(first_corner);
       ++short_face_count_;
       return true;
@@ -221,6 +236,7 @@ class ObjReader : Reading {
     if (corners.size() > kMostInSoup) [[unlikely]]
       return fail(too_many("corners of faces"));
     read_.soup.face_starts.push_back(static_cast<std::uint32_t>(corners.size()));
+    if (wants_attributes_) attributes_.end_face();
     if (face_count_ == kElementsForEstimate) reserve_remaining_faces(cursor_);
     return true;
   }
@@ -230,7 +246,8 @@ class ObjReader : Reading {
     const bool counts_back = *word == '-';
     if (counts_back || *word == '+') cursor_.move_to(word + 1);
     std::uint64_t index = 0;
-    if (!cursor_.take_digits(index) || !skip_attributes()) [[unlikely]]
+    std::array<ObjAttributes::Index, 2> attributes{};
+    if (!cursor_.take_digits(index) || !take_attributes(attributes)) [[unlikely]]
       return fail_corner(word, corner, "expected an index such as 1, 1/2, 1//3 or 1/2/3");
     const std::uint64_t limit = counts_back ? read_.soup.points.size() : point_limit_;
     if (index == 0) [[unlikely]]
@@ -239,17 +256,20 @@ class ObjReader : Reading {
       return fail_index(word, corner, counts_back, limit);
     if (!counts_back) greatest_index_ = std::max(greatest_index_, index);
     read_.soup.corners.push_back(static_cast<std::uint32_t>(counts_back ? limit - index : index - 1));
+    if (wants_attributes_) attributes_.add_corner(attributes[0], attributes[1]);
     return true;
   }
 
   // Behind the first index of a corner: `/t`, `//n` or `/t/n`, where t and n may also be missing.
-  bool skip_attributes() {
-    for (int slash = 0; slash < 2 && !cursor_.is_at_end() && *cursor_.position() == '/'; ++slash) {
+  bool take_attributes(std::array<ObjAttributes::Index, 2>& indices) {
+    for (std::size_t slash = 0; slash < 2 && !cursor_.is_at_end() && *cursor_.position() == '/'; ++slash) {
       cursor_.move_to(cursor_.position() + 1);
-      std::uint64_t ignored = 0;
+      std::uint64_t index = 0;
       const bool has_sign = !cursor_.is_at_end() && (*cursor_.position() == '-' || *cursor_.position() == '+');
+      const bool counts_back = has_sign && *cursor_.position() == '-';
       if (has_sign) cursor_.move_to(cursor_.position() + 1);
-      if (!cursor_.take_digits(ignored) && has_sign) return false;
+      if (!cursor_.take_digits(index) && has_sign) return false;
+      indices[slash] = static_cast<ObjAttributes::Index>(index) * (counts_back ? -1 : 1);
     }
     return cursor_.is_at_end() || is_blank(*cursor_.position()) || *cursor_.position() == '#' || is_at_continuation();
   }
@@ -322,8 +342,12 @@ class ObjReader : Reading {
     const bool is_first = counts_[static_cast<std::size_t>(statement)] == 1;
     const bool has_object = counts_[static_cast<std::size_t>(ObjStatement::object)] > 0;
     if (!is_first || (statement == ObjStatement::group && has_object)) return;
+    read_.soup.name = name_in(rest);
+  }
+  /// The rest of the line; if it is continued, of the first one.
+  static std::string_view name_in(std::string_view rest) {
     const std::string_view line = rest.substr(0, rest.find_first_of("\r\n"));
-    read_.soup.name = trimmed(line.size() < rest.size() ? line.substr(0, line.size() - 1) : line);
+    return trimmed(line.size() < rest.size() ? line.substr(0, line.size() - 1) : line);
   }
 
   // False if this is padding behind the last statement, or an error.
@@ -365,8 +389,8 @@ class ObjReader : Reading {
   }
 
   void add_remarks() {
-    add_count(ObjStatement::texture_coordinates, "texture coordinate", "");
-    add_count(ObjStatement::normal, "normal", "");
+    if (!wants_attributes_) add_count(ObjStatement::texture_coordinates, "texture coordinate", "");
+    if (!wants_attributes_) add_count(ObjStatement::normal, "normal", "");
     add_remark(coloured_count_, "colour", "");
     add_remark(weighted_count_, "vertex weight", " other than 1");
     add_count(ObjStatement::line, "line element", " (l)");
@@ -378,6 +402,14 @@ class ObjReader : Reading {
     add_count(ObjStatement::unknown, "statement",
               fmt::format(" with an unknown keyword, the first {} in line {},", found_text(cursor_.rest()),
                           line_number(bytes_, offset_of_cursor())));
+  }
+  void add_attributes() {
+    std::size_t unknown_count = 0;
+    read_.soup.attributes =
+        std::make_shared<const algebra3d::SoupAttributes>(std::move(attributes_).finish(unknown_count));
+    if (unknown_count > 0)
+      read_.remarks.push_back(fmt::format("{} of corners to missing texture coordinates or normals ignored",
+                                          counted(unknown_count, "reference")));
   }
   void add_count(ObjStatement statement, std::string_view noun, std::string_view which) {
     add_remark(counts_[static_cast<std::size_t>(statement)], noun, which);
@@ -403,6 +435,8 @@ class ObjReader : Reading {
     return {ErrorCode::limit_exceeded, "{}: more than {} {}", file_name_, kMostInSoup, what};
   }
 
+  bool wants_attributes_;
+  ObjAttributes attributes_;
   std::uint64_t point_limit_;
   AsciiCursor cursor_;
   const char* end_;
@@ -420,13 +454,14 @@ class ObjReader : Reading {
 
 }  // namespace
 
-Result<ReadMesh> read_obj(std::string_view bytes, std::string_view file_name, const std::atomic<bool>* cancel) {
-  ObjReader reader(bytes, file_name, cancel, kGreatestInteger);
+Result<ReadMesh> read_obj(std::string_view bytes, std::string_view file_name, const std::atomic<bool>* cancel,
+                          ObjWanted wanted) {
+  ObjReader reader(bytes, file_name, cancel, wanted, kGreatestInteger);
   auto read = reader.read();
   if (!read || reader.greatest_index() <= read->soup.points.size()) return read;
   // Vertices may come behind the faces that name them. Only now is it known that some never came: read again, so that
   // the error names the place.
-  return ObjReader(bytes, file_name, cancel, read->soup.points.size()).read();
+  return ObjReader(bytes, file_name, cancel, wanted, read->soup.points.size()).read();
 }
 
 Result<ReadMesh> read_obj_file(const std::filesystem::path& path, const std::atomic<bool>* cancel) {

@@ -9,6 +9,12 @@
 
 namespace mesh_files {
 
+/// What is read of an OBJ file.
+enum class ObjWanted {
+  shape,
+  attributes,  ///< also texture coordinates and normals of corners; groups, objects and materials of faces
+};
+
 /// Reads the bytes of a Wavefront OBJ file; `file_name` is used in messages only.
 ///
 ///     v x y z
@@ -29,13 +35,17 @@ namespace mesh_files {
 /// - Everything else is an error, also a coordinate that is not finite or beyond the range of double. Numbers too small
 ///   for a double become zero.
 ///
+/// With ObjWanted::attributes, texture coordinates and normals are read, the others have no remark either: a `vt` may
+/// have one to three numbers, of which the first two count; a name of `g`, `o` and `usemtl` is the rest of the line.
+/// Indices of corners without an element are none, with a remark; malformed numbers are NaN.
+///
 /// Faces and points are not welded, reordered or checked beyond finiteness. Exactness: coordinates are the doubles
 /// nearest to their digits. Errors: file_format, with byte and line, what was found and what was expected;
 /// limit_exceeded (2^32 vertices, or corners of faces); interrupted, if `*cancel` is set (checked every 65536
 /// statements). Cost: linear, one pass (two if an index is out of range); memory for the soup only, bounded by the size
 /// of the file. Source: Wavefront Advanced Visualizer, appendix B1, version 3.0 of the format.
 algebra3d::Result<ReadMesh> read_obj(std::string_view bytes, std::string_view file_name,
-                                     const std::atomic<bool>* cancel = nullptr);
+                                     const std::atomic<bool>* cancel = nullptr, ObjWanted wanted = ObjWanted::shape);
 
 /// `read_obj` for the file at `path`. Errors: also those of InputFile and FileContent (file_missing, io_error with the
 /// system's reason, ...).

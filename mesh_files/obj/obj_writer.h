@@ -9,7 +9,9 @@
 namespace mesh_files {
 
 /// Writes `soup` as one object to an OBJ file at `path`, atomically (AtomicFile): the name as `o` unless it is empty,
-/// all points as `v`, also unused ones, and all faces as `f`, in order.
+/// all points as `v`, also unused ones, and all faces as `f`, in order. Without a name and points it has a comment.
+/// Attributes of the soup become `vt` and `vn`, indices of corners, and `o`, `g` and `usemtl` where they change;
+/// without a name if there is none.
 ///
 /// The name becomes one line: control characters become blanks, and blanks at the ends are removed. The name of the
 /// soup is not used. Exactness: digits are the shortest for the same double, so coordinates read back unchanged.

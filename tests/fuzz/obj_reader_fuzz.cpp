@@ -1,5 +1,5 @@
-// Any bytes: the OBJ reader gives a sound soup or an error that names the file, in time linear in the bytes;
-// and its name tells its format, if its content does not.
+// Any bytes: the OBJ reader gives a sound soup or an error that names the file, in time linear in the bytes, and the
+// same with attributes; and its name tells its format, if its content does not.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -12,9 +12,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   require(mesh_files::known_mesh_formats().detect(bytes, "fuzz.obj").ok());
   const auto read = mesh_files::read_obj(bytes, "fuzz.obj");
-  if (read)
-    require_sound(read->soup);
-  else
+  const auto with_attributes = mesh_files::read_obj(bytes, "fuzz.obj", nullptr, mesh_files::ObjWanted::attributes);
+  require(read.ok() == with_attributes.ok());
+  if (!read) {
     require(read.error().message.starts_with("fuzz.obj: "));
+    return 0;
+  }
+  require_sound(read->soup);
+  require(with_attributes->soup.corners == read->soup.corners && with_attributes->soup.points == read->soup.points);
   return 0;
 }

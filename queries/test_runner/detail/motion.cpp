@@ -194,6 +194,8 @@ Motion::Moved Motion::moved(Coordinates coordinates, const NestedList& list) con
       return points(list);
     case Coordinates::triangles:
       return triangles(list);
+    case Coordinates::mesh:
+      return mesh(list);
     case Coordinates::plane:
       return plane(list);
     case Coordinates::box:
@@ -231,6 +233,16 @@ Motion::Moved Motion::triangles(const NestedList& list) const {
     if (!triangle.is_list() || triangle.elements().size() != 3) return std::nullopt;
     return points(triangle);
   });
+}
+
+// Attributes stay: a case in which vectors are to turn says so.
+Motion::Moved Motion::mesh(const NestedList& list) const {
+  if (!list.is_list() || list.elements().size() < 2) return std::nullopt;
+  auto moved = points(list.elements()[0]);
+  if (!moved) return std::nullopt;
+  NestedList::List parts = list.elements();
+  parts[0] = *std::move(moved);
+  return NestedList(std::move(parts));
 }
 
 // The distance of a moved plane is no double as a rule; the form with a point is exact. Where the origin stays, the

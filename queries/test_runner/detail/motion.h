@@ -48,6 +48,7 @@ class Motion {
   Moved point_list(const NestedList& list) const;
   Moved direction_list(const NestedList& list) const;
   Moved points(const NestedList& list) const;
+  Moved mesh(const NestedList& list) const;
   Moved triangles(const NestedList& list) const;
   Moved plane(const NestedList& list) const;
   Moved box(const NestedList& list) const;

@@ -8,7 +8,7 @@
 namespace algebra3d {
 
 /// Reaches into a mesh to damage it.
-struct TriangleMeshTester {
+struct MeshTester {
   static auto& points(TriangleMesh& mesh) { return mesh.points_; }
   static auto& origins(TriangleMesh& mesh) { return mesh.origins_; }
   static auto& opposites(TriangleMesh& mesh) { return mesh.opposites_; }
@@ -16,16 +16,16 @@ struct TriangleMeshTester {
   /// Changes a copy of the side tables and puts it in their place.
   template <typename Change>
   static void change_tables(TriangleMesh& mesh, Change change) {
-    auto tables = mesh.nonmanifold_ ? *mesh.nonmanifold_ : TriangleMesh::NonManifold();
+    auto tables = mesh.nonmanifold_ ? *mesh.nonmanifold_ : NonManifoldTables();
     change(tables);
-    mesh.nonmanifold_ = std::make_shared<const TriangleMesh::NonManifold>(std::move(tables));
+    mesh.nonmanifold_ = std::make_shared<const NonManifoldTables>(std::move(tables));
   }
   static void drop_tables(TriangleMesh& mesh) { mesh.nonmanifold_.reset(); }
 };
 
 namespace {
 
-using Tester = TriangleMeshTester;
+using Tester = MeshTester;
 using Lines = std::vector<std::string>;
 
 TriangleMesh tetrahedron() {
@@ -52,7 +52,7 @@ TEST(Audit, wrong_sizes_are_found) {
   TriangleMesh mesh = tetrahedron();
   Tester::origins(mesh).push_back(0);
   Tester::outgoing(mesh).pop_back();
-  EXPECT_EQ(audit(mesh), (Lines{"13 origins, expected a multiple of 3", "12 opposites, expected one per half-edge (13)",
+  EXPECT_EQ(audit(mesh), (Lines{"13 half-edges, expected a multiple of 3", "12 opposites, expected one per half-edge (13)",
                                 "3 outgoing half-edges, expected one per vertex (4)"}));
 }
 

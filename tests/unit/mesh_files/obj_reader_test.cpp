@@ -267,9 +267,45 @@ TEST(ObjReader, every_beginning_of_a_file_is_read_or_refused) {
   for (std::size_t size = 1; size <= whole.size(); ++size) {
     // On the heap, so that the sanitizer sees a byte read beyond the end.
     const std::vector<char> bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
-    const auto read = read_obj({bytes.data(), bytes.size()}, "a.obj");
-    EXPECT_TRUE(read || read.error().message.starts_with("a.obj: byte ")) << size;
+    for (const auto wanted : {mesh_files::ObjWanted::shape, mesh_files::ObjWanted::attributes}) {
+      const auto read = read_obj({bytes.data(), bytes.size()}, "a.obj", nullptr, wanted);
+      EXPECT_TRUE(read || read.error().message.starts_with("a.obj: byte ")) << size;
+    }
   }
+}
+
+TEST(ObjReader, the_shape_is_the_same_with_attributes) {
+  for (const AcceptedObj& accepted : obj_layouts()) {
+    const auto read = read_obj(accepted.bytes, "a.obj", nullptr, mesh_files::ObjWanted::attributes);
+    ASSERT_TRUE(read) << accepted.label << ": " << read.error().message;
+    EXPECT_EQ(read->soup.points, accepted.points) << accepted.label;
+    EXPECT_EQ(faces_of(read->soup), accepted.faces) << accepted.label;
+  }
+}
+
+TEST(ObjReader, attributes_are_those_of_corners_and_faces) {
+  const std::string bytes =
+      kObjVertices +
+      "vt 0 \\\n 1#c\nvt 2 3 4\nvn 0 0 1 # up\ng a b\nusemtl m\nf 1/1/1 2/-1/-1 3//1\ng\nf 1 2\nf 1/3 2/2/ 3\n"
+      "usemtl n\\\n  o\nf 1 2 4\n";
+  const auto read = read_obj(bytes, "a.obj", nullptr, mesh_files::ObjWanted::attributes);
+  ASSERT_TRUE(read) << read.error().message;
+  constexpr std::uint32_t none = 0xFFFFFFFF;
+  using Numbers = std::vector<std::uint32_t>;
+  ASSERT_NE(read->soup.attributes, nullptr);
+  const algebra3d::SoupAttributes& attributes = *read->soup.attributes;
+  EXPECT_EQ(attributes.textures, (std::vector<std::array<double, 2>>{{0, 1}, {2, 3}}));
+  EXPECT_EQ(attributes.normals, (std::vector<Vec3>{{0, 0, 1}}));
+  EXPECT_EQ(attributes.corner_textures, (Numbers{0, 1, none, none, 1, none, none, none, none}));
+  EXPECT_EQ(attributes.corner_normals, (Numbers{0, 0, 0, none, none, none, none, none, none}));
+  EXPECT_EQ(attributes.groups.of_face, (Numbers{0, none, none}));
+  EXPECT_EQ(attributes.groups.names[0], "a b");
+  EXPECT_EQ(attributes.materials.of_face, (Numbers{0, 0, 1}));
+  EXPECT_EQ(attributes.materials.names[1], "n");
+  EXPECT_TRUE(attributes.objects.of_face.empty());
+  EXPECT_EQ(read->remarks,
+            (std::vector<std::string>{"1 face with fewer than 3 corners ignored",
+                                      "1 reference of corners to missing texture coordinates or normals ignored"}));
 }
 
 TEST(ObjReader, many_vertices_and_faces) {

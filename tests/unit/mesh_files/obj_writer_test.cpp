@@ -54,7 +54,7 @@ TEST_F(ObjWriter, files_have_the_text_of_the_format) {
             "v 0.1 1e+300 5e-324\n"
             "f 1 2 3\n"
             "f 3 2 1 1\n");
-  EXPECT_EQ(written({}, ""), "");
+  EXPECT_EQ(written({}, ""), "# no vertices\n");
 }
 
 TEST_F(ObjWriter, names_become_one_line) {
@@ -64,6 +64,13 @@ TEST_F(ObjWriter, names_become_one_line) {
   EXPECT_EQ(written(soup, " two\nlines\r\nand\ta tab "), "o two lines  and a tab\nv 0 0 0\n");
   EXPECT_EQ(written(soup, "W\xc3\xbcrfel"), "o W\xc3\xbcrfel\nv 0 0 0\n");
   EXPECT_EQ(written(soup, "path\\"), "o path\\ \nv 0 0 0\n");
+}
+
+TEST_F(ObjWriter, nothing_reads_back) {
+  EXPECT_EQ(written(polygon_soup({}, {}), ""), "# no vertices\n");
+  const auto read = mesh_files::read_obj_file(folder_.path("out.obj"));
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_TRUE(read->soup.points.empty());
 }
 
 TEST_F(ObjWriter, awkward_names_read_back) {

@@ -35,6 +35,12 @@ inline const Texts& shapes() {
        {"(((0 0 1) (4 0 1) (0 3 1)))", "(((0 0 0) (4 0 0) (4 4 2)) ((0 0 0) (4 4 2) (0 4 2)))",
         "(((1 -1 0) (1 5 0) (1 2 4)))"}},
       {"volume3d", {cube, corner, "()"}},
+      {"mesh3d",
+       {"(((0 0 0) (4 0 0) (4 4 0) (0 4 0) (0 0 4) (4 0 4) (4 4 4) (0 4 4)) "
+        "((3 2 1 0) (4 5 6 7) (0 1 5 4) (1 2 6 5) (2 3 7 6) (3 0 4 7)))",
+        "(((0 0 1) (4 0 0) (4 3 2) (0 3 0)) ((0 1 2 3)))",
+        "(((0 0 0) (0 0 4) (4 0 0) (0 4 0) (7 7 7)) ((0 1 2) (0 1 3) (1 0 3)) ((face \"F\" text ('a' undefined "
+        "'b'))))"}},
       {"rect3", {"(0.0 4.0 0.0 2.0 0.0 6.0)", "(2.0 5.0 -1.0 3.0 1.0 7.0)", "(5.0 6.0 4.0 4.0 0.0 3.0)"}},
       {"rect", {"(0.0 4.0 0.0 2.0)", "(1.0 6.0 -1.0 3.0)"}},
       {"point", {"(1 2)", "(0 -4)"}},
@@ -67,7 +73,8 @@ inline const Texts& plain_values() {
 /// Parameters of type real or vector3d that are no lengths, by name: factors, angles, directions. All others of an
 /// operator on shapes are lengths.
 inline bool is_plain(const Parameter& parameter) {
-  static const std::set<std::string_view> names = {"factor", "factors", "degrees", "axis", "direction"};
+  // A value is that of an attribute.
+  static const std::set<std::string_view> names = {"factor", "factors", "degrees", "axis", "direction", "value"};
   return names.contains(parameter.name);
 }
 
@@ -90,8 +97,16 @@ inline NestedList scaled(const NestedList& list, const Rational& factor) {
   return number ? coordinate_to_nested(*number * factor) : list;
 }
 
+/// The list of a mesh3d with other vertices.
+inline NestedList with_vertices(const NestedList& mesh, NestedList vertices) {
+  NestedList::List parts = mesh.elements();
+  parts[0] = std::move(vertices);
+  return NestedList(std::move(parts));
+}
+
 /// The value list of a value of this type when all lengths are multiplied.
 inline NestedList scaled_shape(const Type& type, const NestedList& list, const Rational& factor) {
+  if (type.name() == "mesh3d") return with_vertices(list, scaled(list.elements()[0], factor));
   if (type.name() != "plane3d") return scaled(list, factor);
   return NestedList::list(scaled(list.elements()[0], factor), list.elements()[1]);
 }
@@ -117,7 +132,7 @@ inline std::optional<Value> argument(const Parameter& parameter, std::size_t cho
   return read(type, is_shape(type) && !is_plain(parameter) ? scaled_shape(type, list, factor) : list);
 }
 
-/// The shape with each number i of its text replaced by the i-th of these, which ascend; so boxes stay boxes.
+/// The list with each number i of its text replaced by the i-th of these, which ascend; so boxes stay boxes.
 inline NestedList stretched(const NestedList& list, std::size_t shift) {
   constexpr double kTiny = std::numeric_limits<double>::denorm_min(), kHuge = std::numeric_limits<double>::max();
   static const std::vector<double> numbers = {-kHuge, -1e308, -1,    -kTiny, 0,     kTiny, 3 * kTiny,
@@ -131,6 +146,11 @@ inline NestedList stretched(const NestedList& list, std::size_t shift) {
   if (!number) return list;
   const auto place = static_cast<std::size_t>(number->nearest_double() + 3) + shift;
   return NestedList(numbers[place % numbers.size()]);
+}
+
+/// The value list of a value of this type with its lengths replaced like that.
+inline NestedList stretched_shape(const Type& type, const NestedList& list, std::size_t shift) {
+  return type.name() == "mesh3d" ? with_vertices(list, stretched(list.elements()[0], shift)) : stretched(list, shift);
 }
 
 }  // namespace algebra3d::ranges

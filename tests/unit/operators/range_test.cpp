@@ -28,7 +28,7 @@ const std::map<std::string_view, int> kDegrees = {
 const std::set<std::string_view> kLawless = {
     "commonPoint", "closestPoints", "clash",      "hausdorffDistance", "boundingSphere", "boundingCylinder",
     "minimalBox",  "inertia",       "congruence", "region2wkt",        "exportSTL",      "exportOBJ",
-    "exportOFF",   "importSTL",     "importOBJ",  "importOFF",         "importSurface"};
+    "exportOFF",   "importSTL",     "importOBJ",  "importOFF",         "importSurface",  "importMesh"};
 
 const Registry& range_registry() {
   static const Registry the_registry = make_registry();
@@ -191,7 +191,7 @@ std::optional<Value> wild_argument(const Parameter& parameter, std::mt19937& ran
   if (type.name() == "real") return ranges::read(type, ranges::stretched(NestedList(0.0), shift));
   if (!is_shape(type)) return ranges::read(type, list);
   for (std::size_t i = 0; i < 13; ++i)
-    if (auto value = ranges::read(type, ranges::stretched(list, shift + i))) return value;
+    if (auto value = ranges::read(type, ranges::stretched_shape(type, list, shift + i))) return value;
   return std::nullopt;
 }
 

@@ -15,6 +15,7 @@
 #include "algebra3d/types/all.h"
 #include "algebra3d/types/detail/codec_points.h"
 #include "algebra3d/types/detail/mesh_codec.h"
+#include "algebra3d/types/mesh3d.h"
 #include "algebra3d/types/moving_region.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
@@ -95,6 +96,13 @@ const std::vector<std::pair<const Type*, std::string_view>>& samples() {
       {&TypeOf<Surface3d>::type(), "(((0 0 0) (1 0 0) (0 1 0)))"},
       {&TypeOf<Surface3d>::type(), "(((0 0 0) (1 0 0) (0 1/3 0)) ((5 5 5) (6 5 5) (5 6 7)))"},
       {&TypeOf<Volume3d>::type(), TypeOf<Volume3d>::type().example()},
+      {&TypeOf<Mesh3d>::type(), TypeOf<Mesh3d>::type().example()},
+      {&TypeOf<Mesh3d>::type(), "(() ())"},
+      {&TypeOf<Mesh3d>::type(), "(((0 0 0) (1/3 1 1)) ())"},
+      {&TypeOf<Mesh3d>::type(),
+       "(((0 0 0) (1 0 0) (1 1/7 0) (0 1 2) (9 9 9)) ((3 2 1 0) (0 1 2) (0 0 4) (0 3 1) (0 1 2 3 2)))"},
+      {&TypeOf<Mesh3d>::type(),
+       "(((0 0 0) (1 0 0) (0 1 0)) ((0 1 2)) ((vertex \"W\" real (1 undefined 2)) (face \"M\" text ('a'))))"},
       {&TypeOf<Instant>::type(), R"("2011-07-08-14:00:00.001")"},
       {&TypeOf<Duration>::type(), "(-3 5)"},
       {&TypeOf<TimeInterval>::type(), "(-1 2.5 FALSE TRUE)"},

@@ -1,24 +1,49 @@
+#pragma once
+
 #include <algorithm>
-#include <cassert>
+#include <cstdint>
 #include <memory>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "algebra3d/base/scheduler.h"
-#include "algebra3d/base/shrink.h"
 #include "algebra3d/halfedge/detail/nonmanifold_tables.h"
-#include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/halfedge/halfedge_mesh.h"
 
 namespace algebra3d {
 
+namespace mesh_linker {
+
+inline void sort_entries(std::span<std::uint64_t> entries) {
+  // Buckets have six entries on average: insertion sort. A hub of a large fan has any number.
+  if (entries.size() > 32) {
+    std::ranges::sort(entries);
+    return;
+  }
+  for (std::size_t i = 1; i < entries.size(); ++i) {
+    const std::uint64_t entry = entries[i];
+    std::size_t place = i;
+    for (; place > 0 && entries[place - 1] > entry; --place) entries[place] = entries[place - 1];
+    entries[place] = entry;
+  }
+}
+
+}  // namespace mesh_linker
+
 /// Fills a mesh whose points and origins stand: opposites that are unlinked, outgoing half-edges, side tables. What is
 /// known of settled vertices (see the constructors) stays as it is.
-struct TriangleMeshBuilder {
+template <typename Layout>
+struct MeshLinker {
+  using Mesh = HalfedgeMesh<Layout>;
+  using Links = typename Mesh::Links;
   /// A half-edge as seen from its edge's smaller end: larger end in the upper half, then the half-edge's index and, in
   /// the lowest bit, whether it leaves the smaller end. So order is by edge, then by half-edge.
   using Entry = std::uint64_t;
 
-  TriangleMesh& mesh;
-  TriangleMesh::NonManifold tables;
-  TriangleMesh::Links links;
+  Mesh& mesh;
+  NonManifoldTables tables;
+  Links links;
   /// Number of the settled vertices: the first ones.
   std::size_t settled;
   /// Half-edges that leave vertices that are not settled, ascending; not listed if no vertex is settled.
@@ -28,10 +53,9 @@ struct TriangleMeshBuilder {
   /// Half-edges that are found to have no opposite.
   std::vector<std::uint32_t> alone;
 
-  TriangleMeshBuilder(TriangleMesh& linked, TriangleMesh::Links links_known)
-      : mesh(linked), links(links_known), settled(linked.outgoing_.size()) {
-    if (links == TriangleMesh::Links::some) find_unlinked();
-    if (links == TriangleMesh::Links::all_but_between_open_vertices) find_open_corners();
+  MeshLinker(Mesh& linked, Links links_known) : mesh(linked), links(links_known), settled(linked.outgoing_.size()) {
+    if (links == Links::some) find_unlinked();
+    if (links == Links::all_but_between_open_vertices) find_open_corners();
   }
 
   void build() {
@@ -40,7 +64,7 @@ struct TriangleMeshBuilder {
     const std::vector<std::uint32_t> corner_counts = choose_outgoing();
     find_nonmanifold_vertices(corner_counts, is_open);
     if (tables.edge_starts.size() == 1 && tables.vertices.empty()) return;
-    mesh.nonmanifold_ = std::make_shared<const TriangleMesh::NonManifold>(std::move(tables));
+    mesh.nonmanifold_ = std::make_shared<const NonManifoldTables>(std::move(tables));
   }
 
  private:
@@ -63,37 +87,21 @@ struct TriangleMeshBuilder {
   void number_nonmanifold_edges();
 
   std::vector<std::uint32_t> choose_outgoing();
-  HalfedgeId next_in_fan(HalfedgeId h) const { return mesh.opposite(TriangleMesh::prev(h)); }
+  HalfedgeId next_in_fan(HalfedgeId h) const { return mesh.opposite(mesh.prev(h)); }
   template <typename Visit>
   void walk_fan(HalfedgeId first, Visit visit) const;
   void find_nonmanifold_vertices(const std::vector<std::uint32_t>& corner_counts, const std::vector<bool>& is_open);
   void list_fans();
 };
 
-namespace {
-
-void sort_entries(std::span<std::uint64_t> entries) {
-  // Buckets have six entries on average: insertion sort. A hub of a large fan has any number.
-  if (entries.size() > 32) {
-    std::ranges::sort(entries);
-    return;
-  }
-  for (std::size_t i = 1; i < entries.size(); ++i) {
-    const std::uint64_t entry = entries[i];
-    std::size_t place = i;
-    for (; place > 0 && entries[place - 1] > entry; --place) entries[place] = entries[place - 1];
-    entries[place] = entry;
-  }
-}
-
-}  // namespace
-
-void TriangleMeshBuilder::find_unlinked() {
+template <typename Layout>
+void MeshLinker<Layout>::find_unlinked() {
   for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h)
-    if (mesh.opposites_[h] == TriangleMesh::kUnlinked) unlinked.push_back(h);
+    if (mesh.opposites_[h] == Mesh::kUnlinkedHalfedge) unlinked.push_back(h);
 }
 
-void TriangleMeshBuilder::find_open_corners() {
+template <typename Layout>
+void MeshLinker<Layout>::find_open_corners() {
   constexpr std::size_t kHalfedgesPerTask = 50000;
   corners = parallel_collect(mesh.halfedge_count(), kHalfedgesPerTask, [&](std::size_t begin, std::size_t end) {
     std::vector<std::uint32_t> result;
@@ -106,9 +114,10 @@ void TriangleMeshBuilder::find_open_corners() {
 }
 
 /// Calls visit(h, v) for all half-edges and the vertices that they leave, the last ones first, except settled vertices.
+template <typename Layout>
 template <typename Visit>
-void TriangleMeshBuilder::for_each_corner_downwards(Visit visit) const {
-  if (links == TriangleMesh::Links::all_but_between_open_vertices) {
+void MeshLinker<Layout>::for_each_corner_downwards(Visit visit) const {
+  if (links == Links::all_but_between_open_vertices) {
     for (std::size_t i = corners.size(); i-- > 0;) visit(HalfedgeId(corners[i]), mesh.origins_[corners[i]]);
     return;
   }
@@ -116,27 +125,32 @@ void TriangleMeshBuilder::for_each_corner_downwards(Visit visit) const {
 }
 
 /// Calls visit(h, a, b) for the ends of each half-edge that is to be linked, in order.
+template <typename Layout>
 template <typename Visit>
-void TriangleMeshBuilder::for_each_unlinked(Visit visit) const {
+void MeshLinker<Layout>::for_each_unlinked(Visit visit) const {
   const LargeVector<std::uint32_t>& origins = mesh.origins_;
-  for (const std::uint32_t h : unlinked) visit(h, origins[h], origins[TriangleMesh::next(HalfedgeId(h)).index()]);
-  if (links != TriangleMesh::Links::none) return;
-  for (std::uint32_t h = 0; h < origins.size(); h += 3) {
-    visit(h, origins[h], origins[h + 1]);
-    visit(h + 1, origins[h + 1], origins[h + 2]);
-    visit(h + 2, origins[h + 2], origins[h]);
+  for (const std::uint32_t h : unlinked) visit(h, origins[h], origins[mesh.next(HalfedgeId(h)).index()]);
+  if (links != Links::none) return;
+  const std::size_t face_count = mesh.face_count();
+  for (std::size_t f = 0; f < face_count; ++f) {
+    const std::uint32_t first = mesh.halfedge(FaceId(f)).index();
+    const std::uint32_t last = first + mesh.degree(FaceId(f)) - 1;
+    for (std::uint32_t h = first; h < last; ++h) visit(h, origins[h], origins[h + 1]);
+    visit(last, origins[last], origins[first]);
   }
 }
 
 /// The vertices that need not be manifold, of those that are not settled.
-std::vector<bool> TriangleMeshBuilder::open_vertices() const {
+template <typename Layout>
+std::vector<bool> MeshLinker<Layout>::open_vertices() const {
   std::vector<bool> is_open(mesh.vertex_count() - settled);
   for (const std::uint32_t h : corners) is_open[mesh.origins_[h] - settled] = true;
   for_each_unlinked([&](std::uint32_t, std::uint32_t a, std::uint32_t) { is_open[a - settled] = true; });
   return is_open;
 }
 
-std::vector<std::uint32_t> TriangleMeshBuilder::bucket_starts() const {
+template <typename Layout>
+std::vector<std::uint32_t> MeshLinker<Layout>::bucket_starts() const {
   std::vector<std::uint32_t> starts(mesh.vertex_count() - settled + 1, 0);
   for_each_unlinked([&](std::uint32_t, std::uint32_t a, std::uint32_t b) { ++starts[std::min(a, b) - settled]; });
   std::uint32_t sum = 0;
@@ -149,7 +163,8 @@ std::vector<std::uint32_t> TriangleMeshBuilder::bucket_starts() const {
 }
 
 /// Counting sort; turns the bucket starts that it is given into bucket ends.
-std::vector<TriangleMeshBuilder::Entry> TriangleMeshBuilder::entries_by_smaller_end(
+template <typename Layout>
+std::vector<typename MeshLinker<Layout>::Entry> MeshLinker<Layout>::entries_by_smaller_end(
     std::vector<std::uint32_t>& ends) const {
   std::vector<Entry> entries(ends.back());
   for_each_unlinked([&](std::uint32_t h, std::uint32_t a, std::uint32_t b) {
@@ -159,7 +174,8 @@ std::vector<TriangleMeshBuilder::Entry> TriangleMeshBuilder::entries_by_smaller_
   return entries;
 }
 
-void TriangleMeshBuilder::link_edges() {
+template <typename Layout>
+void MeshLinker<Layout>::link_edges() {
   std::vector<std::uint32_t> ends = bucket_starts();
   std::vector<Entry> entries = entries_by_smaller_end(ends);
   std::uint32_t start = 0;
@@ -171,21 +187,23 @@ void TriangleMeshBuilder::link_edges() {
   number_nonmanifold_edges();
 }
 
-void TriangleMeshBuilder::link_bucket(std::uint32_t smaller_end, std::span<Entry> bucket) {
-  sort_entries(bucket);
+template <typename Layout>
+void MeshLinker<Layout>::link_bucket(std::uint32_t smaller_end, std::span<Entry> bucket) {
+  mesh_linker::sort_entries(bucket);
   for (std::size_t first = 0, last = 0; first < bucket.size(); first = last) {
     while (last < bucket.size() && larger_end(bucket[last]) == larger_end(bucket[first])) ++last;
     link_edge(smaller_end, bucket.subspan(first, last - first));
   }
 }
 
-void TriangleMeshBuilder::link_edge(std::uint32_t smaller_end, std::span<const Entry> edge) {
+template <typename Layout>
+void MeshLinker<Layout>::link_edge(std::uint32_t smaller_end, std::span<const Entry> edge) {
   const bool is_loop = larger_end(edge[0]) == smaller_end;
   if (edge.size() == 2 && !same_direction(edge[0], edge[1]) && !is_loop) {
     mesh.opposites_[halfedge_of(edge[0])] = halfedge_of(edge[1]);
     mesh.opposites_[halfedge_of(edge[1])] = halfedge_of(edge[0]);
   } else if (edge.size() == 1 && !is_loop) {
-    mesh.opposites_[halfedge_of(edge[0])] = TriangleMesh::kBoundary;
+    mesh.opposites_[halfedge_of(edge[0])] = Mesh::kBoundary;
     alone.push_back(halfedge_of(edge[0]));
   } else {
     for (const Entry e : edge) tables.edge_halfedges.emplace_back(halfedge_of(e));
@@ -194,8 +212,9 @@ void TriangleMeshBuilder::link_edge(std::uint32_t smaller_end, std::span<const E
 }
 
 /// Orders the non-manifold edges by first half-edge and writes their numbers in place of opposites.
-void TriangleMeshBuilder::number_nonmanifold_edges() {
-  const TriangleMesh::NonManifold found = std::move(tables);
+template <typename Layout>
+void MeshLinker<Layout>::number_nonmanifold_edges() {
+  const NonManifoldTables found = std::move(tables);
   tables = {};
   std::vector<std::uint32_t> order(found.edge_starts.size() - 1);
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -204,7 +223,7 @@ void TriangleMeshBuilder::number_nonmanifold_edges() {
   for (std::uint32_t number = 0; number < order.size(); ++number) {
     for (std::uint32_t i = found.edge_starts[order[number]]; i < found.edge_starts[order[number] + 1]; ++i) {
       const HalfedgeId h = found.edge_halfedges[i];
-      mesh.opposites_[h.index()] = TriangleMesh::kNoOpposite | number;
+      mesh.opposites_[h.index()] = Mesh::kNoOpposite | number;
       alone.push_back(h.index());
       tables.edge_halfedges.push_back(h);
     }
@@ -214,7 +233,8 @@ void TriangleMeshBuilder::number_nonmanifold_edges() {
 
 /// Gives each vertex its first fan's start: a half-edge without opposite if there is one, else the lowest that leaves
 /// it. Returns how many half-edges leave each vertex that is not settled.
-std::vector<std::uint32_t> TriangleMeshBuilder::choose_outgoing() {
+template <typename Layout>
+std::vector<std::uint32_t> MeshLinker<Layout>::choose_outgoing() {
   mesh.outgoing_.resize(mesh.vertex_count());
   std::vector<std::uint32_t> corner_counts(mesh.vertex_count() - settled, 0);
   // Downwards, so that the lowest one is written last.
@@ -227,8 +247,9 @@ std::vector<std::uint32_t> TriangleMeshBuilder::choose_outgoing() {
   return corner_counts;
 }
 
+template <typename Layout>
 template <typename Visit>
-void TriangleMeshBuilder::walk_fan(HalfedgeId first, Visit visit) const {
+void MeshLinker<Layout>::walk_fan(HalfedgeId first, Visit visit) const {
   HalfedgeId h = first;
   do {
     visit(h);
@@ -237,8 +258,9 @@ void TriangleMeshBuilder::walk_fan(HalfedgeId first, Visit visit) const {
 }
 
 /// A vertex is manifold if the walk from its outgoing half-edge meets all half-edges that leave it.
-void TriangleMeshBuilder::find_nonmanifold_vertices(const std::vector<std::uint32_t>& corner_counts,
-                                                    const std::vector<bool>& is_open) {
+template <typename Layout>
+void MeshLinker<Layout>::find_nonmanifold_vertices(const std::vector<std::uint32_t>& corner_counts,
+                                                   const std::vector<bool>& is_open) {
   for (std::size_t v = settled; v < mesh.vertex_count(); ++v) {
     if (!is_open[v - settled]) continue;
     std::uint32_t met = 0;
@@ -250,7 +272,8 @@ void TriangleMeshBuilder::find_nonmanifold_vertices(const std::vector<std::uint3
 
 /// Lists the fans of all non-manifold vertices: open ones first, since they have but one start, then what is left, the
 /// closed ones, each from its lowest half-edge.
-void TriangleMeshBuilder::list_fans() {
+template <typename Layout>
+void MeshLinker<Layout>::list_fans() {
   std::vector<bool> is_pending(mesh.vertex_count(), false);
   for (const std::uint32_t v : tables.vertices) is_pending[v] = true;
   std::vector<bool> is_listed(mesh.halfedge_count(), false);
@@ -273,46 +296,6 @@ void TriangleMeshBuilder::list_fans() {
   tables.fan_starts.push_back(static_cast<std::uint32_t>(tables.fans.size()));
   for (std::size_t i = 0; i < tables.vertices.size(); ++i)
     mesh.outgoing_[tables.vertices[i]] = tables.fans[tables.fan_starts[i]];
-}
-
-TriangleMesh::TriangleMesh(PointArray points, std::span<const Triangle> triangles, FacePlanes planes)
-    : points_(std::move(points)), planes_(std::move(planes)) {
-  assert(triangles.size() <= kMaxFaces);
-  origins_.reserve(3 * triangles.size());
-  for (const Triangle& triangle : triangles) origins_.insert(origins_.end(), triangle.begin(), triangle.end());
-  opposites_.assign(origins_.size(), kUnlinked);
-  link(Links::none);
-}
-
-TriangleMesh::TriangleMesh(PointArray points, LargeVector<std::uint32_t> origins, LargeVector<std::uint32_t> opposites,
-                           FacePlanes planes)
-    : points_(std::move(points)),
-      origins_(std::move(origins)),
-      opposites_(std::move(opposites)),
-      planes_(std::move(planes)) {
-  assert(origins_.size() == opposites_.size() && origins_.size() % 3 == 0 && origins_.size() / 3 <= kMaxFaces);
-  link(Links::some);
-}
-
-TriangleMesh::TriangleMesh(PointArray points, LargeVector<std::uint32_t> origins, LargeVector<std::uint32_t> opposites,
-                           LargeVector<HalfedgeId> outgoing, FacePlanes planes)
-    : points_(std::move(points)),
-      origins_(std::move(origins)),
-      opposites_(std::move(opposites)),
-      outgoing_(std::move(outgoing)),
-      planes_(std::move(planes)) {
-  assert(origins_.size() == opposites_.size() && origins_.size() % 3 == 0 && origins_.size() / 3 <= kMaxFaces);
-  assert(outgoing_.size() <= points_.size());
-  link(Links::all_but_between_open_vertices);
-}
-
-void TriangleMesh::link(Links links) {
-  assert(std::ranges::all_of(origins_, [&](std::uint32_t origin) { return origin < points_.size(); }));
-  // A mesh lives long: it keeps hardly any spare capacity of the arrays that it was given.
-  points_.shrink();
-  shrink(origins_);
-  shrink(opposites_);
-  TriangleMeshBuilder(*this, links).build();
 }
 
 }  // namespace algebra3d

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "algebra3d/base/large_allocator.h"
+#include "algebra3d/halfedge/handle.h"
+
+namespace algebra3d {
+
+/// The half-edges of triangles: those of face f are 3f, 3f + 1 and 3f + 2, so everything is computed.
+struct TriangleLayout {
+  static HalfedgeId next(HalfedgeId h) { return HalfedgeId(h.index() % 3 == 2 ? h.index() - 2 : h.index() + 1); }
+  static HalfedgeId prev(HalfedgeId h) { return HalfedgeId(h.index() % 3 == 0 ? h.index() + 2 : h.index() - 1); }
+  static FaceId face(HalfedgeId h) { return FaceId(h.index() / 3); }
+  /// The half-edge that leaves a corner of a face.
+  static HalfedgeId halfedge(FaceId f, std::uint32_t corner = 0) { return HalfedgeId(3 * f.index() + corner); }
+  /// The number of corners of a face.
+  static std::uint32_t degree(FaceId /*f*/) { return 3; }
+  /// What contradicts a mesh with so many half-edges, a sentence each (see `audit`).
+  static std::vector<std::string> layout_violations(std::size_t halfedge_count);
+
+ protected:
+  static std::size_t count_faces(std::size_t halfedges) { return halfedges / 3; }
+  static std::size_t layout_bytes() { return 0; }
+};
+
+/// The half-edges of polygons: those of a face are numbered consecutively, faces in ascending order. Faces of one
+/// degree need no memory; others need four bytes per face and four per half-edge.
+class PolygonLayout {
+ public:
+  /// No faces.
+  PolygonLayout() = default;
+  /// Faces of one degree, at least 1 (asserted); as many as there are half-edges for.
+  static PolygonLayout of_degree(std::uint32_t degree) {
+    assert(degree > 0);
+    PolygonLayout layout;
+    layout.degree_ = degree;
+    return layout;
+  }
+  /// Faces of any degrees: `starts` has the first half-edge of each face, and at the end the number of half-edges;
+  /// strictly ascending from 0 (asserted). Cost: linear.
+  explicit PolygonLayout(LargeVector<std::uint32_t> starts);
+
+  HalfedgeId next(HalfedgeId h) const {
+    const auto [first, end] = bounds(face(h));
+    return HalfedgeId(h.index() + 1 == end ? first : h.index() + 1);
+  }
+  HalfedgeId prev(HalfedgeId h) const {
+    const auto [first, end] = bounds(face(h));
+    return HalfedgeId(h.index() == first ? end - 1 : h.index() - 1);
+  }
+  FaceId face(HalfedgeId h) const {
+    return FaceId(degree_ != 0 ? h.index() / degree_ : std::size_t{faces_[h.index()]});
+  }
+  /// The half-edge that leaves a corner of a face.
+  HalfedgeId halfedge(FaceId f, std::uint32_t corner = 0) const { return HalfedgeId(bounds(f).first + corner); }
+  /// The number of corners of a face.
+  std::uint32_t degree(FaceId f) const { return degree_ != 0 ? degree_ : starts_[f.index() + 1] - starts_[f.index()]; }
+  /// The degree of all faces; 0 if it differs.
+  std::uint32_t common_degree() const { return degree_; }
+  /// What contradicts a mesh with so many half-edges, a sentence each (see `audit`).
+  std::vector<std::string> layout_violations(std::size_t halfedge_count) const;
+
+ protected:
+  std::size_t count_faces(std::size_t halfedges) const {
+    if (degree_ != 0) return halfedges / degree_;
+    return starts_.empty() ? 0 : starts_.size() - 1;
+  }
+  std::size_t layout_bytes() const { return (starts_.capacity() + faces_.capacity()) * sizeof(std::uint32_t); }
+
+ private:
+  std::pair<std::uint32_t, std::uint32_t> bounds(FaceId f) const {
+    if (degree_ != 0) return {f.index() * degree_, (f.index() + 1) * degree_};
+    return {starts_[f.index()], starts_[f.index() + 1]};
+  }
+
+  std::uint32_t degree_ = 0;           // 0: in the arrays
+  LargeVector<std::uint32_t> starts_;  // per face, and the end
+  LargeVector<std::uint32_t> faces_;   // per half-edge
+};
+
+}  // namespace algebra3d

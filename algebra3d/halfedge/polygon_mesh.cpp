@@ -1,0 +1,10 @@
+#include "algebra3d/halfedge/polygon_mesh.h"
+
+#include <utility>
+
+namespace algebra3d {
+
+PolygonMesh::PolygonMesh(PointArray points, PolygonLayout layout, LargeVector<std::uint32_t> corners)
+    : HalfedgeMesh(std::move(points), std::move(layout), std::move(corners)) {}
+
+}  // namespace algebra3d

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+
+#include "algebra3d/halfedge/halfedge_mesh.h"
+
+namespace algebra3d {
+
+/// A mesh of polygons with three or more corners each, by the numbers of their vertices; faces of any degree may stand
+/// beside each other. Polygons need not be flat, convex or simple. Memory: where all coordinates are doubles and the
+/// mesh is manifold, 28 bytes per vertex and 8 per half-edge, and if degrees differ another 4 per half-edge and per
+/// face; so triangles take as much as in a TriangleMesh.
+class PolygonMesh : public HalfedgeMesh<PolygonLayout> {
+ public:
+  /// The empty mesh.
+  PolygonMesh() = default;
+  /// Links the faces along common edges: `corners` has the vertices of all faces of `layout`, one face after the other.
+  /// Every index must be below points.size(), and there must be as many as the layout has half-edges (asserted). Unused
+  /// points are kept as isolated vertices. Cost: linear expected (sorting per vertex), no recursion.
+  PolygonMesh(PointArray points, PolygonLayout layout, LargeVector<std::uint32_t> corners);
+
+  /// The layout of the faces; with `origins`, all that a mesh of other points with the same faces needs.
+  const PolygonLayout& layout() const { return *this; }
+};
+
+}  // namespace algebra3d
