@@ -33,7 +33,7 @@ Result<PolygonMesh> step(const PolygonMesh& mesh, SubdivisionScheme scheme, cons
 
 Result<PolygonMesh> subdivided(const PolygonMesh& mesh, SubdivisionScheme scheme, std::size_t steps,
                                const SubdivisionOptions& options, const Monitor& monitor) {
-  if (steps == 0) return mesh;
+  if (steps == 0 || mesh.is_empty()) return mesh;
   ALGEBRA3D_RETURN_IF_ERROR(subdivision::check_input(mesh, scheme, steps));
   // Steps read rounded coordinates, so a mesh of others is taken as it is.
   std::optional<PolygonMesh> current;

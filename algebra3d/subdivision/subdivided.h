@@ -13,15 +13,16 @@ struct SubdivisionOptions {
   LoopWeights loop_weights = LoopWeights::loop;
 };
 
-/// The mesh after some steps of a subdivision scheme; after none, the mesh itself. Coordinates are rounded to doubles
-/// first, and the result has doubles. Every rule for vertices at the boundary depends on the boundary alone, except
-/// that Doo-Sabin makes no faces at the boundary (see `docs/halfedge.md`, Subdivision). Isolated vertices stay where
-/// they are; Doo-Sabin drops them.
+/// The mesh after some steps of a subdivision scheme; after none, or without faces, the mesh itself. Coordinates are
+/// rounded to doubles first, and the result has doubles. The boundary of the result depends on the boundary of the mesh
+/// alone, except that Doo-Sabin makes no faces at the boundary; all rules there are in `docs/halfedge.md`, Subdivision.
+/// Isolated vertices stay where they are; Doo-Sabin drops them.
 /// Numbers: vertices of the mesh keep theirs; then come new vertices in the order of edges (each at its first
 /// half-edge), then those in the order of faces. The faces made of one face follow each other. Doo-Sabin has a vertex
 /// per half-edge, and faces in the order of faces, then of interior edges, then of interior vertices.
 /// Domain: manifold meshes; triangles for Loop and Butterfly.
-/// Exactness: each coordinate within a few units in the last place of the masks of the source.
+/// Exactness: doubles throughout; in each step the error is below (n + 16) 2^-52 times the largest coordinate of the
+/// mesh, with n the largest number of edges at a vertex or of corners of a face.
 /// Errors: invalid_value for meshes that the scheme cannot take; limit_exceeded, before work begins, if the result
 /// would have too many half-edges or a coordinate is beyond 2^960; interrupted.
 /// Cost: linear in the result, on all processors; the result does not depend on their number.
