@@ -59,6 +59,9 @@ Registry make_registry() {
   register_congruence(registry);
   registry.begin_family({"parts of solids", "The parts of a surface or solid.", Cost::linear});
   register_decomposition(registry);
+  registry.begin_family(
+      {"subdivision", "Smooth surfaces from meshes, by repeated division of their faces.", Cost::linear});
+  register_subdivision(registry);
   registry.begin_family({"mesh files",
                          "Import of solids and surfaces from STL, OBJ and OFF files, with repair and reports.",
                          Cost::file});

@@ -31,6 +31,7 @@ void register_contacts(Registry& registry);
 void register_rays(Registry& registry);
 void register_cuts(Registry& registry);
 void register_decomposition(Registry& registry);
+void register_subdivision(Registry& registry);
 void register_imports(Registry& registry);
 void register_exports(Registry& registry);
 void register_rounding(Registry& registry);
