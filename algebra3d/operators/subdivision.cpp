@@ -110,7 +110,7 @@ const std::string kButterflyTriangle =
 const std::string kThreeOnAnEdge = "(mesh3d (((0 0 0) (1 0 0) (0 1 0) (0 0 1) (0 -1 0)) ((0 1 2) (0 1 3) (0 1 4))))";
 const std::string kRefused =
     "Errors: non-manifold edges and vertices; faces that are not triangles, except for catmull-clark and doo-sabin; "
-    "interior vertices with fewer than three edges, except for catmull-clark. ";
+    "interior vertices with fewer than three edges, except for catmull-clark.";
 
 }  // namespace
 
@@ -128,7 +128,7 @@ void register_subdivision(Registry& registry) {
           "are taken with the triangles that they have. Boundaries of open meshes become curves of their own; "
           "doo-sabin makes no faces there. Vertices keep their numbers, except with doo-sabin; then come those on "
           "edges, then those of faces. Undefined for a negative number of steps. " +
-          kRefused + "A result with too many faces is refused before work begins.",
+          kRefused + " A result with too many faces is refused before work begins.",
       .exactness = Exactness::bounded,
       .frame_use = FrameUse::coordinates,
       .sources = {"catmull1978", "doo1978", "loop1987", "warren2001", "dyn1990", "zorin1996"},

@@ -10,9 +10,38 @@ namespace {
 
 constexpr std::size_t kShortRing = 16;
 
-CirclePoint turn(std::size_t index, std::size_t count) {
-  return circle_point(static_cast<std::uint32_t>(index % count), static_cast<std::uint32_t>(count));
-}
+/// The points that divide a circle into `count` steps. Few steps are computed once and for all.
+class Turns {
+ public:
+  explicit Turns(std::size_t count) : count_(count), own_(count < kKnown ? 0 : count) {
+    if (count >= kKnown) fill(own_);
+  }
+  const CirclePoint& operator[](std::size_t index) const {
+    return (count_ < kKnown ? known()[count_] : own_)[index % count_];
+  }
+
+ private:
+  static constexpr std::size_t kKnown = 2 * kShortRing + 1;
+
+  static void fill(std::vector<CirclePoint>& points) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      points[i] = circle_point(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(points.size()));
+  }
+  static const std::array<std::vector<CirclePoint>, kKnown>& known() {
+    static const auto all = [] {
+      std::array<std::vector<CirclePoint>, kKnown> made;
+      for (std::size_t count = 1; count < kKnown; ++count) {
+        made[count].resize(count);
+        fill(made[count]);
+      }
+      return made;
+    }();
+    return all;
+  }
+
+  std::size_t count_;
+  std::vector<CirclePoint> own_;
+};
 
 /// Weights of a ring that depend on how many places a point is on: constant + first cos(2 pi j / n) + second cos(4 pi j
 /// / n).
@@ -20,8 +49,10 @@ struct CyclicWeights {
   double constant = 0, first = 0, second = 0;
 };
 
+using ShortWeights = std::array<double, kShortRing>;
+
 /// For rings whose weights are `weights[j]` for the point j places on.
-void apply_directly(const std::vector<double>& weights, const std::vector<Vec3>& ring, std::vector<Vec3>& result) {
+void apply_directly(const ShortWeights& weights, const std::vector<Vec3>& ring, std::vector<Vec3>& result) {
   const std::size_t n = ring.size();
   for (std::size_t i = 0; i < n; ++i) {
     Vec3 sum = weights[0] * ring[i];
@@ -33,9 +64,10 @@ void apply_directly(const std::vector<double>& weights, const std::vector<Vec3>&
 /// cos(i - j) is cos(i) cos(j) + sin(i) sin(j).
 void apply_by_sums(const CyclicWeights& weights, const std::vector<Vec3>& ring, std::vector<Vec3>& result) {
   const std::size_t n = ring.size();
+  const Turns turns(n);
   Vec3 all, cosines, sines, double_cosines, double_sines;
   for (std::size_t j = 0; j < n; ++j) {
-    const CirclePoint once = turn(j, n), twice = turn(2 * j, n);
+    const CirclePoint &once = turns[j], &twice = turns[2 * j];
     all = all + ring[j];
     cosines = cosines + once.cosine * ring[j];
     sines = sines + once.sine * ring[j];
@@ -43,7 +75,7 @@ void apply_by_sums(const CyclicWeights& weights, const std::vector<Vec3>& ring, 
     double_sines = double_sines + twice.sine * ring[j];
   }
   for (std::size_t i = 0; i < n; ++i) {
-    const CirclePoint once = turn(i, n), twice = turn(2 * i, n);
+    const CirclePoint &once = turns[i], &twice = turns[2 * i];
     result[i] = weights.constant * all + weights.first * (once.cosine * cosines + once.sine * sines) +
                 weights.second * (twice.cosine * double_cosines + twice.sine * double_sines);
   }
@@ -57,9 +89,10 @@ void apply(const CyclicWeights& cyclic, const std::vector<Vec3>& ring, std::vect
     for (std::size_t i = 0; i < n; ++i) result[i] = result[i] + more_of_own * ring[i];
     return;
   }
-  std::vector<double> weights(n);
+  const Turns turns(n);
+  ShortWeights weights = {};
   for (std::size_t j = 0; j < n; ++j)
-    weights[j] = cyclic.constant + cyclic.first * turn(j, n).cosine + cyclic.second * turn(2 * j, n).cosine;
+    weights[j] = cyclic.constant + cyclic.first * turns[j].cosine + cyclic.second * turns[2 * j].cosine;
   weights[0] += more_of_own;
   apply_directly(weights, ring, result);
 }
@@ -89,21 +122,21 @@ void boundary_edge_points(const Vec3& vertex, const std::vector<Vec3>& ring, std
   const std::size_t triangle_count = ring.size() - 1;
   const auto k = static_cast<double>(triangle_count);
   // Half turns are divided among the triangles.
-  const auto at = [&](std::size_t j) { return turn(j, 2 * triangle_count); };
+  const Turns turns(2 * triangle_count);
   Vec3 sines, double_sines;
   for (std::size_t j = 1; j < triangle_count; ++j) {
-    sines = sines + at(j).sine * ring[j];
-    double_sines = double_sines + at(2 * j).sine * ring[j];
+    sines = sines + turns[j].sine * ring[j];
+    double_sines = double_sines + turns[2 * j].sine * ring[j];
   }
   // sin(t) / (1 - cos(t)) and sin(2 t) / (cos(t) - cos(2 t)) without differences of numbers that are nearly equal.
-  const auto [cosine, sine] = at(1);
+  const auto [cosine, sine] = turns[1];
   const double half_cotangent = (1 + cosine) / sine;
   const double quotient = 2 * cosine * half_cotangent / (1 + 2 * cosine);
   result.resize(ring.size());
   for (std::size_t i = 1; i < triangle_count; ++i) {
-    const double sine_i = at(i).sine, double_sine_i = at(2 * i).sine;
+    const double sine_i = turns[i].sine, double_sine_i = turns[2 * i].sine;
     const double of_vertex = 1 - half_cotangent * sine_i / k;
-    const double of_first = (at(i).cosine - quotient * double_sine_i / k) / 4;
+    const double of_first = (turns[i].cosine - quotient * double_sine_i / k) / 4;
     result[i] = of_vertex * vertex + of_first * (ring.front() - ring.back()) +
                 (1 / k) * (sine_i * sines + (0.5 * double_sine_i) * double_sines);
   }

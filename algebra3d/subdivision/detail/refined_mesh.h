@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "algebra3d/base/error.h"
+#include "algebra3d/base/large_allocator.h"
 #include "algebra3d/base/monitor.h"
 #include "algebra3d/halfedge/polygon_mesh.h"
 
@@ -17,7 +19,10 @@ struct RefinedMesh {
   LargeVector<std::uint32_t> opposites;  // per half-edge
   LargeVector<HalfedgeId> outgoing;      // per vertex
 
-  RefinedMesh(std::size_t vertex_count, std::size_t halfedge_count) : points(vertex_count) {
+  RefinedMesh(std::size_t vertex_count, std::size_t halfedge_count) {
+    points.reserve(vertex_count);
+    prefer_huge_pages(points.data(), vertex_count * sizeof(Vec3));
+    points.resize(vertex_count);
     corners.resize(halfedge_count);
     opposites.resize(halfedge_count);
     outgoing.resize(vertex_count);

@@ -184,6 +184,16 @@ TEST(Subdivided, face_beside_itself) {
   EXPECT_EQ(euler_characteristic(result), euler_characteristic(mesh));
 }
 
+/// The cost of a step is not the square of the edges at a vertex or of the corners of a face: that would take minutes.
+TEST(Subdivided, large_fans_and_faces) {
+  constexpr std::uint32_t kCount = 50'000;
+  const PolygonMesh fan = polygon_mesh(faces_of(samples::fan(kCount, true)));
+  for (const Scheme scheme : kSchemes) EXPECT_GE(subdivided(fan, scheme, 1)->face_count(), kCount);
+  std::vector<std::uint32_t> face(kCount);
+  for (std::uint32_t i = 0; i < kCount; ++i) face[i] = i;
+  EXPECT_EQ(subdivided(polygon_mesh({face}), Scheme::doo_sabin, 1)->halfedge_count(), kCount);
+}
+
 TEST(Subdivided, flat_meshes_stay_in_their_plane) {
   for_each_sample([](const PolygonMesh& mesh, Scheme scheme) {
     std::vector<Vec3> points;
