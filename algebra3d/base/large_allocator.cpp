@@ -1,5 +1,6 @@
 #include "algebra3d/base/large_allocator.h"
 
+#include <cstdint>
 #include <cstdlib>
 
 #if defined(__linux__)
@@ -23,11 +24,18 @@ void* allocate_large(std::size_t bytes, std::size_t alignment) {
     return alignment <= kDefaultAlignment ? ::operator new(bytes) : ::operator new(bytes, std::align_val_t(alignment));
   void* memory = std::aligned_alloc(kHugePage, (bytes + kHugePage - 1) / kHugePage * kHugePage);
   if (memory == nullptr) throw std::bad_alloc();
-#if defined(__linux__)
-  // A wish: where the system does not grant it, small pages serve as well.
-  (void)madvise(memory, bytes, MADV_HUGEPAGE);
-#endif
+  prefer_huge_pages(memory, bytes);
   return memory;
+}
+
+void prefer_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
+#if defined(__linux__)
+  if (!is_large(bytes)) return;
+  // From the first huge page that lies in the memory. Where the system does not grant the wish, small pages serve as
+  // well.
+  const std::size_t before = (kHugePage - reinterpret_cast<std::uintptr_t>(memory) % kHugePage) % kHugePage;
+  (void)madvise(static_cast<char*>(memory) + before, bytes - before, MADV_HUGEPAGE);
+#endif
 }
 
 void free_large(void* memory, std::size_t bytes, std::size_t alignment) noexcept {

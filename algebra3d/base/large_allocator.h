@@ -12,6 +12,9 @@ void* allocate_large(std::size_t bytes, std::size_t alignment);
 /// Demands the size and the alignment with which the memory was allocated.
 void free_large(void* memory, std::size_t bytes, std::size_t alignment) noexcept;
 
+/// Asks for huge pages in allocated memory that nothing has touched yet; a wish. For arrays whose allocator is another.
+void prefer_huge_pages(void* memory, std::size_t bytes);
+
 /// An allocator for std::vector that uses allocate_large.
 template <typename T>
 struct LargeAllocator {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "algebra3d/base/scheduler.h"
 #include "algebra3d/base/shrink.h"
 #include "algebra3d/exact/detail/exact_coordinates.h"
 #include "algebra3d/exact/detail/homogeneous.h"
@@ -65,7 +66,8 @@ std::size_t ExactPoint::hash() const {
 }
 
 PointArray::PointArray(std::vector<Vec3> doubles) : approx_(std::move(doubles)) {
-  for (Vec3& v : approx_) v = without_negative_zero(v);
+  constexpr std::size_t kPointsPerTask = 50000;
+  parallel_for(approx_.size(), kPointsPerTask, [&](std::size_t i) { approx_[i] = without_negative_zero(approx_[i]); });
 }
 
 void PointArray::push_back(const PointRef& point) {

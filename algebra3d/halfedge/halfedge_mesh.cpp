@@ -38,6 +38,10 @@ HalfedgeMesh<Layout>::HalfedgeMesh(PointArray points, Layout layout, LargeVector
   points_.shrink();
   shrink(origins_);
   shrink(opposites_);
+  if (links == Links::all) {
+    assert(outgoing_.size() == points_.size());
+    return;
+  }
   MeshLinker<Layout>(*this, links).build();
 }
 

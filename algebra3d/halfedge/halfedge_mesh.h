@@ -78,8 +78,9 @@ class HalfedgeMesh : public Layout {
   /// In `opposites`: the half-edge is not linked yet.
   static constexpr std::uint32_t kUnlinkedHalfedge = 0xFFFFFFFE;
   /// What is linked already: nothing; half-edges whose opposites are given; or all edges with a settled end: the first
-  /// vertices, those in `outgoing`, are settled.
-  enum class Links : std::uint8_t { none, some, all_but_between_open_vertices };
+  /// vertices, those in `outgoing`, are settled; or everything: opposites, outgoing half-edges, and that the mesh is
+  /// manifold.
+  enum class Links : std::uint8_t { none, some, all_but_between_open_vertices, all };
 
   HalfedgeMesh() = default;
   /// Links all faces. Cost: linear expected (sorting per vertex), no recursion.

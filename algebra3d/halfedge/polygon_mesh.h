@@ -18,6 +18,13 @@ class PolygonMesh : public HalfedgeMesh<PolygonLayout> {
   /// Every index must be below points.size(), and there must be as many as the layout has half-edges (asserted). Unused
   /// points are kept as isolated vertices. Cost: linear expected (sorting per vertex), no recursion.
   PolygonMesh(PointArray points, PolygonLayout layout, LargeVector<std::uint32_t> corners);
+  /// In `opposites`: the half-edge is on the boundary.
+  static constexpr std::uint32_t kNoOpposite = HalfedgeId::kInvalidIndex;
+  /// The same for a manifold mesh whose links are known: per half-edge its opposite or kNoOpposite, and per vertex the
+  /// half-edge `outgoing`: at the boundary the one without opposite, elsewhere the lowest that leaves the vertex. They
+  /// are taken as they are; `audit` checks them. Cost: constant.
+  PolygonMesh(PointArray points, PolygonLayout layout, LargeVector<std::uint32_t> corners,
+              LargeVector<std::uint32_t> opposites, LargeVector<HalfedgeId> outgoing);
 
   /// The layout of the faces; with `origins`, all that a mesh of other points with the same faces needs.
   const PolygonLayout& layout() const { return *this; }

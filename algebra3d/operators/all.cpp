@@ -65,6 +65,9 @@ Registry make_registry() {
   register_meshes(registry);
   register_mesh_building(registry);
   register_mesh_attributes(registry);
+  registry.begin_family(
+      {"subdivision", "Smooth surfaces from meshes, by repeated division of their faces.", Cost::linear});
+  register_subdivision(registry);
   registry.begin_family({"mesh files",
                          "Import of solids and surfaces from STL, OBJ and OFF files, with repair and reports.",
                          Cost::file});

@@ -34,6 +34,7 @@ void register_decomposition(Registry& registry);
 void register_meshes(Registry& registry);
 void register_mesh_building(Registry& registry);
 void register_mesh_attributes(Registry& registry);
+void register_subdivision(Registry& registry);
 void register_imports(Registry& registry);
 void register_exports(Registry& registry);
 void register_rounding(Registry& registry);

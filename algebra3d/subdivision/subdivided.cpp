@@ -1,0 +1,48 @@
+#include "algebra3d/subdivision/subdivided.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "algebra3d/subdivision/detail/input.h"
+#include "algebra3d/subdivision/detail/steps.h"
+
+namespace algebra3d {
+namespace {
+
+Result<PolygonMesh> step(const PolygonMesh& mesh, SubdivisionScheme scheme, const SubdivisionOptions& options,
+                         const Monitor& monitor, const std::string& what) {
+  switch (scheme) {
+    case SubdivisionScheme::catmull_clark:
+      return subdivision::catmull_clark_step(mesh, monitor, what);
+    case SubdivisionScheme::doo_sabin:
+      return subdivision::doo_sabin_step(mesh, monitor, what);
+    case SubdivisionScheme::loop:
+      return subdivision::loop_step(mesh, options.loop_weights, monitor, what);
+    case SubdivisionScheme::butterfly:
+      return subdivision::butterfly_step(mesh, monitor, what);
+    case SubdivisionScheme::modified_butterfly:
+      return subdivision::modified_butterfly_step(mesh, monitor, what);
+  }
+  return Error{ErrorCode::internal, "unknown subdivision scheme"};
+}
+
+}  // namespace
+
+Result<PolygonMesh> subdivided(const PolygonMesh& mesh, SubdivisionScheme scheme, std::size_t steps,
+                               const SubdivisionOptions& options, const Monitor& monitor) {
+  if (steps == 0 || mesh.is_empty()) return mesh;
+  ALGEBRA3D_RETURN_IF_ERROR(subdivision::check_input(mesh, scheme, steps));
+  // Steps read rounded coordinates, so a mesh of others is taken as it is.
+  std::optional<PolygonMesh> current;
+  for (std::size_t i = 0; i < steps; ++i) {
+    const std::string what = fmt::format("subdividing, step {} of {}", i + 1, steps);
+    ALGEBRA3D_ASSIGN_OR_RETURN(PolygonMesh next, step(current ? *current : mesh, scheme, options, monitor, what));
+    current = std::move(next);
+  }
+  return *std::move(current);
+}
+
+}  // namespace algebra3d

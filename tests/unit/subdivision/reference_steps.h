@@ -1,0 +1,323 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "algebra3d/exact/point.h"
+#include "algebra3d/halfedge/circulators.h"
+#include "algebra3d/halfedge/polygon_mesh.h"
+
+/// One step of each scheme with rational numbers, straight from the papers' masks: lists of faces, maps and searches,
+/// nothing of the code under test.
+namespace algebra3d::reference {
+
+inline RationalVec3 plus(const RationalVec3& a, const RationalVec3& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline RationalVec3 times(const Rational& f, const RationalVec3& a) {
+  return {f * a.x, f * a.y, f * a.z};
+}
+
+/// A sum of points with weights.
+class Mask {
+ public:
+  Mask& add(const Rational& weight, const RationalVec3& point) {
+    sum_ = plus(sum_, times(weight, point));
+    return *this;
+  }
+  const RationalVec3& sum() const { return sum_; }
+
+ private:
+  RationalVec3 sum_;
+};
+
+struct Polygons {
+  std::vector<RationalVec3> points;
+  std::vector<std::vector<std::uint32_t>> faces;
+};
+
+class Reference {
+ public:
+  using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+  explicit Reference(const PolygonMesh& mesh) {
+    for (const VertexId v : vertices(mesh)) in_.points.push_back(mesh.point(v).rational());
+    for (const FaceId f : faces(mesh)) {
+      auto& face = in_.faces.emplace_back();
+      for (const VertexId v : vertices_of(mesh, f)) face.push_back(v.index());
+    }
+    for (std::uint32_t f = 0; f < in_.faces.size(); ++f) {
+      const auto& face = in_.faces[f];
+      for (std::uint32_t i = 0; i < face.size(); ++i) {
+        const Edge directed{face[i], face[(i + 1) % face.size()]};
+        left_[directed] = f;
+        const Edge edge = std::minmax(directed.first, directed.second);
+        if (numbers_.emplace(edge, edges_.size()).second) edges_.push_back(directed);
+      }
+    }
+  }
+
+  Polygons catmull_clark() const {
+    Polygons out;
+    for (std::uint32_t v = 0; v < in_.points.size(); ++v) out.points.push_back(catmull_clark_vertex(v));
+    for (const Edge& e : edges_) {
+      Mask mask;
+      if (is_boundary(e)) {
+        out.points.push_back(middle(e));
+      } else {
+        out.points.push_back(mask.add({1, 4}, point(e.first))
+                                 .add({1, 4}, point(e.second))
+                                 .add({1, 4}, centre(left_.at(e)))
+                                 .add({1, 4}, centre(left_.at(reversed(e))))
+                                 .sum());
+      }
+    }
+    for (std::uint32_t f = 0; f < in_.faces.size(); ++f) out.points.push_back(centre(f));
+    for (std::uint32_t f = 0; f < in_.faces.size(); ++f) {
+      const auto& face = in_.faces[f];
+      for (std::size_t i = 0; i < face.size(); ++i)
+        out.faces.push_back({face[i], edge_vertex(f, i),
+                             static_cast<std::uint32_t>(in_.points.size() + edges_.size() + f),
+                             edge_vertex(f, i + face.size() - 1)});
+    }
+    return out;
+  }
+
+  /// `weight(n)` is that of each of n neighbours.
+  template <typename Weight>
+  Polygons loop(const Weight& weight) const {
+    Polygons out;
+    for (std::uint32_t v = 0; v < in_.points.size(); ++v) {
+      const auto around = neighbours(v);
+      Mask mask;
+      if (around.empty()) {
+        mask.add(1, point(v));
+      } else if (const auto ends = boundary_neighbours(v); !ends.empty()) {
+        mask.add({3, 4}, point(v)).add({1, 8}, point(ends[0])).add({1, 8}, point(ends[1]));
+      } else {
+        const Rational w = weight(static_cast<std::int64_t>(around.size()));
+        mask.add(Rational(1) - Rational(around.size()) * w, point(v));
+        for (const std::uint32_t u : around) mask.add(w, point(u));
+      }
+      out.points.push_back(mask.sum());
+    }
+    for (const Edge& e : edges_) {
+      Mask mask;
+      if (is_boundary(e)) {
+        mask.add(1, middle(e));
+      } else {
+        mask.add({3, 4}, middle(e)).add({1, 8}, point(third(e))).add({1, 8}, point(third(reversed(e))));
+      }
+      out.points.push_back(mask.sum());
+    }
+    split(out);
+    return out;
+  }
+
+  Polygons butterfly(bool is_modified) const {
+    Polygons out;
+    out.points = in_.points;
+    for (const Edge& e : edges_) {
+      if (is_boundary(e)) {
+        out.points.push_back(four_points(e));
+        continue;
+      }
+      const bool first = is_modified && is_extraordinary(e.first), second = is_modified && is_extraordinary(e.second);
+      if (first && second) {
+        out.points.push_back(times({1, 2}, plus(extraordinary(e.first, e.second), extraordinary(e.second, e.first))));
+      } else if (first) {
+        out.points.push_back(extraordinary(e.first, e.second));
+      } else if (second) {
+        out.points.push_back(extraordinary(e.second, e.first));
+      } else {
+        out.points.push_back(eight_points(e));
+      }
+    }
+    split(out);
+    return out;
+  }
+
+  /// Of faces with three, four or six corners, whose weights are rational.
+  Polygons doo_sabin() const {
+    Polygons out;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> corner_of;  // of face and vertex
+    for (std::uint32_t f = 0; f < in_.faces.size(); ++f) {
+      const auto& face = in_.faces[f];
+      const auto n = static_cast<std::int64_t>(face.size());
+      auto& corners = out.faces.emplace_back();
+      for (std::int64_t i = 0; i < n; ++i) {
+        Mask mask;
+        for (std::int64_t j = 0; j < n; ++j)
+          mask.add(
+              (i == j ? Rational(n + 5) : Rational(3) + Rational(2) * cosine((i - j + n) % n, n)) / Rational(4 * n),
+              point(face[static_cast<std::size_t>(j)]));
+        corner_of[{f, face[static_cast<std::size_t>(i)]}] = static_cast<std::uint32_t>(out.points.size());
+        corners.push_back(static_cast<std::uint32_t>(out.points.size()));
+        out.points.push_back(mask.sum());
+      }
+    }
+    for (const Edge& e : edges_) {
+      if (is_boundary(e)) continue;
+      const std::uint32_t f = left_.at(e), g = left_.at(reversed(e));
+      out.faces.push_back({corner_of.at({f, e.second}), corner_of.at({f, e.first}), corner_of.at({g, e.first}),
+                           corner_of.at({g, e.second})});
+    }
+    for (std::uint32_t v = 0; v < in_.points.size(); ++v) {
+      if (neighbours(v).empty() || !boundary_neighbours(v).empty()) continue;
+      auto& face = out.faces.emplace_back();
+      for (const std::uint32_t u : ring(v, first_target(v))) face.push_back(corner_of.at({left_.at({v, u}), v}));
+    }
+    return out;
+  }
+
+  /// cos(2 pi i / n) where it is rational.
+  static Rational cosine(std::int64_t i, std::int64_t n) {
+    switch (12 * i / n) {
+      case 0:
+        return 1;
+      case 2:
+      case 10:
+        return {1, 2};
+      case 3:
+      case 9:
+        return 0;
+      case 4:
+      case 8:
+        return {-1, 2};
+      default:
+        return -1;
+    }
+  }
+
+ private:
+  static Edge reversed(const Edge& e) { return {e.second, e.first}; }
+  const RationalVec3& point(std::uint32_t v) const { return in_.points[v]; }
+  bool is_boundary(const Edge& e) const { return !left_.contains(e) || !left_.contains(reversed(e)); }
+  RationalVec3 middle(const Edge& e) const { return times({1, 2}, plus(point(e.first), point(e.second))); }
+  RationalVec3 centre(std::uint32_t f) const {
+    Mask mask;
+    for (const std::uint32_t v : in_.faces[f]) mask.add({1, static_cast<std::int64_t>(in_.faces[f].size())}, point(v));
+    return mask.sum();
+  }
+  std::uint32_t edge_vertex(std::uint32_t f, std::size_t i) const {
+    const auto& face = in_.faces[f];
+    const Edge e = std::minmax(face[i % face.size()], face[(i + 1) % face.size()]);
+    return static_cast<std::uint32_t>(in_.points.size() + numbers_.at(e));
+  }
+  std::set<std::uint32_t> neighbours(std::uint32_t v) const {
+    std::set<std::uint32_t> result;
+    for (const auto& [a, b] : edges_) {
+      if (a == v) result.insert(b);
+      if (b == v) result.insert(a);
+    }
+    return result;
+  }
+  std::vector<std::uint32_t> boundary_neighbours(std::uint32_t v) const {
+    std::vector<std::uint32_t> result;
+    for (const std::uint32_t u : neighbours(v))
+      if (is_boundary({u, v})) result.push_back(u);
+    return result;
+  }
+  /// The third corner of the triangle to the left of an edge.
+  std::uint32_t third(const Edge& e) const {
+    for (const std::uint32_t v : in_.faces[left_.at(e)])
+      if (v != e.first && v != e.second) return v;
+    return 0;
+  }
+  /// The target of the first half-edge that leaves v.
+  std::uint32_t first_target(std::uint32_t v) const {
+    for (const auto& face : in_.faces)
+      for (std::size_t i = 0; i < face.size(); ++i)
+        if (face[i] == v) return face[(i + 1) % face.size()];
+    return 0;
+  }
+  /// The corner before v in the face to the left of v -> u.
+  std::uint32_t before(std::uint32_t v, std::uint32_t u) const {
+    const auto& face = in_.faces[left_.at({v, u})];
+    const auto at = static_cast<std::size_t>(std::ranges::find(face, v) - face.begin());
+    return face[(at + face.size() - 1) % face.size()];
+  }
+  /// The neighbours of v counter-clockwise from u, until there is no face or the circle closes.
+  std::vector<std::uint32_t> ring(std::uint32_t v, std::uint32_t u) const {
+    std::vector<std::uint32_t> result{u};
+    while (left_.contains({v, result.back()})) {
+      const std::uint32_t next = before(v, result.back());
+      if (next == u) break;
+      result.push_back(next);
+    }
+    return result;
+  }
+
+  void split(Polygons& out) const {
+    for (std::uint32_t f = 0; f < in_.faces.size(); ++f) {
+      for (std::size_t i = 0; i < 3; ++i)
+        out.faces.push_back({in_.faces[f][i], edge_vertex(f, i), edge_vertex(f, i + 2)});
+      out.faces.push_back({edge_vertex(f, 0), edge_vertex(f, 1), edge_vertex(f, 2)});
+    }
+  }
+
+  RationalVec3 catmull_clark_vertex(std::uint32_t v) const {
+    const auto around = neighbours(v);
+    if (around.empty()) return point(v);
+    Mask mask;
+    if (const auto ends = boundary_neighbours(v); !ends.empty())
+      return mask.add({3, 4}, point(v)).add({1, 8}, point(ends[0])).add({1, 8}, point(ends[1])).sum();
+    const auto n = static_cast<std::int64_t>(around.size());
+    for (const std::uint32_t u : around) {
+      mask.add({1, n * n}, centre(left_.at({v, u})));
+      mask.add({2, n * n}, middle({v, u}));
+    }
+    return mask.add({n - 3, n}, point(v)).sum();
+  }
+
+  RationalVec3 four_points(const Edge& e) const {
+    Mask mask;
+    mask.add({9, 8}, middle(e));
+    for (const auto& [at, other] : {e, reversed(e)}) {
+      // A triangle alone has one vertex beyond both ends.
+      for (const std::uint32_t u : boundary_neighbours(at))
+        if (u != other) mask.add({-1, 16}, point(u));
+    }
+    return mask.sum();
+  }
+  RationalVec3 across(const Edge& e) const {
+    const Edge back = reversed(e);
+    if (left_.contains(back)) return point(third(back));
+    return plus(plus(point(e.first), point(e.second)), times(-1, point(third(e))));
+  }
+  RationalVec3 eight_points(const Edge& e) const {
+    Mask mask;
+    mask.add(1, middle(e));
+    for (const Edge& side : {e, reversed(e)}) {
+      const std::uint32_t c = third(side);
+      mask.add({1, 8}, point(c));
+      mask.add({-1, 16}, across({side.second, c})).add({-1, 16}, across({c, side.first}));
+    }
+    return mask.sum();
+  }
+  bool is_extraordinary(std::uint32_t v) const {
+    return neighbours(v).size() != (boundary_neighbours(v).empty() ? 6U : 4U);
+  }
+  /// The mask of v on its edge to u. With three and four neighbours inside; with one and two triangles at the boundary.
+  RationalVec3 extraordinary(std::uint32_t v, std::uint32_t u) const {
+    Mask mask;
+    if (!boundary_neighbours(v).empty()) return mask.add(1, middle({v, u})).sum();
+    const auto around = ring(v, u);
+    mask.add({3, 4}, point(v));
+    std::vector<Rational> weights = {{5, 12}, {-1, 12}, {-1, 12}};
+    if (around.size() == 4) weights = {{3, 8}, 0, {-1, 8}, 0};
+    for (std::size_t i = 0; i < around.size(); ++i) mask.add(weights[i], point(around[i]));
+    return mask.sum();
+  }
+
+  Polygons in_;
+  std::map<Edge, std::uint32_t> left_;  // the face to the left of a directed edge
+  std::map<Edge, std::size_t> numbers_;
+  std::vector<Edge> edges_;  // as directed by the first face
+};
+
+}  // namespace algebra3d::reference
