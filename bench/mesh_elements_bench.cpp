@@ -10,6 +10,7 @@
 #include "algebra3d/halfedge/audit.h"
 #include "algebra3d/halfedge/normals.h"
 #include "algebra3d/operators/all.h"
+#include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
 #include "shapes.h"
 
