@@ -60,8 +60,7 @@ HalfedgeRows halfedges_of_value(const T& value) {
 // ---- faces
 
 /// Id, Degree, Area, Normal, Centroid, Component.
-using FaceAndComponentRows =
-    Rows<Number, Number, std::optional<double>, std::optional<Vector3d>, Point3d, std::optional<Number>>;
+using FaceAndComponentRows = Rows<Number, Number, std::optional<double>, std::optional<Vector3d>, Point3d, Number>;
 
 /// The components of the faces, found when the first is asked for.
 template <typename T>
@@ -86,8 +85,7 @@ FaceAndComponentRows faces_of_value(const T& value) {
   return detail::rows_up_to<FaceAndComponentRows>(
       value.mesh().face_count(), [value, components = LazyComponents<T>()](std::size_t i) mutable {
         const FaceId f(i);
-        return std::tuple_cat(detail::face_cells(value.mesh(), f),
-                              std::tuple<std::optional<Number>>(components.of(value, f)));
+        return std::tuple_cat(detail::face_cells(value.mesh(), f), std::tuple(components.of(value, f)));
       });
 }
 

@@ -56,7 +56,6 @@ inline std::optional<double> number_if_finite(double number) {
 template <typename Layout>
 VertexRows::Cells vertex_cells(const HalfedgeMesh<Layout>& mesh, VertexId v) {
   const auto fans = mesh.fans(v);
-  // A fan with a boundary edge begins or ends with it, and not all fans of a vertex do.
   bool is_boundary = false;
   for (const HalfedgeId h : outgoing_halfedges(mesh, v))
     is_boundary = is_boundary || mesh.is_boundary(h) || mesh.is_boundary(mesh.prev(h));
