@@ -68,6 +68,13 @@ Registry make_registry() {
   registry.begin_family(
       {"subdivision", "Smooth surfaces from meshes, by repeated division of their faces.", Cost::linear});
   register_subdivision(registry);
+  registry.begin_family({"mesh elements",
+                         "Vertices, edges, half-edges and faces of surfaces, solids and meshes, and their neighbours.",
+                         Cost::linear});
+  register_mesh_elements(registry);
+  register_mesh_neighbours(registry);
+  registry.begin_family({"topology", "How the faces of surfaces, solids and meshes hang together.", Cost::linear});
+  register_topology(registry);
   registry.begin_family({"mesh files",
                          "Import of solids and surfaces from STL, OBJ and OFF files, with repair and reports.",
                          Cost::file});

@@ -31,10 +31,10 @@ Maybe<Volume3d> solid_of(const Box3& box) {
   return solid_of_box(box);
 }
 
-/// The number of a triangle of a value, counted from 1; the triangles of a box have none.
+/// The number of a triangle of a value, as by faces; the triangles of a box have none.
 template <typename T>
 std::optional<std::int64_t> triangle_number(FaceId face) {
-  if (!std::is_same_v<T, Box3> && face.is_valid()) return std::int64_t{face.index()} + 1;
+  if (!std::is_same_v<T, Box3> && face.is_valid()) return std::int64_t{face.index()};
   return std::nullopt;
 }
 
@@ -96,14 +96,15 @@ void register_clash(Registry& registry) {
           "boundary point of one that lies inside the other from the other's boundary: no shift of one solid by less "
           "ends the clash. It may be too small by a billionth of it and 2^-44 of the largest coordinate. Point is the "
           "deepest point; of a duplication and of touching solids a common point; of a violated clearance that of the "
-          "first solid nearest to the second. The triangles, counted from 1, are one that holds the point, and one "
+          "first solid nearest to the second. The triangles, numbered from 0 as by faces, are one that holds the "
+          "point, and one "
           "nearest to it. Distance is that of the solids, rounded once. Boxes are solids; undefined for flat ones.",
       .exactness = Exactness::bounded,
       .sources = {"guthe2005", "tang2009"},
       .overloads = {clash_overload<Volume3d, Volume3d>(), clash_overload<Volume3d, Box3>(),
                     clash_overload<Box3, Volume3d>(), clash_overload<Box3, Box3>()},
       .examples = {{{kCubeOfTwo, "(rectangle3 1 5 1 5 1 5)", "0.0"},
-                    R"((("protrusion" 1.0 0.0 (2.0 2.0 2.0) 3 undefined)))"},
+                    R"((("protrusion" 1.0 0.0 (2.0 2.0 2.0) 2 undefined)))"},
                    {{kCubeOfTwo, kCubeOfTwo, "0.0"}, "1", "(count _)"},
                    {{"(rectangle3 4 5 5 6 0 1)", "(rectangle3 0 1 0 1 1 2)", "5.5"},
                     R"((("clearance" undefined 5.0 (4.0 5.0 1.0) undefined undefined)))"},

@@ -26,7 +26,7 @@ std::optional<double> if_finite(double number) {
 }
 
 std::int64_t row_number(FaceId face) {
-  return std::int64_t{face.index()} + 1;
+  return std::int64_t{face.index()};
 }
 
 Maybe<RayRows> ray_rows(const std::vector<RayHit>& hits, bool has_triangles) {
@@ -95,7 +95,8 @@ void register_ray_hits(Registry& registry) {
           "leaving, or touching if "
           "the ray stays on the same side; a ray that begins on the boundary enters or leaves by how it goes on. For a "
           "surface: entering through the front of all triangles there, leaving through their backs, or else touching. "
-          "Triangle is the lowest number, from 1, of those that hold the first point; undefined for boxes. Undefined "
+          "Triangle is the lowest number of those that hold the first point, as by faces, from 0; undefined for boxes. "
+          "Undefined "
           "for "
           "the zero vector, and for boxes that are segments or points.",
       .exactness = Exactness::rounded_once,
@@ -112,7 +113,7 @@ void register_ray_hits(Registry& registry) {
                    {{"(rectangle3 0 1 0 1 0 1)", "(makePoint3D -1 0 0.5)", "(makeVector3D 0.5 0 0)"},
                     R"(((2.0 4.0 (0.0 0.0 0.5) (1.0 0.0 0.5) "touching" undefined)))"},
                    {{"(surface3d (((0 0 0) (3 0 0) (0 3 0))))", kBelow, kUpwards},
-                    R"(((2.0 2.0 (0.5 0.25 0.0) (0.5 0.25 0.0) "leaving" 1)))"},
+                    R"(((2.0 2.0 (0.5 0.25 0.0) (0.5 0.25 0.0) "leaving" 0)))"},
                    {{kUnitCube, kBelow, kUpwards}, "2", "(count _)"},
                    {{kUnitCube, kBelow, "(makeVector3D 0 0 0)"}, "()"},
                    {{kUndefinedSolid, kBelow, kUpwards}, "()"}},
@@ -141,8 +142,9 @@ void register_thickness(Registry& registry) {
       .syntax = "facetThickness(_)",
       .doc = "The thickness of a solid behind each of its triangles, a row for each (Triangle: int, Point: point3d, "
              "Thickness: real, Opposite: int).",
-      .detail = std::string(kMeaningOfThickness) +
-                " Triangle is its number, from 1, Point its centroid, Opposite the triangle that the ray meets.",
+      .detail =
+          std::string(kMeaningOfThickness) +
+          " Triangle is its number as by faces, from 0, Point its centroid, Opposite the triangle that the ray meets.",
       .exactness = Exactness::rounded_once,
       .cost = Cost::sorting,
       .sources = {"inui2016"},

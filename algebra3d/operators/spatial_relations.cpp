@@ -100,10 +100,10 @@ Result<RelationRow> relation_row(Context& context, const OnDemand<A>& a, const O
 
 using WitnessRows = Rows<Point3d, std::optional<std::int64_t>, std::optional<std::int64_t>>;
 
-/// The number of a triangle, counted from 1.
+/// The number of a triangle, as by faces.
 std::optional<std::int64_t> number_of(FaceId face) {
   if (!face.is_valid()) return std::nullopt;
-  return std::int64_t{face.index()} + 1;
+  return std::int64_t{face.index()};
 }
 
 template <typename A, typename B>
@@ -323,9 +323,10 @@ void register_details(Registry& registry) {
       .syntax = "commonPoint(_, _)",
       .doc = "A point that two sets have in common, in one row (Point: point3d, FirstTriangle: int, SecondTriangle: "
              "int); no row if they are disjoint.",
-      .detail = "If triangles of two surfaces or solids meet in the point, their numbers are given, counted from 1. If "
-                "the point is inside a solid, or one of the sets has no triangles, they are undefined. The same values "
-                "give the same point.",
+      .detail =
+          "If triangles of two surfaces or solids meet in the point, their numbers are given, from 0 as by faces. If "
+          "the point is inside a solid, or one of the sets has no triangles, they are undefined. The same values "
+          "give the same point.",
       .exactness = Exactness::exact,
       .overloads = pairs_in_space<CommonPointMaker>(),
       .examples = {{{kCornerOfCube, kCubeOfTwo}, "(((2.0 2.0 2.0) undefined undefined))"},

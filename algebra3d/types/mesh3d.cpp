@@ -242,7 +242,12 @@ Mesh3d::Mesh3d() {
 Mesh3d::Mesh3d(PolygonMesh mesh) {
   assert(std::ranges::all_of(faces(mesh), [&](FaceId f) { return mesh.degree(f) >= 3; }));
   const Box3 box = box_around(mesh.points());
-  content_ = std::make_shared<const Content>(Content{std::move(mesh), box});
+  content_ = std::make_shared<const Content>(std::move(mesh), box);
+}
+
+const EdgeNumbers& Mesh3d::edge_numbers() const {
+  std::call_once(content_->once, [&] { content_->edge_numbers = EdgeNumbers(content_->mesh); });
+  return content_->edge_numbers;
 }
 
 Mesh3d::Mesh3d(PolygonMesh mesh, MeshAttributes attributes) : Mesh3d(std::move(mesh)) {

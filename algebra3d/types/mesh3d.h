@@ -1,8 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
+#include <utility>
 
 #include "algebra3d/base/box3.h"
+#include "algebra3d/halfedge/edge_numbers.h"
 #include "algebra3d/halfedge/mesh_attributes.h"
 #include "algebra3d/halfedge/polygon_mesh.h"
 #include "algebra3d/types/value.h"
@@ -27,11 +30,18 @@ class Mesh3d {
   const MeshAttributes& attributes() const { return attributes_; }
   /// The smallest box of doubles around all vertices.
   const Box3& box() const { return content_->box; }
+  /// The numbers of the edges, found at the first call, by any thread. Cost: linear at the first call.
+  const EdgeNumbers& edge_numbers() const;
 
  private:
   struct Content {
     PolygonMesh mesh;
     Box3 box;
+    mutable std::once_flag once = {};
+    mutable EdgeNumbers edge_numbers = {};
+
+    Content() = default;
+    Content(PolygonMesh polygons, const Box3& bounds) : mesh(std::move(polygons)), box(bounds) {}
   };
   std::shared_ptr<const Content> content_;
   MeshAttributes attributes_;

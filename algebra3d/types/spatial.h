@@ -10,6 +10,7 @@
 #include "algebra3d/exact/point.h"
 #include "algebra3d/halfedge/box_hierarchy.h"
 #include "algebra3d/halfedge/edge_components.h"
+#include "algebra3d/halfedge/edge_numbers.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
 #include "algebra3d/types/value.h"
 #include "algebra3d/validity/validity.h"
@@ -59,11 +60,14 @@ struct Geometry {
   const BoxHierarchy& hierarchy() const;
   /// The components of the faces, found at the first call, likewise.
   const EdgeComponents& components() const;
+  /// The numbers of the edges, likewise.
+  const EdgeNumbers& edge_numbers() const;
 
  private:
-  mutable std::once_flag hierarchy_once_, components_once_;
+  mutable std::once_flag hierarchy_once_, components_once_, edge_numbers_once_;
   mutable std::unique_ptr<const BoxHierarchy> hierarchy_;
   mutable std::unique_ptr<const EdgeComponents> components_;
+  mutable std::unique_ptr<const EdgeNumbers> edge_numbers_;
 };
 
 /// surface3d: a surface without the defects of validity/report.h, valid by construction. Cheap to copy. Triangles keep

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -15,8 +16,28 @@ namespace algebra3d {
 
 namespace mesh_linker {
 
+/// Sorts by the upper halves, digit by digit; entries with equal ones keep their order. Linear, so that the hub of a
+/// large fan costs no more than other vertices.
+inline void radix_sort(std::span<std::uint64_t> entries) {
+  constexpr unsigned kDigitBits = 11;
+  constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
+  std::uint64_t used_bits = 0;
+  for (const std::uint64_t entry : entries) used_bits |= entry >> 32;
+  std::vector<std::uint64_t> sorted(entries.size());
+  for (unsigned shift = 0; used_bits >> shift != 0; shift += kDigitBits) {
+    const auto digit = [&](std::uint64_t entry) { return (entry >> (32 + shift)) & (kDigits - 1); };
+    std::array<std::uint32_t, kDigits + 1> starts{};
+    for (const std::uint64_t entry : entries) ++starts[digit(entry) + 1];
+    for (std::size_t d = 0; d < kDigits; ++d) starts[d + 1] += starts[d];
+    for (const std::uint64_t entry : entries) sorted[starts[digit(entry)]++] = entry;
+    std::ranges::copy(sorted, entries.begin());
+  }
+}
+
+/// Sorts entries of which those with equal upper halves are in order.
 inline void sort_entries(std::span<std::uint64_t> entries) {
   // Buckets have six entries on average: insertion sort. A hub of a large fan has any number.
+  if (entries.size() > 2048) return radix_sort(entries);
   if (entries.size() > 32) {
     std::ranges::sort(entries);
     return;
@@ -242,8 +263,11 @@ std::vector<std::uint32_t> MeshLinker<Layout>::choose_outgoing() {
     mesh.outgoing_[v] = h;
     ++corner_counts[v - settled];
   });
-  std::ranges::sort(alone, std::ranges::greater());
-  for (const std::uint32_t h : alone) mesh.outgoing_[mesh.origins_[h]] = HalfedgeId(h);
+  for (const std::uint32_t h : alone) mesh.outgoing_[mesh.origins_[h]] = HalfedgeId();
+  for (const std::uint32_t h : alone) {
+    HalfedgeId& lowest = mesh.outgoing_[mesh.origins_[h]];
+    lowest = std::min(lowest, HalfedgeId(h));  // the invalid handle is greater than all
+  }
   return corner_counts;
 }
 

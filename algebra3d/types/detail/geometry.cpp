@@ -67,6 +67,11 @@ const EdgeComponents& Geometry::components() const {
   return *components_;
 }
 
+const EdgeNumbers& Geometry::edge_numbers() const {
+  std::call_once(edge_numbers_once_, [this] { edge_numbers_ = std::make_unique<const EdgeNumbers>(mesh); });
+  return *edge_numbers_;
+}
+
 std::shared_ptr<const Geometry> make_geometry(TriangleMesh mesh) {
   Box3 box;
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "algebra3d/halfedge/polygon_mesh.h"
+
+namespace algebra3d {
+
+/// The dual of a mesh. Vertex i is the mean of the corners of face i, each coordinate rounded once. Each closed fan of
+/// three or more faces, in the order of the vertices, gives a face with its faces for corners, counter-clockwise; so
+/// boundary vertices give none. Cost: linear.
+template <typename Layout>
+PolygonMesh dual_mesh(const HalfedgeMesh<Layout>& mesh);
+
+}  // namespace algebra3d
