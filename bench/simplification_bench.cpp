@@ -1,8 +1,8 @@
 // Decimation beside OpenMesh, CGAL and meshoptimizer: spheres with waves and dents, to a tenth of their triangles. The
 // meshes of the peers are built before the clock starts, and their results are not taken out of them; ours goes from
 // mesh to mesh. `deviation` is the Hausdorff distance from the mesh by our exact search, in parts of a million of the
-// radius, and `crossing` whether the result is no valid volume. The argument is the frequency of the sphere: 224 gives a
-// million triangles.
+// radius, and `crossing` whether the result is no valid volume. The argument is the frequency of the sphere: 224 gives
+// a million triangles.
 #include <benchmark/benchmark.h>
 
 #ifdef BENCH_WITH_OPENMESH
@@ -64,8 +64,8 @@ void report(benchmark::State& state, const Shape& before, const Shape& after) {
   const TriangleMesh a = mesh_of(before), b = mesh_of(after);
   const algebra3d::BoxHierarchy a_boxes(a), b_boxes(b);
   const algebra3d::DistanceOperand from{&a, &a_boxes}, to{&b, &b_boxes};
-  const auto farthest = algebra3d::farthest_point(
-      std::array{algebra3d::FarthestSearch{from, to}, algebra3d::FarthestSearch{to, from}});
+  const auto farthest =
+      algebra3d::farthest_point(std::array{algebra3d::FarthestSearch{from, to}, algebra3d::FarthestSearch{to, from}});
   state.counters["triangles"] = static_cast<double>(after.triangles.size());
   state.counters["deviation"] = 1e6 * farthest.value()->upper_bound;
   state.counters["crossing"] = algebra3d::prove_volume(b)->is_valid() ? 0 : 1;
@@ -73,8 +73,7 @@ void report(benchmark::State& state, const Shape& before, const Shape& after) {
 
 Shape shape_of(const TriangleMesh& mesh) {
   Shape shape{mesh.points().approx(), {}};
-  for (std::size_t f = 0; f < mesh.face_count(); ++f)
-    shape.triangles.push_back(mesh.triangle(algebra3d::FaceId(f)));
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) shape.triangles.push_back(mesh.triangle(algebra3d::FaceId(f)));
   return shape;
 }
 
@@ -122,8 +121,7 @@ Shape shape_of(const CgalMesh& mesh) {
   }
   for (const auto f : mesh.faces()) {
     const auto h = mesh.halfedge(f);
-    shape.triangles.push_back(
-        {numbers[mesh.source(h)], numbers[mesh.target(h)], numbers[mesh.target(mesh.next(h))]});
+    shape.triangles.push_back({numbers[mesh.source(h)], numbers[mesh.target(h)], numbers[mesh.target(mesh.next(h))]});
   }
   return shape;
 }
@@ -220,7 +218,8 @@ void meshoptimizer(benchmark::State& state) {
                                    3 * sizeof(float), indices.size() / 10, 1.0F, 0, nullptr));
   }
   Shape after{shape.points, {}};
-  for (std::size_t i = 0; i < result.size(); i += 3) after.triangles.push_back({result[i], result[i + 1], result[i + 2]});
+  for (std::size_t i = 0; i < result.size(); i += 3)
+    after.triangles.push_back({result[i], result[i + 1], result[i + 2]});
   report(state, shape, after);
 }
 BENCHMARK(meshoptimizer)->Apply(models);

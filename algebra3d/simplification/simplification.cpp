@@ -86,8 +86,7 @@ class DeviationSearch {
     const double allowed = target_.deviation + 0x1p-43 * largest_coordinate(mesh_);
     double error = 2 * target_.deviation;
     for (std::size_t i = 0; i < kMaxAttempts && (i < kAttempts || !best_); ++i) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(Attempt attempt,
-                                 attempter_(mesh_, {target_.triangles, error}, monitor_, locked_));
+      ALGEBRA3D_ASSIGN_OR_RETURN(Attempt attempt, attempter_(mesh_, {target_.triangles, error}, monitor_, locked_));
       ALGEBRA3D_ASSIGN_OR_RETURN(const double deviation, deviation_of({&mesh_, &hierarchy_}, attempt.mesh, monitor_));
       const bool is_enough = attempt.mesh.face_count() <= target_.triangles;
       if (deviation <= allowed) {

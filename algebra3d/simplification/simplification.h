@@ -32,9 +32,9 @@ struct Simplification {
 /// degrees in a step. Vertices are original ones or computed in rounded arithmetic; exact coordinates are rounded. The
 /// result may cross itself. As many triangles as demanded are left, or one less, or more where no further edge can be
 /// collapsed. A deviation is measured, and holds but for 2^-43 of the largest coordinate. Deterministic, whatever the
-/// number of threads. `locked`: empty, or for each vertex whether it and its edges stay as they are. Errors: interrupted.
-/// Cost: linear for each attempt; with a deviation, that of farthest_point besides. Source: [garland1997], [dey1999] for
-/// the link condition.
+/// number of threads. `locked`: empty, or for each vertex whether it and its edges stay as they are. Errors:
+/// interrupted. Cost: linear for each attempt; with a deviation, that of farthest_point besides. Source: [garland1997],
+/// [dey1999] for the link condition.
 Result<Simplification> simplified(const TriangleMesh& mesh, const SimplificationTarget& target,
                                   const Monitor& monitor = {}, std::span<const std::uint8_t> locked = {});
 

@@ -13,8 +13,8 @@ namespace algebra3d {
 
 /// The connectivity of a triangle mesh whose edges are collapsed. Half-edge 4f + i leaves corner i of face f; kNone
 /// stands for no half-edge. A collapse of half-edge h from a to b removes b and the one or two faces of the edge; all
-/// others keep their numbers. Vertices of non-manifold edges, and non-manifold ones, are *locked*: their edges are never
-/// collapsed. One object, one thread; reading in parallel is safe.
+/// others keep their numbers. Vertices of non-manifold edges, and non-manifold ones, are *locked*: their edges are
+/// never collapsed. One object, one thread; reading in parallel is safe.
 class CollapseMesh {
  public:
   /// The places of a vertex.

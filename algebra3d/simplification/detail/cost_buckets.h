@@ -8,16 +8,16 @@
 
 namespace algebra3d {
 
-/// A queue of half-edges in the order of rounded costs: those of one bucket differ by less than a fifth. Within a
+/// A queue of half-edges in the order of rounded costs: those of one bucket differ by about a hundredth. Within a
 /// bucket they keep the order of insertion, which follows the memory, so that neighbours are handled together.
 class CostBuckets {
  public:
-  static constexpr std::size_t kPerOctave = 4, kCount = 96 * kPerOctave;
+  static constexpr std::size_t kPerOctave = 64, kCount = 96 * kPerOctave;
 
   /// The bucket of a cost; costs from 2^-80 to 2^16 are told apart.
   static std::size_t bucket_of(double cost) {
     constexpr std::uint64_t kFirst = (std::uint64_t{1023} - 80) * kPerOctave;
-    const std::uint64_t place = std::bit_cast<std::uint64_t>(std::max(cost, 0.0)) >> 50U;
+    const std::uint64_t place = std::bit_cast<std::uint64_t>(std::max(cost, 0.0)) >> 46U;
     return place <= kFirst ? 0 : std::min<std::size_t>(place - kFirst, kCount - 1);
   }
 

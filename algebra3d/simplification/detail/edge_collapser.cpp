@@ -25,7 +25,7 @@ constexpr double kLeastFlatness = 1e-12;
 /// A boundary is held by planes through its edges, across their faces.
 constexpr double kBoundaryWeight = 4;
 /// Buckets after which a collapse that was refused is tried again.
-constexpr std::size_t kRetry = CostBuckets::kPerOctave;
+constexpr std::size_t kRetry = CostBuckets::kPerOctave / 4;
 
 double squared(const Vec3& v) {
   return dot(v, v);
@@ -34,7 +34,10 @@ double squared(const Vec3& v) {
 }  // namespace
 
 EdgeCollapser::EdgeCollapser(const TriangleMesh& mesh, std::span<const std::uint8_t> locked)
-    : mesh_(mesh), faces_(mesh), positions_(mesh.vertex_count()), quadrics_(mesh.vertex_count()),
+    : mesh_(mesh),
+      faces_(mesh),
+      positions_(mesh.vertex_count()),
+      quadrics_(mesh.vertex_count()),
       sources_(mesh.vertex_count()) {
   for (std::size_t v = 0; v < locked.size(); ++v)
     if (locked[v] != 0) faces_.lock(static_cast<std::uint32_t>(v));
@@ -156,8 +159,7 @@ Status EdgeCollapser::fill_queue() {
       if (faces_.opposite(h) < h) continue;
       if (faces_.place(faces_.origin(h)) == Place::locked || faces_.place(faces_.target(h)) == Place::locked) continue;
       const double cost = candidates(h).places[0].cost;
-      if (cost <= largest_cost_)
-        buckets[f][i] = static_cast<std::uint16_t>(CostBuckets::bucket_of(cost + penalty(h)));
+      if (cost <= largest_cost_) buckets[f][i] = static_cast<std::uint16_t>(CostBuckets::bucket_of(cost + penalty(h)));
     }
   });
   for (std::size_t f = 0; f < buckets.size(); ++f)

@@ -23,9 +23,9 @@ struct CollapseLimits {
   double error = 0;           ///< no collapse costs more, as a distance in coordinate units
 };
 
-/// Collapses the cheapest edges of a mesh, by quadric error. Computes in a frame in which the mesh has about the size 1.
-/// A vertex has the sum of the quadrics of all faces whose corners were merged into it, so costs only grow and those in
-/// the queue are lower bounds: an edge is evaluated again when its turn comes. Source: [garland1997].
+/// Collapses the cheapest edges of a mesh, by quadric error. Computes in a frame in which the mesh has about the
+/// size 1. A vertex has the sum of the quadrics of all faces whose corners were merged into it, so costs only grow and
+/// those in the queue are lower bounds: an edge is evaluated again when its turn comes. Source: [garland1997].
 class EdgeCollapser {
  public:
   /// The mesh must not be empty. `locked`: vertices that stay as they are; empty, or a flag for each.

@@ -18,8 +18,8 @@ Result<std::vector<FaceId>> defects_of_surface(const TriangleMesh& mesh, const M
 Result<std::vector<FaceId>> defects_of_volume(const TriangleMesh& mesh, const Monitor& monitor);
 
 /// Locks the vertices of `before` that were merged into corners of `defects`, faces of `after`, and those around them:
-/// the more steps of neighbours, the later the round. `images`: the vertex of `after` for each vertex. `locked` is empty
-/// or has a flag for each; at least one more is set afterwards.
+/// the more steps of neighbours, the later the round. `images`: the vertex of `after` for each vertex. `locked` is
+/// empty or has a flag for each; at least one more is set afterwards.
 void lock_around(const TriangleMesh& before, const TriangleMesh& after, std::span<const std::uint32_t> images,
                  std::span<const FaceId> defects, std::size_t round, std::vector<std::uint8_t>& locked);
 
