@@ -118,14 +118,14 @@ EdgeCollapser::Candidates EdgeCollapser::candidates(std::uint32_t h) const {
   const auto add_end = [&](std::uint32_t v) {
     result.places[result.count++] = {positions_[v], sum.at(positions_[v]), sources_[v]};
   };
-  // An edge that leads from the boundary inward moves its inner end.
+  // At the boundary a vertex stays at the place of one: of an edge that leads inward, at its outer end.
   const bool a_stays = faces_.place(a) == Place::boundary, b_stays = faces_.place(b) == Place::boundary;
   const bool is_inward = a_stays != b_stays;
   if (!is_inward || a_stays) add_end(a);
   if (!is_inward || b_stays) add_end(b);
   if (is_inward) return result;
   if (result.places[1].cost < result.places[0].cost) std::swap(result.places[0], result.places[1]);
-  if (result.places[0].cost <= kNoise * sum.trace()) return result;
+  if (a_stays || result.places[0].cost <= kNoise * sum.trace()) return result;
   const Vec3 best = sum.minimum(0.5 * from + 0.5 * to);
   // Far off the edge it is no better than a guess.
   const double length = squared(to - from);
