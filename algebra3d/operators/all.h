@@ -31,6 +31,8 @@ void register_contacts(Registry& registry);
 void register_rays(Registry& registry);
 void register_cuts(Registry& registry);
 void register_decomposition(Registry& registry);
+void register_mesh_edits(Registry& registry);
+void register_simplification(Registry& registry);
 void register_imports(Registry& registry);
 void register_exports(Registry& registry);
 void register_rounding(Registry& registry);

@@ -34,8 +34,7 @@ class EdgeCollapser {
   /// Errors: interrupted.
   Status run(const CollapseLimits& limits, const Monitor& monitor);
 
-  /// The mesh of the faces that are left, in their order; vertices in the order of those that they keep the place of,
-  /// without isolated ones.
+  /// The mesh of the faces that are left, in their order, without isolated vertices.
   TriangleMesh result();
   /// The vertex of the result that each vertex was merged into; kNone for isolated ones. Valid after `result`.
   std::vector<std::uint32_t> images();

@@ -12,7 +12,7 @@ namespace {
 /// Rounds after which everything is locked: the result is then the mesh itself.
 constexpr std::size_t kMaxRounds = 24;
 
-/// Faces of the shells that are wrong: a shell among others may be wrong because they moved, so all are.
+/// All faces: a shell may be on the wrong side because those around it moved.
 std::vector<FaceId> all_faces(const TriangleMesh& mesh) {
   std::vector<FaceId> faces;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) faces.emplace_back(f);
