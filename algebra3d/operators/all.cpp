@@ -75,6 +75,10 @@ Registry make_registry() {
   register_mesh_neighbours(registry);
   registry.begin_family({"topology", "How the faces of surfaces, solids and meshes hang together.", Cost::linear});
   register_topology(registry);
+  registry.begin_family({"edits of meshes", "Edits of single edges, faces and vertices of a mesh.", Cost::linear});
+  register_mesh_edits(registry);
+  registry.begin_family({"simplification", "Meshes, surfaces and solids with fewer triangles.", Cost::sorting});
+  register_simplification(registry);
   registry.begin_family({"mesh files",
                          "Import of solids and surfaces from STL, OBJ and OFF files, with repair and reports.",
                          Cost::file});

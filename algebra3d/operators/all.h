@@ -38,6 +38,8 @@ void register_subdivision(Registry& registry);
 void register_mesh_elements(Registry& registry);
 void register_mesh_neighbours(Registry& registry);
 void register_topology(Registry& registry);
+void register_mesh_edits(Registry& registry);
+void register_simplification(Registry& registry);
 void register_imports(Registry& registry);
 void register_exports(Registry& registry);
 void register_rounding(Registry& registry);

@@ -1,0 +1,132 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "algebra3d/base/error.h"
+#include "algebra3d/exact/point.h"
+#include "algebra3d/halfedge/polygon_mesh.h"
+
+namespace algebra3d {
+
+/// A manifold mesh of polygons, with or without boundary, whose elements can be changed: every half-edge has its next,
+/// previous and opposite half-edge, origin and face stored. Boundary edges have a second half-edge without a face;
+/// these run around the boundary loops. Edits take constant time, or time proportional to the degrees of the faces and
+/// vertices at the place. Elements keep their numbers; those of removed elements are used again, the last one first.
+///
+/// Invariants, which `audit` checks: the surface stays a manifold with the same components, handles and boundary loops;
+/// every face has at least three corners; no two edges have the same ends. An edit that would break one is refused with
+/// the reason, and changes nothing. Geometry is not looked at: faces may become bent or flat. The caller owns the
+/// object; one thread uses it at a time.
+class MeshEditor {
+ public:
+  /// From a mesh, with the same numbers of vertices, half-edges and faces. Undefined, with the reason, if the mesh is
+  /// no manifold. Cost: linear.
+  static Maybe<MeshEditor> of(const PolygonMesh& mesh);
+  /// The mesh as it is now: faces and vertices in the order of their numbers, without the unused numbers. Vertices that
+  /// were isolated stay. Cost: linear.
+  PolygonMesh mesh() const;
+
+  std::size_t vertex_count() const { return points_.size() - free_vertices_.size(); }
+  std::size_t edge_count() const { return (halfedges_.size() - free_halfedges_.size()) / 2; }
+  std::size_t face_count() const { return faces_.size() - free_faces_.size(); }
+  /// The numbers of elements are below these; some may be unused.
+  std::size_t vertex_slots() const { return points_.size(); }
+  std::size_t halfedge_slots() const { return halfedges_.size(); }
+  std::size_t face_slots() const { return faces_.size(); }
+  bool is_used(VertexId v) const { return vertices_[v.index()].is_used; }
+  bool is_used(HalfedgeId h) const { return halfedges_[h.index()].next.is_valid(); }
+  bool is_used(FaceId f) const { return faces_[f.index()].is_valid(); }
+
+  HalfedgeId next(HalfedgeId h) const { return halfedges_[h.index()].next; }
+  HalfedgeId prev(HalfedgeId h) const { return halfedges_[h.index()].prev; }
+  HalfedgeId opposite(HalfedgeId h) const { return halfedges_[h.index()].opposite; }
+  VertexId origin(HalfedgeId h) const { return halfedges_[h.index()].origin; }
+  VertexId target(HalfedgeId h) const { return origin(opposite(h)); }
+  /// Invalid beyond the boundary.
+  FaceId face(HalfedgeId h) const { return halfedges_[h.index()].face; }
+  bool is_boundary(HalfedgeId h) const { return !face(h).is_valid(); }
+  HalfedgeId halfedge(FaceId f) const { return faces_[f.index()]; }
+  /// A half-edge that leaves `v`, without a face if there is one; invalid at isolated vertices.
+  HalfedgeId outgoing(VertexId v) const { return vertices_[v.index()].outgoing; }
+  const ExactPoint& point(VertexId v) const { return points_[v.index()]; }
+  std::size_t degree(FaceId f) const;
+  std::size_t valence(VertexId v) const;
+  /// The half-edge from one vertex to another; invalid if no edge joins them.
+  HalfedgeId find(VertexId from, VertexId to) const;
+
+  // The edits. Half-edges, faces and vertices that are passed must be in use. Undefined, with the reason, if the edit
+  // would break an invariant; then nothing has changed.
+
+  /// Turns an edge between two faces counter-clockwise: its ends move to the next corners of the two faces. Refused at
+  /// the boundary; if one face is on both sides; where an end would be left with one edge; if an edge joins those
+  /// corners already, or they are one.
+  Maybe<HalfedgeId> flip_edge(HalfedgeId h);
+  /// Puts a vertex into an edge, and in each triangle along it an edge from the vertex to the third corner; faces of
+  /// more corners get one corner more. `h` ends in the new vertex. Always possible.
+  VertexId split_edge(HalfedgeId h, const ExactPoint& point);
+  /// Merges the ends of an edge into its origin, which stays where it is; triangles along it vanish. Refused unless the
+  /// link condition holds: if a vertex is joined to both ends that is no corner of a triangle along the edge; if the
+  /// edge is inside and both ends are on the boundary; if one face is on both sides; if the third corner of a triangle
+  /// has no edge besides; of a tetrahedron. Source: [dey1999].
+  Maybe<VertexId> collapse_edge(HalfedgeId h);
+  /// Joins two corners of a face by an edge. The part that begins at the first corner, in the order of the face, keeps
+  /// the number. Refused unless both are corners of the face, not neighbours in it, and not joined by an edge.
+  Maybe<FaceId> split_face(FaceId f, VertexId from, VertexId to);
+  /// Makes an edge of a vertex: the half-edges that leave it from `first` on, counter-clockwise up to but without
+  /// `last`, leave the new vertex, at `point`, afterwards. The faces to the right of `first` and `last` get a corner
+  /// more. Refused unless both leave the vertex, and are two. This reverses a collapse, but for triangles along the
+  /// edge, which split_face makes.
+  Maybe<VertexId> split_vertex(VertexId v, HalfedgeId first, HalfedgeId last, const ExactPoint& point);
+  /// Always possible.
+  void move_vertex(VertexId v, const ExactPoint& point) { points_[v.index()] = point; }
+
+  /// Every violated invariant of this object, a sentence each; empty if all hold. Cost: n log n.
+  std::vector<std::string> audit() const;
+
+ private:
+  friend struct MeshEditorTester;  // damages an object, to see that `audit` finds it
+
+  struct Halfedge {
+    HalfedgeId next, prev, opposite;
+    VertexId origin;
+    FaceId face;
+  };
+  struct Vertex {
+    HalfedgeId outgoing;
+    bool is_used = true;
+  };
+
+  MeshEditor() = default;
+  void take(const PolygonMesh& mesh);
+  void add_boundary(const PolygonMesh& mesh);
+
+  HalfedgeId new_edge();
+  VertexId new_vertex(const ExactPoint& point);
+  FaceId new_face(HalfedgeId h);
+  void free_edge(HalfedgeId h);
+  void connect(HalfedgeId h, HalfedgeId to);
+  /// Makes a half-edge without a face that of the vertex, if there is one.
+  void settle(VertexId v, HalfedgeId any);
+  void cut_triangle(HalfedgeId h);
+  void remove_digon(HalfedgeId h);
+  std::string link_violation(HalfedgeId h) const;
+  std::string wing_violation(HalfedgeId h) const;
+
+  void audit_halfedges(std::vector<std::string>& found) const;
+  void audit_edges(std::vector<std::string>& found) const;
+  void audit_faces(std::vector<std::string>& found) const;
+  void audit_vertices(std::vector<std::string>& found) const;
+
+  std::vector<Halfedge> halfedges_;  // next is invalid at unused ones
+  std::vector<HalfedgeId> faces_;    // invalid at unused ones
+  std::vector<Vertex> vertices_;
+  std::vector<ExactPoint> points_;
+  std::vector<HalfedgeId> free_halfedges_;  // in pairs
+  std::vector<FaceId> free_faces_;
+  std::vector<VertexId> free_vertices_;
+};
+
+}  // namespace algebra3d

@@ -1,0 +1,192 @@
+// The edits of MeshEditor.
+#include <fmt/format.h>
+
+#include "algebra3d/halfedge/mesh_editor.h"
+
+namespace algebra3d {
+
+Maybe<HalfedgeId> MeshEditor::flip_edge(HalfedgeId h) {
+  const HalfedgeId o = opposite(h);
+  if (is_boundary(h) || is_boundary(o)) return Undefined{"the edge is on the boundary"};
+  if (face(h) == face(o)) return Undefined{"the same face is on both sides of the edge"};
+  const HalfedgeId n = next(h), on = next(o);
+  const VertexId a = origin(h), b = origin(o), c = target(n), d = target(on);
+  for (const VertexId end : {a, b})
+    if (valence(end) <= 2) return Undefined{fmt::format("vertex {} would be left with one edge", end.index())};
+  if (c == d) return Undefined{"the edge would lead from a vertex to itself"};
+  if (find(c, d).is_valid())
+    return Undefined{fmt::format("an edge joins vertices {} and {} already", c.index(), d.index())};
+  const HalfedgeId p = prev(h), op = prev(o), nn = next(n), onn = next(on);
+  halfedges_[h.index()].origin = d;
+  halfedges_[o.index()].origin = c;
+  halfedges_[n.index()].face = face(o);
+  halfedges_[on.index()].face = face(h);
+  connect(p, on);
+  connect(on, h);
+  connect(h, nn);
+  connect(op, n);
+  connect(n, o);
+  connect(o, onn);
+  faces_[face(h).index()] = h;
+  faces_[face(o).index()] = o;
+  settle(a, on);
+  settle(b, n);
+  return h;
+}
+
+/// Joins the target of `h` to the corner after the next one, if the face is a triangle with one corner too many.
+void MeshEditor::cut_triangle(HalfedgeId h) {
+  if (is_boundary(h) || degree(face(h)) != 4) return;
+  (void)split_face(face(h), target(h), target(next(next(h))));
+}
+
+VertexId MeshEditor::split_edge(HalfedgeId h, const ExactPoint& point) {
+  const HalfedgeId o = opposite(h), k = new_edge(), ko = opposite(k);
+  const VertexId b = origin(o), m = new_vertex(point);
+  const HalfedgeId after = next(h), before = prev(o);
+  const bool is_triangle = !is_boundary(h) && degree(face(h)) == 3;
+  const bool is_other_triangle = !is_boundary(o) && degree(face(o)) == 3;
+  halfedges_[k.index()].origin = m;
+  halfedges_[k.index()].face = face(h);
+  halfedges_[ko.index()].origin = b;
+  halfedges_[ko.index()].face = face(o);
+  halfedges_[o.index()].origin = m;
+  connect(h, k);
+  connect(k, after);
+  connect(before, ko);
+  connect(ko, o);
+  settle(m, k);
+  settle(b, ko);
+  if (is_triangle) cut_triangle(h);
+  if (is_other_triangle) cut_triangle(ko);
+  return m;
+}
+
+Maybe<FaceId> MeshEditor::split_face(FaceId f, VertexId from, VertexId to) {
+  HalfedgeId first, second;
+  HalfedgeId h = halfedge(f);
+  do {
+    if (origin(h) == from && !first.is_valid()) first = h;
+    if (origin(h) == to && !second.is_valid()) second = h;
+    h = next(h);
+  } while (h != halfedge(f));
+  if (!first.is_valid() || !second.is_valid())
+    return Undefined{
+        fmt::format("vertex {} is no corner of face {}", (first.is_valid() ? to : from).index(), f.index())};
+  if (first == second) return Undefined{"both corners are the same"};
+  if (next(first) == second || next(second) == first)
+    return Undefined{fmt::format("vertices {} and {} are neighbours in the face", from.index(), to.index())};
+  if (find(from, to).is_valid())
+    return Undefined{fmt::format("an edge joins vertices {} and {} already", from.index(), to.index())};
+  const HalfedgeId closing = new_edge(), other = opposite(closing);
+  halfedges_[closing.index()].origin = to;
+  halfedges_[other.index()].origin = from;
+  connect(prev(first), other);
+  connect(prev(second), closing);
+  connect(other, second);
+  connect(closing, first);
+  const FaceId added = new_face(second);
+  for (h = second; !(face(h) == added); h = next(h)) halfedges_[h.index()].face = added;
+  halfedges_[closing.index()].face = f;
+  faces_[f.index()] = first;
+  return added;
+}
+
+Maybe<VertexId> MeshEditor::split_vertex(VertexId v, HalfedgeId first, HalfedgeId last, const ExactPoint& point) {
+  for (const HalfedgeId h : {first, last})
+    if (origin(h) != v) return Undefined{fmt::format("an edge does not begin at vertex {}", v.index())};
+  if (first == last) return Undefined{"both edges are the same"};
+  const VertexId added = new_vertex(point);
+  const HalfedgeId out = new_edge(), back = opposite(out);  // v -> added, added -> v
+  const HalfedgeId to_first = opposite(first), to_last = opposite(last);
+  const HalfedgeId after_first = next(to_first), after_last = next(to_last);
+  for (HalfedgeId h = first; h != last; h = opposite(prev(h))) halfedges_[h.index()].origin = added;
+  halfedges_[out.index()].origin = v;
+  halfedges_[out.index()].face = face(to_last);
+  halfedges_[back.index()].origin = added;
+  halfedges_[back.index()].face = face(to_first);
+  connect(to_first, back);
+  connect(back, after_first);
+  connect(to_last, out);
+  connect(out, after_last);
+  settle(v, last);
+  settle(added, first);
+  return added;
+}
+
+/// What forbids that the triangle of `h` vanishes; empty if nothing does, or if its face is none.
+std::string MeshEditor::wing_violation(HalfedgeId h) const {
+  if (is_boundary(h) || degree(face(h)) != 3) return {};
+  const HalfedgeId n = next(h), p = prev(h);
+  const VertexId c = origin(p);
+  if (valence(c) <= 2) return fmt::format("vertex {} would be left with one edge", c.index());
+  const HalfedgeId left = opposite(p), right = opposite(n);
+  const bool are_triangles =
+      !is_boundary(left) && !is_boundary(right) && degree(face(left)) == 3 && degree(face(right)) == 3;
+  if (are_triangles && valence(c) == 3 && opposite(next(left)) == prev(right))
+    return "two triangles with the same corners would be left";
+  return {};
+}
+
+std::string MeshEditor::link_violation(HalfedgeId h) const {
+  const HalfedgeId o = opposite(h);
+  const VertexId a = origin(h), b = origin(o);
+  const bool is_inside = !is_boundary(h) && !is_boundary(o);
+  if (is_inside && is_boundary(outgoing(a)) && is_boundary(outgoing(b)))
+    return "the edge is inside, and both ends are on the boundary";
+  if (face(h) == face(o)) return "the same face is on both sides of the edge";
+  std::size_t triangles = 0;
+  for (const HalfedgeId side : {h, o}) {
+    if (std::string found = wing_violation(side); !found.empty()) return found;
+    triangles += static_cast<std::size_t>(!is_boundary(side) && degree(face(side)) == 3);
+  }
+  if (valence(a) + valence(b) < 4 + triangles) return fmt::format("vertex {} would be left with one edge", a.index());
+  HalfedgeId g = outgoing(b);
+  do {
+    const VertexId v = target(g);
+    const bool is_third = (!is_boundary(h) && degree(face(h)) == 3 && v == origin(prev(h))) ||
+                          (!is_boundary(o) && degree(face(o)) == 3 && v == origin(prev(o)));
+    if (v != a && !is_third && find(v, a).is_valid())
+      return fmt::format("vertex {} is joined to both ends, and not by a triangle along the edge", v.index());
+    g = opposite(prev(g));
+  } while (g != outgoing(b));
+  return {};
+}
+
+/// Removes the face of `h`, which has two edges: the one of `h` goes, the other one stays.
+void MeshEditor::remove_digon(HalfedgeId h) {
+  const HalfedgeId stays = next(h), o = opposite(h);
+  const VertexId a = origin(h), c = origin(stays);
+  free_faces_.push_back(face(h));
+  faces_[face(h).index()] = {};
+  // In place of the other half-edge of the edge that goes.
+  connect(prev(o), stays);
+  connect(stays, next(o));
+  halfedges_[stays.index()].face = face(o);
+  if (face(o).is_valid() && faces_[face(o).index()] == o) faces_[face(o).index()] = stays;
+  free_edge(h);
+  settle(a, opposite(stays));
+  settle(c, stays);
+}
+
+Maybe<VertexId> MeshEditor::collapse_edge(HalfedgeId h) {
+  if (std::string reason = link_violation(h); !reason.empty()) return Undefined{std::move(reason)};
+  const HalfedgeId o = opposite(h), n = next(h), on = next(o);
+  const VertexId a = origin(h), b = origin(o);
+  const bool is_triangle = !is_boundary(h) && degree(face(h)) == 3;
+  const bool is_other_triangle = !is_boundary(o) && degree(face(o)) == 3;
+  for (HalfedgeId g = opposite(prev(o)); g != o; g = opposite(prev(g))) halfedges_[g.index()].origin = a;
+  for (const HalfedgeId side : {h, o}) {
+    connect(prev(side), next(side));
+    if (face(side).is_valid() && faces_[face(side).index()] == side) faces_[face(side).index()] = next(side);
+  }
+  free_edge(h);
+  vertices_[b.index()] = {{}, false};
+  free_vertices_.push_back(b);
+  settle(a, n);
+  if (is_triangle) remove_digon(n);
+  if (is_other_triangle) remove_digon(on);
+  return a;
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,173 @@
+// simplify.
+#include "algebra3d/simplification/simplification.h"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "algebra3d/base/number_text.h"
+#include "algebra3d/base/polygon_soup.h"
+#include "algebra3d/operators/all.h"
+#include "algebra3d/operators/detail/sample_values.h"
+#include "algebra3d/registry/operator.h"
+#include "algebra3d/registry/overload.h"
+#include "algebra3d/rounding/coordinate_grid.h"
+#include "algebra3d/rounding/rounded_solid.h"
+#include "algebra3d/rounding/rounded_surface.h"
+#include "algebra3d/types/mesh3d.h"
+#include "algebra3d/types/scalars.h"
+#include "algebra3d/types/spatial.h"
+
+namespace algebra3d {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// What the three types have for simplification: a mesh of triangles with double coordinates, and a way back.
+Result<Maybe<TriangleMesh>> rounded_triangles(Context& context, const Volume3d& solid) {
+  if (solid.mesh().points().exact_count() == 0) return Maybe<TriangleMesh>(solid.mesh());
+  ALGEBRA3D_ASSIGN_OR_RETURN(RoundedSolid rounded,
+                             rounded_solid(solid.mesh(), CoordinateGrid::doubles(), context.cancel));
+  if (!rounded.mesh) return Maybe<TriangleMesh>(Undefined{rounded.reason});
+  return Maybe<TriangleMesh>(*std::move(rounded.mesh));
+}
+Result<Maybe<TriangleMesh>> rounded_triangles(Context& context, const Surface3d& surface) {
+  if (surface.mesh().points().exact_count() == 0) return Maybe<TriangleMesh>(surface.mesh());
+  ALGEBRA3D_ASSIGN_OR_RETURN(RoundedSurface rounded,
+                             rounded_surface(surface.mesh(), CoordinateGrid::doubles(), context.cancel));
+  if (!rounded.mesh) return Maybe<TriangleMesh>(Undefined{rounded.reason});
+  return Maybe<TriangleMesh>(*std::move(rounded.mesh));
+}
+Result<Maybe<TriangleMesh>> rounded_triangles(Context& /*context*/, const Mesh3d& mesh) {
+  const PolygonMesh& faces = mesh.mesh();
+  std::vector<TriangleMesh::Triangle> triangles;
+  triangles.reserve(faces.face_count());
+  for (std::size_t f = 0; f < faces.face_count(); ++f) {
+    const FaceId id(f);
+    if (faces.degree(id) != 3)
+      return Error{ErrorCode::invalid_value,
+                   "simplify: face {} has {} corners, expected triangles; triangulate makes them", f, faces.degree(id)};
+    const auto corner = [&](std::uint32_t i) { return faces.origin(faces.halfedge(id, i)).index(); };
+    triangles.push_back({corner(0), corner(1), corner(2)});
+  }
+  return Maybe<TriangleMesh>(TriangleMesh(PointArray(faces.points().approx()), triangles));
+}
+
+Result<Simplification> simplified_as(const Volume3d& /*kind*/, const TriangleMesh& mesh,
+                                     const SimplificationTarget& target, const Monitor& monitor) {
+  return simplified_volume(mesh, target, monitor);
+}
+Result<Simplification> simplified_as(const Surface3d& /*kind*/, const TriangleMesh& mesh,
+                                     const SimplificationTarget& target, const Monitor& monitor) {
+  return simplified_surface(mesh, target, monitor);
+}
+Result<Simplification> simplified_as(const Mesh3d& /*kind*/, const TriangleMesh& mesh,
+                                     const SimplificationTarget& target, const Monitor& monitor) {
+  return simplified(mesh, target, monitor);
+}
+
+/// The results of simplified_volume and simplified_surface are proved, or the argument itself.
+Volume3d value_of(const Volume3d& /*kind*/, TriangleMesh mesh) {
+  return Volume3d::trusted(std::move(mesh));
+}
+Surface3d value_of(const Surface3d& /*kind*/, TriangleMesh mesh) {
+  return Surface3d::trusted(std::move(mesh));
+}
+Mesh3d value_of(const Mesh3d& /*kind*/, const TriangleMesh& mesh) {
+  return Mesh3d(PolygonMesh(mesh.points(), PolygonLayout::of_degree(3), mesh.origins()));
+}
+
+void report(Context& context, std::size_t before, const Simplification& result, const SimplificationTarget& target) {
+  std::string text = fmt::format("simplify: {} of {} triangles are left", result.mesh.face_count(), before);
+  if (target.deviation < kInfinity) text += ", deviation at most " + real_text(result.deviation);
+  if (target.triangles > 0 && result.mesh.face_count() > target.triangles) text += "; no further edge can be collapsed";
+  context.diagnostics.report(std::move(text));
+}
+
+template <typename T>
+Result<Maybe<T>> simplified_to(Context& context, const T& value, const SimplificationTarget& target) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto mesh, rounded_triangles(context, value));
+  if (!mesh) return Maybe<T>(Undefined{mesh.reason()});
+  ALGEBRA3D_ASSIGN_OR_RETURN(Simplification result, simplified_as(value, *mesh, target, context.monitor()));
+  report(context, mesh->face_count(), result, target);
+  return Maybe<T>(value_of(value, std::move(result.mesh)));
+}
+
+template <typename T>
+Result<Maybe<T>> simplified_to_count(Context& context, const T& value, std::int64_t triangles) {
+  if (triangles < 0) return Maybe<T>(Undefined{"the number of triangles must not be negative"});
+  return simplified_to(context, value, {static_cast<std::size_t>(triangles), kInfinity});
+}
+
+template <typename T>
+Result<Maybe<T>> simplified_to_deviation(Context& context, const T& value, double deviation) {
+  if (!(deviation >= 0 && deviation < kInfinity)) return Maybe<T>(Undefined{"the deviation must not be negative"});
+  return simplified_to(context, value, {0, deviation});
+}
+
+template <typename T>
+Result<Maybe<T>> simplified_to_share(Context& context, const T& value, const std::string& measure, double share) {
+  if (measure != "ratio")
+    return Error{ErrorCode::invalid_value, "simplify: expected \"ratio\" and a share, got \"{}\"", measure};
+  if (!(share >= 0 && share <= 1)) return Maybe<T>(Undefined{"the share must be between 0 and 1"});
+  const double count = std::floor(share * static_cast<double>(value.mesh().face_count()));
+  return simplified_to(context, value, {static_cast<std::size_t>(count), kInfinity});
+}
+
+const std::string kSquareOfEight =
+    "(mesh3d (((0 0 0) (1 0 0) (2 0 0) (0 1 0) (1 1 0) (2 1 0) (0 2 0) (1 2 0) (2 2 0)) ((0 1 4) (0 4 3) (1 2 5) (1 5 "
+    "4) "
+    "(3 4 7) (3 7 6) (4 5 8) (4 8 7))))";
+const std::string kDetail =
+    "Edges are collapsed, those first that cost the least quadric error, until a number of triangles (an int), a share "
+    "of them (\"ratio\"), or a largest deviation (a real) is reached; a diagnostic tells what was. Topology stays: "
+    "parts, "
+    "handles and boundary loops; the boundary is kept as far as the error allows, and no face turns over. So more "
+    "triangles may be left than demanded. The deviation is the Hausdorff distance of the boundaries before and after. "
+    "It "
+    "is measured, and holds but for 2^-43 of the largest coordinate. Coordinates of results are doubles. A surface or "
+    "solid stays a valid one: the result is proved, and where it crosses itself the steps around the crossing are "
+    "taken "
+    "back. A mesh3d must consist of triangles, and its result may cross itself; edges with three or more faces stay.";
+
+}  // namespace
+
+void register_simplification(Registry& registry) {
+  registry.add({
+      .name = "simplify",
+      .syntax = "simplify(_, _ ...)",
+      .doc = "The mesh, surface or solid with fewer triangles: as many as given, or as few as a deviation allows.",
+      .detail = kDetail,
+      .exactness = Exactness::reported,
+      .frame_use = FrameUse::coordinates,
+      .cost = Cost::sorting,
+      .sources = {"garland1997", "dey1999"},
+      .overloads = {overload<&simplified_to_count<Mesh3d>>("mesh", "triangles"),
+                    overload<&simplified_to_deviation<Mesh3d>>("mesh", "deviation"),
+                    overload<&simplified_to_share<Mesh3d>>("mesh", "measure", "share"),
+                    overload<&simplified_to_count<Surface3d>>("surface", "triangles"),
+                    overload<&simplified_to_deviation<Surface3d>>("surface", "deviation"),
+                    overload<&simplified_to_share<Surface3d>>("surface", "measure", "share"),
+                    overload<&simplified_to_count<Volume3d>>("solid", "triangles"),
+                    overload<&simplified_to_deviation<Volume3d>>("solid", "deviation"),
+                    overload<&simplified_to_share<Volume3d>>("solid", "measure", "share")},
+      .examples = {{{kUnitCube, "0.0"}, "1.0", "(volume _)"},
+                   {{kUnitCube, "100"}, "1.0", "(volume _)"},
+                   {{kUnitCube, "\"ratio\"", "1.0"}, "1.0", "(volume _)"},
+                   {{kSquareOfEight, "0.0"},
+                    "(((2.0 0.0 0.0) (0.0 0.0 0.0) (0.0 2.0 0.0) (2.0 2.0 0.0)) ((1 0 3) (1 3 2)))"},
+                   {{kUnitCube, "-1"}, "undefined"},
+                   {{kUnitCube, "-1.0"}, "undefined"},
+                   {{kUndefinedSolid, "10"}, "undefined"}},
+      .errors = {{{kUnitCube, "\"share\"", "0.5"}, "simplify: expected \"ratio\" and a share, got \"share\""},
+                 {{"(mesh3d (((0 0 0) (1 0 0) (1 1 0) (0 1 0)) ((0 1 2 3))))", "1"},
+                  "simplify: face 0 has 4 corners, expected triangles; triangulate makes them"},
+                 {{"1", "2"}, "simplify: expected (mesh3d int), (mesh3d real)"}},
+  });
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,151 @@
+#include "algebra3d/simplification/simplification.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "algebra3d/base/indices.h"
+#include "algebra3d/distance/farthest_point.h"
+#include "algebra3d/halfedge/box_hierarchy.h"
+#include "algebra3d/halfedge/boxes.h"
+#include "algebra3d/simplification/detail/edge_collapser.h"
+#include "algebra3d/simplification/detail/taken_back.h"
+
+namespace algebra3d {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Attempts to come near to a deviation from below, and to get below it at all.
+constexpr std::size_t kAttempts = 4, kMaxAttempts = 12;
+
+struct Attempt {
+  TriangleMesh mesh;
+  std::size_t repetitions = 0;
+};
+
+/// An attempt of one kind: whatever the mesh, a surface or a volume.
+using Attempter = Result<Attempt> (*)(const TriangleMesh&, const CollapseLimits&, const Monitor&,
+                                      std::span<const std::uint8_t>);
+
+Result<Attempt> any_mesh(const TriangleMesh& mesh, const CollapseLimits& limits, const Monitor& monitor,
+                         std::span<const std::uint8_t> locked) {
+  EdgeCollapser collapser(mesh, locked);
+  ALGEBRA3D_RETURN_IF_ERROR(collapser.run(limits, monitor));
+  return Attempt{collapser.result(), 0};
+}
+
+/// Repeats the simplification with more and more vertices locked until the result is valid. Every defect is at a vertex
+/// that moved or had others merged into it, since the mesh itself is valid; so each time some are locked, and at the
+/// latest it ends when all are.
+template <typename FindDefects>
+Result<Attempt> valid_mesh(const TriangleMesh& mesh, const CollapseLimits& limits, const Monitor& monitor,
+                           const FindDefects& find_defects) {
+  std::vector<std::uint8_t> locked;
+  for (std::size_t repetitions = 0;; ++repetitions) {
+    EdgeCollapser collapser(mesh, locked);
+    ALGEBRA3D_RETURN_IF_ERROR(collapser.run(limits, monitor));
+    Attempt attempt{collapser.result(), repetitions};
+    monitor.tell("proving");
+    ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<FaceId> defects, find_defects(attempt.mesh, monitor));
+    if (defects.empty()) return attempt;
+    if (std::ranges::count(locked, 0) == 0 && !locked.empty()) return Attempt{mesh, repetitions};
+    lock_around(mesh, attempt.mesh, collapser.images(), defects, repetitions, locked);
+  }
+}
+
+Result<Attempt> valid_surface(const TriangleMesh& mesh, const CollapseLimits& limits, const Monitor& monitor,
+                              std::span<const std::uint8_t> /*locked*/) {
+  return valid_mesh(mesh, limits, monitor, defects_of_surface);
+}
+Result<Attempt> valid_volume(const TriangleMesh& mesh, const CollapseLimits& limits, const Monitor& monitor,
+                             std::span<const std::uint8_t> /*locked*/) {
+  return valid_mesh(mesh, limits, monitor, defects_of_volume);
+}
+
+Result<double> deviation_of(const DistanceOperand& before, const TriangleMesh& after, const Monitor& monitor) {
+  monitor.tell("measuring the deviation");
+  const BoxHierarchy hierarchy(after);
+  const DistanceOperand operand{&after, &hierarchy};
+  ALGEBRA3D_ASSIGN_OR_RETURN(
+      const auto farthest,
+      farthest_point(std::array{FarthestSearch{before, operand}, FarthestSearch{operand, before}}, monitor));
+  return farthest->upper_bound;
+}
+
+/// Searches for the largest error of the quadrics with which the measured deviation is small enough.
+class DeviationSearch {
+ public:
+  DeviationSearch(const TriangleMesh& mesh, const SimplificationTarget& target, Attempter attempter,
+                  std::span<const std::uint8_t> locked, const Monitor& monitor)
+      : mesh_(mesh), hierarchy_(mesh), target_(target), attempter_(attempter), locked_(locked), monitor_(monitor) {}
+
+  Result<Simplification> run() {
+    const double allowed = target_.deviation + 0x1p-43 * largest_coordinate(mesh_);
+    double error = 2 * target_.deviation;
+    for (std::size_t i = 0; i < kMaxAttempts && (i < kAttempts || !best_); ++i) {
+      ALGEBRA3D_ASSIGN_OR_RETURN(Attempt attempt, attempter_(mesh_, {target_.triangles, error}, monitor_, locked_));
+      ALGEBRA3D_ASSIGN_OR_RETURN(const double deviation, deviation_of({&mesh_, &hierarchy_}, attempt.mesh, monitor_));
+      const bool is_enough = attempt.mesh.face_count() <= target_.triangles;
+      if (deviation <= allowed) {
+        keep(std::move(attempt), deviation);
+        if (is_enough || deviation > 0.9 * allowed || error == 0) break;
+        low_ = error;
+      } else {
+        high_ = error;
+      }
+      error = next_error(error, deviation);
+    }
+    if (!best_) best_ = Simplification{mesh_, 0, kMaxAttempts};
+    return *std::move(best_);
+  }
+
+ private:
+  void keep(Attempt attempt, double deviation) {
+    if (!best_ || attempt.mesh.face_count() < best_->mesh.face_count())
+      best_ = Simplification{std::move(attempt.mesh), deviation, attempt.repetitions};
+  }
+  double next_error(double error, double deviation) const {
+    if (low_ > 0 && high_ < kInfinity) return std::sqrt(low_ * high_);
+    if (deviation == 0) return 4 * error;
+    return error * std::clamp(0.9 * target_.deviation / deviation, 0.05, 8.0);
+  }
+
+  const TriangleMesh& mesh_;
+  const BoxHierarchy hierarchy_;
+  const SimplificationTarget target_;
+  const Attempter attempter_;
+  const std::span<const std::uint8_t> locked_;
+  const Monitor& monitor_;
+  double low_ = 0, high_ = kInfinity;
+  std::optional<Simplification> best_;
+};
+
+Result<Simplification> simplified_by(Attempter attempter, const TriangleMesh& mesh, const SimplificationTarget& target,
+                                     const Monitor& monitor, std::span<const std::uint8_t> locked) {
+  if (mesh.face_count() <= target.triangles || mesh.is_empty()) return Simplification{mesh, 0, 0};
+  if (target.deviation < kInfinity) return DeviationSearch(mesh, target, attempter, locked, monitor).run();
+  ALGEBRA3D_ASSIGN_OR_RETURN(Attempt attempt, attempter(mesh, {target.triangles, kInfinity}, monitor, locked));
+  return Simplification{std::move(attempt.mesh), kInfinity, attempt.repetitions};
+}
+
+}  // namespace
+
+Result<Simplification> simplified(const TriangleMesh& mesh, const SimplificationTarget& target, const Monitor& monitor,
+                                  std::span<const std::uint8_t> locked) {
+  return simplified_by(any_mesh, mesh, target, monitor, locked);
+}
+
+Result<Simplification> simplified_surface(const TriangleMesh& surface, const SimplificationTarget& target,
+                                          const Monitor& monitor) {
+  return simplified_by(valid_surface, surface, target, monitor, {});
+}
+
+Result<Simplification> simplified_volume(const TriangleMesh& volume, const SimplificationTarget& target,
+                                         const Monitor& monitor) {
+  return simplified_by(valid_volume, volume, target, monitor, {});
+}
+
+}  // namespace algebra3d
