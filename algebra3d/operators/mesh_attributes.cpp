@@ -11,6 +11,7 @@
 
 #include "algebra3d/halfedge/mesh_attributes.h"
 #include "algebra3d/operators/all.h"
+#include "algebra3d/operators/detail/sample_values.h"
 #include "algebra3d/registry/operator.h"
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/types/mesh3d.h"
@@ -144,7 +145,6 @@ Result<Maybe<ValueRows<T>>> value_rows(const Mesh3d& mesh, const std::string& el
 const std::string kTriangle = "(mesh3d (((0 0 0) (1 0 0) (0 1 0)) ((0 1 2))))";
 const std::string kWithWeights =
     R"((mesh3d (((0 0 0) (1 0 0) (0 1 0)) ((0 1 2)) ((vertex "Weight" real (1.0 undefined 2.5))))))";
-const std::string kUndefinedMesh = "(mesh3d undefined)";
 
 constexpr const char* kElements =
     "The elements are \"vertex\", \"edge\", \"halfedge\" or \"face\", numbered from 0; a half-edge keeps what belongs "

@@ -109,11 +109,10 @@ Outcome3d with_moved_vertex(Context& /*context*/, const Mesh3d& mesh, std::int64
   return Maybe<Mesh3d>(Mesh3d(PolygonMesh(std::move(points), mesh.mesh().layout(), mesh.mesh().origins())));
 }
 
-const std::string kTwoTriangles = "(mesh3d (((0 0 0) (1 0 0) (1 1 0) (0 1 0)) ((0 1 2) (0 2 3))))";
-const std::string kSquare = "(mesh3d (((0 0 0) (1 0 0) (1 1 0) (0 1 0)) ((0 1 2 3))))";
-const std::string kTetrahedron = "(mesh3d (((0 0 0) (1 0 0) (0 1 0) (0 0 1)) ((0 2 1) (0 1 3) (1 2 3) (2 0 3))))";
+const std::string kHalvedSquare = "(mesh3d (((0 0 0) (1 0 0) (1 1 0) (0 1 0)) ((0 1 2) (0 2 3))))";
+const std::string kSquareFace = "(mesh3d (((0 0 0) (1 0 0) (1 1 0) (0 1 0)) ((0 1 2 3))))";
+const std::string kUnitTetrahedron = "(mesh3d (((0 0 0) (1 0 0) (0 1 0) (0 0 1)) ((0 2 1) (0 1 3) (1 2 3) (2 0 3))))";
 const std::string kThreeTriangles = "(mesh3d (((0 0 0) (1 0 0) (1 1 0) (0 1 0) (1 2 0)) ((0 1 2) (0 2 3) (3 2 4))))";
-const std::string kUndefinedMesh = "(mesh3d undefined)";
 /// Of all edits that keep the topology.
 const std::string kCommonDetail =
     "The mesh must be a manifold, boundary allowed; otherwise, and where the edit would not leave one, the result is "
@@ -130,12 +129,12 @@ void register_edge_edits(Registry& registry) {
                 "boundary, where an edge joins those corners already, and where a vertex would be left with one edge.",
       .exactness = Exactness::exact,
       .overloads = {overload<&with_flipped_edge>("mesh", "edge")},
-      .examples = {{{kTwoTriangles, "2"},
+      .examples = {{{kHalvedSquare, "2"},
                     "(((0.0 0.0 0.0) (1.0 0.0 0.0) (1.0 1.0 0.0) (0.0 1.0 0.0)) ((3 1 2) (1 3 0)))"},
-                   {{kTwoTriangles, "0"}, "undefined"},
-                   {{kTetrahedron, "0"}, "undefined"},
+                   {{kHalvedSquare, "0"}, "undefined"},
+                   {{kUnitTetrahedron, "0"}, "undefined"},
                    {{kUndefinedMesh, "0"}, "undefined"}},
-      .errors = {{{kTwoTriangles, "5"}, "flipEdge: edge 5 is none of the 5 of the mesh, numbered from 0"},
+      .errors = {{{kHalvedSquare, "5"}, "flipEdge: edge 5 is none of the 5 of the mesh, numbered from 0"},
                  {{"1", "0"}, "flipEdge: expected (mesh3d int)"}},
   });
   registry.add({
@@ -149,13 +148,13 @@ void register_edge_edits(Registry& registry) {
       .exactness = Exactness::exact,
       .overloads = {overload<&with_split_edge>("mesh", "edge", "share"),
                     overload<&with_edge_split_at>("mesh", "edge", "point")},
-      .examples = {{{kSquare, "0", "0.5"},
+      .examples = {{{kSquareFace, "0", "0.5"},
                     "(((0.0 0.0 0.0) (1.0 0.0 0.0) (1.0 1.0 0.0) (0.0 1.0 0.0) (0.5 0.0 0.0)) ((0 4 1 2 3)))"},
-                   {{kSquare, "0", "1.0"}, "undefined"},
+                   {{kSquareFace, "0", "1.0"}, "undefined"},
                    {{kUndefinedMesh, "0", "0.5"}, "undefined"},
                    {{kUndefinedMesh, "0", kOrigin}, "undefined"}},
-      .errors = {{{kSquare, "-1", "0.5"}, "splitEdge: edge -1 is none of the 4 of the mesh, numbered from 0"},
-                 {{kSquare, "4", kOrigin}, "splitEdge: edge 4 is none of the 4 of the mesh, numbered from 0"},
+      .errors = {{{kSquareFace, "-1", "0.5"}, "splitEdge: edge -1 is none of the 4 of the mesh, numbered from 0"},
+                 {{kSquareFace, "4", kOrigin}, "splitEdge: edge 4 is none of the 4 of the mesh, numbered from 0"},
                  {{"1", "0", "0.5"}, "splitEdge: expected (mesh3d int real) or (mesh3d int point3d)"}},
   });
   registry.add({
@@ -172,10 +171,10 @@ void register_edge_edits(Registry& registry) {
       .overloads = {overload<&with_collapsed_edge>("mesh", "edge")},
       .examples = {{{kThreeTriangles, "4"},
                     "(((1.0 0.0 0.0) (1.0 1.0 0.0) (0.0 1.0 0.0) (1.0 2.0 0.0)) ((2 0 1) (2 1 3)))"},
-                   {{kTwoTriangles, "2"}, "undefined"},
-                   {{kTetrahedron, "0"}, "undefined"},
+                   {{kHalvedSquare, "2"}, "undefined"},
+                   {{kUnitTetrahedron, "0"}, "undefined"},
                    {{kUndefinedMesh, "0"}, "undefined"}},
-      .errors = {{{kTetrahedron, "6"}, "collapseEdge: edge 6 is none of the 6 of the mesh, numbered from 0"},
+      .errors = {{{kUnitTetrahedron, "6"}, "collapseEdge: edge 6 is none of the 6 of the mesh, numbered from 0"},
                  {{"1", "0"}, "collapseEdge: expected (mesh3d int)"}},
   });
 }
@@ -190,12 +189,12 @@ void register_other_edits(Registry& registry) {
                 "one is the last face. Refused where the corners are neighbours, or joined by an edge elsewhere.",
       .exactness = Exactness::exact,
       .overloads = {overload<&with_split_face>("mesh", "face", "first", "second")},
-      .examples = {{{kSquare, "0", "0", "2"},
+      .examples = {{{kSquareFace, "0", "0", "2"},
                     "(((0.0 0.0 0.0) (1.0 0.0 0.0) (1.0 1.0 0.0) (0.0 1.0 0.0)) ((0 1 2) (2 3 0)))"},
-                   {{kSquare, "0", "0", "1"}, "undefined"},
+                   {{kSquareFace, "0", "0", "1"}, "undefined"},
                    {{kUndefinedMesh, "0", "0", "2"}, "undefined"}},
-      .errors = {{{kSquare, "1", "0", "2"}, "splitFace: face 1 is none of the 1 of the mesh, numbered from 0"},
-                 {{kSquare, "0", "4", "2"}, "splitFace: vertex 4 is none of the 4 of the mesh, numbered from 0"},
+      .errors = {{{kSquareFace, "1", "0", "2"}, "splitFace: face 1 is none of the 1 of the mesh, numbered from 0"},
+                 {{kSquareFace, "0", "4", "2"}, "splitFace: vertex 4 is none of the 4 of the mesh, numbered from 0"},
                  {{"1", "0", "0", "2"}, "splitFace: expected (mesh3d int int int)"}},
   });
   registry.add({
@@ -208,11 +207,11 @@ void register_other_edits(Registry& registry) {
                 "get a corner more. Refused unless both are neighbours, and two.",
       .exactness = Exactness::exact,
       .overloads = {overload<&with_split_vertex>("mesh", "vertex", "first", "second", "point")},
-      .examples = {{{kTwoTriangles, "2", "3", "0", "(makePoint3D 0.5 1 0)"},
+      .examples = {{{kHalvedSquare, "2", "3", "0", "(makePoint3D 0.5 1 0)"},
                     "(((0.0 0.0 0.0) (1.0 0.0 0.0) (1.0 1.0 0.0) (0.0 1.0 0.0) (0.5 1.0 0.0)) ((0 1 2) (0 2 4 3)))"},
-                   {{kTwoTriangles, "1", "3", "0", kOrigin}, "undefined"},
+                   {{kHalvedSquare, "1", "3", "0", kOrigin}, "undefined"},
                    {{kUndefinedMesh, "0", "1", "2", kOrigin}, "undefined"}},
-      .errors = {{{kTwoTriangles, "4", "3", "0", kOrigin},
+      .errors = {{{kHalvedSquare, "4", "3", "0", kOrigin},
                   "splitVertex: vertex 4 is none of the 4 of the mesh, numbered from 0"},
                  {{"1", "0", "0", "2", kOrigin}, "splitVertex: expected (mesh3d int int int point3d)"}},
   });
@@ -223,10 +222,10 @@ void register_other_edits(Registry& registry) {
       .detail = "Works on every mesh. Nothing else changes; faces of four or more corners may become bent.",
       .exactness = Exactness::exact,
       .overloads = {overload<&with_moved_vertex>("mesh", "vertex", "point")},
-      .examples = {{{kSquare, "1", "(makePoint3D 2 0 0)"},
+      .examples = {{{kSquareFace, "1", "(makePoint3D 2 0 0)"},
                     "(((0.0 0.0 0.0) (2.0 0.0 0.0) (1.0 1.0 0.0) (0.0 1.0 0.0)) ((0 1 2 3)))"},
                    {{kUndefinedMesh, "1", kOrigin}, "undefined"}},
-      .errors = {{{kSquare, "7", kOrigin}, "moveVertex: vertex 7 is none of the 4 of the mesh, numbered from 0"},
+      .errors = {{{kSquareFace, "7", kOrigin}, "moveVertex: vertex 7 is none of the 4 of the mesh, numbered from 0"},
                  {{"1", "0", kOrigin}, "moveVertex: expected (mesh3d int point3d)"}},
   });
 }

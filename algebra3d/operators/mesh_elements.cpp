@@ -92,9 +92,8 @@ FaceAndComponentRows faces_of_value(const T& value) {
 // ---- descriptions
 
 using detail::kFlatSquare;
+using detail::kFoldedSurface;
 using detail::kThreeAtAnEdge;
-using detail::kTwoTriangles;
-using detail::kUndefinedMesh;
 
 constexpr const char* kNumbering =
     " Elements are numbered from 0 in the order of the value; rows are made one by one as they are read.";
@@ -121,7 +120,7 @@ void register_vertices(Registry& registry) {
                     "((0 (0.0 0.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE) (1 (2.0 0.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE) "
                     "(2 (2.0 2.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE) (3 (0.0 2.0 0.0) 2 (0.0 0.0 1.0) TRUE TRUE))"},
                    {{kUnitCube}, "8", "(count _)"},
-                   {{kTwoTriangles}, "4", "(count _)"},
+                   {{kFoldedSurface}, "4", "(count _)"},
                    {{kUndefinedSolid}, "()"}},
       .errors = {{{kOrigin}, "vertices: expected (surface3d), (volume3d) or (mesh3d), got (point3d)"}},
   });
@@ -144,7 +143,7 @@ void register_edges(Registry& registry) {
       .exactness = Exactness::bounded,
       .overloads = detail::mesh_tables<&edges_of_value<Surface3d>, &edges_of_value<Volume3d>, &edges_of_value<Mesh3d>>(
           {"Id", "Start", "End", "Left", "Right", "Length", "Angle", "Boundary", "Manifold", "FaceCount"}),
-      .examples = {{{kTwoTriangles},
+      .examples = {{{kFoldedSurface},
                     "((0 0 1 0 undefined 2.0 undefined TRUE FALSE 1) (1 1 2 0 undefined 2.8284271247461903 undefined "
                     "TRUE FALSE 1) (2 2 0 0 1 2.0 -90.0 FALSE TRUE 2) (3 2 3 1 undefined 2.8284271247461903 undefined "
                     "TRUE FALSE 1) (4 3 0 1 undefined 2.0 undefined TRUE FALSE 1))"},
@@ -171,7 +170,7 @@ void register_halfedges(Registry& registry) {
       .overloads = detail::mesh_tables<&halfedges_of_value<Surface3d>, &halfedges_of_value<Volume3d>,
                                        &halfedges_of_value<Mesh3d>>(
           {"Id", "Origin", "Target", "Next", "Opposite", "Face", "Edge"}),
-      .examples = {{{kTwoTriangles},
+      .examples = {{{kFoldedSurface},
                     "((0 0 1 1 undefined 0 0) (1 1 2 2 undefined 0 1) (2 2 0 0 3 0 2) (3 0 2 4 2 1 2) "
                     "(4 2 3 5 undefined 1 3) (5 3 0 3 undefined 1 4))"},
                    {{kUnitCube}, "36", "(count _)"},

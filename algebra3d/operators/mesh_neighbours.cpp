@@ -17,9 +17,8 @@ namespace algebra3d {
 namespace {
 
 using detail::kFlatSquare;
+using detail::kFoldedSurface;
 using detail::kThreeAtAnEdge;
-using detail::kTwoTriangles;
-using detail::kUndefinedMesh;
 using detail::Number;
 
 // ---- make(element) for the element with a number
@@ -164,9 +163,9 @@ void register_of_vertices(Registry& registry) {
                  "faces, without Component",
                  "Counter-clockwise, fan by fan.",
                  giving_faces<&vertex_faces<Surface3d>, &vertex_faces<Volume3d>, &vertex_faces<Mesh3d>>("vertex"),
-                 {{{kTwoTriangles, "1"}, "((0 3 2.0 (0.0 0.0 1.0) (0.6666666666666666 0.6666666666666666 0.0)))"},
+                 {{{kFoldedSurface, "1"}, "((0 3 2.0 (0.0 0.0 1.0) (0.6666666666666666 0.6666666666666666 0.0)))"},
                   {{kThreeAtAnEdge, "0"}, "3", "(count _)"},
-                  {{kTwoTriangles, "9"}, "()"},
+                  {{kFoldedSurface, "9"}, "()"},
                   {{kUndefinedMesh, "0"}, "()"}}});
 }
 
@@ -226,7 +225,7 @@ void register_of_faces(Registry& registry) {
                  "faces, without Component",
                  "Edge by edge, from the first corner.",
                  giving_faces<&face_faces<Surface3d>, &face_faces<Volume3d>, &face_faces<Mesh3d>>("face"),
-                 {{{kTwoTriangles, "0"}, "((1 3 2.0 (1.0 0.0 0.0) (0.0 0.6666666666666666 0.6666666666666666)))"},
+                 {{{kFoldedSurface, "0"}, "((1 3 2.0 (1.0 0.0 0.0) (0.0 0.6666666666666666 0.6666666666666666)))"},
                   {{kThreeAtAnEdge, "1"}, "2", "(count _)"},
                   {{kFlatSquare, "1"}, "()"},
                   {{kUndefinedMesh, "0"}, "()"}}});

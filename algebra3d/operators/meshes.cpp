@@ -39,7 +39,6 @@ Result<Mesh3d> triangulation_of(Context& context, const Mesh3d& mesh) {
 
 const std::string kSquareMesh = "(mesh3d (((0 0 0) (1 0 0) (1 1 0) (0 1 0)) ((0 1 2 3))))";
 const std::string kSquareSurface = "(surface3d (((0 0 0) (1 0 0) (1 1 0)) ((0 0 0) (1 1 0) (0 1 0))))";
-const std::string kUndefinedMesh = "(mesh3d undefined)";
 
 const std::string kMergedDetail =
     "Vertices and triangles keep their order and their exact coordinates; points that no triangle uses are left out. "

@@ -92,9 +92,10 @@ Result<Mesh3d> limit_with_weights(Context& context, const T& geometry, const std
   return at_limit(context, polygon_mesh_of(geometry), scheme, options);
 }
 
-const std::string kSquareMesh = "(mesh3d (((0 0 0) (8 0 0) (8 8 0) (0 8 0)) ((0 1 2 3))))";
+const std::string kSquareOf8 = "(mesh3d (((0 0 0) (8 0 0) (8 8 0) (0 8 0)) ((0 1 2 3))))";
 const std::string kTriangleMesh = "(mesh3d (((0 0 0) (16 0 0) (0 16 0)) ((0 1 2))))";
-const std::string kTetrahedron = "(mesh3d (((0 0 0) (16 0 0) (0 16 0) (0 0 16)) ((0 2 1) (0 1 3) (1 2 3) (2 0 3))))";
+const std::string kTetrahedronOf16 =
+    "(mesh3d (((0 0 0) (16 0 0) (0 16 0) (0 0 16)) ((0 2 1) (0 1 3) (1 2 3) (2 0 3))))";
 const std::string kSurface = "(surface3d (((0 0 0) (16 0 0) (0 16 0))))";
 const std::string kSolid =
     "(volume3d (((0 0 0) (0 15 0) (15 0 0)) ((0 0 0) (15 0 0) (0 0 15)) ((15 0 0) (0 15 0) (0 0 15)) ((0 15 0) (0 0 0) "
@@ -138,10 +139,10 @@ void register_subdivision(Registry& registry) {
                     overload<&subdivided_with_weights<Surface3d>>("surface", "scheme", "steps", "weights"),
                     overload<&subdivided_mesh<Volume3d>>("solid", "scheme", "steps"),
                     overload<&subdivided_with_weights<Volume3d>>("solid", "scheme", "steps", "weights")},
-      .examples = {{{kSquareMesh, "\"catmull-clark\"", "1"},
+      .examples = {{{kSquareOf8, "\"catmull-clark\"", "1"},
                     "(((1.0 1.0 0.0) (7.0 1.0 0.0) (7.0 7.0 0.0) (1.0 7.0 0.0) (4.0 0.0 0.0) (8.0 4.0 0.0) "
                     "(4.0 8.0 0.0) (0.0 4.0 0.0) (4.0 4.0 0.0)) ((0 4 8 7) (1 5 8 4) (2 6 8 5) (3 7 8 6)))"},
-                   {{kSquareMesh, "\"doo-sabin\"", "1"},
+                   {{kSquareOf8, "\"doo-sabin\"", "1"},
                     "(((2.0 2.0 0.0) (6.0 2.0 0.0) (6.0 6.0 0.0) (2.0 6.0 0.0)) ((0 1 2 3)))"},
                    {{kTriangleMesh, "\"loop\"", "1"}, kLoopTriangle},
                    {{kTriangleMesh, "\"butterfly\"", "1"}, kButterflyTriangle},
@@ -151,20 +152,21 @@ void register_subdivision(Registry& registry) {
                    {{kSurface, "\"loop\"", "1", "\"loop\""}, kLoopTriangle},
                    {{kSolid, "\"butterfly\"", "0"}, kSolidMesh},
                    {{kSolid, "\"loop\"", "0", "\"warren\""}, kSolidMesh},
-                   {{kSquareMesh, "\"catmull-clark\"", "-1"}, "undefined"},
+                   {{kSquareOf8, "\"catmull-clark\"", "-1"}, "undefined"},
                    {{"(mesh3d undefined)", "\"loop\"", "1"}, "undefined"}},
-      .errors = {{{kSquareMesh, "\"Loop\"", "1"},
+      .errors = {{{kSquareOf8, "\"Loop\"", "1"},
                   "subdivide: unknown scheme \"Loop\", expected one of catmull-clark, doo-sabin, loop, butterfly, "
                   "modified-butterfly"},
-                 {{kSquareMesh, "\"loop\"", "1"},
+                 {{kSquareOf8, "\"loop\"", "1"},
                   "subdivide: face 0 has 4 corners, but loop takes triangles only; see triangulate"},
-                 {{kTetrahedron, "\"loop\"", "1", "\"sabin\""},
+                 {{kTetrahedronOf16, "\"loop\"", "1", "\"sabin\""},
                   "subdivide: unknown weights \"sabin\", expected one of loop, warren"},
-                 {{kTetrahedron, "\"butterfly\"", "1", "\"warren\""},
+                 {{kTetrahedronOf16, "\"butterfly\"", "1", "\"warren\""},
                   "subdivide: weights \"warren\" are for the scheme loop, got butterfly"},
                  {{kThreeOnAnEdge, "\"loop\"", "1"},
                   "subdivide: the edge between vertices 0 and 1 is non-manifold: 3 half-edges run along it"},
-                 {{kTetrahedron, "\"loop\"", "15"}, "subdivide: 15 steps make more than 2147483645 half-edges of 12"}},
+                 {{kTetrahedronOf16, "\"loop\"", "15"},
+                  "subdivide: 15 steps make more than 2147483645 half-edges of 12"}},
   });
   registry.add({
       .name = "limitPosition",
@@ -190,7 +192,7 @@ void register_subdivision(Registry& registry) {
                     "(((1.0 1.0 0.0) (5.0 1.0 0.0) (5.0 5.0 0.0) (1.0 5.0 0.0)) ((0 1 2 3)))"},
                    {{"(mesh3d (((0 0 0) (12 0 0) (0 12 0)) ((0 1 2))))", "\"loop\""},
                     "(((2.0 2.0 0.0) (8.0 2.0 0.0) (2.0 8.0 0.0)) ((0 1 2)))"},
-                   {{kTetrahedron, "\"loop\"", "\"warren\""},
+                   {{kTetrahedronOf16, "\"loop\"", "\"warren\""},
                     "(((3.2 3.2 3.2) (6.4 3.2 3.2) (3.2 6.4 3.2) (3.2 3.2 6.4)) ((0 2 1) (0 1 3) (1 2 3) (2 0 3)))"},
                    {{kSolid, "\"loop\""},
                     "(((3.0 3.0 3.0) (3.0 6.0 3.0) (6.0 3.0 3.0) (3.0 3.0 6.0)) ((0 1 2) (0 2 3) (2 1 3) (1 0 3)))"},
@@ -198,11 +200,12 @@ void register_subdivision(Registry& registry) {
                     "(((2.6666666666666665 2.6666666666666665 0.0) (10.666666666666666 2.6666666666666665 0.0) "
                     "(2.6666666666666665 10.666666666666666 0.0)) ((0 1 2)))"},
                    {{"(mesh3d undefined)", "\"loop\""}, "undefined"}},
-      .errors = {{{kTetrahedron, "\"doo-sabin\""}, "limitPosition: expected one of catmull-clark, loop, got doo-sabin"},
-                 {{kTetrahedron, "\"no\""}, "limitPosition: unknown scheme \"no\", expected one of catmull-clark"},
-                 {{kTetrahedron, "\"loop\"", "\"no\""},
+      .errors = {{{kTetrahedronOf16, "\"doo-sabin\""},
+                  "limitPosition: expected one of catmull-clark, loop, got doo-sabin"},
+                 {{kTetrahedronOf16, "\"no\""}, "limitPosition: unknown scheme \"no\", expected one of catmull-clark"},
+                 {{kTetrahedronOf16, "\"loop\"", "\"no\""},
                   "limitPosition: unknown weights \"no\", expected one of loop, warren"},
-                 {{kSquareMesh, "\"loop\""}, "limitPosition: face 0 has 4 corners, but loop takes triangles only"}},
+                 {{kSquareOf8, "\"loop\""}, "limitPosition: face 0 has 4 corners, but loop takes triangles only"}},
   });
 }
 

@@ -20,9 +20,8 @@ namespace algebra3d {
 namespace {
 
 using detail::kFlatSquare;
+using detail::kFoldedSurface;
 using detail::kThreeAtAnEdge;
-using detail::kTwoTriangles;
-using detail::kUndefinedMesh;
 using detail::Number;
 
 template <typename T>
@@ -108,7 +107,7 @@ void register_predicates(Registry& registry) {
       .overloads =
           detail::mesh_overloads<&is_value_closed<Surface3d>, &is_value_closed<Volume3d>, &is_value_closed<Mesh3d>>(),
       .examples =
-          {{{kUnitCube}, "TRUE"}, {{kQuadCube}, "TRUE"}, {{kTwoTriangles}, "FALSE"}, {{kUndefinedSolid}, "undefined"}},
+          {{{kUnitCube}, "TRUE"}, {{kQuadCube}, "TRUE"}, {{kFoldedSurface}, "FALSE"}, {{kUndefinedSolid}, "undefined"}},
       .errors = {{{kOrigin}, std::string("isClosed") + kExpected}},
   });
   registry.add({
@@ -121,7 +120,7 @@ void register_predicates(Registry& registry) {
       .overloads = detail::mesh_overloads<&is_value_manifold<Surface3d>, &is_value_manifold<Volume3d>,
                                           &is_value_manifold<Mesh3d>>(),
       .examples = {{{kUnitCube}, "TRUE"},
-                   {{kTwoTriangles}, "TRUE"},
+                   {{kFoldedSurface}, "TRUE"},
                    {{kThreeAtAnEdge}, "FALSE"},
                    {{"(surface3d (((0 0 0) (1 0 0) (0 1 0)) ((0 0 0) (-1 0 0) (0 -1 0))))"}, "FALSE"},
                    {{kUndefinedMesh}, "undefined"}},
@@ -136,7 +135,7 @@ void register_predicates(Registry& registry) {
       .overloads = detail::mesh_overloads<&is_value_oriented<Surface3d>, &is_value_oriented<Volume3d>,
                                           &is_value_oriented<Mesh3d>>(),
       .examples = {{{kUnitCube}, "TRUE"},
-                   {{kTwoTriangles}, "TRUE"},
+                   {{kFoldedSurface}, "TRUE"},
                    {{"(surface3d (((0 0 0) (2 0 0) (0 2 0)) ((0 0 0) (0 0 2) (0 2 0))))"}, "FALSE"},
                    {{kThreeAtAnEdge}, "FALSE"},
                    {{kUndefinedMesh}, "undefined"}},
@@ -175,7 +174,7 @@ void register_numbers_of_topology(Registry& registry) {
           detail::mesh_overloads<&euler_characteristic_of_value<Surface3d>, &euler_characteristic_of_value<Volume3d>,
                                  &euler_characteristic_of_value<Mesh3d>>(),
       .examples =
-          {{{kUnitCube}, "2"}, {{kTwoTriangles}, "1"}, {{kThreeAtAnEdge}, "1"}, {{kUndefinedMesh}, "undefined"}},
+          {{{kUnitCube}, "2"}, {{kFoldedSurface}, "1"}, {{kThreeAtAnEdge}, "1"}, {{kUndefinedMesh}, "undefined"}},
       .errors = {{{kOrigin}, std::string("eulerCharacteristic") + kExpected}},
   });
   registry.add({
@@ -187,7 +186,7 @@ void register_numbers_of_topology(Registry& registry) {
       .overloads = detail::mesh_overloads<&valence_of<Surface3d>, &valence_of<Volume3d>, &valence_of<Mesh3d>>("vertex"),
       .examples = {{{kQuadCube, "7"}, "3"},
                    {{kThreeAtAnEdge, "0"}, "4"},
-                   {{kTwoTriangles, "4"}, "undefined"},
+                   {{kFoldedSurface, "4"}, "undefined"},
                    {{kUndefinedMesh, "0"}, "undefined"}},
       .errors = {{{kQuadCube}, "valence: expected (surface3d int), (volume3d int) or (mesh3d int), got (mesh3d)"}},
   });

@@ -28,10 +28,9 @@ std::vector<Overload> mesh_tables(std::initializer_list<std::string_view> column
 }
 
 // Sample values of examples.
-inline const std::string kTwoTriangles = "(surface3d (((0 0 0) (2 0 0) (0 2 0)) ((0 0 0) (0 2 0) (0 0 2))))";
+inline const std::string kFoldedSurface = "(surface3d (((0 0 0) (2 0 0) (0 2 0)) ((0 0 0) (0 2 0) (0 0 2))))";
 inline const std::string kFlatSquare = "(mesh3d (((0 0 0) (2 0 0) (2 2 0) (0 2 0)) ((0 1 2 3))))";
 inline const std::string kThreeAtAnEdge =
     "(mesh3d (((0 0 0) (1 0 0) (0 1 0) (0 -1 0) (0 0 1)) ((0 1 2) (1 0 3) (0 1 4))))";
-inline const std::string kUndefinedMesh = "(mesh3d undefined)";
 
 }  // namespace algebra3d::detail
