@@ -142,7 +142,7 @@ Result<Maybe<ValueRows<T>>> value_rows(const Mesh3d& mesh, const std::string& el
   return Maybe<ValueRows<T>>(ValueRows<T>(std::move(next)));
 }
 
-const std::string kTriangle = "(mesh3d (((0 0 0) (1 0 0) (0 1 0)) ((0 1 2))))";
+const std::string kOneTriangle = "(mesh3d (((0 0 0) (1 0 0) (0 1 0)) ((0 1 2))))";
 const std::string kWithWeights =
     R"((mesh3d (((0 0 0) (1 0 0) (0 1 0)) ((0 1 2)) ((vertex "Weight" real (1.0 undefined 2.5))))))";
 
@@ -161,10 +161,10 @@ void register_setting(Registry& registry) {
                     overload<&with_attribute<Point2d>>("mesh", "elements", "name", "value"),
                     overload<&with_attribute<Vector3d>>("mesh", "elements", "name", "value"),
                     overload<&with_attribute<Text>>("mesh", "elements", "name", "value")},
-      .examples = {{{kTriangle, R"("face")", R"("Material")", "'steel'"},
+      .examples = {{{kOneTriangle, R"("face")", R"("Material")", "'steel'"},
                     R"((((0.0 0.0 0.0) (1.0 0.0 0.0) (0.0 1.0 0.0)) ((0 1 2)) ((face "Material" text ('steel')))))"},
                    {{kUndefinedMesh, R"("face")", R"("Material")", "'steel'"}, "undefined"}},
-      .errors = {{{kTriangle, R"("side")", R"("Material")", "'steel'"},
+      .errors = {{{kOneTriangle, R"("side")", R"("Material")", "'steel'"},
                   R"(withAttribute: the elements are "side"; expected "vertex", "edge", "halfedge" or "face")"}},
   });
   registry.add({
@@ -179,12 +179,12 @@ void register_setting(Registry& registry) {
                     overload<&set_attribute<Point2d>>("mesh", "elements", "name", "id", "value"),
                     overload<&set_attribute<Vector3d>>("mesh", "elements", "name", "id", "value"),
                     overload<&set_attribute<Text>>("mesh", "elements", "name", "id", "value")},
-      .examples = {{{kTriangle, R"("vertex")", R"("Weight")", "1", "2.5"},
+      .examples = {{{kOneTriangle, R"("vertex")", R"("Weight")", "1", "2.5"},
                     R"((((0.0 0.0 0.0) (1.0 0.0 0.0) (0.0 1.0 0.0)) ((0 1 2)) )"
                     R"(((vertex "Weight" real (undefined 2.5 undefined)))))"},
-                   {{kTriangle, R"("vertex")", R"("Weight")", "3", "2.5"}, "undefined"},
+                   {{kOneTriangle, R"("vertex")", R"("Weight")", "3", "2.5"}, "undefined"},
                    {{kUndefinedMesh, R"("vertex")", R"("Weight")", "1", "2.5"}, "undefined"}},
-      .errors = {{{kTriangle, R"("side")", R"("Weight")", "1", "2.5"},
+      .errors = {{{kOneTriangle, R"("side")", R"("Weight")", "1", "2.5"},
                   R"(setAttribute: the elements are "side"; expected "vertex")"}},
   });
   registry.add({
@@ -197,7 +197,7 @@ void register_setting(Registry& registry) {
       .examples = {{{kWithWeights, R"("vertex")", R"("Weight")"},
                     "(((0.0 0.0 0.0) (1.0 0.0 0.0) (0.0 1.0 0.0)) ((0 1 2)))"},
                    {{kUndefinedMesh, R"("vertex")", R"("Weight")"}, "undefined"}},
-      .errors = {{{kTriangle, R"("side")", R"("Weight")"},
+      .errors = {{{kOneTriangle, R"("side")", R"("Weight")"},
                   R"(removeAttribute: the elements are "side"; expected "vertex")"}},
   });
 }
@@ -206,7 +206,7 @@ template <typename T>
 void register_values(Registry& registry, const std::string& what, const std::string& type,
                      std::vector<Example> examples) {
   const std::string name = ValueOf<T>::kOperator;
-  examples.push_back({{kTriangle, R"("face")", R"("Weight")"}, "()"});
+  examples.push_back({{kOneTriangle, R"("face")", R"("Weight")"}, "()"});
   examples.push_back({{kUndefinedMesh, R"("face")", R"("Weight")"}, "()"});
   registry.add({
       .name = name,
@@ -217,7 +217,7 @@ void register_values(Registry& registry, const std::string& what, const std::str
       .exactness = Exactness::exact,
       .overloads = {table<&value_rows<T>>({"Id", "Value"}, "mesh", "elements", "name")},
       .examples = std::move(examples),
-      .errors = {{{kTriangle, R"("side")", R"("Weight")"}, name + R"(: the elements are "side"; expected "vertex")"}},
+      .errors = {{{kOneTriangle, R"("side")", R"("Weight")"}, name + R"(: the elements are "side"; expected "vertex")"}},
   });
 }
 
@@ -236,23 +236,23 @@ void register_mesh_attributes(Registry& registry) {
       .exactness = Exactness::exact,
       .overloads = {table<&attribute_rows>({"Elements", "Name", "Kind", "Defined"}, "mesh")},
       .examples = {{{kWithWeights}, R"((("vertex" "Weight" "real" 2)))"},
-                   {{kTriangle}, "()"},
+                   {{kOneTriangle}, "()"},
                    {{kUndefinedMesh}, "()"}},
       .errors = {{{"1"}, "attributes: expected (mesh3d), got (int)"}},
   });
   register_values<double>(registry, "reals", "real",
                           {{{kWithWeights, R"("vertex")", R"("Weight")"}, "((0 1.0) (1 undefined) (2 2.5))"}});
   register_values<Point2d>(registry, "pairs, such as texture coordinates", "point",
-                           {{{"(setAttribute " + kTriangle + R"( "halfedge" "TextureCoordinate" 0 (makePoint 0.5 1)))",
+                           {{{"(setAttribute " + kOneTriangle + R"( "halfedge" "TextureCoordinate" 0 (makePoint 0.5 1)))",
                               R"("halfedge")", R"("TextureCoordinate")"},
                              "((0 (0.5 1.0)) (1 undefined) (2 undefined))"}});
   register_values<Vector3d>(
       registry, "vectors, such as normals", "vector3d",
-      {{{"(withAttribute " + kTriangle + R"( "face" "Normal" (makeVector3D 0 0 1)))", R"("face")", R"("Normal")"},
+      {{{"(withAttribute " + kOneTriangle + R"( "face" "Normal" (makeVector3D 0 0 1)))", R"("face")", R"("Normal")"},
         "((0 (0.0 0.0 1.0)))"}});
   register_values<Text>(
       registry, "texts, such as materials", "text",
-      {{{"(withAttribute " + kTriangle + R"( "face" "Material" 'steel'))", R"("face")", R"("Material")"},
+      {{{"(withAttribute " + kOneTriangle + R"( "face" "Material" 'steel'))", R"("face")", R"("Material")"},
         "((0 'steel'))"}});
 }
 

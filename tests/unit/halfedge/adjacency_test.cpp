@@ -13,7 +13,7 @@ namespace algebra3d {
 namespace {
 
 using samples::PolygonList;
-using Numbers = std::set<std::uint32_t>;
+using NumberSet = std::set<std::uint32_t>;
 using Ends = std::pair<std::uint32_t, std::uint32_t>;
 
 /// Which corners each face has, which edges it has by their ends, and the edges in order of their first half-edges.
@@ -41,26 +41,26 @@ struct Searched {
   }
   std::vector<Ends> edges;
   std::map<Ends, std::uint32_t> numbers;
-  std::vector<Numbers> faces_of_edge;
-  std::map<std::uint32_t, Numbers> edges_of_face, faces_of_vertex, edges_of_vertex, neighbours;
+  std::vector<NumberSet> faces_of_edge;
+  std::map<std::uint32_t, NumberSet> edges_of_face, faces_of_vertex, edges_of_vertex, neighbours;
 };
 
 template <typename Id>
-Numbers indices(const std::vector<Id>& elements) {
-  Numbers result;
+NumberSet indices(const std::vector<Id>& elements) {
+  NumberSet result;
   for (const Id id : elements) EXPECT_TRUE(result.insert(id.index()).second) << "repeated: " << id.index();
   return result;
 }
-Numbers edge_indices(const EdgeNumbers& numbers, const std::vector<HalfedgeId>& edges) {
+NumberSet edge_indices(const EdgeNumbers& numbers, const std::vector<HalfedgeId>& edges) {
   std::vector<EdgeId> ids;
   for (const HalfedgeId h : edges) ids.push_back(numbers.edge(h));
   return indices(ids);
 }
-Numbers found(const std::map<std::uint32_t, Numbers>& map, std::uint32_t key) {
+NumberSet found(const std::map<std::uint32_t, NumberSet>& map, std::uint32_t key) {
   const auto place = map.find(key);
-  return place == map.end() ? Numbers() : place->second;
+  return place == map.end() ? NumberSet() : place->second;
 }
-Numbers without(Numbers numbers, std::uint32_t number) {
+NumberSet without(NumberSet numbers, std::uint32_t number) {
   numbers.erase(number);
   return numbers;
 }
@@ -81,18 +81,18 @@ void expect_relations(const HalfedgeMesh<Layout>& mesh, const PolygonList& polyg
     ASSERT_EQ(first_along(mesh, h), h);
     ASSERT_EQ(numbers.edge(h), EdgeId(edge));
     const Ends ends = searched.edges[edge];
-    ASSERT_EQ(indices(vertices_of_edge(mesh, h)), (Numbers{ends.first, ends.second}));
+    ASSERT_EQ(indices(vertices_of_edge(mesh, h)), (NumberSet{ends.first, ends.second}));
     ASSERT_EQ(indices(faces_along(mesh, h)), searched.faces_of_edge[edge]);
-    Numbers beside = found(searched.edges_of_vertex, ends.first);
+    NumberSet beside = found(searched.edges_of_vertex, ends.first);
     beside.merge(found(searched.edges_of_vertex, ends.second));
     ASSERT_EQ(edge_indices(numbers, edges_beside(mesh, h)), without(beside, edge));
   }
   for (const FaceId f : faces(mesh)) {
     const auto& polygon = polygons[f.index()];
-    ASSERT_EQ(indices(vertices_of_face(mesh, f)), Numbers(polygon.begin(), polygon.end()));
-    const Numbers edges = found(searched.edges_of_face, f.index());
+    ASSERT_EQ(indices(vertices_of_face(mesh, f)), NumberSet(polygon.begin(), polygon.end()));
+    const NumberSet edges = found(searched.edges_of_face, f.index());
     ASSERT_EQ(edge_indices(numbers, edges_of_face(mesh, f)), edges);
-    Numbers beside;
+    NumberSet beside;
     for (const std::uint32_t edge : edges)
       beside.insert(searched.faces_of_edge[edge].begin(), searched.faces_of_edge[edge].end());
     ASSERT_EQ(indices(faces_beside(mesh, f)), without(beside, f.index()));

@@ -2,27 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "algebra3d/halfedge/detail/nonmanifold_tables.h"
 #include "mesh_samples.h"
+#include "mesh_tester.h"
 
 namespace algebra3d {
-
-/// Reaches into a mesh to damage it.
-struct MeshTester {
-  static auto& points(TriangleMesh& mesh) { return mesh.points_; }
-  static auto& origins(TriangleMesh& mesh) { return mesh.origins_; }
-  static auto& opposites(TriangleMesh& mesh) { return mesh.opposites_; }
-  static auto& outgoing(TriangleMesh& mesh) { return mesh.outgoing_; }
-  /// Changes a copy of the side tables and puts it in their place.
-  template <typename Change>
-  static void change_tables(TriangleMesh& mesh, Change change) {
-    auto tables = mesh.nonmanifold_ ? *mesh.nonmanifold_ : NonManifoldTables();
-    change(tables);
-    mesh.nonmanifold_ = std::make_shared<const NonManifoldTables>(std::move(tables));
-  }
-  static void drop_tables(TriangleMesh& mesh) { mesh.nonmanifold_.reset(); }
-};
-
 namespace {
 
 using Tester = MeshTester;
@@ -52,8 +35,9 @@ TEST(Audit, wrong_sizes_are_found) {
   TriangleMesh mesh = tetrahedron();
   Tester::origins(mesh).push_back(0);
   Tester::outgoing(mesh).pop_back();
-  EXPECT_EQ(audit(mesh), (Lines{"13 half-edges, expected a multiple of 3", "12 opposites, expected one per half-edge (13)",
-                                "3 outgoing half-edges, expected one per vertex (4)"}));
+  EXPECT_EQ(audit(mesh),
+            (Lines{"13 half-edges, expected a multiple of 3", "12 opposites, expected one per half-edge (13)",
+                   "3 outgoing half-edges, expected one per vertex (4)"}));
 }
 
 TEST(Audit, origin_that_is_no_vertex_is_found) {

@@ -6,17 +6,11 @@
 #include "algebra3d/halfedge/circulators.h"
 #include "algebra3d/halfedge/nonmanifold_text.h"
 #include "algebra3d/halfedge/topology.h"
+#include "mesh_tester.h"
 #include "polygon_samples.h"
 #include "same_mesh.h"
 
 namespace algebra3d {
-
-/// Reaches into a mesh to damage it.
-struct MeshTester {
-  static auto& origins(PolygonMesh& mesh) { return mesh.origins_; }
-  static auto& opposites(PolygonMesh& mesh) { return mesh.opposites_; }
-};
-
 namespace {
 
 using samples::all_polygon_kinds;
@@ -25,7 +19,7 @@ using samples::PolygonBruteForce;
 using samples::PolygonList;
 using Lines = std::vector<std::string>;
 
-std::vector<std::uint32_t> indices(std::span<const HalfedgeId> halfedges) {
+std::vector<std::uint32_t> numbers_of(std::span<const HalfedgeId> halfedges) {
   std::vector<std::uint32_t> result;
   for (const HalfedgeId h : halfedges) result.push_back(h.index());
   return result;
@@ -75,7 +69,7 @@ TEST(PolygonMesh, links_are_those_of_brute_force) {
       ASSERT_EQ(mesh.is_nonmanifold(h), !expected.is_boundary(i) && !expected.is_manifold(i));
       ASSERT_EQ(mesh.opposite(h), expected.is_manifold(i) ? HalfedgeId(expected.opposite(i)) : HalfedgeId());
       if (mesh.is_nonmanifold(h)) {
-        ASSERT_EQ(indices(mesh.edge_halfedges(h)), expected.along(i));
+        ASSERT_EQ(numbers_of(mesh.edge_halfedges(h)), expected.along(i));
       }
     }
   }
@@ -88,7 +82,7 @@ TEST(PolygonMesh, fans_are_those_of_brute_force) {
     std::vector<VertexId> nonmanifold;
     for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
       const auto fans = expected.fans(v);
-      const auto listed = indices(mesh.fans(VertexId(v)));
+      const auto listed = numbers_of(mesh.fans(VertexId(v)));
       ASSERT_EQ(listed.size(), fans.size());
       ASSERT_EQ(mesh.is_isolated(VertexId(v)), fans.empty());
       ASSERT_EQ(mesh.outgoing(VertexId(v)), fans.empty() ? HalfedgeId() : HalfedgeId(listed[0]));

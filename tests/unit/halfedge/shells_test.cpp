@@ -28,7 +28,7 @@ Triangles with_vertices(Triangles triangles, std::uint32_t a, std::uint32_t new_
 
 TEST(Shells, genus_of_closed_forms) {
   EXPECT_EQ(genus_of({}), 0);
-  EXPECT_EQ(genus_of(tetrahedron()), 0);
+  EXPECT_EQ(genus_of(samples::tetrahedron()), 0);
   EXPECT_EQ(genus_of(torus(4, 5)), 1);
   EXPECT_EQ(genus_of(double_torus()), 2);
   EXPECT_EQ(genus_of(joined(torus(4, 5), moved(double_torus(), 100))), 3);
@@ -66,7 +66,7 @@ TEST(Shells, euler_s_formula_holds_for_random_parts) {
       const Triangles one = kind == 0   ? torus(3 + below(4), 3 + below(4))
                             : kind == 1 ? double_torus()
                             : kind == 2 ? octahedron()
-                                        : tetrahedron();
+                                        : samples::tetrahedron();
       all = joined(all, moved(one, static_cast<std::uint32_t>(100 * part)));
     }
     std::ranges::shuffle(all, random);

@@ -24,7 +24,7 @@ Value mesh_of(std::string_view text) {
   EXPECT_TRUE(reading.value.ok() && reading.value->is_defined()) << text;
   return *reading.value;
 }
-std::string error_of(std::string_view text) {
+std::string mesh_error(std::string_view text) {
   const Reading reading = reading_of(mesh_type(), text);
   return reading.value.ok() ? "no error" : reading.value.error().message;
 }
@@ -38,21 +38,21 @@ TEST(mesh3d_text, what_is_printed_is_what_was_read) {
 
 TEST(mesh3d_text, errors_name_the_place_and_what_was_expected) {
   const std::string notation = "mesh3d: expected ((points) (faces)) or ((points) (faces) (attributes)), got ";
-  EXPECT_TRUE(error_of("()").starts_with(notation)) << error_of("()");
-  EXPECT_TRUE(error_of("5").starts_with(notation)) << error_of("5");
-  EXPECT_TRUE(error_of("(() () () ())").starts_with(notation)) << error_of("(() () () ())");
-  EXPECT_TRUE(error_of("(5 ())").starts_with(notation)) << error_of("(5 ())");
-  EXPECT_EQ(error_of("(((0 0 0) (1 0 0)) ((0 1)))"),
+  EXPECT_TRUE(mesh_error("()").starts_with(notation)) << mesh_error("()");
+  EXPECT_TRUE(mesh_error("5").starts_with(notation)) << mesh_error("5");
+  EXPECT_TRUE(mesh_error("(() () () ())").starts_with(notation)) << mesh_error("(() () () ())");
+  EXPECT_TRUE(mesh_error("(5 ())").starts_with(notation)) << mesh_error("(5 ())");
+  EXPECT_EQ(mesh_error("(((0 0 0) (1 0 0)) ((0 1)))"),
             "mesh3d: face 0: expected the numbers of three or more vertices, got (0 1)");
-  EXPECT_EQ(error_of("(((0 0 0) (1 0 0)) ((0 1 1) 7))"),
+  EXPECT_EQ(mesh_error("(((0 0 0) (1 0 0)) ((0 1 1) 7))"),
             "mesh3d: face 1: expected the numbers of three or more vertices, got 7");
-  EXPECT_EQ(error_of("(((0 0 0) (1 0 0)) ((0 1 2)))"),
+  EXPECT_EQ(mesh_error("(((0 0 0) (1 0 0)) ((0 1 2)))"),
             "mesh3d: face 0: expected the number of a vertex below 2, got 2");
-  EXPECT_EQ(error_of("(((0 0 0) (1 0 0)) ((0 1 -1)))"),
+  EXPECT_EQ(mesh_error("(((0 0 0) (1 0 0)) ((0 1 -1)))"),
             "mesh3d: face 0: expected the number of a vertex below 2, got -1");
-  EXPECT_EQ(error_of("(((0 0 0) (1 0 0)) ((0 1 0.5)))"),
+  EXPECT_EQ(mesh_error("(((0 0 0) (1 0 0)) ((0 1 0.5)))"),
             "mesh3d: face 0: expected the number of a vertex below 2, got 0.5");
-  EXPECT_TRUE(error_of("(((0 0 0) (1 0)) ())").starts_with("mesh3d: vertex 1")) << error_of("(((0 0 0) (1 0)) ())");
+  EXPECT_TRUE(mesh_error("(((0 0 0) (1 0)) ())").starts_with("mesh3d: vertex 1")) << mesh_error("(((0 0 0) (1 0)) ())");
 }
 
 constexpr std::string_view kWithAttributes =
@@ -64,7 +64,7 @@ TEST(mesh3d_text, attributes_are_a_third_list) {
   EXPECT_EQ(mesh_of(kWithAttributes).to_nested().print(), kWithAttributes);
   EXPECT_EQ(mesh_of("(() () ())").to_nested().print(), "(() ())");
   const auto with = [](const std::string& attributes) {
-    return error_of("(((0 0 0) (1 0 0) (0 1 0)) ((0 1 2)) (" + attributes + "))");
+    return mesh_error("(((0 0 0) (1 0 0) (0 1 0)) ((0 1 2)) (" + attributes + "))");
   };
   const std::string expected =
       "mesh3d: attribute 0: expected (element \"name\" kind (values)) with the element vertex, edge, halfedge or face "
