@@ -45,8 +45,8 @@ const std::string kMergedDetail =
     "If "
     "merged is TRUE, triangles in one plane that are connected across edges become one polygon, without the vertices "
     "within it and those within straight edges. Facets with holes, or whose boundary meets itself, stay triangulated.";
-const std::string kTriangulationDetail =
-    "Equal vertices are welded. A face that is convex, seen along the axis nearest to its normal, becomes a fan around "
+constexpr const char* kTriangulation =
+    "A face that is convex, seen along the axis nearest to its normal, becomes a fan around "
     "its first corner; another one is triangulated without overlap, seen along that axis or, if it crosses itself "
     "there, along another one; so flat faces are triangulated in their plane. A face that crosses itself along all "
     "axes becomes triangles of least area.";
@@ -87,7 +87,8 @@ void register_conversions_of_meshes(Registry& registry) {
       .name = "mesh2surface",
       .syntax = "mesh2surface(_)",
       .doc = "The surface of the faces of a mesh, triangulated.",
-      .detail = kTriangulationDetail + " Undefined, with the defects, if the triangles are no surface.",
+      .detail = std::string("Equal vertices are welded. ") + kTriangulation +
+                " Undefined, with the defects, if the triangles are no surface.",
       .exactness = Exactness::exact,
       .cost = Cost::sorting,
       .overloads = {overload<&proved<Surface3d>>("mesh")},
@@ -102,7 +103,7 @@ void register_conversions_of_meshes(Registry& registry) {
       .name = "mesh2volume",
       .syntax = "mesh2volume(_)",
       .doc = "The solid that the faces of a mesh bound, triangulated.",
-      .detail = kTriangulationDetail +
+      .detail = std::string("Equal vertices are welded. ") + kTriangulation +
                 " Undefined, with the defects, if the triangles do not bound a solid with the faces outward.",
       .exactness = Exactness::exact,
       .cost = Cost::sorting,
@@ -116,8 +117,7 @@ void register_conversions_of_meshes(Registry& registry) {
       .name = "triangulate",
       .syntax = "triangulate(_)",
       .doc = "A mesh with its faces triangulated, over the same vertices.",
-      .detail = "The triangles of a face stand in its place. " +
-                kTriangulationDetail.substr(kTriangulationDetail.find("A face that is convex")) +
+      .detail = std::string("The triangles of a face stand in its place. ") + kTriangulation +
                 " Corners that repeat the vertex before them do not count.",
       .exactness = Exactness::exact,
       .overloads = {overload<&triangulation_of>("mesh")},
