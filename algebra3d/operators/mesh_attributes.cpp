@@ -217,7 +217,8 @@ void register_values(Registry& registry, const std::string& what, const std::str
       .exactness = Exactness::exact,
       .overloads = {table<&value_rows<T>>({"Id", "Value"}, "mesh", "elements", "name")},
       .examples = std::move(examples),
-      .errors = {{{kOneTriangle, R"("side")", R"("Weight")"}, name + R"(: the elements are "side"; expected "vertex")"}},
+      .errors = {{{kOneTriangle, R"("side")", R"("Weight")"},
+                  name + R"(: the elements are "side"; expected "vertex")"}},
   });
 }
 
@@ -242,10 +243,11 @@ void register_mesh_attributes(Registry& registry) {
   });
   register_values<double>(registry, "reals", "real",
                           {{{kWithWeights, R"("vertex")", R"("Weight")"}, "((0 1.0) (1 undefined) (2 2.5))"}});
-  register_values<Point2d>(registry, "pairs, such as texture coordinates", "point",
-                           {{{"(setAttribute " + kOneTriangle + R"( "halfedge" "TextureCoordinate" 0 (makePoint 0.5 1)))",
-                              R"("halfedge")", R"("TextureCoordinate")"},
-                             "((0 (0.5 1.0)) (1 undefined) (2 undefined))"}});
+  register_values<Point2d>(
+      registry, "pairs, such as texture coordinates", "point",
+      {{{"(setAttribute " + kOneTriangle + R"( "halfedge" "TextureCoordinate" 0 (makePoint 0.5 1)))", R"("halfedge")",
+         R"("TextureCoordinate")"},
+        "((0 (0.5 1.0)) (1 undefined) (2 undefined))"}});
   register_values<Vector3d>(
       registry, "vectors, such as normals", "vector3d",
       {{{"(withAttribute " + kOneTriangle + R"( "face" "Normal" (makeVector3D 0 0 1)))", R"("face")", R"("Normal")"},
