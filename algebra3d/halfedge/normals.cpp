@@ -49,6 +49,15 @@ int turning_sign(const HalfedgeMesh<Layout>& mesh, HalfedgeId edge) {
 
 // ---- vertices
 
+/// A vector of any size brought to the length 1; the zero vector stays.
+Vec3 direction(const Vec3& v) {
+  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  if (largest == 0) return v;
+  const Vec3 scaled{v.x / largest, v.y / largest, v.z / largest};
+  const double size = std::sqrt(dot(scaled, scaled));
+  return {scaled.x / size, scaled.y / size, scaled.z / size};
+}
+
 /// The angle of the corner that `h` leaves, in a face with this normal: more than pi at a reflex corner.
 template <typename Layout>
 double corner_angle(const HalfedgeMesh<Layout>& mesh, HalfedgeId h, const Vec3& normal) {
@@ -59,10 +68,10 @@ double corner_angle(const HalfedgeMesh<Layout>& mesh, HalfedgeId h, const Vec3& 
   Vec3 turn = cross(u, v);
   const double size = dot(turn, turn) + std::abs(dot(u, v));
   if (!(size > 0x1p-900) || !(size < 0x1p900)) {
-    const double u_length = length(u), v_length = length(v);
-    if (u_length == 0 || v_length == 0) return 0;
-    u = {u.x / u_length, u.y / u_length, u.z / u_length};
-    v = {v.x / v_length, v.y / v_length, v.z / v_length};
+    // Differences of the largest doubles are beyond their range.
+    const double scale = size < 0x1p900 ? 1 : 0.25;
+    u = direction(scale * points[mesh.target(h).index()] - scale * corner);
+    v = direction(scale * points[mesh.origin(mesh.prev(h)).index()] - scale * corner);
     turn = cross(u, v);
   }
   const double angle = detail::angle_of_direction(std::sqrt(dot(turn, turn)), dot(u, v));
