@@ -70,8 +70,7 @@ struct ValueOf<Text> {
 Result<MeshElement> element_of(const std::string& operator_name, const std::string& name) {
   if (const auto element = mesh_element_named(name)) return *element;
   return Error{ErrorCode::invalid_value,
-               "{}: the elements are \"{}\"; expected \"vertex\", \"edge\", \"halfedge\" or \"face\"", operator_name,
-               name};
+               R"({}: the elements are "{}"; expected "vertex", "edge", "halfedge" or "face")", operator_name, name};
 }
 
 template <typename T>

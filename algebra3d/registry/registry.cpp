@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <functional>
 #include <optional>
 
 #include "algebra3d/base/diagnostics.h"
@@ -26,27 +25,11 @@ std::optional<std::size_t> cost_of(const Overload& overload, std::span<const Typ
   return sum;
 }
 
-/// Number of arguments that an overload accepts in their places.
-std::size_t fitting_places(const Overload& overload, std::span<const TypeExpr> arguments) {
-  std::size_t count = 0;
-  for (std::size_t place = 0; place < std::min(arguments.size(), overload.parameters.size()); ++place)
-    count += conversion_cost(arguments[place], overload.parameters[place].type->name()) ? 1 : 0;
-  return count;
-}
-
-/// What the overloads expect, each list of types once. If there are more than a message shows, those that accept most
-/// of the arguments come first.
-std::vector<std::string> expected_arguments(const Operator& op, std::span<const TypeExpr> arguments) {
-  std::vector<const Overload*> overloads;
-  overloads.reserve(op.overloads.size());
-  for (const Overload& overload : op.overloads) overloads.push_back(&overload);
-  if (overloads.size() > kShownItems)
-    std::ranges::stable_sort(overloads, std::greater<>(),
-                             [&](const Overload* overload) { return fitting_places(*overload, arguments); });
+std::vector<std::string> expected_arguments(const Operator& op) {
   std::vector<std::string> lists;
-  for (const Overload* overload : overloads) {
+  for (const Overload& overload : op.overloads) {
     std::vector<TypeExpr> types;
-    for (const Parameter& parameter : overload->parameters) types.emplace_back(parameter.type->name());
+    for (const Parameter& parameter : overload.parameters) types.emplace_back(parameter.type->name());
     std::string list = argument_list_text(types);
     if (std::ranges::find(lists, list) == lists.end()) lists.push_back(std::move(list));
   }
@@ -219,8 +202,8 @@ Result<ResolvedCall> Registry::resolve(const Operator& op, std::span<const TypeE
     return Error{ErrorCode::type_error, "{}: expected values of type {}, got {}", op.name,
                  enumerate(parameter_types(op)), arguments.front().text()};
   if (best == nullptr)
-    return Error{ErrorCode::type_error, "{}: expected {}, got {}", op.name,
-                 enumerate(expected_arguments(op, arguments)), argument_list_text(arguments)};
+    return Error{ErrorCode::type_error, "{}: expected {}, got {}", op.name, enumerate(expected_arguments(op)),
+                 argument_list_text(arguments)};
   return ResolvedCall{&op, best};
 }
 

@@ -73,10 +73,8 @@ class Registry {
   std::vector<Family> families_;
 };
 
-/// How many items of a list messages show.
-inline constexpr std::size_t kShownItems = 8;
 /// A list as text, "A, B or C": at most `limit` items and the number of the others.
-std::string enumerate(const std::vector<std::string>& items, std::size_t limit = kShownItems);
+std::string enumerate(const std::vector<std::string>& items, std::size_t limit = 8);
 /// True for words that are equal but for the case of letters.
 bool is_equal_but_for_case(std::string_view a, std::string_view b);
 /// The candidate with the smallest edit distance to `word` (a third of its length at most), or empty. Two neighbours
