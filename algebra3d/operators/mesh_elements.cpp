@@ -28,12 +28,13 @@ detail::VertexRows vertices_of_value(const T& value) {
 template <typename T>
 detail::EdgeRows edges_of_value(const T& value) {
   using Next = Result<std::optional<detail::EdgeRows::Cells>>;
-  return detail::EdgeRows([value, h = std::size_t{0}, edge = std::size_t{0}](Context& context) mutable {
+  return detail::EdgeRows([value, h = std::size_t{0}, edge = std::size_t{0}](Context& context) mutable -> Next {
     const auto& mesh = value.mesh();
     for (; h < mesh.halfedge_count(); ++h) {
       ALGEBRA3D_RETURN_IF_ERROR(detail::check_sometimes(context, h));
       if (first_along(mesh, HalfedgeId(h)) != HalfedgeId(h)) continue;
-      return Next(detail::edge_cells(mesh, EdgeId(edge++), HalfedgeId(h++)));
+      std::optional row = detail::edge_cells(mesh, EdgeId(edge++), HalfedgeId(h++));
+      return row;
     }
     return Next(std::nullopt);
   });
