@@ -226,8 +226,8 @@ void register_values(Registry& registry, const std::string& what, const std::str
 void register_mesh_attributes(Registry& registry) {
   register_setting(registry);
   registry.add({
-      .name = "attributes",
-      .syntax = "attributes(_)",
+      .name = "meshAttributes",
+      .syntax = "meshAttributes(_)",
       .doc = "The named values of the elements of a mesh, a row for each name (Elements: string, Name: string, Kind: "
              "string, "
              "Defined: int).",
@@ -238,7 +238,7 @@ void register_mesh_attributes(Registry& registry) {
       .examples = {{{kWithWeights}, R"((("vertex" "Weight" "real" 2)))"},
                    {{kOneTriangle}, "()"},
                    {{kUndefinedMesh}, "()"}},
-      .errors = {{{"1"}, "attributes: expected (mesh3d), got (int)"}},
+      .errors = {{{"1"}, "meshAttributes: expected (mesh3d), got (int)"}},
   });
   register_values<double>(registry, "reals", "real",
                           {{{kWithWeights, R"("vertex")", R"("Weight")"}, "((0 1.0) (1 undefined) (2 2.5))"}});
