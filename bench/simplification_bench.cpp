@@ -13,7 +13,7 @@
 #ifdef BENCH_WITH_MESHOPTIMIZER
 #include <meshoptimizer.h>
 #endif
-#ifdef BENCH_WITH_EIGEN
+#ifdef BENCH_WITH_EIGEN3
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
 #endif
 #include <CGAL/Simple_cartesian.h>
@@ -143,7 +143,7 @@ void run_cgal(benchmark::State& state, const Simplify& simplify) {
   report(state, shape, shape_of(mesh));
 }
 
-#ifdef BENCH_WITH_EIGEN
+#ifdef BENCH_WITH_EIGEN3
 void cgal_garland_heckbert(benchmark::State& state) {
   run_cgal(state, [](CgalMesh& mesh) {
     const sms::GarlandHeckbert_plane_policies<CgalMesh, Kernel> policies(mesh);

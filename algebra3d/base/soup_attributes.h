@@ -9,8 +9,8 @@
 
 namespace algebra3d {
 
-/// What a mesh file says of corners and faces besides positions. Lists are empty where it says nothing; numbers are
-/// kNone (indices.h) for corners and faces of which it says nothing.
+/// Attributes of the corners and faces of a mesh file. A list is empty if the file has no such attribute; a number is
+/// kNone (indices.h) for a corner or face without one.
 struct SoupAttributes {
   using TextureCoordinate = std::array<double, 2>;
 

@@ -21,7 +21,7 @@ using mesh_files::MeshContent;
 using mesh_files::MeshFormat;
 using mesh_files::MeshFormats;
 
-/// What is read besides the shape.
+/// Whether attributes are read too.
 enum class Extras { none, attributes };
 
 Result<MeshFacets> read_as(const MeshFormat& format, std::string_view bytes, const std::string& name,

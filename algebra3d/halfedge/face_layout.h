@@ -21,7 +21,7 @@ struct TriangleLayout {
   static HalfedgeId halfedge(FaceId f, std::uint32_t corner = 0) { return HalfedgeId(3 * f.index() + corner); }
   /// The number of corners of a face.
   static std::uint32_t degree(FaceId /*f*/) { return 3; }
-  /// What contradicts a mesh with so many half-edges, a sentence each (see `audit`).
+  /// The violated invariants of a mesh with so many half-edges, a sentence each (see `audit`).
   static std::vector<std::string> layout_violations(std::size_t halfedge_count);
 
  protected:
@@ -63,7 +63,7 @@ class PolygonLayout {
   std::uint32_t degree(FaceId f) const { return degree_ != 0 ? degree_ : starts_[f.index() + 1] - starts_[f.index()]; }
   /// The degree of all faces; 0 if it differs.
   std::uint32_t common_degree() const { return degree_; }
-  /// What contradicts a mesh with so many half-edges, a sentence each (see `audit`).
+  /// The violated invariants of a mesh with so many half-edges, a sentence each (see `audit`).
   std::vector<std::string> layout_violations(std::size_t halfedge_count) const;
 
  protected:

@@ -19,7 +19,7 @@ struct MeshLinker;  // detail/mesh_linker.h
 template <typename Layout>
 struct MeshAuditor;  // audit.cpp
 
-/// What meshes of triangles and of polygons have in common: vertices, and half-edges with origins and opposites. The
+/// The common base of meshes of triangles and of polygons: vertices, and half-edges with origins and opposites. The
 /// half-edges of a face are numbered consecutively, so next, previous and face are computed by `Layout`. Source:
 /// [campagna1998], for triangles.
 ///
@@ -77,7 +77,7 @@ class HalfedgeMesh : public Layout {
  protected:
   /// In `opposites`: the half-edge is not linked yet.
   static constexpr std::uint32_t kUnlinkedHalfedge = 0xFFFFFFFE;
-  /// What is linked already: nothing; half-edges whose opposites are given; or all edges with a settled end: the first
+  /// The links that are given: none; half-edges whose opposites are given; or all edges with a settled end: the first
   /// vertices, those in `outgoing`, are settled; or everything: opposites, outgoing half-edges, and that the mesh is
   /// manifold.
   enum class Links : std::uint8_t { none, some, all_but_between_open_vertices, all };

@@ -47,7 +47,7 @@ class AttributeValues {
   /// The text of a defined value.
   const std::string& text(std::size_t i) const { return texts_[numbers_of_texts_[i]]; }
 
-  /// Of a text attribute: all texts, and per element the number of its text, kNone for undefined.
+  /// The texts of a text attribute, and per element the number of its text, kNone for undefined.
   const std::vector<std::string>& texts() const { return texts_; }
   const std::vector<std::uint32_t>& numbers_of_texts() const { return numbers_of_texts_; }
 
@@ -63,7 +63,7 @@ class AttributeValues {
   /// The same values with each text once, in order of first use, so that equal values are stored alike.
   AttributeValues canonical() const;
 
-  /// Of canonical values: total; undefined comes first.
+  /// A total order of canonical values; undefined comes first.
   friend std::strong_ordering operator<=>(const AttributeValues& a, const AttributeValues& b);
   friend bool operator==(const AttributeValues& a, const AttributeValues& b) { return std::is_eq(a <=> b); }
   std::size_t hash() const;

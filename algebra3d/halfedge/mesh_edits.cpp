@@ -114,7 +114,7 @@ Maybe<VertexId> MeshEditor::split_vertex(VertexId v, HalfedgeId first, HalfedgeI
   return added;
 }
 
-/// What forbids that the triangle of `h` vanishes; empty if nothing does, or if its face is none.
+/// The reason why the triangle of `h` must not vanish; empty if it may, or if there is no triangle.
 std::string MeshEditor::wing_violation(HalfedgeId h) const {
   if (is_boundary(h) || degree(face(h)) != 3) return {};
   const HalfedgeId n = next(h), p = prev(h);

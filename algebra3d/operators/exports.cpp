@@ -34,7 +34,7 @@ std::string export_name(const MeshFormat& format) {
   return "export" + std::string(format.name);
 }
 
-/// What is exported: a solid or a mesh.
+/// The parameter for the exported value: a solid or a mesh.
 template <typename T>
 Parameter exported_parameter();
 template <>

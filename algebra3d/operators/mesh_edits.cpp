@@ -113,7 +113,7 @@ const std::string kHalvedSquare = "(mesh3d (((0 0 0) (1 0 0) (1 1 0) (0 1 0)) ((
 const std::string kSquareFace = "(mesh3d (((0 0 0) (1 0 0) (1 1 0) (0 1 0)) ((0 1 2 3))))";
 const std::string kUnitTetrahedron = "(mesh3d (((0 0 0) (1 0 0) (0 1 0) (0 0 1)) ((0 2 1) (0 1 3) (1 2 3) (2 0 3))))";
 const std::string kThreeTriangles = "(mesh3d (((0 0 0) (1 0 0) (1 1 0) (0 1 0) (1 2 0)) ((0 1 2) (0 2 3) (3 2 4))))";
-/// Of all edits that keep the topology.
+/// The common part of the descriptions of edits that keep the topology.
 const std::string kCommonDetail =
     "The mesh must be a manifold, boundary allowed; otherwise, and where the edit would not leave one, the result is "
     "undefined, with the reason. Coordinates are exact and do not matter. Edges are numbered from 0 by their first "

@@ -113,7 +113,7 @@ const std::string kFaceColumns = " (Id: int, Degree: int, Area: real, Normal: ve
 const std::string kOnce =
     " Each once, also where edges are not manifold. No rows, with a note, if there is no element of this number.";
 
-/// What the descriptions of the relations do not share.
+/// The parts in which the descriptions of the relations differ.
 struct Relation {
   std::string name, doc, columns_from, detail;
   std::vector<Overload> overloads;

@@ -27,7 +27,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// What the three types have for simplification: a mesh of triangles with double coordinates, and a way back.
+/// The triangles of a value with double coordinates, as simplification takes them.
 Result<Maybe<TriangleMesh>> rounded_triangles(Context& context, const Volume3d& solid) {
   if (solid.mesh().points().exact_count() == 0) return Maybe<TriangleMesh>(solid.mesh());
   ALGEBRA3D_ASSIGN_OR_RETURN(RoundedSolid rounded,

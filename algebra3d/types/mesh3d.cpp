@@ -10,6 +10,7 @@
 #include "algebra3d/types/coordinate_text.h"
 #include "algebra3d/types/described_type.h"
 #include "algebra3d/types/detail/codec_points.h"
+#include "algebra3d/types/detail/corner_code.h"
 #include "algebra3d/types/detail/mesh_attribute_codec.h"
 
 namespace algebra3d {
@@ -48,25 +49,6 @@ Status add_face(const NestedList& list, std::size_t number, std::size_t point_co
   }
   return {};
 }
-
-/// Corners as distances from the lowest number that no face has used so far: small where vertices are numbered in the
-/// order of their first use. 0 is that number itself, e the vertex e before it; a greater number is itself.
-class CornerCode {
- public:
-  std::uint64_t encode(std::uint32_t vertex) {
-    const std::uint64_t code = vertex <= next_ ? next_ - vertex : vertex;
-    if (vertex == next_) ++next_;
-    return code;
-  }
-  std::uint64_t decode(std::uint64_t code) {
-    const std::uint64_t vertex = code <= next_ ? next_ - code : code;
-    if (code == 0) ++next_;
-    return vertex;
-  }
-
- private:
-  std::uint64_t next_ = 0;
-};
 
 void write_faces(ByteWriter& writer, const PolygonMesh& mesh) {
   writer.varint(mesh.face_count());

@@ -9,7 +9,7 @@
 
 namespace mesh_files {
 
-/// What is read of an OBJ file.
+/// The parts of an OBJ file that are read.
 enum class ObjWanted {
   shape,
   attributes,  ///< also texture coordinates and normals of corners; groups, objects and materials of faces

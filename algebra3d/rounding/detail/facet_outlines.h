@@ -29,8 +29,8 @@ struct OutlineLink {
 /// The links of the outline of a facet, as pairs of points.
 struct FacetOutline {
   std::vector<DirectedEdge> boundary;  ///< without pairs of opposite links; ascending by their ends
-  /// Of edges with the facet on both sides, as where another sheet ends within it: each link in both directions. None
-  /// is a link of the boundary.
+  /// Edges with the facet on both sides, as where another sheet ends within it: each link in both directions. None is a
+  /// link of the boundary.
   std::vector<DirectedEdge> slits;
 
   void reverse();

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "algebra3d/types/detail/codec_points.h"
+#include "algebra3d/types/detail/corner_code.h"
 
 // Triangles that come one after the other mostly share an edge, and points are mostly numbered in the order in which
 // triangles first use them. So a triangle is coded by the place, in a short list of recent edges, of the edge that it
@@ -64,18 +65,8 @@ class Front {
 
   const RecentEdges& edges() const { return edges_; }
 
-  /// Codes a corner: 0 for the next unused point, e for the point e before it; a point beyond keeps its number, which
-  /// is greater than any such e.
-  std::uint64_t encode(std::uint32_t point) {
-    const std::uint64_t code = point <= next_ ? next_ - point : point;
-    if (point == next_) ++next_;
-    return code;
-  }
-  std::uint64_t decode(std::uint64_t code) {
-    const std::uint64_t point = code <= next_ ? next_ - code : code;
-    if (code == 0) ++next_;
-    return point;
-  }
+  std::uint64_t encode(std::uint32_t point) { return corners_.encode(point); }
+  std::uint64_t decode(std::uint64_t code) { return corners_.decode(code); }
 
   void add(const Triangle& t) {
     for (std::size_t i = 0; i < 3; ++i) edges_.push({t[(i + 1) % 3], t[i]});
@@ -88,7 +79,7 @@ class Front {
 
  private:
   RecentEdges edges_;
-  std::uint64_t next_ = 0;
+  CornerCode corners_;
 };
 
 struct SharedEdge {
