@@ -111,12 +111,14 @@ Result<std::optional<MetCells>> finest_met_cells(const TriangleMesh& mesh, const
   double smallest = grid.spacing_up_to(size);
   while (smallest < CoordinateGrid::doubles().spacing_up_to(size)) smallest *= 2;
   std::optional<MetCells> finest;
-  for (double edge = coarsest_edge(bounds, smallest); edge >= smallest; edge /= 2) {
+  double edge = coarsest_edge(bounds, smallest);
+  while (edge >= smallest) {
     CellLattice lattice(bounds, edge, grid);
     if (!lattice.covers(bounds)) break;
     ALGEBRA3D_ASSIGN_OR_RETURN(auto keys, cells_of(mesh, lattice, budget, cancel));
     if (!keys) break;
     finest = MetCells{std::move(lattice), *std::move(keys)};
+    edge /= 2;
   }
   return finest;
 }
