@@ -129,7 +129,7 @@ class CornerNormalsMaker {
       h = next_in_fan(h);
     } while (h.is_valid() && h != first);
     const auto begin = std::ranges::find_if(fan_, [&](HalfedgeId corner) { return is_crease_before(corner); });
-    if (begin != fan_.end()) std::ranges::rotate(fan_, begin);
+    if (begin != fan_.end()) std::rotate(fan_.begin(), begin, fan_.end());
     for (std::size_t part = 0; part < fan_.size();) {
       std::size_t end = part + 1;
       while (end < fan_.size() && !is_crease_before(fan_[end])) ++end;

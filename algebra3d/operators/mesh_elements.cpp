@@ -30,13 +30,13 @@ detail::EdgeRows edges_of_value(const T& value) {
   using Next = Result<std::optional<detail::EdgeRows::Cells>>;
   return detail::EdgeRows([value, h = std::size_t{0}, edge = std::size_t{0}](Context& context) mutable -> Next {
     const auto& mesh = value.mesh();
-    for (; h < mesh.halfedge_count(); ++h) {
+    std::optional<detail::EdgeRows::Cells> row;
+    for (; h < mesh.halfedge_count() && !row; ++h) {
       ALGEBRA3D_RETURN_IF_ERROR(detail::check_sometimes(context, h));
-      if (first_along(mesh, HalfedgeId(h)) != HalfedgeId(h)) continue;
-      std::optional row = detail::edge_cells(mesh, EdgeId(edge++), HalfedgeId(h++));
-      return row;
+      if (first_along(mesh, HalfedgeId(h)) == HalfedgeId(h))
+        row = detail::edge_cells(mesh, EdgeId(edge++), HalfedgeId(h));
     }
-    return Next(std::nullopt);
+    return row;
   });
 }
 

@@ -112,7 +112,7 @@ Result<Maybe<T>> simplified_to_deviation(Context& context, const T& value, doubl
 template <typename T>
 Result<Maybe<T>> simplified_to_share(Context& context, const T& value, const std::string& measure, double share) {
   if (measure != "ratio")
-    return Error{ErrorCode::invalid_value, "simplify: expected \"ratio\" and a share, got \"{}\"", measure};
+    return Error{ErrorCode::invalid_value, R"(simplify: expected "ratio" and a share, got "{}")", measure};
   if (!(share >= 0 && share <= 1)) return Maybe<T>(Undefined{"the share must be between 0 and 1"});
   const double count = std::floor(share * static_cast<double>(value.mesh().face_count()));
   return simplified_to(context, value, {static_cast<std::size_t>(count), kInfinity});
@@ -163,7 +163,7 @@ void register_simplification(Registry& registry) {
                    {{kUnitCube, "-1"}, "undefined"},
                    {{kUnitCube, "-1.0"}, "undefined"},
                    {{kUndefinedSolid, "10"}, "undefined"}},
-      .errors = {{{kUnitCube, "\"share\"", "0.5"}, "simplify: expected \"ratio\" and a share, got \"share\""},
+      .errors = {{{kUnitCube, R"("share")", "0.5"}, R"(simplify: expected "ratio" and a share, got "share")"},
                  {{"(mesh3d (((0 0 0) (1 0 0) (1 1 0) (0 1 0)) ((0 1 2 3))))", "1"},
                   "simplify: face 0 has 4 corners, expected triangles; triangulate makes them"},
                  {{"1", "2"}, "simplify: expected (mesh3d int), (mesh3d real)"}},

@@ -140,7 +140,7 @@ class FaceTriangulator {
       return {};
     for (IndexTriangle& triangle : triangles) {
       if (view.is_flipped) std::swap(triangle[1], triangle[2]);
-      std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+      std::rotate(triangle.begin(), std::ranges::min_element(triangle), triangle.end());
     }
     return triangles;
   }

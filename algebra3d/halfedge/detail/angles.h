@@ -22,7 +22,7 @@ inline double arc_tangent_of_fraction(double t) {
                                                    0.6435011087932844,
                                                    0.7188299996216245,
                                                    0.7853981633974483};
-  const auto nearest = static_cast<std::size_t>(8 * t + 0.5);
+  const auto nearest = static_cast<std::size_t>(std::floor(8 * t + 0.5));
   const double known = static_cast<double>(nearest) / 8;
   const double rest = (t - known) / (1 + t * known);  // at most 1/16, so that eight terms of the series are enough
   const double square = rest * rest;
