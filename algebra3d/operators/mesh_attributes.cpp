@@ -146,7 +146,7 @@ const std::string kWithWeights =
     R"((mesh3d (((0 0 0) (1 0 0) (0 1 0)) ((0 1 2)) ((vertex "Weight" real (1.0 undefined 2.5))))))";
 
 constexpr const char* kElements =
-    "The elements are \"vertex\", \"edge\", \"halfedge\" or \"face\", numbered from 0; a half-edge keeps what belongs "
+    R"(The elements are "vertex", "edge", "halfedge" or "face", numbered from 0; a half-edge keeps what belongs )"
     "to the corner of its face.";
 
 void register_setting(Registry& registry) {

@@ -78,7 +78,7 @@ template <typename T>
 Result<Maybe<T>> rounded_to_numbers(Context& context, const T& geometry, const std::string& numbers) {
   if (numbers == "doubles") return rounded_to(context, geometry, CoordinateGrid::doubles());
   if (numbers == "floats") return rounded_to(context, geometry, CoordinateGrid::floats());
-  return Maybe<T>(Undefined{fmt::format("expected \"doubles\" or \"floats\", found \"{}\"", numbers)});
+  return Maybe<T>(Undefined{fmt::format(R"(expected "doubles" or "floats", found "{}")", numbers)});
 }
 
 /// Nearly always the image with each coordinate rounded is valid, and neither exact images nor a ladder are needed.
@@ -132,11 +132,11 @@ void register_rounding(Registry& registry) {
                    {{kUnitCube, "0.75"}, "0.421875", "(volume _)"},
                    {{kUnitCube, "3.0"}, "TRUE", "(isEmpty _)"},
                    {{"(surface3d (((0 0 0) (1 0 0) (0 1 0.4))))", "1.0"}, "0.5", "(area _)"},
-                   {{"(surface3d (((0 0 0) (1 0 0) (0 0.1 0))))", "\"floats\""},
+                   {{"(surface3d (((0 0 0) (1 0 0) (0 0.1 0))))", R"("floats")"},
                     "0.10000000149011612",
                     "(* 2.0 (area _))"},
-                   {{kUnitCube, "\"doubles\""}, "1.0", "(volume _)"},
-                   {{kUnitCube, "\"integers\""}, "undefined"},
+                   {{kUnitCube, R"("doubles")"}, "1.0", "(volume _)"},
+                   {{kUnitCube, R"("integers")"}, "undefined"},
                    {{kUnitCube, "0.0"}, "undefined"},
                    {{"(volume3d undefined)"}, "undefined"}},
       .errors = {{{"1"},

@@ -124,7 +124,7 @@ const std::string kSquareOfEight =
     "(3 4 7) (3 7 6) (4 5 8) (4 8 7))))";
 const std::string kDetail =
     "Edges are collapsed, those first that cost the least quadric error, until a number of triangles (an int), a share "
-    "of them (\"ratio\"), or a largest deviation (a real) is reached; a diagnostic tells what was. Topology stays: "
+    R"(of them ("ratio"), or a largest deviation (a real) is reached; a diagnostic tells what was. Topology stays: )"
     "parts, "
     "handles and boundary loops; the boundary is kept as far as the error allows, and no face turns over. So more "
     "triangles may be left than demanded. The deviation is the Hausdorff distance of the boundaries before and after. "
@@ -157,7 +157,7 @@ void register_simplification(Registry& registry) {
                     overload<&simplified_to_share<Volume3d>>("solid", "measure", "share")},
       .examples = {{{kUnitCube, "0.0"}, "1.0", "(volume _)"},
                    {{kUnitCube, "100"}, "1.0", "(volume _)"},
-                   {{kUnitCube, "\"ratio\"", "1.0"}, "1.0", "(volume _)"},
+                   {{kUnitCube, R"("ratio")", "1.0"}, "1.0", "(volume _)"},
                    {{kSquareOfEight, "0.0"},
                     "(((2.0 0.0 0.0) (0.0 0.0 0.0) (0.0 2.0 0.0) (2.0 2.0 0.0)) ((1 0 3) (1 3 2)))"},
                    {{kUnitCube, "-1"}, "undefined"},

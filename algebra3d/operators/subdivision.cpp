@@ -31,16 +31,16 @@ Error named(const char* name, Error error) {
 
 Result<SubdivisionScheme> scheme_of(const char* name, const std::string& text) {
   if (const auto scheme = subdivision_scheme(text)) return *scheme;
-  return Error{ErrorCode::invalid_value, "{}: unknown scheme \"{}\", expected one of {}", name, text,
+  return Error{ErrorCode::invalid_value, R"({}: unknown scheme "{}", expected one of {})", name, text,
                subdivision_scheme_names()};
 }
 
 Result<SubdivisionOptions> options_of(const char* name, SubdivisionScheme scheme, const std::string& weights) {
   const auto known = loop_weights(weights);
   if (!known)
-    return Error{ErrorCode::invalid_value, "{}: unknown weights \"{}\", expected one of loop, warren", name, weights};
+    return Error{ErrorCode::invalid_value, R"({}: unknown weights "{}", expected one of loop, warren)", name, weights};
   if (scheme != SubdivisionScheme::loop)
-    return Error{ErrorCode::invalid_value, "{}: weights \"{}\" are for the scheme loop, got {}", name, weights,
+    return Error{ErrorCode::invalid_value, R"({}: weights "{}" are for the scheme loop, got {})", name, weights,
                  name_of(scheme)};
   return SubdivisionOptions{*known};
 }
@@ -121,9 +121,9 @@ void register_subdivision(Registry& registry) {
       .syntax = "subdivide(_ ...)",
       .doc = "The mesh after a number of steps of a subdivision scheme, as a mesh3d.",
       .detail =
-          "Schemes: \"catmull-clark\" and \"doo-sabin\" for faces of any degree; \"loop\", \"butterfly\" and "
-          "\"modified-butterfly\" for triangles. A fourth argument chooses the weights of loop: \"loop\" (the "
-          "default) or \"warren\". Coordinates are rounded to doubles first, and the result has "
+          R"(Schemes: "catmull-clark" and "doo-sabin" for faces of any degree; "loop", "butterfly" and )"
+          R"("modified-butterfly" for triangles. A fourth argument chooses the weights of loop: "loop" (the )"
+          R"(default) or "warren". Coordinates are rounded to doubles first, and the result has )"
           "doubles; in each step the error is below (n + 16) 2^-52 times the largest coordinate, with n the largest "
           "number of edges at a vertex or of corners of a face. Without steps the mesh itself. Surfaces and solids "
           "are taken with the triangles that they have. Boundaries of open meshes become curves of their own; "
@@ -139,33 +139,33 @@ void register_subdivision(Registry& registry) {
                     overload<&subdivided_with_weights<Surface3d>>("surface", "scheme", "steps", "weights"),
                     overload<&subdivided_mesh<Volume3d>>("solid", "scheme", "steps"),
                     overload<&subdivided_with_weights<Volume3d>>("solid", "scheme", "steps", "weights")},
-      .examples = {{{kSquareOf8, "\"catmull-clark\"", "1"},
+      .examples = {{{kSquareOf8, R"("catmull-clark")", "1"},
                     "(((1.0 1.0 0.0) (7.0 1.0 0.0) (7.0 7.0 0.0) (1.0 7.0 0.0) (4.0 0.0 0.0) (8.0 4.0 0.0) "
                     "(4.0 8.0 0.0) (0.0 4.0 0.0) (4.0 4.0 0.0)) ((0 4 8 7) (1 5 8 4) (2 6 8 5) (3 7 8 6)))"},
-                   {{kSquareOf8, "\"doo-sabin\"", "1"},
+                   {{kSquareOf8, R"("doo-sabin")", "1"},
                     "(((2.0 2.0 0.0) (6.0 2.0 0.0) (6.0 6.0 0.0) (2.0 6.0 0.0)) ((0 1 2 3)))"},
-                   {{kTriangleMesh, "\"loop\"", "1"}, kLoopTriangle},
-                   {{kTriangleMesh, "\"butterfly\"", "1"}, kButterflyTriangle},
-                   {{kTriangleMesh, "\"modified-butterfly\"", "1"}, kButterflyTriangle},
-                   {{kTriangleMesh, "\"loop\"", "1", "\"warren\""}, kLoopTriangle},
-                   {{kSurface, "\"loop\"", "1"}, kLoopTriangle},
-                   {{kSurface, "\"loop\"", "1", "\"loop\""}, kLoopTriangle},
-                   {{kSolid, "\"butterfly\"", "0"}, kSolidMesh},
-                   {{kSolid, "\"loop\"", "0", "\"warren\""}, kSolidMesh},
-                   {{kSquareOf8, "\"catmull-clark\"", "-1"}, "undefined"},
-                   {{"(mesh3d undefined)", "\"loop\"", "1"}, "undefined"}},
-      .errors = {{{kSquareOf8, "\"Loop\"", "1"},
-                  "subdivide: unknown scheme \"Loop\", expected one of catmull-clark, doo-sabin, loop, butterfly, "
+                   {{kTriangleMesh, R"("loop")", "1"}, kLoopTriangle},
+                   {{kTriangleMesh, R"("butterfly")", "1"}, kButterflyTriangle},
+                   {{kTriangleMesh, R"("modified-butterfly")", "1"}, kButterflyTriangle},
+                   {{kTriangleMesh, R"("loop")", "1", R"("warren")"}, kLoopTriangle},
+                   {{kSurface, R"("loop")", "1"}, kLoopTriangle},
+                   {{kSurface, R"("loop")", "1", R"("loop")"}, kLoopTriangle},
+                   {{kSolid, R"("butterfly")", "0"}, kSolidMesh},
+                   {{kSolid, R"("loop")", "0", R"("warren")"}, kSolidMesh},
+                   {{kSquareOf8, R"("catmull-clark")", "-1"}, "undefined"},
+                   {{"(mesh3d undefined)", R"("loop")", "1"}, "undefined"}},
+      .errors = {{{kSquareOf8, R"("Loop")", "1"},
+                  R"(subdivide: unknown scheme "Loop", expected one of catmull-clark, doo-sabin, loop, butterfly, )"
                   "modified-butterfly"},
-                 {{kSquareOf8, "\"loop\"", "1"},
+                 {{kSquareOf8, R"("loop")", "1"},
                   "subdivide: face 0 has 4 corners, but loop takes triangles only; see triangulate"},
-                 {{kTetrahedronOf16, "\"loop\"", "1", "\"sabin\""},
-                  "subdivide: unknown weights \"sabin\", expected one of loop, warren"},
-                 {{kTetrahedronOf16, "\"butterfly\"", "1", "\"warren\""},
-                  "subdivide: weights \"warren\" are for the scheme loop, got butterfly"},
-                 {{kThreeOnAnEdge, "\"loop\"", "1"},
+                 {{kTetrahedronOf16, R"("loop")", "1", R"("sabin")"},
+                  R"(subdivide: unknown weights "sabin", expected one of loop, warren)"},
+                 {{kTetrahedronOf16, R"("butterfly")", "1", R"("warren")"},
+                  R"(subdivide: weights "warren" are for the scheme loop, got butterfly)"},
+                 {{kThreeOnAnEdge, R"("loop")", "1"},
                   "subdivide: the edge between vertices 0 and 1 is non-manifold: 3 half-edges run along it"},
-                 {{kTetrahedronOf16, "\"loop\"", "15"},
+                 {{kTetrahedronOf16, R"("loop")", "15"},
                   "subdivide: 15 steps make more than 2147483645 half-edges of 12"}},
   });
   registry.add({
@@ -173,10 +173,10 @@ void register_subdivision(Registry& registry) {
       .syntax = "limitPosition(_ ...)",
       .doc = "The mesh with each vertex where it is when the mesh is subdivided without end, as a mesh3d.",
       .detail =
-          "Faces and numbers are those of the mesh. Schemes: \"catmull-clark\", and \"loop\" for triangles; a "
-          "third argument chooses the weights of loop, \"loop\" (the default) or \"warren\". The limits are those "
+          R"(Faces and numbers are those of the mesh. Schemes: "catmull-clark", and "loop" for triangles; a )"
+          R"(third argument chooses the weights of loop, "loop" (the default) or "warren". The limits are those )"
           "of the schemes' limit masks, with errors as in subdivide; boundary vertices are on cubic B-splines. So "
-          "limitPosition(subdivide(m, \"loop\", 2), \"loop\") has points of the smooth surface itself. Isolated "
+          R"(limitPosition(subdivide(m, "loop", 2), "loop") has points of the smooth surface itself. Isolated )"
           "vertices stay. " +
           kRefused,
       .exactness = Exactness::bounded,
@@ -188,24 +188,25 @@ void register_subdivision(Registry& registry) {
                     overload<&limit_with_weights<Surface3d>>("surface", "scheme", "weights"),
                     overload<&limit_of<Volume3d>>("solid", "scheme"),
                     overload<&limit_with_weights<Volume3d>>("solid", "scheme", "weights")},
-      .examples = {{{"(mesh3d (((0 0 0) (6 0 0) (6 6 0) (0 6 0)) ((0 1 2 3))))", "\"catmull-clark\""},
+      .examples = {{{"(mesh3d (((0 0 0) (6 0 0) (6 6 0) (0 6 0)) ((0 1 2 3))))", R"("catmull-clark")"},
                     "(((1.0 1.0 0.0) (5.0 1.0 0.0) (5.0 5.0 0.0) (1.0 5.0 0.0)) ((0 1 2 3)))"},
-                   {{"(mesh3d (((0 0 0) (12 0 0) (0 12 0)) ((0 1 2))))", "\"loop\""},
+                   {{"(mesh3d (((0 0 0) (12 0 0) (0 12 0)) ((0 1 2))))", R"("loop")"},
                     "(((2.0 2.0 0.0) (8.0 2.0 0.0) (2.0 8.0 0.0)) ((0 1 2)))"},
-                   {{kTetrahedronOf16, "\"loop\"", "\"warren\""},
+                   {{kTetrahedronOf16, R"("loop")", R"("warren")"},
                     "(((3.2 3.2 3.2) (6.4 3.2 3.2) (3.2 6.4 3.2) (3.2 3.2 6.4)) ((0 2 1) (0 1 3) (1 2 3) (2 0 3)))"},
-                   {{kSolid, "\"loop\""},
+                   {{kSolid, R"("loop")"},
                     "(((3.0 3.0 3.0) (3.0 6.0 3.0) (6.0 3.0 3.0) (3.0 3.0 6.0)) ((0 1 2) (0 2 3) (2 1 3) (1 0 3)))"},
-                   {{kSurface, "\"loop\"", "\"warren\""},
+                   {{kSurface, R"("loop")", R"("warren")"},
                     "(((2.6666666666666665 2.6666666666666665 0.0) (10.666666666666666 2.6666666666666665 0.0) "
                     "(2.6666666666666665 10.666666666666666 0.0)) ((0 1 2)))"},
-                   {{"(mesh3d undefined)", "\"loop\""}, "undefined"}},
-      .errors = {{{kTetrahedronOf16, "\"doo-sabin\""},
+                   {{"(mesh3d undefined)", R"("loop")"}, "undefined"}},
+      .errors = {{{kTetrahedronOf16, R"("doo-sabin")"},
                   "limitPosition: expected one of catmull-clark, loop, got doo-sabin"},
-                 {{kTetrahedronOf16, "\"no\""}, "limitPosition: unknown scheme \"no\", expected one of catmull-clark"},
-                 {{kTetrahedronOf16, "\"loop\"", "\"no\""},
-                  "limitPosition: unknown weights \"no\", expected one of loop, warren"},
-                 {{kSquareOf8, "\"loop\""}, "limitPosition: face 0 has 4 corners, but loop takes triangles only"}},
+                 {{kTetrahedronOf16, R"("no")"},
+                  R"(limitPosition: unknown scheme "no", expected one of catmull-clark)"},
+                 {{kTetrahedronOf16, R"("loop")", R"("no")"},
+                  R"(limitPosition: unknown weights "no", expected one of loop, warren)"},
+                 {{kSquareOf8, R"("loop")"}, "limitPosition: face 0 has 4 corners, but loop takes triangles only"}},
   });
 }
 
