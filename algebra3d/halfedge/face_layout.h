@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "algebra3d/base/int128.h"
 #include "algebra3d/base/large_allocator.h"
 #include "algebra3d/halfedge/handle.h"
 
@@ -39,7 +40,7 @@ class PolygonLayout {
   static PolygonLayout of_degree(std::uint32_t degree) {
     assert(degree > 0);
     PolygonLayout layout;
-    layout.degree_ = degree;
+    layout.set_degree(degree);
     return layout;
   }
   /// Faces of any degrees: `starts` has the first half-edge of each face, and at the end the number of half-edges;
@@ -55,7 +56,7 @@ class PolygonLayout {
     return HalfedgeId(h.index() == first ? end - 1 : h.index() - 1);
   }
   FaceId face(HalfedgeId h) const {
-    return FaceId(degree_ != 0 ? h.index() / degree_ : std::size_t{faces_[h.index()]});
+    return FaceId(degree_ != 0 ? divided_by_degree(h.index()) : faces_[h.index()]);
   }
   /// The half-edge that leaves a corner of a face.
   HalfedgeId halfedge(FaceId f, std::uint32_t corner = 0) const { return HalfedgeId(bounds(f).first + corner); }
@@ -79,7 +80,17 @@ class PolygonLayout {
     return {starts_[f.index()], starts_[f.index() + 1]};
   }
 
+  void set_degree(std::uint32_t degree) {
+    degree_ = degree;
+    reciprocal_ = (std::uint64_t{1} << 63) / degree + 1;
+  }
+  /// A product takes a fraction of the time of a division. Too large by less than 2^32 / 2^63, so the quotient is exact.
+  std::uint32_t divided_by_degree(std::uint32_t halfedge) const {
+    return static_cast<std::uint32_t>(UInt128{reciprocal_} * (std::uint64_t{halfedge} << 1) >> 64);
+  }
+
   std::uint32_t degree_ = 0;           // 0: in the arrays
+  std::uint64_t reciprocal_ = 0;       // 2^63 / degree, rounded up
   LargeVector<std::uint32_t> starts_;  // per face, and the end
   LargeVector<std::uint32_t> faces_;   // per half-edge
 };
