@@ -176,7 +176,8 @@ struct Cgal {
   }
 };
 
-/// Normals of faces from two edges or diagonals, those of vertices from the sum of the normals of the faces.
+/// Normals of faces from two edges or diagonals, those of vertices from the sum of the normals of the faces, weighted by
+/// angle, as ours are.
 template <std::uint32_t kDegree>
 struct CgalByHand : Cgal<kDegree> {
   using Built = typename Cgal<kDegree>::Built;
@@ -198,7 +199,11 @@ struct CgalByHand : Cgal<kDegree> {
     const CgalMesh& mesh = built.mesh;
     for (const auto v : mesh.vertices()) {
       Kernel::Vector_3 sum(0, 0, 0);
-      for (const auto f : faces_around_target(mesh.halfedge(v), mesh)) sum = sum + built.of_faces[f];
+      for (const auto h : halfedges_around_target(mesh.halfedge(v), mesh)) {
+        const auto a = mesh.point(mesh.source(h)) - mesh.point(v), b = mesh.point(mesh.target(mesh.next(h))) - mesh.point(v);
+        const double angle = std::atan2(std::sqrt(CGAL::cross_product(a, b).squared_length()), a * b);
+        sum = sum + angle * built.of_faces[mesh.face(h)];
+      }
       built.of_vertices[v] = unit(sum);
     }
   }

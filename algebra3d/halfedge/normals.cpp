@@ -91,9 +91,11 @@ struct CornerDirection {
     const double size = sine + std::abs(cosine);
     return size > 0x1p-450 && size < 0x1p450;
   }
-  double angle() const { return with_reflex(detail::angle_of_direction(sine, cosine)); }
-  double with_reflex(double acute) const { return is_reflex ? 2 * std::numbers::pi - acute : acute; }
 };
+
+double with_reflex(double angle, bool is_reflex) {
+  return is_reflex ? 2 * std::numbers::pi - angle : angle;
+}
 
 /// The direction of the corner that `h` leaves, of any size.
 template <typename Layout>
@@ -112,7 +114,8 @@ CornerDirection corner_direction(const HalfedgeMesh<Layout>& mesh, HalfedgeId h,
 /// The angle of the corner that `h` leaves, in a face with this normal: more than pi at a reflex corner.
 template <typename Layout>
 double corner_angle(const HalfedgeMesh<Layout>& mesh, HalfedgeId h, const Vec3& normal) {
-  return corner_direction(mesh, h, normal).angle();
+  const CornerDirection corner = corner_direction(mesh, h, normal);
+  return with_reflex(detail::angle_of_direction(corner.sine, corner.cosine), corner.is_reflex);
 }
 
 /// A sum of normals weighted by angles.
@@ -131,8 +134,8 @@ struct WeightedNormal {
   }
 };
 
-/// Makes the normals of consecutive vertices. The angles of a batch of corners are computed together, without branches,
-/// so that the compiler computes several in one instruction.
+/// Makes the normals of consecutive vertices. The angles of a batch of corners are computed together: without
+/// anything between them, the processor works on several at once.
 template <typename Layout>
 class VertexNormalsMaker {
  public:
@@ -177,9 +180,8 @@ class VertexNormalsMaker {
     for (const std::size_t end : ends_) {
       WeightedNormal sum;
       for (; corner < end; ++corner) {
-        const double angle = angles_[corner];
-        sum.add(face_normals_[corners_[corner].face],
-                corners_[corner].is_reflex ? 2 * std::numbers::pi - angle : angle);
+        const Corner& at = corners_[corner];
+        sum.add(face_normals_[at.face], with_reflex(angles_[corner], at.is_reflex));
       }
       normals_[first_++] = sum.direction();
     }

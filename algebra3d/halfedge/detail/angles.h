@@ -11,7 +11,7 @@
 namespace algebra3d::detail {
 
 /// Arc tangent of a number from 0 to 1, within 2 ulp. From basic operations only, so that the bits do not depend on the
-/// C library; without branches, so that compilers compute several at once.
+/// C library.
 inline double arc_tangent_of_fraction(double t) {
   // atan(i / 8), rounded once.
   static constexpr std::array<double, 9> kTable = {0,
