@@ -4,16 +4,22 @@
 
 namespace rtree {
 
+// Without branches and with constant bounds, so that the compiler makes vectors of the loops: all inner nodes of a stored
+// tree are looked at when it is opened.
 bool KeyBoxes::is_sound(std::size_t fewest) const {
-  const std::size_t used = count();
-  bool result = used >= fewest;
+  std::int32_t wrong = 0, used = 0;
+  for (std::size_t slot = 0; slot < kFanOut; ++slot) used += static_cast<std::int32_t>(is_used(slot));
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (std::size_t slot = 0; slot < kFanOut; ++slot) {
       const std::int32_t low = min[axis][slot], high = max[axis][slot];
-      result &= slot < used ? (low <= high) & (high != INT32_MAX) : (low == INT32_MAX) & (high == INT32_MIN);
+      const auto is_no_box = static_cast<std::int32_t>((low > high) | (high == INT32_MAX));
+      const auto is_not_clear = static_cast<std::int32_t>((low != INT32_MAX) | (high != INT32_MIN));
+      const auto differs = static_cast<std::int32_t>((low != INT32_MAX) != (min[0][slot] != INT32_MAX));
+      wrong |= (is_no_box & is_not_clear) | differs;
     }
   }
-  return result;
+  // Used slots come first if none comes after the first unused one.
+  return wrong == 0 && static_cast<std::size_t>(used) >= fewest && static_cast<std::size_t>(used) == count();
 }
 
 template <typename Leaf>
