@@ -110,7 +110,8 @@ class InnerNodes {
       steps.pop_back();
       const InnerNode& node = inner_[step.node];
       if (!node.is_sound(step.level == height ? 2 : kMinFill)) return corrupt("inner node {} is damaged", step.node);
-      for (std::size_t slot = 0; slot < node.count(); ++slot)
+      const std::size_t count = node.count();
+      for (std::size_t slot = 0; slot < count; ++slot)
         if (!visit({node.reference[slot], step.level - 1}, steps))
           return corrupt("inner node {} names node {}", step.node, node.reference[slot]);
     }
