@@ -165,7 +165,8 @@ Result<Value> Database::load(const LargeValue& value) {
   }
   std::uint64_t byte_count = 0;
   ALGEBRA3D_ASSIGN_OR_RETURN(Value result, decode(value, byte_count));
-  // In memory a triangle takes about 40 bytes, and 50 with its hierarchy; the encoded bytes stand for exact coordinates.
+  // In memory a triangle takes about 40 bytes, and 50 with its hierarchy; the encoded bytes stand for exact
+  // coordinates.
   const std::uint64_t estimate = byte_count + std::uint64_t{96} * value.header.size + 256;
   std::vector<Value> left;  // destroyed after the lock
   const std::lock_guard lock(mutex_);

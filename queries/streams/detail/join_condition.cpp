@@ -44,13 +44,14 @@ struct SpatialPredicate {
   bool holds_in_interior, holds_around_interior;
 };
 
-constexpr std::array<SpatialPredicate, 7> kPredicates{{{"intersects", true, may_meet, algebra3d::do_meet, true, true},
-                                                       {"touches", true, may_meet, algebra3d::do_touch, false, false},
-                                                       {"inside", false, may_be_inside, lies_inside, true, false},
-                                                       {"contains", false, may_contain, lies_around, false, true},
-                                                       {"covers", false, may_contain, lies_around, false, true},
-                                                       {"coveredBy", false, may_be_inside, lies_inside, true, false},
-                                                       {"overlaps", true, may_meet, algebra3d::do_overlap, false, false}}};
+constexpr std::array<SpatialPredicate, 7> kPredicates{
+    {{"intersects", true, may_meet, algebra3d::do_meet, true, true},
+     {"touches", true, may_meet, algebra3d::do_touch, false, false},
+     {"inside", false, may_be_inside, lies_inside, true, false},
+     {"contains", false, may_contain, lies_around, false, true},
+     {"covers", false, may_contain, lies_around, false, true},
+     {"coveredBy", false, may_be_inside, lies_inside, true, false},
+     {"overlaps", true, may_meet, algebra3d::do_overlap, false, false}}};
 
 const SpatialPredicate* find_predicate(std::string_view name) {
   const auto* const found = std::ranges::find(kPredicates, name, &SpatialPredicate::name);

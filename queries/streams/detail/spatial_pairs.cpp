@@ -155,13 +155,12 @@ Status SpatialPairs::ask_boxes(std::span<const ValuePair> pairs, const std::stri
     larger.push_back({large, large});
     boxed.push_back({i, is_box_of_first});
   }
-  return ask(larger, progress,
-             [&](std::size_t i, const LoadedSet& large, const LoadedSet&, const Monitor&) -> Status {
-               const auto [pair, is_box_of_first] = boxed[i];
-               const Value& small = is_box_of_first ? *pairs[pair].first : *pairs[pair].second;
-               question(pair, small.header().box, is_box_of_first, large);
-               return {};
-             });
+  return ask(larger, progress, [&](std::size_t i, const LoadedSet& large, const LoadedSet&, const Monitor&) -> Status {
+    const auto [pair, is_box_of_first] = boxed[i];
+    const Value& small = is_box_of_first ? *pairs[pair].first : *pairs[pair].second;
+    question(pair, small.header().box, is_box_of_first, large);
+    return {};
+  });
 }
 
 /// Loads what these pairs need and is not loaded.
