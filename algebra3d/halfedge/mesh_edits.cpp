@@ -1,4 +1,7 @@
 // The edits of MeshEditor.
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "algebra3d/halfedge/mesh_editor.h"
@@ -55,7 +58,7 @@ VertexId MeshEditor::split_edge(HalfedgeId h, const ExactPoint& point) {
   const Vec3 from = points_[origin(h).index()].approx(), along = points_[target(h).index()].approx() - from;
   const double share = dot(point.approx() - from, along) / dot(along, along);
   // No number where the ends are one point.
-  return split_edge(h, point, share >= 0 && share <= 1 ? share : share < 0 ? 0 : share > 1 ? 1 : 0.5);
+  return split_edge(h, point, std::isnan(share) ? 0.5 : std::clamp(share, 0.0, 1.0));
 }
 
 VertexId MeshEditor::split_edge(HalfedgeId h, const ExactPoint& point, double share) {

@@ -173,22 +173,19 @@ const std::string kSquareOfEight =
     "4) "
     "(3 4 7) (3 7 6) (4 5 8) (4 8 7))))";
 const std::string kDetail =
-    "Edges are collapsed, those first that cost the least quadric error, until a number of triangles (an int), a share "
-    R"(of them ("ratio"), or a largest deviation (a real) is reached; a diagnostic tells what was. Topology stays: )"
-    "parts, "
-    "handles and boundary loops; the boundary is kept as far as the error allows, and no face turns over. So more "
-    "triangles may be left than demanded. The deviation is the Hausdorff distance of the boundaries before and after. "
-    "It "
-    "is measured, and holds but for 2^-43 of the largest coordinate. Coordinates of results are doubles. A surface or "
-    "solid stays a valid one: the result is proved, and where it crosses itself the steps around the crossing are "
-    "taken "
-    "back. With a crease angle, in degrees, edges with a larger angle between the normals of their faces are creases, "
-    "which are kept like the boundary: vertices on a crease stay on its line of edges, and where creases meet or end "
-    "the vertices stay in their places; without one there are none. A mesh3d keeps its attributes: faces, vertices and "
-    "edges those of one that they were, corners those of the vertex that they are at, in their chart, that is, on "
-    "their "
-    "side of all edges where the values of corners differ. A mesh3d must consist of triangles, and its result may "
-    "cross itself; edges with three or more faces stay.";
+    "Edges are collapsed, those first that cost the least quadric error, until a number of triangles (an int), a "
+    R"(share of them ("ratio"), or a largest deviation (a real) is reached; a diagnostic tells what was. Topology )"
+    "stays: parts, handles and boundary loops; the boundary is kept as far as the error allows, and no face turns "
+    "over. So more triangles may be left than demanded. The deviation is the Hausdorff distance of the boundaries "
+    "before and after. It is measured, and holds but for 2^-43 of the largest coordinate. Coordinates of results "
+    "are doubles. A surface or solid stays a valid one: the result is proved, and where it crosses itself the "
+    "steps around the crossing are taken back. With a crease angle, in degrees, edges with a larger angle between "
+    "the normals of their faces are creases, which are kept like the boundary: vertices on a crease stay on its "
+    "line of edges, and where creases meet or end the vertices stay in their places; without one there are none. "
+    "A mesh3d keeps its attributes: faces, vertices and edges those of one that they were, corners those of the "
+    "vertex that they are at, in their chart, that is, on their side of all edges where the values of corners "
+    "differ. A mesh3d must consist of triangles, and its result may cross itself; edges with three or more faces "
+    "stay.";
 
 }  // namespace
 

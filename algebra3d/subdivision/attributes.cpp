@@ -15,7 +15,7 @@ namespace {
 using Numbers = std::vector<std::uint32_t>;
 using Terms = std::vector<ValueBlends::Term>;
 
-/// The numbers of elements of the mesh before that the values of corners or vertices of a face belong to.
+/// What the values at the corners of a face belong to.
 enum class ValuesOf : std::uint8_t { vertices, corners };
 
 std::uint32_t value_at(const PolygonMesh& mesh, HalfedgeId h, ValuesOf values) {

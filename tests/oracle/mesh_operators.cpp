@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "algebra3d/formats/import_solid.h"
-#include "algebra3d/halfedge/adjacency.h"
 #include "algebra3d/halfedge/audit.h"
 #include "algebra3d/halfedge/circulators.h"
 #include "algebra3d/halfedge/topology.h"
@@ -54,7 +53,7 @@ std::string violation(const Mesh& mesh) {
   if (const auto found = audit(mesh); !found.empty()) return found.front();
   if (!is_closed(mesh)) return "has a boundary";
   if (!is_manifold(mesh)) return "is no manifold";
-  if (!is_oriented(mesh)) return "is not oriented";
+  if (!is_consistently_oriented(mesh)) return "is not oriented";
   return "ok";
 }
 
@@ -69,10 +68,9 @@ class Operations {
     conversions(solid, triangles, polygons);
     subdivisions(solid, triangles, polygons);
     simplifications(solid, triangles);
-    for (const Value& mesh : {triangles, polygons}) {
-      show("dual", call("dual", {mesh}));
-      edits(mesh);
-    }
+    // Two polygons may share two edges, which would be one edge of the dual.
+    show("dual", call("dual", {triangles}));
+    for (const Value& mesh : {triangles, polygons}) edits(mesh);
   }
 
  private:
@@ -170,7 +168,7 @@ class Operations {
       case 2:
         return call("collapseEdge", {value, edge});
       case 3: {
-        const HalfedgeId h = mesh.halfedge(f, random() % mesh.degree(f));
+        const HalfedgeId h = mesh.halfedge(f, static_cast<std::uint32_t>(random() % mesh.degree(f)));
         return call("splitFace", {value, number(f.index()), number(mesh.origin(h).index()),
                                   number(mesh.target(mesh.next(h)).index())});
       }
