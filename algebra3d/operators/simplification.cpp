@@ -85,6 +85,7 @@ Mesh3d value_of(const Mesh3d& before, Simplification result) {
   PolygonMesh mesh(result.mesh.points(), PolygonLayout::of_degree(3), result.mesh.origins());
   if (before.attributes().is_empty()) return Mesh3d(std::move(mesh));
   ElementSources sources;
+  sources.halfedges.reserve(mesh.halfedge_count());
   for (const std::uint32_t f : result.faces)
     for (std::uint32_t corner = 0; corner < 3; ++corner)
       sources.halfedges.push_back(old.halfedge(FaceId(f), corner).index());

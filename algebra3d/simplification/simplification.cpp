@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -23,9 +24,10 @@ constexpr std::size_t kAttempts = 4, kMaxAttempts = 12;
 
 /// The mesh itself.
 Simplification unchanged(const TriangleMesh& mesh, std::size_t repetitions) {
-  Simplification result{mesh, {}, {}, 0, repetitions};
-  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) result.vertices.push_back(v);
-  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) result.faces.push_back(f);
+  Simplification result{mesh, std::vector<std::uint32_t>(mesh.vertex_count()),
+                        std::vector<std::uint32_t>(mesh.face_count()), 0, repetitions};
+  std::iota(result.vertices.begin(), result.vertices.end(), 0U);
+  std::iota(result.faces.begin(), result.faces.end(), 0U);
   return result;
 }
 

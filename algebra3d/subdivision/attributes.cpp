@@ -96,8 +96,9 @@ struct CatmullClarkAttributes {
   static Numbers along(const PolygonMesh& mesh, const PolygonMesh& after) {
     Numbers along(after.halfedge_count(), kNone);
     for (const HalfedgeId h : halfedges(mesh)) {
-      along[4 * h.index()] = h.index();
-      along[4 * h.index() + 3] = mesh.prev(h).index();
+      const std::size_t start = std::size_t{4} * h.index();
+      along[start] = h.index();
+      along[start + 3] = mesh.prev(h).index();
     }
     return along;
   }
@@ -135,7 +136,8 @@ struct DooSabinAttributes {
     return sources;
   }
   static Numbers along(const PolygonMesh& /*mesh*/, const PolygonMesh& after) {
-    return Numbers(after.halfedge_count(), kNone);
+    Numbers along(after.halfedge_count(), kNone);
+    return along;
   }
   static Numbers faces(const PolygonMesh& mesh, const PolygonMesh& after, ValueBlends& blends) {
     Numbers sources;

@@ -208,18 +208,17 @@ Status EdgeCollapser::fill_queue() {
 /// Whether a face of the ring of `keep`, but for those at `other`, turns too far or loses its area if the vertex moves.
 bool EdgeCollapser::flips(std::uint32_t keep, std::uint32_t other, const Ring& ring, const Vec3& position) const {
   const Vec3& before = positions_[keep];
-  for (const auto& [first, second] : ring.spokes) {
-    if (first == other || second == other) continue;
-    const Vec3 &p = positions_[first], &q = positions_[second];
+  return std::ranges::any_of(ring.spokes, [&](const CollapseMesh::Spoke& spoke) {
+    if (spoke.first == other || spoke.second == other) return false;
+    const Vec3 &p = positions_[spoke.first], &q = positions_[spoke.second];
     const Vec3 base = q - p;
     const Vec3 old_normal = cross(base, before - p), side = position - p;
     const Vec3 normal = cross(base, side);
     const double size = squared(normal), turned = dot(normal, old_normal);
     if (turned < 0 || turned * turned < kLeastCosine * kLeastCosine * size * squared(old_normal)) return true;
     const double longest = std::max({squared(base), squared(side), squared(position - q)});
-    if (!(size > kLeastFlatness * longest * longest)) return true;
-  }
-  return false;
+    return !(size > kLeastFlatness * longest * longest);
+  });
 }
 
 void EdgeCollapser::requeue_wing(std::uint32_t left, std::uint32_t right, std::size_t bucket) {
