@@ -1,8 +1,10 @@
 #include "algebra3d/arrangement/detail/overlay.h"
 
 #include <algorithm>
+#include <functional>
 #include <span>
 
+#include "algebra3d/arrangement/detail/bucket_sort.h"
 #include "algebra3d/arrangement/detail/collinear_cuts.h"
 #include "algebra3d/arrangement/detail/crossings.h"
 #include "algebra3d/arrangement/detail/id_tree.h"
@@ -143,7 +145,8 @@ Result<SegmentComplex> overlay(const Operands& operands, const Facets& facets, S
       return Error{ErrorCode::limit_exceeded, "triangles cut each other more than {} times", max_cuts};
   }
   share_cuts(complex);
-  std::ranges::sort(complex.cuts);
+  bucket_sort(
+      complex.cuts, complex.segments.size(), [](const Cut& cut) { return cut.segment.index(); }, std::less());
   complex.cuts.erase(std::unique(complex.cuts.begin(), complex.cuts.end()), complex.cuts.end());
   return complex;
 }

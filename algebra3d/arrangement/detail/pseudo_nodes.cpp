@@ -1,6 +1,7 @@
 #include "algebra3d/arrangement/detail/pseudo_nodes.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "algebra3d/arrangement/detail/bucket_sort.h"
@@ -182,14 +183,17 @@ std::vector<PseudoNode> find_pseudo_nodes(const Subdivision& subdivision, const 
 std::vector<RegionEdge> straightened(const std::vector<RegionEdge>& edges, std::span<const PseudoNode> pseudo_nodes) {
   std::vector<RegionEdge> straight;
   straight.reserve(edges.size());
+  std::size_t plane_count = 0;
   for (const RegionEdge& edge : edges) {
     if (continues_another(edge, pseudo_nodes)) continue;
     RegionEdge last = edge;
     for (NodeId next = node_beyond(last, pseudo_nodes); !next.is_none(); next = node_beyond(last, pseudo_nodes))
       last.from = std::exchange(last.to, next);
     straight.push_back({edge.region, edge.from, last.to});
+    plane_count = std::max<std::size_t>(plane_count, edge.region.plane.index() + std::size_t{1});
   }
-  std::ranges::sort(straight);
+  bucket_sort(
+      straight, plane_count, [](const RegionEdge& edge) { return edge.region.plane.index(); }, std::less());
   return straight;
 }
 
