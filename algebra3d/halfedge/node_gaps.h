@@ -28,8 +28,8 @@ class NodeGaps {
   /// To be called for each pair of faces that is visited.
   void note_visit() { credit_ += kComparisonsForAVisit; }
   /// True if the faces of two nodes are certainly farther apart than `distance`, in coordinate units. Rounded
-  /// arithmetic with bounds. To be called for each pair of leaves that is reached. Cost: some 50 nanoseconds per face at
-  /// most.
+  /// arithmetic with bounds. To be called for each pair of leaves that is reached. Cost: some 50 nanoseconds per face
+  /// at most.
   bool exceed(BoxHierarchy::Node first, BoxHierarchy::Node second, double distance);
 
  private:

@@ -69,7 +69,8 @@ void share_cuts(SegmentComplex& complex) {
   for (const SegmentId s : complex.segments.ids()) {
     const SegmentId line = lines.of(s);
     if (line.is_none()) continue;
-    for (const NodeOnLine& at : equal_span(nodes, line, &NodeOnLine::line)) cut_if_inside(complex, s, at.node, complex.cuts);
+    for (const NodeOnLine& at : equal_span(nodes, line, &NodeOnLine::line))
+      cut_if_inside(complex, s, at.node, complex.cuts);
   }
 }
 

@@ -13,7 +13,8 @@ namespace algebra3d::arrangement {
 template <typename Id>
 class IdMap {
  public:
-  /// The id of a key; none for a new key, which the caller must set. Valid until the next call. Cost: constant expected.
+  /// The id of a key; none for a new key, which the caller must set. Valid until the next call. Cost: constant
+  /// expected.
   Id& operator[](std::uint64_t key) {
     if (size_ >= slots_.size() / 2) grow();
     Slot& slot = slot_of(key);

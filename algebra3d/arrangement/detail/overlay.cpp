@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cstdint>
 #include <functional>
 #include <span>
 
@@ -52,7 +51,7 @@ std::vector<Slice> elements_by_plane(const std::vector<PlaneElement>& elements) 
   std::vector<Slice> planes;
   for (std::size_t begin = 0, end = 0; begin < elements.size(); begin = end) {
     while (end < elements.size() && elements[end].plane == elements[begin].plane) ++end;
-    if (end - begin > 1) planes.push_back({static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)});
+    if (end - begin > 1) planes.push_back(Slice::between(begin, end));
   }
   return planes;
 }
