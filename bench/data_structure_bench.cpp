@@ -1,6 +1,6 @@
-// The comparison of data structures for triangle meshes of [campagna1998]: bytes per triangle, and the time of one query
-// in a traversal of a whole mesh of 999,698 triangles; structures without neighbours search, so they get few queries.
-// All queries of a kind must find the same.
+// The comparison of data structures for triangle meshes of [campagna1998]: bytes per triangle, and the time of one
+// query in a traversal of a whole mesh of 999,698 triangles; structures without neighbours search, so they get few
+// queries. All queries of a kind must find the same.
 #include <benchmark/benchmark.h>
 
 #include <string>
@@ -40,9 +40,15 @@ struct Found {
   void add(const Vec3& /*point*/) { ++count; }
 };
 
-constexpr bool searches(const SingleTriangles*) { return true; }
-constexpr bool searches(const SharedVertices*) { return true; }
-constexpr bool searches(const void*) { return false; }
+constexpr bool searches(const SingleTriangles*) {
+  return true;
+}
+constexpr bool searches(const SharedVertices*) {
+  return true;
+}
+constexpr bool searches(const void*) {
+  return false;
+}
 
 /// A vertex as the structure knows it.
 template <typename Structure>
@@ -102,9 +108,12 @@ void traverse(benchmark::State& state, Query query) {
 
 template <typename Structure>
 void add(const std::string& name) {
-  for (const auto& [query, query_name] : {std::pair(Query::ring, "one_ring"), {Query::faces_round, "faces_round_vertex"},
-                                          {Query::edge_faces, "faces_of_edge"}, {Query::neighbours, "faces_round_face"}})
-    benchmark::RegisterBenchmark((std::string(query_name) + "/" + name).c_str(), [query = query](benchmark::State& state) {
+  for (const auto& [query, query_name] : {std::pair(Query::ring, "one_ring"),
+                                          {Query::faces_round, "faces_round_vertex"},
+                                          {Query::edge_faces, "faces_of_edge"},
+                                          {Query::neighbours, "faces_round_face"}})
+    benchmark::RegisterBenchmark((std::string(query_name) + "/" + name).c_str(), [query =
+                                                                                      query](benchmark::State& state) {
       traverse<Structure>(state, query);
     })->Unit(benchmark::kMillisecond);
 }

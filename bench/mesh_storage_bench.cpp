@@ -39,8 +39,7 @@ TriangleMesh mesh_for(std::size_t shape_index) {
 void set_counters(benchmark::State& state, std::size_t bytes, std::size_t triangles) {
   const auto count = static_cast<double>(triangles);
   state.counters["bytes_per_triangle"] = static_cast<double>(bytes) / count;
-  state.counters["triangles_per_second"] =
-      benchmark::Counter(count, benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["triangles_per_second"] = benchmark::Counter(count, benchmark::Counter::kIsIterationInvariantRate);
 }
 
 void encode_ours(benchmark::State& state, std::size_t shape) {

@@ -47,8 +47,8 @@ const IndexedFaces& faces_of(std::uint32_t degree, Order order) {
   return order == Order::good ? quads : random_quads;
 }
 
-// A structure has `build` (from `input` of the faces, if it has that, else from the faces), `one_ring` (a sum over the centroids of all neighbourhoods and their sizes),
-// `face_normals` and `vertex_normals`.
+// A structure has `build` (from `input` of the faces, if it has that, else from the faces), `one_ring` (a sum over the
+// centroids of all neighbourhoods and their sizes), `face_normals` and `vertex_normals`.
 
 template <std::uint32_t kDegree>
 struct Ours {
@@ -86,7 +86,8 @@ struct Ours {
     if constexpr (kDegree == 3)
       return {std::move(faces.points), faces.triangles};
     else
-      return {PointArray(std::move(faces.points)), PolygonLayout::of_degree(kDegree),
+      return {PointArray(std::move(faces.points)),
+              PolygonLayout::of_degree(kDegree),
               {faces.corners.begin(), faces.corners.end()}};
   }
   static std::size_t bytes(const Built& built) { return built.mesh.heap_bytes(); }
@@ -118,9 +119,7 @@ struct Ours {
     built.of_vertices.resize(built.mesh.vertex_count());
   }
   static void face_normals(Built& built) { algebra3d::face_normals(built.mesh, built.of_faces); }
-  static void vertex_normals(Built& built) {
-    algebra3d::vertex_normals(built.mesh, built.of_faces, built.of_vertices);
-  }
+  static void vertex_normals(Built& built) { algebra3d::vertex_normals(built.mesh, built.of_faces, built.of_vertices); }
 };
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -176,8 +175,8 @@ struct Cgal {
   }
 };
 
-/// Normals of faces from two edges or diagonals, those of vertices from the sum of the normals of the faces, weighted by
-/// angle, as ours are.
+/// Normals of faces from two edges or diagonals, those of vertices from the sum of the normals of the faces, weighted
+/// by angle, as ours are.
 template <std::uint32_t kDegree>
 struct CgalByHand : Cgal<kDegree> {
   using Built = typename Cgal<kDegree>::Built;
@@ -200,7 +199,8 @@ struct CgalByHand : Cgal<kDegree> {
     for (const auto v : mesh.vertices()) {
       Kernel::Vector_3 sum(0, 0, 0);
       for (const auto h : halfedges_around_target(mesh.halfedge(v), mesh)) {
-        const auto a = mesh.point(mesh.source(h)) - mesh.point(v), b = mesh.point(mesh.target(mesh.next(h))) - mesh.point(v);
+        const auto a = mesh.point(mesh.source(h)) - mesh.point(v),
+                   b = mesh.point(mesh.target(mesh.next(h))) - mesh.point(v);
         const double angle = std::atan2(std::sqrt(CGAL::cross_product(a, b).squared_length()), a * b);
         sum = sum + angle * built.of_faces[mesh.face(h)];
       }
@@ -218,8 +218,8 @@ struct Traits : OpenMesh::DefaultTraits {
 template <std::uint32_t kDegree>
 struct OpenMeshes {
   static constexpr std::uint32_t degree = kDegree;
-  using Mesh = std::conditional_t<kDegree == 3, OpenMesh::TriMesh_ArrayKernelT<Traits>,
-                                  OpenMesh::PolyMesh_ArrayKernelT<Traits>>;
+  using Mesh =
+      std::conditional_t<kDegree == 3, OpenMesh::TriMesh_ArrayKernelT<Traits>, OpenMesh::PolyMesh_ArrayKernelT<Traits>>;
   struct Built {
     Mesh mesh;
   };
@@ -231,7 +231,8 @@ struct OpenMeshes {
     for (const Vec3& p : faces.points) mesh.add_vertex({p.x, p.y, p.z});
     std::array<OpenMesh::VertexHandle, kDegree> corners;
     for (std::size_t h = 0; h < faces.corners.size(); h += kDegree) {
-      for (std::size_t i = 0; i < kDegree; ++i) corners[i] = OpenMesh::VertexHandle(static_cast<int>(faces.corners[h + i]));
+      for (std::size_t i = 0; i < kDegree; ++i)
+        corners[i] = OpenMesh::VertexHandle(static_cast<int>(faces.corners[h + i]));
       mesh.add_face(corners.data(), kDegree);
     }
     return built;

@@ -58,9 +58,7 @@ class PolygonLayout {
     const auto [first, end] = bounds(face(h));
     return HalfedgeId(h.index() == first ? end - 1 : h.index() - 1);
   }
-  FaceId face(HalfedgeId h) const {
-    return FaceId(degree_ != 0 ? divided_by_degree(h.index()) : faces_[h.index()]);
-  }
+  FaceId face(HalfedgeId h) const { return FaceId(degree_ != 0 ? divided_by_degree(h.index()) : faces_[h.index()]); }
   /// The half-edge that leaves a corner of a face.
   HalfedgeId halfedge(FaceId f, std::uint32_t corner = 0) const { return HalfedgeId(bounds(f).first + corner); }
   /// The number of corners of a face.
@@ -98,9 +96,9 @@ class PolygonLayout {
     return degree_ * static_cast<std::uint32_t>(divisor_ * halfedge <= divisor_ - 1);
   }
 
-  std::uint32_t degree_ = 0;      // 0: in the arrays
-  std::uint64_t reciprocal_ = 0;  // 2^63 / degree, rounded down, plus 1
-  std::uint64_t divisor_ = 0;     // 2^64 / degree, rounded up, modulo 2^64
+  std::uint32_t degree_ = 0;           // 0: in the arrays
+  std::uint64_t reciprocal_ = 0;       // 2^63 / degree, rounded down, plus 1
+  std::uint64_t divisor_ = 0;          // 2^64 / degree, rounded up, modulo 2^64
   LargeVector<std::uint32_t> starts_;  // per face, and the end
   LargeVector<std::uint32_t> faces_;   // per half-edge
 };

@@ -200,7 +200,7 @@ class VertexNormalsMaker {
   const std::vector<Vec3>& points_;
   std::span<const Vec3> face_normals_;
   std::span<Vec3> normals_;
-  std::size_t first_ = 0;                          // vertex of the batch
+  std::size_t first_ = 0;                         // vertex of the batch
   std::vector<double> sines_, cosines_, angles_;  // per corner of the batch
   std::vector<Corner> corners_;
   std::vector<std::size_t> ends_;  // per vertex of the batch, in the corners

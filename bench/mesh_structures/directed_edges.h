@@ -4,8 +4,8 @@
 
 namespace bench::structures {
 
-// Records of directed edges; 3f, 3f + 1 and 3f + 2 are those of face f. What a record does not have is computed from the
-// others, or from the number.
+// Records of directed edges; 3f, 3f + 1 and 3f + 2 are those of face f. What a record does not have is computed from
+// the others, or from the number.
 
 struct FullEdge {
   Index start, end, previous, following, neighbour;

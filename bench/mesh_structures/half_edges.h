@@ -49,7 +49,8 @@ class HalfEdges : public HalfedgeTraversal<HalfEdges> {
   explicit HalfEdges(const TriangleMesh& mesh) : vertices_(mesh) {
     for (Index h = 0; h < mesh.halfedge_count(); ++h) {
       const HalfedgeId id(h);
-      halfedges_.push_back({mesh.target(id).index(), mesh.opposite(id).index(), mesh.next(id).index(), mesh.face(id).index()});
+      halfedges_.push_back(
+          {mesh.target(id).index(), mesh.opposite(id).index(), mesh.next(id).index(), mesh.face(id).index()});
     }
     for (Index f = 0; f < mesh.face_count(); ++f) faces_.push_back(3 * f);
   }

@@ -5,7 +5,8 @@
 
 namespace bench::structures {
 
-/// The mesh of the library, through its ranges: directed edges with origin and neighbour in two arrays, for any triangles.
+/// The mesh of the library, through its ranges: directed edges with origin and neighbour in two arrays, for any
+/// triangles.
 class LibraryMesh {
  public:
   explicit LibraryMesh(const TriangleMesh& mesh) : mesh_(mesh) {}

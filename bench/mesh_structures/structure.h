@@ -7,9 +7,9 @@
 #include "algebra3d/base/vec3.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
 
-/// The data structures for triangle meshes that [campagna1998] compares, for closed manifold meshes; the library has only
-/// one of them, directed edges that are "small". A structure is made of a TriangleMesh, keeps its numbers of vertices and
-/// faces, and has
+/// The data structures for triangle meshes that [campagna1998] compares, for closed manifold meshes; the library has
+/// only one of them, directed edges that are "small". A structure is made of a TriangleMesh, keeps its numbers of
+/// vertices and faces, and has
 /// - vertex_count, face_count, and bytes: all that it stores, coordinates as doubles,
 /// - visit_ring(v, visit) and visit_faces_round(v, visit): the vertices and the faces round a vertex,
 /// - visit_edges(visit): the two faces of each edge,

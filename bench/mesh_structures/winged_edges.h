@@ -21,7 +21,8 @@ class WingedEdges {
       Edge& edge = edges_[edge_of[h]];
       faces_[face] = edge_of[h];
       if (h < mesh.opposite(halfedge).index())
-        edge.start = mesh.origin(halfedge).index(), edge.end = mesh.target(halfedge).index(), edge.left = {face, previous, next};
+        edge.start = mesh.origin(halfedge).index(), edge.end = mesh.target(halfedge).index(),
+        edge.left = {face, previous, next};
       else
         edge.right = {face, previous, next};
     }

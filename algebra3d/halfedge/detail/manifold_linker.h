@@ -49,7 +49,8 @@ class ManifoldLinker {
 
   HalfedgeMesh<Layout>& mesh_;
   GivenOpposites given_;
-  LargeVector<std::uint32_t> waiting_;  // per vertex, the latest half-edge that ends there and waits; `opposites` goes on
+  LargeVector<std::uint32_t>
+      waiting_;  // per vertex, the latest half-edge that ends there and waits; `opposites` goes on
 };
 
 template <typename Layout>

@@ -45,7 +45,8 @@ class RecentEdges {
   }
 
   void erase(std::size_t place) {
-    // By blocks, whatever is behind the end: the number of edges to move is hard to predict, that of blocks is mostly 1.
+    // By blocks, whatever is behind the end: the number of edges to move is hard to predict, that of blocks is
+    // mostly 1.
     for (std::size_t i = end_ - 1 - place; i + 1 < end_; i += kBlock) {
       std::array<Edge, kBlock> block;  // NOLINT(cppcoreguidelines-pro-type-member-init): copied to
       std::copy_n(edges_.begin() + i + 1, kBlock, block.begin());
@@ -225,8 +226,7 @@ TriangleMesh read_mesh(ByteReader& reader) {
   PointArray points;
   bool within = false;
   parallel_invoke(
-      triangles.codes.size() > kWorthAThread,
-      [&] { within = decode_triangles(triangles, point_count, halfedges); },
+      triangles.codes.size() > kWorthAThread, [&] { within = decode_triangles(triangles, point_count, halfedges); },
       [&] { points = std::move(stored_points).decode(reader); });
   if (!within) reader.fail_at(triangles.end, "corners and edges within the mesh");
   if (!reader.ok()) return {};
