@@ -1,5 +1,9 @@
 #include "algebra3d/arrangement/arrangement.h"
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -9,12 +13,41 @@
 #include "algebra3d/arrangement/detail/subdivision.h"
 
 namespace algebra3d {
+namespace {
+
+/// A rule that remembers what it said of the windings that most cells have: it is asked twice for each side of each
+/// sub-edge. For one thread.
+class RememberedRule {
+ public:
+  explicit RememberedRule(const KeepRule& rule) : rule_(rule) { answers_.fill(kUnknown); }
+
+  bool operator()(const WindingVector& windings) {
+    const auto first = static_cast<std::size_t>(windings[0]), second = static_cast<std::size_t>(windings[1]);
+    if (first >= kFew || second >= kFew) return rule_(windings);  // also negative ones
+    std::int8_t& answer = answers_[kFew * first + second];
+    if (answer == kUnknown) answer = rule_(windings) ? 1 : 0;
+    return answer == 1;
+  }
+
+ private:
+  static constexpr std::size_t kFew = 4;
+  static constexpr std::int8_t kUnknown = -1;
+
+  const KeepRule& rule_;
+  std::array<std::int8_t, kFew * kFew> answers_{};
+};
+
+}  // namespace
 
 struct SolidArrangement::Parts {
   std::vector<Operand> list;
   arrangement::Subdivision subdivision;  // refers to the list
   arrangement::WindingJumps jumps;
   arrangement::Classification fronts;
+
+  /// rule(front, back) as FaceRule; inlined, where a std::function would be called through.
+  template <typename Rule>
+  Result<TriangleMesh> faces(Rule rule) const;
 };
 
 SolidArrangement::SolidArrangement(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -42,22 +75,27 @@ Result<SolidArrangement> SolidArrangement::make(std::span<const Operand> operand
       std::make_unique<Parts>(Parts{std::move(list), std::move(subdivision), std::move(jumps), std::move(fronts)}));
 }
 
-Result<TriangleMesh> SolidArrangement::faces(const FaceRule& rule) const {
+template <typename Rule>
+Result<TriangleMesh> SolidArrangement::Parts::faces(Rule rule) const {
   using arrangement::PatchId, arrangement::SubEdgeSide;
-  const auto& [list, subdivision, jumps, fronts] = *parts_;
-  const auto keep_sub_facet = [&, &jumps = jumps, &fronts = fronts](SubEdgeSide side) {
+  const auto keep_sub_facet = [&](SubEdgeSide side) {
     return jumps[side] == WindingVector() ? 0 : rule(fronts.at_sides[side], fronts.at_sides[side] + jumps[side]);
   };
-  const auto keep_patch = [&, &subdivision = subdivision, &fronts = fronts](PatchId patch) {
+  const auto keep_patch = [&](PatchId patch) {
     const std::size_t group = subdivision.operands.group(subdivision.patches[patch].operand);
     return rule(fronts.at_patches[patch], fronts.at_patches[patch] + WindingVector::of_group(group, 1));
   };
   return arrangement::build_result_mesh(subdivision, {keep_sub_facet, keep_patch});
 }
 
+Result<TriangleMesh> SolidArrangement::faces(const FaceRule& rule) const {
+  return parts_->faces(std::cref(rule));
+}
+
 Result<TriangleMesh> SolidArrangement::solid(const KeepRule& rule) const {
-  return faces([&](const WindingVector& front, const WindingVector& back) {
-    return static_cast<int>(rule(back)) - static_cast<int>(rule(front));
+  RememberedRule keeps(rule);
+  return parts_->faces([&](const WindingVector& front, const WindingVector& back) {
+    return static_cast<int>(keeps(back)) - static_cast<int>(keeps(front));
   });
 }
 

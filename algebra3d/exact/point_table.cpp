@@ -1,6 +1,7 @@
 #include "algebra3d/exact/point_table.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "algebra3d/exact/detail/exact_coordinates.h"
 
@@ -11,10 +12,10 @@ constexpr std::size_t kFewestSlots = 64;
 
 }  // namespace
 
-std::uint32_t PointTable::intern(const ExactPoint& point) {
+std::uint32_t PointTable::intern(ExactPoint point) {
   const std::size_t before = size();
   const std::uint32_t number = intern(point.ref());
-  if (size() > before && !point.is_double()) owned_.emplace_back(point.ref().exact);
+  if (size() > before && !point.is_double()) owned_.push_back(std::move(point).take_exact());
   return number;
 }
 

@@ -41,7 +41,7 @@ class PointTable {
   /// Cost: constant expected.
   std::uint32_t intern(const PointRef& point) { return intern(point, hash_of(point.approx)); }
   /// The same; the table shares the ownership of the coordinates.
-  std::uint32_t intern(const ExactPoint& point);
+  std::uint32_t intern(ExactPoint point);
   /// The same for a point whose hash is known.
   std::uint32_t intern(const PointRef& point, std::uint64_t hash) {
     if (approx_.size() >= slots_.size() / 8 * 5) grow();

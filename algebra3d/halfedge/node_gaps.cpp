@@ -58,6 +58,7 @@ NodeGaps::NodeGaps(const TriangleMesh& first, const BoxHierarchy& of_first, cons
 }
 
 bool NodeGaps::exceed(BoxHierarchy::Node first, BoxHierarchy::Node second, double distance) {
+  if (first.level == 0 && second.level == 0) note_leaves();
   if (std::max(first.level, second.level) > kMaxLevel || credit_ < 0 || !std::isfinite(distance)) return false;
   return are_far(first_, first, second_.hierarchy.bounds(second), distance) ||
          are_far(second_, second, first_.hierarchy.bounds(first), distance);

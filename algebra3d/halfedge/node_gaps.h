@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -13,8 +14,8 @@ namespace algebra3d {
 /// with the box around the other. Boxes along the axes say little of long triangles that lie aslant; a small set within
 /// such a box would be compared with the triangle face by face. For one search by one thread; refers to its operands.
 ///
-/// Its work is bounded by that of the search: each pair of faces that is visited pays for some comparisons. So a search
-/// that boxes guide well does not pay for it.
+/// Its work is bounded by that of the search: each pair of faces that is visited pays for some comparisons, except the
+/// first few of each pair of leaves. So a search that boxes guide well does not pay for it.
 class NodeGaps {
  public:
   /// Nodes up to this level are compared: of up to 256 faces.
@@ -27,11 +28,15 @@ class NodeGaps {
   /// To be called for each pair of faces that is visited.
   void note_visit() { credit_ += kComparisonsForAVisit; }
   /// True if the faces of two nodes are certainly farther apart than `distance`, in coordinate units. Rounded
-  /// arithmetic with bounds. Cost: some 50 nanoseconds per face at most.
+  /// arithmetic with bounds. To be called for each pair of leaves that is reached. Cost: some 50 nanoseconds per face
+  /// at most.
   bool exceed(BoxHierarchy::Node first, BoxHierarchy::Node second, double distance);
 
  private:
-  static constexpr std::int64_t kComparisonsForAVisit = 4;
+  static constexpr std::int64_t kComparisonsForAVisit = 4, kLeastCredit = -4096;
+  /// Of the 64 pairs of faces of two leaves; where boxes guide a search well, about one is visited, and about these
+  /// many where two surfaces nearly coincide.
+  static constexpr std::int64_t kUsualVisits = 8;
 
   struct Side {
     const TriangleMesh& mesh;
@@ -39,10 +44,11 @@ class NodeGaps {
   };
   /// Whether all faces of a node of `side` are farther than `distance` from a box.
   bool are_far(const Side& side, BoxHierarchy::Node node, const Box3& box, double distance);
+  void note_leaves() { credit_ = std::max(credit_ - kUsualVisits * kComparisonsForAVisit, kLeastCredit); }
 
   Side first_, second_;
   double error_;
-  std::int64_t credit_ = -4096;  // comparisons that visits have paid for; the first visits pay for none
+  std::int64_t credit_ = kLeastCredit;  // comparisons that visits have paid for; the first visits pay for none
 };
 
 /// A lower bound of the distance of a triangle and a box: of the gaps between their projections to thirteen axes, the

@@ -56,11 +56,11 @@ std::vector<NodeOnLine> nodes_on_lines(const SegmentComplex& complex, Lines& lin
 
 }  // namespace
 
-void cut_if_inside(SegmentComplex& complex, SegmentId segment, NodeId node) {
+void cut_if_inside(const SegmentComplex& complex, SegmentId segment, NodeId node, std::vector<Cut>& cuts) {
   const auto [from, to] = std::pair(complex.segments[segment].from, complex.segments[segment].to);
   if (node == from || node == to) return;
   const NodePool& nodes = complex.nodes;
-  if (compare(nodes[from], nodes[node]) == compare(nodes[node], nodes[to])) complex.cuts.push_back({segment, node});
+  if (compare(nodes[from], nodes[node]) == compare(nodes[node], nodes[to])) cuts.push_back({segment, node});
 }
 
 void share_cuts(SegmentComplex& complex) {
@@ -69,7 +69,8 @@ void share_cuts(SegmentComplex& complex) {
   for (const SegmentId s : complex.segments.ids()) {
     const SegmentId line = lines.of(s);
     if (line.is_none()) continue;
-    for (const NodeOnLine& at : equal_span(nodes, line, &NodeOnLine::line)) cut_if_inside(complex, s, at.node);
+    for (const NodeOnLine& at : equal_span(nodes, line, &NodeOnLine::line))
+      cut_if_inside(complex, s, at.node, complex.cuts);
   }
 }
 

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <vector>
+
 #include "algebra3d/arrangement/detail/segment_complex.h"
 
 namespace algebra3d::arrangement {
 
-/// Cuts the segment at the node if that lies inside of it. The node must lie on the segment's line.
-void cut_if_inside(SegmentComplex& complex, SegmentId segment, NodeId node);
+/// Adds to `cuts` one of the segment at the node if that lies inside of it. The node must lie on the segment's line.
+void cut_if_inside(const SegmentComplex& complex, SegmentId segment, NodeId node, std::vector<Cut>& cuts);
 
 /// Cuts collinear segments at each other's ends and cuts, whichever plane has found these. Cost: n log n.
 void share_cuts(SegmentComplex& complex);

@@ -18,18 +18,23 @@ ExactPoint Crossings::meeting_point(const EdgeAndPlane& where) {
 }
 
 void Crossings::compute(std::span<const EdgeAndPlane> wanted) {
-  std::vector<std::pair<EdgeAndPlane, Crossing*>> missing;
-  for (const EdgeAndPlane& where : wanted)
-    if (const auto [entry, is_new] = of_edges_and_planes_.try_emplace(where); is_new)
-      missing.emplace_back(where, &entry->second);
+  std::vector<std::pair<EdgeAndPlane, CrossingId>> missing;
+  for (const EdgeAndPlane& where : wanted) {
+    CrossingId& crossing = of_edges_and_planes_[where.key()];
+    if (!crossing.is_none()) continue;
+    crossing = crossings_.push_back({});
+    missing.emplace_back(where, crossing);
+  }
   parallel_for(missing.size(), kPointsPerTask, [&](std::size_t i) {
     const auto& [where, crossing] = missing[i];
-    crossing->point = meeting_point(where);
+    crossings_[crossing].point = meeting_point(where);
   });
 }
 
 NodeId Crossings::of_edge_and_plane(const EdgeAndPlane& where) {
-  Crossing& crossing = of_edges_and_planes_[where];
+  CrossingId& known = of_edges_and_planes_[where.key()];
+  if (known.is_none()) known = crossings_.push_back({});
+  Crossing& crossing = crossings_[known];
   if (crossing.node.is_none()) {
     crossing.node = complex_.nodes.intern(crossing.point ? *std::move(crossing.point) : meeting_point(where));
     crossing.point.reset();

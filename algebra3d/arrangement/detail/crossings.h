@@ -3,11 +3,10 @@
 #include <array>
 #include <cstdint>
 #include <map>
-#include <memory_resource>
 #include <optional>
 #include <span>
-#include <unordered_map>
 
+#include "algebra3d/arrangement/detail/id_map.h"
 #include "algebra3d/arrangement/detail/segment_complex.h"
 #include "algebra3d/exact/intersection_point.h"
 
@@ -18,7 +17,8 @@ struct EdgeAndPlane {
   InputEdgeId edge;
   PlaneId plane;
 
-  friend bool operator==(const EdgeAndPlane&, const EdgeAndPlane&) = default;
+  /// Both in one number.
+  std::uint64_t key() const { return std::uint64_t{edge.index()} << 32U | plane.index(); }
 };
 
 /// The nodes of a segment complex in which segments cross, made when they are asked for and then remembered. Used by
@@ -45,11 +45,7 @@ class Crossings {
     std::optional<ExactPoint> point;  ///< if it was computed and is no node yet
     NodeId node;
   };
-  struct Hash {
-    std::size_t operator()(const EdgeAndPlane& where) const {
-      return std::uint64_t{where.edge.index()} << 32U | where.plane.index();
-    }
-  };
+  using CrossingId = StrongId<struct CrossingTag>;
 
   ExactPoint meeting_point(const EdgeAndPlane& where);
   PointRef start(InputEdgeId edge) const { return operands_.point(Operands::halfedge(edge)); }
@@ -58,8 +54,8 @@ class Crossings {
   const Operands& operands_;
   const Facets& facets_;
   SegmentComplex& complex_;
-  std::pmr::monotonic_buffer_resource memory_;  // of the map, which only grows
-  std::pmr::unordered_map<EdgeAndPlane, Crossing, Hash> of_edges_and_planes_{&memory_};
+  IdMap<CrossingId> of_edges_and_planes_;
+  IdVector<CrossingId, Crossing> crossings_;  // of edges and planes
   std::map<std::array<PlaneId, 3>, NodeId> of_planes_;
 };
 

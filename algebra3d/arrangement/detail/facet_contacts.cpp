@@ -112,7 +112,7 @@ void FacetContactFinder::compute_crossings() {
       planes.push_back(facets_[contact.first_facet].plane);
       planes.push_back(facets_[contact.second_facet].plane);
     }
-  complex_.coefficients.compute(facets_, std::move(planes));
+  complex_.coefficients.compute(facets_, planes);
   crossings_.compute(crossings);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 
 #include "algebra3d/arrangement/detail/ids.h"
 #include "algebra3d/exact/plane.h"
@@ -16,7 +17,7 @@ class NodePool {
   /// they must outlive the pool. Cost: constant expected.
   NodeId intern(const PointRef& point) { return NodeId(points_.intern(point)); }
   /// The same for a point whose coordinates the pool keeps alive.
-  NodeId intern(const ExactPoint& point) { return NodeId(points_.intern(point)); }
+  NodeId intern(ExactPoint point) { return NodeId(points_.intern(std::move(point))); }
 
   PointRef operator[](NodeId node) const { return points_[node.index()]; }
   std::size_t size() const { return points_.size(); }

@@ -1,130 +1,114 @@
 #include "algebra3d/arrangement/detail/overlay.h"
 
 #include <algorithm>
+#include <atomic>
+#include <functional>
 #include <span>
 
+#include "algebra3d/arrangement/detail/bucket_sort.h"
 #include "algebra3d/arrangement/detail/collinear_cuts.h"
 #include "algebra3d/arrangement/detail/crossings.h"
-#include "algebra3d/arrangement/detail/id_tree.h"
-#include "algebra3d/arrangement/detail/plane_elements.h"
-#include "algebra3d/exact/predicates.h"
+#include "algebra3d/arrangement/detail/plane_overlay.h"
+#include "algebra3d/arrangement/detail/task_sizes.h"
+#include "algebra3d/base/scheduler.h"
 
 namespace algebra3d::arrangement {
 namespace {
 
-/// A segment or a touched node, among the elements of one plane.
-using ElementId = StrongId<struct ElementTag>;
-using Elements = IdSpan<ElementId, const PlaneElement>;
-
-/// Cuts the segments of one plane at one another.
-class PlaneOverlay {
+/// Finds the cuts in all planes, in parallel, and then adds them in the order of the planes: so nodes have the same ids
+/// with any number of threads.
+class Overlay {
  public:
-  PlaneOverlay(const Facets& facets, SegmentComplex& complex, Crossings& crossings, Elements elements)
+  Overlay(const Operands& operands, const Facets& facets, SegmentComplex& complex, const Monitor& monitor,
+          std::size_t max_cuts)
       : facets_(facets),
         complex_(complex),
-        crossings_(crossings),
-        elements_(elements),
-        plane_(elements[ElementId(0)].plane),
-        projection_(facets.planes[plane_].projection) {}
+        monitor_(monitor),
+        max_cuts_(max_cuts),
+        cut_count_(complex.cuts.size()),
+        crossings_(operands, facets, complex) {}
 
-  void run();
+  Status run();
 
  private:
-  /// More elements than this are paired by a tree of their boxes.
-  static constexpr std::size_t kFewElements = 24;
-
-  Box3 box_of(const PlaneElement& element) const;
-  void relate_all_pairs();
-  void relate(const PlaneElement& a, const PlaneElement& b);
-  void relate_node(const PlaneElement& node, const PlaneElement& segment);
-  void relate_segments(const PlaneElement& a, const PlaneElement& b);
-  void cross(const PlaneElement& a, const PlaneElement& b);
-  NodeId crossing_of(const PlaneElement& a, const PlaneElement& b);
-  InputEdgeId edge_of(const PlaneElement& element) const { return complex_.segments[element.segment].edge; }
-  PlaneId plane_across(const PlaneElement& element) const;
-  int turn(NodeId a, NodeId b, NodeId c) const {
-    if (a == b || b == c || a == c) return 0;
-    return orient2d(projection_, complex_.nodes[a], complex_.nodes[b], complex_.nodes[c]);
-  }
+  std::vector<PlaneCuts> find_cuts();
+  PlaneCuts find_cuts_in(std::span<const Slice> planes, const std::vector<PlaneElement>& elements);
+  void add(const PlaneCuts& found);
+  PlaneId plane_across(SegmentId segment, PlaneId plane) const;
+  NodeId node_of(const SegmentCrossing& crossing);
+  InputEdgeId edge_of(SegmentId segment) const { return complex_.segments[segment].edge; }
 
   const Facets& facets_;
   SegmentComplex& complex_;
-  Crossings& crossings_;
-  Elements elements_;
-  PlaneId plane_;
-  Projection projection_;
+  const Monitor& monitor_;
+  std::size_t max_cuts_;
+  std::atomic<std::size_t> cut_count_;
+  Crossings crossings_;
 };
 
-Box3 PlaneOverlay::box_of(const PlaneElement& element) const {
-  Box3 box = algebra3d::box_of(complex_.nodes[element.from]);
-  box.extend(algebra3d::box_of(complex_.nodes[element.to]));
-  return box;
+/// The elements of each plane that has more than one.
+std::vector<Slice> elements_by_plane(const std::vector<PlaneElement>& elements) {
+  std::vector<Slice> planes;
+  for (std::size_t begin = 0, end = 0; begin < elements.size(); begin = end) {
+    while (end < elements.size() && elements[end].plane == elements[begin].plane) ++end;
+    if (end - begin > 1) planes.push_back(Slice::between(begin, end));
+  }
+  return planes;
 }
 
-void PlaneOverlay::run() {
-  if (elements_.size() < 2) return;
-  if (elements_.size() <= kFewElements) return relate_all_pairs();
-  IdTree<ElementId>::Boxes boxes;
-  boxes.reserve(elements_.size());
-  for (const ElementId e : elements_.ids()) boxes.add(box_of(elements_[e]), e);
-  boxes.tree().for_each_pair([&](ElementId a, ElementId b) {
-    relate(elements_[a], elements_[b]);
-    return true;
+std::vector<PlaneCuts> Overlay::find_cuts() {
+  const std::vector<PlaneElement> elements = plane_elements(facets_, complex_);
+  const std::vector<Slice> planes = elements_by_plane(elements);
+  return parallel_collect(planes.size(), kPlanesPerTask, [&](std::size_t begin, std::size_t end) {
+    std::vector<PlaneCuts> found;
+    if (begin < end) found.push_back(find_cuts_in(std::span(planes).subspan(begin, end - begin), elements));
+    return found;
   });
 }
 
-void PlaneOverlay::relate_all_pairs() {
-  IdVector<ElementId, Box3> boxes;
-  boxes.reserve(elements_.size());
-  for (const PlaneElement& element : elements_) boxes.push_back(box_of(element));
-  for (const ElementId a : elements_.ids())
-    for (const ElementId b : IdRange(ElementId(a.index() + 1), boxes.next_id()))
-      if (boxes[a].intersects(boxes[b])) relate(elements_[a], elements_[b]);
+/// Incomplete once the work is cancelled or there are too many cuts.
+PlaneCuts Overlay::find_cuts_in(std::span<const Slice> planes, const std::vector<PlaneElement>& elements) {
+  PlaneCuts found;
+  for (const Slice& plane : planes) {
+    if (monitor_.is_cancelled() || cut_count_ > max_cuts_) break;
+    const std::size_t before = found.count();
+    overlay_plane(facets_, complex_, plane.of(elements), found);
+    cut_count_ += found.count() - before;
+  }
+  return found;
 }
 
-void PlaneOverlay::relate(const PlaneElement& a, const PlaneElement& b) {
-  if (a.segment == b.segment) return;  // also two nodes
-  if (a.facet == b.facet && !a.facet.is_none() && (a.is_boundary || b.is_boundary)) return;
-  if (a.is_node()) return relate_node(a, b);
-  if (b.is_node()) return relate_node(b, a);
-  relate_segments(a, b);
+void Overlay::add(const PlaneCuts& found) {
+  complex_.cuts.insert(complex_.cuts.end(), found.cuts.begin(), found.cuts.end());
+  complex_.collinear.insert(complex_.collinear.end(), found.collinear.begin(), found.collinear.end());
+  for (const SegmentCrossing& crossing : found.crossings) {
+    const NodeId node = node_of(crossing);
+    complex_.cuts.push_back({crossing.first, node});
+    complex_.cuts.push_back({crossing.second, node});
+  }
 }
 
-void PlaneOverlay::relate_node(const PlaneElement& node, const PlaneElement& segment) {
-  if (turn(segment.from, segment.to, node.from) == 0) cut_if_inside(complex_, segment.segment, node.from);
+/// A plane through the segment other than `plane`; none if it is an edge of an operand.
+PlaneId Overlay::plane_across(SegmentId segment, PlaneId plane) const {
+  return edge_of(segment).is_none() ? other_plane(facets_, complex_.segments[segment], plane) : PlaneId::none();
 }
 
-void PlaneOverlay::relate_segments(const PlaneElement& a, const PlaneElement& b) {
-  const int b_from = turn(a.from, a.to, b.from), b_to = turn(a.from, a.to, b.to);
-  if (b_from == 0 && b_to == 0) return complex_.note_collinear(a.segment, b.segment);
-  if (b_from * b_to > 0) return;
-  const int a_from = turn(b.from, b.to, a.from), a_to = turn(b.from, b.to, a.to);
-  if (a_from * a_to > 0) return;
-  if (b_from == 0) cut_if_inside(complex_, a.segment, b.from);
-  if (b_to == 0) cut_if_inside(complex_, a.segment, b.to);
-  if (a_from == 0) cut_if_inside(complex_, b.segment, a.from);
-  if (a_to == 0) cut_if_inside(complex_, b.segment, a.to);
-  if (b_from * b_to < 0 && a_from * a_to < 0) cross(a, b);
-}
-
-/// A plane through the segment other than this one; none if it is an edge of an operand.
-PlaneId PlaneOverlay::plane_across(const PlaneElement& element) const {
-  return edge_of(element).is_none() ? other_plane(facets_, complex_.segments[element.segment], plane_)
-                                    : PlaneId::none();
-}
-
-NodeId PlaneOverlay::crossing_of(const PlaneElement& a, const PlaneElement& b) {
-  const PlaneId across_a = plane_across(a), across_b = plane_across(b);
-  if (!across_a.is_none() && !across_b.is_none()) return crossings_.of_planes(plane_, across_a, across_b);
+NodeId Overlay::node_of(const SegmentCrossing& crossing) {
+  const auto& [plane, a, b] = crossing;
+  const PlaneId across_a = plane_across(a, plane), across_b = plane_across(b, plane);
+  if (!across_a.is_none() && !across_b.is_none()) return crossings_.of_planes(plane, across_a, across_b);
   if (!across_a.is_none()) return crossings_.of_edge_and_plane({edge_of(b), across_a});
   if (!across_b.is_none()) return crossings_.of_edge_and_plane({edge_of(a), across_b});
-  return crossings_.of_edges(edge_of(a), edge_of(b), projection_);
+  return crossings_.of_edges(edge_of(a), edge_of(b), facets_.planes[plane].projection);
 }
 
-void PlaneOverlay::cross(const PlaneElement& a, const PlaneElement& b) {
-  const NodeId node = crossing_of(a, b);
-  complex_.cuts.push_back({a.segment, node});
-  complex_.cuts.push_back({b.segment, node});
+Status Overlay::run() {
+  const std::vector<PlaneCuts> found = find_cuts();
+  ALGEBRA3D_RETURN_IF_ERROR(monitor_.check());
+  if (cut_count_ > max_cuts_)
+    return Error{ErrorCode::limit_exceeded, "triangles cut each other more than {} times", max_cuts_};
+  for (const PlaneCuts& part : found) add(part);
+  return {};
 }
 
 }  // namespace
@@ -132,18 +116,10 @@ void PlaneOverlay::cross(const PlaneElement& a, const PlaneElement& b) {
 Result<SegmentComplex> overlay(const Operands& operands, const Facets& facets, SegmentComplex complex,
                                const Monitor& monitor, std::size_t max_cuts) {
   monitor.tell("finding crossings");
-  Crossings crossings(operands, facets, complex);
-  const std::vector<PlaneElement> elements = plane_elements(facets, complex);
-  for (std::size_t begin = 0, end = 0; begin < elements.size(); begin = end) {
-    while (end < elements.size() && elements[end].plane == elements[begin].plane) ++end;
-    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
-    const std::span<const PlaneElement> in_plane = std::span(elements).subspan(begin, end - begin);
-    PlaneOverlay(facets, complex, crossings, Elements(in_plane)).run();
-    if (complex.cuts.size() > max_cuts)
-      return Error{ErrorCode::limit_exceeded, "triangles cut each other more than {} times", max_cuts};
-  }
+  ALGEBRA3D_RETURN_IF_ERROR(Overlay(operands, facets, complex, monitor, max_cuts).run());
   share_cuts(complex);
-  std::ranges::sort(complex.cuts);
+  bucket_sort(
+      complex.cuts, complex.segments.size(), [](const Cut& cut) { return cut.segment.index(); }, std::less());
   complex.cuts.erase(std::unique(complex.cuts.begin(), complex.cuts.end()), complex.cuts.end());
   return complex;
 }

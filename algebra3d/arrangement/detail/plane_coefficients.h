@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vector>
+#include <span>
 
 #include "algebra3d/arrangement/detail/facets.h"
 
@@ -18,7 +18,7 @@ class PlaneCoefficients {
   /// the first call for a plane.
   const IntegerPlane& get(const Facets& facets, PlaneId plane);
   /// Computes the coefficients of many planes at once, in parallel if they are very many; `get` then finds them.
-  void compute(const Facets& facets, std::vector<PlaneId> planes);
+  void compute(const Facets& facets, std::span<const PlaneId> planes);
   /// The same as `get`, but what is not known yet is computed and not remembered. For stage 9, where the complex is
   /// constant.
   IntegerPlane find_or_compute(const Facets& facets, PlaneId plane) const;

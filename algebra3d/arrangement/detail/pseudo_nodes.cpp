@@ -1,10 +1,13 @@
 #include "algebra3d/arrangement/detail/pseudo_nodes.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "algebra3d/arrangement/detail/bucket_sort.h"
+#include "algebra3d/arrangement/detail/task_sizes.h"
 #include "algebra3d/base/equal_span.h"
+#include "algebra3d/base/scheduler.h"
 #include "algebra3d/exact/predicates.h"
 
 namespace algebra3d::arrangement {
@@ -31,6 +34,7 @@ class PseudoNodeFinder {
   std::vector<PseudoNode> take();
 
  private:
+  std::vector<PseudoNode> found_at_nodes(EdgeEnds ends, std::size_t begin, std::size_t end) const;
   void find_at_node(EdgeEnds ends);
   void find_arms(EdgeEnds ends);
   bool is_straight(NodeId before, NodeId node, NodeId after) const;
@@ -61,10 +65,19 @@ void PseudoNodeFinder::find_between(const std::vector<RegionEdge>& edges) {
   }
   bucket_sort(
       ends, subdivision_.complex.nodes.size(), [](const EdgeEnd& e) { return e.node.index(); }, is_less_at_node);
-  for (std::size_t first = 0, last = 0; first < ends.size(); first = last) {
-    while (last < ends.size() && ends[last].node == ends[first].node) ++last;
-    find_at_node(std::span(ends).subspan(first, last - first));
+  found_ = parallel_collect(ends.size(), kEdgeEndsPerTask,
+                            [&](std::size_t begin, std::size_t end) { return found_at_nodes(ends, begin, end); });
+}
+
+/// At the nodes whose ends, node by node in `ends`, begin in a range.
+std::vector<PseudoNode> PseudoNodeFinder::found_at_nodes(EdgeEnds ends, std::size_t begin, std::size_t end) const {
+  PseudoNodeFinder part(subdivision_, uncut_space_edges_, patch_corners_);
+  const auto is_at_new_node = [&](std::size_t i) { return i == 0 || ends[i].node != ends[i - 1].node; };
+  for (std::size_t first = begin, last = begin; first < end; first = last) {
+    for (++last; last < ends.size() && !is_at_new_node(last);) ++last;
+    if (is_at_new_node(first)) part.find_at_node(ends.subspan(first, last - first));
   }
+  return std::move(part.found_);
 }
 
 /// The edge of a patch is whole or ends at the patch's corner, as the patch has it: there it is no arm.
@@ -182,14 +195,17 @@ std::vector<PseudoNode> find_pseudo_nodes(const Subdivision& subdivision, const 
 std::vector<RegionEdge> straightened(const std::vector<RegionEdge>& edges, std::span<const PseudoNode> pseudo_nodes) {
   std::vector<RegionEdge> straight;
   straight.reserve(edges.size());
+  std::size_t plane_count = 0;
   for (const RegionEdge& edge : edges) {
     if (continues_another(edge, pseudo_nodes)) continue;
     RegionEdge last = edge;
     for (NodeId next = node_beyond(last, pseudo_nodes); !next.is_none(); next = node_beyond(last, pseudo_nodes))
       last.from = std::exchange(last.to, next);
     straight.push_back({edge.region, edge.from, last.to});
+    plane_count = std::max<std::size_t>(plane_count, edge.region.plane.index() + std::size_t{1});
   }
-  std::ranges::sort(straight);
+  bucket_sort(
+      straight, plane_count, [](const RegionEdge& edge) { return edge.region.plane.index(); }, std::less());
   return straight;
 }
 

@@ -14,8 +14,8 @@ ResultMesh::ResultMesh(const Subdivision& subdivision, const PatchCorners& patch
       vertices_(subdivision, patch_corners, kept),
       at_nodes_(vertices_.at_nodes()),
       planes_(subdivision) {
-  // Regions mostly have no more triangles than the facets that they were cut from.
-  const std::size_t capacity = 3 * (runs_.face_count() + subdivision.facets.faces.size());
+  // Regions mostly have fewer triangles than half of the sub-edges, one of which has two sides in each of its planes.
+  const std::size_t capacity = 3 * (runs_.face_count() + subdivision.sub_edges.sub_edges.size() / 2);
   for (auto* values : {&origins_, &opposites_}) {
     values->reserve(capacity);
     values->resize(3 * runs_.face_count());

@@ -1,33 +1,34 @@
 #include "algebra3d/arrangement/detail/segment_maker.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace algebra3d::arrangement {
 
 NodeId SegmentMaker::node_at_origin(InputHalfedgeId halfedge) {
   const InputVertexId vertex = operands_.origin(halfedge);
-  const auto [entry, is_new] = nodes_of_vertices_.try_emplace(vertex);
-  if (is_new) {
-    entry->second = complex_.nodes.intern(operands_.point(halfedge));
-    complex_.nodes_of_vertices.push_back({vertex, entry->second});
+  NodeId& node = nodes_of_vertices_[vertex.index()];
+  if (node.is_none()) {
+    node = complex_.nodes.intern(operands_.point(halfedge));
+    complex_.nodes_of_vertices.push_back({vertex, node});
   }
-  return entry->second;
+  return node;
 }
 
 SegmentId SegmentMaker::between(NodeId from, NodeId to) {
-  const auto [entry, is_new] = between_.try_emplace({std::min(from, to), std::max(from, to)});
-  if (is_new) entry->second = complex_.segments.push_back({from, to, {}, {}, {}});
-  return entry->second;
+  SegmentId& segment = between_[std::uint64_t{std::min(from, to).index()} << 32U | std::max(from, to).index()];
+  if (segment.is_none()) segment = complex_.segments.push_back({from, to, {}, {}, {}});
+  return segment;
 }
 
 SegmentId SegmentMaker::of_edge(InputEdgeId edge) {
-  const auto [entry, is_new] = of_edges_.try_emplace(edge);
-  if (is_new) {
+  SegmentId& segment = of_edges_[edge.index()];
+  if (segment.is_none()) {
     const InputHalfedgeId halfedge = Operands::halfedge(edge);
-    entry->second = between(node_at_origin(halfedge), node_at_origin(Operands::next(halfedge)));
-    complex_.segments[entry->second].edge = edge;
+    segment = between(node_at_origin(halfedge), node_at_origin(Operands::next(halfedge)));
+    complex_.segments[segment].edge = edge;
   }
-  return entry->second;
+  return segment;
 }
 
 SegmentId SegmentMaker::of_contact(NodeId from, NodeId to, FacetId facet, FacetId other) {

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <cstdint>
-#include <memory_resource>
-#include <unordered_map>
-
+#include "algebra3d/arrangement/detail/id_map.h"
 #include "algebra3d/arrangement/detail/segment_complex.h"
 
 namespace algebra3d::arrangement {
@@ -28,27 +25,15 @@ class SegmentMaker {
   void add_boundaries();
 
  private:
-  struct Ends {
-    NodeId lower, higher;
-
-    friend bool operator==(const Ends&, const Ends&) = default;
-  };
-  struct Hash {
-    std::size_t operator()(const Ends& ends) const {
-      return std::uint64_t{ends.lower.index()} << 32U | ends.higher.index();
-    }
-  };
-
   SegmentId between(NodeId from, NodeId to);
   void add_boundary(FacetId facet, InputHalfedgeId halfedge);
 
   const Operands& operands_;
   const Facets& facets_;
   SegmentComplex& complex_;
-  std::pmr::monotonic_buffer_resource memory_;  // of the maps, which only grow
-  std::pmr::unordered_map<InputVertexId, NodeId> nodes_of_vertices_{&memory_};
-  std::pmr::unordered_map<InputEdgeId, SegmentId> of_edges_{&memory_};
-  std::pmr::unordered_map<Ends, SegmentId, Hash> between_{&memory_};
+  IdMap<NodeId> nodes_of_vertices_;
+  IdMap<SegmentId> of_edges_;
+  IdMap<SegmentId> between_;  // by both ends
 };
 
 }  // namespace algebra3d::arrangement

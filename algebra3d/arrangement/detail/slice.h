@@ -14,7 +14,10 @@ struct Slice {
   /// The elements of `values` from the one at `first` on to the end.
   template <typename T>
   static Slice from(std::size_t first, const std::vector<T>& values) {
-    return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(values.size())};
+    return between(first, values.size());
+  }
+  static Slice between(std::size_t first, std::size_t last) {
+    return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last)};
   }
   std::size_t size() const { return last - first; }
   template <typename T>

@@ -14,10 +14,13 @@
 namespace algebra3d::arrangement {
 namespace {
 
-/// Cuts the segments of the complex at one another, and divides them at the cuts.
-Result<SubEdges> overlay_and_divide(Subdivision& subdivision, Boundaries boundaries, const ArrangementOptions& options,
-                                    const Monitor& monitor) {
+/// Makes the segment complex, and divides its segments where they cut one another.
+Result<SubEdges> find_sub_edges(Subdivision& subdivision, const PairContacts& contacts, Boundaries boundaries,
+                                const ArrangementOptions& options, const Monitor& monitor) {
   auto& [operands, facets, complex, sub_edges, patches] = subdivision;
+  ALGEBRA3D_ASSIGN_OR_RETURN(complex, find_facet_contacts(operands, facets, contacts));
+  ALGEBRA3D_RETURN_IF_ERROR(check_stage(
+      "the facet contacts", [&] { return audit(subdivision.operands, subdivision.facets, subdivision.complex); }));
   ALGEBRA3D_ASSIGN_OR_RETURN(complex, overlay(operands, facets, std::move(complex), monitor, options.max_cuts));
   ALGEBRA3D_RETURN_IF_ERROR(
       check_stage("the overlay", [&] { return audit(subdivision.operands, subdivision.facets, subdivision.complex); }));
@@ -44,14 +47,12 @@ Result<Subdivision> subdivide(std::span<const Operand> list, Boundaries boundari
   ALGEBRA3D_RETURN_IF_ERROR(check_stage("the contacts", [&] { return audit(operands, contacts); }));
   result.facets = make_facets(operands, contacts);
   ALGEBRA3D_RETURN_IF_ERROR(check_stage("the facets", [&] { return audit(operands, result.facets); }));
-  ALGEBRA3D_ASSIGN_OR_RETURN(result.complex, find_facet_contacts(operands, result.facets, contacts));
-  ALGEBRA3D_RETURN_IF_ERROR(
-      check_stage("the facet contacts", [&] { return audit(operands, result.facets, result.complex); }));
 
   Result<SubEdges> sub_edges = SubEdges();
-  const auto find_sub_edges = [&] { sub_edges = overlay_and_divide(result, boundaries, options, monitor); };
-  const auto find_rest = [&] { result.patches = find_patches(operands, result.facets); };
-  parallel_invoke(operands.face_count() >= kFacesWorthATask, find_sub_edges, find_rest);
+  parallel_invoke(
+      operands.face_count() >= kFacesWorthATask,
+      [&] { sub_edges = find_sub_edges(result, contacts, boundaries, options, monitor); },
+      [&] { result.patches = find_patches(operands, result.facets); });
   ALGEBRA3D_ASSIGN_OR_RETURN(result.sub_edges, std::move(sub_edges));
   ALGEBRA3D_RETURN_IF_ERROR(check_stage("the patches", [&] { return audit(operands, result.facets, result.patches); }));
   return result;

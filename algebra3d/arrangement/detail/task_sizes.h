@@ -9,9 +9,13 @@ inline constexpr std::size_t kWorthAThread = 20000;
 /// Faces that one task goes through, a few nanoseconds each.
 inline constexpr std::size_t kFacesPerTask = 16384;
 /// Number of faces from which on a pass over all of them beside the work on facets saves more than starting it takes.
-inline constexpr std::size_t kFacesWorthATask = 4000;
+inline constexpr std::size_t kFacesWorthATask = 1500;
 /// Points or planes that are computed exactly by one task.
 inline constexpr std::size_t kPointsPerTask = 32;
+/// Planes in which one task overlays segments.
+inline constexpr std::size_t kPlanesPerTask = 32;
+/// Ends of edges of regions for which one task looks for pseudo-nodes.
+inline constexpr std::size_t kEdgeEndsPerTask = 512;
 /// Number of sub-edges from which on sorting them round nodes and round space edges is worth a task each.
 inline constexpr std::size_t kSubEdgesWorthATask = 500;
 

@@ -23,7 +23,7 @@ void expect_independence_of_threads(const Operation& operation) {
   TriangleMesh alone;
   with_threads(1, [&] { alone = operation().value(); });
   ASSERT_FALSE(alone.is_empty());
-  for (const int threads : {2, 3, 8}) {
+  for (const int threads : {2, 3, 16}) {
     SCOPED_TRACE(threads);
     with_threads(threads, [&] { expect_same_mesh(alone, operation().value()); });
   }
@@ -37,6 +37,29 @@ TEST(Threads, TwoLargeSolids) {
     return combine_solids(std::vector<Operand>{{&one, 0}, {&other, 1}},
                           [](const auto& windings) { return windings[0] > 0 && windings[1] == 0; });
   });
+}
+
+TEST(Threads, NearlyCoincidentSolids) {
+  // Crossings in each of some thousand planes.
+  const TriangleMesh one = geodesic_sphere(12), other = shifted(geodesic_sphere(12), {0.001, 0.002, 0.003});
+  expect_independence_of_threads([&] {
+    return combine_solids(std::vector<Operand>{{&one, 0}, {&other, 0}},
+                          [](const auto& windings) { return windings[0] > 0; });
+  });
+}
+
+TEST(Threads, CommonPartsThatCrossInPlanes) {
+  std::vector<TriangleMesh> boards;
+  for (int i = 0; i < 12; ++i) {
+    const double at = 3 * i + 0.5;
+    boards.push_back(box({at, -9, -9}, {at + 1, 50, 50}));
+    boards.push_back(box({-9, at, -9}, {50, at + 1, 50}));
+    boards.push_back(box({-9, -9, at}, {50, 50, at + 1}));
+  }
+  std::vector<Operand> operands;
+  for (const TriangleMesh& board : boards) operands.push_back({&board, 0});
+  expect_independence_of_threads(
+      [&] { return combine_solids(operands, [](const auto& windings) { return windings[0] > 1; }); });
 }
 
 TEST(Threads, ManySolidsByParts) {

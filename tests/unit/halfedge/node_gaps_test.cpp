@@ -123,6 +123,19 @@ TEST(NodeGaps, LongTrianglesAslantAreToldFromWhatLiesInTheirBoxes) {
   EXPECT_LT(with_gaps, all / 4);
 }
 
+TEST(NodeGaps, ASearchThatBoxesGuideWellDoesNotPay) {
+  // The patch and a copy across it: their boxes meet along a line. If faces were compared, fewer pairs were visited.
+  SlantingPair pair = slanting_pair(0);
+  std::vector<Vec3> points = pair.patch.points().approx();
+  for (Vec3& p : points) p = {p.x, p.z - 0.1, p.y + 0.4};
+  std::vector<TriangleMesh::Triangle> triangles;
+  for (std::uint32_t i = 0; i < points.size(); i += 3) triangles.push_back({i, i + 1, i + 2});
+  pair.rods = TriangleMesh(PointArray(points), triangles);
+  const auto [all, with_gaps] = visited(pair);
+  EXPECT_GT(all, 64);
+  EXPECT_EQ(with_gaps, all);
+}
+
 TEST(NodeGaps, PairsThatMeetAreVisited) {
   // The patch crosses the plane x + y = 0 of the long triangles.
   const SlantingPair pair = slanting_pair(0);

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace algebra3d::arrangement {
+
+/// A map from integers to ids that only grows: open addressing with linear probing, in one array. The maps of a segment
+/// complex are asked for each end of each contact, so that they take longer than all other parts of it.
+template <typename Id>
+class IdMap {
+ public:
+  /// The id of a key; none for a new key, which the caller must set. Valid until the next call. Cost: constant
+  /// expected.
+  Id& operator[](std::uint64_t key) {
+    if (size_ >= slots_.size() / 2) grow();
+    Slot& slot = slot_of(key);
+    if (slot.id.is_none()) {
+      slot.key = key;
+      ++size_;
+    }
+    return slot.id;
+  }
+
+ private:
+  struct Slot {
+    std::uint64_t key = 0;
+    Id id;  ///< none: the slot is free
+  };
+
+  Slot& slot_of(std::uint64_t key) {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t i = (key * 0x9E3779B97F4A7C15U) >> shift_;
+    while (!slots_[i].id.is_none() && slots_[i].key != key) i = (i + 1) & mask;
+    return slots_[i];
+  }
+
+  void grow() {
+    constexpr std::size_t kFewestSlots = 64;
+    const std::size_t slot_count = slots_.empty() ? kFewestSlots : 4 * slots_.size();
+    shift_ = 64 - std::countr_zero(slot_count);
+    for (const Slot& slot : std::exchange(slots_, std::vector<Slot>(slot_count)))
+      if (!slot.id.is_none()) slot_of(slot.key) = slot;
+  }
+
+  std::vector<Slot> slots_;  // their number is 0 or a power of two
+  int shift_ = 0;            // from a hash to a place
+  std::size_t size_ = 0;
+};
+
+}  // namespace algebra3d::arrangement
