@@ -157,9 +157,9 @@ std::vector<Overload> overloads_for(const char* name) {
   return {overload<&simplified_to_count<T>>(name, "triangles"),
           overload<&simplified_to_deviation<T>>(name, "deviation"),
           overload<&simplified_to_share<T>>(name, "measure", "share"),
-          overload<&creased_to_count<T>>(name, "triangles", "crease"),
-          overload<&creased_to_deviation<T>>(name, "deviation", "crease"),
-          overload<&creased_to_share<T>>(name, "measure", "share", "crease")};
+          overload<&creased_to_count<T>>(name, "triangles", "degrees"),
+          overload<&creased_to_deviation<T>>(name, "deviation", "degrees"),
+          overload<&creased_to_share<T>>(name, "measure", "share", "degrees")};
 }
 
 std::vector<Overload> simplify_overloads() {
