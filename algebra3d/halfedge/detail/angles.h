@@ -26,7 +26,7 @@ inline double arc_tangent_of_fraction(double t) {
   // A table, since a quotient in the code is a division at run time where the rounding mode may differ.
   static constexpr std::array<double, 7> kReciprocals = {1.0 / 15, 1.0 / 13, 1.0 / 11, 1.0 / 9,
                                                          1.0 / 7,  1.0 / 5,  1.0 / 3};
-  const auto nearest = static_cast<std::int32_t>(8 * t + 0.5);
+  const auto nearest = static_cast<std::int32_t>(8 * (t + 1.0 / 16));
   const double known = static_cast<double>(nearest) * 0.125;
   const double rest = (t - known) / (1 + t * known);  // at most 1/16, so that eight terms of the series are enough
   const double square = rest * rest;

@@ -49,18 +49,15 @@ class ManifoldLinker {
 
   HalfedgeMesh<Layout>& mesh_;
   GivenOpposites given_;
-  LargeVector<std::uint32_t>
-      waiting_;  // per vertex, the latest half-edge that ends there and waits; `opposites` goes on
+  LargeVector<std::uint32_t> waiting_;  // per vertex: a half-edge to it that waits; opposites have the rest
 };
 
 template <typename Layout>
 bool ManifoldLinker<Layout>::match_halfedges() {
   waiting_.assign(mesh_.vertex_count(), kNobody);
-  if (given_ == GivenOpposites::some) {
-    for (const std::uint32_t h : unlinked())
-      if (!match(h, mesh_.origins_[h], mesh_.target(HalfedgeId(h)).index())) return false;
-    return true;
-  }
+  if (given_ == GivenOpposites::some)
+    return std::ranges::all_of(
+        unlinked(), [&](std::uint32_t h) { return match(h, mesh_.origins_[h], mesh_.target(HalfedgeId(h)).index()); });
   const std::size_t face_count = mesh_.face_count();
   for (std::size_t f = 0; f < face_count; ++f) {
     const std::uint32_t first = mesh_.halfedge(FaceId(f)).index();
@@ -117,14 +114,13 @@ bool ManifoldLinker<Layout>::match(std::uint32_t h, std::uint32_t from, std::uin
 /// several such.
 template <typename Layout>
 bool ManifoldLinker<Layout>::mark_boundary() {
-  for (std::uint32_t first : waiting_) {
-    if (first == kNobody) continue;
-    const std::uint32_t second = mesh_.opposites_[first];
-    if (second != kNobody) return false;
+  return std::ranges::all_of(waiting_, [&](std::uint32_t first) {
+    if (first == kNobody) return true;
+    if (mesh_.opposites_[first] != kNobody) return false;
     mesh_.opposites_[first] = Mesh::kBoundary;
     mesh_.outgoing_[mesh_.origins_[first]] = HalfedgeId(first);
-  }
-  return true;
+    return true;
+  });
 }
 
 /// Whether the walks round the vertices meet all half-edges, and no vertex has two half-edges to the same one.
