@@ -20,7 +20,7 @@
 
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/subdivision/subdivided.h"
-#include "shapes.h"
+#include "indexed_faces.h"
 
 namespace {
 
@@ -29,43 +29,25 @@ using algebra3d::PolygonLayout;
 using algebra3d::PolygonMesh;
 using algebra3d::SubdivisionScheme;
 
-struct Faces {
-  std::vector<Vec3> points;
-  std::vector<std::uint32_t> corners;
-  std::uint32_t degree = 3;
-};
-
 /// A sphere of about a quarter of so many thousands of triangles.
-Faces triangles_for(std::int64_t thousands) {
+IndexedFaces triangles_for(std::int64_t thousands) {
   const Shape shape = sphere(static_cast<std::uint32_t>(std::sqrt(static_cast<double>(thousands) * 250 / 20)));
-  Faces faces{shape.points, {}, 3};
+  IndexedFaces faces{shape.points, {}, 3};
   for (const auto& t : shape.triangles) faces.corners.insert(faces.corners.end(), t.begin(), t.end());
   return faces;
 }
 
 /// A torus of about a quarter of so many thousands of quadrilaterals.
-Faces quadrilaterals_for(std::int64_t thousands) {
-  const auto n = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(thousands) * 250));
-  Faces faces;
-  faces.degree = 4;
-  for (std::uint32_t i = 0; i < n; ++i) {
-    for (std::uint32_t j = 0; j < n; ++j) {
-      const double u = 2 * std::numbers::pi * i / n, v = 2 * std::numbers::pi * j / n;
-      faces.points.push_back({(3 + std::cos(v)) * std::cos(u), (3 + std::cos(v)) * std::sin(u), std::sin(v)});
-      const std::uint32_t next = (i + 1) % n, beside = (j + 1) % n;
-      for (const std::uint32_t corner : {i * n + j, next * n + j, next * n + beside, i * n + beside})
-        faces.corners.push_back(corner);
-    }
-  }
-  return faces;
+IndexedFaces quadrilaterals_for(std::int64_t thousands) {
+  return torus_of_quadrilaterals(static_cast<std::uint32_t>(std::sqrt(static_cast<double>(thousands) * 250)));
 }
 
-Faces faces_for(SubdivisionScheme scheme, std::int64_t thousands) {
+IndexedFaces faces_for(SubdivisionScheme scheme, std::int64_t thousands) {
   return scheme == SubdivisionScheme::loop ? triangles_for(thousands) : quadrilaterals_for(thousands);
 }
 
 void ours(benchmark::State& state, SubdivisionScheme scheme, int threads) {
-  const Faces faces = faces_for(scheme, state.range(0));
+  const IndexedFaces faces = faces_for(scheme, state.range(0));
   const PolygonMesh mesh(PointArray(faces.points), PolygonLayout::of_degree(faces.degree),
                          {faces.corners.begin(), faces.corners.end()});
   std::size_t count = 0;
@@ -88,7 +70,7 @@ void ours(benchmark::State& state, SubdivisionScheme scheme, int threads) {
 using CgalMesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
 void cgal(benchmark::State& state, SubdivisionScheme scheme) {
-  const Faces faces = faces_for(scheme, state.range(0));
+  const IndexedFaces faces = faces_for(scheme, state.range(0));
   CgalMesh mesh;
   for (const Vec3& p : faces.points) mesh.add_vertex({p.x, p.y, p.z});
   for (std::size_t h = 0; h < faces.corners.size(); h += faces.degree) {
@@ -123,7 +105,7 @@ using Polygons = OpenMesh::PolyMesh_ArrayKernelT<Traits>;
 
 template <typename Mesh, typename Subdivider>
 void openmesh(benchmark::State& state, SubdivisionScheme scheme) {
-  const Faces faces = faces_for(scheme, state.range(0));
+  const IndexedFaces faces = faces_for(scheme, state.range(0));
   Mesh mesh;
   for (const Vec3& p : faces.points) mesh.add_vertex({p.x, p.y, p.z});
   for (std::size_t h = 0; h < faces.corners.size(); h += faces.degree) {

@@ -98,7 +98,8 @@ Result<HeaderFields> read_header(Bytes bytes, std::size_t payload_bytes, std::si
 // Walks over the inner nodes of an image. What they have is followed only after it was found sound.
 class InnerNodes {
  public:
-  InnerNodes(const LargeVector<InnerNode>& inner, std::size_t leaf_count) : inner_(inner), leaf_count_(leaf_count) {}
+  InnerNodes(const LargeVector<InnerNode>& inner, std::size_t leaf_count)
+      : inner_(inner), leaf_count_(leaf_count), reached_inner_(inner.size()), reached_leaves_(leaf_count) {}
 
   /// Each node is to be named once, by a sound node that is one level above.
   Status check(NodeIndex root, std::uint32_t height) {
@@ -109,15 +110,16 @@ class InnerNodes {
       steps.pop_back();
       const InnerNode& node = inner_[step.node];
       if (!node.is_sound(step.level == height ? 2 : kMinFill)) return corrupt("inner node {} is damaged", step.node);
-      for (std::size_t slot = 0; slot < node.count(); ++slot)
+      const std::size_t count = node.count();
+      for (std::size_t slot = 0; slot < count; ++slot)
         if (!visit({node.reference[slot], step.level - 1}, steps))
           return corrupt("inner node {} names node {}", step.node, node.reference[slot]);
     }
     return {};
   }
 
-  std::vector<NodeIndex> free_inner() const { return missing(reached_inner_, inner_.size()); }
-  std::vector<NodeIndex> free_leaves() const { return missing(reached_leaves_, leaf_count_); }
+  std::vector<NodeIndex> free_inner() const { return reached_inner_.missing(inner_.size()); }
+  std::vector<NodeIndex> free_leaves() const { return reached_leaves_.missing(leaf_count_); }
 
  private:
   struct Step {
@@ -130,13 +132,6 @@ class InnerNodes {
     if (step.node >= inner_.size() || !reached_inner_.insert(step.node)) return false;
     steps.push_back(step);
     return true;
-  }
-
-  static std::vector<NodeIndex> missing(const NodeSet& reached, std::size_t count) {
-    std::vector<NodeIndex> result;
-    for (std::size_t node = 0; node < count; ++node)
-      if (!reached.has(static_cast<NodeIndex>(node))) result.push_back(static_cast<NodeIndex>(node));
-    return result;
   }
 
   const LargeVector<InnerNode>& inner_;

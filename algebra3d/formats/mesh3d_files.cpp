@@ -53,6 +53,11 @@ PolygonSoup soup_of(const PolygonMesh& mesh) {
   return soup;
 }
 
+mesh_files::Facets facets_for(const mesh_files::MeshFormat& format, PolygonSoup soup) {
+  if (!format.stores_triangles) return soup;
+  return triangles_of(std::move(soup));
+}
+
 std::size_t rounded_count(const PolygonMesh& mesh, CoordinateRange range) {
   if (range == CoordinateRange::doubles) return mesh.points().exact_count();
   std::size_t count = 0;
@@ -99,7 +104,8 @@ Result<ExportedSolid> export_mesh(Context& context, const std::string& command, 
   ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
   PolygonSoup soup = soup_of(mesh.mesh());
   const std::size_t left_out = add_attributes(mesh.attributes(), *form.format, soup);
-  const Status written = form.format->write(context.resolve(file), std::move(soup), name, form.encoding);
+  const Status written =
+      form.format->write(context.resolve(file), facets_for(*form.format, std::move(soup)), name, form.encoding);
   if (!written) {
     const std::string reason = command + ": " + written.error().message;
     context.diagnostics.report(reason, {}, Diagnostics::About::unwritten);

@@ -309,6 +309,27 @@ double BoxHierarchy::squared_in_frame(double length) const {
   return scaled_length * scaled_length * (1 + 0x1p-40);
 }
 
+double BoxHierarchy::least_gap(const Box3& where, double reach) const {
+  const Box place = scaled(where);
+  const double limit = squared_in_frame(reach);
+  double least = Box3::kInfinity;
+  std::vector<NearNode> stack;
+  if (!faces_.empty()) stack.push_back({{static_cast<std::uint32_t>(levels_.size() - 1), 0}, 0});
+  while (!stack.empty() && least > 0) {
+    const NearNode node = stack.back();
+    stack.pop_back();
+    if (node.squared_gap > limit || node.squared_gap >= least) continue;
+    if (node.level > 0) {
+      push_near_children(node, place, stack);
+      continue;
+    }
+    for (std::size_t i = node.index * kLeafSize; i < std::min((node.index + 1) * kLeafSize, faces_.size()); ++i)
+      least = std::min(least, squared_gap(face_boxes_[i], place));
+  }
+  if (least > limit) return Box3::kInfinity;
+  return std::min(std::sqrt(least) * (1 - 0x1p-40) / scale_ * 2, std::numeric_limits<double>::max());
+}
+
 /// The higher node is opened, as for pairs that meet.
 void BoxHierarchy::push_near_children(const BoxHierarchy& other, const FrameChange& change, const NearPair& pair,
                                       std::vector<NearPair>& stack) const {

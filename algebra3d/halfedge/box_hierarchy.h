@@ -104,6 +104,11 @@ class BoxHierarchy {
   template <typename Visit>
   void for_each_near(const Box3& where, double reach, Visit visit) const;
 
+  /// A lower bound of the distance between a box and the box of each face, in coordinate units: infinite if all are
+  /// farther than `reach` or there are no faces. A finite bound is at most some roundings above `reach`. Cost: that of
+  /// the nodes within the bound.
+  double least_gap(const Box3& where, double reach) const;
+
   /// A box around all faces, slightly larger than the smallest one; empty without faces.
   Box3 bounds() const;
 

@@ -21,7 +21,7 @@ PolygonLayout::PolygonLayout(LargeVector<std::uint32_t> starts) : starts_(std::m
   bool is_common = true;
   for (std::size_t f = 1; f < face_count && is_common; ++f) is_common = starts_[f + 1] - starts_[f] == first_degree;
   if (is_common) {
-    degree_ = first_degree;
+    set_degree(first_degree);
     starts_ = LargeVector<std::uint32_t>();  // `{}` would keep the memory
     return;
   }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "algebra3d/base/int128.h"
 #include "algebra3d/base/large_allocator.h"
 #include "algebra3d/halfedge/handle.h"
 
@@ -39,7 +40,7 @@ class PolygonLayout {
   static PolygonLayout of_degree(std::uint32_t degree) {
     assert(degree > 0);
     PolygonLayout layout;
-    layout.degree_ = degree;
+    layout.set_degree(degree);
     return layout;
   }
   /// Faces of any degrees: `starts` has the first half-edge of each face, and at the end the number of half-edges;
@@ -47,16 +48,17 @@ class PolygonLayout {
   explicit PolygonLayout(LargeVector<std::uint32_t> starts);
 
   HalfedgeId next(HalfedgeId h) const {
+    const std::uint32_t after = h.index() + 1;
+    if (degree_ != 0) return HalfedgeId(after - degree_if_first(after));
     const auto [first, end] = bounds(face(h));
-    return HalfedgeId(h.index() + 1 == end ? first : h.index() + 1);
+    return HalfedgeId(after == end ? first : after);
   }
   HalfedgeId prev(HalfedgeId h) const {
+    if (degree_ != 0) return HalfedgeId(h.index() - 1 + degree_if_first(h.index()));
     const auto [first, end] = bounds(face(h));
     return HalfedgeId(h.index() == first ? end - 1 : h.index() - 1);
   }
-  FaceId face(HalfedgeId h) const {
-    return FaceId(degree_ != 0 ? h.index() / degree_ : std::size_t{faces_[h.index()]});
-  }
+  FaceId face(HalfedgeId h) const { return FaceId(degree_ != 0 ? divided_by_degree(h.index()) : faces_[h.index()]); }
   /// The half-edge that leaves a corner of a face.
   HalfedgeId halfedge(FaceId f, std::uint32_t corner = 0) const { return HalfedgeId(bounds(f).first + corner); }
   /// The number of corners of a face.
@@ -79,7 +81,24 @@ class PolygonLayout {
     return {starts_[f.index()], starts_[f.index() + 1]};
   }
 
+  void set_degree(std::uint32_t degree) {
+    degree_ = degree;
+    reciprocal_ = (std::uint64_t{1} << 63) / degree + 1;
+    divisor_ = ~std::uint64_t{0} / degree + 1;
+  }
+  /// Exact, since the reciprocal is too large by at most 1. A product takes a fraction of the time of a division.
+  std::uint32_t divided_by_degree(std::uint32_t halfedge) const {
+    return static_cast<std::uint32_t>(UInt128{reciprocal_} * (std::uint64_t{halfedge} << 1) >> 64);
+  }
+  /// The degree at the first half-edge of a face and at the end of all, else 0: without a branch, which would often be
+  /// predicted wrongly. Source: [lemire2019].
+  std::uint32_t degree_if_first(std::uint32_t halfedge) const {
+    return degree_ * static_cast<std::uint32_t>(divisor_ * halfedge <= divisor_ - 1);
+  }
+
   std::uint32_t degree_ = 0;           // 0: in the arrays
+  std::uint64_t reciprocal_ = 0;       // 2^63 / degree, rounded down, plus 1
+  std::uint64_t divisor_ = 0;          // 2^64 / degree, rounded up, modulo 2^64
   LargeVector<std::uint32_t> starts_;  // per face, and the end
   LargeVector<std::uint32_t> faces_;   // per half-edge
 };

@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "algebra3d/base/shrink.h"
+#include "algebra3d/halfedge/detail/manifold_linker.h"
 #include "algebra3d/halfedge/detail/mesh_linker.h"
 #include "algebra3d/halfedge/detail/nonmanifold_tables.h"
 
@@ -30,7 +31,7 @@ HalfedgeMesh<Layout>::HalfedgeMesh(PointArray points, Layout layout, LargeVector
       origins_(std::move(origins)),
       opposites_(std::move(opposites)),
       outgoing_(std::move(outgoing)) {
-  if (links == Links::none) opposites_.assign(origins_.size(), kUnlinkedHalfedge);
+  if (links == Links::none) opposites_.resize(origins_.size());
   assert(origins_.size() == opposites_.size() && origins_.size() <= kMaxHalfedges);
   assert(outgoing_.size() <= points_.size());
   assert(std::ranges::all_of(origins_, [&](std::uint32_t origin) { return origin < points_.size(); }));
@@ -41,6 +42,12 @@ HalfedgeMesh<Layout>::HalfedgeMesh(PointArray points, Layout layout, LargeVector
   if (links == Links::all) {
     assert(outgoing_.size() == points_.size());
     return;
+  }
+  if (links == Links::none || links == Links::proposed) {
+    const auto given = links == Links::proposed ? GivenOpposites::some : GivenOpposites::none;
+    if (ManifoldLinker<Layout>(*this, given).link()) return;
+    outgoing_.clear();
+    links = Links::none;
   }
   MeshLinker<Layout>(*this, links).build();
 }

@@ -17,6 +17,8 @@ struct NonManifoldTables;  // detail/nonmanifold_tables.h
 template <typename Layout>
 struct MeshLinker;  // detail/mesh_linker.h
 template <typename Layout>
+class ManifoldLinker;  // detail/manifold_linker.h
+template <typename Layout>
 struct MeshAuditor;  // audit.cpp
 
 /// The common base of meshes of triangles and of polygons: vertices, and half-edges with origins and opposites. The
@@ -77,10 +79,10 @@ class HalfedgeMesh : public Layout {
  protected:
   /// In `opposites`: the half-edge is not linked yet.
   static constexpr std::uint32_t kUnlinkedHalfedge = 0xFFFFFFFE;
-  /// The links that are given: none; half-edges whose opposites are given; or all edges with a settled end: the first
-  /// vertices, those in `outgoing`, are settled; or everything: opposites, outgoing half-edges, and that the mesh is
-  /// manifold.
-  enum class Links : std::uint8_t { none, some, all_but_between_open_vertices, all };
+  /// The links that are given: none; opposites that are right if the mesh is manifold; half-edges whose opposites are
+  /// given; or all edges with a settled end: the first vertices, those in `outgoing`, are settled; or everything:
+  /// opposites, outgoing half-edges, and that the mesh is manifold.
+  enum class Links : std::uint8_t { none, proposed, some, all_but_between_open_vertices, all };
 
   HalfedgeMesh() = default;
   /// Links all faces. Cost: linear expected (sorting per vertex), no recursion.
@@ -97,6 +99,7 @@ class HalfedgeMesh : public Layout {
 
  private:
   friend struct MeshLinker<Layout>;
+  friend class ManifoldLinker<Layout>;
   friend struct MeshAuditor<Layout>;
   friend struct MeshTester;  // tests damage meshes through it, to see that `audit` finds it
   static constexpr std::uint32_t kNoOpposite = 0x80000000;  // set: no opposite; the low bits number a non-manifold edge

@@ -79,6 +79,12 @@ bool AttributeValues::is_defined(std::size_t i) const {
   return !std::isnan(numbers_[i * width_]);
 }
 
+bool AttributeValues::are_equal(std::size_t i, std::size_t j) const {
+  if (kind_ == AttributeKind::text) return numbers_of_texts_[i] == numbers_of_texts_[j];
+  if (!is_defined(i) || !is_defined(j)) return is_defined(i) == is_defined(j);
+  return std::ranges::equal(numbers(i), numbers(j));
+}
+
 void AttributeValues::set(std::size_t i, std::span<const double> numbers) {
   assert(kind_ != AttributeKind::text && numbers.size() == width_);
   if (!std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); })) return clear(i);
@@ -152,6 +158,10 @@ std::size_t AttributeValues::heap_bytes() const {
 
 std::span<const MeshAttribute> MeshAttributes::all() const {
   return list_ == nullptr ? std::span<const MeshAttribute>() : std::span<const MeshAttribute>(*list_);
+}
+
+bool MeshAttributes::has(MeshElement element) const {
+  return std::ranges::any_of(all(), [&](const MeshAttribute& attribute) { return attribute.element == element; });
 }
 
 const MeshAttribute* MeshAttributes::find(MeshElement element, std::string_view name) const {

@@ -42,6 +42,8 @@ class AttributeValues {
     return kind_ == AttributeKind::text ? numbers_of_texts_.size() : numbers_.size() / width_;
   }
   bool is_defined(std::size_t i) const;
+  /// Whether two values of canonical ones are the same, or both undefined.
+  bool are_equal(std::size_t i, std::size_t j) const;
   /// The numbers of a defined value that is no text.
   std::span<const double> numbers(std::size_t i) const { return std::span(numbers_).subspan(i * width_, width_); }
   /// The text of a defined value.
@@ -97,6 +99,8 @@ class MeshAttributes {
  public:
   bool is_empty() const { return list_ == nullptr; }
   std::span<const MeshAttribute> all() const;
+  /// Whether there are some of elements of this kind.
+  bool has(MeshElement element) const;
   /// Null if there is none.
   const MeshAttribute* find(MeshElement element, std::string_view name) const;
   /// With an attribute added or replaced. The values need not be canonical.

@@ -40,11 +40,16 @@ Maybe<MeshEditor> MeshEditor::of(const PolygonMesh& mesh) {
 void MeshEditor::take(const PolygonMesh& mesh) {
   for (const VertexId v : algebra3d::vertices(mesh)) {
     points_.emplace_back(mesh.point(v));
-    vertices_.push_back({mesh.outgoing(v), true});
+    vertices_.push_back({mesh.outgoing(v), true, v.index()});
   }
-  for (const FaceId f : algebra3d::faces(mesh)) faces_.push_back(mesh.halfedge(f));
+  for (const FaceId f : algebra3d::faces(mesh)) {
+    faces_.push_back(mesh.halfedge(f));
+    face_sources_.push_back(f.index());
+  }
   for (const HalfedgeId h : algebra3d::halfedges(mesh))
-    halfedges_.push_back({mesh.next(h), mesh.prev(h), mesh.opposite(h), mesh.origin(h), mesh.face(h)});
+    halfedges_.push_back(
+        {mesh.next(h), mesh.prev(h), mesh.opposite(h), mesh.origin(h), mesh.face(h), h.index(), h.index()});
+  blends_ = ElementBlends(mesh);
 }
 
 /// The second half-edges of boundary edges. A boundary vertex of a manifold has one that leaves it.
@@ -54,7 +59,7 @@ void MeshEditor::add_boundary(const PolygonMesh& mesh) {
     if (mesh.opposite(h).is_valid()) continue;
     const HalfedgeId beyond(halfedges_.size());
     halfedges_[h.index()].opposite = beyond;
-    halfedges_.push_back({{}, {}, h, mesh.target(h), {}});
+    halfedges_.push_back({{}, {}, h, mesh.target(h), {}, kNone, h.index()});
     vertices_[mesh.target(h).index()].outgoing = beyond;
   }
   for (std::size_t i = first; i < halfedges_.size(); ++i) connect(HalfedgeId(i), outgoing(target(HalfedgeId(i))));
@@ -125,32 +130,38 @@ HalfedgeId MeshEditor::new_edge() {
     return h;
   };
   const HalfedgeId h = take_one(), o = take_one();
-  halfedges_[h.index()] = {{}, {}, o, {}, {}};
-  halfedges_[o.index()] = {{}, {}, h, {}, {}};
+  halfedges_[h.index()] = {};
+  halfedges_[o.index()] = {};
+  halfedges_[h.index()].opposite = o;
+  halfedges_[o.index()].opposite = h;
   return h;
 }
 
-VertexId MeshEditor::new_vertex(const ExactPoint& point) {
+VertexId MeshEditor::new_vertex(const ExactPoint& point, std::uint32_t source) {
+  const Vertex vertex{{}, true, source};
   if (free_vertices_.empty()) {
-    vertices_.emplace_back();
+    vertices_.push_back(vertex);
     points_.push_back(point);
     return VertexId(vertices_.size() - 1);
   }
   const VertexId v = free_vertices_.back();
   free_vertices_.pop_back();
-  vertices_[v.index()] = {};
+  vertices_[v.index()] = vertex;
   points_[v.index()] = point;
   return v;
 }
 
-FaceId MeshEditor::new_face(HalfedgeId h) {
+FaceId MeshEditor::new_face(HalfedgeId h, FaceId part_of) {
+  const std::uint32_t source = face_sources_[part_of.index()];
   if (free_faces_.empty()) {
     faces_.push_back(h);
+    face_sources_.push_back(source);
     return FaceId(faces_.size() - 1);
   }
   const FaceId f = free_faces_.back();
   free_faces_.pop_back();
   faces_[f.index()] = h;
+  face_sources_[f.index()] = source;
   return f;
 }
 

@@ -6,7 +6,10 @@
 #include <vector>
 
 #include "algebra3d/base/error.h"
+#include "algebra3d/base/indices.h"
 #include "algebra3d/exact/point.h"
+#include "algebra3d/halfedge/attribute_transfer.h"
+#include "algebra3d/halfedge/mesh_attributes.h"
 #include "algebra3d/halfedge/polygon_mesh.h"
 
 namespace algebra3d {
@@ -28,6 +31,12 @@ class MeshEditor {
   /// The mesh as it is now: faces and vertices in the order of their numbers, without the unused numbers. Vertices that
   /// were isolated stay. Cost: linear.
   PolygonMesh mesh() const;
+  /// The attributes of `result`, the mesh as it is now, from those of `source`, the mesh that this object was made
+  /// from. Elements that stay keep theirs. New ones have those of what they were part of: both parts of an edge or face
+  /// those of the whole; a vertex in an edge, and its corners, the mean of the ends by its place in the edge; a vertex
+  /// that was split off and its corners those of the vertex. New edges have none. Of two edges that become one, the one
+  /// at the vertex that stays counts. Corners of vertices that were merged: see taken_over_merged. Cost: linear.
+  MeshAttributes attributes(const MeshAttributes& given, const PolygonMesh& source, const PolygonMesh& result) const;
 
   std::size_t vertex_count() const { return points_.size() - free_vertices_.size(); }
   std::size_t edge_count() const { return (halfedges_.size() - free_halfedges_.size()) / 2; }
@@ -65,7 +74,10 @@ class MeshEditor {
   /// corners already, or they are one.
   Maybe<HalfedgeId> flip_edge(HalfedgeId h);
   /// Puts a vertex into an edge, and in each triangle along it an edge from the vertex to the third corner; faces of
-  /// more corners get one corner more. `h` ends in the new vertex. Always possible.
+  /// more corners get one corner more. `h` ends in the new vertex. `share`: the place of the vertex in the edge for its
+  /// attributes, from 0 at the origin to 1. Always possible.
+  VertexId split_edge(HalfedgeId h, const ExactPoint& point, double share);
+  /// The same at the share of the place on the edge that is nearest to the point, rounded.
   VertexId split_edge(HalfedgeId h, const ExactPoint& point);
   /// Merges the ends of an edge into its origin, which stays where it is; triangles along it vanish. Refused unless the
   /// link condition holds: if a vertex is joined to both ends that is no corner of a triangle along the edge; if the
@@ -89,14 +101,18 @@ class MeshEditor {
  private:
   friend struct MeshEditorTester;  // damages an object, to see that `audit` finds it
 
+  // The sources are elements of the mesh that this object was made from, or blends of them, or kNone.
   struct Halfedge {
     HalfedgeId next, prev, opposite;
     VertexId origin;
     FaceId face;
+    std::uint32_t corner = kNone;  // the source of the corner
+    std::uint32_t along = kNone;   // a half-edge along the source of the edge
   };
   struct Vertex {
     HalfedgeId outgoing;
     bool is_used = true;
+    std::uint32_t source = kNone;
   };
 
   MeshEditor() = default;
@@ -104,8 +120,12 @@ class MeshEditor {
   void add_boundary(const PolygonMesh& mesh);
 
   HalfedgeId new_edge();
-  VertexId new_vertex(const ExactPoint& point);
-  FaceId new_face(HalfedgeId h);
+  VertexId new_vertex(const ExactPoint& point, std::uint32_t source);
+  FaceId new_face(HalfedgeId h, FaceId part_of);
+  ElementSources sources(const PolygonMesh& source, const PolygonMesh& result) const;
+  /// The source of the corner at a share of the way from the one that `h` leaves to the next one; of none if there is
+  /// no face.
+  std::uint32_t corner_between(HalfedgeId h, double share);
   void free_edge(HalfedgeId h);
   void connect(HalfedgeId h, HalfedgeId to);
   /// Makes a half-edge without a face that of the vertex, if there is one.
@@ -122,11 +142,13 @@ class MeshEditor {
 
   std::vector<Halfedge> halfedges_;  // next is invalid at unused ones
   std::vector<HalfedgeId> faces_;    // invalid at unused ones
+  std::vector<std::uint32_t> face_sources_;
   std::vector<Vertex> vertices_;
   std::vector<ExactPoint> points_;
   std::vector<HalfedgeId> free_halfedges_;  // in pairs
   std::vector<FaceId> free_faces_;
   std::vector<VertexId> free_vertices_;
+  ElementBlends blends_;
 };
 
 }  // namespace algebra3d

@@ -1,4 +1,7 @@
 // The edits of MeshEditor.
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "algebra3d/halfedge/mesh_editor.h"
@@ -17,6 +20,12 @@ Maybe<HalfedgeId> MeshEditor::flip_edge(HalfedgeId h) {
   if (find(c, d).is_valid())
     return Undefined{fmt::format("an edge joins vertices {} and {} already", c.index(), d.index())};
   const HalfedgeId p = prev(h), op = prev(o), nn = next(n), onn = next(on);
+  // Corners that a face keeps keep their sources; at its new corner it takes over that of the other face.
+  const std::uint32_t corner_a = halfedges_[h.index()].corner, corner_b = halfedges_[o.index()].corner;
+  halfedges_[h.index()].corner = halfedges_[onn.index()].corner;
+  halfedges_[o.index()].corner = halfedges_[nn.index()].corner;
+  halfedges_[on.index()].corner = corner_a;
+  halfedges_[n.index()].corner = corner_b;
   halfedges_[h.index()].origin = d;
   halfedges_[o.index()].origin = c;
   halfedges_[n.index()].face = face(o);
@@ -40,17 +49,37 @@ void MeshEditor::cut_triangle(HalfedgeId h) {
   (void)split_face(face(h), target(h), target(next(next(h))));
 }
 
+std::uint32_t MeshEditor::corner_between(HalfedgeId h, double share) {
+  if (is_boundary(h)) return kNone;
+  return blends_.halfedges.add_between(halfedges_[h.index()].corner, halfedges_[next(h).index()].corner, share);
+}
+
 VertexId MeshEditor::split_edge(HalfedgeId h, const ExactPoint& point) {
+  const Vec3 from = points_[origin(h).index()].approx(), along = points_[target(h).index()].approx() - from;
+  const double share = dot(point.approx() - from, along) / dot(along, along);
+  // No number where the ends are one point.
+  return split_edge(h, point, std::isnan(share) ? 0.5 : std::clamp(share, 0.0, 1.0));
+}
+
+VertexId MeshEditor::split_edge(HalfedgeId h, const ExactPoint& point, double share) {
+  const std::uint32_t corner = corner_between(h, share), other_corner = corner_between(opposite(h), 1 - share);
   const HalfedgeId o = opposite(h), k = new_edge(), ko = opposite(k);
-  const VertexId b = origin(o), m = new_vertex(point);
+  const VertexId b = origin(o);
+  const VertexId m = new_vertex(
+      point, blends_.vertices.add_between(vertices_[origin(h).index()].source, vertices_[b.index()].source, share));
   const HalfedgeId after = next(h), before = prev(o);
   const bool is_triangle = !is_boundary(h) && degree(face(h)) == 3;
   const bool is_other_triangle = !is_boundary(o) && degree(face(o)) == 3;
   halfedges_[k.index()].origin = m;
   halfedges_[k.index()].face = face(h);
+  halfedges_[k.index()].corner = corner;
+  halfedges_[k.index()].along = halfedges_[h.index()].along;
   halfedges_[ko.index()].origin = b;
   halfedges_[ko.index()].face = face(o);
+  halfedges_[ko.index()].corner = halfedges_[o.index()].corner;
+  halfedges_[ko.index()].along = halfedges_[o.index()].along;
   halfedges_[o.index()].origin = m;
+  halfedges_[o.index()].corner = other_corner;
   connect(h, k);
   connect(k, after);
   connect(before, ko);
@@ -80,12 +109,14 @@ Maybe<FaceId> MeshEditor::split_face(FaceId f, VertexId from, VertexId to) {
     return Undefined{fmt::format("an edge joins vertices {} and {} already", from.index(), to.index())};
   const HalfedgeId closing = new_edge(), other = opposite(closing);
   halfedges_[closing.index()].origin = to;
+  halfedges_[closing.index()].corner = halfedges_[second.index()].corner;
   halfedges_[other.index()].origin = from;
+  halfedges_[other.index()].corner = halfedges_[first.index()].corner;
   connect(prev(first), other);
   connect(prev(second), closing);
   connect(other, second);
   connect(closing, first);
-  const FaceId added = new_face(second);
+  const FaceId added = new_face(second, f);
   for (h = second; !(face(h) == added); h = next(h)) halfedges_[h.index()].face = added;
   halfedges_[closing.index()].face = f;
   faces_[f.index()] = first;
@@ -96,15 +127,17 @@ Maybe<VertexId> MeshEditor::split_vertex(VertexId v, HalfedgeId first, HalfedgeI
   for (const HalfedgeId h : {first, last})
     if (origin(h) != v) return Undefined{fmt::format("an edge does not begin at vertex {}", v.index())};
   if (first == last) return Undefined{"both edges are the same"};
-  const VertexId added = new_vertex(point);
+  const VertexId added = new_vertex(point, vertices_[v.index()].source);
   const HalfedgeId out = new_edge(), back = opposite(out);  // v -> added, added -> v
   const HalfedgeId to_first = opposite(first), to_last = opposite(last);
   const HalfedgeId after_first = next(to_first), after_last = next(to_last);
   for (HalfedgeId h = first; h != last; h = opposite(prev(h))) halfedges_[h.index()].origin = added;
   halfedges_[out.index()].origin = v;
   halfedges_[out.index()].face = face(to_last);
+  halfedges_[out.index()].corner = halfedges_[after_last.index()].corner;
   halfedges_[back.index()].origin = added;
   halfedges_[back.index()].face = face(to_first);
+  halfedges_[back.index()].corner = halfedges_[after_first.index()].corner;
   connect(to_first, back);
   connect(back, after_first);
   connect(to_last, out);
@@ -163,6 +196,7 @@ void MeshEditor::remove_digon(HalfedgeId h) {
   connect(prev(o), stays);
   connect(stays, next(o));
   halfedges_[stays.index()].face = face(o);
+  halfedges_[stays.index()].corner = halfedges_[o.index()].corner;
   if (face(o).is_valid() && faces_[face(o).index()] == o) faces_[face(o).index()] = stays;
   free_edge(h);
   settle(a, opposite(stays));
@@ -185,7 +219,12 @@ Maybe<VertexId> MeshEditor::collapse_edge(HalfedgeId h) {
   free_vertices_.push_back(b);
   settle(a, n);
   if (is_triangle) remove_digon(n);
-  if (is_other_triangle) remove_digon(on);
+  if (is_other_triangle) {
+    // The edge of `a` goes here, that of `b` stays; their attributes the other way round.
+    const HalfedgeId stays = next(on);
+    halfedges_[stays.index()].along = halfedges_[opposite(stays).index()].along = halfedges_[on.index()].along;
+    remove_digon(on);
+  }
   return a;
 }
 

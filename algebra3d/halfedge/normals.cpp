@@ -1,9 +1,11 @@
 #include "algebra3d/halfedge/normals.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
+#include "algebra3d/base/scheduler.h"
 #include "algebra3d/exact/plane.h"
 #include "algebra3d/halfedge/circulators.h"
 #include "algebra3d/halfedge/detail/angles.h"
@@ -13,28 +15,43 @@ namespace {
 
 // ---- faces
 
-/// The normal by doubles alone; nothing where that is not within 1e-9: relative to the sum of the products of the
-/// edges' lengths the error is below 2^-50 per corner.
-template <typename Layout>
-std::optional<Vec3> quick_normal(const HalfedgeMesh<Layout>& mesh, FaceId f) {
-  constexpr double kLeastShare = 0x1p-20;
-  const auto corners = corner_indices(mesh, f);
-  if (mesh.points().exact_count() != 0 &&
-      !std::ranges::all_of(corners, [&](std::uint32_t corner) { return mesh.points()[corner].is_double(); }))
-    return std::nullopt;
-  const std::vector<Vec3>& points = mesh.points().approx();
-  const Vec3 origin = points[corners[0]];
-  Vec3 sum, before = points[corners[1]] - origin;
+/// A multiple of a normal by doubles, and the size of the products that it is a sum of, squared.
+struct RoundedNormal {
+  Vec3 sum;
+  double squared_products = 0;
+};
+
+RoundedNormal rounded_normal(const std::vector<Vec3>& points, std::span<const std::uint32_t> corners) {
+  const auto product = [](const Vec3& u, const Vec3& v) { return RoundedNormal{cross(u, v), dot(u, u) * dot(v, v)}; };
+  const Vec3 &a = points[corners[0]], &b = points[corners[1]], &c = points[corners[2]];
+  if (corners.size() == 3) return product(b - a, c - a);
+  if (corners.size() == 4) return product(c - a, points[corners[3]] - b);
+  RoundedNormal result;
   double products = 0;
+  Vec3 before = b - a;
   for (std::size_t i = 2; i < corners.size(); ++i) {
-    const Vec3 next = points[corners[i]] - origin;
-    sum = sum + cross(before, next);
-    products += std::sqrt(dot(before, before) * dot(next, next));
+    const Vec3 next = points[corners[i]] - a;
+    result.sum = result.sum + cross(before, next);
+    products += 0.5 * (dot(before, before) + dot(next, next));  // no less than the product of the lengths
     before = next;
   }
-  const double size = std::sqrt(dot(sum, sum));
-  if (!(size > kLeastShare * products) || !(size > 0x1p-400) || !(size < 0x1p400)) return std::nullopt;
-  return 1 / size * sum;
+  result.squared_products = products * products;
+  return result;
+}
+
+/// The normal by doubles alone; nothing where that is not within 1e-9: relative to the products the error is below
+/// 2^-50 per corner.
+std::optional<Vec3> quick_normal(const PointArray& points, std::span<const std::uint32_t> corners) {
+  constexpr double kLeastShare = 0x1p-20;
+  if (points.exact_count() != 0 &&
+      !std::ranges::all_of(corners, [&](std::uint32_t corner) { return points[corner].is_double(); }))
+    return std::nullopt;
+  const RoundedNormal rounded = rounded_normal(points.approx(), corners);
+  const double squared = dot(rounded.sum, rounded.sum);
+  if (!(squared > kLeastShare * kLeastShare * rounded.squared_products) || !(squared > 0x1p-800) ||
+      !(squared < 0x1p800))
+    return std::nullopt;
+  return 1 / std::sqrt(squared) * rounded.sum;
 }
 
 // ---- edges
@@ -58,24 +75,47 @@ Vec3 direction(const Vec3& v) {
   return {scaled.x / size, scaled.y / size, scaled.z / size};
 }
 
+/// A corner as the direction (cosine, sine), up to a factor, from which its angle is computed; sine >= 0.
+struct CornerDirection {
+  double sine = 0, cosine = 0;
+  bool is_reflex = false;
+
+  /// Between two edges, in a face with this normal if that has more than three corners.
+  CornerDirection(const Vec3& u, const Vec3& v, const Vec3* normal) {
+    const Vec3 turn = cross(u, v);
+    sine = std::sqrt(dot(turn, turn));
+    cosine = dot(u, v);
+    is_reflex = normal != nullptr && dot(turn, *normal) < 0;
+  }
+  bool is_in_range() const {
+    const double size = sine + std::abs(cosine);
+    return size > 0x1p-450 && size < 0x1p450;
+  }
+};
+
+double with_reflex(double angle, bool is_reflex) {
+  return is_reflex ? 2 * std::numbers::pi - angle : angle;
+}
+
+/// The direction of the corner that `h` leaves, of any size.
+template <typename Layout>
+CornerDirection corner_direction(const HalfedgeMesh<Layout>& mesh, HalfedgeId h, const Vec3& face_normal) {
+  const std::vector<Vec3>& points = mesh.points().approx();
+  const Vec3& corner = points[mesh.origin(h).index()];
+  const Vec3 &next = points[mesh.target(h).index()], &before = points[mesh.origin(mesh.prev(h)).index()];
+  const Vec3* normal = mesh.degree(mesh.face(h)) > 3 ? &face_normal : nullptr;
+  const CornerDirection plain(next - corner, before - corner, normal);
+  if (plain.is_in_range()) return plain;
+  // Differences of the largest doubles are beyond their range.
+  const double scale = plain.sine + std::abs(plain.cosine) < 1 ? 1 : 0.25;
+  return {direction(scale * next - scale * corner), direction(scale * before - scale * corner), normal};
+}
+
 /// The angle of the corner that `h` leaves, in a face with this normal: more than pi at a reflex corner.
 template <typename Layout>
 double corner_angle(const HalfedgeMesh<Layout>& mesh, HalfedgeId h, const Vec3& normal) {
-  const std::vector<Vec3>& points = mesh.points().approx();
-  const Vec3& corner = points[mesh.origin(h).index()];
-  Vec3 u = points[mesh.target(h).index()] - corner;
-  Vec3 v = points[mesh.origin(mesh.prev(h)).index()] - corner;
-  Vec3 turn = cross(u, v);
-  const double size = dot(turn, turn) + std::abs(dot(u, v));
-  if (!(size > 0x1p-900) || !(size < 0x1p900)) {
-    // Differences of the largest doubles are beyond their range.
-    const double scale = size < 0x1p900 ? 1 : 0.25;
-    u = direction(scale * points[mesh.target(h).index()] - scale * corner);
-    v = direction(scale * points[mesh.origin(mesh.prev(h)).index()] - scale * corner);
-    turn = cross(u, v);
-  }
-  const double angle = detail::angle_of_direction(std::sqrt(dot(turn, turn)), dot(u, v));
-  return mesh.degree(mesh.face(h)) > 3 && dot(turn, normal) < 0 ? 2 * std::numbers::pi - angle : angle;
+  const CornerDirection corner = corner_direction(mesh, h, normal);
+  return with_reflex(detail::angle_of_direction(corner.sine, corner.cosine), corner.is_reflex);
 }
 
 /// A sum of normals weighted by angles.
@@ -92,6 +132,78 @@ struct WeightedNormal {
     const double size = std::sqrt(dot(sum, sum));
     return size > 0x1p-40 * angles ? 1 / size * sum : Vec3{};
   }
+};
+
+/// Makes the normals of consecutive vertices. The angles of a batch of corners are computed together: without
+/// anything between them, the processor works on several at once.
+template <typename Layout>
+class VertexNormalsMaker {
+ public:
+  VertexNormalsMaker(const HalfedgeMesh<Layout>& mesh, std::span<const Vec3> face_normals, std::span<Vec3> normals)
+      : mesh_(mesh), points_(mesh.points().approx()), face_normals_(face_normals), normals_(normals) {}
+
+  void make(std::size_t begin, std::size_t end) {
+    constexpr std::size_t kCornersPerBatch = 512;
+    first_ = begin;
+    for (std::size_t v = begin; v < end; ++v) {
+      for (const HalfedgeId fan : mesh_.fans(VertexId(v))) add_fan(VertexId(v), fan);
+      ends_.push_back(sines_.size());
+      if (sines_.size() >= kCornersPerBatch) finish_batch();
+    }
+    finish_batch();
+  }
+
+ private:
+  void add_fan(VertexId v, HalfedgeId first) {
+    const Vec3& corner = points_[v.index()];
+    Vec3 u = points_[mesh_.target(first).index()] - corner;
+    HalfedgeId h = first;
+    do {
+      const HalfedgeId incoming = mesh_.prev(h);
+      const Vec3 w = points_[mesh_.origin(incoming).index()] - corner;
+      const FaceId face = mesh_.face(h);
+      const Vec3* normal = mesh_.degree(face) > 3 ? &face_normals_[face.index()] : nullptr;
+      CornerDirection direction(u, w, normal);
+      if (!direction.is_in_range()) direction = corner_direction(mesh_, h, face_normals_[face.index()]);
+      sines_.push_back(direction.sine);
+      cosines_.push_back(direction.cosine);
+      corners_.push_back({face.index(), direction.is_reflex});
+      u = w;
+      h = mesh_.opposite(incoming);
+    } while (h.is_valid() && h != first);
+  }
+
+  void finish_batch() {
+    angles_.resize(sines_.size());
+    for (std::size_t i = 0; i < angles_.size(); ++i) angles_[i] = detail::angle_of_direction(sines_[i], cosines_[i]);
+    std::size_t corner = 0;
+    for (const std::size_t end : ends_) {
+      WeightedNormal sum;
+      for (; corner < end; ++corner) {
+        const Corner& at = corners_[corner];
+        sum.add(face_normals_[at.face], with_reflex(angles_[corner], at.is_reflex));
+      }
+      normals_[first_++] = sum.direction();
+    }
+    sines_.clear();
+    cosines_.clear();
+    corners_.clear();
+    ends_.clear();
+  }
+
+  struct Corner {
+    std::uint32_t face;
+    bool is_reflex;
+  };
+
+  const HalfedgeMesh<Layout>& mesh_;
+  const std::vector<Vec3>& points_;
+  std::span<const Vec3> face_normals_;
+  std::span<Vec3> normals_;
+  std::size_t first_ = 0;                         // vertex of the batch
+  std::vector<double> sines_, cosines_, angles_;  // per corner of the batch
+  std::vector<Corner> corners_;
+  std::vector<std::size_t> ends_;  // per vertex of the batch, in the corners
 };
 
 // ---- corners
@@ -173,13 +285,19 @@ std::optional<double> dihedral_angle_degrees(const HalfedgeMesh<Layout>& mesh, H
 }
 
 template <typename Layout>
+void face_normals(const HalfedgeMesh<Layout>& mesh, std::span<Vec3> normals) {
+  assert(normals.size() == mesh.face_count());
+  constexpr std::size_t kFacesPerTask = 20000;
+  parallel_for(mesh.face_count(), kFacesPerTask, [&](std::size_t f) {
+    const std::optional<Vec3> quick = quick_normal(mesh.points(), corner_indices(mesh, FaceId(f)));
+    normals[f] = quick ? *quick : vector_area(mesh, FaceId(f)).normal;
+  });
+}
+
+template <typename Layout>
 std::vector<Vec3> face_normals(const HalfedgeMesh<Layout>& mesh) {
-  std::vector<Vec3> normals;
-  normals.reserve(mesh.face_count());
-  for (const FaceId f : faces(mesh)) {
-    const std::optional<Vec3> quick = quick_normal(mesh, f);
-    normals.push_back(quick ? *quick : vector_area(mesh, f).normal);
-  }
+  std::vector<Vec3> normals(mesh.face_count());
+  face_normals(mesh, normals);
   return normals;
 }
 
@@ -194,15 +312,20 @@ Vec3 vertex_normal(const HalfedgeMesh<Layout>& mesh, VertexId v) {
 }
 
 template <typename Layout>
+void vertex_normals(const HalfedgeMesh<Layout>& mesh, std::span<const Vec3> face_normals, std::span<Vec3> normals) {
+  assert(face_normals.size() == mesh.face_count() && normals.size() == mesh.vertex_count());
+  constexpr std::size_t kVerticesPerTask = 10000;
+  const std::size_t tasks = (mesh.vertex_count() + kVerticesPerTask - 1) / kVerticesPerTask;
+  parallel_for(tasks, 1, [&](std::size_t task) {
+    const std::size_t end = std::min(mesh.vertex_count(), (task + 1) * kVerticesPerTask);
+    VertexNormalsMaker<Layout>(mesh, face_normals, normals).make(task * kVerticesPerTask, end);
+  });
+}
+
+template <typename Layout>
 std::vector<Vec3> vertex_normals(const HalfedgeMesh<Layout>& mesh, std::span<const Vec3> face_normals) {
-  std::vector<WeightedNormal> sums(mesh.vertex_count());
-  for (const FaceId f : faces(mesh)) {
-    const Vec3& normal = face_normals[f.index()];
-    for (const HalfedgeId h : halfedges_of(mesh, f))
-      sums[mesh.origin(h).index()].add(normal, corner_angle(mesh, h, normal));
-  }
-  std::vector<Vec3> normals(sums.size());
-  std::ranges::transform(sums, normals.begin(), &WeightedNormal::direction);
+  std::vector<Vec3> normals(mesh.vertex_count());
+  vertex_normals(mesh, face_normals, normals);
   return normals;
 }
 
@@ -214,13 +337,17 @@ CornerNormals corner_normals(const HalfedgeMesh<Layout>& mesh, std::span<const V
 
 template std::optional<double> dihedral_angle_degrees(const HalfedgeMesh<TriangleLayout>&, HalfedgeId);
 template std::vector<Vec3> face_normals(const HalfedgeMesh<TriangleLayout>&);
+template void face_normals(const HalfedgeMesh<TriangleLayout>&, std::span<Vec3>);
 template Vec3 vertex_normal(const HalfedgeMesh<TriangleLayout>&, VertexId);
 template std::vector<Vec3> vertex_normals(const HalfedgeMesh<TriangleLayout>&, std::span<const Vec3>);
+template void vertex_normals(const HalfedgeMesh<TriangleLayout>&, std::span<const Vec3>, std::span<Vec3>);
 template CornerNormals corner_normals(const HalfedgeMesh<TriangleLayout>&, std::span<const Vec3>, double);
 template std::optional<double> dihedral_angle_degrees(const HalfedgeMesh<PolygonLayout>&, HalfedgeId);
 template std::vector<Vec3> face_normals(const HalfedgeMesh<PolygonLayout>&);
+template void face_normals(const HalfedgeMesh<PolygonLayout>&, std::span<Vec3>);
 template Vec3 vertex_normal(const HalfedgeMesh<PolygonLayout>&, VertexId);
 template std::vector<Vec3> vertex_normals(const HalfedgeMesh<PolygonLayout>&, std::span<const Vec3>);
+template void vertex_normals(const HalfedgeMesh<PolygonLayout>&, std::span<const Vec3>, std::span<Vec3>);
 template CornerNormals corner_normals(const HalfedgeMesh<PolygonLayout>&, std::span<const Vec3>, double);
 
 }  // namespace algebra3d

@@ -36,6 +36,9 @@ std::optional<double> dihedral_angle_degrees(const HalfedgeMesh<Layout>& mesh, H
 /// nanoseconds per face; as vector_area at corners that are no doubles and for slivers.
 template <typename Layout>
 std::vector<Vec3> face_normals(const HalfedgeMesh<Layout>& mesh);
+/// The same, written to `normals`, one per face.
+template <typename Layout>
+void face_normals(const HalfedgeMesh<Layout>& mesh, std::span<Vec3> normals);
 
 /// The normal of a vertex: the sum of the normals of its faces (vector_area), weighted by their angles at the vertex.
 /// None at an isolated vertex, and where the normals cancel up to 2^-40 of the sum of the angles. Exactness: within
@@ -45,6 +48,9 @@ Vec3 vertex_normal(const HalfedgeMesh<Layout>& mesh, VertexId v);
 /// The normals of all vertices, from those of the faces. Cost: linear.
 template <typename Layout>
 std::vector<Vec3> vertex_normals(const HalfedgeMesh<Layout>& mesh, std::span<const Vec3> face_normals);
+/// The same, written to `normals`, one per vertex.
+template <typename Layout>
+void vertex_normals(const HalfedgeMesh<Layout>& mesh, std::span<const Vec3> face_normals, std::span<Vec3> normals);
 
 /// Normals of corners; corners of a vertex share one unless a crease is between them.
 struct CornerNormals {

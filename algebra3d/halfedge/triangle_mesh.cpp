@@ -7,10 +7,9 @@ namespace algebra3d {
 namespace {
 
 LargeVector<std::uint32_t> origins_of(std::span<const TriangleMesh::Triangle> triangles) {
-  LargeVector<std::uint32_t> origins;
-  origins.reserve(3 * triangles.size());
-  for (const TriangleMesh::Triangle& triangle : triangles)
-    origins.insert(origins.end(), triangle.begin(), triangle.end());
+  LargeVector<std::uint32_t> origins(3 * triangles.size());
+  for (std::size_t f = 0; f < triangles.size(); ++f)
+    for (std::size_t i = 0; i < 3; ++i) origins[3 * f + i] = triangles[f][i];
   return origins;
 }
 
@@ -32,6 +31,12 @@ TriangleMesh::TriangleMesh(PointArray points, LargeVector<std::uint32_t> origins
                    Links::all_but_between_open_vertices),
       planes_(std::move(planes)) {
   assert(halfedge_count() % 3 == 0);
+}
+
+TriangleMesh TriangleMesh::with_proposed_links(PointArray points, LargeVector<std::uint32_t> origins,
+                                               LargeVector<std::uint32_t> opposites) {
+  assert(origins.size() % 3 == 0);
+  return {std::move(points), {}, std::move(origins), std::move(opposites), {}, Links::proposed};
 }
 
 TriangleRef TriangleMesh::corners(FaceId f) const {

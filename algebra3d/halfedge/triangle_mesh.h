@@ -39,6 +39,11 @@ class TriangleMesh : public HalfedgeMesh<TriangleLayout> {
   TriangleMesh(PointArray points, LargeVector<std::uint32_t> origins, LargeVector<std::uint32_t> opposites,
                LargeVector<HalfedgeId> outgoing, FacePlanes planes);
 
+  /// The same where opposites are half-edges along the same edge in the other direction, of edges that may have further
+  /// half-edges, or kUnlinked. Cost: that of a mesh without links, or less.
+  static TriangleMesh with_proposed_links(PointArray points, LargeVector<std::uint32_t> origins,
+                                          LargeVector<std::uint32_t> opposites);
+
   Triangle triangle(FaceId f) const {
     const std::uint32_t* first = origins().data() + halfedge(f).index();
     return {first[0], first[1], first[2]};
@@ -52,6 +57,8 @@ class TriangleMesh : public HalfedgeMesh<TriangleLayout> {
   std::size_t heap_bytes() const { return HalfedgeMesh::heap_bytes() + planes_.heap_bytes(); }
 
  private:
+  using HalfedgeMesh::HalfedgeMesh;
+
   FacePlanes planes_;
 };
 

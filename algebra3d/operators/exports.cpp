@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "algebra3d/base/diagnostics.h"
+#include "algebra3d/constructions/mesh_conversions.h"
 #include "algebra3d/formats/export_solid.h"
 #include "algebra3d/formats/mesh3d_files.h"
 #include "algebra3d/operators/all.h"
@@ -66,7 +67,9 @@ Result<ExportedSolid> export_value(Context& context, const std::string& op, cons
 }
 Result<ExportedSolid> export_value(Context& context, const std::string& op, const Mesh3d& mesh, const std::string& name,
                                    const std::string& file, const MeshFileForm& form) {
-  return export_mesh(context, op, mesh, name, file, form);
+  if (!form.format->stores_triangles) return export_mesh(context, op, mesh, name, file, form);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Mesh3d triangles, triangulated(mesh, context.monitor()));
+  return export_mesh(context, op, triangles, name, file, form);
 }
 
 /// `given` are the arguments for export_parameters.
@@ -134,12 +137,10 @@ std::vector<std::string> example_arguments(const MeshFormat& format, const std::
 }
 
 std::vector<Overload> export_overloads(const MeshFormat& format) {
-  std::vector<Overload> overloads{export_overload<Volume3d>(format)};
-  if (!format.stores_triangles) overloads.push_back(export_overload<Mesh3d>(format));
-  return overloads;
+  return {export_overload<Volume3d>(format), export_overload<Mesh3d>(format)};
 }
 
-/// "(volume3d string text bool)", for polygons with "or (mesh3d string text bool)".
+/// Such as "(volume3d string text bool) or (mesh3d string text bool)".
 std::string parameter_types(const MeshFormat& format) {
   std::string text;
   for (const Overload& overload : export_overloads(format)) {
@@ -152,11 +153,9 @@ std::string parameter_types(const MeshFormat& format) {
 }
 
 std::vector<Example> export_examples(const MeshFormat& format) {
-  std::vector<Example> examples{{example_arguments(format, kUnitCube, "no such folder/"), "FALSE"},
-                                {example_arguments(format, kUndefinedSolid, ""), "FALSE"}};
-  if (!format.stores_triangles)
-    examples.push_back({example_arguments(format, "(mesh3d (() ()))", "no such folder/"), "FALSE"});
-  return examples;
+  return {{example_arguments(format, kUnitCube, "no such folder/"), "FALSE"},
+          {example_arguments(format, kUndefinedSolid, ""), "FALSE"},
+          {example_arguments(format, "(mesh3d (() ()))", "no such folder/"), "FALSE"}};
 }
 
 void register_export(Registry& registry, const MeshFormat& format) {
@@ -166,19 +165,18 @@ void register_export(Registry& registry, const MeshFormat& format) {
   registry.add({
       .name = op,
       .syntax = syntax + "]",
-      .doc =
-          fmt::format("Writes a solid{} to {}{}{}; TRUE if the file was written.",
-                      format.stores_triangles ? "" : " or mesh", format.title, format.stores_name ? " with a name" : "",
-                      has_choice(format) ? ", in binary (TRUE) or ASCII" : ""),
+      .doc = fmt::format("Writes a solid or mesh to {}{}{}; TRUE if the file was written.", format.title,
+                         format.stores_name ? " with a name" : "",
+                         has_choice(format) ? ", in binary (TRUE) or ASCII" : ""),
       .detail = coordinates_text(format) +
                 "A diagnostic reports the change of the boundary and of the volume if it exceeds a ten thousandth of "
                 "the diagonal or of the volume, if shells vanished, or if facets were divided. FALSE with a "
                 "diagnostic if a coordinate is beyond the range of the file's numbers, if nothing of the solid is "
                 "left, if an argument is undefined, or if the file cannot be written; an existing file is then "
                 "unchanged." +
-                (format.stores_triangles ? std::string()
-                                         : " The vertices and faces of a mesh are written in their order, with a "
-                                           "diagnostic that counts the vertices whose coordinates are rounded."),
+                " The vertices and faces of a mesh are written in their order, with a diagnostic that counts the "
+                "vertices whose coordinates are rounded" +
+                (format.stores_triangles ? "; faces of more corners are triangulated, as by triangulate." : "."),
       .exactness = Exactness::reported,
       .frame_use = FrameUse::coordinates,
       .is_pure = false,

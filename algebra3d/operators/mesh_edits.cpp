@@ -47,7 +47,9 @@ Maybe<Mesh3d> edited(const Mesh3d& mesh, const Edit& edit) {
   Maybe<MeshEditor> editor = MeshEditor::of(mesh.mesh());
   if (!editor) return Undefined{editor.reason()};
   if (auto done = edit(*editor); !done) return Undefined{done.reason()};
-  return Mesh3d(editor->mesh());
+  PolygonMesh result = editor->mesh();
+  MeshAttributes attributes = editor->attributes(mesh.attributes(), mesh.mesh(), result);
+  return Mesh3d(std::move(result), std::move(attributes));
 }
 
 Outcome3d with_flipped_edge(Context& /*context*/, const Mesh3d& mesh, std::int64_t edge) {
@@ -60,7 +62,7 @@ Outcome3d with_edge_split_at(Context& /*context*/, const Mesh3d& mesh, std::int6
   return edited(mesh, [&](MeshEditor& editor) { return Maybe<VertexId>(editor.split_edge(h, point.position)); });
 }
 
-Outcome3d with_split_edge(Context& context, const Mesh3d& mesh, std::int64_t edge, double share) {
+Outcome3d with_split_edge(Context& /*context*/, const Mesh3d& mesh, std::int64_t edge, double share) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const HalfedgeId h, edge_of("splitEdge", mesh.mesh(), edge));
   if (!(share > 0 && share < 1))
     return Maybe<Mesh3d>(Undefined{"the share must be between 0 and 1, got " + real_text(share)});
@@ -68,7 +70,8 @@ Outcome3d with_split_edge(Context& context, const Mesh3d& mesh, std::int64_t edg
   const RationalVec3 to = mesh.mesh().point(mesh.mesh().target(h)).rational();
   const Rational t(share);
   const auto between = [&](std::size_t axis) { return from[axis] + t * (to[axis] - from[axis]); };
-  return with_edge_split_at(context, mesh, edge, {ExactPoint(RationalVec3{between(0), between(1), between(2)})});
+  const ExactPoint point(RationalVec3{between(0), between(1), between(2)});
+  return edited(mesh, [&](MeshEditor& editor) { return Maybe<VertexId>(editor.split_edge(h, point, share)); });
 }
 
 Outcome3d with_collapsed_edge(Context& /*context*/, const Mesh3d& mesh, std::int64_t edge) {
@@ -106,7 +109,8 @@ Outcome3d with_moved_vertex(Context& /*context*/, const Mesh3d& mesh, std::int64
   points.append(mesh.mesh().points(), 0, v.index());
   points.push_back(point.position);
   points.append(mesh.mesh().points(), v.index() + 1, mesh.mesh().vertex_count() - v.index() - 1);
-  return Maybe<Mesh3d>(Mesh3d(PolygonMesh(std::move(points), mesh.mesh().layout(), mesh.mesh().origins())));
+  PolygonMesh moved(std::move(points), mesh.mesh().layout(), mesh.mesh().origins());
+  return Maybe<Mesh3d>(Mesh3d(std::move(moved), mesh.attributes()));
 }
 
 const std::string kHalvedSquare = "(mesh3d (((0 0 0) (1 0 0) (1 1 0) (0 1 0)) ((0 1 2) (0 2 3))))";
@@ -117,16 +121,18 @@ const std::string kThreeTriangles = "(mesh3d (((0 0 0) (1 0 0) (1 1 0) (0 1 0) (
 const std::string kCommonDetail =
     "The mesh must be a manifold, boundary allowed; otherwise, and where the edit would not leave one, the result is "
     "undefined, with the reason. Coordinates are exact and do not matter. Edges are numbered from 0 by their first "
-    "half-edges, as edges lists them. ";
+    "half-edges, as edges lists them. Attributes are kept. ";
 
 void register_edge_edits(Registry& registry) {
   registry.add({
       .name = "flipEdge",
       .syntax = "flipEdge(_, _)",
       .doc = "The mesh with one edge turned, so that it joins the next corners of the two faces beside it.",
-      .detail = kCommonDetail +
-                "Of two triangles it becomes the other diagonal. Vertices and faces keep their numbers. Refused at the "
-                "boundary, where an edge joins those corners already, and where a vertex would be left with one edge.",
+      .detail =
+          kCommonDetail +
+          "Of two triangles it becomes the other diagonal. Vertices and faces keep their numbers. Refused at the "
+          "boundary, where an edge joins those corners already, and where a vertex would be left with one edge. At "
+          "its new corner a face has the values of the other face there.",
       .exactness = Exactness::exact,
       .overloads = {overload<&with_flipped_edge>("mesh", "edge")},
       .examples = {{{kHalvedSquare, "2"},
@@ -141,10 +147,14 @@ void register_edge_edits(Registry& registry) {
       .name = "splitEdge",
       .syntax = "splitEdge(_, _, _)",
       .doc = "The mesh with a new vertex in an edge: at a share of the way along it, or at a point.",
-      .detail = kCommonDetail +
-                "Triangles along the edge are divided, faces of more corners get one more. The new vertex is the last "
-                "one, and new faces come last. A share counts from the origin of the edge's first half-edge and must "
-                "be between 0 and 1; the point is exact. A point need not be on the edge.",
+      .detail =
+          kCommonDetail +
+          "Triangles along the edge are divided, faces of more corners get one more. The new vertex is the last "
+          "one, and new faces come last. A share counts from the origin of the edge's first half-edge and must "
+          "be between 0 and 1; the point is exact. A point need not be on the edge. Both parts of the edge and of a "
+          "face have its values. The values of the vertex and of its corners are between those at the ends, "
+          "numbers by the share of the way (of the nearest place on the edge for a point), texts only if they "
+          "agree.",
       .exactness = Exactness::exact,
       .overloads = {overload<&with_split_edge>("mesh", "edge", "share"),
                     overload<&with_edge_split_at>("mesh", "edge", "point")},
@@ -161,11 +171,13 @@ void register_edge_edits(Registry& registry) {
       .name = "collapseEdge",
       .syntax = "collapseEdge(_, _)",
       .doc = "The mesh with the two ends of an edge merged into the first one, which stays where it is.",
-      .detail = kCommonDetail +
-                "The origin of the edge's first half-edge stays; triangles along the edge vanish. Vertices and faces "
-                "after those that are gone move down in number. Refused unless the link condition holds: the ends have "
-                "no common neighbours but the third corners of triangles along the edge, and an edge inside does not "
-                "join boundary to boundary.",
+      .detail =
+          kCommonDetail +
+          "The origin of the edge's first half-edge stays; triangles along the edge vanish. Vertices and faces "
+          "after those that are gone move down in number. Refused unless the link condition holds: the ends have "
+          "no common neighbours but the third corners of triangles along the edge, and an edge inside does not "
+          "join boundary to boundary. Corners that change to the vertex that stays take its values in their chart, "
+          "that is, on their side of all edges where the values of corners differ.",
       .exactness = Exactness::exact,
       .sources = {"dey1999"},
       .overloads = {overload<&with_collapsed_edge>("mesh", "edge")},
@@ -186,7 +198,8 @@ void register_other_edits(Registry& registry) {
       .doc = "The mesh with two corners of a face joined by an edge.",
       .detail = kCommonDetail +
                 "The part from the first corner to the second, in the order of the face, keeps the number; the other "
-                "one is the last face. Refused where the corners are neighbours, or joined by an edge elsewhere.",
+                "one is the last face; both have its values. Refused where the corners are neighbours, or joined by an "
+                "edge elsewhere.",
       .exactness = Exactness::exact,
       .overloads = {overload<&with_split_face>("mesh", "face", "first", "second")},
       .examples = {{{kSquareFace, "0", "0", "2"},
@@ -201,10 +214,12 @@ void register_other_edits(Registry& registry) {
       .name = "splitVertex",
       .syntax = "splitVertex(_, _, _, _, _)",
       .doc = "The mesh with a vertex divided in two that an edge joins; the new one is at a point.",
-      .detail = kCommonDetail +
-                "Counter-clockwise about the vertex, the edges from the one to the first neighbour up to the one to "
-                "the second, without it, move to the new vertex, which is the last one. Faces keep their numbers; two "
-                "get a corner more. Refused unless both are neighbours, and two.",
+      .detail =
+          kCommonDetail +
+          "Counter-clockwise about the vertex, the edges from the one to the first neighbour up to the one to "
+          "the second, without it, move to the new vertex, which is the last one. Faces keep their numbers; two "
+          "get a corner more. The new vertex and its corners have the values of the vertex. Refused unless both are "
+          "neighbours, and two.",
       .exactness = Exactness::exact,
       .overloads = {overload<&with_split_vertex>("mesh", "vertex", "first", "second", "point")},
       .examples = {{{kHalvedSquare, "2", "3", "0", "(makePoint3D 0.5 1 0)"},
@@ -219,7 +234,8 @@ void register_other_edits(Registry& registry) {
       .name = "moveVertex",
       .syntax = "moveVertex(_, _, _)",
       .doc = "The mesh with one vertex at another point.",
-      .detail = "Works on every mesh. Nothing else changes; faces of four or more corners may become bent.",
+      .detail = "Works on every mesh. Nothing else changes, also no attributes; faces of four or more corners may "
+                "become bent.",
       .exactness = Exactness::exact,
       .overloads = {overload<&with_moved_vertex>("mesh", "vertex", "point")},
       .examples = {{{kSquareFace, "1", "(makePoint3D 2 0 0)"},

@@ -6,11 +6,13 @@
 #include <limits>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "algebra3d/base/number_text.h"
 #include "algebra3d/base/polygon_soup.h"
+#include "algebra3d/halfedge/attribute_transfer.h"
 #include "algebra3d/operators/all.h"
 #include "algebra3d/operators/detail/sample_values.h"
 #include "algebra3d/registry/operator.h"
@@ -71,14 +73,27 @@ Result<Simplification> simplified_as(const Mesh3d& /*kind*/, const TriangleMesh&
 }
 
 /// The results of simplified_volume and simplified_surface are proved, or the argument itself.
-Volume3d value_of(const Volume3d& /*kind*/, TriangleMesh mesh) {
-  return Volume3d::trusted(std::move(mesh));
+Volume3d value_of(const Volume3d& /*before*/, Simplification result) {
+  return Volume3d::trusted(std::move(result.mesh));
 }
-Surface3d value_of(const Surface3d& /*kind*/, TriangleMesh mesh) {
-  return Surface3d::trusted(std::move(mesh));
+Surface3d value_of(const Surface3d& /*before*/, Simplification result) {
+  return Surface3d::trusted(std::move(result.mesh));
 }
-Mesh3d value_of(const Mesh3d& /*kind*/, const TriangleMesh& mesh) {
-  return Mesh3d(PolygonMesh(mesh.points(), PolygonLayout::of_degree(3), mesh.origins()));
+/// With the attributes of what is left.
+Mesh3d value_of(const Mesh3d& before, Simplification result) {
+  const PolygonMesh& old = before.mesh();
+  PolygonMesh mesh(result.mesh.points(), PolygonLayout::of_degree(3), result.mesh.origins());
+  if (before.attributes().is_empty()) return Mesh3d(std::move(mesh));
+  ElementSources sources;
+  sources.halfedges.reserve(mesh.halfedge_count());
+  for (const std::uint32_t f : result.faces)
+    for (std::uint32_t corner = 0; corner < 3; ++corner)
+      sources.halfedges.push_back(old.halfedge(FaceId(f), corner).index());
+  sources.edges = edge_sources(mesh, old, sources.halfedges);
+  sources.vertices = std::move(result.vertices);
+  sources.faces = std::move(result.faces);
+  MeshAttributes attributes = taken_over_merged(before.attributes(), old, mesh, std::move(sources), ElementBlends(old));
+  return Mesh3d(std::move(mesh), std::move(attributes));
 }
 
 void report(Context& context, std::size_t before, const Simplification& result, const SimplificationTarget& target) {
@@ -90,32 +105,68 @@ void report(Context& context, std::size_t before, const Simplification& result, 
 
 template <typename T>
 Result<Maybe<T>> simplified_to(Context& context, const T& value, const SimplificationTarget& target) {
+  if (!(target.crease_degrees >= 0 && target.crease_degrees <= 180))
+    return Maybe<T>(Undefined{"the crease angle must be between 0 and 180 degrees"});
   ALGEBRA3D_ASSIGN_OR_RETURN(const auto mesh, rounded_triangles(context, value));
   if (!mesh) return Maybe<T>(Undefined{mesh.reason()});
   ALGEBRA3D_ASSIGN_OR_RETURN(Simplification result, simplified_as(value, *mesh, target, context.monitor()));
   report(context, mesh->face_count(), result, target);
-  return Maybe<T>(value_of(value, std::move(result.mesh)));
+  return Maybe<T>(value_of(value, std::move(result)));
 }
 
+/// Where no crease angle is given.
+constexpr double kNoCreases = 180;
+
+template <typename T>
+Result<Maybe<T>> creased_to_count(Context& context, const T& value, std::int64_t triangles, double crease) {
+  if (triangles < 0) return Maybe<T>(Undefined{"the number of triangles must not be negative"});
+  return simplified_to(context, value, {static_cast<std::size_t>(triangles), kInfinity, crease});
+}
 template <typename T>
 Result<Maybe<T>> simplified_to_count(Context& context, const T& value, std::int64_t triangles) {
-  if (triangles < 0) return Maybe<T>(Undefined{"the number of triangles must not be negative"});
-  return simplified_to(context, value, {static_cast<std::size_t>(triangles), kInfinity});
+  return creased_to_count(context, value, triangles, kNoCreases);
 }
 
+template <typename T>
+Result<Maybe<T>> creased_to_deviation(Context& context, const T& value, double deviation, double crease) {
+  if (!(deviation >= 0 && deviation < kInfinity)) return Maybe<T>(Undefined{"the deviation must not be negative"});
+  return simplified_to(context, value, {0, deviation, crease});
+}
 template <typename T>
 Result<Maybe<T>> simplified_to_deviation(Context& context, const T& value, double deviation) {
-  if (!(deviation >= 0 && deviation < kInfinity)) return Maybe<T>(Undefined{"the deviation must not be negative"});
-  return simplified_to(context, value, {0, deviation});
+  return creased_to_deviation(context, value, deviation, kNoCreases);
 }
 
 template <typename T>
-Result<Maybe<T>> simplified_to_share(Context& context, const T& value, const std::string& measure, double share) {
+Result<Maybe<T>> creased_to_share(Context& context, const T& value, const std::string& measure, double share,
+                                  double crease) {
   if (measure != "ratio")
     return Error{ErrorCode::invalid_value, R"(simplify: expected "ratio" and a share, got "{}")", measure};
   if (!(share >= 0 && share <= 1)) return Maybe<T>(Undefined{"the share must be between 0 and 1"});
   const double count = std::floor(share * static_cast<double>(value.mesh().face_count()));
-  return simplified_to(context, value, {static_cast<std::size_t>(count), kInfinity});
+  return simplified_to(context, value, {static_cast<std::size_t>(count), kInfinity, crease});
+}
+template <typename T>
+Result<Maybe<T>> simplified_to_share(Context& context, const T& value, const std::string& measure, double share) {
+  return creased_to_share(context, value, measure, share, kNoCreases);
+}
+
+/// The overloads for a type, whose parameter is called `name`.
+template <typename T>
+std::vector<Overload> overloads_for(const char* name) {
+  return {overload<&simplified_to_count<T>>(name, "triangles"),
+          overload<&simplified_to_deviation<T>>(name, "deviation"),
+          overload<&simplified_to_share<T>>(name, "measure", "share"),
+          overload<&creased_to_count<T>>(name, "triangles", "degrees"),
+          overload<&creased_to_deviation<T>>(name, "deviation", "degrees"),
+          overload<&creased_to_share<T>>(name, "measure", "share", "degrees")};
+}
+
+std::vector<Overload> simplify_overloads() {
+  std::vector<Overload> all = overloads_for<Mesh3d>("mesh");
+  for (auto& more : {overloads_for<Surface3d>("surface"), overloads_for<Volume3d>("solid")})
+    all.insert(all.end(), more.begin(), more.end());
+  return all;
 }
 
 const std::string kSquareOfEight =
@@ -123,16 +174,19 @@ const std::string kSquareOfEight =
     "4) "
     "(3 4 7) (3 7 6) (4 5 8) (4 8 7))))";
 const std::string kDetail =
-    "Edges are collapsed, those first that cost the least quadric error, until a number of triangles (an int), a share "
-    R"(of them ("ratio"), or a largest deviation (a real) is reached; a diagnostic tells what was. Topology stays: )"
-    "parts, "
-    "handles and boundary loops; the boundary is kept as far as the error allows, and no face turns over. So more "
-    "triangles may be left than demanded. The deviation is the Hausdorff distance of the boundaries before and after. "
-    "It "
-    "is measured, and holds but for 2^-43 of the largest coordinate. Coordinates of results are doubles. A surface or "
-    "solid stays a valid one: the result is proved, and where it crosses itself the steps around the crossing are "
-    "taken "
-    "back. A mesh3d must consist of triangles, and its result may cross itself; edges with three or more faces stay.";
+    "Edges are collapsed, those first that cost the least quadric error, until a number of triangles (an int), a "
+    R"(share of them ("ratio"), or a largest deviation (a real) is reached; a diagnostic tells what was. Topology )"
+    "stays: parts, handles and boundary loops; the boundary is kept as far as the error allows, and no face turns "
+    "over. So more triangles may be left than demanded. The deviation is the Hausdorff distance of the boundaries "
+    "before and after. It is measured, and holds but for 2^-43 of the largest coordinate. Coordinates of results "
+    "are doubles. A surface or solid stays a valid one: the result is proved, and where it crosses itself the "
+    "steps around the crossing are taken back. With a crease angle, in degrees, edges with a larger angle between "
+    "the normals of their faces are creases, which are kept like the boundary: vertices on a crease stay on its "
+    "line of edges, and where creases meet or end the vertices stay in their places; without one there are none. "
+    "A mesh3d keeps its attributes: faces, vertices and edges those of one that they were, corners those of the "
+    "vertex that they are at, in their chart, that is, on their side of all edges where the values of corners "
+    "differ. A mesh3d must consist of triangles, and its result may cross itself; edges with three or more faces "
+    "stay.";
 
 }  // namespace
 
@@ -146,20 +200,16 @@ void register_simplification(Registry& registry) {
       .frame_use = FrameUse::coordinates,
       .cost = Cost::sorting,
       .sources = {"garland1997", "dey1999"},
-      .overloads = {overload<&simplified_to_count<Mesh3d>>("mesh", "triangles"),
-                    overload<&simplified_to_deviation<Mesh3d>>("mesh", "deviation"),
-                    overload<&simplified_to_share<Mesh3d>>("mesh", "measure", "share"),
-                    overload<&simplified_to_count<Surface3d>>("surface", "triangles"),
-                    overload<&simplified_to_deviation<Surface3d>>("surface", "deviation"),
-                    overload<&simplified_to_share<Surface3d>>("surface", "measure", "share"),
-                    overload<&simplified_to_count<Volume3d>>("solid", "triangles"),
-                    overload<&simplified_to_deviation<Volume3d>>("solid", "deviation"),
-                    overload<&simplified_to_share<Volume3d>>("solid", "measure", "share")},
+      .overloads = simplify_overloads(),
       .examples = {{{kUnitCube, "0.0"}, "1.0", "(volume _)"},
                    {{kUnitCube, "100"}, "1.0", "(volume _)"},
                    {{kUnitCube, R"("ratio")", "1.0"}, "1.0", "(volume _)"},
                    {{kSquareOfEight, "0.0"},
                     "(((2.0 0.0 0.0) (0.0 0.0 0.0) (0.0 2.0 0.0) (2.0 2.0 0.0)) ((1 0 3) (1 3 2)))"},
+                   {{kSquareOfEight, "0.0", "30.0"}, "2", "(size _)"},
+                   {{kUnitCube, "8", "30"}, "1.0", "(volume _)"},
+                   {{kUnitCube, R"("ratio")", "0.0", "30"}, "1.0", "(volume _)"},
+                   {{kUnitCube, "8", "181"}, "undefined"},
                    {{kUnitCube, "-1"}, "undefined"},
                    {{kUnitCube, "-1.0"}, "undefined"},
                    {{kUndefinedSolid, "10"}, "undefined"}},

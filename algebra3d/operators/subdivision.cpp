@@ -24,6 +24,14 @@ PolygonMesh polygon_mesh_of(const T& geometry) {
   return {geometry.mesh().points(), PolygonLayout::of_degree(3), geometry.mesh().origins()};
 }
 
+const MeshAttributes& attributes_of_input(const Mesh3d& mesh) {
+  return mesh.attributes();
+}
+template <typename T>
+MeshAttributes attributes_of_input(const T& /*geometry*/) {
+  return {};
+}
+
 Error named(const char* name, Error error) {
   error.message = fmt::format("{}: {}", name, error.message);
   return error;
@@ -45,19 +53,21 @@ Result<SubdivisionOptions> options_of(const char* name, SubdivisionScheme scheme
   return SubdivisionOptions{*known};
 }
 
-Result<Maybe<Mesh3d>> after_steps(Context& context, const PolygonMesh& mesh, SubdivisionScheme scheme,
-                                  std::int64_t steps, const SubdivisionOptions& options) {
+template <typename T>
+Result<Maybe<Mesh3d>> after_steps(Context& context, const T& geometry, SubdivisionScheme scheme, std::int64_t steps,
+                                  const SubdivisionOptions& options) {
   if (steps < 0) return Maybe<Mesh3d>(Undefined{"the number of steps is negative"});
-  auto result = subdivided(mesh, scheme, static_cast<std::size_t>(steps), options, context.monitor());
+  auto result = subdivided(polygon_mesh_of(geometry), attributes_of_input(geometry), scheme,
+                           static_cast<std::size_t>(steps), options, context.monitor());
   if (!result.ok()) return named("subdivide", result.error());
-  return Maybe<Mesh3d>(Mesh3d(*std::move(result)));
+  return Maybe<Mesh3d>(Mesh3d(std::move(result->mesh), std::move(result->attributes)));
 }
 
 template <typename T>
 Result<Maybe<Mesh3d>> subdivided_mesh(Context& context, const T& geometry, const std::string& scheme_name,
                                       std::int64_t steps) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const SubdivisionScheme scheme, scheme_of("subdivide", scheme_name));
-  return after_steps(context, polygon_mesh_of(geometry), scheme, steps, {});
+  return after_steps(context, geometry, scheme, steps, {});
 }
 
 template <typename T>
@@ -65,23 +75,24 @@ Result<Maybe<Mesh3d>> subdivided_with_weights(Context& context, const T& geometr
                                               std::int64_t steps, const std::string& weights) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const SubdivisionScheme scheme, scheme_of("subdivide", scheme_name));
   ALGEBRA3D_ASSIGN_OR_RETURN(const SubdivisionOptions options, options_of("subdivide", scheme, weights));
-  return after_steps(context, polygon_mesh_of(geometry), scheme, steps, options);
+  return after_steps(context, geometry, scheme, steps, options);
 }
 
-Result<Mesh3d> at_limit(Context& context, const PolygonMesh& mesh, SubdivisionScheme scheme,
+template <typename T>
+Result<Mesh3d> at_limit(Context& context, const T& geometry, SubdivisionScheme scheme,
                         const SubdivisionOptions& options) {
   if (scheme != SubdivisionScheme::catmull_clark && scheme != SubdivisionScheme::loop)
     return Error{ErrorCode::invalid_value, "limitPosition: expected one of catmull-clark, loop, got {}",
                  name_of(scheme)};
-  auto result = limit_mesh(mesh, scheme, options, context.monitor());
+  auto result = limit_mesh(polygon_mesh_of(geometry), scheme, options, context.monitor());
   if (!result.ok()) return named("limitPosition", result.error());
-  return Mesh3d(*std::move(result));
+  return Mesh3d(*std::move(result), attributes_of_input(geometry));
 }
 
 template <typename T>
 Result<Mesh3d> limit_of(Context& context, const T& geometry, const std::string& scheme_name) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const SubdivisionScheme scheme, scheme_of("limitPosition", scheme_name));
-  return at_limit(context, polygon_mesh_of(geometry), scheme, {});
+  return at_limit(context, geometry, scheme, {});
 }
 
 template <typename T>
@@ -89,7 +100,7 @@ Result<Mesh3d> limit_with_weights(Context& context, const T& geometry, const std
                                   const std::string& weights) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const SubdivisionScheme scheme, scheme_of("limitPosition", scheme_name));
   ALGEBRA3D_ASSIGN_OR_RETURN(const SubdivisionOptions options, options_of("limitPosition", scheme, weights));
-  return at_limit(context, polygon_mesh_of(geometry), scheme, options);
+  return at_limit(context, geometry, scheme, options);
 }
 
 const std::string kSquareOf8 = "(mesh3d (((0 0 0) (8 0 0) (8 8 0) (0 8 0)) ((0 1 2 3))))";
@@ -128,7 +139,9 @@ void register_subdivision(Registry& registry) {
           "number of edges at a vertex or of corners of a face. Without steps the mesh itself. Surfaces and solids "
           "are taken with the triangles that they have. Boundaries of open meshes become curves of their own; "
           "doo-sabin makes no faces there. Vertices keep their numbers, except with doo-sabin; then come those on "
-          "edges, then those of faces. Undefined for a negative number of steps. " +
+          "edges, then those of faces. Attributes are kept: new faces and halves of edges have those of what they "
+          "were; those of vertices, and of corners within each face, are interpolated linearly, and texts are kept "
+          "where they agree. Undefined for a negative number of steps. " +
           kRefused + " A result with too many faces is refused before work begins.",
       .exactness = Exactness::bounded,
       .frame_use = FrameUse::coordinates,
@@ -173,7 +186,7 @@ void register_subdivision(Registry& registry) {
       .syntax = "limitPosition(_ ...)",
       .doc = "The mesh with each vertex where it is when the mesh is subdivided without end, as a mesh3d.",
       .detail =
-          R"(Faces and numbers are those of the mesh. Schemes: "catmull-clark", and "loop" for triangles; a )"
+          R"(Faces, numbers and attributes are those of the mesh. Schemes: "catmull-clark", and "loop" for triangles; a )"
           R"(third argument chooses the weights of loop, "loop" (the default) or "warren". The limits are those )"
           "of the schemes' limit masks, with errors as in subdivide; boundary vertices are on cubic B-splines. So "
           R"(limitPosition(subdivide(m, "loop", 2), "loop") has points of the smooth surface itself. Isolated )"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -21,48 +22,56 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Attempts to come near to a deviation from below, and to get below it at all.
 constexpr std::size_t kAttempts = 4, kMaxAttempts = 12;
 
-struct Attempt {
-  TriangleMesh mesh;
-  std::size_t repetitions = 0;
-};
+/// The mesh itself.
+Simplification unchanged(const TriangleMesh& mesh, std::size_t repetitions) {
+  Simplification result{mesh, std::vector<std::uint32_t>(mesh.vertex_count()),
+                        std::vector<std::uint32_t>(mesh.face_count()), 0, repetitions};
+  std::iota(result.vertices.begin(), result.vertices.end(), 0U);
+  std::iota(result.faces.begin(), result.faces.end(), 0U);
+  return result;
+}
+
+Simplification collapsed(EdgeCollapser& collapser, std::size_t repetitions) {
+  return {collapser.result(), collapser.vertex_sources(), collapser.face_sources(), kInfinity, repetitions};
+}
 
 /// An attempt of one kind: whatever the mesh, a surface or a volume.
-using Attempter = Result<Attempt> (*)(const TriangleMesh&, const CollapseLimits&, const Monitor&,
-                                      std::span<const std::uint8_t>);
+using Attempter = Result<Simplification> (*)(const TriangleMesh&, const CollapseLimits&, const Monitor&,
+                                             const CollapseConstraints&);
 
-Result<Attempt> any_mesh(const TriangleMesh& mesh, const CollapseLimits& limits, const Monitor& monitor,
-                         std::span<const std::uint8_t> locked) {
-  EdgeCollapser collapser(mesh, locked);
+Result<Simplification> any_mesh(const TriangleMesh& mesh, const CollapseLimits& limits, const Monitor& monitor,
+                                const CollapseConstraints& constraints) {
+  EdgeCollapser collapser(mesh, constraints);
   ALGEBRA3D_RETURN_IF_ERROR(collapser.run(limits, monitor));
-  return Attempt{collapser.result(), 0};
+  return collapsed(collapser, 0);
 }
 
 /// Repeats the simplification with more and more vertices locked until the result is valid. Every defect is at a vertex
 /// that moved or had others merged into it, since the mesh itself is valid; so each time some are locked, and at the
 /// latest it ends when all are.
 template <typename FindDefects>
-Result<Attempt> valid_mesh(const TriangleMesh& mesh, const CollapseLimits& limits, const Monitor& monitor,
-                           const FindDefects& find_defects) {
+Result<Simplification> valid_mesh(const TriangleMesh& mesh, const CollapseLimits& limits, const Monitor& monitor,
+                                  double crease_degrees, const FindDefects& find_defects) {
   std::vector<std::uint8_t> locked;
   for (std::size_t repetitions = 0;; ++repetitions) {
-    EdgeCollapser collapser(mesh, locked);
+    EdgeCollapser collapser(mesh, {locked, crease_degrees});
     ALGEBRA3D_RETURN_IF_ERROR(collapser.run(limits, monitor));
-    Attempt attempt{collapser.result(), repetitions};
+    Simplification attempt = collapsed(collapser, repetitions);
     monitor.tell("proving");
     ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<FaceId> defects, find_defects(attempt.mesh, monitor));
     if (defects.empty()) return attempt;
-    if (std::ranges::count(locked, 0) == 0 && !locked.empty()) return Attempt{mesh, repetitions};
+    if (std::ranges::count(locked, 0) == 0 && !locked.empty()) return unchanged(mesh, repetitions);
     lock_around(mesh, attempt.mesh, collapser.images(), defects, repetitions, locked);
   }
 }
 
-Result<Attempt> valid_surface(const TriangleMesh& mesh, const CollapseLimits& limits, const Monitor& monitor,
-                              std::span<const std::uint8_t> /*locked*/) {
-  return valid_mesh(mesh, limits, monitor, defects_of_surface);
+Result<Simplification> valid_surface(const TriangleMesh& mesh, const CollapseLimits& limits, const Monitor& monitor,
+                                     const CollapseConstraints& constraints) {
+  return valid_mesh(mesh, limits, monitor, constraints.crease_degrees, defects_of_surface);
 }
-Result<Attempt> valid_volume(const TriangleMesh& mesh, const CollapseLimits& limits, const Monitor& monitor,
-                             std::span<const std::uint8_t> /*locked*/) {
-  return valid_mesh(mesh, limits, monitor, defects_of_volume);
+Result<Simplification> valid_volume(const TriangleMesh& mesh, const CollapseLimits& limits, const Monitor& monitor,
+                                    const CollapseConstraints& constraints) {
+  return valid_mesh(mesh, limits, monitor, constraints.crease_degrees, defects_of_volume);
 }
 
 Result<double> deviation_of(const DistanceOperand& before, const TriangleMesh& after, const Monitor& monitor) {
@@ -79,14 +88,20 @@ Result<double> deviation_of(const DistanceOperand& before, const TriangleMesh& a
 class DeviationSearch {
  public:
   DeviationSearch(const TriangleMesh& mesh, const SimplificationTarget& target, Attempter attempter,
-                  std::span<const std::uint8_t> locked, const Monitor& monitor)
-      : mesh_(mesh), hierarchy_(mesh), target_(target), attempter_(attempter), locked_(locked), monitor_(monitor) {}
+                  const CollapseConstraints& constraints, const Monitor& monitor)
+      : mesh_(mesh),
+        hierarchy_(mesh),
+        target_(target),
+        attempter_(attempter),
+        constraints_(constraints),
+        monitor_(monitor) {}
 
   Result<Simplification> run() {
     const double allowed = target_.deviation + 0x1p-43 * largest_coordinate(mesh_);
     double error = 2 * target_.deviation;
     for (std::size_t i = 0; i < kMaxAttempts && (i < kAttempts || !best_); ++i) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(Attempt attempt, attempter_(mesh_, {target_.triangles, error}, monitor_, locked_));
+      ALGEBRA3D_ASSIGN_OR_RETURN(Simplification attempt,
+                                 attempter_(mesh_, {target_.triangles, error}, monitor_, constraints_));
       ALGEBRA3D_ASSIGN_OR_RETURN(const double deviation, deviation_of({&mesh_, &hierarchy_}, attempt.mesh, monitor_));
       const bool is_enough = attempt.mesh.face_count() <= target_.triangles;
       if (deviation <= allowed) {
@@ -98,14 +113,14 @@ class DeviationSearch {
       }
       error = next_error(error, deviation);
     }
-    if (!best_) best_ = Simplification{mesh_, 0, kMaxAttempts};
+    if (!best_) best_ = unchanged(mesh_, kMaxAttempts);
     return *std::move(best_);
   }
 
  private:
-  void keep(Attempt attempt, double deviation) {
-    if (!best_ || attempt.mesh.face_count() < best_->mesh.face_count())
-      best_ = Simplification{std::move(attempt.mesh), deviation, attempt.repetitions};
+  void keep(Simplification attempt, double deviation) {
+    attempt.deviation = deviation;
+    if (!best_ || attempt.mesh.face_count() < best_->mesh.face_count()) best_ = std::move(attempt);
   }
   double next_error(double error, double deviation) const {
     if (low_ > 0 && high_ < kInfinity) return std::sqrt(low_ * high_);
@@ -117,7 +132,7 @@ class DeviationSearch {
   const BoxHierarchy hierarchy_;
   const SimplificationTarget target_;
   const Attempter attempter_;
-  const std::span<const std::uint8_t> locked_;
+  const CollapseConstraints constraints_;
   const Monitor& monitor_;
   double low_ = 0, high_ = kInfinity;
   std::optional<Simplification> best_;
@@ -125,10 +140,10 @@ class DeviationSearch {
 
 Result<Simplification> simplified_by(Attempter attempter, const TriangleMesh& mesh, const SimplificationTarget& target,
                                      const Monitor& monitor, std::span<const std::uint8_t> locked) {
-  if (mesh.face_count() <= target.triangles || mesh.is_empty()) return Simplification{mesh, 0, 0};
-  if (target.deviation < kInfinity) return DeviationSearch(mesh, target, attempter, locked, monitor).run();
-  ALGEBRA3D_ASSIGN_OR_RETURN(Attempt attempt, attempter(mesh, {target.triangles, kInfinity}, monitor, locked));
-  return Simplification{std::move(attempt.mesh), kInfinity, attempt.repetitions};
+  if (mesh.face_count() <= target.triangles || mesh.is_empty()) return unchanged(mesh, 0);
+  const CollapseConstraints constraints{locked, target.crease_degrees};
+  if (target.deviation < kInfinity) return DeviationSearch(mesh, target, attempter, constraints, monitor).run();
+  return attempter(mesh, {target.triangles, kInfinity}, monitor, constraints);
 }
 
 }  // namespace

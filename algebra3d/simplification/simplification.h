@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <vector>
 
 #include "algebra3d/base/error.h"
 #include "algebra3d/base/monitor.h"
@@ -11,16 +12,24 @@
 
 namespace algebra3d {
 
-/// When a simplification ends: at the number of triangles, or when the next step would exceed the deviation.
+/// When a simplification ends: at the number of triangles, or when the next step would exceed the deviation; and what
+/// it keeps.
 struct SimplificationTarget {
   std::size_t triangles = 0;
   /// The largest distance of a point of one mesh from the other one (Hausdorff distance), in coordinate units.
   double deviation = std::numeric_limits<double>::infinity();
+  /// Edges with a larger angle between the normals of their faces, in degrees, are creases, which are kept like the
+  /// boundary: vertices on a crease stay on its line of edges, and ends and meeting points of creases stay in their
+  /// places. 180: there are none.
+  double crease_degrees = 180;
 };
 
 /// A simplified mesh.
 struct Simplification {
   TriangleMesh mesh;
+  /// For each vertex the one of the mesh before at whose place it is, or one of those that became it if it is at none;
+  /// for each face the one that it was, with its corners in the same order.
+  std::vector<std::uint32_t> vertices, faces;
   /// A bound of the Hausdorff distance of the two meshes; infinite if no deviation was demanded.
   double deviation = std::numeric_limits<double>::infinity();
   /// How often steps were taken back, because the result crossed itself or deviated too much.

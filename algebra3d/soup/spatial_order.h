@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "algebra3d/base/polygon_soup.h"
 #include "algebra3d/soup/weld.h"
 
 namespace algebra3d {
@@ -15,6 +16,10 @@ std::vector<std::uint32_t> spatial_order(std::span<const Vec3> points,
 
 /// Reorders triangles; points are numbered by first use.
 WeldedTriangles reordered(const WeldedTriangles& welded, std::span<const std::uint32_t> order);
+
+/// The polygons in Morton order of the means of their corners, with points numbered by first use; others are left out.
+/// The soup must have no attributes (asserted). Cost: linear.
+PolygonSoup in_spatial_order(const PolygonSoup& soup);
 
 /// The mesh with its triangles in spatial order and points numbered by first use.
 TriangleMesh in_spatial_order(const TriangleMesh& mesh);

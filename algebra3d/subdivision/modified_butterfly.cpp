@@ -9,8 +9,8 @@ namespace algebra3d::subdivision {
 namespace {
 
 /// The new points on all edges. An edge at the boundary has the four-point rule; one between two regular vertices the
-/// rule of eight points; one with an extraordinary end the mask of that end, with two the mean of both. Regular are
-/// vertices with six triangles, and boundary vertices with three.
+/// rule of eight points, or those of boundary vertices; one with an extraordinary end the mask of that end, with two
+/// the mean of both. Regular are vertices with six triangles, and boundary vertices with three.
 class EdgePoints {
  public:
   EdgePoints(const TriangleView& view, const Stage& stage, const EdgeNumbers<TriangleView>& edges)
@@ -24,7 +24,7 @@ class EdgePoints {
       numbers_[h] = e;
       if (!view_.is_boundary(h)) numbers_[view_.opposite(h)] = e;
       if (view_.is_boundary(h) || (!is_extraordinary(h) && !is_extraordinary(view_.opposite(h))))
-        points_[e] = butterfly_edge_point(view_, h);
+        points_[e] = regular_edge_point(view_, h);
     });
     // Each edge gets the point of its first half-edge's end before that of the other one, so no two tasks write one.
     add_extraordinary(true);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "algebra3d/subdivision/detail/attributes.h"
 #include "algebra3d/subdivision/detail/input.h"
 #include "algebra3d/subdivision/detail/steps.h"
 
@@ -31,18 +32,27 @@ Result<PolygonMesh> step(const PolygonMesh& mesh, SubdivisionScheme scheme, cons
 
 }  // namespace
 
-Result<PolygonMesh> subdivided(const PolygonMesh& mesh, SubdivisionScheme scheme, std::size_t steps,
-                               const SubdivisionOptions& options, const Monitor& monitor) {
-  if (steps == 0 || mesh.is_empty()) return mesh;
+Result<SubdividedMesh> subdivided(const PolygonMesh& mesh, const MeshAttributes& attributes, SubdivisionScheme scheme,
+                                  std::size_t steps, const SubdivisionOptions& options, const Monitor& monitor) {
+  if (steps == 0 || mesh.is_empty()) return SubdividedMesh{mesh, attributes};
   ALGEBRA3D_RETURN_IF_ERROR(subdivision::check_input(mesh, scheme, steps));
   // Steps read rounded coordinates, so a mesh of others is taken as it is.
   std::optional<PolygonMesh> current;
+  MeshAttributes current_attributes = attributes;
   for (std::size_t i = 0; i < steps; ++i) {
     const std::string what = fmt::format("subdividing, step {} of {}", i + 1, steps);
-    ALGEBRA3D_ASSIGN_OR_RETURN(PolygonMesh next, step(current ? *current : mesh, scheme, options, monitor, what));
-    current = std::move(next);
+    const PolygonMesh& before = current ? *current : mesh;
+    ALGEBRA3D_ASSIGN_OR_RETURN(PolygonMesh after, step(before, scheme, options, monitor, what));
+    current_attributes = subdivision::attributes_after_step(current_attributes, before, after, scheme);
+    current = std::move(after);
   }
-  return *std::move(current);
+  return SubdividedMesh{*std::move(current), std::move(current_attributes)};
+}
+
+Result<PolygonMesh> subdivided(const PolygonMesh& mesh, SubdivisionScheme scheme, std::size_t steps,
+                               const SubdivisionOptions& options, const Monitor& monitor) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(SubdividedMesh result, subdivided(mesh, {}, scheme, steps, options, monitor));
+  return std::move(result.mesh);
 }
 
 }  // namespace algebra3d

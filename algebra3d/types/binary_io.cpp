@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 
 namespace algebra3d {
 
@@ -78,6 +79,14 @@ std::size_t ByteReader::count(std::size_t bytes_each) {
 }
 
 std::vector<std::uint64_t> ByteReader::planes(std::size_t count, int min_width, int max_width) {
+  PlaneReader reader = plane_reader(count, min_width, max_width);
+  if (!ok()) return {};
+  std::vector<std::uint64_t> values(count);
+  for (std::uint64_t& value : values) value = reader.next();
+  return values;
+}
+
+PlaneReader ByteReader::plane_reader(std::size_t count, int min_width, int max_width) {
   const int width = u8();
   if (ok() && (width < min_width || width > max_width))
     fail(fmt::format("a width of {} to {} bytes, found {}", min_width, max_width, width));
@@ -85,16 +94,22 @@ std::vector<std::uint64_t> ByteReader::planes(std::size_t count, int min_width, 
   if (ok() && width > 0 && count > remaining() / static_cast<std::size_t>(width))
     fail(fmt::format("{} values of {} bytes, {} bytes are left", count, width, remaining()));
   if (!ok()) return {};
-  std::vector<std::uint64_t> values(count, 0);
-  const std::string_view content = raw(count * static_cast<std::size_t>(width));
-  for (std::size_t start = 0; start < content.size(); start += count)
-    for (std::size_t i = 0; i < count; ++i) values[i] = values[i] << 8U | static_cast<std::uint8_t>(content[start + i]);
-  return values;
+  return {raw(count * static_cast<std::size_t>(width)), count};
 }
 
-void ByteReader::fail(std::string expectation) {
+void PlaneReader::fill() {
+  assert(filled_ < count_);
+  const std::size_t size = std::min(kBlock, count_ - filled_);
+  block_.fill(0);
+  for (std::size_t start = filled_; start < planes_.size(); start += count_)
+    for (std::size_t i = 0; i < size; ++i) block_[i] = block_[i] << 8U | static_cast<std::uint8_t>(planes_[start + i]);
+  filled_ += size;
+  place_ = 0;
+}
+
+void ByteReader::fail_at(std::size_t position, std::string expectation) {
   if (!ok()) return;
-  failed_at_ = position_;
+  failed_at_ = position;
   expectation_ = std::move(expectation);
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "algebra3d/base/error.h"
@@ -36,6 +38,33 @@ class ByteWriter {
   std::string& bytes_;
 };
 
+/// Reads the numbers of byte planes (see ByteWriter::planes) one after the other, without an array of all of them. The
+/// bytes are kept as a view.
+class PlaneReader {
+ public:
+  /// No numbers.
+  PlaneReader() = default;
+  /// `planes` has a whole number of bytes for each of `count` numbers, at most eight.
+  PlaneReader(std::string_view planes, std::size_t count) : planes_(planes), count_(count) {}
+
+  /// The next number; there must be one (asserted).
+  std::uint64_t next() {
+    if (place_ == kBlock) fill();
+    return block_[place_++];
+  }
+
+ private:
+  static constexpr std::size_t kBlock = 256;
+
+  void fill();
+
+  std::string_view planes_;
+  std::size_t count_ = 0;
+  std::size_t filled_ = 0;
+  std::array<std::uint64_t, kBlock> block_{};
+  std::size_t place_ = kBlock;
+};
+
 /// Reads the encodings of ByteWriter from arbitrary bytes. After the first failure, which is recorded with its
 /// position, every member returns zero or nothing. Check `status` before using values for more than counting.
 class ByteReader {
@@ -56,12 +85,16 @@ class ByteReader {
   std::size_t count(std::size_t bytes_each);
   /// `count` values of ByteWriter::planes, each below 256^max_width.
   std::vector<std::uint64_t> planes(std::size_t count, int min_width, int max_width);
+  /// The same, to be read one after the other; no numbers after a failure.
+  PlaneReader plane_reader(std::size_t count, int min_width, int max_width);
 
   std::size_t position() const { return position_; }
   std::size_t remaining() const { return bytes_.size() - position_; }
   bool ok() const { return expectation_.empty(); }
   /// Records the failure "expected EXPECTATION" before the current position, unless there was a failure already.
-  void fail(std::string expectation);
+  void fail(std::string expectation) { fail_at(position_, std::move(expectation)); }
+  /// The same before another position.
+  void fail_at(std::size_t position, std::string expectation);
   void require(bool condition, const char* expectation) {
     if (!condition) fail(expectation);
   }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "algebra3d/base/work_memory.h"
 #include "queries/store/store.h"
 
 namespace queries {
@@ -15,8 +16,8 @@ struct StoreOptions {
   /// Maximum bytes of a chunk, and of the value of an object that is no relation in one row. SQLite's own limit is 10^9
   /// bytes per row.
   std::uint64_t chunk_bytes = std::uint64_t{64} << 20;
-  /// Size of the cache of loaded geometry, in estimated bytes.
-  std::uint64_t cache_bytes = std::uint64_t{256} << 20;
+  /// Size of the cache of loaded geometry, in estimated bytes: a sixteenth of the machine's memory.
+  std::uint64_t cache_bytes = algebra3d::WorkMemory::default_limit() / 4;
   /// Size of SQLite's page cache. Changes beyond it are written before their statement ends.
   int page_cache_kilobytes = 32768;
   /// How long a statement waits for another process that writes.

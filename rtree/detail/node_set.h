@@ -19,6 +19,10 @@ struct NodeRange {
 /// A set of nodes of one kind, with one bit for each.
 class NodeSet {
  public:
+  NodeSet() = default;
+  /// Empty, with room for the nodes below `count`.
+  explicit NodeSet(std::size_t count) : words_((count + kBits - 1) / kBits) {}
+
   /// Adds a node; true if it was not there.
   bool insert(NodeIndex node) {
     const std::size_t word = node / kBits;
@@ -32,6 +36,17 @@ class NodeSet {
     return node / kBits < words_.size() && (words_[node / kBits] >> (node % kBits) & 1) != 0;
   }
   void clear() { words_.clear(); }
+  /// The nodes below `count` that are not in the set, in ascending order.
+  std::vector<NodeIndex> missing(std::size_t count) const {
+    std::vector<NodeIndex> result;
+    for (std::size_t first = 0; first < count; first += kBits) {
+      std::uint64_t bits = first / kBits < words_.size() ? ~words_[first / kBits] : ~std::uint64_t{0};
+      if (count - first < kBits) bits &= (std::uint64_t{1} << (count - first)) - 1;
+      for (; bits != 0; bits &= bits - 1)
+        result.push_back(static_cast<NodeIndex>(first + static_cast<std::size_t>(std::countr_zero(bits))));
+    }
+    return result;
+  }
   /// The nodes in ascending order, in the fewest ranges.
   std::vector<NodeRange> ranges() const {
     std::vector<NodeRange> result;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
 
 #include "algebra3d/base/vec3.h"
@@ -22,23 +23,29 @@ inline double arc_tangent_of_fraction(double t) {
                                                    0.6435011087932844,
                                                    0.7188299996216245,
                                                    0.7853981633974483};
-  const auto nearest = static_cast<std::size_t>(std::floor(8 * t + 0.5));
-  const double known = static_cast<double>(nearest) / 8;
+  // A table, since a quotient in the code is a division at run time where the rounding mode may differ.
+  static constexpr std::array<double, 7> kReciprocals = {1.0 / 15, 1.0 / 13, 1.0 / 11, 1.0 / 9,
+                                                         1.0 / 7,  1.0 / 5,  1.0 / 3};
+  const auto nearest = static_cast<std::int32_t>(8 * t + 0.5);
+  const double known = static_cast<double>(nearest) * 0.125;
   const double rest = (t - known) / (1 + t * known);  // at most 1/16, so that eight terms of the series are enough
   const double square = rest * rest;
   double sum = 0;
-  for (int degree = 15; degree >= 3; degree -= 2) sum = square * (1.0 / degree - sum);
-  return kTable[nearest] + (rest - rest * sum);
+  for (const double reciprocal : kReciprocals) sum = square * (reciprocal - sum);
+  return kTable[static_cast<std::size_t>(nearest)] + (rest - rest * sum);
 }
 
 /// The angle of the direction (x, y) for y >= 0, in radians from 0 to pi, within 4 ulp; 0 for the zero vector. The same
 /// bits with every C library.
 inline double angle_of_direction(double y, double x) {
+  constexpr double kQuarterTurn = std::numbers::pi / 2;
   const double size = std::abs(x);
-  if (y == 0 && size == 0) return 0;
-  const double acute =
-      y <= size ? arc_tangent_of_fraction(y / size) : std::numbers::pi / 2 - arc_tangent_of_fraction(size / y);
-  return x >= 0 ? acute : std::numbers::pi - acute;
+  const bool is_flat = y <= size;
+  const double shorter = is_flat ? y : size;
+  const double longer = is_flat ? size : y;
+  const double acute = arc_tangent_of_fraction(shorter / (longer == 0 ? 1 : longer));
+  const double of_size = is_flat ? acute : kQuarterTurn - acute;
+  return x >= 0 ? of_size : std::numbers::pi - of_size;
 }
 
 /// The angle between two vectors in radians, from 0 to pi; rounded in every operation.

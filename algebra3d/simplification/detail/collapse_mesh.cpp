@@ -27,7 +27,7 @@ CollapseMesh::CollapseMesh(const TriangleMesh& mesh)
       face.opposites[i] = numbered(mesh.opposite(TriangleMesh::halfedge(id, i)));
     }
     face.is_alive = 1;
-    face.queued = 0;
+    face.flags = 0;
   });
   parallel_for(mesh.vertex_count(), kMeshGrain, [&](std::size_t v) {
     const HalfedgeId out = mesh.outgoing(VertexId(v));
@@ -102,8 +102,12 @@ void CollapseMesh::remove_wing(std::uint32_t h) {
   if (outgoing_[c] == prev(h)) outgoing_[c] = right != kNone ? right : left == kNone ? kNone : next(left);
   link(left, right);
   link(right, left);
+  if (left != kNone && right != kNone && is_crease(left) != is_crease(right)) {
+    set_crease(left);
+    set_crease(right);
+  }
   faces_[face(h)].is_alive = 0;
-  faces_[face(h)].queued = 0;
+  faces_[face(h)].flags = 0;
   --face_count_;
 }
 

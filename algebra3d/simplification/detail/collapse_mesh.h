@@ -52,9 +52,14 @@ class CollapseMesh {
   void lock(std::uint32_t v) { places_[v] = Place::locked; }
 
   /// Whether the half-edge waits in a queue: a bit that the caller uses.
-  bool is_queued(std::uint32_t h) const { return (faces_[face(h)].queued >> (h & 3U) & 1U) != 0; }
-  void set_queued(std::uint32_t h) { faces_[face(h)].queued |= 1U << (h & 3U); }
-  void clear_queued(std::uint32_t h) { faces_[face(h)].queued &= ~(1U << (h & 3U)); }
+  bool is_queued(std::uint32_t h) const { return (faces_[face(h)].flags >> (h & 3U) & 1U) != 0; }
+  void set_queued(std::uint32_t h) { faces_[face(h)].flags |= 1U << (h & 3U); }
+  void clear_queued(std::uint32_t h) { faces_[face(h)].flags &= ~(1U << (h & 3U)); }
+
+  /// Whether the edge is a crease. Of two edges that become one, one is enough.
+  bool is_crease(std::uint32_t h) const { return (faces_[face(h)].flags >> (4U + (h & 3U)) & 1U) != 0; }
+  /// Makes the half-edge one of a crease; its opposite is told by itself.
+  void set_crease(std::uint32_t h) { faces_[face(h)].flags |= 16U << (h & 3U); }
   void prefetch(std::uint32_t h) const { __builtin_prefetch(&faces_[face(h)]); }
 
   /// The faces around a vertex that is not locked. False if they are more than kMaxValence.
@@ -73,7 +78,7 @@ class CollapseMesh {
     std::array<std::uint32_t, 3> corners;
     std::uint32_t is_alive;
     std::array<std::uint32_t, 3> opposites;
-    std::uint32_t queued;
+    std::uint32_t flags;  // two bits for each half-edge: queued, crease
   };
 
   bool keeps_wing(std::uint32_t h) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "algebra3d/base/box3.h"
@@ -22,8 +23,8 @@ constexpr double kLengthWeight = 1e-9;
 constexpr double kLeastCosine = 0.2;
 /// The least square of twice the area of a face, by the fourth power of its longest edge.
 constexpr double kLeastFlatness = 1e-12;
-/// A boundary is held by planes through its edges, across their faces.
-constexpr double kBoundaryWeight = 4;
+/// Features are held by planes through their edges, across the faces.
+constexpr double kFeatureWeight = 4;
 /// Buckets after which a collapse that was refused is tried again.
 constexpr std::size_t kRetry = CostBuckets::kPerOctave / 4;
 
@@ -33,17 +34,20 @@ double squared(const Vec3& v) {
 
 }  // namespace
 
-EdgeCollapser::EdgeCollapser(const TriangleMesh& mesh, std::span<const std::uint8_t> locked)
+EdgeCollapser::EdgeCollapser(const TriangleMesh& mesh, const CollapseConstraints& constraints)
     : mesh_(mesh),
       faces_(mesh),
       positions_(mesh.vertex_count()),
       quadrics_(mesh.vertex_count()),
-      sources_(mesh.vertex_count()) {
-  for (std::size_t v = 0; v < locked.size(); ++v)
-    if (locked[v] != 0) faces_.lock(static_cast<std::uint32_t>(v));
+      sources_(mesh.vertex_count()),
+      holds_(mesh.vertex_count(), Hold::none) {
+  for (std::size_t v = 0; v < constraints.locked.size(); ++v)
+    if (constraints.locked[v] != 0) faces_.lock(static_cast<std::uint32_t>(v));
   find_frame();
   find_quadrics();
-  add_boundary_quadrics();
+  if (constraints.crease_degrees < 180) find_creases(constraints.crease_degrees);
+  find_holds();
+  add_feature_quadrics();
 }
 
 Vec3 EdgeCollapser::framed(const Vec3& p) const {
@@ -65,15 +69,18 @@ void EdgeCollapser::find_frame() {
   });
 }
 
-Quadric EdgeCollapser::face_quadric(std::uint32_t f) const {
+/// Of length 1, or zero for a face without area.
+Vec3 EdgeCollapser::face_normal(std::uint32_t f) const {
   const auto& [a, b, c] = faces_.corners(f);
-  const Vec3& origin = positions_[a];
-  const Vec3 normal = cross(positions_[b] - origin, positions_[c] - origin);
+  const Vec3 normal = cross(positions_[b] - positions_[a], positions_[c] - positions_[a]);
   const double twice_area = std::sqrt(squared(normal));
+  return twice_area > 0 ? (1 / twice_area) * normal : Vec3{};
+}
+
+Quadric EdgeCollapser::face_quadric(std::uint32_t f) const {
+  const Vec3 n = face_normal(f);
   Quadric quadric;
-  if (!(twice_area > 0)) return quadric;
-  const Vec3 n = (1 / twice_area) * normal;
-  quadric.add_plane(n, -dot(n, origin), 1);
+  if (squared(n) > 0) quadric.add_plane(n, -dot(n, positions_[faces_.corners(f)[0]]), 1);
   return quadric;
 }
 
@@ -93,10 +100,38 @@ void EdgeCollapser::find_quadrics() {
   });
 }
 
-void EdgeCollapser::add_boundary_quadrics() {
+void EdgeCollapser::find_creases(double crease_degrees) {
+  const double least_cosine = std::cos(crease_degrees * std::numbers::pi / 180);
+  // Each face marks its own half-edges.
+  parallel_for(faces_.face_slots(), kGrain, [&](std::size_t f) {
+    const Vec3 normal = face_normal(static_cast<std::uint32_t>(f));
+    for (auto h = static_cast<std::uint32_t>(4 * f); h < 4 * f + 3; ++h) {
+      if (faces_.opposite(h) == kNone) continue;
+      const Vec3 other = face_normal(CollapseMesh::face(faces_.opposite(h)));
+      const bool have_area = squared(normal) > 0 && squared(other) > 0;
+      if (have_area && dot(normal, other) < least_cosine) faces_.set_crease(h);
+    }
+  });
+}
+
+/// A vertex in the middle of a feature has two edges of features.
+void EdgeCollapser::find_holds() {
+  std::vector<std::uint8_t> counts(positions_.size(), 0);
+  const auto count = [&](std::uint32_t v) { counts[v] = static_cast<std::uint8_t>(std::min(counts[v] + 1, 3)); };
+  for (std::uint32_t f = 0; f < faces_.face_slots(); ++f)
+    for (std::uint32_t h = 4 * f; h < 4 * f + 3; ++h) {
+      if (!is_feature(h) || faces_.opposite(h) < h) continue;
+      count(faces_.origin(h));
+      count(faces_.target(h));
+    }
+  for (std::size_t v = 0; v < counts.size(); ++v)
+    if (counts[v] > 0) holds_[v] = counts[v] == 2 ? Hold::on_feature : Hold::fixed;
+}
+
+void EdgeCollapser::add_feature_quadrics() {
   for (std::uint32_t f = 0; f < faces_.face_slots(); ++f) {
     for (std::uint32_t h = 4 * f; h < 4 * f + 3; ++h) {
-      if (faces_.opposite(h) != kNone) continue;
+      if (!is_feature(h)) continue;
       const Vec3 &from = positions_[faces_.origin(h)], &to = positions_[faces_.target(h)];
       const Vec3 along = to - from;
       const Vec3 across = cross(along, cross(along, positions_[faces_.origin(CollapseMesh::prev(h))] - from));
@@ -104,12 +139,12 @@ void EdgeCollapser::add_boundary_quadrics() {
       if (!(size > 0)) continue;
       const Vec3 n = (1 / size) * across;
       for (const std::uint32_t v : {faces_.origin(h), faces_.target(h)})
-        quadrics_[v].add_plane(n, -dot(n, from), kBoundaryWeight);
+        quadrics_[v].add_plane(n, -dot(n, from), kFeatureWeight);
     }
   }
 }
 
-/// The places for the vertex that the edge becomes, the best one first.
+/// The places for the vertex that the edge becomes, the best one first; none if a feature must not be left.
 EdgeCollapser::Candidates EdgeCollapser::candidates(std::uint32_t h) const {
   const std::uint32_t a = faces_.origin(h), b = faces_.target(h);
   const Quadric sum = quadrics_[a] + quadrics_[b];
@@ -118,14 +153,15 @@ EdgeCollapser::Candidates EdgeCollapser::candidates(std::uint32_t h) const {
   const auto add_end = [&](std::uint32_t v) {
     result.places[result.count++] = {positions_[v], sum.at(positions_[v]), sources_[v]};
   };
-  // At the boundary a vertex stays at the place of one: of an edge that leads inward, at its outer end.
-  const bool a_stays = faces_.place(a) == Place::boundary, b_stays = faces_.place(b) == Place::boundary;
-  const bool is_inward = a_stays != b_stays;
-  if (!is_inward || a_stays) add_end(a);
-  if (!is_inward || b_stays) add_end(b);
-  if (is_inward) return result;
+  // On a feature a vertex stays at the place of one: of two that are held differently, of the one that is held more.
+  const Hold hold_a = holds_[a], hold_b = holds_[b];
+  const bool are_both_held = hold_a != Hold::none && hold_b != Hold::none;
+  if (are_both_held && (!is_feature(h) || (hold_a == Hold::fixed && hold_b == Hold::fixed))) return result;
+  if (hold_a >= hold_b) add_end(a);
+  if (hold_b >= hold_a) add_end(b);
+  if (hold_a != hold_b) return result;
   if (result.places[1].cost < result.places[0].cost) std::swap(result.places[0], result.places[1]);
-  if (a_stays || result.places[0].cost <= kNoise * sum.trace()) return result;
+  if (are_both_held || result.places[0].cost <= kNoise * sum.trace()) return result;
   const Vec3 best = sum.minimum(0.5 * from + 0.5 * to);
   // Far off the edge it is no better than a guess.
   const double length = squared(to - from);
@@ -158,8 +194,9 @@ Status EdgeCollapser::fill_queue() {
       buckets[f][i] = kNoBucket;
       if (faces_.opposite(h) < h) continue;
       if (faces_.place(faces_.origin(h)) == Place::locked || faces_.place(faces_.target(h)) == Place::locked) continue;
-      const double cost = candidates(h).places[0].cost;
-      if (cost <= largest_cost_) buckets[f][i] = static_cast<std::uint16_t>(CostBuckets::bucket_of(cost + penalty(h)));
+      const Candidates places = candidates(h);
+      if (places.count == 0 || places.places[0].cost > largest_cost_) continue;
+      buckets[f][i] = static_cast<std::uint16_t>(CostBuckets::bucket_of(places.places[0].cost + penalty(h)));
     }
   });
   for (std::size_t f = 0; f < buckets.size(); ++f)
@@ -171,18 +208,17 @@ Status EdgeCollapser::fill_queue() {
 /// Whether a face of the ring of `keep`, but for those at `other`, turns too far or loses its area if the vertex moves.
 bool EdgeCollapser::flips(std::uint32_t keep, std::uint32_t other, const Ring& ring, const Vec3& position) const {
   const Vec3& before = positions_[keep];
-  for (const auto& [first, second] : ring.spokes) {
-    if (first == other || second == other) continue;
-    const Vec3 &p = positions_[first], &q = positions_[second];
+  return std::ranges::any_of(ring.spokes, [&](const CollapseMesh::Spoke& spoke) {
+    if (spoke.first == other || spoke.second == other) return false;
+    const Vec3 &p = positions_[spoke.first], &q = positions_[spoke.second];
     const Vec3 base = q - p;
     const Vec3 old_normal = cross(base, before - p), side = position - p;
     const Vec3 normal = cross(base, side);
     const double size = squared(normal), turned = dot(normal, old_normal);
     if (turned < 0 || turned * turned < kLeastCosine * kLeastCosine * size * squared(old_normal)) return true;
     const double longest = std::max({squared(base), squared(side), squared(position - q)});
-    if (!(size > kLeastFlatness * longest * longest)) return true;
-  }
-  return false;
+    return !(size > kLeastFlatness * longest * longest);
+  });
 }
 
 void EdgeCollapser::requeue_wing(std::uint32_t left, std::uint32_t right, std::size_t bucket) {
@@ -211,6 +247,7 @@ bool EdgeCollapser::try_collapse(std::uint32_t h, const Candidates& places, std:
     positions_[a] = place.position;
     sources_[a] = place.source;
     quadrics_[a] += quadrics_[b];
+    holds_[a] = std::max(holds_[a], holds_[b]);
     requeue_wing(near[0], near[1], bucket);
     if (o != kNone) requeue_wing(far[0], far[1], bucket);
     return true;
@@ -223,6 +260,7 @@ void EdgeCollapser::handle(std::uint32_t h, std::size_t bucket) {
   if (!faces_.is_queued(h)) return;
   faces_.clear_queued(h);
   const Candidates places = candidates(h);
+  if (places.count == 0) return;
   const double cost = places.places[0].cost;
   if (cost > largest_cost_) return;
   const std::size_t now = CostBuckets::bucket_of(cost + penalty(h));
@@ -280,6 +318,22 @@ std::vector<std::uint32_t> EdgeCollapser::images() {
   for (std::uint32_t v = 0; v < numbers.size(); ++v)
     if (const std::uint32_t r = faces_.representative(v); r != v) numbers[v] = numbers[r];
   return numbers;
+}
+
+std::vector<std::uint32_t> EdgeCollapser::face_sources() const {
+  std::vector<std::uint32_t> sources;
+  sources.reserve(faces_.face_count());
+  for (std::uint32_t f = 0; f < faces_.face_slots(); ++f)
+    if (faces_.is_alive(f)) sources.push_back(f);
+  return sources;
+}
+
+std::vector<std::uint32_t> EdgeCollapser::vertex_sources() {
+  const std::vector<std::uint32_t> numbers = images();
+  std::vector<std::uint32_t> sources;
+  for (std::uint32_t v = 0; v < numbers.size(); ++v)
+    if (numbers[v] != kNone && faces_.representative(v) == v) sources.push_back(sources_[v] != kNone ? sources_[v] : v);
+  return sources;
 }
 
 }  // namespace algebra3d

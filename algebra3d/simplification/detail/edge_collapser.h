@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algebra3d/base/error.h"
+#include "algebra3d/base/indices.h"
 #include "algebra3d/base/large_allocator.h"
 #include "algebra3d/base/monitor.h"
 #include "algebra3d/base/vec3.h"
@@ -23,13 +24,23 @@ struct CollapseLimits {
   double error = 0;           ///< no collapse costs more, as a distance in coordinate units
 };
 
+/// What is kept as it is, or as far as the error allows.
+struct CollapseConstraints {
+  std::span<const std::uint8_t> locked = {};  ///< vertices that stay as they are; empty, or a flag for each
+  /// Edges with a larger angle between the normals of their faces, in degrees, are creases; 180: none are.
+  double crease_degrees = 180;
+};
+
 /// Collapses the cheapest edges of a mesh, by quadric error. Computes in a frame in which the mesh has about the
 /// size 1. A vertex has the sum of the quadrics of all faces whose corners were merged into it, so costs only grow and
 /// those in the queue are lower bounds: an edge is evaluated again when its turn comes. Source: [garland1997].
+/// The boundary and creases are the features. They are held by planes through their edges, across the faces. A vertex
+/// on a feature stays on it: it merges along the feature only, or vertices inside merge into it. A vertex where
+/// features meet or end stays where it is.
 class EdgeCollapser {
  public:
-  /// The mesh must not be empty. `locked`: vertices that stay as they are; empty, or a flag for each.
-  EdgeCollapser(const TriangleMesh& mesh, std::span<const std::uint8_t> locked);
+  /// The mesh must not be empty.
+  EdgeCollapser(const TriangleMesh& mesh, const CollapseConstraints& constraints);
 
   /// Errors: interrupted.
   Status run(const CollapseLimits& limits, const Monitor& monitor);
@@ -38,8 +49,15 @@ class EdgeCollapser {
   TriangleMesh result();
   /// The vertex of the result that each vertex was merged into; kNone for isolated ones. Valid after `result`.
   std::vector<std::uint32_t> images();
+  /// For each face of the result the one that it was, with the corners in the same places.
+  std::vector<std::uint32_t> face_sources() const;
+  /// For each vertex of the result the one at whose place it is, or one of those that became it if it is at none.
+  std::vector<std::uint32_t> vertex_sources();
 
  private:
+  /// How a vertex is held by features.
+  enum class Hold : std::uint8_t { none, on_feature, fixed };
+
   /// A place for the vertex that an edge becomes.
   struct Candidate {
     Vec3 position;
@@ -53,7 +71,11 @@ class EdgeCollapser {
 
   void find_frame();
   void find_quadrics();
-  void add_boundary_quadrics();
+  void find_creases(double crease_degrees);
+  void find_holds();
+  void add_feature_quadrics();
+  bool is_feature(std::uint32_t h) const { return faces_.opposite(h) == kNone || faces_.is_crease(h); }
+  Vec3 face_normal(std::uint32_t f) const;
   Status fill_queue();
   Quadric face_quadric(std::uint32_t f) const;
   Candidates candidates(std::uint32_t h) const;
@@ -74,6 +96,7 @@ class EdgeCollapser {
   LargeVector<Vec3> positions_;
   LargeVector<Quadric> quadrics_;
   LargeVector<std::uint32_t> sources_;
+  std::vector<Hold> holds_;
   CostBuckets queue_;
   CollapseMesh::Ring ring_a_, ring_b_;
 };

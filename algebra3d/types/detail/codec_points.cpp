@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
 
+#include "algebra3d/base/large_allocator.h"
 #include "algebra3d/exact/rational_text.h"
 
 namespace algebra3d {
@@ -30,6 +32,8 @@ constexpr std::int64_t kLargest = 0x7FEFFFFFFFFFFFFF;  // the largest finite dou
 bool is_finite_ordered(std::int64_t value) {
   return -kLargest <= value && value <= kLargest;
 }
+
+constexpr double kNoCoordinate = std::numeric_limits<double>::quiet_NaN();
 
 /// One axis as the sorted table of its distinct values, and the place of each point's value in the table.
 struct RankedAxis {
@@ -68,25 +72,38 @@ void write_table(ByteWriter& writer, const std::vector<std::int64_t>& table) {
   writer.planes(steps);
 }
 
-std::vector<double> read_table(ByteReader& reader, std::size_t point_count) {
+/// Finds an axis in the bytes.
+StoredAxis find_axis(ByteReader& reader, std::size_t point_count) {
+  StoredAxis axis;
   const std::uint64_t size = reader.varint();
   if (reader.ok() && (size == 0 || size > point_count))
     reader.fail(fmt::format("a table of 1 to {} values, found {}", point_count, size));
-  std::int64_t value = ordered(reader.f64());
-  reader.require(is_finite_ordered(value), "a finite coordinate");
-  const int shift = reader.u8();
-  reader.require(shift < 64, "a shift below 64");
+  axis.smallest = reader.f64();
+  reader.require(is_finite_ordered(ordered(axis.smallest)), "a finite coordinate");
+  axis.shift = reader.u8();
+  reader.require(axis.shift < 64, "a shift below 64");
+  if (!reader.ok()) return axis;
+  axis.table_size = static_cast<std::size_t>(size);
   // A width of zero would claim many values with no bytes: allowed only for the table of one value.
-  const auto steps = reader.ok() ? reader.planes(static_cast<std::size_t>(size) - 1, size > 1 ? 1 : 0, 8)
-                                 : std::vector<std::uint64_t>();
-  if (!reader.ok()) return {};
+  axis.steps = reader.plane_reader(axis.table_size - 1, size > 1 ? 1 : 0, 8);
+  axis.table_end = reader.position();
+  axis.places = reader.plane_reader(point_count, 1, 5);
+  axis.end = reader.position();
+  return axis;
+}
+
+std::vector<double> read_table(StoredAxis& axis, ByteReader& reader) {
+  std::int64_t value = ordered(axis.smallest);
   std::vector<double> table{from_ordered(value)};
-  table.reserve(static_cast<std::size_t>(size));
-  for (const std::uint64_t step : steps) {
+  table.reserve(axis.table_size);
+  while (table.size() < axis.table_size) {
+    const std::uint64_t step = axis.steps.next();
     const std::uint64_t room = static_cast<std::uint64_t>(kLargest) - static_cast<std::uint64_t>(value);
-    reader.require(step != 0 && step <= room >> shift, "an ascending table of finite coordinates");
-    if (!reader.ok()) return {};
-    value = static_cast<std::int64_t>(static_cast<std::uint64_t>(value) + (step << shift));
+    if (step == 0 || step > room >> axis.shift) {
+      reader.fail_at(axis.table_end, "an ascending table of finite coordinates");
+      return {};
+    }
+    value = static_cast<std::int64_t>(static_cast<std::uint64_t>(value) + (step << axis.shift));
     table.push_back(from_ordered(value));
   }
   return table;
@@ -105,17 +122,28 @@ void write_axis(ByteWriter& writer, const std::vector<Vec3>& points, std::size_t
   writer.planes(steps, 1);
 }
 
-void read_axis(ByteReader& reader, std::vector<Vec3>& points, std::size_t axis) {
-  const std::vector<double> table = read_table(reader, points.size());
-  const std::vector<std::uint64_t> steps = reader.planes(points.size(), 1, 5);
-  if (!reader.ok()) return;
-  const auto size = static_cast<std::int64_t>(table.size());
-  std::int64_t rank = 0;
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    rank += unzigzag(steps[i]);
-    if (rank < 0 || rank >= size) return reader.fail("a coordinate within its table");
-    points[i][axis] = table[static_cast<std::size_t>(rank)];
+/// The points as doubles; the three axes together, so that each point is written once.
+std::vector<Vec3> read_doubles(std::array<StoredAxis, 3>& axes, std::size_t size, ByteReader& reader) {
+  std::array<std::vector<double>, 3> tables;
+  for (std::size_t axis = 0; axis < 3; ++axis) tables[axis] = read_table(axes[axis], reader);
+  if (!reader.ok()) return {};
+  std::vector<Vec3> points;
+  points.reserve(size);
+  prefer_huge_pages(points.data(), size * sizeof(Vec3));
+  std::array<std::uint64_t, 3> places{};  // modulo 2^64, so that a negative one is too large
+  const auto next = [&](std::size_t axis) {
+    places[axis] += static_cast<std::uint64_t>(unzigzag(axes[axis].places.next()));
+    return places[axis] < tables[axis].size() ? tables[axis][places[axis]] : kNoCoordinate;
+  };
+  for (std::size_t i = 0; i < size; ++i) {
+    const double x = next(0), y = next(1), z = next(2);
+    points.push_back({x, y, z});
+    if (!std::isnan(x) && !std::isnan(y) && !std::isnan(z)) continue;
+    const std::size_t axis = std::isnan(x) ? 0 : std::isnan(y) ? 1 : 2;
+    reader.fail_at(axes[axis].end, "a coordinate within its table");
+    return {};
   }
+  return points;
 }
 
 // Any length: the bytes are at hand, and what was spilled need not be what can be stored.
@@ -233,14 +261,27 @@ void write_points(ByteWriter& writer, const PointArray& points) {
   write_exact_table(writer, points);
 }
 
+StoredPoints::StoredPoints(ByteReader& reader) {
+  size_ = reader.count(3);  // each axis has a byte at least for each point
+  reader.require(size_ < std::numeric_limits<std::uint32_t>::max(), "fewer than 2^32 - 1 points");
+  if (!reader.ok()) size_ = 0;
+  if (size_ == 0) return;
+  for (StoredAxis& axis : axes_) axis = find_axis(reader, size_);
+  const ByteReader at_exact = reader;
+  if (reader.varint() == 0 || !reader.ok()) return;
+  reader = at_exact;
+  std::vector<Vec3> doubles = read_doubles(axes_, size_, reader);
+  if (reader.ok()) exact_ = read_exact_table(reader, std::move(doubles));
+}
+
+PointArray StoredPoints::decode(ByteReader& reader) && {
+  if (size_ == 0 || !reader.ok()) return {};
+  if (exact_) return std::move(*exact_);
+  return PointArray(read_doubles(axes_, size_, reader));
+}
+
 PointArray read_points(ByteReader& reader) {
-  const std::size_t size = reader.count(3);  // each axis has a byte at least for each point
-  reader.require(size < std::numeric_limits<std::uint32_t>::max(), "fewer than 2^32 - 1 points");
-  if (!reader.ok() || size == 0) return {};
-  std::vector<Vec3> approx(size);
-  for (std::size_t axis = 0; axis < 3; ++axis) read_axis(reader, approx, axis);
-  if (!reader.ok()) return {};
-  return read_exact_table(reader, std::move(approx));
+  return StoredPoints(reader).decode(reader);
 }
 
 }  // namespace algebra3d

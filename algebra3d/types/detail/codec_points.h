@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include "algebra3d/exact/point.h"
 #include "algebra3d/types/binary_io.h"
 
@@ -19,5 +22,31 @@ ExactPoint read_point(ByteReader& reader);
 /// table of each axis; reading is linear.
 void write_points(ByteWriter& writer, const PointArray& points);
 PointArray read_points(ByteReader& reader);
+
+/// One axis of many points, in the bytes.
+struct StoredAxis {
+  double smallest = 0;
+  int shift = 0;
+  std::size_t table_size = 0;
+  PlaneReader steps, places;
+  std::size_t table_end = 0, end = 0;  ///< positions in the bytes, for messages
+};
+
+/// The points of write_points, found in the bytes but not decoded, so that what follows can be decoded at the same
+/// time. Points that are no triples of doubles are decoded at once.
+class StoredPoints {
+ public:
+  /// Moves the reader behind the points.
+  explicit StoredPoints(ByteReader& reader);
+
+  std::size_t size() const { return size_; }
+  /// Decodes the points, once. `reader` only gets the failure, if there is one; then there are no points.
+  PointArray decode(ByteReader& reader) &&;
+
+ private:
+  std::size_t size_ = 0;
+  std::array<StoredAxis, 3> axes_;
+  std::optional<PointArray> exact_;
+};
 
 }  // namespace algebra3d

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "algebra3d/base/scheduler.h"
 #include "algebra3d/exact/predicates.h"
 #include "algebra3d/soup/weld.h"
 #include "algebra3d/types/coordinate_text.h"
@@ -55,6 +56,20 @@ std::strong_ordering compare_boxes(const Box3& a, const Box3& b) {
   return std::strong_ordering::equal;
 }
 
+/// The box of vertices that are not isolated, of those from `begin` to `end`.
+Box3 box_of_used(const TriangleMesh& mesh, std::size_t begin, std::size_t end) {
+  Box3 box;
+  for (std::size_t v = begin; v < end; ++v) {
+    if (mesh.is_isolated(VertexId(v))) continue;
+    const PointRef point = mesh.point(VertexId(v));
+    if (point.is_double())
+      box.extend(point.approx);
+    else
+      box.extend(box_of(point));
+  }
+  return box;
+}
+
 }  // namespace
 
 const BoxHierarchy& Geometry::hierarchy() const {
@@ -73,15 +88,14 @@ const EdgeNumbers& Geometry::edge_numbers() const {
 }
 
 std::shared_ptr<const Geometry> make_geometry(TriangleMesh mesh) {
+  constexpr std::size_t kVerticesPerTask = 20000;
+  std::vector<Box3> boxes((mesh.vertex_count() + kVerticesPerTask - 1) / kVerticesPerTask);
+  parallel_for(boxes.size(), 1, [&](std::size_t task) {
+    const std::size_t end = std::min(mesh.vertex_count(), (task + 1) * kVerticesPerTask);
+    boxes[task] = box_of_used(mesh, task * kVerticesPerTask, end);
+  });
   Box3 box;
-  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
-    if (mesh.is_isolated(VertexId(v))) continue;
-    const PointRef point = mesh.point(VertexId(v));
-    if (point.is_double())
-      box.extend(point.approx);
-    else
-      box.extend(box_of(point));
-  }
+  for (const Box3& part : boxes) box.extend(part);
   return std::make_shared<const Geometry>(std::move(mesh), box);
 }
 

@@ -1,8 +1,12 @@
 #include "algebra3d/types/detail/mesh_codec.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
+#include <string_view>
+#include <utility>
 
+#include "algebra3d/base/scheduler.h"
 #include "algebra3d/types/detail/codec_points.h"
 #include "algebra3d/types/detail/corner_code.h"
 
@@ -18,44 +22,50 @@ namespace {
 
 using Triangle = TriangleMesh::Triangle;
 
+/// An edge in the direction in which a second triangle has it, and the half-edge along it of the first one.
 struct Edge {
-  std::uint32_t from, to;
-  friend bool operator==(const Edge&, const Edge&) = default;
+  std::uint32_t from, to, halfedge;
 };
 
-/// The last edges that wait for a second triangle, in the direction in which that triangle has them. The latest edge is
-/// at place 0.
+/// The last edges that wait for a second triangle. The latest edge is at place 0.
 class RecentEdges {
  public:
   static constexpr std::size_t kSize = 64;
 
   std::size_t size() const { return size_; }
-  Edge at(std::size_t place) const { return edges_[(start_ + size_ - 1 - place) % kSize]; }
+  const Edge& at(std::size_t place) const { return edges_[end_ - 1 - place]; }
 
-  std::optional<std::size_t> find(Edge edge) const {
-    for (std::size_t place = 0; place < size_; ++place)
-      if (at(place) == edge) return place;
-    return std::nullopt;
-  }
-
-  void push(Edge edge) {
-    edges_[(start_ + size_) % kSize] = edge;
-    if (size_ < kSize)
-      ++size_;
-    else
-      start_ = (start_ + 1) % kSize;
+  void push(const Edge& edge) {
+    if (end_ == kRoom) {
+      std::copy_n(edges_.begin() + (kRoom - kSize), kSize, edges_.begin());
+      end_ = kSize;
+    }
+    edges_[end_++] = edge;
+    size_ = std::min(size_ + 1, kSize);
   }
 
   void erase(std::size_t place) {
-    for (; place > 0; --place) edges_[(start_ + size_ - 1 - place) % kSize] = at(place - 1);
+    // By blocks, whatever is behind the end: the number of edges to move is hard to predict, that of blocks is
+    // mostly 1.
+    for (std::size_t i = end_ - 1 - place; i + 1 < end_; i += kBlock) {
+      std::array<Edge, kBlock> block;  // NOLINT(cppcoreguidelines-pro-type-member-init): copied to
+      std::copy_n(edges_.begin() + i + 1, kBlock, block.begin());
+      std::copy_n(block.begin(), kBlock, edges_.begin() + i);
+    }
+    --end_;
     --size_;
   }
 
  private:
-  std::array<Edge, kSize> edges_{};
-  std::size_t start_ = 0;
+  static constexpr std::size_t kBlock = 8;
+  static constexpr std::size_t kRoom = 16 * kSize;
+
+  std::array<Edge, kRoom + kBlock> edges_{};  // the last ones before the end; there is room, so that they rarely move
+  std::size_t end_ = 0;
   std::size_t size_ = 0;
 };
+
+constexpr std::array<std::uint32_t, 3> kNext{1, 2, 0};  // corner of a triangle
 
 /// What encoder and decoder know of the triangles so far; both make the same steps.
 class Front {
@@ -69,62 +79,113 @@ class Front {
   std::uint64_t decode(std::uint64_t code) { return corners_.decode(code); }
 
   void add(const Triangle& t) {
-    for (std::size_t i = 0; i < 3; ++i) edges_.push({t[(i + 1) % 3], t[i]});
+    for (std::uint32_t i = 0; i < 3; ++i) push(t, i);
+    ++triangle_count_;
   }
   /// The triangle is at the edge of that place, and its corner `first` is where this edge begins.
-  void add(const Triangle& t, std::size_t place, std::size_t first) {
+  void add(const Triangle& t, std::size_t place, std::uint32_t first) {
     edges_.erase(place);
-    for (std::size_t i = first + 1; i < first + 3; ++i) edges_.push({t[(i + 1) % 3], t[i % 3]});
+    push(t, kNext[first]);
+    push(t, kNext[kNext[first]]);
+    ++triangle_count_;
   }
+  std::uint32_t triangle_count() const { return triangle_count_; }
 
  private:
+  void push(const Triangle& t, std::uint32_t corner) {
+    edges_.push({t[kNext[corner]], t[corner], 3 * triangle_count_ + corner});
+  }
+
   RecentEdges edges_;
   CornerCode corners_;
+  std::uint32_t triangle_count_ = 0;
 };
 
 struct SharedEdge {
-  std::size_t place, first;
+  std::size_t place;
+  std::uint32_t first;
 };
 
 /// The latest edge that a triangle shares.
 std::optional<SharedEdge> find_shared_edge(const RecentEdges& edges, const Triangle& t) {
   for (std::size_t place = 0; place < edges.size(); ++place) {
-    const Edge edge = edges.at(place);
-    for (std::size_t first = 0; first < 3; ++first)
-      if (edge.from == t[first] && edge.to == t[(first + 1) % 3]) return SharedEdge{place, first};
+    const Edge& edge = edges.at(place);
+    for (std::uint32_t first = 0; first < 3; ++first)
+      if (edge.from == t[first] && edge.to == t[kNext[first]]) return SharedEdge{place, first};
   }
   return std::nullopt;
 }
 
-bool read_corners(ByteReader& reader, std::span<const std::uint8_t> codes, std::size_t point_count,
-                  std::vector<Triangle>& triangles) {
-  std::size_t corner_count = 0;
-  for (const std::uint8_t code : codes) corner_count += code == Front::kNoSharedEdge ? 3 : 1;
-  const std::vector<std::uint64_t> corners = reader.planes(corner_count, 1, 5);
-  if (!reader.ok()) return false;
+/// Triangles as the half-edges of a mesh. Those of a shared edge are opposite to each other.
+struct Halfedges {
+  LargeVector<std::uint32_t> origins, opposites;
+
+  explicit Halfedges(std::size_t triangle_count) : origins(3 * triangle_count), opposites(3 * triangle_count) {}
+
+  void add(std::size_t triangle, const Triangle& t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      origins[3 * triangle + i] = t[i];
+      opposites[3 * triangle + i] = TriangleMesh::kUnlinked;
+    }
+  }
+  void link(std::uint32_t a, std::uint32_t b) {
+    opposites[a] = b;
+    opposites[b] = a;
+  }
+};
+
+/// Triangles in the bytes.
+struct StoredTriangles {
+  std::string_view codes;  // one byte per triangle
+  PlaneReader corners;
+  std::size_t end = 0;  // position in the bytes, for messages
+};
+
+StoredTriangles find_triangles(ByteReader& reader) {
+  StoredTriangles triangles;
+  const std::size_t face_count = reader.count(2);  // a code and a corner at least
+  reader.require(face_count <= TriangleMesh::kMaxFaces, "fewer triangles");
+  triangles.codes = reader.raw(face_count);
+  std::size_t alone = 0;
+  std::uint8_t largest = 0;
+  for (const char code : triangles.codes) {
+    alone += code == static_cast<char>(Front::kNoSharedEdge) ? 1U : 0U;
+    largest = std::max(largest, static_cast<std::uint8_t>(code));
+  }
+  reader.require(largest <= Front::kMaxCode, "codes of triangles up to 192");
+  triangles.corners = reader.plane_reader(face_count + 2 * alone, 1, 5);
+  triangles.end = reader.position();
+  return triangles;
+}
+
+/// False if a corner or an edge is none of the mesh.
+bool decode_triangles(StoredTriangles& stored, std::size_t point_count, Halfedges& halfedges) {
   Front front;
-  auto corner = corners.begin();
   bool within = true;
   const auto next_point = [&] {
-    const std::uint64_t point = front.decode(*corner++);
+    const std::uint64_t point = front.decode(stored.corners.next());
     within = within && point < point_count;
     return static_cast<std::uint32_t>(point);
   };
-  for (const std::uint8_t code : codes) {
-    Triangle& t = triangles.emplace_back();
+  Triangle t;
+  for (const char byte : stored.codes) {
+    const auto code = static_cast<std::uint8_t>(byte);
+    const std::uint32_t number = front.triangle_count();
     if (code == Front::kNoSharedEdge) {
       for (std::uint32_t& point : t) point = next_point();
       front.add(t);
+      halfedges.add(number, t);
     } else {
       const std::size_t place = (code - 1U) / 3;
-      const std::size_t first = (code - 1U) % 3;
-      within = within && place < front.edges().size();
-      if (!within) return false;
+      const std::uint32_t first = (code - 1U) % 3;
+      if (place >= front.edges().size()) return false;
       const Edge edge = front.edges().at(place);
       t[first] = edge.from;
-      t[(first + 1) % 3] = edge.to;
-      t[(first + 2) % 3] = next_point();
+      t[kNext[first]] = edge.to;
+      t[kNext[kNext[first]]] = next_point();
       front.add(t, place, first);
+      halfedges.add(number, t);
+      halfedges.link(3 * number + first, edge.halfedge);
     }
     if (!within) return false;
   }
@@ -156,21 +217,21 @@ void write_mesh(ByteWriter& writer, const TriangleMesh& mesh) {
 }
 
 TriangleMesh read_mesh(ByteReader& reader) {
-  PointArray points = read_points(reader);
-  const std::size_t face_count = reader.count(2);  // a code and a corner at least
-  reader.require(face_count <= TriangleMesh::kMaxFaces, "fewer triangles");
-  std::vector<std::uint8_t> codes;
-  codes.reserve(face_count);
-  for (const char code : reader.raw(face_count)) codes.push_back(static_cast<std::uint8_t>(code));
-  for (const std::uint8_t code : codes) reader.require(code <= Front::kMaxCode, "codes of triangles up to 192");
+  StoredPoints stored_points(reader);
+  StoredTriangles triangles = find_triangles(reader);
   if (!reader.ok()) return {};
-  std::vector<Triangle> triangles;
-  triangles.reserve(face_count);
-  if (!read_corners(reader, codes, points.size(), triangles)) {
-    reader.fail("corners and edges within the mesh");
-    return {};
-  }
-  return {std::move(points), triangles};
+  const std::size_t point_count = stored_points.size();
+  constexpr std::size_t kWorthAThread = 5000;
+  Halfedges halfedges(triangles.codes.size());
+  PointArray points;
+  bool within = false;
+  parallel_invoke(
+      triangles.codes.size() > kWorthAThread, [&] { within = decode_triangles(triangles, point_count, halfedges); },
+      [&] { points = std::move(stored_points).decode(reader); });
+  if (!within) reader.fail_at(triangles.end, "corners and edges within the mesh");
+  if (!reader.ok()) return {};
+  return TriangleMesh::with_proposed_links(std::move(points), std::move(halfedges.origins),
+                                           std::move(halfedges.opposites));
 }
 
 }  // namespace algebra3d

@@ -20,16 +20,18 @@ void ValueCache::keep(Entries::iterator entry, Entries::iterator before) {
   kept_.entries.splice(before, from.entries, entry);
 }
 
-void ValueCache::add(const ValuePlace& place, const algebra3d::Value& value, std::uint64_t bytes) {
-  if (places_.contains(place)) return;
+std::vector<algebra3d::Value> ValueCache::add(const ValuePlace& place, const algebra3d::Value& value,
+                                              std::uint64_t bytes) {
+  if (places_.contains(place)) return {};
   new_.entries.push_front({place, value, bytes});
   places_.emplace(place, new_.entries.begin());
   new_.bytes += bytes;
-  shrink();
+  return shrink();
 }
 
 // The newest value stays in any case.
-void ValueCache::shrink() {
+std::vector<algebra3d::Value> ValueCache::shrink() {
+  std::vector<algebra3d::Value> left;
   while (bytes() > limit_ && places_.size() > 1) {
     const bool has_older_new = new_.entries.size() > 1;
     if (has_older_new && (new_.bytes > limit_ / 4 || kept_.entries.empty())) {
@@ -42,8 +44,10 @@ void ValueCache::shrink() {
     }
     Order& shrinking = has_older_new && new_.bytes > limit_ / 4 ? new_ : kept_.entries.empty() ? new_ : kept_;
     const auto oldest = places_.find(shrinking.entries.back().place);
+    left.push_back(std::move(oldest->second->value));
     erase(oldest, std::next(oldest));
   }
+  return left;
 }
 
 void ValueCache::erase(Places::iterator first, Places::iterator last) {

@@ -5,6 +5,7 @@
 #include <list>
 #include <map>
 #include <optional>
+#include <vector>
 
 #include "algebra3d/types/value.h"
 
@@ -32,8 +33,9 @@ class ValueCache {
   explicit ValueCache(std::uint64_t limit) : limit_(limit) {}
 
   std::optional<algebra3d::Value> find(const ValuePlace& place);
-  /// Adds `value`, which stays even if it is larger than the cache. `bytes` is an estimate.
-  void add(const ValuePlace& place, const algebra3d::Value& value, std::uint64_t bytes);
+  /// Adds `value`, which stays even if it is larger than the cache. `bytes` is an estimate. Returns what had to leave:
+  /// the caller may destroy it after it has released the lock, since that takes long for large values.
+  std::vector<algebra3d::Value> add(const ValuePlace& place, const algebra3d::Value& value, std::uint64_t bytes);
   /// Removes the values of a tuple.
   void erase(std::int64_t table_number, std::int64_t tuple);
   void erase_table(std::int64_t table_number);
@@ -57,7 +59,7 @@ class ValueCache {
   static constexpr std::uint32_t kPromoted = 32;
 
   void keep(Entries::iterator entry, Entries::iterator before);
-  void shrink();
+  std::vector<algebra3d::Value> shrink();
   void erase(Places::iterator first, Places::iterator last);
 
   std::uint64_t limit_;

@@ -7,6 +7,7 @@
 
 #include "algebra3d/halfedge/boxes.h"
 #include "algebra3d/spatial_relations/nearest_points.h"
+#include "algebra3d/spatial_relations/place_of_box.h"
 #include "algebra3d/types/scalars.h"
 
 namespace queries {
@@ -39,15 +40,18 @@ struct SpatialPredicate {
   /// False if the predicate does not hold of any sets with these boxes.
   bool (*may_hold)(const Box3& a, const Box3& b);
   Result<bool> (*holds)(const SpatialSet& a, const SpatialSet& b, const Monitor& monitor);
+  /// Whether it holds if the first set is in the interior of the second one, and the other way round.
+  bool holds_in_interior, holds_around_interior;
 };
 
-constexpr std::array<SpatialPredicate, 7> kPredicates{{{"intersects", true, may_meet, algebra3d::do_meet},
-                                                       {"touches", true, may_meet, algebra3d::do_touch},
-                                                       {"inside", false, may_be_inside, lies_inside},
-                                                       {"contains", false, may_contain, lies_around},
-                                                       {"covers", false, may_contain, lies_around},
-                                                       {"coveredBy", false, may_be_inside, lies_inside},
-                                                       {"overlaps", true, may_meet, algebra3d::do_overlap}}};
+constexpr std::array<SpatialPredicate, 7> kPredicates{
+    {{"intersects", true, may_meet, algebra3d::do_meet, true, true},
+     {"touches", true, may_meet, algebra3d::do_touch, false, false},
+     {"inside", false, may_be_inside, lies_inside, true, false},
+     {"contains", false, may_contain, lies_around, false, true},
+     {"covers", false, may_contain, lies_around, false, true},
+     {"coveredBy", false, may_be_inside, lies_inside, true, false},
+     {"overlaps", true, may_meet, algebra3d::do_overlap, false, false}}};
 
 const SpatialPredicate* find_predicate(std::string_view name) {
   const auto* const found = std::ranges::find(kPredicates, name, &SpatialPredicate::name);
@@ -80,6 +84,15 @@ PairTest predicate_test(const std::string& name, bool in_both_orders) {
     if (predicate->may_hold(a, b) || (tries_turned && predicate->may_hold(b, a))) return std::nullopt;
     return PairVerdict::no;
   };
+  test.by_one_box = [=](const Box3& box, bool is_box_of_first, const SpatialSet& other) -> std::optional<PairVerdict> {
+    const algebra3d::PlaceOfBox place = place_of_box(box, other, 0);
+    if (place.gap == 0) return std::nullopt;
+    if (!place.is_inside) return PairVerdict::no;
+    const bool holds = is_box_of_first ? predicate->holds_in_interior : predicate->holds_around_interior;
+    if (holds || !tries_turned) return holds ? PairVerdict::yes : PairVerdict::no;
+    const bool holds_turned = is_box_of_first ? predicate->holds_around_interior : predicate->holds_in_interior;
+    return holds_turned ? PairVerdict::turned : PairVerdict::no;
+  };
   test.by_geometry = [=](const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) -> Result<PairVerdict> {
     ALGEBRA3D_ASSIGN_OR_RETURN(const bool holds, predicate->holds(a, b, monitor));
     if (holds || !tries_turned) return holds ? PairVerdict::yes : PairVerdict::no;
@@ -96,6 +109,11 @@ PairTest distance_test(const Value& limit) {
   test.by_boxes = [=](const Box3& a, const Box3& b) -> std::optional<PairVerdict> {
     const std::optional<bool> answer = algebra3d::are_within_by_boxes(a, b, most);
     return answer ? std::optional(verdict(*answer)) : std::nullopt;
+  };
+  test.by_one_box = [=](const Box3& box, bool, const SpatialSet& other) -> std::optional<PairVerdict> {
+    const algebra3d::PlaceOfBox place = place_of_box(box, other, most);
+    if (place.is_inside) return PairVerdict::yes;
+    return place.gap > most ? std::optional(PairVerdict::no) : std::nullopt;
   };
   test.by_geometry = [=](const SpatialSet& a, const SpatialSet& b, const Monitor& monitor) -> Result<PairVerdict> {
     ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_near, are_within(a, b, algebra3d::Rational(most), monitor));

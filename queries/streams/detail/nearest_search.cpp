@@ -9,6 +9,7 @@
 
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/spatial_relations/nearest_points.h"
+#include "algebra3d/spatial_relations/place_of_box.h"
 #include "queries/streams/detail/block_join.h"
 #include "queries/streams/detail/spatial_attribute.h"
 
@@ -81,7 +82,7 @@ class NearestSearch::Table {
 class NearestSearch::Round {
  public:
   Round(const Table& table, const NearestTask& task, std::span<const NearestProbe> probes)
-      : table_(table), task_(task) {
+      : table_(table), task_(task), extra_(std::max<std::size_t>(4, task.limit)) {
     for (std::uint32_t i = 0; i < probes.size(); ++i)
       searches_.push_back({i, table.tree().nearest(window_of(probes[i].tuple->attributes[task.probe_key])), {}, {}});
   }
@@ -153,7 +154,7 @@ class NearestSearch::Round {
   const Table& table_;
   const NearestTask& task_;
   std::vector<Search> searches_;
-  std::size_t extra_ = 4;  // candidates of a probe that has enough neighbours
+  std::size_t extra_;  // candidates of a probe that has enough neighbours
   std::vector<ValuePair> pairs_;
   std::vector<Candidate> candidates_;
 };
@@ -189,9 +190,10 @@ Status NearestSearch::search_all(std::span<NearestProbe> probes) {
 
 /// In groups, since a search holds all boxes that are equally far, up to all partners.
 Status NearestSearch::search_table(std::span<NearestProbe> probes) {
-  constexpr std::size_t kSearchesAtOnce = 128;
-  for (std::size_t begin = 0; begin < probes.size(); begin += kSearchesAtOnce)
-    ALGEBRA3D_RETURN_IF_ERROR(search_group(probes.subspan(begin, std::min(kSearchesAtOnce, probes.size() - begin))));
+  constexpr std::size_t kLeastGroup = 128, kBoxesHeld = std::size_t{1} << 22;
+  const std::size_t group = std::max(kLeastGroup, kBoxesHeld / (table_->tree().size() + 1));
+  for (std::size_t begin = 0; begin < probes.size(); begin += group)
+    ALGEBRA3D_RETURN_IF_ERROR(search_group(probes.subspan(begin, std::min(group, probes.size() - begin))));
   return {};
 }
 
@@ -243,20 +245,43 @@ void drop_distant(NearestProbe& probe, std::size_t limit) {
 
 }  // namespace
 
+/// The candidates of a round that the box of the smaller value does not show to be too far away.
+Result<std::vector<std::uint32_t>> NearestSearch::near_candidates(std::span<const NearestProbe> probes,
+                                                                  const Round& round) {
+  std::vector<std::uint8_t> is_far(round.pairs().size());
+  const auto question = [&](std::size_t i, const Box3& box, bool, const LoadedSet& other) {
+    const double bound = std::min(reach_, probes[round.candidates()[i].probe].bound);
+    if (bound == Box3::kInfinity) return;
+    const algebra3d::PlaceOfBox place = place_of_box(box, other.set, bound);
+    is_far[i] = place.gap > bound && !place.is_inside ? 1 : 0;
+  };
+  const std::string progress = fmt::format("{} boxes for {} tuples", round.pairs().size(), probe_count_);
+  ALGEBRA3D_RETURN_IF_ERROR(examiner_.ask_boxes(round.pairs(), progress, question));
+  std::vector<std::uint32_t> near;
+  for (std::uint32_t i = 0; i < is_far.size(); ++i)
+    if (is_far[i] == 0) near.push_back(i);
+  candidate_count_ += is_far.size();
+  far_box_count_ += is_far.size() - near.size();
+  return near;
+}
+
 /// Bounds the distances of the candidates, and keeps those that may be among the nearest ones.
 Status NearestSearch::take_distances(std::span<NearestProbe> probes, const Round& round) {
-  std::vector<std::optional<algebra3d::DistanceRange>> ranges(round.pairs().size());
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<std::uint32_t> near, near_candidates(probes, round));
+  std::vector<ValuePair> pairs;
+  pairs.reserve(near.size());
+  for (const std::uint32_t i : near) pairs.push_back(round.pairs()[i]);
+  std::vector<std::optional<algebra3d::DistanceRange>> ranges(near.size());
   const auto question = [&](std::size_t i, const LoadedSet& a, const LoadedSet& b,
                             const algebra3d::Monitor& monitor) -> Status {
-    const double bound = std::min(reach_, probes[round.candidates()[i].probe].bound);
+    const double bound = std::min(reach_, probes[round.candidates()[near[i]].probe].bound);
     ALGEBRA3D_ASSIGN_OR_RETURN(ranges[i], distance_range_of(a.set, b.set, bound, monitor));
     return {};
   };
-  const std::string progress = fmt::format("{} pairs for {} tuples", round.pairs().size(), probe_count_);
-  ALGEBRA3D_RETURN_IF_ERROR(examiner_.ask(round.pairs(), progress, question));
-  candidate_count_ += round.pairs().size();
+  const std::string progress = fmt::format("{} pairs for {} tuples", pairs.size(), probe_count_);
+  ALGEBRA3D_RETURN_IF_ERROR(examiner_.ask(pairs, progress, question));
   for (std::size_t i = 0; i < ranges.size(); ++i) {
-    const auto [probe, position] = round.candidates()[i];
+    const auto [probe, position] = round.candidates()[near[i]];
     if (ranges[i]) {
       const Table::Partner& partner = round.table().partner(position);
       const bool is_zero = ranges[i]->upper == 0;
@@ -264,7 +289,8 @@ Status NearestSearch::take_distances(std::span<NearestProbe> probes, const Round
           {*ranges[i], is_zero ? std::optional<Rational>(0) : std::nullopt, partner.place, partner.tuple});
     }
     // The candidates of a probe follow one another.
-    if (i + 1 == ranges.size() || round.candidates()[i + 1].probe != probe) drop_distant(probes[probe], task_.limit);
+    if (i + 1 == ranges.size() || round.candidates()[near[i + 1]].probe != probe)
+      drop_distant(probes[probe], task_.limit);
   }
   return thin_out(probes);
 }
@@ -340,6 +366,7 @@ Status NearestSearch::make_first_exact(std::span<NearestProbe> probes) {
 std::vector<StageCount> NearestSearch::stages() const {
   return {{"tuples searched for", probe_count_},
           {"candidates by boxes", candidate_count_},
+          {"too far by one hierarchy", far_box_count_},
           {"exact distances", exact_count_},
           {"geometries loaded", examiner_.load_count()}};
 }

@@ -88,6 +88,7 @@ class NearestSearch {
   Status search_all(std::span<NearestProbe> probes);
   Status search_table(std::span<NearestProbe> probes);
   Status search_group(std::span<NearestProbe> probes);
+  Result<std::vector<std::uint32_t>> near_candidates(std::span<const NearestProbe> probes, const Round& round);
   Status take_distances(std::span<NearestProbe> probes, const Round& round);
   Status thin_out(std::span<NearestProbe> probes);
   Status settle(std::span<NearestProbe> probes);
@@ -107,6 +108,7 @@ class NearestSearch {
   double reach_ = algebra3d::Box3::kInfinity;
   std::uint64_t probe_count_ = 0;
   std::uint64_t candidate_count_ = 0;
+  std::uint64_t far_box_count_ = 0;  // of these candidates
   std::uint64_t exact_count_ = 0;
 };
 

@@ -17,6 +17,7 @@ namespace {
 struct DecisionCounts {
   std::uint64_t pairs = 0;
   std::uint64_t by_boxes = 0;      ///< without geometry
+  std::uint64_t by_one_box = 0;    ///< by the box of the smaller value and the box hierarchy of the other one
   std::uint64_t by_hierarchy = 0;  ///< by the box hierarchies of both values
   std::uint64_t by_exact_tests = 0;
   std::uint64_t exact_tests = 0;  ///< signs of determinants
@@ -46,6 +47,7 @@ class RefinedJoin final : public TupleStream {
   std::vector<StageCount> stages() const override {
     return {{"pairs of boxes", counts_.pairs},
             {"decided by boxes", counts_.by_boxes},
+            {"decided by one hierarchy", counts_.by_one_box},
             {"decided by hierarchies", counts_.by_hierarchy},
             {"decided by exact tests", counts_.by_exact_tests},
             {"exact tests", counts_.exact_tests},
@@ -53,7 +55,7 @@ class RefinedJoin final : public TupleStream {
   }
 
  private:
-  static constexpr std::size_t kFirstBlock = 16, kGrowth = 64, kLargestBlock = std::size_t{1} << 18;
+  static constexpr std::size_t kFirstBlock = 16, kGrowth = 64, kLargestBlock = std::size_t{1} << 22;
   static constexpr std::size_t kBytesOfPair = 160;  // in all lists together
 
   const Value& build_key(const TuplePair& pair) const { return pair.build->attributes[keys_.build]; }
@@ -91,8 +93,7 @@ class RefinedJoin final : public TupleStream {
   Status decide() {
     verdicts_.assign(block_.size(), PairVerdict::no);
     counts_.pairs += block_.size();
-    std::vector<ValuePair> open;           // that boxes do not decide
-    std::vector<std::uint32_t> positions;  // of these in the block
+    OpenPairs open;
     for (std::uint32_t i = 0; i < block_.size(); ++i) {
       const Value &a = build_key(block_[i]), &b = probe_key(block_[i]);
       if (const auto verdict = test_.by_boxes(a.header().box, b.header().box)) {
@@ -100,23 +101,54 @@ class RefinedJoin final : public TupleStream {
         ++counts_.by_boxes;
         continue;
       }
-      open.push_back({&a, &b});
-      positions.push_back(i);
+      open.values.push_back({&a, &b});
+      open.positions.push_back(i);
     }
-    return examine(open, positions);
+    ALGEBRA3D_RETURN_IF_ERROR(ask_boxes(open));
+    return ask(open);
   }
 
-  Status examine(std::span<const ValuePair> open, std::span<const std::uint32_t> positions) {
-    std::vector<std::uint64_t> exact_tests(open.size());
+  /// Pairs that are not decided yet, and their positions in the block.
+  struct OpenPairs {
+    std::vector<ValuePair> values;
+    std::vector<std::uint32_t> positions;
+  };
+
+  std::string progress(const OpenPairs& open) const {
+    return fmt::format("examining {} pairs after {}", open.values.size(), counts_.pairs - block_.size());
+  }
+
+  /// Leaves those pairs that the box of one value and the geometry of the other do not decide.
+  Status ask_boxes(OpenPairs& open) {
+    std::vector<std::uint8_t> is_decided(open.values.size());
+    const auto question = [&](std::size_t i, const algebra3d::Box3& box, bool is_box_of_first, const LoadedSet& other) {
+      const auto verdict = test_.by_one_box(box, is_box_of_first, other.set);
+      is_decided[i] = verdict ? 1 : 0;
+      if (verdict) verdicts_[open.positions[i]] = *verdict;
+    };
+    ALGEBRA3D_RETURN_IF_ERROR(examiner_.ask_boxes(open.values, progress(open), question));
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < is_decided.size(); ++i) {
+      if (is_decided[i] != 0) continue;
+      open.values[left] = open.values[i];
+      open.positions[left++] = open.positions[i];
+    }
+    counts_.by_one_box += is_decided.size() - left;
+    open.values.resize(left);
+    open.positions.resize(left);
+    return {};
+  }
+
+  Status ask(const OpenPairs& open) {
+    std::vector<std::uint64_t> exact_tests(open.values.size());
     const auto question = [&](std::size_t i, const LoadedSet& a, const LoadedSet& b,
                               const algebra3d::Monitor& monitor) -> Status {
       const std::uint64_t before = algebra3d::exact_calls_of_this_thread();
-      ALGEBRA3D_ASSIGN_OR_RETURN(verdicts_[positions[i]], test_.by_geometry(a.set, b.set, monitor));
+      ALGEBRA3D_ASSIGN_OR_RETURN(verdicts_[open.positions[i]], test_.by_geometry(a.set, b.set, monitor));
       exact_tests[i] = algebra3d::exact_calls_of_this_thread() - before;
       return {};
     };
-    ALGEBRA3D_RETURN_IF_ERROR(examiner_.ask(
-        open, fmt::format("examining {} pairs after {}", open.size(), counts_.pairs - block_.size()), question));
+    ALGEBRA3D_RETURN_IF_ERROR(examiner_.ask(open.values, progress(open), question));
     for (const std::uint64_t count : exact_tests) {
       ++(count == 0 ? counts_.by_hierarchy : counts_.by_exact_tests);
       counts_.exact_tests += count;

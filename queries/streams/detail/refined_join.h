@@ -23,6 +23,10 @@ enum class PairVerdict : std::uint8_t {
 struct PairTest {
   /// The verdict if boxes tell it, else nothing; so geometry is not loaded where it is not needed.
   std::function<std::optional<PairVerdict>(const algebra3d::Box3& a, const algebra3d::Box3& b)> by_boxes;
+  /// The verdict if a set and the box of the other one tell it, which is the first one if `is_box_of_first`.
+  std::function<std::optional<PairVerdict>(const algebra3d::Box3& box, bool is_box_of_first,
+                                           const algebra3d::SpatialSet& other)>
+      by_one_box;
   std::function<Result<PairVerdict>(const algebra3d::SpatialSet& a, const algebra3d::SpatialSet& b,
                                     const algebra3d::Monitor& monitor)>
       by_geometry;

@@ -18,7 +18,7 @@ namespace {
 
 /// Memory of a loaded value with its hierarchy, estimated by its size.
 std::size_t loaded_bytes(const Value& value) {
-  constexpr std::size_t kOfElement = 192, kOfValue = 1024;
+  constexpr std::size_t kOfElement = 128, kOfValue = 1024;
   return value.is_deferred() ? kOfElement * value.header().size + kOfValue : sizeof(LoadedSet);
 }
 
@@ -33,6 +33,21 @@ std::uint64_t spread(std::uint64_t bits) {
 
 Vec3 middle(const Box3& box) {
   return 0.5 * box.min + 0.5 * box.max;
+}
+
+/// Where two boxes meet, or the middle between them: small, unless both are large.
+Box3 place_of(const ValuePair& pair) {
+  const Box3 &a = pair.first->header().box, &b = pair.second->header().box;
+  Box3 place;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    place.min[axis] = place.max[axis] = std::max(a.min[axis], b.min[axis]) / 2 + std::min(a.max[axis], b.max[axis]) / 2;
+  return place;
+}
+
+/// True if it is worth a look at the box of `small` and the geometry of `large` before `small` is loaded.
+bool is_much_smaller(const Value& small, const Value& large) {
+  constexpr std::uint64_t kRatio = 8;
+  return small.is_deferred() && small.header().size <= large.header().size / kRatio;
 }
 
 std::uint64_t morton_code(const Vec3& point, const Box3& frame) {
@@ -104,7 +119,7 @@ Status SpatialPairs::ask(std::span<const ValuePair> pairs, const std::string& pr
   if (pairs.empty()) return {};
   std::vector<Box3> boxes;
   boxes.reserve(pairs.size());
-  for (const ValuePair& pair : pairs) boxes.push_back(pair.second->header().box);
+  for (const ValuePair& pair : pairs) boxes.push_back(place_of(pair));
   const std::vector<std::uint32_t> order = morton_order(boxes);
   Batches all(pairs);
   std::uint32_t batch = 0;
@@ -122,6 +137,30 @@ Status SpatialPairs::ask(std::span<const ValuePair> pairs, const std::string& pr
   }
   account_.clear();
   return {};
+}
+
+Status SpatialPairs::ask_boxes(std::span<const ValuePair> pairs, const std::string& progress,
+                               const BoxQuestion& question) {
+  struct BoxedPair {
+    std::size_t pair;
+    bool is_box_of_first;
+  };
+  std::vector<ValuePair> larger;  // the larger value twice
+  std::vector<BoxedPair> boxed;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto [a, b] = pairs[i];
+    const bool is_box_of_first = is_much_smaller(*a, *b);
+    if (!is_box_of_first && !is_much_smaller(*b, *a)) continue;
+    const Value* const large = is_box_of_first ? b : a;
+    larger.push_back({large, large});
+    boxed.push_back({i, is_box_of_first});
+  }
+  return ask(larger, progress, [&](std::size_t i, const LoadedSet& large, const LoadedSet&, const Monitor&) -> Status {
+    const auto [pair, is_box_of_first] = boxed[i];
+    const Value& small = is_box_of_first ? *pairs[pair].first : *pairs[pair].second;
+    question(pair, small.header().box, is_box_of_first, large);
+    return {};
+  });
 }
 
 /// Loads what these pairs need and is not loaded.

@@ -41,6 +41,12 @@ class SpatialPairs {
   /// Errors: those of loading; that of the first pair on the curve whose question fails; interrupted.
   Status ask(std::span<const ValuePair> pairs, const std::string& progress, const Question& question);
 
+  /// Asked about a pair of which one value is deferred and much smaller than the other: of its box, and the other one.
+  using BoxQuestion =
+      std::function<void(std::size_t pair, const algebra3d::Box3& box, bool is_box_of_first, const LoadedSet& other)>;
+  /// Asks about each such pair once, likewise, so that only the larger values are loaded. Errors: as `ask`.
+  Status ask_boxes(std::span<const ValuePair> pairs, const std::string& progress, const BoxQuestion& question);
+
   /// Number of values that were loaded so far, some of them several times.
   std::uint64_t load_count() const { return load_count_; }
 

@@ -25,6 +25,25 @@ std::vector<std::uint32_t> numbers_of(std::span<const HalfedgeId> halfedges) {
   return result;
 }
 
+/// Beside divisions, up to the largest number of half-edges.
+TEST(PolygonLayout, computes_the_faces_of_any_degree) {
+  constexpr std::uint32_t kMost = static_cast<std::uint32_t>(PolygonMesh::kMaxHalfedges);
+  for (const std::uint32_t degree :
+       {1U, 2U, 3U, 4U, 5U, 6U, 7U, 11U, 64U, 1000U, 65537U, kMost / 2, kMost - 1, kMost}) {
+    const PolygonLayout layout = PolygonLayout::of_degree(degree);
+    const std::uint32_t last = kMost / degree - 1;
+    for (const std::uint32_t face : {0U, 1U, 2U, last / 3, last / 2, last}) {
+      if (face > last) continue;
+      const std::uint32_t first = face * degree, end = first + degree;
+      for (const std::uint32_t h : {first, first + degree / 2, end - 1}) {
+        ASSERT_EQ(layout.face(HalfedgeId(h)), FaceId(face)) << degree;
+        ASSERT_EQ(layout.next(HalfedgeId(h)).index(), h + 1 == end ? first : h + 1) << degree;
+        ASSERT_EQ(layout.prev(HalfedgeId(h)).index(), h == first ? end - 1 : h - 1) << degree;
+      }
+    }
+  }
+}
+
 TEST(PolygonMesh, default_mesh_is_empty) {
   const PolygonMesh mesh;
   EXPECT_TRUE(mesh.is_empty());

@@ -45,5 +45,34 @@ TEST(SpatialOrder, keeps_the_order_of_triangles_in_one_place) {
   }
 }
 
+TEST(SpatialOrder, of_polygons_keeps_their_corners_and_is_that_of_triangles) {
+  Chance chance(7);
+  const WeldedTriangles torus = weld(soup_of(samples::torus(30, 20)).triangles);
+  PolygonSoup soup;
+  soup.points = torus.points.approx();
+  soup.points.push_back({9, 9, 9});  // unused
+  std::vector<TriangleMesh::Triangle> triangles = torus.triangles;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    std::swap(triangles[i], triangles[index_below(chance, triangles.size())]);
+  for (const auto& triangle : triangles) soup.add_face(triangle);
+  const PolygonSoup found = in_spatial_order(soup);
+  const WeldedTriangles expected =
+      reordered({PointArray(soup.points), triangles}, spatial_order(soup.points, triangles));
+  EXPECT_EQ(found.points, expected.points.approx());
+  ASSERT_EQ(found.face_count(), expected.triangles.size());
+  for (std::size_t f = 0; f < found.face_count(); ++f)
+    EXPECT_TRUE(std::ranges::equal(found.face(f), expected.triangles[f]));
+
+  PolygonSoup mixed;
+  mixed.points = {{8, 8, 8}, {9, 8, 8}, {9, 9, 8}, {8, 9, 8}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mixed.add_face(std::vector<std::uint32_t>{0, 1, 2, 3});
+  mixed.add_face(std::vector<std::uint32_t>{4, 5, 6});
+  const PolygonSoup ordered = in_spatial_order(mixed);
+  EXPECT_EQ(ordered.face_starts, (std::vector<std::uint32_t>{0, 3, 7}));
+  EXPECT_EQ(ordered.corners, (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(ordered.points[0], (Vec3{0, 0, 0}));
+  EXPECT_EQ(ordered.points[3], (Vec3{8, 8, 8}));
+}
+
 }  // namespace
 }  // namespace algebra3d::soups

@@ -124,6 +124,34 @@ TEST(ModifiedButterfly, regular_and_few_edges) {
   expect_mesh(*subdivided(mesh, Scheme::modified_butterfly, 1), Reference(mesh).butterfly(true), kRounded);
 }
 
+/// The masks between regular vertices are exact for quadratic functions, also beside the boundary.
+TEST(ModifiedButterfly, regular_vertices_reproduce_quadratic_functions) {
+  for (const auto& [m, n] : {std::pair(6U, 5U), {2U, 6U}, {3U, 3U}}) {
+    std::vector<Vec3> points;
+    for (std::uint32_t i = 0; i <= m; ++i)
+      for (std::uint32_t j = 0; j <= n; ++j) {
+        const double x = 4.0 * i + j, y = 2.0 * j - i;
+        points.push_back({x, y, x * x - 3 * x * y + 2 * y * y + x});
+      }
+    const PolygonMesh mesh = polygon_mesh(faces_of(samples::grid(m, n, false, false)), points);
+    const PolygonMesh result = *subdivided(mesh, Scheme::modified_butterfly, 1);
+    std::size_t seen = 0, made = mesh.vertex_count();
+    for (const HalfedgeId h : edges(mesh)) {
+      const Vec3 p = result.point(VertexId(made++)).approx;
+      const auto valence = [&](VertexId v) { return std::ranges::distance(adjacent_vertices(mesh, v)); };
+      const VertexId a = mesh.origin(h), b = mesh.target(h);
+      // Corners have two or three neighbours, other vertices of the boundary four.
+      const bool is_regular = (valence(a) == 4 || valence(a) == 6) && (valence(b) == 4 || valence(b) == 6);
+      if (!is_regular || mesh.is_boundary(h)) continue;
+      EXPECT_EQ(p.z, p.x * p.x - 3 * p.x * p.y + 2 * p.y * p.y + p.x);
+      EXPECT_EQ(p.x, 0.5 * (mesh.point(a).approx.x + mesh.point(b).approx.x));
+      EXPECT_EQ(p.y, 0.5 * (mesh.point(a).approx.y + mesh.point(b).approx.y));
+      ++seen;
+    }
+    EXPECT_GT(seen, 3U);
+  }
+}
+
 TEST(DooSabin, faces_with_rational_weights) {
   for (const auto& faces :
        {samples::cube(), faces_of(samples::tetrahedron()), faces_of(samples::icosahedron()),

@@ -133,6 +133,8 @@ class Reference {
         out.points.push_back(extraordinary(e.first, e.second));
       } else if (second) {
         out.points.push_back(extraordinary(e.second, e.first));
+      } else if (is_modified) {
+        out.points.push_back(regular(e));
       } else {
         out.points.push_back(eight_points(e));
       }
@@ -298,6 +300,43 @@ class Reference {
       mask.add({-1, 16}, across({side.second, c})).add({-1, 16}, across({c, side.first}));
     }
     return mask.sum();
+  }
+  /// The four neighbours of a regular boundary vertex, counter-clockwise; empty inside.
+  std::vector<std::uint32_t> half_ring(std::uint32_t v) const {
+    for (const std::uint32_t u : boundary_neighbours(v))
+      if (left_.contains({v, u})) return ring(v, u);
+    return {};
+  }
+  /// The third corner of the triangle with corners a and b that has not c.
+  std::uint32_t beyond(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    return third({a, b}) == c ? third({b, a}) : third({a, b});
+  }
+  /// Modified Butterfly between regular vertices, by the table of [zorin2000], chapter 4.
+  RationalVec3 regular(const Edge& e) const {
+    auto [v, u] = e;
+    if (half_ring(v).empty()) std::swap(u, v);
+    const auto around = half_ring(v), other = half_ring(u);
+    if (around.empty()) return eight_points(e);
+    const bool is_first = around[1] == u;
+    const std::uint32_t near = around[is_first ? 0 : 3], far = around[is_first ? 3 : 0],
+                        inner = around[is_first ? 2 : 1];
+    Mask mask;
+    if (other.empty())
+      return mask.add({3, 8}, point(v))
+          .add({5, 8}, point(u))
+          .add({1, 16}, point(near))
+          .add({-1, 16}, point(far))
+          .add({3, 16}, point(inner))
+          .add({-1, 8}, point(beyond(u, inner, v)))
+          .add({-1, 16}, point(beyond(u, near, v)))
+          .sum();
+    const bool is_first_of_other = other[1] == v;
+    mask.add(1, middle(e));
+    if (is_first == is_first_of_other) return mask.sum();
+    return mask.add({1, 4}, point(inner))
+        .add({-1, 8}, point(far))
+        .add({-1, 8}, point(other[is_first_of_other ? 3 : 0]))
+        .sum();
   }
   bool is_extraordinary(std::uint32_t v) const {
     return neighbours(v).size() != (boundary_neighbours(v).empty() ? 6U : 4U);
