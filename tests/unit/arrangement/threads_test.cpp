@@ -50,11 +50,11 @@ TEST(Threads, NearlyCoincidentSolids) {
 
 TEST(Threads, CommonPartsThatCrossInPlanes) {
   std::vector<TriangleMesh> boards;
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < 6; ++i) {
     const double at = 3 * i + 0.5;
-    boards.push_back(box({at, -9, -9}, {at + 1, 50, 50}));
-    boards.push_back(box({-9, at, -9}, {50, at + 1, 50}));
-    boards.push_back(box({-9, -9, at}, {50, 50, at + 1}));
+    boards.push_back(box({at, -9, -9}, {at + 1, 30, 30}));
+    boards.push_back(box({-9, at, -9}, {30, at + 1, 30}));
+    boards.push_back(box({-9, -9, at}, {30, 30, at + 1}));
   }
   std::vector<Operand> operands;
   for (const TriangleMesh& board : boards) operands.push_back({&board, 0});
