@@ -7,8 +7,10 @@ namespace {
 
 TEST(NodeSet, tells_what_is_missing_across_words) {
   NodeSet set(200);
-  for (NodeIndex node = 0; node < 200; ++node)
-    if (node != 0 && node != 63 && node != 64 && node != 130 && node != 199) EXPECT_TRUE(set.insert(node));
+  for (NodeIndex node = 0; node < 200; ++node) {
+    if (node == 0 || node == 63 || node == 64 || node == 130 || node == 199) continue;
+    EXPECT_TRUE(set.insert(node));
+  }
   EXPECT_EQ(set.missing(200), (std::vector<NodeIndex>{0, 63, 64, 130, 199}));
   EXPECT_EQ(set.missing(128), (std::vector<NodeIndex>{0, 63, 64}));
   EXPECT_EQ(set.missing(202), (std::vector<NodeIndex>{0, 63, 64, 130, 199, 200, 201}));
