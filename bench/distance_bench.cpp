@@ -65,7 +65,7 @@ void within_ours(benchmark::State& state) {
 }
 
 void with_pairs(benchmark::internal::Benchmark* benchmark) {
-  for (const std::int64_t frequency : {7, 71, 224})
+  for (const std::int64_t frequency : {2, 7, 22, 71, 224})
     for (const std::int64_t gap : {1, 100}) benchmark->Args({frequency, gap});
   benchmark->Unit(benchmark::kMillisecond);
 }

@@ -153,18 +153,15 @@ void points_in_solid_cgal(benchmark::State& state) {
   state.counters["inside"] = static_cast<double>(inside);
 }
 
-BENCHMARK(solids_intersect)
-    ->Args({16, 1})
-    ->Args({16, 0})
-    ->Args({16, -1})
-    ->Args({100, 1})
-    ->Unit(benchmark::kMicrosecond);
-BENCHMARK(solids_intersect_cgal)
-    ->Args({16, 1})
-    ->Args({16, 0})
-    ->Args({16, -1})
-    ->Args({100, 1})
-    ->Unit(benchmark::kMicrosecond);
+/// Spheres that cross, touch or nearly touch, and the latter from 10^2 to 10^6 triangles.
+void with_pairs(benchmark::internal::Benchmark* benchmark) {
+  for (const std::int64_t hundredths : {1, 0, -1}) benchmark->Args({16, hundredths});
+  for (const std::int64_t frequency : {2, 7, 22, 71, 100, 224}) benchmark->Args({frequency, 1});
+  benchmark->Unit(benchmark::kMicrosecond);
+}
+
+BENCHMARK(solids_intersect)->Apply(with_pairs);
+BENCHMARK(solids_intersect_cgal)->Apply(with_pairs);
 BENCHMARK(solids_touch)->Args({16, 0})->Args({16, -1})->Unit(benchmark::kMicrosecond);
 BENCHMARK(join_of_small_solids)->Arg(10000)->Unit(benchmark::kMillisecond);
 BENCHMARK(points_in_solid)->Args({71, 1000000})->Unit(benchmark::kMillisecond)->UseRealTime();
