@@ -65,7 +65,7 @@ Outcome3d with_edge_split_at(Context& /*context*/, const Mesh3d& mesh, std::int6
 Outcome3d with_split_edge(Context& /*context*/, const Mesh3d& mesh, std::int64_t edge, double share) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const HalfedgeId h, edge_of("splitEdge", mesh.mesh(), edge));
   if (!(share > 0 && share < 1))
-    return Maybe<Mesh3d>(Undefined{"the share must be between 0 and 1, got " + real_text(share)});
+    return Maybe<Mesh3d>(Undefined{"the share must be greater than 0 and less than 1, got " + real_text(share)});
   const RationalVec3 from = mesh.mesh().point(mesh.mesh().origin(h)).rational();
   const RationalVec3 to = mesh.mesh().point(mesh.mesh().target(h)).rational();
   const Rational t(share);
@@ -234,7 +234,7 @@ void register_other_edits(Registry& registry) {
       .name = "moveVertex",
       .syntax = "moveVertex(_, _, _)",
       .doc = "The mesh with one vertex at another point.",
-      .detail = "Works on every mesh. Nothing else changes, also no attributes; faces of four or more corners may "
+      .detail = "Works on every mesh. Nothing else changes; faces of four or more corners may "
                 "become bent.",
       .exactness = Exactness::exact,
       .overloads = {overload<&with_moved_vertex>("mesh", "vertex", "point")},

@@ -121,7 +121,8 @@ struct Relation {
 };
 
 void add(Registry& registry, Relation relation) {
-  const bool gives_vertices = relation.columns_from == "vertices", gives_faces = relation.columns_from == "faces";
+  const bool gives_vertices = relation.columns_from == "vertices",
+             gives_faces = relation.columns_from.starts_with("faces");
   registry.add({
       .name = relation.name,
       .syntax = relation.name + "(_, _)",

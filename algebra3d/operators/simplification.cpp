@@ -99,7 +99,9 @@ Mesh3d value_of(const Mesh3d& before, Simplification result) {
 void report(Context& context, std::size_t before, const Simplification& result, const SimplificationTarget& target) {
   std::string text = fmt::format("simplify: {} of {} triangles are left", result.mesh.face_count(), before);
   if (target.deviation < kInfinity) text += ", deviation at most " + real_text(result.deviation);
-  if (target.triangles > 0 && result.mesh.face_count() > target.triangles) text += "; no further edge can be collapsed";
+  if (result.mesh.face_count() > target.triangles && target.deviation == kInfinity)
+    text +=
+        result.repetitions > 0 ? "; steps after which it would cross itself were left out" : "; no further edge can be collapsed";
   context.diagnostics.report(std::move(text));
 }
 
@@ -183,7 +185,7 @@ const std::string kDetail =
     "steps around the crossing are taken back. With a crease angle, in degrees, edges with a larger angle between "
     "the normals of their faces are creases, which are kept like the boundary: vertices on a crease stay on its "
     "line of edges, and where creases meet or end the vertices stay in their places; without one there are none. "
-    "A mesh3d keeps its attributes: faces, vertices and edges those of one that they were, corners those of the "
+    "Attributes of a mesh3d are kept: faces, vertices and edges have those of one that they were, corners those of the "
     "vertex that they are at, in their chart, that is, on their side of all edges where the values of corners "
     "differ. A mesh3d must consist of triangles, and its result may cross itself; edges with three or more faces "
     "stay.";

@@ -78,12 +78,16 @@ Result<Maybe<Mesh3d>> subdivided_with_weights(Context& context, const T& geometr
   return after_steps(context, geometry, scheme, steps, options);
 }
 
+/// A scheme with limit masks.
+Result<SubdivisionScheme> limit_scheme_of(const std::string& text) {
+  const auto scheme = subdivision_scheme(text);
+  if (scheme == SubdivisionScheme::catmull_clark || scheme == SubdivisionScheme::loop) return *scheme;
+  return Error{ErrorCode::invalid_value, "limitPosition: expected one of catmull-clark, loop, got {}", text};
+}
+
 template <typename T>
 Result<Mesh3d> at_limit(Context& context, const T& geometry, SubdivisionScheme scheme,
                         const SubdivisionOptions& options) {
-  if (scheme != SubdivisionScheme::catmull_clark && scheme != SubdivisionScheme::loop)
-    return Error{ErrorCode::invalid_value, "limitPosition: expected one of catmull-clark, loop, got {}",
-                 name_of(scheme)};
   auto result = limit_mesh(polygon_mesh_of(geometry), scheme, options, context.monitor());
   if (!result.ok()) return named("limitPosition", result.error());
   return Mesh3d(*std::move(result), attributes_of_input(geometry));
@@ -91,14 +95,14 @@ Result<Mesh3d> at_limit(Context& context, const T& geometry, SubdivisionScheme s
 
 template <typename T>
 Result<Mesh3d> limit_of(Context& context, const T& geometry, const std::string& scheme_name) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SubdivisionScheme scheme, scheme_of("limitPosition", scheme_name));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const SubdivisionScheme scheme, limit_scheme_of(scheme_name));
   return at_limit(context, geometry, scheme, {});
 }
 
 template <typename T>
 Result<Mesh3d> limit_with_weights(Context& context, const T& geometry, const std::string& scheme_name,
                                   const std::string& weights) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SubdivisionScheme scheme, scheme_of("limitPosition", scheme_name));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const SubdivisionScheme scheme, limit_scheme_of(scheme_name));
   ALGEBRA3D_ASSIGN_OR_RETURN(const SubdivisionOptions options, options_of("limitPosition", scheme, weights));
   return at_limit(context, geometry, scheme, options);
 }
@@ -186,8 +190,9 @@ void register_subdivision(Registry& registry) {
       .syntax = "limitPosition(_ ...)",
       .doc = "The mesh with each vertex where it is when the mesh is subdivided without end, as a mesh3d.",
       .detail =
-          R"(Faces, numbers and attributes are those of the mesh. Schemes: "catmull-clark", and "loop" for triangles; a )"
-          R"(third argument chooses the weights of loop, "loop" (the default) or "warren". The limits are those )"
+          R"(Faces and their numbers are those of the mesh, and so is what was attached to them. Schemes: )"
+          R"("catmull-clark", and "loop" for triangles; a third argument chooses the weights of loop, "loop" (the )"
+          R"(default) or "warren". The limits are those )"
           "of the schemes' limit masks, with errors as in subdivide; boundary vertices are on cubic B-splines. So "
           R"(limitPosition(subdivide(m, "loop", 2), "loop") has points of the smooth surface itself. Isolated )"
           "vertices stay. " +
@@ -215,8 +220,7 @@ void register_subdivision(Registry& registry) {
                    {{"(mesh3d undefined)", R"("loop")"}, "undefined"}},
       .errors = {{{kTetrahedronOf16, R"("doo-sabin")"},
                   "limitPosition: expected one of catmull-clark, loop, got doo-sabin"},
-                 {{kTetrahedronOf16, R"("no")"},
-                  R"(limitPosition: unknown scheme "no", expected one of catmull-clark)"},
+                 {{kTetrahedronOf16, R"("no")"}, "limitPosition: expected one of catmull-clark, loop, got no"},
                  {{kTetrahedronOf16, R"("loop")", R"("no")"},
                   R"(limitPosition: unknown weights "no", expected one of loop, warren)"},
                  {{kSquareOf8, R"("loop")"}, "limitPosition: face 0 has 4 corners, but loop takes triangles only"}},

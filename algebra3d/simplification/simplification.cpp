@@ -46,32 +46,87 @@ Result<Simplification> any_mesh(const TriangleMesh& mesh, const CollapseLimits& 
   return collapsed(collapser, 0);
 }
 
-/// Repeats the simplification with more and more vertices locked until the result is valid. Every defect is at a vertex
-/// that moved or had others merged into it, since the mesh itself is valid; so each time some are locked, and at the
-/// latest it ends when all are.
-template <typename FindDefects>
-Result<Simplification> valid_mesh(const TriangleMesh& mesh, const CollapseLimits& limits, const Monitor& monitor,
-                                  double crease_degrees, const FindDefects& find_defects) {
-  std::vector<std::uint8_t> locked;
-  for (std::size_t repetitions = 0;; ++repetitions) {
-    EdgeCollapser collapser(mesh, {locked, crease_degrees});
-    ALGEBRA3D_RETURN_IF_ERROR(collapser.run(limits, monitor));
-    Simplification attempt = collapsed(collapser, repetitions);
-    monitor.tell("proving");
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<FaceId> defects, find_defects(attempt.mesh, monitor));
-    if (defects.empty()) return attempt;
-    if (std::ranges::count(locked, 0) == 0 && !locked.empty()) return unchanged(mesh, repetitions);
-    lock_around(mesh, attempt.mesh, collapser.images(), defects, repetitions, locked);
+/// The faces with defects of a simplified surface or volume.
+using DefectFinder = Result<std::vector<FaceId>> (*)(const TriangleMesh&, const Monitor&);
+
+/// The search for a valid result.
+class ValidSearch {
+ public:
+  ValidSearch(const TriangleMesh& mesh, const CollapseLimits& limits, double crease_degrees, DefectFinder find_defects,
+              const Monitor& monitor)
+      : mesh_(mesh), limits_(limits), crease_degrees_(crease_degrees), find_defects_(find_defects), monitor_(monitor) {}
+
+  Result<Simplification> run() {
+    ALGEBRA3D_RETURN_IF_ERROR(lock_until_valid());
+    if (best_.repetitions > 0) ALGEBRA3D_RETURN_IF_ERROR(try_weaker_limits());
+    return std::move(best_);
   }
-}
+
+ private:
+  /// Repeats the simplification with more and more vertices locked until the result is valid. Every defect is at a
+  /// vertex that moved or had others merged into it, since the mesh itself is valid; so each time some are locked, and
+  /// at the latest it ends when all are.
+  Status lock_until_valid() {
+    std::vector<std::uint8_t> locked;
+    for (std::size_t repetitions = 0;; ++repetitions) {
+      EdgeCollapser collapser(mesh_, {locked, crease_degrees_});
+      ALGEBRA3D_RETURN_IF_ERROR(collapser.run(limits_, monitor_));
+      best_ = collapsed(collapser, repetitions);
+      if (repetitions == 0) wanted_ = best_.mesh.face_count();
+      ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<FaceId> defects, defects_of(best_));
+      if (defects.empty()) return {};
+      if (std::ranges::count(locked, 0) == 0 && !locked.empty()) {
+        best_ = unchanged(mesh_, repetitions);
+        return {};
+      }
+      lock_around(mesh_, best_.mesh, collapser.images(), defects, repetitions, locked);
+    }
+  }
+
+  /// Where walls are thin, locks spread, and more triangles may be left than with a larger number to begin with. So
+  /// numbers between what the limits give and what locks left are halved, four to a factor of two, without locks.
+  Status try_weaker_limits() {
+    constexpr double kStepsToHalf = 4;
+    const auto all = static_cast<double>(mesh_.face_count());
+    const auto steps_to = [&](std::size_t faces) {
+      return static_cast<int>(
+          std::floor(kStepsToHalf * std::log2(all / static_cast<double>(std::max<std::size_t>(faces, 1)))));
+    };
+    int valid = steps_to(best_.mesh.face_count()), invalid = steps_to(wanted_) + 1;
+    while (invalid - valid > 1) {
+      const int middle = valid + (invalid - valid) / 2;
+      const auto faces = static_cast<std::size_t>(all * std::exp2(-middle / kStepsToHalf));
+      EdgeCollapser collapser(mesh_, {{}, crease_degrees_});
+      ALGEBRA3D_RETURN_IF_ERROR(collapser.run({faces, limits_.error}, monitor_));
+      Simplification attempt = collapsed(collapser, best_.repetitions + 1);
+      ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<FaceId> defects, defects_of(attempt));
+      (defects.empty() ? valid : invalid) = middle;
+      if (defects.empty() && attempt.mesh.face_count() < best_.mesh.face_count()) best_ = std::move(attempt);
+    }
+    return {};
+  }
+
+  Result<std::vector<FaceId>> defects_of(const Simplification& attempt) const {
+    monitor_.tell("proving");
+    return find_defects_(attempt.mesh, monitor_);
+  }
+
+  const TriangleMesh& mesh_;
+  const CollapseLimits limits_;
+  const double crease_degrees_;
+  const DefectFinder find_defects_;
+  const Monitor& monitor_;
+  Simplification best_;
+  std::size_t wanted_ = 0;  // faces that the limits leave without locks
+};
 
 Result<Simplification> valid_surface(const TriangleMesh& mesh, const CollapseLimits& limits, const Monitor& monitor,
                                      const CollapseConstraints& constraints) {
-  return valid_mesh(mesh, limits, monitor, constraints.crease_degrees, defects_of_surface);
+  return ValidSearch(mesh, limits, constraints.crease_degrees, defects_of_surface, monitor).run();
 }
 Result<Simplification> valid_volume(const TriangleMesh& mesh, const CollapseLimits& limits, const Monitor& monitor,
                                     const CollapseConstraints& constraints) {
-  return valid_mesh(mesh, limits, monitor, constraints.crease_degrees, defects_of_volume);
+  return ValidSearch(mesh, limits, constraints.crease_degrees, defects_of_volume, monitor).run();
 }
 
 Result<double> deviation_of(const DistanceOperand& before, const TriangleMesh& after, const Monitor& monitor) {
