@@ -1,7 +1,9 @@
 #include "algebra3d/formats/mesh3d_files.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -78,6 +80,16 @@ std::size_t add_attributes(const MeshAttributes& attributes, const mesh_files::M
   return for_file.left_out;
 }
 
+/// The number of texts that a line of a file holds otherwise, or not at all.
+std::size_t count_changed_texts(const SoupAttributes* attributes) {
+  if (attributes == nullptr) return 0;
+  std::size_t count = 0;
+  for (const SoupAttributes::FaceNames* names : {&attributes->groups, &attributes->objects, &attributes->materials})
+    count += static_cast<std::size_t>(std::ranges::count_if(
+        names->names, [](const std::string& name) { return name.empty() || one_line(name) != name; }));
+  return count;
+}
+
 void report_rounding(Context& context, const std::string& command, const PolygonMesh& mesh, const std::string& file,
                      CoordinateRange range) {
   const std::size_t count = rounded_count(mesh, range);
@@ -104,6 +116,7 @@ Result<ExportedSolid> export_mesh(Context& context, const std::string& command, 
   ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
   PolygonSoup soup = soup_of(mesh.mesh());
   const std::size_t left_out = add_attributes(mesh.attributes(), *form.format, soup);
+  const std::size_t changed_texts = count_changed_texts(soup.attributes.get());
   const Status written =
       form.format->write(context.resolve(file), facets_for(*form.format, std::move(soup)), name, form.encoding);
   if (!written) {
@@ -113,6 +126,11 @@ Result<ExportedSolid> export_mesh(Context& context, const std::string& command, 
   }
   if (left_out > 0)
     context.diagnostics.report(fmt::format("{}: {} not written", command, counted(left_out, "attribute")), file);
+  if (changed_texts > 0)
+    context.diagnostics.report(
+        fmt::format("{}: {} changed: control characters become blanks, and outer blanks and empty texts are lost",
+                    command, counted(changed_texts, "text")),
+        file);
   report_rounding(context, command, mesh.mesh(), file, form.format->form(form.encoding)->coordinates);
   return ExportedSolid();
 }

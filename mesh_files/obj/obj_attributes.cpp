@@ -43,9 +43,12 @@ std::size_t read_numbers(std::string_view rest, std::span<double> numbers) {
   return numbers.size();
 }
 
-/// The number of an element from 1; 0 for none. An index below 0 counts back from the last of `count`.
+/// The number of an element from 1; 0 for none. An index below 0 counts back from the last of `count`; beyond the first
+/// there is no element, which a number that no file reaches stands for.
 ObjAttributes::Index from_first(ObjAttributes::Index index, std::size_t count) {
-  return index < 0 ? std::max<ObjAttributes::Index>(0, static_cast<ObjAttributes::Index>(count) + 1 + index) : index;
+  if (index >= 0) return index;
+  const ObjAttributes::Index number = static_cast<ObjAttributes::Index>(count) + 1 + index;
+  return number > 0 ? number : std::numeric_limits<ObjAttributes::Index>::max();
 }
 
 /// Indices from 0, or kNone; empty if all are none.

@@ -344,10 +344,12 @@ class ObjReader : Reading {
     if (!is_first || (statement == ObjStatement::group && has_object)) return;
     read_.soup.name = name_in(rest);
   }
-  /// The rest of the line; if it is continued, of the first one.
-  static std::string_view name_in(std::string_view rest) {
-    const std::string_view line = rest.substr(0, rest.find_first_of("\r\n"));
-    return trimmed(line.size() < rest.size() ? line.substr(0, line.size() - 1) : line);
+  /// The rest of the statement; lines that a backslash joins are one.
+  static std::string name_in(std::string_view rest) {
+    std::string name(rest);
+    for (std::size_t end = name.find_first_of("\r\n"); end != std::string::npos; end = name.find_first_of("\r\n"))
+      name.erase(end - 1, name.find_first_not_of("\r\n", end) - (end - 1));
+    return std::string(trimmed(name));
   }
 
   // False if this is padding behind the last statement, or an error.

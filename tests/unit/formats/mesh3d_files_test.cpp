@@ -86,6 +86,16 @@ TEST(Mesh3dFiles, what_a_format_cannot_hold_is_reported) {
   EXPECT_TRUE(off.diagnostics[1].starts_with("exportOFF: 2 of 3 vertices rounded to floats")) << off.diagnostics[1];
 }
 
+TEST(Mesh3dFiles, texts_that_no_line_holds_are_reported) {
+  const ScratchFolder folder;
+  const Value mesh = mesh_of(
+      "(((0 0 0) (1 0 0) (0 1 0) (0 0 1)) ((0 1 2) (0 1 3) (1 2 3)) ((face \"Material\" text (' a ' 'b' 'c'))))");
+  const Answer obj = call(folder.path(""), "exportOBJ", {mesh, Value::of(std::string()), calls::value("a.obj")});
+  ASSERT_EQ(obj.diagnostics.size(), 1U);
+  EXPECT_TRUE(obj.diagnostics[0].starts_with("exportOBJ: 1 text changed: control characters become blanks"))
+      << obj.diagnostics[0];
+}
+
 TEST(Mesh3dFiles, nonmanifold_meshes_are_kept_and_counted) {
   const ScratchFolder folder;
   folder.write("a.off", "OFF\n6 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n5 5 5\n3 0 1 2\n3 0 1 3\n3 1 0 4\n3 0 0 5\n");
