@@ -116,7 +116,7 @@ TEST(Mesh3dFiles, references_to_missing_attributes_are_counted) {
             "((halfedge \"TextureCoordinate\" pair (undefined undefined undefined))))");
   ASSERT_EQ(read.diagnostics.size(), 2U);
   EXPECT_TRUE(read.diagnostics[1].starts_with(
-      "importMesh: 2 references of corners to missing texture coordinates or normals ignored"))
+      "importMesh: 3 references of corners to missing texture coordinates or normals ignored"))
       << read.diagnostics[1];
 }
 

@@ -48,7 +48,7 @@ std::vector<AcceptedObj> obj_layouts() {
       {"a backslash right behind numbers", replaced(kObjTetrahedron, "\n", "\\\n\n")},
       {"a backslash alone", "\\\n\\\r\n" + replaced(kObjTetrahedron, "\n", "\n\\\n") + "\\"},
       {"continued statements that are left out", "g a \\\nv 7 7 7 \\\r\n v 8 8 8\n" + kObjTetrahedron,
-       kObjTetrahedronFaces, "a"},
+       kObjTetrahedronFaces, "a v 7 7 7  v 8 8 8"},
       {"faces before their vertices", "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n" + kObjVertices},
   };
 }
