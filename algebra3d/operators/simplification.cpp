@@ -100,8 +100,8 @@ void report(Context& context, std::size_t before, const Simplification& result, 
   std::string text = fmt::format("simplify: {} of {} triangles are left", result.mesh.face_count(), before);
   if (target.deviation < kInfinity) text += ", deviation at most " + real_text(result.deviation);
   if (result.mesh.face_count() > target.triangles && target.deviation == kInfinity)
-    text +=
-        result.repetitions > 0 ? "; steps after which it would cross itself were left out" : "; no further edge can be collapsed";
+    text += result.repetitions > 0 ? "; steps after which it would cross itself were left out"
+                                   : "; no further edge can be collapsed";
   context.diagnostics.report(std::move(text));
 }
 
