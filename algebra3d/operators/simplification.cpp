@@ -93,7 +93,7 @@ Mesh3d value_of(const Mesh3d& before, Simplification result) {
   sources.vertices = std::move(result.vertices);
   sources.faces = std::move(result.faces);
   MeshAttributes attributes = taken_over_merged(before.attributes(), old, mesh, std::move(sources), ElementBlends(old));
-  return Mesh3d(std::move(mesh), std::move(attributes));
+  return {std::move(mesh), std::move(attributes)};
 }
 
 void report(Context& context, std::size_t before, const Simplification& result, const SimplificationTarget& target) {
@@ -166,7 +166,7 @@ std::vector<Overload> overloads_for(const char* name) {
 
 std::vector<Overload> simplify_overloads() {
   std::vector<Overload> all = overloads_for<Mesh3d>("mesh");
-  for (auto& more : {overloads_for<Surface3d>("surface"), overloads_for<Volume3d>("solid")})
+  for (const auto& more : {overloads_for<Surface3d>("surface"), overloads_for<Volume3d>("solid")})
     all.insert(all.end(), more.begin(), more.end());
   return all;
 }
