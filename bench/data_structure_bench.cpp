@@ -31,7 +31,7 @@ const TriangleMesh& mesh() {
   return made;
 }
 
-/// What a traversal found, to be compared.
+/// Result of a traversal, which all structures must have in common.
 struct Found {
   std::size_t queries = 0, count = 0;
   std::uint64_t sum = 0;  // of the numbers of vertices or faces, where they have numbers

@@ -34,8 +34,8 @@ class NodeGaps {
 
  private:
   static constexpr std::int64_t kComparisonsForAVisit = 4, kLeastCredit = -4096;
-  /// Of the 64 pairs of faces of two leaves; where boxes guide a search well, about one is visited, and about these
-  /// many where two surfaces nearly coincide.
+  /// Visits that cost a pair of leaves nothing. A pair of leaves has 64 pairs of faces. About one is visited where
+  /// boxes guide a search well, and about eight where two surfaces nearly coincide.
   static constexpr std::int64_t kUsualVisits = 8;
 
   struct Side {

@@ -39,7 +39,7 @@ class CentreCode {
     if (largest > 0) scale_ = static_cast<double>((1U << kBitsPerAxis) - 1) / largest;
   }
 
-  /// Of a face by the sum of its corners, each scaled by 1/4.
+  /// The code of a face, from the sum of its corners, each scaled by 1/4.
   std::uint64_t operator()(const Vec3& sum, double corner_count) const {
     std::uint64_t code = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -146,7 +146,7 @@ class PointNumbers {
   std::vector<std::uint32_t> numbers_, used_;
 };
 
-// Faces in random order have their corners anywhere in memory: what is read a few faces later is asked for now.
+// The corners of so many faces ahead are prefetched, since those of faces in random order lie anywhere in memory.
 constexpr std::size_t kFacesAhead = 12;
 
 void prefetch(const void* address) {

@@ -1,4 +1,4 @@
-// What becomes of attributes in a step: they are interpolated linearly, also where a scheme smooths the places.
+// Attributes after a step: linear interpolation, also where a scheme smooths the positions.
 #include "algebra3d/subdivision/detail/attributes.h"
 
 #include <vector>
@@ -15,7 +15,7 @@ namespace {
 using Numbers = std::vector<std::uint32_t>;
 using Terms = std::vector<ValueBlends::Term>;
 
-/// What the values at the corners of a face belong to.
+/// Whether the values at the corners of a face are those of its vertices or of its corners.
 enum class ValuesOf : std::uint8_t { vertices, corners };
 
 std::uint32_t value_at(const PolygonMesh& mesh, HalfedgeId h, ValuesOf values) {

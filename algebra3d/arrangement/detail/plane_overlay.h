@@ -14,7 +14,8 @@ struct SegmentCrossing {
   SegmentId first, second;
 };
 
-/// What the overlay finds in planes, for SegmentComplex; the crossings are not nodes yet.
+/// Cuts, collinear pairs and crossings of the segments of some planes, to be added to a SegmentComplex. Crossings have
+/// no nodes yet.
 struct PlaneCuts {
   std::vector<Cut> cuts;
   std::vector<CollinearSegments> collinear;

@@ -69,7 +69,7 @@ void EdgeCollapser::find_frame() {
   });
 }
 
-/// Of length 1, or zero for a face without area.
+/// The unit normal of a face; zero for a face without area.
 Vec3 EdgeCollapser::face_normal(std::uint32_t f) const {
   const auto& [a, b, c] = faces_.corners(f);
   const Vec3 normal = cross(positions_[b] - positions_[a], positions_[c] - positions_[a]);

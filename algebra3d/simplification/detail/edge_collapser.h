@@ -24,7 +24,7 @@ struct CollapseLimits {
   double error = 0;           ///< no collapse costs more, as a distance in coordinate units
 };
 
-/// What is kept as it is, or as far as the error allows.
+/// Locked vertices, which stay as they are, and the angle of creases, which are kept as far as the error allows.
 struct CollapseConstraints {
   std::span<const std::uint8_t> locked = {};  ///< vertices that stay as they are; empty, or a flag for each
   /// Edges with a larger angle between the normals of their faces, in degrees, are creases; 180: none are.

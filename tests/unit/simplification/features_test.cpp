@@ -52,7 +52,7 @@ Vec3 on_circle(double turn, double radius, double height) {
   return {radius * std::cos(angle), radius * std::sin(angle), height};
 }
 
-/// Of radius 1 and height 2, with 36 corners to a circle.
+/// A cylinder of radius 1 and height 2, with 36 corners to a circle.
 TriangleMesh cylinder() {
   PatchMaker maker;
   maker.patch(36, 8, [](double u, double v) { return on_circle(u, 1, 2 * v); });
@@ -184,7 +184,7 @@ TEST(SimplificationFeatures, sources_of_the_elements) {
     ASSERT_EQ(result->faces.size(), result->mesh.face_count());
     ASSERT_EQ(result->vertices.size(), result->mesh.vertex_count());
     EXPECT_TRUE(std::ranges::is_sorted(result->faces));
-    // What has not moved is found again; corners that have not moved are those of the face before.
+    // Vertices that have not moved are found again, and such corners are corners of the same face before.
     std::size_t same = 0;
     for (std::size_t f = 0; f < result->faces.size(); ++f)
       for (std::size_t i = 0; i < 3; ++i) {
