@@ -11,24 +11,17 @@
 #include "algebra3d/base/indices.h"
 #include "algebra3d/halfedge/circulators.h"
 #include "algebra3d/halfedge/mesh_editor.h"
+#include "attribute_samples.h"
 #include "polygon_samples.h"
 
 namespace algebra3d {
 namespace {
 
+using samples::real_values;
 using Sources = std::vector<std::uint32_t>;
 
-AttributeValues real_values(const std::vector<double>& numbers) {
-  AttributeValues values(AttributeKind::real, numbers.size());
-  for (std::size_t i = 0; i < numbers.size(); ++i) values.set(i, std::array{numbers[i]});
-  return values;
-}
-
-AttributeValues text_values(const std::vector<std::string>& given) {
-  AttributeValues values(AttributeKind::text, given.size());
-  for (std::size_t i = 0; i < given.size(); ++i)
-    if (!given[i].empty()) values.set_text(i, values.add_text(given[i]));
-  return values.canonical();
+AttributeValues canonical_texts(const std::vector<std::string>& given) {
+  return samples::text_values(given).canonical();
 }
 
 constexpr double kUndefinedNumber = std::numeric_limits<double>::quiet_NaN();
@@ -58,8 +51,8 @@ TEST(ValueBlends, texts_are_kept_where_they_agree) {
   blends.add_between(0, 1, 0.5);
   blends.add_between(0, 2, 0.5);
   blends.add_between(0, 3, 0.5);
-  EXPECT_EQ(blends.appended_to(text_values({"a", "a", "b", ""})).canonical(),
-            text_values({"a", "a", "b", "", "a", "", ""}));
+  EXPECT_EQ(blends.appended_to(canonical_texts({"a", "a", "b", ""})).canonical(),
+            canonical_texts({"a", "a", "b", "", "a", "", ""}));
 }
 
 TEST(AttributeTransfer, corners_of_merged_vertices_stay_in_their_chart) {
