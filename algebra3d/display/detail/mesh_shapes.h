@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "algebra3d/base/error.h"
+#include "algebra3d/base/monitor.h"
+#include "algebra3d/display/shape.h"
+#include "algebra3d/halfedge/polygon_mesh.h"
+#include "algebra3d/halfedge/triangle_mesh.h"
+
+namespace algebra3d::detail {
+
+/// Edges whose faces make a larger angle divide the normals.
+inline constexpr double kCreaseDegrees = 30;
+
+/// The shape of a mesh in a box. Positions are numbered by vertex, then round it; after them come isolated vertices.
+/// Errors: limit_exceeded, interrupted. Cost: linear.
+Result<Shape> shape_of_mesh(const TriangleMesh& mesh, const Box3& box, const Monitor& monitor);
+Result<Shape> shape_of_mesh(const PolygonMesh& mesh, const Box3& box, const Monitor& monitor);
+
+}  // namespace algebra3d::detail

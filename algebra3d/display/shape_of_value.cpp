@@ -1,0 +1,72 @@
+#include "algebra3d/display/shape_of_value.h"
+
+#include <cassert>
+
+#include "algebra3d/display/detail/mesh_shapes.h"
+#include "algebra3d/display/detail/small_shapes.h"
+#include "algebra3d/types/mesh3d.h"
+#include "algebra3d/types/planar.h"
+#include "algebra3d/types/spatial.h"
+
+namespace algebra3d {
+namespace {
+
+using ShapeMaker = Result<Shape> (*)(const Value& value, const Monitor& monitor);
+
+template <typename Solid>
+Result<Shape> of_triangles(const Value& value, const Monitor& monitor) {
+  return detail::shape_of_mesh(value.get<Solid>().mesh(), value.get<Solid>().box(), monitor);
+}
+
+/// Of a type whose shapes need no monitor.
+template <typename T, Result<Shape> (*make)(const T&)>
+Result<Shape> of_small(const Value& value, const Monitor& /*monitor*/) {
+  return make(value.get<T>());
+}
+
+/// The maker of the shapes of a type; null if it is not drawable.
+ShapeMaker maker_for(const Type& type) {
+  struct Row {
+    const Type* type;
+    ShapeMaker maker;
+  };
+  static const std::array<Row, 11> kRows = {{
+      {&TypeOf<Point3d>::type(), of_small<Point3d, detail::shape_of_point>},
+      {&TypeOf<Points3d>::type(), of_small<Points3d, detail::shape_of_points>},
+      {&TypeOf<Vector3d>::type(), of_small<Vector3d, detail::shape_of_vector>},
+      {&TypeOf<Plane3d>::type(), of_small<Plane3d, detail::shape_of_plane>},
+      {&TypeOf<Box3>::type(), of_small<Box3, detail::shape_of_box>},
+      {&TypeOf<Surface3d>::type(), of_triangles<Surface3d>},
+      {&TypeOf<Volume3d>::type(), of_triangles<Volume3d>},
+      {&TypeOf<Mesh3d>::type(), of_triangles<Mesh3d>},
+      {&TypeOf<Point2d>::type(), of_small<Point2d, detail::shape_of_point_in_plane>},
+      {&TypeOf<Rect>::type(), of_small<Rect, detail::shape_of_rect>},
+      {&TypeOf<Region>::type(),
+       [](const Value& value, const Monitor& monitor) {
+         return detail::shape_of_region(value.get<Region>(), monitor);
+       }},
+  }};
+  for (const Row& row : kRows)
+    if (row.type == &type) return row.maker;
+  return nullptr;
+}
+
+}  // namespace
+
+bool is_drawable(const Type& type) {
+  return maker_for(type) != nullptr;
+}
+
+Result<Shape> shape_of(const Value& value, const Monitor& monitor) {
+  const ShapeMaker maker = maker_for(value.type());
+  assert(maker != nullptr);
+  Shape shape;
+  if (value.is_defined()) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.loaded());
+    ALGEBRA3D_ASSIGN_OR_RETURN(shape, maker(loaded, monitor));
+  }
+  shape.kind = value.type().name();
+  return shape;
+}
+
+}  // namespace algebra3d

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "algebra3d/display/shape_of_value.h"
+#include "algebra3d/types/mesh3d.h"
+#include "algebra3d/types/planar.h"
+#include "algebra3d/types/spatial.h"
+
+/// Values read from their lists, and their shapes.
+namespace algebra3d {
+
+template <typename T>
+Value value_of(std::string_view text) {
+  Diagnostics diagnostics;
+  Context context{diagnostics, nullptr, {}};
+  const auto list = NestedList::parse(text);
+  EXPECT_TRUE(list.ok()) << text;
+  auto value = value_from_nested(TypeOf<T>::type(), *list, context);
+  EXPECT_TRUE(value.ok()) << text;
+  EXPECT_TRUE(diagnostics.entries().empty()) << text;
+  return *value;
+}
+
+template <typename T>
+Shape shape_from(std::string_view text) {
+  Result<Shape> shape = shape_of(value_of<T>(text));
+  EXPECT_TRUE(shape.ok()) << text;
+  return std::move(shape).value();
+}
+
+/// A cube between two corners as quadrilaterals, counter-clockwise seen from outside.
+inline std::string cube_mesh(double low, double high) {
+  std::string points;
+  for (int i = 0; i < 8; ++i)
+    points +=
+        fmt::format("({} {} {})", (i & 4) != 0 ? high : low, (i & 2) != 0 ? high : low, (i & 1) != 0 ? high : low);
+  return "((" + points + ") ((0 1 3 2) (4 6 7 5) (0 4 5 1) (2 3 7 6) (0 2 6 4) (1 5 7 3)))";
+}
+
+/// The same as triangles.
+inline TriangleMesh cube_triangles(double low, double high) {
+  std::vector<Vec3> points;
+  for (int i = 0; i < 8; ++i)
+    points.push_back({(i & 4) != 0 ? high : low, (i & 2) != 0 ? high : low, (i & 1) != 0 ? high : low});
+  const std::vector<TriangleMesh::Triangle> triangles = {{0, 1, 3}, {0, 3, 2}, {4, 6, 7}, {4, 7, 5},
+                                                         {0, 4, 5}, {0, 5, 1}, {2, 3, 7}, {2, 7, 6},
+                                                         {0, 2, 6}, {0, 6, 4}, {1, 5, 7}, {1, 7, 3}};
+  return {PointArray(std::move(points)), triangles};
+}
+
+inline Shape shape_of_solid(TriangleMesh mesh) {
+  Result<Shape> shape = shape_of(Value::of(Volume3d::trusted(std::move(mesh))));
+  EXPECT_TRUE(shape.ok());
+  return std::move(shape).value();
+}
+
+/// Where a position lies in space.
+inline Vec3 place(const Shape& shape, std::uint32_t position) {
+  const auto& [x, y, z] = shape.positions[position];
+  return shape.origin + Vec3{x, y, z};
+}
+
+/// Twice the area of a triangle as a vector along its normal.
+inline Vec3 doubled_area(const Shape& shape, const IndexTriangle& triangle) {
+  const Vec3 a = place(shape, triangle[0]);
+  return cross(place(shape, triangle[1]) - a, place(shape, triangle[2]) - a);
+}
+
+}  // namespace algebra3d
