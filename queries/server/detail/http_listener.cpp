@@ -131,10 +131,7 @@ class Listener final : public HttpListener {
     server_.set_tcp_nodelay(true);
     server_.set_read_timeout(10);
     server_.set_write_timeout(30);
-    server_.set_error_handler([](const httplib::Request& request, httplib::Response& response) {
-      explain(request, response);
-      return httplib::Server::HandlerResponse::Handled;
-    });
+    server_.set_error_handler(httplib::Server::Handler(explain));
     const auto with_body = [this](const httplib::Request& request, httplib::Response& response,
                                   const httplib::ContentReader& reader) {
       ListenerBody body(request, reader);

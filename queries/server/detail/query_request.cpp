@@ -64,7 +64,7 @@ Reply<SessionParameter> cell_parameter(const std::string& name, const json& give
   if (const auto refusal = refuse_other_members(given, {"result", "row", "column"})) return *refusal;
   const std::string place = "parameters." + name;
   if (!given["result"].is_string()) return wrong_member(place + ".result", "the id of a result", given["result"]);
-  const json row = given.value("row", json(0));
+  const json row = given.value("row", json(0U));
   if (!row.is_number_unsigned()) return wrong_member(place + ".row", "a number from 0", row);
   const json column = given.value("column", json("value"));
   if (!column.is_string()) return wrong_member(place + ".column", "the name of a column", column);
@@ -110,7 +110,7 @@ Reply<StatementRequest> read_query_request(const std::string& body, const algebr
   if (const auto refusal = refuse_other_members(given, {"statement", "rows", "id", "parameters"})) return *refusal;
   const json statement = given.value("statement", json());
   if (!statement.is_string()) return wrong_member("statement", "a text", statement);
-  const json rows = given.value("rows", json(100));
+  const json rows = given.value("rows", json(100U));
   if (!rows.is_number_unsigned() || rows.get<std::uint64_t>() > kMostRows)
     return wrong_member("rows", fmt::format("a number from 0 to {}", kMostRows), rows);
   const json id = given.value("id", json(""));

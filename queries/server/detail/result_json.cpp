@@ -5,11 +5,15 @@
 
 #include <fmt/format.h>
 
+#include "algebra3d/display/shape_of_value.h"
 #include "queries/exchange/exchange_values.h"
 #include "queries/exchange/json_presenter.h"
 #include "queries/exchange/json_text.h"
 
 namespace queries {
+
+using algebra3d::Context;
+
 namespace {
 
 // The presenter ends its document with a line end.
@@ -78,7 +82,7 @@ std::string json_of_inquiry(const algebra3d::NestedList& result) {
 
 bool is_drawn(const TypeExpr& type, const algebra3d::Registry& registry) {
   const algebra3d::Type* const known = value_type(type, registry);
-  return known != nullptr && known->is_spatial();
+  return known != nullptr && algebra3d::is_drawable(*known);
 }
 
 std::string json_of_columns(const TypeExpr& tuple, const algebra3d::Registry& registry) {
@@ -94,7 +98,7 @@ std::string json_of_columns(const TypeExpr& tuple, const algebra3d::Registry& re
 bool has_geometry(const TypeExpr& tuple, const algebra3d::Registry& registry) {
   return std::ranges::any_of(tuple.attributes(), [&](const auto& attribute) {
     const algebra3d::Type* const known = value_type(attribute.type, registry);
-    return known != nullptr && (known->is_spatial() || !known->summary_unit().empty());
+    return known != nullptr && (algebra3d::is_drawable(*known) || !known->summary_unit().empty());
   });
 }
 

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "algebra3d/base/context.h"
+#include "algebra3d/registry/registry.h"
 #include "queries/server/detail/result_table.h"
 
 namespace queries {
@@ -17,11 +19,11 @@ std::string json_strings(const std::vector<std::string>& texts);
 inline constexpr std::size_t kMostRowBytes = std::size_t{16} << 20U;
 
 /// Rows as an array of objects; at most `count`, fewer if their text exceeds kMostRowBytes. Errors: those of the store.
-Result<std::string> json_of_rows(ResultTable& table, std::size_t from, std::size_t count, Context& context);
+Result<std::string> json_of_rows(ResultTable& table, std::size_t from, std::size_t count, algebra3d::Context& context);
 /// The value of a table of one row and one column.
-Result<std::string> json_of_single(ResultTable& table, Context& context);
+Result<std::string> json_of_single(ResultTable& table, algebra3d::Context& context);
 /// Functions and indexes.
-Result<std::string> json_of_other(const TypeExpr& type, const Datum& value, Context& context);
+Result<std::string> json_of_other(const TypeExpr& type, const Datum& value, algebra3d::Context& context);
 /// The result of `list objects` and its like, as an array of objects.
 std::string json_of_inquiry(const algebra3d::NestedList& result);
 

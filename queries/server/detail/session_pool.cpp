@@ -67,6 +67,10 @@ void SessionPool::Worker::work_until_closed(std::promise<Status>& opened) {
   }
 }
 
+SessionPool::SessionPool(const algebra3d::Registry& registry, SessionOptions options, std::filesystem::path file,
+                         std::size_t most, std::size_t idle)
+    : registry_(registry), options_(std::move(options)), file_(std::move(file)), most_(most), most_idle_(idle) {}
+
 SessionPool::~SessionPool() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return working_.empty(); });

@@ -19,8 +19,7 @@ class SessionPool {
 
   /// At most `most` sessions work at once; `idle` of them stay open without work.
   SessionPool(const algebra3d::Registry& registry, SessionOptions options, std::filesystem::path file, std::size_t most,
-              std::size_t idle)
-      : registry_(registry), options_(std::move(options)), file_(std::move(file)), most_(most), most_idle_(idle) {}
+              std::size_t idle);
   /// Waits for the end of all work.
   ~SessionPool();
   SessionPool(const SessionPool&) = delete;
