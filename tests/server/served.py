@@ -53,8 +53,11 @@ class Served:
         self.folder = folder or tempfile.mkdtemp(prefix="algebra3d-server-")
         self.database = self.path(database)
         self.token = None
+        self.temporary = self.path("temporary")
+        os.makedirs(self.temporary, exist_ok=True)
         self.errors = open(self.path("errors"), "w+b")
         surroundings = {name: value for name, value in os.environ.items() if name != "ALGEBRA3D_TOKEN"}
+        surroundings["TMPDIR"] = self.temporary
         self.process = subprocess.Popen(
             [PROGRAM, "serve", "--db", database, *(() if "--port" in options else ("--port", "0")), *options],
             stdout=subprocess.PIPE, stderr=self.errors, cwd=self.folder, env={**surroundings, **(environment or {})})
@@ -211,10 +214,22 @@ class ServerTest(unittest.TestCase):
     """A test with one server for all its cases, which must be there, and answer, after each of them."""
     OPTIONS = ()
 
+    ENVIRONMENT = {}
+
     @classmethod
     def setUpClass(cls):
-        cls.server = Served(*cls.OPTIONS)
-        cls.addClassCleanup(cls.server.close)
+        cls.server = Served(*cls.OPTIONS, environment=cls.ENVIRONMENT)
+        cls.server.token = cls.ENVIRONMENT.get("ALGEBRA3D_TOKEN")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.server.close()
+
+    def setUp(self):
+        # A case that has ended the server has failed; the others shall say what they have to say.
+        if not self.server.is_running():
+            self.tearDownClass()
+            self.setUpClass()
 
     def tearDown(self):
         self.assertTrue(self.server.is_running(), "the server has ended")
