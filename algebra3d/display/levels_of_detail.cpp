@@ -6,6 +6,7 @@
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/display/detail/level_mesh.h"
 #include "algebra3d/display/detail/shape_parts.h"
+#include "algebra3d/display/detail/task_size.h"
 #include "algebra3d/display/shape_of_value.h"
 #include "algebra3d/display/vertex_clustering.h"
 #include "algebra3d/halfedge/mesh_triangles.h"
@@ -52,9 +53,9 @@ Result<LevelSource> source_of(const Value& value, const Monitor& monitor) {
 }
 
 std::vector<Vec3> points_relative_to(const Vec3& origin, const PointArray& points) {
-  constexpr std::size_t kPointsPerTask = 50000;
   std::vector<Vec3> relative(points.size());
-  parallel_for(points.size(), kPointsPerTask, [&](std::size_t i) { relative[i] = points.approx()[i] - origin; });
+  parallel_for(points.size(), detail::kElementsPerTask,
+               [&](std::size_t i) { relative[i] = points.approx()[i] - origin; });
   return relative;
 }
 

@@ -7,11 +7,10 @@
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/display/detail/cell_numbers.h"
 #include "algebra3d/display/detail/cluster_grid.h"
+#include "algebra3d/display/detail/task_size.h"
 
 namespace algebra3d {
 namespace {
-
-constexpr std::size_t kElementsPerTask = 50000;
 
 /// The plane of a triangle, weighted by its area.
 ClusterSums plane_sums(const Vec3& p, const Vec3& q, const Vec3& r) {
@@ -75,7 +74,7 @@ PartialSums sums_of_range(const TrianglesView& fine, const Clusters& clusters, s
 /// what is rounded.
 std::vector<ClusterSums> sums_of_originals(const TrianglesView& fine, const Clusters& clusters) {
   constexpr std::size_t kRanges = 16;
-  std::vector<PartialSums> parts(fine.triangles.size() < kElementsPerTask ? 1 : kRanges);
+  std::vector<PartialSums> parts(fine.triangles.size() < detail::kElementsPerTask ? 1 : kRanges);
   parallel_for(parts.size(), 1, [&](std::size_t i) {
     parts[i] = sums_of_range(fine, clusters, i * fine.triangles.size() / parts.size(),
                              (i + 1) * fine.triangles.size() / parts.size());
@@ -137,7 +136,7 @@ std::vector<double> distances_moved(const TrianglesView& fine, const ClusteredTr
 
 /// The triangles that do not collapse, with their smallest corner first.
 std::vector<IndexTriangle> kept_triangles(const TrianglesView& fine, const std::vector<std::uint32_t>& of_point) {
-  return parallel_collect(fine.triangles.size(), kElementsPerTask, [&](std::size_t begin, std::size_t end) {
+  return parallel_collect(fine.triangles.size(), detail::kElementsPerTask, [&](std::size_t begin, std::size_t end) {
     std::vector<IndexTriangle> kept;
     for (std::size_t i = begin; i < end; ++i) {
       const auto& [p, q, r] = fine.triangles[i];
@@ -183,7 +182,7 @@ Result<ClusteredTriangles> clustered(const TrianglesView& fine, std::size_t max_
   coarse.sums = fine.sums.empty() ? sums_of_originals(fine, clusters) : sums_of_level(fine, clusters);
   ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
   coarse.points.resize(coarse.sums.size());
-  parallel_for(coarse.points.size(), kElementsPerTask, [&](std::size_t i) {
+  parallel_for(coarse.points.size(), detail::kElementsPerTask, [&](std::size_t i) {
     coarse.points[i] = moved_into(chosen.grid.box_of(clusters.cells[i]), place_of(coarse.sums[i]));
   });
   coarse.point_of = std::move(clusters.of_point);

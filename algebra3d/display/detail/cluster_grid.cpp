@@ -6,11 +6,10 @@
 #include <utility>
 
 #include "algebra3d/base/scheduler.h"
+#include "algebra3d/display/detail/task_size.h"
 
 namespace algebra3d::detail {
 namespace {
-
-constexpr std::size_t kElementsPerTask = 50000;
 
 void find_cells(const ClusterGrid& grid, std::span<const Vec3> points, LargeVector<CellKey>& cells) {
   parallel_for(points.size(), kElementsPerTask, [&](std::size_t i) { cells[i] = grid.cell(points[i]); });

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "algebra3d/base/scheduler.h"
+#include "algebra3d/display/detail/task_size.h"
 #include "algebra3d/soup/spatial_order.h"
 
 namespace algebra3d::detail {
@@ -13,15 +14,15 @@ namespace {
 
 constexpr std::size_t kTrianglesPerBlock = 1024;
 
-/// Morton codes of the centres of triangles, with eight bits for each axis: for comparisons of blocks, of which there
-/// are no more along an axis.
+/// The highest eight bits for each axis of the Morton codes of the centres of triangles, on the grid of
+/// `spatial_order`: for comparisons of blocks, of which there are no more along an axis.
 class CoarseCode {
  public:
   explicit CoarseCode(const Shape& shape) : shape_(shape) {
     const Vec3 extent = shape.box.max - shape.box.min;
     const double largest = std::max({extent.x, extent.y, extent.z});
-    half_ = 0.5 * largest;
-    scale_ = largest > 0 ? 255 / largest : 0;
+    half_ = 0.5 * extent;
+    scale_ = largest > 0 ? kCells / largest : 0;
   }
 
   std::uint32_t operator()(const IndexTriangle& triangle) const {
@@ -29,7 +30,7 @@ class CoarseCode {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       double sum = 0;
       for (const std::uint32_t corner : triangle) sum += shape_.positions[corner][axis];
-      const double place = std::clamp((sum / 3 + half_) * scale_, 0.0, 255.0);
+      const double place = std::clamp((sum / 3 + half_[axis]) * scale_, 0.0, kCells - 1);
       code |= spread(static_cast<std::uint32_t>(place)) << axis;
     }
     return code;
@@ -43,8 +44,11 @@ class CoarseCode {
     return (value | value << 2U) & 0x249249U;
   }
 
+  static constexpr double kCells = 256;
+
   const Shape& shape_;
-  double half_ = 0, scale_ = 0;
+  Vec3 half_;
+  double scale_ = 0;
 };
 
 /// The codes of the triangles of a block but for the lowest and the highest sixteenth.
@@ -85,8 +89,7 @@ void bring_into_spatial_order(Shape& shape) {
   const std::vector<std::uint32_t> order = spatial_order(points, shape.triangles);
   LargeVector<IndexTriangle> triangles(order.size());
   LargeVector<std::uint32_t> face_ids(order.size());
-  constexpr std::size_t kTrianglesPerTask = 50000;
-  parallel_for(order.size(), kTrianglesPerTask, [&](std::size_t i) {
+  parallel_for(order.size(), kElementsPerTask, [&](std::size_t i) {
     triangles[i] = shape.triangles[order[i]];
     face_ids[i] = shape.face_ids.empty() ? order[i] : shape.face_ids[order[i]];
   });

@@ -5,11 +5,14 @@
 #include <cstring>
 #include <numeric>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "algebra3d/base/scheduler.h"
+#include "algebra3d/halfedge/mesh_triangles.h"
+#include "algebra3d/soup/spatial_order.h"
 #include "unit/display/values.h"
 
 namespace algebra3d {
@@ -183,13 +186,20 @@ TEST(TriangleTree, face_ids_tell_triangles_that_were_moved) {
     EXPECT_EQ(after.triangles[i], before.triangles[after.face_ids[i]]);
 }
 
+/// As imports store them; each side of the box has another length.
 TEST(TriangleTree, triangles_in_spatial_order_stay_where_they_are) {
-  Shape shape = sphere_with_tree(true);
+  const TriangleMesh sphere = unit_sphere(300, 400);
+  std::vector<Vec3> points = sphere.points().approx();
+  for (Vec3& p : points) p = {p.x, 0.3 * p.y, 0.77 * p.z};
+  const TriangleMesh mesh(PointArray(std::move(points)), triangles_of(sphere));
+  Shape shape = shape_of_solid(in_spatial_order(mesh));
   const LargeVector<IndexTriangle> triangles = shape.triangles;
-  shape.face_ids.clear();
   add_tree(shape);
   EXPECT_EQ(shape.triangles, triangles);
   EXPECT_TRUE(shape.face_ids.empty());
+  Shape by_columns = shape_of_solid(mesh);
+  add_tree(by_columns);
+  EXPECT_FALSE(by_columns.face_ids.empty());
 }
 
 TEST(TriangleTree, small_shapes_have_none) {
