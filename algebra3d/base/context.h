@@ -6,6 +6,7 @@
 #include "algebra3d/base/diagnostics.h"
 #include "algebra3d/base/error.h"
 #include "algebra3d/base/monitor.h"
+#include "algebra3d/base/working_folder.h"
 
 namespace algebra3d {
 
@@ -18,8 +19,8 @@ struct Context {
   Diagnostics& diagnostics;
   /// Set by the host from another thread or a signal handler to end the statement; null: never.
   const std::atomic<bool>* cancel = nullptr;
-  /// Folder of relative file names in operators; empty: the process's working directory.
-  std::filesystem::path folder;
+  /// Folder of relative file names in operators; by default the process's working directory.
+  WorkingFolder folder;
   /// Memory limit of operators that keep many values; null: no limit.
   WorkMemory* memory = nullptr;
   /// Receives the progress of the statement; may be null.
@@ -32,8 +33,8 @@ struct Context {
   /// The error `interrupted` if the host has cancelled the statement. Long loops call it every few thousand steps.
   Status check_cancelled() const { return monitor().check(); }
 
-  /// The path of the file `name`, relative to `folder`.
-  std::filesystem::path resolve(const std::filesystem::path& name) const { return folder / name; }
+  /// The file that `name` means. Errors: permission_denied.
+  Result<std::filesystem::path> resolve(const std::filesystem::path& name) const { return folder.path_of(name); }
 };
 
 }  // namespace algebra3d

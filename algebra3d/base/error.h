@@ -33,6 +33,7 @@ enum class ErrorCode {
   file_missing,
   file_format,
   io_error,
+  permission_denied,
   limit_exceeded,
   out_of_memory,
   interrupted,

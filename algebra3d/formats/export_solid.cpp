@@ -108,6 +108,7 @@ Result<DividedMesh> divided_where_it_touches(const TriangleMesh& mesh, const Coo
 
 Result<ExportedSolid> export_rounded(Context& context, const std::string& name, const Volume3d& solid,
                                      const std::string& file, const FileNumbers& numbers, const MeshWriter& write) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(file));
   ALGEBRA3D_ASSIGN_OR_RETURN(const RoundedSolid rounded, rounded_solid(solid.mesh(), numbers.grid, context.cancel));
   const std::string rounding = fmt::format("{}: {}: rounded to {}, ", name, file, numbers.name);
   if (!rounded.mesh) return refuse(context, ErrorCode::invalid_value, rounding + rounded.reason + numbers.advice);
@@ -124,7 +125,7 @@ Result<ExportedSolid> export_rounded(Context& context, const std::string& name, 
         fmt::format("{}: {} pairs of edges cross in points that are no {}: other programs may take them for crossings",
                     name, divided.contacts_left, numbers.name),
         file);
-  const Status written = write(context.resolve(file), divided.mesh);
+  const Status written = write(path, divided.mesh);
   if (!written) return refuse(context, written.error().code, name + ": " + written.error().message);
   return ExportedSolid();
 }

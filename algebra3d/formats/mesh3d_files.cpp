@@ -114,11 +114,11 @@ Result<ImportedMesh> import_mesh(const std::filesystem::path& path, const Monito
 Result<ExportedSolid> export_mesh(Context& context, const std::string& command, const Mesh3d& mesh,
                                   const std::string& name, const std::string& file, const MeshFileForm& form) {
   ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(file));
   PolygonSoup soup = soup_of(mesh.mesh());
   const std::size_t left_out = add_attributes(mesh.attributes(), *form.format, soup);
   const std::size_t changed_texts = count_changed_texts(soup.attributes.get());
-  const Status written =
-      form.format->write(context.resolve(file), facets_for(*form.format, std::move(soup)), name, form.encoding);
+  const Status written = form.format->write(path, facets_for(*form.format, std::move(soup)), name, form.encoding);
   if (!written) {
     const std::string reason = command + ": " + written.error().message;
     context.diagnostics.report(reason, {}, Diagnostics::About::unwritten);

@@ -41,8 +41,9 @@ Result<std::vector<std::string>> files_below(const std::filesystem::path& folder
 }
 
 Result<std::vector<Text>> matching_files(Context& context, const Text& folder, const Text& pattern) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(folder.content));
   ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<std::string> files,
-                             files_below(context.resolve(folder.content), folder.content, pattern.content, context));
+                             files_below(path, folder.content, pattern.content, context));
   std::vector<Text> names;
   names.reserve(files.size());
   for (std::string& file : files) names.push_back({std::move(file)});

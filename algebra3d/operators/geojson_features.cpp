@@ -28,7 +28,8 @@ struct FeatureFile {
 };
 
 Result<std::shared_ptr<const FeatureFile>> open_features(const std::string& name, const Context& context) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(FileContent file, FileContent::read(context.resolve(name), context.cancel));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(name));
+  ALGEBRA3D_ASSIGN_OR_RETURN(FileContent file, FileContent::read(path, context.cancel));
   Result<GeoFeatures> features = GeoFeatures::find(file.bytes(), context.monitor());
   if (!features && features.error().code == ErrorCode::interrupted) return features.error();
   if (!features) return Error{features.error().code, "{} {}", name, features.error().message};

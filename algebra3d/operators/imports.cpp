@@ -26,7 +26,7 @@ std::string operator_name(const MeshFormat& format) {
 
 Result<Maybe<Volume3d>> import_with(Context& context, const MeshFormat& format, const Text& file,
                                     const RepairOptions& options) {
-  const std::filesystem::path path = context.resolve(file.content);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(file.content));
   ALGEBRA3D_ASSIGN_OR_RETURN(ImportedSolid imported, import_solid(path, &format, options, context.monitor()));
   for (const std::string& remark : imported.remarks)
     context.diagnostics.report(operator_name(format) + ": " + remark, file.content);
@@ -62,14 +62,15 @@ Overload import_overload(const MeshFormat& format, bool has_options) {
 
 Result<Text> check_stl(Context& context, const Text& file) {
   const MeshFormat* const stl = mesh_files::known_mesh_formats().named("STL");
-  ALGEBRA3D_ASSIGN_OR_RETURN(ImportedSolid imported, import_solid(context.resolve(file.content), stl,
-                                                                  RepairOptions::strict(), context.monitor()));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(file.content));
+  ALGEBRA3D_ASSIGN_OR_RETURN(ImportedSolid imported,
+                             import_solid(path, stl, RepairOptions::strict(), context.monitor()));
   return Text{std::move(imported.status)};
 }
 
 Result<Maybe<Surface3d>> import_as_surface(Context& context, const Text& file) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(ImportedSurface imported,
-                             import_surface(context.resolve(file.content), context.monitor()));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(file.content));
+  ALGEBRA3D_ASSIGN_OR_RETURN(ImportedSurface imported, import_surface(path, context.monitor()));
   for (const std::string& remark : imported.remarks)
     context.diagnostics.report("importSurface: " + remark, file.content);
   if (imported.surface) return Maybe<Surface3d>(*std::move(imported.surface));
@@ -77,7 +78,8 @@ Result<Maybe<Surface3d>> import_as_surface(Context& context, const Text& file) {
 }
 
 Result<Maybe<Mesh3d>> import_as_mesh(Context& context, const Text& file) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(ImportedMesh imported, import_mesh(context.resolve(file.content), context.monitor()));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(file.content));
+  ALGEBRA3D_ASSIGN_OR_RETURN(ImportedMesh imported, import_mesh(path, context.monitor()));
   for (const std::string& remark : imported.remarks) context.diagnostics.report("importMesh: " + remark, file.content);
   if (imported.mesh) return Maybe<Mesh3d>(*std::move(imported.mesh));
   return Maybe<Mesh3d>(Undefined{imported.refusal->message});

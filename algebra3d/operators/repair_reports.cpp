@@ -96,7 +96,7 @@ std::string reason_with_file(const ImportedSolid& imported, const std::string& n
 Result<ReportRows> report(Context& context, const Text& file, const Text& words) {
   const Result<RepairOptions> options = parse_repair_options(words.content);
   if (!options) return Error{options.error().code, "repairReport: {}", options.error().message};
-  const std::filesystem::path path = context.resolve(file.content);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(file.content));
   ALGEBRA3D_ASSIGN_OR_RETURN(const ImportedSolid imported, import_solid(path, nullptr, *options, context.monitor()));
   if (!imported.solid)
     context.diagnostics.report("repairReport: " + reason_with_file(imported, file.content, path), {},

@@ -25,7 +25,7 @@ Result<std::string> file_atom_content(const NestedList& atom, const Context& con
   std::string_view path = atom.as_symbol();
   path.remove_prefix(kFileAtomBegin.size());
   path.remove_suffix(kFileAtomEnd.size());
-  const std::filesystem::path file = context.resolve(path);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path file, context.resolve(path));
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
   if (!std::filesystem::exists(status))

@@ -146,4 +146,17 @@ std::optional<CommandText> CommandReader::take() {
   return command;
 }
 
+std::vector<CommandText> commands_of(std::string_view text) {
+  CommandReader reader;
+  std::vector<CommandText> commands;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    for (CommandText& command : reader.add_line(text.substr(begin, end - begin)))
+      commands.push_back(std::move(command));
+    begin = end + 1;
+  }
+  if (auto last = reader.finish()) commands.push_back(std::move(*last));
+  return commands;
+}
+
 }  // namespace queries

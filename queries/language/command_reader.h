@@ -62,6 +62,9 @@ class CommandReader {
   int depth_ = 0;
 };
 
+/// The commands of a text, as a CommandReader assembles them from its lines.
+std::vector<CommandText> commands_of(std::string_view text);
+
 /// True for a command of the shell: `?`, `help`, `q`, `quit`, `debug`, `repeat` in upper or lower case, and any text
 /// that begins with `@`.
 bool is_shell_command(std::string_view text);

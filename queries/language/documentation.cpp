@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "algebra3d/registry/operator.h"
-#include "queries/language/detail/example_queries.h"
+#include "queries/language/example_queries.h"
 
 namespace queries {
 namespace {

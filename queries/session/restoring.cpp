@@ -326,7 +326,8 @@ Status Session::Restorer::store(const Dependent& dependent, const Evaluated& eva
 Status Session::run(const RestoreObject& command, Presenter&, Context& context) {
   ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
   ALGEBRA3D_RETURN_IF_ERROR(check_new_name(command.name, command.name_place));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SavedText saved, SavedText::open(context.resolve(command.file), context.cancel));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(command.file));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const SavedText saved, SavedText::open(path, context.cancel));
   return in_transaction(true, [&]() -> Status {
     ALGEBRA3D_ASSIGN_OR_RETURN(const auto existing, store->find(command.name));
     if (existing)
@@ -346,7 +347,8 @@ Status Session::run(const RestoreObject& command, Presenter&, Context& context) 
 Status Session::run(const RestoreDatabase& command, Presenter&, Context& context) {
   ALGEBRA3D_RETURN_IF_ERROR(require_closed());
   if (options_.read_only) return Error{ErrorCode::database_read_only, "restore database: the session is read-only"};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SavedText saved, SavedText::open(context.resolve(command.file), context.cancel));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(command.file));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const SavedText saved, SavedText::open(path, context.cancel));
   ALGEBRA3D_ASSIGN_OR_RETURN(const auto file, database_file(command.name));
   std::error_code error;
   const bool is_new = !std::filesystem::exists(file, error);

@@ -149,7 +149,8 @@ Status Session::note_underivable(const std::string& name, Context& context) {
 
 Status Session::run(const SaveDatabase& command, Presenter&, Context& context) {
   ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
-  ALGEBRA3D_ASSIGN_OR_RETURN(ListFile file, ListFile::create(context.resolve(command.file)));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(command.file));
+  ALGEBRA3D_ASSIGN_OR_RETURN(ListFile file, ListFile::create(path));
   Status status = in_transaction(false, [&]() -> Status {
     ALGEBRA3D_RETURN_IF_ERROR(note_underivable({}, context));
     ALGEBRA3D_RETURN_IF_ERROR(
@@ -168,7 +169,8 @@ Status Session::run(const SaveDatabase& command, Presenter&, Context& context) {
 
 Status Session::run(const SaveObject& command, Presenter&, Context& context) {
   ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
-  ALGEBRA3D_ASSIGN_OR_RETURN(ListFile file, ListFile::create(context.resolve(command.file)));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(command.file));
+  ALGEBRA3D_ASSIGN_OR_RETURN(ListFile file, ListFile::create(path));
   Status status = in_transaction(false, [&]() -> Status {
     ALGEBRA3D_ASSIGN_OR_RETURN(const auto info, store->find(command.name));
     if (!info) return no_object(command.name, *store);

@@ -1,6 +1,7 @@
 #include "queries/session/session.h"
 
 #include <new>
+#include <type_traits>
 
 #include "queries/language/checker.h"
 #include "queries/language/parser.h"
@@ -11,6 +12,21 @@
 #include "queries/store/store_options.h"
 
 namespace queries {
+namespace {
+
+// A command that concerns the session itself and not the content of the database.
+bool is_of_one_user(const CommandContent& command) {
+  const auto is_one = [](const auto& content) {
+    using T = std::decay_t<decltype(content)>;
+    return std::is_same_v<T, CreateDatabase> || std::is_same_v<T, OpenDatabase> || std::is_same_v<T, CloseDatabase> ||
+           std::is_same_v<T, DeleteDatabase> || std::is_same_v<T, RestoreDatabase> ||
+           std::is_same_v<T, TransactionStep> || std::is_same_v<T, SetOption>;
+  };
+  return std::visit(is_one, command);
+}
+
+}  // namespace
+
 Session::Session(const algebra3d::Registry& registry, SessionOptions options)
     : registry_(registry),
       options_(std::move(options)),
@@ -20,11 +36,14 @@ Session::~Session() = default;
 
 Status Session::open_file(const std::filesystem::path& file) {
   ALGEBRA3D_RETURN_IF_ERROR(require_closed());
-  return open_store(file, options_.read_only ? OpenMode::read_only : OpenMode::open_or_create);
+  const OpenMode writing = options_.creates ? OpenMode::open_or_create : OpenMode::read_write;
+  return open_store(file, options_.read_only ? OpenMode::read_only : writing);
 }
 
 Status Session::open_store(const std::filesystem::path& file, OpenMode mode) {
-  auto store = Store::open(file, mode, registry_);
+  StoreOptions limits;
+  limits.cache_bytes = options_.cache_bytes.value_or(limits.cache_bytes);
+  auto store = queries::open_store(file, mode, registry_, limits);
   if (store) {
     store_ = *std::move(store);
     return {};
@@ -69,7 +88,7 @@ void Session::report_failure(Error& error, std::string_view text, const Context&
   try {
     const std::filesystem::path database = store_ != nullptr ? store_->file() : std::filesystem::path();
     const std::string report = failure_report(
-        {text, error.message, *context.failed_calls, options_.parameters, database, context.folder}, context);
+        {text, error.message, *context.failed_calls, options_.parameters, database, context.folder.path()}, context);
     const auto file = write_failure_report(report, options_.failure_folders);
     error.message += file ? "; a script that repeats the failure is in " + file->string()
                           : "; a report could not be written: " + file.error().message;
@@ -79,6 +98,11 @@ void Session::report_failure(Error& error, std::string_view text, const Context&
 }
 
 Status Session::run(const Command& command, Presenter& presenter, Context& context) {
+  if (options_.is_shared && is_of_one_user(command.content))
+    return Error(ErrorCode::not_evaluable,
+                 "this database is shared: commands that open, close, make or restore databases, set options, or begin "
+                 "and end transactions run in the shell only")
+        .at(command.place);
   auto status = std::visit([&](const auto& content) { return run(content, presenter, context); }, command.content);
   if (!status) return std::move(status).error().at(command.place);
   return {};

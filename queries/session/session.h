@@ -63,6 +63,13 @@ struct SessionOptions {
   std::vector<std::filesystem::path> failure_folders = {};
   /// The values of `$name` in commands.
   SessionParameters parameters = {};
+  /// Whether the session runs statements of many users on one database: commands that open, close, make or delete
+  /// databases, set options or take part in a transaction over several commands end with not_evaluable.
+  bool is_shared = false;
+  /// Whether `open_file` creates a database that does not exist.
+  bool creates = true;
+  /// Size of the cache of loaded geometry, in bytes; by default that of StoreOptions.
+  std::optional<std::size_t> cache_bytes = {};
 };
 
 /// One user's session, with the open database, if any. Runs statements from text to result, each as one transaction.

@@ -22,6 +22,7 @@
 #include "queries/importer/import_options.h"
 #include "queries/importer/importer.h"
 #include "queries/language/documentation.h"
+#include "queries/server/serve_command.h"
 #include "queries/shell/detail/command_line.h"
 #include "queries/shell/detail/command_table.h"
 #include "queries/shell/detail/completion_script.h"
@@ -319,6 +320,8 @@ int run_arguments(int argc, char** argv) {
   add_options(app, options);
   const CLI::App* import = add_import_command(app, import_options);
   const CLI::App* test = add_test_command(app, options);
+  ServerOptions server_options;
+  const CLI::App* serve = add_serve_command(app, server_options);
   MeshCommands meshes;
   meshes.add_to(app);
   CLI::App* help = app.add_subcommand("help", "Explain an operator or a command, or list all of them");
@@ -342,6 +345,7 @@ int run_arguments(int argc, char** argv) {
   register_stream_operators(registry);
   if (import->parsed()) return run_import(import_options, registry, &Interruption::flag());
   if (test->parsed()) return run_tests(options, registry);
+  if (serve->parsed()) return run_serve(server_options, registry, Interruption::flag());
   if (help->parsed()) return run_help(app, options, registry);
   if (const auto status = take_files(options, console)) return *status;
   return run_session(app, options, registry);

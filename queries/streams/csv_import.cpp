@@ -105,7 +105,7 @@ Result<Datum> run_csv_import(const Value& file, const CsvOptions& options, const
                              const std::optional<CsvLayout>& guessed, Context& context) {
   if (!file.is_defined()) return Datum{no_csv_tuples()};
   const std::string& name = algebra3d::characters_of(file);
-  const std::filesystem::path path = context.resolve(name);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(name));
   auto layout = guessed ? Result<CsvLayout>(*guessed) : stated_csv_layout(path, options, tuple);
   if (!layout) return in_file(name, layout.error());
   auto reader = open_csv(path, layout->separator, options);
@@ -124,7 +124,8 @@ Result<BoundOperator> map_import_csv(std::span<const ArgumentType> arguments, Co
   TypeExpr tuple = given.tuple.value_or(TypeExpr());
   if (!given.tuple) {
     ALGEBRA3D_ASSIGN_OR_RETURN(const std::string name, constant_file_name(check, "importCSV"));
-    auto layout = guess_csv_layout(context.resolve(name), *options, context);
+    ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(name));
+    auto layout = guess_csv_layout(path, *options, context);
     if (!layout) return in_file(name, layout.error());
     guessed = std::move(layout).value();
     tuple = guessed->tuple;

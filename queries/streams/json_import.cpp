@@ -133,7 +133,8 @@ JsonLayout stated_json_layout(const TypeExpr& tuple) {
 
 Result<JsonLayout> guessed_json_layout(const MappingCheck& check, const JsonOptions& options, Context& context) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::string name, constant_file_name(check, "importJSON"));
-  auto layout = guess_json_layout(context.resolve(name), options, context);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(name));
+  auto layout = guess_json_layout(path, options, context);
   if (!layout) return in_json_file(name, layout.error());
   std::vector<std::string> attributes;
   for (const auto& attribute : layout->tuple.attributes()) attributes.push_back(attribute.name);
@@ -156,7 +157,8 @@ Result<BoundOperator> map_import_json(std::span<const ArgumentType> arguments, C
         const Value& file = values[0].value();
         if (!file.is_defined()) return Datum{no_json_tuples()};
         const std::string& name = algebra3d::characters_of(file);
-        auto opened = TextFile::open(running.resolve(name));
+        ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, running.resolve(name));
+        auto opened = TextFile::open(path);
         if (!opened) return in_json_file(name, opened.error());
         if (const auto same = opened->check_state(layout.guessed_from); !same) return in_json_file(name, same.error());
         return Datum{

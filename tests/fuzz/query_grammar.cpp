@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "queries/language/checker.h"
-#include "queries/language/detail/example_queries.h"
+#include "queries/language/example_queries.h"
 #include "queries/language/parser.h"
 #include "queries/streams/stream_operator.h"
 

@@ -28,19 +28,6 @@ const Registry& operators() {
   return registry;
 }
 
-std::vector<queries::CommandText> commands_of(std::string_view text) {
-  queries::CommandReader reader;
-  std::vector<queries::CommandText> commands;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    for (queries::CommandText& command : reader.add_line(text.substr(begin, end - begin)))
-      commands.push_back(std::move(command));
-    begin = end + 1;
-  }
-  if (auto last = reader.finish()) commands.push_back(std::move(*last));
-  return commands;
-}
-
 // A string that is no text could be stored, but neither saved and restored nor shown.
 Result<queries::SessionParameters> session_parameters(const Parameters& parameters) {
   queries::SessionParameters result;
@@ -152,7 +139,7 @@ void Engine::work_until_closed() {
 Result<std::shared_ptr<Handover>> Engine::start(std::string_view text, const Parameters& parameters, Results results) {
   ALGEBRA3D_ASSIGN_OR_RETURN(queries::SessionParameters given, session_parameters(parameters));
   const auto task =
-      std::make_shared<Task>(Task{commands_of(text), std::move(given), results, std::make_shared<Handover>()});
+      std::make_shared<Task>(Task{queries::commands_of(text), std::move(given), results, std::make_shared<Handover>()});
   if (results != Results::dropped && task->commands.size() != 1)
     return Error{ErrorCode::wrong_usage, "expected one statement, found {}", task->commands.size()};
   Work work = [this, task] { run(*task); };

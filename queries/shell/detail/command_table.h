@@ -8,14 +8,6 @@
 
 namespace queries {
 
-/// A command for `help` and completion: words in capital letters are placeholders.
-struct CommandDescription {
-  std::string_view syntax;
-  std::string_view meaning;
-};
-
-/// All commands (docs/language.md, "What there is").
-std::span<const CommandDescription> command_table();
 /// The text of `help`: commands, functions of the prompt, and operators, each in one line.
 std::string shell_help(const algebra3d::Registry& registry);
 /// The help for an operator or command of exactly this name; empty if there is none.

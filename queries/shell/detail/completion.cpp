@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "queries/language/command_list.h"
 #include "queries/shell/detail/command_table.h"
 
 namespace queries {
@@ -115,7 +116,7 @@ void Completer::add_placeholder(std::string_view word) {
   if (word == "DATABASE") add_all(names_.databases);
   if (word == "OPERATOR") {
     for (const Candidate& op : names_.operators) add(op.text);
-    for (const CommandDescription& command : command_table())
+    for (const CommandDescription& command : command_list())
       if (std::isalpha(static_cast<unsigned char>(command.syntax.front())) != 0)
         add(command.syntax.substr(0, command.syntax.find(' ')));
   }
@@ -134,7 +135,7 @@ bool Completer::add_command_words() {
   if (!typed_.starts_with('"') && !std::ranges::all_of(typed_, is_word_character)) return false;
   const auto before = words_before();
   bool is_expression = false;
-  for (const CommandDescription& command : command_table()) {
+  for (const CommandDescription& command : command_list()) {
     const auto pattern = words_of(command.syntax);
     std::size_t place = 0;
     while (place < before.size() && place < pattern.size() && fits(pattern[place], before[place])) ++place;
@@ -162,7 +163,7 @@ void Completer::add_names() {
   begin_word(begin);
   if (begin > 0 && text_[begin - 1] == '.') return add_all(names_.attributes);
   if (is_after_control_word())
-    for (const CommandDescription& command : command_table())
+    for (const CommandDescription& command : command_list())
       add(command.syntax.substr(0, command.syntax.find(' ')), " ");
   add_all(names_.objects, " ");
   // All that there is would be of no use.

@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "algebra3d/registry/operator.h"
+#include "queries/language/command_list.h"
 #include "queries/shell/detail/command_table.h"
 
 namespace queries {
@@ -27,7 +28,7 @@ std::vector<std::string> topics(const algebra3d::Registry& registry) {
     if (is_plain_name(op->name)) names.insert(op->name);
   for (const algebra3d::Family& family : registry.families())
     if (is_plain_name(family.name)) names.insert(family.name);
-  for (const CommandDescription& command : command_table()) {
+  for (const CommandDescription& command : command_list()) {
     const std::string_view word = command.syntax.substr(0, command.syntax.find(' '));
     if (is_plain_name(word)) names.emplace(word);
   }

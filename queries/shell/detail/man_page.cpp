@@ -10,6 +10,7 @@
 #include "algebra3d/registry/operator.h"
 #include "algebra3d/version.h"
 #include "queries/language/documentation.h"
+#include "queries/language/command_list.h"
 #include "queries/shell/detail/command_table.h"
 
 namespace queries {
@@ -119,7 +120,7 @@ std::string subcommand_text(const CommandLine& line) {
 std::string language_text(const algebra3d::Registry& registry) {
   std::string text = section("COMMANDS OF THE LANGUAGE") + "Commands end with a semicolon or an empty line.\n" +
                      fmt::format("{} explains one of them, or an operator.\n", bold("algebra3d help NAME"));
-  for (const auto& [syntax, meaning] : command_table()) text += paragraph(bold(syntax), meaning);
+  for (const auto& [syntax, meaning] : command_list()) text += paragraph(bold(syntax), meaning);
   text += section("OPERATORS");
   for (const algebra3d::Family& family : registry.families()) {
     std::vector<std::string_view> names;

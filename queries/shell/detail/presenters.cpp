@@ -1,3 +1,4 @@
+#include "queries/exchange/exchange_values.h"
 #include "queries/shell/detail/presenters.h"
 
 #include <fmt/format.h>

@@ -6,8 +6,8 @@
 
 #include "mesh_files/mesh_format.h"
 #include "mesh_files/mesh_formats.h"
-#include "queries/shell/detail/csv_presenter.h"
-#include "queries/shell/detail/json_presenter.h"
+#include "queries/exchange/csv_presenter.h"
+#include "queries/exchange/json_presenter.h"
 #include "queries/shell/detail/presenters.h"
 #include "queries/shell/detail/screen.h"
 #include "queries/shell/detail/table.h"

@@ -5,7 +5,7 @@
 #include <ostream>
 #include <string>
 
-#include "queries/shell/detail/exchange_values.h"
+#include "queries/exchange/exchange_values.h"
 
 namespace queries {
 

@@ -8,6 +8,7 @@
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
 #include "algebra3d/types/utf8.h"
+#include "queries/exchange/exchange_values.h"
 #include "queries/shell/detail/screen.h"
 
 namespace queries {
@@ -51,10 +52,6 @@ std::string one_line(std::string_view text, std::size_t longest) {
   std::ranges::replace_if(
       line, [](char c) { return c == '\n' || c == '\t'; }, ' ');
   return kept.size() < text.size() ? line + "…" : line;
-}
-
-bool is_summarised(const Value& value) {
-  return !value.type().summary_unit().empty();
 }
 
 std::string display_text(const Value& value, std::size_t longest) {

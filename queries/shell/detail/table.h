@@ -10,9 +10,6 @@
 
 namespace queries {
 
-/// True for values that tables show as a summary (count and box) and not as lists: geometry.
-bool is_summarised(const Value& value);
-
 /// Width of a table or length of a cell without a limit.
 inline constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
 /// Maximum length of a cell on a terminal, in bytes.

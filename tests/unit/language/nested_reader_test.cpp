@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "queries/language/detail/example_queries.h"
+#include "queries/language/example_queries.h"
 #include "unit/language/language_samples.h"
 
 namespace queries {

@@ -2,7 +2,7 @@
 // and everything in it still means the same. tests/regression/data/names holds it, as a file and as a saved list.
 #include "algebra3d/registry/overload.h"
 #include "algebra3d/types/scalars.h"
-#include "queries/language/detail/example_queries.h"
+#include "queries/language/example_queries.h"
 #include "queries/streams/stream_operator.h"
 #include "unit/session/example_session.h"
 

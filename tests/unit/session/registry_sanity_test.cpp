@@ -10,7 +10,7 @@
 #include <set>
 
 #include "algebra3d/registry/detail/host_name.h"
-#include "queries/language/detail/example_queries.h"
+#include "queries/language/example_queries.h"
 #include "unit/session/example_session.h"
 
 namespace queries {

@@ -5,6 +5,7 @@
 #include "algebra3d/operators/all.h"
 #include "queries/language/command_reader.h"
 #include "queries/language/parser.h"
+#include "queries/language/command_list.h"
 #include "queries/shell/detail/command_table.h"
 #include "queries/streams/all.h"
 
@@ -111,7 +112,7 @@ TEST(Completion, common_beginning_is_that_of_all) {
 // The table is what people see; the parser is what there is.
 TEST(CommandTable, the_parser_or_the_shell_knows_every_command) {
   const algebra3d::Registry registry = algebra3d::make_registry();
-  for (const CommandDescription& command : command_table()) {
+  for (const CommandDescription& command : command_list()) {
     const std::string word(command.syntax.substr(0, command.syntax.find(' ')));
     if (is_shell_command(word) || word == "{") continue;  // { holds commands of its own
     const auto parsed = parse_command(word + " ?", registry);

@@ -7,9 +7,9 @@
 #include <sstream>
 
 #include "algebra3d/operators/all.h"
-#include "queries/shell/detail/csv_presenter.h"
+#include "queries/exchange/csv_presenter.h"
 #include "queries/shell/detail/interruption.h"
-#include "queries/shell/detail/json_presenter.h"
+#include "queries/exchange/json_presenter.h"
 #include "queries/shell/detail/presenters.h"
 #include "queries/shell/detail/statement_runner.h"
 #include "queries/streams/all.h"

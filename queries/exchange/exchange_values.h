@@ -10,6 +10,9 @@
 
 namespace queries {
 
+/// True for values that are shown as a summary (count and box) and not as lists: geometry.
+bool is_summarised(const Value& value);
+
 /// Size of the output buffer.
 constexpr std::size_t kBytesAtOnce = std::size_t{1} << 16U;
 

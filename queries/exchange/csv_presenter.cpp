@@ -1,4 +1,4 @@
-#include "queries/shell/detail/csv_presenter.h"
+#include "queries/exchange/csv_presenter.h"
 
 #include "queries/session/inquiry_table.h"
 #include "queries/streams/relation.h"

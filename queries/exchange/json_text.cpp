@@ -1,4 +1,4 @@
-#include "queries/shell/detail/json_text.h"
+#include "queries/exchange/json_text.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
-#include "queries/shell/detail/json_presenter.h"
+#include "queries/exchange/json_presenter.h"
 
 #include "queries/session/inquiry_table.h"
-#include "queries/shell/detail/json_text.h"
+#include "queries/exchange/json_text.h"
 #include "queries/streams/relation.h"
 
 namespace queries {
@@ -14,6 +14,18 @@ void append_key(std::string& json, bool is_first, std::string_view key) {
 }
 
 }  // namespace
+
+Status append_json_row(const TypeExpr& tuple, const Tuple& row, ExchangeValues& values, Context& context,
+                       std::string& json) {
+  if (row.attributes.empty()) json += '{';
+  for (std::size_t i = 0; i < row.attributes.size(); ++i) {
+    const std::string& name = tuple.attributes()[i].name;
+    append_key(json, i == 0, name);
+    ALGEBRA3D_RETURN_IF_ERROR(values.append_json(row.attributes[i], name, context, json));
+  }
+  json += '}';
+  return {};
+}
 
 Status JsonPresenter::present(const TypeExpr& type, const Datum& value, Context& context) {
   if (type.is_relation()) return present_relation(type.element(), *value.relation(), context);
@@ -37,16 +49,6 @@ void JsonPresenter::end_rows(std::string& json, bool is_empty) const {
   if (layout_ == Layout::document) json += is_empty ? "[]\n" : "]\n";
 }
 
-Status JsonPresenter::append_tuple(const TypeExpr& type, const Tuple& tuple, Context& context, std::string& json) {
-  for (std::size_t i = 0; i < tuple.attributes.size(); ++i) {
-    const std::string& name = type.attributes()[i].name;
-    append_key(json, i == 0, name);
-    ALGEBRA3D_RETURN_IF_ERROR(values_.append_json(tuple.attributes[i], name, context, json));
-  }
-  json += layout_ == Layout::lines ? "}\n" : "}";
-  return {};
-}
-
 Status JsonPresenter::present_relation(const TypeExpr& tuple, Relation& relation, Context& context) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const TupleStreamPtr tuples, relation.scan());
   std::string json;
@@ -65,7 +67,8 @@ Status JsonPresenter::write_tuples(const TypeExpr& tuple, TupleStream& tuples, C
     if (next == nullptr) break;
     begin_row(json, is_empty);
     is_empty = false;
-    ALGEBRA3D_RETURN_IF_ERROR(append_tuple(tuple, *next, context, json));
+    ALGEBRA3D_RETURN_IF_ERROR(append_json_row(tuple, *next, values_, context, json));
+    if (layout_ == Layout::lines) json += '\n';
     if (json.size() < kBytesAtOnce) continue;
     out_ << json;
     json.clear();

@@ -1,4 +1,4 @@
-#include "queries/language/detail/example_queries.h"
+#include "queries/language/example_queries.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,4 +1,4 @@
-#include "queries/shell/detail/exchange_values.h"
+#include "queries/exchange/exchange_values.h"
 
 #include <array>
 #include <system_error>
@@ -12,8 +12,7 @@
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
 #include "mesh_files/mesh_format.h"
-#include "queries/shell/detail/json_text.h"
-#include "queries/shell/detail/table.h"
+#include "queries/exchange/json_text.h"
 
 namespace queries {
 namespace {
@@ -70,6 +69,10 @@ Status written_or_error(Context& context, const Append& append) {
 
 }  // namespace
 
+bool is_summarised(const Value& value) {
+  return !value.type().summary_unit().empty();
+}
+
 void append_csv_text(std::string& csv, std::string_view text) {
   const bool has_edge_blank = !text.empty() && (text.front() == ' ' || text.back() == ' ');
   if (!text.empty() && !has_edge_blank && text.find_first_of(",\"\r\n") == std::string_view::npos) {
@@ -83,7 +86,8 @@ void append_csv_text(std::string& csv, std::string_view text) {
 
 Result<NestedList> ExchangeValues::written_file(const Value& solid, const std::string& name, Context& context) {
   std::error_code error;
-  std::filesystem::create_directories(context.resolve(options_.folder), error);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path folder, context.resolve(options_.folder));
+  std::filesystem::create_directories(folder, error);
   if (error) return Error{ErrorCode::io_error, "--geometry-dir: '{}': {}", options_.folder.string(), error.message()};
   const std::string file =
       (options_.folder / fmt::format("{}_{}.{}", name, ++file_counts_[name], options_.mesh_ending)).string();

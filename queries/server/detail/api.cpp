@@ -1,0 +1,151 @@
+#include "queries/server/detail/api.h"
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <new>
+
+#include <fmt/format.h>
+
+#include "queries/server/detail/pages.h"
+
+namespace queries {
+namespace {
+
+std::vector<std::string_view> segments_of(std::string_view path) {
+  std::vector<std::string_view> segments;
+  while (!path.empty()) {
+    path.remove_prefix(1);  // the slash
+    const std::size_t end = std::min(path.find('/'), path.size());
+    segments.push_back(path.substr(0, end));
+    path.remove_prefix(end);
+  }
+  return segments;
+}
+
+// The parts of the path in braces, if the path matches.
+std::optional<decltype(Call::path)> match(std::string_view pattern, std::string_view path) {
+  const auto expected = segments_of(pattern);
+  const auto found = segments_of(path);
+  if (expected.size() != found.size()) return std::nullopt;
+  decltype(Call::path) parts;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    if (expected[i].starts_with('{'))
+      parts.emplace(expected[i].substr(1, expected[i].size() - 2), found[i]);
+    else if (expected[i] != found[i])
+      return std::nullopt;
+  }
+  return parts;
+}
+
+SessionOptions session_options(const ServerOptions& options) {
+  SessionOptions result;
+  result.read_only = options.read_only;
+  result.memory_bytes = options.memory_megabytes == 0 ? algebra3d::WorkMemory::default_limit() / 4
+                                                      : std::size_t{options.memory_megabytes} << 20U;
+  // Each session has its own cache of geometry, and there may be many.
+  result.cache_bytes = algebra3d::WorkMemory::default_limit() / 64;
+  result.failure_folders = {options.failure_folder.empty() ? algebra3d::WorkMemory::default_folder()
+                                                           : std::filesystem::path(options.failure_folder)};
+  result.creates = false;
+  result.is_shared = true;
+  return result;
+}
+
+constexpr std::string_view kApi = "/api/";
+
+// Nobody shows our pages in theirs, and they run nothing that is not ours.
+void add_security_headers(HttpAnswer& answer) {
+  answer.headers.emplace_back("X-Content-Type-Options", "nosniff");
+  answer.headers.emplace_back("X-Frame-Options", "DENY");
+  answer.headers.emplace_back("Cross-Origin-Resource-Policy", "same-origin");
+  answer.headers.emplace_back("Referrer-Policy", "no-referrer");
+  answer.headers.emplace_back(
+      "Content-Security-Policy",
+      "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
+      "worker-src 'self' blob:; object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'");
+}
+
+}  // namespace
+
+Api::Api(const algebra3d::Registry& registry, const ServerOptions& options, const ServerLimits& limits,
+         std::string token, std::vector<std::string> authorities, TemporaryFolder uploads,
+         DatabaseIdentity database)
+    : registry_(registry),
+      options_(options),
+      limits_(limits),
+      guard_(std::move(authorities), std::move(token)),
+      database_(std::move(database)),
+      uploads_(std::move(uploads), options.max_upload_megabytes << 20U, limits.uploads),
+      folder_(algebra3d::WorkingFolder::confined(std::filesystem::current_path(), uploads_.folder())),
+      sessions_(registry, session_options(options), options.database, limits.sessions, limits.idle_sessions),
+      results_(limits.results) {}
+
+void Api::close() {
+  running_.cancel_all("the server ends");
+  results_.drop_all();
+}
+
+std::span<const Route> Api::routes() {
+  static constexpr std::array kRoutes = {
+      Route{"POST", "/api/query", &Api::post_query},
+      Route{"GET", "/api/statements", &Api::get_statements},
+      Route{"DELETE", "/api/statements/{id}", &Api::delete_statement},
+      Route{"POST", "/api/statements/split", &Api::post_split},
+      Route{"GET", "/api/results/{id}/rows", &Api::get_rows},
+      Route{"GET", "/api/results/{id}/cell", &Api::get_cell},
+      Route{"GET", "/api/results/{id}/shapes", &Api::get_shapes},
+      Route{"GET", "/api/results/{id}/file", &Api::get_file},
+      Route{"GET", "/api/results/{id}/progress", &Api::get_progress},
+      Route{"DELETE", "/api/results/{id}", &Api::delete_result},
+      Route{"PUT", "/api/uploads/{name}", &Api::put_upload},
+      Route{"GET", "/api/uploads", &Api::get_uploads},
+      Route{"DELETE", "/api/uploads/{name}", &Api::delete_upload},
+      Route{"GET", "/api/server", &Api::get_server},
+      Route{"GET", "/api/objects", &Api::get_objects},
+      Route{"GET", "/api/types", &Api::get_types},
+      Route{"GET", "/api/operators", &Api::get_operators},
+      Route{"GET", "/api/operators/{name}", &Api::get_operator},
+      Route{"GET", "/api/keywords", &Api::get_keywords},
+      Route{"GET", "/api/openapi.json", &Api::get_openapi},
+  };
+  return kRoutes;
+}
+
+HttpAnswer Api::answer(const HttpRequest& request) noexcept {
+  try {
+    HttpAnswer answer = answer_checked(request);
+    add_security_headers(answer);
+    return answer;
+  } catch (const std::bad_alloc&) {
+    return Refusal{500, "out_of_memory", "memory is exhausted"}.answer();
+  } catch (const std::exception& exception) {
+    return Refusal{500, "internal", exception.what()}.answer();
+  }
+}
+
+HttpAnswer Api::answer_checked(const HttpRequest& request) {
+  const bool is_api = request.path.starts_with(kApi) || request.path == "/api";
+  if (const auto refusal = guard_.refuse(request, is_api)) return refusal->answer();
+  return is_api ? dispatch(request) : page_answer(request);
+}
+
+HttpAnswer Api::dispatch(const HttpRequest& request) {
+  std::vector<std::string_view> methods;
+  for (const Route& route : routes()) {
+    auto parts = match(route.pattern, request.path);
+    if (!parts) continue;
+    if (route.method == request.method || (route.method == "GET" && request.method == "HEAD"))
+      return (this->*route.handle)({request, *std::move(parts)});
+    methods.push_back(route.method);
+  }
+  if (methods.empty()) return Refusal::not_found(fmt::format("there is no path '{}'", request.path)).answer();
+  HttpAnswer answer = Refusal{405, "method_not_allowed",
+                              fmt::format("{} {}: expected {}", request.method, request.path,
+                                          fmt::join(methods, " or "))}
+                          .answer();
+  answer.headers.emplace_back("Allow", fmt::format("{}", fmt::join(methods, ", ")));
+  return answer;
+}
+
+}  // namespace queries

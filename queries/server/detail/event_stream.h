@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "queries/server/detail/http.h"
+
+namespace queries {
+
+/// Writes server-sent events. Source: WHATWG HTML, section 9.2.
+class EventStream {
+ public:
+  explicit EventStream(const SendPiece& send) : send_(send) {}
+  /// Sends an event; `json` has no line end. False if the client is gone.
+  bool send(std::string_view event, std::string_view json) {
+    is_open_ = is_open_ && send_(fmt::format("event: {}\ndata: {}\n\n", event, json));
+    return is_open_;
+  }
+  bool is_open() const { return is_open_; }
+
+ private:
+  const SendPiece& send_;
+  bool is_open_ = true;
+};
+
+}  // namespace queries

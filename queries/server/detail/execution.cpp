@@ -1,0 +1,177 @@
+#include "queries/server/detail/execution.h"
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+#include "queries/language/parser.h"
+#include "queries/server/detail/result_json.h"
+
+namespace queries {
+
+/// Makes the answer of a statement from its result.
+class Execution::ResultPresenter final : public Presenter {
+ public:
+  ResultPresenter(Execution& execution, Session& session, bool is_query)
+      : execution_(execution), session_(session), is_query_(is_query) {}
+
+  Status present(const TypeExpr& type, const Datum& value, Context& context) override;
+  Status present_inquiry(const NestedList& result) override;
+  bool takes_streams() const override { return true; }
+
+  StatementAnswer& answer() { return answer_; }
+  std::optional<ResultTable>& table() { return table_; }
+
+ private:
+  Result<std::optional<ResultTable>> table_of(const TypeExpr& type, const Datum& value, Context& context) const;
+
+  Execution& execution_;
+  Session& session_;
+  bool is_query_;
+  StatementAnswer answer_;
+  std::optional<ResultTable> table_;  // of a result that outlives its statement
+};
+
+// Streams are read to their end, so that their rows can be counted and read again; sorting operators' temporary files
+// take what is too large for the memory.
+Result<std::optional<ResultTable>> Execution::ResultPresenter::table_of(const TypeExpr& type, const Datum& value,
+                                                                        Context& context) const {
+  if (type.is_relation()) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(ResultTable table, ResultTable::of(value.relation()));
+    return std::optional(std::move(table));
+  }
+  if (const auto* tuples = std::get_if<TupleStreamPtr>(&value.content)) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(TupleBuffer rows, buffered(**tuples, context));
+    const std::size_t count = rows.size();
+    return std::optional(
+        ResultTable(std::make_shared<MemoryRelation>(type.element(), std::move(rows)), count));
+  }
+  if (const auto* single = std::get_if<Value>(&value.content)) return std::optional(ResultTable::of_value(*single));
+  return std::optional<ResultTable>();
+}
+
+Status Execution::ResultPresenter::present(const TypeExpr& type, const Datum& value, Context& context) {
+  execution_.memory_ = context.memory;
+  answer_.type = json_string(type.text());
+  ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<ResultTable> table, table_of(type, value, context));
+  if (!table) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(answer_.value, json_of_other(type, value, context));
+    return {};
+  }
+  const bool is_table = type.is_relation() || type.is_stream();
+  const std::size_t shown = std::min(execution_.request_.row_count, table->count());
+  ALGEBRA3D_ASSIGN_OR_RETURN(
+      answer_.value, is_table ? json_of_rows(*table, 0, shown, context) : json_of_single(*table, context));
+  if (shown == table->count() && !has_geometry(table->tuple_type(), session_.registry())) return {};
+  answer_.columns = json_of_columns(table->tuple_type(), session_.registry());
+  answer_.count = table->count();
+  const bool has_written = session_.store() != nullptr && session_.store()->has_written();
+  if (is_query_ && !has_written) {
+    answer_.diagnostics = context.diagnostics.summary();
+    answer_.seconds = execution_.seconds();
+    execution_.answer(answer_);
+    execution_.serve(*table);
+    return {};
+  }
+  ALGEBRA3D_ASSIGN_OR_RETURN(table_, table->loaded_copy(context));
+  return {};
+}
+
+Status Execution::ResultPresenter::present_inquiry(const NestedList& result) {
+  answer_.type = json_string("inquiry");
+  answer_.value = json_of_inquiry(result);
+  return {};
+}
+
+void Execution::run(Session& session) {
+  session.set_parameters(request_.parameters);
+  const auto command = parse_command(request_.text, session.registry(), {"", 1, 1}, &request_.parameters);
+  ResultPresenter presenter(*this, session, command && std::holds_alternative<Query>(command->content));
+  algebra3d::Diagnostics diagnostics;
+  const algebra3d::Monitor::Report report = [this](const std::string& how_far) { note_progress(how_far); };
+  Context context{.diagnostics = diagnostics, .cancel = &is_cancelled_, .folder = folder_, .report = &report};
+  const Status status = session.execute(request_.text, {"", 1, 1}, presenter, context);
+  session.set_parameters({});
+  StatementAnswer& given = presenter.answer();
+  given.diagnostics = diagnostics.summary();
+  given.seconds = seconds();
+  const bool is_interrupted = !status && status.error().code == ErrorCode::interrupted;
+  answer(status ? Result<StatementAnswer>(given) : is_interrupted ? interruption() : status.error());
+  if (status && presenter.table()) serve(*presenter.table());
+  const std::lock_guard lock(mutex_);
+  is_over_ = true;
+  questions_.clear();
+}
+
+// The first answer counts: a result that could not be committed after its last question was answered long ago.
+void Execution::answer(Result<StatementAnswer> given) {
+  const std::lock_guard lock(mutex_);
+  if (!answer_) answer_ = std::move(given);
+  progress_.clear();
+  changed_.notify_all();
+}
+
+const Result<StatementAnswer>* Execution::wait_until(Clock::time_point deadline) {
+  std::unique_lock lock(mutex_);
+  changed_.wait_until(lock, deadline, [this] { return answer_.has_value(); });
+  return answer_ ? &*answer_ : nullptr;
+}
+
+bool Execution::has_result() const {
+  const std::lock_guard lock(mutex_);
+  return answer_ && *answer_ && !(*answer_)->columns.empty() && !is_over_;
+}
+
+void Execution::serve(ResultTable& table) {
+  while (true) {
+    Work work;
+    {
+      std::unique_lock lock(mutex_);
+      changed_.wait(lock, [this] { return is_dropped_ || !questions_.empty(); });
+      if (is_dropped_) break;
+      work = std::move(questions_.front());
+      questions_.pop_front();
+    }
+    work(table);
+  }
+}
+
+bool Execution::post(Work work) {
+  const std::lock_guard lock(mutex_);
+  if (is_dropped_ || is_over_) return false;
+  questions_.push_back(std::move(work));
+  changed_.notify_all();
+  return true;
+}
+
+void Execution::drop() {
+  const std::lock_guard lock(mutex_);
+  is_dropped_ = true;
+  is_cancelled_ = true;
+  questions_.clear();
+  changed_.notify_all();
+}
+
+void Execution::cancel(std::string why) {
+  const std::lock_guard lock(mutex_);
+  if (answer_) return;
+  why_cancelled_ = std::move(why);
+  is_cancelled_ = true;
+}
+
+Error Execution::interruption() const {
+  const std::lock_guard lock(mutex_);
+  return {ErrorCode::interrupted, why_cancelled_.empty() ? "interrupted" : why_cancelled_};
+}
+
+std::string Execution::progress() const {
+  const std::lock_guard lock(mutex_);
+  return progress_;
+}
+
+void Execution::note_progress(const std::string& how_far) {
+  const std::lock_guard lock(mutex_);
+  progress_ = how_far;
+}
+
+}  // namespace queries

@@ -1,0 +1,127 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "algebra3d/base/diagnostics.h"
+#include "algebra3d/base/without_exceptions.h"
+#include "algebra3d/base/working_folder.h"
+#include "queries/language/session_parameters.h"
+#include "queries/server/detail/result_table.h"
+#include "queries/session/session.h"
+
+namespace queries {
+
+/// A statement to be run.
+struct StatementRequest {
+  std::string id;
+  std::string text;
+  std::size_t row_count = 100;  ///< rows in the answer at most
+  SessionParameters parameters = {};
+};
+
+/// What a statement has answered: members of the object that docs/http-api.md describes, as JSON.
+struct StatementAnswer {
+  std::string type = "null";
+  std::string value = "null";
+  std::string columns = {};  ///< of a result that was kept; else empty
+  std::size_t count = 0;     ///< its rows
+  std::vector<std::string> diagnostics = {};
+  double seconds = 0;
+};
+
+/// A statement, from the request to the end of its result. A session runs it on its own thread (`run`); when its answer
+/// is there, the session stays within the statement, so that the rows and the geometry of the result can still be read
+/// from the database as it was, until the result is dropped. A statement that has changed something is committed
+/// first, and its result is kept in memory. All functions but `run` may be called by any thread.
+class Execution {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  Execution(StatementRequest request, algebra3d::WorkingFolder folder)
+      : request_(std::move(request)), folder_(std::move(folder)) {}
+  Execution(const Execution&) = delete;
+  Execution& operator=(const Execution&) = delete;
+
+  /// Runs the statement and then serves its result until it is dropped.
+  void run(Session& session);
+
+  /// Waits for the answer until `deadline`; null if it is not there yet.
+  const Result<StatementAnswer>* wait_until(Clock::time_point deadline);
+  /// Whether the answer came with a result to be asked.
+  bool has_result() const;
+
+  /// Asks the result: `work` runs on the session's thread. Errors: those of `work`; interrupted if the result is
+  /// dropped meanwhile.
+  template <typename T>
+  Result<T> ask(std::function<Result<T>(ResultTable&, Context&)> work);
+
+  /// Ends the statement, also while it serves its result.
+  void drop();
+  /// Ends the statement if it has not answered yet. `why` becomes the message of the error.
+  void cancel(std::string why);
+
+  const StatementRequest& request() const { return request_; }
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  /// How far the statement, or what was asked of its result, has come; for people.
+  std::string progress() const;
+
+ private:
+  class ResultPresenter;
+  using Work = std::function<void(ResultTable&)>;
+
+  void answer(Result<StatementAnswer> given);
+  void serve(ResultTable& table);
+  bool post(Work work);
+  void note_progress(const std::string& how_far);
+  Error interruption() const;
+
+  const StatementRequest request_;
+  const algebra3d::WorkingFolder folder_;
+  const Clock::time_point start_ = Clock::now();
+  std::atomic<bool> is_cancelled_ = false;
+  algebra3d::WorkMemory* memory_ = nullptr;  // of the session
+
+  mutable std::mutex mutex_;  // guards what follows
+  std::condition_variable changed_;
+  std::optional<Result<StatementAnswer>> answer_;
+  std::deque<Work> questions_;
+  bool is_dropped_ = false;
+  bool is_over_ = false;  // nobody serves the result any more
+  std::string progress_;
+  std::string why_cancelled_;
+};
+
+template <typename T>
+Result<T> Execution::ask(std::function<Result<T>(ResultTable&, Context&)> work) {
+  const auto promise = std::make_shared<std::promise<Result<T>>>();
+  std::future<Result<T>> reply = promise->get_future();
+  const bool is_posted = post([this, promise, work = std::move(work)](ResultTable& table) {
+    algebra3d::Diagnostics diagnostics;
+    const algebra3d::Monitor::Report report = [this](const std::string& how_far) { note_progress(how_far); };
+    Context context{.diagnostics = diagnostics,
+                    .cancel = &is_cancelled_,
+                    .folder = folder_,
+                    .memory = memory_,
+                    .report = &report};
+    Result<T> result = algebra3d::without_exceptions([&] { return work(table, context); });
+    note_progress({});
+    promise->set_value(std::move(result));
+  });
+  if (!is_posted) return Error{ErrorCode::interrupted, "the result was dropped"};
+  try {
+    return reply.get();
+  } catch (const std::future_error&) {  // the question went with the result
+    return Error{ErrorCode::interrupted, "the result was dropped"};
+  }
+}
+
+}  // namespace queries

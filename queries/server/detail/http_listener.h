@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "queries/server/detail/http.h"
+
+namespace queries {
+
+/// Answers HTTP requests on a TCP port, each on a connection of its own.
+class HttpListener {
+ public:
+  using Answer = std::function<HttpAnswer(const HttpRequest&)>;
+
+  /// Listens on an address; port 0 takes a free one. Errors: io_error with the reason.
+  static algebra3d::Result<std::unique_ptr<HttpListener>> bind(const std::string& address, int port,
+                                                               std::size_t most_connections);
+  virtual ~HttpListener() = default;
+  HttpListener(const HttpListener&) = delete;
+  HttpListener& operator=(const HttpListener&) = delete;
+
+  virtual int port() const = 0;
+  /// Answers requests by `answer`, which is called by several threads at once, until `stop`.
+  virtual void run(Answer answer) = 0;
+  /// Ends `run`; may be called by another thread.
+  virtual void stop() = 0;
+
+ protected:
+  HttpListener() = default;
+};
+
+}  // namespace queries

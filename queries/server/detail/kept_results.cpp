@@ -1,0 +1,73 @@
+#include "queries/server/detail/kept_results.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include <fmt/format.h>
+
+namespace queries {
+namespace {
+
+constexpr std::chrono::minutes kLongestUnused(15);
+
+// The number in an id; 0 for a text that is none.
+std::uint64_t number_of(const std::string& id) {
+  std::uint64_t number = 0;
+  if (id.size() < 2 || id.front() != 'r' || id[1] == '0') return 0;
+  const auto [end, error] = std::from_chars(id.data() + 1, id.data() + id.size(), number);
+  return error == std::errc() && end == id.data() + id.size() ? number : 0;
+}
+
+}  // namespace
+
+KeptResults::~KeptResults() {
+  drop_all();
+}
+
+void KeptResults::drop_what_is_old() {
+  const auto is_used_before = [](const auto& a, const auto& b) { return a.second.used < b.second.used; };
+  const auto longest_unused = Execution::Clock::now() - kLongestUnused;
+  while (!results_.empty()) {
+    const auto oldest = std::ranges::min_element(results_, is_used_before);
+    if (results_.size() < most_ && oldest->second.used > longest_unused) return;
+    oldest->second.execution->drop();
+    results_.erase(oldest);
+  }
+}
+
+std::string KeptResults::keep(std::shared_ptr<Execution> execution) {
+  const std::lock_guard lock(mutex_);
+  drop_what_is_old();
+  results_.emplace(++last_, Kept{std::move(execution), Execution::Clock::now()});
+  return fmt::format("r{}", last_);
+}
+
+Reply<std::shared_ptr<Execution>> KeptResults::find(const std::string& id) {
+  const std::lock_guard lock(mutex_);
+  const std::uint64_t number = number_of(id);
+  const auto found = results_.find(number);
+  if (found != results_.end()) {
+    found->second.used = Execution::Clock::now();
+    return found->second.execution;
+  }
+  if (number != 0 && number <= last_)
+    return Refusal{410, "gone", fmt::format("the result '{}' was dropped", id), "Run the statement again."};
+  return Refusal::not_found(fmt::format("there is no result '{}'", id));
+}
+
+bool KeptResults::drop(const std::string& id) {
+  const std::lock_guard lock(mutex_);
+  const auto found = results_.find(number_of(id));
+  if (found == results_.end()) return false;
+  found->second.execution->drop();
+  results_.erase(found);
+  return true;
+}
+
+void KeptResults::drop_all() {
+  const std::lock_guard lock(mutex_);
+  for (const auto& [number, kept] : results_) kept.execution->drop();
+  results_.clear();
+}
+
+}  // namespace queries

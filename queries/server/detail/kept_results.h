@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "queries/server/detail/execution.h"
+#include "queries/server/detail/refusal.h"
+
+namespace queries {
+
+/// The results that clients can ask, by their ids `r1`, `r2`, ... Beyond a number of them the one that was not used for
+/// longest is dropped, and so is one that nobody has used for a quarter of an hour. All functions may be called by any
+/// thread.
+class KeptResults {
+ public:
+  explicit KeptResults(std::size_t most) : most_(most) {}
+  /// Drops all of them.
+  ~KeptResults();
+  KeptResults(const KeptResults&) = delete;
+  KeptResults& operator=(const KeptResults&) = delete;
+
+  /// Keeps the result of a statement and returns its id.
+  std::string keep(std::shared_ptr<Execution> execution);
+  /// The result of this id. Refusals: not_found, gone.
+  Reply<std::shared_ptr<Execution>> find(const std::string& id);
+  /// Drops a result. False if there is none of this id.
+  bool drop(const std::string& id);
+  void drop_all();
+
+ private:
+  struct Kept {
+    std::shared_ptr<Execution> execution;
+    Execution::Clock::time_point used;
+  };
+  void drop_what_is_old();
+
+  const std::size_t most_;
+  std::mutex mutex_;  // guards what follows
+  std::map<std::uint64_t, Kept> results_;
+  std::uint64_t last_ = 0;
+};
+
+}  // namespace queries

@@ -1,0 +1,127 @@
+#include "queries/server/detail/query_request.h"
+
+#include <algorithm>
+#include <cctype>
+#include <initializer_list>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "queries/language/scanner.h"
+#include "queries/server/detail/table_cells.h"
+
+namespace queries {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kMostRows = 10000;
+constexpr std::size_t kLongestId = 64;
+
+Refusal wrong_member(std::string_view name, std::string_view expected, const json& found) {
+  constexpr std::size_t kShown = 60;
+  return Refusal::bad_request(
+      fmt::format("'{}': expected {}, got {}", name, expected, found.dump(-1, ' ', true).substr(0, kShown)));
+}
+
+std::optional<Refusal> refuse_other_members(const json& object, std::initializer_list<std::string_view> known) {
+  for (const auto& [name, value] : object.items())
+    if (std::ranges::find(known, name) == known.end())
+      return Refusal::bad_request(fmt::format("unknown member '{}'; expected {}", name, fmt::join(known, ", ")));
+  return std::nullopt;
+}
+
+bool is_id(const std::string& id) {
+  const auto is_allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; };
+  return !id.empty() && id.size() <= kLongestId && std::ranges::all_of(id, is_allowed);
+}
+
+// A number as the text from which it was read, as far as JSON keeps it.
+std::string text_of(const json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_boolean()) return value.get<bool>() ? "TRUE" : "FALSE";
+  return value.dump();
+}
+
+Reply<SessionParameter> constant_parameter(const std::string& name, const json& given,
+                                           const algebra3d::Registry& registry) {
+  if (const auto refusal = refuse_other_members(given, {"type", "value"})) return *refusal;
+  if (!given.contains("type") || !given["type"].is_string())
+    return wrong_member("parameters." + name + ".type", "the name of a type", given.value("type", json()));
+  const json value = given.value("value", json());
+  if (!value.is_string() && !value.is_number() && !value.is_boolean())
+    return wrong_member("parameters." + name + ".value", "a number, a boolean or a text", value);
+  const auto type = given["type"].get<std::string>();
+  if (type.find('=') != std::string::npos)
+    return wrong_member("parameters." + name + ".type", "the name of a type", given["type"]);
+  auto parsed = parse_session_parameter(name + ":" + type + "=" + text_of(value), registry);
+  if (!parsed) return refusal_of(parsed.error());
+  return std::move(parsed->second);
+}
+
+Reply<SessionParameter> cell_parameter(const std::string& name, const json& given, KeptResults& results) {
+  if (const auto refusal = refuse_other_members(given, {"result", "row", "column"})) return *refusal;
+  const std::string place = "parameters." + name;
+  if (!given["result"].is_string()) return wrong_member(place + ".result", "the id of a result", given["result"]);
+  const json row = given.value("row", json(0U));
+  if (!row.is_number_unsigned()) return wrong_member(place + ".row", "a number from 0", row);
+  const json column = given.value("column", json("value"));
+  if (!column.is_string()) return wrong_member(place + ".column", "the name of a column", column);
+  Reply<std::shared_ptr<Execution>> result = results.find(given["result"].get<std::string>());
+  if (!result) return result.refusal();
+  Result<Value> value = cell_of(**result, row.get<std::size_t>(), column.get<std::string>());
+  if (!value) return refusal_of(value.error());
+  return SessionParameter(HostValue(*std::move(value)));
+}
+
+Reply<SessionParameters> parameters_of(const json& given, const algebra3d::Registry& registry, KeptResults& results) {
+  SessionParameters parameters;
+  parameters.advice = "the request has no parameter '{}'";
+  for (const auto& [name, value] : given.items()) {
+    if (!is_identifier(name) || !value.is_object())
+      return Refusal::bad_request(fmt::format("parameter '{}': expected a name and an object", name));
+    Reply<SessionParameter> parameter =
+        value.contains("result") ? cell_parameter(name, value, results) : constant_parameter(name, value, registry);
+    if (!parameter) return parameter.refusal();
+    parameters.values.emplace(name, *std::move(parameter));
+  }
+  return parameters;
+}
+
+}  // namespace
+
+Result<Value> cell_of(Execution& result, std::size_t row, const std::string& column) {
+  return result.ask<Value>([row, column](ResultTable& table, Context&) -> Result<Value> {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, cell(table, row, column));
+    return value.loaded();
+  });
+}
+
+Reply<StatementRequest> read_query_request(const std::string& body, const algebra3d::Registry& registry,
+                                           KeptResults& results) {
+  json given;
+  try {
+    given = json::parse(body);
+  } catch (const json::exception& error) {
+    return Refusal::bad_request(fmt::format("the body is not JSON: {}", error.what()));
+  }
+  if (!given.is_object()) return wrong_member("body", "an object with the member 'statement'", given);
+  if (const auto refusal = refuse_other_members(given, {"statement", "rows", "id", "parameters"})) return *refusal;
+  const json statement = given.value("statement", json());
+  if (!statement.is_string()) return wrong_member("statement", "a text", statement);
+  const json rows = given.value("rows", json(100U));
+  if (!rows.is_number_unsigned() || rows.get<std::uint64_t>() > kMostRows)
+    return wrong_member("rows", fmt::format("a number from 0 to {}", kMostRows), rows);
+  const json id = given.value("id", json(""));
+  if (!id.is_string() || (given.contains("id") && !is_id(id.get<std::string>())))
+    return wrong_member("id", fmt::format("at most {} letters, digits, '-' and '_'", kLongestId), id);
+  const json parameters = given.value("parameters", json::object());
+  if (!parameters.is_object()) return wrong_member("parameters", "an object", parameters);
+  Reply<SessionParameters> read = parameters_of(parameters, registry, results);
+  if (!read) return read.refusal();
+  return StatementRequest{id.get<std::string>(), statement.get<std::string>(), rows.get<std::size_t>(),
+                          *std::move(read)};
+}
+
+}  // namespace queries

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "algebra3d/registry/registry.h"
+#include "queries/server/detail/execution.h"
+#include "queries/server/detail/kept_results.h"
+#include "queries/server/detail/refusal.h"
+
+namespace queries {
+
+/// Reads the body of POST /api/query. Cells that are parameters are loaded from their results. Refusals: bad_request
+/// with the member that is wrong, those of the results, errors of parameters.
+Reply<StatementRequest> read_query_request(const std::string& body, const algebra3d::Registry& registry,
+                                           KeptResults& results);
+
+/// The value of a cell, loaded. Errors: those of the store; unknown_name for a column, invalid_value for a row that is
+/// not there.
+Result<Value> cell_of(Execution& result, std::size_t row, const std::string& column);
+
+}  // namespace queries

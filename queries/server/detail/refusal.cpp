@@ -1,0 +1,68 @@
+#include "queries/server/detail/refusal.h"
+
+#include <fmt/format.h>
+
+#include "queries/exchange/json_text.h"
+
+namespace queries {
+namespace {
+
+using algebra3d::ErrorCode;
+
+// The table of docs/http-api.md.
+int status_of(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::permission_denied:
+    case ErrorCode::database_read_only:
+      return 403;
+    case ErrorCode::interrupted:
+      return 409;
+    case ErrorCode::database_busy:
+    case ErrorCode::database_missing:
+      return 503;
+    case ErrorCode::internal:
+    case ErrorCode::io_error:
+    case ErrorCode::database_corrupt:
+    case ErrorCode::disk_full:
+    case ErrorCode::out_of_memory:
+      return 500;
+    default:
+      return 422;
+  }
+}
+
+void append_member(std::string& json, std::string_view name, std::string_view text) {
+  append_json_string(json, name);
+  json += ':';
+  append_json_string(json, text);
+}
+
+}  // namespace
+
+std::string Refusal::json() const {
+  std::string json = "{";
+  append_member(json, "code", code);
+  json += ',';
+  append_member(json, "message", message);
+  if (!remedy.empty()) {
+    json += ',';
+    append_member(json, "remedy", remedy);
+  }
+  if (place.is_known()) json += fmt::format(R"(,"line":{},"column":{})", place.line, place.column);
+  return json + "}";
+}
+
+HttpAnswer Refusal::answer() const {
+  HttpAnswer answer{.status = status, .body = "{\"error\":" + json() + "}\n"};
+  if (status == 429 || status == 503) answer.headers.emplace_back("Retry-After", "1");
+  if (status == 401) answer.headers.emplace_back("WWW-Authenticate", "Bearer");
+  return answer;
+}
+
+Refusal refusal_of(const algebra3d::Error& error) {
+  const algebra3d::ErrorDescription& description = algebra3d::describe(error.code);
+  return {status_of(error.code), std::string(description.name), error.message, std::string(description.remedy),
+          error.place};
+}
+
+}  // namespace queries

@@ -1,0 +1,105 @@
+#include "queries/server/detail/result_json.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "algebra3d/display/shape_of_value.h"
+#include "queries/exchange/exchange_values.h"
+#include "queries/exchange/json_presenter.h"
+#include "queries/exchange/json_text.h"
+
+namespace queries {
+
+using algebra3d::Context;
+
+namespace {
+
+// The presenter ends its document with a line end.
+std::string without_line_end(std::string json) {
+  while (json.ends_with('\n')) json.pop_back();
+  return json;
+}
+
+const algebra3d::Type* value_type(const TypeExpr& type, const algebra3d::Registry& registry) {
+  return type.arguments().empty() ? registry.find_type(type.name()) : nullptr;
+}
+
+}  // namespace
+
+std::string json_string(std::string_view text) {
+  std::string json;
+  append_json_string(json, text);
+  return json;
+}
+
+std::string json_strings(const std::vector<std::string>& texts) {
+  std::string json = "[";
+  for (const std::string& text : texts) {
+    if (json.size() > 1) json += ',';
+    append_json_string(json, text);
+  }
+  return json + "]";
+}
+
+Result<std::string> json_of_rows(ResultTable& table, std::size_t from, std::size_t count, Context& context) {
+  ExchangeValues values({});
+  std::string json = "[";
+  const std::size_t end = std::min(table.count(), from + count);
+  for (std::size_t i = from; i < end && json.size() < kMostRowBytes; ++i) {
+    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr tuple, table.row(i));
+    if (i > from) json += ',';
+    ALGEBRA3D_RETURN_IF_ERROR(append_json_row(table.tuple_type(), *tuple, values, context, json));
+  }
+  return json + "]";
+}
+
+Result<std::string> json_of_single(ResultTable& table, Context& context) {
+  ExchangeValues values({});
+  std::string json;
+  ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr tuple, table.row(0));
+  ALGEBRA3D_RETURN_IF_ERROR(values.append_json(tuple->attributes.front(), "value", context, json));
+  return json;
+}
+
+Result<std::string> json_of_other(const TypeExpr& type, const Datum& value, Context& context) {
+  std::ostringstream out;
+  ExchangeValues values({});
+  ALGEBRA3D_RETURN_IF_ERROR(
+      JsonPresenter(out, values, JsonPresenter::Layout::document).present(type, value, context));
+  return without_line_end(std::move(out).str());
+}
+
+std::string json_of_inquiry(const algebra3d::NestedList& result) {
+  std::ostringstream out;
+  ExchangeValues values({});
+  // Writing to a string does not fail.
+  (void)JsonPresenter(out, values, JsonPresenter::Layout::document).present_inquiry(result);
+  return without_line_end(std::move(out).str());
+}
+
+bool is_drawn(const TypeExpr& type, const algebra3d::Registry& registry) {
+  const algebra3d::Type* const known = value_type(type, registry);
+  return known != nullptr && algebra3d::is_drawable(*known);
+}
+
+std::string json_of_columns(const TypeExpr& tuple, const algebra3d::Registry& registry) {
+  std::string json = "[";
+  for (const auto& [name, type] : tuple.attributes()) {
+    if (json.size() > 1) json += ',';
+    json += fmt::format(R"({{"name":{},"type":{},"shape":{}}})", json_string(name), json_string(type.text()),
+                        is_drawn(type, registry));
+  }
+  return json + "]";
+}
+
+bool has_geometry(const TypeExpr& tuple, const algebra3d::Registry& registry) {
+  return std::ranges::any_of(tuple.attributes(), [&](const auto& attribute) {
+    const algebra3d::Type* const known = value_type(attribute.type, registry);
+    return known != nullptr && (algebra3d::is_drawable(*known) || !known->summary_unit().empty());
+  });
+}
+
+}  // namespace queries

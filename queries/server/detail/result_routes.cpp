@@ -1,0 +1,143 @@
+// Rows, cells, shapes and files of results.
+#include <charconv>
+#include <fstream>
+#include <iterator>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "algebra3d/base/diagnostics.h"
+#include "algebra3d/formats/export_solid.h"
+#include "algebra3d/formats/mesh3d_files.h"
+#include "algebra3d/types/spatial.h"
+#include "mesh_files/mesh_formats.h"
+#include "queries/server/detail/api.h"
+#include "queries/server/detail/cell_file.h"
+#include "queries/server/detail/cell_shapes.h"
+#include "queries/server/detail/result_json.h"
+#include "queries/server/detail/table_cells.h"
+
+namespace queries {
+namespace {
+
+constexpr std::size_t kMostRows = 10000;
+constexpr std::size_t kMostCellBytes = std::size_t{64} << 20U;
+
+std::optional<std::string> parameter(const HttpRequest& request, const std::string& name) {
+  const auto found = request.query.find(name);
+  return found == request.query.end() ? std::nullopt : std::optional(found->second);
+}
+
+Reply<std::size_t> number(const HttpRequest& request, const std::string& name, std::size_t otherwise,
+                          std::size_t most = std::numeric_limits<std::uint32_t>::max()) {
+  const auto text = parameter(request, name);
+  if (!text) return otherwise;
+  std::size_t value = 0;
+  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
+  if (error != std::errc() || end != text->data() + text->size() || value > most)
+    return Refusal::bad_request(fmt::format("'{}': expected a number from 0 to {}, got '{}'", name, most, *text));
+  return value;
+}
+
+Reply<std::string> text(const HttpRequest& request, const std::string& name) {
+  if (const auto found = parameter(request, name)) return *found;
+  return Refusal::bad_request(fmt::format("the parameter '{}' is missing", name));
+}
+
+// What a request asks of a result and does not find is not there.
+HttpAnswer refused(const algebra3d::Error& error) {
+  if (error.code == ErrorCode::unknown_name || error.code == ErrorCode::invalid_value)
+    return Refusal::not_found(error.message).answer();
+  if (error.code == ErrorCode::interrupted) return Refusal{410, "gone", "the result was dropped"}.answer();
+  return refusal_of(error).answer();
+}
+
+}  // namespace
+
+HttpAnswer Api::get_rows(const Call& call) {
+  Reply<std::shared_ptr<Execution>> result = results_.find(call.path.find("id")->second);
+  if (!result) return result.refusal().answer();
+  Reply<std::size_t> from = number(call.request, "from", 0);
+  Reply<std::size_t> count = number(call.request, "count", 100, kMostRows);
+  if (!from) return from.refusal().answer();
+  if (!count) return count.refusal().answer();
+  const auto rows = (*result)->ask<std::string>([from = *from, count = *count](ResultTable& table, Context& context) {
+    return json_of_rows(table, from, count, context);
+  });
+  if (!rows) return refused(rows.error());
+  return {.body = fmt::format("{{\"from\":{},\"rows\":{}}}\n", *from, *rows)};
+}
+
+HttpAnswer Api::get_cell(const Call& call) {
+  Reply<std::shared_ptr<Execution>> result = results_.find(call.path.find("id")->second);
+  if (!result) return result.refusal().answer();
+  Reply<std::size_t> row = number(call.request, "row", 0);
+  Reply<std::string> column = text(call.request, "column");
+  if (!row) return row.refusal().answer();
+  if (!column) return column.refusal().answer();
+  const auto value = cell_of(**result, *row, *column);
+  if (!value) return refused(value.error());
+  const std::string list = value->to_nested().print();
+  if (list.size() > kMostCellBytes)
+    return Refusal{413, "too_large", fmt::format("the value has {} bytes; the limit is {}", list.size(), kMostCellBytes),
+                   "Ask for its file or its shape."}
+        .answer();
+  return {.body = fmt::format("{{\"type\":{},\"text\":{}}}\n", json_string(value->type().name()), json_string(list))};
+}
+
+HttpAnswer Api::get_shapes(const Call& call) {
+  Reply<std::shared_ptr<Execution>> result = results_.find(call.path.find("id")->second);
+  if (!result) return result.refusal().answer();
+  Reply<std::string> column = text(call.request, "column");
+  Reply<std::size_t> from = number(call.request, "from", 0);
+  Reply<std::size_t> count = number(call.request, "count", 1, kMostRows);
+  Reply<std::size_t> triangles = number(call.request, "triangles", 0);
+  Reply<std::size_t> bytes = number(call.request, "bytes", std::size_t{64} << 20U);
+  for (const auto* each : {&from, &count, &triangles, &bytes})
+    if (!*each) return each->refusal().answer();
+  if (!column) return column.refusal().answer();
+  const ShapeRequest request{*column, *from, *count, *triangles, *bytes};
+  auto shapes = (*result)->ask<CellShapes>(
+      [request](ResultTable& table, Context& context) { return shapes_of(table, request, context); });
+  if (!shapes) return refused(shapes.error());
+  HttpAnswer answer{.type = "model/gltf-binary", .body = std::move(shapes->file)};
+  if (shapes->next) answer.headers.emplace_back("X-Algebra3d-Next", std::to_string(*shapes->next));
+  return answer;
+}
+
+HttpAnswer Api::get_file(const Call& call) {
+  Reply<std::shared_ptr<Execution>> result = results_.find(call.path.find("id")->second);
+  if (!result) return result.refusal().answer();
+  Reply<std::size_t> row = number(call.request, "row", 0);
+  Reply<std::string> column = text(call.request, "column");
+  Reply<std::string> format = text(call.request, "format");
+  if (!row) return row.refusal().answer();
+  if (!column) return column.refusal().answer();
+  if (!format) return format.refusal().answer();
+  const auto form = file_form(*format);
+  if (!form)
+    return Refusal::bad_request(fmt::format("'format': expected stl, stl-ascii, obj or off, got '{}'", *format)).answer();
+  auto file = (*result)->ask<CellFile>([&](ResultTable& table, Context& context) -> Result<CellFile> {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, cell(table, *row, *column));
+    return file_of(value, *column, *form, context);
+  });
+  if (!file) return refused(file.error());
+  HttpAnswer answer{.type = std::string(file->type), .body = std::move(file->bytes)};
+  answer.headers.emplace_back("X-Algebra3d-Diagnostics", json_strings(file->diagnostics));
+  answer.headers.emplace_back("Content-Disposition", fmt::format("attachment; filename=\"{}\"", file->name));
+  return answer;
+}
+
+HttpAnswer Api::get_progress(const Call& call) {
+  Reply<std::shared_ptr<Execution>> result = results_.find(call.path.find("id")->second);
+  if (!result) return result.refusal().answer();
+  return {.body = fmt::format("{{\"text\":{}}}\n", json_string((*result)->progress()))};
+}
+
+HttpAnswer Api::delete_result(const Call& call) {
+  const std::string& id = call.path.find("id")->second;
+  if (results_.drop(id)) return {.status = 204};
+  return results_.find(id).refusal().answer();
+}
+
+}  // namespace queries

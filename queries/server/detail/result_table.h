@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "algebra3d/base/context.h"
+#include "queries/streams/relation.h"
+
+namespace queries {
+
+/// The result of a statement as a table whose rows are numbered from 0: a relation, or a value as one row with the
+/// column `value`. Rows are read on demand and in any order; forward reading is cheapest. Used by one thread, while the
+/// statement that made the relation runs.
+class ResultTable {
+ public:
+  ResultTable(std::shared_ptr<Relation> relation, std::size_t count)
+      : relation_(std::move(relation)), count_(count) {}
+  static Result<ResultTable> of(std::shared_ptr<Relation> relation);
+  static ResultTable of_value(const Value& value);
+
+  const TypeExpr& tuple_type() const { return relation_->tuple_type(); }
+  std::size_t count() const { return count_; }
+  /// The tuple of a row, which must exist. Errors: those of the store.
+  Result<TuplePtr> row(std::size_t index);
+  /// A copy in memory whose values are loaded, which outlives the statement. Errors: those of the store, interrupted.
+  Result<ResultTable> loaded_copy(const algebra3d::Context& context);
+
+ private:
+  Result<TuplePtr> next_row();
+
+  std::shared_ptr<Relation> relation_;
+  std::size_t count_ = 0;
+  TupleStreamPtr scan_;
+  std::size_t next_ = 0;      // row that scan_ gives next
+  std::vector<TupleId> ids_;  // of the rows that were read, in a stored relation
+};
+
+}  // namespace queries

@@ -1,0 +1,151 @@
+// Running, listing and cancelling statements.
+#include <chrono>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "queries/language/command_reader.h"
+#include "queries/server/detail/api.h"
+#include "queries/server/detail/event_stream.h"
+#include "queries/server/detail/result_json.h"
+#include "queries/server/detail/utf16.h"
+
+namespace queries {
+namespace {
+
+// How often a request that waits for its statement looks after the client and the time limit.
+constexpr std::chrono::milliseconds kLook(100);
+
+Reply<std::string> whole_body(const HttpRequest& request, std::size_t limit) {
+  std::string body;
+  if (request.body == nullptr) return body;
+  const Body::Outcome outcome = request.body->read(limit, [&](std::string_view piece) {
+    body += piece;
+    return true;
+  });
+  if (outcome != Body::Outcome::complete) return refusal_of(outcome, limit);
+  return body;
+}
+
+bool wants_events(const HttpRequest& request) {
+  return request.header("accept").find("text/event-stream") != std::string::npos;
+}
+
+}  // namespace
+
+Reply<std::shared_ptr<Execution>> Api::start(const HttpRequest& request) {
+  Reply<std::string> body = whole_body(request, limits_.statement_bytes);
+  if (!body) return body.refusal();
+  if (const Status there = database_.check(); !there) return refusal_of(there.error());
+  Reply<StatementRequest> read = read_query_request(*body, registry_, results_);
+  if (!read) return read.refusal();
+  StatementRequest statement = *std::move(read);
+  if (statement.id.empty()) statement.id = running_.new_id();
+  const auto execution = std::make_shared<Execution>(std::move(statement), folder_);
+  if (!running_.add(execution))
+    return Refusal::bad_request(fmt::format("'id': a statement '{}' runs already", execution->request().id));
+  const Status started = sessions_.run([execution](Session& session) { execution->run(session); });
+  if (started) return execution;
+  running_.remove(execution->request().id);
+  Refusal refusal = refusal_of(started.error());
+  if (started.error().code == ErrorCode::limit_exceeded) {
+    refusal.status = 429;
+    refusal.code = "too_many";
+  }
+  return refusal;
+}
+
+void Api::await(Execution& execution, const Connection* connection, const std::function<void()>& each_time) {
+  while (execution.wait_until(Execution::Clock::now() + kLook) == nullptr) {
+    if (connection != nullptr && connection->is_gone()) execution.cancel("the client has gone");
+    if (options_.max_seconds > 0 && execution.seconds() > options_.max_seconds)
+      execution.cancel(fmt::format("the statement ran longer than {} s", options_.max_seconds));
+    each_time();
+  }
+  running_.remove(execution.request().id);
+}
+
+std::string Api::json_of_answer(const std::shared_ptr<Execution>& execution, const StatementAnswer& answer) {
+  std::string json = fmt::format(R"({{"type":{},"value":{},"diagnostics":{},"seconds":{:.6f})", answer.type,
+                                 answer.value, json_strings(answer.diagnostics), answer.seconds);
+  if (execution->has_result())
+    json += fmt::format(R"(,"result":{{"id":{},"count":{},"columns":{}}})", json_string(results_.keep(execution)),
+                        answer.count, answer.columns);
+  return json + "}";
+}
+
+HttpAnswer Api::await_answer(const std::shared_ptr<Execution>& execution, const Connection* connection) {
+  await(*execution, connection, [] {});
+  const Result<StatementAnswer>& answer = *execution->wait_until({});
+  if (!answer) return refusal_of(answer.error()).answer();
+  return {.body = json_of_answer(execution, *answer) + "\n"};
+}
+
+HttpAnswer Api::stream_answer(const std::shared_ptr<Execution>& execution, const Connection* connection) {
+  HttpAnswer stream{.type = "text/event-stream"};
+  stream.headers.emplace_back("Cache-Control", "no-store");
+  stream.stream = [this, execution, connection](const SendPiece& send) {
+    EventStream events(send);
+    events.send("started", fmt::format(R"({{"id":{}}})", json_string(execution->request().id)));
+    std::string told;
+    await(*execution, connection, [&] {
+      if (std::string text = execution->progress(); text != told) {
+        told = std::move(text);
+        events.send("progress",
+                    fmt::format(R"({{"text":{},"seconds":{:.3f}}})", json_string(told), execution->seconds()));
+      }
+      if (!events.is_open()) execution->cancel("the client has gone");
+    });
+    const Result<StatementAnswer>& answer = *execution->wait_until({});
+    if (answer) return (void)events.send("result", json_of_answer(execution, *answer));
+    const Refusal refusal = refusal_of(answer.error());
+    std::string json = refusal.json();
+    json.back() = ',';
+    events.send("error", json + fmt::format(R"("status":{}}})", refusal.status));
+  };
+  return stream;
+}
+
+HttpAnswer Api::post_query(const Call& call) {
+  Reply<std::shared_ptr<Execution>> execution = start(call.request);
+  if (!execution) return execution.refusal().answer();
+  return wants_events(call.request) ? stream_answer(*execution, call.request.connection)
+                                    : await_answer(*execution, call.request.connection);
+}
+
+HttpAnswer Api::get_statements(const Call&) {
+  std::string json = "[";
+  for (const auto& execution : running_.list()) {
+    if (json.size() > 1) json += ',';
+    json += fmt::format(R"({{"id":{},"statement":{},"seconds":{:.3f},"progress":{}}})",
+                        json_string(execution->request().id), json_string(execution->request().text),
+                        execution->seconds(), json_string(execution->progress()));
+  }
+  return {.body = json + "]\n"};
+}
+
+HttpAnswer Api::delete_statement(const Call& call) {
+  const std::string& id = call.path.find("id")->second;
+  if (running_.cancel(id, "the statement was cancelled")) return {.status = 204};
+  return Refusal::not_found(fmt::format("no statement '{}' runs", id)).answer();
+}
+
+HttpAnswer Api::post_split(const Call& call) {
+  Reply<std::string> body = whole_body(call.request, limits_.statement_bytes);
+  if (!body) return body.refusal().answer();
+  const auto given = nlohmann::json::parse(*body, nullptr, false);
+  if (!given.is_object() || given.size() != 1 || !given.contains("text") || !given["text"].is_string())
+    return Refusal::bad_request("expected an object with the member 'text'").answer();
+  const auto text = given["text"].get<std::string>();
+  std::string json = "[";
+  for (const CommandText& command : commands_of(text)) {
+    if (json.size() > 1) json += ',';
+    const std::size_t begin = byte_offset(text, command.start);
+    const std::size_t units = utf16_units(std::string_view(text).substr(0, begin));
+    json += fmt::format(R"({{"text":{},"line":{},"column":{},"begin":{},"end":{}}})", json_string(command.text),
+                        command.start.line, command.start.column, units, units + utf16_units(command.text));
+  }
+  return {.body = json + "]\n"};
+}
+
+}  // namespace queries

@@ -1,0 +1,90 @@
+#include "queries/server/server.h"
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "queries/server/detail/api.h"
+#include "queries/server/detail/http_listener.h"
+#include "queries/server/detail/temporary_folder.h"
+
+namespace queries {
+namespace {
+
+using algebra3d::Error;
+using algebra3d::ErrorCode;
+using algebra3d::Result;
+using algebra3d::Status;
+
+constexpr std::size_t kShortestToken = 16;
+
+std::string without_line_end(std::string text) {
+  while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
+  return text;
+}
+
+// The token; empty for none.
+Result<std::string> token_of(const ServerOptions& options) {
+  std::string token;
+  if (!options.token_file.empty()) {
+    std::ifstream file(options.token_file);
+    std::ostringstream content;
+    content << file.rdbuf();
+    if (!file) return Error{ErrorCode::wrong_usage, "--token-file: '{}' cannot be read", options.token_file.string()};
+    token = without_line_end(std::move(content).str());
+  } else if (const char* const given = std::getenv("ALGEBRA3D_TOKEN"); given != nullptr) {
+    token = given;
+  }
+  const bool is_wanted = !options.token_file.empty() || !token.empty();
+  if (is_wanted && (token.size() < kShortestToken || token.find_first_of(" \t\r\n") != std::string::npos))
+    return Error{ErrorCode::wrong_usage, "the token must have at least {} characters and no blanks", kShortestToken};
+  return token;
+}
+
+// The file is there afterwards.
+Status prepare_database(const ServerOptions& options, const algebra3d::Registry& registry,
+                        const std::function<void(const std::string&)>& note) {
+  Session session(registry, {.read_only = options.read_only});
+  ALGEBRA3D_RETURN_IF_ERROR(session.open_file(options.database));
+  if (const std::string notice = session.store()->opening_notice(); !notice.empty()) note(notice);
+  return {};
+}
+
+std::string url_of(const std::string& address, int port) {
+  const bool is_any = address == "0.0.0.0" || address == "::";
+  const std::string host = is_any ? "127.0.0.1" : address;
+  return fmt::format("http://{}:{}/", host.find(':') == std::string::npos ? host : "[" + host + "]", port);
+}
+
+}  // namespace
+
+Status serve(const ServerOptions& options, const algebra3d::Registry& registry, const std::atomic<bool>& stop,
+             const std::function<void(const std::string&)>& ready,
+             const std::function<void(const std::string&)>& note) {
+  const ServerLimits limits;
+  ALGEBRA3D_ASSIGN_OR_RETURN(std::string token, token_of(options));
+  if (!is_loopback(options.listen) && token.empty())
+    return Error{ErrorCode::wrong_usage,
+                 "--listen {}: without a token the server listens to loopback addresses only; give one by --token-file "
+                 "or ALGEBRA3D_TOKEN",
+                 options.listen};
+  ALGEBRA3D_RETURN_IF_ERROR(prepare_database(options, registry, note));
+  ALGEBRA3D_ASSIGN_OR_RETURN(DatabaseIdentity database, DatabaseIdentity::of(options.database));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto listener, HttpListener::bind(options.listen, options.port, limits.connections));
+  ALGEBRA3D_ASSIGN_OR_RETURN(TemporaryFolder uploads, TemporaryFolder::make());
+  Api api(registry, options, limits, token, authorities_of(options.listen, listener->port(), options.hosts),
+          std::move(uploads), std::move(database));
+  std::thread answering([&] { listener->run([&api](const HttpRequest& request) { return api.answer(request); }); });
+  ready(url_of(options.listen, listener->port()) + (token.empty() ? "" : "#token=" + token));
+  while (!stop) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  api.close();
+  listener->stop();
+  answering.join();
+  return {};
+}
+
+}  // namespace queries

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "algebra3d/base/work_memory.h"
+
+namespace queries {
+
+/// Options of `algebra3d serve`.
+struct ServerOptions {
+  std::filesystem::path database = {};
+  /// Address to listen on: a name or number of this machine. Without a token it must be a loopback address.
+  std::string listen = "127.0.0.1";
+  int port = 8737;  ///< 0: any free one
+  bool read_only = false;
+  /// File with the token that requests must give; empty: the variable ALGEBRA3D_TOKEN, if it is set.
+  std::filesystem::path token_file = {};
+  /// Further names in the header `Host`, for servers behind another one: NAME or NAME:PORT.
+  std::vector<std::string> hosts = {};
+  std::uint64_t max_upload_megabytes = 1024;
+  double max_seconds = 0;  ///< of a statement; 0: no limit
+  /// Memory limit of the operators of a statement; 0: a sixteenth of the machine's memory.
+  std::uint64_t memory_megabytes = 0;
+  std::string failure_folder = {};  ///< for reports of internal errors; empty: the folder of temporary files
+};
+
+/// Limits of a server that have no option.
+struct ServerLimits {
+  std::size_t statement_bytes = std::size_t{16} << 20U;  ///< of a body that is not an upload
+  std::size_t results = 64;                              ///< kept at once
+  std::size_t sessions = 96;                             ///< statements that run, and results
+  std::size_t idle_sessions = 8;
+  std::size_t connections = 256;
+  std::size_t uploads = 256;  ///< files
+};
+
+}  // namespace queries
