@@ -174,7 +174,9 @@ class Library final : public httplib::Server {
       if (size == 0) return handle_(request, response, nullptr, connection());
       ListenerBody body(reader, size);
       handle_(request, response, &body, connection());
+      const int status = response.status;
       body.drain();
+      response.status = status;  // the library changes it where a body is not read to its end
     };
     Get(any, without_body).Options(any, without_body);
     Post(any, with_body).Put(any, with_body).Patch(any, with_body).Delete(any, with_body);

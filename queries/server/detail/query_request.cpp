@@ -112,6 +112,7 @@ Refusal refusal_of_cell(const algebra3d::Error& error) {
 }
 
 Reply<json> parse_body(const std::string& body) {
+  if (body.find('\0') != std::string::npos) return Refusal::bad_request("the body is not JSON: it has a zero byte");
   bool is_too_deep = false;
   const json given = json::parse(
       body,
