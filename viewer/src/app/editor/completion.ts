@@ -50,7 +50,10 @@ function isInLiteral(text: string): boolean {
  * The attributes that a statement may name: those of the relations in it, with the endings that `{a}` adds, those that
  * it defines (`extend[New: ...]`), and the columns of the result that is shown.
  */
-export function attributesIn(statement: string, known: Pick<Known, "objects" | "columns">): readonly Attribute[] {
+export function attributesIn(
+  statement: string,
+  known: Pick<Known, "objects" | "columns">,
+): readonly Attribute[] {
   const found = new Map<string, string>();
   const names = new Set(statement.match(/[A-Za-z]\w*/g) ?? []);
   const endings = [...statement.matchAll(/\{\s*([A-Za-z]\w*)\s*\}/g)].map((match) => `_${match[1] ?? ""}`);
@@ -100,5 +103,9 @@ function insertOperator(view: EditorView, { name, syntax }: OperatorInfo, from: 
   const has = view.state.sliceDoc(to, to + 1) === open;
   const brackets = !open || has ? "" : open === "(" ? "()" : "[]";
   const anchor = from + name.length + (open ? 1 : 0);
-  view.dispatch({ changes: { from, to, insert: name + brackets }, selection: { anchor }, userEvent: "input.complete" });
+  view.dispatch({
+    changes: { from, to, insert: name + brackets },
+    selection: { anchor },
+    userEvent: "input.complete",
+  });
 }

@@ -22,7 +22,11 @@ export function language(words: Words): Extension {
     startState: () => ({ quote: null }),
     token: (stream, state) => token(stream, state, words),
     languageData: { commentTokens: { line: "#" }, closeBrackets: { brackets: ["(", "[", "{", '"', "'"] } },
-    tokenTable: { parameter: tags.special(tags.variableName), attribute: tags.propertyName, object: tags.variableName },
+    tokenTable: {
+      parameter: tags.special(tags.variableName),
+      attribute: tags.propertyName,
+      object: tags.variableName,
+    },
   });
   return [parser, syntaxHighlighting(style)];
 }
