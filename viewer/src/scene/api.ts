@@ -284,6 +284,8 @@ export interface SceneEvents {
   selection: { readonly cells: readonly CellRef[]; readonly byPerson: boolean };
   /** A double click on an object: show its properties. */
   open: { readonly hit: Hit };
+  /** Another tool was chosen, by a key or by setting `tool`. */
+  tool: { readonly tool: Tool };
   /** The pointer is over a point, or over nothing. */
   hover: { readonly hit: Hit | null };
   /** A click while tool is `measure` or `inspect`. */
@@ -369,6 +371,8 @@ export interface SceneView {
   isVisible(what: ColumnRef & { readonly row?: number }): boolean;
   shapes(column?: ColumnRef): readonly ShapeInfo[];
   shape(cell: CellRef): ShapeInfo | null;
+  /** The attributes of all results by which objects can be coloured. */
+  readonly attributes: readonly { readonly name: string; readonly type: string }[];
   /** How far each column is loaded. */
   readonly progress: readonly LoadProgress[];
 

@@ -62,6 +62,10 @@ export class Loader {
   /** Selected objects are loaded in full. */
   select(cells: readonly CellRef[]): void {
     this.selected = cells;
+    for (const cell of cells) {
+      const record = this.store.record(cell);
+      if (record) this.finished.delete(record);
+    }
     void this.refine();
   }
 

@@ -29,7 +29,10 @@ export class ShapeRecord {
   constructor(
     readonly column: Column,
     readonly row: number,
-    readonly firstShape: Shape,
+    /** Tells what the value is like; the same for all levels. */
+    public firstShape: Shape,
+    /** That of the column when the levels were loaded. */
+    public generation: number,
   ) {}
 
   get cell(): CellRef {
@@ -83,6 +86,8 @@ export class ShapeRecord {
 export class Column {
   readonly records = new Map<number, ShapeRecord>();
   visible = true;
+  /** Shapes of former generations are out of date, and replaced as new ones come. */
+  generation = 0;
 
   constructor(
     readonly source: ShapeSource,
@@ -137,9 +142,13 @@ export class ShapeStore {
   addShapes(column: Column, shapes: readonly Shape[]): ShapeRecord[] {
     const bodies = this.makeBodies(shapes);
     return shapes.map((shape, index) => {
-      const record = column.records.get(shape.row) ?? new ShapeRecord(column, shape.row, shape);
+      const record =
+        column.records.get(shape.row) ?? new ShapeRecord(column, shape.row, shape, column.generation);
       column.records.set(shape.row, record);
-      while (record.levels.length > 1) record.levels.pop()!.body.dispose();
+      const kept = record.generation === column.generation ? 1 : 0;
+      while (record.levels.length > kept) record.levels.pop()!.body.dispose();
+      record.generation = column.generation;
+      record.firstShape = record.levels[0]?.shape ?? shape;
       const body = bodies[index]!;
       record.levels.push({ shape, body });
       if (this.style) body.setStyle(this.style);

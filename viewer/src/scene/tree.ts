@@ -58,22 +58,21 @@ interface WorkerAnswer {
   readonly order: Uint32Array<ArrayBuffer>;
 }
 
-/** A tree for picking; `order` gives the triangle of the geometry for each triangle of the tree, null if they are the same. */
-export type PickTree = MeshBVH;
-
 /**
  * The tree of a primitive: the server's if it came with one, else it is built now, or in a worker if there are many
  * triangles (then null until it is there, and `ready` is called).
  */
 export class TreeMaker {
-  private readonly trees = new WeakMap<Primitive, PickTree>();
+  private readonly trees = new WeakMap<Primitive, MeshBVH>();
+  private readonly moved = new WeakSet<Primitive>();
   private readonly running = new Map<Primitive, Worker>();
 
-  tree(primitive: Primitive, geometry: BufferGeometry, ready: () => void): PickTree | null {
+  tree(primitive: Primitive, geometry: BufferGeometry, ready: () => void): MeshBVH | null {
     const known = this.trees.get(primitive);
     if (known) return known;
     const triangles = (geometry.index?.count ?? 0) / 3;
-    const nodes = primitive.tree && convertedTree(primitive.tree, triangles);
+    const given = this.moved.has(primitive) ? null : primitive.tree;
+    const nodes = given && convertedTree(given, triangles);
     if (nodes) return this.remember(primitive, treeOf(nodes, geometry));
     if (triangles <= kWorkerTriangles || typeof Worker === "undefined") {
       return this.remember(primitive, new MeshBVH(geometry, { indirect: true, setBoundingBox: false }));
@@ -82,7 +81,13 @@ export class TreeMaker {
     return null;
   }
 
-  private remember(primitive: Primitive, tree: PickTree): PickTree {
+  /** The triangles of the primitive were moved: the next tree is built anew. */
+  forget(primitive: Primitive): void {
+    this.trees.delete(primitive);
+    this.moved.add(primitive);
+  }
+
+  private remember(primitive: Primitive, tree: MeshBVH): MeshBVH {
     this.trees.set(primitive, tree);
     return tree;
   }
