@@ -1,5 +1,6 @@
 import { signal } from "@preact/signals";
 import type { CellRef, SceneView } from "../scene/api";
+import { Uploads } from "../state/uploads";
 import { Workbench, type SideName } from "../state/workbench";
 import type { Store } from "../state/store";
 import type { Editor } from "./editor/editor";
@@ -16,10 +17,12 @@ export class Workspace {
   /** A cell that is to be stored as an object, while a person is asked for its name. */
   readonly naming = signal<CellRef | null>(null);
   readonly workbench: Workbench;
+  readonly uploads: Uploads;
 
   constructor(store: Store) {
     this.store = store;
     this.workbench = new Workbench(store);
+    this.uploads = new Uploads(store);
   }
 
   askName(cell: CellRef): void {
@@ -43,6 +46,19 @@ export class Workspace {
   colourBy(attribute: string): void {
     this.scene.value?.update({ appearance: { scheme: { by: "attribute", attribute, palette: "viridis" } } });
   }
+
+  compareObject(side: SideName, name: string): void {
+    this.store.mode.value = "compare";
+    void this.workbench.side(side).loadObject(name);
+  }
+
+  /** Puts a text at the cursor of the editor. */
+  insert(text: string): void {
+    this.editor.value?.insert(text);
+  }
+
+  /** Opens the browser's choice of files; the chosen ones are uploaded. */
+  chooseFiles: () => void = () => undefined;
 
   /** Runs a statement from a list, and puts it into the editor if this is empty. */
   async query(statement: string): Promise<void> {

@@ -41,9 +41,18 @@ export class Runner {
   }
 
   /** Runs a statement whose outcome is to be shown; a failure or a stop is returned, not thrown. */
-  async run(statement: string, parameters: Parameters = {}): Promise<Outcome | Failure> {
+  async run(
+    statement: string,
+    parameters: Parameters = {},
+    signal?: AbortSignal,
+  ): Promise<Outcome | Failure> {
     try {
-      return makeOutcome(this.#client, statement, parameters, await this.answer(statement, parameters));
+      return makeOutcome(
+        this.#client,
+        statement,
+        parameters,
+        await this.answer(statement, parameters, signal),
+      );
     } catch (error) {
       return failureOf(statement, error);
     }

@@ -7,6 +7,8 @@ import type { Store } from "./store";
 import {
   factsStatement,
   isMeshType,
+  limit,
+  type LimitScheme,
   volumeStatement,
   type MeshType,
   type Operation,
@@ -39,6 +41,8 @@ export class Side {
   readonly busy = signal("");
   readonly error = signal("");
   readonly facts = signal<Facts | null>(null);
+  /** A mesh whose edges are drawn over this one: the control mesh of a limit surface. */
+  readonly control = signal<CellRef | null>(null);
   readonly #store: Store;
   readonly #step = signal<Step | null>(null);
   readonly #steps = signal<readonly Step[]>([]);
@@ -109,17 +113,13 @@ export class Side {
     await this.#store.run(`let ${name} = $a`, { parameters: { a: cellOf(step) } });
   }
 
-  /** Runs an expression in `$a`, the mesh, for something beside it; null if it failed, which is told. */
-  async aside(operation: Operation): Promise<Outcome | null> {
-    let outcome: Outcome | null = null;
+  /** Takes what an operation makes of a mesh of the other side, which is drawn over it as control mesh. */
+  async derive(from: Step, { label, expression }: Operation): Promise<void> {
     await this.#work(async (signal) => {
-      const step = this.#step.value;
-      if (!step) return;
-      const statement = `query ${operation.expression}`;
-      const inputs = { a: step };
-      outcome = await this.#query(statement, inputs, signal);
+      this.busy.value = label;
+      this.#push(await this.#make(label, `query ${expression}`, { a: from }, signal));
+      this.control.value = cellOf(from);
     });
-    return outcome;
   }
 
   async #travel(from: Step[], to: Step[], target: Step | undefined): Promise<void> {
@@ -141,6 +141,7 @@ export class Side {
 
   #changed(): void {
     batch(() => {
+      this.control.value = null;
       this.#step.value = this.#done.at(-1) ?? null;
       this.#steps.value = [...this.#done];
       this.#canUndo.value = this.#done.length > 1;
@@ -262,6 +263,12 @@ export class Workbench {
 
   side(name: SideName): Side {
     return name === "left" ? this.left : this.right;
+  }
+
+  /** Shows the limit surface of a side's mesh on the other side. */
+  async showLimit(name: SideName, scheme: LimitScheme, steps: number): Promise<void> {
+    const step = this.side(name).step.value;
+    if (step) await this.other(name).derive(step, limit(step.type, scheme, steps));
   }
 
   other(name: SideName): Side {

@@ -43,10 +43,11 @@ export function subdivision(type: MeshType, scheme: Scheme): Operation {
   };
 }
 
-/** Each vertex where the surface of the scheme has it in the end. */
-export function limit(type: MeshType, scheme: LimitScheme): Operation {
+/** The limit surface: the mesh after some steps, with each vertex where the scheme has it in the end. */
+export function limit(type: MeshType, scheme: LimitScheme, steps: number): Operation {
   const mesh = asMesh(type, needsTriangles(scheme));
-  return { label: `limit ${scheme}`, expression: `limitPosition(${mesh}, "${scheme}")`, needsOther: false };
+  const expression = `limitPosition(subdivide(${mesh}, "${scheme}", ${steps}), "${scheme}")`;
+  return { label: `limit of ${scheme}`, expression, needsOther: false };
 }
 
 /** Fewer triangles: a share of them, 0 to 1. */

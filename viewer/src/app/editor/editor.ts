@@ -98,6 +98,12 @@ export class Editor {
     this.view.dispatch({ changes: { from: 0, to: this.view.state.doc.length, insert: text } });
   }
 
+  /** Puts a text at the cursor, or in place of the selection. */
+  insert(text: string): void {
+    this.view.dispatch(this.view.state.replaceSelection(text));
+    this.view.focus();
+  }
+
   /** Puts a text at the end, as a statement of its own, and the cursor into it. */
   append(text: string): void {
     const before = this.text.trimEnd();
