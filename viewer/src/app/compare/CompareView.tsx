@@ -1,5 +1,6 @@
 import { useSignal } from "@preact/signals";
 import { useEffect, useState } from "preact/hooks";
+import { linkCameras } from "../../scene";
 import type { SceneView } from "../../scene/api";
 import { CompareSide } from "./CompareSide";
 
@@ -10,7 +11,7 @@ export function CompareView() {
   const [right, setRight] = useState<SceneView | null>(null);
   useEffect(() => {
     if (!left || !right || !synchronised.value) return;
-    right.setCamera(left.state.camera);
+    right.setCamera(left.state.camera, { animate: false });
     return linkCameras(left, right);
   }, [left, right, synchronised.value]);
   return (
@@ -29,18 +30,4 @@ export function CompareView() {
       <CompareSide name="right" onView={setRight} />
     </div>
   );
-}
-
-/** Gives each camera to the other view as it moves. */
-function linkCameras(a: SceneView, b: SceneView): () => void {
-  let passing = false;
-  const pass = (from: SceneView, to: SceneView) =>
-    from.on("state", ({ parts }) => {
-      if (passing || !parts.includes("camera")) return;
-      passing = true;
-      to.setCamera(from.state.camera);
-      passing = false;
-    });
-  const ends = [pass(a, b), pass(b, a)];
-  return () => ends.forEach((end) => end());
 }

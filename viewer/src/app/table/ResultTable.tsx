@@ -33,7 +33,7 @@ export function ResultTable({ outcome, table }: { outcome: Outcome; table: Table
   void table.rows.changed.value;
   const problem = table.rows.problem.value;
   const selected = store.results.selected.value;
-  const selectedRow = selected && selected.result === outcome.resultId ? selected.row : null;
+  const selectedRow = selected?.result === outcome.resultId ? selected.row : null;
 
   useLayoutEffect(() => {
     const element = scroller.current;

@@ -1,5 +1,5 @@
 import { useState } from "preact/hooks";
-import type { Row } from "../../api/types";
+import type { Json, Row } from "../../api/types";
 import type { Outcome } from "../../state/outcome";
 import { summaryOf } from "../../state/outcome";
 import { objectName, type Review } from "../../state/uploads";
@@ -99,9 +99,9 @@ function Report({ outcome }: { outcome: Outcome }) {
     <table class="report">
       <tbody>
         {told.map(({ Phase, What, Count, Amount }, index) => (
-          <tr key={index} class={String(Phase)}>
-            <td>{String(Phase)}</td>
-            <td>{String(What)}</td>
+          <tr key={index} class={text(Phase)}>
+            <td>{text(Phase)}</td>
+            <td>{text(What)}</td>
             <td class="number">{typeof Count === "number" ? Count.toLocaleString("en") : ""}</td>
             <td class="number muted">{typeof Amount === "number" ? shortNumber(Amount) : ""}</td>
           </tr>
@@ -110,6 +110,8 @@ function Report({ outcome }: { outcome: Outcome }) {
     </table>
   );
 }
+
+const text = (value: Json | undefined) => (typeof value === "string" ? value : "");
 
 function StoreLine({ review }: { review: Review }) {
   const { store, workspace } = useApp();
