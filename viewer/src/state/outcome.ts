@@ -57,18 +57,25 @@ export function makeOutcome(
 
 function tableOf(client: Client, answer: QueryAnswer): Table | null {
   if (answer.type === null) return null;
-  const relation = isRelation(answer.type) && Array.isArray(answer.value);
+  // Inquiries such as `list objects` are tables without a type of their own.
+  const inquiry = answer.type === "inquiry";
+  const relation = (inquiry || isRelation(answer.type)) && Array.isArray(answer.value);
   const first = relation ? (answer.value as readonly Row[]) : [{ value: answer.value }];
   const { result } = answer;
   if (!result) {
     const columns = relation
-      ? (attributesOf(answer.type) ?? []).map((attribute) => ({ ...attribute, shape: false }))
+      ? (attributesOf(answer.type) ?? namesIn(first)).map((attribute) => ({ ...attribute, shape: false }))
       : [{ name: "value", type: answer.type, shape: false }];
     return { columns, rows: new RowCache(first.length, first, null), isRelation: relation };
   }
   const read = (from: number, count: number, abort: AbortSignal) =>
     client.rows(result.id, from, count, abort);
   return { columns: result.columns, rows: new RowCache(result.count, first, read), isRelation: relation };
+}
+
+/** The columns of rows whose type is not known. */
+function namesIn(rows: readonly Row[]): readonly { name: string; type: string }[] {
+  return [...new Set(rows.flatMap((row) => Object.keys(row)))].map((name) => ({ name, type: "" }));
 }
 
 /** A short name for tabs: the name of the object of a plain `query Name`, else the beginning of the statement. */

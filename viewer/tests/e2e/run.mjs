@@ -1,5 +1,5 @@
-// npm run e2e -- --program PATH [--artifacts FOLDER] [--chromium PATH] [PATTERN...]
-// Runs the end-to-end tests with the given algebra3d; needs `npm run build` only if the program has no pages of its own.
+// npm run e2e -- --program PATH [--pages FOLDER] [--artifacts FOLDER] [--chromium PATH] [PATTERN...]
+// Runs the end-to-end tests with the given algebra3d and its pages, or with those of a folder such as dist.
 import { spawnSync } from "node:child_process";
 import { existsSync } from "node:fs";
 import { resolve } from "node:path";
@@ -9,6 +9,7 @@ const { values, positionals } = parseArgs({
   allowPositionals: true,
   options: {
     program: { type: "string" },
+    pages: { type: "string" },
     artifacts: { type: "string", default: "tests/e2e/artifacts" },
     chromium: { type: "string", default: "/usr/bin/chromium" },
   },
@@ -30,6 +31,7 @@ const { status } = spawnSync(
       ...process.env,
       ALGEBRA3D_PROGRAM: resolve(values.program),
       ALGEBRA3D_ARTIFACTS: resolve(values.artifacts),
+      ALGEBRA3D_PAGES: values.pages ? resolve(values.pages) : "",
       ALGEBRA3D_CHROMIUM: values.chromium,
     },
   },

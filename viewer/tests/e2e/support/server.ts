@@ -3,9 +3,12 @@ import { mkdtempSync, rmSync } from "node:fs";
 import { createServer } from "node:http";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { startFront } from "./front";
 import { setTimeout as sleep } from "node:timers/promises";
 
 const program = process.env["ALGEBRA3D_PROGRAM"] ?? "";
+/** Pages that are shown in place of those in the program. */
+const pages = process.env["ALGEBRA3D_PAGES"] ?? "";
 
 /** `algebra3d serve` on a database in a folder of its own. */
 export class Server {
@@ -14,6 +17,7 @@ export class Server {
   readonly #options: readonly string[];
   readonly #env: NodeJS.ProcessEnv;
   #process: ChildProcess | null = null;
+  #front: Awaited<ReturnType<typeof startFront>> | null = null;
   #output = "";
 
   private constructor(port: number, options: readonly string[], env: Readonly<Record<string, string>>) {
@@ -31,12 +35,14 @@ export class Server {
   ): Promise<Server> {
     const server = new Server(await freePort(), options, env);
     await server.begin();
+    if (pages) server.#front = await startFront(pages, server.port);
     for (const statement of statements) await server.run(statement);
     return server;
   }
 
+  /** The address of the page. */
   get url(): string {
-    return `http://127.0.0.1:${this.port}/`;
+    return `http://127.0.0.1:${this.#front?.port ?? this.port}/`;
   }
 
   /** Starts the program, also again after `end`. */
@@ -56,7 +62,7 @@ export class Server {
 
   /** Runs a statement by the API. */
   async run(statement: string): Promise<unknown> {
-    const response = await fetch(`${this.url}api/query`, {
+    const response = await fetch(`http://127.0.0.1:${this.port}/api/query`, {
       method: "POST",
       headers: { "Content-Type": "application/json" },
       body: JSON.stringify({ statement }),
@@ -78,12 +84,13 @@ export class Server {
 
   async remove(): Promise<void> {
     await this.end();
+    this.#front?.end();
     rmSync(this.folder, { recursive: true, force: true });
   }
 
   async #answers(): Promise<boolean> {
     try {
-      const response = await fetch(`${this.url}api/server`);
+      const response = await fetch(`http://127.0.0.1:${this.port}/api/server`);
       // With a token it answers 401.
       return response.ok || response.status === 401;
     } catch {
