@@ -29,7 +29,11 @@ export function Page({ app }: { app: App }) {
         <TopBar />
         <ConnectionBanner />
         <div class="page-body">
-          <div class="left-place" hidden={!layout.leftOpen.value} style={{ width: layout.leftWidth.value }}>
+          <div
+            class="left-place"
+            hidden={!layout.leftOpen.value}
+            style={{ width: `${layout.leftWidth.value}px` }}
+          >
             <LeftPanel />
           </div>
           {layout.leftOpen.value && (
@@ -57,7 +61,7 @@ export function Page({ app }: { app: App }) {
             <div
               class="bottom-place"
               hidden={!layout.bottomOpen.value || compare}
-              style={{ height: layout.bottomHeight.value }}
+              style={{ height: `${layout.bottomHeight.value}px` }}
             >
               <ResultsPanel />
             </div>
@@ -74,7 +78,7 @@ export function Page({ app }: { app: App }) {
           <div
             class="right-place"
             hidden={!layout.rightOpen.value || compare}
-            style={{ width: layout.rightWidth.value }}
+            style={{ width: `${layout.rightWidth.value}px` }}
           >
             <RightPanel />
           </div>

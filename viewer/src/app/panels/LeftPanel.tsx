@@ -19,7 +19,7 @@ export function LeftPanel() {
   const tab = layout.leftTab.value;
   return (
     <div class="panel left-panel">
-      <div class="editor-place" style={{ height: layout.editorHeight.value }}>
+      <div class="editor-place" style={{ height: `${layout.editorHeight.value}px` }}>
         <EditorPane />
       </div>
       <Splitter size={layout.editorHeight} direction="vertical" min={120} label="Height of the editor" />

@@ -7,6 +7,7 @@ import { RowLayout } from "./row_layout";
 import { TableRow, type OpenedColumns } from "./TableRow";
 
 const rowHeight = 28;
+const headHeight = 40;
 const openedHeight = 220;
 const numberWidth = 64;
 /** Rows drawn above and below the window. */
@@ -18,6 +19,7 @@ export function ResultTable({ outcome, table }: { outcome: Outcome; table: Table
   const scroller = useRef<HTMLDivElement>(null);
   const [scroll, setScroll] = useState(0);
   const [height, setHeight] = useState(300);
+  const [lastOpened, setLastOpened] = useState<number | null>(null);
   const [opened, setOpened] = useState<OpenedColumns>(new Map());
   const [widths, setWidths] = useState(() => columnWidths(table.columns, firstRows(table)));
   const layout = useMemo(
@@ -43,16 +45,17 @@ export function ResultTable({ outcome, table }: { outcome: Outcome; table: Table
     return () => observer.disconnect();
   }, []);
 
-  const reveal = (row: number) => {
+  /** Scrolls a row into the window, with its opened part if there is room for both. */
+  const reveal = (row: number, part = opened.has(row) ? openedHeight : 0) => {
     const element = scroller.current;
     if (!element) return;
-    const head = rowHeight + 12;
+    const room = element.clientHeight - headHeight;
     const top = layout.topOf(row);
+    const bottom = top + Math.min(room, rowHeight + part);
     const offset = layout.offsetOfScroll(element.scrollTop, element.clientHeight);
-    const inside = top >= offset && top + rowHeight <= offset + element.clientHeight - head;
-    if (inside) return;
-    const wanted = Math.max(0, top - (element.clientHeight - head) / 2);
-    element.scrollTop = layout.scrollOfOffset(wanted, element.clientHeight);
+    if (top >= offset && bottom <= offset + room) return;
+    const wanted = part > 0 ? bottom - room : top - room / 2;
+    element.scrollTop = layout.scrollOfOffset(Math.max(0, wanted), element.clientHeight);
   };
   useEffect(() => {
     if (selectedRow !== null) reveal(selectedRow);
@@ -66,7 +69,11 @@ export function ResultTable({ outcome, table }: { outcome: Outcome; table: Table
     if (next.get(row) === column) next.delete(row);
     else next.set(row, column);
     setOpened(next);
+    setLastOpened(next.has(row) ? row : null);
   };
+  useEffect(() => {
+    if (lastOpened !== null) reveal(lastOpened, openedHeight);
+  }, [lastOpened, opened]);
   const onKeyDown = (event: KeyboardEvent) => {
     const target = nextRow(event.key, selectedRow, table.rows.count, Math.floor(height / rowHeight) - 2);
     if (target !== null) {
@@ -101,7 +108,12 @@ export function ResultTable({ outcome, table }: { outcome: Outcome; table: Table
       onScroll={(event) => setScroll(event.currentTarget.scrollTop)}
       onKeyDown={onKeyDown}
     >
-      <div class="table-head" role="row" aria-rowindex={1} style={{ gridTemplateColumns: template, width }}>
+      <div
+        class="table-head"
+        role="row"
+        aria-rowindex={1}
+        style={{ gridTemplateColumns: template, width: `${width}px` }}
+      >
         <div class="table-corner" role="columnheader" aria-label="Row" />
         {table.columns.map((column, index) => (
           <ColumnHead
@@ -113,7 +125,7 @@ export function ResultTable({ outcome, table }: { outcome: Outcome; table: Table
           />
         ))}
       </div>
-      <div class="table-rows" style={{ height: layout.scrollHeight, width }}>
+      <div class="table-rows" style={{ height: `${layout.scrollHeight}px`, width: `${width}px` }}>
         {indices.map((row) => (
           <TableRow
             key={row}
