@@ -97,6 +97,8 @@ export interface ShapeInfo {
   /** Largest distance by which a vertex of this level was moved; 0 if it is exact but for rounding to floats. */
   readonly deviation: number;
   readonly visible: boolean;
+  /** By which it is drawn beside its place, in an exploded picture. */
+  readonly offset: Vec3;
 }
 
 // ---------------------------------------------------------------------------------------------------------------

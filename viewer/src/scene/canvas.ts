@@ -3,7 +3,8 @@
 import { WebGLRenderer } from "three";
 
 import type { SceneProblem } from "./api";
-import { Quality } from "./quality";
+import { kFull, Quality } from "./quality";
+import type { QualityStep } from "./quality";
 import type { Size } from "./projection";
 
 export const kNoWebgl: SceneProblem = {
@@ -26,9 +27,7 @@ const kRest = 160;
 
 export interface CanvasClient {
   /** Draws a frame; `pixelRatio` is that of the drawing buffer. */
-  draw(pixelRatio: number, coarse: boolean): void;
-  /** Coarser levels would spare many triangles. */
-  coarseWouldHelp(): boolean;
+  draw(pixelRatio: number, quality: QualityStep): void;
   problem(problem: SceneProblem | null): void;
   resized(size: Size): void;
 }
@@ -146,7 +145,7 @@ export class Canvas {
   private readonly onFrame = (time: number): void => {
     this.requested = 0;
     if (this.moving) {
-      if (this.lastFrame) this.quality.observe(time - this.lastFrame, this.client.coarseWouldHelp());
+      if (this.lastFrame) this.quality.observe(time - this.lastFrame);
       this.lastFrame = time;
     }
     this.drawNow();
@@ -154,17 +153,16 @@ export class Canvas {
 
   private drawNow(): void {
     if (!this.renderer || this.lost || this.disposed) return;
-    const ratio = this.pixelRatio();
-    this.drawAt(ratio, this.moving && this.quality.isCoarse);
+    this.drawAt(this.pixelRatio(), this.moving ? this.quality.step : kFull);
   }
 
   private pixelRatio(): number {
     const device = Math.min(2, globalThis.devicePixelRatio || 1);
-    if (this.moving) return device * this.quality.scale;
+    if (this.moving) return device * this.quality.step.scale;
     return this.software ? Math.min(2, device * 1.5) : device;
   }
 
-  private drawAt(ratio: number, coarse: boolean): void {
+  private drawAt(ratio: number, quality: QualityStep): void {
     const { renderer, size } = this;
     if (!renderer) return;
     const applied = `${size.width} ${size.height} ${ratio}`;
@@ -174,7 +172,7 @@ export class Canvas {
       renderer.setSize(size.width, size.height, false);
     }
     this.frames++;
-    this.client.draw(ratio, coarse);
+    this.client.draw(ratio, quality);
   }
 
   /** Draws at a size and gives the picture to `take` before the browser clears it; then draws as before. */
@@ -184,7 +182,7 @@ export class Canvas {
     const before = this.size;
     this.size = size;
     this.client.resized(size);
-    this.drawAt(this.software ? 2 : Math.min(2, globalThis.devicePixelRatio || 1), false);
+    this.drawAt(this.software ? 2 : Math.min(2, globalThis.devicePixelRatio || 1), kFull);
     const result = take(this.element);
     this.size = before;
     this.client.resized(before);

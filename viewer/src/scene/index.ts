@@ -30,3 +30,9 @@ export function linkCameras(...views: readonly SceneView[]): () => void {
   );
   return () => ends.forEach((end) => end());
 }
+
+export * from "./statements";
+export { kDefaultState } from "./state";
+export { kPaletteNames, paletteStops } from "./colors";
+export { newLight } from "./lights";
+export { overridden } from "./coloring";

@@ -7,8 +7,11 @@ import type { CellRef, LoadProgress, ShapeSource } from "./api";
 import { decodeShapes } from "../glb/shapes";
 import type { Column, ShapeRecord, ShapeStore } from "./shape_store";
 
-/** Triangles of a shape in the first picture. */
+/** Triangles of one shape in the first picture, at most. */
 export const kCoarseTriangles = 20_000;
+/** Triangles of all shapes of a column in the first picture; it is what is drawn while moving on a slow machine. */
+const kCoarseTotal = 60_000;
+const kLeastTriangles = 32;
 /** Triangles of a shape in the second one, if the value has far more. */
 export const kMiddleTriangles = 200_000;
 /** Values with more triangles get the middle level before the full one. */
@@ -16,12 +19,20 @@ const kMiddleFrom = 2_000_000;
 /** Triangles of all objects that may be in memory: 10 million and their coarser levels are below 1 GB. */
 export const kTriangleBudget = 12_000_000;
 const kRowsPerRequest = 500;
+/** Neighbouring rows are made finer in one request up to so many triangles. */
+const kTrianglesPerRequest = 500_000;
 const kProgressInterval = 700;
 
 export interface LoaderEvents {
   progress(progress: LoadProgress): void;
   /** Shapes of a column came or changed; `first` for its first ones. */
   changed(column: Column, first: boolean): void;
+}
+
+/** Neighbouring rows of a column that are to be made finer. */
+interface Wish {
+  readonly records: readonly ShapeRecord[];
+  readonly triangles: number;
 }
 
 interface Job {
@@ -77,13 +88,14 @@ export class Loader {
   private async loadCoarse(column: Column, job: Job): Promise<void> {
     try {
       let from: number | null = 0;
+      const triangles = coarseTriangles(column.source.count);
       while (from !== null && from < column.source.count) {
         const next: number | null = await this.loadRows(
           column,
           job,
           from,
           kRowsPerRequest,
-          kCoarseTriangles,
+          triangles,
           "coarse",
         );
         if (job.abort.signal.aborted) return;
@@ -162,7 +174,7 @@ export class Loader {
         this.trim();
         const wish = this.nextWish();
         if (!wish) break;
-        await this.loadFiner(wish.record, wish.triangles);
+        await this.loadFiner(wish);
       }
     } finally {
       this.refining = false;
@@ -172,28 +184,30 @@ export class Loader {
     }
   }
 
-  private async loadFiner(record: ShapeRecord, triangles: number): Promise<void> {
-    const { column } = record;
-    const job = this.jobs.get(column);
+  private async loadFiner({ records, triangles }: Wish): Promise<void> {
+    const first = records[0]!;
+    const job = this.jobs.get(first.column);
     if (!job) return;
-    const before = record.shown;
+    const before = records.map(({ shown }) => shown);
     try {
-      await this.loadRows(column, job, record.row, 1, triangles, "fine");
+      await this.loadRows(first.column, job, first.row, records.length, triangles, "fine");
       // A server that has no finer level must not be asked for ever.
-      if (record.shown <= before) this.finished.add(record);
+      records.forEach((record, index) => {
+        if (record.shown <= before[index]! && index === 0) this.finished.add(record);
+      });
     } catch (error) {
-      this.finished.add(record);
-      this.fail(column, job, error);
+      for (const record of records) this.finished.add(record);
+      this.fail(first.column, job, error);
     }
   }
 
   private readonly finished = new WeakSet<ShapeRecord>();
 
   /** What to load next: the selected in full, then the smallest first, so that most is seen exactly soonest. */
-  private nextWish(): { record: ShapeRecord; triangles: number } | null {
+  private nextWish(): Wish | null {
     for (const cell of this.selected) {
       const record = this.store.record(cell);
-      if (record?.visible && this.isWanted(record)) return { record, triangles: 0 };
+      if (record?.visible && this.isWanted(record)) return { records: [record], triangles: 0 };
     }
     let used = this.store.triangleCounts().fine;
     const candidates = [...this.store.visibleRecords()]
@@ -202,11 +216,26 @@ export class Loader {
     for (const record of candidates) {
       const middle = record.triangles > kMiddleFrom && record.shown < kMiddleTriangles;
       used -= record.shown;
-      if (middle && used + kMiddleTriangles <= this.budget) return { record, triangles: kMiddleTriangles };
-      if (used + record.triangles <= this.budget) return { record, triangles: 0 };
+      if (middle && used + kMiddleTriangles <= this.budget) {
+        return { records: [record], triangles: kMiddleTriangles };
+      }
+      if (used + record.triangles <= this.budget) return { records: this.neighbours(record), triangles: 0 };
       used += record.shown;
     }
     return null;
+  }
+
+  /** The rows from this one on that can be loaded with it. */
+  private neighbours(record: ShapeRecord): ShapeRecord[] {
+    const records = [record];
+    let triangles = record.triangles;
+    for (let row = record.row + 1; ; row++) {
+      const next = record.column.records.get(row);
+      if (!next?.visible || !this.isWanted(next)) return records;
+      triangles += next.triangles;
+      if (triangles > kTrianglesPerRequest) return records;
+      records.push(next);
+    }
   }
 
   private isWanted(record: ShapeRecord): boolean {
@@ -263,6 +292,12 @@ export class Loader {
     this.latest.set(column, progress);
     this.events.progress(progress);
   }
+}
+
+/** The largest number of triangles of a shape in the first picture of a column with so many rows. */
+export function coarseTriangles(rows: number): number {
+  const share = Math.floor(kCoarseTotal / Math.max(1, rows));
+  return Math.min(kCoarseTriangles, Math.max(kLeastTriangles, share));
 }
 
 function describe(source: ShapeSource, rows: number, phase: LoadProgress["phase"], bytes: number): string {

@@ -1,64 +1,76 @@
 /**
- * How finely frames are drawn. At rest: fully. While something moves, the resolution is lowered as long as frames
- * take longer than they should, and then coarser levels of detail are taken.
+ * How finely frames are drawn. At rest: fully. While something moves, first the resolution is lowered as long as frames
+ * take longer than they should, then edges are left out, then coarser levels of detail are taken.
  */
 
 /** A frame should not take longer, in milliseconds. */
 export const kFrameGoal = 33;
 const kComfort = 20;
-const kScales = [1, 0.8, 0.65, 0.5, 0.4] as const;
+
+export interface QualityStep {
+  /** Factor of the resolution. */
+  readonly scale: number;
+  readonly edges: boolean;
+  /** Coarse levels of detail. */
+  readonly coarse: boolean;
+}
+
+export const kFull: QualityStep = { scale: 1, edges: true, coarse: false };
+
+const kSteps: readonly QualityStep[] = [
+  kFull,
+  { scale: 0.8, edges: true, coarse: false },
+  { scale: 0.65, edges: true, coarse: false },
+  { scale: 0.65, edges: false, coarse: false },
+  { scale: 0.5, edges: false, coarse: false },
+  { scale: 0.8, edges: true, coarse: true },
+  { scale: 0.65, edges: false, coarse: true },
+  { scale: 0.5, edges: false, coarse: true },
+  { scale: 0.4, edges: false, coarse: true },
+];
+const kFirstCoarse = kSteps.findIndex(({ coarse }) => coarse);
 /** Frames that are looked at before a step. */
-const kWindow = 4;
+const kWindow = 3;
 
 export class Quality {
-  private step: number;
-  private coarse = false;
+  private index: number;
   private times: number[] = [];
+  /** Steps that were too slow; not tried again until the scene changes. */
+  private readonly tooSlow = new Set<number>();
 
   constructor(software: boolean) {
-    this.step = software ? 2 : 0;
+    this.index = software ? 2 : 0;
   }
 
-  /** Resolution while moving, as a factor. */
-  get scale(): number {
-    return kScales[this.step]!;
+  /** While moving. */
+  get step(): QualityStep {
+    return kSteps[this.index]!;
   }
 
-  /** Coarser levels are drawn while moving. */
-  get isCoarse(): boolean {
-    return this.coarse;
-  }
-
-  /** The time between two frames of one movement. Returns whether something was changed. */
-  observe(milliseconds: number, coarseWouldHelp: boolean): boolean {
-    this.times.push(Math.min(milliseconds, 500));
-    if (this.times.length < kWindow) return false;
+  /** Takes note of the time between two frames of one movement, in milliseconds. */
+  observe(milliseconds: number): void {
+    this.times.push(milliseconds);
+    if (this.times.length < kWindow) return;
     const median = [...this.times].sort((a, b) => a - b)[Math.floor(kWindow / 2)]!;
     this.times = [];
-    if (median > kFrameGoal) {
-      // Far too slow: triangles are the reason rather than pixels.
-      if ((median > 3 * kFrameGoal || this.step === kScales.length - 1) && coarseWouldHelp && !this.coarse) {
-        this.coarse = true;
-        return true;
-      }
-      if (this.step === kScales.length - 1) return false;
-      this.step++;
-      return true;
-    }
-    if (median < kComfort && this.step > 0) {
-      this.step--;
-      return true;
-    }
-    return false;
+    if (median > kFrameGoal) this.faster(median);
+    else if (median < kComfort && this.index > 0 && !this.tooSlow.has(this.index - 1)) this.index--;
   }
 
-  /** What is shown has changed much: fine levels get another chance. */
+  private faster(median: number): void {
+    this.tooSlow.add(this.index);
+    // Far too slow: triangles are the reason rather than pixels.
+    const jump = median > 2.5 * kFrameGoal && this.index < kFirstCoarse;
+    this.index = jump ? kFirstCoarse : Math.min(kSteps.length - 1, this.index + 1);
+  }
+
+  /** What is shown has changed: finer steps get another chance. */
   reset(): void {
-    this.coarse = false;
+    this.tooSlow.clear();
     this.times = [];
   }
 
-  /** A movement ended; the time until the next one does not count. */
+  /** A movement begins; the time since the last one does not count. */
   pause(): void {
     this.times = [];
   }

@@ -14,6 +14,7 @@ import { Loader } from "./loader";
 import { disposeAddition, markersAddition, shapesAddition } from "./markers";
 import { Picker } from "./picking";
 import { PointerInput } from "./pointer";
+import type { QualityStep } from "./quality";
 import { takeScreenshot } from "./screenshot";
 import type { Column, ShapeRecord } from "./shape_store";
 import { sameColumn } from "./shape_store";
@@ -53,8 +54,7 @@ export class View implements api.SceneView {
     this.picker = new Picker(this.stage.store, this.stage.projector, () => undefined);
     this.interaction = new Interaction(this.stage, this.picker, this.interactionHost());
     this.canvas = new Canvas(element, {
-      draw: (ratio, coarse) => this.draw(ratio, coarse),
-      coarseWouldHelp: () => this.coarseWouldHelp(),
+      draw: (ratio, quality) => this.draw(ratio, quality),
       problem: (problem) => this.setProblem(problem),
       resized: (size) => (this.stage.projector.size = size),
     });
@@ -93,14 +93,9 @@ export class View implements api.SceneView {
     };
   }
 
-  private draw(ratio: number, coarse: boolean): void {
+  private draw(ratio: number, quality: QualityStep): void {
     this.applyColoring();
-    this.stage.draw(this.canvas, this.state, { ratio, coarse, tool: this.tool });
-  }
-
-  private coarseWouldHelp(): boolean {
-    const { fine, coarse } = this.stage.store.triangleCounts();
-    return coarse < 0.7 * fine;
+    this.stage.draw(this.canvas, this.state, { ratio, quality, tool: this.tool });
   }
 
   private setProblem(problem: api.SceneProblem | null): void {

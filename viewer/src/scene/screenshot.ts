@@ -2,6 +2,7 @@
 
 import type { SceneState, ScreenshotOptions } from "./api";
 import type { Canvas } from "./canvas";
+import { kFull } from "./quality";
 import type { Stage } from "./stage";
 
 /** Errors: rejects if WebGL is missing, or the picture is too large for the browser. */
@@ -17,7 +18,7 @@ export function takeScreenshot(
   };
   const picture = canvas.capture(size, (source) => {
     if (options.transparent)
-      stage.draw(canvas, state, { ratio: 1, coarse: false, tool: "select", backgroundless: true });
+      stage.draw(canvas, state, { ratio: 1, quality: kFull, tool: "select", backgroundless: true });
     return compose(source, stage.overlay.canvas);
   });
   if (!picture)

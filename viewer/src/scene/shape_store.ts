@@ -79,6 +79,7 @@ export class ShapeRecord {
       shown: this.shown,
       deviation: this.deviation,
       visible: this.visible,
+      offset: this.look?.offset ?? [0, 0, 0],
     };
   }
 }

@@ -14,9 +14,18 @@ import { SharedMaterials } from "./materials";
 import { Overlay } from "./overlay";
 import { Projector } from "./projection";
 import { outlineOf, Section } from "./section";
+import type { QualityStep } from "./quality";
 import { ShapeStore } from "./shape_store";
 import { themeOf } from "./theme";
 import type { SceneTheme } from "./theme";
+
+export interface FrameOptions {
+  /** Pixels of the drawing buffer per CSS pixel. */
+  readonly ratio: number;
+  readonly quality: QualityStep;
+  readonly tool: Tool;
+  readonly backgroundless?: boolean;
+}
 
 export class Stage {
   readonly projector = new Projector();
@@ -64,16 +73,13 @@ export class Stage {
     this.scene.add(addition.group);
   }
 
-  draw(
-    canvas: Canvas,
-    state: SceneState,
-    options: { ratio: number; coarse: boolean; tool: Tool; backgroundless?: boolean },
-  ): void {
+  draw(canvas: Canvas, state: SceneState, options: FrameOptions): void {
     const { renderer } = canvas;
     if (!renderer) return;
     const { theme, projector } = this;
     this.applyStyle(state, options.ratio);
-    this.store.setCoarse(options.coarse);
+    this.store.setCoarse(options.quality.coarse);
+    this.materials.edges.visible = options.quality.edges || !state.appearance.faces;
     this.store.update();
     this.lights.update(state.lights, state.camera);
     this.section.update(state.section, this.box, state.appearance.edgeColor);
