@@ -1,6 +1,9 @@
 import { signal, type ReadonlySignal, type Signal } from "@preact/signals";
 import { isAbort, messageOf } from "../api/errors";
+import type { Row } from "../api/types";
 import { uploadFile } from "../api/upload";
+import { decodeShapes, type Shape } from "../glb/shapes";
+import { meshDifference, type MeshDifference } from "./mesh_difference";
 import type { Outcome } from "./outcome";
 import { isFailure } from "./runner";
 import type { Store } from "./store";
@@ -19,8 +22,13 @@ export interface Review {
   readonly asIs: Signal<Outcome | null>;
   readonly report: Signal<Outcome | null>;
   readonly repaired: Signal<Outcome | null>;
+  /** What the repair took away and added; null for files that need none or are too large to compare. */
+  readonly changes: Signal<MeshDifference | null>;
   readonly stop: () => void;
 }
+
+/** Triangles of a file up to which its repair is compared with it, in the browser. */
+const mostCompared = 300_000;
 
 const importers: Readonly<Record<string, string>> = { stl: "importSTL", obj: "importOBJ", off: "importOFF" };
 
@@ -135,6 +143,25 @@ export class Uploads {
     results.overlay.value = wasOverlaid;
     results.activeKey.value = active;
     review.phase.value = "ready";
+    await this.#compare(review, signal);
+  }
+
+  /** Finds the triangles that the repair changed. */
+  async #compare({ asIs, repaired, report, changes }: Review, signal: AbortSignal): Promise<void> {
+    const outcomes = [asIs.value, repaired.value];
+    if (!(report.value?.answer.value as readonly Row[]).some(({ Phase }) => Phase === "changed")) return;
+    const [before, after] = await Promise.all(outcomes.map((outcome) => this.#shapes(outcome, signal)));
+    if (before && after) changes.value = meshDifference(before, after);
+  }
+
+  /** The whole shape of a single value; null if it is too large or undefined. */
+  async #shapes(outcome: Outcome | null, signal: AbortSignal): Promise<readonly Shape[] | null> {
+    const value = outcome?.answer.value as Readonly<Record<string, unknown>> | null | undefined;
+    const size = Math.max(0, ...Object.values(value ?? {}).filter((count) => typeof count === "number"));
+    if (!outcome?.resultId || size > mostCompared) return null;
+    const query = { column: "value", from: 0, count: 1 };
+    const response = await this.#store.client.shapes(outcome.resultId, query, signal);
+    return decodeShapes(await response.arrayBuffer());
   }
 
   async #run(statement: string, signal: AbortSignal): Promise<Outcome> {
@@ -156,6 +183,7 @@ function makeReview(key: number, file: File, stop: () => void): Review {
     asIs: signal<Outcome | null>(null),
     report: signal<Outcome | null>(null),
     repaired: signal<Outcome | null>(null),
+    changes: signal<MeshDifference | null>(null),
     stop,
   };
 }

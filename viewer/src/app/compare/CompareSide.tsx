@@ -69,6 +69,8 @@ export function CompareSide({ name, onView }: Props) {
   );
 }
 
+const colors = { left: "#7fa3d4", right: "#d6a15b" } as const;
+
 /** Keeps a scene in step with a side: its mesh, the control mesh, the theme, dragged vertices. */
 function bindSide(view: SceneView, side: Side, store: Store): () => void {
   const ends = [
@@ -79,6 +81,7 @@ function bindSide(view: SceneView, side: Side, store: Store): () => void {
         if (step) view.addResult(shapeSource(store.client, step.outcome, "value", step.label));
         // The old mesh goes last, so that the camera stays.
         for (const result of old) if (result !== step?.outcome.resultId) view.removeResult(result);
+        if (step) view.update({ overrides: [{ cell: cellOf(step), color: colors[side.name] }] });
         if (view.vertexTarget && step) view.vertexTarget = { ...view.vertexTarget, cell: cellOf(step) };
       });
     }),

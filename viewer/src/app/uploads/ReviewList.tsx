@@ -1,4 +1,4 @@
-import { useState } from "preact/hooks";
+import { useEffect, useState } from "preact/hooks";
 import type { Json, Row } from "../../api/types";
 import type { Outcome } from "../../state/outcome";
 import { summaryOf } from "../../state/outcome";
@@ -56,7 +56,9 @@ function ReviewCard({ review }: { review: Review }) {
         )}
         {review.asIs.value && <ShownLine label="As it is" outcome={review.asIs.value} />}
         {review.repaired.value && <ShownLine label="Repaired" outcome={review.repaired.value} />}
+        <ChangesLine review={review} />
         {review.report.value && <Report outcome={review.report.value} />}
+        {phase === "ready" && <SideBySide review={review} />}
         {phase === "ready" && <StoreLine review={review} />}
       </div>
     </section>
@@ -82,6 +84,56 @@ function ShownLine({ label, outcome }: { label: string; outcome: Outcome }) {
       </button>
       <span class="muted ellipsis grow">{summary ? `${summary.type}, ${summary.count}` : "undefined"}</span>
     </div>
+  );
+}
+
+/** The triangles that the repair added and took away, marked in 3D. */
+function ChangesLine({ review }: { review: Review }) {
+  const scene = useApp().workspace.scene.value;
+  const changes = review.changes.value;
+  const [shown, setShown] = useState(true);
+  useEffect(() => {
+    if (!scene || !changes || !shown) return;
+    const names = [`${review.key} added`, `${review.key} removed`] as const;
+    scene.setMarkers(names[0], { triangles: changes.added, color: "#2fbf71" });
+    scene.setMarkers(names[1], { triangles: changes.removed, color: "#e5484d" });
+    return () => names.forEach((name) => scene.setMarkers(name, null));
+  }, [scene, changes, shown]);
+  if (!changes) return null;
+  return (
+    <div class="review-line">
+      <IconButton
+        small
+        icon={shown ? "eye" : "eyeOff"}
+        pressed={shown}
+        label="Mark the changed triangles"
+        onClick={() => setShown(!shown)}
+      />
+      <span>Changes</span>
+      <span class="grow" />
+      <span class="added">+{changes.added.length.toLocaleString("en")}</span>
+      <span class="removed">−{changes.removed.length.toLocaleString("en")}</span>
+    </div>
+  );
+}
+
+/** Shows the file and its repair in the split screen. */
+function SideBySide({ review }: { review: Review }) {
+  const { workspace } = useApp();
+  const show = (side: "left" | "right", outcome: Outcome | null) => {
+    if (outcome?.resultId) workspace.compare(side, { result: outcome.resultId, row: 0, column: "value" });
+  };
+  return (
+    <button
+      type="button"
+      class="btn"
+      onClick={() => {
+        show("left", review.asIs.value);
+        show("right", review.repaired.value);
+      }}
+    >
+      <Icon name="split" /> Side by side
+    </button>
   );
 }
 
