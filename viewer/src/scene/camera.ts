@@ -5,7 +5,8 @@
  * from it, so that both projections show the target at the same size.
  */
 
-import { Box3, Matrix4, Quaternion, Vector3 } from "three";
+import { Matrix4, Quaternion, Vector3 } from "three";
+import type { Box3 } from "three";
 
 import type { CameraState, StandardView, Vec3 } from "./api";
 import { fromVector3, toVector3 } from "./vec";

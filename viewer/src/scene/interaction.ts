@@ -2,7 +2,7 @@
 
 import { Vector3 } from "three";
 
-import type { CameraState, CellRef, Hit, NavigationState, Tool, Vec3, VertexMove } from "./api";
+import type { CameraState, CellRef, Hit, NavigationState, Tool, VertexMove } from "./api";
 import { orbit, pan, placeInTargetPlane, turned, zoom } from "./camera";
 import { lightAt } from "./lights";
 import type { Motion } from "./navigation";
@@ -40,7 +40,6 @@ export interface InteractionHost {
 }
 
 export class Interaction implements PointerClient {
-  private pivot: Vec3 | undefined;
   private hoverRequest = 0;
   private readonly features = new WeakMap<object, FeatureEdges>();
 
@@ -54,28 +53,24 @@ export class Interaction implements PointerClient {
     return this.host.state.navigation;
   }
 
-  /** Turns about what is under the pointer when the movement begins, if the camera looks from near enough. */
-  beginMove(): void {
-    this.pivot = undefined;
+  move(motion: Motion, dx: number, dy: number, x: number, y: number): void {
+    if (motion === "zoom") {
+      this.zoom(Math.exp((dy / this.stage.projector.size.height) * 3), x, y);
+      return;
+    }
+    const camera = this.moved(motion, dx, dy);
+    if (camera) this.host.moveCamera(camera);
   }
 
-  move(motion: Motion, dx: number, dy: number, x: number, y: number): void {
+  private moved(motion: Motion, dx: number, dy: number): CameraState | null {
     const { camera, navigation } = this.host.state;
     const { height, width } = this.stage.projector.size;
     const turn = (navigation.rotationSpeed * Math.PI) / Math.min(height, width);
-    switch (motion) {
-      case "rotate":
-        return this.host.moveCamera(orbit(camera, dx * turn, dy * turn, navigation.orbit, this.pivot));
-      case "pan":
-        return this.host.moveCamera(
-          pan(camera, (dx / height) * navigation.panSpeed, (-dy / height) * navigation.panSpeed),
-        );
-      case "zoom":
-        return this.zoom(Math.exp((dy / height) * 3), x, y);
-      case "roll":
-        return this.host.moveCamera(turned(camera, "roll", (dx - dy) * turn * 40));
-      case "none":
-    }
+    if (motion === "rotate") return orbit(camera, dx * turn, dy * turn, navigation.orbit);
+    if (motion === "roll") return turned(camera, "roll", (dx - dy) * turn * 40);
+    const { panSpeed } = navigation;
+    if (motion === "pan") return pan(camera, (dx / height) * panSpeed, (-dy / height) * panSpeed);
+    return null;
   }
 
   zoom(factor: number, x: number, y: number): void {
@@ -95,20 +90,26 @@ export class Interaction implements PointerClient {
       if (hit) this.host.picked(hit);
       if (tool === "measure") return;
     }
-    if (double && hit) return this.host.opened(hit);
+    if (double && hit) {
+      this.host.opened(hit);
+      return;
+    }
     if (!hit) {
       if (!add) this.host.selectByPerson([]);
       return;
     }
     const isHit = (cell: CellRef): boolean => JSON.stringify(cell) === JSON.stringify(hit.cell);
-    if (!add) return this.host.selectByPerson([hit.cell]);
-    const known = selection.some(isHit);
-    this.host.selectByPerson(known ? selection.filter((cell) => !isHit(cell)) : [...selection, hit.cell]);
+    const others = selection.filter((cell) => !isHit(cell));
+    if (!add) this.host.selectByPerson([hit.cell]);
+    else this.host.selectByPerson(others.length < selection.length ? others : [...selection, hit.cell]);
   }
 
   hover(place: { readonly x: number; readonly y: number } | null): void {
     cancelAnimationFrame(this.hoverRequest);
-    if (!place) return this.host.hovered(null);
+    if (!place) {
+      this.host.hovered(null);
+      return;
+    }
     this.hoverRequest = requestAnimationFrame(() => {
       if (this.pointCount() > kMaxHoverPoints) return;
       this.host.hovered(this.hitAt(place.x, place.y));
@@ -171,8 +172,6 @@ export class Interaction implements PointerClient {
     if (!start) return null;
     return {
       move: (px, py) => {
-        const ray = projector.ray(px, py);
-        ray.direction.copy(projector.ray(x, y).direction);
         const to = draggedTo(projector.ray(px, py), from, new Vector3(), "free");
         if (!to) return;
         const position = fromVector3(from.clone().add(to.sub(start)));

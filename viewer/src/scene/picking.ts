@@ -1,6 +1,7 @@
 /** What lies under the pointer: triangles by their trees, points and lines by their distance in pixels. All on the CPU. */
 
-import { Box3, BufferAttribute, BufferGeometry, DoubleSide, Plane, Ray, Triangle, Vector3 } from "three";
+import { Box3, BufferAttribute, BufferGeometry, DoubleSide, Ray, Triangle, Vector3 } from "three";
+import type { Plane } from "three";
 
 import type { Hit, Vec3 } from "./api";
 import type { Primitive } from "../glb/shapes";

@@ -30,7 +30,6 @@ export interface PointerClient {
   move(motion: Motion, dx: number, dy: number, x: number, y: number): void;
   /** Closer by a factor below 1 around (x, y). */
   zoom(factor: number, x: number, y: number): void;
-  beginMove(x: number, y: number): void;
   click(click: Click): void;
   /** null: the pointer left. */
   hover(place: { readonly x: number; readonly y: number } | null): void;
@@ -79,7 +78,6 @@ export class PointerInput {
     this.start = place;
     this.moved = false;
     this.dragged = this.client.grab(place.x, place.y, event);
-    if (!this.dragged) this.client.beginMove(place.x, place.y);
   };
 
   private readonly onMove = (event: PointerEvent): void => {

@@ -1,6 +1,7 @@
 /** The camera of three.js for a CameraState, and the way from coordinates to pixels and back, all in doubles. */
 
-import { Box3, Matrix4, OrthographicCamera, PerspectiveCamera, Ray, Vector3, Vector4 } from "three";
+import { Matrix4, OrthographicCamera, PerspectiveCamera, Ray, Vector3, Vector4 } from "three";
+import type { Box3 } from "three";
 
 import type { CameraState, Vec3 } from "./api";
 import { basisOf, cornersOf, eyeDistance, kFieldOfView } from "./camera";

@@ -1,6 +1,6 @@
 /** The view that the application sees; puts the parts of the scene together. */
 
-import { Box3 } from "three";
+import type { Box3 } from "three";
 
 import { performAction } from "./actions";
 import type * as api from "./api";

@@ -166,14 +166,14 @@ export class SingleBody implements Body {
 
   positionsChanged(): void {
     for (const child of this.group.children) {
-      const attribute = (child as Mesh).geometry.getAttribute("position");
+      const attribute = geometryOfChild(child).getAttribute("position");
       if (attribute instanceof BufferAttribute) attribute.needsUpdate = true;
     }
   }
 
   dispose(): void {
     this.parent.remove(this.group);
-    for (const child of this.group.children) (child as Mesh).geometry.dispose();
+    for (const child of this.group.children) geometryOfChild(child).dispose();
     this.faces?.material.dispose();
     this.points?.material.dispose();
     this.lines?.material.dispose();
@@ -182,4 +182,9 @@ export class SingleBody implements Body {
 
 function isShort(primitive: Primitive): boolean {
   return (primitive.indices?.length ?? primitive.positions.length / 3) / 2 <= kMaxWideSegments;
+}
+
+/** All children of the group of a body draw a geometry. */
+function geometryOfChild(child: Object3D): BufferGeometry {
+  return (child as Object3D & { readonly geometry: BufferGeometry }).geometry;
 }

@@ -68,7 +68,7 @@ export function patched(state: SceneState, patch: ScenePatch): { state: SceneSta
   for (const part of Object.keys(patch) as Part[]) {
     const change = patch[part];
     if (change === undefined) continue;
-    const value = Array.isArray(change) ? change : { ...state[part], ...change };
+    const value = part === "overrides" ? change : { ...(state[part] as object), ...(change as object) };
     if (JSON.stringify(value) === JSON.stringify(state[part])) continue;
     next[part] = value;
     parts.push(part);

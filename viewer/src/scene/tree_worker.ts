@@ -15,8 +15,5 @@ self.onmessage = (event: MessageEvent<Job>) => {
   if (indices) geometry.setIndex(new BufferAttribute(indices, 1));
   const tree = MeshBVH.serialize(new MeshBVH(geometry, { indirect: true }), { cloneBuffers: false });
   const order = new Uint32Array(tree.indirectBuffer ?? []);
-  self.postMessage(
-    { nodes: tree.roots[0], order },
-    { transfer: [tree.roots[0] as ArrayBuffer, order.buffer] },
-  );
+  self.postMessage({ nodes: tree.roots[0], order }, { transfer: [tree.roots[0]!, order.buffer] });
 };

@@ -1,6 +1,7 @@
 /** Dragging a vertex of a shape: along its normal, in the plane of its normal, or parallel to the view. */
 
-import { Plane, Ray, Triangle, Vector3 } from "three";
+import { Plane, Triangle, Vector3 } from "three";
+import type { Ray } from "three";
 
 import type { Primitive } from "../glb/shapes";
 

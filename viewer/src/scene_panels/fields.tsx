@@ -1,7 +1,7 @@
 /** Small fields that the panels of the scene are made of. Each has a visible label that names it for screen readers. */
 
 import type { ComponentChildren } from "preact";
-import { useEffect, useId, useRef, useState } from "preact/hooks";
+import { useId, useState } from "preact/hooks";
 
 import type { Vec3 } from "../scene";
 
@@ -177,21 +177,10 @@ interface SliderProps {
   readonly max: number;
   readonly step: number;
   readonly onChange: (value: number) => void;
-  /** When the slider is let go. */
-  readonly onRest?: () => void;
   readonly format?: (value: number) => string;
 }
 
-export function Slider({
-  label,
-  value,
-  min,
-  max,
-  step,
-  onChange,
-  onRest,
-  format = shortNumber,
-}: SliderProps) {
+export function Slider({ label, value, min, max, step, onChange, format = shortNumber }: SliderProps) {
   const id = useId();
   return (
     <div class="slider-field">
@@ -205,7 +194,6 @@ export function Slider({
         step={step}
         value={value}
         onInput={(event) => onChange(Number(event.currentTarget.value))}
-        onChange={onRest}
       />
     </div>
   );
@@ -259,16 +247,4 @@ export function Segments<T extends string>({ label, value, options, onChange }: 
       </div>
     </div>
   );
-}
-
-/** A function that waits until calls pause. */
-export function useDebounced(action: () => void, milliseconds: number): () => void {
-  const timer = useRef<ReturnType<typeof setTimeout>>(undefined);
-  const latest = useRef(action);
-  latest.current = action;
-  useEffect(() => () => clearTimeout(timer.current), []);
-  return () => {
-    clearTimeout(timer.current);
-    timer.current = setTimeout(() => latest.current(), milliseconds);
-  };
 }

@@ -1,7 +1,10 @@
 /** A page with a scene of test solids; not shipped. `?` and a name chooses the scene. */
 
-import type { ShapeRequest, ShapeSource } from "../../src/scene";
+import { render } from "preact";
+
+import type { Database, ShapeRequest, ShapeSource } from "../../src/scene";
 import { createSceneView } from "../../src/scene";
+import { SceneKeys, SceneOverlay, ScenePanels, SceneToolbar } from "../../src/scene_panels";
 import { buildGlb } from "../unit/scene/support/glb_builder";
 import type { TestShape } from "../unit/scene/support/glb_builder";
 import { cube, points, sphere, square } from "../unit/scene/support/solids";
@@ -67,6 +70,31 @@ const scenes: Record<string, () => ShapeSource[]> = {
   ],
 };
 
-const view = createSceneView(document.querySelector("#scene")!);
+const place = document.querySelector("#scene")!;
+const canvas = document.createElement("div");
+canvas.style.cssText = "position: absolute; inset: 0";
+place.append(canvas);
+const view = createSceneView(canvas);
 Object.assign(window, { view });
+
+const database: Database = {
+  query: (statement) => {
+    console.log("query", statement);
+    return Promise.resolve({ type: "real", value: 1.5, diagnostics: [], result: null });
+  },
+  shapes: () => Promise.resolve(buildGlb([square(0, 2)])),
+  drop: () => undefined,
+  show: (statement) => console.log("show", statement),
+};
+const over = document.createElement("div");
+place.append(over);
+render(
+  <>
+    <SceneToolbar view={view} />
+    <SceneOverlay view={view} />
+    <SceneKeys view={view} onError={console.error} />
+  </>,
+  over,
+);
+render(<ScenePanels view={view} database={database} />, document.querySelector("#panels")!);
 for (const source of (scenes[location.search.slice(1)] ?? scenes["mixed"]!)()) view.addResult(source);

@@ -108,7 +108,7 @@ function treeBytes(positions: readonly number[], faces: number[]): Uint8Array {
   geometry.setIndex(new BufferAttribute(new Uint32Array(faces), 1));
   const tree = MeshBVH.serialize(new MeshBVH(geometry, { strategy: SAH }));
   (tree.index as Uint32Array).forEach((value, i) => (faces[i] = value)); // in the order of the leaves
-  const words = new Uint32Array(tree.roots[0] as ArrayBuffer).slice();
+  const words = new Uint32Array(tree.roots[0]!).slice();
   const halves = new Uint16Array(words.buffer);
   for (let node = 0; node < words.length / 8; node++) {
     const leaf = halves[node * 16 + 15] === 0xffff;
