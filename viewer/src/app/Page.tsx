@@ -1,6 +1,7 @@
 import { useEffect } from "preact/hooks";
 import { CompareView } from "./compare/CompareView";
 import { AppContext, type App } from "./context";
+import { bindShortcuts } from "./keyboard";
 import { ConnectionBanner } from "./messages/ConnectionBanner";
 import { LinkDialog } from "./messages/LinkDialog";
 import { NameDialog } from "./messages/NameDialog";
@@ -23,6 +24,12 @@ export function Page({ app }: { app: App }) {
   useEffect(() => {
     document.title = `${app.store.connection.info.value?.database ?? "algebra3d"} · algebra3d`;
   }, [app.store.connection.info.value]);
+  useEffect(() => {
+    const { workspace, store } = app;
+    return bindShortcuts(() =>
+      store.mode.value === "compare" ? workspace.keyScene.value : workspace.scene.value,
+    );
+  }, []);
   return (
     <AppContext.Provider value={app}>
       <div class="page" data-sheet={layout.sheet.value} data-mode={mode.value}>

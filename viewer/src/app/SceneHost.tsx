@@ -27,7 +27,15 @@ export function SceneHost() {
   const nothing = store.results.list.value.every(({ shown }) => shown.value.size === 0);
   return (
     <section class="scene" aria-label="3D view">
-      <div ref={place} class="scene-canvas" data-testid="scene" />
+      <div
+        ref={place}
+        class="scene-canvas"
+        tabIndex={0}
+        role="application"
+        aria-label="3D view; ? lists its keys"
+        data-testid="scene"
+        onPointerDown={(event) => event.currentTarget.focus({ preventScroll: true })}
+      />
       {view && <SceneTools view={view} />}
       {view && <SceneMessages view={view} />}
       <ReviewList />

@@ -1,6 +1,7 @@
 import { effect, untracked } from "@preact/signals";
 import type { CellRef, SceneView } from "../scene/api";
 import { shapeSource } from "../state/shape_source";
+import type { Results } from "../state/results";
 import type { Outcome } from "../state/outcome";
 import type { App } from "./context";
 
@@ -20,9 +21,17 @@ export function bindScene(view: SceneView, app: App): () => void {
       void theme.current.value;
       untracked(() => view.themeChanged());
     }),
-    view.on("selection", ({ cells, byPerson }) => {
-      if (byPerson) results.select(cells[0] ?? null);
+    view.on("selection", ({ cells }) => {
+      if (
+        !sameCells(
+          cells,
+          untracked(() => selectedCells(app)),
+        )
+      )
+        results.select(cells[0] ?? null);
     }),
+    view.on("shapes", () => takeVisibility(view, results)),
+    view.on("action", (action) => workspace.sceneAction(view, action)),
     view.on("open", ({ hit }) => workspace.openProperties(hit.cell)),
   ];
   return () => ends.forEach((end) => end());
@@ -43,6 +52,16 @@ function showResults(view: SceneView, outcomes: readonly Outcome[], client: App[
         else if (added) view.setVisible({ result, column }, shown.has(column));
       }
   });
+}
+
+/** Takes over what was shown or hidden within the view, as by its shortcuts. */
+function takeVisibility(view: SceneView, results: Results): void {
+  for (const { result, column } of view.results) {
+    const outcome = results.ofResult(result);
+    if (!outcome) continue;
+    const visible = view.isVisible({ result, column });
+    if (outcome.shown.peek().has(column) !== visible) results.show(outcome, visible, column);
+  }
 }
 
 /** The shapes of the selected row: those of its column, or all that are shown. */

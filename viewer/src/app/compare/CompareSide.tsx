@@ -27,12 +27,17 @@ export function CompareSide({ name, onView }: Props) {
   useEffect(() => {
     if (!place.current) return;
     const made = createSceneView(place.current);
-    const end = bindSide(made, side, store);
+    const ends = [
+      bindSide(made, side, store),
+      made.on("action", (action) => workspace.sceneAction(made, action)),
+    ];
     setView(made);
     onView(made);
+    workspace.keyScene.value = made;
     return () => {
+      workspace.keyScene.value = null;
       onView(null);
-      end();
+      ends.forEach((end) => end());
       made.dispose();
     };
   }, []);
@@ -45,7 +50,15 @@ export function CompareSide({ name, onView }: Props) {
     >
       <SideHead side={side} />
       <div class="scene">
-        <div ref={place} class="scene-canvas" />
+        <div
+          ref={place}
+          class="scene-canvas"
+          tabIndex={0}
+          role="application"
+          aria-label={`3D view of the ${name} mesh; ? lists its keys`}
+          onPointerDown={(event) => event.currentTarget.focus({ preventScroll: true })}
+          onFocus={() => (workspace.keyScene.value = view)}
+        />
         {view && <SceneMessages view={view} />}
         {!side.step.value && !busy && <p class="scene-hint muted">Choose a mesh for this side.</p>}
       </div>
