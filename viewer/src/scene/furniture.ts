@@ -13,10 +13,10 @@ import {
 import type { CameraState, Vec3 } from "./api";
 import { basisOf } from "./camera";
 import type { Overlay } from "./overlay";
-import type { Projector } from "./projection";
+import type { Projector, Size } from "./projection";
 import { formatStep, multiples, roundStep } from "./steps";
 import type { SceneTheme } from "./theme";
-import { toVector3 } from "./vec";
+import { fromVector3, toVector3 } from "./vec";
 
 export const kAxisColors = ["#e5484d", "#3aa655", "#3d7dd8"] as const;
 const kAxisLength = 30;
@@ -69,7 +69,7 @@ export class Grid {
   private readonly fine = gridLines(0.45);
   private readonly coarse = gridLines(1);
   private key = "";
-  private numbers: { at: Vec3; text: string }[] = [];
+  private numbers: { from: Vec3; to: Vec3; text: string }[] = [];
 
   constructor() {
     this.group.add(this.fine, this.coarse);
@@ -85,7 +85,7 @@ export class Grid {
       ? new Box3().setFromCenterAndSize(toVector3(camera.target), new Vector3())
       : box;
     const range = (direction: number): [number, number] => {
-      const margin = Math.max(camera.height * 0.15, step * 2);
+      const margin = Math.max(camera.height * 0.4, step * 2);
       const centre = camera.target[direction]!;
       const reach = (kMaxLines / 2) * step;
       const low = Math.max(around.min.getComponent(direction) - margin, centre - reach);
@@ -131,11 +131,12 @@ export class Grid {
         const end = start.clone().setComponent(along, from[1] - from[0]);
         (major ? lines.coarse : lines.fine).push(...start.toArray(), ...end.toArray());
         if (!major) continue;
-        const at = start
+        const first = start
           .clone()
           .add(origin)
           .setComponent(along, from[0] - step * 0.8);
-        this.numbers.push({ at: [at.x, at.y, at.z], text: formatStep(value, step) });
+        const last = end.clone().add(origin);
+        this.numbers.push({ from: fromVector3(first), to: fromVector3(last), text: formatStep(value, step) });
       }
     };
     add(v, u, ranges.v, multiples(ranges.u[0], ranges.u[1], step, 2 * kMaxLines), ranges.u[0]);
@@ -146,12 +147,10 @@ export class Grid {
 
   drawNumbers(overlay: Overlay, projector: Projector, theme: SceneTheme): void {
     const taken: { x: number; y: number }[] = [];
-    for (const { at, text } of this.numbers) {
-      const place = projector.project(at);
-      if (
-        !place.visible ||
-        taken.some((other) => Math.hypot(other.x - place.x, (other.y - place.y) * 2) < 36)
-      )
+    for (const { from, to, text } of this.numbers) {
+      const [a, b] = [projector.project(from), projector.project(to)];
+      const place = a.visible && b.visible ? entryPoint(a, b, projector.size, 20) : null;
+      if (!place || taken.some((other) => Math.hypot(other.x - place.x, (other.y - place.y) * 2) < 36))
         continue;
       taken.push(place);
       overlay.text(text, place.x, place.y, { color: theme.muted });
@@ -164,6 +163,26 @@ export class Grid {
       lines.material.dispose();
     }
   }
+}
+
+type Place = { readonly x: number; readonly y: number };
+
+/** Where the segment from a to b comes into the view without its border, or null if it does not. */
+export function entryPoint(a: Place, b: Place, size: Size, border: number): Place | null {
+  let [first, last] = [0, 1];
+  for (const [start, change, limit] of [
+    [a.x, b.x - a.x, size.width],
+    [a.y, b.y - a.y, size.height],
+  ] as const) {
+    if (change === 0) {
+      if (start < border || start > limit - border) return null;
+      continue;
+    }
+    const ends = [(border - start) / change, (limit - border - start) / change];
+    first = Math.max(first, Math.min(...ends));
+    last = Math.min(last, Math.max(...ends));
+  }
+  return first <= last ? { x: a.x + first * (b.x - a.x), y: a.y + first * (b.y - a.y) } : null;
 }
 
 /** The axis at right angles to the grid: z, unless the sight is nearly along x or y. */

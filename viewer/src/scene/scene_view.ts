@@ -42,6 +42,7 @@ export class View implements api.SceneView {
   private coloringStale = false;
   private cameraSet = false;
   private animation = 0;
+  private animationGoal: api.CameraState | null = null;
 
   constructor(readonly element: HTMLElement) {
     if (getComputedStyle(element).position === "static") element.style.position = "relative";
@@ -239,6 +240,7 @@ export class View implements api.SceneView {
   // State ---------------------------------------------------------------------------------------------------------
 
   update(patch: api.ScenePatch): void {
+    if (patch.camera) this.finishAnimation();
     this.change(patch, false);
   }
 
@@ -286,15 +288,27 @@ export class View implements api.SceneView {
   // Camera --------------------------------------------------------------------------------------------------------
 
   private moveCamera(camera: api.CameraState): void {
-    cancelAnimationFrame(this.animation);
+    this.stopAnimation();
     this.change({ camera }, true);
+  }
+
+  private stopAnimation(): void {
+    cancelAnimationFrame(this.animation);
+    this.animationGoal = null;
+  }
+
+  /** What is changed now is meant to start from where the camera is going. */
+  private finishAnimation(): void {
+    const goal = this.animationGoal;
+    this.stopAnimation();
+    if (goal) this.change({ camera: goal }, false);
   }
 
   fit(cells?: readonly api.CellRef[]): void {
     const records = cells
       ?.map((cell) => this.stage.store.record(cell))
       .filter((record) => record !== undefined);
-    this.setCamera(fitted(this.state.camera, this.boxOf(records), this.stage.projector.aspect));
+    this.setCamera(fitted(this.goal, this.boxOf(records), this.stage.projector.aspect));
   }
 
   private boxOf(records?: readonly ShapeRecord[]): Box3 {
@@ -309,21 +323,26 @@ export class View implements api.SceneView {
   }
 
   private showStandardView(animate: boolean): void {
-    const isometric = looking(this.state.camera, "isometric");
+    const isometric = looking(this.goal, "isometric");
     this.setCamera(fitted(isometric, this.boxOf(), this.stage.projector.aspect), { animate });
   }
 
+  /** Where the camera is, or is going. */
+  private get goal(): api.CameraState {
+    return this.animationGoal ?? this.state.camera;
+  }
+
   look(view: api.StandardView): void {
-    const camera = looking(this.state.camera, view);
+    const camera = looking(this.goal, view);
     this.setCamera(fitted(camera, this.boxOf(), this.stage.projector.aspect));
   }
 
   turn(axis: "roll" | "up" | "side", degrees: number): void {
-    this.setCamera(turned(this.state.camera, axis, degrees));
+    this.setCamera(turned(this.goal, axis, degrees));
   }
 
   setCamera(camera: api.CameraState, options: { readonly animate?: boolean } = {}): void {
-    cancelAnimationFrame(this.animation);
+    this.stopAnimation();
     const to = normalizedCamera(camera);
     const from = this.state.camera;
     const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -332,11 +351,13 @@ export class View implements api.SceneView {
       this.change({ camera: to }, false);
       return;
     }
+    this.animationGoal = to;
     const begin = performance.now();
     const step = (): void => {
       const part = Math.min(1, (performance.now() - begin) / kAnimation);
       this.change({ camera: between(from, to, part * part * (3 - 2 * part)) }, true);
       if (part < 1) this.animation = requestAnimationFrame(step);
+      else this.animationGoal = null;
     };
     this.animation = requestAnimationFrame(step);
   }
@@ -417,7 +438,7 @@ export class View implements api.SceneView {
   }
 
   dispose(): void {
-    cancelAnimationFrame(this.animation);
+    this.stopAnimation();
     this.loader.stopAll();
     for (const name of [...this.stage.additions.keys()]) this.removeAddition(name);
     this.input.dispose();

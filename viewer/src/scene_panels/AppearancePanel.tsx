@@ -56,20 +56,20 @@ export function AppearancePanel({ view }: { view: SceneView }) {
       <SchemeFields view={view} scheme={appearance.scheme} />
       {appearance.scheme.by === "one" && (
         <ColorField
-          label="Objects"
+          label="Object colour"
           value={appearance.color}
           onChange={(color) => set({ color })}
           onReset={resetOf("color")}
         />
       )}
       <ColorField
-        label="Edges"
+        label="Edge colour"
         value={appearance.edgeColor}
         onChange={(edgeColor) => set({ edgeColor })}
         onReset={resetOf("edgeColor")}
       />
       <ColorField
-        label="Background"
+        label="Background colour"
         value={appearance.background ?? backgroundOf(view)}
         onChange={(background) => set({ background })}
         onReset={resetOf("background")}

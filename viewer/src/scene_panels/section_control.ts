@@ -125,7 +125,8 @@ export class SectionControl {
     const { statement, parameters } = sectionOf(cell, plane);
     try {
       const answer = await this.database.query(statement, parameters, signal);
-      if (!answer.result) return { cut: { ...cut, area: null, error: null }, bytes: null };
+      if (!answer.result)
+        return { cut: { ...cut, area: null, error: "The database sent no surface." }, bytes: null };
       const surface: CellRef = {
         result: answer.result.id,
         row: 0,

@@ -71,8 +71,9 @@ const scenes: Record<string, () => ShapeSource[]> = {
 };
 
 const place = document.querySelector("#scene")!;
+place.className = "scene";
 const canvas = document.createElement("div");
-canvas.style.cssText = "position: absolute; inset: 0";
+canvas.className = "scene-canvas";
 place.append(canvas);
 const view = createSceneView(canvas);
 Object.assign(window, { view });

@@ -17,6 +17,7 @@ export interface TestShape {
   readonly points?: boolean;
   readonly lines?: readonly number[];
   readonly triangles?: number;
+  readonly shown?: number;
   readonly tree?: boolean;
   readonly faceIds?: readonly number[];
   readonly vertexIds?: readonly number[];
@@ -124,7 +125,7 @@ function addShape(writer: GlbWriter, shape: TestShape): void {
     row: shape.row,
     box,
     triangles: count,
-    shown: (shape.faces?.length ?? 0) / 3,
+    shown: shape.shown ?? (shape.faces?.length ?? 0) / 3,
     kind: shape.kind,
   };
   if (shape.empty) {
