@@ -3,10 +3,9 @@
  *
  * Relies on three-mesh-bvh 0.9, whose serialized form (version 1) has 32 bytes a node, little endian as all machines that
  * run browsers are: six floats minimum x, y, z, maximum x, y, z; then of a leaf a u32 offset of its first triangle, a u16
- * count, and the u16 0xffff; of an inner node a u32 and a u32 axis of division. The left child is the next node.
- * The u32 of the right child is its distance from this node in nodes. The server writes the position of the right child
- * from the beginning in 32-bit words (as version 0 of the library did), so it is converted here, in the copy that the
- * library needs anyway because it takes whole ArrayBuffers only.
+ * count, and the u16 0xffff; of an inner node a u32 distance to the right child in nodes, and a u32 axis of division. The
+ * left child is the next node. The server writes the same, so that no tree is built here. The library takes whole
+ * ArrayBuffers only: the nodes are copied out of the server's bytes when the object is picked for the first time.
  */
 
 import type { BufferGeometry } from "three";
@@ -22,25 +21,22 @@ const kLeaf = 0xffff;
 export const kWorkerTriangles = 200_000;
 
 /**
- * The nodes of the server's tree in the form of three-mesh-bvh, as a copy; null if a child lies outside of the tree or a
- * leaf outside of the triangles. Cost: linear in the number of nodes.
+ * A copy of the nodes of the server's tree; null if a child lies outside of the tree or a leaf outside of the triangles,
+ * so that no picking can run astray. Cost: linear in the number of nodes.
  */
-export function convertedTree(bytes: Uint8Array<ArrayBuffer>, triangles: number): ArrayBuffer | null {
+export function checkedTree(bytes: Uint8Array<ArrayBuffer>, triangles: number): ArrayBuffer | null {
   if (bytes.byteLength === 0 || bytes.byteLength % kNodeBytes !== 0) return null;
   const buffer = bytes.slice().buffer;
   const words = new Uint32Array(buffer);
   const halves = new Uint16Array(buffer);
   const nodes = buffer.byteLength / kNodeBytes;
   for (let node = 0; node < nodes; node++) {
-    const word = node * kNodeWords + 6;
-    const value = words[word]!;
-    if (halves[node * 16 + 15] === kLeaf) {
-      if (value + halves[node * 16 + 14]! > triangles) return null;
-    } else {
-      const right = value / kNodeWords;
-      if (!Number.isInteger(right) || right <= node + 1 || right >= nodes) return null;
-      words[word] = right - node;
-    }
+    const value = words[node * kNodeWords + 6]!;
+    const valid =
+      halves[node * 16 + 15] === kLeaf
+        ? value + halves[node * 16 + 14]! <= triangles
+        : value >= 2 && node + value < nodes;
+    if (!valid) return null;
   }
   return buffer;
 }
@@ -72,7 +68,7 @@ export class TreeMaker {
     if (known) return known;
     const triangles = (geometry.index?.count ?? 0) / 3;
     const given = this.moved.has(primitive) ? null : primitive.tree;
-    const nodes = given && convertedTree(given, triangles);
+    const nodes = given && checkedTree(given, triangles);
     if (nodes) return this.remember(primitive, treeOf(nodes, geometry));
     if (triangles <= kWorkerTriangles || typeof Worker === "undefined") {
       return this.remember(primitive, new MeshBVH(geometry, { indirect: true, setBoundingBox: false }));

@@ -5,7 +5,7 @@ import { decodeShapes } from "../../../src/glb/shapes";
 import type { PickOptions } from "../../../src/scene/picking";
 import { visibleRange } from "../../../src/scene/picking";
 import { FeatureEdges } from "../../../src/scene/snapping";
-import { convertedTree } from "../../../src/scene/tree";
+import { checkedTree } from "../../../src/scene/tree";
 import type { Hit } from "../../../src/scene/api";
 import { buildGlb } from "./support/glb_builder";
 import { cube, points, sphere, square } from "./support/solids";
@@ -114,21 +114,21 @@ describe("snapping", () => {
   });
 });
 
-describe("convertedTree", () => {
+describe("checkedTree", () => {
   const shape = decodeShapes(buildGlb([sphere(0, 1, 40, [0, 0, 0], { tree: true })]))[0]!;
   const faces = shape.primitives[0]!;
   const triangles = faces.indices!.length / 3;
 
   it("accepts the documented layout and refuses trees that lead out of the data", () => {
-    expect(convertedTree(faces.tree!, triangles)).not.toBeNull();
-    expect(convertedTree(faces.tree!, triangles - 1)).toBeNull();
-    expect(convertedTree(faces.tree!.slice(0, 33), triangles)).toBeNull();
-    expect(convertedTree(faces.tree!.slice(0, faces.tree!.byteLength - 32), triangles)).toBeNull();
+    expect(checkedTree(faces.tree!, triangles)).not.toBeNull();
+    expect(checkedTree(faces.tree!, triangles - 1)).toBeNull();
+    expect(checkedTree(faces.tree!.slice(0, 33), triangles)).toBeNull();
+    expect(checkedTree(faces.tree!.slice(0, faces.tree!.byteLength - 32), triangles)).toBeNull();
   });
 
   it("leaves the server's bytes as they are", () => {
     const before = faces.tree!.slice();
-    convertedTree(faces.tree!, triangles);
+    checkedTree(faces.tree!, triangles);
     expect(faces.tree!).toEqual(before);
   });
 });

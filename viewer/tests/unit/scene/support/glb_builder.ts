@@ -102,20 +102,14 @@ class GlbWriter {
   }
 }
 
-/** The tree of three-mesh-bvh in the layout of docs/http-api.md (right children absolute, in 32-bit words). */
+/** The tree of three-mesh-bvh, which is the layout of docs/http-api.md. */
 function treeBytes(positions: readonly number[], faces: number[]): Uint8Array {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(new Float32Array(positions), 3));
   geometry.setIndex(new BufferAttribute(new Uint32Array(faces), 1));
   const tree = MeshBVH.serialize(new MeshBVH(geometry, { strategy: SAH }));
   (tree.index as Uint32Array).forEach((value, i) => (faces[i] = value)); // in the order of the leaves
-  const words = new Uint32Array(tree.roots[0]!).slice();
-  const halves = new Uint16Array(words.buffer);
-  for (let node = 0; node < words.length / 8; node++) {
-    const leaf = halves[node * 16 + 15] === 0xffff;
-    if (!leaf) words[node * 8 + 6] = (words[node * 8 + 6]! + node) * 8;
-  }
-  return new Uint8Array(words.buffer);
+  return new Uint8Array(tree.roots[0]!);
 }
 
 function addShape(writer: GlbWriter, shape: TestShape): void {
