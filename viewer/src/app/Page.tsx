@@ -1,7 +1,6 @@
 import { useEffect } from "preact/hooks";
 import { CompareView } from "./compare/CompareView";
 import { AppContext, type App } from "./context";
-import { bindShortcuts } from "./keyboard";
 import { ConnectionBanner } from "./messages/ConnectionBanner";
 import { LinkDialog } from "./messages/LinkDialog";
 import { NameDialog } from "./messages/NameDialog";
@@ -10,6 +9,7 @@ import { TokenDialog } from "./messages/TokenDialog";
 import { LeftPanel } from "./panels/LeftPanel";
 import { RightPanel } from "./panels/RightPanel";
 import { ResultsPanel } from "./results/ResultsPanel";
+import { SceneKeys } from "../scene_panels";
 import { SceneHost } from "./SceneHost";
 import { SheetTabs } from "./SheetTabs";
 import { TopBar } from "./TopBar";
@@ -21,15 +21,11 @@ import { Splitter } from "./ui/Splitter";
 export function Page({ app }: { app: App }) {
   const { layout, mode } = app.store;
   const compare = mode.value === "compare";
+  const { keyScene, scene } = app.workspace;
+  const view = compare ? keyScene.value : scene.value;
   useEffect(() => {
     document.title = `${app.store.connection.info.value?.database ?? "algebra3d"} · algebra3d`;
   }, [app.store.connection.info.value]);
-  useEffect(() => {
-    const { workspace, store } = app;
-    return bindShortcuts(() =>
-      store.mode.value === "compare" ? workspace.keyScene.value : workspace.scene.value,
-    );
-  }, []);
   return (
     <AppContext.Provider value={app}>
       <div class="page" data-sheet={layout.sheet.value} data-mode={mode.value}>
@@ -93,6 +89,7 @@ export function Page({ app }: { app: App }) {
         <SheetTabs />
         <NoticeList />
         <DropTarget />
+        {view && <SceneKeys view={view} onError={(message) => app.store.notices.add("error", message)} />}
         <MenuHost />
         <TokenDialog />
         <LinkDialog />

@@ -1,11 +1,11 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { createSceneView } from "../scene";
 import type { LoadProgress, SceneProblem, SceneView } from "../scene/api";
+import { SceneOverlay, SceneToolbar } from "../scene_panels";
 import { ReviewList } from "./uploads/ReviewList";
 import { useApp } from "./context";
 import { bindScene } from "./scene_bridge";
 import { SceneMessages } from "./SceneMessages";
-import { SceneTools } from "./SceneTools";
 
 /** The scene of the results, with its messages. */
 export function SceneHost() {
@@ -36,7 +36,8 @@ export function SceneHost() {
         data-testid="scene"
         onPointerDown={(event) => event.currentTarget.focus({ preventScroll: true })}
       />
-      {view && <SceneTools view={view} />}
+      {view && <SceneToolbar view={view} />}
+      {view && <SceneOverlay view={view} />}
       {view && <SceneMessages view={view} />}
       <ReviewList />
       {nothing && view && !view.problem && (

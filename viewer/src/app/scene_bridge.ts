@@ -31,7 +31,6 @@ export function bindScene(view: SceneView, app: App): () => void {
         results.select(cells[0] ?? null);
     }),
     view.on("shapes", () => takeVisibility(view, results)),
-    view.on("action", (action) => workspace.sceneAction(view, action)),
     view.on("open", ({ hit }) => workspace.openProperties(hit.cell)),
   ];
   return () => ends.forEach((end) => end());

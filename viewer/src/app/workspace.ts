@@ -3,7 +3,6 @@ import type { CellRef, SceneView } from "../scene/api";
 import { Uploads } from "../state/uploads";
 import { Workbench, type SideName } from "../state/workbench";
 import type { Store } from "../state/store";
-import { saveBlob } from "./ui/save";
 import type { Editor } from "./editor/editor";
 
 /** What exists only while the page is shown: the editor and the scene, and requests from one part to another. */
@@ -15,8 +14,6 @@ export class Workspace {
   /** The object whose properties are shown. */
   readonly opened = signal<CellRef | null>(null);
 
-  /** The list of keyboard shortcuts is shown. */
-  readonly shortcutsOpen = signal(false);
   /** The scene that gets the keys; that of the results unless a side of the split screen was used last. */
   readonly keyScene = signal<SceneView | null>(null);
   /** A cell that is to be stored as an object, while a person is asked for its name. */
@@ -64,21 +61,6 @@ export class Workspace {
 
   /** Opens the browser's choice of files; the chosen ones are uploaded. */
   chooseFiles: () => void = () => undefined;
-
-  /** Carries out a shortcut of a scene that concerns the page. */
-  sceneAction(view: SceneView, action: string): void {
-    if (action === "shortcuts") this.shortcutsOpen.value = true;
-    else if (action === "screenshot") void this.savePicture(view, false);
-    else if (action === "screenshot.transparent") void this.savePicture(view, true);
-  }
-
-  async savePicture(view: SceneView, transparent: boolean): Promise<void> {
-    try {
-      saveBlob(await view.screenshot({ transparent }), "algebra3d.png");
-    } catch (error) {
-      this.store.report(error, "The picture cannot be taken");
-    }
-  }
 
   /** Runs a statement from a list, and puts it into the editor if this is empty. */
   async query(statement: string): Promise<void> {

@@ -53,6 +53,7 @@ function isTyping(event: KeyboardEvent): boolean {
   ) {
     return true;
   }
+  if (target.closest(".scene-canvas")) return false;
   // Enter and the arrows work the button, tab or link that has the focus.
   return event.key.length > 1 && target.closest("button, a, summary, [tabindex]") !== null;
 }

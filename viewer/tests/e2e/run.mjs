@@ -1,4 +1,4 @@
-// npm run e2e -- --program PATH [--pages FOLDER] [--artifacts FOLDER] [--chromium PATH] [PATTERN...]
+// npm run e2e -- --program PATH [--pages FOLDER] [--artifacts FOLDER] [--chromium PATH] [--name TEST] [FILE...]
 // Runs the end-to-end tests with the given algebra3d and its pages, or with those of a folder such as dist.
 import { spawnSync } from "node:child_process";
 import { existsSync } from "node:fs";
@@ -10,6 +10,7 @@ const { values, positionals } = parseArgs({
   options: {
     program: { type: "string" },
     pages: { type: "string" },
+    name: { type: "string" },
     artifacts: { type: "string", default: "tests/e2e/artifacts" },
     chromium: { type: "string", default: "/usr/bin/chromium" },
   },
@@ -24,7 +25,14 @@ if (!existsSync(values.chromium)) {
 }
 const { status } = spawnSync(
   process.execPath,
-  ["node_modules/vitest/vitest.mjs", "run", "--config", "vitest.e2e.config.ts", ...positionals],
+  [
+    "node_modules/vitest/vitest.mjs",
+    "run",
+    "--config",
+    "vitest.e2e.config.ts",
+    ...(values.name ? ["-t", values.name] : []),
+    ...positionals,
+  ],
   {
     stdio: "inherit",
     env: {

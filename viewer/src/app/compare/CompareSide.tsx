@@ -6,6 +6,7 @@ import { readBytes, shapeSource } from "../../state/shape_source";
 import type { Store } from "../../state/store";
 import { cellOf, type Side, type SideName } from "../../state/workbench";
 import { vertexMove } from "../../state/workbench_operations";
+import { SceneToolbar } from "../../scene_panels";
 import { useApp } from "../context";
 import { SceneMessages } from "../SceneMessages";
 import { FactsTable } from "./FactsTable";
@@ -27,17 +28,14 @@ export function CompareSide({ name, onView }: Props) {
   useEffect(() => {
     if (!place.current) return;
     const made = createSceneView(place.current);
-    const ends = [
-      bindSide(made, side, store),
-      made.on("action", (action) => workspace.sceneAction(made, action)),
-    ];
+    const end = bindSide(made, side, store);
     setView(made);
     onView(made);
     workspace.keyScene.value = made;
     return () => {
       workspace.keyScene.value = null;
       onView(null);
-      ends.forEach((end) => end());
+      end();
       made.dispose();
     };
   }, []);
@@ -59,6 +57,7 @@ export function CompareSide({ name, onView }: Props) {
           onPointerDown={(event) => event.currentTarget.focus({ preventScroll: true })}
           onFocus={() => (workspace.keyScene.value = view)}
         />
+        {view && <SceneToolbar view={view} />}
         {view && <SceneMessages view={view} />}
         {!side.step.value && !busy && <p class="scene-hint muted">Choose a mesh for this side.</p>}
       </div>
