@@ -32,6 +32,7 @@ export class Coloring {
   /** Gives each object its look. Cost: linear in the number of objects. */
   apply(state: SceneState, selection: readonly CellRef[]): void {
     this.makeScale(state);
+    this.store.assignColorSlots();
     const overrides = new Map(state.overrides.map((override) => [cellKey(override.cell), override]));
     const selected = new Set(selection.map(cellKey));
     const centre = this.store.centre();
@@ -61,7 +62,7 @@ export class Coloring {
       if (known && this.scale) return this.scale.color(known.values[record.row] ?? null);
     }
     // Results that are overlaid are told apart by their colours.
-    return column.index === 0 ? color : categoryColor(column.index);
+    return column.colorSlot ? categoryColor(column.colorSlot) : color;
   }
 
   private makeScale(state: SceneState): void {

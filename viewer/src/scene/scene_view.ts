@@ -41,6 +41,8 @@ export class View implements api.SceneView {
   private readonly input: PointerInput;
   private coloringStale = false;
   private cameraSet = false;
+  /** The camera is that of a link, for objects that are still to come. */
+  private cameraRestored = false;
   private animation = 0;
   private animationGoal: api.CameraState | null = null;
 
@@ -50,7 +52,7 @@ export class View implements api.SceneView {
     this.coloring = new Coloring(this.stage.store, () => this.coloringChanged());
     this.loader = new Loader(this.stage.store, {
       progress: (progress) => this.emitter.emit("progress", progress),
-      changed: (column) => this.shapesCame(column),
+      changed: (column, first) => this.shapesCame(column, first),
     });
     this.picker = new Picker(this.stage.store, this.stage.projector, () => undefined);
     this.interaction = new Interaction(this.stage, this.picker, this.interactionHost());
@@ -149,13 +151,24 @@ export class View implements api.SceneView {
     this.loader.start(column);
   }
 
-  private shapesCame(column: Column): void {
-    const first = !this.cameraSet && column.records.size > 0;
+  private shapesCame(column: Column, first: boolean): void {
     this.contentChanged();
-    if (first) {
+    if (first) this.bringIntoSight(column);
+  }
+
+  /** Moves the camera if nothing of what is new would be seen, or it is all that there is. */
+  private bringIntoSight(column: Column): void {
+    const { store } = this.stage;
+    if (!column.visible || this.boxOf().isEmpty()) return;
+    if (!this.cameraSet) {
       this.cameraSet = true;
       this.showStandardView(false);
+      return;
     }
+    const { result } = column.source;
+    const alone = store.columns.every((other) => other.source.result === result || !other.visible);
+    const unseen = !this.stage.isInSight(store.box(column.records.values()), this.goal);
+    if ((alone && !this.cameraRestored) || unseen) this.fit();
   }
 
   private contentChanged(): void {
@@ -169,12 +182,14 @@ export class View implements api.SceneView {
   setVisible(what: api.ColumnRef & { readonly row?: number }, visible: boolean): void {
     const column = this.stage.store.column(what);
     if (!column) return;
+    const shown = what.row === undefined && visible && !column.visible;
     if (what.row === undefined) column.visible = visible;
     else {
       const record = column.records.get(what.row);
       if (record) record.hidden = !visible;
     }
     this.visibilityChanged();
+    if (shown) this.bringIntoSight(column);
   }
 
   /** After `hidden` of records was changed. */
@@ -281,7 +296,10 @@ export class View implements api.SceneView {
       this.update({ [part]: whole });
     }
     this.update({ overrides });
-    if (patch.camera) this.update({ camera });
+    if (patch.camera) {
+      this.update({ camera });
+      this.cameraRestored = true;
+    }
     return rejected;
   }
 
@@ -289,6 +307,7 @@ export class View implements api.SceneView {
 
   private moveCamera(camera: api.CameraState): void {
     this.stopAnimation();
+    this.cameraRestored = false;
     this.change({ camera }, true);
   }
 

@@ -90,11 +90,10 @@ export class Column {
   /** Shapes of former generations are out of date, and replaced as new ones come. */
   generation = 0;
 
-  constructor(
-    readonly source: ShapeSource,
-    /** Order in which columns were added; gives a colour to each. */
-    readonly index: number,
-  ) {}
+  /** Tells it apart from the other visible columns by its colour; null while it is hidden. */
+  colorSlot: number | null = null;
+
+  constructor(readonly source: ShapeSource) {}
 }
 
 export function sameColumn(a: ColumnRef, b: ColumnRef): boolean {
@@ -110,7 +109,6 @@ export class ShapeStore {
   readonly columns: Column[] = [];
   private readonly chunks = new Set<Chunk>();
   private style: Style | null = null;
-  private added = 0;
   private coarse = false;
 
   constructor(private readonly materials: SharedMaterials) {
@@ -118,9 +116,22 @@ export class ShapeStore {
   }
 
   addColumn(source: ShapeSource): Column {
-    const column = new Column(source, this.added++);
+    const column = new Column(source);
     this.columns.push(column);
     return column;
+  }
+
+  /** Gives each visible column the lowest free slot, which it keeps as long as it is visible. */
+  assignColorSlots(): void {
+    for (const column of this.columns) if (!column.visible) column.colorSlot = null;
+    const used = new Set(this.columns.map(({ colorSlot }) => colorSlot));
+    for (const column of this.columns) {
+      if (!column.visible || column.colorSlot !== null) continue;
+      let slot = 0;
+      while (used.has(slot)) slot++;
+      used.add(slot);
+      column.colorSlot = slot;
+    }
   }
 
   column(ref: ColumnRef): Column | undefined {

@@ -3,7 +3,8 @@
 import { BufferGeometry, Color, LineBasicMaterial, LineSegments, Scene, Vector3 } from "three";
 import type { Box3 } from "three";
 
-import type { SceneState, Tool } from "./api";
+import type { CameraState, SceneState, Tool } from "./api";
+import { cornersOf } from "./camera";
 import type { Canvas } from "./canvas";
 import { boxLines, drawAxes, drawScaleBar, Grid, setLines } from "./furniture";
 import { drawLightMarkers, Lights } from "./lights";
@@ -55,6 +56,24 @@ export class Stage {
   /** The box of all that is visible, with additions left out. */
   get contentBox(): Box3 {
     return this.box;
+  }
+
+  /** Whether a part of a box is in the view. */
+  isInSight(box: Box3, camera: CameraState): boolean {
+    if (box.isEmpty()) return false;
+    const { width, height } = this.projector.size;
+    this.projector.camera(camera, box);
+    const places = [box.getCenter(new Vector3()), ...cornersOf(box)].map((corner) =>
+      this.projector.project(corner),
+    );
+    const before = places.filter(({ visible }) => visible);
+    const outside = (beyond: (place: { x: number; y: number }) => boolean): boolean => before.every(beyond);
+    return !(
+      outside(({ x }) => x < 0) ||
+      outside(({ x }) => x > width) ||
+      outside(({ y }) => y < 0) ||
+      outside(({ y }) => y > height)
+    );
   }
 
   /** Shapes came, went, or were moved, shown or hidden. */

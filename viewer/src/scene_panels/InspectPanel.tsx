@@ -29,7 +29,7 @@ export function InspectPanel({ view, database }: Props) {
   }, [view, hit, on]);
   useEffect(() => () => view.setMarkers("inspected", null), [view]);
   return (
-    <Section title="Inspect" open={false} testId="inspect-panel">
+    <Section title="Inspect" open={false} testId="inspect-panel" inUse={on}>
       <Check label="Inspect by clicking" checked={on} onChange={() => view.act("inspect")} />
       {hit ? (
         <HitFacts hit={hit} database={database} />
@@ -61,7 +61,7 @@ function HitFacts({ hit, database }: { hit: Hit; database: Database }) {
     <>
       <dl class="facts" data-testid="inspected">
         <dt>Row</dt>
-        <dd>{hit.cell.row}</dd>
+        <dd>{hit.cell.row + 1}</dd>
         {hit.vertex !== null && (
           <>
             <dt>{hit.snap === "point" ? "Point" : "Vertex"}</dt>

@@ -131,7 +131,7 @@ export function MeasurePanel({ view, database }: Props) {
     setSnap({ ...view.snap });
   };
   return (
-    <Section title="Measure" open={false} testId="measure-panel">
+    <Section title="Measure" open={false} testId="measure-panel" inUse={on}>
       <Check label="Measure by clicking" checked={on} onChange={() => view.act("measure")} />
       <Choice
         label="What"

@@ -89,7 +89,7 @@ function Facts({ info }: { info: ShapeInfo }) {
       <dt>Type</dt>
       <dd>{info.kind}</dd>
       <dt>Row</dt>
-      <dd>{info.cell.row}</dd>
+      <dd>{info.cell.row + 1}</dd>
       {info.triangles > 0 && (
         <>
           <dt>Triangles</dt>

@@ -70,7 +70,7 @@ function PointerReadout({ view }: { view: SceneView }) {
         </span>
       ))}
       <span class="muted">
-        row {hit.cell.row} {what}
+        row {hit.cell.row + 1} {what}
       </span>
     </div>
   );

@@ -29,7 +29,7 @@ export function SectionPanel({ view, database }: Props) {
     view.update({ section: { ...change, cap: "preview" } });
   const moveTo = (value: number): void => set({ point: alongNormal(section, value - offset) });
   return (
-    <Section title="Section" open={false} testId="section-panel">
+    <Section title="Section" open={false} testId="section-panel" inUse={section.on}>
       <Check label="Section plane" checked={section.on} onChange={() => view.act("section")} />
       {section.on && (
         <>
@@ -122,8 +122,8 @@ function Cuts({ control, database, normal }: { control: SectionControl; database
         {cuts.map((cut) => (
           <li key={JSON.stringify(cut.cell)} class="cut">
             <div class="field">
-              <span>Row {cut.cell.row}</span>
-              {cut.area !== null && <strong data-testid="cut-area">area {cut.area}</strong>}
+              <span>Area, row {cut.cell.row + 1}</span>
+              {cut.area !== null && <strong data-testid="cut-area">{cut.area}</strong>}
               <button
                 type="button"
                 class="btn small"

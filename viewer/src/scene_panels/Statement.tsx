@@ -22,7 +22,7 @@ function describe({ parameters }: Question): string {
   return Object.entries(parameters)
     .map(([name, value]) =>
       "result" in value
-        ? `$${name}: row ${value.row} of ${value.column} in ${value.result}`
+        ? `$${name}: row ${value.row + 1} of ${value.column} in ${value.result}`
         : `$${name} = ${value.value}`,
     )
     .join("\n");

@@ -1,7 +1,7 @@
 /** Small fields that the panels of the scene are made of. Each has a visible label that names it for screen readers. */
 
 import type { ComponentChildren } from "preact";
-import { useId, useState } from "preact/hooks";
+import { useEffect, useId, useRef, useState } from "preact/hooks";
 
 import type { Vec3 } from "../scene";
 
@@ -12,12 +12,21 @@ interface SectionProps {
   readonly children: ComponentChildren;
   readonly testId?: string;
   readonly onToggle?: (open: boolean) => void;
+  /** Opens the part when it becomes true, and brings it into sight. */
+  readonly inUse?: boolean;
 }
 
 /** A part of a panel that folds. */
-export function Section({ title, open = true, onReset, children, testId, onToggle }: SectionProps) {
+export function Section({ title, open = true, onReset, children, testId, onToggle, inUse }: SectionProps) {
+  const details = useRef<HTMLDetailsElement>(null);
+  useEffect(() => {
+    if (!inUse || !details.current) return;
+    details.current.open = true;
+    details.current.scrollIntoView({ block: "nearest" });
+  }, [inUse]);
   return (
     <details
+      ref={details}
       class="panel-section"
       open={open}
       data-testid={testId}
