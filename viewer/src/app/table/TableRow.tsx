@@ -80,7 +80,11 @@ function Cell({
       role="gridcell"
       data-column={column.name}
       onClick={() => onSelect(row, column.shape ? column.name : null)}
-      onDblClick={() => onOpen(row, column.name)}
+      onDblClick={() => {
+        // The browser has selected a word.
+        getSelection()?.removeAllRanges();
+        onOpen(row, column.name);
+      }}
     >
       {canOpen(view) && (
         <IconButton

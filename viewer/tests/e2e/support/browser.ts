@@ -57,7 +57,11 @@ export class Browser {
     const browser = new Browser(context, profile);
     context.on("weberror", (error) => browser.errors.push(String(error.error())));
     context.on("console", (message) => {
-      if (message.type() === "error") browser.errors.push(message.text());
+      // Answers such as 410 and 422 are for the page, which shows them.
+      const refused = message
+        .text()
+        .startsWith("Failed to load resource: the server responded with a status of 4");
+      if (message.type() === "error" && !refused) browser.errors.push(message.text());
     });
     return browser;
   }

@@ -14,7 +14,8 @@ const pages = process.env["ALGEBRA3D_PAGES"] ?? "";
 export class Server {
   readonly folder: string;
   readonly port: number;
-  readonly #options: readonly string[];
+  /** Of the command line; may be changed before `begin`. */
+  readonly options: string[];
   readonly #env: NodeJS.ProcessEnv;
   #process: ChildProcess | null = null;
   #front: Awaited<ReturnType<typeof startFront>> | null = null;
@@ -23,7 +24,7 @@ export class Server {
   private constructor(port: number, options: readonly string[], env: Readonly<Record<string, string>>) {
     this.folder = mkdtempSync(join(tmpdir(), "algebra3d-e2e-"));
     this.port = port;
-    this.#options = options;
+    this.options = [...options];
     this.#env = { ...process.env, ...env };
   }
 
@@ -47,7 +48,7 @@ export class Server {
 
   /** Starts the program, also again after `end`. */
   async begin(): Promise<void> {
-    const args = ["serve", "--db", "scratch.db", "--port", String(this.port), ...this.#options];
+    const args = ["serve", "--db", "scratch.db", "--port", String(this.port), ...this.options];
     const child = spawn(program, args, { cwd: this.folder, env: this.#env });
     this.#process = child;
     child.stdout.on("data", (data: Buffer) => (this.#output += data.toString()));
