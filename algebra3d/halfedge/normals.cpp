@@ -142,9 +142,10 @@ class VertexNormalsMaker {
   VertexNormalsMaker(const HalfedgeMesh<Layout>& mesh, std::span<const Vec3> face_normals, std::span<Vec3> normals)
       : mesh_(mesh), points_(mesh.points().approx()), face_normals_(face_normals), normals_(normals) {}
 
-  void make(std::size_t begin, std::size_t end) {
+  /// Those of the vertices from `begin` to `end`, from the place `first` on.
+  void make(std::size_t begin, std::size_t end, std::size_t first) {
     constexpr std::size_t kCornersPerBatch = 512;
-    first_ = begin;
+    first_ = first;
     for (std::size_t v = begin; v < end; ++v) {
       for (const HalfedgeId fan : mesh_.fans(VertexId(v))) add_fan(VertexId(v), fan);
       ends_.push_back(sines_.size());
@@ -200,7 +201,7 @@ class VertexNormalsMaker {
   const std::vector<Vec3>& points_;
   std::span<const Vec3> face_normals_;
   std::span<Vec3> normals_;
-  std::size_t first_ = 0;                         // vertex of the batch
+  std::size_t first_ = 0;                         // place of the normals of the batch
   std::vector<double> sines_, cosines_, angles_;  // per corner of the batch
   std::vector<Corner> corners_;
   std::vector<std::size_t> ends_;  // per vertex of the batch, in the corners
@@ -208,19 +209,44 @@ class VertexNormalsMaker {
 
 // ---- corners
 
-/// Makes the normals of corners, fan by fan.
+/// Whether the angle between two normals is larger than a crease angle.
+class CreaseTest {
+ public:
+  explicit CreaseTest(double degrees) : degrees_(degrees), cosine_(std::cos(degrees / detail::kDegreesPerRadian)) {}
+
+  bool operator()(const Vec3& a, const Vec3& b) const {
+    // Lengths are 1 within 1e-9, or 0. Where the cosine does not decide, the angle does.
+    constexpr double kCertain = 1e-8;
+    const double cosine = dot(a, b);
+    if (cosine > cosine_ + kCertain) return false;
+    if (cosine < cosine_ - kCertain && cosine != 0) return true;
+    return a != b && detail::angle_between(a, b) * detail::kDegreesPerRadian > degrees_;
+  }
+
+ private:
+  double degrees_, cosine_;
+};
+
+/// Makes the normals of the corners of consecutive vertices, numbered from 0, fan by fan.
 template <typename Layout>
 class CornerNormalsMaker {
  public:
-  CornerNormalsMaker(const HalfedgeMesh<Layout>& mesh, std::span<const Vec3> face_normals, double crease_angle_degrees)
-      : mesh_(mesh), face_normals_(face_normals), crease_angle_degrees_(crease_angle_degrees) {
-    result_.of_corner.resize(mesh.halfedge_count());
-  }
+  CornerNormalsMaker(const HalfedgeMesh<Layout>& mesh, std::span<const Vec3> face_normals, const CreaseTest& is_crease,
+                     std::vector<std::uint32_t>& of_corner)
+      : mesh_(mesh), face_normals_(face_normals), is_crease_(is_crease), of_corner_(of_corner) {}
 
-  CornerNormals make() && {
-    for (const VertexId v : vertices(mesh_))
-      for (const HalfedgeId first : mesh_.fans(v)) add_fan(first);
-    return std::move(result_);
+  std::vector<Vec3> make(std::size_t begin, std::size_t end) && {
+    // Most vertices have one normal.
+    std::vector<Vec3> vertex_normals(end - begin);
+    VertexNormalsMaker<Layout>(mesh_, face_normals_, vertex_normals).make(begin, end, 0);
+    for (std::size_t v = begin; v < end; ++v) {
+      const std::span<const HalfedgeId> fans = mesh_.fans(VertexId(v));
+      if (fans.size() == 1 && is_smooth(fans.front()))
+        add_smooth_fan(fans.front(), vertex_normals[v - begin]);
+      else
+        for (const HalfedgeId first : fans) add_fan(first);
+    }
+    return std::move(normals_);
   }
 
  private:
@@ -228,9 +254,27 @@ class CornerNormalsMaker {
   HalfedgeId next_in_fan(HalfedgeId h) const { return mesh_.opposite(mesh_.prev(h)); }
   bool is_crease_before(HalfedgeId h) const {
     const HalfedgeId opposite = mesh_.opposite(h);
-    if (!opposite.is_valid()) return true;
-    const Vec3 a = normal(h), b = normal(opposite);
-    return a != b && detail::angle_between(a, b) * detail::kDegreesPerRadian > crease_angle_degrees_;
+    return !opposite.is_valid() || is_crease_(normal(h), normal(opposite));
+  }
+
+  /// True if the fan is a ring without creases.
+  bool is_smooth(HalfedgeId first) const {
+    HalfedgeId h = first;
+    do {
+      const HalfedgeId next = next_in_fan(h);
+      if (!next.is_valid() || is_crease_(normal(h), normal(next))) return false;
+      h = next;
+    } while (h != first);
+    return true;
+  }
+
+  void add_smooth_fan(HalfedgeId first, const Vec3& vertex_normal) {
+    HalfedgeId h = first;
+    do {
+      of_corner_[h.index()] = static_cast<std::uint32_t>(normals_.size());
+      h = next_in_fan(h);
+    } while (h != first);
+    normals_.push_back(vertex_normal == Vec3{} ? normal(first) : vertex_normal);
   }
 
   void add_fan(HalfedgeId first) {
@@ -254,18 +298,44 @@ class CornerNormalsMaker {
     WeightedNormal sum;
     for (const HalfedgeId h : corners) {
       sum.add(normal(h), corner_angle(mesh_, h, normal(h)));
-      result_.of_corner[h.index()] = static_cast<std::uint32_t>(result_.normals.size());
+      of_corner_[h.index()] = static_cast<std::uint32_t>(normals_.size());
     }
     const Vec3 direction = sum.direction();
-    result_.normals.push_back(direction == Vec3{} ? normal(corners.front()) : direction);
+    normals_.push_back(direction == Vec3{} ? normal(corners.front()) : direction);
   }
 
   const HalfedgeMesh<Layout>& mesh_;
   std::span<const Vec3> face_normals_;
-  double crease_angle_degrees_;
-  CornerNormals result_;
+  const CreaseTest& is_crease_;
+  std::vector<std::uint32_t>& of_corner_;
+  std::vector<Vec3> normals_;
   std::vector<HalfedgeId> fan_;
 };
+
+constexpr std::size_t kVerticesPerTask = 10000;
+
+std::size_t vertex_task_count(std::size_t vertex_count) {
+  return (vertex_count + kVerticesPerTask - 1) / kVerticesPerTask;
+}
+
+/// The normals of all tasks, one after the other, and where those of each begin.
+struct JoinedNormals {
+  std::vector<Vec3> normals;
+  std::vector<std::uint32_t> begins;
+};
+
+JoinedNormals joined(const std::vector<std::vector<Vec3>>& parts) {
+  JoinedNormals all;
+  std::size_t count = 0;
+  for (const std::vector<Vec3>& part : parts) {
+    all.begins.push_back(static_cast<std::uint32_t>(count));
+    count += part.size();
+  }
+  all.normals.resize(count);
+  parallel_for(parts.size(), 1,
+               [&](std::size_t task) { std::ranges::copy(parts[task], all.normals.begin() + all.begins[task]); });
+  return all;
+}
 
 }  // namespace
 
@@ -314,11 +384,9 @@ Vec3 vertex_normal(const HalfedgeMesh<Layout>& mesh, VertexId v) {
 template <typename Layout>
 void vertex_normals(const HalfedgeMesh<Layout>& mesh, std::span<const Vec3> face_normals, std::span<Vec3> normals) {
   assert(face_normals.size() == mesh.face_count() && normals.size() == mesh.vertex_count());
-  constexpr std::size_t kVerticesPerTask = 10000;
-  const std::size_t tasks = (mesh.vertex_count() + kVerticesPerTask - 1) / kVerticesPerTask;
-  parallel_for(tasks, 1, [&](std::size_t task) {
-    const std::size_t end = std::min(mesh.vertex_count(), (task + 1) * kVerticesPerTask);
-    VertexNormalsMaker<Layout>(mesh, face_normals, normals).make(task * kVerticesPerTask, end);
+  parallel_for(vertex_task_count(mesh.vertex_count()), 1, [&](std::size_t task) {
+    const std::size_t begin = task * kVerticesPerTask, end = std::min(mesh.vertex_count(), begin + kVerticesPerTask);
+    VertexNormalsMaker<Layout>(mesh, face_normals, normals).make(begin, end, begin);
   });
 }
 
@@ -332,7 +400,20 @@ std::vector<Vec3> vertex_normals(const HalfedgeMesh<Layout>& mesh, std::span<con
 template <typename Layout>
 CornerNormals corner_normals(const HalfedgeMesh<Layout>& mesh, std::span<const Vec3> face_normals,
                              double crease_angle_degrees) {
-  return CornerNormalsMaker<Layout>(mesh, face_normals, crease_angle_degrees).make();
+  const CreaseTest is_crease(crease_angle_degrees);
+  CornerNormals result;
+  result.of_corner.resize(mesh.halfedge_count());
+  std::vector<std::vector<Vec3>> parts(vertex_task_count(mesh.vertex_count()));
+  parallel_for(parts.size(), 1, [&](std::size_t task) {
+    const std::size_t begin = task * kVerticesPerTask, end = std::min(mesh.vertex_count(), begin + kVerticesPerTask);
+    parts[task] = CornerNormalsMaker<Layout>(mesh, face_normals, is_crease, result.of_corner).make(begin, end);
+  });
+  JoinedNormals all = joined(parts);
+  constexpr std::size_t kCornersPerTask = 100000;
+  parallel_for(mesh.halfedge_count(), kCornersPerTask,
+               [&](std::size_t h) { result.of_corner[h] += all.begins[mesh.origins()[h] / kVerticesPerTask]; });
+  result.normals = std::move(all.normals);
+  return result;
 }
 
 template std::optional<double> dihedral_angle_degrees(const HalfedgeMesh<TriangleLayout>&, HalfedgeId);

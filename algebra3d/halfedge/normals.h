@@ -60,7 +60,7 @@ struct CornerNormals {
 /// The normals of corners where the corners of each fan are divided at creases: edges at which the angle between the
 /// normals of the faces is larger than `crease_angle_degrees`, and all edges that are not manifold. The normal of a
 /// part of a fan is that of a vertex with these faces; if its normals cancel, that of its first face. Normals are
-/// numbered by vertex, then round the fan. Cost: linear.
+/// numbered by vertex, then round the fan. Cost: linear; about that of vertex_normals where there are few creases.
 template <typename Layout>
 CornerNormals corner_normals(const HalfedgeMesh<Layout>& mesh, std::span<const Vec3> face_normals,
                              double crease_angle_degrees);

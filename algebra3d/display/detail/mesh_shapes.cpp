@@ -6,6 +6,7 @@
 
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/display/detail/shape_parts.h"
+#include "algebra3d/display/detail/task_size.h"
 #include "algebra3d/exact/predicates.h"
 #include "algebra3d/halfedge/circulators.h"
 #include "algebra3d/halfedge/edge_numbers.h"
@@ -14,8 +15,6 @@
 
 namespace algebra3d::detail {
 namespace {
-
-constexpr std::size_t kElementsPerTask = 50000;
 
 enum class EdgeRole : std::uint8_t { none, edge, boundary, nonmanifold };
 
@@ -41,7 +40,7 @@ EdgeRole role_of(const Mesh& mesh, HalfedgeId h) {
 }
 
 struct EdgeLines {
-  LargeVector<Shape::Line> edges, boundary, nonmanifold;
+  std::vector<Shape::Line> edges, boundary, nonmanifold;
 };
 
 template <typename Mesh>
@@ -52,7 +51,7 @@ EdgeLines edge_lines(const Mesh& mesh, const std::vector<std::uint32_t>& positio
     const HalfedgeId h(i);
     const EdgeRole role = role_of(mesh, h);
     if (role == EdgeRole::none) continue;
-    LargeVector<Shape::Line>& found = role == EdgeRole::edge       ? lines.edges
+    std::vector<Shape::Line>& found = role == EdgeRole::edge       ? lines.edges
                                       : role == EdgeRole::boundary ? lines.boundary
                                                                    : lines.nonmanifold;
     found.push_back({position_of_corner[h.index()], position_of_corner[mesh.next(h).index()]});
@@ -60,7 +59,7 @@ EdgeLines edge_lines(const Mesh& mesh, const std::vector<std::uint32_t>& positio
   return lines;
 }
 
-LargeVector<Shape::Line> joined(const std::vector<EdgeLines>& parts, LargeVector<Shape::Line> EdgeLines::*role) {
+LargeVector<Shape::Line> joined(const std::vector<EdgeLines>& parts, std::vector<Shape::Line> EdgeLines::*role) {
   std::vector<std::size_t> begins(parts.size() + 1);
   for (std::size_t i = 0; i < parts.size(); ++i) begins[i + 1] = begins[i] + (parts[i].*role).size();
   LargeVector<Shape::Line> all(begins.back());

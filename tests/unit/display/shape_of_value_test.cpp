@@ -2,7 +2,6 @@
 
 #include <atomic>
 #include <cmath>
-#include <numbers>
 #include <set>
 #include <utility>
 
@@ -44,31 +43,6 @@ Lines edges_of_box(const Vec3& low, const Vec3& high) {
   return edges;
 }
 
-/// A part of a sphere or torus is smooth: the normals of its vertices are where the points are.
-TriangleMesh sphere(std::uint32_t rings, std::uint32_t columns) {
-  std::vector<Vec3> points;
-  for (std::uint32_t i = 1; i < rings; ++i)
-    for (std::uint32_t j = 0; j < columns; ++j) {
-      const double latitude = std::numbers::pi * i / rings, longitude = 2 * std::numbers::pi * j / columns;
-      points.push_back(
-          {std::sin(latitude) * std::cos(longitude), std::sin(latitude) * std::sin(longitude), std::cos(latitude)});
-    }
-  const auto top = static_cast<std::uint32_t>(points.size()), bottom = top + 1;
-  points.push_back({0, 0, 1});
-  points.push_back({0, 0, -1});
-  std::vector<TriangleMesh::Triangle> triangles;
-  const auto at = [&](std::uint32_t i, std::uint32_t j) { return (i - 1) * columns + j % columns; };
-  for (std::uint32_t j = 0; j < columns; ++j) {
-    triangles.push_back({top, at(1, j), at(1, j + 1)});
-    triangles.push_back({bottom, at(rings - 1, j + 1), at(rings - 1, j)});
-    for (std::uint32_t i = 1; i + 1 < rings; ++i) {
-      triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-      triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-    }
-  }
-  return {PointArray(std::move(points)), triangles};
-}
-
 TEST(ShapeOfValue, of_a_cube_has_twelve_edges_and_four_vertices_for_each_side) {
   const Shape shape = shape_of_solid(cube_triangles(1, 3));
   EXPECT_EQ(shape.kind, "volume3d");
@@ -106,7 +80,7 @@ TEST(ShapeOfValue, vertex_ids_tell_the_vertices_that_were_divided) {
 }
 
 TEST(ShapeOfValue, a_smooth_surface_keeps_its_vertices) {
-  const TriangleMesh mesh = sphere(40, 60);
+  const TriangleMesh mesh = unit_sphere(40, 60);
   const Shape shape = shape_of_solid(mesh);
   EXPECT_EQ(shape.positions.size(), mesh.vertex_count());
   EXPECT_TRUE(shape.vertex_ids.empty());

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -54,6 +57,31 @@ inline TriangleMesh cube_triangles(double low, double high) {
   return {PointArray(std::move(points)), triangles};
 }
 
+/// The unit sphere, in triangles between meridians and parallels.
+inline TriangleMesh unit_sphere(std::uint32_t rings, std::uint32_t columns) {
+  std::vector<Vec3> points;
+  for (std::uint32_t i = 1; i < rings; ++i)
+    for (std::uint32_t j = 0; j < columns; ++j) {
+      const double latitude = std::numbers::pi * i / rings, longitude = 2 * std::numbers::pi * j / columns;
+      points.push_back(
+          {std::sin(latitude) * std::cos(longitude), std::sin(latitude) * std::sin(longitude), std::cos(latitude)});
+    }
+  const auto top = static_cast<std::uint32_t>(points.size()), bottom = top + 1;
+  points.push_back({0, 0, 1});
+  points.push_back({0, 0, -1});
+  std::vector<TriangleMesh::Triangle> triangles;
+  const auto at = [&](std::uint32_t i, std::uint32_t j) { return (i - 1) * columns + j % columns; };
+  for (std::uint32_t j = 0; j < columns; ++j) {
+    triangles.push_back({top, at(1, j), at(1, j + 1)});
+    triangles.push_back({bottom, at(rings - 1, j + 1), at(rings - 1, j)});
+    for (std::uint32_t i = 1; i + 1 < rings; ++i) {
+      triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  return {PointArray(std::move(points)), triangles};
+}
+
 inline Shape shape_of_solid(TriangleMesh mesh) {
   Result<Shape> shape = shape_of(Value::of(Volume3d::trusted(std::move(mesh))));
   EXPECT_TRUE(shape.ok());
@@ -70,6 +98,14 @@ inline Vec3 place(const Shape& shape, std::uint32_t position) {
 inline Vec3 doubled_area(const Shape& shape, const IndexTriangle& triangle) {
   const Vec3 a = place(shape, triangle[0]);
   return cross(place(shape, triangle[1]) - a, place(shape, triangle[2]) - a);
+}
+
+/// The volume that the triangles of a shape enclose, relative to its origin.
+inline double enclosed_volume(const Shape& shape) {
+  double volume = 0;
+  for (const IndexTriangle& triangle : shape.triangles)
+    volume += dot(place(shape, triangle[0]) - shape.origin, doubled_area(shape, triangle)) / 6;
+  return volume;
 }
 
 }  // namespace algebra3d

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "algebra3d/base/error.h"
+#include "algebra3d/base/monitor.h"
+#include "algebra3d/display/shape.h"
+#include "algebra3d/display/vertex_clustering.h"
+#include "algebra3d/halfedge/polygon_mesh.h"
+#include "algebra3d/halfedge/triangle_mesh.h"
+
+namespace algebra3d::detail {
+
+/// The defects of a mesh as pairs of vertices, each edge once.
+struct DefectEdges {
+  LargeVector<Shape::Line> boundary, nonmanifold;
+};
+
+template <typename Layout>
+DefectEdges defects_of(const HalfedgeMesh<Layout>& mesh);
+
+/// What becomes of them when vertices are drawn together.
+DefectEdges drawn_together(const DefectEdges& edges, const std::vector<std::uint32_t>& point_of);
+
+/// The shape of a level. `whole` is without arrays: it tells kind, box, origin and number of triangles of the value,
+/// and points of the level are relative to its origin. Points without a triangle are drawn, up to `max_points`. Errors:
+/// interrupted.
+Result<Shape> shape_of_level(const Shape& whole, const ClusteredTriangles& level, const DefectEdges& defects,
+                             std::size_t max_points, const Monitor& monitor);
+
+}  // namespace algebra3d::detail

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "algebra3d/display/shape.h"
+
+namespace algebra3d::detail {
+
+/// True if triangles that follow one another lie together: most blocks of a thousand triangles come after the block
+/// before them in Morton order of their centres, up to a few triangles. Cost: linear.
+bool is_in_spatial_order(const Shape& shape);
+
+/// Permutes the triangles of a shape into Morton order unless they are in it already; `face_ids` follows. Cost: linear.
+void bring_into_spatial_order(Shape& shape);
+
+}  // namespace algebra3d::detail
