@@ -20,13 +20,19 @@ bool leads_out(const fs::path& name) {
   return name.is_absolute() || std::ranges::any_of(name, [](const fs::path& part) { return part == ".."; });
 }
 
+// A link whose target does not exist: what is written there would make the target.
+bool is_dangling_link(const fs::path& file) {
+  std::error_code ignored;
+  return fs::is_symlink(fs::symlink_status(file, ignored)) && !fs::exists(file, ignored);
+}
+
 // A file that is to be made need not exist.
 bool stays_below(const fs::path& folder, const fs::path& file) {
   std::error_code error;
   const fs::path root = fs::canonical(folder.empty() ? "." : folder, error);
   if (error) return false;
   const fs::path real = fs::weakly_canonical(file, error);
-  return !error && is_below(root, real);
+  return !error && is_below(root, real) && !is_dangling_link(file);
 }
 
 fs::path without_first(const fs::path& name) {

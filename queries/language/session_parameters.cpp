@@ -53,16 +53,6 @@ Result<const Type*> known_type(std::string_view name, const Registry& registry) 
                nearest.empty() ? "" : ", did you mean '" + nearest + "'?"};
 }
 
-// Whether it is a value of the type is found now, not by the first command that uses it.
-Result<SessionParameter> parameter_of(std::string_view type_name, std::string_view value, const Registry& registry) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Type* type, known_type(type_name, registry));
-  ALGEBRA3D_ASSIGN_OR_RETURN(NestedList list, list_of_text(*type, value));
-  algebra3d::Diagnostics reasons;  // come again when it is used
-  algebra3d::Context context{reasons, nullptr, {}};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const algebra3d::Value checked, algebra3d::value_from_nested(*type, list, context));
-  return SessionParameter(WrittenConstant{std::string(checked.type().name()), std::move(list)});
-}
-
 Result<const SessionParameter*> find_parameter(const SessionParameters* parameters, const Token& token) {
   if (parameters != nullptr)
     if (const auto found = parameters->values.find(token.text); found != parameters->values.end())
@@ -101,6 +91,16 @@ std::string_view literal_type(const NestedList& list) {
 
 }  // namespace
 
+// Whether it is a value of the type is found now, not by the first command that uses it.
+Result<SessionParameter> session_parameter(std::string_view type_name, std::string_view value, const Registry& registry) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Type* type, known_type(type_name, registry));
+  ALGEBRA3D_ASSIGN_OR_RETURN(NestedList list, list_of_text(*type, value));
+  algebra3d::Diagnostics reasons;  // come again when it is used
+  algebra3d::Context context{reasons, nullptr, {}};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const algebra3d::Value checked, algebra3d::value_from_nested(*type, list, context));
+  return SessionParameter(WrittenConstant{std::string(checked.type().name()), std::move(list)});
+}
+
 Result<std::pair<std::string, SessionParameter>> parse_session_parameter(std::string_view text,
                                                                          const Registry& registry) {
   ALGEBRA3D_RETURN_IF_ERROR(check_is_text(text));
@@ -117,7 +117,7 @@ Result<std::pair<std::string, SessionParameter>> parse_session_parameter(std::st
     return wrong_parameter(text, fmt::format("the number is out of range; if it is to be a string, write {}:string={}",
                                              name, quoted_excerpt(value)));
   const std::string_view type = colon == std::string_view::npos ? guessed_type(value) : left.substr(colon + 1);
-  auto parameter = parameter_of(type, value, registry);
+  auto parameter = session_parameter(type, value, registry);
   if (!parameter) return wrong_parameter(text, parameter.error().message);
   return std::pair(std::string(name), std::move(parameter).value());
 }

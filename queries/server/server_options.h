@@ -32,7 +32,7 @@ struct ServerOptions {
 struct ServerLimits {
   std::size_t statement_bytes = std::size_t{16} << 20U;  ///< of a body that is not an upload
   std::size_t results = 64;                              ///< kept at once
-  std::size_t sessions = 96;                             ///< statements that run, and results
+  std::size_t sessions = 192;                            ///< statements that run, and results
   std::size_t idle_sessions = 8;
   std::size_t connections = 256;
   std::size_t uploads = 256;  ///< files

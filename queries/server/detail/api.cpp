@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <exception>
 #include <new>
 
@@ -23,6 +24,19 @@ std::vector<std::string_view> segments_of(std::string_view path) {
   return segments;
 }
 
+// Percent-encoded bytes as they are; what is no such code stays.
+std::string decoded(std::string_view part) {
+  std::string result;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    unsigned byte = 0;
+    const bool is_code = part[i] == '%' && i + 2 < part.size() &&
+                         std::from_chars(&part[i + 1], &part[i + 1] + 2, byte, 16).ptr == &part[i + 1] + 2;
+    result += is_code ? static_cast<char>(byte) : part[i];
+    if (is_code) i += 2;
+  }
+  return result;
+}
+
 // The parts of the path in braces, if the path matches.
 std::optional<decltype(Call::path)> match(std::string_view pattern, std::string_view path) {
   const auto expected = segments_of(pattern);
@@ -31,7 +45,7 @@ std::optional<decltype(Call::path)> match(std::string_view pattern, std::string_
   decltype(Call::path) parts;
   for (std::size_t i = 0; i < expected.size(); ++i) {
     if (expected[i].starts_with('{'))
-      parts.emplace(expected[i].substr(1, expected[i].size() - 2), found[i]);
+      parts.emplace(expected[i].substr(1, expected[i].size() - 2), decoded(found[i]));
     else if (expected[i] != found[i])
       return std::nullopt;
   }

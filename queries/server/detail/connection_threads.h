@@ -1,13 +1,13 @@
 #pragma once
 
-#include <httplib.h>
-
 #include <condition_variable>
 #include <deque>
 #include <functional>
 #include <mutex>
 #include <thread>
 #include <vector>
+
+#include "queries/server/detail/http_library.h"
 
 namespace queries {
 

@@ -67,7 +67,8 @@ std::string json_of_examples(const std::vector<algebra3d::QueryExample>& example
   std::string json = "[";
   for (const auto& [query, result] : examples) {
     if (json.size() > 1) json += ',';
-    json += fmt::format(R"({{"query":{},"result":{}}})", json_string(query), json_string(result));
+    const std::string statement = query.starts_with("query ") ? query : "query " + query;
+    json += fmt::format(R"({{"query":{},"result":{}}})", json_string(statement), json_string(result));
   }
   return json + "]";
 }
@@ -99,7 +100,7 @@ HttpAnswer Api::get_objects(const Call&) {
     promise->set_value(
         algebra3d::without_exceptions([&] { return json_of_objects(*session.store(), registry_); }));
   });
-  if (!started) return refusal_of(started.error()).answer();
+  if (!started) return refusal_of_session(started.error()).answer();
   const Result<std::string> json = promise->get_future().get();
   if (!json) return refusal_of(json.error()).answer();
   return {.body = *json + "\n"};

@@ -39,7 +39,7 @@ class Body {
 /// A request: what the library that reads it from the network has found.
 struct HttpRequest {
   std::string method;
-  std::string path;  ///< decoded
+  std::string path;  ///< as it was sent: its parts are percent-encoded
   std::multimap<std::string, std::string> query;
   std::multimap<std::string, std::string> headers;  ///< names in lower case
   Body* body = nullptr;                             ///< null: none

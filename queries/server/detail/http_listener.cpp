@@ -1,18 +1,21 @@
-// The only source that knows the library for HTTP.
+// With connection_stream and connection_threads the only sources that know the library for HTTP.
 #include "queries/server/detail/http_listener.h"
 
-#include <httplib.h>
-#include <sys/resource.h>
+#include <sys/socket.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <mutex>
+#include <optional>
+#include <set>
 #include <utility>
 
-#include "queries/server/detail/client_socket.h"
+#include "queries/server/detail/connection_stream.h"
 #include "queries/server/detail/connection_threads.h"
+#include "queries/server/detail/http_library.h"
 #include "queries/server/detail/refusal.h"
 
 namespace queries {
@@ -27,18 +30,17 @@ constexpr double kSlowestBytesPerSecond = 1e5;
 constexpr std::chrono::seconds kBodyStart(20);
 // What of a refused body is still read, so that the client reads the refusal and no reset.
 constexpr std::size_t kDrained = std::size_t{64} << 20U;
+// Connections that wait to be accepted; each request has one of its own.
+constexpr int kBacklog = 511;
 
-/// A body that the library reads piece by piece.
+/// A body of announced length that the library reads piece by piece.
 class ListenerBody final : public Body {
  public:
-  ListenerBody(const httplib::Request& request, const httplib::ContentReader& reader)
-      : reader_(reader), announced_(request.has_header("Content-Length")
-                                        ? request.get_header_value<std::uint64_t>("Content-Length")
-                                        : 0) {}
+  ListenerBody(const httplib::ContentReader& reader, std::uint64_t size) : reader_(reader), size_(size) {}
 
   Outcome read(std::size_t limit, const std::function<bool(std::string_view)>& take) override {
+    if (size_ > limit) return drained(Outcome::too_large);
     is_read_ = true;
-    if (announced_ > limit) return drained(Outcome::too_large);
     Outcome outcome = Outcome::complete;
     std::size_t bytes = 0;
     const auto start = Clock::now();
@@ -46,9 +48,7 @@ class ListenerBody final : public Body {
       bytes += size;
       if (outcome != Outcome::complete) return bytes < kDrained;  // the rest of what is refused
       const std::chrono::duration<double> elapsed = Clock::now() - start;
-      if (bytes > limit)
-        outcome = Outcome::too_large;
-      else if (elapsed > kBodyStart && static_cast<double>(bytes) < elapsed.count() * kSlowestBytesPerSecond)
+      if (elapsed > kBodyStart && static_cast<double>(bytes) < elapsed.count() * kSlowestBytesPerSecond)
         outcome = Outcome::too_slow;
       else if (!take({data, size}))
         outcome = Outcome::refused;
@@ -65,18 +65,14 @@ class ListenerBody final : public Body {
  private:
   Outcome drained(Outcome outcome) {
     is_read_ = true;
-    std::size_t bytes = 0;
     const auto start = Clock::now();
-    if (announced_ <= kDrained)
-      reader_([&](const char*, std::size_t size) {
-        bytes += size;
-        return bytes <= kDrained && Clock::now() - start < kBodyStart;
-      });
+    if (size_ <= kDrained)
+      reader_([&](const char*, std::size_t) { return Clock::now() - start < kBodyStart; });
     return outcome;
   }
 
   const httplib::ContentReader& reader_;
-  std::uint64_t announced_;
+  const std::uint64_t size_;
   bool is_read_ = false;
 };
 
@@ -88,10 +84,34 @@ std::string in_lower_case(std::string text) {
 HttpRequest request_of(const httplib::Request& request) {
   HttpRequest result;
   result.method = request.method;
-  result.path = request.path;
+  result.path = request.target.substr(0, request.target.find('?'));
   for (const auto& [name, value] : request.params) result.query.emplace(name, value);
   for (const auto& [name, value] : request.headers) result.headers.emplace(in_lower_case(name), value);
   return result;
+}
+
+// The announced length of the body; nothing for a text that is no number.
+std::optional<std::uint64_t> length_of(const httplib::Request& request) {
+  const std::string text = request.get_header_value("Content-Length");
+  if (text.empty()) return 0;
+  constexpr std::size_t kMostDigits = 18;
+  const bool is_number =
+      text.size() <= kMostDigits && std::ranges::all_of(text, [](unsigned char c) { return std::isdigit(c) != 0; });
+  return is_number ? std::optional<std::uint64_t>(std::stoull(text)) : std::nullopt;
+}
+
+// What the library would misunderstand, or take without a limit.
+std::optional<Refusal> refuse_form(const httplib::Request& request) {
+  const bool has_control = std::ranges::any_of(request.path, [](unsigned char c) { return c < ' ' || c == 0x7F; });
+  if (has_control || !request.target.starts_with('/'))
+    return Refusal::bad_request("the path of the request is none");
+  if (request.has_header("Transfer-Encoding"))
+    return Refusal{411, "bad_request", "expected a body with the header 'Content-Length'"};
+  if (request.get_header_value_count("Content-Length") > 1 || !length_of(request))
+    return Refusal::bad_request("the header 'Content-Length' is no number, or there are several");
+  if (request.is_multipart_form_data())
+    return Refusal{415, "bad_request", "expected JSON or the bytes of a file, got a form of several parts"};
+  return std::nullopt;
 }
 
 void give(HttpAnswer answer, httplib::Response& response) {
@@ -122,34 +142,109 @@ void explain(const httplib::Request& request, httplib::Response& response) {
   give(refusal.answer(), response);
 }
 
-class Listener final : public HttpListener {
+/// The library's server with connections that are ours.
+class Library final : public httplib::Server {
  public:
-  explicit Listener(std::size_t most_connections) {
-    server_.new_task_queue = [most_connections] { return new ConnectionThreads(most_connections); };
-    // One request on a connection: what a refused body leaves unread can never be taken for the next request.
-    server_.set_keep_alive_max_count(1);
-    server_.set_tcp_nodelay(true);
-    server_.set_read_timeout(10);
-    server_.set_write_timeout(30);
-    server_.set_error_handler(httplib::Server::Handler(explain));
+  using Handle = std::function<void(const httplib::Request&, httplib::Response&, Body*, const Connection*)>;
+
+  Library(std::size_t most_connections, Handle handle) : handle_(std::move(handle)) {
+    new_task_queue = [most_connections] { return new ConnectionThreads(most_connections); };
+    // Without SO_REUSEPORT, which would let two servers share a port.
+    set_socket_options([this](int socket) {
+      const int yes = 1;
+      setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
+      listening_ = socket;
+    });
+    set_error_handler(Handler(explain));
+    set_exception_handler([](const httplib::Request&, httplib::Response& response, const std::exception_ptr&) {
+      give(Refusal{500, "internal", "the request could not be answered"}.answer(), response);
+    });
+    set_pre_routing_handler([](const httplib::Request& request, httplib::Response& response) {
+      const auto refusal = refuse_form(request);
+      if (refusal) give(refusal->answer(), response);
+      return refusal ? HandlerResponse::Handled : HandlerResponse::Unhandled;
+    });
+    const char* const any = R"([\s\S]*)";
+    const auto without_body = [this](const httplib::Request& request, httplib::Response& response) {
+      handle_(request, response, nullptr, connection());
+    };
     const auto with_body = [this](const httplib::Request& request, httplib::Response& response,
                                   const httplib::ContentReader& reader) {
-      ListenerBody body(request, reader);
-      answer(request, response, &body);
+      const std::uint64_t size = *length_of(request);
+      if (size == 0) return handle_(request, response, nullptr, connection());
+      ListenerBody body(reader, size);
+      handle_(request, response, &body, connection());
+      const int status = response.status;
       body.drain();
+      response.status = status;  // the library changes it where a body is not read to its end
     };
-    const auto without_body = [this](const httplib::Request& request, httplib::Response& response) {
-      answer(request, response, nullptr);
-    };
-    server_.Get(".*", without_body).Options(".*", without_body);
-    server_.Post(".*", with_body).Put(".*", with_body).Patch(".*", with_body).Delete(".*", with_body);
+    Get(any, without_body).Options(any, without_body);
+    Post(any, with_body).Put(any, with_body).Patch(any, with_body).Delete(any, with_body);
   }
+
+  int listening_socket() const { return listening_; }
+  /// Ends all connections that wait for a request.
+  void shut_connections() {
+    const std::lock_guard lock(mutex_);
+    for (const int socket : sockets_) shutdown(socket, SHUT_RD);
+  }
+
+ private:
+  // The connection of the request that this thread answers.
+  static const Connection*& connection() {
+    thread_local const Connection* current = nullptr;
+    return current;
+  }
+
+  // One request on a connection: what a refused body leaves unread can never be taken for the next request.
+  bool process_and_close_socket(int socket) override {
+    note(socket, true);
+    bool is_answered = false;
+    {
+      ConnectionStream stream(socket, {});
+      connection() = &stream;
+      bool is_closed = false;
+      is_answered = process_request(stream, true, is_closed, [](httplib::Request& request) {
+        request.ranges.clear();                    // only whole answers are given
+        request.headers.erase("Accept-Encoding");  // nor does the library compress them
+      });
+      connection() = nullptr;
+      note(socket, false);
+    }
+    return is_answered;
+  }
+
+  void note(int socket, bool is_open) {
+    const std::lock_guard lock(mutex_);
+    if (is_open)
+      sockets_.insert(socket);
+    else
+      sockets_.erase(socket);
+  }
+
+  const Handle handle_;
+  int listening_ = -1;
+  std::mutex mutex_;  // guards sockets_
+  std::set<int> sockets_;
+};
+
+class Listener final : public HttpListener {
+ public:
+  explicit Listener(std::size_t most_connections)
+      : server_(most_connections, [this](const httplib::Request& request, httplib::Response& response, Body* body,
+                                         const Connection* connection) {
+          HttpRequest given = request_of(request);
+          given.body = body;
+          given.connection = connection;
+          give(answer_(given), response);
+        }) {}
 
   algebra3d::Status bind_to(const std::string& address, int port) {
     const bool is_bound = port == 0 ? (port_ = server_.bind_to_any_port(address)) > 0 : server_.bind_to_port(address, port);
     if (!is_bound)
       return Error{ErrorCode::io_error, "cannot listen on {} port {}: {}", address, port, std::strerror(errno)};
     if (port != 0) port_ = port;
+    listen(server_.listening_socket(), kBacklog);
     return {};
   }
 
@@ -160,40 +255,19 @@ class Listener final : public HttpListener {
   }
   void stop() override {
     server_.stop();
-    shut_connections(port_);
+    server_.shut_connections();
   }
 
  private:
-  void answer(const httplib::Request& request, httplib::Response& response, Body* body) {
-    // Streams outlive this call, and so must what they ask.
-    const auto connection = std::make_shared<ClientSocket>(request.remote_addr, request.remote_port);
-    HttpRequest given = request_of(request);
-    given.body = body;
-    given.connection = connection.get();
-    HttpAnswer answer = answer_(given);
-    if (answer.stream)
-      answer.stream = [connection, stream = std::move(answer.stream)](const SendPiece& send) { stream(send); };
-    give(std::move(answer), response);
-  }
-
-  httplib::Server server_;
+  Library server_;
   Answer answer_;
   int port_ = 0;
 };
-
-// The library waits with select(), which cannot know descriptors beyond this number.
-void limit_descriptors() {
-  rlimit limit{};
-  if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur <= FD_SETSIZE) return;
-  limit.rlim_cur = FD_SETSIZE;
-  setrlimit(RLIMIT_NOFILE, &limit);
-}
 
 }  // namespace
 
 algebra3d::Result<std::unique_ptr<HttpListener>> HttpListener::bind(const std::string& address, int port,
                                                                     std::size_t most_connections) {
-  limit_descriptors();
   auto listener = std::make_unique<Listener>(most_connections);
   ALGEBRA3D_RETURN_IF_ERROR(listener->bind_to(address, port));
   return std::unique_ptr<HttpListener>(std::move(listener));

@@ -19,6 +19,20 @@ using nlohmann::json;
 constexpr std::size_t kMostRows = 10000;
 constexpr std::size_t kLongestId = 64;
 
+constexpr int kDeepest = 8;
+
+// What the parser says, without its own names.
+std::string parse_error(const std::string& body) {
+  try {
+    static_cast<void>(json::parse(body).size());
+  } catch (const json::exception& error) {
+    const std::string_view text = error.what();
+    const std::size_t end = text.find("] ");
+    return std::string(end == std::string_view::npos ? text : text.substr(end + 2));
+  }
+  return "unknown";
+}
+
 Refusal wrong_member(std::string_view name, std::string_view expected, const json& found) {
   constexpr std::size_t kShown = 60;
   return Refusal::bad_request(
@@ -53,11 +67,9 @@ Reply<SessionParameter> constant_parameter(const std::string& name, const json& 
   if (!value.is_string() && !value.is_number() && !value.is_boolean())
     return wrong_member("parameters." + name + ".value", "a number, a boolean or a text", value);
   const auto type = given["type"].get<std::string>();
-  if (type.find('=') != std::string::npos)
-    return wrong_member("parameters." + name + ".type", "the name of a type", given["type"]);
-  auto parsed = parse_session_parameter(name + ":" + type + "=" + text_of(value), registry);
-  if (!parsed) return refusal_of(parsed.error());
-  return std::move(parsed->second);
+  auto parsed = session_parameter(type, text_of(value), registry);
+  if (!parsed) return Refusal::bad_request(fmt::format("parameters.{}: {}", name, parsed.error().message));
+  return *std::move(parsed);
 }
 
 Reply<SessionParameter> cell_parameter(const std::string& name, const json& given, KeptResults& results) {
@@ -71,7 +83,7 @@ Reply<SessionParameter> cell_parameter(const std::string& name, const json& give
   Reply<std::shared_ptr<Execution>> result = results.find(given["result"].get<std::string>());
   if (!result) return result.refusal();
   Result<Value> value = cell_of(**result, row.get<std::size_t>(), column.get<std::string>());
-  if (!value) return refusal_of(value.error());
+  if (!value) return refusal_of_cell(value.error());
   return SessionParameter(HostValue(*std::move(value)));
 }
 
@@ -91,6 +103,29 @@ Reply<SessionParameters> parameters_of(const json& given, const algebra3d::Regis
 
 }  // namespace
 
+// What a request asks of a result and does not find is not there.
+Refusal refusal_of_cell(const algebra3d::Error& error) {
+  if (error.code == ErrorCode::unknown_name || error.code == ErrorCode::invalid_value)
+    return Refusal::not_found(error.message);
+  if (error.code == ErrorCode::interrupted) return {410, "gone", "the result was dropped"};
+  return refusal_of(error);
+}
+
+Reply<json> parse_body(const std::string& body) {
+  if (body.find('\0') != std::string::npos) return Refusal::bad_request("the body is not JSON: it has a zero byte");
+  bool is_too_deep = false;
+  const json given = json::parse(
+      body,
+      [&](int depth, json::parse_event_t, json&) {
+        is_too_deep = is_too_deep || depth > kDeepest;
+        return !is_too_deep;
+      },
+      false);
+  if (is_too_deep) return Refusal::bad_request(fmt::format("the body is nested deeper than {} levels", kDeepest));
+  if (given.is_discarded()) return Refusal::bad_request("the body is not JSON: " + parse_error(body));
+  return given;
+}
+
 Result<Value> cell_of(Execution& result, std::size_t row, const std::string& column) {
   return result.ask<Value>([row, column](ResultTable& table, Context&) -> Result<Value> {
     ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, cell(table, row, column));
@@ -100,12 +135,9 @@ Result<Value> cell_of(Execution& result, std::size_t row, const std::string& col
 
 Reply<StatementRequest> read_query_request(const std::string& body, const algebra3d::Registry& registry,
                                            KeptResults& results) {
-  json given;
-  try {
-    given = json::parse(body);
-  } catch (const json::exception& error) {
-    return Refusal::bad_request(fmt::format("the body is not JSON: {}", error.what()));
-  }
+  Reply<json> parsed = parse_body(body);
+  if (!parsed) return parsed.refusal();
+  const json given = *std::move(parsed);
   if (!given.is_object()) return wrong_member("body", "an object with the member 'statement'", given);
   if (const auto refusal = refuse_other_members(given, {"statement", "rows", "id", "parameters"})) return *refusal;
   const json statement = given.value("statement", json());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "algebra3d/registry/registry.h"
@@ -13,6 +14,12 @@ namespace queries {
 /// with the member that is wrong, those of the results, errors of parameters.
 Reply<StatementRequest> read_query_request(const std::string& body, const algebra3d::Registry& registry,
                                            KeptResults& results);
+
+/// The body of a request as JSON. Refusals: bad_request for what is no JSON, or nested too deeply.
+Reply<nlohmann::json> parse_body(const std::string& body);
+
+/// The refusal for an error of `cell_of`, or of another question to a result.
+Refusal refusal_of_cell(const algebra3d::Error& error);
 
 /// The value of a cell, loaded. Errors: those of the store; unknown_name for a column, invalid_value for a row that is
 /// not there.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "algebra3d/types/utf8.h"
 #include "queries/exchange/json_text.h"
 
 namespace queries {
@@ -34,7 +35,7 @@ int status_of(ErrorCode code) {
 void append_member(std::string& json, std::string_view name, std::string_view text) {
   append_json_string(json, name);
   json += ':';
-  append_json_string(json, text);
+  append_json_string(json, algebra3d::shown_as_text(text));
 }
 
 }  // namespace
@@ -54,7 +55,7 @@ std::string Refusal::json() const {
 
 HttpAnswer Refusal::answer() const {
   HttpAnswer answer{.status = status, .body = "{\"error\":" + json() + "}\n"};
-  if (status == 429 || status == 503) answer.headers.emplace_back("Retry-After", "1");
+  if (status == 429 || code == "database_busy") answer.headers.emplace_back("Retry-After", "1");
   if (status == 401) answer.headers.emplace_back("WWW-Authenticate", "Bearer");
   return answer;
 }
@@ -63,6 +64,15 @@ Refusal refusal_of(const algebra3d::Error& error) {
   const algebra3d::ErrorDescription& description = algebra3d::describe(error.code);
   return {status_of(error.code), std::string(description.name), error.message, std::string(description.remedy),
           error.place};
+}
+
+Refusal refusal_of_session(const algebra3d::Error& error) {
+  Refusal refusal = refusal_of(error);
+  if (error.code != ErrorCode::limit_exceeded) return refusal;
+  refusal.status = 429;
+  refusal.code = "too_many";
+  refusal.remedy = "Try again when a statement has ended, or delete results.";
+  return refusal;
 }
 
 }  // namespace queries

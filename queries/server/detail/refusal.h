@@ -2,6 +2,8 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
+#include <variant>
 
 #include "algebra3d/base/error.h"
 #include "queries/server/detail/http.h"
@@ -26,6 +28,9 @@ struct Refusal {
 
 /// The refusal for an error of a statement or of the database.
 Refusal refusal_of(const algebra3d::Error& error);
+
+/// The same for an error of SessionPool::run: too many statements are no error of the statement.
+Refusal refusal_of_session(const algebra3d::Error& error);
 
 /// A value, or the refusal of the request that asked for it.
 template <typename T>

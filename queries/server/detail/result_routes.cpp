@@ -44,14 +44,6 @@ Reply<std::string> text(const HttpRequest& request, const std::string& name) {
   return Refusal::bad_request(fmt::format("the parameter '{}' is missing", name));
 }
 
-// What a request asks of a result and does not find is not there.
-HttpAnswer refused(const algebra3d::Error& error) {
-  if (error.code == ErrorCode::unknown_name || error.code == ErrorCode::invalid_value)
-    return Refusal::not_found(error.message).answer();
-  if (error.code == ErrorCode::interrupted) return Refusal{410, "gone", "the result was dropped"}.answer();
-  return refusal_of(error).answer();
-}
-
 }  // namespace
 
 HttpAnswer Api::get_rows(const Call& call) {
@@ -64,7 +56,7 @@ HttpAnswer Api::get_rows(const Call& call) {
   const auto rows = (*result)->ask<std::string>([from = *from, count = *count](ResultTable& table, Context& context) {
     return json_of_rows(table, from, count, context);
   });
-  if (!rows) return refused(rows.error());
+  if (!rows) return refusal_of_cell(rows.error()).answer();
   return {.body = fmt::format("{{\"from\":{},\"rows\":{}}}\n", *from, *rows)};
 }
 
@@ -76,7 +68,7 @@ HttpAnswer Api::get_cell(const Call& call) {
   if (!row) return row.refusal().answer();
   if (!column) return column.refusal().answer();
   const auto value = cell_of(**result, *row, *column);
-  if (!value) return refused(value.error());
+  if (!value) return refusal_of_cell(value.error()).answer();
   const std::string list = value->to_nested().print();
   if (list.size() > kMostCellBytes)
     return Refusal{413, "too_large", fmt::format("the value has {} bytes; the limit is {}", list.size(), kMostCellBytes),
@@ -99,7 +91,7 @@ HttpAnswer Api::get_shapes(const Call& call) {
   const ShapeRequest request{*column, *from, *count, *triangles, *bytes};
   auto shapes = (*result)->ask<CellShapes>(
       [request](ResultTable& table, Context& context) { return shapes_of(table, request, context); });
-  if (!shapes) return refused(shapes.error());
+  if (!shapes) return refusal_of_cell(shapes.error()).answer();
   HttpAnswer answer{.type = "model/gltf-binary", .body = std::move(shapes->file)};
   if (shapes->next) answer.headers.emplace_back("X-Algebra3d-Next", std::to_string(*shapes->next));
   return answer;
@@ -121,7 +113,7 @@ HttpAnswer Api::get_file(const Call& call) {
     ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, cell(table, *row, *column));
     return file_of(value, *column, *form, context);
   });
-  if (!file) return refused(file.error());
+  if (!file) return refusal_of_cell(file.error()).answer();
   HttpAnswer answer{.type = std::string(file->type), .body = std::move(file->bytes)};
   answer.headers.emplace_back("X-Algebra3d-Diagnostics", json_strings(file->diagnostics));
   answer.headers.emplace_back("Content-Disposition", fmt::format("attachment; filename=\"{}\"", file->name));

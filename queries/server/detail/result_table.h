@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algebra3d/base/context.h"
+#include "queries/server/detail/level_cache.h"
 #include "queries/streams/relation.h"
 
 namespace queries {
@@ -27,6 +28,8 @@ class ResultTable {
   Result<TuplePtr> row(std::size_t index);
   /// A copy in memory whose values are loaded, which outlives the statement. Errors: those of the store, interrupted.
   Result<ResultTable> loaded_copy(const algebra3d::Context& context);
+  /// What was made of its cells, to be asked for again.
+  LevelCache& levels() { return levels_; }
 
  private:
   Result<TuplePtr> next_row();
@@ -36,6 +39,7 @@ class ResultTable {
   TupleStreamPtr scan_;
   std::size_t next_ = 0;      // row that scan_ gives next
   std::vector<TupleId> ids_;  // of the rows that were read, in a stored relation
+  LevelCache levels_;
 };
 
 }  // namespace queries

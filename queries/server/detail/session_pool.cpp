@@ -84,6 +84,14 @@ std::size_t SessionPool::working() const {
   return working_.size();
 }
 
+Status SessionPool::take_place() {
+  const std::lock_guard lock(mutex_);
+  if (places_ >= most_)
+    return Error{ErrorCode::limit_exceeded, "{} statements run or have results; the limit is {}", places_, most_};
+  ++places_;
+  return {};
+}
+
 Result<std::unique_ptr<SessionPool::Worker>> SessionPool::idle_or_new() {
   {
     const std::lock_guard lock(mutex_);
@@ -92,9 +100,6 @@ Result<std::unique_ptr<SessionPool::Worker>> SessionPool::idle_or_new() {
       idle_.pop_back();
       return worker;
     }
-    if (working_.size() >= most_)
-      return Error{ErrorCode::limit_exceeded, "{} statements run or have results; the limit is {}", working_.size(),
-                   most_};
   }
   auto worker = std::make_unique<Worker>(*this);
   if (Status opened = worker->open(); !opened) return std::move(opened).error();
@@ -102,10 +107,15 @@ Result<std::unique_ptr<SessionPool::Worker>> SessionPool::idle_or_new() {
 }
 
 Status SessionPool::run(Work work) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::unique_ptr<Worker> worker, idle_or_new());
-  Worker& its_worker = *worker;
+  ALGEBRA3D_RETURN_IF_ERROR(take_place());
+  Result<std::unique_ptr<Worker>> worker = idle_or_new();
   const std::lock_guard lock(mutex_);
-  working_.push_back(std::move(worker));
+  if (!worker) {
+    --places_;
+    return std::move(worker).error();
+  }
+  Worker& its_worker = **worker;
+  working_.push_back(*std::move(worker));
   its_worker.post(std::move(work));
   return {};
 }
@@ -121,6 +131,7 @@ void SessionPool::put_back(Worker& worker) {
   }
   idle_.push_back(std::move(*place));
   working_.erase(place);
+  --places_;
   changed_.notify_all();
 }
 

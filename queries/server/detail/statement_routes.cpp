@@ -27,6 +27,12 @@ Reply<std::string> whole_body(const HttpRequest& request, std::size_t limit) {
   return body;
 }
 
+// A command as it stands in a text, without what divides it from the next.
+std::string_view without_end(std::string_view command) {
+  const std::size_t last = command.find_last_not_of(" \t\r\n;");
+  return command.substr(0, last == std::string_view::npos ? 0 : last + 1);
+}
+
 bool wants_events(const HttpRequest& request) {
   return request.header("accept").find("text/event-stream") != std::string::npos;
 }
@@ -47,12 +53,7 @@ Reply<std::shared_ptr<Execution>> Api::start(const HttpRequest& request) {
   const Status started = sessions_.run([execution](Session& session) { execution->run(session); });
   if (started) return execution;
   running_.remove(execution->request().id);
-  Refusal refusal = refusal_of(started.error());
-  if (started.error().code == ErrorCode::limit_exceeded) {
-    refusal.status = 429;
-    refusal.code = "too_many";
-  }
-  return refusal;
+  return refusal_of_session(started.error());
 }
 
 void Api::await(Execution& execution, const Connection* connection, const std::function<void()>& each_time) {
@@ -63,6 +64,7 @@ void Api::await(Execution& execution, const Connection* connection, const std::f
     each_time();
   }
   running_.remove(execution.request().id);
+  if (connection != nullptr && connection->is_gone()) execution.drop();
 }
 
 std::string Api::json_of_answer(const std::shared_ptr<Execution>& execution, const StatementAnswer& answer) {
@@ -133,17 +135,23 @@ HttpAnswer Api::delete_statement(const Call& call) {
 HttpAnswer Api::post_split(const Call& call) {
   Reply<std::string> body = whole_body(call.request, limits_.statement_bytes);
   if (!body) return body.refusal().answer();
-  const auto given = nlohmann::json::parse(*body, nullptr, false);
+  Reply<nlohmann::json> parsed = parse_body(*body);
+  if (!parsed) return parsed.refusal().answer();
+  const nlohmann::json given = *std::move(parsed);
   if (!given.is_object() || given.size() != 1 || !given.contains("text") || !given["text"].is_string())
     return Refusal::bad_request("expected an object with the member 'text'").answer();
   const auto text = given["text"].get<std::string>();
   std::string json = "[";
-  for (const CommandText& command : commands_of(text)) {
-    if (json.size() > 1) json += ',';
+  const std::vector<CommandText> commands = commands_of(text);
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    const CommandText& command = commands[i];
     const std::size_t begin = byte_offset(text, command.start);
+    const std::size_t next = i + 1 < commands.size() ? byte_offset(text, commands[i + 1].start) : text.size();
+    const std::string_view own = without_end(std::string_view(text).substr(begin, next - begin));
     const std::size_t units = utf16_units(std::string_view(text).substr(0, begin));
+    if (json.size() > 1) json += ',';
     json += fmt::format(R"({{"text":{},"line":{},"column":{},"begin":{},"end":{}}})", json_string(command.text),
-                        command.start.line, command.start.column, units, units + utf16_units(command.text));
+                        command.start.line, command.start.column, units, units + utf16_units(own));
   }
   return {.body = json + "]\n"};
 }

@@ -46,7 +46,7 @@ Reply<Uploads::File> Uploads::take(const std::string& name, Body& body) {
   fs::path part;
   {
     const std::lock_guard lock(mutex_);
-    if (list().size() >= most_files_)
+    if (list().size() >= most_files_ && !fs::exists(folder() / name))
       return Refusal{429, "too_many", fmt::format("there are {} uploads already", most_files_), "Delete some."};
     part = folder() / fmt::format("{}{}", kPart, ++parts_);
   }

@@ -17,9 +17,10 @@ inline std::size_t utf16_units(std::string_view text) {
   return units;
 }
 
-/// The byte at a line and column, both from 1; columns count bytes.
+/// The byte at a line and column, both from 1; columns count bytes, without a byte order mark at the beginning.
 inline std::size_t byte_offset(std::string_view text, const algebra3d::SourcePlace& place) {
-  std::size_t begin = 0;
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  std::size_t begin = place.line == 1 && text.starts_with(kMark) ? kMark.size() : 0;
   for (int line = 1; line < place.line; ++line) begin = text.find('\n', begin) + 1;
   return begin + static_cast<std::size_t>(place.column) - 1;
 }

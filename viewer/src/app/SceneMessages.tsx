@@ -1,0 +1,41 @@
+import type { LoadProgress, SceneView } from "../scene/api";
+import { useSceneReports } from "./SceneHost";
+import { Icon } from "./ui/Icon";
+
+/** Loading, failed loading, and a missing WebGL, drawn over a scene. */
+export function SceneMessages({ view }: { view: SceneView }) {
+  const { progress, problem } = useSceneReports(view);
+  if (problem)
+    return (
+      <div class="scene-problem" role="alert" data-testid="scene-problem">
+        <Icon name="warning" />
+        <div>
+          <strong>{problem.message}</strong>
+          <p class="muted">{problem.remedy}</p>
+        </div>
+      </div>
+    );
+  const shown = progress.filter(({ phase }) => phase !== "done");
+  if (shown.length === 0) return null;
+  return (
+    <div class="scene-loading" role="status" data-testid="scene-loading">
+      {shown.map((each) => (
+        <LoadingLine key={`${each.result}/${each.column}`} progress={each} />
+      ))}
+    </div>
+  );
+}
+
+function LoadingLine({ progress }: { progress: LoadProgress }) {
+  const { phase, text, rows, rowsLoaded, fraction } = progress;
+  if (phase === "failed") return <div class="error-text">{text}</div>;
+  const share = rows > 1 ? rowsLoaded / rows : fraction;
+  return (
+    <div>
+      <div class="muted">{text}</div>
+      <div class={`progress${share === null ? " unknown" : ""}`}>
+        <div style={share === null ? undefined : { width: `${Math.round(share * 100)}%` }} />
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,114 @@
+import { useApp } from "./context";
+import { copyLink } from "./link";
+import { Icon } from "./ui/Icon";
+import { IconButton } from "./ui/controls";
+import { openMenu } from "./ui/menu";
+import type { ThemeChoice } from "../state/theme";
+
+const themes: readonly { readonly choice: ThemeChoice; readonly label: string }[] = [
+  { choice: "system", label: "Theme of the system" },
+  { choice: "dark", label: "Dark theme" },
+  { choice: "light", label: "Light theme" },
+];
+
+/** Name of the database, state of the connection, and what concerns the whole page. */
+export function TopBar() {
+  const app = useApp();
+  const { store, workspace } = app;
+  const { layout, mode, theme } = store;
+  const compare = mode.value === "compare";
+  return (
+    <header class="top-bar">
+      <svg class="logo" viewBox="0 0 32 32" aria-hidden="true">
+        <path d="M16 2 28 9v14l-12 7L4 23V9z" />
+        <path d="M16 16 28 9v14l-12 7z" />
+        <path d="M16 16 4 9v14l12 7z" />
+      </svg>
+      <strong class="wordmark">algebra3d</strong>
+      <ServerState />
+      <span class="grow" />
+      <button
+        type="button"
+        class="btn quiet"
+        title="Import STL, OBJ or OFF files"
+        onClick={() => workspace.chooseFiles()}
+      >
+        <Icon name="upload" />
+        <span class="wide-only">Import</span>
+      </button>
+      <button
+        type="button"
+        class="btn quiet"
+        title="Two meshes side by side"
+        aria-pressed={compare}
+        onClick={() => (mode.value = compare ? "explore" : "compare")}
+      >
+        <Icon name="split" />
+        <span class="wide-only">Compare</span>
+      </button>
+      <button
+        type="button"
+        class="btn quiet"
+        title="Link that restores this view"
+        onClick={() => void copyLink(app)}
+      >
+        <Icon name="link" />
+        <span class="wide-only">Copy link</span>
+      </button>
+      <span class="bar-gap wide-only" />
+      <span class="wide-only">
+        <IconButton
+          icon="panelLeft"
+          label="Editor and lists"
+          pressed={layout.leftOpen.value}
+          onClick={() => (layout.leftOpen.value = !layout.leftOpen.value)}
+        />
+        <IconButton
+          icon="panelBottom"
+          label="Results"
+          pressed={layout.bottomOpen.value}
+          onClick={() => (layout.bottomOpen.value = !layout.bottomOpen.value)}
+        />
+        <IconButton
+          icon="panelRight"
+          label="Settings of the view"
+          pressed={layout.rightOpen.value}
+          onClick={() => (layout.rightOpen.value = !layout.rightOpen.value)}
+        />
+      </span>
+      <IconButton
+        icon={theme.current.value === "dark" ? "moon" : "sun"}
+        label="Theme"
+        onClick={(event) =>
+          openMenu(
+            event.currentTarget as HTMLElement,
+            themes.map(({ choice, label }) => ({ label, run: () => void (theme.choice.value = choice) })),
+          )
+        }
+      />
+    </header>
+  );
+}
+
+const stateTexts = {
+  connecting: "Connecting",
+  online: "Connected",
+  gone: "No answer from the server",
+  unauthorized: "A token is needed",
+} as const;
+
+function ServerState() {
+  const { connection } = useApp().store;
+  const info = connection.info.value;
+  const status = connection.status.value;
+  return (
+    <span
+      class="server-state ellipsis"
+      title={info ? `${stateTexts[status]}, algebra3d ${info.version}` : stateTexts[status]}
+    >
+      <span class={`dot ${status}`} role="img" aria-label={stateTexts[status]} />
+      <span class="ellipsis">{info?.database ?? ""}</span>
+      {info?.readOnly && <span class="tag">read only</span>}
+    </span>
+  );
+}

@@ -1,0 +1,127 @@
+import { effect, untracked } from "@preact/signals";
+import { useEffect, useRef, useState } from "preact/hooks";
+import { createSceneView } from "../../scene";
+import type { SceneView } from "../../scene/api";
+import { readBytes, shapeSource } from "../../state/shape_source";
+import type { Store } from "../../state/store";
+import { cellOf, type Side, type SideName } from "../../state/workbench";
+import { vertexMove } from "../../state/workbench_operations";
+import { SceneToolbar } from "../../scene_panels";
+import { useApp } from "../context";
+import { SceneMessages } from "../SceneMessages";
+import { FactsTable } from "./FactsTable";
+import { Operations } from "./Operations";
+import { SideHead } from "./SideHead";
+
+interface Props {
+  readonly name: SideName;
+  /** Called with the scene when it is there, and with null when it goes. */
+  readonly onView: (view: SceneView | null) => void;
+}
+
+/** One mesh with its scene, operations and statistics. */
+export function CompareSide({ name, onView }: Props) {
+  const { store, workspace } = useApp();
+  const side = workspace.workbench.side(name);
+  const place = useRef<HTMLDivElement>(null);
+  const [view, setView] = useState<SceneView | null>(null);
+  useEffect(() => {
+    if (!place.current) return;
+    const made = createSceneView(place.current);
+    const end = bindSide(made, side, store);
+    setView(made);
+    onView(made);
+    workspace.keyScene.value = made;
+    return () => {
+      workspace.keyScene.value = null;
+      onView(null);
+      end();
+      made.dispose();
+    };
+  }, []);
+  const busy = side.busy.value;
+  return (
+    <section
+      class="compare-side"
+      aria-label={name === "left" ? "Left mesh" : "Right mesh"}
+      data-testid={`side-${name}`}
+    >
+      <SideHead side={side} />
+      <div class="scene">
+        <div
+          ref={place}
+          class="scene-canvas"
+          tabIndex={0}
+          role="application"
+          aria-label={`3D view of the ${name} mesh; ? lists its keys`}
+          onPointerDown={(event) => event.currentTarget.focus({ preventScroll: true })}
+          onFocus={() => (workspace.keyScene.value = view)}
+        />
+        {view && <SceneToolbar view={view} />}
+        {view && <SceneMessages view={view} />}
+        {!side.step.value && !busy && <p class="scene-hint muted">Choose a mesh for this side.</p>}
+      </div>
+      {busy && (
+        <div class="running-line" role="status">
+          <span class="spinner" aria-hidden="true" />
+          <span class="grow ellipsis">{busy}</span>
+          <button type="button" class="btn small danger" onClick={() => side.stop()}>
+            Stop
+          </button>
+        </div>
+      )}
+      {side.error.value && (
+        <p class="callout error" role="alert">
+          {side.error.value}
+        </p>
+      )}
+      {view && <Operations side={side} view={view} />}
+      <FactsTable side={side} other={workspace.workbench.other(name)} />
+    </section>
+  );
+}
+
+const colors = { left: "#7fa3d4", right: "#d6a15b" } as const;
+
+/** Keeps a scene in step with a side: its mesh, the control mesh, the theme, dragged vertices. */
+function bindSide(view: SceneView, side: Side, store: Store): () => void {
+  const ends = [
+    effect(() => {
+      const step = side.step.value;
+      untracked(() => {
+        const old = view.results.map(({ result }) => result);
+        if (step) view.addResult(shapeSource(store.client, step.outcome, "value", step.label));
+        // The old mesh goes last, so that the camera stays.
+        for (const result of old) if (result !== step?.outcome.resultId) view.removeResult(result);
+        if (step) view.update({ overrides: [{ cell: cellOf(step), color: colors[side.name] }] });
+        if (view.vertexTarget && step) view.vertexTarget = { ...view.vertexTarget, cell: cellOf(step) };
+      });
+    }),
+    effect(() => void showControl(view, side, store)),
+    effect(() => {
+      void store.theme.current.value;
+      untracked(() => view.themeChanged());
+    }),
+    view.on("vertex", ({ vertex, to, finished }) => {
+      if (finished) void side.apply((type) => vertexMove(type, vertex, to));
+    }),
+  ];
+  return () => ends.forEach((end) => end());
+}
+
+async function showControl(view: SceneView, side: Side, store: Store): Promise<void> {
+  const cell = side.control.value;
+  view.setOverlay("control", null);
+  if (!cell) return;
+  try {
+    const query = { column: cell.column, from: cell.row, count: 1 };
+    const bytes = await readBytes(await store.client.shapes(cell.result, query));
+    if (side.control.value !== cell) return;
+    view.setOverlay("control", {
+      bytes,
+      style: { color: "#e8b95c", edgeColor: "#e8b95c", opacity: 0, edges: true },
+    });
+  } catch (error) {
+    store.report(error, "The control mesh cannot be shown");
+  }
+}

@@ -1,0 +1,33 @@
+import { useSignal } from "@preact/signals";
+import { useEffect, useState } from "preact/hooks";
+import { linkCameras } from "../../scene";
+import type { SceneView } from "../../scene/api";
+import { CompareSide } from "./CompareSide";
+
+/** Two meshes side by side. */
+export function CompareView() {
+  const synchronised = useSignal(true);
+  const [left, setLeft] = useState<SceneView | null>(null);
+  const [right, setRight] = useState<SceneView | null>(null);
+  useEffect(() => {
+    if (!left || !right || !synchronised.value) return;
+    right.setCamera(left.state.camera, { animate: false });
+    return linkCameras(left, right);
+  }, [left, right, synchronised.value]);
+  return (
+    <div class="compare" data-testid="compare">
+      <CompareSide name="left" onView={setLeft} />
+      <div class="compare-middle">
+        <label class="check" title="Turn both views together">
+          <input
+            type="checkbox"
+            checked={synchronised.value}
+            onChange={(event) => (synchronised.value = event.currentTarget.checked)}
+          />
+          <span>Same camera</span>
+        </label>
+      </div>
+      <CompareSide name="right" onView={setRight} />
+    </div>
+  );
+}

@@ -1,0 +1,176 @@
+import { useEffect, useState } from "preact/hooks";
+import type { SceneView } from "../../scene/api";
+import { cellOf, type Side } from "../../state/workbench";
+import {
+  dual,
+  limitSchemes,
+  schemes,
+  setOperation,
+  setOperations,
+  simplification,
+  subdivision,
+  type LimitScheme,
+  type Scheme,
+  type SetOperation,
+} from "../../state/workbench_operations";
+import { useApp } from "../context";
+
+interface Props {
+  readonly side: Side;
+  readonly view: SceneView;
+}
+
+/** What can be done with the mesh of a side. */
+export function Operations({ side, view }: Props) {
+  const off = side.step.value === null || side.busy.value !== "";
+  return (
+    <fieldset class="operations" disabled={off} aria-label="Operations">
+      <Subdivide side={side} />
+      <Simplify side={side} />
+      <SetOperations side={side} />
+      <div class="row">
+        <button type="button" class="btn" onClick={() => void side.apply(dual)}>
+          Dual
+        </button>
+        <MoveVertices side={side} view={view} />
+      </div>
+    </fieldset>
+  );
+}
+
+function Subdivide({ side }: { side: Side }) {
+  const { workbench } = useApp().workspace;
+  const [scheme, setScheme] = useState<Scheme>("loop");
+  const [steps, setSteps] = useState(1);
+  const hasLimit = (limitSchemes as readonly string[]).includes(scheme);
+  return (
+    <div class="row">
+      <select
+        class="input"
+        aria-label="Scheme"
+        value={scheme}
+        onChange={(event) => setScheme(event.currentTarget.value as Scheme)}
+      >
+        {schemes.map((each) => (
+          <option key={each}>{each}</option>
+        ))}
+      </select>
+      <input
+        class="input steps-input"
+        type="number"
+        min={1}
+        max={8}
+        aria-label="Steps"
+        title="Number of steps"
+        value={steps}
+        onInput={(event) =>
+          setSteps(Math.min(8, Math.max(1, Math.round(Number(event.currentTarget.value) || 1))))
+        }
+      />
+      <button
+        type="button"
+        class="btn"
+        onClick={() => void side.apply((type) => subdivision(type, scheme), null, steps)}
+      >
+        Subdivide
+      </button>
+      <button
+        type="button"
+        class="btn"
+        disabled={!hasLimit}
+        title={
+          hasLimit
+            ? "Limit surface on the other side, with this mesh over it"
+            : "Known for loop and catmull-clark"
+        }
+        onClick={() => void workbench.showLimit(side.name, scheme as LimitScheme, Math.max(2, steps))}
+      >
+        Limit beside
+      </button>
+    </div>
+  );
+}
+
+function Simplify({ side }: { side: Side }) {
+  const [percent, setPercent] = useState(50);
+  return (
+    <div class="row">
+      <input
+        class="input steps-input"
+        type="number"
+        min={1}
+        max={99}
+        aria-label="Percentage of triangles that stay"
+        value={percent}
+        onInput={(event) => setPercent(Math.min(99, Math.max(1, Number(event.currentTarget.value) || 50)))}
+      />
+      <span class="muted">%</span>
+      <button
+        type="button"
+        class="btn"
+        onClick={() => void side.apply((type) => simplification(type, percent / 100))}
+      >
+        Simplify
+      </button>
+    </div>
+  );
+}
+
+function SetOperations({ side }: { side: Side }) {
+  const { workbench } = useApp().workspace;
+  const other = workbench.other(side.name).step.value;
+  const apply = (operation: SetOperation) => {
+    if (other) void side.apply((type) => setOperation(operation, type, other.type), other);
+  };
+  return (
+    <div class="btn-group" role="group" aria-label="With the other side">
+      {setOperations.map((operation) => (
+        <button
+          key={operation}
+          type="button"
+          class="btn"
+          disabled={!other}
+          title={`${operation} with the mesh of the other side`}
+          onClick={() => apply(operation)}
+        >
+          {operation}
+        </button>
+      ))}
+    </div>
+  );
+}
+
+type Along = "normal" | "plane";
+
+/** Dragging of vertices in the scene. */
+function MoveVertices({ side, view }: Props) {
+  const [along, setAlong] = useState<Along | null>(null);
+  const step = side.step.value;
+  useEffect(() => {
+    view.tool = along ? "vertex" : "select";
+    view.vertexTarget = along && step ? { cell: cellOf(step), along } : null;
+  }, [view, along, step]);
+  const choose = (value: Along) => setAlong(along === value ? null : value);
+  return (
+    <div class="btn-group" role="group" aria-label="Drag vertices">
+      <button
+        type="button"
+        class="btn"
+        aria-pressed={along === "normal"}
+        title="Drag a vertex along its normal"
+        onClick={() => choose("normal")}
+      >
+        Vertex ↕ normal
+      </button>
+      <button
+        type="button"
+        class="btn"
+        aria-pressed={along === "plane"}
+        title="Drag a vertex in the plane of its normal"
+        onClick={() => choose("plane")}
+      >
+        Vertex ↔ plane
+      </button>
+    </div>
+  );
+}

@@ -1,0 +1,106 @@
+import { useState } from "preact/hooks";
+import type { Side } from "../../state/workbench";
+import { isMeshType } from "../../state/workbench_operations";
+import { useApp } from "../context";
+import { nameProblem } from "../messages/NameDialog";
+import { IconButton } from "../ui/controls";
+
+/** Which mesh a side has, undo and redo, and saving. */
+export function SideHead({ side }: { side: Side }) {
+  const { store } = useApp();
+  const [saving, setSaving] = useState(false);
+  const objects = store.catalogue.objects.value.filter(({ type, hasValue }) => isMeshType(type) && hasValue);
+  const { readOnly } = store.connection.info.value ?? { readOnly: false };
+  return (
+    <div class="panel-head side-head">
+      <select
+        class="input"
+        aria-label="Mesh of this side"
+        value=""
+        onChange={(event) => {
+          const name = event.currentTarget.value;
+          event.currentTarget.value = "";
+          if (name === "selected") loadSelected(side, store);
+          else if (name) void side.loadObject(name);
+        }}
+      >
+        <option value="">Choose a mesh…</option>
+        <option value="selected" disabled={store.results.selected.value === null}>
+          The selected object
+        </option>
+        {objects.map(({ name }) => (
+          <option key={name} value={name}>
+            {name}
+          </option>
+        ))}
+      </select>
+      <span
+        class="steps ellipsis grow"
+        title={side.steps.value.map(({ statement }) => statement).join(";\n")}
+      >
+        {side.steps.value.map(({ label }) => label).join(" › ")}
+      </span>
+      <IconButton icon="undo" label="Undo" disabled={!side.canUndo.value} onClick={() => void side.undo()} />
+      <IconButton icon="redo" label="Redo" disabled={!side.canRedo.value} onClick={() => void side.redo()} />
+      {saving ? (
+        <SaveForm side={side} onDone={() => setSaving(false)} />
+      ) : (
+        <IconButton
+          icon="save"
+          label="Save as a new object"
+          disabled={!side.step.value || readOnly}
+          onClick={() => setSaving(true)}
+        />
+      )}
+      <IconButton
+        icon="close"
+        label="Clear this side"
+        disabled={!side.step.value}
+        onClick={() => side.clear()}
+      />
+    </div>
+  );
+}
+
+function loadSelected(side: Side, store: ReturnType<typeof useApp>["store"]): void {
+  const selected = store.results.selected.value;
+  const outcome = selected ? store.results.ofResult(selected.result) : null;
+  const column = selected?.column ?? outcome?.shapeColumns[0];
+  if (selected && column !== undefined)
+    void side.load({ ...selected, column }, `${column}, row ${selected.row + 1}`);
+}
+
+function SaveForm({ side, onDone }: { side: Side; onDone: () => void }) {
+  const { store } = useApp();
+  const [name, setName] = useState("");
+  const problem = nameProblem(
+    name,
+    store.catalogue.objects.value.map((object) => object.name),
+  );
+  return (
+    <form
+      class="row"
+      onSubmit={(event) => {
+        event.preventDefault();
+        if (problem) return;
+        onDone();
+        void side.save(name);
+      }}
+      onKeyDown={(event) => event.key === "Escape" && onDone()}
+    >
+      <input
+        class="input"
+        autofocus
+        size={12}
+        aria-label="Name of the new object"
+        placeholder="Name"
+        title={problem}
+        value={name}
+        onInput={(event) => setName(event.currentTarget.value)}
+      />
+      <button type="submit" class="btn primary" disabled={problem !== ""}>
+        Save
+      </button>
+    </form>
+  );
+}

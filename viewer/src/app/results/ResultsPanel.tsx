@@ -1,0 +1,125 @@
+import { useState } from "preact/hooks";
+import { titleOf, type Outcome } from "../../state/outcome";
+import { useApp } from "../context";
+import { ResultTable } from "../table/ResultTable";
+import { seconds } from "../table/format";
+import { IconButton } from "../ui/controls";
+import { Icon } from "../ui/Icon";
+
+/** The results that are kept, and the table of one of them. */
+export function ResultsPanel() {
+  const { store } = useApp();
+  const { results } = store;
+  const outcome = results.active.value;
+  return (
+    <section class="panel results-panel" aria-label="Results">
+      <div class="panel-head results-head">
+        <div class="result-tabs" role="tablist" aria-label="Results">
+          {results.list.value.map((each) => (
+            <ResultTab key={each.key} outcome={each} active={each === outcome} />
+          ))}
+        </div>
+        <span class="grow" />
+        <button
+          type="button"
+          class="btn quiet"
+          aria-pressed={results.overlay.value}
+          title="Show new results together with those that are shown already"
+          onClick={() => (results.overlay.value = !results.overlay.value)}
+        >
+          <Icon name="layers" />
+          <span class="wide-only">Overlay</span>
+        </button>
+        <IconButton icon="close" label="Close all results" onClick={() => results.closeAll()} />
+      </div>
+      {outcome ? (
+        <ResultBody key={outcome.key} outcome={outcome} />
+      ) : (
+        <p class="empty">Results of statements appear here.</p>
+      )}
+    </section>
+  );
+}
+
+function ResultTab({ outcome, active }: { outcome: Outcome; active: boolean }) {
+  const { results } = useApp().store;
+  const title = titleOf(outcome.statement);
+  const shown = outcome.shown.value.size > 0;
+  return (
+    <span class={`result-tab${active ? " active" : ""}`} data-testid="result-tab">
+      {outcome.shapeColumns.length > 0 && (
+        <IconButton
+          small
+          icon={shown ? "eye" : "eyeOff"}
+          pressed={shown}
+          label={`Show ${title} in 3D`}
+          onClick={() => results.show(outcome, !shown)}
+        />
+      )}
+      <button
+        type="button"
+        role="tab"
+        class="result-title"
+        aria-selected={active}
+        title={outcome.statement}
+        onClick={() => (results.activeKey.value = outcome.key)}
+        onAuxClick={(event) => event.button === 1 && results.close(outcome)}
+      >
+        <span class="ellipsis">{title}</span>
+        {outcome.table?.isRelation && (
+          <span class="tag">{outcome.table.rows.count.toLocaleString("en")}</span>
+        )}
+        {outcome.answer.diagnostics.length > 0 && <Icon name="warning" />}
+      </button>
+      <IconButton small icon="close" label={`Close ${title}`} onClick={() => results.close(outcome)} />
+    </span>
+  );
+}
+
+function ResultBody({ outcome }: { outcome: Outcome }) {
+  const { store, workspace } = useApp();
+  const { answer, table, statement, parameters } = outcome;
+  const [open, setOpen] = useState(answer.diagnostics.length > 0);
+  const count = table?.isRelation
+    ? table.rows.count === 1
+      ? "1 row"
+      : `${table.rows.count.toLocaleString("en")} rows`
+    : "";
+  return (
+    <>
+      <div class="result-info">
+        <code class="ellipsis grow" title={statement}>
+          {statement.replace(/\s+/g, " ")}
+        </code>
+        {answer.diagnostics.length > 0 && (
+          <button type="button" class="btn small quiet" aria-expanded={open} onClick={() => setOpen(!open)}>
+            <Icon name="warning" />
+            {answer.diagnostics.length === 1 ? "1 note" : `${answer.diagnostics.length} notes`}
+          </button>
+        )}
+        <span class="muted">{[count, seconds(answer.seconds)].filter(Boolean).join(", ")}</span>
+        <IconButton
+          small
+          icon="code"
+          label="Put the statement into the editor"
+          onClick={() => workspace.editor.value?.append(`${statement};`)}
+        />
+        <IconButton
+          small
+          icon="refresh"
+          label="Run again"
+          onClick={() => void store.run(statement, { parameters })}
+        />
+      </div>
+      {open && (
+        <div class="callout warning diagnostics" data-testid="diagnostics">
+          {answer.diagnostics.map((text) => (
+            <div key={text}>{text}</div>
+          ))}
+        </div>
+      )}
+      {table && table.rows.count > 0 && <ResultTable outcome={outcome} table={table} />}
+      {table?.rows.count === 0 && <p class="empty">No rows.</p>}
+    </>
+  );
+}

@@ -1,0 +1,199 @@
+import { useEffect, useState } from "preact/hooks";
+import type { Json, Row } from "../../api/types";
+import type { Outcome } from "../../state/outcome";
+import { summaryOf } from "../../state/outcome";
+import { objectName, type Review } from "../../state/uploads";
+import { useApp } from "../context";
+import { nameProblem } from "../messages/NameDialog";
+import { bytesText, shortNumber } from "../table/format";
+import { IconButton } from "../ui/controls";
+import { Icon } from "../ui/Icon";
+
+/** The dropped files that are being looked at. */
+export function ReviewList() {
+  const { uploads } = useApp().workspace;
+  return (
+    <div class="reviews">
+      {uploads.reviews.value.map((review) => (
+        <ReviewCard key={review.key} review={review} />
+      ))}
+    </div>
+  );
+}
+
+const phases = {
+  sending: "Sending",
+  reading: "Reading the file",
+  repairing: "Repairing",
+  ready: "",
+  failed: "",
+} as const;
+
+function ReviewCard({ review }: { review: Review }) {
+  const { uploads } = useApp().workspace;
+  const phase = review.phase.value;
+  return (
+    <section class="review" aria-label={review.fileName} data-testid="review" data-phase={phase}>
+      <div class="panel-head">
+        <h3 class="panel-title ellipsis grow">{review.fileName}</h3>
+        <span class="muted">{bytesText(review.bytes)}</span>
+        <IconButton
+          small
+          icon="close"
+          label={`Close ${review.fileName}`}
+          onClick={() => uploads.close(review)}
+        />
+      </div>
+      <div class="review-body">
+        {phase === "failed" && <p class="error-text">{review.problem.value}</p>}
+        {phases[phase] && (
+          <div>
+            <div class="muted">{phases[phase]}…</div>
+            <div class={`progress${phase === "sending" ? "" : " unknown"}`}>
+              <div style={phase === "sending" ? { width: `${review.sent.value * 100}%` } : undefined} />
+            </div>
+          </div>
+        )}
+        {review.asIs.value && <ShownLine label="As it is" outcome={review.asIs.value} />}
+        {review.repaired.value && <ShownLine label="Repaired" outcome={review.repaired.value} />}
+        <ChangesLine review={review} />
+        {review.report.value && <Report outcome={review.report.value} />}
+        {phase === "ready" && <SideBySide review={review} />}
+        {phase === "ready" && <StoreLine review={review} />}
+      </div>
+    </section>
+  );
+}
+
+/** A form of the mesh with its size, shown or hidden in 3D. */
+function ShownLine({ label, outcome }: { label: string; outcome: Outcome }) {
+  const { results } = useApp().store;
+  const shown = outcome.shown.value.size > 0;
+  const summary = summaryOf(outcome.answer.value);
+  return (
+    <div class="review-line">
+      <IconButton
+        small
+        icon={shown ? "eye" : "eyeOff"}
+        pressed={shown}
+        label={`Show ${label} in 3D`}
+        onClick={() => results.show(outcome, !shown)}
+      />
+      <button type="button" class="link-button" onClick={() => (results.activeKey.value = outcome.key)}>
+        {label}
+      </button>
+      <span class="muted ellipsis grow">{summary ? `${summary.type}, ${summary.count}` : "undefined"}</span>
+    </div>
+  );
+}
+
+/** The triangles that the repair added and took away, marked in 3D. */
+function ChangesLine({ review }: { review: Review }) {
+  const scene = useApp().workspace.scene.value;
+  const changes = review.changes.value;
+  const [shown, setShown] = useState(true);
+  useEffect(() => {
+    if (!scene || !changes || !shown) return;
+    const names = [`${review.key} added`, `${review.key} removed`] as const;
+    scene.setMarkers(names[0], { triangles: changes.added, color: "#2fbf71" });
+    scene.setMarkers(names[1], { triangles: changes.removed, color: "#e5484d" });
+    return () => names.forEach((name) => scene.setMarkers(name, null));
+  }, [scene, changes, shown]);
+  if (!changes) return null;
+  return (
+    <div class="review-line">
+      <IconButton
+        small
+        icon={shown ? "eye" : "eyeOff"}
+        pressed={shown}
+        label="Mark the changed triangles"
+        onClick={() => setShown(!shown)}
+      />
+      <span>Changes</span>
+      <span class="grow" />
+      <span class="added">+{changes.added.length.toLocaleString("en")}</span>
+      <span class="removed">−{changes.removed.length.toLocaleString("en")}</span>
+    </div>
+  );
+}
+
+/** Shows the file and its repair in the split screen. */
+function SideBySide({ review }: { review: Review }) {
+  const { workspace } = useApp();
+  const show = (side: "left" | "right", outcome: Outcome | null) => {
+    if (outcome?.resultId) workspace.compare(side, { result: outcome.resultId, row: 0, column: "value" });
+  };
+  return (
+    <button
+      type="button"
+      class="btn"
+      onClick={() => {
+        show("left", review.asIs.value);
+        show("right", review.repaired.value);
+      }}
+    >
+      <Icon name="split" /> Side by side
+    </button>
+  );
+}
+
+/** What the import found and changed. */
+function Report({ outcome }: { outcome: Outcome }) {
+  const rows = (outcome.answer.value ?? []) as readonly Row[];
+  const told = rows.filter(({ Phase }) => Phase === "found" || Phase === "changed");
+  if (told.length === 0)
+    return (
+      <p class="review-good">
+        <Icon name="cube" /> No defects: a valid solid.
+      </p>
+    );
+  return (
+    <table class="report">
+      <tbody>
+        {told.map(({ Phase, What, Count, Amount }, index) => (
+          <tr key={index} class={text(Phase)}>
+            <td>{text(Phase)}</td>
+            <td>{text(What)}</td>
+            <td class="number">{typeof Count === "number" ? Count.toLocaleString("en") : ""}</td>
+            <td class="number muted">{typeof Amount === "number" ? shortNumber(Amount) : ""}</td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+const text = (value: Json | undefined) => (typeof value === "string" ? value : "");
+
+function StoreLine({ review }: { review: Review }) {
+  const { store, workspace } = useApp();
+  const taken = store.catalogue.objects.value.map((object) => object.name);
+  const [name, setName] = useState(() => objectName(review.fileName, taken));
+  const problem = nameProblem(name, taken);
+  const { readOnly } = store.connection.info.value ?? { readOnly: false };
+  return (
+    <form
+      class="review-line"
+      onSubmit={(event) => {
+        event.preventDefault();
+        if (!problem) void workspace.uploads.store(review, name);
+      }}
+    >
+      <input
+        class="input grow"
+        aria-label="Name of the new object"
+        value={name}
+        title={problem}
+        onInput={(event) => setName(event.currentTarget.value)}
+      />
+      <button
+        type="submit"
+        class="btn primary"
+        disabled={problem !== "" || readOnly}
+        title={problem || "Stores the repaired solid"}
+      >
+        <Icon name="save" /> Store
+      </button>
+    </form>
+  );
+}

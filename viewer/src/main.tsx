@@ -1,0 +1,22 @@
+import { render } from "preact";
+import { Client } from "./api/client";
+import { takeToken } from "./api/token";
+import { Page } from "./app/Page";
+import { Workspace } from "./app/workspace";
+import { openLink } from "./app/link";
+import { Store } from "./state/store";
+import { makeTheme } from "./state/theme";
+
+const client = new Client();
+client.token = takeToken({
+  hash: location.hash,
+  storage: sessionStorage,
+  replaceHash: (hash) => history.replaceState(null, "", `${location.pathname}${location.search}${hash}`),
+});
+const store = new Store(client, makeTheme(localStorage), localStorage, sessionStorage);
+const workspace = new Workspace(store);
+const root = document.getElementById("app");
+if (!root) throw new Error("index.html has no element #app.");
+render(<Page app={{ store, workspace }} />, root);
+void store.connection.check().then(() => openLink({ store, workspace }, location.hash));
+addEventListener("hashchange", () => void openLink({ store, workspace }, location.hash));

@@ -1,0 +1,204 @@
+/** What the actions of shortcuts.ts do; the group "Application" is handed on as events. */
+
+import type { Appearance, ColorScheme, StandardView } from "./api";
+import { orbit, pan, zoom } from "./camera";
+import type { View } from "./scene_view";
+import { kShortcuts } from "./shortcuts";
+import { normalized } from "./vec";
+
+type Action = (view: View) => void;
+
+const look =
+  (side: StandardView): Action =>
+  (view) =>
+    view.look(side);
+const turn =
+  (axis: "roll" | "up" | "side", degrees: number): Action =>
+  (view) =>
+    view.turn(axis, degrees);
+const orbitBy =
+  (sideways: number, upwards: number): Action =>
+  (view) =>
+    view.update({ camera: orbit(view.state.camera, sideways, upwards, view.state.navigation.orbit) });
+const panBy =
+  (right: number, up: number): Action =>
+  (view) =>
+    view.update({ camera: pan(view.state.camera, right, up) });
+const zoomBy =
+  (factor: number): Action =>
+  (view) =>
+    view.update({ camera: zoom(view.state.camera, factor) });
+const toggle =
+  (name: "axes" | "grid" | "boxes" | "scaleBar" | "legend" | "boundary" | "nonManifold"): Action =>
+  (view) =>
+    view.update({ display: { [name]: !view.state.display[name] } });
+
+const kTurn = Math.PI / 24;
+
+const kActions: Readonly<Record<string, Action>> = {
+  "view.front": look("front"),
+  "view.back": look("back"),
+  "view.left": look("left"),
+  "view.right": look("right"),
+  "view.top": look("top"),
+  "view.bottom": look("bottom"),
+  "view.isometric": look("isometric"),
+  "turn.up": turn("side", -90),
+  "turn.down": turn("side", 90),
+  "roll.left": turn("roll", -90),
+  "roll.right": turn("roll", 90),
+  projection: (view) => {
+    const { camera } = view.state;
+    const projection = camera.projection === "perspective" ? "orthographic" : "perspective";
+    view.update({ camera: { projection } });
+  },
+  home: (view) => view.home(),
+  fit: (view) => view.fit(),
+  "fit.selection": (view) => view.fit(view.selection),
+  "orbit.left": orbitBy(-kTurn, 0),
+  "orbit.right": orbitBy(kTurn, 0),
+  "orbit.up": orbitBy(0, -kTurn),
+  "orbit.down": orbitBy(0, kTurn),
+  "pan.left": panBy(-0.08, 0),
+  "pan.right": panBy(0.08, 0),
+  "pan.up": panBy(0, 0.08),
+  "pan.down": panBy(0, -0.08),
+  "zoom.in": zoomBy(1 / 1.2),
+  "zoom.out": zoomBy(1.2),
+  trackball: (view) => {
+    const orbitStyle = view.state.navigation.orbit === "turntable" ? "trackball" : "turntable";
+    view.update({ navigation: { orbit: orbitStyle } });
+  },
+
+  edges: (view) => view.update({ appearance: { edges: nextOf(kEdgeModes, view.state.appearance.edges) } }),
+  faces: (view) => {
+    const faces = !view.state.appearance.faces;
+    const edges = !faces && view.state.appearance.edges === "none" ? "features" : view.state.appearance.edges;
+    view.update({ appearance: { faces, edges } });
+  },
+  shading: (view) =>
+    view.update({ appearance: { shading: view.state.appearance.shading === "flat" ? "smooth" : "flat" } }),
+  axes: toggle("axes"),
+  grid: toggle("grid"),
+  boxes: toggle("boxes"),
+  scale: toggle("scaleBar"),
+  legend: toggle("legend"),
+  boundary: toggle("boundary"),
+  nonmanifold: toggle("nonManifold"),
+  coloring: (view) => view.update({ appearance: { scheme: nextScheme(view) } }),
+  "opacity.more": (view) => changeOpacity(view, 0.1),
+  "opacity.less": (view) => changeOpacity(view, -0.1),
+  "light.more": (view) => changeLight(view, 1.15),
+  "light.less": (view) => changeLight(view, 1 / 1.15),
+  explode: (view) => view.update({ display: { explode: view.state.display.explode > 0 ? 0 : 0.6 } }),
+
+  hide: (view) => {
+    for (const cell of view.selection) hideRecord(view, cell);
+    view.select([]);
+    view.visibilityChanged();
+  },
+  isolate: (view) => {
+    if (view.selection.length === 0) return;
+    const kept = new Set(view.selection.map((cell) => view.stage.store.record(cell)));
+    for (const record of view.stage.store.records()) record.hidden = !kept.has(record);
+    view.visibilityChanged();
+  },
+  "show.all": (view) => {
+    for (const record of view.stage.store.records()) record.hidden = false;
+    for (const column of view.stage.store.columns) column.visible = true;
+    view.visibilityChanged();
+  },
+  "select.none": (view) => {
+    view.tool = "select";
+    view.select([]);
+  },
+  "select.next": (view) => selectBeside(view, 1),
+  "select.previous": (view) => selectBeside(view, -1),
+
+  section: (view) => {
+    const on = !view.state.section.on;
+    const box = view.stage.contentBox;
+    if (!on || box.isEmpty()) return view.update({ section: { on } });
+    const point = box.getCenter(box.min.clone()).toArray();
+    view.update({ section: { on, point, cap: "preview" } });
+    view.sectionRests();
+  },
+  "section.forward": (view) => moveSection(view, 0.02),
+  "section.back": (view) => moveSection(view, -0.02),
+  measure: (view) => (view.tool = view.tool === "measure" ? "select" : "measure"),
+  inspect: (view) => (view.tool = view.tool === "inspect" ? "select" : "inspect"),
+};
+
+const kEdgeModes: readonly Appearance["edges"][] = ["none", "features", "all"];
+
+function nextOf<T>(values: readonly T[], value: T): T {
+  return values[(values.indexOf(value) + 1) % values.length]!;
+}
+
+/** One colour, gradient, then each attribute. */
+function nextScheme(view: View): ColorScheme {
+  const schemes: ColorScheme[] = [
+    { by: "one" },
+    { by: "gradient", from: "#2b6cb0", to: "#f2b134" },
+    ...view.attributes.map(({ name }) => ({ by: "attribute", attribute: name, palette: "viridis" }) as const),
+  ];
+  const now = view.state.appearance.scheme;
+  const index = schemes.findIndex(
+    (scheme) =>
+      scheme.by === now.by &&
+      (scheme.by !== "attribute" || (now.by === "attribute" && now.attribute === scheme.attribute)),
+  );
+  return schemes[(index + 1) % schemes.length]!;
+}
+
+function changeOpacity(view: View, by: number): void {
+  const opacity = Math.round(Math.min(1, Math.max(0, view.state.appearance.opacity + by)) * 10) / 10;
+  view.update({ appearance: { opacity } });
+}
+
+function changeLight(view: View, factor: number): void {
+  const { global } = view.state.lights;
+  const brightness = Math.min(10, Math.max(0.05, global.brightness * factor));
+  view.update({ lights: { global: { ...global, brightness } } });
+}
+
+function hideRecord(view: View, cell: { result: string; row: number; column: string }): void {
+  const record = view.stage.store.record(cell);
+  if (record) record.hidden = true;
+}
+
+function selectBeside(view: View, step: number): void {
+  const records = [...view.stage.store.visibleRecords()];
+  if (records.length === 0) return;
+  const last = view.selection.at(-1);
+  const current = last ? records.findIndex((record) => record === view.stage.store.record(last)) : -1;
+  const index = current < 0 ? (step > 0 ? 0 : records.length - 1) : current + step;
+  view.select([records[(index + records.length) % records.length]!.cell]);
+}
+
+function moveSection(view: View, part: number): void {
+  const { section } = view.state;
+  if (!section.on) return;
+  const box = view.stage.contentBox;
+  const step = box.isEmpty() ? part : box.max.distanceTo(box.min) * part;
+  const normal = normalized(section.normal);
+  const point = [0, 1, 2].map((axis) => section.point[axis]! + normal[axis]! * step) as [
+    number,
+    number,
+    number,
+  ];
+  view.update({ section: { point, cap: "preview" } });
+  view.sectionRests();
+}
+
+/** Returns whether there is an action of this name. */
+export function performAction(view: View, action: string): boolean {
+  const perform = Object.hasOwn(kActions, action) ? kActions[action] : undefined;
+  if (perform) {
+    perform(view);
+    return true;
+  }
+  if (!kShortcuts.some((shortcut) => shortcut.action === action)) return false;
+  view.emitAction(action);
+  return true;
+}

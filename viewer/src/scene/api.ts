@@ -1,0 +1,460 @@
+/**
+ * The door of the scene: what the application and the panels may know of it. Everything in `scene/` that is not
+ * exported here or by `scene/index.ts` is private.
+ *
+ * A SceneView draws the geometry of any number of results into one element of the page. Nothing in it is global, so
+ * that two views can stand side by side. All coordinates are those of the database, in doubles.
+ *
+ * A view is made by `createSceneView(element)` (scene/index.ts). It works without WebGL, too: its state can be read and
+ * set, only nothing is drawn, and `problem` says why.
+ */
+
+export type Vec3 = readonly [number, number, number];
+
+/** Minimum and maximum of x, y and z, as the API writes boxes. */
+export type Box = readonly [number, number, number, number, number, number];
+
+/** `#rrggbb`. */
+export type Color = string;
+
+// ---------------------------------------------------------------------------------------------------------------
+// Results
+
+/** One cell of a result; rows count from 0. */
+export interface CellRef {
+  readonly result: string;
+  readonly row: number;
+  readonly column: string;
+}
+
+/** A column of a result that can be drawn. */
+export interface ColumnRef {
+  readonly result: string;
+  readonly column: string;
+}
+
+/** A value by which objects are coloured; null is undefined. */
+export type AttributeValue = number | string | boolean | null;
+
+/** Parameters of GET /api/results/{id}/shapes. */
+export interface ShapeRequest {
+  readonly from: number;
+  readonly count: number;
+  /** Largest number of triangles of one shape; 0 for all. */
+  readonly triangles: number;
+  /** Called as bytes arrive; `total` is null if the server did not announce it. */
+  readonly onBytes?: (received: number, total: number | null) => void;
+}
+
+export interface ShapeBatch {
+  /** The binary glTF of docs/http-api.md. The view keeps it and draws from it without a copy. */
+  readonly bytes: ArrayBuffer;
+  /** The row to go on with (header X-Algebra3d-Next), null at the end. */
+  readonly next: number | null;
+}
+
+/** Where the view gets the geometry of a column from. The application implements it on the HTTP API. */
+export interface ShapeSource extends ColumnRef {
+  /** What a person calls it: name of an object, or the statement. */
+  readonly title: string;
+  /** Number of rows. */
+  readonly count: number;
+  /** The columns by whose values objects may be coloured. */
+  readonly attributes: readonly { readonly name: string; readonly type: string }[];
+  load(request: ShapeRequest, signal: AbortSignal): Promise<ShapeBatch>;
+  /** Values of an attribute for `count` rows. */
+  values(
+    attribute: string,
+    from: number,
+    count: number,
+    signal: AbortSignal,
+  ): Promise<readonly AttributeValue[]>;
+  /** What the server is doing for this column (GET .../progress), '' if nothing. */
+  progress?(signal: AbortSignal): Promise<string>;
+}
+
+/** How far the loading of a column is. */
+export interface LoadProgress extends ColumnRef {
+  /** `coarse` first picture, `fine` better levels of detail, `done`, or `failed`. */
+  readonly phase: "coarse" | "fine" | "done" | "failed";
+  readonly rowsLoaded: number;
+  readonly rows: number;
+  readonly bytes: number;
+  /** Of the request that is running; null if unknown. */
+  readonly fraction: number | null;
+  /** For people: "12 of 50 objects", or the server's own text, or the error. */
+  readonly text: string;
+}
+
+/** What is known of a loaded shape. */
+export interface ShapeInfo {
+  readonly cell: CellRef;
+  readonly kind: string;
+  readonly box: Box | null;
+  readonly triangles: number;
+  /** Triangles of the level of detail that is drawn. */
+  readonly shown: number;
+  /** Largest distance by which a vertex of this level was moved; 0 if it is exact but for rounding to floats. */
+  readonly deviation: number;
+  readonly visible: boolean;
+  /** By which it is drawn beside its place, in an exploded picture. */
+  readonly offset: Vec3;
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// State: plain data that can be written to JSON
+
+export type Projection = "perspective" | "orthographic";
+export type StandardView = "front" | "back" | "left" | "right" | "top" | "bottom" | "isometric";
+
+export interface CameraState {
+  readonly projection: Projection;
+  readonly position: Vec3;
+  readonly target: Vec3;
+  readonly up: Vec3;
+  /** Height of what is seen at the target, in coordinate units; both projections keep it. */
+  readonly height: number;
+}
+
+export type NavigationPreset =
+  | "default"
+  | "blender"
+  | "freecad"
+  | "solidworks"
+  | "fusion"
+  | "onshape"
+  | "inventor"
+  | "catia"
+  | "rhino"
+  | "maya"
+  | "f3d"
+  | "touchpad";
+
+export interface NavigationState {
+  readonly preset: NavigationPreset;
+  /** Factors; 1 is normal. */
+  readonly rotationSpeed: number;
+  readonly panSpeed: number;
+  readonly zoomSpeed: number;
+  readonly invertWheel: boolean;
+  /** Zoom towards the point under the pointer. */
+  readonly zoomToPointer: boolean;
+  /** `turntable` keeps z upright, `trackball` turns freely. */
+  readonly orbit: "turntable" | "trackball";
+}
+
+/** How the colour of an object is found; an override of the object comes first. */
+export type ColorScheme =
+  | { readonly by: "one" }
+  | { readonly by: "gradient"; readonly from: Color; readonly to: Color }
+  | { readonly by: "attribute"; readonly attribute: string; readonly palette: PaletteName };
+
+export type PaletteName = "viridis" | "cividis" | "magma" | "coolwarm" | "greys";
+
+export interface Appearance {
+  readonly faces: boolean;
+  readonly edges: "none" | "features" | "all";
+  readonly shading: "smooth" | "flat";
+  /** 0 invisible to 1 solid. */
+  readonly opacity: number;
+  readonly color: Color;
+  readonly edgeColor: Color;
+  /** Diameter of points in pixels. */
+  readonly pointSize: number;
+  readonly scheme: ColorScheme;
+  /** null: the colour of the page's theme. */
+  readonly background: Color | null;
+}
+
+/** What differs for one object. */
+export interface ObjectOverride {
+  readonly cell: CellRef;
+  readonly color?: Color;
+  readonly pointSize?: number;
+  readonly opacity?: number;
+}
+
+export interface GlobalLight {
+  readonly on: boolean;
+  readonly color: Color;
+  /** 1 is normal. */
+  readonly brightness: number;
+}
+
+export interface PointLightState extends GlobalLight {
+  readonly id: number;
+  readonly position: Vec3;
+  /** Beyond it the light has no effect; in coordinate units. */
+  readonly reach: number;
+}
+
+export interface LightsState {
+  readonly global: GlobalLight;
+  readonly lights: readonly PointLightState[];
+  readonly selected: number | null;
+  /** Markers are drawn while the panel of lights is open. */
+  readonly markers: boolean;
+}
+
+export interface SectionState {
+  readonly on: boolean;
+  readonly point: Vec3;
+  /** Unit vector; what lies on its side is cut away. */
+  readonly normal: Vec3;
+  /** `preview`: cut filled by the graphics card; `exact`: the surfaces given to setCaps. */
+  readonly cap: "preview" | "exact";
+  readonly capColor: Color;
+  /** Outline of the plane and its handle. */
+  readonly plane: boolean;
+}
+
+export interface DisplayState {
+  readonly axes: boolean;
+  readonly grid: boolean;
+  readonly scaleBar: boolean;
+  readonly boxes: boolean;
+  readonly boundary: boolean;
+  readonly nonManifold: boolean;
+  readonly legend: boolean;
+  /** 0 together, 1 moved from the common centre by their distance from it. */
+  readonly explode: number;
+}
+
+export interface SceneState {
+  readonly camera: CameraState;
+  readonly navigation: NavigationState;
+  readonly appearance: Appearance;
+  readonly overrides: readonly ObjectOverride[];
+  readonly lights: LightsState;
+  readonly section: SectionState;
+  readonly display: DisplayState;
+}
+
+/** A part of the state to be changed; what is left out stays. */
+export type ScenePatch = {
+  readonly [K in Exclude<keyof SceneState, "overrides">]?: Partial<SceneState[K]>;
+} & { readonly overrides?: readonly ObjectOverride[] };
+
+// ---------------------------------------------------------------------------------------------------------------
+// Events
+
+/** The place under the pointer. */
+export interface Hit {
+  readonly cell: CellRef;
+  readonly point: Vec3;
+  /** What the point was snapped to. */
+  readonly snap: "vertex" | "edge" | "face" | "point";
+  /** Numbers in the value, as by faces(v) and vertices(v); null where the level of detail does not know them. */
+  readonly face: number | null;
+  readonly vertex: number | null;
+  /** The corners of the triangle, or null; `ids` are their numbers in the value. */
+  readonly triangle: {
+    readonly corners: readonly [Vec3, Vec3, Vec3];
+    readonly ids: readonly [number | null, number | null, number | null];
+    readonly normal: Vec3;
+    readonly area: number;
+  } | null;
+  /** The ends of the edge to which the point was snapped. */
+  readonly edge: readonly [Vec3, Vec3] | null;
+  /** The drawn level of detail is a coarser one, so that the point lies up to this far from the value. */
+  readonly deviation: number;
+}
+
+export interface VertexMove {
+  readonly cell: CellRef;
+  /** Number in the value, as by vertices(v). */
+  readonly vertex: number;
+  readonly from: Vec3;
+  readonly to: Vec3;
+  /** False while dragging, true when the button was let go. */
+  readonly finished: boolean;
+}
+
+/** What keeps the view from drawing. */
+export interface SceneProblem {
+  readonly kind: "no_webgl" | "context_lost" | "out_of_memory";
+  readonly message: string;
+  readonly remedy: string;
+}
+
+export type SceneAction = string;
+
+export interface SceneEvents {
+  /** Any part of the state changed; `parts` says which. */
+  state: { readonly parts: readonly (keyof SceneState)[] };
+  /** The selection changed; `byPerson` if by a click in the view and not by select(). */
+  selection: { readonly cells: readonly CellRef[]; readonly byPerson: boolean };
+  /** A double click on an object: show its properties. */
+  open: { readonly hit: Hit };
+  /** Another tool was chosen, by a key or by setting `tool`. */
+  tool: { readonly tool: Tool };
+  /** The pointer is over a point, or over nothing. */
+  hover: { readonly hit: Hit | null };
+  /** A click while tool is `measure` or `inspect`. */
+  pick: { readonly hit: Hit; readonly tool: Tool };
+  /** The section plane rests at a new place: ask the database for the exact cut. */
+  section: { readonly point: Vec3; readonly normal: Vec3 };
+  /** The shapes or their levels of detail changed. */
+  shapes: Record<string, never>;
+  progress: LoadProgress;
+  vertex: VertexMove;
+  /** null when it is over. */
+  problem: SceneProblem | null;
+  /** A keyboard shortcut that the application has to carry out, see `shortcuts.ts`. */
+  action: SceneAction;
+}
+
+export type Tool = "select" | "measure" | "inspect" | "vertex";
+
+// ---------------------------------------------------------------------------------------------------------------
+// The view
+
+export interface OverlayStyle {
+  readonly color: Color;
+  readonly edgeColor?: Color;
+  readonly opacity?: number;
+  readonly edges?: boolean;
+  /** Drawn over everything else. */
+  readonly onTop?: boolean;
+}
+
+/** Points and segments highlighted in the scene, such as defects of a file or a measured distance. */
+export interface Markers {
+  readonly points?: readonly Vec3[];
+  readonly segments?: readonly (readonly [Vec3, Vec3])[];
+  readonly triangles?: readonly (readonly [Vec3, Vec3, Vec3])[];
+  readonly labels?: readonly { readonly at: Vec3; readonly text: string }[];
+  readonly color: Color;
+  readonly size?: number;
+}
+
+export interface ScreenshotOptions {
+  readonly transparent?: boolean;
+  /** In pixels; those of the view if not given. */
+  readonly width?: number;
+  readonly height?: number;
+}
+
+/** Legend of the colours by an attribute. */
+export type Legend =
+  | {
+      readonly kind: "numbers";
+      readonly attribute: string;
+      readonly min: number;
+      readonly max: number;
+      readonly stops: readonly Color[];
+      readonly undefinedCount: number;
+    }
+  | {
+      readonly kind: "categories";
+      readonly attribute: string;
+      readonly entries: readonly { readonly label: string; readonly color: Color; readonly count: number }[];
+      readonly others: number;
+    };
+
+export interface SceneView {
+  /** The element that was given; the canvas and the labels are its children. */
+  readonly element: HTMLElement;
+  readonly problem: SceneProblem | null;
+
+  /** Calls `listener` at each event; returns a function that ends this. */
+  on<K extends keyof SceneEvents>(event: K, listener: (data: SceneEvents[K]) => void): () => void;
+
+  // Results
+  /** Shows a column: coarse first, then finer. The first one that is added brings the standard view. */
+  addResult(source: ShapeSource): void;
+  /** Removes one column of a result, or all of them, and frees their memory. */
+  removeResult(result: string, column?: string): void;
+  /** Reads the shapes again, as after a change of the value; the old ones are drawn until then. */
+  reloadResult(column: ColumnRef): void;
+  readonly results: readonly ShapeSource[];
+  /** Shows or hides a result (without row) or an object. */
+  setVisible(what: ColumnRef & { readonly row?: number }, visible: boolean): void;
+  isVisible(what: ColumnRef & { readonly row?: number }): boolean;
+  shapes(column?: ColumnRef): readonly ShapeInfo[];
+  shape(cell: CellRef): ShapeInfo | null;
+  /** The attributes of all results by which objects can be coloured. */
+  readonly attributes: readonly { readonly name: string; readonly type: string }[];
+  /** How far each column is loaded. */
+  readonly progress: readonly LoadProgress[];
+
+  // Selection
+  readonly selection: readonly CellRef[];
+  select(cells: readonly CellRef[], options?: { readonly fit?: boolean }): void;
+
+  // State
+  readonly state: SceneState;
+  update(patch: ScenePatch): void;
+  /** Takes the parts back to what they are in a new view; a camera means the standard view. */
+  reset(...parts: (keyof SceneState)[]): void;
+  readonly legend: Legend | null;
+  /** What differs from a new view, for permanent links. */
+  toJSON(): unknown;
+  /** Takes over what toJSON() gave; what is not understood is left out, and listed in the answer. */
+  restore(json: unknown): readonly string[];
+
+  // Camera
+  /** All that is visible, seen from the present direction; or only `cells`. */
+  fit(cells?: readonly CellRef[]): void;
+  /** The standard view: isometric, all is seen. */
+  home(): void;
+  look(view: StandardView): void;
+  /** Rolls or turns by degrees: about the view direction, the upward or the sideways axis. */
+  turn(axis: "roll" | "up" | "side", degrees: number): void;
+  setCamera(camera: CameraState, options?: { readonly animate?: boolean }): void;
+
+  // Tools
+  tool: Tool;
+  /** Snaps of measuring. */
+  snap: { vertices: boolean; edges: boolean };
+  /** The object whose vertices are dragged while tool is `vertex`. */
+  vertexTarget: { readonly cell: CellRef; readonly along: "normal" | "plane" | "free" } | null;
+
+  // Additions to the picture that do not belong to a result
+  setCaps(caps: readonly { readonly cell: CellRef; readonly bytes: ArrayBuffer }[]): void;
+  setOverlay(
+    name: string,
+    overlay: { readonly bytes: ArrayBuffer; readonly style: OverlayStyle } | null,
+  ): void;
+  setMarkers(name: string, markers: Markers | null): void;
+
+  /** PNG. */
+  screenshot(options?: ScreenshotOptions): Promise<Blob>;
+  /** Carries out a shortcut or menu entry of `shortcuts.ts`; false if there is none of this name. */
+  act(action: SceneAction): boolean;
+  /** Takes the colours of the page's theme again; call after data-theme changed. */
+  themeChanged(): void;
+  /** Frees all memory; the view cannot be used afterwards. */
+  dispose(): void;
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// What the panels need of the application
+
+/** A parameter `$name` of a statement, as in POST /api/query. */
+export type Parameter = CellRef | { readonly type: string; readonly value: number | string };
+
+export interface Answer {
+  readonly type: string | null;
+  readonly value: unknown;
+  readonly diagnostics: readonly string[];
+  readonly result: {
+    readonly id: string;
+    readonly count: number;
+    readonly columns: readonly { readonly name: string; readonly type: string; readonly shape: boolean }[];
+  } | null;
+}
+
+/** The database, as the panels use it. Methods reject with an Error whose message is for people. */
+export interface Database {
+  query(
+    statement: string,
+    parameters: Readonly<Record<string, Parameter>>,
+    signal?: AbortSignal,
+  ): Promise<Answer>;
+  shapes(cell: CellRef, triangles: number, signal?: AbortSignal): Promise<ArrayBuffer>;
+  /** Drops a result that is no longer needed. */
+  drop(result: string): void;
+  /** Shows a statement with its parameters as if it had been run in the editor: as a new result, overlaid. */
+  show(statement: string, parameters: Readonly<Record<string, Parameter>>): void;
+}

@@ -1,0 +1,14 @@
+/** What is in the scene for one level of detail of one shape. */
+
+import type { Shape } from "../glb/shapes";
+import type { Look, Style } from "./look";
+
+export interface Body {
+  readonly shape: Shape;
+  setVisible(visible: boolean): void;
+  setLook(look: Look): void;
+  setStyle(style: Style): void;
+  /** The positions of the shape were changed in place, as by dragging a vertex. */
+  positionsChanged(): void;
+  dispose(): void;
+}

@@ -1,0 +1,214 @@
+/** The WebGL canvas: making it, losing and restoring its context, and drawing frames only when something changed. */
+
+import { WebGLRenderer } from "three";
+
+import type { SceneProblem } from "./api";
+import { kFull, Quality } from "./quality";
+import type { QualityStep } from "./quality";
+import type { Size } from "./projection";
+
+export const kNoWebgl: SceneProblem = {
+  kind: "no_webgl",
+  message:
+    "This browser does not offer WebGL 2, so the scene cannot be drawn. Tables and queries work as usual.",
+  remedy:
+    "Switch on hardware acceleration, or software rendering, in the settings of the browser, or use another browser; " +
+    "`about:gpu` or `about:support` says why.",
+};
+
+const kLost: SceneProblem = {
+  kind: "context_lost",
+  message: "The graphics card was taken away from this page, so the scene is not drawn at the moment.",
+  remedy: "It comes back by itself in most cases; if not, hide some objects or reload the page.",
+};
+
+/** After so many milliseconds without movement a frame is drawn in full quality. */
+const kRest = 160;
+
+export interface CanvasClient {
+  /** Draws a frame; `pixelRatio` is that of the drawing buffer. */
+  draw(pixelRatio: number, quality: QualityStep): void;
+  problem(problem: SceneProblem | null): void;
+  resized(size: Size): void;
+}
+
+export class Canvas {
+  readonly element: HTMLCanvasElement;
+  readonly renderer: WebGLRenderer | null;
+  /** Drawn by the processor: no hardware is behind it. */
+  readonly software: boolean;
+  private readonly quality: Quality;
+  private readonly observer: ResizeObserver;
+  private size: Size = { width: 1, height: 1 };
+  /** What the drawing buffer was made for. */
+  private applied = "";
+  private requested = 0;
+  private lastFrame = 0;
+  private moving = false;
+  private restTimer: ReturnType<typeof setTimeout> | undefined;
+  private lost = false;
+  private disposed = false;
+  /** Number of frames that were drawn, for tests. */
+  frames = 0;
+
+  constructor(
+    private readonly parent: HTMLElement,
+    private readonly client: CanvasClient,
+  ) {
+    this.element = parent.ownerDocument.createElement("canvas");
+    Object.assign(this.element.style, {
+      display: "block",
+      width: "100%",
+      height: "100%",
+      touchAction: "none",
+    });
+    parent.append(this.element);
+    this.software = isSoftware(parent.ownerDocument);
+    this.quality = new Quality(this.software);
+    this.renderer = this.makeRenderer();
+    this.element.addEventListener("webglcontextlost", this.onLost);
+    this.element.addEventListener("webglcontextrestored", this.onRestored);
+    this.observer = new ResizeObserver(() => this.resize());
+    this.observer.observe(parent);
+    this.resize();
+  }
+
+  private makeRenderer(): WebGLRenderer | null {
+    try {
+      const renderer = new WebGLRenderer({
+        canvas: this.element,
+        // Without hardware, four samples a pixel cost too much; the frame at rest has a higher resolution instead.
+        antialias: !this.software,
+        alpha: true,
+        stencil: true,
+        powerPreference: "high-performance",
+      });
+      renderer.localClippingEnabled = true;
+      renderer.autoClear = false;
+      renderer.info.autoReset = false;
+      return renderer;
+    } catch {
+      this.client.problem(kNoWebgl);
+      return null;
+    }
+  }
+
+  private readonly onLost = (event: Event): void => {
+    event.preventDefault();
+    this.lost = true;
+    this.client.problem(kLost);
+  };
+
+  private readonly onRestored = (): void => {
+    this.lost = false;
+    this.client.problem(null);
+    this.request();
+  };
+
+  private resize(): void {
+    const rect = this.parent.getBoundingClientRect();
+    const size = { width: Math.max(1, Math.round(rect.width)), height: Math.max(1, Math.round(rect.height)) };
+    if (size.width === this.size.width && size.height === this.size.height) return;
+    this.size = size;
+    this.client.resized(size);
+    if (this.frames > 0)
+      this.drawNow(); // at once, since the new buffer is empty
+    else this.request();
+  }
+
+  /** Asks for a frame; `moving` if more will follow soon, so that it may be coarser. */
+  request(moving = false): void {
+    if (moving) {
+      if (!this.moving) {
+        this.quality.pause();
+        this.lastFrame = 0;
+      }
+      this.moving = true;
+      clearTimeout(this.restTimer);
+      this.restTimer = setTimeout(this.rest, kRest);
+    }
+    if (this.requested || this.disposed) return;
+    this.requested = requestAnimationFrame(this.onFrame);
+  }
+
+  /** What is shown has changed much. */
+  contentChanged(): void {
+    this.quality.reset();
+    this.request();
+  }
+
+  private readonly rest = (): void => {
+    this.moving = false;
+    this.request();
+  };
+
+  private readonly onFrame = (time: number): void => {
+    this.requested = 0;
+    if (this.moving) {
+      if (this.lastFrame) this.quality.observe(time - this.lastFrame);
+      this.lastFrame = time;
+    }
+    this.drawNow();
+  };
+
+  private drawNow(): void {
+    if (!this.renderer || this.lost || this.disposed) return;
+    this.drawAt(this.pixelRatio(), this.moving ? this.quality.step : kFull);
+  }
+
+  private pixelRatio(): number {
+    const device = Math.min(2, globalThis.devicePixelRatio || 1);
+    if (this.moving) return device * this.quality.step.scale;
+    return this.software ? Math.min(2, device * 1.5) : device;
+  }
+
+  private drawAt(ratio: number, quality: QualityStep): void {
+    const { renderer, size } = this;
+    if (!renderer) return;
+    const applied = `${size.width} ${size.height} ${ratio}`;
+    if (applied !== this.applied) {
+      this.applied = applied;
+      renderer.setPixelRatio(ratio);
+      renderer.setSize(size.width, size.height, false);
+    }
+    this.frames++;
+    this.client.draw(ratio, quality);
+  }
+
+  /** Draws at a size and gives the picture to `take` before the browser clears it; then draws as before. */
+  capture<T>(size: Size, take: (canvas: HTMLCanvasElement) => T): T | null {
+    const { renderer } = this;
+    if (!renderer || this.lost) return null;
+    const before = this.size;
+    this.size = size;
+    this.client.resized(size);
+    this.drawAt(this.software ? 2 : Math.min(2, globalThis.devicePixelRatio || 1), kFull);
+    const result = take(this.element);
+    this.size = before;
+    this.client.resized(before);
+    this.drawNow();
+    return result;
+  }
+
+  dispose(): void {
+    this.disposed = true;
+    cancelAnimationFrame(this.requested);
+    clearTimeout(this.restTimer);
+    this.observer.disconnect();
+    this.element.removeEventListener("webglcontextlost", this.onLost);
+    this.element.removeEventListener("webglcontextrestored", this.onRestored);
+    this.renderer?.dispose();
+    this.renderer?.forceContextLoss();
+    this.element.remove();
+  }
+}
+
+/** Whether WebGL is drawn by the processor. */
+function isSoftware(document: Document): boolean {
+  const context = document.createElement("canvas").getContext("webgl2");
+  if (!context) return false;
+  const info = context.getExtension("WEBGL_debug_renderer_info");
+  const name = String(context.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : context.RENDERER));
+  context.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(name);
+}

@@ -1,0 +1,311 @@
+/**
+ * Many small shapes in few draw calls: their vertices are copied into common arrays, relative to the origin of the
+ * chunk. Each shape keeps a range of vertices, for its colour and offset, and of indices, left out while it is hidden.
+ */
+
+import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, Mesh, Points } from "three";
+import type { Material, Object3D } from "three";
+
+import type { Primitive, Role, Shape } from "../glb/shapes";
+import type { Body } from "./body";
+import { triangleEdges } from "./geometry";
+import { isTransparent } from "./look";
+import type { Look, Style } from "./look";
+import { clip, faceMaterial, pointMaterial, styleFaces } from "./materials";
+import type { SharedMaterials } from "./materials";
+import { shownColor } from "./single_body";
+
+/** Shapes with fewer vertices are merged if there are many. */
+export const kSmallVertices = 4_000;
+/** A chunk has at most so many vertices; beyond it a change of one shape costs too much. */
+export const kChunkVertices = 400_000;
+
+export function vertexCount(shape: Shape): number {
+  return distinctPositions(shape).reduce((sum, array) => sum + array.length / 3, 0);
+}
+
+function distinctPositions(shape: Shape): Float32Array[] {
+  const arrays: Float32Array[] = [];
+  for (const { positions } of shape.primitives) {
+    if (!arrays.some((other) => sameArray(other, positions))) arrays.push(positions);
+  }
+  return arrays;
+}
+
+function sameArray(a: Float32Array, b: Float32Array): boolean {
+  return a.buffer === b.buffer && a.byteOffset === b.byteOffset && a.length === b.length;
+}
+
+/** Where a shape lies in the arrays of its chunk. */
+interface Slot {
+  readonly shape: Shape;
+  readonly firstVertex: number;
+  readonly vertices: number;
+  visible: boolean;
+}
+
+const kRoles: readonly Role[] = ["faces", "edges", "boundary", "nonmanifold", "lines", "points"];
+
+/** One draw call: the indices of a role, and those of all shapes to make them from. */
+interface Layer {
+  readonly object: Mesh | LineSegments | Points;
+  readonly geometry: BufferGeometry;
+}
+
+export class Chunk {
+  readonly group = new Group();
+  private readonly slots: Slot[] = [];
+  private readonly positions: Float32Array<ArrayBuffer>;
+  private readonly colors: Uint16Array<ArrayBuffer>;
+  private readonly sizes: Float32Array<ArrayBuffer> | null;
+  private readonly attributes: Readonly<Record<"position" | "color", BufferAttribute>>;
+  private readonly layers = new Map<Role | "all", Layer>();
+  private readonly origin: readonly [number, number, number];
+  private style: Style | null = null;
+  private hasTransparent = false;
+  private indicesStale = false;
+  private bodies = 0;
+
+  constructor(
+    shapes: readonly Shape[],
+    private readonly parent: Object3D,
+    private readonly shared: SharedMaterials,
+  ) {
+    this.origin = shapes[0]?.translation ?? [0, 0, 0];
+    let vertices = 0;
+    for (const shape of shapes) {
+      const count = vertexCount(shape);
+      this.slots.push({ shape, firstVertex: vertices, vertices: count, visible: true });
+      vertices += count;
+    }
+    this.positions = new Float32Array(3 * vertices);
+    this.colors = new Uint16Array(4 * vertices).fill(65535);
+    const hasPoints = shapes.some((shape) => shape.primitives.some(({ role }) => role === "points"));
+    this.sizes = hasPoints ? new Float32Array(vertices).fill(1) : null;
+    this.attributes = {
+      position: new BufferAttribute(this.positions, 3),
+      color: new BufferAttribute(this.colors, 4, true),
+    };
+    for (const slot of this.slots) this.writePositions(slot, [0, 0, 0]);
+    for (const role of kRoles) this.addLayer(role);
+    this.group.position.set(...this.origin);
+    parent.add(this.group);
+  }
+
+  /** The shapes as bodies, in their order; the chunk is freed with the last of them. */
+  makeBodies(): Body[] {
+    this.bodies = this.slots.length;
+    return this.slots.map((slot) => ({
+      shape: slot.shape,
+      setVisible: (visible) => this.setVisible(slot, visible),
+      setLook: (look) => this.setLook(slot, look),
+      setStyle: (style) => this.setStyle(style),
+      positionsChanged: () => this.writePositions(slot, [0, 0, 0]),
+      dispose: () => this.release(slot),
+    }));
+  }
+
+  /** Makes the indices of what is visible; called once before drawing, after any number of changes. */
+  update(): void {
+    if (!this.indicesStale) return;
+    this.indicesStale = false;
+    for (const [role, layer] of this.layers) {
+      if (role === "all") continue;
+      layer.geometry.setIndex(new BufferAttribute(this.indicesOf(role), 1));
+    }
+    if (this.layers.has("all")) this.makeAllEdges();
+  }
+
+  private setVisible(slot: Slot, visible: boolean): void {
+    if (slot.visible === visible) return;
+    slot.visible = visible;
+    this.indicesStale = true;
+  }
+
+  private setLook(slot: Slot, look: Look): void {
+    const color = shownColor(look);
+    const rgba = [color.r, color.g, color.b, look.opacity].map((part) => Math.round(part * 65535));
+    for (let i = 0; i < slot.vertices; i++) this.colors.set(rgba, 4 * (slot.firstVertex + i));
+    this.attributes.color.needsUpdate = true;
+    if (this.sizes) {
+      this.sizes.fill(look.pointSize, slot.firstVertex, slot.firstVertex + slot.vertices);
+      const attribute = this.layers.get("points")?.geometry.getAttribute("pointSize");
+      if (attribute) (attribute as BufferAttribute).needsUpdate = true;
+    }
+    if (isTransparent(look.opacity) && !this.hasTransparent) {
+      this.hasTransparent = true;
+      if (this.style) this.applyStyle(this.style);
+    }
+    this.writePositions(slot, look.offset);
+  }
+
+  private setStyle(style: Style): void {
+    if (this.style === style) return;
+    this.style = style;
+    this.applyStyle(style);
+  }
+
+  private applyStyle(style: Style): void {
+    const { appearance, display } = style;
+    const wantAll = appearance.edges === "all";
+    if (wantAll && !this.layers.has("all")) this.makeAllEdges();
+    const visible: Record<string, boolean> = {
+      faces: appearance.faces,
+      edges: appearance.edges !== "none",
+      all: wantAll,
+      boundary: display.boundary || wantAll,
+      nonmanifold: display.nonManifold,
+      lines: true,
+      points: true,
+    };
+    for (const [role, { object, geometry }] of this.layers) {
+      object.visible = visible[role]!;
+      const material = object.material as Material;
+      if (object instanceof Mesh && role === "faces") {
+        const options = {
+          closed: this.slots.every(({ shape }) => shape.kind === "volume3d"),
+          hasNormals: geometry.hasAttribute("normal"),
+          opacity: this.hasTransparent ? 0.5 : 1,
+        };
+        styleFaces(object.material as ReturnType<typeof faceMaterial>, style, options);
+      } else if (role === "points" || role === "lines") {
+        clip(material, style.clipping);
+      }
+      if (object instanceof Points)
+        (object.material as ReturnType<typeof pointMaterial>).size = style.pixelRatio;
+    }
+    this.showStencils(style.stencil && appearance.faces && appearance.opacity >= 0.999);
+  }
+
+  private stencils: Mesh[] = [];
+
+  private showStencils(show: boolean): void {
+    const faces = this.layers.get("faces");
+    if (show && this.stencils.length === 0 && faces) {
+      this.stencils = [this.shared.stencilBack, this.shared.stencilFront].map((material) => {
+        const mesh = new Mesh(faces.geometry, material);
+        mesh.renderOrder = -2;
+        mesh.frustumCulled = false;
+        this.group.add(mesh);
+        return mesh;
+      });
+    }
+    for (const mesh of this.stencils) mesh.visible = show;
+  }
+
+  private writePositions(slot: Slot, offset: readonly [number, number, number]): void {
+    const { translation } = slot.shape;
+    const shift = [0, 1, 2].map((axis) => translation[axis]! - this.origin[axis]! + offset[axis]!);
+    let at = 3 * slot.firstVertex;
+    for (const array of distinctPositions(slot.shape)) {
+      for (let i = 0; i < array.length; i++) this.positions[at++] = array[i]! + shift[i % 3]!;
+    }
+    this.attributes.position.needsUpdate = true;
+  }
+
+  private addLayer(role: Role): void {
+    const primitives = this.slots.flatMap(({ shape }) => shape.primitives.filter((p) => p.role === role));
+    if (primitives.length === 0) return;
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", this.attributes.position);
+    geometry.setAttribute("color", this.attributes.color);
+    const normals = role === "faces" ? this.normals() : null;
+    if (normals) geometry.setAttribute("normal", normals);
+    if (role === "points") geometry.setAttribute("pointSize", new BufferAttribute(this.sizes!, 1));
+    geometry.setIndex(new BufferAttribute(this.indicesOf(role), 1));
+    this.addObject(role, this.objectOf(role, geometry));
+  }
+
+  private objectOf(role: Role, geometry: BufferGeometry): Mesh | LineSegments | Points {
+    switch (role) {
+      case "faces":
+        return new Mesh(geometry, faceMaterial(true));
+      case "points":
+        return new Points(geometry, pointMaterial(true));
+      case "lines":
+        return new LineSegments(geometry, new LineBasicMaterial({ vertexColors: true }));
+      case "edges":
+        return new LineSegments(geometry, this.shared.edges);
+      case "boundary":
+        return new LineSegments(geometry, this.shared.boundary);
+      case "nonmanifold":
+        return new LineSegments(geometry, this.shared.nonManifold);
+    }
+  }
+
+  private addObject(key: Role | "all", object: Mesh | LineSegments | Points): void {
+    // The arrays change, and with them the box; a chunk is nearly always in sight.
+    object.frustumCulled = false;
+    if (key === "boundary" || key === "nonmanifold") object.renderOrder = 2;
+    this.layers.set(key, { object, geometry: object.geometry });
+    this.group.add(object);
+  }
+
+  /** null if a shape has none. */
+  private normals(): BufferAttribute | null {
+    const bytes = new Int8Array(4 * (this.positions.length / 3));
+    for (const { shape, firstVertex } of this.slots) {
+      for (const primitive of shape.primitives) {
+        if (primitive.role !== "faces") continue;
+        if (!primitive.normals) return null;
+        const { array, stride } = primitive.normals;
+        const first = firstVertex + baseOf(shape, primitive);
+        for (let i = 0; i < primitive.positions.length / 3; i++) {
+          for (let axis = 0; axis < 3; axis++) bytes[4 * (first + i) + axis] = array[stride * i + axis]!;
+        }
+      }
+    }
+    return new BufferAttribute(bytes, 4, true);
+  }
+
+  private indicesOf(role: Role): Uint32Array<ArrayBuffer> {
+    const parts: { primitive: Primitive; base: number }[] = [];
+    let count = 0;
+    for (const { shape, firstVertex, visible } of this.slots) {
+      if (!visible) continue;
+      for (const primitive of shape.primitives) {
+        if (primitive.role !== role) continue;
+        parts.push({ primitive, base: firstVertex + baseOf(shape, primitive) });
+        count += primitive.indices?.length ?? primitive.positions.length / 3;
+      }
+    }
+    const indices = new Uint32Array(count);
+    let at = 0;
+    for (const { primitive, base } of parts) {
+      const length = primitive.indices?.length ?? primitive.positions.length / 3;
+      for (let i = 0; i < length; i++) indices[at++] = base + (primitive.indices?.[i] ?? i);
+    }
+    return indices;
+  }
+
+  private makeAllEdges(): void {
+    const faces = this.indicesOf("faces");
+    const old = this.layers.get("all");
+    const geometry = old?.geometry ?? new BufferGeometry();
+    geometry.setAttribute("position", this.attributes.position);
+    geometry.setIndex(new BufferAttribute(triangleEdges(faces), 1));
+    if (!old) this.addObject("all", new LineSegments(geometry, this.shared.edges));
+  }
+
+  private release(slot: Slot): void {
+    this.setVisible(slot, false);
+    this.bodies--;
+    if (this.bodies > 0) return;
+    this.parent.remove(this.group);
+    for (const { object, geometry } of this.layers.values()) {
+      geometry.dispose();
+      const material = object.material as Material;
+      if (material.vertexColors) material.dispose();
+    }
+  }
+}
+
+/** The first vertex of a primitive among those of its shape. */
+function baseOf(shape: Shape, primitive: Primitive): number {
+  let base = 0;
+  for (const array of distinctPositions(shape)) {
+    if (sameArray(array, primitive.positions)) return base;
+    base += array.length / 3;
+  }
+  return base;
+}

@@ -1,0 +1,313 @@
+/**
+ * Progressive loading of the shapes of columns: all rows coarse first, then finer where the budget allows, then those
+ * that are selected in full. One request at a time, so that what a person asks for next does not wait long.
+ */
+
+import type { CellRef, LoadProgress, ShapeSource } from "./api";
+import { decodeShapes } from "../glb/shapes";
+import type { Column, ShapeRecord, ShapeStore } from "./shape_store";
+
+/** Triangles of one shape in the first picture, at most. */
+export const kCoarseTriangles = 20_000;
+/** Triangles of all shapes of a column in the first picture; it is what is drawn while moving on a slow machine. */
+const kCoarseTotal = 60_000;
+const kLeastTriangles = 32;
+/** Triangles of a shape in the second one, if the value has far more. */
+export const kMiddleTriangles = 200_000;
+/** Values with more triangles get the middle level before the full one. */
+const kMiddleFrom = 2_000_000;
+/** Triangles of all objects that may be in memory: 10 million and their coarser levels are below 1 GB. */
+export const kTriangleBudget = 12_000_000;
+const kRowsPerRequest = 500;
+/** Neighbouring rows are made finer in one request up to so many triangles. */
+const kTrianglesPerRequest = 500_000;
+const kProgressInterval = 700;
+
+export interface LoaderEvents {
+  progress(progress: LoadProgress): void;
+  /** Shapes of a column came or changed; `first` for its first ones. */
+  changed(column: Column, first: boolean): void;
+}
+
+/** Neighbouring rows of a column that are to be made finer. */
+interface Wish {
+  readonly records: readonly ShapeRecord[];
+  readonly triangles: number;
+}
+
+interface Job {
+  readonly abort: AbortController;
+  coarseDone: boolean;
+  failed: boolean;
+  bytes: number;
+}
+
+export class Loader {
+  private readonly jobs = new Map<Column, Job>();
+  readonly latest = new Map<Column, LoadProgress>();
+  private selected: readonly CellRef[] = [];
+  private refining = false;
+
+  constructor(
+    private readonly store: ShapeStore,
+    private readonly events: LoaderEvents,
+    private readonly budget = kTriangleBudget,
+  ) {}
+
+  start(column: Column): void {
+    const job: Job = { abort: new AbortController(), coarseDone: false, failed: false, bytes: 0 };
+    this.jobs.set(column, job);
+    void this.loadCoarse(column, job);
+  }
+
+  stop(column: Column): void {
+    this.jobs.get(column)?.abort.abort();
+    this.jobs.delete(column);
+    this.latest.delete(column);
+  }
+
+  stopAll(): void {
+    for (const column of [...this.jobs.keys()]) this.stop(column);
+  }
+
+  /** Selected objects are loaded in full. */
+  select(cells: readonly CellRef[]): void {
+    this.selected = cells;
+    for (const cell of cells) {
+      const record = this.store.record(cell);
+      if (record) this.finished.delete(record);
+    }
+    void this.refine();
+  }
+
+  /** To be called when visibility changed. */
+  reconsider(): void {
+    void this.refine();
+  }
+
+  private async loadCoarse(column: Column, job: Job): Promise<void> {
+    try {
+      let from: number | null = 0;
+      const triangles = coarseTriangles(column.source.count);
+      while (from !== null && from < column.source.count) {
+        const next: number | null = await this.loadRows(
+          column,
+          job,
+          from,
+          kRowsPerRequest,
+          triangles,
+          "coarse",
+        );
+        if (job.abort.signal.aborted) return;
+        from = next;
+      }
+      job.coarseDone = true;
+      this.report(column, job, "fine", null, "");
+      await this.refine();
+    } catch (error) {
+      this.fail(column, job, error);
+    }
+  }
+
+  /** Returns the row to go on with. */
+  private async loadRows(
+    column: Column,
+    job: Job,
+    from: number,
+    count: number,
+    triangles: number,
+    phase: "coarse" | "fine",
+  ): Promise<number | null> {
+    const { source } = column;
+    const stopPolling = this.pollServer(column, job, phase);
+    try {
+      const batch = await source.load(
+        {
+          from,
+          count,
+          triangles,
+          onBytes: (received, total) => {
+            stopPolling();
+            this.report(column, job, phase, total ? received / total : null, "", received);
+          },
+        },
+        job.abort.signal,
+      );
+      if (job.abort.signal.aborted) return null;
+      const shapes = decodeShapes(batch.bytes);
+      job.bytes += batch.bytes.byteLength;
+      const first = column.records.size === 0;
+      this.store.addShapes(column, shapes);
+      this.events.changed(column, first && shapes.length > 0);
+      this.report(column, job, phase, null, "");
+      const last = shapes.at(-1)?.row;
+      return batch.next !== null && last !== undefined && batch.next <= last ? last + 1 : batch.next;
+    } finally {
+      stopPolling();
+    }
+  }
+
+  /** Asks what the server is doing as long as nothing comes. */
+  private pollServer(column: Column, job: Job, phase: "coarse" | "fine"): () => void {
+    const { source } = column;
+    if (!source.progress) return () => undefined;
+    let ended = false;
+    const ask = async (): Promise<void> => {
+      const text = await source.progress!(job.abort.signal).catch(() => "");
+      if (ended) return;
+      if (text) this.report(column, job, phase, percentage(text), text);
+      timer = setTimeout(() => void ask(), kProgressInterval);
+    };
+    let timer = setTimeout(() => void ask(), kProgressInterval);
+    return () => {
+      ended = true;
+      clearTimeout(timer);
+    };
+  }
+
+  /** Loads finer levels as long as something is wanted. */
+  private async refine(): Promise<void> {
+    if (this.refining) return;
+    this.refining = true;
+    try {
+      for (;;) {
+        this.trim();
+        const wish = this.nextWish();
+        if (!wish) break;
+        await this.loadFiner(wish);
+      }
+    } finally {
+      this.refining = false;
+    }
+    for (const [column, job] of this.jobs) {
+      if (job.coarseDone && !job.failed) this.report(column, job, "done", null, "");
+    }
+  }
+
+  private async loadFiner({ records, triangles }: Wish): Promise<void> {
+    const first = records[0]!;
+    const job = this.jobs.get(first.column);
+    if (!job) return;
+    const before = records.map(({ shown }) => shown);
+    try {
+      await this.loadRows(first.column, job, first.row, records.length, triangles, "fine");
+      // A server that has no finer level must not be asked for ever.
+      records.forEach((record, index) => {
+        if (record.shown <= before[index]! && index === 0) this.finished.add(record);
+      });
+    } catch (error) {
+      for (const record of records) this.finished.add(record);
+      this.fail(first.column, job, error);
+    }
+  }
+
+  private readonly finished = new WeakSet<ShapeRecord>();
+
+  /** What to load next: the selected in full, then the smallest first, so that most is seen exactly soonest. */
+  private nextWish(): Wish | null {
+    for (const cell of this.selected) {
+      const record = this.store.record(cell);
+      if (record?.visible && this.isWanted(record)) return { records: [record], triangles: 0 };
+    }
+    let used = this.store.triangleCounts().fine;
+    const candidates = [...this.store.visibleRecords()]
+      .filter((record) => this.isWanted(record))
+      .sort((a, b) => a.triangles - b.triangles);
+    for (const record of candidates) {
+      const middle = record.triangles > kMiddleFrom && record.shown < kMiddleTriangles;
+      used -= record.shown;
+      if (middle && used + kMiddleTriangles <= this.budget) {
+        return { records: [record], triangles: kMiddleTriangles };
+      }
+      if (used + record.triangles <= this.budget) return { records: this.neighbours(record), triangles: 0 };
+      used += record.shown;
+    }
+    return null;
+  }
+
+  /** The rows from this one on that can be loaded with it. */
+  private neighbours(record: ShapeRecord): ShapeRecord[] {
+    const records = [record];
+    let triangles = record.triangles;
+    for (let row = record.row + 1; ; row++) {
+      const next = record.column.records.get(row);
+      if (!next?.visible || !this.isWanted(next)) return records;
+      triangles += next.triangles;
+      if (triangles > kTrianglesPerRequest) return records;
+      records.push(next);
+    }
+  }
+
+  private isWanted(record: ShapeRecord): boolean {
+    const job = this.jobs.get(record.column);
+    return !!job?.coarseDone && record.shown < record.triangles && !this.finished.has(record);
+  }
+
+  /** Frees the finest levels of large objects that are not selected while there are too many triangles. */
+  private trim(): void {
+    let { fine } = this.store.triangleCounts();
+    if (fine <= this.budget) return;
+    const large = [...this.store.records()]
+      .filter((record) => record.levels.length > 1 && !this.isSelected(record))
+      .sort((a, b) => b.shown - a.shown);
+    for (const record of large) {
+      if (fine <= this.budget) return;
+      fine -= record.shown;
+      this.store.dropFinest(record);
+      fine += record.shown;
+      this.finished.add(record);
+      this.events.changed(record.column, false);
+    }
+  }
+
+  private isSelected(record: ShapeRecord): boolean {
+    return this.selected.some((cell) => this.store.record(cell) === record);
+  }
+
+  private fail(column: Column, job: Job, error: unknown): void {
+    if (job.abort.signal.aborted) return;
+    job.failed = true;
+    this.report(column, job, "failed", null, error instanceof Error ? error.message : String(error));
+  }
+
+  private report(
+    column: Column,
+    job: Job,
+    phase: LoadProgress["phase"],
+    fraction: number | null,
+    text: string,
+    received = 0,
+  ): void {
+    if (job.abort.signal.aborted) return;
+    const progress: LoadProgress = {
+      result: column.source.result,
+      column: column.source.column,
+      phase,
+      rowsLoaded: column.records.size,
+      rows: column.source.count,
+      bytes: job.bytes + received,
+      fraction,
+      text: text || describe(column.source, column.records.size, phase, job.bytes + received),
+    };
+    this.latest.set(column, progress);
+    this.events.progress(progress);
+  }
+}
+
+/** The largest number of triangles of a shape in the first picture of a column with so many rows. */
+export function coarseTriangles(rows: number): number {
+  const share = Math.floor(kCoarseTotal / Math.max(1, rows));
+  return Math.min(kCoarseTriangles, Math.max(kLeastTriangles, share));
+}
+
+function describe(source: ShapeSource, rows: number, phase: LoadProgress["phase"], bytes: number): string {
+  const objects = source.count === 1 ? "1 object" : `${rows} of ${source.count} objects`;
+  const size = bytes < 1e6 ? `${Math.ceil(bytes / 1e3)} kB` : `${(bytes / 1e6).toFixed(1)} MB`;
+  return phase === "fine" ? `${objects}, ${size}, loading details` : `${objects}, ${size}`;
+}
+
+/** 0.42 of "levels of detail, 42 %". */
+export function percentage(text: string): number | null {
+  const match = /(\d+(?:\.\d+)?)\s*%/.exec(text);
+  return match ? Math.min(1, Number(match[1]) / 100) : null;
+}

@@ -1,0 +1,35 @@
+/** How an object and all objects are drawn, after the state has been resolved to plain values. */
+
+import type { Plane } from "three";
+
+import type { Appearance, Color, DisplayState, Vec3 } from "./api";
+
+/** Of one object. */
+export interface Look {
+  readonly color: Color;
+  readonly opacity: number;
+  readonly pointSize: number;
+  readonly selected: boolean;
+  /** By which it is moved, as in an exploded picture. */
+  readonly offset: Vec3;
+}
+
+/** Of all objects. */
+export interface Style {
+  readonly appearance: Appearance;
+  readonly display: DisplayState;
+  /** What lies on the positive side of them is seen. */
+  readonly clipping: readonly Plane[];
+  /** The cut is filled by counting faces in the stencil buffer. */
+  readonly stencil: boolean;
+  /** Pixels of the canvas per CSS pixel. */
+  readonly pixelRatio: number;
+}
+
+export const kSelectionColor: Color = "#ff9d00";
+export const kBoundaryColor: Color = "#d81b3a";
+export const kNonManifoldColor: Color = "#b100d6";
+
+export function isTransparent(opacity: number): boolean {
+  return opacity < 0.999;
+}

@@ -1,0 +1,124 @@
+/** Materials of faces, lines and points. Lines share one material a view, since their colour is that of all. */
+
+import {
+  AlwaysStencilFunc,
+  BackSide,
+  DecrementWrapStencilOp,
+  DoubleSide,
+  FrontSide,
+  IncrementWrapStencilOp,
+  LineBasicMaterial,
+  MeshBasicMaterial,
+  MeshLambertMaterial,
+  PointsMaterial,
+} from "three";
+import type { Material, Plane } from "three";
+import { LineMaterial } from "three/addons/lines/LineMaterial.js";
+
+import { kBoundaryColor, kNonManifoldColor, isTransparent } from "./look";
+import type { Style } from "./look";
+
+/** Points are drawn as discs; with `perPoint` each has a size of its own in the attribute `pointSize`. */
+export function pointMaterial(perPoint: boolean): PointsMaterial {
+  const material = new PointsMaterial({ sizeAttenuation: false, vertexColors: perPoint });
+  material.onBeforeCompile = (shader) => {
+    shader.fragmentShader = shader.fragmentShader.replace(
+      "#include <clipping_planes_fragment>",
+      "#include <clipping_planes_fragment>\n if (length(gl_PointCoord - 0.5) > 0.5) discard;",
+    );
+    if (!perPoint) return;
+    shader.vertexShader = shader.vertexShader
+      .replace("uniform float size;", "uniform float size;\nattribute float pointSize;")
+      .replace("gl_PointSize = size;", "gl_PointSize = size * pointSize;");
+  };
+  material.customProgramCacheKey = () => (perPoint ? "discs of sizes" : "discs");
+  return material;
+}
+
+/** Of faces; `closed`: backs are never seen unless the solid is cut open. */
+export function faceMaterial(vertexColors: boolean): MeshLambertMaterial {
+  return new MeshLambertMaterial({
+    vertexColors,
+    polygonOffset: true,
+    polygonOffsetFactor: 1,
+    polygonOffsetUnits: 1,
+  });
+}
+
+/** Sets what depends on the style; tells the renderer to compile anew only if it has to. */
+export function styleFaces(
+  material: MeshLambertMaterial,
+  style: Style,
+  options: { readonly closed: boolean; readonly hasNormals: boolean; readonly opacity: number },
+): void {
+  const flat = style.appearance.shading === "flat" || !options.hasNormals;
+  const transparent = isTransparent(options.opacity);
+  const side = options.closed && style.clipping.length === 0 && !transparent ? FrontSide : DoubleSide;
+  if (material.flatShading !== flat || material.side !== side || material.transparent !== transparent) {
+    material.needsUpdate = true;
+  }
+  material.flatShading = flat;
+  material.side = side;
+  material.transparent = transparent;
+  material.depthWrite = !transparent;
+  clip(material, style.clipping);
+}
+
+export function clip(material: Material, planes: readonly Plane[]): void {
+  const before = material.clippingPlanes?.length ?? 0;
+  if (before !== planes.length) material.needsUpdate = true;
+  material.clippingPlanes = planes.length > 0 ? [...planes] : null;
+}
+
+/** The materials that all objects of a view share. */
+export class SharedMaterials {
+  readonly edges = new LineBasicMaterial();
+  readonly lines = new LineBasicMaterial();
+  readonly boundary = new LineBasicMaterial({ color: kBoundaryColor });
+  readonly nonManifold = new LineBasicMaterial({ color: kNonManifoldColor });
+  readonly wideBoundary = new LineMaterial({ color: kBoundaryColor, linewidth: 2.5 });
+  readonly wideNonManifold = new LineMaterial({ color: kNonManifoldColor, linewidth: 3 });
+  /** Count the faces before the cut; see section.ts. */
+  readonly stencilBack = stencilMaterial(true);
+  readonly stencilFront = stencilMaterial(false);
+
+  apply(style: Style): void {
+    this.edges.color.set(style.appearance.edgeColor);
+    this.edges.transparent = isTransparent(style.appearance.opacity) && style.appearance.faces;
+    this.edges.opacity = this.edges.transparent ? Math.max(0.25, style.appearance.opacity) : 1;
+    this.lines.color.set(style.appearance.edgeColor);
+    for (const material of this.all()) clip(material, style.clipping);
+  }
+
+  private all(): Material[] {
+    return [
+      this.edges,
+      this.lines,
+      this.boundary,
+      this.nonManifold,
+      this.wideBoundary,
+      this.wideNonManifold,
+      this.stencilBack,
+      this.stencilFront,
+    ];
+  }
+
+  dispose(): void {
+    for (const material of this.all()) material.dispose();
+  }
+}
+
+function stencilMaterial(back: boolean): MeshBasicMaterial {
+  const step = back ? IncrementWrapStencilOp : DecrementWrapStencilOp;
+  return new MeshBasicMaterial({
+    side: back ? BackSide : FrontSide,
+    depthWrite: false,
+    depthTest: false,
+    colorWrite: false,
+    stencilWrite: true,
+    stencilFunc: AlwaysStencilFunc,
+    stencilFail: step,
+    stencilZFail: step,
+    stencilZPass: step,
+  });
+}

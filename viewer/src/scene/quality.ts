@@ -1,0 +1,77 @@
+/**
+ * How finely frames are drawn. At rest: fully. While something moves, first the resolution is lowered as long as frames
+ * take longer than they should, then edges are left out, then coarser levels of detail are taken.
+ */
+
+/** A frame should not take longer, in milliseconds. */
+export const kFrameGoal = 33;
+const kComfort = 20;
+
+export interface QualityStep {
+  /** Factor of the resolution. */
+  readonly scale: number;
+  readonly edges: boolean;
+  /** Coarse levels of detail. */
+  readonly coarse: boolean;
+}
+
+export const kFull: QualityStep = { scale: 1, edges: true, coarse: false };
+
+const kSteps: readonly QualityStep[] = [
+  kFull,
+  { scale: 0.8, edges: true, coarse: false },
+  { scale: 0.65, edges: true, coarse: false },
+  { scale: 0.65, edges: false, coarse: false },
+  { scale: 0.5, edges: false, coarse: false },
+  { scale: 0.8, edges: true, coarse: true },
+  { scale: 0.65, edges: false, coarse: true },
+  { scale: 0.5, edges: false, coarse: true },
+  { scale: 0.4, edges: false, coarse: true },
+];
+const kFirstCoarse = kSteps.findIndex(({ coarse }) => coarse);
+/** Frames that are looked at before a step. */
+const kWindow = 3;
+
+export class Quality {
+  private index: number;
+  private times: number[] = [];
+  /** Steps that were too slow; not tried again until the scene changes. */
+  private readonly tooSlow = new Set<number>();
+
+  constructor(software: boolean) {
+    this.index = software ? 2 : 0;
+  }
+
+  /** While moving. */
+  get step(): QualityStep {
+    return kSteps[this.index]!;
+  }
+
+  /** Takes note of the time between two frames of one movement, in milliseconds. */
+  observe(milliseconds: number): void {
+    this.times.push(milliseconds);
+    if (this.times.length < kWindow) return;
+    const median = [...this.times].sort((a, b) => a - b)[Math.floor(kWindow / 2)]!;
+    this.times = [];
+    if (median > kFrameGoal) this.faster(median);
+    else if (median < kComfort && this.index > 0 && !this.tooSlow.has(this.index - 1)) this.index--;
+  }
+
+  private faster(median: number): void {
+    this.tooSlow.add(this.index);
+    // Far too slow: triangles are the reason rather than pixels.
+    const jump = median > 2.5 * kFrameGoal && this.index < kFirstCoarse;
+    this.index = jump ? kFirstCoarse : Math.min(kSteps.length - 1, this.index + 1);
+  }
+
+  /** What is shown has changed: finer steps get another chance. */
+  reset(): void {
+    this.tooSlow.clear();
+    this.times = [];
+  }
+
+  /** A movement begins; the time since the last one does not count. */
+  pause(): void {
+    this.times = [];
+  }
+}

@@ -1,0 +1,470 @@
+/** The view that the application sees; puts the parts of the scene together. */
+
+import type { Box3 } from "three";
+
+import { performAction } from "./actions";
+import type * as api from "./api";
+import { between, cameraDifference, fitted, looking, normalizedCamera, turned } from "./camera";
+import { Canvas } from "./canvas";
+import { Coloring } from "./coloring";
+import { Emitter } from "./events";
+import { decodeShapes } from "../glb/shapes";
+import { Interaction } from "./interaction";
+import { Loader } from "./loader";
+import { disposeAddition, markersAddition, shapesAddition } from "./markers";
+import { Picker } from "./picking";
+import { PointerInput } from "./pointer";
+import type { QualityStep } from "./quality";
+import { takeScreenshot } from "./screenshot";
+import type { Column, ShapeRecord } from "./shape_store";
+import { sameColumn } from "./shape_store";
+import { kDefaultState, patched, stateToJson } from "./state";
+import { stateFromJson } from "./state_json";
+import { Stage } from "./stage";
+
+const kAnimation = 350;
+
+export class View implements api.SceneView {
+  state: api.SceneState = kDefaultState;
+  problem: api.SceneProblem | null = null;
+  selection: readonly api.CellRef[] = [];
+  readonly snap = { vertices: true, edges: true };
+  private currentTool: api.Tool = "select";
+  private target: api.SceneView["vertexTarget"] = null;
+  private readonly emitter = new Emitter<api.SceneEvents>();
+  readonly stage: Stage;
+  readonly canvas: Canvas;
+  readonly coloring: Coloring;
+  private readonly loader: Loader;
+  private readonly picker: Picker;
+  private readonly interaction: Interaction;
+  private readonly input: PointerInput;
+  private coloringStale = false;
+  private cameraSet = false;
+  /** The camera is that of a link, for objects that are still to come. */
+  private cameraRestored = false;
+  private animation = 0;
+  private animationGoal: api.CameraState | null = null;
+
+  constructor(readonly element: HTMLElement) {
+    if (getComputedStyle(element).position === "static") element.style.position = "relative";
+    this.stage = new Stage(element);
+    this.coloring = new Coloring(this.stage.store, () => this.coloringChanged());
+    this.loader = new Loader(this.stage.store, {
+      progress: (progress) => this.emitter.emit("progress", progress),
+      changed: (column, first) => this.shapesCame(column, first),
+    });
+    this.picker = new Picker(this.stage.store, this.stage.projector, () => undefined);
+    this.interaction = new Interaction(this.stage, this.picker, this.interactionHost());
+    this.canvas = new Canvas(element, {
+      draw: (ratio, quality) => this.draw(ratio, quality),
+      problem: (problem) => this.setProblem(problem),
+      resized: (size) => (this.stage.projector.size = size),
+    });
+    element.append(this.stage.overlay.canvas); // above the picture
+    this.input = new PointerInput(this.canvas.element, this.interaction);
+  }
+
+  private interactionHost(): ConstructorParameters<typeof Interaction>[2] {
+    // eslint-disable-next-line @typescript-eslint/no-this-alias -- the getters below are those of the object
+    const view = this;
+    return {
+      get state() {
+        return view.state;
+      },
+      get tool() {
+        return view.tool;
+      },
+      get snap() {
+        return view.snap;
+      },
+      get vertexTarget() {
+        return view.vertexTarget;
+      },
+      get selection() {
+        return view.selection;
+      },
+      moveCamera: (camera) => this.moveCamera(camera),
+      update: (patch, moving) => this.change(patch, moving ?? false),
+      selectByPerson: (cells) => this.setSelection(cells, true),
+      opened: (hit) => this.emitter.emit("open", { hit }),
+      picked: (hit) => this.emitter.emit("pick", { hit, tool: this.tool }),
+      hovered: (hit) => this.emitter.emit("hover", { hit }),
+      sectionRests: () => this.sectionRests(),
+      vertexMoved: (move) => this.emitter.emit("vertex", move),
+      redraw: (moving) => this.canvas.request(moving),
+    };
+  }
+
+  private draw(ratio: number, quality: QualityStep): void {
+    this.applyColoring();
+    this.stage.draw(this.canvas, this.state, { ratio, quality, tool: this.tool });
+  }
+
+  private setProblem(problem: api.SceneProblem | null): void {
+    this.problem = problem;
+    this.emitter.emit("problem", problem);
+  }
+
+  on<K extends keyof api.SceneEvents>(event: K, listener: (data: api.SceneEvents[K]) => void): () => void {
+    return this.emitter.on(event, listener);
+  }
+
+  emitAction(action: string): void {
+    this.emitter.emit("action", action);
+  }
+
+  // Results -------------------------------------------------------------------------------------------------------
+
+  get results(): readonly api.ShapeSource[] {
+    return this.stage.store.columns.map(({ source }) => source);
+  }
+
+  get progress(): readonly api.LoadProgress[] {
+    return [...this.loader.latest.values()];
+  }
+
+  addResult(source: api.ShapeSource): void {
+    if (this.stage.store.column(source)) this.removeResult(source.result, source.column);
+    this.loader.start(this.stage.store.addColumn(source));
+  }
+
+  removeResult(result: string, column?: string): void {
+    for (const known of [...this.stage.store.columns]) {
+      if (known.source.result !== result || (column !== undefined && known.source.column !== column))
+        continue;
+      this.loader.stop(known);
+      this.coloring.forget(known);
+      this.stage.store.removeColumn(known);
+    }
+    const left = this.selection.filter((cell) => this.stage.store.record(cell));
+    if (left.length !== this.selection.length) this.setSelection(left, false);
+    if (this.stage.store.columns.length === 0) this.cameraSet = false;
+    this.contentChanged();
+  }
+
+  reloadResult(ref: api.ColumnRef): void {
+    const column = this.stage.store.column(ref);
+    if (!column) return;
+    this.loader.stop(column);
+    column.generation++;
+    this.loader.start(column);
+  }
+
+  private shapesCame(column: Column, first: boolean): void {
+    this.contentChanged();
+    if (first) this.bringIntoSight(column);
+  }
+
+  /** Moves the camera if nothing of what is new would be seen, or it is all that there is. */
+  private bringIntoSight(column: Column): void {
+    const { store } = this.stage;
+    if (!column.visible || this.boxOf().isEmpty()) return;
+    if (!this.cameraSet) {
+      this.cameraSet = true;
+      this.showStandardView(false);
+      return;
+    }
+    const { result } = column.source;
+    const alone = store.columns.every((other) => other.source.result === result || !other.visible);
+    const unseen = !this.stage.isInSight(store.box(column.records.values()), this.goal);
+    if ((alone && !this.cameraRestored) || unseen) this.fit();
+  }
+
+  private contentChanged(): void {
+    this.coloringStale = true;
+    this.applyColoring();
+    this.stage.contentChanged();
+    this.canvas.contentChanged();
+    this.emitter.emit("shapes", {});
+  }
+
+  setVisible(what: api.ColumnRef & { readonly row?: number }, visible: boolean): void {
+    const column = this.stage.store.column(what);
+    if (!column) return;
+    const shown = what.row === undefined && visible && !column.visible;
+    if (what.row === undefined) column.visible = visible;
+    else {
+      const record = column.records.get(what.row);
+      if (record) record.hidden = !visible;
+    }
+    this.visibilityChanged();
+    if (shown) this.bringIntoSight(column);
+  }
+
+  /** After `hidden` of records was changed. */
+  visibilityChanged(): void {
+    this.stage.store.refreshVisibility();
+    this.contentChanged();
+    this.loader.reconsider();
+  }
+
+  isVisible(what: api.ColumnRef & { readonly row?: number }): boolean {
+    const column = this.stage.store.column(what);
+    if (!column?.visible) return false;
+    return what.row === undefined || !column.records.get(what.row)?.hidden;
+  }
+
+  shapes(ref?: api.ColumnRef): readonly api.ShapeInfo[] {
+    return [...this.stage.store.records()]
+      .filter(({ column }) => !ref || sameColumn(column.source, ref))
+      .map((record) => record.info());
+  }
+
+  shape(cell: api.CellRef): api.ShapeInfo | null {
+    return this.stage.store.record(cell)?.info() ?? null;
+  }
+
+  get attributes(): readonly { readonly name: string; readonly type: string }[] {
+    return this.coloring.attributes();
+  }
+
+  // Selection -----------------------------------------------------------------------------------------------------
+
+  select(cells: readonly api.CellRef[], options: { readonly fit?: boolean } = {}): void {
+    this.setSelection(cells, false);
+    if (options.fit) this.fit(cells);
+  }
+
+  private setSelection(cells: readonly api.CellRef[], byPerson: boolean): void {
+    if (JSON.stringify(cells) === JSON.stringify(this.selection)) return;
+    this.selection = cells;
+    this.coloringChanged();
+    this.loader.select(cells);
+    this.emitter.emit("selection", { cells, byPerson });
+  }
+
+  private coloringChanged(): void {
+    this.coloringStale = true;
+    this.canvas.request();
+    // The legend is a part of the appearance.
+    this.emitter.emit("state", { parts: ["appearance"] });
+  }
+
+  private applyColoring(): void {
+    if (!this.coloringStale) return;
+    this.coloringStale = false;
+    this.coloring.apply(this.state, this.selection);
+  }
+
+  get legend(): api.Legend | null {
+    this.applyColoring();
+    return this.coloring.legend;
+  }
+
+  // State ---------------------------------------------------------------------------------------------------------
+
+  update(patch: api.ScenePatch): void {
+    if (patch.camera) this.finishAnimation();
+    this.change(patch, false);
+  }
+
+  private change(patch: api.ScenePatch, moving: boolean): void {
+    const { state, parts } = patched(this.state, patch);
+    if (parts.length === 0) return;
+    const before = this.state;
+    this.state = parts.includes("camera") ? { ...state, camera: normalizedCamera(state.camera) } : state;
+    if (parts.includes("camera")) this.cameraSet = true;
+    if (parts.some((part) => part === "appearance" || part === "overrides" || part === "display")) {
+      this.coloringStale = true;
+    }
+    if (before.display.explode !== state.display.explode) {
+      this.applyColoring();
+      this.stage.contentChanged();
+    }
+    this.canvas.request(moving);
+    this.emitter.emit("state", { parts });
+  }
+
+  reset(...parts: (keyof api.SceneState)[]): void {
+    for (const part of parts) {
+      if (part === "camera") this.home();
+      else if (part === "overrides") this.update({ overrides: [] });
+      else this.update({ [part]: kDefaultState[part] });
+    }
+  }
+
+  toJSON(): unknown {
+    return stateToJson(this.state);
+  }
+
+  restore(json: unknown): readonly string[] {
+    const { patch, rejected } = stateFromJson(json);
+    const { camera, overrides, ...rest } = { ...kDefaultState, ...patch };
+    for (const [part, value] of Object.entries(rest)) {
+      const whole = { ...Reflect.get(kDefaultState, part), ...value } as unknown;
+      this.update({ [part]: whole });
+    }
+    this.update({ overrides });
+    if (patch.camera) {
+      this.update({ camera });
+      this.cameraRestored = true;
+    }
+    return rejected;
+  }
+
+  // Camera --------------------------------------------------------------------------------------------------------
+
+  private moveCamera(camera: api.CameraState): void {
+    this.stopAnimation();
+    this.cameraRestored = false;
+    this.change({ camera }, true);
+  }
+
+  private stopAnimation(): void {
+    cancelAnimationFrame(this.animation);
+    this.animationGoal = null;
+  }
+
+  /** What is changed now is meant to start from where the camera is going. */
+  private finishAnimation(): void {
+    const goal = this.animationGoal;
+    this.stopAnimation();
+    if (goal) this.change({ camera: goal }, false);
+  }
+
+  fit(cells?: readonly api.CellRef[]): void {
+    const records = cells
+      ?.map((cell) => this.stage.store.record(cell))
+      .filter((record) => record !== undefined);
+    this.setCamera(fitted(this.goal, this.boxOf(records), this.stage.projector.aspect));
+  }
+
+  private boxOf(records?: readonly ShapeRecord[]): Box3 {
+    if (records && records.length > 0) return this.stage.store.box(records);
+    const box = this.stage.store.box();
+    for (const { group } of this.stage.additions.values()) if (box.isEmpty()) box.expandByObject(group);
+    return box;
+  }
+
+  home(): void {
+    this.showStandardView(true);
+  }
+
+  private showStandardView(animate: boolean): void {
+    const isometric = looking(this.goal, "isometric");
+    this.setCamera(fitted(isometric, this.boxOf(), this.stage.projector.aspect), { animate });
+  }
+
+  /** Where the camera is, or is going. */
+  private get goal(): api.CameraState {
+    return this.animationGoal ?? this.state.camera;
+  }
+
+  look(view: api.StandardView): void {
+    const camera = looking(this.goal, view);
+    this.setCamera(fitted(camera, this.boxOf(), this.stage.projector.aspect));
+  }
+
+  turn(axis: "roll" | "up" | "side", degrees: number): void {
+    this.setCamera(turned(this.goal, axis, degrees));
+  }
+
+  setCamera(camera: api.CameraState, options: { readonly animate?: boolean } = {}): void {
+    this.stopAnimation();
+    const to = normalizedCamera(camera);
+    const from = this.state.camera;
+    const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    const jump = from.projection !== to.projection || cameraDifference(from, to) < 1e-9;
+    if (options.animate === false || still || jump || !this.canvas.renderer) {
+      this.change({ camera: to }, false);
+      return;
+    }
+    this.animationGoal = to;
+    const begin = performance.now();
+    const step = (): void => {
+      const part = Math.min(1, (performance.now() - begin) / kAnimation);
+      this.change({ camera: between(from, to, part * part * (3 - 2 * part)) }, true);
+      if (part < 1) this.animation = requestAnimationFrame(step);
+      else this.animationGoal = null;
+    };
+    this.animation = requestAnimationFrame(step);
+  }
+
+  // Tools and additions -------------------------------------------------------------------------------------------
+
+  get tool(): api.Tool {
+    return this.currentTool;
+  }
+
+  set tool(tool: api.Tool) {
+    if (tool === this.currentTool) return;
+    this.currentTool = tool;
+    this.canvas.element.style.cursor = tool === "select" ? "" : "crosshair";
+    this.canvas.request();
+    this.emitter.emit("tool", { tool });
+  }
+
+  get vertexTarget(): api.SceneView["vertexTarget"] {
+    return this.target;
+  }
+
+  set vertexTarget(target: api.SceneView["vertexTarget"]) {
+    this.target = target;
+    this.canvas.request();
+  }
+
+  /** The section plane was let go: the exact cut can be asked for. */
+  sectionRests(): void {
+    this.canvas.request();
+    const { point, normal } = this.state.section;
+    this.emitter.emit("section", { point, normal });
+  }
+
+  setCaps(caps: readonly { readonly cell: api.CellRef; readonly bytes: ArrayBuffer }[]): void {
+    const decoded = caps.map(({ cell, bytes }) => ({ cell, shapes: decodeShapes(bytes) }));
+    this.stage.section.setCaps(decoded, (cell) => this.stage.store.record(cell)?.look?.offset ?? [0, 0, 0]);
+    this.canvas.request();
+  }
+
+  setOverlay(
+    name: string,
+    overlay: { readonly bytes: ArrayBuffer; readonly style: api.OverlayStyle } | null,
+  ): void {
+    this.removeAddition(`overlay ${name}`);
+    if (overlay) {
+      const addition = shapesAddition(decodeShapes(overlay.bytes), overlay.style);
+      this.stage.addAddition(`overlay ${name}`, addition);
+    }
+    this.canvas.request();
+  }
+
+  setMarkers(name: string, markers: api.Markers | null): void {
+    this.removeAddition(`markers ${name}`);
+    if (markers) this.stage.addAddition(`markers ${name}`, markersAddition(markers, 1));
+    this.canvas.request();
+  }
+
+  private removeAddition(name: string): void {
+    const addition = this.stage.additions.get(name);
+    if (!addition) return;
+    disposeAddition(addition);
+    this.stage.additions.delete(name);
+  }
+
+  screenshot(options: api.ScreenshotOptions = {}): Promise<Blob> {
+    this.applyColoring();
+    return takeScreenshot(this.canvas, this.stage, this.state, options);
+  }
+
+  act(action: api.SceneAction): boolean {
+    return performAction(this, action);
+  }
+
+  themeChanged(): void {
+    this.stage.themeChanged();
+    this.canvas.request();
+  }
+
+  dispose(): void {
+    this.stopAnimation();
+    this.loader.stopAll();
+    for (const name of [...this.stage.additions.keys()]) this.removeAddition(name);
+    this.input.dispose();
+    this.interaction.dispose();
+    this.picker.dispose();
+    this.stage.dispose();
+    this.canvas.dispose();
+    this.emitter.clear();
+  }
+}

@@ -1,0 +1,190 @@
+/** A shape with draw calls of its own, straight from the bytes that came from the server. */
+
+import { Color, Group, LineBasicMaterial, LineSegments, Mesh, Points } from "three";
+import type { BufferGeometry, MeshLambertMaterial, Object3D, PointsMaterial } from "three";
+import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
+import { BufferAttribute } from "three";
+
+import type { Primitive, Role, Shape } from "../glb/shapes";
+import type { Body } from "./body";
+import {
+  AttributeCache,
+  geometryOf,
+  kMaxWideSegments,
+  primitiveOf,
+  sphereOf,
+  triangleEdges,
+  wideLines,
+} from "./geometry";
+import { isTransparent, kSelectionColor } from "./look";
+import type { Look, Style } from "./look";
+import { clip, faceMaterial, pointMaterial, styleFaces } from "./materials";
+import type { SharedMaterials } from "./materials";
+
+const kSelectedMix = 0.55;
+
+/** The colour of faces, mixed with that of the selection. */
+export function shownColor(look: Look): Color {
+  const color = new Color(look.color);
+  return look.selected ? color.lerp(new Color(kSelectionColor), kSelectedMix) : color;
+}
+
+export class SingleBody implements Body {
+  readonly group = new Group();
+  private readonly cache = new AttributeCache();
+  private readonly faces: Mesh<BufferGeometry, MeshLambertMaterial> | null;
+  private readonly points: Points<BufferGeometry, PointsMaterial> | null;
+  private readonly lines: LineSegments<BufferGeometry, LineBasicMaterial> | null;
+  private readonly edges: LineSegments | null;
+  private allEdges: LineSegments | null = null;
+  private readonly boundary: Object3D | null;
+  private readonly nonManifold: Object3D | null;
+  private stencils: Mesh[] = [];
+  private look: Look | null = null;
+  private style: Style | null = null;
+
+  constructor(
+    readonly shape: Shape,
+    private readonly parent: Object3D,
+    private readonly shared: SharedMaterials,
+  ) {
+    this.faces = this.make("faces", (geometry) => new Mesh(geometry, faceMaterial(false)));
+    this.points = this.make("points", (geometry) => new Points(geometry, pointMaterial(false)));
+    this.lines = this.make("lines", (geometry) => new LineSegments(geometry, new LineBasicMaterial()));
+    this.edges = this.make("edges", (geometry) => new LineSegments(geometry, shared.edges));
+    this.boundary = this.makeDefects("boundary");
+    this.nonManifold = this.makeDefects("nonmanifold");
+    this.group.position.set(...shape.translation);
+    parent.add(this.group);
+  }
+
+  private make<T extends Object3D>(role: Role, build: (geometry: BufferGeometry) => T): T | null {
+    const primitive = primitiveOf(this.shape, role);
+    if (!primitive) return null;
+    const object = build(geometryOf(primitive, this.cache, sphereOf(this.shape)));
+    this.group.add(object);
+    return object;
+  }
+
+  private makeDefects(role: "boundary" | "nonmanifold"): Object3D | null {
+    const primitive = primitiveOf(this.shape, role);
+    if (!primitive) return null;
+    const object = isShort(primitive)
+      ? new LineSegments2(
+          wideLines(primitive.positions, primitive.indices),
+          role === "boundary" ? this.shared.wideBoundary : this.shared.wideNonManifold,
+        )
+      : new LineSegments(
+          geometryOf(primitive, this.cache, sphereOf(this.shape)),
+          role === "boundary" ? this.shared.boundary : this.shared.nonManifold,
+        );
+    object.renderOrder = 2;
+    this.group.add(object);
+    return object;
+  }
+
+  setVisible(visible: boolean): void {
+    this.group.visible = visible;
+  }
+
+  setLook(look: Look): void {
+    this.look = look;
+    const { translation } = this.shape;
+    this.group.position.set(
+      translation[0] + look.offset[0],
+      translation[1] + look.offset[1],
+      translation[2] + look.offset[2],
+    );
+    const color = shownColor(look);
+    if (this.faces) {
+      this.faces.material.color.copy(color);
+      this.faces.material.opacity = look.opacity;
+    }
+    if (this.points) this.points.material.color.copy(color);
+    if (this.lines) this.lines.material.color.copy(color);
+    this.refresh();
+  }
+
+  setStyle(style: Style): void {
+    this.style = style;
+    this.refresh();
+  }
+
+  private refresh(): void {
+    const { look, style } = this;
+    if (!look || !style) return;
+    const { appearance, display } = style;
+    if (this.faces) {
+      this.faces.visible = appearance.faces;
+      const hasNormals = this.faces.geometry.hasAttribute("normal");
+      styleFaces(this.faces.material, style, { closed: this.isClosed, hasNormals, opacity: look.opacity });
+    }
+    if (this.points) {
+      this.points.material.size = look.pointSize * style.pixelRatio;
+      clip(this.points.material, style.clipping);
+    }
+    if (this.lines) clip(this.lines.material, style.clipping);
+    if (this.edges) this.edges.visible = appearance.edges !== "none";
+    this.showAllEdges(appearance.edges === "all");
+    if (this.boundary) this.boundary.visible = display.boundary || appearance.edges === "all";
+    if (this.nonManifold) this.nonManifold.visible = display.nonManifold;
+    this.showStencils(style.stencil && this.isClosed && appearance.faces && !isTransparent(look.opacity));
+  }
+
+  private get isClosed(): boolean {
+    return this.shape.kind === "volume3d";
+  }
+
+  private showAllEdges(show: boolean): void {
+    const faces = primitiveOf(this.shape, "faces");
+    if (show && !this.allEdges && faces?.indices) {
+      const lines: Primitive = { ...faces, normals: null, indices: triangleEdges(faces.indices) };
+      this.allEdges = new LineSegments(
+        geometryOf(lines, this.cache, sphereOf(this.shape)),
+        this.shared.edges,
+      );
+      this.group.add(this.allEdges);
+    }
+    if (!show && this.allEdges) {
+      this.allEdges.geometry.dispose();
+      this.group.remove(this.allEdges);
+      this.allEdges = null;
+    }
+  }
+
+  private showStencils(show: boolean): void {
+    if (show && this.stencils.length === 0 && this.faces) {
+      this.stencils = [this.shared.stencilBack, this.shared.stencilFront].map((material) => {
+        const mesh = new Mesh(this.faces!.geometry, material);
+        mesh.renderOrder = -2;
+        this.group.add(mesh);
+        return mesh;
+      });
+    }
+    for (const mesh of this.stencils) mesh.visible = show;
+  }
+
+  positionsChanged(): void {
+    for (const child of this.group.children) {
+      const attribute = geometryOfChild(child).getAttribute("position");
+      if (attribute instanceof BufferAttribute) attribute.needsUpdate = true;
+    }
+  }
+
+  dispose(): void {
+    this.parent.remove(this.group);
+    for (const child of this.group.children) geometryOfChild(child).dispose();
+    this.faces?.material.dispose();
+    this.points?.material.dispose();
+    this.lines?.material.dispose();
+  }
+}
+
+function isShort(primitive: Primitive): boolean {
+  return (primitive.indices?.length ?? primitive.positions.length / 3) / 2 <= kMaxWideSegments;
+}
+
+/** All children of the group of a body draw a geometry. */
+function geometryOfChild(child: Object3D): BufferGeometry {
+  return (child as Object3D & { readonly geometry: BufferGeometry }).geometry;
+}

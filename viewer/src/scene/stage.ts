@@ -1,0 +1,191 @@
+/** Everything that is drawn, and the drawing of one frame. */
+
+import { BufferGeometry, Color, LineBasicMaterial, LineSegments, Scene, Vector3 } from "three";
+import type { Box3 } from "three";
+
+import type { CameraState, SceneState, Tool } from "./api";
+import { cornersOf } from "./camera";
+import type { Canvas } from "./canvas";
+import { boxLines, drawAxes, drawScaleBar, Grid, setLines } from "./furniture";
+import { drawLightMarkers, Lights } from "./lights";
+import type { Style } from "./look";
+import { drawLabels } from "./markers";
+import type { Addition } from "./markers";
+import { SharedMaterials } from "./materials";
+import { Overlay } from "./overlay";
+import { Projector } from "./projection";
+import { outlineOf, Section } from "./section";
+import type { QualityStep } from "./quality";
+import { ShapeStore } from "./shape_store";
+import { themeOf } from "./theme";
+import type { SceneTheme } from "./theme";
+
+export interface FrameOptions {
+  /** Pixels of the drawing buffer per CSS pixel. */
+  readonly ratio: number;
+  readonly quality: QualityStep;
+  readonly tool: Tool;
+  readonly backgroundless?: boolean;
+}
+
+export class Stage {
+  readonly projector = new Projector();
+  readonly materials = new SharedMaterials();
+  readonly store = new ShapeStore(this.materials);
+  readonly lights = new Lights();
+  readonly section = new Section();
+  readonly additions = new Map<string, Addition>();
+  readonly overlay: Overlay;
+  theme: SceneTheme;
+  private readonly scene = new Scene();
+  private readonly grid = new Grid();
+  private readonly boxes = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
+  private box: Box3;
+  private boxesStale = true;
+  private styleKey = "";
+
+  constructor(private readonly element: HTMLElement) {
+    this.overlay = new Overlay(element.ownerDocument, this.projector);
+    element.append(this.overlay.canvas);
+    this.theme = themeOf(element);
+    this.box = this.store.box();
+    this.boxes.frustumCulled = false;
+    this.scene.add(this.lights.group, this.store.root, this.section.group, this.grid.group, this.boxes);
+  }
+
+  /** The box of all that is visible, with additions left out. */
+  get contentBox(): Box3 {
+    return this.box;
+  }
+
+  /** Whether a part of a box is in the view. */
+  isInSight(box: Box3, camera: CameraState): boolean {
+    if (box.isEmpty()) return false;
+    const { width, height } = this.projector.size;
+    this.projector.camera(camera, box);
+    const places = [box.getCenter(new Vector3()), ...cornersOf(box)].map((corner) =>
+      this.projector.project(corner),
+    );
+    const before = places.filter(({ visible }) => visible);
+    const outside = (beyond: (place: { x: number; y: number }) => boolean): boolean => before.every(beyond);
+    return !(
+      outside(({ x }) => x < 0) ||
+      outside(({ x }) => x > width) ||
+      outside(({ y }) => y < 0) ||
+      outside(({ y }) => y > height)
+    );
+  }
+
+  /** Shapes came, went, or were moved, shown or hidden. */
+  contentChanged(): void {
+    this.box = this.store.box();
+    this.boxesStale = true;
+  }
+
+  themeChanged(): void {
+    this.theme = themeOf(this.element);
+    this.boxesStale = true;
+  }
+
+  addAddition(name: string, addition: Addition): void {
+    this.additions.set(name, addition);
+    this.scene.add(addition.group);
+  }
+
+  draw(canvas: Canvas, state: SceneState, options: FrameOptions): void {
+    const { renderer } = canvas;
+    if (!renderer) return;
+    const { theme, projector } = this;
+    this.applyStyle(state, options.ratio);
+    this.store.setCoarse(options.quality.coarse);
+    this.materials.edges.visible = options.quality.edges || !state.appearance.faces;
+    this.store.update();
+    this.lights.update(state.lights, state.camera);
+    this.section.update(state.section, this.box, state.appearance.edgeColor);
+    this.updateFurniture(state);
+    const camera = projector.camera(state.camera, this.depthBox(state));
+    const background = state.appearance.background ?? theme.background;
+    renderer.setClearColor(new Color(background), options.backgroundless ? 0 : 1);
+    renderer.info.reset();
+    renderer.clear(true, true, true);
+    renderer.render(this.scene, camera);
+    this.overlay.begin(Math.max(1, globalThis.devicePixelRatio || 1));
+    this.drawOverlay(state, options.tool);
+  }
+
+  private applyStyle(state: SceneState, ratio: number): void {
+    const clipping = this.section.clipping(state.section);
+    const stencil = state.section.on && state.section.cap === "preview";
+    const key = JSON.stringify([state.appearance, state.display, state.section.on, stencil, ratio]);
+    if (key === this.styleKey) return;
+    this.styleKey = key;
+    const style: Style = {
+      appearance: state.appearance,
+      display: state.display,
+      clipping,
+      stencil,
+      pixelRatio: ratio,
+    };
+    this.materials.apply(style);
+    this.store.setStyle(style);
+  }
+
+  private updateFurniture(state: SceneState): void {
+    this.grid.group.visible = state.display.grid;
+    if (state.display.grid) this.grid.update(state.camera, this.box, this.theme);
+    this.boxes.visible = state.display.boxes;
+    if (!state.display.boxes || !this.boxesStale) return;
+    this.boxesStale = false;
+    const origin = this.box.isEmpty() ? new Vector3() : this.box.getCenter(new Vector3());
+    const boxes = [...this.store.visibleRecords()].map((record) => record.box());
+    setLines(this.boxes, boxLines(boxes, origin), this.theme.accent);
+    this.boxes.position.copy(origin);
+  }
+
+  /** All that may be seen, so that near and far planes do not cut it off. */
+  private depthBox(state: SceneState): Box3 {
+    const box = this.box.clone();
+    if (!box.isEmpty() && state.display.grid) box.expandByScalar(state.camera.height);
+    for (const { group } of this.additions.values()) if (group.visible) box.expandByObject(group);
+    return box;
+  }
+
+  private drawOverlay(state: SceneState, tool: Tool): void {
+    const { overlay, projector, theme } = this;
+    const { display, camera } = state;
+    if (display.grid) this.grid.drawNumbers(overlay, projector, theme);
+    if (state.section.on && state.section.plane && !this.box.isEmpty()) this.drawPlane(state);
+    for (const { labels } of this.additions.values()) drawLabels(overlay, labels, theme);
+    if (state.lights.markers) drawLightMarkers(overlay, projector, state.lights, theme);
+    if (display.axes) drawAxes(overlay, camera, projector.size.height);
+    if (display.scaleBar) drawScaleBar(overlay, camera, projector, theme);
+    if (tool === "vertex") this.drawVertexHint();
+  }
+
+  private drawPlane(state: SceneState): void {
+    const { overlay, projector, theme } = this;
+    const { corners, centre, tip } = outlineOf(state.section, this.box);
+    corners.forEach((corner, i) =>
+      overlay.segment(corner, corners[(i + 1) % 4]!, state.section.capColor, 1.5),
+    );
+    overlay.segment(centre, tip, theme.accent, 2.5);
+    const handle = projector.project(tip);
+    if (handle.visible) overlay.disc(handle.x, handle.y, 7, theme.accent, theme.plate);
+  }
+
+  private drawVertexHint(): void {
+    const { width } = this.projector.size;
+    this.overlay.text("Drag a vertex", width / 2, 20, { color: this.theme.text, plate: this.theme.plate });
+  }
+
+  dispose(): void {
+    this.store.dispose();
+    this.materials.dispose();
+    this.lights.dispose();
+    this.section.dispose();
+    this.grid.dispose();
+    this.boxes.geometry.dispose();
+    this.boxes.material.dispose();
+    this.overlay.canvas.remove();
+  }
+}

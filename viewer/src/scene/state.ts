@@ -1,0 +1,93 @@
+/** The state of a view: what a new view has, changes of it, and its way to and from JSON. */
+
+import type { CameraState, SceneState, ScenePatch } from "./api";
+
+export const kDefaultCamera: CameraState = {
+  projection: "perspective",
+  position: [10, -10, 10],
+  target: [0, 0, 0],
+  up: [0, 0, 1],
+  height: 10,
+};
+
+export const kDefaultState: SceneState = {
+  camera: kDefaultCamera,
+  navigation: {
+    preset: "default",
+    rotationSpeed: 1,
+    panSpeed: 1,
+    zoomSpeed: 1,
+    invertWheel: false,
+    zoomToPointer: true,
+    orbit: "turntable",
+  },
+  appearance: {
+    faces: true,
+    edges: "features",
+    shading: "smooth",
+    opacity: 1,
+    color: "#8fa9c9",
+    edgeColor: "#1f2a36",
+    pointSize: 5,
+    scheme: { by: "one" },
+    background: null,
+  },
+  overrides: [],
+  lights: {
+    global: { on: true, color: "#ffffff", brightness: 1 },
+    lights: [],
+    selected: null,
+    markers: false,
+  },
+  section: {
+    on: false,
+    point: [0, 0, 0],
+    normal: [1, 0, 0],
+    cap: "preview",
+    capColor: "#e0793a",
+    plane: true,
+  },
+  display: {
+    axes: true,
+    grid: false,
+    scaleBar: true,
+    boxes: false,
+    boundary: true,
+    nonManifold: true,
+    legend: true,
+    explode: 0,
+  },
+};
+
+type Part = keyof SceneState;
+
+/** The state with the changes of a patch, and the parts that it changed. */
+export function patched(state: SceneState, patch: ScenePatch): { state: SceneState; parts: Part[] } {
+  const next: Record<string, unknown> = { ...state };
+  const parts: Part[] = [];
+  for (const part of Object.keys(patch) as Part[]) {
+    const change = patch[part];
+    if (change === undefined) continue;
+    const value = part === "overrides" ? change : { ...(state[part] as object), ...(change as object) };
+    if (JSON.stringify(value) === JSON.stringify(state[part])) continue;
+    next[part] = value;
+    parts.push(part);
+  }
+  return { state: next as unknown as SceneState, parts };
+}
+
+/** What differs from a new view; lights' markers and other things of the moment are left out. */
+export function stateToJson(state: SceneState): Record<string, unknown> {
+  const json: Record<string, unknown> = { camera: state.camera };
+  for (const part of ["navigation", "appearance", "lights", "section", "display"] as const) {
+    const changes = Object.entries(state[part]).filter(
+      ([key, value]) =>
+        key !== "markers" &&
+        key !== "selected" &&
+        JSON.stringify(value) !== JSON.stringify(Reflect.get(kDefaultState[part], key)),
+    );
+    if (changes.length > 0) json[part] = Object.fromEntries(changes);
+  }
+  if (state.overrides.length > 0) json["overrides"] = state.overrides;
+  return json;
+}

@@ -1,0 +1,137 @@
+/** Reads the state of a view from JSON that may come from anyone, such as a link. */
+
+import type { CellRef, ScenePatch, SceneState } from "./api";
+import { isColor, kPaletteNames } from "./colors";
+import { kNavigationPresets } from "./navigation";
+
+type Check = (value: unknown) => boolean;
+
+const isBoolean: Check = (value) => typeof value === "boolean";
+const isNumber =
+  (min: number, max: number): Check =>
+  (value) =>
+    typeof value === "number" && value >= min && value <= max;
+const isOneOf =
+  (...names: readonly unknown[]): Check =>
+  (value) =>
+    names.includes(value);
+const isListOf =
+  (check: Check, max: number): Check =>
+  (value) =>
+    Array.isArray(value) && value.length <= max && value.every(check);
+const isRecord = (value: unknown): value is Record<string, unknown> =>
+  typeof value === "object" && value !== null && !Array.isArray(value);
+const isVec3: Check = (value) =>
+  Array.isArray(value) &&
+  value.length === 3 &&
+  value.every((x) => typeof x === "number" && Number.isFinite(x));
+const isDirection: Check = (value) => isVec3(value) && (value as number[]).some((x) => x !== 0);
+const kAnyNumber = isNumber(-Number.MAX_VALUE, Number.MAX_VALUE);
+const kPositive = isNumber(Number.MIN_VALUE, Number.MAX_VALUE);
+
+const hasFields =
+  (fields: Readonly<Record<string, Check>>, optional: Readonly<Record<string, Check>> = {}): Check =>
+  (value) =>
+    isRecord(value) &&
+    Object.entries(fields).every(([key, check]) => check(value[key])) &&
+    Object.entries(optional).every(([key, check]) => value[key] === undefined || check(value[key]));
+
+const kLight = { on: isBoolean, color: isColor, brightness: isNumber(0, 100) };
+
+const isScheme: Check = (value) =>
+  hasFields({ by: isOneOf("one") })(value) ||
+  hasFields({ by: isOneOf("gradient"), from: isColor, to: isColor })(value) ||
+  hasFields({
+    by: isOneOf("attribute"),
+    attribute: (name) => typeof name === "string",
+    palette: isOneOf(...kPaletteNames),
+  })(value);
+
+export const isCell = hasFields({
+  result: (name) => typeof name === "string",
+  row: (row) => Number.isSafeInteger(row) && (row as number) >= 0,
+  column: (name) => typeof name === "string",
+}) as (value: unknown) => value is CellRef;
+
+const kFields: Readonly<Record<Exclude<keyof SceneState, "overrides">, Readonly<Record<string, Check>>>> = {
+  camera: {
+    projection: isOneOf("perspective", "orthographic"),
+    position: isVec3,
+    target: isVec3,
+    up: isDirection,
+    height: kPositive,
+  },
+  navigation: {
+    preset: isOneOf(...kNavigationPresets.map((preset) => preset.id)),
+    rotationSpeed: isNumber(0.05, 20),
+    panSpeed: isNumber(0.05, 20),
+    zoomSpeed: isNumber(0.05, 20),
+    invertWheel: isBoolean,
+    zoomToPointer: isBoolean,
+    orbit: isOneOf("turntable", "trackball"),
+  },
+  appearance: {
+    faces: isBoolean,
+    edges: isOneOf("none", "features", "all"),
+    shading: isOneOf("smooth", "flat"),
+    opacity: isNumber(0, 1),
+    color: isColor,
+    edgeColor: isColor,
+    pointSize: isNumber(1, 100),
+    scheme: isScheme,
+    background: (value) => value === null || isColor(value),
+  },
+  lights: {
+    global: hasFields(kLight),
+    lights: isListOf(hasFields({ ...kLight, id: kAnyNumber, position: isVec3, reach: kPositive }), 32),
+  },
+  section: {
+    on: isBoolean,
+    point: isVec3,
+    normal: isDirection,
+    cap: isOneOf("preview", "exact"),
+    capColor: isColor,
+    plane: isBoolean,
+  },
+  display: {
+    axes: isBoolean,
+    grid: isBoolean,
+    scaleBar: isBoolean,
+    boxes: isBoolean,
+    boundary: isBoolean,
+    nonManifold: isBoolean,
+    legend: isBoolean,
+    explode: isNumber(0, 100),
+  },
+};
+
+const isOverride = hasFields(
+  { cell: isCell },
+  { color: isColor, pointSize: isNumber(1, 100), opacity: isNumber(0, 1) },
+);
+
+/** The fields that are understood, as a patch, and the names of those that are not. */
+export function stateFromJson(json: unknown): { patch: ScenePatch; rejected: string[] } {
+  const rejected: string[] = [];
+  if (!isRecord(json)) return { patch: {}, rejected: ["the whole view"] };
+  const patch: Record<string, unknown> = {};
+  for (const [part, value] of Object.entries(json)) {
+    if (part === "overrides") {
+      if (isListOf(isOverride, 100_000)(value)) patch[part] = value;
+      else rejected.push(part);
+      continue;
+    }
+    const fields = Object.hasOwn(kFields, part) ? kFields[part as keyof typeof kFields] : undefined;
+    if (!fields || !isRecord(value)) {
+      rejected.push(part);
+      continue;
+    }
+    const accepted = Object.entries(value).filter(([key, field]) => {
+      const known = Object.hasOwn(fields, key) && fields[key]!(field);
+      if (!known) rejected.push(`${part}.${key}`);
+      return known;
+    });
+    patch[part] = Object.fromEntries(accepted);
+  }
+  return { patch: patch as ScenePatch, rejected };
+}

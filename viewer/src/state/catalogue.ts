@@ -1,0 +1,69 @@
+import { batch, signal } from "@preact/signals";
+import type { Client } from "../api/client";
+import type { DatabaseObject, OperatorHelp, OperatorInfo, TypeInfo } from "../api/types";
+
+/** What the database and the language have: objects, operators, types, words of commands. */
+export class Catalogue {
+  readonly objects = signal<readonly DatabaseObject[]>([]);
+  readonly operators = signal<readonly OperatorInfo[]>([]);
+  readonly types = signal<readonly TypeInfo[]>([]);
+  readonly keywords = signal<readonly string[]>([]);
+  readonly #client: Client;
+  readonly #help = new Map<string, Promise<OperatorHelp>>();
+
+  constructor(client: Client) {
+    this.#client = client;
+  }
+
+  /** Reads everything; what the language has changes only with the program. */
+  async load(): Promise<void> {
+    const [objects, operators, types, keywords] = await Promise.all([
+      this.#client.objects(),
+      this.#client.operators(),
+      this.#client.types(),
+      this.#client.keywords(),
+    ]);
+    batch(() => {
+      this.objects.value = objects;
+      this.operators.value = operators;
+      this.types.value = types;
+      this.keywords.value = keywords;
+    });
+  }
+
+  async reloadObjects(): Promise<void> {
+    this.objects.value = await this.#client.objects();
+  }
+
+  /** The whole description of an operator; asked for once. */
+  help(name: string): Promise<OperatorHelp> {
+    let help = this.#help.get(name);
+    if (!help) {
+      help = this.#client.operator(name);
+      this.#help.set(name, help);
+      help.catch(() => this.#help.delete(name));
+    }
+    return help;
+  }
+}
+
+/** The operators with all words of `pattern` in name, family or description; those whose name begins with it first. */
+export function searchOperators(
+  operators: readonly OperatorInfo[],
+  pattern: string,
+): readonly OperatorInfo[] {
+  const wanted = pattern.trim().toLowerCase();
+  if (!wanted) return operators;
+  const words = wanted.split(/\s+/);
+  const rank = ({ name }: OperatorInfo) => {
+    const lower = name.toLowerCase();
+    if (lower === wanted) return 0;
+    return lower.startsWith(wanted) ? 1 : lower.includes(wanted) ? 2 : 3;
+  };
+  return operators
+    .filter(({ name, family, doc }) => {
+      const text = `${name} ${family} ${doc}`.toLowerCase();
+      return words.every((word) => text.includes(word));
+    })
+    .sort((a, b) => rank(a) - rank(b));
+}

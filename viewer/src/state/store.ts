@@ -1,0 +1,145 @@
+import { signal } from "@preact/signals";
+import type { Client } from "../api/client";
+import { keepToken } from "../api/token";
+import { Catalogue } from "./catalogue";
+import { Connection } from "./connection";
+import { History } from "./history";
+import { makeLayout, type Layout, type Mode } from "./layout";
+import { Notices } from "./notices";
+import { isQuery, type Outcome, type Parameters } from "./outcome";
+import { Results } from "./results";
+import { failureOf, isFailure, Runner, type Failure } from "./runner";
+import { isString, keptSignal } from "./settings";
+import { failureRange } from "./text_place";
+import type { Theme } from "./theme";
+
+/** A failure and where it stands in the text of the editor, in UTF-16 units; null if it is not there. */
+export interface ShownFailure extends Failure {
+  readonly range: { readonly from: number; readonly to: number } | null;
+}
+
+/** All state of the page outside the scenes, and what can be done with it. */
+export class Store {
+  readonly client: Client;
+  readonly connection: Connection;
+  readonly catalogue: Catalogue;
+  readonly results: Results;
+  readonly runner: Runner;
+  readonly history: History;
+  readonly notices = new Notices();
+  readonly layout: Layout;
+  readonly theme: Theme;
+  readonly editorText;
+  readonly mode = signal<Mode>("explore");
+  /** The latest failure, until the next statement or its closing. */
+  readonly failure = signal<ShownFailure | null>(null);
+  readonly #tabStorage: Storage;
+
+  constructor(client: Client, theme: Theme, storage: Storage, tabStorage: Storage) {
+    this.client = client;
+    this.theme = theme;
+    this.connection = new Connection(client);
+    this.catalogue = new Catalogue(client);
+    this.results = new Results(client);
+    this.runner = new Runner(client);
+    this.history = new History(storage);
+    this.layout = makeLayout(storage);
+    this.editorText = keptSignal(storage, "editor", "", isString);
+    this.#tabStorage = tabStorage;
+    this.connection.onOnline = () => void this.loadCatalogue();
+  }
+
+  /** Reads what the database and the language have; a failure is a notice. */
+  async loadCatalogue(): Promise<void> {
+    try {
+      await this.catalogue.load();
+    } catch (error) {
+      this.report(error, "The lists of objects and operators cannot be read");
+    }
+  }
+
+  async useToken(token: string): Promise<void> {
+    this.client.token = token;
+    keepToken(token, this.#tabStorage);
+    await this.connection.check();
+  }
+
+  /**
+   * Runs a statement and shows its outcome. `place` is its offset in the editor, if it stands there. Returns null if it
+   * failed, which is shown.
+   */
+  async run(
+    statement: string,
+    options: { parameters?: Parameters; place?: number } = {},
+  ): Promise<Outcome | null> {
+    this.failure.value = null;
+    const outcome = await this.runner.run(statement, options.parameters);
+    const ok = !isFailure(outcome);
+    this.history.add(statement, ok);
+    if (!ok) {
+      this.fail(outcome, options.place ?? null);
+      return null;
+    }
+    if (outcome.table) this.results.add(outcome);
+    else this.notices.add("success", doneText(statement), { detail: outcome.answer.diagnostics.join("\n") });
+    if (!isQuery(statement) || changes(statement))
+      await this.catalogue.reloadObjects().catch(() => undefined);
+    return outcome;
+  }
+
+  /** Runs the statements of a text one after the other; ends at the first that fails. */
+  async runText(text: string, place = 0): Promise<void> {
+    let statements;
+    try {
+      statements = await this.client.split(text);
+    } catch (error) {
+      this.fail(failureOf(text, error), place);
+      return;
+    }
+    for (const { text: statement, begin } of statements)
+      if ((await this.run(statement, { place: place + begin })) === null) return;
+  }
+
+  /** Runs the statement of a text in which an offset lies, or the last one before it. */
+  async runAt(text: string, offset: number): Promise<void> {
+    let statements;
+    try {
+      statements = await this.client.split(text);
+    } catch (error) {
+      this.fail(failureOf(text, error), null);
+      return;
+    }
+    const statement = statements.findLast(({ begin }) => begin <= offset) ?? statements[0];
+    if (statement) await this.run(statement.text, { place: statement.begin });
+  }
+
+  fail(failure: Failure, place: number | null): void {
+    if (failure.code === "no_answer") void this.connection.check();
+    if (failure.code === "unauthorized") void this.connection.check();
+    const range = place === null ? null : failureRange(failure.statement, failure.place);
+    const shown = range && place !== null ? { from: range.from + place, to: range.to + place } : null;
+    this.failure.value = { ...failure, range: shown };
+  }
+
+  /** Shows an error as a notice. */
+  report(error: unknown, what: string): void {
+    const failure = failureOf("", error);
+    if (failure.code === "interrupted") return;
+    if (failure.code === "no_answer") void this.connection.check();
+    const detail = [failure.message, failure.remedy].filter(Boolean).join("\n");
+    this.notices.add("error", what, { detail });
+  }
+}
+
+/** Operators of queries that change relations or write files. */
+function changes(statement: string): boolean {
+  return /\b(insert\w*|delete\w*|update\w*)\b/.test(statement);
+}
+
+function doneText(statement: string): string {
+  const words = statement.trim().split(/\s+/);
+  const [command = "", name = ""] = words;
+  if (/^(let|let_|derive|create|update)$/.test(command)) return `${name} is stored.`;
+  if (/^(delete|kill)$/.test(command)) return `${words.at(-1) ?? ""} is deleted.`;
+  return "Done.";
+}

@@ -1,0 +1,189 @@
+import { signal, type ReadonlySignal, type Signal } from "@preact/signals";
+import { isAbort, messageOf } from "../api/errors";
+import type { Row } from "../api/types";
+import { uploadFile } from "../api/upload";
+import { decodeShapes, type Shape } from "../glb/shapes";
+import { meshDifference, type MeshDifference } from "./mesh_difference";
+import type { Outcome } from "./outcome";
+import { isFailure } from "./runner";
+import type { Store } from "./store";
+
+/** What is known about a dropped file. Each part arrives on its own; null until then. */
+export interface Review {
+  readonly key: number;
+  readonly fileName: string;
+  readonly bytes: number;
+  /** Share of the file that was sent, 0 to 1. */
+  readonly sent: Signal<number>;
+  readonly phase: Signal<"sending" | "reading" | "repairing" | "ready" | "failed">;
+  readonly problem: Signal<string>;
+  /** The name for statements. */
+  readonly path: Signal<string>;
+  readonly asIs: Signal<Outcome | null>;
+  readonly report: Signal<Outcome | null>;
+  readonly repaired: Signal<Outcome | null>;
+  /** What the repair took away and added; null for files that need none or are too large to compare. */
+  readonly changes: Signal<MeshDifference | null>;
+  readonly stop: () => void;
+}
+
+/** Triangles of a file up to which its repair is compared with it, in the browser. */
+const mostCompared = 300_000;
+
+const importers: Readonly<Record<string, string>> = { stl: "importSTL", obj: "importOBJ", off: "importOFF" };
+
+/** The operator that repairs a file of this name; null if it is no mesh file. */
+export function importerOf(fileName: string): string | null {
+  const ending = /\.(\w+)$/.exec(fileName)?.[1]?.toLowerCase() ?? "";
+  return importers[ending] ?? null;
+}
+
+/** A text as a literal of the query language. */
+export function quoted(text: string): string {
+  return `'${text.replaceAll("\\", "\\\\").replaceAll("'", "\\'")}'`;
+}
+
+/** A name for an object: the file's name without its ending, made of letters, digits and `_`, and not taken. */
+export function objectName(fileName: string, taken: readonly string[]): string {
+  const base = fileName
+    .replace(/\.\w+$/, "")
+    .replace(/[^A-Za-z0-9_]+/g, "_")
+    .replace(/^[^A-Za-z]+/, "");
+  const name = base === "" ? "Part" : base.charAt(0).toUpperCase() + base.slice(1);
+  if (!taken.includes(name)) return name;
+  for (let number = 2; ; number++) if (!taken.includes(`${name}_${number}`)) return `${name}_${number}`;
+}
+
+/** Uploads files and looks at them: as they are, their defects, and repaired. */
+export class Uploads {
+  readonly reviews: ReadonlySignal<readonly Review[]>;
+  readonly #reviews = signal<readonly Review[]>([]);
+  readonly #store: Store;
+  #count = 0;
+
+  constructor(store: Store) {
+    this.#store = store;
+    this.reviews = this.#reviews;
+  }
+
+  /** Takes dropped or chosen files, one after the other. */
+  async take(files: readonly File[]): Promise<void> {
+    const limit = this.#store.connection.info.value?.uploadLimit ?? Infinity;
+    for (const file of files) {
+      if (file.size > limit)
+        this.#store.notices.add("error", `${file.name} is too large.`, {
+          detail: `It has ${file.size} bytes; the server takes at most ${limit}.`,
+        });
+      else if (importerOf(file.name)) await this.#review(file);
+      else await this.#uploadOnly(file);
+    }
+  }
+
+  close(review: Review): void {
+    review.stop();
+    this.#reviews.value = this.#reviews.value.filter((other) => other !== review);
+  }
+
+  /** Stores the repaired solid as an object. */
+  async store(review: Review, name: string): Promise<void> {
+    const importer = importerOf(review.fileName);
+    if (!importer) return;
+    const stored = await this.#store.run(`let ${name} = ${importer}(${quoted(review.path.value)})`);
+    if (stored) this.close(review);
+  }
+
+  async #uploadOnly(file: File): Promise<void> {
+    try {
+      const { name } = await uploadFile(this.#store.client, file, () => undefined);
+      this.#store.notices.add("success", `${file.name} is uploaded.`, {
+        detail: `Statements read it as '${name}'.`,
+      });
+    } catch (error) {
+      this.#store.report(error, `${file.name} cannot be uploaded`);
+    }
+  }
+
+  async #review(file: File): Promise<void> {
+    const abort = new AbortController();
+    const review = makeReview(++this.#count, file, () => abort.abort());
+    this.#reviews.value = [...this.#reviews.value, review];
+    try {
+      const upload = await uploadFile(
+        this.#store.client,
+        file,
+        (share) => (review.sent.value = share),
+        abort.signal,
+      );
+      review.path.value = upload.name;
+      await this.#look(review, abort.signal);
+    } catch (error) {
+      review.phase.value = "failed";
+      review.problem.value = isAbort(error) ? "Stopped." : messageOf(error);
+    }
+  }
+
+  async #look(review: Review, signal: AbortSignal): Promise<void> {
+    const path = quoted(review.path.value);
+    const { results } = this.#store;
+    review.phase.value = "reading";
+    review.asIs.value = await this.#run(`query importMesh(${path})`, signal);
+    results.add(review.asIs.value);
+    if (review.asIs.value.answer.value === null)
+      throw new Error(review.asIs.value.answer.diagnostics.join("\n") || "The file cannot be read.");
+    review.report.value = await this.#run(`query repairReport(${path}) consume`, signal);
+    review.phase.value = "repairing";
+    const repaired = await this.#run(`query ${importerOf(review.fileName) ?? ""}(${path})`, signal);
+    review.repaired.value = repaired;
+    // The file as it is stays in the picture; the repaired solid can be laid over it.
+    const wasOverlaid = results.overlay.value;
+    const active = results.activeKey.value;
+    results.overlay.value = true;
+    results.add(repaired);
+    results.show(repaired, false);
+    results.overlay.value = wasOverlaid;
+    results.activeKey.value = active;
+    review.phase.value = "ready";
+    await this.#compare(review, signal);
+  }
+
+  /** Finds the triangles that the repair changed. */
+  async #compare({ asIs, repaired, report, changes }: Review, signal: AbortSignal): Promise<void> {
+    const outcomes = [asIs.value, repaired.value];
+    if (!(report.value?.answer.value as readonly Row[]).some(({ Phase }) => Phase === "changed")) return;
+    const [before, after] = await Promise.all(outcomes.map((outcome) => this.#shapes(outcome, signal)));
+    if (before && after) changes.value = meshDifference(before, after);
+  }
+
+  /** The whole shape of a single value; null if it is too large or undefined. */
+  async #shapes(outcome: Outcome | null, signal: AbortSignal): Promise<readonly Shape[] | null> {
+    const value = outcome?.answer.value as Readonly<Record<string, unknown>> | null | undefined;
+    const size = Math.max(0, ...Object.values(value ?? {}).filter((count) => typeof count === "number"));
+    if (!outcome?.resultId || size > mostCompared) return null;
+    const query = { column: "value", from: 0, count: 1 };
+    const response = await this.#store.client.shapes(outcome.resultId, query, signal);
+    return decodeShapes(await response.arrayBuffer());
+  }
+
+  async #run(statement: string, signal: AbortSignal): Promise<Outcome> {
+    const outcome = await this.#store.runner.run(statement, {}, signal);
+    if (isFailure(outcome)) throw new Error([outcome.message, outcome.remedy].filter(Boolean).join(" "));
+    return outcome;
+  }
+}
+
+function makeReview(key: number, file: File, stop: () => void): Review {
+  return {
+    key,
+    fileName: file.name,
+    bytes: file.size,
+    sent: signal(0),
+    phase: signal<Review["phase"]["value"]>("sending"),
+    problem: signal(""),
+    path: signal(""),
+    asIs: signal<Outcome | null>(null),
+    report: signal<Outcome | null>(null),
+    repaired: signal<Outcome | null>(null),
+    changes: signal<MeshDifference | null>(null),
+    stop,
+  };
+}

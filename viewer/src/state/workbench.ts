@@ -1,0 +1,290 @@
+import { batch, signal, type ReadonlySignal } from "@preact/signals";
+import { ApiError, isAbort, messageOf } from "../api/errors";
+import type { Json, Row } from "../api/types";
+import type { CellRef } from "../scene/api";
+import { makeOutcome, type Outcome, type Parameters } from "./outcome";
+import type { Store } from "./store";
+import {
+  factsStatement,
+  isMeshType,
+  limit,
+  type LimitScheme,
+  volumeStatement,
+  type MeshType,
+  type Operation,
+} from "./workbench_operations";
+
+export type SideName = "left" | "right";
+
+/** A state of a mesh and how it was made, so that it can be made again if the server has dropped it. */
+export interface Step {
+  readonly label: string;
+  readonly statement: string;
+  readonly inputs: Readonly<Record<string, Step | CellRef>>;
+  /** Where the mesh is now. */
+  outcome: Outcome;
+  readonly type: MeshType;
+}
+
+/** Numbers about a mesh, in the order in which they are shown. */
+export type Facts = readonly { readonly name: string; readonly value: Json }[];
+
+/** One side of the split screen: a mesh, and the list of its states. */
+export class Side {
+  readonly name: SideName;
+  readonly step: ReadonlySignal<Step | null>;
+  readonly canUndo: ReadonlySignal<boolean>;
+  readonly canRedo: ReadonlySignal<boolean>;
+  /** The states that led here, the first one first. */
+  readonly steps: ReadonlySignal<readonly Step[]>;
+  /** What is being done, with how far it is; "" if nothing. */
+  readonly busy = signal("");
+  readonly error = signal("");
+  readonly facts = signal<Facts | null>(null);
+  /** A mesh whose edges are drawn over this one: the control mesh of a limit surface. */
+  readonly control = signal<CellRef | null>(null);
+  readonly #store: Store;
+  readonly #step = signal<Step | null>(null);
+  readonly #steps = signal<readonly Step[]>([]);
+  readonly #canUndo = signal(false);
+  readonly #canRedo = signal(false);
+  #done: Step[] = [];
+  #undone: Step[] = [];
+  #abort: AbortController | null = null;
+
+  constructor(name: SideName, store: Store) {
+    this.name = name;
+    this.#store = store;
+    this.step = this.#step;
+    this.steps = this.#steps;
+    this.canUndo = this.#canUndo;
+    this.canRedo = this.#canRedo;
+  }
+
+  /** Takes the mesh of a cell of a result. */
+  async load(cell: CellRef, label = "cell"): Promise<void> {
+    await this.#work(async (signal) => this.#push(await this.#make(label, "query $a", { a: cell }, signal)));
+  }
+
+  /** Takes the value of an object. */
+  async loadObject(name: string): Promise<void> {
+    await this.#work(async (signal) => this.#push(await this.#make(name, `query ${name}`, {}, signal)));
+  }
+
+  /** Applies operations one after the other; `operation` gets the type of the mesh before each. */
+  async apply(operation: (type: MeshType) => Operation, other: Step | null = null, times = 1): Promise<void> {
+    await this.#work(async (signal) => {
+      for (let count = 1; count <= times; count++) {
+        const step = this.#step.value;
+        if (!step) return;
+        const { label, expression, needsOther } = operation(step.type);
+        if (needsOther && !other) throw new Error("There is no mesh on the other side.");
+        this.busy.value = times > 1 ? `${label}, step ${count} of ${times}` : label;
+        const inputs = needsOther && other ? { a: step, b: other } : { a: step };
+        this.#push(await this.#make(label, `query ${expression}`, inputs, signal));
+      }
+    });
+  }
+
+  stop(): void {
+    this.#abort?.abort();
+  }
+
+  async undo(): Promise<void> {
+    await this.#travel(this.#done, this.#undone, this.#done.at(-2));
+  }
+
+  async redo(): Promise<void> {
+    await this.#travel(this.#undone, this.#done, this.#undone.at(-1));
+  }
+
+  clear(): void {
+    this.stop();
+    for (const step of [...this.#done, ...this.#undone]) this.#release(step);
+    this.#done = [];
+    this.#undone = [];
+    this.#changed();
+  }
+
+  /** Stores the mesh as an object of the database. */
+  async save(name: string): Promise<void> {
+    const step = this.#step.value;
+    if (!step) return;
+    await this.#store.run(`let ${name} = $a`, { parameters: { a: cellOf(step) } });
+  }
+
+  /** Takes what an operation makes of a mesh of the other side, which is drawn over it as control mesh. */
+  async derive(from: Step, { label, expression }: Operation): Promise<void> {
+    await this.#work(async (signal) => {
+      this.busy.value = label;
+      this.#push(await this.#make(label, `query ${expression}`, { a: from }, signal));
+      this.control.value = cellOf(from);
+    });
+  }
+
+  async #travel(from: Step[], to: Step[], target: Step | undefined): Promise<void> {
+    if (!target) return;
+    await this.#work(async (signal) => {
+      await this.#ensure(target, signal);
+      const moved = from.pop();
+      if (moved) to.push(moved);
+      this.#changed();
+    });
+  }
+
+  #push(step: Step): void {
+    for (const undone of this.#undone) this.#release(undone);
+    this.#undone = [];
+    this.#done.push(step);
+    this.#changed();
+  }
+
+  #changed(): void {
+    batch(() => {
+      this.control.value = null;
+      this.#step.value = this.#done.at(-1) ?? null;
+      this.#steps.value = [...this.#done];
+      this.#canUndo.value = this.#done.length > 1;
+      this.#canRedo.value = this.#undone.length > 0;
+      this.facts.value = null;
+    });
+    void this.#readFacts();
+  }
+
+  /** Does one thing at a time; an error is shown at the side. */
+  async #work(action: (signal: AbortSignal) => Promise<void>): Promise<void> {
+    if (this.#abort) return;
+    const abort = new AbortController();
+    this.#abort = abort;
+    batch(() => {
+      this.error.value = "";
+      this.busy.value ||= "working";
+    });
+    try {
+      await action(abort.signal);
+    } catch (error) {
+      this.error.value = isAbort(error) ? "Stopped." : messageOf(error);
+    } finally {
+      this.#abort = null;
+      this.busy.value = "";
+    }
+  }
+
+  async #make(label: string, statement: string, inputs: Step["inputs"], signal: AbortSignal): Promise<Step> {
+    this.busy.value ||= label;
+    const outcome = await this.#query(statement, inputs, signal);
+    const type = outcome.answer.type ?? "";
+    if (!isMeshType(type))
+      throw new Error(`A ${type || "command"} is no mesh; expected a solid, surface or mesh.`);
+    if (outcome.resultId === null || outcome.answer.value === null) {
+      const reason = outcome.answer.diagnostics.join(" ");
+      throw new Error(`${label} is undefined. ${reason}`.trim());
+    }
+    return { label, statement, inputs, outcome, type };
+  }
+
+  /** Runs a statement on other states; makes them again if the server has dropped them. */
+  async #query(statement: string, inputs: Step["inputs"], signal: AbortSignal): Promise<Outcome> {
+    try {
+      return await this.#ask(statement, inputs, signal);
+    } catch (error) {
+      if (!isGone(error)) throw error;
+      for (const input of Object.values(inputs)) if (isStep(input)) await this.#remake(input, signal);
+      return this.#ask(statement, inputs, signal);
+    }
+  }
+
+  async #ask(statement: string, inputs: Step["inputs"], signal: AbortSignal): Promise<Outcome> {
+    const cells = Object.entries(inputs).map(
+      ([key, input]) => [key, isStep(input) ? cellOf(input) : input] as const,
+    );
+    const parameters: Parameters = Object.fromEntries(cells);
+    const answer = await this.#store.runner.answer(statement, parameters, signal);
+    return makeOutcome(this.#store.client, statement, parameters, answer);
+  }
+
+  async #remake(step: Step, signal: AbortSignal): Promise<void> {
+    step.outcome = await this.#query(step.statement, step.inputs, signal);
+  }
+
+  /** Makes sure that the server has the mesh of a state. */
+  async #ensure(step: Step, signal: AbortSignal): Promise<void> {
+    try {
+      await this.#store.client.rows(cellOf(step).result, 0, 1, signal);
+    } catch (error) {
+      if (!isGone(error)) throw error;
+      await this.#remake(step, signal);
+    }
+  }
+
+  #release(step: Step): void {
+    void this.#store.client.drop(cellOf(step).result).catch(() => undefined);
+  }
+
+  async #readFacts(): Promise<void> {
+    const step = this.#step.value;
+    if (!step) return;
+    const parameters = { a: cellOf(step) };
+    const facts: { name: string; value: Json }[] = [];
+    const tell = () => {
+      if (this.#step.value === step) this.facts.value = [{ name: "Type", value: step.type }, ...facts];
+    };
+    try {
+      const counts = await this.#store.client.query({ statement: factsStatement(step.type), parameters });
+      this.#forget(counts.result?.id);
+      const [row = {}] = counts.value as readonly Row[];
+      for (const [name, value] of Object.entries(row)) facts.push({ name, value });
+      tell();
+      if (step.type === "surface3d" || row["Closed"] !== true) return;
+      const volume = await this.#store.client.query({ statement: volumeStatement(step.type), parameters });
+      this.#forget(volume.result?.id);
+      facts.push({ name: "Volume", value: volume.value });
+      tell();
+    } catch (error) {
+      if (this.#step.value === step)
+        this.error.value = `The statistics cannot be computed. ${messageOf(error)}`;
+    }
+  }
+
+  #forget(result: string | undefined): void {
+    if (result !== undefined) void this.#store.client.drop(result).catch(() => undefined);
+  }
+}
+
+/** The two sides of the split screen. */
+export class Workbench {
+  readonly left: Side;
+  readonly right: Side;
+
+  constructor(store: Store) {
+    this.left = new Side("left", store);
+    this.right = new Side("right", store);
+  }
+
+  side(name: SideName): Side {
+    return name === "left" ? this.left : this.right;
+  }
+
+  /** Shows the limit surface of a side's mesh on the other side. */
+  async showLimit(name: SideName, scheme: LimitScheme, steps: number): Promise<void> {
+    const step = this.side(name).step.value;
+    if (step) await this.other(name).derive(step, limit(step.type, scheme, steps));
+  }
+
+  other(name: SideName): Side {
+    return name === "left" ? this.right : this.left;
+  }
+}
+
+/** The cell in which the mesh of a state lies: results of single values have one row and the column `value`. */
+export function cellOf(step: Step): CellRef {
+  return { result: step.outcome.resultId ?? "", row: 0, column: "value" };
+}
+
+const isStep = (input: Step | CellRef): input is Step => "statement" in input;
+
+function isGone(error: unknown): boolean {
+  return (
+    error instanceof ApiError && (error.status === 410 || error.code === "gone" || error.code === "not_found")
+  );
+}

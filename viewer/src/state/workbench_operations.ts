@@ -1,0 +1,107 @@
+/** The operations of the split screen, written as expressions of the query language. */
+
+export const meshTypes = ["volume3d", "surface3d", "mesh3d"] as const;
+export type MeshType = (typeof meshTypes)[number];
+
+export const isMeshType = (type: string): type is MeshType => (meshTypes as readonly string[]).includes(type);
+
+export const schemes = ["loop", "catmull-clark", "doo-sabin", "butterfly", "modified-butterfly"] as const;
+export type Scheme = (typeof schemes)[number];
+
+/** Schemes that have a limit position of vertices. */
+export const limitSchemes = ["loop", "catmull-clark"] as const;
+export type LimitScheme = (typeof limitSchemes)[number];
+
+export const setOperations = ["union", "intersection", "minus"] as const;
+export type SetOperation = (typeof setOperations)[number];
+
+/** An expression in `$a`, and `$b` if it takes the mesh of the other side. */
+export interface Operation {
+  readonly label: string;
+  readonly expression: string;
+  readonly needsOther: boolean;
+}
+
+const needsTriangles = (scheme: Scheme) => scheme !== "catmull-clark" && scheme !== "doo-sabin";
+
+/** `$a` as a mesh3d; of triangles, or of the polygons that they make. */
+function asMesh(type: MeshType, triangles: boolean): string {
+  if (type === "mesh3d") return triangles ? "triangulate($a)" : "$a";
+  const convert = type === "volume3d" ? "volume2mesh" : "surface2mesh";
+  return triangles ? `${convert}($a)` : `${convert}($a, TRUE)`;
+}
+
+const asVolume = (name: string, type: MeshType) => (type === "mesh3d" ? `mesh2volume(${name})` : name);
+
+/** One step of a scheme; schemes for any polygons see those that the triangles of a solid make. */
+export function subdivision(type: MeshType, scheme: Scheme): Operation {
+  const mesh = asMesh(type, needsTriangles(scheme));
+  return {
+    label: `subdivide ${scheme}`,
+    expression: `subdivide(${mesh}, "${scheme}", 1)`,
+    needsOther: false,
+  };
+}
+
+/** The limit surface: the mesh after some steps, with each vertex where the scheme has it in the end. */
+export function limit(type: MeshType, scheme: LimitScheme, steps: number): Operation {
+  const mesh = asMesh(type, needsTriangles(scheme));
+  const expression = `limitPosition(subdivide(${mesh}, "${scheme}", ${steps}), "${scheme}")`;
+  return { label: `limit of ${scheme}`, expression, needsOther: false };
+}
+
+/** Fewer triangles: a share of them, 0 to 1. */
+export function simplification(type: MeshType, share: number): Operation {
+  const mesh = type === "mesh3d" ? "triangulate($a)" : "$a";
+  const ratio = Number.isInteger(share) ? share.toFixed(1) : String(share);
+  return {
+    label: `simplify to ${Math.round(share * 100)} %`,
+    expression: `simplify(${mesh}, "ratio", ${ratio})`,
+    needsOther: false,
+  };
+}
+
+export function dual(type: MeshType): Operation {
+  return { label: "dual", expression: `dual(${asMesh(type, false)})`, needsOther: false };
+}
+
+export function setOperation(operation: SetOperation, type: MeshType, other: MeshType): Operation {
+  const a = asVolume("$a", type);
+  const b = asVolume("$b", other);
+  const expression = operation === "intersection" ? `intersection(${a}, ${b})` : `(${a}) ${operation} (${b})`;
+  return { label: `${operation} with the other side`, expression, needsOther: true };
+}
+
+export function vertexMove(type: MeshType, vertex: number, to: readonly [number, number, number]): Operation {
+  const point = `[const point3d value (${to.map(coordinate).join(" ")})]`;
+  const mesh = type === "mesh3d" ? "$a" : asMesh(type, true);
+  return {
+    label: `move vertex ${vertex}`,
+    expression: `moveVertex(${mesh}, ${vertex}, ${point})`,
+    needsOther: false,
+  };
+}
+
+/** A number in the notation of the language, with all its digits. */
+function coordinate(value: number): string {
+  return Object.is(value, -0) ? "0" : String(value);
+}
+
+/** Counts of a mesh as one row. */
+export function factsStatement(type: MeshType): string {
+  const area = type === "mesh3d" ? "faces($a) sum[Area]" : "area($a)";
+  const facts = [
+    "Vertices: vertices($a) count",
+    "Edges: edges($a) count",
+    "Faces: faces($a) count",
+    "Euler: eulerCharacteristic($a)",
+    "Genus: genus($a)",
+    "Closed: isClosed($a)",
+    "Manifold: isManifold($a)",
+    `Area: ${area}`,
+  ];
+  return `query intstream(1, 1) transformstream projectextend[; ${facts.join(", ")}] consume`;
+}
+
+/** The enclosed volume; of a mesh that bounds no solid undefined, with the reason in the diagnostics. */
+export const volumeStatement = (type: MeshType) => `query volume(${asVolume("$a", type)})`;

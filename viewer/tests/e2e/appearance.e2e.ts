@@ -1,0 +1,265 @@
+import { afterAll, afterEach, beforeAll, beforeEach, expect, test } from "vitest";
+import type { Page } from "playwright-core";
+
+import { expectNoErrors, ready, run, stillScene } from "./support/actions";
+import { Browser, takePicture } from "./support/browser";
+import {
+  choose,
+  clickAt,
+  covered,
+  field,
+  frontView,
+  halfSide,
+  isBluish,
+  isGreenish,
+  isNear,
+  isReddish,
+  isWhite,
+  plainScene,
+  press,
+  sceneSize,
+  setColor,
+} from "./support/scene";
+import { Server } from "./support/server";
+
+const row =
+  'intstream(1, 4) transformstream extend[Name: "part " + tostring(.Elem), Mass: .Elem * 1.5, Solid: createCube(makePoint3D(.Elem * 3, 0, 0), makePoint3D(.Elem * 3 + 2, 2, 2))]';
+
+let server: Server;
+let browser: Browser;
+let page: Page;
+
+beforeAll(async () => {
+  server = await Server.start([
+    "let Cube = createCube(makePoint3D(0, 0, 0), makePoint3D(2, 2, 2))",
+    "let Ball = createSphere(makePoint3D(0, 0, 0), 1, 16)",
+    `let Row = ${row} consume`,
+    "let Open = [const surface3d value (((0 0 0) (2 0 0) (0 0 2)) ((2 0 0) (2 0 2) (0 0 2)))]",
+    "let Cloud = [const points3d value ((0 0 0) (1 0 0) (0 0 1) (1 0 1) (0.5 0 0.5))]",
+  ]);
+  browser = await Browser.start({ theme: "light", width: 1280, height: 900 });
+});
+
+afterAll(async () => {
+  await browser.end();
+  await server.remove();
+});
+
+beforeEach(async () => {
+  page = await browser.open(server.url);
+  await page.evaluate(() => localStorage.clear());
+  await page.reload();
+  await ready(page);
+  browser.errors.length = 0;
+});
+
+afterEach(() => expectNoErrors(browser.errors));
+
+async function show(statement: string): Promise<void> {
+  await run(page, statement);
+  await stillScene(page);
+  await plainScene(page);
+  await frontView(page);
+}
+
+test("the context lives, and the picture of a cube is not blank", async () => {
+  await run(page, "query Cube");
+  await stillScene(page);
+  const alive = await page
+    .locator("[data-testid=scene] canvas")
+    .first()
+    .evaluate((canvas) => {
+      const context = (canvas as HTMLCanvasElement).getContext("webgl2");
+      return context !== null && !context.isContextLost();
+    });
+  expect(alive).toBe(true);
+  expect((await takePicture(page, "scene-cube")).colors()).toBeGreaterThan(20);
+});
+
+test("a red cube on white has as many red pixels as its size says", async () => {
+  await show("query Cube");
+  await setColor(page, "appearance", "Object colour", "#ff0000");
+  await choose(page, "appearance", "Edges", "None");
+  const picture = await stillScene(page);
+  const side = 2 * halfSide(await sceneSize(page));
+  const red = picture.count(isReddish);
+  expect(red).toBeGreaterThan(side * side * 0.98);
+  expect(red).toBeLessThan(side * side * 1.02);
+  expect(picture.count(isWhite)).toBeGreaterThan(picture.width * picture.height - red - 8 * side);
+});
+
+test("faces and edges are drawn together or alone, in their colours", async () => {
+  await show("query Cube");
+  await setColor(page, "appearance", "Object colour", "#ff0000");
+  await setColor(page, "appearance", "Edge colour", "#0000ff");
+  const both = await stillScene(page);
+  expect(both.count(isReddish)).toBeGreaterThan(10_000);
+  expect(both.count(isBluish)).toBeGreaterThan(200);
+  await field(page, "appearance", "Faces").setChecked(false);
+  const wire = await stillScene(page);
+  expect(wire.count(isReddish)).toBe(0);
+  expect(wire.count(isBluish)).toBeGreaterThan(200);
+  await choose(page, "appearance", "Edges", "All");
+  const triangles = await stillScene(page);
+  // The diagonals of the faces.
+  expect(triangles.count(isBluish)).toBeGreaterThan(wire.count(isBluish) * 1.2);
+  await field(page, "appearance", "Faces").setChecked(true);
+  await choose(page, "appearance", "Edges", "None");
+  const solid = await stillScene(page);
+  expect(solid.count(isBluish)).toBe(0);
+});
+
+test("transparent objects let the background through", async () => {
+  await show("query Cube");
+  await setColor(page, "appearance", "Object colour", "#ff0000");
+  await choose(page, "appearance", "Edges", "None");
+  await field(page, "appearance", "Opacity").fill("0.5");
+  const { width, height } = await sceneSize(page);
+  const [r, g, b] = (await stillScene(page)).at(Math.round(width / 2), Math.round(height / 2));
+  expect(r).toBeGreaterThan(150);
+  expect(g).toBeGreaterThan(50);
+  expect(g).toBeLessThan(200);
+  expect(Math.abs(g - b)).toBeLessThan(6);
+});
+
+test("a gradient goes from the first to the last row", async () => {
+  await show("query Row");
+  await field(page, "appearance", "Colouring").selectOption("gradient");
+  await setColor(page, "appearance", "First row", "#ff0000");
+  await setColor(page, "appearance", "Last row", "#0000ff");
+  const picture = await stillScene(page);
+  expect(picture.count(isReddish)).toBeGreaterThan(1000);
+  expect(picture.count(isBluish)).toBeGreaterThan(1000);
+});
+
+test("numbers colour by a palette, texts by different colours, both with a legend", async () => {
+  await show("query Row");
+  await field(page, "appearance", "Colouring").selectOption("attribute");
+  await field(page, "appearance", "Attribute").selectOption("Mass");
+  const legend = page.getByTestId("legend");
+  await expect.poll(() => legend.innerText()).toMatch(/Mass\s+1.5\s+6/);
+  const numbers = await stillScene(page);
+  await field(page, "appearance", "Attribute").selectOption("Name");
+  await expect.poll(() => legend.innerText()).toContain("part 3");
+  const texts = await stillScene(page);
+  expect(numbers.difference(texts)).toBeGreaterThan(0.05);
+  await takePicture(page, "scene-legend");
+  await press(page, "b");
+  expect(await legend.count()).toBe(0);
+});
+
+test("one object has a colour of its own until it is reset", async () => {
+  await show("query Row");
+  await setColor(page, "appearance", "Object colour", "#ff0000");
+  await choose(page, "appearance", "Edges", "None");
+  await clickAt(page, 60, 0);
+  await setColor(page, "object", "Colour", "#00ff00");
+  await press(page, "Escape");
+  const coloured = await stillScene(page);
+  expect(coloured.count(isGreenish)).toBeGreaterThan(1000);
+  expect(coloured.count(isReddish)).toBeGreaterThan(3 * coloured.count(isGreenish) * 0.9);
+  await clickAt(page, 60, 0);
+  await page.getByRole("button", { name: "Reset to default" }).click();
+  await press(page, "Escape");
+  expect((await stillScene(page)).count(isGreenish)).toBe(0);
+});
+
+test("the smooth shading of a ball has more colours than the flat one", async () => {
+  await show("query Ball");
+  await choose(page, "appearance", "Edges", "None");
+  const smooth = await stillScene(page);
+  await choose(page, "appearance", "Shading", "Flat");
+  const flat = await stillScene(page);
+  expect(flat.difference(smooth)).toBeGreaterThan(0.05);
+  expect(flat.colors()).toBeLessThan(smooth.colors());
+});
+
+test("points have the chosen size and colour", async () => {
+  await show("query Cloud");
+  await setColor(page, "appearance", "Object colour", "#ff0000");
+  const pixels: number[] = [];
+  for (const size of [4, 8, 16]) {
+    await field(page, "appearance", "Point size").fill(String(size));
+    pixels.push((await stillScene(page)).count(([r, g]) => r > 200 && g < 120));
+  }
+  pixels.forEach((count, i) => {
+    const disc = (5 * Math.PI * [4, 8, 16][i]! ** 2) / 4;
+    expect(count).toBeGreaterThan(disc * 0.5);
+    expect(count).toBeLessThan(disc * 1.3);
+  });
+});
+
+test("boundary edges are red, and can be hidden", async () => {
+  await show("query Open");
+  const isBoundary = isNear([216, 27, 58], 40);
+  expect((await stillScene(page)).count(isBoundary)).toBeGreaterThan(500);
+  await field(page, "display", "Boundary edges (red)").setChecked(false);
+  expect((await stillScene(page)).count(isBoundary)).toBe(0);
+});
+
+test("background, reset of each colour, reset of all", async () => {
+  await show("query Cube");
+  const before = await stillScene(page);
+  await setColor(page, "appearance", "Background colour", "#00ff00");
+  await setColor(page, "appearance", "Object colour", "#ff0000");
+  expect((await stillScene(page)).count(isGreenish)).toBeGreaterThan(10_000);
+  await page.getByRole("button", { name: "Reset Object colour" }).click();
+  expect((await stillScene(page)).count(isReddish)).toBe(0);
+  await page.getByRole("button", { name: "Reset Background colour" }).click();
+  expect((await stillScene(page)).count(isGreenish)).toBe(0);
+  await field(page, "appearance", "Opacity").fill("0.3");
+  await page.getByRole("button", { name: "Reset appearance" }).click();
+  await setColor(page, "appearance", "Background colour", "#ffffff");
+  expect((await stillScene(page)).difference(before)).toBeLessThan(0.001);
+});
+
+test("boxes, grid, axes and scale are shown and hidden", async () => {
+  await show("query Ball");
+  let last = await stillScene(page);
+  for (const [name, least] of [
+    ["Bounding boxes", 300],
+    ["Grid", 2000],
+    ["Axes", 100],
+    ["Scale bar", 100],
+  ] as const) {
+    await field(page, "display", name).setChecked(true);
+    const next = await stillScene(page);
+    expect(covered(next) - covered(last), name).toBeGreaterThan(least);
+    last = next;
+  }
+  await takePicture(page, "scene-grid");
+  for (const key of ["g", "Shift+X", "x", "Shift+G"]) await press(page, key);
+  const bare = await stillScene(page);
+  expect(covered(bare)).toBeLessThan(covered(last) - 2500);
+});
+
+test("exploded objects move apart", async () => {
+  await show("query Row");
+  await choose(page, "appearance", "Edges", "None");
+  await press(page, "-");
+  const extent = async (): Promise<number> => {
+    const picture = await stillScene(page);
+    const columns: number[] = [];
+    for (let x = 0; x < picture.width; x++) {
+      if (!isWhite(picture.at(x, Math.round(picture.height / 2)))) columns.push(x);
+    }
+    return Math.max(...columns) - Math.min(...columns);
+  };
+  for (let i = 0; i < 6; i++) await press(page, "-");
+  const together = await extent();
+  await field(page, "display", "Explode").fill("1");
+  expect(await extent()).toBeGreaterThan(together * 1.5);
+});
+
+test("several results are overlaid in different colours", async () => {
+  await run(page, "query Cube");
+  await run(page, "query Ball translate[makeVector3D(5, 0, 1)]");
+  await stillScene(page);
+  await plainScene(page);
+  const overlay = page.getByRole("button", { name: "Overlay" });
+  await overlay.click();
+  await frontView(page);
+  const picture = await stillScene(page);
+  expect(picture.colors()).toBeGreaterThan(20);
+  await takePicture(page, "scene-overlay");
+});

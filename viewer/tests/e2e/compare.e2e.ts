@@ -1,0 +1,193 @@
+import { afterAll, afterEach, beforeAll, beforeEach, expect, test } from "vitest";
+import type { Page } from "playwright-core";
+import { expectNoErrors, ready, stillScene } from "./support/actions";
+import { Browser, takePicture } from "./support/browser";
+import { Server } from "./support/server";
+
+type SideName = "left" | "right";
+
+let server: Server;
+let browser: Browser;
+let page: Page;
+
+const side = (name: SideName) => page.getByTestId(`side-${name}`);
+const sceneOf = (name: SideName) => `[data-testid="side-${name}"] .scene-canvas`;
+
+async function load(name: SideName, object: string): Promise<void> {
+  await side(name).getByLabel("Mesh of this side").selectOption(object);
+  await side(name).getByTestId("facts").waitFor();
+}
+
+async function press(name: SideName, button: string): Promise<void> {
+  await side(name).getByRole("button", { name: button, exact: true }).click();
+}
+
+/** Waits until a number of the statistics has a value. */
+async function expectFact(name: SideName, fact: string, value: string): Promise<void> {
+  const place = side(name).locator(`[data-fact="${fact}"]`);
+  await expect.poll(() => place.innerText(), { timeout: 30_000 }).toBe(value);
+}
+
+beforeAll(async () => {
+  server = await Server.start([
+    "let Cube = createCube(makePoint3D(0, 0, 0), makePoint3D(2, 2, 2))",
+    "let Ball = createSphere(makePoint3D(2, 1, 1), 1, 24)",
+  ]);
+  browser = await Browser.start({ width: 1400, height: 900 });
+});
+
+afterAll(async () => {
+  await browser.end();
+  await server.remove();
+});
+
+beforeEach(async () => {
+  page = await browser.open(server.url);
+  await page.reload();
+  await ready(page);
+  await page.getByRole("button", { name: "Compare" }).click();
+});
+
+afterEach(() => expectNoErrors(browser.errors));
+
+test("two meshes stand side by side with their statistics", async () => {
+  await load("left", "Cube");
+  await load("right", "Ball");
+  await expectFact("left", "Vertices", "8");
+  await expectFact("left", "Edges", "18");
+  await expectFact("left", "Faces", "12");
+  await expectFact("left", "Genus", "0");
+  await expectFact("left", "Closed", "yes");
+  await expectFact("left", "Area", "24");
+  await expectFact("left", "Volume", "8");
+  await expectFact("right", "Faces", "528");
+  const left = await stillScene(page, sceneOf("left"));
+  const right = await stillScene(page, sceneOf("right"));
+  await takePicture(page, "compare-two");
+  expect(left.colors()).toBeGreaterThan(10);
+  expect(right.colors()).toBeGreaterThan(10);
+});
+
+test.each([
+  ["loop", "48"],
+  ["catmull-clark", "24"],
+  ["doo-sabin", "26"],
+  ["butterfly", "48"],
+  ["modified-butterfly", "48"],
+])("the scheme %s makes %s faces of a cube", async (scheme, faces) => {
+  await load("left", "Cube");
+  await side("left").getByLabel("Scheme").selectOption(scheme);
+  await press("left", "Subdivide");
+  await expectFact("left", "Faces", faces);
+});
+
+test("steps are undone and redone, and the result is saved", async () => {
+  await load("left", "Cube");
+  const before = await stillScene(page, sceneOf("left"));
+  await side("left").getByLabel("Scheme").selectOption("catmull-clark");
+  await side("left").getByLabel("Steps").fill("3");
+  await press("left", "Subdivide");
+  await expectFact("left", "Faces", "384");
+  const after = await stillScene(page, sceneOf("left"));
+  expect(after.difference(before)).toBeGreaterThan(0.02);
+  await press("left", "Undo");
+  await expectFact("left", "Faces", "96");
+  await press("left", "Undo");
+  await press("left", "Undo");
+  await expectFact("left", "Faces", "12");
+  expect(await side("left").getByRole("button", { name: "Undo" }).isDisabled()).toBe(true);
+  await press("left", "Redo");
+  await expectFact("left", "Faces", "24");
+  await press("left", "Save as a new object");
+  await side("left").getByLabel("Name of the new object").fill("Round");
+  await press("left", "Save");
+  await page.getByTestId("objects").getByText("Round").waitFor();
+  expect(await server.run("query size(Round)")).toMatchObject({ value: 24 });
+});
+
+test("an undone step is computed again if the server has dropped it", async () => {
+  await load("left", "Cube");
+  await press("left", "Subdivide");
+  await expectFact("left", "Faces", "48");
+  await press("left", "Subdivide");
+  await expectFact("left", "Faces", "192");
+  for (let count = 0; count < 70; count++) await server.run("query Cube");
+  await press("left", "Undo");
+  await expectFact("left", "Faces", "48");
+  expect(await side("left").locator(".callout.error").count()).toBe(0);
+});
+
+test("set operations take the mesh of the other side", async () => {
+  await load("left", "Cube");
+  await load("right", "Ball");
+  await press("left", "minus");
+  await expect
+    .poll(async () => Number(await side("left").locator('[data-fact="Volume"]').innerText()), {
+      timeout: 30_000,
+    })
+    .toBeLessThan(7);
+  await stillScene(page, sceneOf("left"));
+  await takePicture(page, "compare-minus");
+});
+
+test("simplification and dual", async () => {
+  await load("right", "Ball");
+  await side("right").getByLabel("Percentage").fill("25");
+  await press("right", "Simplify");
+  await expectFact("right", "Faces", "132");
+  await load("left", "Cube");
+  await press("left", "Dual");
+  await expectFact("left", "Vertices", "6");
+  await expectFact("left", "Faces", "8");
+});
+
+test("the limit surface stands beside its control mesh, which is drawn over it", async () => {
+  await load("left", "Cube");
+  await side("left").getByLabel("Scheme").selectOption("catmull-clark");
+  await side("left").getByLabel("Steps").fill("3");
+  await press("left", "Limit beside");
+  await expectFact("right", "Faces", "384");
+  const picture = await stillScene(page, sceneOf("right"));
+  await takePicture(page, "compare-limit");
+  // Edges of the control mesh.
+  expect(picture.count(([red, green, blue]) => red > 150 && green > 110 && blue < 120)).toBeGreaterThan(200);
+});
+
+test("cameras move together, or each alone", async () => {
+  await load("left", "Cube");
+  await load("right", "Cube");
+  const turn = async () => {
+    const box = await page.locator(sceneOf("left")).boundingBox();
+    if (!box) throw new Error("no scene");
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await page.mouse.down();
+    await page.mouse.move(box.x + box.width / 2 + 90, box.y + box.height / 2 + 30, { steps: 6 });
+    await page.mouse.up();
+  };
+  const before = await stillScene(page, sceneOf("right"));
+  await turn();
+  const together = await stillScene(page, sceneOf("right"));
+  expect(together.difference(before)).toBeGreaterThan(0.02);
+  await page.getByRole("checkbox", { name: "Same camera" }).uncheck();
+  await turn();
+  const alone = await stillScene(page, sceneOf("right"));
+  expect(alone.difference(together)).toBe(0);
+});
+
+test("a running step is stopped, and what was there stays", async () => {
+  await load("right", "Ball");
+  await side("right").getByLabel("Steps").fill("8");
+  await press("right", "Subdivide");
+  await side("right").getByRole("button", { name: "Stop" }).click();
+  await side("right").getByText("Stopped.").waitFor({ timeout: 60_000 });
+  expect(await side("right").locator(".steps").innerText()).toContain("Ball");
+});
+
+test("an operation that is not possible says why", async () => {
+  await server.run("let Flat = [const surface3d value (((0 0 0) (2 0 0) (0 2 0)))]").catch(() => undefined);
+  await page.getByRole("button", { name: "Read the list again" }).click();
+  await load("left", "Flat");
+  await load("right", "Cube");
+  await press("left", "union");
+  await expect.poll(() => side("left").locator(".callout.error").innerText()).toContain("union: expected");
+});

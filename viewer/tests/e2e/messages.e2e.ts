@@ -1,0 +1,165 @@
+import { afterEach, expect, test } from "vitest";
+import { ready, run, stillScene, write } from "./support/actions";
+import { Browser, takePicture, type BrowserOptions } from "./support/browser";
+import { Server } from "./support/server";
+
+const cube = "let Cube = createCube(makePoint3D(0, 0, 0), makePoint3D(2, 2, 2))";
+
+let ends: (() => Promise<void>)[] = [];
+
+afterEach(async () => {
+  for (const end of ends.reverse()) await end();
+  ends = [];
+});
+
+async function startServer(...args: Parameters<typeof Server.start>): Promise<Server> {
+  const server = await Server.start(...args);
+  ends.push(() => server.remove());
+  return server;
+}
+
+async function startBrowser(options: BrowserOptions = {}): Promise<Browser> {
+  const browser = await Browser.start(options);
+  ends.push(() => browser.end());
+  return browser;
+}
+
+test("a server that is gone is told, and the page goes on when it is back", async () => {
+  const server = await startServer([cube]);
+  const browser = await startBrowser();
+  const page = await browser.open(server.url);
+  await ready(page);
+  await run(page, "query volume(Cube)");
+  await server.end();
+  await write(page, "query area(Cube)");
+  await page.keyboard.press("Control+Enter");
+  const banner = page.getByTestId("server-gone");
+  await banner.waitFor();
+  expect(await banner.innerText()).toContain("The server does not answer.");
+  expect(await banner.innerText()).toMatch(/Next attempt in \d+ s|Trying/);
+  await takePicture(page, "messages-gone");
+  await server.begin();
+  await banner.getByRole("button", { name: "Try now" }).click();
+  await banner.waitFor({ state: "detached" });
+  await run(page, "query area(Cube)");
+  expect(await page.locator('[data-column="value"]').innerText()).toBe("24");
+});
+
+test("rows that the server no longer has are told, and run again", async () => {
+  const server = await startServer();
+  const browser = await startBrowser();
+  const page = await browser.open(server.url);
+  await ready(page);
+  await run(page, "query intstream(1, 5000) transformstream consume");
+  for (let count = 0; count < 70; count++) await server.run("query intstream(1, 2) transformstream consume");
+  await page.getByTestId("table").evaluate((element) => (element.scrollTop = 60_000));
+  await page.getByText("The server no longer has this result.").waitFor();
+  await page.getByRole("button", { name: "Run again" }).last().click();
+  await page.getByText("The server no longer has this result.").waitFor({ state: "detached" });
+  await page.getByTestId("table").evaluate((element) => (element.scrollTop = 60_000));
+  await expect.poll(() => page.locator('[data-row="2145"] [data-column="Elem"]').innerText()).toBe("2146");
+});
+
+test("a server with a token asks for it, and accepts it in the address", async () => {
+  const server = await startServer([], [], { ALGEBRA3D_TOKEN: "open sesame" });
+  const browser = await startBrowser();
+  const page = await browser.open(server.url);
+  const dialog = page.getByTestId("token-dialog");
+  await dialog.waitFor();
+  await takePicture(page, "messages-token");
+  await dialog.getByLabel("Token").fill("wrong");
+  await dialog.getByRole("button", { name: "Connect" }).click();
+  await dialog.getByText("The server did not accept the token.").waitFor();
+  await dialog.getByLabel("Token").fill("open sesame");
+  await dialog.getByRole("button", { name: "Connect" }).click();
+  await ready(page);
+  await run(page, "query 1 + 1");
+  expect(await page.locator('[data-column="value"]').innerText()).toBe("2");
+  const other = await startBrowser();
+  const direct = await other.open(`${server.url}#token=open%20sesame`);
+  await ready(direct);
+  expect(direct.url()).toBe(server.url);
+});
+
+test("without WebGL the page says so, and queries work", async () => {
+  const server = await startServer([cube]);
+  const browser = await startBrowser({ withoutWebGl: true });
+  const page = await browser.open(server.url);
+  await ready(page);
+  const problem = page.getByTestId("scene-problem");
+  await problem.waitFor();
+  expect(await problem.innerText()).toMatch(/WebGL/);
+  await run(page, "query volume(Cube)");
+  expect(await page.locator('[data-column="value"]').innerText()).toBe("8");
+  await takePicture(page, "messages-no-webgl");
+});
+
+test("the theme follows the system, and can be chosen", async () => {
+  const server = await startServer([cube]);
+  const browser = await startBrowser({ theme: "light" });
+  const page = await browser.open(server.url);
+  await ready(page);
+  await page.getByTestId("objects").getByText("Cube").click();
+  const light = await stillScene(page);
+  await takePicture(page, "messages-light");
+  expect(light.at(4, 4)[0]).toBeGreaterThan(200);
+  await page.getByRole("button", { name: "Theme" }).click();
+  await page.getByRole("menuitem", { name: "Dark theme" }).click();
+  const dark = await stillScene(page);
+  expect(dark.at(4, 4)[0]).toBeLessThan(60);
+  await page.reload();
+  await ready(page);
+  expect(await page.locator("html").getAttribute("data-theme")).toBe("dark");
+});
+
+test("a link restores statements, table, selection, colours and camera", async () => {
+  const server = await startServer([cube]);
+  const browser = await startBrowser();
+  const page = await browser.open(server.url);
+  await ready(page);
+  await run(
+    page,
+    "query intstream(1, 4) transformstream extend[S: createCube(makePoint3D(.Elem * 3, 0, 0), makePoint3D(.Elem * 3 + 2, 2, 2))] consume",
+  );
+  await page.getByRole("button", { name: "Colour the objects by Elem" }).click();
+  await page.locator('[data-row="2"] [data-column="Elem"]').click();
+  const before = await stillScene(page);
+  await page.getByRole("button", { name: "Copy link" }).click();
+  await page.getByTestId("notice").first().waitFor();
+  const link = page.url();
+  expect(link).toMatch(/#view=[\w-]{50,}$/);
+  const other = await startBrowser();
+  const restored = await other.open(link);
+  // The statement was never run in that browser, so that a person is asked.
+  await restored.getByTestId("link-dialog").waitFor();
+  await takePicture(restored, "messages-link-dialog");
+  expect(await restored.getByTestId("link-dialog").innerText()).toContain("query intstream(1, 4)");
+  await restored.getByRole("button", { name: "Run and show" }).click();
+  await restored.getByTestId("table").waitFor();
+  await expect
+    .poll(() => restored.locator('.table-row[aria-selected="true"]').getAttribute("data-row"))
+    .toBe("2");
+  const after = await stillScene(restored);
+  await takePicture(restored, "messages-link-restored");
+  expect(after.difference(before)).toBeLessThan(0.01);
+});
+
+test("a damaged link is refused with a message", async () => {
+  const server = await startServer();
+  const browser = await startBrowser();
+  const page = await browser.open(`${server.url}#view=AAAA`);
+  await page.getByText("The link is damaged").waitFor();
+});
+
+test("a read-only server refuses changes with its reason", async () => {
+  const server = await startServer([cube]);
+  await server.end();
+  const browser = await startBrowser();
+  server.options.push("--read-only");
+  await server.begin();
+  const page = await browser.open(server.url);
+  await ready(page);
+  await page.getByText("read only").waitFor();
+  await run(page, "let A = 1");
+  expect(await page.getByTestId("failure").innerText()).toMatch(/read.only/i);
+});

@@ -1,0 +1,98 @@
+import { afterAll, beforeAll, expect, test } from "vitest";
+import type { Page } from "playwright-core";
+import { expectNoErrors, ready, stillScene } from "./support/actions";
+import { Browser, takePicture } from "./support/browser";
+import { Server } from "./support/server";
+
+let server: Server;
+let browser: Browser;
+let page: Page;
+
+beforeAll(async () => {
+  server = await Server.start(["let Cube = createCube(makePoint3D(0, 0, 0), makePoint3D(2, 2, 2))"]);
+  browser = await Browser.start({ width: 390, height: 844, touch: true });
+  page = await browser.open(server.url);
+  await ready(page);
+});
+
+afterAll(async () => {
+  await browser.end();
+  await server.remove();
+});
+
+/** Nothing reaches over the edge of the page. */
+async function expectToFit(): Promise<void> {
+  const width = await page.evaluate(() => document.documentElement.scrollWidth);
+  expect(width).toBeLessThanOrEqual(390);
+}
+
+test("the panels are sheets below the scene", async () => {
+  const tabs = page.getByRole("navigation", { name: "Panels" });
+  await takePicture(page, "phone-query");
+  await expectToFit();
+  await page.getByTestId("objects").getByText("Cube").tap();
+  await tabs.getByText("Results").tap();
+  await page.getByTestId("table").waitFor();
+  expect(await page.getByTestId("editor").isVisible()).toBe(false);
+  const picture = await stillScene(page);
+  await takePicture(page, "phone-results");
+  expect(picture.colors()).toBeGreaterThan(10);
+  await expectToFit();
+  await tabs.getByText("View").tap();
+  await page.getByText("Appearance").first().waitFor();
+  await takePicture(page, "phone-view");
+  await expectToFit();
+  await tabs.getByText("3D").tap();
+  const box = await page.getByTestId("scene").boundingBox();
+  expect(box?.height).toBeGreaterThan(500);
+  expectNoErrors(browser.errors);
+});
+
+test("the page is worked by the keyboard alone", async () => {
+  await page.setViewportSize({ width: 1280, height: 720 });
+  await page.reload();
+  await ready(page);
+  const reached = new Set<string>();
+  for (let count = 0; count < 60; count++) {
+    await page.keyboard.press("Tab");
+    const name = await page.evaluate(() => {
+      const element = document.activeElement;
+      if (!element || element === document.body) return "";
+      return element.getAttribute("aria-label") ?? element.textContent;
+    });
+    reached.add(name.trim());
+    // CodeMirror keeps Tab for indenting; Escape then Tab leaves it.
+    if (name === "Statements") await page.keyboard.press("Escape");
+  }
+  for (const name of [
+    "Import",
+    "Compare",
+    "Copy link",
+    "Theme",
+    "Run",
+    "Statements",
+    "Objects",
+    "Search objects",
+  ])
+    expect(
+      [...reached].some((each) => each.includes(name)),
+      `${name} in ${[...reached].join(" | ")}`,
+    ).toBe(true);
+  expect([...reached].some((each) => each.startsWith("3D view"))).toBe(true);
+});
+
+test("every control has a name", async () => {
+  const nameless = await page.evaluate(() =>
+    [...document.querySelectorAll("button, input, select, [role=tab], [role=separator]")]
+      .filter((element) => element.checkVisibility())
+      .filter(
+        (element) =>
+          !element.getAttribute("aria-label") &&
+          !element.textContent.trim() &&
+          !element.getAttribute("title") &&
+          !(element instanceof HTMLInputElement && element.labels?.length),
+      )
+      .map((element) => element.outerHTML.slice(0, 120)),
+  );
+  expect(nameless).toEqual([]);
+});

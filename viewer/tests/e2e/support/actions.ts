@@ -1,0 +1,58 @@
+import { expect } from "vitest";
+import type { Page } from "playwright-core";
+import { readPng, type Picture } from "./picture";
+
+/** Puts a text into the editor, in place of what was there. */
+export async function write(page: Page, text: string): Promise<void> {
+  await page.locator(".cm-content").click();
+  await page.keyboard.press("Control+A");
+  await page.keyboard.insertText(text);
+  await page.keyboard.press("Escape");
+}
+
+/** Writes a statement, runs it and waits until nothing runs. */
+export async function run(page: Page, statement: string): Promise<void> {
+  await write(page, statement);
+  const answer = page.waitForResponse((response) => response.url().endsWith("/api/query"));
+  await page.keyboard.press("Control+Enter");
+  await (await answer).finished();
+  await page.getByTestId("running").waitFor({ state: "detached" });
+}
+
+/** Waits until the server answers and the lists are there. */
+export async function ready(page: Page): Promise<void> {
+  await page.getByRole("img", { name: "Connected" }).waitFor();
+  await page.getByTestId("editor").locator(".cm-content").waitFor();
+}
+
+/** The row of the table that is selected; null if none is. */
+export async function selectedRow(page: Page): Promise<number | null> {
+  const row = page.locator('.table-row[aria-selected="true"]');
+  return (await row.count()) === 0 ? null : Number(await row.getAttribute("data-row"));
+}
+
+/** The scene after everything is loaded and it stands still. */
+export async function stillScene(page: Page, selector = '[data-testid="scene"]'): Promise<Picture> {
+  const scene = page.locator(selector).first();
+  let last = await scene.screenshot();
+  for (let attempt = 0; attempt < 60; attempt++) {
+    await page.waitForTimeout(150);
+    const next = await scene.screenshot();
+    const loading = await page.getByTestId("scene-loading").count();
+    if (loading === 0 && next.equals(last)) return readPng(next);
+    last = next;
+  }
+  throw new Error("the scene does not stand still");
+}
+
+/** A click into the middle of the scene. */
+export async function clickMiddle(page: Page, selector = '[data-testid="scene"]'): Promise<void> {
+  const box = await page.locator(selector).first().boundingBox();
+  if (!box) throw new Error(`${selector} has no box`);
+  await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+}
+
+/** Fails with the texts if the page reported errors. */
+export function expectNoErrors(errors: readonly string[]): void {
+  expect(errors).toEqual([]);
+}

@@ -1,0 +1,124 @@
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { afterAll, beforeAll, beforeEach, expect, test } from "vitest";
+import type { Page } from "playwright-core";
+import { expectNoErrors, ready, stillScene } from "./support/actions";
+import { Browser, takePicture } from "./support/browser";
+import { Server } from "./support/server";
+
+let server: Server;
+let browser: Browser;
+let page: Page;
+let folder: string;
+
+const corners: Readonly<Record<string, string>> = { a: "0 0 0", b: "6 0 0", c: "0 6 0", d: "0 0 6" };
+
+/** A pyramid in STL; each triangle is named by its three corners. */
+function stl(...triangles: string[]): string {
+  const facets = triangles.map(
+    (names) =>
+      `facet normal 0 0 0\nouter loop\n${Array.from(names, (name) => `vertex ${corners[name] ?? ""}`).join("\n")}\nendloop\nendfacet`,
+  );
+  return `solid tip\n${facets.join("\n")}\nendsolid tip\n`;
+}
+
+function file(name: string, text: string): string {
+  const path = join(folder, name);
+  writeFileSync(path, text);
+  return path;
+}
+
+const review = () => page.getByTestId("review");
+
+async function choose(...paths: string[]): Promise<void> {
+  await page.getByTestId("file-input").setInputFiles(paths);
+}
+
+beforeAll(async () => {
+  folder = mkdtempSync(join(tmpdir(), "algebra3d-files-"));
+  server = await Server.start();
+  browser = await Browser.start();
+});
+
+afterAll(async () => {
+  await browser.end();
+  await server.remove();
+  rmSync(folder, { recursive: true });
+});
+
+beforeEach(async () => {
+  page = await browser.open(server.url);
+  await page.reload();
+  await ready(page);
+});
+
+test("a broken file is shown as it is, with its defects, its repair and what that changed", async () => {
+  const empty = await stillScene(page);
+  await choose(file("tip.stl", stl("acb", "abd", "adc")));
+  await page.locator('[data-testid="review"][data-phase="ready"]').waitFor();
+  await review().getByText("Changes").waitFor();
+  const text = await review().innerText();
+  expect(text).toContain("mesh3d, 3 faces");
+  expect(text).toContain("volume3d, 4 triangles");
+  expect(text).toMatch(/found\s+boundary edges\s+3/);
+  expect(text).toMatch(/changed\s+holes\s+1/);
+  expect(await review().locator(".added").innerText()).toBe("+1");
+  expect(await review().locator(".removed").innerText()).toBe("−0");
+  const marked = await stillScene(page);
+  await takePicture(page, "uploads-review");
+  expect(marked.difference(empty)).toBeGreaterThan(0.03);
+  // The added triangle is green, and the edges of the hole are red.
+  expect(marked.count(([red, green, blue]) => green > red + 40 && green > blue + 20)).toBeGreaterThan(300);
+  await review().getByRole("button", { name: "Mark the changed triangles" }).click();
+  const plain = await stillScene(page);
+  expect(plain.count(([red, green, blue]) => red > 150 && green < 90 && blue < 110)).toBeGreaterThan(100);
+  expect(plain.difference(marked)).toBeGreaterThan(0.01);
+  expectNoErrors(browser.errors);
+});
+
+test("the repaired solid is stored with one click", async () => {
+  await choose(file("my tip.stl", stl("acb", "abd", "adc", "bcd")));
+  await page.locator('[data-testid="review"][data-phase="ready"]').waitFor();
+  expect(await review().innerText()).toContain("No defects: a valid solid.");
+  expect(await review().getByRole("textbox").inputValue()).toBe("My_tip");
+  await review().getByRole("button", { name: "Store" }).click();
+  await page.getByTestId("objects").getByText("My_tip").waitFor();
+  expect(await server.run("query volume(My_tip)")).toMatchObject({ value: 36 });
+  expect(await review().count()).toBe(0);
+});
+
+test("a file and its repair are put side by side", async () => {
+  await choose(file("tip.stl", stl("acb", "abd", "adc")));
+  await page.locator('[data-testid="review"][data-phase="ready"]').waitFor();
+  await review().getByRole("button", { name: "Side by side" }).click();
+  const fact = (side: string, name: string) =>
+    page.getByTestId(`side-${side}`).locator(`[data-fact="${name}"]`);
+  await expect.poll(() => fact("left", "Closed").innerText(), { timeout: 20_000 }).toBe("no");
+  await expect.poll(() => fact("right", "Closed").innerText(), { timeout: 20_000 }).toBe("yes");
+  await expect.poll(() => fact("right", "Volume").innerText(), { timeout: 20_000 }).toBe("36");
+});
+
+test("files dropped on the window are taken", async () => {
+  const transfer = await page.evaluateHandle((text) => {
+    const data = new DataTransfer();
+    data.items.add(new File([text], "dropped.obj"));
+    return data;
+  }, "v 0 0 0\nv 6 0 0\nv 0 6 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  await page.dispatchEvent("body", "dragover", { dataTransfer: transfer });
+  await page.getByText("Drop STL, OBJ or OFF files to look at them").waitFor();
+  await page.dispatchEvent("body", "drop", { dataTransfer: transfer });
+  await page.locator('[data-testid="review"][data-phase="ready"]').waitFor();
+  expect(await review().innerText()).toContain("volume3d, 4 triangles");
+});
+
+test("a file that is no mesh is refused with the reason, and other files are only uploaded", async () => {
+  await choose(file("broken.stl", "this is no mesh"));
+  await page.locator('[data-testid="review"][data-phase="failed"]').waitFor();
+  expect(await review().locator(".error-text").innerText()).not.toBe("");
+  await takePicture(page, "uploads-failed");
+  await choose(file("prices.csv", "Name,Price\nbolt,0.35\n"));
+  await page.getByTestId("notice").getByText("prices.csv is uploaded.").waitFor();
+  const answer = await server.run("query importCSV('uploads/prices.csv') count");
+  expect(answer).toMatchObject({ value: 1 });
+});

@@ -1,0 +1,165 @@
+import { Box3, Vector3 } from "three";
+import { describe, expect, it } from "vitest";
+
+import {
+  basisOf,
+  between,
+  cameraDifference,
+  cornersOf,
+  eyeDistance,
+  fitted,
+  looking,
+  normalizedCamera,
+  orbit,
+  pan,
+  placeInTargetPlane,
+  turned,
+  zoom,
+} from "../../../src/scene/camera";
+import type { CameraState, StandardView, Vec3 } from "../../../src/scene/api";
+import { Projector } from "../../../src/scene/projection";
+import { kDefaultCamera } from "../../../src/scene/state";
+
+const start = normalizedCamera({ ...kDefaultCamera, target: [1, 2, 3] });
+
+function close(a: Vec3, b: Vec3): void {
+  for (const axis of [0, 1, 2] as const) expect(a[axis]).toBeCloseTo(b[axis], 9);
+}
+
+describe("movements of the camera", () => {
+  it("looks from the standard sides", () => {
+    const backs: Record<StandardView, Vec3> = {
+      front: [0, -1, 0],
+      back: [0, 1, 0],
+      left: [-1, 0, 0],
+      right: [1, 0, 0],
+      top: [0, 0, 1],
+      bottom: [0, 0, -1],
+      isometric: [1 / Math.sqrt(3), -1 / Math.sqrt(3), 1 / Math.sqrt(3)],
+    };
+    for (const [view, back] of Object.entries(backs)) {
+      const camera = looking(start, view as StandardView);
+      close(basisOf(camera).back.toArray(), back);
+      expect(camera.target).toEqual([1, 2, 3]);
+      expect(new Vector3(...camera.position).distanceTo(new Vector3(1, 2, 3))).toBeCloseTo(
+        eyeDistance(10),
+        9,
+      );
+    }
+    close(basisOf(looking(start, "front")).right.toArray(), [1, 0, 0]);
+    close(basisOf(looking(start, "top")).right.toArray(), [1, 0, 0]);
+  });
+
+  it("orbits around the upright axis, and stops at the poles", () => {
+    const front = looking(start, "front");
+    // Dragging to the right turns the front away to the right: the left side comes into sight.
+    close(basisOf(orbit(front, Math.PI / 2, 0, "turntable")).back.toArray(), [-1, 0, 0]);
+    const above = orbit(front, 0, 10, "turntable");
+    close(basisOf(above).back.toArray(), [0, 0, 1]);
+    close(basisOf(orbit(above, 0, 1, "turntable")).back.toArray(), [0, 0, 1]);
+    close(basisOf(orbit(above, 0, -Math.PI / 2, "turntable")).back.toArray(), [0, -1, 0]);
+  });
+
+  it("passes the poles with the trackball", () => {
+    const over = orbit(looking(start, "front"), 0, Math.PI, "trackball");
+    close(basisOf(over).back.toArray(), [0, 1, 0]);
+    close(basisOf(over).up.toArray(), [0, 0, -1]);
+  });
+
+  it("keeps a pivot where it is in the picture's depth", () => {
+    const pivot: Vec3 = [4, 2, 3];
+    const before = new Vector3(...start.position).distanceTo(new Vector3(...pivot));
+    const turnedAround = orbit(start, 0.7, 0.2, "turntable", pivot);
+    expect(new Vector3(...turnedAround.position).distanceTo(new Vector3(...pivot))).toBeCloseTo(before, 9);
+  });
+
+  it("pans by fractions of the height", () => {
+    const front = looking(start, "front");
+    close(pan(front, 0.5, 0).target, [1 - 5, 2, 3]);
+    close(pan(front, 0, 0.25).target, [1, 2, 3 - 2.5]);
+  });
+
+  it("keeps the anchor of a zoom in place", () => {
+    const projector = new Projector();
+    projector.size = { width: 800, height: 600 };
+    for (const projection of ["perspective", "orthographic"] as const) {
+      const camera: CameraState = { ...start, projection };
+      const anchor = placeInTargetPlane(camera, 0.6, -0.3, 800 / 600);
+      projector.camera(camera, new Box3());
+      const before = projector.project(anchor);
+      const closer = zoom(camera, 0.4, anchor);
+      expect(closer.height).toBeCloseTo(4, 12);
+      projector.camera(closer, new Box3());
+      const after = projector.project(anchor);
+      expect(after.x).toBeCloseTo(before.x, 6);
+      expect(after.y).toBeCloseTo(before.y, 6);
+    }
+  });
+
+  it("rolls by quarter turns", () => {
+    const front = looking(start, "front");
+    close(basisOf(turned(front, "roll", 90)).right.toArray(), [0, 0, 1]);
+    close(basisOf(turned(front, "side", -90)).back.toArray(), [0, 0, 1]);
+    let camera = front;
+    for (let i = 0; i < 4; i++) camera = turned(camera, "roll", 90);
+    expect(cameraDifference(camera, front)).toBeLessThan(1e-12);
+  });
+
+  it("fits a box so that all corners are seen and two touch the border", () => {
+    const box = new Box3(new Vector3(1e6, -3, 0), new Vector3(1e6 + 8, 5, 2));
+    const projector = new Projector();
+    for (const projection of ["perspective", "orthographic"] as const) {
+      for (const [width, height] of [
+        [1280, 720],
+        [360, 700],
+      ] as const) {
+        projector.size = { width, height };
+        const camera = fitted({ ...looking(start, "isometric"), projection }, box, width / height);
+        projector.camera(camera, box);
+        const places = cornersOf(box).map((corner) => projector.project(corner));
+        const margins = places.map(({ x, y }) =>
+          Math.min(x / width, 1 - x / width, y / height, 1 - y / height),
+        );
+        expect(Math.min(...margins)).toBeGreaterThan(0);
+        expect(Math.min(...margins)).toBeLessThan(0.05);
+      }
+    }
+  });
+
+  it("goes from one camera to another", () => {
+    const to = { ...looking(start, "top"), height: 1000 };
+    expect(cameraDifference(between(start, to, 0), start)).toBeLessThan(1e-9);
+    expect(between(start, to, 1)).toEqual(to);
+    expect(between(start, to, 0.5).height).toBeCloseTo(100, 9);
+  });
+});
+
+describe("Projector", () => {
+  it("casts rays through what it projects, far from the origin too", () => {
+    const projector = new Projector();
+    projector.size = { width: 1000, height: 500 };
+    const target: Vec3 = [3e8, -2e8, 5e7];
+    for (const projection of ["perspective", "orthographic"] as const) {
+      const camera = normalizedCamera({
+        ...looking({ ...start, target }, "isometric"),
+        projection,
+        height: 2,
+      });
+      projector.camera(camera, new Box3());
+      const point = new Vector3(...target).add(new Vector3(0.3, 0.2, -0.1));
+      const { x, y, visible } = projector.project(point);
+      expect(visible).toBe(true);
+      expect(projector.ray(x, y).distanceToPoint(point)).toBeLessThan(1e-5);
+    }
+  });
+
+  it("knows the size of a pixel", () => {
+    const projector = new Projector();
+    projector.size = { width: 1000, height: 500 };
+    projector.camera(start, new Box3());
+    expect(projector.unitsPerPixel(start.target)).toBeCloseTo(10 / 500, 12);
+    expect(
+      projector.unitsPerPixel(new Vector3(...start.position).lerp(new Vector3(...start.target), 0.5)),
+    ).toBeCloseTo(5 / 500, 12);
+  });
+});

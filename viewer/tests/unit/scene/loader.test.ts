@@ -1,0 +1,134 @@
+import { describe, expect, it } from "vitest";
+
+import type { LoadProgress, ShapeRequest, ShapeSource } from "../../../src/scene/api";
+import { coarseTriangles, Loader, percentage } from "../../../src/scene/loader";
+import { SharedMaterials } from "../../../src/scene/materials";
+import { ShapeStore } from "../../../src/scene/shape_store";
+import { buildGlb } from "./support/glb_builder";
+import { sphere } from "./support/solids";
+
+/** Spheres of which row i has `sizes[i]` triangles; coarser ones are made as the server does. */
+class TestSource implements ShapeSource {
+  readonly result = "r1";
+  readonly column = "Solid";
+  readonly title = "test";
+  readonly attributes = [];
+  readonly requests: ShapeRequest[] = [];
+  failAt: number | null = null;
+
+  constructor(
+    readonly sizes: readonly number[],
+    private readonly rowsPerAnswer = 3,
+  ) {}
+
+  get count(): number {
+    return this.sizes.length;
+  }
+
+  load(request: ShapeRequest): ReturnType<ShapeSource["load"]> {
+    this.requests.push(request);
+    const { from, count, triangles } = request;
+    if (this.requests.length - 1 === this.failAt) return Promise.reject(new Error("result r1 was dropped"));
+    const rows = Math.min(count, this.rowsPerAnswer, this.sizes.length - from);
+    const shapes = Array.from({ length: rows }, (_, i) => {
+      const whole = this.sizes[from + i]!;
+      const shown = triangles === 0 ? whole : Math.min(whole, triangles);
+      const rings = Math.max(2, Math.floor(Math.sqrt(shown) / 2));
+      const shape = sphere(from + i, 1, rings, [0, 0, 0], { edges: [] });
+      return { ...shape, triangles: whole, shown };
+    });
+    const next = from + rows < this.sizes.length ? from + rows : null;
+    return Promise.resolve({ bytes: buildGlb(shapes), next });
+  }
+
+  values(): Promise<never[]> {
+    return Promise.resolve([]);
+  }
+}
+
+async function loaded(
+  source: TestSource,
+  budget?: number,
+): Promise<{ store: ShapeStore; events: LoadProgress[]; loader: Loader }> {
+  const store = new ShapeStore(new SharedMaterials());
+  const events: LoadProgress[] = [];
+  let end: () => void = () => undefined;
+  const done = new Promise<void>((resolve) => (end = resolve));
+  const loader = new Loader(
+    store,
+    {
+      progress: (progress) => {
+        events.push(progress);
+        if (progress.phase === "done" || progress.phase === "failed") end();
+      },
+      changed: () => undefined,
+    },
+    budget,
+  );
+  loader.start(store.addColumn(source));
+  await done;
+  return { store, events, loader };
+}
+
+describe("Loader", () => {
+  it("asks for all rows coarse first, then only for those that are finer", async () => {
+    const source = new TestSource([8, 3000, 8, 8, 2000, 8, 8]);
+    const { store, events } = await loaded(source);
+    const coarse = coarseTriangles(7);
+    expect(source.requests.slice(0, 3).map(({ from, triangles }) => [from, triangles])).toEqual([
+      [0, coarse],
+      [3, coarse],
+      [6, coarse],
+    ]);
+    expect(coarse).toBeGreaterThanOrEqual(3000);
+    expect(source.requests).toHaveLength(3);
+    expect([...store.records()]).toHaveLength(7);
+    expect(events.at(-1)).toMatchObject({ phase: "done", rowsLoaded: 7, rows: 7 });
+    expect(events[0]).toMatchObject({ phase: "coarse" });
+  });
+
+  it("loads values larger than the first picture in full afterwards", async () => {
+    const source = new TestSource([60_000]);
+    const { store } = await loaded(source);
+    expect(source.requests.map(({ triangles }) => triangles)).toEqual([20_000, 0]);
+    expect([...store.records()][0]!.levels).toHaveLength(2);
+  });
+
+  it("stays coarse beyond the budget, except for what is selected", async () => {
+    const source = new TestSource([60_000, 90_000]);
+    const { store, loader } = await loaded(source, 30_000);
+    expect(source.requests.map(({ triangles }) => triangles)).toEqual([20_000]);
+    loader.select([{ result: "r1", row: 1, column: "Solid" }]);
+    await new Promise((resolve) => setTimeout(resolve, 50));
+    expect(source.requests.map(({ from, triangles }) => [from, triangles]).at(-1)).toEqual([1, 0]);
+    const [first, second] = [...store.records()];
+    expect(first!.levels).toHaveLength(1);
+    expect(second!.levels).toHaveLength(2);
+    // Another selection: the first one's memory is freed.
+    loader.select([{ result: "r1", row: 0, column: "Solid" }]);
+    await new Promise((resolve) => setTimeout(resolve, 50));
+    expect(first!.levels).toHaveLength(2);
+    expect(second!.levels).toHaveLength(1);
+  });
+
+  it("says why it failed, and keeps what came", async () => {
+    const source = new TestSource([8, 8, 8, 8]);
+    source.failAt = 1;
+    const { store, events } = await loaded(source);
+    expect(events.at(-1)).toMatchObject({ phase: "failed", text: "result r1 was dropped", rowsLoaded: 3 });
+    expect([...store.records()]).toHaveLength(3);
+  });
+});
+
+describe("progress", () => {
+  it("reads the percentage of the server's text", () => {
+    expect(percentage("levels of detail, 42 %")).toBe(0.42);
+    expect(percentage("waiting")).toBeNull();
+  });
+
+  it("shares the triangles of the first picture among the rows", () => {
+    expect(coarseTriangles(1)).toBe(20_000);
+    expect(coarseTriangles(100)).toBe(600);
+    expect(coarseTriangles(1_000_000)).toBe(32);
+  });
+});

@@ -1,0 +1,47 @@
+/** A store with test shapes, and a camera that looks at them, without WebGL. */
+
+import type { CameraState, ShapeSource, StandardView } from "../../../../src/scene/api";
+import { fitted, looking } from "../../../../src/scene/camera";
+import { SharedMaterials } from "../../../../src/scene/materials";
+import { Picker } from "../../../../src/scene/picking";
+import { Projector } from "../../../../src/scene/projection";
+import { ShapeStore } from "../../../../src/scene/shape_store";
+import type { Column } from "../../../../src/scene/shape_store";
+import { kDefaultCamera } from "../../../../src/scene/state";
+import { decodeShapes } from "../../../../src/glb/shapes";
+import { buildGlb } from "./glb_builder";
+import type { TestShape } from "./glb_builder";
+
+export const kSize = { width: 1000, height: 800 };
+
+export function sourceOf(result: string, count: number): ShapeSource {
+  return {
+    result,
+    column: "Solid",
+    title: result,
+    count,
+    attributes: [],
+    load: () => Promise.reject(new Error("not asked for in this test")),
+    values: () => Promise.resolve([]),
+  };
+}
+
+export interface TestScene {
+  readonly store: ShapeStore;
+  readonly column: Column;
+  readonly projector: Projector;
+  readonly picker: Picker;
+  readonly camera: CameraState;
+}
+
+export function sceneOf(shapes: readonly TestShape[], view: StandardView = "top"): TestScene {
+  const store = new ShapeStore(new SharedMaterials());
+  const column = store.addColumn(sourceOf("r1", shapes.length));
+  store.addShapes(column, decodeShapes(buildGlb(shapes)));
+  const projector = new Projector();
+  projector.size = kSize;
+  const standard: CameraState = { ...looking(kDefaultCamera, view), projection: "orthographic" };
+  const camera = fitted(standard, store.box(), kSize.width / kSize.height);
+  projector.camera(camera, store.box());
+  return { store, column, projector, camera, picker: new Picker(store, projector, () => undefined) };
+}

@@ -1,0 +1,11 @@
+import { defineConfig } from "vitest/config";
+
+/** End-to-end tests: one browser at a time; started by tests/e2e/run.mjs, which says where the program is. */
+export default defineConfig({
+  test: {
+    include: ["tests/e2e/**/*.e2e.ts"],
+    fileParallelism: false,
+    testTimeout: 180_000,
+    hookTimeout: 120_000,
+  },
+});
