@@ -2,18 +2,23 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "algebra3d/display/glb.h"
 #include "algebra3d/display/levels_of_detail.h"
+#include "algebra3d/display/shape_codec.h"
 #include "algebra3d/display/shape_of_value.h"
 #include "algebra3d/display/triangle_tree.h"
 #include "queries/server/detail/table_cells.h"
+#include "queries/store/levels.h"
 
 namespace queries {
 namespace {
 
+using algebra3d::Context;
 using algebra3d::GlbNode;
 using algebra3d::Shape;
 
@@ -26,23 +31,48 @@ struct CellPlace {
   std::size_t column = 0;
 };
 
-Result<const LevelCache::Entry*> levels_of(ResultTable& table, const Value& value, CellPlace place, Context& context) {
-  if (const LevelCache::Entry* const known = table.levels().find(place.row, place.column)) return known;
+/// The counts of the levels that a value has.
+std::vector<std::size_t> counts_of(const Value& value) {
   std::vector<std::size_t> counts;
-  std::ranges::copy_if(kLevels, std::back_inserter(counts), [&](std::size_t count) { return count < value.header().size; });
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Shape> levels,
-                             algebra3d::levels_of_detail(value, counts, context.monitor()));
+  std::ranges::copy_if(kLevels, std::back_inserter(counts),
+                       [&](std::size_t count) { return count < value.header().size; });
+  return counts;
+}
+
+/// A level that is kept in the database.
+std::optional<Shape> stored_level(const Value& value, std::size_t count) {
+  const auto bytes = level_of(value, count);
+  if (!bytes || !*bytes) return std::nullopt;
+  auto shape = algebra3d::decode_shape(**bytes);
+  return shape ? std::optional(*std::move(shape)) : std::nullopt;
+}
+
+/// Makes all levels of a value and keeps them in the database if that is possible. Whatever is in the way, the next one
+/// who asks makes them again.
+Result<std::vector<Shape>> made_levels(const Value& value, Context& context) {
+  const std::vector<std::size_t> counts = counts_of(value);
+  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Shape> levels, algebra3d::levels_of_detail(value, counts, context.monitor()));
   for (Shape& level : levels) algebra3d::add_tree(level);
-  return &table.levels().keep({place.row, place.column, std::move(levels)});
+  for (std::size_t i = 0; i < levels.size() && is_stored(value); ++i)
+    if (!keep_level(value, counts[i], algebra3d::encode_shape(levels[i]))) break;
+  return levels;
+}
+
+// From the memory, from the database, or made now.
+Result<Shape> kept_level(ResultTable& table, const Value& value, CellPlace place, std::size_t count, Context& context) {
+  const std::vector<std::size_t> counts = counts_of(value);
+  const auto index = static_cast<std::size_t>(std::ranges::find(counts, count) - counts.begin());
+  if (const LevelCache::Entry* const known = table.levels().find(place.row, place.column)) return known->levels[index];
+  if (auto stored = stored_level(value, count)) return *std::move(stored);
+  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Shape> levels, made_levels(value, context));
+  return table.levels().keep({place.row, place.column, std::move(levels)}).levels[index];
 }
 
 // The finest level with at most that many triangles. Below the coarsest that is kept, one is made for this request.
-Result<Shape> level_of(ResultTable& table, const Value& value, CellPlace place, std::size_t most, Context& context) {
-  if (most >= kLevels.back()) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const LevelCache::Entry* const known, levels_of(table, value, place, context));
-    for (const Shape& level : known->levels)
-      if (level.triangles.size() <= most) return level;
-  }
+Result<Shape> coarser_shape(ResultTable& table, const Value& value, CellPlace place, std::size_t most,
+                            Context& context) {
+  for (const std::size_t count : kLevels)
+    if (count <= most) return kept_level(table, value, place, count, context);
   ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Shape> levels,
                              algebra3d::levels_of_detail(value, std::array{most}, context.monitor()));
   algebra3d::add_tree(levels.front());
@@ -53,7 +83,7 @@ Result<Shape> shape_of_cell(ResultTable& table, const Value& value, CellPlace pl
                             Context& context) {
   if (!value.is_defined()) return algebra3d::shape_of(value, context.monitor());
   const bool is_coarser = most > 0 && algebra3d::has_levels(value.type()) && value.header().size > most;
-  if (is_coarser) return level_of(table, value, place, most, context);
+  if (is_coarser) return coarser_shape(table, value, place, most, context);
   ALGEBRA3D_ASSIGN_OR_RETURN(Shape shape, algebra3d::shape_of(value, context.monitor()));
   algebra3d::add_tree(shape);
   return shape;
