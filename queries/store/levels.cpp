@@ -1,6 +1,7 @@
 #include "queries/store/levels.h"
 
 #include <memory>
+#include <utility>
 
 #include "queries/store/detail/shape_levels.h"
 #include "queries/store/detail/stored_value.h"
@@ -44,12 +45,25 @@ bool is_stored(const Value& value) {
 }
 
 Result<std::optional<std::string>> level_of(const Value& value, std::uint64_t number) {
+  std::string copy;
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_there, with_level(value, number, [&](std::string_view bytes) -> Status {
+                               copy = bytes;
+                               return {};
+                             }));
+  return is_there ? std::optional(std::move(copy)) : std::nullopt;
+}
+
+Result<bool> with_level(const Value& value, std::uint64_t number,
+                        const std::function<Status(std::string_view bytes)>& visit) {
   const auto stored = stored_bytes(value);
-  if (stored == nullptr) return std::optional<std::string>();
+  if (stored == nullptr) return false;
   ALGEBRA3D_ASSIGN_OR_RETURN(const auto connection, stored->database()->another_connection(false, kLongestWait));
-  auto level = read_level(*connection, {stored->level_place(), stored->checksum(), number});
-  if (!level && level.error().code == ErrorCode::database_corrupt) return std::optional<std::string>();
-  return level;
+  Status visited;
+  const auto found = read_level(*connection, {stored->level_place(), stored->checksum(), number},
+                                [&](std::string_view bytes) { visited = visit(bytes); });
+  if (!found && found.error().code == ErrorCode::database_corrupt) return false;
+  ALGEBRA3D_RETURN_IF_ERROR(visited);
+  return found;
 }
 
 Result<bool> keep_level(const Value& value, std::uint64_t number, std::string_view bytes) {

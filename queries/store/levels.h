@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,6 +24,10 @@ bool is_stored(const algebra3d::Value& value);
 
 /// The level `number` of a value; nothing if none was kept, or if it is damaged. Errors: database_busy, io_error.
 algebra3d::Result<std::optional<std::string>> level_of(const algebra3d::Value& value, std::uint64_t number);
+/// The same without a copy: calls `visit` with the bytes, which are valid during the call. False, without a call, if
+/// there is no level. Errors: also those of `visit`.
+algebra3d::Result<bool> with_level(const algebra3d::Value& value, std::uint64_t number,
+                                   const std::function<algebra3d::Status(std::string_view bytes)>& visit);
 
 /// Keeps bytes as the level `number` of a value, in place of what was kept. False if they cannot be kept: the store is
 /// read-only, the value is not in the file any more (or not yet: its transaction is running), another process writes

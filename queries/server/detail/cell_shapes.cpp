@@ -4,6 +4,7 @@
 #include <array>
 #include <iterator>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -25,6 +26,10 @@ using algebra3d::Shape;
 // The levels of detail that are kept: the first can be moved on slow machines, the last is hard to tell from the whole.
 constexpr std::array<std::size_t, 3> kLevels = {2'000'000, 200'000, 20'000};
 
+/// The number under which the whole shape is kept, and the least triangles of a value of which it is.
+constexpr std::uint64_t kWhole = 0;
+constexpr std::size_t kLeastKeptWhole = 2'000'000;
+
 /// The place of a cell in its table.
 struct CellPlace {
   std::size_t row = 0;
@@ -39,12 +44,14 @@ std::vector<std::size_t> counts_of(const Value& value) {
   return counts;
 }
 
-/// A level that is kept in the database.
+/// A level that is kept in the database. What keeps it from being read is no reason not to draw: then it is made.
 std::optional<Shape> stored_level(const Value& value, std::size_t count) {
-  const auto bytes = level_of(value, count);
-  if (!bytes || !*bytes) return std::nullopt;
-  auto shape = algebra3d::decode_shape(**bytes);
-  return shape ? std::optional(*std::move(shape)) : std::nullopt;
+  std::optional<Shape> shape;
+  const auto found = with_level(value, count, [&](std::string_view bytes) -> Status {
+    ALGEBRA3D_ASSIGN_OR_RETURN(shape, algebra3d::decode_shape(bytes));
+    return {};
+  });
+  return found && *found ? std::move(shape) : std::nullopt;
 }
 
 /// Makes all levels of a value and keeps them in the database if that is possible. Whatever is in the way, the next one
@@ -79,14 +86,24 @@ Result<Shape> coarser_shape(ResultTable& table, const Value& value, CellPlace pl
   return std::move(levels.front());
 }
 
+// That of a large value is kept, too: making it takes longer than reading it.
+Result<Shape> whole_shape(const Value& value, Context& context) {
+  const bool is_large =
+      is_stored(value) && algebra3d::has_levels(value.type()) && value.header().size >= kLeastKeptWhole;
+  if (is_large)
+    if (auto stored = stored_level(value, kWhole)) return *std::move(stored);
+  ALGEBRA3D_ASSIGN_OR_RETURN(Shape shape, algebra3d::shape_of(value, context.monitor()));
+  algebra3d::add_tree(shape);
+  if (is_large) static_cast<void>(keep_level(value, kWhole, algebra3d::encode_shape(shape)));
+  return shape;
+}
+
 Result<Shape> shape_of_cell(ResultTable& table, const Value& value, CellPlace place, std::size_t most,
                             Context& context) {
   if (!value.is_defined()) return algebra3d::shape_of(value, context.monitor());
   const bool is_coarser = most > 0 && algebra3d::has_levels(value.type()) && value.header().size > most;
   if (is_coarser) return coarser_shape(table, value, place, most, context);
-  ALGEBRA3D_ASSIGN_OR_RETURN(Shape shape, algebra3d::shape_of(value, context.monitor()));
-  algebra3d::add_tree(shape);
-  return shape;
+  return whole_shape(value, context);
 }
 
 }  // namespace

@@ -70,20 +70,22 @@ Result<bool> has_level_table(SqliteConnection& connection) {
   return statement.step();
 }
 
-Result<std::optional<std::string>> read_level(SqliteConnection& connection, const LevelKey& key) {
+Result<bool> read_level(SqliteConnection& connection, const LevelKey& key,
+                        const std::function<void(std::string_view)>& visit) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_table, has_level_table(connection));
-  if (!has_table) return std::optional<std::string>();
+  if (!has_table) return false;
   ALGEBRA3D_ASSIGN_OR_RETURN(
       SqliteStatement statement,
       connection.use("SELECT checksum, bytes FROM shape_levels WHERE owner = ? AND tuple = ? AND attribute = ? AND "
                      "number = ? AND value_sum = ?"));
   bind(statement, key);
   ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, statement.step());
-  if (!has_row) return std::optional<std::string>();
+  if (!has_row) return false;
   const Cell checksum = statement.column(0), bytes = statement.column(1);
-  if (checksum.is(Cell::Kind::integer) && bytes.is(Cell::Kind::blob) && checksum.integer == key.checksum(bytes.bytes))
-    return std::optional(std::string(bytes.bytes));
-  return Error{ErrorCode::database_corrupt, "{}: a level of detail is not what was written", connection.file()};
+  if (!checksum.is(Cell::Kind::integer) || !bytes.is(Cell::Kind::blob) || checksum.integer != key.checksum(bytes.bytes))
+    return Error{ErrorCode::database_corrupt, "{}: a level of detail is not what was written", connection.file()};
+  visit(bytes.bytes);
+  return true;
 }
 
 Status write_level(SqliteConnection& connection, const LevelKey& key, std::string_view bytes) {

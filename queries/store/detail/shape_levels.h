@@ -2,8 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <string>
+#include <functional>
 #include <string_view>
 
 #include "queries/store/detail/sqlite_connection.h"
@@ -33,8 +32,9 @@ struct LevelKey {
 inline constexpr std::size_t kMaxLevelBytes = 999'000'000;
 
 algebra3d::Result<bool> has_level_table(SqliteConnection& connection);
-/// Errors: database_corrupt if the bytes are not what was written.
-algebra3d::Result<std::optional<std::string>> read_level(SqliteConnection& connection, const LevelKey& key);
+/// Calls `visit` with the bytes; false if there are none. Errors: database_corrupt if they are not what was written.
+algebra3d::Result<bool> read_level(SqliteConnection& connection, const LevelKey& key,
+                                   const std::function<void(std::string_view)>& visit);
 /// Makes the table if there is none.
 algebra3d::Status write_level(SqliteConnection& connection, const LevelKey& key, std::string_view bytes);
 
