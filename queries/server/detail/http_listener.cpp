@@ -153,6 +153,9 @@ class Library final : public httplib::Server {
     set_socket_options([this](int socket) {
       const int yes = 1;
       setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
+      // What a slow reader must take before it counts as silent; the system would let it grow to megabytes.
+      const int send_bytes = 1 << 18;
+      setsockopt(socket, SOL_SOCKET, SO_SNDBUF, &send_bytes, sizeof(send_bytes));
       listening_ = socket;
     });
     set_error_handler(Handler(explain));
