@@ -9,7 +9,7 @@
 namespace algebra3d {
 
 /// A shape as bytes, for keeping it: its arrays one after the other, as they are in memory (docs/file_format.md,
-/// "Levels of detail"). Cost: a copy.
+/// "Database files"). Cost: a copy.
 std::string encode_shape(const Shape& shape);
 
 /// Decodes the bytes of `encode_shape`. Safe for any bytes; that corners are positions is not checked. Errors:

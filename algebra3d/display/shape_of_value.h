@@ -16,7 +16,9 @@ bool is_drawable(const Type& type);
 /// loaded.
 /// - Triangles of solids, surfaces and meshes have smooth normals; positions are divided at creases of 30 degrees.
 /// - The edges of solids and surfaces are those whose faces are not coplanar (decided exactly); of meshes, whose faces
-///   are elements by themselves, all of them. Polygons of a mesh are triangulated; isolated vertices are points.
+///   are elements by themselves, all of them. With more than a million triangles (or three million half-edges) only
+///   edges at which the normals differ by more than 30 degrees. Polygons of a mesh are triangulated; isolated vertices
+///   are points.
 /// - Of a plane, which has no ends, a square with a frame and half an arrow along the normal is drawn, round the point
 ///   nearest to the origin, as far to each side as that point is from the origin, at least 1: so it fills a right angle
 ///   seen from there.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "algebra3d/base/large_allocator.h"
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/exact/plane.h"
 #include "algebra3d/halfedge/circulators.h"
@@ -12,6 +13,14 @@
 
 namespace algebra3d {
 namespace {
+
+/// Resizes an empty array in huge pages: fewer faults of the processor.
+template <typename T>
+void resize_large(std::vector<T>& array, std::size_t size) {
+  array.reserve(size);
+  prefer_huge_pages(array.data(), size * sizeof(T));
+  array.resize(size);
+}
 
 // ---- faces
 
@@ -331,7 +340,7 @@ JoinedNormals joined(const std::vector<std::vector<Vec3>>& parts) {
     all.begins.push_back(static_cast<std::uint32_t>(count));
     count += part.size();
   }
-  all.normals.resize(count);
+  resize_large(all.normals, count);
   parallel_for(parts.size(), 1,
                [&](std::size_t task) { std::ranges::copy(parts[task], all.normals.begin() + all.begins[task]); });
   return all;
@@ -366,7 +375,8 @@ void face_normals(const HalfedgeMesh<Layout>& mesh, std::span<Vec3> normals) {
 
 template <typename Layout>
 std::vector<Vec3> face_normals(const HalfedgeMesh<Layout>& mesh) {
-  std::vector<Vec3> normals(mesh.face_count());
+  std::vector<Vec3> normals;
+  resize_large(normals, mesh.face_count());
   face_normals(mesh, normals);
   return normals;
 }
@@ -402,7 +412,7 @@ CornerNormals corner_normals(const HalfedgeMesh<Layout>& mesh, std::span<const V
                              double crease_angle_degrees) {
   const CreaseTest is_crease(crease_angle_degrees);
   CornerNormals result;
-  result.of_corner.resize(mesh.halfedge_count());
+  resize_large(result.of_corner, mesh.halfedge_count());
   std::vector<std::vector<Vec3>> parts(vertex_task_count(mesh.vertex_count()));
   parallel_for(parts.size(), 1, [&](std::size_t task) {
     const std::size_t begin = task * kVerticesPerTask, end = std::min(mesh.vertex_count(), begin + kVerticesPerTask);

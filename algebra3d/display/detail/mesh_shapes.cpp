@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <numbers>
+#include <span>
 #include <utility>
 
 #include "algebra3d/base/scheduler.h"
@@ -30,26 +33,44 @@ bool is_flat(const PolygonMesh& /*mesh*/, HalfedgeId /*h*/, HalfedgeId /*opposit
   return false;
 }
 
-/// Where the edge of a half-edge is drawn; none unless it is the first of its edge.
+/// Decides which edges are drawn, and as what.
 template <typename Mesh>
-EdgeRole role_of(const Mesh& mesh, HalfedgeId h) {
-  if (mesh.is_boundary(h)) return EdgeRole::boundary;
-  if (mesh.is_nonmanifold(h)) return first_along(mesh, h) == h ? EdgeRole::nonmanifold : EdgeRole::none;
-  const HalfedgeId opposite = mesh.opposite(h);
-  return h < opposite && !is_flat(mesh, h, opposite) ? EdgeRole::edge : EdgeRole::none;
-}
+class EdgeChoice {
+ public:
+  EdgeChoice(const Mesh& mesh, std::span<const Vec3> face_normals)
+      : mesh_(mesh), face_normals_(face_normals), has_all_(mesh.halfedge_count() <= 3 * kMostFacesWithAllEdges) {}
+
+  /// Of the edge of a half-edge; none unless it is the first of its edge.
+  EdgeRole operator()(HalfedgeId h) const {
+    if (mesh_.is_boundary(h)) return EdgeRole::boundary;
+    if (mesh_.is_nonmanifold(h)) return first_along(mesh_, h) == h ? EdgeRole::nonmanifold : EdgeRole::none;
+    const HalfedgeId opposite = mesh_.opposite(h);
+    return h < opposite && is_drawn(h, opposite) ? EdgeRole::edge : EdgeRole::none;
+  }
+
+ private:
+  bool is_drawn(HalfedgeId h, HalfedgeId opposite) const {
+    if (has_all_) return !is_flat(mesh_, h, opposite);
+    static const double kCreaseCosine = std::cos(kCreaseDegrees * std::numbers::pi / 180);
+    return dot(face_normals_[mesh_.face(h).index()], face_normals_[mesh_.face(opposite).index()]) < kCreaseCosine;
+  }
+
+  const Mesh& mesh_;
+  std::span<const Vec3> face_normals_;
+  bool has_all_;
+};
 
 struct EdgeLines {
   std::vector<Shape::Line> edges, boundary, nonmanifold;
 };
 
 template <typename Mesh>
-EdgeLines edge_lines(const Mesh& mesh, const std::vector<std::uint32_t>& position_of_corner, std::size_t begin,
-                     std::size_t end) {
+EdgeLines edge_lines(const Mesh& mesh, const EdgeChoice<Mesh>& role_of,
+                     const std::vector<std::uint32_t>& position_of_corner, std::size_t begin, std::size_t end) {
   EdgeLines lines;
   for (std::size_t i = begin; i < end; ++i) {
     const HalfedgeId h(i);
-    const EdgeRole role = role_of(mesh, h);
+    const EdgeRole role = role_of(h);
     if (role == EdgeRole::none) continue;
     std::vector<Shape::Line>& found = role == EdgeRole::edge       ? lines.edges
                                       : role == EdgeRole::boundary ? lines.boundary
@@ -70,10 +91,12 @@ LargeVector<Shape::Line> joined(const std::vector<EdgeLines>& parts, std::vector
 }
 
 template <typename Mesh>
-void add_edges(const Mesh& mesh, const std::vector<std::uint32_t>& position_of_corner, Shape& shape) {
+void add_edges(const Mesh& mesh, const std::vector<std::uint32_t>& position_of_corner,
+               std::span<const Vec3> face_normals, Shape& shape) {
+  const EdgeChoice<Mesh> role_of(mesh, face_normals);
   std::vector<EdgeLines> parts((mesh.halfedge_count() + kElementsPerTask - 1) / kElementsPerTask);
   parallel_for(parts.size(), 1, [&](std::size_t i) {
-    parts[i] = edge_lines(mesh, position_of_corner, i * kElementsPerTask,
+    parts[i] = edge_lines(mesh, role_of, position_of_corner, i * kElementsPerTask,
                           std::min((i + 1) * kElementsPerTask, mesh.halfedge_count()));
   });
   shape.edges = joined(parts, &EdgeLines::edges);
@@ -118,11 +141,12 @@ void drop_if_ascending(LargeVector<std::uint32_t>& ids) {
 template <typename Mesh>
 Result<std::vector<std::uint32_t>> add_elements(const Mesh& mesh, Shape& shape, const Monitor& monitor) {
   monitor.tell("drawing");
-  CornerNormals normals = corner_normals(mesh, face_normals(mesh), kCreaseDegrees);
+  const std::vector<Vec3> normals_of_faces = face_normals(mesh);
+  CornerNormals normals = corner_normals(mesh, normals_of_faces, kCreaseDegrees);
   ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
   add_positions(mesh, normals, shape);
   ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
-  add_edges(mesh, normals.of_corner, shape);
+  add_edges(mesh, normals.of_corner, normals_of_faces, shape);
   add_isolated_vertices(mesh, shape);
   drop_if_ascending(shape.vertex_ids);
   ALGEBRA3D_RETURN_IF_ERROR(monitor.check());

@@ -2,23 +2,33 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "algebra3d/display/glb.h"
 #include "algebra3d/display/levels_of_detail.h"
+#include "algebra3d/display/shape_codec.h"
 #include "algebra3d/display/shape_of_value.h"
 #include "algebra3d/display/triangle_tree.h"
 #include "queries/server/detail/table_cells.h"
+#include "queries/store/levels.h"
 
 namespace queries {
 namespace {
 
+using algebra3d::Context;
 using algebra3d::GlbNode;
 using algebra3d::Shape;
 
 // The levels of detail that are kept: the first can be moved on slow machines, the last is hard to tell from the whole.
 constexpr std::array<std::size_t, 3> kLevels = {2'000'000, 200'000, 20'000};
+
+/// The number under which the whole shape is kept, and the least triangles of a value of which it is.
+constexpr std::uint64_t kWhole = 0;
+constexpr std::size_t kLeastKeptWhole = 2'000'000;
 
 /// The place of a cell in its table.
 struct CellPlace {
@@ -26,37 +36,74 @@ struct CellPlace {
   std::size_t column = 0;
 };
 
-Result<const LevelCache::Entry*> levels_of(ResultTable& table, const Value& value, CellPlace place, Context& context) {
-  if (const LevelCache::Entry* const known = table.levels().find(place.row, place.column)) return known;
+/// The counts of the levels that a value has.
+std::vector<std::size_t> counts_of(const Value& value) {
   std::vector<std::size_t> counts;
-  std::ranges::copy_if(kLevels, std::back_inserter(counts), [&](std::size_t count) { return count < value.header().size; });
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Shape> levels,
-                             algebra3d::levels_of_detail(value, counts, context.monitor()));
+  std::ranges::copy_if(kLevels, std::back_inserter(counts),
+                       [&](std::size_t count) { return count < value.header().size; });
+  return counts;
+}
+
+/// A level that is kept in the database. What keeps it from being read is no reason not to draw: then it is made.
+std::optional<Shape> stored_level(const Value& value, std::size_t count) {
+  std::optional<Shape> shape;
+  const auto found = with_level(value, count, [&](std::string_view bytes) -> Status {
+    ALGEBRA3D_ASSIGN_OR_RETURN(shape, algebra3d::decode_shape(bytes));
+    return {};
+  });
+  return found && *found ? std::move(shape) : std::nullopt;
+}
+
+/// Makes all levels of a value and keeps them in the database if that is possible. Whatever is in the way, the next one
+/// who asks makes them again.
+Result<std::vector<Shape>> made_levels(const Value& value, Context& context) {
+  const std::vector<std::size_t> counts = counts_of(value);
+  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Shape> levels, algebra3d::levels_of_detail(value, counts, context.monitor()));
   for (Shape& level : levels) algebra3d::add_tree(level);
-  return &table.levels().keep({place.row, place.column, std::move(levels)});
+  for (std::size_t i = 0; i < levels.size() && is_stored(value); ++i)
+    if (!keep_level(value, counts[i], algebra3d::encode_shape(levels[i]))) break;
+  return levels;
+}
+
+// From the memory, from the database, or made now.
+Result<Shape> kept_level(ResultTable& table, const Value& value, CellPlace place, std::size_t count, Context& context) {
+  const std::vector<std::size_t> counts = counts_of(value);
+  const auto index = static_cast<std::size_t>(std::ranges::find(counts, count) - counts.begin());
+  if (const LevelCache::Entry* const known = table.levels().find(place.row, place.column)) return known->levels[index];
+  if (auto stored = stored_level(value, count)) return *std::move(stored);
+  ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Shape> levels, made_levels(value, context));
+  return table.levels().keep({place.row, place.column, std::move(levels)}).levels[index];
 }
 
 // The finest level with at most that many triangles. Below the coarsest that is kept, one is made for this request.
-Result<Shape> level_of(ResultTable& table, const Value& value, CellPlace place, std::size_t most, Context& context) {
-  if (most >= kLevels.back()) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const LevelCache::Entry* const known, levels_of(table, value, place, context));
-    for (const Shape& level : known->levels)
-      if (level.triangles.size() <= most) return level;
-  }
+Result<Shape> coarser_shape(ResultTable& table, const Value& value, CellPlace place, std::size_t most,
+                            Context& context) {
+  for (const std::size_t count : kLevels)
+    if (count <= most) return kept_level(table, value, place, count, context);
   ALGEBRA3D_ASSIGN_OR_RETURN(std::vector<Shape> levels,
                              algebra3d::levels_of_detail(value, std::array{most}, context.monitor()));
   algebra3d::add_tree(levels.front());
   return std::move(levels.front());
 }
 
+// That of a large value is kept, too: making it takes longer than reading it.
+Result<Shape> whole_shape(const Value& value, Context& context) {
+  const bool is_large =
+      is_stored(value) && algebra3d::has_levels(value.type()) && value.header().size >= kLeastKeptWhole;
+  if (is_large)
+    if (auto stored = stored_level(value, kWhole)) return *std::move(stored);
+  ALGEBRA3D_ASSIGN_OR_RETURN(Shape shape, algebra3d::shape_of(value, context.monitor()));
+  algebra3d::add_tree(shape);
+  if (is_large) static_cast<void>(keep_level(value, kWhole, algebra3d::encode_shape(shape)));
+  return shape;
+}
+
 Result<Shape> shape_of_cell(ResultTable& table, const Value& value, CellPlace place, std::size_t most,
                             Context& context) {
   if (!value.is_defined()) return algebra3d::shape_of(value, context.monitor());
   const bool is_coarser = most > 0 && algebra3d::has_levels(value.type()) && value.header().size > most;
-  if (is_coarser) return level_of(table, value, place, most, context);
-  ALGEBRA3D_ASSIGN_OR_RETURN(Shape shape, algebra3d::shape_of(value, context.monitor()));
-  algebra3d::add_tree(shape);
-  return shape;
+  if (is_coarser) return coarser_shape(table, value, place, most, context);
+  return whole_shape(value, context);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "algebra3d/base/context.h"
 #include "queries/server/detail/result_table.h"
 
 namespace queries {
@@ -25,6 +26,6 @@ struct CellShapes {
 
 /// Errors: unknown_name for a column, invalid_value for one that cannot be drawn or a first row that is not there;
 /// those of the store; interrupted.
-Result<CellShapes> shapes_of(ResultTable& table, const ShapeRequest& request, Context& context);
+Result<CellShapes> shapes_of(ResultTable& table, const ShapeRequest& request, algebra3d::Context& context);
 
 }  // namespace queries

@@ -35,6 +35,13 @@ bool ChangeLog::is_new(std::int64_t table_number, std::int64_t tuple) const {
   return first != first_new_.end() && tuple >= first->second;
 }
 
+std::set<std::int64_t> ChangeLog::tables() const {
+  std::set<std::int64_t> tables;
+  for (const auto& [table, tuples] : tuples_) tables.insert(table);
+  for (const auto& [table, since] : gone_since_) tables.insert(table);
+  return tables;
+}
+
 bool ChangeLog::is_gone(std::int64_t table_number, ChangeTime time) const {
   const auto gone = gone_since_.find(table_number);
   return gone != gone_since_.end() && gone->second > time;

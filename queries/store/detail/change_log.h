@@ -36,6 +36,8 @@ class ChangeLog {
   /// Tuples with after < id <= last that were changed after `time`, ascending.
   std::vector<std::int64_t> changed_tuples(std::int64_t table_number, std::int64_t after, std::int64_t last,
                                            ChangeTime time) const;
+  /// The tables of which tuples were erased or overwritten, or that were dropped or renamed.
+  std::set<std::int64_t> tables() const;
   /// True if the table was dropped or renamed after `time`.
   bool is_gone(std::int64_t table_number, ChangeTime time) const;
   /// True if the tuple existed when the statement began and has not changed.

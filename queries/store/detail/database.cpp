@@ -35,11 +35,22 @@ Database::Database(std::unique_ptr<SqliteConnection> connection, std::filesystem
       registry_(registry),
       options_(options),
       connection_(std::move(connection)),
+      access_(connection_->access()),
       is_read_only_(connection_->is_read_only()),
       catalogue_(*connection_),
       cache_(options.cache_bytes) {}
 
 Database::~Database() = default;
+
+Result<std::unique_ptr<SqliteConnection>> Database::another_connection(bool writes, int busy_milliseconds) const {
+  using Access = SqliteConnection::Access;
+  const bool is_for_reading = access_ != Access::read_write && access_ != Access::create;
+  return SqliteConnection::open(file_,
+                                is_for_reading ? access_
+                                : writes       ? Access::read_write
+                                               : Access::read_only,
+                                busy_milliseconds);
+}
 
 Result<std::shared_ptr<const RelationLayout>> Database::layout_of(const CatalogueEntry& relation) {
   const auto known = layouts_.find(relation.table_number);

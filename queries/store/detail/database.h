@@ -56,6 +56,10 @@ class Database : public std::enable_shared_from_this<Database> {
   const std::string& opening_notice() const { return opening_notice_; }
 
   const std::filesystem::path& file() const { return file_; }
+  bool is_read_only() const { return is_read_only_; }
+  /// A further connection to the file, for reading or for writing; of a database that was opened for reading only it
+  /// is for reading in any case. May be called by any thread, also after `close`.
+  Result<std::unique_ptr<SqliteConnection>> another_connection(bool writes, int busy_milliseconds) const;
   const StoreOptions& options() const { return options_; }
   const algebra3d::Registry& registry() const { return registry_; }
 
@@ -134,6 +138,7 @@ class Database : public std::enable_shared_from_this<Database> {
   const algebra3d::Registry& registry_;
   const StoreOptions options_;
   std::unique_ptr<SqliteConnection> connection_;
+  const SqliteConnection::Access access_;
   bool is_read_only_ = false;
   Catalogue catalogue_;
   IndexCache indexes_;

@@ -4,6 +4,7 @@
 
 #include "queries/store/detail/chunks.h"
 #include "queries/store/detail/database.h"
+#include "queries/store/detail/shape_levels.h"
 #include "queries/store/detail/stored_tree.h"
 #include "queries/store/detail/tables.h"
 
@@ -209,7 +210,8 @@ Status Database::write_end() {
     ALGEBRA3D_RETURN_IF_ERROR(erase_all_chunks(*connection_, layout->table_number()));
   }
   ALGEBRA3D_RETURN_IF_ERROR(store_trees(*this));
-  return catalogue_.flush();
+  ALGEBRA3D_RETURN_IF_ERROR(catalogue_.flush());
+  return erase_outdated_levels(*this);
 }
 
 void Database::rollback() {

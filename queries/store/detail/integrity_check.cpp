@@ -45,6 +45,7 @@ Result<std::vector<Finding>> IntegrityCheck::run() {
   ALGEBRA3D_RETURN_IF_ERROR(check_numbers("imported_files", "relation"));
   ALGEBRA3D_RETURN_IF_ERROR(check_chunks());
   ALGEBRA3D_RETURN_IF_ERROR(check_index_pages());
+  ALGEBRA3D_RETURN_IF_ERROR(check_levels());
   ALGEBRA3D_RETURN_IF_ERROR(check_abandoned());
   add_readable_objects();
   for (const auto& [name, count] : finding_counts_)

@@ -67,6 +67,7 @@ class IntegrityCheck {
   Status check_numbers(std::string_view table, std::string_view column);
   Status check_chunks();
   Status check_index_pages();
+  Status check_levels();
   Result<bool> has_chunks(std::int64_t owner, std::int64_t tuple, std::int64_t attribute);
 
   void add(Finding finding);

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "queries/store/detail/integrity_check.h"
+#include "queries/store/detail/shape_levels.h"
 #include "queries/store/detail/sqlite_error.h"
 #include "queries/store/detail/tables.h"
 
@@ -18,6 +19,7 @@ constexpr std::pair<const char*, const char*> kOwnTables[] = {
     {"object_values", "the table object_values, which holds the values of objects that are no relations: "},
     {"chunks", "the table chunks, which holds long values: "},
     {"index_pages", "the table index_pages, which holds spatial indexes: "},
+    {"shape_levels", "the table shape_levels, which holds levels of detail: "},
     {"imported_files", "the table imported_files, which says what was imported: "},
 };
 
@@ -83,7 +85,10 @@ Result<std::vector<std::string>> column_names(SqliteConnection& connection, cons
 /// All tables that belong here, each with the beginning of findings about it.
 std::vector<std::pair<std::string, Finding>> IntegrityCheck::tables() {
   std::vector<std::pair<std::string, Finding>> result;
-  for (const auto& [table, begin] : kOwnTables) result.emplace_back(table, Finding{.message = begin});
+  const auto has_levels = has_level_table(database_->connection());
+  for (const auto& [table, begin] : kOwnTables)
+    if (table != std::string_view("shape_levels") || !has_levels || *has_levels)
+      result.emplace_back(table, Finding{.message = begin});
   for (const auto& [name, entry] : database_->catalogue().entries()) {
     if (!entry.type.is_relation() || entry.table_number == 0) continue;
     if (const auto layout = database_->layout_of(entry))
@@ -208,6 +213,7 @@ Status IntegrityCheck::check_columns() {
   if (!version || *version != kDatabaseVersion) return {};
   ALGEBRA3D_ASSIGN_OR_RETURN(const auto model, SqliteConnection::open_temporary());
   for (const char* sql : kCreateTables) ALGEBRA3D_RETURN_IF_ERROR(model->execute(sql));
+  ALGEBRA3D_RETURN_IF_ERROR(model->execute(kCreateShapeLevels));
   for (const auto& [number, layout] : layouts_) ALGEBRA3D_RETURN_IF_ERROR(model->execute(layout->create_sql()));
   for (const auto& [table, place] : tables()) {
     const bool is_new = place.object.empty() || std::ranges::any_of(layouts_, [&table = table](const auto& each) {

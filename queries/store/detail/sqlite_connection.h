@@ -40,6 +40,7 @@ class SqliteConnection {
   SqliteConnection& operator=(const SqliteConnection&) = delete;
 
   const std::string& file() const { return file_; }
+  Access access() const { return access_; }
   /// True if the connection cannot write: it was opened for reading, or the file is not writable.
   bool is_read_only() const { return access_ == Access::recovering || sqlite3_db_readonly(handle_, "main") == 1; }
   /// True if the file was deleted or moved since it was opened.

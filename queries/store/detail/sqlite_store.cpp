@@ -5,6 +5,7 @@
 #include "queries/store/detail/integrity_check.h"
 #include "queries/store/detail/read_scope.h"
 #include "queries/store/detail/stored_object.h"
+#include "queries/store/detail/stored_object_value.h"
 #include "queries/store/detail/stored_relation.h"
 
 namespace queries {
@@ -112,6 +113,9 @@ Result<Datum> SqliteStore::read(const std::string& name) {
   const algebra3d::Type* const type = database_->registry().find_type(entry->type.name());
   if (type == nullptr)
     return Error{ErrorCode::database_corrupt, "{}: the type {} is not known", name, entry->type.text()};
+  auto large = StoredObjectValue::find(database_, *entry, *type);
+  if (!large) return Error{large.error().code, "{}: {}", name, large.error().message};
+  if (*large) return Datum{**std::move(large)};
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::string bytes, read_object_bytes(*database_, *entry));
   auto value = algebra3d::decode(*type, bytes, algebra3d::Origin::own_store);
   if (!value) return Error{value.error().code, "{}: {}", name, value.error().message};

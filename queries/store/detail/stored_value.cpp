@@ -54,6 +54,12 @@ void StoredValue::append_reference(std::string& bytes) const {
   bytes.append(reinterpret_cast<const char*>(&reference), sizeof reference);  // NOLINT(*-reinterpret-cast)
 }
 
+std::string StoredValue::presence_sql() const {
+  const RelationLayout& layout = *value_.layout;
+  return fmt::format("SELECT 1 FROM {} WHERE id = ? AND {} = ?", layout.table(),
+                     layout.column(layout.attributes()[value_.attribute].box + kSumAfterBox));
+}
+
 Result<std::string> StoredValue::encoded() const {
   std::string copy;
   ALGEBRA3D_RETURN_IF_ERROR(database_->with_bytes(value_, [&](std::string_view bytes) -> Status {

@@ -33,6 +33,13 @@ inline constexpr const char* kCreateChunks =
 inline constexpr const char* kCreateChunkIndex =
     "CREATE UNIQUE INDEX chunks_by_place ON chunks(owner, tuple, attribute, part)";
 
+/// Levels of detail, in files that have some. Programs that know nothing of them go on working: they leave levels of
+/// values that they change, which are found for no other value.
+inline constexpr const char* kCreateShapeLevels =
+    "CREATE TABLE IF NOT EXISTS shape_levels(owner INTEGER NOT NULL, tuple INTEGER NOT NULL, attribute INTEGER NOT "
+    "NULL, number INTEGER NOT NULL, value_sum INTEGER NOT NULL, checksum INTEGER NOT NULL, bytes BLOB NOT NULL, "
+    "PRIMARY KEY(owner, tuple, attribute, number))";
+
 /// SQL statements that create the tables of a new database; relations add their own.
 inline constexpr std::array kCreateTables = {
     "CREATE TABLE meta(id INTEGER PRIMARY KEY, next_number INTEGER NOT NULL, object_count INTEGER NOT NULL, "

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "algebra3d/halfedge/mesh_triangles.h"
 #include "algebra3d/types/all.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/time.h"
@@ -87,6 +88,24 @@ TEST(ShapeOfValue, a_smooth_surface_keeps_its_vertices) {
   for (std::uint32_t i = 0; i < shape.positions.size(); ++i)
     for (std::size_t axis = 0; axis < 3; ++axis)
       EXPECT_NEAR(shape.normals[i][axis], 127 * place(shape, i)[axis], 127 * 0.01) << "that of the sphere";
+}
+
+/// A finely divided lens of two caps: only its rim, where they meet, is a crease.
+TEST(ShapeOfValue, of_large_meshes_only_creases_are_edges) {
+  constexpr std::uint32_t kRings = 720, kColumns = 800;
+  const TriangleMesh sphere = unit_sphere(kRings, kColumns);
+  std::vector<Vec3> points = sphere.points().approx();
+  for (Vec3& p : points) {
+    // From the height over the equator to that over the chord: a cap of 60 degrees, twice.
+    const double radius = std::hypot(p.x, p.y);
+    p.z = (p.z < 0 ? -1 : 1) * (std::sqrt(4 - radius * radius) - std::sqrt(3.0));
+  }
+  const std::vector<TriangleMesh::Triangle> triangles = triangles_of(sphere);
+  ASSERT_GT(triangles.size(), 1000000U);
+  const Shape shape = shape_of_solid(TriangleMesh(PointArray(std::move(points)), triangles));
+  EXPECT_EQ(shape.edges.size(), kColumns);
+  for (const auto& line : shape.edges)
+    for (const std::uint32_t end : line) EXPECT_NEAR(place(shape, end).z, 0, 1e-6);
 }
 
 TEST(ShapeOfValue, far_from_zero_nothing_moves) {

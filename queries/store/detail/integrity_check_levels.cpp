@@ -1,0 +1,34 @@
+// The part of the integrity check that looks at levels of detail. A level that belongs to no value is no defect:
+// programs that know of no levels leave them when they change a value.
+#include "queries/store/detail/integrity_check.h"
+#include "queries/store/detail/shape_levels.h"
+
+namespace queries {
+
+Status IntegrityCheck::check_levels() {
+  const Finding where{.message = "the table shape_levels, which holds levels of detail: "};
+  const auto has_table = has_level_table(database_->connection());
+  if (!has_table) return add(where, has_table.error());
+  if (!*has_table) return {};
+  auto rows = database_->connection().use(
+      "SELECT owner, tuple, attribute, number, value_sum, checksum, bytes FROM shape_levels");
+  if (!rows) return add(where, rows.error());
+  while (true) {
+    ALGEBRA3D_RETURN_IF_ERROR(context_.check_cancelled());
+    const auto has_row = rows->step();
+    if (!has_row) return add(where, has_row.error());
+    if (!*has_row) return {};
+    const auto number = [&](int column) { return rows->column(column).integer; };
+    const LevelKey key{{number(0), number(1), number(2)}, as_unsigned(number(4)), as_unsigned(number(3))};
+    const Cell bytes = rows->column(6);
+    if (bytes.is(Cell::Kind::blob) && number(5) == key.checksum(bytes.bytes)) continue;
+    Finding damaged = where;
+    damaged.message += fmt::format(
+        "the level {} of owner {}, tuple {}, attribute {} is not what was written; it is made "
+        "anew when it is needed",
+        key.number, key.place.owner, key.place.tuple, key.place.attribute);
+    add(std::move(damaged));
+  }
+}
+
+}  // namespace queries
