@@ -155,12 +155,16 @@ def held(server):
     figures = server.figures()
     log = server.path(server.database + "-wal")
     figures["log"] = os.path.getsize(log) / 2**20 if os.path.exists(log) else 0.0
+    with open(f"/proc/{server.process.pid}/stat") as file:
+        user, system = file.read().rpartition(")")[2].split()[11:13]
+    figures["processor"] = (int(user) + int(system)) / os.sysconf("SC_CLK_TCK")
     return figures
 
 
 def show_figures(when, figures):
     print(f"{when:>16}: {figures['memory']:7.1f} MB memory, {figures['descriptors']:3} descriptors, "
-          f"{figures['threads']:3} threads, {figures['log']:6.1f} MB write-ahead log", flush=True)
+          f"{figures['threads']:3} threads, {figures['log']:6.1f} MB write-ahead log, "
+          f"{figures['processor']:6.1f} s of processor", flush=True)
 
 
 def show_latencies(measured, seconds):

@@ -22,9 +22,8 @@ using algebra3d::Status;
 
 constexpr std::size_t kShortestToken = 16;
 
-std::string without_line_end(std::string text) {
-  while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
-  return text;
+std::string first_line(const std::string& text) {
+  return text.substr(0, text.find_first_of("\r\n"));
 }
 
 // The token; empty for none.
@@ -35,7 +34,7 @@ Result<std::string> token_of(const ServerOptions& options) {
     std::ostringstream content;
     content << file.rdbuf();
     if (!file) return Error{ErrorCode::wrong_usage, "--token-file: '{}' cannot be read", options.token_file.string()};
-    token = without_line_end(std::move(content).str());
+    token = first_line(content.str());
   } else if (const char* const given = std::getenv("ALGEBRA3D_TOKEN"); given != nullptr) {
     token = given;
   }

@@ -223,12 +223,18 @@ class ServerTest(unittest.TestCase):
 
     @classmethod
     def tearDownClass(cls):
-        cls.server.close()
+        """Whatever the cases have done, the server ends as it should."""
+        try:
+            status, _ = cls.server.end()
+            if status != 0:
+                raise AssertionError(f"the server ended with exit status {status}")
+        finally:
+            cls.server.close()
 
     def setUp(self):
         # A case that has ended the server has failed; the others shall say what they have to say.
         if not self.server.is_running():
-            self.tearDownClass()
+            self.server.close()
             self.setUpClass()
 
     def tearDown(self):

@@ -16,6 +16,7 @@
 #include "queries/server/detail/connection_stream.h"
 #include "queries/server/detail/connection_threads.h"
 #include "queries/server/detail/http_library.h"
+#include "queries/server/detail/lower_case.h"
 #include "queries/server/detail/refusal.h"
 
 namespace queries {
@@ -75,11 +76,6 @@ class ListenerBody final : public Body {
   const std::uint64_t size_;
   bool is_read_ = false;
 };
-
-std::string in_lower_case(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 HttpRequest request_of(const httplib::Request& request) {
   HttpRequest result;

@@ -9,14 +9,14 @@
 #include <nlohmann/json.hpp>
 
 #include "queries/language/scanner.h"
+#include "queries/server/detail/result_json.h"
 #include "queries/server/detail/table_cells.h"
 
 namespace queries {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
-constexpr std::size_t kMostRows = 10000;
 constexpr std::size_t kLongestId = 64;
 
 constexpr int kDeepest = 8;
@@ -24,8 +24,8 @@ constexpr int kDeepest = 8;
 // What the parser says, without its own names.
 std::string parse_error(const std::string& body) {
   try {
-    static_cast<void>(json::parse(body).size());
-  } catch (const json::exception& error) {
+    static_cast<void>(Json::parse(body).size());
+  } catch (const Json::exception& error) {
     const std::string_view text = error.what();
     const std::size_t end = text.find("] ");
     return std::string(end == std::string_view::npos ? text : text.substr(end + 2));
@@ -33,13 +33,13 @@ std::string parse_error(const std::string& body) {
   return "unknown";
 }
 
-Refusal wrong_member(std::string_view name, std::string_view expected, const json& found) {
+Refusal wrong_member(std::string_view name, std::string_view expected, const Json& found) {
   constexpr std::size_t kShown = 60;
   return Refusal::bad_request(
       fmt::format("'{}': expected {}, got {}", name, expected, found.dump(-1, ' ', true).substr(0, kShown)));
 }
 
-std::optional<Refusal> refuse_other_members(const json& object, std::initializer_list<std::string_view> known) {
+std::optional<Refusal> refuse_other_members(const Json& object, std::initializer_list<std::string_view> known) {
   for (const auto& [name, value] : object.items())
     if (std::ranges::find(known, name) == known.end())
       return Refusal::bad_request(fmt::format("unknown member '{}'; expected {}", name, fmt::join(known, ", ")));
@@ -52,18 +52,18 @@ bool is_id(const std::string& id) {
 }
 
 // A number as the text from which it was read, as far as JSON keeps it.
-std::string text_of(const json& value) {
+std::string text_of(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_boolean()) return value.get<bool>() ? "TRUE" : "FALSE";
   return value.dump();
 }
 
-Reply<SessionParameter> constant_parameter(const std::string& name, const json& given,
+Reply<SessionParameter> constant_parameter(const std::string& name, const Json& given,
                                            const algebra3d::Registry& registry) {
   if (const auto refusal = refuse_other_members(given, {"type", "value"})) return *refusal;
   if (!given.contains("type") || !given["type"].is_string())
-    return wrong_member("parameters." + name + ".type", "the name of a type", given.value("type", json()));
-  const json value = given.value("value", json());
+    return wrong_member("parameters." + name + ".type", "the name of a type", given.value("type", Json()));
+  const Json value = given.value("value", Json());
   if (!value.is_string() && !value.is_number() && !value.is_boolean())
     return wrong_member("parameters." + name + ".value", "a number, a boolean or a text", value);
   const auto type = given["type"].get<std::string>();
@@ -72,13 +72,13 @@ Reply<SessionParameter> constant_parameter(const std::string& name, const json& 
   return *std::move(parsed);
 }
 
-Reply<SessionParameter> cell_parameter(const std::string& name, const json& given, KeptResults& results) {
+Reply<SessionParameter> cell_parameter(const std::string& name, const Json& given, KeptResults& results) {
   if (const auto refusal = refuse_other_members(given, {"result", "row", "column"})) return *refusal;
   const std::string place = "parameters." + name;
   if (!given["result"].is_string()) return wrong_member(place + ".result", "the id of a result", given["result"]);
-  const json row = given.value("row", json(0U));
+  const Json row = given.value("row", Json(0U));
   if (!row.is_number_unsigned()) return wrong_member(place + ".row", "a number from 0", row);
-  const json column = given.value("column", json("value"));
+  const Json column = given.value("column", Json("value"));
   if (!column.is_string()) return wrong_member(place + ".column", "the name of a column", column);
   Reply<std::shared_ptr<Execution>> result = results.find(given["result"].get<std::string>());
   if (!result) return result.refusal();
@@ -87,7 +87,7 @@ Reply<SessionParameter> cell_parameter(const std::string& name, const json& give
   return SessionParameter(HostValue(*std::move(value)));
 }
 
-Reply<SessionParameters> parameters_of(const json& given, const algebra3d::Registry& registry, KeptResults& results) {
+Reply<SessionParameters> parameters_of(const Json& given, const algebra3d::Registry& registry, KeptResults& results) {
   SessionParameters parameters;
   parameters.advice = "the request has no parameter '{}'";
   for (const auto& [name, value] : given.items()) {
@@ -111,12 +111,12 @@ Refusal refusal_of_cell(const algebra3d::Error& error) {
   return refusal_of(error);
 }
 
-Reply<json> parse_body(const std::string& body) {
+Reply<Json> parse_body(const std::string& body) {
   if (body.find('\0') != std::string::npos) return Refusal::bad_request("the body is not JSON: it has a zero byte");
   bool is_too_deep = false;
-  const json given = json::parse(
+  const Json given = Json::parse(
       body,
-      [&](int depth, json::parse_event_t, json&) {
+      [&](int depth, Json::parse_event_t, Json&) {
         is_too_deep = is_too_deep || depth > kDeepest;
         return !is_too_deep;
       },
@@ -135,20 +135,20 @@ Result<Value> cell_of(Execution& result, std::size_t row, const std::string& col
 
 Reply<StatementRequest> read_query_request(const std::string& body, const algebra3d::Registry& registry,
                                            KeptResults& results) {
-  Reply<json> parsed = parse_body(body);
+  Reply<Json> parsed = parse_body(body);
   if (!parsed) return parsed.refusal();
-  const json given = *std::move(parsed);
+  const Json given = *std::move(parsed);
   if (!given.is_object()) return wrong_member("body", "an object with the member 'statement'", given);
   if (const auto refusal = refuse_other_members(given, {"statement", "rows", "id", "parameters"})) return *refusal;
-  const json statement = given.value("statement", json());
+  const Json statement = given.value("statement", Json());
   if (!statement.is_string()) return wrong_member("statement", "a text", statement);
-  const json rows = given.value("rows", json(100U));
+  const Json rows = given.value("rows", Json(100U));
   if (!rows.is_number_unsigned() || rows.get<std::uint64_t>() > kMostRows)
     return wrong_member("rows", fmt::format("a number from 0 to {}", kMostRows), rows);
-  const json id = given.value("id", json(""));
+  const Json id = given.value("id", Json(""));
   if (!id.is_string() || (given.contains("id") && !is_id(id.get<std::string>())))
     return wrong_member("id", fmt::format("at most {} letters, digits, '-' and '_'", kLongestId), id);
-  const json parameters = given.value("parameters", json::object());
+  const Json parameters = given.value("parameters", Json::object());
   if (!parameters.is_object()) return wrong_member("parameters", "an object", parameters);
   Reply<SessionParameters> read = parameters_of(parameters, registry, results);
   if (!read) return read.refusal();

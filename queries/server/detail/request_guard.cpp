@@ -3,18 +3,13 @@
 #include <arpa/inet.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include <fmt/format.h>
 
+#include "queries/server/detail/lower_case.h"
+
 namespace queries {
 namespace {
-
-std::string in_lower_case(std::string_view text) {
-  std::string result(text);
-  std::ranges::transform(result, result.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
-}
 
 /// Without the port, if there is one: `[::1]:80` and `name:80`.
 std::string_view name_of(std::string_view authority) {

@@ -15,6 +15,8 @@ std::string json_string(std::string_view text);
 /// The strings as a JSON array.
 std::string json_strings(const std::vector<std::string>& texts);
 
+/// Maximum number of rows of an answer.
+inline constexpr std::size_t kMostRows = 10000;
 /// Maximum text of the rows of an answer, in bytes.
 inline constexpr std::size_t kMostRowBytes = std::size_t{16} << 20U;
 

@@ -20,7 +20,6 @@
 namespace queries {
 namespace {
 
-constexpr std::size_t kMostRows = 10000;
 constexpr std::size_t kMostCellBytes = std::size_t{64} << 20U;
 
 std::optional<std::string> parameter(const HttpRequest& request, const std::string& name) {
