@@ -51,13 +51,13 @@ class EdgeChoice {
  private:
   bool is_drawn(HalfedgeId h, HalfedgeId opposite) const {
     if (has_all_) return !is_flat(mesh_, h, opposite);
-    static const double kCreaseCosine = std::cos(kCreaseDegrees * std::numbers::pi / 180);
-    return dot(face_normals_[mesh_.face(h).index()], face_normals_[mesh_.face(opposite).index()]) < kCreaseCosine;
+    return dot(face_normals_[mesh_.face(h).index()], face_normals_[mesh_.face(opposite).index()]) < crease_cosine_;
   }
 
   const Mesh& mesh_;
   std::span<const Vec3> face_normals_;
   bool has_all_;
+  double crease_cosine_ = std::cos(kCreaseDegrees * std::numbers::pi / 180);
 };
 
 struct EdgeLines {
