@@ -23,9 +23,9 @@ enum class EdgeRole : std::uint8_t { none, edge, boundary, nonmanifold };
 
 /// True if the two triangles at a manifold edge lie in one plane. Exact.
 bool is_flat(const TriangleMesh& mesh, HalfedgeId h, HalfedgeId opposite) {
-  const std::uint32_t plane = mesh.planes().number(mesh.face(h).index());
-  if (plane != FacePlanes::kUnknown && plane == mesh.planes().number(mesh.face(opposite).index())) return true;
-  const auto apex = [&](HalfedgeId along) { return mesh.point(mesh.origin(mesh.prev(along))); };
+  const std::uint32_t plane = mesh.planes().number(TriangleMesh::face(h).index());
+  if (plane != FacePlanes::kUnknown && plane == mesh.planes().number(TriangleMesh::face(opposite).index())) return true;
+  const auto apex = [&](HalfedgeId along) { return mesh.point(mesh.origin(TriangleMesh::prev(along))); };
   return orient3d(mesh.point(mesh.origin(h)), mesh.point(mesh.target(h)), apex(h), apex(opposite)) == 0;
 }
 /// The faces of a mesh of polygons are elements by themselves, so their edges are drawn wherever they lie.
@@ -51,13 +51,13 @@ class EdgeChoice {
  private:
   bool is_drawn(HalfedgeId h, HalfedgeId opposite) const {
     if (has_all_) return !is_flat(mesh_, h, opposite);
-    static const double kCreaseCosine = std::cos(kCreaseDegrees * std::numbers::pi / 180);
-    return dot(face_normals_[mesh_.face(h).index()], face_normals_[mesh_.face(opposite).index()]) < kCreaseCosine;
+    return dot(face_normals_[mesh_.face(h).index()], face_normals_[mesh_.face(opposite).index()]) < crease_cosine_;
   }
 
   const Mesh& mesh_;
   std::span<const Vec3> face_normals_;
   bool has_all_;
+  double crease_cosine_ = std::cos(kCreaseDegrees * std::numbers::pi / 180);
 };
 
 struct EdgeLines {
