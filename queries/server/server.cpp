@@ -77,9 +77,17 @@ Status serve(const ServerOptions& options, const algebra3d::Registry& registry, 
   ALGEBRA3D_ASSIGN_OR_RETURN(TemporaryFolder uploads, TemporaryFolder::make());
   Api api(registry, options, limits, token, authorities_of(options.listen, listener->port(), options.hosts),
           std::move(uploads), std::move(database));
+  auto tended = std::chrono::steady_clock::now();
   std::thread answering([&] { listener->run([&api](const HttpRequest& request) { return api.answer(request); }); });
+  while (!listener->is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   ready(url_of(options.listen, listener->port()) + (token.empty() ? "" : "#token=" + token));
-  while (!stop) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  while (!stop) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    if (const auto now = std::chrono::steady_clock::now(); now - tended > std::chrono::seconds(1)) {
+      api.tend();
+      tended = now;
+    }
+  }
   api.close();
   listener->stop();
   answering.join();

@@ -68,18 +68,6 @@ SessionOptions session_options(const ServerOptions& options) {
 
 constexpr std::string_view kApi = "/api/";
 
-// Nobody shows our pages in theirs, and they run nothing that is not ours.
-void add_security_headers(HttpAnswer& answer) {
-  answer.headers.emplace_back("X-Content-Type-Options", "nosniff");
-  answer.headers.emplace_back("X-Frame-Options", "DENY");
-  answer.headers.emplace_back("Cross-Origin-Resource-Policy", "same-origin");
-  answer.headers.emplace_back("Referrer-Policy", "no-referrer");
-  answer.headers.emplace_back(
-      "Content-Security-Policy",
-      "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
-      "worker-src 'self' blob:; object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'");
-}
-
 }  // namespace
 
 Api::Api(const algebra3d::Registry& registry, const ServerOptions& options, const ServerLimits& limits,
@@ -94,6 +82,15 @@ Api::Api(const algebra3d::Registry& registry, const ServerOptions& options, cons
       folder_(algebra3d::WorkingFolder::confined(std::filesystem::current_path(), uploads_.folder())),
       sessions_(registry, session_options(options), options.database, limits.sessions, limits.idle_sessions),
       results_(limits.results) {}
+
+void Api::tend() {
+  results_.drop_what_is_old();
+  std::error_code error;
+  std::filesystem::path log = database_.file();
+  log += "-wal";
+  const std::uintmax_t bytes = std::filesystem::file_size(log, error);
+  if (!error && bytes > limits_.log_bytes) results_.drop_oldest();
+}
 
 void Api::close() {
   running_.cancel_all("the server ends");
@@ -128,9 +125,7 @@ std::span<const Route> Api::routes() {
 
 HttpAnswer Api::answer(const HttpRequest& request) noexcept {
   try {
-    HttpAnswer answer = answer_checked(request);
-    add_security_headers(answer);
-    return answer;
+    return answer_checked(request);
   } catch (const std::bad_alloc&) {
     return Refusal{500, "out_of_memory", "memory is exhausted"}.answer();
   } catch (const std::exception& exception) {

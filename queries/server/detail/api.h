@@ -45,6 +45,9 @@ class Api {
 
   /// Answers any request; never throws.
   HttpAnswer answer(const HttpRequest& request) noexcept;
+  /// To be called about every second: drops results that nobody uses, and the oldest while the write-ahead log of the
+  /// database is large, which cannot be emptied while a result reads what was before it.
+  void tend();
   /// Ends all statements and drops all results.
   void close();
 

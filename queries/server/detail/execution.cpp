@@ -124,22 +124,23 @@ bool Execution::has_result() const {
 
 void Execution::serve(ResultTable& table) {
   while (true) {
-    Work work;
+    Question question;
     {
       std::unique_lock lock(mutex_);
       changed_.wait(lock, [this] { return is_dropped_ || !questions_.empty(); });
       if (is_dropped_) break;
-      work = std::move(questions_.front());
+      question = std::move(questions_.front());
       questions_.pop_front();
+      asked_ = question.cancel;
     }
-    work(table);
+    question.work(table);
   }
 }
 
-bool Execution::post(Work work) {
+bool Execution::post(Question question) {
   const std::lock_guard lock(mutex_);
   if (is_dropped_ || is_over_) return false;
-  questions_.push_back(std::move(work));
+  questions_.push_back(std::move(question));
   changed_.notify_all();
   return true;
 }
@@ -148,6 +149,7 @@ void Execution::drop() {
   const std::lock_guard lock(mutex_);
   is_dropped_ = true;
   is_cancelled_ = true;
+  if (asked_ != nullptr) *asked_ = true;
   questions_.clear();
   changed_.notify_all();
 }

@@ -15,6 +15,7 @@
 #include "algebra3d/base/without_exceptions.h"
 #include "algebra3d/base/working_folder.h"
 #include "queries/language/session_parameters.h"
+#include "queries/server/detail/http.h"
 #include "queries/server/detail/result_table.h"
 #include "queries/session/session.h"
 
@@ -59,10 +60,10 @@ class Execution {
   /// Whether the answer came with a result to be asked.
   bool has_result() const;
 
-  /// Asks the result: `work` runs on the session's thread. Errors: those of `work`; interrupted if the result is
-  /// dropped meanwhile.
+  /// Asks the result: `work` runs on the session's thread. Errors: those of `work`; interrupted if the result is dropped
+  /// meanwhile, or the client of `connection` (null: none) has gone.
   template <typename T>
-  Result<T> ask(std::function<Result<T>(ResultTable&, Context&)> work);
+  Result<T> ask(const Connection* connection, std::function<Result<T>(ResultTable&, Context&)> work);
 
   /// Ends the statement, also while it serves its result.
   void drop();
@@ -76,11 +77,15 @@ class Execution {
 
  private:
   class ResultPresenter;
-  using Work = std::function<void(ResultTable&)>;
+  using Cancel = std::shared_ptr<std::atomic<bool>>;
+  struct Question {
+    std::function<void(ResultTable&)> work;
+    Cancel cancel;
+  };
 
   void answer(Result<StatementAnswer> given);
   void serve(ResultTable& table);
-  bool post(Work work);
+  bool post(Question question);
   void note_progress(const std::string& how_far);
   Error interruption() const;
 
@@ -93,7 +98,8 @@ class Execution {
   mutable std::mutex mutex_;  // guards what follows
   std::condition_variable changed_;
   std::optional<Result<StatementAnswer>> answer_;
-  std::deque<Work> questions_;
+  std::deque<Question> questions_;
+  Cancel asked_;  // of the question that is being answered
   bool is_dropped_ = false;
   bool is_over_ = false;  // nobody serves the result any more
   std::string progress_;
@@ -101,25 +107,30 @@ class Execution {
 };
 
 template <typename T>
-Result<T> Execution::ask(std::function<Result<T>(ResultTable&, Context&)> work) {
-  const auto promise = std::make_shared<std::promise<Result<T>>>();
+Result<T> Execution::ask(const Connection* connection, std::function<Result<T>(ResultTable&, Context&)> work) {
+  constexpr std::chrono::milliseconds kLook(100);
+  auto promise = std::make_shared<std::promise<Result<T>>>();
   std::future<Result<T>> reply = promise->get_future();
-  const bool is_posted = post([this, promise, work = std::move(work)](ResultTable& table) {
+  const auto cancel = std::make_shared<std::atomic<bool>>(false);
+  // The question alone has the promise: if it goes unanswered, the promise is broken.
+  auto answer_it = [this, promise = std::move(promise), cancel, work = std::move(work)](ResultTable& table) {
     algebra3d::Diagnostics diagnostics;
     const algebra3d::Monitor::Report report = [this](const std::string& how_far) { note_progress(how_far); };
     Context context{.diagnostics = diagnostics,
-                    .cancel = &is_cancelled_,
+                    .cancel = cancel.get(),
                     .folder = folder_,
                     .memory = memory_,
                     .report = &report};
     Result<T> result = algebra3d::without_exceptions([&] { return work(table, context); });
     note_progress({});
     promise->set_value(std::move(result));
-  });
-  if (!is_posted) return Error{ErrorCode::interrupted, "the result was dropped"};
+  };
+  if (!post({std::move(answer_it), cancel})) return Error{ErrorCode::interrupted, "the result was dropped"};
+  while (reply.wait_for(kLook) != std::future_status::ready)
+    if (connection != nullptr && connection->is_gone()) *cancel = true;
   try {
     return reply.get();
-  } catch (const std::future_error&) {  // the question went with the result
+  } catch (const std::future_error&) {
     return Error{ErrorCode::interrupted, "the result was dropped"};
   }
 }

@@ -11,6 +11,7 @@
 #include <mutex>
 #include <optional>
 #include <set>
+#include <thread>
 #include <utility>
 
 #include "queries/server/detail/connection_stream.h"
@@ -110,8 +111,21 @@ std::optional<Refusal> refuse_form(const httplib::Request& request) {
   return std::nullopt;
 }
 
+// Nobody shows our pages in theirs, and they run nothing that is not ours.
+void set_security_headers(httplib::Response& response) {
+  response.set_header("X-Content-Type-Options", "nosniff");
+  response.set_header("X-Frame-Options", "DENY");
+  response.set_header("Cross-Origin-Resource-Policy", "same-origin");
+  response.set_header("Referrer-Policy", "no-referrer");
+  response.set_header(
+      "Content-Security-Policy",
+      "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
+      "worker-src 'self' blob:; object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'");
+}
+
 void give(HttpAnswer answer, httplib::Response& response) {
   response.status = answer.status;
+  set_security_headers(response);
   for (const auto& [name, value] : answer.headers) response.set_header(name, value);
   if (answer.stream) {
     response.set_chunked_content_provider(
@@ -128,8 +142,16 @@ void give(HttpAnswer answer, httplib::Response& response) {
   response.set_header("Content-Type", answer.type);
 }
 
-// What the library refuses by itself.
+// Only whole answers are given, and the library does not compress them.
+void forget_wishes(httplib::Request& request) {
+  request.ranges.clear();
+  request.headers.erase("Accept-Encoding");
+}
+
+// What the library refuses by itself, perhaps before the wishes of the request were forgotten.
 void explain(const httplib::Request& request, httplib::Response& response) {
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): the library's own object, which it made as a variable
+  forget_wishes(const_cast<httplib::Request&>(request));
   if (!response.body.empty()) return;
   Refusal refusal{response.status, "bad_request", "the request is no HTTP that this server understands"};
   if (response.status == 404) refusal = Refusal::not_found("there is no path '" + request.path + "'");
@@ -182,10 +204,13 @@ class Library final : public httplib::Server {
   }
 
   int listening_socket() const { return listening_; }
-  /// Ends all connections that wait for a request.
+  /// Ends all connections: those that wait for a request at once, those that still write an answer after a while.
   void shut_connections() {
-    const std::lock_guard lock(mutex_);
-    for (const int socket : sockets_) shutdown(socket, SHUT_RD);
+    constexpr std::chrono::milliseconds kWhile(500);
+    shut(SHUT_RD);
+    for (const auto end = Clock::now() + kWhile; Clock::now() < end && shut(SHUT_RD) > 0;)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    shut(SHUT_RDWR);
   }
 
  private:
@@ -203,14 +228,17 @@ class Library final : public httplib::Server {
       ConnectionStream stream(socket, {});
       connection() = &stream;
       bool is_closed = false;
-      is_answered = process_request(stream, true, is_closed, [](httplib::Request& request) {
-        request.ranges.clear();                    // only whole answers are given
-        request.headers.erase("Accept-Encoding");  // nor does the library compress them
-      });
+      is_answered = process_request(stream, true, is_closed, forget_wishes);
       connection() = nullptr;
       note(socket, false);
     }
     return is_answered;
+  }
+
+  std::size_t shut(int how) {
+    const std::lock_guard lock(mutex_);
+    for (const int socket : sockets_) shutdown(socket, how);
+    return sockets_.size();
   }
 
   void note(int socket, bool is_open) {
@@ -252,6 +280,7 @@ class Listener final : public HttpListener {
     answer_ = std::move(answer);
     server_.listen_after_bind();
   }
+  bool is_running() const override { return server_.is_running(); }
   void stop() override {
     server_.stop();
     server_.shut_connections();

@@ -22,7 +22,9 @@ class HttpListener {
   virtual int port() const = 0;
   /// Answers requests by `answer`, which is called by several threads at once, until `stop`.
   virtual void run(Answer answer) = 0;
-  /// Ends `run`; may be called by another thread.
+  /// True while `run` answers. Before that `stop` has no effect.
+  virtual bool is_running() const = 0;
+  /// Ends `run`, within a second also where clients neither send nor read; may be called by another thread.
   virtual void stop() = 0;
 
  protected:

@@ -24,20 +24,29 @@ KeptResults::~KeptResults() {
   drop_all();
 }
 
+std::map<std::uint64_t, KeptResults::Kept>::iterator KeptResults::oldest() {
+  return std::ranges::min_element(results_, {}, [](const auto& result) { return result.second.used; });
+}
+
+void KeptResults::drop(std::map<std::uint64_t, Kept>::iterator result) {
+  result->second.execution->drop();
+  results_.erase(result);
+}
+
 void KeptResults::drop_what_is_old() {
-  const auto is_used_before = [](const auto& a, const auto& b) { return a.second.used < b.second.used; };
+  const std::lock_guard lock(mutex_);
   const auto longest_unused = Execution::Clock::now() - kLongestUnused;
-  while (!results_.empty()) {
-    const auto oldest = std::ranges::min_element(results_, is_used_before);
-    if (results_.size() < most_ && oldest->second.used > longest_unused) return;
-    oldest->second.execution->drop();
-    results_.erase(oldest);
-  }
+  while (!results_.empty() && oldest()->second.used < longest_unused) drop(oldest());
+}
+
+void KeptResults::drop_oldest() {
+  const std::lock_guard lock(mutex_);
+  if (!results_.empty()) drop(oldest());
 }
 
 std::string KeptResults::keep(std::shared_ptr<Execution> execution) {
   const std::lock_guard lock(mutex_);
-  drop_what_is_old();
+  while (results_.size() >= most_) drop(oldest());
   results_.emplace(++last_, Kept{std::move(execution), Execution::Clock::now()});
   return fmt::format("r{}", last_);
 }
@@ -59,8 +68,7 @@ bool KeptResults::drop(const std::string& id) {
   const std::lock_guard lock(mutex_);
   const auto found = results_.find(number_of(id));
   if (found == results_.end()) return false;
-  found->second.execution->drop();
-  results_.erase(found);
+  drop(found);
   return true;
 }
 

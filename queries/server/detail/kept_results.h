@@ -29,13 +29,18 @@ class KeptResults {
   /// Drops a result. False if there is none of this id.
   bool drop(const std::string& id);
   void drop_all();
+  /// Drops what nobody has used for long.
+  void drop_what_is_old();
+  /// Drops the result that was not used for longest, if there is one.
+  void drop_oldest();
 
  private:
   struct Kept {
     std::shared_ptr<Execution> execution;
     Execution::Clock::time_point used;
   };
-  void drop_what_is_old();
+  std::map<std::uint64_t, Kept>::iterator oldest();
+  void drop(std::map<std::uint64_t, Kept>::iterator result);
 
   const std::size_t most_;
   std::mutex mutex_;  // guards what follows

@@ -32,7 +32,7 @@ class LevelCache {
   }
 
  private:
-  static constexpr std::size_t kMostBytes = std::size_t{256} << 20U;
+  static constexpr std::size_t kMostBytes = std::size_t{32} << 20U;
 
   std::size_t bytes() const {
     std::size_t sum = 0;

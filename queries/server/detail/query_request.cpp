@@ -126,8 +126,8 @@ Reply<Json> parse_body(const std::string& body) {
   return given;
 }
 
-Result<Value> cell_of(Execution& result, std::size_t row, const std::string& column) {
-  return result.ask<Value>([row, column](ResultTable& table, Context&) -> Result<Value> {
+Result<Value> cell_of(Execution& result, std::size_t row, const std::string& column, const Connection* connection) {
+  return result.ask<Value>(connection, [row, column](ResultTable& table, Context&) -> Result<Value> {
     ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, cell(table, row, column));
     return value.loaded();
   });

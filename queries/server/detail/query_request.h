@@ -23,6 +23,7 @@ Refusal refusal_of_cell(const algebra3d::Error& error);
 
 /// The value of a cell, loaded. Errors: those of the store; unknown_name for a column, invalid_value for a row that is
 /// not there.
-Result<Value> cell_of(Execution& result, std::size_t row, const std::string& column);
+Result<Value> cell_of(Execution& result, std::size_t row, const std::string& column,
+                      const Connection* connection = nullptr);
 
 }  // namespace queries

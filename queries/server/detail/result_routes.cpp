@@ -43,6 +43,22 @@ Reply<std::string> text(const HttpRequest& request, const std::string& name) {
   return Refusal::bad_request(fmt::format("the parameter '{}' is missing", name));
 }
 
+// The value list of a cell as JSON. An element takes some dozen bytes at least: what is certainly too large is not
+// written first.
+Result<std::string> list_of_cell(ResultTable& table, std::size_t row, const std::string& column) {
+  constexpr std::size_t kLeastBytes = 16;
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, cell(table, row, column));
+  const std::size_t elements = value.is_defined() && value.type().is_large() ? value.header().size : 0;
+  std::string list;
+  if (elements <= kMostCellBytes / kLeastBytes) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.loaded());
+    list = loaded.to_nested().print();
+    if (list.size() <= kMostCellBytes)
+      return fmt::format("{{\"type\":{},\"text\":{}}}", json_string(value.type().name()), json_string(list));
+  }
+  return Error{ErrorCode::limit_exceeded, "the list of the value has more than {} bytes", kMostCellBytes};
+}
+
 }  // namespace
 
 HttpAnswer Api::get_rows(const Call& call) {
@@ -52,7 +68,7 @@ HttpAnswer Api::get_rows(const Call& call) {
   Reply<std::size_t> count = number(call.request, "count", 100, kMostRows);
   if (!from) return from.refusal().answer();
   if (!count) return count.refusal().answer();
-  const auto rows = (*result)->ask<std::string>([from = *from, count = *count](ResultTable& table, Context& context) {
+  const auto rows = (*result)->ask<std::string>(call.request.connection, [from = *from, count = *count](ResultTable& table, Context& context) {
     return json_of_rows(table, from, count, context);
   });
   if (!rows) return refusal_of_cell(rows.error()).answer();
@@ -66,14 +82,12 @@ HttpAnswer Api::get_cell(const Call& call) {
   Reply<std::string> column = text(call.request, "column");
   if (!row) return row.refusal().answer();
   if (!column) return column.refusal().answer();
-  const auto value = cell_of(**result, *row, *column);
-  if (!value) return refusal_of_cell(value.error()).answer();
-  const std::string list = value->to_nested().print();
-  if (list.size() > kMostCellBytes)
-    return Refusal{413, "too_large", fmt::format("the value has {} bytes; the limit is {}", list.size(), kMostCellBytes),
-                   "Ask for its file or its shape."}
-        .answer();
-  return {.body = fmt::format("{{\"type\":{},\"text\":{}}}\n", json_string(value->type().name()), json_string(list))};
+  const auto list = (*result)->ask<std::string>(call.request.connection, [&](ResultTable& table, Context&) {
+    return list_of_cell(table, *row, *column);
+  });
+  if (list) return {.body = *list + "\n"};
+  if (list.error().code != ErrorCode::limit_exceeded) return refusal_of_cell(list.error()).answer();
+  return Refusal{413, "too_large", list.error().message, "Ask for its file or its shape."}.answer();
 }
 
 HttpAnswer Api::get_shapes(const Call& call) {
@@ -89,7 +103,7 @@ HttpAnswer Api::get_shapes(const Call& call) {
   if (!column) return column.refusal().answer();
   const ShapeRequest request{*column, *from, *count, *triangles, *bytes};
   auto shapes = (*result)->ask<CellShapes>(
-      [request](ResultTable& table, Context& context) { return shapes_of(table, request, context); });
+      call.request.connection, [request](ResultTable& table, Context& context) { return shapes_of(table, request, context); });
   if (!shapes) return refusal_of_cell(shapes.error()).answer();
   HttpAnswer answer{.type = "model/gltf-binary", .body = std::move(shapes->file)};
   if (shapes->next) answer.headers.emplace_back("X-Algebra3d-Next", std::to_string(*shapes->next));
@@ -108,7 +122,7 @@ HttpAnswer Api::get_file(const Call& call) {
   const auto form = file_form(*format);
   if (!form)
     return Refusal::bad_request(fmt::format("'format': expected stl, stl-ascii, obj or off, got '{}'", *format)).answer();
-  auto file = (*result)->ask<CellFile>([&](ResultTable& table, Context& context) -> Result<CellFile> {
+  auto file = (*result)->ask<CellFile>(call.request.connection, [&](ResultTable& table, Context& context) -> Result<CellFile> {
     ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, cell(table, *row, *column));
     return file_of(value, *column, *form, context);
   });

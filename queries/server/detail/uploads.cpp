@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "algebra3d/types/utf8.h"
+
 namespace queries {
 namespace {
 
@@ -24,7 +26,8 @@ bool is_upload_name(const std::string& name) {
   const auto is_allowed = [](unsigned char c) {
     return std::isalnum(c) != 0 || c == '.' || c == '_' || c == '-' || c == ' ' || c >= 0x80;
   };
-  return !name.empty() && name.size() <= kLongestName && name.front() != '.' && std::ranges::all_of(name, is_allowed);
+  return !name.empty() && name.size() <= kLongestName && name.front() != '.' &&
+         std::ranges::all_of(name, is_allowed) && algebra3d::first_no_text(name) == std::string::npos;
 }
 
 Refusal refusal_of(Body::Outcome outcome, std::size_t limit) {

@@ -149,8 +149,11 @@ Status configure(SqliteConnection& connection, const StoreOptions& options) {
   return {};
 }
 
-// FULL: a committed statement survives the loss of power, not only the end of the process.
+// FULL: a committed statement survives the loss of power, not only the end of the process. A log that has grown while
+// readers held it becomes short again.
 Status prepare_for_writing(SqliteConnection& connection) {
+  constexpr int kLogBytes = 1 << 26;
+  ALGEBRA3D_RETURN_IF_ERROR(connection.execute(fmt::format("PRAGMA journal_size_limit = {}", kLogBytes)));
   ALGEBRA3D_RETURN_IF_ERROR(connection.execute("PRAGMA synchronous = FULL"));
   return use_write_ahead_log(connection);
 }
