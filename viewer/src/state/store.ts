@@ -33,6 +33,8 @@ export class Store {
   readonly mode = signal<Mode>("explore");
   /** The latest failure, until the next statement or its closing. */
   readonly failure = signal<ShownFailure | null>(null);
+  /** How many statements have ended, for tests of the page. */
+  readonly ended = signal(0);
   readonly #tabStorage: Storage;
 
   constructor(client: Client, theme: Theme, storage: Storage, tabStorage: Storage) {
