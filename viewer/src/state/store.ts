@@ -18,6 +18,12 @@ export interface ShownFailure extends Failure {
   readonly range: { readonly from: number; readonly to: number } | null;
 }
 
+export interface RunOptions {
+  readonly parameters?: Parameters;
+  /** The offset of the statement in the editor, if it stands there. */
+  readonly place?: number;
+}
+
 /** All state of the page outside the scenes, and what can be done with it. */
 export class Store {
   readonly client: Client;
@@ -33,6 +39,8 @@ export class Store {
   readonly mode = signal<Mode>("explore");
   /** The latest failure, until the next statement or its closing. */
   readonly failure = signal<ShownFailure | null>(null);
+  /** The server refused the token. */
+  readonly tokenRefused = signal(false);
   /** How many statements have ended, for tests of the page. */
   readonly ended = signal(0);
   readonly #tabStorage: Storage;
@@ -63,17 +71,21 @@ export class Store {
   async useToken(token: string): Promise<void> {
     this.client.token = token;
     keepToken(token, this.#tabStorage);
+    this.tokenRefused.value = false;
     await this.connection.check();
+    this.tokenRefused.value = this.connection.status.value === "unauthorized";
   }
 
-  /**
-   * Runs a statement and shows its outcome. `place` is its offset in the editor, if it stands there. Returns null if it
-   * failed, which is shown.
-   */
-  async run(
-    statement: string,
-    options: { parameters?: Parameters; place?: number } = {},
-  ): Promise<Outcome | null> {
+  /** Runs a statement and shows its outcome. Returns null if it failed, which is shown. */
+  async run(statement: string, options: RunOptions = {}): Promise<Outcome | null> {
+    try {
+      return await this.#run(statement, options);
+    } finally {
+      this.ended.value++;
+    }
+  }
+
+  async #run(statement: string, options: RunOptions): Promise<Outcome | null> {
     this.failure.value = null;
     const outcome = await this.runner.run(statement, options.parameters);
     const ok = !isFailure(outcome);
