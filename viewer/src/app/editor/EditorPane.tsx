@@ -38,7 +38,7 @@ export function EditorPane() {
           Run all
         </button>
         <span class="grow" />
-        <span class="muted hint">
+        <span class="muted hint wide-only">
           <kbd>{control}</kbd> <kbd>Enter</kbd>
         </span>
       </div>
