@@ -94,11 +94,17 @@ export class Store {
       this.fail(outcome, options.place ?? null);
       return null;
     }
-    if (outcome.table) this.results.add(outcome);
+    if (outcome.table) this.#show(outcome);
     else this.notices.add("success", doneText(statement), { detail: outcome.answer.diagnostics.join("\n") });
     if (!isQuery(statement) || changes(statement))
       await this.catalogue.reloadObjects().catch(() => undefined);
     return outcome;
+  }
+
+  #show(outcome: Outcome): void {
+    this.results.add(outcome);
+    // On narrow pages the sheet with the results comes up.
+    if (this.layout.sheet.value === "query") this.layout.sheet.value = "results";
   }
 
   /** Runs the statements of a text one after the other; ends at the first that fails. */
