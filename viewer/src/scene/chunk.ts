@@ -101,6 +101,7 @@ export class Chunk {
       setLook: (look) => this.setLook(slot, look),
       setStyle: (style) => this.setStyle(style),
       positionsChanged: () => this.writePositions(slot, [0, 0, 0]),
+      showVertices: () => undefined,
       dispose: () => this.release(slot),
     }));
   }

@@ -73,7 +73,8 @@ export function clip(material: Material, planes: readonly Plane[]): void {
 /** The materials that all objects of a view share. */
 export class SharedMaterials {
   readonly edges = new LineBasicMaterial();
-  readonly lines = new LineBasicMaterial();
+  /** Vertices that can be dragged. */
+  readonly vertices = pointMaterial(false);
   readonly boundary = new LineBasicMaterial({ color: kBoundaryColor });
   readonly nonManifold = new LineBasicMaterial({ color: kNonManifoldColor });
   readonly wideBoundary = new LineMaterial({ color: kBoundaryColor, linewidth: 2.5 });
@@ -86,14 +87,15 @@ export class SharedMaterials {
     this.edges.color.set(style.appearance.edgeColor);
     this.edges.transparent = isTransparent(style.appearance.opacity) && style.appearance.faces;
     this.edges.opacity = this.edges.transparent ? Math.max(0.25, style.appearance.opacity) : 1;
-    this.lines.color.set(style.appearance.edgeColor);
+    this.vertices.color.set(style.appearance.edgeColor);
+    this.vertices.size = 8 * style.pixelRatio;
     for (const material of this.all()) clip(material, style.clipping);
   }
 
   private all(): Material[] {
     return [
       this.edges,
-      this.lines,
+      this.vertices,
       this.boundary,
       this.nonManifold,
       this.wideBoundary,

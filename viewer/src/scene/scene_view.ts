@@ -153,6 +153,7 @@ export class View implements api.SceneView {
 
   private shapesCame(column: Column, first: boolean): void {
     this.contentChanged();
+    if (this.currentTool === "vertex") this.showVertices(true);
     if (first) this.bringIntoSight(column);
   }
 
@@ -390,6 +391,7 @@ export class View implements api.SceneView {
   set tool(tool: api.Tool) {
     if (tool === this.currentTool) return;
     this.currentTool = tool;
+    this.showVertices(tool === "vertex");
     this.canvas.element.style.cursor = tool === "select" ? "" : "crosshair";
     this.canvas.request();
     this.emitter.emit("tool", { tool });
@@ -400,7 +402,15 @@ export class View implements api.SceneView {
   }
 
   set vertexTarget(target: api.SceneView["vertexTarget"]) {
+    this.showVertices(false);
     this.target = target;
+    this.showVertices(this.currentTool === "vertex");
+  }
+
+  /** The vertices that can be dragged. */
+  private showVertices(show: boolean): void {
+    const record = this.target && this.stage.store.record(this.target.cell);
+    record?.finest?.body.showVertices(show);
     this.canvas.request();
   }
 
@@ -431,7 +441,7 @@ export class View implements api.SceneView {
 
   setMarkers(name: string, markers: api.Markers | null): void {
     this.removeAddition(`markers ${name}`);
-    if (markers) this.stage.addAddition(`markers ${name}`, markersAddition(markers, 1));
+    if (markers) this.stage.addAddition(`markers ${name}`, markersAddition(markers));
     this.canvas.request();
   }
 

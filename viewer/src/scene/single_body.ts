@@ -40,6 +40,7 @@ export class SingleBody implements Body {
   private readonly boundary: Object3D | null;
   private readonly nonManifold: Object3D | null;
   private stencils: Mesh[] = [];
+  private vertices: Points | null = null;
   private look: Look | null = null;
   private style: Style | null = null;
 
@@ -162,6 +163,17 @@ export class SingleBody implements Body {
       });
     }
     for (const mesh of this.stencils) mesh.visible = show;
+  }
+
+  showVertices(show: boolean): void {
+    const faces = primitiveOf(this.shape, "faces");
+    if (show && !this.vertices && faces) {
+      const corners: Primitive = { ...faces, normals: null, indices: null };
+      this.vertices = new Points(geometryOf(corners, this.cache, sphereOf(this.shape)), this.shared.vertices);
+      this.vertices.renderOrder = 3;
+      this.group.add(this.vertices);
+    }
+    if (this.vertices) this.vertices.visible = show;
   }
 
   positionsChanged(): void {

@@ -9,7 +9,7 @@ import type { Canvas } from "./canvas";
 import { boxLines, drawAxes, drawScaleBar, Grid, setLines } from "./furniture";
 import { drawLightMarkers, Lights } from "./lights";
 import type { Style } from "./look";
-import { drawLabels } from "./markers";
+import { drawLabels, sizePoints } from "./markers";
 import type { Addition } from "./markers";
 import { SharedMaterials } from "./materials";
 import { Overlay } from "./overlay";
@@ -97,6 +97,7 @@ export class Stage {
     if (!renderer) return;
     const { theme, projector } = this;
     this.applyStyle(state, options.ratio);
+    for (const addition of this.additions.values()) sizePoints(addition, options.ratio);
     this.store.setCoarse(options.quality.coarse);
     this.materials.edges.visible = options.quality.edges || !state.appearance.faces;
     this.store.update();

@@ -47,6 +47,8 @@ afterAll(async () => {
 
 beforeEach(async () => {
   page = await browser.open(server.url);
+  // Without animations a picture that stands still is the final one, also on a slow machine.
+  await page.emulateMedia({ reducedMotion: "reduce" });
   await page.evaluate(() => localStorage.clear());
   await page.reload();
   await ready(page);
