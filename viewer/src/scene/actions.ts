@@ -118,10 +118,9 @@ const kActions: Readonly<Record<string, Action>> = {
   section: (view) => {
     const on = !view.state.section.on;
     const box = view.stage.contentBox;
-    if (!on || box.isEmpty()) return view.update({ section: { on } });
-    const point = box.getCenter(box.min.clone()).toArray();
-    view.update({ section: { on, point, cap: "preview" } });
-    view.sectionRests();
+    const point = box.isEmpty() ? view.state.section.point : box.getCenter(box.min.clone()).toArray();
+    view.update({ section: on ? { on, point, cap: "preview" } : { on } });
+    if (on) view.sectionRests();
   },
   "section.forward": (view) => moveSection(view, 0.02),
   "section.back": (view) => moveSection(view, -0.02),

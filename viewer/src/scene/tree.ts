@@ -26,7 +26,7 @@ export const kWorkerTriangles = 200_000;
  */
 export function checkedTree(bytes: Uint8Array<ArrayBuffer>, triangles: number): ArrayBuffer | null {
   if (bytes.byteLength === 0 || bytes.byteLength % kNodeBytes !== 0) return null;
-  const buffer = bytes.slice().buffer;
+  const buffer: ArrayBuffer = bytes.slice().buffer;
   const words = new Uint32Array(buffer);
   const halves = new Uint16Array(buffer);
   const nodes = buffer.byteLength / kNodeBytes;
@@ -44,7 +44,7 @@ export function checkedTree(bytes: Uint8Array<ArrayBuffer>, triangles: number): 
 /** The tree of a geometry from nodes in the form of three-mesh-bvh; the index of the geometry is in the order of its leaves. */
 export function treeOf(nodes: ArrayBuffer, geometry: BufferGeometry): MeshBVH {
   const serialized = { version: 1, roots: [nodes], index: null, indirectBuffer: null };
-  return MeshBVH.deserialize(serialized as unknown as Parameters<typeof MeshBVH.deserialize>[0], geometry, {
+  return MeshBVH.deserialize(serialized, geometry, {
     setIndex: false,
   });
 }
@@ -99,11 +99,7 @@ export class TreeMaker {
     worker.onmessage = (event: MessageEvent<WorkerAnswer>) => {
       const { nodes, order } = event.data;
       const serialized = { version: 1, roots: [nodes], index: null, indirectBuffer: order };
-      const tree = MeshBVH.deserialize(
-        serialized as unknown as Parameters<typeof MeshBVH.deserialize>[0],
-        geometry,
-        { setIndex: false },
-      );
+      const tree = MeshBVH.deserialize(serialized, geometry, { setIndex: false });
       this.remember(primitive, tree);
       finish();
       ready();
