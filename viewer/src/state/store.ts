@@ -39,6 +39,8 @@ export class Store {
   readonly mode = signal<Mode>("explore");
   /** The latest failure, until the next statement or its closing. */
   readonly failure = signal<ShownFailure | null>(null);
+  /** Settled when the lists of the catalogue were read for the first time. */
+  readonly loaded: Promise<void>;
   /** The server refused the token. */
   readonly tokenRefused = signal(false);
   /** How many statements have ended, for tests of the page. */
@@ -56,7 +58,9 @@ export class Store {
     this.layout = makeLayout(storage);
     this.editorText = keptSignal(storage, "editor", "", isString);
     this.#tabStorage = tabStorage;
-    this.connection.onOnline = () => void this.loadCatalogue();
+    this.loaded = new Promise((resolve) => {
+      this.connection.onOnline = () => void this.loadCatalogue().then(resolve);
+    });
   }
 
   /** Reads what the database and the language have; a failure is a notice. */
