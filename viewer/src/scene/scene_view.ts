@@ -58,6 +58,7 @@ export class View implements api.SceneView {
     this.interaction = new Interaction(this.stage, this.picker, this.interactionHost());
     this.canvas = new Canvas(element, {
       draw: (ratio, quality) => this.draw(ratio, quality),
+      triangles: () => this.stage.store.triangleCounts(),
       problem: (problem) => this.setProblem(problem),
       resized: (size) => (this.stage.projector.size = size),
     });
@@ -93,6 +94,7 @@ export class View implements api.SceneView {
       sectionRests: () => this.sectionRests(),
       vertexMoved: (move) => this.emitter.emit("vertex", move),
       redraw: (moving) => this.canvas.request(moving),
+      held: (down) => this.canvas.hold(down),
     };
   }
 
