@@ -73,7 +73,8 @@ const kActions: Readonly<Record<string, Action>> = {
   edges: (view) => view.update({ appearance: { edges: nextOf(kEdgeModes, view.state.appearance.edges) } }),
   faces: (view) => {
     const faces = !view.state.appearance.faces;
-    const edges = !faces && view.state.appearance.edges === "none" ? "features" : view.state.appearance.edges;
+    const { edges: before } = view.state.appearance;
+    const edges = !faces && before === "none" ? "features" : before;
     view.update({ appearance: { faces, edges } });
   },
   shading: (view) =>

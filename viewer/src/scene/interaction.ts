@@ -151,7 +151,7 @@ export class Interaction implements PointerClient {
   private featuresOf(cell: CellRef): FeatureEdges | null {
     const shape = this.stage.store.record(cell)?.finest?.shape;
     if (!shape) return null;
-    const known = this.features.get(shape) ?? new FeatureEdges(shape.primitives);
+    const known = this.features.get(shape) ?? new FeatureEdges(shape);
     this.features.set(shape, known);
     return known;
   }

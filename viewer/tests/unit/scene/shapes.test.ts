@@ -3,6 +3,7 @@ import type { Mesh, Object3D } from "three";
 import { describe, expect, it } from "vitest";
 
 import { decodeShapes } from "../../../src/glb/shapes";
+import { creaseLines, featureLines } from "../../../src/scene/features";
 import { geometryOf, AttributeCache, primitiveOf, triangleEdges } from "../../../src/scene/geometry";
 import type { Look } from "../../../src/scene/look";
 import { closestOnLine, draggedTo, moveVertices, placeOf } from "../../../src/scene/vertex_drag";
@@ -38,6 +39,25 @@ describe("triangleEdges", () => {
     const keys = new Set<string>();
     for (let i = 0; i < edges.length; i += 2) keys.add(`${edges[i]!} ${edges[i + 1]!}`);
     expect(keys.size).toBe(edges.length / 2);
+  });
+});
+
+describe("featureLines", () => {
+  it("are the creases of a solid: all edges of a cube, none of a smooth ball", () => {
+    const [box, ball] = decodeShapes(buildGlb([cube(0, 2), sphere(1, 1, 12)]));
+    expect(featureLines(box!)!.length / 2).toBe(12);
+    expect(featureLines(ball!)).toBeNull();
+  });
+
+  it("are all edges of a mesh of polygons", () => {
+    const mesh = decodeShapes(buildGlb([sphere(1, 1, 12, [0, 0, 0], { kind: "mesh3d" })]))[0]!;
+    expect(featureLines(mesh)).toBe(primitiveOf(mesh, "edges")!.indices);
+  });
+
+  it("keep lines whose sides have vertices of their own", () => {
+    // Two triangles with a common edge 1-2, once with the same vertices, once with double ones.
+    expect([...creaseLines(new Uint16Array([1, 2]), new Uint16Array([0, 1, 2, 2, 1, 3]), 4)]).toEqual([]);
+    expect([...creaseLines(new Uint16Array([1, 2]), new Uint16Array([0, 1, 2, 4, 5, 3]), 6)]).toEqual([1, 2]);
   });
 });
 
