@@ -28,6 +28,8 @@ export function keepBothInSight(a: SceneView, b: SceneView, loaded: () => string
     seen = loaded();
     a.setCamera(cameraFor(a.state.camera, boxes.flat()), { animate: false });
   };
-  const ends = [a.on("shapes", look), b.on("shapes", look)];
+  // After each view has decided about its own camera.
+  const later = () => queueMicrotask(look);
+  const ends = [a.on("shapes", later), b.on("shapes", later)];
   return () => ends.forEach((end) => end());
 }
