@@ -4,7 +4,8 @@ import type { Box3 } from "three";
 
 import { performAction } from "./actions";
 import type * as api from "./api";
-import { between, cameraDifference, fitted, looking, normalizedCamera, turned } from "./camera";
+import { normalizedCamera } from "./camera";
+import { CameraControl } from "./camera_control";
 import { Canvas } from "./canvas";
 import { Coloring } from "./coloring";
 import { Emitter } from "./events";
@@ -21,8 +22,6 @@ import { sameColumn } from "./shape_store";
 import { kDefaultState, patched, stateToJson } from "./state";
 import { stateFromJson } from "./state_json";
 import { Stage } from "./stage";
-
-const kAnimation = 350;
 
 export class View implements api.SceneView {
   state: api.SceneState = kDefaultState;
@@ -43,8 +42,12 @@ export class View implements api.SceneView {
   private cameraSet = false;
   /** The camera is that of a link, for objects that are still to come. */
   private cameraRestored = false;
-  private animation = 0;
-  private animationGoal: api.CameraState | null = null;
+  private readonly cameraControl = new CameraControl({
+    camera: () => this.state.camera,
+    show: (camera, moving) => this.change({ camera }, moving),
+    aspect: () => this.stage.projector.aspect,
+    isBlind: () => this.canvas.renderer === null,
+  });
 
   constructor(readonly element: HTMLElement) {
     if (getComputedStyle(element).position === "static") element.style.position = "relative";
@@ -165,12 +168,12 @@ export class View implements api.SceneView {
     if (!column.visible || this.boxOf().isEmpty()) return;
     if (!this.cameraSet) {
       this.cameraSet = true;
-      this.showStandardView(false);
+      this.cameraControl.look("isometric", this.boxOf(), false);
       return;
     }
     const { result } = column.source;
     const alone = store.columns.every((other) => other.source.result === result || !other.visible);
-    const unseen = !this.stage.isInSight(store.box(column.records.values()), this.goal);
+    const unseen = !this.stage.isInSight(store.box(column.records.values()), this.cameraControl.goal);
     if ((alone && !this.cameraRestored) || unseen) this.fit();
   }
 
@@ -258,7 +261,7 @@ export class View implements api.SceneView {
   // State ---------------------------------------------------------------------------------------------------------
 
   update(patch: api.ScenePatch): void {
-    if (patch.camera) this.finishAnimation();
+    if (patch.camera) this.cameraControl.finish();
     this.change(patch, false);
   }
 
@@ -309,28 +312,16 @@ export class View implements api.SceneView {
   // Camera --------------------------------------------------------------------------------------------------------
 
   private moveCamera(camera: api.CameraState): void {
-    this.stopAnimation();
+    this.cameraControl.stop();
     this.cameraRestored = false;
     this.change({ camera }, true);
-  }
-
-  private stopAnimation(): void {
-    cancelAnimationFrame(this.animation);
-    this.animationGoal = null;
-  }
-
-  /** What is changed now is meant to start from where the camera is going. */
-  private finishAnimation(): void {
-    const goal = this.animationGoal;
-    this.stopAnimation();
-    if (goal) this.change({ camera: goal }, false);
   }
 
   fit(cells?: readonly api.CellRef[]): void {
     const records = cells
       ?.map((cell) => this.stage.store.record(cell))
       .filter((record) => record !== undefined);
-    this.setCamera(fitted(this.goal, this.boxOf(records), this.stage.projector.aspect));
+    this.cameraControl.fit(this.boxOf(records));
   }
 
   private boxOf(records?: readonly ShapeRecord[]): Box3 {
@@ -341,47 +332,19 @@ export class View implements api.SceneView {
   }
 
   home(): void {
-    this.showStandardView(true);
-  }
-
-  private showStandardView(animate: boolean): void {
-    const isometric = looking(this.goal, "isometric");
-    this.setCamera(fitted(isometric, this.boxOf(), this.stage.projector.aspect), { animate });
-  }
-
-  /** Where the camera is, or is going. */
-  private get goal(): api.CameraState {
-    return this.animationGoal ?? this.state.camera;
+    this.look("isometric");
   }
 
   look(view: api.StandardView): void {
-    const camera = looking(this.goal, view);
-    this.setCamera(fitted(camera, this.boxOf(), this.stage.projector.aspect));
+    this.cameraControl.look(view, this.boxOf());
   }
 
   turn(axis: "roll" | "up" | "side", degrees: number): void {
-    this.setCamera(turned(this.goal, axis, degrees));
+    this.cameraControl.turn(axis, degrees);
   }
 
   setCamera(camera: api.CameraState, options: { readonly animate?: boolean } = {}): void {
-    this.stopAnimation();
-    const to = normalizedCamera(camera);
-    const from = this.state.camera;
-    const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
-    const jump = from.projection !== to.projection || cameraDifference(from, to) < 1e-9;
-    if (options.animate === false || still || jump || !this.canvas.renderer) {
-      this.change({ camera: to }, false);
-      return;
-    }
-    this.animationGoal = to;
-    const begin = performance.now();
-    const step = (): void => {
-      const part = Math.min(1, (performance.now() - begin) / kAnimation);
-      this.change({ camera: between(from, to, part * part * (3 - 2 * part)) }, true);
-      if (part < 1) this.animation = requestAnimationFrame(step);
-      else this.animationGoal = null;
-    };
-    this.animation = requestAnimationFrame(step);
+    this.cameraControl.go(camera, options.animate ?? true);
   }
 
   // Tools and additions -------------------------------------------------------------------------------------------
@@ -469,7 +432,7 @@ export class View implements api.SceneView {
   }
 
   dispose(): void {
-    this.stopAnimation();
+    this.cameraControl.stop();
     this.loader.stopAll();
     for (const name of [...this.stage.additions.keys()]) this.removeAddition(name);
     this.input.dispose();

@@ -3,7 +3,7 @@ import { afterAll, afterEach, beforeAll, beforeEach, expect, test } from "vitest
 import type { Page } from "playwright-core";
 
 import { expectNoErrors, ready, run, stillScene } from "./support/actions";
-import { Browser, takePicture } from "./support/browser";
+import { Browser, takeElement, takePicture } from "./support/browser";
 import { readPng } from "./support/picture";
 import {
   choose,
@@ -231,11 +231,14 @@ test("screenshots are pictures, also with a transparent background", async () =>
 test("vertices of the cut are not kept: closing the section shows the whole object", async () => {
   await show("query Cube");
   const whole = await stillScene(page);
+  await takeElement(page, kScene, "section-before");
   await press(page, "c");
   await page.getByTestId("cut-area").waitFor();
   expect(covered(await stillScene(page))).toBeLessThan(covered(whole) * 0.8);
   await press(page, "c");
-  expect((await stillScene(page)).difference(whole)).toBeLessThan(0.001);
+  const again = await stillScene(page);
+  await takeElement(page, kScene, "section-after");
+  expect(again.difference(whole)).toBeLessThan(0.001);
 });
 
 test("panels are worked by keyboard alone", async () => {
