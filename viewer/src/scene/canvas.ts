@@ -28,8 +28,8 @@ const kRest = 160;
 const kRestHeld = 1200;
 
 export interface CanvasClient {
-  /** Draws a frame; `pixelRatio` is that of the drawing buffer. */
-  draw(pixelRatio: number, quality: QualityStep): void;
+  /** Draws a frame into the buffer, whose size is set already. */
+  draw(quality: QualityStep): void;
   /** Of what is visible, at rest and in coarse levels. */
   triangles(): { readonly fine: number; readonly coarse: number };
   problem(problem: SceneProblem | null): void;
@@ -187,7 +187,7 @@ export class Canvas {
       renderer.setSize(size.width, size.height, false);
     }
     this.frames++;
-    this.client.draw(ratio, quality);
+    this.client.draw(quality);
   }
 
   /** Draws at a size and gives the picture to `take` before the browser clears it; then draws as before. */

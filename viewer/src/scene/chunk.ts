@@ -175,8 +175,6 @@ export class Chunk {
       } else if (role === "points" || role === "lines") {
         clip(material, style.clipping);
       }
-      if (object instanceof Points)
-        (object.material as ReturnType<typeof pointMaterial>).size = style.pixelRatio;
     }
     this.showStencils(style.stencil && appearance.faces && appearance.opacity >= 0.999);
   }

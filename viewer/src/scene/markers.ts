@@ -62,7 +62,7 @@ export function markersAddition(markers: Markers): Addition {
     geometry.setAttribute("position", new BufferAttribute(flat(points, origin), 3));
     const material = pointMaterial(false);
     material.color.set(markers.color);
-    material.userData["cssSize"] = markers.size ?? 9;
+    material.size = markers.size ?? 9;
     material.depthTest = false;
     material.transparent = true;
     group.add(new Points(geometry, material));
@@ -109,7 +109,7 @@ export function shapesAddition(shapes: readonly Shape[], style: OverlayStyle): A
     if (points) {
       const material = pointMaterial(false);
       material.color.set(style.color);
-      material.userData["cssSize"] = 6;
+      material.size = 6;
       part.add(new Points(geometryOf(points, cache, sphereOf(shape)), material));
     }
     group.add(part);
@@ -120,15 +120,6 @@ export function shapesAddition(shapes: readonly Shape[], style: OverlayStyle): A
 
 export function drawLabels(overlay: Overlay, labels: Markers["labels"], theme: SceneTheme): void {
   for (const { at, text } of labels ?? []) overlay.label(text, at, { color: theme.text, plate: theme.plate });
-}
-
-/** Sets the sizes of points for a drawing buffer with so many pixels per CSS pixel. */
-export function sizePoints(addition: Addition, pixelRatio: number): void {
-  addition.group.traverse((object) => {
-    if (!(object instanceof Points)) return;
-    const material = object.material as ReturnType<typeof pointMaterial>;
-    material.size = (material.userData["cssSize"] as number) * pixelRatio;
-  });
 }
 
 export function disposeAddition(addition: Addition): void {

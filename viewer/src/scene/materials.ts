@@ -20,7 +20,8 @@ import type { Style } from "./look";
 
 /** Points are drawn as discs; with `perPoint` each has a size of its own in the attribute `pointSize`. */
 export function pointMaterial(perPoint: boolean): PointsMaterial {
-  const material = new PointsMaterial({ sizeAttenuation: false, vertexColors: perPoint });
+  // The renderer multiplies sizes by the pixel ratio; with sizes of their own, the common factor is 1.
+  const material = new PointsMaterial({ sizeAttenuation: false, vertexColors: perPoint, size: 1 });
   material.onBeforeCompile = (shader) => {
     shader.fragmentShader = shader.fragmentShader.replace(
       "#include <clipping_planes_fragment>",
@@ -88,7 +89,7 @@ export class SharedMaterials {
     this.edges.transparent = isTransparent(style.appearance.opacity) && style.appearance.faces;
     this.edges.opacity = this.edges.transparent ? Math.max(0.25, style.appearance.opacity) : 1;
     this.vertices.color.set(style.appearance.edgeColor);
-    this.vertices.size = 8 * style.pixelRatio;
+    this.vertices.size = 8;
     for (const material of this.all()) clip(material, style.clipping);
   }
 

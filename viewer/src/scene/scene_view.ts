@@ -60,7 +60,7 @@ export class View implements api.SceneView {
     this.picker = new Picker(this.stage.store, this.stage.projector, () => undefined);
     this.interaction = new Interaction(this.stage, this.picker, this.interactionHost());
     this.canvas = new Canvas(element, {
-      draw: (ratio, quality) => this.draw(ratio, quality),
+      draw: (quality) => this.draw(quality),
       triangles: () => this.stage.store.triangleCounts(),
       problem: (problem) => this.setProblem(problem),
       resized: (size) => (this.stage.projector.size = size),
@@ -101,9 +101,9 @@ export class View implements api.SceneView {
     };
   }
 
-  private draw(ratio: number, quality: QualityStep): void {
+  private draw(quality: QualityStep): void {
     this.applyColoring();
-    this.stage.draw(this.canvas, this.state, { ratio, quality, tool: this.tool });
+    this.stage.draw(this.canvas, this.state, { quality, tool: this.tool });
   }
 
   private setProblem(problem: api.SceneProblem | null): void {

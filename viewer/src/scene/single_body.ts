@@ -121,7 +121,7 @@ export class SingleBody implements Body {
       styleFaces(this.faces.material, style, { closed: this.isClosed, hasNormals, opacity: look.opacity });
     }
     if (this.points) {
-      this.points.material.size = look.pointSize * style.pixelRatio;
+      this.points.material.size = look.pointSize;
       clip(this.points.material, style.clipping);
     }
     if (this.lines) clip(this.lines.material, style.clipping);

@@ -9,7 +9,7 @@ import type { Canvas } from "./canvas";
 import { boxLines, drawAxes, drawScaleBar, Grid, setLines } from "./furniture";
 import { drawLightMarkers, Lights } from "./lights";
 import type { Style } from "./look";
-import { drawLabels, sizePoints } from "./markers";
+import { drawLabels } from "./markers";
 import type { Addition } from "./markers";
 import { SharedMaterials } from "./materials";
 import { Overlay } from "./overlay";
@@ -21,8 +21,6 @@ import { themeOf } from "./theme";
 import type { SceneTheme } from "./theme";
 
 export interface FrameOptions {
-  /** Pixels of the drawing buffer per CSS pixel. */
-  readonly ratio: number;
   readonly quality: QualityStep;
   readonly tool: Tool;
   readonly backgroundless?: boolean;
@@ -96,8 +94,7 @@ export class Stage {
     const { renderer } = canvas;
     if (!renderer) return;
     const { theme, projector } = this;
-    this.applyStyle(state, options.ratio);
-    for (const addition of this.additions.values()) sizePoints(addition, options.ratio);
+    this.applyStyle(state);
     this.store.setCoarse(options.quality.coarse);
     this.materials.edges.visible = options.quality.edges || !state.appearance.faces;
     this.store.update();
@@ -114,10 +111,10 @@ export class Stage {
     this.drawOverlay(state, options.tool);
   }
 
-  private applyStyle(state: SceneState, ratio: number): void {
+  private applyStyle(state: SceneState): void {
     const clipping = this.section.clipping(state.section);
     const stencil = state.section.on && state.section.cap === "preview";
-    const key = JSON.stringify([state.appearance, state.display, state.section.on, stencil, ratio]);
+    const key = JSON.stringify([state.appearance, state.display, state.section.on, stencil]);
     if (key === this.styleKey) return;
     this.styleKey = key;
     const style: Style = {
@@ -125,7 +122,6 @@ export class Stage {
       display: state.display,
       clipping,
       stencil,
-      pixelRatio: ratio,
     };
     this.materials.apply(style);
     this.store.setStyle(style);
