@@ -179,6 +179,7 @@ test("the smooth shading of a ball has more colours than the flat one", async ()
 
 test("points have the chosen size and colour", async () => {
   await show("query Cloud");
+  await press(page, "-"); // so that the toolbar covers no point
   await setColor(page, "appearance", "Object colour", "#ff0000");
   const pixels: number[] = [];
   for (const size of [4, 8, 16]) {

@@ -58,7 +58,7 @@ test("a cube after subdivision, beside the limit surface with its control mesh",
   await left.getByRole("button", { name: "Limit beside" }).click();
   await expect
     .poll(() => right.locator('[data-fact="Volume"]').innerText(), { timeout: 20_000 })
-    .toMatch(/^2\.5/);
+    .toMatch(/^2\.6/);
   const scene = await stillScene(page, '[data-testid="side-right"] .scene-canvas');
   await takePicture(page, "readme-compare");
   expect(scene.colors()).toBeGreaterThan(50);
