@@ -109,6 +109,7 @@ export class Stage {
     renderer.render(this.scene, camera);
     this.overlay.begin(Math.max(1, globalThis.devicePixelRatio || 1));
     this.drawOverlay(state, options.tool);
+    this.overlay.end();
   }
 
   private applyStyle(state: SceneState): void {

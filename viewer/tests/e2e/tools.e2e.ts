@@ -228,7 +228,7 @@ test("screenshots are pictures, also with a transparent background", async () =>
   }
 });
 
-test("vertices of the cut are not kept: closing the section shows the whole object", async () => {
+test("closing the section shows the whole object again", async () => {
   await show("query Cube");
   const whole = await stillScene(page);
   await takeElement(page, kScene, "section-before");
