@@ -3,16 +3,15 @@
 import type { Box3 } from "three";
 
 import { performAction } from "./actions";
+import { Additions } from "./additions";
 import type * as api from "./api";
 import { normalizedCamera } from "./camera";
 import { CameraControl } from "./camera_control";
 import { Canvas } from "./canvas";
 import { Coloring } from "./coloring";
 import { Emitter } from "./events";
-import { decodeShapes } from "../glb/shapes";
 import { Interaction } from "./interaction";
 import { Loader } from "./loader";
-import { disposeAddition, markersAddition, shapesAddition } from "./markers";
 import { Picker } from "./picking";
 import { PointerInput } from "./pointer";
 import type { QualityStep } from "./quality";
@@ -33,6 +32,7 @@ export class View implements api.SceneView {
   private readonly emitter = new Emitter<api.SceneEvents>();
   readonly stage: Stage;
   readonly canvas: Canvas;
+  private readonly additions: Additions;
   readonly coloring: Coloring;
   private readonly loader: Loader;
   private readonly picker: Picker;
@@ -52,6 +52,7 @@ export class View implements api.SceneView {
   constructor(readonly element: HTMLElement) {
     if (getComputedStyle(element).position === "static") element.style.position = "relative";
     this.stage = new Stage(element);
+    this.additions = new Additions(this.stage);
     this.coloring = new Coloring(this.stage.store, () => this.coloringChanged());
     this.loader = new Loader(this.stage.store, {
       progress: (progress) => this.emitter.emit("progress", progress),
@@ -387,8 +388,7 @@ export class View implements api.SceneView {
   }
 
   setCaps(caps: readonly { readonly cell: api.CellRef; readonly bytes: ArrayBuffer }[]): void {
-    const decoded = caps.map(({ cell, bytes }) => ({ cell, shapes: decodeShapes(bytes) }));
-    this.stage.section.setCaps(decoded, (cell) => this.stage.store.record(cell)?.look?.offset ?? [0, 0, 0]);
+    this.additions.setCaps(caps);
     this.canvas.request();
   }
 
@@ -396,25 +396,13 @@ export class View implements api.SceneView {
     name: string,
     overlay: { readonly bytes: ArrayBuffer; readonly style: api.OverlayStyle } | null,
   ): void {
-    this.removeAddition(`overlay ${name}`);
-    if (overlay) {
-      const addition = shapesAddition(decodeShapes(overlay.bytes), overlay.style);
-      this.stage.addAddition(`overlay ${name}`, addition);
-    }
+    this.additions.setOverlay(name, overlay);
     this.canvas.request();
   }
 
   setMarkers(name: string, markers: api.Markers | null): void {
-    this.removeAddition(`markers ${name}`);
-    if (markers) this.stage.addAddition(`markers ${name}`, markersAddition(markers));
+    this.additions.setMarkers(name, markers);
     this.canvas.request();
-  }
-
-  private removeAddition(name: string): void {
-    const addition = this.stage.additions.get(name);
-    if (!addition) return;
-    disposeAddition(addition);
-    this.stage.additions.delete(name);
   }
 
   screenshot(options: api.ScreenshotOptions = {}): Promise<Blob> {
@@ -434,7 +422,7 @@ export class View implements api.SceneView {
   dispose(): void {
     this.cameraControl.stop();
     this.loader.stopAll();
-    for (const name of [...this.stage.additions.keys()]) this.removeAddition(name);
+    this.additions.clear();
     this.input.dispose();
     this.interaction.dispose();
     this.picker.dispose();
