@@ -18,5 +18,6 @@ const workspace = new Workspace(store);
 const root = document.getElementById("app");
 if (!root) throw new Error("index.html has no element #app.");
 render(<Page app={{ store, workspace }} />, root);
-void store.connection.check().then(() => openLink({ store, workspace }, location.hash));
+void store.connection.check();
+void store.loaded.then(() => openLink({ store, workspace }, location.hash));
 addEventListener("hashchange", () => void openLink({ store, workspace }, location.hash));

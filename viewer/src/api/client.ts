@@ -87,17 +87,20 @@ export class Client {
     if (!response.headers.get("Content-Type")?.startsWith(accept))
       return (await this.#json(response)) as QueryAnswer;
     if (!response.body) throw new ServerGone("an empty answer");
+    let answer: QueryAnswer | null = null;
     try {
+      // Read to the end, so that the connection can be used again.
       for await (const { event, data } of readEvents(response.body)) {
         if (event === "progress") onProgress(JSON.parse(data) as Progress);
-        else if (event === "result") return JSON.parse(data) as QueryAnswer;
+        else if (event === "result") answer = JSON.parse(data) as QueryAnswer;
         else if (event === "error") throw streamError(JSON.parse(data) as ErrorBody | ErrorBody["error"]);
       }
     } catch (error) {
       if (error instanceof ApiError || isAbort(error)) throw error;
       throw new ServerGone(messageOf(error));
     }
-    throw new ServerGone("the answer ended early");
+    if (!answer) throw new ServerGone("the answer ended early");
+    return answer;
   }
 
   /** Cancels a running statement; one that has ended meanwhile is no error. */

@@ -28,7 +28,12 @@ export function Page({ app }: { app: App }) {
   }, [app.store.connection.info.value]);
   return (
     <AppContext.Provider value={app}>
-      <div class="page" data-sheet={layout.sheet.value} data-mode={mode.value}>
+      <div
+        class="page"
+        data-sheet={layout.sheet.value}
+        data-mode={mode.value}
+        data-ended={app.store.ended.value}
+      >
         <TopBar />
         <ConnectionBanner />
         <div class="page-body">

@@ -1,5 +1,6 @@
 import type { LoadProgress, SceneView } from "../scene/api";
 import { useSceneReports } from "./SceneHost";
+import { WithCode } from "./ui/WithCode";
 import { Icon } from "./ui/Icon";
 
 /** Loading, failed loading, and a missing WebGL, drawn over a scene. */
@@ -11,7 +12,9 @@ export function SceneMessages({ view }: { view: SceneView }) {
         <Icon name="warning" />
         <div>
           <strong>{problem.message}</strong>
-          <p class="muted">{problem.remedy}</p>
+          <p class="muted">
+            <WithCode text={problem.remedy} />
+          </p>
         </div>
       </div>
     );

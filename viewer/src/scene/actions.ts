@@ -73,7 +73,8 @@ const kActions: Readonly<Record<string, Action>> = {
   edges: (view) => view.update({ appearance: { edges: nextOf(kEdgeModes, view.state.appearance.edges) } }),
   faces: (view) => {
     const faces = !view.state.appearance.faces;
-    const edges = !faces && view.state.appearance.edges === "none" ? "features" : view.state.appearance.edges;
+    const { edges: before } = view.state.appearance;
+    const edges = !faces && before === "none" ? "features" : before;
     view.update({ appearance: { faces, edges } });
   },
   shading: (view) =>
@@ -118,10 +119,9 @@ const kActions: Readonly<Record<string, Action>> = {
   section: (view) => {
     const on = !view.state.section.on;
     const box = view.stage.contentBox;
-    if (!on || box.isEmpty()) return view.update({ section: { on } });
-    const point = box.getCenter(box.min.clone()).toArray();
-    view.update({ section: { on, point, cap: "preview" } });
-    view.sectionRests();
+    const point = box.isEmpty() ? view.state.section.point : box.getCenter(box.min.clone()).toArray();
+    view.update({ section: on ? { on, point, cap: "preview" } : { on } });
+    if (on) view.sectionRests();
   },
   "section.forward": (view) => moveSection(view, 0.02),
   "section.back": (view) => moveSection(view, -0.02),

@@ -9,23 +9,21 @@
  * set, only nothing is drawn, and `problem` says why.
  */
 
-export type Vec3 = readonly [number, number, number];
+import type {
+  Box,
+  CameraState,
+  CellRef,
+  Color,
+  ScenePatch,
+  SceneState,
+  StandardView,
+  Vec3,
+} from "./api_state";
 
-/** Minimum and maximum of x, y and z, as the API writes boxes. */
-export type Box = readonly [number, number, number, number, number, number];
-
-/** `#rrggbb`. */
-export type Color = string;
+export type * from "./api_state";
 
 // ---------------------------------------------------------------------------------------------------------------
 // Results
-
-/** One cell of a result; rows count from 0. */
-export interface CellRef {
-  readonly result: string;
-  readonly row: number;
-  readonly column: string;
-}
 
 /** A column of a result that can be drawn. */
 export interface ColumnRef {
@@ -100,140 +98,6 @@ export interface ShapeInfo {
   /** By which it is drawn beside its place, in an exploded picture. */
   readonly offset: Vec3;
 }
-
-// ---------------------------------------------------------------------------------------------------------------
-// State: plain data that can be written to JSON
-
-export type Projection = "perspective" | "orthographic";
-export type StandardView = "front" | "back" | "left" | "right" | "top" | "bottom" | "isometric";
-
-export interface CameraState {
-  readonly projection: Projection;
-  readonly position: Vec3;
-  readonly target: Vec3;
-  readonly up: Vec3;
-  /** Height of what is seen at the target, in coordinate units; both projections keep it. */
-  readonly height: number;
-}
-
-export type NavigationPreset =
-  | "default"
-  | "blender"
-  | "freecad"
-  | "solidworks"
-  | "fusion"
-  | "onshape"
-  | "inventor"
-  | "catia"
-  | "rhino"
-  | "maya"
-  | "f3d"
-  | "touchpad";
-
-export interface NavigationState {
-  readonly preset: NavigationPreset;
-  /** Factors; 1 is normal. */
-  readonly rotationSpeed: number;
-  readonly panSpeed: number;
-  readonly zoomSpeed: number;
-  readonly invertWheel: boolean;
-  /** Zoom towards the point under the pointer. */
-  readonly zoomToPointer: boolean;
-  /** `turntable` keeps z upright, `trackball` turns freely. */
-  readonly orbit: "turntable" | "trackball";
-}
-
-/** How the colour of an object is found; an override of the object comes first. */
-export type ColorScheme =
-  | { readonly by: "one" }
-  | { readonly by: "gradient"; readonly from: Color; readonly to: Color }
-  | { readonly by: "attribute"; readonly attribute: string; readonly palette: PaletteName };
-
-export type PaletteName = "viridis" | "cividis" | "magma" | "coolwarm" | "greys";
-
-export interface Appearance {
-  readonly faces: boolean;
-  readonly edges: "none" | "features" | "all";
-  readonly shading: "smooth" | "flat";
-  /** 0 invisible to 1 solid. */
-  readonly opacity: number;
-  readonly color: Color;
-  readonly edgeColor: Color;
-  /** Diameter of points in pixels. */
-  readonly pointSize: number;
-  readonly scheme: ColorScheme;
-  /** null: the colour of the page's theme. */
-  readonly background: Color | null;
-}
-
-/** What differs for one object. */
-export interface ObjectOverride {
-  readonly cell: CellRef;
-  readonly color?: Color;
-  readonly pointSize?: number;
-  readonly opacity?: number;
-}
-
-export interface GlobalLight {
-  readonly on: boolean;
-  readonly color: Color;
-  /** 1 is normal. */
-  readonly brightness: number;
-}
-
-export interface PointLightState extends GlobalLight {
-  readonly id: number;
-  readonly position: Vec3;
-  /** Beyond it the light has no effect; in coordinate units. */
-  readonly reach: number;
-}
-
-export interface LightsState {
-  readonly global: GlobalLight;
-  readonly lights: readonly PointLightState[];
-  readonly selected: number | null;
-  /** Markers are drawn while the panel of lights is open. */
-  readonly markers: boolean;
-}
-
-export interface SectionState {
-  readonly on: boolean;
-  readonly point: Vec3;
-  /** Unit vector; what lies on its side is cut away. */
-  readonly normal: Vec3;
-  /** `preview`: cut filled by the graphics card; `exact`: the surfaces given to setCaps. */
-  readonly cap: "preview" | "exact";
-  readonly capColor: Color;
-  /** Outline of the plane and its handle. */
-  readonly plane: boolean;
-}
-
-export interface DisplayState {
-  readonly axes: boolean;
-  readonly grid: boolean;
-  readonly scaleBar: boolean;
-  readonly boxes: boolean;
-  readonly boundary: boolean;
-  readonly nonManifold: boolean;
-  readonly legend: boolean;
-  /** 0 together, 1 moved from the common centre by their distance from it. */
-  readonly explode: number;
-}
-
-export interface SceneState {
-  readonly camera: CameraState;
-  readonly navigation: NavigationState;
-  readonly appearance: Appearance;
-  readonly overrides: readonly ObjectOverride[];
-  readonly lights: LightsState;
-  readonly section: SectionState;
-  readonly display: DisplayState;
-}
-
-/** A part of the state to be changed; what is left out stays. */
-export type ScenePatch = {
-  readonly [K in Exclude<keyof SceneState, "overrides">]?: Partial<SceneState[K]>;
-} & { readonly overrides?: readonly ObjectOverride[] };
 
 // ---------------------------------------------------------------------------------------------------------------
 // Events

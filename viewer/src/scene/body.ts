@@ -10,5 +10,7 @@ export interface Body {
   setStyle(style: Style): void;
   /** The positions of the shape were changed in place, as by dragging a vertex. */
   positionsChanged(): void;
+  /** Marks the vertices, so that they can be taken hold of. Of merged shapes they are not marked. */
+  showVertices(show: boolean): void;
   dispose(): void;
 }

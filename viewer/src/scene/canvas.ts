@@ -24,10 +24,14 @@ const kLost: SceneProblem = {
 
 /** After so many milliseconds without movement a frame is drawn in full quality. */
 const kRest = 160;
+/** The same while a button is held: a slow machine must not draw in full between two movements of the hand. */
+const kRestHeld = 1200;
 
 export interface CanvasClient {
-  /** Draws a frame; `pixelRatio` is that of the drawing buffer. */
-  draw(pixelRatio: number, quality: QualityStep): void;
+  /** Draws a frame into the buffer, whose size is set already. */
+  draw(quality: QualityStep): void;
+  /** Of what is visible, at rest and in coarse levels. */
+  triangles(): { readonly fine: number; readonly coarse: number };
   problem(problem: SceneProblem | null): void;
   resized(size: Size): void;
 }
@@ -45,6 +49,7 @@ export class Canvas {
   private requested = 0;
   private lastFrame = 0;
   private moving = false;
+  private held = false;
   private restTimer: ReturnType<typeof setTimeout> | undefined;
   private lost = false;
   private disposed = false;
@@ -120,15 +125,25 @@ export class Canvas {
   request(moving = false): void {
     if (moving) {
       if (!this.moving) {
-        this.quality.pause();
+        this.quality.begin(this.client.triangles());
         this.lastFrame = 0;
       }
       this.moving = true;
-      clearTimeout(this.restTimer);
-      this.restTimer = setTimeout(this.rest, kRest);
+      this.restLater();
     }
     if (this.requested || this.disposed) return;
     this.requested = requestAnimationFrame(this.onFrame);
+  }
+
+  private restLater(): void {
+    clearTimeout(this.restTimer);
+    this.restTimer = setTimeout(this.rest, this.held ? kRestHeld : kRest);
+  }
+
+  /** A button is held, so that the movement may go on after a pause. */
+  hold(held: boolean): void {
+    this.held = held;
+    if (this.moving) this.restLater();
   }
 
   /** What is shown has changed much. */
@@ -172,7 +187,7 @@ export class Canvas {
       renderer.setSize(size.width, size.height, false);
     }
     this.frames++;
-    this.client.draw(ratio, quality);
+    this.client.draw(quality);
   }
 
   /** Draws at a size and gives the picture to `take` before the browser clears it; then draws as before. */

@@ -6,8 +6,9 @@
 import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, Mesh, Points } from "three";
 import type { Material, Object3D } from "three";
 
-import type { Primitive, Role, Shape } from "../glb/shapes";
+import type { IndexArray, Primitive, Role, Shape } from "../glb/shapes";
 import type { Body } from "./body";
+import { featureLines } from "./features";
 import { triangleEdges } from "./geometry";
 import { isTransparent } from "./look";
 import type { Look, Style } from "./look";
@@ -64,6 +65,7 @@ export class Chunk {
   private style: Style | null = null;
   private hasTransparent = false;
   private indicesStale = false;
+  private drawsAllEdges = false;
   private bodies = 0;
 
   constructor(
@@ -101,6 +103,7 @@ export class Chunk {
       setLook: (look) => this.setLook(slot, look),
       setStyle: (style) => this.setStyle(style),
       positionsChanged: () => this.writePositions(slot, [0, 0, 0]),
+      showVertices: () => undefined,
       dispose: () => this.release(slot),
     }));
   }
@@ -149,6 +152,7 @@ export class Chunk {
     const { appearance, display } = style;
     const wantAll = appearance.edges === "all";
     if (wantAll && !this.layers.has("all")) this.makeAllEdges();
+    this.chooseEdges(wantAll || !appearance.faces);
     const visible: Record<string, boolean> = {
       faces: appearance.faces,
       edges: appearance.edges !== "none",
@@ -171,10 +175,15 @@ export class Chunk {
       } else if (role === "points" || role === "lines") {
         clip(material, style.clipping);
       }
-      if (object instanceof Points)
-        (object.material as ReturnType<typeof pointMaterial>).size = style.pixelRatio;
     }
     this.showStencils(style.stencil && appearance.faces && appearance.opacity >= 0.999);
+  }
+
+  /** All edges that the server sent, or the creases. */
+  private chooseEdges(all: boolean): void {
+    if (this.drawsAllEdges === all) return;
+    this.drawsAllEdges = all;
+    this.indicesStale = true;
   }
 
   private stencils: Mesh[] = [];
@@ -259,21 +268,23 @@ export class Chunk {
   }
 
   private indicesOf(role: Role): Uint32Array<ArrayBuffer> {
-    const parts: { primitive: Primitive; base: number }[] = [];
+    const parts: { indices: IndexArray | null; base: number; primitive: Primitive }[] = [];
     let count = 0;
     for (const { shape, firstVertex, visible } of this.slots) {
       if (!visible) continue;
       for (const primitive of shape.primitives) {
         if (primitive.role !== role) continue;
-        parts.push({ primitive, base: firstVertex + baseOf(shape, primitive) });
-        count += primitive.indices?.length ?? primitive.positions.length / 3;
+        const lines = role === "edges" && !this.drawsAllEdges ? featureLines(shape) : primitive.indices;
+        if (role === "edges" && !lines) continue;
+        parts.push({ indices: lines, base: firstVertex + baseOf(shape, primitive), primitive });
+        count += lines?.length ?? primitive.positions.length / 3;
       }
     }
     const indices = new Uint32Array(count);
     let at = 0;
-    for (const { primitive, base } of parts) {
-      const length = primitive.indices?.length ?? primitive.positions.length / 3;
-      for (let i = 0; i < length; i++) indices[at++] = base + (primitive.indices?.[i] ?? i);
+    for (const { indices: own, base, primitive } of parts) {
+      const length = own?.length ?? primitive.positions.length / 3;
+      for (let i = 0; i < length; i++) indices[at++] = base + (own?.[i] ?? i);
     }
     return indices;
   }

@@ -115,7 +115,7 @@ export const kUndefinedColor: Color = "#d9d9d9";
 /** A legend, and the colour of each value that it explains. */
 export interface ColorScale {
   readonly legend: Legend;
-  color(value: AttributeValue): Color;
+  readonly color: (value: AttributeValue) => Color;
 }
 
 /** A gradient if all values are numbers (or undefined), else a colour for each different value, the most frequent first. */

@@ -165,7 +165,10 @@ export class Grid {
   }
 }
 
-type Place = { readonly x: number; readonly y: number };
+interface Place {
+  readonly x: number;
+  readonly y: number;
+}
 
 /** Where the segment from a to b comes into the view without its border, or null if it does not. */
 export function entryPoint(a: Place, b: Place, size: Size, border: number): Place | null {

@@ -37,6 +37,7 @@ export interface InteractionHost {
   sectionRests(): void;
   vertexMoved(move: VertexMove): void;
   redraw(moving: boolean): void;
+  held(down: boolean): void;
 }
 
 export class Interaction implements PointerClient {
@@ -81,6 +82,10 @@ export class Interaction implements PointerClient {
       ? placeInTargetPlane(camera, nx, ny, projector.aspect)
       : camera.target;
     this.host.moveCamera(zoom(camera, factor ** navigation.zoomSpeed, anchor));
+  }
+
+  held(down: boolean): void {
+    this.host.held(down);
   }
 
   click({ x, y, add, double }: Click): void {
@@ -146,7 +151,7 @@ export class Interaction implements PointerClient {
   private featuresOf(cell: CellRef): FeatureEdges | null {
     const shape = this.stage.store.record(cell)?.finest?.shape;
     if (!shape) return null;
-    const known = this.features.get(shape) ?? new FeatureEdges(shape.primitives);
+    const known = this.features.get(shape) ?? new FeatureEdges(shape);
     this.features.set(shape, known);
     return known;
   }

@@ -192,16 +192,21 @@ export class Loader {
     try {
       await this.loadRows(first.column, job, first.row, records.length, triangles, "fine");
       // A server that has no finer level must not be asked for ever.
-      records.forEach((record, index) => {
-        if (record.shown <= before[index]! && index === 0) this.finished.add(record);
-      });
+      if (triangles === kMiddleTriangles) this.hasMiddle.add(first);
+      else
+        records.forEach((record, index) => {
+          if (record.shown <= before[index]! && index === 0) this.finished.add(record);
+        });
     } catch (error) {
       for (const record of records) this.finished.add(record);
       this.fail(first.column, job, error);
     }
   }
 
+  /** Those whose full level is loaded, or cannot be had. */
   private readonly finished = new WeakSet<ShapeRecord>();
+  /** Those whose middle level was asked for. */
+  private readonly hasMiddle = new WeakSet<ShapeRecord>();
 
   /** What to load next: the selected in full, then the smallest first, so that most is seen exactly soonest. */
   private nextWish(): Wish | null {
@@ -214,7 +219,7 @@ export class Loader {
       .filter((record) => this.isWanted(record))
       .sort((a, b) => a.triangles - b.triangles);
     for (const record of candidates) {
-      const middle = record.triangles > kMiddleFrom && record.shown < kMiddleTriangles;
+      const middle = record.triangles > kMiddleFrom && !this.hasMiddle.has(record);
       used -= record.shown;
       if (middle && used + kMiddleTriangles <= this.budget) {
         return { records: [record], triangles: kMiddleTriangles };

@@ -22,8 +22,6 @@ export interface Style {
   readonly clipping: readonly Plane[];
   /** The cut is filled by counting faces in the stencil buffer. */
   readonly stencil: boolean;
-  /** Pixels of the canvas per CSS pixel. */
-  readonly pixelRatio: number;
 }
 
 export const kSelectionColor: Color = "#ff9d00";

@@ -34,7 +34,7 @@ function flat(points: readonly Vec3[], origin: Vec3): Float32Array<ArrayBuffer> 
 }
 
 /** Markers are drawn over everything else, so that nothing hides them. */
-export function markersAddition(markers: Markers, pixelRatio: number): Addition {
+export function markersAddition(markers: Markers): Addition {
   const group = new Group();
   const points = markers.points ?? [];
   const segments = (markers.segments ?? []).flat();
@@ -62,7 +62,7 @@ export function markersAddition(markers: Markers, pixelRatio: number): Addition 
     geometry.setAttribute("position", new BufferAttribute(flat(points, origin), 3));
     const material = pointMaterial(false);
     material.color.set(markers.color);
-    material.size = (markers.size ?? 9) * pixelRatio;
+    material.size = markers.size ?? 9;
     material.depthTest = false;
     material.transparent = true;
     group.add(new Points(geometry, material));

@@ -20,7 +20,8 @@ import type { Style } from "./look";
 
 /** Points are drawn as discs; with `perPoint` each has a size of its own in the attribute `pointSize`. */
 export function pointMaterial(perPoint: boolean): PointsMaterial {
-  const material = new PointsMaterial({ sizeAttenuation: false, vertexColors: perPoint });
+  // The renderer multiplies sizes by the pixel ratio; with sizes of their own, the common factor is 1.
+  const material = new PointsMaterial({ sizeAttenuation: false, vertexColors: perPoint, size: 1 });
   material.onBeforeCompile = (shader) => {
     shader.fragmentShader = shader.fragmentShader.replace(
       "#include <clipping_planes_fragment>",
@@ -73,7 +74,8 @@ export function clip(material: Material, planes: readonly Plane[]): void {
 /** The materials that all objects of a view share. */
 export class SharedMaterials {
   readonly edges = new LineBasicMaterial();
-  readonly lines = new LineBasicMaterial();
+  /** Vertices that can be dragged. */
+  readonly vertices = pointMaterial(false);
   readonly boundary = new LineBasicMaterial({ color: kBoundaryColor });
   readonly nonManifold = new LineBasicMaterial({ color: kNonManifoldColor });
   readonly wideBoundary = new LineMaterial({ color: kBoundaryColor, linewidth: 2.5 });
@@ -86,14 +88,15 @@ export class SharedMaterials {
     this.edges.color.set(style.appearance.edgeColor);
     this.edges.transparent = isTransparent(style.appearance.opacity) && style.appearance.faces;
     this.edges.opacity = this.edges.transparent ? Math.max(0.25, style.appearance.opacity) : 1;
-    this.lines.color.set(style.appearance.edgeColor);
+    this.vertices.color.set(style.appearance.edgeColor);
+    this.vertices.size = 8;
     for (const material of this.all()) clip(material, style.clipping);
   }
 
   private all(): Material[] {
     return [
       this.edges,
-      this.lines,
+      this.vertices,
       this.boundary,
       this.nonManifold,
       this.wideBoundary,

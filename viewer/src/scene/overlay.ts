@@ -17,6 +17,7 @@ export interface TextStyle {
 export class Overlay {
   readonly canvas: HTMLCanvasElement;
   private readonly context: CanvasRenderingContext2D | null;
+  private drawn = false;
 
   constructor(
     private readonly document: Document,
@@ -29,6 +30,7 @@ export class Overlay {
   }
 
   begin(pixelRatio: number): void {
+    this.drawn = false;
     const { width, height } = this.projector.size;
     const [w, h] = [Math.round(width * pixelRatio), Math.round(height * pixelRatio)];
     if (this.canvas.width !== w || this.canvas.height !== h) {
@@ -41,9 +43,15 @@ export class Overlay {
     this.context?.clearRect(0, 0, width, height);
   }
 
+  /** An empty canvas is hidden: browsers may keep showing what was there if it is only cleared. */
+  end(): void {
+    this.canvas.style.visibility = this.drawn ? "" : "hidden";
+  }
+
   line(from: readonly [number, number], to: readonly [number, number], color: string, width = 1.5): void {
     const context = this.context;
     if (!context) return;
+    this.drawn = true;
     context.strokeStyle = color;
     context.lineWidth = width;
     context.lineCap = "round";
@@ -62,6 +70,7 @@ export class Overlay {
   disc(x: number, y: number, radius: number, fill: string, border?: string): void {
     const context = this.context;
     if (!context) return;
+    this.drawn = true;
     context.beginPath();
     context.arc(x, y, radius, 0, 2 * Math.PI);
     context.fillStyle = fill;
@@ -75,6 +84,7 @@ export class Overlay {
   text(text: string, x: number, y: number, style: TextStyle): void {
     const context = this.context;
     if (!context) return;
+    this.drawn = true;
     context.font = `${style.bold ? "600 " : ""}12px system-ui, sans-serif`;
     context.textAlign = style.align ?? "center";
     context.textBaseline = "middle";

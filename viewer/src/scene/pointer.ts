@@ -30,6 +30,8 @@ export interface PointerClient {
   move(motion: Motion, dx: number, dy: number, x: number, y: number): void;
   /** Closer by a factor below 1 around (x, y). */
   zoom(factor: number, x: number, y: number): void;
+  /** A button or finger is down, so that more movement is to be expected. */
+  held(down: boolean): void;
   click(click: Click): void;
   /** null: the pointer left. */
   hover(place: { readonly x: number; readonly y: number } | null): void;
@@ -70,6 +72,7 @@ export class PointerInput {
     this.element.setPointerCapture(event.pointerId);
     this.pointers.set(event.pointerId, place);
     if (event.button === 1) event.preventDefault(); // no scrolling by the middle button
+    this.client.held(true);
     if (this.pointers.size > 1) {
       this.endDrag(place);
       this.moved = true;
@@ -125,6 +128,7 @@ export class PointerInput {
   private readonly onUp = (event: PointerEvent): void => {
     const place = this.place(event);
     const known = this.pointers.delete(event.pointerId);
+    if (this.pointers.size === 0) this.client.held(false);
     if (this.dragged) {
       const clicked = !this.moved;
       this.endDrag(place);
@@ -144,6 +148,7 @@ export class PointerInput {
 
   private readonly onCancel = (event: PointerEvent): void => {
     this.pointers.delete(event.pointerId);
+    this.client.held(false);
     this.endDrag(this.place(event));
   };
 

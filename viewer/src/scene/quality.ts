@@ -29,6 +29,8 @@ const kSteps: readonly QualityStep[] = [
   { scale: 0.4, edges: false, coarse: true },
 ];
 const kFirstCoarse = kSteps.findIndex(({ coarse }) => coarse);
+/** The processor draws about so many triangles in a frame, measured with SwiftShader on two cores. */
+const kSoftwareTriangles = 120_000;
 /** Frames that are looked at before a step. */
 const kWindow = 3;
 
@@ -38,7 +40,7 @@ export class Quality {
   /** Steps that were too slow; not tried again until the scene changes. */
   private readonly tooSlow = new Set<number>();
 
-  constructor(software: boolean) {
+  constructor(private readonly software: boolean) {
     this.index = software ? 2 : 0;
   }
 
@@ -70,8 +72,13 @@ export class Quality {
     this.times = [];
   }
 
-  /** A movement begins; the time since the last one does not count. */
-  pause(): void {
+  /** A movement begins: without hardware, coarse levels are drawn from the start where the fine ones are too many. */
+  begin(triangles: { readonly fine: number; readonly coarse: number }): void {
     this.times = [];
+    const tooMany =
+      this.software && triangles.fine > kSoftwareTriangles && triangles.coarse < triangles.fine / 2;
+    if (!tooMany) return;
+    this.index = Math.max(this.index, kFirstCoarse);
+    for (let step = 0; step < kFirstCoarse; step++) this.tooSlow.add(step);
   }
 }

@@ -3,15 +3,15 @@
 import type { Box3 } from "three";
 
 import { performAction } from "./actions";
+import { Additions } from "./additions";
 import type * as api from "./api";
-import { between, cameraDifference, fitted, looking, normalizedCamera, turned } from "./camera";
+import { normalizedCamera } from "./camera";
+import { CameraControl } from "./camera_control";
 import { Canvas } from "./canvas";
 import { Coloring } from "./coloring";
 import { Emitter } from "./events";
-import { decodeShapes } from "../glb/shapes";
 import { Interaction } from "./interaction";
 import { Loader } from "./loader";
-import { disposeAddition, markersAddition, shapesAddition } from "./markers";
 import { Picker } from "./picking";
 import { PointerInput } from "./pointer";
 import type { QualityStep } from "./quality";
@@ -21,8 +21,6 @@ import { sameColumn } from "./shape_store";
 import { kDefaultState, patched, stateToJson } from "./state";
 import { stateFromJson } from "./state_json";
 import { Stage } from "./stage";
-
-const kAnimation = 350;
 
 export class View implements api.SceneView {
   state: api.SceneState = kDefaultState;
@@ -34,6 +32,7 @@ export class View implements api.SceneView {
   private readonly emitter = new Emitter<api.SceneEvents>();
   readonly stage: Stage;
   readonly canvas: Canvas;
+  private readonly additions: Additions;
   readonly coloring: Coloring;
   private readonly loader: Loader;
   private readonly picker: Picker;
@@ -43,12 +42,17 @@ export class View implements api.SceneView {
   private cameraSet = false;
   /** The camera is that of a link, for objects that are still to come. */
   private cameraRestored = false;
-  private animation = 0;
-  private animationGoal: api.CameraState | null = null;
+  private readonly cameraControl = new CameraControl({
+    camera: () => this.state.camera,
+    show: (camera, moving) => this.change({ camera }, moving),
+    aspect: () => this.stage.projector.aspect,
+    isBlind: () => this.canvas.renderer === null,
+  });
 
   constructor(readonly element: HTMLElement) {
     if (getComputedStyle(element).position === "static") element.style.position = "relative";
     this.stage = new Stage(element);
+    this.additions = new Additions(this.stage);
     this.coloring = new Coloring(this.stage.store, () => this.coloringChanged());
     this.loader = new Loader(this.stage.store, {
       progress: (progress) => this.emitter.emit("progress", progress),
@@ -57,7 +61,8 @@ export class View implements api.SceneView {
     this.picker = new Picker(this.stage.store, this.stage.projector, () => undefined);
     this.interaction = new Interaction(this.stage, this.picker, this.interactionHost());
     this.canvas = new Canvas(element, {
-      draw: (ratio, quality) => this.draw(ratio, quality),
+      draw: (quality) => this.draw(quality),
+      triangles: () => this.stage.store.triangleCounts(),
       problem: (problem) => this.setProblem(problem),
       resized: (size) => (this.stage.projector.size = size),
     });
@@ -93,12 +98,13 @@ export class View implements api.SceneView {
       sectionRests: () => this.sectionRests(),
       vertexMoved: (move) => this.emitter.emit("vertex", move),
       redraw: (moving) => this.canvas.request(moving),
+      held: (down) => this.canvas.hold(down),
     };
   }
 
-  private draw(ratio: number, quality: QualityStep): void {
+  private draw(quality: QualityStep): void {
     this.applyColoring();
-    this.stage.draw(this.canvas, this.state, { ratio, quality, tool: this.tool });
+    this.stage.draw(this.canvas, this.state, { quality, tool: this.tool });
   }
 
   private setProblem(problem: api.SceneProblem | null): void {
@@ -153,6 +159,7 @@ export class View implements api.SceneView {
 
   private shapesCame(column: Column, first: boolean): void {
     this.contentChanged();
+    if (this.currentTool === "vertex") this.showVertices(true);
     if (first) this.bringIntoSight(column);
   }
 
@@ -162,12 +169,12 @@ export class View implements api.SceneView {
     if (!column.visible || this.boxOf().isEmpty()) return;
     if (!this.cameraSet) {
       this.cameraSet = true;
-      this.showStandardView(false);
+      this.cameraControl.look("isometric", this.boxOf(), false);
       return;
     }
     const { result } = column.source;
     const alone = store.columns.every((other) => other.source.result === result || !other.visible);
-    const unseen = !this.stage.isInSight(store.box(column.records.values()), this.goal);
+    const unseen = !this.stage.isInSight(store.box(column.records.values()), this.cameraControl.goal);
     if ((alone && !this.cameraRestored) || unseen) this.fit();
   }
 
@@ -255,7 +262,7 @@ export class View implements api.SceneView {
   // State ---------------------------------------------------------------------------------------------------------
 
   update(patch: api.ScenePatch): void {
-    if (patch.camera) this.finishAnimation();
+    if (patch.camera) this.cameraControl.finish();
     this.change(patch, false);
   }
 
@@ -306,28 +313,16 @@ export class View implements api.SceneView {
   // Camera --------------------------------------------------------------------------------------------------------
 
   private moveCamera(camera: api.CameraState): void {
-    this.stopAnimation();
+    this.cameraControl.stop();
     this.cameraRestored = false;
     this.change({ camera }, true);
-  }
-
-  private stopAnimation(): void {
-    cancelAnimationFrame(this.animation);
-    this.animationGoal = null;
-  }
-
-  /** What is changed now is meant to start from where the camera is going. */
-  private finishAnimation(): void {
-    const goal = this.animationGoal;
-    this.stopAnimation();
-    if (goal) this.change({ camera: goal }, false);
   }
 
   fit(cells?: readonly api.CellRef[]): void {
     const records = cells
       ?.map((cell) => this.stage.store.record(cell))
       .filter((record) => record !== undefined);
-    this.setCamera(fitted(this.goal, this.boxOf(records), this.stage.projector.aspect));
+    this.cameraControl.fit(this.boxOf(records));
   }
 
   private boxOf(records?: readonly ShapeRecord[]): Box3 {
@@ -338,47 +333,19 @@ export class View implements api.SceneView {
   }
 
   home(): void {
-    this.showStandardView(true);
-  }
-
-  private showStandardView(animate: boolean): void {
-    const isometric = looking(this.goal, "isometric");
-    this.setCamera(fitted(isometric, this.boxOf(), this.stage.projector.aspect), { animate });
-  }
-
-  /** Where the camera is, or is going. */
-  private get goal(): api.CameraState {
-    return this.animationGoal ?? this.state.camera;
+    this.look("isometric");
   }
 
   look(view: api.StandardView): void {
-    const camera = looking(this.goal, view);
-    this.setCamera(fitted(camera, this.boxOf(), this.stage.projector.aspect));
+    this.cameraControl.look(view, this.boxOf());
   }
 
   turn(axis: "roll" | "up" | "side", degrees: number): void {
-    this.setCamera(turned(this.goal, axis, degrees));
+    this.cameraControl.turn(axis, degrees);
   }
 
   setCamera(camera: api.CameraState, options: { readonly animate?: boolean } = {}): void {
-    this.stopAnimation();
-    const to = normalizedCamera(camera);
-    const from = this.state.camera;
-    const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
-    const jump = from.projection !== to.projection || cameraDifference(from, to) < 1e-9;
-    if (options.animate === false || still || jump || !this.canvas.renderer) {
-      this.change({ camera: to }, false);
-      return;
-    }
-    this.animationGoal = to;
-    const begin = performance.now();
-    const step = (): void => {
-      const part = Math.min(1, (performance.now() - begin) / kAnimation);
-      this.change({ camera: between(from, to, part * part * (3 - 2 * part)) }, true);
-      if (part < 1) this.animation = requestAnimationFrame(step);
-      else this.animationGoal = null;
-    };
-    this.animation = requestAnimationFrame(step);
+    this.cameraControl.go(camera, options.animate ?? true);
   }
 
   // Tools and additions -------------------------------------------------------------------------------------------
@@ -390,6 +357,7 @@ export class View implements api.SceneView {
   set tool(tool: api.Tool) {
     if (tool === this.currentTool) return;
     this.currentTool = tool;
+    this.showVertices(tool === "vertex");
     this.canvas.element.style.cursor = tool === "select" ? "" : "crosshair";
     this.canvas.request();
     this.emitter.emit("tool", { tool });
@@ -400,7 +368,15 @@ export class View implements api.SceneView {
   }
 
   set vertexTarget(target: api.SceneView["vertexTarget"]) {
+    this.showVertices(false);
     this.target = target;
+    this.showVertices(this.currentTool === "vertex");
+  }
+
+  /** The vertices that can be dragged. */
+  private showVertices(show: boolean): void {
+    const record = this.target && this.stage.store.record(this.target.cell);
+    record?.finest?.body.showVertices(show);
     this.canvas.request();
   }
 
@@ -412,8 +388,7 @@ export class View implements api.SceneView {
   }
 
   setCaps(caps: readonly { readonly cell: api.CellRef; readonly bytes: ArrayBuffer }[]): void {
-    const decoded = caps.map(({ cell, bytes }) => ({ cell, shapes: decodeShapes(bytes) }));
-    this.stage.section.setCaps(decoded, (cell) => this.stage.store.record(cell)?.look?.offset ?? [0, 0, 0]);
+    this.additions.setCaps(caps);
     this.canvas.request();
   }
 
@@ -421,25 +396,13 @@ export class View implements api.SceneView {
     name: string,
     overlay: { readonly bytes: ArrayBuffer; readonly style: api.OverlayStyle } | null,
   ): void {
-    this.removeAddition(`overlay ${name}`);
-    if (overlay) {
-      const addition = shapesAddition(decodeShapes(overlay.bytes), overlay.style);
-      this.stage.addAddition(`overlay ${name}`, addition);
-    }
+    this.additions.setOverlay(name, overlay);
     this.canvas.request();
   }
 
   setMarkers(name: string, markers: api.Markers | null): void {
-    this.removeAddition(`markers ${name}`);
-    if (markers) this.stage.addAddition(`markers ${name}`, markersAddition(markers, 1));
+    this.additions.setMarkers(name, markers);
     this.canvas.request();
-  }
-
-  private removeAddition(name: string): void {
-    const addition = this.stage.additions.get(name);
-    if (!addition) return;
-    disposeAddition(addition);
-    this.stage.additions.delete(name);
   }
 
   screenshot(options: api.ScreenshotOptions = {}): Promise<Blob> {
@@ -457,9 +420,9 @@ export class View implements api.SceneView {
   }
 
   dispose(): void {
-    this.stopAnimation();
+    this.cameraControl.stop();
     this.loader.stopAll();
-    for (const name of [...this.stage.additions.keys()]) this.removeAddition(name);
+    this.additions.clear();
     this.input.dispose();
     this.interaction.dispose();
     this.picker.dispose();

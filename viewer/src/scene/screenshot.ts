@@ -18,7 +18,7 @@ export function takeScreenshot(
   };
   const picture = canvas.capture(size, (source) => {
     if (options.transparent)
-      stage.draw(canvas, state, { ratio: 1, quality: kFull, tool: "select", backgroundless: true });
+      stage.draw(canvas, state, { quality: kFull, tool: "select", backgroundless: true });
     return compose(source, stage.overlay.canvas);
   });
   if (!picture)

@@ -1,9 +1,8 @@
 /** A shape with draw calls of its own, straight from the bytes that came from the server. */
 
-import { Color, Group, LineBasicMaterial, LineSegments, Mesh, Points } from "three";
+import { BufferAttribute, Color, Group, LineBasicMaterial, LineSegments, Mesh, Points } from "three";
 import type { BufferGeometry, MeshLambertMaterial, Object3D, PointsMaterial } from "three";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
-import { BufferAttribute } from "three";
 
 import type { Primitive, Role, Shape } from "../glb/shapes";
 import type { Body } from "./body";
@@ -16,6 +15,7 @@ import {
   triangleEdges,
   wideLines,
 } from "./geometry";
+import { featureLines } from "./features";
 import { isTransparent, kSelectionColor } from "./look";
 import type { Look, Style } from "./look";
 import { clip, faceMaterial, pointMaterial, styleFaces } from "./materials";
@@ -40,6 +40,7 @@ export class SingleBody implements Body {
   private readonly boundary: Object3D | null;
   private readonly nonManifold: Object3D | null;
   private stencils: Mesh[] = [];
+  private vertices: Points | null = null;
   private look: Look | null = null;
   private style: Style | null = null;
 
@@ -120,11 +121,11 @@ export class SingleBody implements Body {
       styleFaces(this.faces.material, style, { closed: this.isClosed, hasNormals, opacity: look.opacity });
     }
     if (this.points) {
-      this.points.material.size = look.pointSize * style.pixelRatio;
+      this.points.material.size = look.pointSize;
       clip(this.points.material, style.clipping);
     }
     if (this.lines) clip(this.lines.material, style.clipping);
-    if (this.edges) this.edges.visible = appearance.edges !== "none";
+    this.showEdges(appearance);
     this.showAllEdges(appearance.edges === "all");
     if (this.boundary) this.boundary.visible = display.boundary || appearance.edges === "all";
     if (this.nonManifold) this.nonManifold.visible = display.nonManifold;
@@ -133,6 +134,18 @@ export class SingleBody implements Body {
 
   private get isClosed(): boolean {
     return this.shape.kind === "volume3d";
+  }
+
+  /** The creases, or all that the server sent, which with those inside of smooth faces make all edges of triangles. */
+  private showEdges({ edges: mode, faces }: Style["appearance"]): void {
+    if (!this.edges) return;
+    const all = primitiveOf(this.shape, "edges")?.indices ?? null;
+    // Without faces, a smooth object would be empty with its creases alone.
+    const creases = mode === "features" && faces;
+    const indices = mode === "none" ? null : creases ? featureLines(this.shape) : all;
+    this.edges.visible = indices !== null;
+    if (!indices || this.edges.geometry.index?.array === indices) return;
+    this.edges.geometry.setIndex(new BufferAttribute(indices, 1));
   }
 
   private showAllEdges(show: boolean): void {
@@ -162,6 +175,17 @@ export class SingleBody implements Body {
       });
     }
     for (const mesh of this.stencils) mesh.visible = show;
+  }
+
+  showVertices(show: boolean): void {
+    const faces = primitiveOf(this.shape, "faces");
+    if (show && !this.vertices && faces) {
+      const corners: Primitive = { ...faces, normals: null, indices: null };
+      this.vertices = new Points(geometryOf(corners, this.cache, sphereOf(this.shape)), this.shared.vertices);
+      this.vertices.renderOrder = 3;
+      this.group.add(this.vertices);
+    }
+    if (this.vertices) this.vertices.visible = show;
   }
 
   positionsChanged(): void {

@@ -3,7 +3,8 @@
 import { Line3, Vector3 } from "three";
 
 import type { Hit, Vec3 } from "./api";
-import type { Primitive } from "../glb/shapes";
+import { featureLines } from "./features";
+import type { Primitive, Shape } from "../glb/shapes";
 import type { Projector } from "./projection";
 import { fromVector3, toVector3 } from "./vec";
 
@@ -64,10 +65,11 @@ export class FeatureEdges {
   private readonly hashes = new Set<number>();
   private readonly all: boolean;
 
-  constructor(primitives: readonly Primitive[]) {
-    const lines = primitives.filter(
-      ({ role }) => role === "edges" || role === "boundary" || role === "nonmanifold",
-    );
+  constructor(shape: Shape) {
+    const lines = shape.primitives.flatMap((primitive) => {
+      if (primitive.role === "edges") return [{ ...primitive, indices: featureLines(shape) }];
+      return primitive.role === "boundary" || primitive.role === "nonmanifold" ? [primitive] : [];
+    });
     this.all = lines.reduce((sum, { indices }) => sum + (indices?.length ?? 0) / 2, 0) > kMaxLookup;
     if (this.all) return;
     for (const { indices, positions } of lines) {

@@ -21,8 +21,6 @@ import { themeOf } from "./theme";
 import type { SceneTheme } from "./theme";
 
 export interface FrameOptions {
-  /** Pixels of the drawing buffer per CSS pixel. */
-  readonly ratio: number;
   readonly quality: QualityStep;
   readonly tool: Tool;
   readonly backgroundless?: boolean;
@@ -96,7 +94,7 @@ export class Stage {
     const { renderer } = canvas;
     if (!renderer) return;
     const { theme, projector } = this;
-    this.applyStyle(state, options.ratio);
+    this.applyStyle(state);
     this.store.setCoarse(options.quality.coarse);
     this.materials.edges.visible = options.quality.edges || !state.appearance.faces;
     this.store.update();
@@ -111,12 +109,13 @@ export class Stage {
     renderer.render(this.scene, camera);
     this.overlay.begin(Math.max(1, globalThis.devicePixelRatio || 1));
     this.drawOverlay(state, options.tool);
+    this.overlay.end();
   }
 
-  private applyStyle(state: SceneState, ratio: number): void {
+  private applyStyle(state: SceneState): void {
     const clipping = this.section.clipping(state.section);
     const stencil = state.section.on && state.section.cap === "preview";
-    const key = JSON.stringify([state.appearance, state.display, state.section.on, stencil, ratio]);
+    const key = JSON.stringify([state.appearance, state.display, state.section.on, stencil]);
     if (key === this.styleKey) return;
     this.styleKey = key;
     const style: Style = {
@@ -124,7 +123,6 @@ export class Stage {
       display: state.display,
       clipping,
       stencil,
-      pixelRatio: ratio,
     };
     this.materials.apply(style);
     this.store.setStyle(style);

@@ -133,5 +133,5 @@ export function stateFromJson(json: unknown): { patch: ScenePatch; rejected: str
     });
     patch[part] = Object.fromEntries(accepted);
   }
-  return { patch: patch as ScenePatch, rejected };
+  return { patch, rejected };
 }

@@ -10,6 +10,7 @@
 
 import type { BufferGeometry } from "three";
 import { MeshBVH } from "three-mesh-bvh";
+import type { SerializedBVH } from "three-mesh-bvh";
 
 import type { Primitive } from "../glb/shapes";
 
@@ -26,7 +27,7 @@ export const kWorkerTriangles = 200_000;
  */
 export function checkedTree(bytes: Uint8Array<ArrayBuffer>, triangles: number): ArrayBuffer | null {
   if (bytes.byteLength === 0 || bytes.byteLength % kNodeBytes !== 0) return null;
-  const buffer = bytes.slice().buffer;
+  const buffer: ArrayBuffer = bytes.slice().buffer;
   const words = new Uint32Array(buffer);
   const halves = new Uint16Array(buffer);
   const nodes = buffer.byteLength / kNodeBytes;
@@ -41,12 +42,18 @@ export function checkedTree(bytes: Uint8Array<ArrayBuffer>, triangles: number): 
   return buffer;
 }
 
-/** The tree of a geometry from nodes in the form of three-mesh-bvh; the index of the geometry is in the order of its leaves. */
-export function treeOf(nodes: ArrayBuffer, geometry: BufferGeometry): MeshBVH {
-  const serialized = { version: 1, roots: [nodes], index: null, indirectBuffer: null };
-  return MeshBVH.deserialize(serialized as unknown as Parameters<typeof MeshBVH.deserialize>[0], geometry, {
-    setIndex: false,
-  });
+/**
+ * The tree of a geometry from nodes in the form of three-mesh-bvh. `order` has the triangle of the geometry for each one
+ * of the leaves; null if they are the same.
+ */
+export function treeOf(
+  nodes: ArrayBuffer,
+  geometry: BufferGeometry,
+  order: Uint32Array<ArrayBuffer> | null = null,
+): MeshBVH {
+  // The library's class is one of types only.
+  const serialized: unknown = { version: 1, roots: [nodes], index: null, indirectBuffer: order };
+  return MeshBVH.deserialize(serialized as SerializedBVH, geometry, { setIndex: false });
 }
 
 interface WorkerAnswer {
@@ -98,13 +105,7 @@ export class TreeMaker {
     };
     worker.onmessage = (event: MessageEvent<WorkerAnswer>) => {
       const { nodes, order } = event.data;
-      const serialized = { version: 1, roots: [nodes], index: null, indirectBuffer: order };
-      const tree = MeshBVH.deserialize(
-        serialized as unknown as Parameters<typeof MeshBVH.deserialize>[0],
-        geometry,
-        { setIndex: false },
-      );
-      this.remember(primitive, tree);
+      this.remember(primitive, treeOf(nodes, geometry, order));
       finish();
       ready();
     };

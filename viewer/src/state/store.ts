@@ -18,6 +18,12 @@ export interface ShownFailure extends Failure {
   readonly range: { readonly from: number; readonly to: number } | null;
 }
 
+export interface RunOptions {
+  readonly parameters?: Parameters;
+  /** The offset of the statement in the editor, if it stands there. */
+  readonly place?: number;
+}
+
 /** All state of the page outside the scenes, and what can be done with it. */
 export class Store {
   readonly client: Client;
@@ -33,6 +39,12 @@ export class Store {
   readonly mode = signal<Mode>("explore");
   /** The latest failure, until the next statement or its closing. */
   readonly failure = signal<ShownFailure | null>(null);
+  /** Settled when the lists of the catalogue were read for the first time. */
+  readonly loaded: Promise<void>;
+  /** The server refused the token. */
+  readonly tokenRefused = signal(false);
+  /** How many statements have ended, for tests of the page. */
+  readonly ended = signal(0);
   readonly #tabStorage: Storage;
 
   constructor(client: Client, theme: Theme, storage: Storage, tabStorage: Storage) {
@@ -46,7 +58,9 @@ export class Store {
     this.layout = makeLayout(storage);
     this.editorText = keptSignal(storage, "editor", "", isString);
     this.#tabStorage = tabStorage;
-    this.connection.onOnline = () => void this.loadCatalogue();
+    this.loaded = new Promise((resolve) => {
+      this.connection.onOnline = () => void this.loadCatalogue().then(resolve);
+    });
   }
 
   /** Reads what the database and the language have; a failure is a notice. */
@@ -61,17 +75,21 @@ export class Store {
   async useToken(token: string): Promise<void> {
     this.client.token = token;
     keepToken(token, this.#tabStorage);
+    this.tokenRefused.value = false;
     await this.connection.check();
+    this.tokenRefused.value = this.connection.status.value === "unauthorized";
   }
 
-  /**
-   * Runs a statement and shows its outcome. `place` is its offset in the editor, if it stands there. Returns null if it
-   * failed, which is shown.
-   */
-  async run(
-    statement: string,
-    options: { parameters?: Parameters; place?: number } = {},
-  ): Promise<Outcome | null> {
+  /** Runs a statement and shows its outcome. Returns null if it failed, which is shown. */
+  async run(statement: string, options: RunOptions = {}): Promise<Outcome | null> {
+    try {
+      return await this.#run(statement, options);
+    } finally {
+      this.ended.value++;
+    }
+  }
+
+  async #run(statement: string, options: RunOptions): Promise<Outcome | null> {
     this.failure.value = null;
     const outcome = await this.runner.run(statement, options.parameters);
     const ok = !isFailure(outcome);
@@ -80,11 +98,17 @@ export class Store {
       this.fail(outcome, options.place ?? null);
       return null;
     }
-    if (outcome.table) this.results.add(outcome);
+    if (outcome.table) this.#show(outcome);
     else this.notices.add("success", doneText(statement), { detail: outcome.answer.diagnostics.join("\n") });
     if (!isQuery(statement) || changes(statement))
       await this.catalogue.reloadObjects().catch(() => undefined);
     return outcome;
+  }
+
+  #show(outcome: Outcome): void {
+    this.results.add(outcome);
+    // On narrow pages the sheet with the results comes up.
+    if (this.layout.sheet.value === "query") this.layout.sheet.value = "results";
   }
 
   /** Runs the statements of a text one after the other; ends at the first that fails. */

@@ -174,6 +174,31 @@ test("cameras move together, or each alone", async () => {
   expect(alone.difference(together)).toBe(0);
 });
 
+test("a vertex is dragged in the plane of its normal", async () => {
+  await load("left", "Cube");
+  await expectFact("left", "Volume", "8");
+  await stillScene(page, sceneOf("left"));
+  await press("left", "Vertex ↔ plane");
+  const box = await page.locator(sceneOf("left")).boundingBox();
+  if (!box) throw new Error("no scene");
+  // In the isometric view the nearest corner is in the middle.
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 70, y, { steps: 8 });
+  await takePicture(page, "compare-drag");
+  await page.mouse.up();
+  await expect
+    .poll(() => side("left").locator(".steps").innerText(), { timeout: 20_000 })
+    .toMatch(/Cube › move vertex \d/);
+  await expectFact("left", "Vertices", "8");
+  await expect
+    .poll(() => side("left").locator('[data-fact="Area"]').innerText(), { timeout: 20_000 })
+    .not.toBe("24");
+  await press("left", "Undo");
+  await expectFact("left", "Area", "24");
+});
+
 test("a running step is stopped, and what was there stays", async () => {
   await load("right", "Ball");
   await side("right").getByLabel("Steps").fill("8");

@@ -54,11 +54,16 @@ test("from above, a cube in parallel projection is a square", async () => {
   await takePicture(page, "first-top");
   const { width, height } = picture;
   const ground = picture.at(4, 4);
-  const isCube = (x: number, y: number) => !isNear(picture.at(x, y), ground, 30);
-  const along = (size: number, at: (position: number) => boolean) =>
-    Array.from({ length: size }, (_, position) => at(position)).filter(Boolean).length;
-  const wide = along(width, (x) => isCube(x, height / 2));
-  const high = along(height, (y) => isCube(width / 2, y));
+  const isGround = (x: number, y: number) => isNear(picture.at(x, y), ground, 12);
+  // From a point outwards to the ground; beyond it lie other things, such as the toolbar.
+  const reach = (x: number, dx: number, dy: number) => {
+    let steps = 0;
+    while (steps < height / 2 && !isGround(x + dx * steps, height / 2 + dy * steps)) steps++;
+    return steps;
+  };
+  const wide = reach(width / 2, 1, 0) + reach(width / 2, -1, 0);
+  // Beside the coordinates that are shown below the middle.
+  const high = reach(width / 2 + 165, 0, 1) + reach(width / 2 + 165, 0, -1);
   expect(wide).toBeGreaterThan(100);
   expect(Math.abs(wide - high)).toBeLessThan(6);
 });

@@ -48,6 +48,19 @@ test("the panels are sheets below the scene", async () => {
   expectNoErrors(browser.errors);
 });
 
+test("the sides of the split screen stand one below the other, each with its scene", async () => {
+  await page.getByTitle("Two meshes side by side").tap();
+  for (const side of ["left", "right"]) {
+    const scene = page.locator(`[data-testid="side-${side}"] .scene-canvas`);
+    expect((await scene.boundingBox())?.height).toBeGreaterThan(250);
+  }
+  await page.getByTestId("side-left").getByLabel("Mesh of this side").selectOption("Cube");
+  await page.getByTestId("side-left").getByTestId("facts").waitFor();
+  await takePicture(page, "phone-compare");
+  await expectToFit();
+  await page.getByTitle("Two meshes side by side").tap();
+});
+
 test("the page is worked by the keyboard alone", async () => {
   await page.setViewportSize({ width: 1280, height: 720 });
   await page.reload();

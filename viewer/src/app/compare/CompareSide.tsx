@@ -4,7 +4,7 @@ import { createSceneView } from "../../scene";
 import type { SceneView } from "../../scene/api";
 import { readBytes, shapeSource } from "../../state/shape_source";
 import type { Store } from "../../state/store";
-import { cellOf, type Side, type SideName } from "../../state/workbench";
+import { cellOf, type Side, type SideName, type Step } from "../../state/workbench";
 import { vertexMove } from "../../state/workbench_operations";
 import { SceneToolbar } from "../../scene_panels";
 import { useApp } from "../context";
@@ -88,15 +88,10 @@ function bindSide(view: SceneView, side: Side, store: Store): () => void {
   const ends = [
     effect(() => {
       const step = side.step.value;
-      untracked(() => {
-        const old = view.results.map(({ result }) => result);
-        if (step) view.addResult(shapeSource(store.client, step.outcome, "value", step.label));
-        // The old mesh goes last, so that the camera stays.
-        for (const result of old) if (result !== step?.outcome.resultId) view.removeResult(result);
-        if (step) view.update({ overrides: [{ cell: cellOf(step), color: colors[side.name] }] });
-        if (view.vertexTarget && step) view.vertexTarget = { ...view.vertexTarget, cell: cellOf(step) };
-      });
+      untracked(() => showStep(view, step, side, store));
     }),
+    // After the view has decided about its camera.
+    view.on("shapes", () => queueMicrotask(() => dropOldSteps(view, side))),
     effect(() => void showControl(view, side, store)),
     effect(() => {
       void store.theme.current.value;
@@ -107,6 +102,30 @@ function bindSide(view: SceneView, side: Side, store: Store): () => void {
     }),
   ];
   return () => ends.forEach((end) => end());
+}
+
+/** Adds the mesh of a step; the one before it stays until this one is there. */
+function showStep(view: SceneView, step: Step | null, side: Side, store: Store): void {
+  if (!step) {
+    for (const { result } of view.results) view.removeResult(result);
+    return;
+  }
+  const cell = cellOf(step);
+  if (!view.results.some(({ result }) => result === cell.result))
+    view.addResult(shapeSource(store.client, step.outcome, cell.column, step.label));
+  view.update({ overrides: [{ cell, color: colors[side.name] }] });
+  if (view.vertexTarget) view.vertexTarget = { ...view.vertexTarget, cell };
+}
+
+/** Removes earlier meshes when the present one is drawn; the camera moves only for one that was loaded. */
+function dropOldSteps(view: SceneView, side: Side): void {
+  const step = side.step.peek();
+  if (!step) return;
+  const { result, column } = cellOf(step);
+  const old = view.results.filter((source) => source.result !== result);
+  if (old.length === 0 || view.shapes({ result, column }).length === 0) return;
+  for (const source of old) view.removeResult(source.result);
+  if (side.steps.peek()[0] === step) view.fit();
 }
 
 async function showControl(view: SceneView, side: Side, store: Store): Promise<void> {

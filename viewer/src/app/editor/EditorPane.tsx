@@ -4,6 +4,7 @@ import type { Running } from "../../state/runner";
 import { useApp, type App } from "../context";
 import { Icon } from "../ui/Icon";
 import { IconButton } from "../ui/controls";
+import { WithCode } from "../ui/WithCode";
 import { seconds } from "../table/format";
 import { Editor } from "./editor";
 
@@ -38,7 +39,7 @@ export function EditorPane() {
           Run all
         </button>
         <span class="grow" />
-        <span class="muted hint">
+        <span class="muted hint wide-only">
           <kbd>{control}</kbd> <kbd>Enter</kbd>
         </span>
       </div>
@@ -129,8 +130,14 @@ function FailureBox() {
   return (
     <div class="callout error failure" role="alert" data-testid="failure">
       <div class="grow">
-        <div>{failure.message}</div>
-        {failure.remedy && <div class="muted">{failure.remedy}</div>}
+        <div>
+          <WithCode text={failure.message} />
+        </div>
+        {failure.remedy && (
+          <div class="muted">
+            <WithCode text={failure.remedy} />
+          </div>
+        )}
       </div>
       {range && place && (
         <button type="button" class="btn small" onClick={() => workspace.editor.value?.goTo(range.from)}>

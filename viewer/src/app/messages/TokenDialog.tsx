@@ -20,7 +20,7 @@ export function TokenDialog() {
           This server answers only with its token: the content of the file given with{" "}
           <code>--token-file</code>, or of the variable <code>ALGEBRA3D_TOKEN</code>.
         </p>
-        {store.client.token && <p class="error-text">The server did not accept the token.</p>}
+        {store.tokenRefused.value && <p class="error-text">The server did not accept the token.</p>}
         <input
           class="input"
           type="password"

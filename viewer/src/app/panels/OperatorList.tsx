@@ -100,7 +100,7 @@ function OperatorPage({ name, onBack }: { name: string; onBack: () => void }) {
                 small
                 icon="code"
                 label="Put into the editor"
-                onClick={() => workspace.editor.value?.append(`query ${query};`)}
+                onClick={() => workspace.editor.value?.append(`${query};`)}
               />
               <pre class="muted">{result}</pre>
             </div>

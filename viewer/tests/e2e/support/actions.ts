@@ -13,10 +13,10 @@ export async function write(page: Page, text: string): Promise<void> {
 /** Writes a statement, runs it and waits until nothing runs. */
 export async function run(page: Page, statement: string): Promise<void> {
   await write(page, statement);
-  const answer = page.waitForResponse((response) => response.url().endsWith("/api/query"));
+  const ended = () => page.locator(".page").getAttribute("data-ended");
+  const before = await ended();
   await page.keyboard.press("Control+Enter");
-  await (await answer).finished();
-  await page.getByTestId("running").waitFor({ state: "detached" });
+  await expect.poll(ended, { timeout: 30_000, interval: 50 }).not.toBe(before);
 }
 
 /** Waits until the server answers and the lists are there. */

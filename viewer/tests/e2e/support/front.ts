@@ -23,10 +23,12 @@ export async function startFront(
   folder: string,
   apiPort: number,
 ): Promise<{ port: number; end: () => void }> {
+  // The pages must work under the policy of the program.
+  const policy = (await fetch(`http://127.0.0.1:${apiPort}/`)).headers.get("Content-Security-Policy") ?? "";
   const front = createServer((incoming, outgoing) => {
     const path = (incoming.url ?? "/").split("?")[0] ?? "/";
     if (path.startsWith("/api/")) passOn(incoming, outgoing, apiPort);
-    else sendFile(outgoing, join(folder, normalize(path === "/" ? "/index.html" : path)));
+    else sendFile(outgoing, join(folder, normalize(path === "/" ? "/index.html" : path)), policy);
   });
   await new Promise<void>((resolve) => front.listen(0, "127.0.0.1", resolve));
   return { port: portOf(front), end: () => front.close() };
@@ -37,12 +39,11 @@ function portOf(server: HttpServer): number {
   return typeof address === "object" && address ? address.port : 0;
 }
 
-function sendFile(outgoing: ServerResponse, path: string): void {
+function sendFile(outgoing: ServerResponse, path: string, policy: string): void {
   try {
     const bytes = readFileSync(path);
-    outgoing
-      .writeHead(200, { "Content-Type": types[extname(path)] ?? "application/octet-stream" })
-      .end(bytes);
+    const type = types[extname(path)] ?? "application/octet-stream";
+    outgoing.writeHead(200, { "Content-Type": type, "Content-Security-Policy": policy }).end(bytes);
   } catch {
     outgoing.writeHead(404).end();
   }

@@ -86,6 +86,7 @@ export async function drag(
   await page.mouse.move(x + by[0], y + by[1], { steps: 4 });
   await page.mouse.up({ button: options.button ?? "left" });
   for (const key of options.keys ?? []) await page.keyboard.up(key);
+  await page.mouse.move(2, 2); // so that no coordinates are shown
 }
 
 /** Size of the scene in pixels. */

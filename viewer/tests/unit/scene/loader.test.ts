@@ -32,8 +32,9 @@ class TestSource implements ShapeSource {
     const rows = Math.min(count, this.rowsPerAnswer, this.sizes.length - from);
     const shapes = Array.from({ length: rows }, (_, i) => {
       const whole = this.sizes[from + i]!;
-      const shown = triangles === 0 ? whole : Math.min(whole, triangles);
-      const rings = Math.max(2, Math.floor(Math.sqrt(shown) / 2));
+      // A level has rarely as many triangles as are allowed.
+      const shown = triangles === 0 || whole <= triangles ? whole : Math.floor(triangles * 0.97);
+      const rings = Math.min(20, Math.max(2, Math.floor(Math.sqrt(shown) / 2)));
       const shape = sphere(from + i, 1, rings, [0, 0, 0], { edges: [] });
       return { ...shape, triangles: whole, shown };
     });
@@ -92,6 +93,14 @@ describe("Loader", () => {
     const { store } = await loaded(source);
     expect(source.requests.map(({ triangles }) => triangles)).toEqual([20_000, 0]);
     expect([...store.records()][0]!.levels).toHaveLength(2);
+  });
+
+  it("loads very large values by way of a middle level", async () => {
+    const source = new TestSource([10_000_000]);
+    const { store } = await loaded(source);
+    expect(source.requests.map(({ triangles }) => triangles)).toEqual([20_000, 200_000, 0]);
+    const [record] = [...store.records()];
+    expect(record!.levels.map(({ shape }) => shape.shown)).toEqual([19_400, 10_000_000]);
   });
 
   it("stays coarse beyond the budget, except for what is selected", async () => {

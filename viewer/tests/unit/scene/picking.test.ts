@@ -94,7 +94,7 @@ describe("picking", () => {
 
 describe("snapping", () => {
   const shapes = [cube(0, 2)];
-  const features = new FeatureEdges(decodeShapes(buildGlb(shapes))[0]!.primitives);
+  const features = new FeatureEdges(decodeShapes(buildGlb(shapes))[0]!);
   const snap = { vertices: true, edges: true, features };
 
   it("goes to a corner, an edge of the shape, or stays on the face", () => {

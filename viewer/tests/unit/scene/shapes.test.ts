@@ -1,8 +1,9 @@
 import { Ray, Vector3 } from "three";
-import type { LineSegments, Mesh, Object3D } from "three";
+import type { Mesh, Object3D } from "three";
 import { describe, expect, it } from "vitest";
 
 import { decodeShapes } from "../../../src/glb/shapes";
+import { creaseLines, featureLines } from "../../../src/scene/features";
 import { geometryOf, AttributeCache, primitiveOf, triangleEdges } from "../../../src/scene/geometry";
 import type { Look } from "../../../src/scene/look";
 import { closestOnLine, draggedTo, moveVertices, placeOf } from "../../../src/scene/vertex_drag";
@@ -41,6 +42,25 @@ describe("triangleEdges", () => {
   });
 });
 
+describe("featureLines", () => {
+  it("are the creases of a solid: all edges of a cube, none of a smooth ball", () => {
+    const [box, ball] = decodeShapes(buildGlb([cube(0, 2), sphere(1, 1, 12)]));
+    expect(featureLines(box!)!.length / 2).toBe(12);
+    expect(featureLines(ball!)).toBeNull();
+  });
+
+  it("are all edges of a mesh of polygons", () => {
+    const mesh = decodeShapes(buildGlb([sphere(1, 1, 12, [0, 0, 0], { kind: "mesh3d" })]))[0]!;
+    expect(featureLines(mesh)).toBe(primitiveOf(mesh, "edges")!.indices);
+  });
+
+  it("keep lines whose sides have vertices of their own", () => {
+    // Two triangles with a common edge 1-2, once with the same vertices, once with double ones.
+    expect([...creaseLines(new Uint16Array([1, 2]), new Uint16Array([0, 1, 2, 2, 1, 3]), 4)]).toEqual([]);
+    expect([...creaseLines(new Uint16Array([1, 2]), new Uint16Array([0, 1, 2, 4, 5, 3]), 6)]).toEqual([1, 2]);
+  });
+});
+
 describe("chunks of small shapes", () => {
   const shapes = [
     ...Array.from({ length: 40 }, (_, i) => cube(i, 1, [3 * i, 1e7, 0])),
@@ -50,7 +70,7 @@ describe("chunks of small shapes", () => {
   function drawn(root: Object3D, type: "Mesh" | "LineSegments" | "Points"): Mesh[] {
     const found: Mesh[] = [];
     root.traverse((object) => {
-      if (object.type === type && (object as LineSegments).visible) found.push(object as Mesh);
+      if (object.type === type && object.visible) found.push(object as unknown as Mesh);
     });
     return found;
   }

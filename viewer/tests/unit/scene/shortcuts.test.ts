@@ -65,6 +65,15 @@ describe("Quality", () => {
     expect(quality.step.coarse).toBe(true);
   });
 
+  it("begins with coarse levels where the processor cannot draw the fine ones", () => {
+    const quality = new Quality(true);
+    quality.begin({ fine: 1_000_000, coarse: 20_000 });
+    expect(quality.step.coarse).toBe(true);
+    const hardware = new Quality(false);
+    hardware.begin({ fine: 1_000_000, coarse: 20_000 });
+    expect(hardware.step.coarse).toBe(false);
+  });
+
   it("does not go back to a step that was too slow until the scene changes", () => {
     const quality = new Quality(false);
     observe(quality, 40, 3);
