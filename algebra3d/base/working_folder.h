@@ -7,12 +7,13 @@
 
 namespace algebra3d {
 
-/// The folder in which relative file names of a statement begin, and whether names may lead out of it. Immutable; may be
-/// copied and used by several threads.
+/// The folder in which relative file names of a statement begin, and whether names may lead out of it. Immutable; may
+/// be copied and used by several threads.
 class WorkingFolder {
  public:
   /// Names lead anywhere. An empty folder is the process's working directory.
-  WorkingFolder(std::filesystem::path folder = {}) : folder_(std::move(folder)) {}  // NOLINT(google-explicit-constructor)
+  WorkingFolder(std::filesystem::path folder = {})
+      : folder_(std::move(folder)) {}  // NOLINT(google-explicit-constructor)
   /// Names must stay in `folder`, also through symbolic links; absolute names are refused. Names that begin with
   /// `uploads/` mean files in `uploads` instead, which they must not leave either.
   static WorkingFolder confined(std::filesystem::path folder, std::filesystem::path uploads);

@@ -1,7 +1,7 @@
 #include "queries/exchange/json_presenter.h"
 
-#include "queries/session/inquiry_table.h"
 #include "queries/exchange/json_text.h"
+#include "queries/session/inquiry_table.h"
 #include "queries/streams/relation.h"
 
 namespace queries {

@@ -92,7 +92,8 @@ std::string_view literal_type(const NestedList& list) {
 }  // namespace
 
 // Whether it is a value of the type is found now, not by the first command that uses it.
-Result<SessionParameter> session_parameter(std::string_view type_name, std::string_view value, const Registry& registry) {
+Result<SessionParameter> session_parameter(std::string_view type_name, std::string_view value,
+                                           const Registry& registry) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const Type* type, known_type(type_name, registry));
   ALGEBRA3D_ASSIGN_OR_RETURN(NestedList list, list_of_text(*type, value));
   algebra3d::Diagnostics reasons;  // come again when it is used

@@ -19,11 +19,13 @@ CLI::App* add_serve_command(CLI::App& app, ServerOptions& options) {
       ->type_name("ADDR")
       ->capture_default_str();
   serve->add_flag("--read-only", options.read_only, "Change nothing");
-  serve->add_option("--token-file", options.token_file,
-                    "File with the token that every request must give (default: $ALGEBRA3D_TOKEN, if it is set)")
+  serve
+      ->add_option("--token-file", options.token_file,
+                   "File with the token that every request must give (default: $ALGEBRA3D_TOKEN, if it is set)")
       ->type_name("FILE");
-  serve->add_option("--host", options.hosts,
-                    "Further name of this server in addresses, such as that of a proxy before it; may be repeated")
+  serve
+      ->add_option("--host", options.hosts,
+                   "Further name of this server in addresses, such as that of a proxy before it; may be repeated")
       ->type_name("NAME[:PORT]")
       ->allow_extra_args(false);
   serve->add_option("--max-upload", options.max_upload_megabytes, "Largest file that can be sent, in megabytes")
@@ -32,12 +34,14 @@ CLI::App* add_serve_command(CLI::App& app, ServerOptions& options) {
   serve->add_option("--max-seconds", options.max_seconds, "Longest time of a statement; 0: no limit")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
-  serve->add_option("--memory", options.memory_megabytes,
-                    "Memory for sorting, grouping and hashing of a statement, in megabytes (default: a sixteenth of the "
-                    "machine's)")
+  serve
+      ->add_option("--memory", options.memory_megabytes,
+                   "Memory for sorting, grouping and hashing of a statement, in megabytes (default: a sixteenth of the "
+                   "machine's)")
       ->check(CLI::Range(1, 1 << 30));
-  serve->add_option("--failure-folder", options.failure_folder,
-                    "Folder for reports of internal errors (default: that of temporary files)")
+  serve
+      ->add_option("--failure-folder", options.failure_folder,
+                   "Folder for reports of internal errors (default: that of temporary files)")
       ->type_name("DIR");
   serve->footer(
       "Open the printed address in a browser. Programs find the HTTP API at /api/openapi.json (docs/http-api.md).\n"

@@ -35,7 +35,7 @@ struct ServerLimits {
   std::size_t sessions = 192;                            ///< statements that run, and results
   std::size_t idle_sessions = 8;
   std::size_t connections = 256;
-  std::size_t uploads = 256;                             ///< files
+  std::size_t uploads = 256;                              ///< files
   std::uintmax_t log_bytes = std::uintmax_t{256} << 20U;  ///< of the write-ahead log; beyond it results are dropped
 };
 

@@ -71,8 +71,7 @@ constexpr std::string_view kApi = "/api/";
 }  // namespace
 
 Api::Api(const algebra3d::Registry& registry, const ServerOptions& options, const ServerLimits& limits,
-         std::string token, std::vector<std::string> authorities, TemporaryFolder uploads,
-         DatabaseIdentity database)
+         std::string token, std::vector<std::string> authorities, TemporaryFolder uploads, DatabaseIdentity database)
     : registry_(registry),
       options_(options),
       limits_(limits),
@@ -149,10 +148,10 @@ HttpAnswer Api::dispatch(const HttpRequest& request) {
     methods.push_back(route.method);
   }
   if (methods.empty()) return Refusal::not_found(fmt::format("there is no path '{}'", request.path)).answer();
-  HttpAnswer answer = Refusal{405, "method_not_allowed",
-                              fmt::format("{} {}: expected {}", request.method, request.path,
-                                          fmt::join(methods, " or "))}
-                          .answer();
+  HttpAnswer answer =
+      Refusal{405, "method_not_allowed",
+              fmt::format("{} {}: expected {}", request.method, request.path, fmt::join(methods, " or "))}
+          .answer();
   answer.headers.emplace_back("Allow", fmt::format("{}", fmt::join(methods, ", ")));
   return answer;
 }

@@ -36,8 +36,8 @@ struct Route {
   HttpAnswer (Api::*handle)(const Call& call);
 };
 
-/// The HTTP API (docs/http-api.md) without the network: requests in, answers out. `answer` may be called by any number of
-/// threads.
+/// The HTTP API (docs/http-api.md) without the network: requests in, answers out. `answer` may be called by any number
+/// of threads.
 class Api {
  public:
   Api(const algebra3d::Registry& registry, const ServerOptions& options, const ServerLimits& limits, std::string token,

@@ -50,7 +50,8 @@ Result<ExportedSolid> write(const Value& value, const std::string& name, const s
         algebra3d::polygon_mesh_of(value.get<Surface3d>().mesh(), algebra3d::Merging::none, context.monitor()));
     return write_mesh(Mesh3d(std::move(mesh)), name, file, form, context);
   }
-  return Error{ErrorCode::invalid_value, "a {} has no mesh file; expected a volume3d, surface3d or mesh3d", type->name()};
+  return Error{ErrorCode::invalid_value, "a {} has no mesh file; expected a volume3d, surface3d or mesh3d",
+               type->name()};
 }
 
 }  // namespace
@@ -70,8 +71,11 @@ Result<CellFile> file_of(const Value& value, const std::string& name, const Mesh
   ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.loaded());
   CellFile result{.type = "application/octet-stream", .name = file_name(name, form), .bytes = {}, .diagnostics = {}};
   // The file is ours: names of clients do not lead to it.
-  Context own{.diagnostics = context.diagnostics, .cancel = context.cancel, .folder = folder.path(),
-              .memory = context.memory, .report = context.report};
+  Context own{.diagnostics = context.diagnostics,
+              .cancel = context.cancel,
+              .folder = folder.path(),
+              .memory = context.memory,
+              .report = context.report};
   ALGEBRA3D_ASSIGN_OR_RETURN(const ExportedSolid written, write(loaded, name, result.name, form, own));
   if (written.refusal) return *written.refusal;
   ALGEBRA3D_ASSIGN_OR_RETURN(const auto content,

@@ -32,12 +32,11 @@ Result<std::string> count_of(Store& store, const ObjectInfo& object) {
 
 // A relation that cannot be counted must not hide the others.
 std::string json_of(Store& store, const ObjectInfo& object, const algebra3d::Registry& registry) {
-  const bool has_shape = object.type.is_relation() ? has_geometry(object.type.element(), registry)
-                                                   : is_drawn(object.type, registry);
-  std::string json =
-      fmt::format(R"({{"name":{},"type":{},"kind":"{}","count":{},"shape":{},"hasValue":{})", json_string(object.name),
-                  json_string(object.type.text()), kind_of(object.type), count_of(store, object).value_or("null"),
-                  has_shape, object.has_value);
+  const bool has_shape =
+      object.type.is_relation() ? has_geometry(object.type.element(), registry) : is_drawn(object.type, registry);
+  std::string json = fmt::format(R"({{"name":{},"type":{},"kind":"{}","count":{},"shape":{},"hasValue":{})",
+                                 json_string(object.name), json_string(object.type.text()), kind_of(object.type),
+                                 count_of(store, object).value_or("null"), has_shape, object.has_value);
   if (!object.derived_text.empty()) json += ",\"derivedFrom\":" + json_string(object.derived_text);
   if (!object.index_relation.empty()) json += ",\"indexOf\":" + json_string(object.index_relation);
   return json + "}";
@@ -86,19 +85,18 @@ std::string json_of_errors(const std::vector<algebra3d::QueryError>& errors) {
 
 HttpAnswer Api::get_server(const Call&) {
   if (const Status there = database_.check(); !there) return refusal_of(there.error()).answer();
-  return {.body = fmt::format(
-              "{{\"name\":\"algebra3d\",\"version\":{},\"database\":{},\"readOnly\":{},\"uploadLimit\":{},"
-              "\"statementLimit\":{}}}\n",
-              json_string(algebra3d::kVersion), json_string(database_.file().filename().string()), options_.read_only,
-              options_.max_upload_megabytes << 20U, limits_.statement_bytes)};
+  return {.body =
+              fmt::format("{{\"name\":\"algebra3d\",\"version\":{},\"database\":{},\"readOnly\":{},\"uploadLimit\":{},"
+                          "\"statementLimit\":{}}}\n",
+                          json_string(algebra3d::kVersion), json_string(database_.file().filename().string()),
+                          options_.read_only, options_.max_upload_megabytes << 20U, limits_.statement_bytes)};
 }
 
 HttpAnswer Api::get_objects(const Call&) {
   if (const Status there = database_.check(); !there) return refusal_of(there.error()).answer();
   const auto promise = std::make_shared<std::promise<Result<std::string>>>();
   const Status started = sessions_.run([this, promise](Session& session) {
-    promise->set_value(
-        algebra3d::without_exceptions([&] { return json_of_objects(*session.store(), registry_); }));
+    promise->set_value(algebra3d::without_exceptions([&] { return json_of_objects(*session.store(), registry_); }));
   });
   if (!started) return refusal_of_session(started.error()).answer();
   const Result<std::string> json = promise->get_future().get();
@@ -118,7 +116,8 @@ HttpAnswer Api::get_types(const Call&) {
 
 HttpAnswer Api::get_operators(const Call&) {
   std::string json = "[";
-  for (const algebra3d::Operator* op : registry_.operators()) json += (json.size() > 1 ? ",{" : "{") + json_of(*op) + "}";
+  for (const algebra3d::Operator* op : registry_.operators())
+    json += (json.size() > 1 ? ",{" : "{") + json_of(*op) + "}";
   return {.body = json + "]\n"};
 }
 
@@ -131,12 +130,11 @@ HttpAnswer Api::get_operator(const Call& call) {
                                           nearest.empty() ? "" : "; did you mean '" + nearest + "'?"))
         .answer();
   }
-  return {.body = fmt::format(
-              R"({{{},"detail":{},"exactness":{},"cost":{},"examples":{},"errors":{},"help":{}}})", json_of(*op),
-              json_string(op->detail), json_string(describe(op->exactness)), json_string(describe(op->cost)),
-              json_of_examples(example_queries(registry_, *op)), json_of_errors(failing_queries(registry_, *op)),
-              json_string(help_text(*op, registry_))) +
-          "\n"};
+  return {.body = fmt::format(R"({{{},"detail":{},"exactness":{},"cost":{},"examples":{},"errors":{},"help":{}}})",
+                              json_of(*op), json_string(op->detail), json_string(describe(op->exactness)),
+                              json_string(describe(op->cost)), json_of_examples(example_queries(registry_, *op)),
+                              json_of_errors(failing_queries(registry_, *op)), json_string(help_text(*op, registry_))) +
+                  "\n"};
 }
 
 // The words of commands that are no placeholders.

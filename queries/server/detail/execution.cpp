@@ -43,8 +43,7 @@ Result<std::optional<ResultTable>> Execution::ResultPresenter::table_of(const Ty
   if (const auto* tuples = std::get_if<TupleStreamPtr>(&value.content)) {
     ALGEBRA3D_ASSIGN_OR_RETURN(TupleBuffer rows, buffered(**tuples, context));
     const std::size_t count = rows.size();
-    return std::optional(
-        ResultTable(std::make_shared<MemoryRelation>(type.element(), std::move(rows)), count));
+    return std::optional(ResultTable(std::make_shared<MemoryRelation>(type.element(), std::move(rows)), count));
   }
   if (const auto* single = std::get_if<Value>(&value.content)) return std::optional(ResultTable::of_value(*single));
   return std::optional<ResultTable>();
@@ -60,8 +59,8 @@ Status Execution::ResultPresenter::present(const TypeExpr& type, const Datum& va
   }
   const bool is_table = type.is_relation() || type.is_stream();
   const std::size_t shown = std::min(execution_.request_.row_count, table->count());
-  ALGEBRA3D_ASSIGN_OR_RETURN(
-      answer_.value, is_table ? json_of_rows(*table, 0, shown, context) : json_of_single(*table, context));
+  ALGEBRA3D_ASSIGN_OR_RETURN(answer_.value,
+                             is_table ? json_of_rows(*table, 0, shown, context) : json_of_single(*table, context));
   if (shown == table->count() && !has_geometry(table->tuple_type(), session_.registry())) return {};
   answer_.columns = json_of_columns(table->tuple_type(), session_.registry());
   answer_.count = table->count();

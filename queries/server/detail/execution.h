@@ -60,8 +60,8 @@ class Execution {
   /// Whether the answer came with a result to be asked.
   bool has_result() const;
 
-  /// Asks the result: `work` runs on the session's thread. Errors: those of `work`; interrupted if the result is dropped
-  /// meanwhile, or the client of `connection` (null: none) has gone.
+  /// Asks the result: `work` runs on the session's thread. Errors: those of `work`; interrupted if the result is
+  /// dropped meanwhile, or the client of `connection` (null: none) has gone.
   template <typename T>
   Result<T> ask(const Connection* connection, std::function<Result<T>(ResultTable&, Context&)> work);
 
@@ -116,11 +116,8 @@ Result<T> Execution::ask(const Connection* connection, std::function<Result<T>(R
   auto answer_it = [this, promise = std::move(promise), cancel, work = std::move(work)](ResultTable& table) {
     algebra3d::Diagnostics diagnostics;
     const algebra3d::Monitor::Report report = [this](const std::string& how_far) { note_progress(how_far); };
-    Context context{.diagnostics = diagnostics,
-                    .cancel = cancel.get(),
-                    .folder = folder_,
-                    .memory = memory_,
-                    .report = &report};
+    Context context{
+        .diagnostics = diagnostics, .cancel = cancel.get(), .folder = folder_, .memory = memory_, .report = &report};
     Result<T> result = algebra3d::without_exceptions([&] { return work(table, context); });
     note_progress({});
     promise->set_value(std::move(result));

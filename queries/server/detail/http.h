@@ -32,7 +32,8 @@ class Body {
   Body() = default;
   Body(const Body&) = delete;
   Body& operator=(const Body&) = delete;
-  /// Passes the body in pieces to `take`, up to `limit` bytes; ends with `refused` if `take` returns false. Called once.
+  /// Passes the body in pieces to `take`, up to `limit` bytes; ends with `refused` if `take` returns false. Called
+  /// once.
   virtual Outcome read(std::size_t limit, const std::function<bool(std::string_view)>& take) = 0;
 };
 

@@ -68,8 +68,7 @@ class ListenerBody final : public Body {
   Outcome drained(Outcome outcome) {
     is_read_ = true;
     const auto start = Clock::now();
-    if (size_ <= kDrained)
-      reader_([&](const char*, std::size_t) { return Clock::now() - start < kBodyStart; });
+    if (size_ <= kDrained) reader_([&](const char*, std::size_t) { return Clock::now() - start < kBodyStart; });
     return outcome;
   }
 
@@ -100,8 +99,7 @@ std::optional<std::uint64_t> length_of(const httplib::Request& request) {
 // What the library would misunderstand, or take without a limit.
 std::optional<Refusal> refuse_form(const httplib::Request& request) {
   const bool has_control = std::ranges::any_of(request.path, [](unsigned char c) { return c < ' ' || c == 0x7F; });
-  if (has_control || !request.target.starts_with('/'))
-    return Refusal::bad_request("the path of the request is none");
+  if (has_control || !request.target.starts_with('/')) return Refusal::bad_request("the path of the request is none");
   if (request.has_header("Transfer-Encoding"))
     return Refusal{411, "bad_request", "expected a body with the header 'Content-Length'"};
   if (request.get_header_value_count("Content-Length") > 1 || !length_of(request))
@@ -267,7 +265,8 @@ class Listener final : public HttpListener {
         }) {}
 
   algebra3d::Status bind_to(const std::string& address, int port) {
-    const bool is_bound = port == 0 ? (port_ = server_.bind_to_any_port(address)) > 0 : server_.bind_to_port(address, port);
+    const bool is_bound =
+        port == 0 ? (port_ = server_.bind_to_any_port(address)) > 0 : server_.bind_to_port(address, port);
     if (!is_bound)
       return Error{ErrorCode::io_error, "cannot listen on {} port {}: {}", address, port, std::strerror(errno)};
     if (port != 0) port_ = port;

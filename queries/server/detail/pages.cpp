@@ -12,8 +12,10 @@ namespace {
 constexpr std::string_view kWithoutViewer =
     "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>algebra3d</title>"
     "<body style=\"font-family: sans-serif; max-width: 40em; margin: 4em auto\">"
-    "<h1>algebra3d</h1><p>The server runs, but this program was built without the viewer: Node.js and npm were missing. "
-    "The HTTP API is at <a href=\"/api/openapi.json\">/api/openapi.json</a>. Build with <code>scripts/run serve</code>, "
+    "<h1>algebra3d</h1><p>The server runs, but this program was built without the viewer: Node.js and npm were "
+    "missing. "
+    "The HTTP API is at <a href=\"/api/openapi.json\">/api/openapi.json</a>. Build with <code>scripts/run "
+    "serve</code>, "
     "which installs them.</p></body></html>\n";
 
 // The names of Vite's assets have a hash of their content.
@@ -36,7 +38,8 @@ HttpAnswer page_answer(const HttpRequest& request) {
   if (found != files.end()) {
     HttpAnswer answer{.type = std::string(found->type), .body = std::string(found->bytes)};
     answer.headers.emplace_back("Content-Encoding", "gzip");
-    answer.headers.emplace_back("Cache-Control", is_immutable(path) ? "public, max-age=31536000, immutable" : "no-cache");
+    answer.headers.emplace_back("Cache-Control",
+                                is_immutable(path) ? "public, max-age=31536000, immutable" : "no-cache");
     return answer;
   }
   if (files.empty() && path == "/index.html")

@@ -67,8 +67,7 @@ Result<std::string> json_of_single(ResultTable& table, Context& context) {
 Result<std::string> json_of_other(const TypeExpr& type, const Datum& value, Context& context) {
   std::ostringstream out;
   ExchangeValues values({});
-  ALGEBRA3D_RETURN_IF_ERROR(
-      JsonPresenter(out, values, JsonPresenter::Layout::document).present(type, value, context));
+  ALGEBRA3D_RETURN_IF_ERROR(JsonPresenter(out, values, JsonPresenter::Layout::document).present(type, value, context));
   return without_line_end(std::move(out).str());
 }
 

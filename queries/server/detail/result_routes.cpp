@@ -68,9 +68,10 @@ HttpAnswer Api::get_rows(const Call& call) {
   Reply<std::size_t> count = number(call.request, "count", 100, kMostRows);
   if (!from) return from.refusal().answer();
   if (!count) return count.refusal().answer();
-  const auto rows = (*result)->ask<std::string>(call.request.connection, [from = *from, count = *count](ResultTable& table, Context& context) {
-    return json_of_rows(table, from, count, context);
-  });
+  const auto rows = (*result)->ask<std::string>(call.request.connection,
+                                                [from = *from, count = *count](ResultTable& table, Context& context) {
+                                                  return json_of_rows(table, from, count, context);
+                                                });
   if (!rows) return refusal_of_cell(rows.error()).answer();
   return {.body = fmt::format("{{\"from\":{},\"rows\":{}}}\n", *from, *rows)};
 }
@@ -82,9 +83,8 @@ HttpAnswer Api::get_cell(const Call& call) {
   Reply<std::string> column = text(call.request, "column");
   if (!row) return row.refusal().answer();
   if (!column) return column.refusal().answer();
-  const auto list = (*result)->ask<std::string>(call.request.connection, [&](ResultTable& table, Context&) {
-    return list_of_cell(table, *row, *column);
-  });
+  const auto list = (*result)->ask<std::string>(
+      call.request.connection, [&](ResultTable& table, Context&) { return list_of_cell(table, *row, *column); });
   if (list) return {.body = *list + "\n"};
   if (list.error().code != ErrorCode::limit_exceeded) return refusal_of_cell(list.error()).answer();
   return Refusal{413, "too_large", list.error().message, "Ask for its file or its shape."}.answer();
@@ -102,8 +102,9 @@ HttpAnswer Api::get_shapes(const Call& call) {
     if (!*each) return each->refusal().answer();
   if (!column) return column.refusal().answer();
   const ShapeRequest request{*column, *from, *count, *triangles, *bytes};
-  auto shapes = (*result)->ask<CellShapes>(
-      call.request.connection, [request](ResultTable& table, Context& context) { return shapes_of(table, request, context); });
+  auto shapes = (*result)->ask<CellShapes>(call.request.connection, [request](ResultTable& table, Context& context) {
+    return shapes_of(table, request, context);
+  });
   if (!shapes) return refusal_of_cell(shapes.error()).answer();
   HttpAnswer answer{.type = "model/gltf-binary", .body = std::move(shapes->file)};
   if (shapes->next) answer.headers.emplace_back("X-Algebra3d-Next", std::to_string(*shapes->next));
@@ -121,11 +122,13 @@ HttpAnswer Api::get_file(const Call& call) {
   if (!format) return format.refusal().answer();
   const auto form = file_form(*format);
   if (!form)
-    return Refusal::bad_request(fmt::format("'format': expected stl, stl-ascii, obj or off, got '{}'", *format)).answer();
-  auto file = (*result)->ask<CellFile>(call.request.connection, [&](ResultTable& table, Context& context) -> Result<CellFile> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, cell(table, *row, *column));
-    return file_of(value, *column, *form, context);
-  });
+    return Refusal::bad_request(fmt::format("'format': expected stl, stl-ascii, obj or off, got '{}'", *format))
+        .answer();
+  auto file =
+      (*result)->ask<CellFile>(call.request.connection, [&](ResultTable& table, Context& context) -> Result<CellFile> {
+        ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, cell(table, *row, *column));
+        return file_of(value, *column, *form, context);
+      });
   if (!file) return refusal_of_cell(file.error()).answer();
   HttpAnswer answer{.type = std::string(file->type), .body = std::move(file->bytes)};
   answer.headers.emplace_back("X-Algebra3d-Diagnostics", json_strings(file->diagnostics));

@@ -41,8 +41,7 @@ Result<ResultTable> ResultTable::loaded_copy(const algebra3d::Context& context) 
 
 Result<TuplePtr> ResultTable::next_row() {
   ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr tuple, scan_->next());
-  if (tuple == nullptr)
-    return Error{ErrorCode::internal, "the relation ended at row {} of {}", next_, count_};
+  if (tuple == nullptr) return Error{ErrorCode::internal, "the relation ended at row {} of {}", next_, count_};
   if (next_ == ids_.size() && !relation_->name().empty()) ids_.push_back(tuple->id);
   ++next_;
   return tuple;

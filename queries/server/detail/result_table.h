@@ -17,8 +17,7 @@ namespace queries {
 /// statement that made the relation runs.
 class ResultTable {
  public:
-  ResultTable(std::shared_ptr<Relation> relation, std::size_t count)
-      : relation_(std::move(relation)), count_(count) {}
+  ResultTable(std::shared_ptr<Relation> relation, std::size_t count) : relation_(std::move(relation)), count_(count) {}
   static Result<ResultTable> of(std::shared_ptr<Relation> relation);
   static ResultTable of_value(const Value& value);
 

@@ -45,7 +45,7 @@ class SessionPool {
   const std::size_t most_idle_;
 
   mutable std::mutex mutex_;  // guards what follows
-  std::size_t places_ = 0;  // of working_, and of those that are being opened
+  std::size_t places_ = 0;    // of working_, and of those that are being opened
   std::vector<std::unique_ptr<Worker>> working_;
   std::vector<std::unique_ptr<Worker>> idle_;
   std::condition_variable changed_;

@@ -26,8 +26,8 @@ bool is_upload_name(const std::string& name) {
   const auto is_allowed = [](unsigned char c) {
     return std::isalnum(c) != 0 || c == '.' || c == '_' || c == '-' || c == ' ' || c >= 0x80;
   };
-  return !name.empty() && name.size() <= kLongestName && name.front() != '.' &&
-         std::ranges::all_of(name, is_allowed) && algebra3d::first_no_text(name) == std::string::npos;
+  return !name.empty() && name.size() <= kLongestName && name.front() != '.' && std::ranges::all_of(name, is_allowed) &&
+         algebra3d::first_no_text(name) == std::string::npos;
 }
 
 Refusal refusal_of(Body::Outcome outcome, std::size_t limit) {

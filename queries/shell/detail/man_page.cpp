@@ -9,8 +9,8 @@
 
 #include "algebra3d/registry/operator.h"
 #include "algebra3d/version.h"
-#include "queries/language/documentation.h"
 #include "queries/language/command_list.h"
+#include "queries/language/documentation.h"
 #include "queries/shell/detail/command_table.h"
 
 namespace queries {

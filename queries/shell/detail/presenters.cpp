@@ -1,5 +1,5 @@
-#include "queries/exchange/exchange_values.h"
 #include "queries/shell/detail/presenters.h"
+#include "queries/exchange/exchange_values.h"
 
 #include <fmt/format.h>
 

@@ -27,7 +27,8 @@ TEST(WorkingFolder, ConfinedNamesStay) {
     EXPECT_EQ(*folder.path_of(name), scratch.path("in") / name);
   }
   EXPECT_EQ(*folder.path_of("uploads/a"), scratch.path("up") / "a");
-  for (const char* name : {"..", "../in2/a", "sub/../a", "/etc/passwd", "out/a", "out", "dangling", "uploads/../a", "uploads/../../a"}) {
+  for (const char* name :
+       {"..", "../in2/a", "sub/../a", "/etc/passwd", "out/a", "out", "dangling", "uploads/../a", "uploads/../../a"}) {
     const auto path = folder.path_of(name);
     ASSERT_FALSE(path.ok()) << name;
     EXPECT_EQ(path.error().code, ErrorCode::permission_denied) << name;

@@ -155,12 +155,13 @@ TEST_F(ApiTest, AStatementThatChangesIsCommittedBeforeItsAnswer) {
 TEST_F(ApiTest, CellsAreParameters) {
   const json cube = query("query createCube(makePoint3D(0, 0, 0), makePoint3D(2, 2, 2))");
   const json cell = {{"result", cube["result"]["id"]}};
-  EXPECT_EQ(query("query volume($a) * $f", {{"parameters", {{"a", cell}, {"f", {{"type", "real"}, {"value", 0.5}}}}}})
-                ["value"],
+  EXPECT_EQ(query("query volume($a) * $f",
+                  {{"parameters", {{"a", cell}, {"f", {{"type", "real"}, {"value", 0.5}}}}}})["value"],
             4.0);
   EXPECT_EQ(query("query volume($b)", {{"parameters", {{"a", cell}}}})["status"], 422);
   EXPECT_EQ(query("query $a", {{"parameters", {{"a", {{"result", "r99"}}}}}})["status"], 404);
-  EXPECT_EQ(query("query $a", {{"parameters", {{"a", {{"result", cube["result"]["id"]}, {"row", 1}}}}}})["status"], 422);
+  EXPECT_EQ(query("query $a", {{"parameters", {{"a", {{"result", cube["result"]["id"]}, {"row", 1}}}}}})["status"],
+            422);
   EXPECT_EQ(query("query $a", {{"parameters", {{"a", {{"type", "nothing"}, {"value", 1}}}}}})["status"], 422);
 }
 
@@ -194,9 +195,9 @@ TEST_F(ApiTest, WrongRequestsAreExplained) {
 }
 
 TEST_F(ApiTest, WhatIsNotForManyUsersIsRefused) {
-  for (const char* statement : {"begin transaction", "close database", "create database x", "open database x",
-                                "delete database x", "restore database x from 'y'", "set \"memory\" = 5",
-                                "{ query 1 | begin transaction }"})
+  for (const char* statement :
+       {"begin transaction", "close database", "create database x", "open database x", "delete database x",
+        "restore database x from 'y'", "set \"memory\" = 5", "{ query 1 | begin transaction }"})
     EXPECT_EQ(query(statement)["error"]["code"], "not_evaluable") << statement;
 }
 
@@ -244,8 +245,8 @@ TEST_F(ApiTest, AStatementThatTakesTooLongEnds) {
 }
 
 TEST_F(ApiTest, EventsEndWithTheAnswer) {
-  const HttpAnswer answer = ask("POST", "/api/query", R"({"statement": "query 2 + 3", "id": "e"})", nullptr,
-                                "text/event-stream");
+  const HttpAnswer answer =
+      ask("POST", "/api/query", R"({"statement": "query 2 + 3", "id": "e"})", nullptr, "text/event-stream");
   std::string events;
   answer.stream([&](std::string_view piece) {
     events += piece;
@@ -257,7 +258,8 @@ TEST_F(ApiTest, EventsEndWithTheAnswer) {
 }
 
 TEST_F(ApiTest, CommandsOfATextAreDivided) {
-  const json commands = parsed(ask("POST", "/api/statements/split", json{{"text", "let a = \"ä;\"; query a\n\nquery 2"}}.dump()));
+  const json commands =
+      parsed(ask("POST", "/api/statements/split", json{{"text", "let a = \"ä;\"; query a\n\nquery 2"}}.dump()));
   ASSERT_EQ(commands.size(), 3);
   EXPECT_EQ(commands[0], json::parse(R"({"text":"let a = \"ä;\"","line":1,"column":1,"begin":0,"end":12})"));
   EXPECT_EQ(commands[1]["begin"], 14);
@@ -287,7 +289,8 @@ TEST_F(ApiTest, UploadsAreReadByStatements) {
   EXPECT_EQ(parsed(ask("PUT", "/api/uploads/t.csv", "A\n1\n2\n"))["name"], "uploads/t.csv");
   EXPECT_EQ(query("query importCSV('uploads/t.csv') count")["value"], 2);
   EXPECT_EQ(get("/api/uploads"), json::parse(R"([{"name":"uploads/t.csv","bytes":6}])"));
-  for (const char* name : {"..", ".x", "a%b", "a\\b"}) EXPECT_EQ(ask("PUT", std::string("/api/uploads/") + name, "x").status, 400);
+  for (const char* name : {"..", ".x", "a%b", "a\\b"})
+    EXPECT_EQ(ask("PUT", std::string("/api/uploads/") + name, "x").status, 400);
   EXPECT_EQ(ask("PUT", "/api/uploads/a/b", "x").status, 404);
   EXPECT_EQ(ask("DELETE", "/api/uploads/t.csv").status, 204);
   EXPECT_EQ(ask("DELETE", "/api/uploads/t.csv").status, 404);

@@ -52,7 +52,8 @@ TEST(RequestGuard, WantsTheToken) {
 }
 
 TEST(RequestGuard, LoopbackAddresses) {
-  for (const char* address : {"localhost", "127.0.0.1", "127.8.9.10", "::1"}) EXPECT_TRUE(is_loopback(address)) << address;
+  for (const char* address : {"localhost", "127.0.0.1", "127.8.9.10", "::1"})
+    EXPECT_TRUE(is_loopback(address)) << address;
   for (const char* address : {"0.0.0.0", "::", "128.0.0.1", "10.0.0.1", "localhost.evil.example", "", "::2"})
     EXPECT_FALSE(is_loopback(address)) << address;
 }

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "algebra3d/operators/all.h"
+#include "queries/language/command_list.h"
 #include "queries/language/command_reader.h"
 #include "queries/language/parser.h"
-#include "queries/language/command_list.h"
 #include "queries/shell/detail/command_table.h"
 #include "queries/streams/all.h"
 

@@ -8,8 +8,8 @@
 
 #include "algebra3d/operators/all.h"
 #include "queries/exchange/csv_presenter.h"
-#include "queries/shell/detail/interruption.h"
 #include "queries/exchange/json_presenter.h"
+#include "queries/shell/detail/interruption.h"
 #include "queries/shell/detail/presenters.h"
 #include "queries/shell/detail/statement_runner.h"
 #include "queries/streams/all.h"
