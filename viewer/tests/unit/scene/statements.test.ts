@@ -28,7 +28,7 @@ function hit(point: Vec3, vertex: number | null = null, face: number | null = nu
   };
 }
 
-// The same statements are run by tests/e2e/measures.e2e.ts.
+// The same statements are run by tests/e2e/tools.e2e.ts.
 describe("statements", () => {
   it("of sections write numbers in full", () => {
     const question = sectionOf(cell, { point: [0.1, -1e-7, 1e21], normal: [0, 0, 1] });
