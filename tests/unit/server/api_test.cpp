@@ -161,8 +161,8 @@ TEST_F(ApiTest, CellsAreParameters) {
   EXPECT_EQ(query("query volume($b)", {{"parameters", {{"a", cell}}}})["status"], 422);
   EXPECT_EQ(query("query $a", {{"parameters", {{"a", {{"result", "r99"}}}}}})["status"], 404);
   EXPECT_EQ(query("query $a", {{"parameters", {{"a", {{"result", cube["result"]["id"]}, {"row", 1}}}}}})["status"],
-            422);
-  EXPECT_EQ(query("query $a", {{"parameters", {{"a", {{"type", "nothing"}, {"value", 1}}}}}})["status"], 422);
+            404);
+  EXPECT_EQ(query("query $a", {{"parameters", {{"a", {{"type", "nothing"}, {"value", 1}}}}}})["status"], 400);
 }
 
 TEST_F(ApiTest, ResultsBeyondTheLimitAreGone) {
@@ -208,7 +208,7 @@ TEST_F(ApiTest, FilesOutsideOfTheWorkingFolderAreRefused) {
         "query importCSV('/etc/passwd') consume", "query importJSON('/etc/passwd') consume",
         "query getDirectory('/etc') count", "query importGeoJSON('/etc/passwd') consume",
         "query createSphere(makePoint3D(0, 0, 0), 1, 8) exportSTL[\"x\", '/tmp/x.stl', TRUE]",
-        "query createSphere(makePoint3D(0, 0, 0), 1, 8) exportOFF['../x.off']", "save database to '/tmp/saved'"})
+        "query createSphere(makePoint3D(0, 0, 0), 1, 8) exportOFF['../x.off', FALSE]", "save database to '/tmp/saved'"})
     EXPECT_EQ(status_of_query(statement), 403) << statement;
 }
 
