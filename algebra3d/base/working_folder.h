@@ -12,8 +12,8 @@ namespace algebra3d {
 class WorkingFolder {
  public:
   /// Names lead anywhere. An empty folder is the process's working directory.
-  WorkingFolder(std::filesystem::path folder = {})
-      : folder_(std::move(folder)) {}  // NOLINT(google-explicit-constructor)
+  // NOLINTNEXTLINE(google-explicit-constructor): a folder alone is enough
+  WorkingFolder(std::filesystem::path folder = {}) : folder_(std::move(folder)) {}
   /// Names must stay in `folder`, also through symbolic links; absolute names are refused. Names that begin with
   /// `uploads/` mean files in `uploads` instead, which they must not leave either.
   static WorkingFolder confined(std::filesystem::path folder, std::filesystem::path uploads);

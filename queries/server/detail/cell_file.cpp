@@ -14,6 +14,7 @@
 namespace queries {
 namespace {
 
+using algebra3d::Context;
 using algebra3d::ExportedSolid;
 using algebra3d::Mesh3d;
 using algebra3d::MeshFileForm;

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "algebra3d/base/context.h"
 #include "algebra3d/formats/export_solid.h"
 #include "algebra3d/types/value.h"
 #include "queries/streams/datum.h"
@@ -25,6 +26,6 @@ std::optional<algebra3d::MeshFileForm> file_form(std::string_view name);
 /// The file of a solid, surface or mesh, written as the export operators do. Errors: invalid_value for other types,
 /// undefined values and solids that cannot be rounded; those of the store; interrupted.
 Result<CellFile> file_of(const Value& value, const std::string& name, const algebra3d::MeshFileForm& form,
-                         Context& context);
+                         algebra3d::Context& context);
 
 }  // namespace queries

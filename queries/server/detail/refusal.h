@@ -36,9 +36,10 @@ Refusal refusal_of_session(const algebra3d::Error& error);
 template <typename T>
 class [[nodiscard]] Reply {
  public:
-  Reply(T value) : content_(std::in_place_index<0>, std::move(value)) {}  // NOLINT(google-explicit-constructor)
-  Reply(Refusal refusal)
-      : content_(std::in_place_index<1>, std::move(refusal)) {}  // NOLINT(google-explicit-constructor)
+  // NOLINTBEGIN(google-explicit-constructor)
+  Reply(T value) : content_(std::in_place_index<0>, std::move(value)) {}
+  Reply(Refusal refusal) : content_(std::in_place_index<1>, std::move(refusal)) {}
+  // NOLINTEND(google-explicit-constructor)
 
   explicit operator bool() const { return content_.index() == 0; }
   T& operator*() & { return std::get<0>(content_); }

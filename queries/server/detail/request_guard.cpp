@@ -54,7 +54,7 @@ std::optional<Refusal> RequestGuard::refuse(const HttpRequest& request, bool nee
   if (request.headers.count("host") != 1 || !knows(host))
     return Refusal{403, "forbidden", fmt::format("Host '{}': expected {}", host, fmt::join(authorities_, " or ")),
                    "Use the address that the server has printed; further names are given by --host."};
-  if (request.headers.count("origin") != 0) {
+  if (request.headers.contains("origin")) {
     const std::string origin = request.header("origin");
     if (request.headers.count("origin") != 1 || in_lower_case(authority_of(origin)) != in_lower_case(host))
       return Refusal{403, "forbidden",
@@ -62,7 +62,7 @@ std::optional<Refusal> RequestGuard::refuse(const HttpRequest& request, bool nee
   }
   if (needs_token && !token_.empty() && !has_token(request))
     return Refusal{401, "unauthorized",
-                   request.headers.count("authorization") == 0 ? "a token is required" : "the token is wrong",
+                   request.headers.contains("authorization") ? "the token is wrong" : "a token is required",
                    "Send the header 'Authorization: Bearer TOKEN'; in a browser, add #token=TOKEN to the address."};
   return std::nullopt;
 }

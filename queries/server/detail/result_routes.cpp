@@ -54,7 +54,7 @@ Result<std::string> list_of_cell(ResultTable& table, std::size_t row, const std:
     ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.loaded());
     list = loaded.to_nested().print();
     if (list.size() <= kMostCellBytes)
-      return fmt::format("{{\"type\":{},\"text\":{}}}", json_string(value.type().name()), json_string(list));
+      return fmt::format(R"({{"type":{},"text":{}}})", json_string(value.type().name()), json_string(list));
   }
   return Error{ErrorCode::limit_exceeded, "the list of the value has more than {} bytes", kMostCellBytes};
 }

@@ -18,7 +18,7 @@ Result<ResultTable> ResultTable::of(std::shared_ptr<Relation> relation) {
 
 ResultTable ResultTable::of_value(const Value& value) {
   std::vector<TuplePtr> rows = {std::make_shared<const Tuple>(Tuple{{value}})};
-  return ResultTable(std::make_shared<MemoryRelation>(tuple_of(value.type()), TupleBuffer(std::move(rows))), 1);
+  return {std::make_shared<MemoryRelation>(tuple_of(value.type()), TupleBuffer(std::move(rows))), 1};
 }
 
 Result<ResultTable> ResultTable::loaded_copy(const algebra3d::Context& context) {

@@ -132,6 +132,7 @@ HttpAnswer Api::delete_statement(const Call& call) {
   return Refusal::not_found(fmt::format("no statement '{}' runs", id)).answer();
 }
 
+// NOLINTNEXTLINE(readability-make-member-function-const): all handlers have one type
 HttpAnswer Api::post_split(const Call& call) {
   Reply<std::string> body = whole_body(call.request, limits_.statement_bytes);
   if (!body) return body.refusal().answer();

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include <fmt/format.h>
+
 namespace queries {
 
 Result<std::size_t> column_index(const ResultTable& table, const std::string& column) {
