@@ -1,7 +1,7 @@
-// What is drawn of a solid: its shape, the search tree, the file, and levels of detail beside meshoptimizer's sloppy
-// simplification. The solid is a sphere with waves, its triangles in spatial order as after an import. The argument is
-// the frequency of the sphere: 224 gives a million triangles, 707 ten million. `deviation` is how far vertices were
-// moved, in parts of a million of the radius.
+// Times of what is drawn of a solid: its shape, the search tree, the file, and levels of detail beside meshoptimizer's
+// sloppy simplification. The solid is a sphere with waves, its triangles in spatial order as after an import. The
+// argument is the frequency of the sphere: 224 gives a million triangles, 707 ten million. `deviation` is how far
+// vertices were moved, in parts of a million of the radius.
 #include <benchmark/benchmark.h>
 
 #ifdef BENCH_WITH_MESHOPTIMIZER

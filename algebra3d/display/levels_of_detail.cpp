@@ -17,7 +17,7 @@
 namespace algebra3d {
 namespace {
 
-/// What levels are made of.
+/// The triangles of a value from which its levels are made.
 struct LevelSource {
   Shape whole;  ///< without arrays
   std::vector<IndexTriangle> triangles;

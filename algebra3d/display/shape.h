@@ -14,7 +14,7 @@
 
 namespace algebra3d {
 
-/// What is drawn of a value: vertices, and triangles, lines and points of them, as a graphics card takes them.
+/// The drawing of a value: vertices, and triangles, lines and points of them, as a graphics card takes them.
 /// Positions are floats relative to an origin, so that shapes far from zero keep their form; they and the normals are
 /// for the eye, never for decisions. The fields are those of docs/http-api.md, "Shapes".
 struct Shape {

@@ -18,7 +18,7 @@ Result<Shape> of_triangles(const Value& value, const Monitor& monitor) {
   return detail::shape_of_mesh(value.get<Solid>().mesh(), value.get<Solid>().box(), monitor);
 }
 
-/// Of a type whose shapes need no monitor.
+/// Makes the shape of a small value, which needs no monitor.
 template <typename T, Result<Shape> (*make)(const T&)>
 Result<Shape> of_small(const Value& value, const Monitor& /*monitor*/) {
   return make(value.get<T>());

@@ -13,9 +13,9 @@
 
 namespace algebra3d {
 
-/// What is known of the original triangles and vertices that fell together in a vertex. Sums add.
+/// Sums over the original triangles and vertices that fell together in a vertex.
 struct ClusterSums {
-  /// Of the squared distance from the planes of the triangles, weighted by their areas: x.Ax - 2 b.x + const. A by
+  /// Squared distance from the planes of the triangles, weighted by their areas: x.Ax - 2 b.x + const. A by
   /// rows, upper half.
   std::array<double, 6> a{};
   Vec3 b;

@@ -20,7 +20,7 @@ struct DefectEdges {
 template <typename Layout>
 DefectEdges defects_of(const HalfedgeMesh<Layout>& mesh);
 
-/// What becomes of them when vertices are drawn together.
+/// The edges after vertices were drawn together: each joins the new places of its ends.
 DefectEdges drawn_together(const DefectEdges& edges, const std::vector<std::uint32_t>& point_of);
 
 /// The shape of a level. `whole` is without arrays: it tells kind, box, origin and number of triangles of the value,

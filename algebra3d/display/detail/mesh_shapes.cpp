@@ -40,7 +40,7 @@ class EdgeChoice {
   EdgeChoice(const Mesh& mesh, std::span<const Vec3> face_normals)
       : mesh_(mesh), face_normals_(face_normals), has_all_(mesh.halfedge_count() <= 3 * kMostFacesWithAllEdges) {}
 
-  /// Of the edge of a half-edge; none unless it is the first of its edge.
+  /// The role of the edge of a half-edge; none for all but the first half-edge of an edge.
   EdgeRole operator()(HalfedgeId h) const {
     if (mesh_.is_boundary(h)) return EdgeRole::boundary;
     if (mesh_.is_nonmanifold(h)) return first_along(mesh_, h) == h ? EdgeRole::nonmanifold : EdgeRole::none;

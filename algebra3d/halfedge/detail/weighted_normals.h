@@ -91,7 +91,7 @@ class VertexNormalsMaker {
   VertexNormalsMaker(const HalfedgeMesh<Layout>& mesh, std::span<const Vec3> face_normals, std::span<Vec3> normals)
       : mesh_(mesh), points_(mesh.points().approx()), face_normals_(face_normals), normals_(normals) {}
 
-  /// Those of the vertices from `begin` to `end`, from the place `first` on.
+  /// Makes the normals of the vertices from `begin` to `end`, from the place `first` on.
   void make(std::size_t begin, std::size_t end, std::size_t first) {
     constexpr std::size_t kCornersPerBatch = 512;
     first_ = first;

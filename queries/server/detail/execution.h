@@ -29,7 +29,7 @@ struct StatementRequest {
   SessionParameters parameters = {};
 };
 
-/// What a statement has answered: members of the object that docs/http-api.md describes, as JSON.
+/// The answer of a statement: members of the object that docs/http-api.md describes, as JSON.
 struct StatementAnswer {
   std::string type = "null";
   std::string value = "null";

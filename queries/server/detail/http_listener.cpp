@@ -30,7 +30,7 @@ using algebra3d::ErrorCode;
 // A body must arrive at a tenth of a megabyte per second, after a start of some seconds.
 constexpr double kSlowestBytesPerSecond = 1e5;
 constexpr std::chrono::seconds kBodyStart(20);
-// What of a refused body is still read, so that the client reads the refusal and no reset.
+// The bytes of a refused body that are still read, so that the client reads the refusal and no reset.
 constexpr std::size_t kDrained = std::size_t{64} << 20U;
 // Connections that wait to be accepted; each request has one of its own.
 constexpr int kBacklog = 511;
@@ -96,7 +96,7 @@ std::optional<std::uint64_t> length_of(const httplib::Request& request) {
   return is_number ? std::optional<std::uint64_t>(std::stoull(text)) : std::nullopt;
 }
 
-// What the library would misunderstand, or take without a limit.
+// The refusal of requests that the library would misunderstand, or take without a limit.
 std::optional<Refusal> refuse_form(const httplib::Request& request) {
   const bool has_control = std::ranges::any_of(request.path, [](unsigned char c) { return c < ' ' || c == 0x7F; });
   if (has_control || !request.target.starts_with('/')) return Refusal::bad_request("the path of the request is none");
@@ -146,7 +146,7 @@ void forget_wishes(httplib::Request& request) {
   request.headers.erase("Accept-Encoding");
 }
 
-// What the library refuses by itself, perhaps before the wishes of the request were forgotten.
+// Gives a body to refusals of the library itself, perhaps before the wishes of the request were forgotten.
 void explain(const httplib::Request& request, httplib::Response& response) {
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): the library's own object, which it made as a variable
   forget_wishes(const_cast<httplib::Request&>(request));
@@ -169,7 +169,7 @@ class Library final : public httplib::Server {
     set_socket_options([this](int socket) {
       const int yes = 1;
       setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
-      // What a slow reader must take before it counts as silent; the system would let it grow to megabytes.
+      // The bytes that a slow reader must take before it counts as silent; the system would let it grow to megabytes.
       const int send_bytes = 1 << 18;
       setsockopt(socket, SOL_SOCKET, SO_SNDBUF, &send_bytes, sizeof(send_bytes));
       listening_ = socket;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "algebra3d/formats/json_tree.h"
 #include "queries/language/scanner.h"
 #include "queries/server/detail/result_json.h"
 #include "queries/server/detail/table_cells.h"
@@ -20,18 +21,6 @@ using Json = nlohmann::json;
 constexpr std::size_t kLongestId = 64;
 
 constexpr int kDeepest = 8;
-
-// What the parser says, without its own names.
-std::string parse_error(const std::string& body) {
-  try {
-    static_cast<void>(Json::parse(body).size());
-  } catch (const Json::exception& error) {
-    const std::string_view text = error.what();
-    const std::size_t end = text.find("] ");
-    return std::string(end == std::string_view::npos ? text : text.substr(end + 2));
-  }
-  return "unknown";
-}
 
 Refusal wrong_member(std::string_view name, std::string_view expected, const Json& found) {
   constexpr std::size_t kShown = 60;
@@ -112,7 +101,9 @@ Refusal refusal_of_cell(const algebra3d::Error& error) {
 }
 
 Reply<Json> parse_body(const std::string& body) {
-  if (body.find('\0') != std::string::npos) return Refusal::bad_request("the body is not JSON: it has a zero byte");
+  // It says what is wrong, and where; and the parser below takes a zero byte for the end.
+  const auto checked = algebra3d::JsonTree::parse(body, 0);
+  if (!checked) return Refusal::bad_request("the body is not JSON: " + checked.error().message);
   bool is_too_deep = false;
   const Json given = Json::parse(
       body,
@@ -122,7 +113,6 @@ Reply<Json> parse_body(const std::string& body) {
       },
       false);
   if (is_too_deep) return Refusal::bad_request(fmt::format("the body is nested deeper than {} levels", kDeepest));
-  if (given.is_discarded()) return Refusal::bad_request("the body is not JSON: " + parse_error(body));
   return given;
 }
 
