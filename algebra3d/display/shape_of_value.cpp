@@ -30,7 +30,7 @@ ShapeMaker maker_for(const Type& type) {
     const Type* type;
     ShapeMaker maker;
   };
-  static const std::array<Row, 11> kRows = {{
+  static const std::array<Row, 11> rows = {{
       {&TypeOf<Point3d>::type(), of_small<Point3d, detail::shape_of_point>},
       {&TypeOf<Points3d>::type(), of_small<Points3d, detail::shape_of_points>},
       {&TypeOf<Vector3d>::type(), of_small<Vector3d, detail::shape_of_vector>},
@@ -46,7 +46,7 @@ ShapeMaker maker_for(const Type& type) {
          return detail::shape_of_region(value.get<Region>(), monitor);
        }},
   }};
-  for (const Row& row : kRows)
+  for (const Row& row : rows)
     if (row.type == &type) return row.maker;
   return nullptr;
 }
