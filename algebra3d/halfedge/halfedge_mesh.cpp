@@ -53,6 +53,17 @@ HalfedgeMesh<Layout>::HalfedgeMesh(PointArray points, Layout layout, LargeVector
 }
 
 template <typename Layout>
+HalfedgeMesh<Layout>::HalfedgeMesh(const HalfedgeMesh& linked, PointArray points)
+    : Layout(linked),
+      points_(std::move(points)),
+      origins_(linked.origins_),
+      opposites_(linked.opposites_),
+      outgoing_(linked.outgoing_),
+      nonmanifold_(linked.nonmanifold_) {
+  assert(points_.size() == linked.points_.size());
+}
+
+template <typename Layout>
 std::span<const HalfedgeId> HalfedgeMesh<Layout>::edge_halfedges(HalfedgeId h) const {
   assert(is_nonmanifold(h));
   return nonmanifold_edge(opposites_[h.index()] & ~kNoOpposite);

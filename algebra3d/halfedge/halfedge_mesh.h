@@ -91,6 +91,8 @@ class HalfedgeMesh : public Layout {
   /// Links what is not linked yet. Cost: a few passes, and that of linking the rest.
   HalfedgeMesh(PointArray points, Layout layout, LargeVector<std::uint32_t> origins,
                LargeVector<std::uint32_t> opposites, LargeVector<HalfedgeId> outgoing, Links links);
+  /// The faces and links of another mesh over other points, one per vertex.
+  HalfedgeMesh(const HalfedgeMesh& linked, PointArray points);
   HalfedgeMesh(const HalfedgeMesh&) = default;
   HalfedgeMesh(HalfedgeMesh&&) noexcept = default;
   HalfedgeMesh& operator=(const HalfedgeMesh&) = default;

@@ -33,6 +33,8 @@ TriangleMesh::TriangleMesh(PointArray points, LargeVector<std::uint32_t> origins
   assert(halfedge_count() % 3 == 0);
 }
 
+TriangleMesh::TriangleMesh(const TriangleMesh& linked, PointArray points) : HalfedgeMesh(linked, std::move(points)) {}
+
 TriangleMesh TriangleMesh::with_proposed_links(PointArray points, LargeVector<std::uint32_t> origins,
                                                LargeVector<std::uint32_t> opposites) {
   assert(origins.size() % 3 == 0);

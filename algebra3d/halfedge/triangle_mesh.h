@@ -44,6 +44,9 @@ class TriangleMesh : public HalfedgeMesh<TriangleLayout> {
   static TriangleMesh with_proposed_links(PointArray points, LargeVector<std::uint32_t> origins,
                                           LargeVector<std::uint32_t> opposites);
 
+  /// The faces and links of another mesh over other points, one per vertex. No planes are known. Cost: that of a copy.
+  TriangleMesh(const TriangleMesh& linked, PointArray points);
+
   Triangle triangle(FaceId f) const {
     const std::uint32_t* first = origins().data() + halfedge(f).index();
     return {first[0], first[1], first[2]};

@@ -7,10 +7,7 @@
 
 #include "algebra3d/base/monitor.h"
 #include "algebra3d/exact/predicates.h"
-#include "algebra3d/halfedge/box_hierarchy.h"
 #include "algebra3d/halfedge/circulators.h"
-#include "algebra3d/halfedge/topology.h"
-#include "algebra3d/validity/detail/near_faces.h"
 
 namespace algebra3d {
 namespace {
@@ -41,22 +38,16 @@ bool is_in(const TriangleRef& triangle, const PointRef& p) {
 
 class ContactSearch {
  public:
-  ContactSearch(const TriangleMesh& mesh, const std::vector<bool>& is_new)
-      : mesh_(mesh), is_new_(is_new), owner_(mesh.vertex_count()) {
-    std::vector<FaceId> fresh;
-    for (const FaceId face : faces(mesh))
-      if (is_new_face(face)) fresh.push_back(face);
-    if (fresh.size() < mesh.face_count())
-      for (const FaceId face : faces_near(mesh, is_new, submesh(mesh, fresh), 0)) add(face);
-    // Last, so that they own their vertices.
-    for (const FaceId face : fresh) add(face);
+  ContactSearch(const TriangleMesh& mesh, const FaceSet& known)
+      : mesh_(mesh), known_(known), owner_(mesh.vertex_count()) {
+    for (const bool is_known : {true, false})  // new faces last, so that they own their vertices
+      for (const FaceId face : faces(mesh))
+        if (known.contains(face.index()) == is_known)
+          for (const std::uint32_t v : mesh.triangle(face)) owner_[v] = face;
   }
 
-  /// The new faces and those near them: all faces of a vertex that lies in a new face are among these.
-  const std::vector<std::uint32_t>& faces_in_question() const { return faces_; }
-
   void look_at(FaceId f, FaceId g) {
-    if (!is_new_face(f) && !is_new_face(g)) return;
+    if (known_.contains(f.index()) && known_.contains(g.index())) return;
     add_vertices_in(f, g);
     add_vertices_in(g, f);
   }
@@ -68,13 +59,6 @@ class ContactSearch {
   }
 
  private:
-  void add(FaceId face) {
-    faces_.push_back(face.index());
-    for (const std::uint32_t v : mesh_.triangle(face)) owner_[v] = face;
-  }
-
-  bool is_new_face(FaceId face) const { return is_new_.empty() || is_new_[face.index()]; }
-
   /// Vertices of `other` that lie in `face`, if `other` owns them: so each vertex is looked at once.
   void add_vertices_in(FaceId face, FaceId other) {
     const TriangleMesh::Triangle corners = mesh_.triangle(face);
@@ -85,18 +69,20 @@ class ContactSearch {
   }
 
   const TriangleMesh& mesh_;
-  const std::vector<bool>& is_new_;
-  std::vector<std::uint32_t> faces_;  // as a hierarchy takes them
-  std::vector<FaceId> owner_;         // a face of each vertex of these, a new one if there is any
+  const FaceSet& known_;
+  std::vector<FaceId> owner_;  // a face of each vertex, a new one if there is any
   std::vector<VertexContact> contacts_;
 };
 
 }  // namespace
 
-Result<std::vector<VertexContact>> vertex_contacts(const TriangleMesh& mesh, const std::atomic<bool>* cancel,
-                                                   const std::vector<bool>& is_new) {
-  ContactSearch search(mesh, is_new);
-  const BoxHierarchy hierarchy(mesh, search.faces_in_question());
+Result<std::vector<VertexContact>> vertex_contacts(const TriangleMesh& mesh, const std::atomic<bool>* cancel) {
+  return vertex_contacts(mesh, BoxHierarchy(mesh), FaceSet(), cancel);
+}
+
+Result<std::vector<VertexContact>> vertex_contacts(const TriangleMesh& mesh, const BoxHierarchy& hierarchy,
+                                                   const FaceSet& known, const std::atomic<bool>* cancel) {
+  ContactSearch search(mesh, known);
   const Monitor monitor(cancel);
   hierarchy.for_each_pair(
       [&](std::uint32_t f, std::uint32_t g) {

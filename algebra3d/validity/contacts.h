@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "algebra3d/base/error.h"
+#include "algebra3d/halfedge/box_hierarchy.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/validity/face_set.h"
 
 namespace algebra3d {
 
@@ -18,11 +20,14 @@ struct VertexContact {
   friend bool operator==(const VertexContact&, const VertexContact&) = default;
 };
 
-/// All contacts of vertices in a valid surface or volume, ascending by face, then vertex. With `is_new`, one flag per
-/// face: only those with a new face, or with a vertex of one. Exact. Errors: interrupted. Cost: a scan, and that of the
-/// pairs of boxes of new faces and others.
-Result<std::vector<VertexContact>> vertex_contacts(const TriangleMesh& mesh, const std::atomic<bool>* cancel,
-                                                   const std::vector<bool>& is_new = {});
+/// All contacts of vertices in a valid surface or volume, ascending by face, then vertex. Exact. Errors: interrupted.
+/// Cost: that of the pairs of faces whose boxes meet.
+Result<std::vector<VertexContact>> vertex_contacts(const TriangleMesh& mesh, const std::atomic<bool>* cancel);
+
+/// The same without the contacts in known faces of vertices that have known faces only. `hierarchy`: over all faces;
+/// its groups, if it has any, are of faces without contacts (detail/intersections.h).
+Result<std::vector<VertexContact>> vertex_contacts(const TriangleMesh& mesh, const BoxHierarchy& hierarchy,
+                                                   const FaceSet& known, const std::atomic<bool>* cancel);
 
 /// The number of different vertices in contacts.
 std::size_t vertex_count_of(const std::vector<VertexContact>& contacts);

@@ -19,6 +19,7 @@
 #include "algebra3d/halfedge/box_hierarchy.h"
 #include "algebra3d/halfedge/replaced_faces.h"
 #include "algebra3d/halfedge/topology.h"
+#include "algebra3d/validity/contacts.h"
 #include "algebra3d/validity/detail/edges.h"
 #include "algebra3d/validity/detail/intersections.h"
 #include "algebra3d/validity/detail/near_faces.h"
@@ -122,10 +123,11 @@ Result<bool> is_valid_whole(const Replacement& replacement, const std::atomic<bo
 
 }  // namespace
 
-Result<bool> is_valid_replacement(const TriangleMesh& volume, const std::vector<bool>& is_removed,
-                                  const TriangleMesh& added, double movement, const std::atomic<bool>* cancel) {
+Result<ProofWithContacts> prove_replacement(const TriangleMesh& volume, const std::vector<bool>& is_removed,
+                                            const TriangleMesh& added, double movement,
+                                            const std::atomic<bool>* cancel) {
   const Replacement replacement{&volume, &is_removed, &added};
-  if (!have_same_boundary(replacement)) return false;
+  if (!have_same_boundary(replacement)) return ProofWithContacts{};
   const TriangleMesh mesh = mesh_around(replacement, faces_near(volume, is_removed, added, movement));
   const ProofOptions options = options_for(mesh.face_count(), 0, added.face_count(), cancel);
 
@@ -133,12 +135,17 @@ Result<bool> is_valid_replacement(const TriangleMesh& volume, const std::vector<
   const ProvedParts proved(mesh, options.known);
   const SoundFaces sound = check_triangles(mesh, proved, report);
   check_edges(mesh, sound, report, options.known);
-  if (!report.is_valid()) return false;
+  if (!report.is_valid()) return ProofWithContacts{};
   BoxHierarchy hierarchy(mesh);
   FaceSet ignored;
   ALGEBRA3D_RETURN_IF_ERROR(find_intersections(mesh, proved, hierarchy, options, report, ignored));
-  if (!report.is_valid()) return false;
-  return do_all_shells_go_on(mesh) ? Result<bool>(true) : is_valid_whole(replacement, cancel);
+  if (!report.is_valid()) return ProofWithContacts{};
+  if (!do_all_shells_go_on(mesh)) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, is_valid_whole(replacement, cancel));
+    if (!is_valid) return ProofWithContacts{};
+  }
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto contacts, vertex_contacts(mesh, hierarchy, options.known, cancel));
+  return ProofWithContacts{true, vertex_count_of(contacts)};
 }
 
 }  // namespace algebra3d

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "algebra3d/base/box3.h"
+#include "algebra3d/base/scheduler.h"
+#include "algebra3d/exact/point_table.h"
 
 namespace algebra3d {
 namespace {
@@ -42,23 +44,42 @@ std::vector<bool> are_moved(const TriangleMesh& mesh, const CoordinateGrid& grid
 
 RoundedVertices rounded_vertices(const TriangleMesh& mesh, const CoordinateGrid& grid) {
   RoundedVertices result;
-  std::vector<Vec3> rounded;
-  rounded.reserve(mesh.vertex_count());
-  result.movements.reserve(mesh.vertex_count());
-  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
+  std::vector<Vec3> rounded(mesh.vertex_count());
+  result.movements.resize(mesh.vertex_count());
+  constexpr std::size_t kVerticesPerTask = 20'000;
+  parallel_for(mesh.vertex_count(), kVerticesPerTask, [&](std::size_t i) {
     const PointRef given = mesh.points()[i];
-    const Vec3 point = nearest(grid, given.approx);
-    result.are_finite = result.are_finite && is_finite(point);
-    if (!result.are_finite) return result;
-    const bool is_moved = !given.is_double() || given.approx != point;
-    const double movement = is_moved ? distance_to_rounded(given, point) : 0;
-    if (is_moved) ++result.moved;
+    rounded[i] = nearest(grid, given.approx);
+    const bool is_moved = !given.is_double() || given.approx != rounded[i];
+    if (is_moved) result.movements[i] = distance_to_rounded(given, rounded[i]);
+  });
+  result.are_finite = std::ranges::all_of(rounded, is_finite);
+  if (!result.are_finite) return result;
+  for (const double movement : result.movements) {
+    if (movement > 0) ++result.moved;
     result.largest_movement = std::max(result.largest_movement, movement);
-    result.movements.push_back(movement);
-    rounded.push_back(point);
   }
   result.points = PointArray(std::move(rounded));
   return result;
+}
+
+std::vector<bool> faces_that_move(const TriangleMesh& mesh, const std::vector<double>& movements) {
+  std::vector<bool> result(mesh.face_count());
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto [a, b, c] = mesh.triangle(FaceId(f));
+    result[f] = movements[a] > 0 || movements[b] > 0 || movements[c] > 0;
+  }
+  return result;
+}
+
+bool are_apart(const RoundedVertices& vertices) {
+  PointTable moved(vertices.moved);
+  const auto is_moved = [&](std::size_t v) { return vertices.movements[v] > 0; };
+  for (std::size_t v = 0; v < vertices.points.size(); ++v)
+    if (is_moved(v) && moved.intern(vertices.points[v]) + 1 < moved.size()) return false;
+  for (std::size_t v = 0; v < vertices.points.size(); ++v)
+    if (!is_moved(v) && moved.find(vertices.points[v]) != kNone) return false;
+  return true;
 }
 
 double rounded_up(double length) {

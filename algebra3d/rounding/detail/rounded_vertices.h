@@ -22,6 +22,12 @@ std::vector<bool> are_moved(const TriangleMesh& mesh, const CoordinateGrid& grid
 /// Rounds all vertices. Movements are upper bounds. Cost: linear.
 RoundedVertices rounded_vertices(const TriangleMesh& mesh, const CoordinateGrid& grid);
 
+/// One flag per face: whether a corner of it moved. `movements`: a number per vertex, 0 if it stayed.
+std::vector<bool> faces_that_move(const TriangleMesh& mesh, const std::vector<double>& movements);
+
+/// True if no moved vertex has come to the place of another one. Cost: linear.
+bool are_apart(const RoundedVertices& vertices);
+
 /// The length slightly enlarged: an upper bound in spite of a few roundings.
 double rounded_up(double length);
 

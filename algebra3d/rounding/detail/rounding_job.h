@@ -58,6 +58,9 @@ class RoundingJob {
   virtual Result<std::optional<TriangleMesh>> divided(const TriangleMesh& mesh) const = 0;
   /// Proves the candidate; true if it is valid, and the result from now on.
   virtual Result<bool> accept(const RoundingCandidate& candidate) = 0;
+  /// The same for the mesh with its vertices moved and its faces as they were. False also if two vertices come to one
+  /// place, or if a vertex comes to lie inside an edge or face.
+  virtual Result<bool> accept_moved() = 0;
 
  protected:
   /// The mesh must outlive this. `size`: the largest coordinate of what is given, of which the mesh may be a part.

@@ -13,10 +13,11 @@ constexpr double kModestReach = 32;
 constexpr double kLargestReach = 0x1p20;
 constexpr double kReachGrowth = 4;
 
-/// Only on a grid of multiples, which may be coarse: what edges led round vertices close may be as wide as a triangle.
-/// On other grids this gives the same as snap rounding, or triangles that cross.
+/// The faces are kept if no vertices come together. Where they do, snap rounding is next; but on a grid of multiples,
+/// which may be coarse, what edges led round vertices close may be as wide as a triangle.
 Result<bool> move_vertices(RoundingJob& job) {
-  if (job.grid().is_floating()) return false;
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool are_faces_kept, job.accept_moved());
+  if (are_faces_kept || job.grid().is_floating()) return are_faces_kept;
   ALGEBRA3D_ASSIGN_OR_RETURN(const RoundingCandidate moved,
                              with_moved_vertices(job.mesh(), job.vertices(), job.cancel()));
   return job.accept(moved);

@@ -7,7 +7,8 @@
 #include "algebra3d/base/indices.h"
 #include "algebra3d/halfedge/replaced_faces.h"
 #include "algebra3d/halfedge/topology.h"
-#include "algebra3d/validity/replacement.h"
+#include "algebra3d/rounding/detail/rounded_vertices.h"
+#include "algebra3d/validity/contacts.h"
 #include "algebra3d/validity/validity.h"
 
 namespace algebra3d {
@@ -56,6 +57,14 @@ class ShellsAtBoundary {
   std::vector<std::pair<std::pair<Vec3, Vec3>, std::uint32_t>> of_edges_;  // ascending
 };
 
+Result<ProofWithContacts> prove_whole(const TriangleMesh& mesh, const std::atomic<bool>* cancel) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport report,
+                             prove_volume(mesh, {.thoroughness = Thoroughness::first_defect, .cancel = cancel}));
+  if (!report.is_valid()) return ProofWithContacts{};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto contacts, vertex_contacts(mesh, cancel));
+  return ProofWithContacts{true, vertex_count_of(contacts)};
+}
+
 }  // namespace
 
 SolidPart::SolidPart(const TriangleMesh& solid, const std::vector<bool>& is_moved)
@@ -75,12 +84,9 @@ SolidPart::SolidPart(const TriangleMesh& solid, const std::vector<bool>& is_move
     part_ = submesh(solid, faces);
 }
 
-Result<bool> SolidPart::is_valid_with(const TriangleMesh& rounded, double movement,
-                                      const std::atomic<bool>* cancel) const {
-  if (!is_whole()) return is_valid_replacement(*solid_, is_in_, rounded, movement, cancel);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport report,
-                             prove_volume(rounded, {.thoroughness = Thoroughness::first_defect, .cancel = cancel}));
-  return report.is_valid();
+Result<ProofWithContacts> SolidPart::prove_with(const TriangleMesh& rounded, double movement,
+                                                const std::atomic<bool>* cancel) const {
+  return is_whole() ? prove_whole(rounded, cancel) : prove_replacement(*solid_, is_in_, rounded, movement, cancel);
 }
 
 bool SolidPart::keeps_shells_with(const TriangleMesh& rounded) const {
@@ -90,6 +96,17 @@ bool SolidPart::keeps_shells_with(const TriangleMesh& rounded) const {
 
 TriangleMesh SolidPart::solid_with(TriangleMesh rounded) const {
   return is_whole() ? std::move(rounded) : with_replaced_faces(*solid_, is_in_, rounded);
+}
+
+Result<ProofWithContacts> prove_moved(const TriangleMesh& solid, const TriangleMesh& moved,
+                                      const std::vector<double>& movements, double largest,
+                                      const std::atomic<bool>* cancel) {
+  const std::vector<bool> is_moved = faces_that_move(solid, movements);
+  std::vector<FaceId> faces;
+  for (std::size_t f = 0; f < solid.face_count(); ++f)
+    if (is_moved[f]) faces.emplace_back(f);
+  if (faces.size() > solid.face_count() / 2) return prove_whole(moved, cancel);
+  return prove_replacement(solid, is_moved, submesh(moved, faces), largest, cancel);
 }
 
 }  // namespace algebra3d

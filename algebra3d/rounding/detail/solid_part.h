@@ -5,6 +5,7 @@
 
 #include "algebra3d/base/error.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/validity/replacement.h"
 
 namespace algebra3d {
 
@@ -22,7 +23,8 @@ class SolidPart {
 
   /// Proves or refutes that the solid is valid with `rounded` in place of the part, no point of which is farther from
   /// the part than `movement`. Exact. Errors: interrupted. Cost: that of a proof of the part, and a scan of the solid.
-  Result<bool> is_valid_with(const TriangleMesh& rounded, double movement, const std::atomic<bool>* cancel) const;
+  Result<ProofWithContacts> prove_with(const TriangleMesh& rounded, double movement,
+                                       const std::atomic<bool>* cancel) const;
   /// False if the solid may have another number of shells with `rounded` in place of the part. Cost: linear in the
   /// part.
   bool keeps_shells_with(const TriangleMesh& rounded) const;
@@ -34,5 +36,12 @@ class SolidPart {
   std::vector<bool> is_in_;  // per face; empty: all
   TriangleMesh part_;
 };
+
+/// Proves or refutes a valid solid whose vertices have moved, with the faces that it had. `movements`: one number per
+/// vertex, 0 if it stayed, in coordinate units; none moved farther than `largest`. Exact. Errors: interrupted. Cost:
+/// that of a proof of the faces that moved, and a scan of the solid.
+Result<ProofWithContacts> prove_moved(const TriangleMesh& solid, const TriangleMesh& moved,
+                                      const std::vector<double>& movements, double largest,
+                                      const std::atomic<bool>* cancel);
 
 }  // namespace algebra3d

@@ -14,7 +14,6 @@
 #include "algebra3d/rounding/detail/cell_cover.h"
 #include "algebra3d/rounding/detail/met_cells.h"
 #include "algebra3d/rounding/detail/vertex_removal.h"
-#include "algebra3d/validity/contacts.h"
 
 namespace algebra3d {
 namespace {
@@ -73,15 +72,13 @@ Result<bool> SolidRounding::accept_as_it_is(const RoundingCandidate& candidate) 
     ALGEBRA3D_ASSIGN_OR_RETURN(const bool may_be_empty, may_vanish(candidate.reach));
     if (!may_be_empty) return false;
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, part_.is_valid_with(candidate.mesh, candidate.movement, cancel()));
-  if (!is_valid) return false;
+  ALGEBRA3D_ASSIGN_OR_RETURN(const ProofWithContacts proof,
+                             part_.prove_with(candidate.mesh, candidate.movement, cancel()));
+  if (!proof.is_valid) return false;
   if (!part_.keeps_shells_with(candidate.mesh)) result_.shells_before = connected_components(solid_).count;
   result_.mesh = part_.solid_with(candidate.mesh);
   if (result_.shells_before > 0) result_.shells_after = connected_components(*result_.mesh).count;
-  std::vector<bool> is_new(result_.mesh->face_count(), true);
-  std::fill_n(is_new.begin(), is_new.size() - candidate.mesh.face_count(), false);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto contacts, vertex_contacts(*result_.mesh, cancel(), is_new));
-  result_.contact_vertices = vertex_count_of(contacts);
+  result_.contact_vertices = proof.contact_vertices;
   result_.largest_movement = candidate.movement;
   result_.reach = candidate.reach;
   result_.method = candidate.method;
@@ -108,6 +105,24 @@ Result<bool> SolidRounding::accept(const RoundingCandidate& candidate) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, accept_as_it_is(simpler));
   if (is_valid || simpler.mesh.face_count() == candidate.mesh.face_count()) return is_valid;
   return accept_as_it_is(candidate);
+}
+
+Result<bool> SolidRounding::accept_moved() {
+  RoundedVertices all = rounded_vertices(solid_, grid());
+  if (!are_apart(all)) return false;
+  const double movement = rounded_up(all.largest_movement);
+  const RoundingCandidate moved_part{TriangleMesh(mesh(), vertices().points), movement};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const RoundingCandidate simpler, without_superfluous(moved_part));
+  if (simpler.mesh.face_count() < mesh().face_count()) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, accept_as_it_is(simpler));
+    if (is_valid) return true;
+  }
+  TriangleMesh moved(solid_, std::move(all.points));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const ProofWithContacts proof,
+                             prove_moved(solid_, moved, all.movements, movement, cancel()));
+  if (!proof.is_valid || proof.contact_vertices > 0) return false;
+  result_ = {std::move(moved), "", 0, movement, RoundingMethod::vertices_moved};
+  return true;
 }
 
 }  // namespace algebra3d

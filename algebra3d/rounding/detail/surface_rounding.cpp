@@ -1,6 +1,7 @@
 #include "algebra3d/rounding/detail/surface_rounding.h"
 
 #include <utility>
+#include <vector>
 
 #include "algebra3d/arrangement/surface_arrangement.h"
 #include "algebra3d/autorefinement/valid_parts.h"
@@ -23,12 +24,26 @@ Result<std::optional<TriangleMesh>> SurfaceRounding::divided(const TriangleMesh&
   return std::optional(*std::move(pieces));
 }
 
+Result<bool> SurfaceRounding::accept_moved() {
+  if (!are_apart(vertices())) return false;
+  std::vector<bool> stays = faces_that_move(mesh(), vertices().movements);
+  stays.flip();
+  const RoundingCandidate moved{TriangleMesh(mesh(), vertices().points), rounded_up(vertices().largest_movement)};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, accept(moved, FaceSet(std::move(stays))));
+  return is_valid && result_.contact_vertices == 0;
+}
+
 Result<bool> SurfaceRounding::accept(const RoundingCandidate& candidate) {
+  return accept(candidate, FaceSet());
+}
+
+Result<bool> SurfaceRounding::accept(const RoundingCandidate& candidate, const FaceSet& known) {
   if (candidate.mesh.is_empty() && candidate.reach > kFirstReach * spacing()) return false;
-  const ProofOptions options{.thoroughness = Thoroughness::first_defect, .cancel = cancel()};
+  const ProofOptions options{.thoroughness = Thoroughness::first_defect, .cancel = cancel(), .known = known};
   ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport report, prove_surface(candidate.mesh, options));
   if (!report.is_valid()) return false;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto contacts, vertex_contacts(candidate.mesh, cancel()));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto contacts,
+                             vertex_contacts(candidate.mesh, BoxHierarchy(candidate.mesh), known, cancel()));
   result_ = RoundedSurface{candidate.mesh, "", 0, candidate.movement, candidate.method, vertex_count_of(contacts),
                            candidate.reach};
   return true;

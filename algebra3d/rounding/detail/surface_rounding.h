@@ -8,6 +8,7 @@
 #include "algebra3d/rounding/coordinate_grid.h"
 #include "algebra3d/rounding/detail/rounding_job.h"
 #include "algebra3d/rounding/rounded_surface.h"
+#include "algebra3d/validity/face_set.h"
 
 namespace algebra3d {
 
@@ -22,11 +23,15 @@ class SurfaceRounding : public RoundingJob {
   Result<std::optional<TriangleMesh>> divided(const TriangleMesh& mesh) const override;
   /// An empty candidate is refused if a wider reach than the first one was needed.
   Result<bool> accept(const RoundingCandidate& candidate) override;
+  Result<bool> accept_moved() override;
 
   /// The last accepted candidate; nothing is known of the vertices that moved.
   RoundedSurface&& result() { return std::move(result_); }
 
  private:
+  /// accept, where pairs of known faces need no proof.
+  Result<bool> accept(const RoundingCandidate& candidate, const FaceSet& known);
+
   RoundedSurface result_;
 };
 

@@ -185,11 +185,11 @@ void EdgeCollapser::push(std::uint32_t h, std::size_t bucket) {
   queue_.push(bucket, h);
 }
 
-Status EdgeCollapser::fill_queue() {
+Status EdgeCollapser::fill_queue(const Monitor& monitor) {
   constexpr std::uint16_t kNoBucket = 0xFFFF;
   LargeVector<std::array<std::uint16_t, 3>> buckets(faces_.face_slots());
   parallel_for(faces_.face_slots(), kGrain, [&](std::size_t f) {
-    for (std::uint32_t i = 0; i < 3; ++i) {
+    for (std::uint32_t i = 0; i < 3 && !monitor.is_cancelled(); ++i) {
       const auto h = static_cast<std::uint32_t>(4 * f + i);
       buckets[f][i] = kNoBucket;
       if (faces_.opposite(h) < h) continue;
@@ -199,10 +199,11 @@ Status EdgeCollapser::fill_queue() {
       buckets[f][i] = static_cast<std::uint16_t>(CostBuckets::bucket_of(places.places[0].cost + penalty(h)));
     }
   });
-  for (std::size_t f = 0; f < buckets.size(); ++f)
+  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  for (std::size_t f = 0; f < buckets.size() && !monitor.is_cancelled(); ++f)
     for (std::uint32_t i = 0; i < 3; ++i)
       if (buckets[f][i] != kNoBucket) push(static_cast<std::uint32_t>(4 * f + i), buckets[f][i]);
-  return {};
+  return monitor.check();
 }
 
 /// Whether a face of the ring of `keep`, but for those at `other`, turns too far or loses its area if the vertex moves.
@@ -271,7 +272,8 @@ void EdgeCollapser::handle(std::uint32_t h, std::size_t bucket) {
 Status EdgeCollapser::run(const CollapseLimits& limits, const Monitor& monitor) {
   const double error = limits.error / unit_;
   largest_cost_ = error * error + 16 * kNoise;
-  ALGEBRA3D_RETURN_IF_ERROR(fill_queue());
+  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  ALGEBRA3D_RETURN_IF_ERROR(fill_queue(monitor));
   const std::size_t before = faces_.face_count();
   Stage stage(monitor, "simplifying", before > limits.triangles ? before - limits.triangles : 0);
   for (std::size_t bucket = 0; bucket < CostBuckets::kCount; ++bucket) {

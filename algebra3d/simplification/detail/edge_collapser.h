@@ -76,7 +76,7 @@ class EdgeCollapser {
   void add_feature_quadrics();
   bool is_feature(std::uint32_t h) const { return faces_.opposite(h) == kNone || faces_.is_crease(h); }
   Vec3 face_normal(std::uint32_t f) const;
-  Status fill_queue();
+  Status fill_queue(const Monitor& monitor);
   Quadric face_quadric(std::uint32_t f) const;
   Candidates candidates(std::uint32_t h) const;
   double penalty(std::uint32_t h) const;

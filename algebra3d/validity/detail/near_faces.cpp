@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "algebra3d/base/scheduler.h"
 #include "algebra3d/halfedge/box_hierarchy.h"
 #include "algebra3d/halfedge/boxes.h"
 
@@ -74,10 +75,13 @@ std::vector<std::uint32_t> faces_in_marked_cells(const TriangleMesh& mesh, const
                                                  const TriangleMesh& others, double reach) {
   MarkedCells cells(padded(box_of_mesh(others), reach));
   for (std::uint32_t f = 0; f < others.face_count(); ++f) cells.mark(padded(box_of_face(others, f), reach));
-  std::vector<std::uint32_t> found;
-  for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
-    if (!is_excepted[f] && cells.meets_marked(box_of_face(mesh, f))) found.push_back(f);
-  return found;
+  constexpr std::size_t kFacesPerScan = 20'000;
+  return parallel_collect(mesh.face_count(), kFacesPerScan, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::uint32_t> found;
+    for (auto f = static_cast<std::uint32_t>(begin); f < end; ++f)
+      if (!is_excepted[f] && cells.meets_marked(box_of_face(mesh, f))) found.push_back(f);
+    return found;
+  });
 }
 
 }  // namespace

@@ -73,6 +73,21 @@ TEST(Relinked, is_the_mesh_that_is_linked_from_nothing) {
   }
 }
 
+TEST(TriangleMesh, over_other_points_has_the_same_links) {
+  std::mt19937 random(6);
+  for (int i = 0; i < 100; ++i) {
+    SCOPED_TRACE("trial " + std::to_string(i));
+    const Triangles triangles = i % 2 == 0 ? samples::damaged_grid(random)
+                                           : samples::random_soup(random, 1 + number_below(random, 40), 12, true);
+    const TriangleMesh mesh = samples::mesh_of(triangles);
+    std::vector<Vec3> places = mesh.points().approx();
+    for (Vec3& place : places) place = 3 * place;
+    const TriangleMesh moved(mesh, PointArray(places));
+    expect_same_mesh(moved, TriangleMesh(PointArray(places), triangles));
+    EXPECT_EQ(moved.points().approx(), places);
+  }
+}
+
 TEST(Relinked, all_or_nothing_may_be_left) {
   const Triangles torus = samples::torus(7, 5);
   const TriangleMesh mesh = samples::mesh_of(torus);

@@ -54,13 +54,15 @@ TEST(VertexContacts, in_a_face_in_edges_and_at_a_corner) {
     const TriangleMesh both = together({cube, standing_on(tip)});
     EXPECT_EQ(contacts_of(both).size(), expected) << tip;
     EXPECT_EQ(vertex_count_of(contacts_of(both)), expected > 0 ? 1U : 0U);
-    // By the flags: the tetrahedron is new, or the cube is.
-    for (const bool is_cube_new : {false, true}) {
-      std::vector<bool> is_new(both.face_count(), is_cube_new);
-      std::fill(is_new.begin() + 12, is_new.end(), !is_cube_new);
-      EXPECT_EQ(*vertex_contacts(both, nullptr, is_new), contacts_of(both));
+    // The cube is known, or the tetrahedron is.
+    const BoxHierarchy hierarchy(both);
+    for (const bool is_cube_known : {false, true}) {
+      std::vector<bool> is_known(both.face_count(), is_cube_known);
+      std::fill(is_known.begin() + 12, is_known.end(), !is_cube_known);
+      EXPECT_EQ(*vertex_contacts(both, hierarchy, FaceSet(is_known), nullptr), contacts_of(both));
     }
-    EXPECT_TRUE(vertex_contacts(both, nullptr, std::vector<bool>(both.face_count()))->empty());
+    EXPECT_TRUE(
+        vertex_contacts(both, hierarchy, FaceSet(std::vector<bool>(both.face_count(), true)), nullptr)->empty());
   }
 }
 

@@ -49,6 +49,38 @@ TEST(RoundedSolid, of_many_intersections_stays_a_solid_of_nearly_the_same_volume
   }
 }
 
+// Crossing spheres: the corners of the seam move, and nothing comes together.
+TEST(RoundedSolid, keeps_its_faces_where_vertices_only_move) {
+  const TriangleMesh ball = geodesic_sphere(8);
+  const TriangleMesh other = mapped(ball, [](const Vec3& p) { return p + Vec3{0.7, 0.2, 0.1}; });
+  SetOperations engine;
+  const TriangleMesh solid = engine.unite(ball, other);
+  ASSERT_GT(solid.points().exact_count(), 20U);
+  const auto rounded = rounded_solid(solid, CoordinateGrid::doubles());
+  ASSERT_TRUE(rounded.ok() && rounded->mesh) << rounded->reason;
+  EXPECT_EQ(prove_volume(*rounded->mesh)->text(), "");
+  EXPECT_EQ(triangles_of(*rounded->mesh), triangles_of(solid));
+  EXPECT_EQ(rounded->mesh->points().approx(), solid.points().approx());
+  EXPECT_EQ(rounded->mesh->points().exact_count(), 0U);
+  EXPECT_EQ(rounded->moved_vertices, solid.points().exact_count());
+  EXPECT_EQ(rounded->method, RoundingMethod::vertices_moved);
+  EXPECT_EQ(rounded->contact_vertices, 0U);
+  EXPECT_GT(rounded->largest_movement, 0);
+  EXPECT_LT(rounded->largest_movement, 0x1p-52);
+}
+
+// A prism with two edges less than half a spacing apart: its corners come together, so faces go.
+TEST(RoundedSolid, joins_vertices_that_come_to_one_place) {
+  const TriangleMesh prism = mapped(box({0, 0, 0}, {4, 4, 1}), [](const Vec3& p) {
+    return p.x == 4 && p.y == 4 ? Vec3{4, 0.25, p.z} : p;
+  });
+  const auto rounded = rounded_solid(prism, CoordinateGrid::multiples(1));
+  ASSERT_TRUE(rounded.ok() && rounded->mesh) << rounded->reason;
+  EXPECT_EQ(prove_volume(*rounded->mesh)->text(), "");
+  EXPECT_EQ(rounded->mesh->vertex_count(), 6U);
+  EXPECT_EQ(exact_volume_of(*rounded->mesh), Rational(8));
+}
+
 /// Boxes on a small grid, turned: what was common is a hair apart, or overlaps by one.
 TriangleMesh boxes_that_nearly_touch(std::uint64_t seed) {
   Chance chance(seed);

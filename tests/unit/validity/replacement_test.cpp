@@ -55,6 +55,11 @@ TriangleMesh flagged_faces(const TriangleMesh& mesh, const std::vector<bool>& fl
   return submesh(mesh, faces);
 }
 
+bool is_valid_replacement(const TriangleMesh& volume, const std::vector<bool>& is_removed, const TriangleMesh& added,
+                          double movement) {
+  return prove_replacement(volume, is_removed, added, movement)->is_valid;
+}
+
 TEST(Replacement, is_valid_if_the_whole_solid_is) {
   int valid = 0;
   const TriangleMesh torus = samples::torus(24, 10);
@@ -63,7 +68,7 @@ TEST(Replacement, is_valid_if_the_whole_solid_is) {
     std::mt19937 random(seed);
     const Deformed moved = deformed(torus, random, 0.05 * (1 + seed % 20));
     const bool is_valid =
-        *is_valid_replacement(torus, moved.is_moved, flagged_faces(moved.mesh, moved.is_moved), moved.movement);
+        is_valid_replacement(torus, moved.is_moved, flagged_faces(moved.mesh, moved.is_moved), moved.movement);
     EXPECT_EQ(is_valid, prove_volume(moved.mesh)->is_valid());
     valid += static_cast<int>(is_valid);
   }
@@ -81,12 +86,14 @@ TEST(Replacement, may_touch_faces_that_stay) {
   for (std::size_t f = 12; f < 16; ++f)
     for (const PointRef& corner : before.corners(FaceId(f)))
       if (corner.approx == Vec3{2, 2, 6}) is_removed[f] = true;
-  const auto is_valid = [&](double tip) {
-    return *is_valid_replacement(before, is_removed, flagged_faces(bodies(tip), is_removed), 6 - tip);
+  const auto proof = [&](double tip) {
+    return *prove_replacement(before, is_removed, flagged_faces(bodies(tip), is_removed), 6 - tip);
   };
-  EXPECT_TRUE(is_valid(4.5));
-  EXPECT_TRUE(is_valid(4));
-  EXPECT_FALSE(is_valid(3.5));
+  EXPECT_TRUE(proof(4.5).is_valid);
+  EXPECT_EQ(proof(4.5).contact_vertices, 0U);
+  EXPECT_TRUE(proof(4).is_valid);
+  EXPECT_EQ(proof(4).contact_vertices, 1U);
+  EXPECT_FALSE(proof(3.5).is_valid);
 }
 
 TEST(Replacement, that_turns_a_shell_inside_out_is_not_valid) {
@@ -95,29 +102,29 @@ TEST(Replacement, that_turns_a_shell_inside_out_is_not_valid) {
   std::vector<bool> is_removed(before.face_count());
   for (std::size_t f = 12; f < 16; ++f) is_removed[f] = true;
   const TriangleMesh tetrahedron = flagged_faces(before, is_removed);
-  EXPECT_TRUE(*is_valid_replacement(before, is_removed, tetrahedron, 0));
-  EXPECT_FALSE(*is_valid_replacement(before, is_removed, flipped(tetrahedron), 2));
+  EXPECT_TRUE(is_valid_replacement(before, is_removed, tetrahedron, 0));
+  EXPECT_FALSE(is_valid_replacement(before, is_removed, flipped(tetrahedron), 2));
   // A shell may vanish.
-  EXPECT_TRUE(*is_valid_replacement(before, is_removed, TriangleMesh(), 2));
+  EXPECT_TRUE(is_valid_replacement(before, is_removed, TriangleMesh(), 2));
 }
 
 TEST(Replacement, with_another_boundary_is_not_valid) {
   const TriangleMesh torus = samples::torus(8, 6);
   std::vector<bool> is_removed(torus.face_count());
   is_removed[3] = is_removed[10] = true;
-  EXPECT_TRUE(*is_valid_replacement(torus, is_removed, flagged_faces(torus, is_removed), 0));
-  EXPECT_FALSE(*is_valid_replacement(torus, is_removed, flipped(flagged_faces(torus, is_removed)), 0));
+  EXPECT_TRUE(is_valid_replacement(torus, is_removed, flagged_faces(torus, is_removed), 0));
+  EXPECT_FALSE(is_valid_replacement(torus, is_removed, flipped(flagged_faces(torus, is_removed)), 0));
   std::vector<bool> one = is_removed;
   one[10] = false;
-  EXPECT_FALSE(*is_valid_replacement(torus, is_removed, flagged_faces(torus, one), 0));
-  EXPECT_FALSE(*is_valid_replacement(torus, is_removed, TriangleMesh(), 0));
+  EXPECT_FALSE(is_valid_replacement(torus, is_removed, flagged_faces(torus, one), 0));
+  EXPECT_FALSE(is_valid_replacement(torus, is_removed, TriangleMesh(), 0));
 }
 
 TEST(Replacement, can_be_interrupted) {
   const TriangleMesh torus = samples::torus(8, 6);
   const std::vector<bool> is_removed(torus.face_count(), true);
   const std::atomic<bool> cancel = true;
-  const auto result = is_valid_replacement(torus, is_removed, torus, 0, &cancel);
+  const auto result = prove_replacement(torus, is_removed, torus, 0, &cancel);
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.error().code, ErrorCode::interrupted);
 }
