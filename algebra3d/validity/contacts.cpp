@@ -6,11 +6,16 @@
 #include <set>
 
 #include "algebra3d/base/monitor.h"
+#include "algebra3d/base/scheduler.h"
 #include "algebra3d/exact/predicates.h"
 #include "algebra3d/halfedge/circulators.h"
 
 namespace algebra3d {
 namespace {
+
+/// So many parts of a search are searched in parallel, if there are more faces than that.
+constexpr std::size_t kContactParts = 256;
+constexpr std::size_t kFewContactFaces = 2'000;
 
 /// Nearly all points are outside the box. Rounded numbers are enough, as rounding is monotonic.
 bool is_in_box_of(const TriangleRef& triangle, const Vec3& p) {
@@ -46,32 +51,26 @@ class ContactSearch {
           for (const std::uint32_t v : mesh.triangle(face)) owner_[v] = face;
   }
 
-  void look_at(FaceId f, FaceId g) {
+  /// Adds the contacts of vertices of one of the faces in the other.
+  void add_contacts(FaceId f, FaceId g, std::vector<VertexContact>& contacts) const {
     if (known_.contains(f.index()) && known_.contains(g.index())) return;
-    add_vertices_in(f, g);
-    add_vertices_in(g, f);
-  }
-
-  std::vector<VertexContact> contacts() && {
-    const auto key = [](const VertexContact& contact) { return std::pair(contact.face, contact.vertex); };
-    std::ranges::sort(contacts_, {}, key);
-    return std::move(contacts_);
+    add_vertices_in(f, g, contacts);
+    add_vertices_in(g, f, contacts);
   }
 
  private:
   /// Vertices of `other` that lie in `face`, if `other` owns them: so each vertex is looked at once.
-  void add_vertices_in(FaceId face, FaceId other) {
+  void add_vertices_in(FaceId face, FaceId other, std::vector<VertexContact>& contacts) const {
     const TriangleMesh::Triangle corners = mesh_.triangle(face);
     for (const std::uint32_t v : mesh_.triangle(other))
       if (owner_[v] == other && std::ranges::find(corners, v) == corners.end() &&
           is_in(mesh_.corners(face), mesh_.points()[v]))
-        contacts_.push_back({VertexId(v), face});
+        contacts.push_back({VertexId(v), face});
   }
 
   const TriangleMesh& mesh_;
   const FaceSet& known_;
   std::vector<FaceId> owner_;  // a face of each vertex, a new one if there is any
-  std::vector<VertexContact> contacts_;
 };
 
 }  // namespace
@@ -82,16 +81,23 @@ Result<std::vector<VertexContact>> vertex_contacts(const TriangleMesh& mesh, con
 
 Result<std::vector<VertexContact>> vertex_contacts(const TriangleMesh& mesh, const BoxHierarchy& hierarchy,
                                                    const FaceSet& known, const std::atomic<bool>* cancel) {
-  ContactSearch search(mesh, known);
+  const ContactSearch search(mesh, known);
   const Monitor monitor(cancel);
-  hierarchy.for_each_pair(
-      [&](std::uint32_t f, std::uint32_t g) {
-        search.look_at(FaceId(f), FaceId(g));
-        return true;
-      },
-      [&] { return !monitor.is_cancelled(); });
+  const std::vector<BoxHierarchy::NodePair> parts =
+      hierarchy.parts_of_search(mesh.face_count() > kFewContactFaces ? kContactParts : 1);
+  auto contacts = parallel_collect(parts.size(), 1, [&](std::size_t first, std::size_t end) {
+    std::vector<VertexContact> found;
+    const auto look_at = [&](std::uint32_t f, std::uint32_t g) {
+      search.add_contacts(FaceId(f), FaceId(g), found);
+      return true;
+    };
+    for (std::size_t part = first; part < end; ++part)
+      hierarchy.for_each_pair(parts[part], look_at, [&] { return !monitor.is_cancelled(); });
+    return found;
+  });
   ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
-  return std::move(search).contacts();
+  std::ranges::sort(contacts, {}, [](const VertexContact& contact) { return std::pair(contact.face, contact.vertex); });
+  return contacts;
 }
 
 std::size_t vertex_count_of(const std::vector<VertexContact>& contacts) {

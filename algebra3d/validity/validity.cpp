@@ -5,6 +5,7 @@
 
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/halfedge/box_hierarchy.h"
+#include "algebra3d/validity/contacts.h"
 #include "algebra3d/validity/detail/edges.h"
 #include "algebra3d/validity/detail/intersections.h"
 #include "algebra3d/validity/detail/proved_parts.h"
@@ -81,6 +82,10 @@ Result<ValidityReport> prove(const TriangleMesh& mesh, Kind kind, const ProofOpt
   // Off the beaten track a winding number means nothing.
   if (kind == Kind::volume && report.is_valid())
     ALGEBRA3D_RETURN_IF_ERROR(check_windings(mesh, proved->fields, *hierarchy, options, report));
+  if (options.counts_contacts && report.is_valid()) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const auto contacts, vertex_contacts(mesh, *hierarchy, options.known, options.cancel));
+    report.contact_vertices = vertex_count_of(contacts);
+  }
   return report;
 }
 

@@ -8,7 +8,6 @@
 #include "algebra3d/halfedge/replaced_faces.h"
 #include "algebra3d/halfedge/topology.h"
 #include "algebra3d/rounding/detail/rounded_vertices.h"
-#include "algebra3d/validity/contacts.h"
 #include "algebra3d/validity/validity.h"
 
 namespace algebra3d {
@@ -57,12 +56,11 @@ class ShellsAtBoundary {
   std::vector<std::pair<std::pair<Vec3, Vec3>, std::uint32_t>> of_edges_;  // ascending
 };
 
-Result<ProofWithContacts> prove_whole(const TriangleMesh& mesh, const std::atomic<bool>* cancel) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport report,
-                             prove_volume(mesh, {.thoroughness = Thoroughness::first_defect, .cancel = cancel}));
-  if (!report.is_valid()) return ProofWithContacts{};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto contacts, vertex_contacts(mesh, cancel));
-  return ProofWithContacts{true, vertex_count_of(contacts)};
+Result<ProofWithContacts> prove_whole(const TriangleMesh& mesh, const std::atomic<bool>* cancel, FaceSet known = {}) {
+  const ProofOptions options{
+      .thoroughness = Thoroughness::first_defect, .cancel = cancel, .known = std::move(known), .counts_contacts = true};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport report, prove_volume(mesh, options));
+  return ProofWithContacts{report.is_valid(), report.contact_vertices};
 }
 
 }  // namespace
@@ -101,11 +99,14 @@ TriangleMesh SolidPart::solid_with(TriangleMesh rounded) const {
 Result<ProofWithContacts> prove_moved(const TriangleMesh& solid, const TriangleMesh& moved,
                                       const std::vector<double>& movements, double largest,
                                       const std::atomic<bool>* cancel) {
-  const std::vector<bool> is_moved = faces_that_move(solid, movements);
+  std::vector<bool> is_moved = faces_that_move(solid, movements);
   std::vector<FaceId> faces;
   for (std::size_t f = 0; f < solid.face_count(); ++f)
     if (is_moved[f]) faces.emplace_back(f);
-  if (faces.size() > solid.face_count() / 2) return prove_whole(moved, cancel);
+  if (faces.size() > solid.face_count() / 2) {
+    is_moved.flip();
+    return prove_whole(moved, cancel, FaceSet(std::move(is_moved)));
+  }
   return prove_replacement(solid, is_moved, submesh(moved, faces), largest, cancel);
 }
 

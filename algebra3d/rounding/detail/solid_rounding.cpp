@@ -115,7 +115,7 @@ Result<bool> SolidRounding::accept_moved() {
   ALGEBRA3D_ASSIGN_OR_RETURN(const RoundingCandidate simpler, without_superfluous(moved_part));
   if (simpler.mesh.face_count() < mesh().face_count()) {
     ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, accept_as_it_is(simpler));
-    if (is_valid) return true;
+    return is_valid && result_.contact_vertices == 0;
   }
   TriangleMesh moved(solid_, std::move(all.points));
   ALGEBRA3D_ASSIGN_OR_RETURN(const ProofWithContacts proof,

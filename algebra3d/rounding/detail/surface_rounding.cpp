@@ -6,7 +6,6 @@
 #include "algebra3d/arrangement/surface_arrangement.h"
 #include "algebra3d/autorefinement/valid_parts.h"
 #include "algebra3d/halfedge/boxes.h"
-#include "algebra3d/validity/contacts.h"
 #include "algebra3d/validity/validity.h"
 
 namespace algebra3d {
@@ -39,12 +38,11 @@ Result<bool> SurfaceRounding::accept(const RoundingCandidate& candidate) {
 
 Result<bool> SurfaceRounding::accept(const RoundingCandidate& candidate, const FaceSet& known) {
   if (candidate.mesh.is_empty() && candidate.reach > kFirstReach * spacing()) return false;
-  const ProofOptions options{.thoroughness = Thoroughness::first_defect, .cancel = cancel(), .known = known};
+  const ProofOptions options{
+      .thoroughness = Thoroughness::first_defect, .cancel = cancel(), .known = known, .counts_contacts = true};
   ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport report, prove_surface(candidate.mesh, options));
   if (!report.is_valid()) return false;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto contacts,
-                             vertex_contacts(candidate.mesh, BoxHierarchy(candidate.mesh), known, cancel()));
-  result_ = RoundedSurface{candidate.mesh, "", 0, candidate.movement, candidate.method, vertex_count_of(contacts),
+  result_ = RoundedSurface{candidate.mesh, "", 0, candidate.movement, candidate.method, report.contact_vertices,
                            candidate.reach};
   return true;
 }

@@ -148,7 +148,7 @@ Vec3 place_of(const TriangleMesh& mesh, FaceId f, FaceId g) {
 
 /// So many parts of a search are searched in parallel, if there are more faces than that.
 constexpr std::size_t kParts = 256;
-constexpr std::size_t kFewFaces = 10'000;
+constexpr std::size_t kFewFaces = 2'000;
 /// More pairs are not kept, but searched again.
 constexpr std::size_t kMostPairs = 1'000'000;
 

@@ -89,16 +89,17 @@ std::vector<std::uint32_t> faces_in_marked_cells(const TriangleMesh& mesh, const
 std::vector<FaceId> faces_near(const TriangleMesh& mesh, const std::vector<bool>& is_excepted,
                                const TriangleMesh& others, double reach) {
   if (others.is_empty()) return {};
-  const BoxHierarchy found(mesh, faces_in_marked_cells(mesh, is_excepted, others, reach), reach);
-  const BoxHierarchy of_others(others);
-  std::vector<FaceId> near;
+  const std::vector<std::uint32_t> in_question = faces_in_marked_cells(mesh, is_excepted, others, reach);
+  const BoxHierarchy hierarchy(mesh, in_question, reach);
+  std::vector<bool> is_near(mesh.face_count());
   const auto visit = [&](std::uint32_t face, std::uint32_t /*other*/) {
-    near.emplace_back(face);
+    is_near[face] = true;
     return true;
   };
-  found.for_each_pair_with(of_others, visit, [] { return true; });
-  std::ranges::sort(near);
-  near.erase(std::unique(near.begin(), near.end()), near.end());
+  hierarchy.for_each_pair_with(BoxHierarchy(others), visit, [] { return true; });
+  std::vector<FaceId> near;
+  for (const std::uint32_t face : in_question)
+    if (is_near[face]) near.emplace_back(face);
   return near;
 }
 
