@@ -70,8 +70,8 @@ function ofShownFirst(indexes: readonly IndexInfo[], view: SceneView): readonly 
 
 function factsOf({ boxes, count, members }: NodeBoxes, levels: number): string {
   const nodes = `${count} ${count === 1 ? "node" : "nodes"} of ${levels} ${levels === 1 ? "level" : "levels"}`;
-  const left = boxes.length < count ? `; the first ${boxes.length} are drawn` : "";
-  return `${nodes}, with ${members} ${members === 1 ? "member" : "members"}${left}`;
+  if (members === null) return `${nodes}; the first ${boxes.length} are drawn`;
+  return `${nodes}, with ${members} ${members === 1 ? "member" : "members"}`;
 }
 
 /** Reads the boxes of a level and draws them as long as the panel is there. */

@@ -11,8 +11,8 @@ export interface NodeBoxes {
   readonly boxes: readonly Box[];
   /** Number of nodes, also where fewer boxes were read. */
   readonly count: number;
-  /** Number of children of all of them, or of entries. */
-  readonly members: number;
+  /** Number of children of all of them, or of entries; null if not all nodes were read. */
+  readonly members: number | null;
 }
 
 /** The number of levels; 0 of an empty tree. */
@@ -39,7 +39,8 @@ export async function nodeBoxes(
       rows.push(...(part as unknown as Row[]));
     }
     const members = rows.reduce((sum, row) => sum + row.Members, 0);
-    return { boxes: rows.slice(0, kMostBoxes).map(({ Box }) => Box), count: result.count, members };
+    const boxes = rows.slice(0, kMostBoxes).map(({ Box }) => Box);
+    return { boxes, count: result.count, members: boxes.length < result.count ? null : members };
   } finally {
     database.drop(result.id);
   }
