@@ -2,6 +2,7 @@
 // Opens the viewer at 1280 x 720 in Chromium with software rendering and clicks on an object of a database. Tells when it
 // is first drawn and when all of it is there, what memory the browser has then, and, with --drag, how long frames take
 // while it is turned with the mouse, and how many triangles they draw. Load of the machine beside it.
+/* global addEventListener, document, fetch, performance, PointerEvent, requestAnimationFrame, setTimeout, WebGL2RenderingContext */
 import { spawn } from "node:child_process";
 import { mkdtempSync, rmSync } from "node:fs";
 import { loadavg, tmpdir } from "node:os";
