@@ -5,6 +5,7 @@
 
 #include "algebra3d/registry/operator.h"
 #include "algebra3d/types/scalars.h"
+#include "algebra3d/types/spatial.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/exact_scan.h"
 #include "queries/streams/detail/index_operands.h"
