@@ -83,6 +83,22 @@ class LevelMaker {
   ClusteredTriangles level_;
 };
 
+/// Tells how much of the work is done before a step of it, in percent of the time that ten million triangles take.
+class Progress {
+ public:
+  explicit Progress(const Monitor& monitor) : monitor_(monitor) {}
+
+  void before_reading() const { tell(0); }
+  void before_drawing_whole() const { tell(30); }
+  /// The first level is made of all triangles, the others of few.
+  void before_level(std::size_t number) const { tell(number == 0 ? 50 : std::min<std::size_t>(80 + 10 * number, 98)); }
+
+ private:
+  void tell(std::size_t percent) const { monitor_.tell("levels of detail, " + std::to_string(percent) + " %"); }
+
+  const Monitor& monitor_;
+};
+
 }  // namespace
 
 bool has_levels(const Type& type) {
@@ -98,13 +114,17 @@ Result<std::vector<Shape>> levels_of_detail(const Value& value, std::span<const 
     levels.assign(max_triangles.size(), empty);
     return levels;
   }
+  const Progress progress(monitor);
+  progress.before_reading();
   ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.loaded());
-  ALGEBRA3D_ASSIGN_OR_RETURN(LevelSource source, source_of(loaded, monitor));
+  progress.before_drawing_whole();
+  const Monitor silent = monitor.silent();
+  ALGEBRA3D_ASSIGN_OR_RETURN(LevelSource source, source_of(loaded, silent));
   const std::uint64_t count = source.whole.triangle_count;
-  LevelMaker maker(std::move(source), monitor);
+  LevelMaker maker(std::move(source), silent);
   for (const std::size_t most : max_triangles) {
-    monitor.tell("levels of detail, " + std::to_string(levels.size() * 100 / max_triangles.size()) + " %");
-    ALGEBRA3D_ASSIGN_OR_RETURN(Shape level, count <= most ? shape_of(loaded, monitor) : maker.next(most));
+    progress.before_level(levels.size());
+    ALGEBRA3D_ASSIGN_OR_RETURN(Shape level, count <= most ? shape_of(loaded, silent) : maker.next(most));
     levels.push_back(std::move(level));
   }
   return levels;

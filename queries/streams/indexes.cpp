@@ -1,10 +1,11 @@
-// creatertree, bulkloadrtree, windowintersects, windowintersectsS, distancescan: R-trees on relations.
+// creatertree, bulkloadrtree, windowintersects, windowintersectsS, distancescan, nodes: R-trees on relations.
 #include <algorithm>
 #include <array>
 #include <limits>
 
 #include "algebra3d/registry/operator.h"
 #include "algebra3d/types/scalars.h"
+#include "algebra3d/types/spatial.h"
 #include "queries/streams/all.h"
 #include "queries/streams/detail/exact_scan.h"
 #include "queries/streams/detail/index_operands.h"
@@ -13,6 +14,7 @@
 #include "queries/streams/detail/spatial_attribute.h"
 #include "queries/streams/mapping.h"
 #include "queries/streams/spatial_index.h"
+#include "rtree/nodes.h"
 
 namespace queries {
 namespace {
@@ -174,6 +176,29 @@ TypeMapping map_window_ids(const algebra3d::Registry& registry) {
   };
 }
 
+TypeMapping map_nodes() {
+  return [](std::span<const ArgumentType> arguments) -> Result<BoundOperator> {
+    const MappingCheck check("nodes", arguments);
+    ALGEBRA3D_RETURN_IF_ERROR(index_operand(check, 0));
+    return BoundOperator{
+        TypeExpr::stream(TypeExpr::tuple({{"Level", TypeExpr("int")},
+                                          {"Leaf", TypeExpr("bool")},
+                                          {"Members", TypeExpr("int")},
+                                          {"Box", TypeExpr("rect3")}})),
+        [](std::vector<Datum> given, Context&) -> Result<Datum> {
+          ALGEBRA3D_ASSIGN_OR_RETURN(auto nodes,
+                                     given[0].index()->ask([](const Tree& tree) { return rtree::nodes_of(tree); }));
+          return Datum{make_stream([nodes = std::move(nodes), next = std::size_t{0}]() mutable -> Result<TuplePtr> {
+            if (next == nodes.size()) return TuplePtr();
+            const rtree::NodeSummary& node = nodes[next++];
+            return TuplePtr(std::make_shared<const Tuple>(
+                Tuple{{Value::of(std::int64_t{node.depth}), Value::of(node.is_leaf),
+                       Value::of(static_cast<std::int64_t>(node.member_count)), Value::of(node.box)}}));
+          })};
+        }};
+  };
+}
+
 /// The arguments of distancescan after the value.
 struct ScanOptions {
   bool has_limit = false;  ///< at place 3
@@ -285,6 +310,20 @@ void register_indexes(algebra3d::Registry& registry) {
       .query_errors = {{"query 5 windowintersectsS[6]", "windowintersectsS: expected an R-tree, got int"},
                        {"query Boxes_B windowintersectsS[6] count",
                         "windowintersectsS: expected a rect3 or another spatial value, got int"}},
+  });
+  registry.add({
+      .name = "nodes",
+      .syntax = "_ nodes",
+      .doc = "The nodes of an R-tree as tuples (Level, Leaf, Members, Box), a parent before its children.",
+      .detail =
+          "Level is 0 for the root; Members is the number of children, or of entries of a leaf; Box is the smallest "
+          "box around all entries below. An empty tree has no nodes.",
+      .stream = stream_operator(map_nodes()),
+      .signatures = {"(rtree3(tuple SPATIAL3D)) -> stream(tuple((Level int) (Leaf bool) (Members int) (Box rect3)))"},
+      .handles_undefined = true,
+      .query_examples = {{"Boxes_B nodes consume", "((0 TRUE 2 (0.0 6.0 0.0 1.0 0.0 1.0)))"},
+                         {"Boxes feed filter[.No > 5] creatertree[B] nodes count", "0"}},
+      .query_errors = {{"query 5 nodes", "nodes: expected an R-tree, got int"}},
   });
   registry.add({
       .name = "windowintersects",

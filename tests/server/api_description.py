@@ -36,6 +36,10 @@ class ApiDescription:
     def operation(self, method, path):
         return self.content["paths"][path][method.lower()]
 
+    def query_parameters(self, method, path):
+        """The names that may stand after `?`."""
+        return [each["name"] for each in self.operation(method, path).get("parameters", []) if each["in"] == "query"]
+
     def response(self, method, path, status):
         """What an operation says about a status; None if it does not have it."""
         found = self.operation(method, path)["responses"].get(str(status))

@@ -7,6 +7,7 @@
 
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/display/detail/task_size.h"
+#include "algebra3d/display/detail/vertex_order.h"
 #include "algebra3d/soup/spatial_order.h"
 
 namespace algebra3d::detail {
@@ -95,6 +96,7 @@ void bring_into_spatial_order(Shape& shape) {
   });
   shape.triangles = std::move(triangles);
   shape.face_ids = std::move(face_ids);
+  number_positions_by_use(shape);
 }
 
 }  // namespace algebra3d::detail

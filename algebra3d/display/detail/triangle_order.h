@@ -8,7 +8,8 @@ namespace algebra3d::detail {
 /// before them in Morton order of their centres, up to a few triangles. Cost: linear.
 bool is_in_spatial_order(const Shape& shape);
 
-/// Permutes the triangles of a shape into Morton order unless they are in it already; `face_ids` follows. Cost: linear.
+/// Permutes the triangles of a shape into Morton order unless they are in it already, and numbers the positions as they
+/// are used then; `face_ids` and `vertex_ids` follow. Cost: linear.
 void bring_into_spatial_order(Shape& shape);
 
 }  // namespace algebra3d::detail

@@ -66,6 +66,19 @@ SessionOptions session_options(const ServerOptions& options) {
   return result;
 }
 
+std::optional<Refusal> refuse_parameters(const HttpRequest& request, const Route& route) {
+  for (const auto& [name, value] : request.query) {
+    if (std::ranges::find(route.parameters, name) == route.parameters.end())
+      return Refusal::bad_request(
+          route.parameters.empty()
+              ? fmt::format("unknown parameter '{}'; {} {} has none", name, route.method, route.pattern)
+              : fmt::format("unknown parameter '{}'; expected {}", name, fmt::join(route.parameters, ", ")));
+    if (request.query.count(name) > 1)
+      return Refusal::bad_request(fmt::format("the parameter '{}' is given twice", name));
+  }
+  return std::nullopt;
+}
+
 constexpr std::string_view kApi = "/api/";
 
 }  // namespace
@@ -97,15 +110,21 @@ void Api::close() {
 }
 
 std::span<const Route> Api::routes() {
+  using Names = std::string_view;
+  static constexpr std::array kRows{Names("from"), Names("count")};
+  static constexpr std::array kCell{Names("row"), Names("column")};
+  static constexpr std::array kShapes{Names("column"), Names("from"), Names("count"), Names("triangles"),
+                                      Names("bytes")};
+  static constexpr std::array kFile{Names("row"), Names("column"), Names("format")};
   static constexpr std::array kRoutes = {
       Route{"POST", "/api/query", &Api::post_query},
       Route{"GET", "/api/statements", &Api::get_statements},
       Route{"DELETE", "/api/statements/{id}", &Api::delete_statement},
       Route{"POST", "/api/statements/split", &Api::post_split},
-      Route{"GET", "/api/results/{id}/rows", &Api::get_rows},
-      Route{"GET", "/api/results/{id}/cell", &Api::get_cell},
-      Route{"GET", "/api/results/{id}/shapes", &Api::get_shapes},
-      Route{"GET", "/api/results/{id}/file", &Api::get_file},
+      Route{"GET", "/api/results/{id}/rows", &Api::get_rows, kRows},
+      Route{"GET", "/api/results/{id}/cell", &Api::get_cell, kCell},
+      Route{"GET", "/api/results/{id}/shapes", &Api::get_shapes, kShapes},
+      Route{"GET", "/api/results/{id}/file", &Api::get_file, kFile},
       Route{"GET", "/api/results/{id}/progress", &Api::get_progress},
       Route{"DELETE", "/api/results/{id}", &Api::delete_result},
       Route{"PUT", "/api/uploads/{name}", &Api::put_upload},
@@ -143,8 +162,10 @@ HttpAnswer Api::dispatch(const HttpRequest& request) {
   for (const Route& route : routes()) {
     auto parts = match(route.pattern, request.path);
     if (!parts) continue;
-    if (route.method == request.method || (route.method == "GET" && request.method == "HEAD"))
+    if (route.method == request.method || (route.method == "GET" && request.method == "HEAD")) {
+      if (const auto refusal = refuse_parameters(request, route)) return refusal->answer();
       return (this->*route.handle)({request, *std::move(parts)});
+    }
     methods.push_back(route.method);
   }
   if (methods.empty()) return Refusal::not_found(fmt::format("there is no path '{}'", request.path)).answer();

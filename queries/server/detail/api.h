@@ -34,6 +34,7 @@ struct Route {
   std::string_view method;
   std::string_view pattern;  ///< `/api/results/{id}/rows`
   HttpAnswer (Api::*handle)(const Call& call);
+  std::span<const std::string_view> parameters = {};  ///< that may stand after `?`
 };
 
 /// The HTTP API (docs/http-api.md) without the network: requests in, answers out. `answer` may be called by any number

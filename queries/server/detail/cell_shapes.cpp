@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "algebra3d/display/glb.h"
 #include "algebra3d/display/levels_of_detail.h"
 #include "algebra3d/display/shape_codec.h"
@@ -86,15 +88,32 @@ Result<Shape> coarser_shape(ResultTable& table, const Value& value, CellPlace pl
   return std::move(levels.front());
 }
 
+// Makes the whole shape of a large value and keeps it. The shares of the work are those of ten million triangles.
+Result<Shape> made_whole_shape(const Value& value, const Context& context) {
+  const algebra3d::Monitor monitor = context.monitor();
+  const auto tell = [&](int percent) { monitor.tell(fmt::format("all triangles, {} %", percent)); };
+  tell(0);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.loaded());
+  tell(20);
+  ALGEBRA3D_ASSIGN_OR_RETURN(Shape shape, algebra3d::shape_of(loaded, monitor.silent()));
+  tell(45);
+  algebra3d::add_tree(shape);
+  tell(55);
+  static_cast<void>(keep_level(value, kWhole, algebra3d::encode_shape(shape)));
+  tell(95);
+  return shape;
+}
+
 // That of a large value is kept, too: making it takes longer than reading it.
 Result<Shape> whole_shape(const Value& value, Context& context) {
   const bool is_large =
       is_stored(value) && algebra3d::has_levels(value.type()) && value.header().size >= kLeastKeptWhole;
-  if (is_large)
+  if (is_large) {
     if (auto stored = stored_level(value, kWhole)) return *std::move(stored);
+    return made_whole_shape(value, context);
+  }
   ALGEBRA3D_ASSIGN_OR_RETURN(Shape shape, algebra3d::shape_of(value, context.monitor()));
   algebra3d::add_tree(shape);
-  if (is_large) static_cast<void>(keep_level(value, kWhole, algebra3d::encode_shape(shape)));
   return shape;
 }
 

@@ -16,6 +16,7 @@
 
 #include "queries/server/detail/connection_stream.h"
 #include "queries/server/detail/connection_threads.h"
+#include "queries/server/detail/content_coding.h"
 #include "queries/server/detail/http_library.h"
 #include "queries/server/detail/lower_case.h"
 #include "queries/server/detail/refusal.h"
@@ -77,12 +78,16 @@ class ListenerBody final : public Body {
   bool is_read_ = false;
 };
 
+// The header under which `Accept-Encoding` is hidden from the library.
+constexpr const char* kAcceptEncoding = "Algebra3d-Accept-Encoding";
+
 HttpRequest request_of(const httplib::Request& request) {
   HttpRequest result;
   result.method = request.method;
   result.path = request.target.substr(0, request.target.find('?'));
   for (const auto& [name, value] : request.params) result.query.emplace(name, value);
-  for (const auto& [name, value] : request.headers) result.headers.emplace(in_lower_case(name), value);
+  for (const auto& [name, value] : request.headers)
+    result.headers.emplace(name == kAcceptEncoding ? "accept-encoding" : in_lower_case(name), value);
   return result;
 }
 
@@ -121,6 +126,26 @@ void set_security_headers(httplib::Response& response) {
       "worker-src 'self' blob:; object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'");
 }
 
+// Pages lie in the program as they are sent to browsers.
+void unpack(HttpAnswer& answer) {
+  const auto coding =
+      std::ranges::find(answer.headers, "Content-Encoding", [](const auto& header) { return header.first; });
+  if (coding == answer.headers.end()) return;
+  std::string content;
+  httplib::detail::gzip_decompressor decompressor;
+  const bool is_whole =
+      decompressor.decompress(answer.body.data(), answer.body.size(), [&](const char* data, std::size_t size) {
+        content.append(data, size);
+        return true;
+      });
+  if (!is_whole) {
+    answer = Refusal{500, "internal", "a page of the program cannot be unpacked"}.answer();
+    return;
+  }
+  answer.headers.erase(coding);
+  answer.body = std::move(content);
+}
+
 void give(HttpAnswer answer, httplib::Response& response) {
   response.status = answer.status;
   set_security_headers(response);
@@ -143,6 +168,9 @@ void give(HttpAnswer answer, httplib::Response& response) {
 // Only whole answers are given, and the library does not compress them.
 void forget_wishes(httplib::Request& request) {
   request.ranges.clear();
+  request.headers.erase(kAcceptEncoding);
+  if (request.has_header("Accept-Encoding"))
+    request.set_header(kAcceptEncoding, request.get_header_value("Accept-Encoding"));
   request.headers.erase("Accept-Encoding");
 }
 
@@ -261,7 +289,9 @@ class Listener final : public HttpListener {
           HttpRequest given = request_of(request);
           given.body = body;
           given.connection = connection;
-          give(answer_(given), response);
+          HttpAnswer answer = answer_(given);
+          if (!takes_gzip(given.header("accept-encoding"))) unpack(answer);
+          give(std::move(answer), response);
         }) {}
 
   algebra3d::Status bind_to(const std::string& address, int port) {

@@ -37,7 +37,8 @@ HttpAnswer page_answer(const HttpRequest& request) {
   const auto found = std::ranges::find(files, path, &EmbeddedFile::path);
   if (found != files.end()) {
     HttpAnswer answer{.type = std::string(found->type), .body = std::string(found->bytes)};
-    answer.headers.emplace_back("Content-Encoding", "gzip");
+    answer.headers.emplace_back("Content-Encoding", "gzip");  // unless the client does not take it
+    answer.headers.emplace_back("Vary", "Accept-Encoding");
     answer.headers.emplace_back("Cache-Control",
                                 is_immutable(path) ? "public, max-age=31536000, immutable" : "no-cache");
     return answer;

@@ -1,5 +1,6 @@
 #include "algebra3d/display/levels_of_detail.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -127,6 +128,22 @@ TEST(LevelsOfDetail, of_meshes_with_defects) {
       const Vec3 p = place(level, end);
       EXPECT_LT(std::hypot(p.x, p.y), 0.15) << "near the common line";
     }
+}
+
+TEST(LevelsOfDetail, tell_how_far_they_are) {
+  std::vector<int> told;
+  const Monitor::Report report = [&](const std::string& text) {
+    const std::string before = "levels of detail, ";
+    ASSERT_TRUE(text.starts_with(before) && text.ends_with(" %")) << text;
+    told.push_back(std::stoi(text.substr(before.size())));
+  };
+  constexpr std::array<std::size_t, 3> kCounts = {8000, 2000, 500};
+  const Value ball = Value::of(Volume3d::trusted(unit_sphere(100, 100)));
+  ASSERT_TRUE(levels_of_detail(ball, kCounts, Monitor(nullptr, &report)).ok());
+  EXPECT_GE(told.size(), kCounts.size() + 2);
+  EXPECT_EQ(told.front(), 0);
+  EXPECT_TRUE(std::ranges::is_sorted(told));
+  EXPECT_LT(told.back(), 100);
 }
 
 TEST(LevelsOfDetail, of_undefined_and_empty_values_are_empty) {

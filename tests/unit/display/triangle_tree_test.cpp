@@ -170,20 +170,49 @@ TEST(TriangleTree, finds_the_first_hit_and_looks_at_few_triangles) {
   }
 }
 
-TEST(TriangleTree, face_ids_tell_triangles_that_were_moved) {
-  const TriangleMesh mesh = unit_sphere(60, 120);
-  const Shape before = shape_of_solid(mesh);
-  Shape after = before;
-  std::mt19937 random(1);
-  std::vector<std::uint32_t> order(before.triangles.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::ranges::shuffle(order, random);
-  for (std::size_t i = 0; i < order.size(); ++i) after.triangles[i] = before.triangles[order[i]];
-  after.face_ids.assign(order.begin(), order.end());
-  add_tree(after);
+/// A sphere, and the same with its triangles in random order before it got its tree.
+struct Reordered {
+  Shape before, after;
+
+  Reordered() : before(shape_of_solid(unit_sphere(60, 120))), after(before) {
+    std::mt19937 random(1);
+    std::vector<std::uint32_t> order(before.triangles.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::ranges::shuffle(order, random);
+    for (std::size_t i = 0; i < order.size(); ++i) after.triangles[i] = before.triangles[order[i]];
+    after.face_ids.assign(order.begin(), order.end());
+    add_tree(after);
+  }
+};
+
+TEST(TriangleTree, ids_tell_triangles_and_vertices_that_were_moved) {
+  const auto [before, after] = Reordered();
+  ASSERT_TRUE(before.vertex_ids.empty());
   ASSERT_EQ(after.face_ids.size(), after.triangles.size());
-  for (std::size_t i = 0; i < after.triangles.size(); ++i)
-    EXPECT_EQ(after.triangles[i], before.triangles[after.face_ids[i]]);
+  ASSERT_EQ(after.vertex_ids.size(), after.positions.size());
+  for (std::size_t i = 0; i < after.triangles.size(); ++i) {
+    IndexTriangle corners = after.triangles[i];
+    for (std::uint32_t& corner : corners) corner = after.vertex_ids[corner];
+    EXPECT_EQ(corners, before.triangles[after.face_ids[i]]);
+  }
+  for (std::size_t i = 0; i < after.positions.size(); ++i) {
+    EXPECT_EQ(after.positions[i], before.positions[after.vertex_ids[i]]);
+    EXPECT_EQ(after.normals[i], before.normals[after.vertex_ids[i]]);
+  }
+  ASSERT_EQ(after.edges.size(), before.edges.size());
+  for (std::size_t i = 0; i < after.edges.size(); ++i)
+    for (const std::size_t end : {0, 1}) EXPECT_EQ(after.vertex_ids[after.edges[i][end]], before.edges[i][end]);
+}
+
+TEST(TriangleTree, triangles_that_were_moved_use_their_positions_in_order) {
+  const Shape shape = Reordered().after;
+  std::uint32_t used = 0;
+  for (const IndexTriangle& triangle : shape.triangles)
+    for (const std::uint32_t corner : triangle) {
+      EXPECT_LE(corner, used);
+      used = std::max(used, corner + 1);
+    }
+  EXPECT_EQ(used, shape.positions.size());
 }
 
 /// As imports store them; each side of the box has another length.

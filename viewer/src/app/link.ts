@@ -1,7 +1,9 @@
-import { signal } from "@preact/signals";
+import { effect, signal, type ReadonlySignal } from "@preact/signals";
 import { messageOf } from "../api/errors";
 import { isQuery, titleOf, type Outcome } from "../state/outcome";
-import { decodeView, encodeView, makeView, parametersOf, type LinkView } from "../state/permalink";
+import type { SceneView } from "../scene/api";
+import { decodeView, encodeView, makeView, parametersOf, sceneOf, type LinkView } from "../state/permalink";
+import { foreignStatements, linkOf, restoreSides, type LinkCompare } from "../state/workbench_link";
 import type { App } from "./context";
 
 const prefix = "#view=";
@@ -12,14 +14,15 @@ export const pendingLink = signal<LinkView | null>(null);
 /** Puts a link to the present view into the address and the clipboard. */
 export async function copyLink({ store, workspace }: App): Promise<void> {
   const { results, notices } = store;
-  const { view, left } = makeView(
+  const { view, left, placeOf } = makeView(
     results.list.value,
     results.activeKey.value,
     results.selected.value,
     workspace.editor.value?.text ?? "",
     workspace.scene.value?.toJSON() ?? null,
   );
-  const hash = prefix + (await encodeView(view));
+  const compare = store.mode.value === "compare" ? compareLink(workspace, placeOf) : null;
+  const hash = prefix + (await encodeView(compare ? { ...view, compare } : view));
   history.replaceState(null, "", hash);
   const detail = left.length ? `Without ${left.map(({ statement }) => titleOf(statement)).join(", ")}.` : "";
   try {
@@ -28,6 +31,19 @@ export async function copyLink({ store, workspace }: App): Promise<void> {
   } catch {
     notices.add("info", "The address of this page is now the link to this view.", { detail });
   }
+}
+
+function compareLink(
+  { workbench, sideScenes, sameCamera }: App["workspace"],
+  placeOf: (result: string) => number | null,
+): LinkCompare | null {
+  const [left, right] = [sideScenes.left, sideScenes.right].map((scene) => ownState(scene.value?.toJSON()));
+  return linkOf(workbench, placeOf, { left, right, sameCamera: sameCamera.value });
+}
+
+/** Without the colours of objects, which the split screen gives by itself. */
+function ownState(scene: unknown): unknown {
+  return { ...(scene as object | undefined), overrides: [] };
 }
 
 /** Restores the view of a link. Statements that were never run here wait for consent, since a link may come from anyone. */
@@ -40,8 +56,13 @@ export async function openLink(app: App, hash: string): Promise<void> {
     app.store.notices.add("error", messageOf(error));
     return;
   }
-  if (view.statements.every(({ text }) => isHarmless(app, text))) await restoreView(app, view);
+  if (statementsOf(view).every((text) => isHarmless(app, text))) await restoreView(app, view);
   else pendingLink.value = view;
+}
+
+/** The statements of a link that may do anything. */
+export function statementsOf({ statements, compare }: LinkView): readonly string[] {
+  return [...statements.map(({ text }) => text), ...(compare ? foreignStatements(compare) : [])];
 }
 
 /** A query that a person has run here before, or that only shows an object. */
@@ -52,7 +73,8 @@ function isHarmless({ store }: App, text: string): boolean {
 }
 
 /** Runs the statements of a view and brings back what was shown. */
-export async function restoreView({ store, workspace }: App, view: LinkView): Promise<void> {
+export async function restoreView(app: App, view: LinkView): Promise<void> {
+  const { store, workspace } = app;
   const { results } = store;
   pendingLink.value = null;
   results.closeAll();
@@ -70,7 +92,59 @@ export async function restoreView({ store, workspace }: App, view: LinkView): Pr
   const [place, row, column] = view.selected ?? [];
   const result = place === undefined ? null : outcomes[place]?.resultId;
   if (result && row !== undefined) results.selected.value = { result, row, column: column ?? null };
-  const ignored = view.scene === null ? [] : (workspace.scene.value?.restore(view.scene) ?? []);
+  const ids = outcomes.map((outcome) => outcome?.resultId ?? null);
+  const scene = view.scene === null ? null : sceneOf(view.scene, ids);
+  const ignored = scene === null ? [] : (workspace.scene.value?.restore(scene) ?? []);
   if (ignored.length)
     store.notices.add("info", "Parts of the view are unknown here.", { detail: ignored.join(", ") });
+  if (view.compare) await restoreCompare(app, view.compare, ids);
+}
+
+async function restoreCompare(
+  { store, workspace }: App,
+  link: LinkCompare,
+  results: readonly (string | null)[],
+): Promise<void> {
+  const { workbench, sideScenes, sameCamera } = workspace;
+  store.mode.value = "compare";
+  sameCamera.value = link.sameCamera;
+  if (!(await restoreSides(workbench, link, results))) return;
+  for (const name of ["right", "left"] as const) {
+    const scene = await valueOf(sideScenes[name]);
+    if (link[name].steps.length > 0) await drawn(scene);
+  }
+  // The views have chosen cameras of their own for what came; those of the link replace them.
+  for (const name of ["right", "left"] as const) {
+    const scene = sideScenes[name].value;
+    const overrides = scene?.state.overrides ?? [];
+    scene?.restore(link[name].scene);
+    scene?.update({ overrides });
+  }
+}
+
+/** The value of a signal as soon as it has one. */
+function valueOf<T>(source: ReadonlySignal<T | null>): Promise<T> {
+  return new Promise((resolve) => {
+    const end = effect(() => {
+      const { value } = source;
+      if (value !== null)
+        queueMicrotask(() => {
+          end();
+          resolve(value);
+        });
+    });
+  });
+}
+
+/** Waits until a scene shows something, or cannot. */
+function drawn(scene: SceneView): Promise<void> {
+  return new Promise((resolve) => {
+    const ends = [scene.on("shapes", look), scene.on("problem", look)];
+    function look(): void {
+      if (scene.shapes().length === 0 && !scene.problem) return;
+      ends.forEach((end) => end());
+      setTimeout(resolve);
+    }
+    look();
+  });
 }

@@ -4,7 +4,7 @@ import type { App } from "./context";
 
 /** The database as the panels of the scene use it. */
 export function panelDatabase({ store }: App): Database {
-  const { client, results, runner } = store;
+  const { catalogue, client, results, runner } = store;
   return {
     async query(statement, parameters, signal) {
       const answer = await runner.answer(statement, parameters, signal);
@@ -14,6 +14,13 @@ export function panelDatabase({ store }: App): Database {
       const query = { column, from: row, count: 1, triangles };
       return readBytes(await client.shapes(result, query, signal));
     },
+    async rows(result, from, count, signal) {
+      return (await client.rows(result, from, count, signal)).rows;
+    },
+    indexes: () =>
+      catalogue.objects.value
+        .filter(({ kind, type }) => kind === "index" && type.startsWith("(rtree"))
+        .map(({ name, indexOf }) => ({ name, relation: indexOf ?? null })),
     drop: (result) => void client.drop(result).catch(() => undefined),
     show(statement, parameters) {
       // What a panel shows belongs to what is seen already.

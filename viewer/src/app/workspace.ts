@@ -18,6 +18,10 @@ export class Workspace {
   readonly keyScene = signal<SceneView | null>(null);
   /** A cell that is to be stored as an object, while a person is asked for its name. */
   readonly naming = signal<CellRef | null>(null);
+  /** The scenes of the split screen, while it is shown. */
+  readonly sideScenes = { left: signal<SceneView | null>(null), right: signal<SceneView | null>(null) };
+  /** Its cameras move together. */
+  readonly sameCamera = signal(true);
   readonly workbench: Workbench;
   readonly uploads: Uploads;
 

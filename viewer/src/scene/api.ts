@@ -188,6 +188,8 @@ export interface Markers {
   readonly segments?: readonly (readonly [Vec3, Vec3])[];
   readonly triangles?: readonly (readonly [Vec3, Vec3, Vec3])[];
   readonly labels?: readonly { readonly at: Vec3; readonly text: string }[];
+  /** Drawn with thin lines, and hidden by what lies before them. */
+  readonly boxes?: readonly Box[];
   readonly color: Color;
   readonly size?: number;
 }
@@ -309,6 +311,13 @@ export interface Answer {
   } | null;
 }
 
+/** An R-tree of the database. */
+export interface IndexInfo {
+  readonly name: string;
+  /** Whose tuples it holds; null for a copy that is not kept up to date. */
+  readonly relation: string | null;
+}
+
 /** The database, as the panels use it. Methods reject with an Error whose message is for people. */
 export interface Database {
   query(
@@ -317,6 +326,15 @@ export interface Database {
     signal?: AbortSignal,
   ): Promise<Answer>;
   shapes(cell: CellRef, triangles: number, signal?: AbortSignal): Promise<ArrayBuffer>;
+  /** Rows of a result, at most 10,000 at once. */
+  rows(
+    result: string,
+    from: number,
+    count: number,
+    signal?: AbortSignal,
+  ): Promise<readonly Readonly<Record<string, unknown>>[]>;
+  /** The R-trees that there are now. */
+  indexes(): readonly IndexInfo[];
   /** Drops a result that is no longer needed. */
   drop(result: string): void;
   /** Shows a statement with its parameters as if it had been run in the editor: as a new result, overlaid. */

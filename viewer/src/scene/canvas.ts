@@ -47,7 +47,10 @@ export class Canvas {
   /** What the drawing buffer was made for. */
   private applied = "";
   private requested = 0;
-  private lastFrame = 0;
+  /** Something changed since the last frame. */
+  private stale = false;
+  /** When the last frame was drawn, if the browser has not asked for the next one since. */
+  private drawnAt: number | null = null;
   private moving = false;
   private held = false;
   private restTimer: ReturnType<typeof setTimeout> | undefined;
@@ -126,11 +129,16 @@ export class Canvas {
     if (moving) {
       if (!this.moving) {
         this.quality.begin(this.client.triangles());
-        this.lastFrame = 0;
+        this.drawnAt = null;
       }
       this.moving = true;
       this.restLater();
     }
+    this.stale = true;
+    this.awaitFrame();
+  }
+
+  private awaitFrame(): void {
     if (this.requested || this.disposed) return;
     this.requested = requestAnimationFrame(this.onFrame);
   }
@@ -159,14 +167,18 @@ export class Canvas {
 
   private readonly onFrame = (time: number): void => {
     this.requested = 0;
-    if (this.moving) {
-      if (this.lastFrame) this.quality.observe(time - this.lastFrame);
-      this.lastFrame = time;
-    }
+    // The browser asks late if drawing took long; the time between two movements of the hand does not count.
+    if (this.drawnAt !== null) this.quality.observe(time - this.drawnAt);
+    this.drawnAt = null;
+    if (!this.stale) return;
     this.drawNow();
+    if (!this.moving) return;
+    this.drawnAt = time;
+    this.awaitFrame();
   };
 
   private drawNow(): void {
+    this.stale = false;
     if (!this.renderer || this.lost || this.disposed) return;
     this.drawAt(this.pixelRatio(), this.moving ? this.quality.step : kFull);
   }

@@ -3,12 +3,23 @@
  * chunk. Each shape keeps a range of vertices, for its colour and offset, and of indices, left out while it is hidden.
  */
 
-import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, Mesh, Points } from "three";
-import type { Material, Object3D } from "three";
+import {
+  BufferAttribute,
+  BufferGeometry,
+  FrontSide,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  Points,
+} from "three";
+import type { Material, MeshLambertMaterial, Object3D } from "three";
 
 import type { IndexArray, Primitive, Role, Shape } from "../glb/shapes";
 import type { Body } from "./body";
 import { featureLines } from "./features";
+import { FrontFaces, isWorthChoosing, seenFrom } from "./front_faces";
+import type { Eye } from "./front_faces";
 import { triangleEdges } from "./geometry";
 import { isTransparent } from "./look";
 import type { Look, Style } from "./look";
@@ -67,6 +78,7 @@ export class Chunk {
   private indicesStale = false;
   private drawsAllEdges = false;
   private bodies = 0;
+  private fronts: FrontFaces | null = null;
 
   constructor(
     shapes: readonly Shape[],
@@ -103,6 +115,7 @@ export class Chunk {
       setLook: (look) => this.setLook(slot, look),
       setStyle: (style) => this.setStyle(style),
       positionsChanged: () => this.writePositions(slot, [0, 0, 0]),
+      chooseFronts: () => undefined, // of the chunk as a whole
       showVertices: () => undefined,
       dispose: () => this.release(slot),
     }));
@@ -112,11 +125,39 @@ export class Chunk {
   update(): void {
     if (!this.indicesStale) return;
     this.indicesStale = false;
+    this.dropFronts();
     for (const [role, layer] of this.layers) {
       if (role === "all") continue;
       layer.geometry.setIndex(new BufferAttribute(this.indicesOf(role), 1));
     }
     if (this.layers.has("all")) this.makeAllEdges();
+  }
+
+  /** Whether all shapes were disposed of. */
+  get isFree(): boolean {
+    return this.bodies === 0;
+  }
+
+  /** As of a body. */
+  chooseFronts(eye: Eye | null): void {
+    const layer = this.layers.get("faces");
+    if (!layer?.object.visible) return;
+    const { object, geometry } = layer;
+    const fronts = eye && faceMaterialOf(object).side === FrontSide ? this.frontFaces(geometry) : null;
+    object.geometry = fronts?.geometry ?? geometry;
+    if (fronts && eye) fronts.choose(seenFrom(eye, this.group.position));
+  }
+
+  private frontFaces(whole: BufferGeometry): FrontFaces | null {
+    const indices = whole.index!.array as Uint32Array<ArrayBuffer>;
+    if (!this.fronts && isWorthChoosing(indices))
+      this.fronts = new FrontFaces(whole, this.positions, indices);
+    return this.fronts;
+  }
+
+  private dropFronts(): void {
+    this.fronts?.dispose();
+    this.fronts = null;
   }
 
   private setVisible(slot: Slot, visible: boolean): void {
@@ -171,7 +212,7 @@ export class Chunk {
           hasNormals: geometry.hasAttribute("normal"),
           opacity: this.hasTransparent ? 0.5 : 1,
         };
-        styleFaces(object.material as ReturnType<typeof faceMaterial>, style, options);
+        styleFaces(faceMaterialOf(object), style, options);
       } else if (role === "points" || role === "lines") {
         clip(material, style.clipping);
       }
@@ -203,6 +244,7 @@ export class Chunk {
   }
 
   private writePositions(slot: Slot, offset: readonly [number, number, number]): void {
+    this.dropFronts();
     const { translation } = slot.shape;
     const shift = [0, 1, 2].map((axis) => translation[axis]! - this.origin[axis]! + offset[axis]!);
     let at = 3 * slot.firstVertex;
@@ -303,12 +345,17 @@ export class Chunk {
     this.bodies--;
     if (this.bodies > 0) return;
     this.parent.remove(this.group);
+    this.dropFronts();
     for (const { object, geometry } of this.layers.values()) {
       geometry.dispose();
       const material = object.material as Material;
       if (material.vertexColors) material.dispose();
     }
   }
+}
+
+function faceMaterialOf(object: Layer["object"]): MeshLambertMaterial {
+  return object.material as MeshLambertMaterial;
 }
 
 /** The first vertex of a primitive among those of its shape. */

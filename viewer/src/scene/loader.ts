@@ -21,7 +21,7 @@ export const kTriangleBudget = 12_000_000;
 const kRowsPerRequest = 500;
 /** Neighbouring rows are made finer in one request up to so many triangles. */
 const kTrianglesPerRequest = 500_000;
-const kProgressInterval = 700;
+const kProgressInterval = 300;
 
 export interface LoaderEvents {
   progress(progress: LoadProgress): void;

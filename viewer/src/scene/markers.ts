@@ -11,17 +11,20 @@ import {
   MeshLambertMaterial,
   LineBasicMaterial,
   Points,
+  Vector3,
 } from "three";
 import type { Material } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 
-import type { Markers, OverlayStyle, Vec3 } from "./api";
+import type { Box, Markers, OverlayStyle, Vec3 } from "./api";
 import type { Shape } from "../glb/shapes";
+import { boxLines, setLines } from "./furniture";
 import { AttributeCache, geometryOf, primitiveOf, sphereOf, wideLines } from "./geometry";
 import { pointMaterial } from "./materials";
 import type { Overlay } from "./overlay";
 import type { SceneTheme } from "./theme";
+import { toBox3 } from "./vec";
 
 /** A named addition to the picture. */
 export interface Addition {
@@ -33,13 +36,13 @@ function flat(points: readonly Vec3[], origin: Vec3): Float32Array<ArrayBuffer> 
   return new Float32Array(points.flatMap((point) => point.map((value, axis) => value - origin[axis]!)));
 }
 
-/** Markers are drawn over everything else, so that nothing hides them. */
+/** Markers are drawn over everything else, so that nothing hides them; boxes are not. */
 export function markersAddition(markers: Markers): Addition {
   const group = new Group();
   const points = markers.points ?? [];
   const segments = (markers.segments ?? []).flat();
   const triangles = (markers.triangles ?? []).flat();
-  const origin = points[0] ?? segments[0] ?? triangles[0] ?? ([0, 0, 0] as const);
+  const origin = points[0] ?? segments[0] ?? triangles[0] ?? middleOf(markers.boxes?.[0]);
   group.position.set(...origin);
   if (triangles.length > 0) {
     const geometry = new BufferGeometry();
@@ -71,7 +74,21 @@ export function markersAddition(markers: Markers): Addition {
     child.renderOrder = 10;
     child.frustumCulled = false;
   }
+  if (markers.boxes) group.add(boxesOf(markers.boxes, new Vector3(...origin), markers.color));
   return { group, labels: markers.labels };
+}
+
+function middleOf(box: Box | undefined): Vec3 {
+  if (!box) return [0, 0, 0];
+  const [x1, x2, y1, y2, z1, z2] = box;
+  return [(x1 + x2) / 2, (y1 + y2) / 2, (z1 + z2) / 2];
+}
+
+function boxesOf(boxes: readonly Box[], origin: Vector3, color: string): LineSegments {
+  const lines = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
+  setLines(lines, boxLines(boxes.map(toBox3), origin), color);
+  lines.frustumCulled = false;
+  return lines;
 }
 
 /** Shapes such as the limit surface beside its control mesh. */

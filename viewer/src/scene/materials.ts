@@ -11,6 +11,7 @@ import {
   MeshBasicMaterial,
   MeshLambertMaterial,
   PointsMaterial,
+  ShaderChunk,
 } from "three";
 import type { Material, Plane } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
@@ -36,14 +37,33 @@ export function pointMaterial(perPoint: boolean): PointsMaterial {
   return material;
 }
 
+/**
+ * Leaves the place of a fragment out of what vertices pass on to fragments, unless a lamp or flat shading needs it: in
+ * software rendering each number that is interpolated costs as much as a lamp.
+ */
+function passLittle(shader: { fragmentShader: string }): void {
+  const chunk = "lights_lambert_pars_fragment";
+  const lights = ShaderChunk[chunk].replace(
+    "varying vec3 vViewPosition;",
+    `#if NUM_POINT_LIGHTS > 0 || defined(FLAT_SHADED)
+       varying vec3 vViewPosition;
+     #else
+       const vec3 vViewPosition = vec3(0.0, 0.0, 1.0);
+     #endif`,
+  );
+  shader.fragmentShader = shader.fragmentShader.replace(`#include <${chunk}>`, lights);
+}
+
 /** Of faces; `closed`: backs are never seen unless the solid is cut open. */
 export function faceMaterial(vertexColors: boolean): MeshLambertMaterial {
-  return new MeshLambertMaterial({
+  const material = new MeshLambertMaterial({
     vertexColors,
     polygonOffset: true,
     polygonOffsetFactor: 1,
     polygonOffsetUnits: 1,
   });
+  material.onBeforeCompile = passLittle;
+  return material;
 }
 
 /** Sets what depends on the style; tells the renderer to compile anew only if it has to. */

@@ -1,6 +1,7 @@
 /**
  * The canvas above the picture: axes, scale, labels, handles, markers of lights. It is drawn with each frame, in CSS
- * pixels, and becomes part of screenshots.
+ * pixels, and becomes part of screenshots. It covers only the strip of the view in which something is drawn: where there
+ * is no hardware, each pixel that the browser has to lay over the picture counts.
  */
 
 import type { Vec3 } from "./api";
@@ -14,10 +15,22 @@ export interface TextStyle {
   readonly bold?: boolean;
 }
 
+/** The strip begins and ends at multiples of so many CSS pixels, so that it seldom changes. */
+const kStep = 64;
+
+/** Something that lies between two heights of the view. */
+interface Stroke {
+  readonly top: number;
+  readonly bottom: number;
+  draw(context: CanvasRenderingContext2D): void;
+}
+
 export class Overlay {
   readonly canvas: HTMLCanvasElement;
   private readonly context: CanvasRenderingContext2D | null;
-  private drawn = false;
+  private pixelRatio = 1;
+  private strokes: Stroke[] = [];
+  private strip = { top: 0, height: 0 };
 
   constructor(
     private readonly document: Document,
@@ -25,40 +38,69 @@ export class Overlay {
   ) {
     this.canvas = this.document.createElement("canvas");
     this.canvas.setAttribute("aria-hidden", "true");
-    Object.assign(this.canvas.style, { position: "absolute", inset: "0", pointerEvents: "none" });
+    Object.assign(this.canvas.style, { position: "absolute", left: "0", top: "0", pointerEvents: "none" });
     this.context = this.canvas.getContext("2d");
   }
 
   begin(pixelRatio: number): void {
-    this.drawn = false;
-    const { width, height } = this.projector.size;
-    const [w, h] = [Math.round(width * pixelRatio), Math.round(height * pixelRatio)];
-    if (this.canvas.width !== w || this.canvas.height !== h) {
-      this.canvas.width = w;
-      this.canvas.height = h;
-      this.canvas.style.width = `${width}px`;
-      this.canvas.style.height = `${height}px`;
-    }
-    this.context?.setTransform(pixelRatio, 0, 0, pixelRatio, 0, 0);
-    this.context?.clearRect(0, 0, width, height);
+    this.pixelRatio = pixelRatio;
+    this.strokes = [];
   }
 
   /** An empty canvas is hidden: browsers may keep showing what was there if it is only cleared. */
   end(): void {
-    this.canvas.style.visibility = this.drawn ? "" : "hidden";
+    this.canvas.style.visibility = this.strokes.length > 0 ? "" : "hidden";
+    if (!this.context || this.strokes.length === 0) return;
+    this.placeStrip();
+    const { width } = this.projector.size;
+    const { top, height } = this.strip;
+    this.context.setTransform(this.pixelRatio, 0, 0, this.pixelRatio, 0, -top * this.pixelRatio);
+    this.context.clearRect(0, top, width, height);
+    for (const stroke of this.strokes) stroke.draw(this.context);
+  }
+
+  private placeStrip(): void {
+    const { width, height } = this.projector.size;
+    const first = this.strokes.reduce((least, { top }) => Math.min(least, top), height);
+    const last = this.strokes.reduce((most, { bottom }) => Math.max(most, bottom), 0);
+    const top = Math.max(0, Math.floor(first / kStep) * kStep);
+    const bottom = Math.max(top + 1, Math.min(height, Math.ceil(last / kStep) * kStep));
+    this.strip = { top, height: bottom - top };
+    const [w, h] = [width, bottom - top].map((size) => Math.round(size * this.pixelRatio)) as [
+      number,
+      number,
+    ];
+    if (this.canvas.width !== w || this.canvas.height !== h) {
+      this.canvas.width = w;
+      this.canvas.height = h;
+      this.canvas.style.width = `${width}px`;
+      this.canvas.style.height = `${bottom - top}px`;
+    }
+    this.canvas.style.top = `${top}px`;
+  }
+
+  /** Copies what is drawn onto a picture of the view, of any size. */
+  copyTo(context: CanvasRenderingContext2D, width: number, height: number): void {
+    if (this.strokes.length === 0) return;
+    const scale = height / this.projector.size.height;
+    context.drawImage(this.canvas, 0, this.strip.top * scale, width, this.strip.height * scale);
+  }
+
+  private add(top: number, bottom: number, draw: Stroke["draw"]): void {
+    const isInSight = bottom >= 0 && top <= this.projector.size.height;
+    if (isInSight) this.strokes.push({ top, bottom, draw });
   }
 
   line(from: readonly [number, number], to: readonly [number, number], color: string, width = 1.5): void {
-    const context = this.context;
-    if (!context) return;
-    this.drawn = true;
-    context.strokeStyle = color;
-    context.lineWidth = width;
-    context.lineCap = "round";
-    context.beginPath();
-    context.moveTo(...from);
-    context.lineTo(...to);
-    context.stroke();
+    this.add(Math.min(from[1], to[1]) - width, Math.max(from[1], to[1]) + width, (context) => {
+      context.strokeStyle = color;
+      context.lineWidth = width;
+      context.lineCap = "round";
+      context.beginPath();
+      context.moveTo(...from);
+      context.lineTo(...to);
+      context.stroke();
+    });
   }
 
   /** Between two places of the scene; nothing if one lies behind the eye. */
@@ -68,36 +110,27 @@ export class Overlay {
   }
 
   disc(x: number, y: number, radius: number, fill: string, border?: string): void {
-    const context = this.context;
-    if (!context) return;
-    this.drawn = true;
-    context.beginPath();
-    context.arc(x, y, radius, 0, 2 * Math.PI);
-    context.fillStyle = fill;
-    context.fill();
-    if (!border) return;
-    context.strokeStyle = border;
-    context.lineWidth = 1.5;
-    context.stroke();
+    this.add(y - radius - 1, y + radius + 1, (context) => {
+      context.beginPath();
+      context.arc(x, y, radius, 0, 2 * Math.PI);
+      context.fillStyle = fill;
+      context.fill();
+      if (!border) return;
+      context.strokeStyle = border;
+      context.lineWidth = 1.5;
+      context.stroke();
+    });
   }
 
   text(text: string, x: number, y: number, style: TextStyle): void {
-    const context = this.context;
-    if (!context) return;
-    this.drawn = true;
-    context.font = `${style.bold ? "600 " : ""}12px system-ui, sans-serif`;
-    context.textAlign = style.align ?? "center";
-    context.textBaseline = "middle";
-    if (style.plate) {
-      const width = context.measureText(text).width + 12;
-      const left = style.align === "left" ? x - 6 : style.align === "right" ? x - width + 6 : x - width / 2;
-      context.fillStyle = style.plate;
-      context.beginPath();
-      context.roundRect(left, y - 10, width, 20, 5);
-      context.fill();
-    }
-    context.fillStyle = style.color;
-    context.fillText(text, x, y);
+    this.add(y - 11, y + 11, (context) => {
+      context.font = `${style.bold ? "600 " : ""}12px system-ui, sans-serif`;
+      context.textAlign = style.align ?? "center";
+      context.textBaseline = "middle";
+      if (style.plate) drawPlate(context, text, x, y, style);
+      context.fillStyle = style.color;
+      context.fillText(text, x, y);
+    });
   }
 
   /** Text beside a place of the scene. */
@@ -106,4 +139,19 @@ export class Overlay {
     if (place.visible) this.text(text, place.x, place.y - 14, style);
     return place;
   }
+}
+
+function drawPlate(
+  context: CanvasRenderingContext2D,
+  text: string,
+  x: number,
+  y: number,
+  { align, plate = "" }: TextStyle,
+): void {
+  const width = context.measureText(text).width + 12;
+  const left = align === "left" ? x - 6 : align === "right" ? x - width + 6 : x - width / 2;
+  context.fillStyle = plate;
+  context.beginPath();
+  context.roundRect(left, y - 10, width, 20, 5);
+  context.fill();
 }

@@ -5,6 +5,7 @@ import type { Box3 } from "three";
 
 import type { CameraState, Vec3 } from "./api";
 import { basisOf, cornersOf, eyeDistance, kFieldOfView } from "./camera";
+import type { Eye } from "./front_faces";
 import { toVector3 } from "./vec";
 
 export interface Size {
@@ -93,6 +94,15 @@ export class Projector {
     }
     const reach = this.orthographic.far - this.orthographic.near + eye;
     return new Ray(inPlane.addScaledVector(basis.back, reach), basis.back.clone().negate());
+  }
+
+  /** Where the camera looks from. */
+  get eye(): Eye {
+    const state = this.state!;
+    const { back } = basisOf(state);
+    if (state.projection === "orthographic") return [back.x, back.y, back.z, 0];
+    const { x, y, z } = toVector3(state.target).addScaledVector(back, eyeDistance(state.height));
+    return [x, y, z, 1];
   }
 
   /** Coordinate units of one CSS pixel at a place. */

@@ -30,15 +30,21 @@ const kSteps: readonly QualityStep[] = [
 ];
 const kFirstCoarse = kSteps.findIndex(({ coarse }) => coarse);
 /** The processor draws about so many triangles in a frame, measured with SwiftShader on two cores. */
-const kSoftwareTriangles = 120_000;
+const kSoftwareTriangles = 250_000;
 /** Frames that are looked at before a step. */
 const kWindow = 3;
+/** The first frames of a movement, for which the renderer has to compile and to copy, tell nothing. */
+const kFirstFrames = 3;
+/** After so many frames a step that was too slow is tried again. */
+const kForgiven = 60;
 
 export class Quality {
   private index: number;
   private times: number[] = [];
-  /** Steps that were too slow; not tried again until the scene changes. */
-  private readonly tooSlow = new Set<number>();
+  private toSkip = 0;
+  /** Steps that were too slow, and at which frame: not tried again for a while. */
+  private readonly tooSlow = new Map<number, number>();
+  private frame = 0;
 
   constructor(private readonly software: boolean) {
     this.index = software ? 2 : 0;
@@ -49,18 +55,28 @@ export class Quality {
     return kSteps[this.index]!;
   }
 
-  /** Takes note of the time between two frames of one movement, in milliseconds. */
+  /** Takes note of how long a frame of a movement took, in milliseconds. */
   observe(milliseconds: number): void {
+    this.frame++;
+    if (this.toSkip > 0) {
+      this.toSkip--;
+      return;
+    }
     this.times.push(milliseconds);
     if (this.times.length < kWindow) return;
     const median = [...this.times].sort((a, b) => a - b)[Math.floor(kWindow / 2)]!;
     this.times = [];
     if (median > kFrameGoal) this.faster(median);
-    else if (median < kComfort && this.index > 0 && !this.tooSlow.has(this.index - 1)) this.index--;
+    else if (median < kComfort && this.index > 0 && !this.isTooSlow(this.index - 1)) this.index--;
+  }
+
+  private isTooSlow(step: number): boolean {
+    const since = this.tooSlow.get(step);
+    return since !== undefined && this.frame - since < kForgiven;
   }
 
   private faster(median: number): void {
-    this.tooSlow.add(this.index);
+    this.tooSlow.set(this.index, this.frame);
     // Far too slow: triangles are the reason rather than pixels.
     const jump = median > 2.5 * kFrameGoal && this.index < kFirstCoarse;
     this.index = jump ? kFirstCoarse : Math.min(kSteps.length - 1, this.index + 1);
@@ -72,13 +88,17 @@ export class Quality {
     this.times = [];
   }
 
-  /** A movement begins: without hardware, coarse levels are drawn from the start where the fine ones are too many. */
+  /**
+   * A movement begins, and finer steps get another chance. Without hardware, coarse levels are drawn from the start where
+   * the fine ones are too many.
+   */
   begin(triangles: { readonly fine: number; readonly coarse: number }): void {
-    this.times = [];
+    this.reset();
+    this.toSkip = kFirstFrames;
     const tooMany =
       this.software && triangles.fine > kSoftwareTriangles && triangles.coarse < triangles.fine / 2;
     if (!tooMany) return;
     this.index = Math.max(this.index, kFirstCoarse);
-    for (let step = 0; step < kFirstCoarse; step++) this.tooSlow.add(step);
+    for (let step = 0; step < kFirstCoarse; step++) this.tooSlow.set(step, Infinity);
   }
 }

@@ -104,7 +104,11 @@ export class View implements api.SceneView {
 
   private draw(quality: QualityStep): void {
     this.applyColoring();
-    this.stage.draw(this.canvas, this.state, { quality, tool: this.tool });
+    this.stage.draw(this.canvas, this.state, {
+      software: this.canvas.software,
+      quality,
+      tool: this.tool,
+    });
   }
 
   private setProblem(problem: api.SceneProblem | null): void {

@@ -2,6 +2,7 @@
 
 import type { SceneState, ScreenshotOptions } from "./api";
 import type { Canvas } from "./canvas";
+import type { Overlay } from "./overlay";
 import { kFull } from "./quality";
 import type { Stage } from "./stage";
 
@@ -18,8 +19,13 @@ export function takeScreenshot(
   };
   const picture = canvas.capture(size, (source) => {
     if (options.transparent)
-      stage.draw(canvas, state, { quality: kFull, tool: "select", backgroundless: true });
-    return compose(source, stage.overlay.canvas);
+      stage.draw(canvas, state, {
+        software: canvas.software,
+        quality: kFull,
+        tool: "select",
+        backgroundless: true,
+      });
+    return compose(source, stage.overlay);
   });
   if (!picture)
     return Promise.reject(new Error("There is no picture: the scene cannot be drawn without WebGL."));
@@ -31,12 +37,13 @@ export function takeScreenshot(
   });
 }
 
-function compose(scene: HTMLCanvasElement, overlay: HTMLCanvasElement): HTMLCanvasElement {
+function compose(scene: HTMLCanvasElement, overlay: Overlay): HTMLCanvasElement {
   const picture = scene.ownerDocument.createElement("canvas");
   picture.width = scene.width;
   picture.height = scene.height;
   const context = picture.getContext("2d");
-  context?.drawImage(scene, 0, 0);
-  context?.drawImage(overlay, 0, 0, scene.width, scene.height);
+  if (!context) return picture;
+  context.drawImage(scene, 0, 0);
+  overlay.copyTo(context, scene.width, scene.height);
   return picture;
 }

@@ -5,6 +5,7 @@ import { Box3, Object3D, Vector3 } from "three";
 import type { CellRef, ColumnRef, ShapeInfo, ShapeSource, Vec3 } from "./api";
 import type { Shape } from "../glb/shapes";
 import type { Body } from "./body";
+import type { Eye } from "./front_faces";
 import { Chunk, kChunkVertices, kSmallVertices, vertexCount } from "./chunk";
 import { primitiveOf } from "./geometry";
 import type { Look, Style } from "./look";
@@ -226,9 +227,16 @@ export class ShapeStore {
     for (const level of record.levels) level.body.setVisible(record.visible && level === shown);
   }
 
-  /** To be called before drawing. */
-  update(): void {
-    for (const chunk of this.chunks) chunk.update();
+  /** To be called before drawing; `eye` if triangles that show their backs are to be left out here. */
+  update(eye: Eye | null): void {
+    for (const chunk of this.chunks) {
+      if (chunk.isFree) this.chunks.delete(chunk);
+      chunk.update();
+      chunk.chooseFronts(eye);
+    }
+    for (const record of this.visibleRecords()) {
+      for (const { body } of record.levels) body.chooseFronts(eye);
+    }
   }
 
   /** Triangles that are drawn at rest, and while coarse. */

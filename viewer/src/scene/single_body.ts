@@ -1,6 +1,15 @@
 /** A shape with draw calls of its own, straight from the bytes that came from the server. */
 
-import { BufferAttribute, Color, Group, LineBasicMaterial, LineSegments, Mesh, Points } from "three";
+import {
+  BufferAttribute,
+  Color,
+  FrontSide,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  Points,
+} from "three";
 import type { BufferGeometry, MeshLambertMaterial, Object3D, PointsMaterial } from "three";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 
@@ -16,6 +25,8 @@ import {
   wideLines,
 } from "./geometry";
 import { featureLines } from "./features";
+import { FrontFaces, isWorthChoosing, seenFrom } from "./front_faces";
+import type { Eye } from "./front_faces";
 import { isTransparent, kSelectionColor } from "./look";
 import type { Look, Style } from "./look";
 import { clip, faceMaterial, pointMaterial, styleFaces } from "./materials";
@@ -36,6 +47,9 @@ export class SingleBody implements Body {
   private readonly points: Points<BufferGeometry, PointsMaterial> | null;
   private readonly lines: LineSegments<BufferGeometry, LineBasicMaterial> | null;
   private readonly edges: LineSegments | null;
+  /** Of the faces, all of them. */
+  private readonly whole: BufferGeometry | null;
+  private fronts: FrontFaces | null = null;
   private allEdges: LineSegments | null = null;
   private readonly boundary: Object3D | null;
   private readonly nonManifold: Object3D | null;
@@ -50,6 +64,7 @@ export class SingleBody implements Body {
     private readonly shared: SharedMaterials,
   ) {
     this.faces = this.make("faces", (geometry) => new Mesh(geometry, faceMaterial(false)));
+    this.whole = this.faces?.geometry ?? null;
     this.points = this.make("points", (geometry) => new Points(geometry, pointMaterial(false)));
     this.lines = this.make("lines", (geometry) => new LineSegments(geometry, new LineBasicMaterial()));
     this.edges = this.make("edges", (geometry) => new LineSegments(geometry, shared.edges));
@@ -111,6 +126,22 @@ export class SingleBody implements Body {
     this.refresh();
   }
 
+  chooseFronts(eye: Eye | null): void {
+    const { faces, whole } = this;
+    if (!faces || !whole || !this.group.visible || !faces.visible) return;
+    const fronts = eye && faces.material.side === FrontSide ? this.frontFaces(whole) : null;
+    faces.geometry = fronts?.geometry ?? whole;
+    if (fronts && eye) fronts.choose(seenFrom(eye, this.group.position));
+  }
+
+  private frontFaces(whole: BufferGeometry): FrontFaces | null {
+    const primitive = primitiveOf(this.shape, "faces");
+    if (!this.fronts && primitive?.indices && isWorthChoosing(primitive.indices)) {
+      this.fronts = new FrontFaces(whole, primitive.positions, primitive.indices);
+    }
+    return this.fronts;
+  }
+
   private refresh(): void {
     const { look, style } = this;
     if (!look || !style) return;
@@ -166,9 +197,10 @@ export class SingleBody implements Body {
   }
 
   private showStencils(show: boolean): void {
-    if (show && this.stencils.length === 0 && this.faces) {
+    const { whole } = this;
+    if (show && this.stencils.length === 0 && whole) {
       this.stencils = [this.shared.stencilBack, this.shared.stencilFront].map((material) => {
-        const mesh = new Mesh(this.faces!.geometry, material);
+        const mesh = new Mesh(whole, material);
         mesh.renderOrder = -2;
         this.group.add(mesh);
         return mesh;
@@ -189,14 +221,22 @@ export class SingleBody implements Body {
   }
 
   positionsChanged(): void {
+    this.dropFronts();
     for (const child of this.group.children) {
       const attribute = geometryOfChild(child).getAttribute("position");
       if (attribute instanceof BufferAttribute) attribute.needsUpdate = true;
     }
   }
 
+  private dropFronts(): void {
+    if (this.faces && this.whole) this.faces.geometry = this.whole;
+    this.fronts?.dispose();
+    this.fronts = null;
+  }
+
   dispose(): void {
     this.parent.remove(this.group);
+    this.dropFronts();
     for (const child of this.group.children) geometryOfChild(child).dispose();
     this.faces?.material.dispose();
     this.points?.material.dispose();

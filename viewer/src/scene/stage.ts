@@ -21,6 +21,8 @@ import { themeOf } from "./theme";
 import type { SceneTheme } from "./theme";
 
 export interface FrameOptions {
+  /** Drawn by the processor. */
+  readonly software: boolean;
   readonly quality: QualityStep;
   readonly tool: Tool;
   readonly backgroundless?: boolean;
@@ -97,11 +99,11 @@ export class Stage {
     this.applyStyle(state);
     this.store.setCoarse(options.quality.coarse);
     this.materials.edges.visible = options.quality.edges || !state.appearance.faces;
-    this.store.update();
     this.lights.update(state.lights, state.camera);
     this.section.update(state.section, this.box, state.appearance.edgeColor);
     this.updateFurniture(state);
     const camera = projector.camera(state.camera, this.depthBox(state));
+    this.store.update(options.software ? projector.eye : null);
     const background = state.appearance.background ?? theme.background;
     renderer.setClearColor(new Color(background), options.backgroundless ? 0 : 1);
     renderer.info.reset();

@@ -1,5 +1,6 @@
 import type { Database, SceneView } from "../scene";
 import { AppearancePanel } from "./AppearancePanel";
+import { IndexPanel } from "./IndexPanel";
 import { InspectPanel } from "./InspectPanel";
 import { LightsPanel } from "./LightsPanel";
 import { MeasurePanel } from "./MeasurePanel";
@@ -19,6 +20,7 @@ export function ScenePanels({ view, database }: Props) {
       <ObjectPanel view={view} database={database} />
       <AppearancePanel view={view} />
       <DisplayPanel view={view} />
+      <IndexPanel view={view} database={database} />
       <SectionPanel view={view} database={database} />
       <MeasurePanel view={view} database={database} />
       <InspectPanel view={view} database={database} />

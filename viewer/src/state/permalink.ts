@@ -1,5 +1,6 @@
 import type { CellRef } from "../scene/api";
 import type { Outcome, Parameters } from "./outcome";
+import { isLinkCompare, type LinkCompare } from "./workbench_link";
 
 /** A parameter in a link: a cell of the n-th statement of the link, or a plain value. */
 type LinkParameter =
@@ -22,8 +23,10 @@ export interface LinkView {
   readonly selected?: readonly [number, number, string | null];
   /** Text in the editor. */
   readonly editor: string;
-  /** What SceneView.toJSON gave. */
+  /** What SceneView.toJSON gave, with places of statements for results. */
   readonly scene: unknown;
+  /** The split screen, if it is shown. */
+  readonly compare?: LinkCompare;
 }
 
 /** The view of a link; outcomes whose parameters are cells of closed results cannot be brought back and are left out. */
@@ -33,7 +36,7 @@ export function makeView(
   selected: { result: string; row: number; column: string | null } | null,
   editor: string,
   scene: unknown,
-): { view: LinkView; left: readonly Outcome[] } {
+): { view: LinkView; left: readonly Outcome[]; placeOf: (result: string) => number | null } {
   const taken: Outcome[] = [];
   const left: Outcome[] = [];
   const statements: LinkStatement[] = [];
@@ -58,7 +61,31 @@ export function makeView(
   );
   const selection =
     selected && place >= 0 ? { selected: [place, selected.row, selected.column] as const } : {};
-  return { view: { version: 1, statements, active, ...selection, editor, scene }, left };
+  const placeOf = (result: string): number | null => {
+    const found = taken.findIndex(({ resultId }) => resultId === result);
+    return found < 0 ? null : found;
+  };
+  const kept = withCells(scene, (result) => {
+    const found = placeOf(result);
+    return found === null ? null : String(found);
+  });
+  return { view: { version: 1, statements, active, ...selection, editor, scene: kept }, left, placeOf };
+}
+
+/** The state of a scene for the results of this page, from that of a link. */
+export function sceneOf(scene: unknown, results: readonly (string | null)[]): unknown {
+  return withCells(scene, (place) => results[Number(place)] ?? null);
+}
+
+/** A state of a scene with other names for results in its colours of objects; those without a name are left out. */
+function withCells(scene: unknown, nameOf: (result: string) => string | null): unknown {
+  const { overrides } = (scene ?? {}) as { overrides?: readonly { readonly cell?: Partial<CellRef> }[] };
+  if (!Array.isArray(overrides)) return scene;
+  const named = overrides.flatMap((override: { readonly cell?: Partial<CellRef> }) => {
+    const result = nameOf(override.cell?.result ?? "");
+    return result === null ? [] : [{ ...override, cell: { ...override.cell, result } }];
+  });
+  return { ...(scene as object), overrides: named };
 }
 
 function linkParameters(
@@ -140,6 +167,7 @@ function isView(value: unknown): value is LinkView {
   return (
     view.version === 1 &&
     typeof view.editor === "string" &&
+    (view.compare === undefined || isLinkCompare(view.compare)) &&
     Array.isArray(view.statements) &&
     view.statements.every(
       (statement: Partial<LinkStatement>) =>

@@ -86,6 +86,24 @@ export class Side {
     });
   }
 
+  /** Makes a state from others, without showing it; null if that fails, and `error` says why. */
+  async make(label: string, statement: string, inputs: Step["inputs"]): Promise<Step | null> {
+    let made: Step | null = null;
+    await this.#work(async (signal) => {
+      made = await this.#make(label, statement, inputs, signal);
+    });
+    return made;
+  }
+
+  /** Takes states in place of those that there are; the last one is shown, with the edges of `control` over it. */
+  take(steps: readonly Step[], control: Step | null): void {
+    this.stop();
+    this.#done = [...steps];
+    this.#undone = [];
+    this.#changed();
+    this.control.value = control ? cellOf(control) : null;
+  }
+
   stop(): void {
     this.#abort?.abort();
   }

@@ -82,6 +82,23 @@ export function vertexMove(type: MeshType, vertex: number, to: readonly [number,
   };
 }
 
+const kWords = new Set(
+  (
+    "query subdivide limitPosition simplify dual triangulate volume2mesh surface2mesh mesh2volume moveVertex " +
+    "union intersection minus const point3d value TRUE e"
+  ).split(" "),
+);
+
+/** Whether a statement can only be one of the operations above, or takes a parameter as it is: it changes nothing. */
+export function isWorkbenchStatement(text: string): boolean {
+  const words =
+    text
+      .replace(/"[^"]*"/g, "")
+      .replace(/\$\w+/g, "")
+      .match(/[A-Za-z_]\w*/g) ?? [];
+  return text.startsWith("query ") && !text.includes(";") && words.every((word) => kWords.has(word));
+}
+
 /** A number in the notation of the language, with all its digits. */
 function coordinate(value: number): string {
   return Object.is(value, -0) ? "0" : String(value);

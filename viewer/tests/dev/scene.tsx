@@ -84,6 +84,8 @@ const database: Database = {
     return Promise.resolve({ type: "real", value: 1.5, diagnostics: [], result: null });
   },
   shapes: () => Promise.resolve(buildGlb([square(0, 2)])),
+  rows: () => Promise.resolve([]),
+  indexes: () => [],
   drop: () => undefined,
   show: (statement) => console.log("show", statement),
 };

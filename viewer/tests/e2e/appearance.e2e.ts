@@ -1,8 +1,8 @@
-import { afterAll, afterEach, beforeAll, beforeEach, expect, test } from "vitest";
+import { beforeEach, expect, test } from "vitest";
 import type { Page } from "playwright-core";
 
-import { expectNoErrors, ready, run, stillScene } from "./support/actions";
-import { Browser, takePicture } from "./support/browser";
+import { run, stillScene } from "./support/actions";
+import { takePicture } from "./support/browser";
 import {
   choose,
   clickAt,
@@ -20,49 +20,30 @@ import {
   sceneSize,
   setColor,
 } from "./support/scene";
-import { Server } from "./support/server";
+import { Session } from "./support/session";
 
 const row =
   'intstream(1, 4) transformstream extend[Name: "part " + tostring(.Elem), Mass: .Elem * 1.5, Solid: createCube(makePoint3D(.Elem * 3, 0, 0), makePoint3D(.Elem * 3 + 2, 2, 2))]';
 
-let server: Server;
-let browser: Browser;
-let page: Page;
-
-beforeAll(async () => {
-  server = await Server.start([
+const session = new Session({
+  statements: [
     "let Cube = createCube(makePoint3D(0, 0, 0), makePoint3D(2, 2, 2))",
     "let Ball = createSphere(makePoint3D(0, 0, 0), 1, 16)",
     `let Row = ${row} consume`,
     "let Open = [const surface3d value (((0 0 0) (2 0 0) (0 0 2)) ((2 0 0) (2 0 2) (0 0 2)))]",
+    // Three triangles at one edge.
+    "let Fan = [const mesh3d value (((0 0 0) (0 0 2) (1 0 1) (-1 0 1) (0 1 1)) ((0 1 2) (0 1 3) (0 1 4)))]",
     "let Cloud = [const points3d value ((0 0 0) (1 0 0) (0 0 1) (1 0 1) (0.5 0 0.5))]",
-  ]);
-  browser = await Browser.start({ theme: "light", width: 1280, height: 900 });
+  ],
 });
 
-afterAll(async () => {
-  await browser.end();
-  await server.remove();
+let page: Page;
+
+beforeEach(() => {
+  page = session.page;
 });
 
-beforeEach(async () => {
-  page = await browser.open(server.url);
-  // Without animations a picture that stands still is the final one, also on a slow machine.
-  await page.emulateMedia({ reducedMotion: "reduce" });
-  await page.evaluate(() => localStorage.clear());
-  await page.reload();
-  await ready(page);
-  browser.errors.length = 0;
-});
-
-afterEach(() => expectNoErrors(browser.errors));
-
-async function show(statement: string): Promise<void> {
-  await run(page, statement);
-  await stillScene(page);
-  await plainScene(page);
-  await frontView(page);
-}
+const show = (statement: string) => session.show(statement);
 
 test("the context lives, and the picture of a cube is not blank", async () => {
   await run(page, "query Cube");
@@ -200,6 +181,18 @@ test("boundary edges are red, and can be hidden", async () => {
   expect((await stillScene(page)).count(isBoundary)).toBeGreaterThan(500);
   await field(page, "display", "Boundary edges (red)").setChecked(false);
   expect((await stillScene(page)).count(isBoundary)).toBe(0);
+});
+
+test("non-manifold edges are violet, and can be hidden", async () => {
+  await show("query Fan");
+  const isNonManifold = isNear([177, 0, 214], 40);
+  // The edge that three triangles share stands in the middle, as high as the picture.
+  const { height } = await sceneSize(page);
+  const seen = await stillScene(page);
+  await takePicture(page, "appearance-non-manifold");
+  expect(seen.count(isNonManifold)).toBeGreaterThan(height * 0.8);
+  await field(page, "display", "Non-manifold edges (violet)").setChecked(false);
+  expect((await stillScene(page)).count(isNonManifold)).toBe(0);
 });
 
 test("background, reset of each colour, reset of all", async () => {

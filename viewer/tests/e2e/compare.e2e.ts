@@ -2,6 +2,7 @@ import { afterAll, afterEach, beforeAll, beforeEach, expect, test } from "vitest
 import type { Page } from "playwright-core";
 import { expectNoErrors, ready, stillScene } from "./support/actions";
 import { Browser, takePicture } from "./support/browser";
+import type { Picture } from "./support/picture";
 import { Server } from "./support/server";
 
 type SideName = "left" | "right";
@@ -197,6 +198,89 @@ test("a vertex is dragged in the plane of its normal", async () => {
     .not.toBe("24");
   await press("left", "Undo");
   await expectFact("left", "Area", "24");
+});
+
+/** The topmost and rightmost place of a scene that differs from its ground. */
+function topRight(picture: Picture): { x: number; y: number } {
+  const ground = picture.at(4, 4);
+  const isObject = (x: number, y: number) =>
+    picture.at(x, y).some((part, i) => Math.abs(part - ground[i]!) > 40);
+  const { width, height } = picture;
+  const rows = Array.from({ length: height - 120 }, (_, i) => i + 60); // without toolbar and axes
+  const inside = (y: number) =>
+    Array.from({ length: width - 200 }, (_, i) => i + 100).filter((x) => isObject(x, y));
+  const y = rows.find((row) => inside(row).length > width / 8) ?? 0;
+  return { x: Math.max(...inside(y)), y };
+}
+
+test("a vertex is dragged along its normal", async () => {
+  await load("left", "Cube");
+  await expectFact("left", "Volume", "8");
+  const scene = page.locator(sceneOf("left"));
+  await scene.focus();
+  await page.keyboard.press("1");
+  await page.keyboard.press("5");
+  const corner = topRight(await stillScene(page, sceneOf("left")));
+  await press("left", "Vertex ↕ normal");
+  const box = await scene.boundingBox();
+  if (!box) throw new Error("no scene");
+  const [x, y] = [box.x + corner.x - 1, box.y + corner.y + 1];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  // To the right only: along the normal it goes up as well, and towards the eye.
+  await page.mouse.move(x + 60, y, { steps: 8 });
+  await takePicture(page, "compare-drag-normal");
+  await page.mouse.up();
+  await expect
+    .poll(() => side("left").locator(".steps").innerText(), { timeout: 20_000 })
+    .toMatch(/Cube › move vertex \d/);
+  await expect
+    .poll(async () => Number(await side("left").locator('[data-fact="Volume"]').innerText()), {
+      timeout: 20_000,
+    })
+    .toBeGreaterThan(8.05);
+});
+
+test("a link restores the split screen", async () => {
+  await load("left", "Cube");
+  await side("left").getByLabel("Scheme").selectOption("catmull-clark");
+  await press("left", "Subdivide");
+  await expectFact("left", "Faces", "24");
+  await load("right", "Ball");
+  await expectFact("right", "Faces", "528");
+  await press("right", "minus");
+  await expect
+    .poll(() => side("right").locator(".steps").innerText(), { timeout: 20_000 })
+    .toMatch(/Ball › minus/);
+  const volume = await side("right").locator('[data-fact="Volume"]').innerText();
+  await page.getByLabel("Same camera").setChecked(false);
+  await page.locator(sceneOf("left")).focus();
+  await page.keyboard.press("1");
+  const left = await stillScene(page, sceneOf("left"));
+  const right = await stillScene(page, sceneOf("right"));
+  await page.getByRole("button", { name: "Copy link" }).click();
+  await page.getByTestId("notice").first().waitFor();
+  const link = page.url();
+  const other = await Browser.start({ width: 1400, height: 900 });
+  try {
+    page = await other.open(link);
+    // Only objects are shown and operations of the split screen done: nobody has to be asked.
+    await expect
+      .poll(() => side("right").locator(".steps").innerText(), { timeout: 30_000 })
+      .toMatch(/Ball › minus/);
+    expect(await side("left").locator(".steps").innerText()).toMatch(/Cube › subdivide catmull-clark/);
+    await expectFact("left", "Faces", "24");
+    await expectFact("right", "Volume", volume);
+    expect(await page.getByLabel("Same camera").isChecked()).toBe(false);
+    expect((await stillScene(page, sceneOf("left"))).difference(left)).toBeLessThan(0.01);
+    expect((await stillScene(page, sceneOf("right"))).difference(right)).toBeLessThan(0.01);
+    await takePicture(page, "compare-link");
+    await press("left", "Undo");
+    await expectFact("left", "Faces", "12");
+    expectNoErrors(other.errors);
+  } finally {
+    await other.end();
+  }
 });
 
 test("a running step is stopped, and what was there stays", async () => {

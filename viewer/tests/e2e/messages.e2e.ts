@@ -1,6 +1,7 @@
 import { afterEach, expect, test } from "vitest";
 import { ready, run, stillScene, write } from "./support/actions";
 import { Browser, takePicture, type BrowserOptions } from "./support/browser";
+import { choose, field, openSettings, setColor } from "./support/scene";
 import { Server } from "./support/server";
 
 const cube = "let Cube = createCube(makePoint3D(0, 0, 0), makePoint3D(2, 2, 2))";
@@ -141,6 +142,44 @@ test("a link restores statements, table, selection, colours and camera", async (
     .toBe("2");
   const after = await stillScene(restored);
   await takePicture(restored, "messages-link-restored");
+  expect(after.difference(before)).toBeLessThan(0.01);
+});
+
+test("a link restores section, lights, colours of objects, display, projection and mouse", async () => {
+  const server = await startServer([cube]);
+  const browser = await startBrowser({ theme: "light" });
+  const page = await browser.open(server.url);
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await ready(page);
+  await page.getByTestId("objects").getByText("Cube").click();
+  await stillScene(page);
+  await openSettings(page);
+  await setColor(page, "appearance", "Object colour", "#44aa66");
+  await setColor(page, "appearance", "Background colour", "#fff0d0");
+  await choose(page, "appearance", "Edges", "None");
+  await field(page, "display", "Grid").setChecked(true);
+  await field(page, "display", "Axes").setChecked(false);
+  await choose(page, "navigation", "Projection", "Orthographic");
+  await field(page, "navigation", "Mouse as in").selectOption("blender");
+  await page.getByTestId("lights-panel").getByRole("button", { name: "Add light" }).click();
+  await field(page, "section", "Section plane").setChecked(true);
+  await page.getByTestId("cut-area").waitFor();
+  const before = await stillScene(page);
+  await page.getByRole("button", { name: "Copy link" }).click();
+  await page.getByTestId("notice").first().waitFor();
+  const other = await startBrowser({ theme: "light" });
+  const restored = await other.open(page.url());
+  await restored.emulateMedia({ reducedMotion: "reduce" });
+  // `query Cube` only shows an object: nobody has to be asked.
+  await restored.getByTestId("table").waitFor();
+  await openSettings(restored);
+  await restored.getByTestId("cut-area").waitFor();
+  expect(await field(restored, "display", "Grid").isChecked()).toBe(true);
+  expect(await field(restored, "display", "Axes").isChecked()).toBe(false);
+  expect(await field(restored, "navigation", "Mouse as in").inputValue()).toBe("blender");
+  expect(await field(restored, "section", "Section plane").isChecked()).toBe(true);
+  const after = await stillScene(restored);
+  await takePicture(restored, "messages-link-kinds");
   expect(after.difference(before)).toBeLessThan(0.01);
 });
 

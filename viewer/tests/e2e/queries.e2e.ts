@@ -91,6 +91,7 @@ test("operators complete with syntax and description, attributes after a dot", a
   await options.first().waitFor();
   expect(await options.first().innerText()).toContain("volume(_)");
   await expect.poll(() => page.locator(".cm-completionInfo").innerText()).toContain("enclosed volume");
+  await page.waitForTimeout(150); // a list that has just appeared does not take keys yet
   await page.keyboard.press("Enter");
   expect(await page.locator(".cm-line").innerText()).toBe("query volume()");
   await write(page, "query Cubes feed filter[");

@@ -1,6 +1,6 @@
 // npm run e2e -- --program PATH [--pages FOLDER] [--artifacts FOLDER] [--chromium PATH] [--name TEST] [FILE...]
 // Runs the end-to-end tests with the given algebra3d and its pages, or with those of a folder such as dist.
-import { spawnSync } from "node:child_process";
+import { spawn } from "node:child_process";
 import { existsSync } from "node:fs";
 import { resolve } from "node:path";
 import { parseArgs } from "node:util";
@@ -23,7 +23,7 @@ if (!existsSync(values.chromium)) {
   console.error(`e2e: there is no ${values.chromium}; install chromium, or give its place with --chromium`);
   process.exit(2);
 }
-const { status } = spawnSync(
+const vitest = spawn(
   process.execPath,
   [
     "node_modules/vitest/vitest.mjs",
@@ -44,4 +44,5 @@ const { status } = spawnSync(
     },
   },
 );
-process.exit(status ?? 1);
+for (const signal of ["SIGINT", "SIGTERM", "SIGHUP"]) process.on(signal, () => vitest.kill(signal));
+vitest.on("exit", (status) => process.exit(status ?? 1));

@@ -1,9 +1,9 @@
 import { readFileSync } from "node:fs";
-import { afterAll, afterEach, beforeAll, beforeEach, expect, test } from "vitest";
+import { beforeEach, expect, test } from "vitest";
 import type { Page } from "playwright-core";
 
-import { expectNoErrors, ready, run, stillScene } from "./support/actions";
-import { Browser, takeElement, takePicture } from "./support/browser";
+import { run, stillScene } from "./support/actions";
+import { takeElement, takePicture } from "./support/browser";
 import { readPng } from "./support/picture";
 import {
   choose,
@@ -11,55 +11,32 @@ import {
   covered,
   drag,
   field,
-  frontView,
   halfSide,
   isNear,
   kScene,
   openSettings,
-  plainScene,
   press,
   sceneSize,
 } from "./support/scene";
-import { Server } from "./support/server";
+import { Session } from "./support/session";
 
 const kCut = isNear([224, 121, 58], 20);
 
-let server: Server;
-let browser: Browser;
-let page: Page;
-
-beforeAll(async () => {
-  server = await Server.start([
+const session = new Session({
+  statements: [
     "let Cube = createCube(makePoint3D(0, 0, 0), makePoint3D(2, 2, 2))",
     "let Hollow = Cube minus createCube(makePoint3D(0.5, 0.5, 0.5), makePoint3D(1.5, 1.5, 1.5))",
     "let Two = intstream(0, 1) transformstream extend[Solid: createCube(makePoint3D(.Elem * 5, 0, 0), makePoint3D(.Elem * 5 + 2, 2, 2))] consume",
-  ]);
-  browser = await Browser.start({ theme: "light", width: 1280, height: 900 });
+  ],
 });
 
-afterAll(async () => {
-  await browser.end();
-  await server.remove();
+let page: Page;
+
+beforeEach(() => {
+  page = session.page;
 });
 
-beforeEach(async () => {
-  page = await browser.open(server.url);
-  // Without animations a picture that stands still is the final one, also on a slow machine.
-  await page.emulateMedia({ reducedMotion: "reduce" });
-  await page.evaluate(() => localStorage.clear());
-  await page.reload();
-  await ready(page);
-  browser.errors.length = 0;
-});
-
-afterEach(() => expectNoErrors(browser.errors));
-
-async function show(statement: string): Promise<void> {
-  await run(page, statement);
-  await stillScene(page);
-  await plainScene(page);
-  await frontView(page);
-}
+const show = (statement: string) => session.show(statement);
 
 test("the section is exact: its area comes from the database, and its cut is filled", async () => {
   await show("query Hollow");
@@ -98,6 +75,20 @@ test("the handle of the section plane moves it", async () => {
   const after = await field(page, "section", "Position").last().inputValue();
   const moved = Number(before) - Number(after);
   expect(moved).toBeCloseTo(60 / halfSide({ width, height }), 1);
+});
+
+test("with Shift the handle tilts the section plane, and the cut is computed anew", async () => {
+  await session.show("query Cube");
+  await press(page, "c");
+  const area = page.getByTestId("cut-area");
+  await expect.poll(() => area.innerText(), { timeout: 20_000 }).toBe("4");
+  const { width, height } = await sceneSize(page);
+  const tip = 2 * Math.sqrt(3) * 0.18 * halfSide({ width, height });
+  await drag(page, [width / 2 + tip, height / 2], [0, -tip / 2], { keys: ["Shift"] });
+  // The normal leans from x towards z by a half, so that the cut through the middle is longer by the root of 1.25.
+  await expect.poll(async () => Number(await area.innerText()), { timeout: 20_000 }).toBeGreaterThan(4.2);
+  expect(Math.abs(Number(await area.innerText()) - 4 * Math.sqrt(1.25))).toBeLessThan(0.2);
+  await takePicture(page, "section-tilted");
 });
 
 test("the distance of two vertices is that of the database, exactly", async () => {

@@ -1,39 +1,36 @@
-import { useSignal } from "@preact/signals";
-import { useEffect, useState } from "preact/hooks";
+import { useEffect } from "preact/hooks";
 import { linkCameras } from "../../scene";
-import type { SceneView } from "../../scene/api";
 import { keepBothInSight } from "./fit_both";
 import { useApp } from "../context";
 import { CompareSide } from "./CompareSide";
 
 /** Two meshes side by side. */
 export function CompareView() {
-  const { workbench } = useApp().workspace;
+  const { workbench, sideScenes, sameCamera } = useApp().workspace;
   const loaded = () =>
     [workbench.left, workbench.right].map((side) => side.steps.peek()[0]?.outcome.key ?? 0).join(" ");
-  const synchronised = useSignal(true);
-  const [left, setLeft] = useState<SceneView | null>(null);
-  const [right, setRight] = useState<SceneView | null>(null);
+  const left = sideScenes.left.value;
+  const right = sideScenes.right.value;
   useEffect(() => {
-    if (!left || !right || !synchronised.value) return;
+    if (!left || !right || !sameCamera.value) return;
     right.setCamera(left.state.camera, { animate: false });
     const ends = [linkCameras(left, right), keepBothInSight(left, right, loaded)];
     return () => ends.forEach((end) => end());
-  }, [left, right, synchronised.value]);
+  }, [left, right, sameCamera.value]);
   return (
     <div class="compare" data-testid="compare">
-      <CompareSide name="left" onView={setLeft} />
+      <CompareSide name="left" onView={(view) => (sideScenes.left.value = view)} />
       <div class="compare-middle">
         <label class="check" title="Turn both views together">
           <input
             type="checkbox"
-            checked={synchronised.value}
-            onChange={(event) => (synchronised.value = event.currentTarget.checked)}
+            checked={sameCamera.value}
+            onChange={(event) => (sameCamera.value = event.currentTarget.checked)}
           />
           <span>Same camera</span>
         </label>
       </div>
-      <CompareSide name="right" onView={setRight} />
+      <CompareSide name="right" onView={(view) => (sideScenes.right.value = view)} />
     </div>
   );
 }

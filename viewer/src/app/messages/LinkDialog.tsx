@@ -1,5 +1,5 @@
 import { useApp } from "../context";
-import { pendingLink, restoreView } from "../link";
+import { pendingLink, restoreView, statementsOf } from "../link";
 import { Dialog } from "../ui/Dialog";
 
 /** Asks before the statements of a link are run. */
@@ -15,7 +15,9 @@ export function LinkDialog() {
         the link is from.
       </p>
       <pre class="code-block" tabIndex={0}>
-        {view.statements.map(({ text }) => `${text};`).join("\n\n")}
+        {statementsOf(view)
+          .map((text) => `${text};`)
+          .join("\n\n")}
       </pre>
       <div class="row">
         <span class="grow" />

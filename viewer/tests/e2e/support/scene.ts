@@ -69,12 +69,18 @@ export function covered(picture: Picture): number {
   return picture.count((color) => !isWhite(color));
 }
 
-/** Drags on the scene by pixels from a place, with a button and keys held. */
+type MouseButton = "left" | "middle" | "right";
+
+/** Drags on the scene by pixels from a place, with one or two buttons and keys held. */
 export async function drag(
   page: Page,
   from: readonly [number, number],
   by: readonly [number, number],
-  options: { readonly button?: "left" | "middle" | "right"; readonly keys?: readonly string[] } = {},
+  options: {
+    readonly button?: MouseButton;
+    readonly and?: MouseButton;
+    readonly keys?: readonly string[];
+  } = {},
 ): Promise<void> {
   const box = await page.locator(kScene).boundingBox();
   if (!box) throw new Error("the scene has no box");
@@ -82,8 +88,10 @@ export async function drag(
   for (const key of options.keys ?? []) await page.keyboard.down(key);
   await page.mouse.move(x, y);
   await page.mouse.down({ button: options.button ?? "left" });
+  if (options.and) await page.mouse.down({ button: options.and });
   await page.mouse.move(x + by[0] / 2, y + by[1] / 2, { steps: 4 });
   await page.mouse.move(x + by[0], y + by[1], { steps: 4 });
+  if (options.and) await page.mouse.up({ button: options.and });
   await page.mouse.up({ button: options.button ?? "left" });
   for (const key of options.keys ?? []) await page.keyboard.up(key);
   await page.mouse.move(2, 2); // so that no coordinates are shown

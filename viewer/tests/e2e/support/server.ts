@@ -51,6 +51,9 @@ export class Server {
     const args = ["serve", "--db", "scratch.db", "--port", String(this.port), ...this.options];
     const child = spawn(program, args, { cwd: this.folder, env: this.#env });
     this.#process = child;
+    const killed = () => child.kill("SIGKILL");
+    process.once("exit", killed);
+    child.once("exit", () => process.off("exit", killed));
     child.stdout.on("data", (data: Buffer) => (this.#output += data.toString()));
     child.stderr.on("data", (data: Buffer) => (this.#output += data.toString()));
     for (let attempt = 0; attempt < 200; attempt++) {

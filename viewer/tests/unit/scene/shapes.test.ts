@@ -98,7 +98,7 @@ describe("chunks of small shapes", () => {
     const record = store.record({ result: "r1", row: 5, column: "Solid" })!;
     record.hidden = true;
     store.refreshVisibility();
-    store.update();
+    store.update(null);
     expect(mesh.geometry.index!.count).toBe(39 * 36);
     store.setLook(record, { ...look, offset: [0, 0, 7] });
     const color = mesh.geometry.getAttribute("color");

@@ -1,0 +1,38 @@
+// The processes that a process started, by /proc of Linux.
+import { readFileSync, readdirSync } from "node:fs";
+
+/** Numbers of all descendants of a process whose command line has `word`. */
+export function processesOf(root, word = "") {
+  const children = new Map();
+  for (const entry of readdirSync("/proc").filter((name) => /^\d+$/.test(name))) {
+    const parent = parentOf(entry);
+    children.set(parent, [...(children.get(parent) ?? []), Number(entry)]);
+  }
+  const found = [];
+  const waiting = [root];
+  while (waiting.length > 0) {
+    const next = children.get(waiting.pop()) ?? [];
+    found.push(...next);
+    waiting.push(...next);
+  }
+  return found.filter((id) => read(`/proc/${id}/cmdline`).includes(word));
+}
+
+/** Memory of a process in bytes, what it shares with others divided by their number; 0 if it has ended. */
+export function ownBytes(id) {
+  return 1024 * Number(/Pss:\s+(\d+)/.exec(read(`/proc/${id}/smaps_rollup`))?.[1] ?? 0);
+}
+
+function parentOf(id) {
+  const line = read(`/proc/${id}/stat`);
+  // The name before it is in brackets and may have any characters.
+  return Number(line.slice(line.lastIndexOf(")") + 2).split(" ")[1]);
+}
+
+function read(path) {
+  try {
+    return readFileSync(path, "utf8");
+  } catch {
+    return "";
+  }
+}

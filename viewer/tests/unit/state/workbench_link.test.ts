@@ -1,0 +1,130 @@
+import { expect, test } from "vitest";
+
+import type { QueryAnswer } from "../../../src/api/types";
+import { decodeView, encodeView, makeView, sceneOf } from "../../../src/state/permalink";
+import type { Store } from "../../../src/state/store";
+import { Workbench } from "../../../src/state/workbench";
+import { foreignStatements, linkOf, restoreSides } from "../../../src/state/workbench_link";
+import {
+  dual,
+  isWorkbenchStatement,
+  limit,
+  setOperation,
+  simplification,
+  subdivision,
+  vertexMove,
+} from "../../../src/state/workbench_operations";
+
+test.each([
+  "query $a",
+  `query ${subdivision("volume3d", "loop").expression}`,
+  `query ${limit("surface3d", "catmull-clark", 3).expression}`,
+  `query ${simplification("mesh3d", 0.25).expression}`,
+  `query ${dual("volume3d").expression}`,
+  `query ${setOperation("minus", "mesh3d", "volume3d").expression}`,
+  `query ${vertexMove("mesh3d", 7, [0.5, -1e-20, 3e25]).expression}`,
+])("%s is an operation of the split screen", (statement) => {
+  expect(isWorkbenchStatement(statement)).toBe(true);
+});
+
+test.each([
+  "query Parts",
+  "query Parts feed Parts deletedirect count",
+  "query $a; delete Parts",
+  "delete Parts",
+  "let x = $a",
+  "query importSTL('a.stl')",
+  "query $a exportSTL[\"x\", 'a.stl', TRUE]",
+])("%s is none", (statement) => {
+  expect(isWorkbenchStatement(statement)).toBe(false);
+});
+
+/** A workbench whose server answers each statement with a cube of its own, and the statements that came. */
+function workbench(): { bench: Workbench; asked: { statement: string; parameters: unknown }[] } {
+  const asked: { statement: string; parameters: unknown }[] = [];
+  let count = 0;
+  const answer = (): QueryAnswer => ({
+    type: "volume3d",
+    value: { type: "volume3d", triangles: 12 },
+    diagnostics: [],
+    seconds: 0,
+    result: {
+      id: `r${++count}`,
+      count: 1,
+      columns: [{ name: "value", type: "volume3d", shape: true }],
+    },
+  });
+  const client = {
+    query: () => Promise.reject(new Error("no statistics here")),
+    drop: () => Promise.resolve(),
+  };
+  const runner = {
+    answer: (statement: string, parameters: unknown) => {
+      asked.push({ statement, parameters });
+      return Promise.resolve(answer());
+    },
+  };
+  const store = { client, runner } as unknown as Store;
+  return { bench: new Workbench(store), asked };
+}
+
+test("the sides are made again in an order in which each mesh has what it needs", async () => {
+  const { bench } = workbench();
+  await bench.left.loadObject("Cube");
+  await bench.right.loadObject("Ball");
+  await bench.right.apply(dual);
+  await bench.left.apply((type) => setOperation("minus", type, "volume3d"), bench.right.step.value);
+  await bench.left.apply(dual, null, 2);
+  const link = linkOf(bench, () => null, { left: { l: 1 }, right: { r: 1 }, sameCamera: false });
+  expect(link).not.toBeNull();
+  expect(foreignStatements(link!)).toEqual(["query Cube", "query Ball"]);
+  const { view } = makeView([], null, null, "", null);
+  const read = (await decodeView(await encodeView({ ...view, compare: link! }))).compare!;
+  expect(read).toEqual(link);
+
+  const other = workbench();
+  expect(await restoreSides(other.bench, read, [])).toBe(true);
+  const labels = (side: "left" | "right") => other.bench.side(side).steps.value.map(({ label }) => label);
+  expect(labels("left")).toEqual(["Cube", "minus with the other side", "dual", "dual"]);
+  expect(labels("right")).toEqual(["Ball", "dual"]);
+  // Every parameter is the result of a statement before.
+  other.asked.forEach(({ parameters }, index) => {
+    for (const { result } of Object.values(parameters as Record<string, { result: string }>)) {
+      expect(Number(result.slice(1))).toBeLessThanOrEqual(index);
+    }
+  });
+});
+
+test("the limit surface keeps its control mesh", async () => {
+  const { bench } = workbench();
+  await bench.right.loadObject("Cube");
+  await bench.showLimit("right", "loop", 2);
+  const link = linkOf(bench, () => null, { left: null, right: null, sameCamera: true })!;
+  const other = workbench();
+  await restoreSides(other.bench, link, []);
+  expect(other.bench.left.control.value).not.toBeNull();
+  expect(other.bench.left.control.value?.result).toBe(other.bench.right.step.value?.outcome.resultId);
+});
+
+test("a mesh of a result that is not in the link cannot be linked, one that is can", async () => {
+  const { bench } = workbench();
+  await bench.left.load({ result: "r77", row: 3, column: "Solid" });
+  const more = { left: null, right: null, sameCamera: true };
+  expect(linkOf(bench, () => null, more)).toBeNull();
+  const link = linkOf(bench, (result) => (result === "r77" ? 1 : null), more)!;
+  const other = workbench();
+  await restoreSides(other.bench, link, ["r1", "r5"]);
+  expect(other.asked[0]?.parameters).toEqual({ a: { result: "r5", row: 3, column: "Solid" } });
+});
+
+test("colours of single objects go with their statements", () => {
+  const scene = {
+    overrides: [{ cell: { result: "0", row: 2, column: "S" }, color: "#ff0000" }],
+    camera: { height: 3 },
+  };
+  expect(sceneOf(scene, ["r9"])).toEqual({
+    overrides: [{ cell: { result: "r9", row: 2, column: "S" }, color: "#ff0000" }],
+    camera: { height: 3 },
+  });
+  expect(sceneOf(scene, [null])).toEqual({ overrides: [], camera: { height: 3 } });
+});
