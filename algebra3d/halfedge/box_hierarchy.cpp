@@ -1,13 +1,18 @@
 #include "algebra3d/halfedge/box_hierarchy.h"
 
+#include <atomic>
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <numeric>
+#include <optional>
 #include <utility>
 
+#include "algebra3d/base/hilbert.h"
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/halfedge/boxes.h"
+#include "algebra3d/halfedge/node_slabs.h"
 
 namespace algebra3d {
 namespace {
@@ -15,19 +20,8 @@ namespace {
 /// Faces or points of one task.
 constexpr std::size_t kFacesPerTask = 10000;
 
-/// Upper 32 bits of a Morton code, and the position of its face in the lower half.
+/// Upper 32 bits of a place along the Hilbert curve, and the position of its face in the lower half.
 using CodedFace = std::uint64_t;
-
-/// The low 21 bits of `value`, two zeros after each.
-std::uint64_t spread_bits(std::uint64_t value) {
-  value &= 0x1FFFFF;
-  value = (value | value << 32) & 0x1F00000000FFFF;
-  value = (value | value << 16) & 0x1F0000FF0000FF;
-  value = (value | value << 8) & 0x100F00F00F00F00F;
-  value = (value | value << 4) & 0x10C30C30C30C30C3;
-  value = (value | value << 2) & 0x1249249249249249;
-  return value;
-}
 
 constexpr unsigned kDigitBits = 11, kRounds = 3;
 constexpr std::size_t kBuckets = std::size_t{1} << kDigitBits;
@@ -144,6 +138,13 @@ std::vector<std::uint32_t> all_faces(const TriangleMesh& mesh) {
 
 }  // namespace
 
+struct BoxHierarchy::LazySlabs {
+  std::once_flag once;
+  std::optional<const NodeSlabs> slabs;
+  std::atomic<bool> are_made = false;
+  std::atomic<std::size_t> steps = 0;  // of searches without them
+};
+
 void BoxHierarchy::Box::extend(const Box& other) {
   for (std::size_t axis = 0; axis < 4; ++axis) {
     min[axis] = std::min(min[axis], other.min[axis]);
@@ -154,7 +155,7 @@ void BoxHierarchy::Box::extend(const Box& other) {
 BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh) : BoxHierarchy(mesh, all_faces(mesh)) {}
 
 BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> faces, double margin)
-    : faces_(std::move(faces)) {
+    : faces_(std::move(faces)), slabs_(std::make_shared<LazySlabs>()) {
   if (faces_.empty()) return;
   const PointArray& points = mesh.points();
   choose_scale(points, margin);
@@ -179,13 +180,13 @@ BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> 
 
 void BoxHierarchy::choose_scale(const PointArray& points, double margin) {
   const Box3 bounds = wide_bounds(points, margin);
-  origin_ = bounds.min;
+  frame_.origin = bounds.min;
   // Halved first, so that the extent of the largest doubles is finite. A power of two, so that few coordinates are
   // rounded; 2^20 units are what the codes can tell apart.
   double half_extent = 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
     half_extent = std::max(half_extent, bounds.max[axis] / 2 - bounds.min[axis] / 2);
-  scale_ = half_extent > 0 ? std::ldexp(1.0, std::min(19 - std::ilogb(half_extent), 1000)) : 1;
+  frame_.scale = half_extent > 0 ? std::ldexp(1.0, std::min(19 - std::ilogb(half_extent), 1000)) : 1;
 }
 
 BoxHierarchy::Box BoxHierarchy::scaled(const Box3& box) const {
@@ -200,8 +201,8 @@ Box3 BoxHierarchy::unscaled(const Box& box) const {
   Box3 result;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     // A step of float covers the rounding to float, and a step of double that of the sum.
-    const double min = (double{std::nextafter(box.min[axis], -kFar)} / scale_ + origin_[axis] / 2) * 2;
-    const double max = (double{std::nextafter(box.max[axis], kFar)} / scale_ + origin_[axis] / 2) * 2;
+    const double min = (double{std::nextafter(box.min[axis], -kFar)} / frame_.scale + frame_.origin[axis] / 2) * 2;
+    const double max = (double{std::nextafter(box.max[axis], kFar)} / frame_.scale + frame_.origin[axis] / 2) * 2;
     result.min[axis] = std::nextafter(min, -Box3::kInfinity);
     result.max[axis] = std::nextafter(max, Box3::kInfinity);
   }
@@ -229,12 +230,26 @@ Box3 BoxHierarchy::bounds() const {
   return faces_.empty() ? Box3{} : unscaled(levels_.back().boxes[0]);
 }
 
+const NodeSlabs& BoxHierarchy::slabs(const TriangleMesh& mesh) const {
+  std::call_once(slabs_->once, [&] {
+    slabs_->slabs.emplace(mesh, *this);
+    slabs_->are_made = true;
+  });
+  return *slabs_->slabs;
+}
+
+const NodeSlabs* BoxHierarchy::slabs_after(std::size_t steps, const TriangleMesh& mesh) const {
+  constexpr std::size_t kFacesForAStep = 4;
+  const bool are_paid_for = (slabs_->steps += steps) * kFacesForAStep > faces_.size();
+  return slabs_->are_made || are_paid_for ? &slabs(mesh) : nullptr;
+}
+
 BoxHierarchy::FrameChange BoxHierarchy::change_from(const BoxHierarchy& other) const {
   constexpr double kFar = 0x1p100;
-  const double factor = scale_ / other.scale_;
+  const double factor = frame_.scale / other.frame_.scale;
   FrameChange change{{}, {}, factor > 1 / kFar && factor < kFar};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double shift = (other.origin_[axis] / 2 - origin_[axis] / 2) * scale_;
+    const double shift = (other.frame_.origin[axis] / 2 - frame_.origin[axis] / 2) * frame_.scale;
     change.is_known = change.is_known && std::abs(shift) < kFar;
     change.factor[axis] = change.is_known ? static_cast<float>(factor) : 0;
     change.shift[axis] = change.is_known ? static_cast<float>(shift) : 0;
@@ -305,7 +320,7 @@ double BoxHierarchy::squared_gap(const Box& own, const Box& other) {
 }
 
 double BoxHierarchy::squared_in_frame(double length) const {
-  const double scaled_length = length / 2 * scale_;
+  const double scaled_length = length / 2 * frame_.scale;
   return scaled_length * scaled_length * (1 + 0x1p-40);
 }
 
@@ -320,14 +335,14 @@ double BoxHierarchy::least_gap(const Box3& where, double reach) const {
     stack.pop_back();
     if (node.squared_gap > limit || node.squared_gap >= least) continue;
     if (node.level > 0) {
-      push_near_children(node, place, stack);
+      push_near_children(node, place, no_gap, stack);
       continue;
     }
     for (std::size_t i = node.index * kLeafSize; i < std::min((node.index + 1) * kLeafSize, faces_.size()); ++i)
       least = std::min(least, squared_gap(face_boxes_[i], place));
   }
   if (least > limit) return Box3::kInfinity;
-  return std::min(std::sqrt(least) * (1 - 0x1p-40) / scale_ * 2, std::numeric_limits<double>::max());
+  return std::min(std::sqrt(least) * (1 - 0x1p-40) / frame_.scale * 2, std::numeric_limits<double>::max());
 }
 
 /// The higher node is opened, as for pairs that meet.
@@ -348,29 +363,28 @@ void BoxHierarchy::push_near_children(const BoxHierarchy& other, const FrameChan
     std::swap(stack[first_new], stack[first_new + 1]);
 }
 
-void BoxHierarchy::push_near_children(const Node& node, const Box& where, std::vector<NearNode>& stack) const {
-  const std::vector<Box>& below = levels_[node.level - 1].boxes;
-  const auto end = std::min(2 * node.index + 2, static_cast<std::uint32_t>(below.size()));
-  const std::size_t first_new = stack.size();
-  for (std::uint32_t child = 2 * node.index; child < end; ++child)
-    stack.push_back({{node.level - 1, child}, squared_gap(below[child], where)});
-  if (stack.size() == first_new + 2 && stack[first_new].squared_gap < stack[first_new + 1].squared_gap)
-    std::swap(stack[first_new], stack[first_new + 1]);
-}
-
 template <typename BoxOfFace>
 void BoxHierarchy::sort_faces(const BoxOfFace& box_of_face) {
-  const auto code_of = [&](std::size_t i) {
+  // Cells of the sums of two coordinates up to 2^20; 21 bits hold all but the very last value. The number of bits of a
+  // code is even, so the first three are 0.
+  const auto cells_of = [&](std::size_t i) {
     const Box box = box_of_face(i);
-    // Sums of two coordinates up to 2^20; 21 bits hold all but the very last value.
     const auto cell = [&](std::size_t axis) {
-      return std::min(static_cast<std::uint64_t>(box.min[axis] + box.max[axis]), std::uint64_t{0x1FFFFF});
+      return std::min(static_cast<std::uint32_t>(box.min[axis] + box.max[axis]), std::uint32_t{0x1FFFFF});
     };
-    return spread_bits(cell(0)) | spread_bits(cell(1)) << 1 | spread_bits(cell(2)) << 2;
+    return std::array{cell(0), cell(1), cell(2)};
+  };
+  const auto code_of = [&](std::size_t i) {
+    const auto [x, y, z] = cells_of(i);
+    return hilbert_code<22>(x, y, z);
+  };
+  // The upper 32 of the 63 bits.
+  const auto begin_of_code_of = [&](std::size_t i) {
+    const auto [x, y, z] = cells_of(i);
+    return hilbert_code<12>(x >> 10, y >> 10, z >> 10) >> 1;
   };
   std::vector<CodedFace> coded(faces_.size());
-  // The code has 63 bits.
-  parallel_for(coded.size(), kFacesPerTask, [&](std::size_t i) { coded[i] = code_of(i) >> 31 << 32 | i; });
+  parallel_for(coded.size(), kFacesPerTask, [&](std::size_t i) { coded[i] = begin_of_code_of(i) << 32 | i; });
   radix_sort(coded);
   sort_ties(coded, code_of);
   std::vector<std::uint32_t> sorted(coded.size());

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -18,13 +19,15 @@
 
 namespace algebra3d {
 
-/// An implicit bounding volume hierarchy over triangles of one mesh: triangles in Morton order, kLeafSize per leaf, and
-/// a complete binary tree of boxes over the leaves, in flat arrays without pointers.
+class NodeSlabs;
+
+/// An implicit bounding volume hierarchy over triangles of one mesh: triangles along a Hilbert curve, kLeafSize per
+/// leaf, and a complete binary tree of boxes over the leaves, in flat arrays without pointers.
 ///
 /// Boxes are floats, scaled to the mesh by a monotonic map (subtract, scale, round), so boxes that touch or overlap
 /// still do so afterwards: a query may find too many candidates, never too few, however far from the origin the mesh
-/// lies. Immutable after construction and `set_groups`; refers to nothing. Memory: 50 bytes per triangle.
-/// Deterministic. Source: [lauterbach2009] for the order of the triangles.
+/// lies. Immutable after construction and `set_groups`; refers to nothing. Memory: 50 bytes per triangle, and 5 more
+/// for slabs once they are asked for. Deterministic. Source: [lauterbach2009] for the order of the triangles.
 class BoxHierarchy {
  public:
   static constexpr std::size_t kLeafSize = 8;
@@ -45,13 +48,45 @@ class BoxHierarchy {
   /// level 0 are the leaves.
   struct Node {
     std::uint32_t level, index;
+
+    friend bool operator==(const Node&, const Node&) = default;
   };
-  static constexpr std::uint32_t kAskedLevel = 6;
+  std::uint32_t level_count() const { return static_cast<std::uint32_t>(levels_.size()); }
+  std::uint32_t node_count(std::uint32_t level) const {
+    return static_cast<std::uint32_t>(levels_[level].boxes.size());
+  }
+  /// The node over all faces, if there are any.
+  Node root() const { return {level_count() - 1, 0}; }
 
   /// The faces below a node.
   std::span<const std::uint32_t> faces_of(Node node) const;
   /// A box around the faces of a node, slightly larger than the smallest one.
   Box3 bounds(Node node) const { return unscaled(levels_[node.level].boxes[node.index]); }
+
+  /// The frame of the boxes: coordinates are half their distance from `origin`, times `scale`, a power of two. The mesh
+  /// has an extent of 2^19 to 2^20 in it, but for meshes of one point or below some 2^-980.
+  struct Frame {
+    Vec3 origin;
+    double scale = 1;
+
+    Vec3 place_of(const Vec3& point) const { return scale * (0.5 * point - 0.5 * origin); }
+  };
+  const Frame& frame() const { return frame_; }
+  /// A box around the faces of a node by its middle and half its sides, in the frame.
+  struct Place {
+    Vec3 middle, half;
+
+    /// How far the box reaches along a direction from its middle.
+    double reach(const Vec3& direction) const {
+      return std::abs(direction.x) * half.x + std::abs(direction.y) * half.y + std::abs(direction.z) * half.z;
+    }
+  };
+  Place place(Node node) const;
+  /// Slabs around the nodes, of the mesh that the hierarchy was built over. Made at the first call, by any thread.
+  /// Cost: linear at the first call, some 15 nanoseconds per face.
+  const NodeSlabs& slabs(const TriangleMesh& mesh) const;
+  /// The same where they pay: null until searches have told of as many steps as would have been spent on making them.
+  const NodeSlabs* slabs_after(std::size_t steps, const TriangleMesh& mesh) const;
 
   /// Assigns each leaf a group or kNoGroup. A node whose leaves are all in one group is in that group; `for_each_pair`
   /// skips pairs within a group without enumerating them.
@@ -85,8 +120,8 @@ class BoxHierarchy {
     for_each_pair_with(
         other, visit, [](Node, Node) { return false; }, pause, share);
   }
-  /// The same, without the pairs of faces of two nodes up to kAskedLevel about which `are_apart(m, n)` is true, m a
-  /// node of this hierarchy, n one of the other.
+  /// The same, without the pairs of faces of two nodes about which `are_apart(m, n)` is true, m a node of this
+  /// hierarchy, n one of the other.
   template <typename Visit, typename Apart, typename Pause>
   void for_each_pair_with(const BoxHierarchy& other, Visit visit, Apart are_apart, Pause pause, Share share) const;
 
@@ -102,7 +137,12 @@ class BoxHierarchy {
   /// distance, as above: faces whose boxes are farther from the place are left out from then on, all at the beginning
   /// that are farther than `reach`.
   template <typename Visit>
-  void for_each_near(const Box3& where, double reach, Visit visit) const;
+  void for_each_near(const Box3& where, double reach, Visit visit) const {
+    for_each_near(where, reach, no_gap, visit);
+  }
+  /// The same with gap(node), a lower bound of the distance of a node's faces from the place besides that of boxes.
+  template <typename Gap, typename Visit>
+  void for_each_near(const Box3& where, double reach, Gap gap, Visit visit) const;
 
   /// A lower bound of the distance between a box and the box of each face, in coordinate units: infinite if all are
   /// farther than `reach` or there are no faces. A finite bound is at most some roundings above `reach`. Cost: that of
@@ -161,7 +201,7 @@ class BoxHierarchy {
   void choose_scale(const PointArray& points, double margin);
   /// Maps a coordinate to the scaled frame; monotonic.
   float scaled(double coordinate, std::size_t axis) const {
-    return static_cast<float>((coordinate / 2 - origin_[axis] / 2) * scale_);
+    return static_cast<float>((coordinate / 2 - frame_.origin[axis] / 2) * frame_.scale);
   }
   Box scaled(const Box3& box) const;
   /// A box around all points that `scaled` maps into `box`.
@@ -200,12 +240,14 @@ class BoxHierarchy {
     double squared_gap;
   };
   /// Pushes the children of an inner node, the nearest one on top.
-  void push_near_children(const Node& node, const Box& where, std::vector<NearNode>& stack) const;
+  template <typename Gap>
+  void push_near_children(const Node& node, const Box& where, Gap gap, std::vector<NearNode>& stack) const;
+  static double no_gap(Node) { return 0; }
   /// A lower bound of the squared distance of what the boxes stand for, in this frame.
   static double squared_gap(const Box& own, const Box& other);
   /// The square of a length in coordinate units, in this frame, rounded up.
   double squared_in_frame(double length) const;
-  /// Brings the faces into Morton order; box_of_face(i) is the box of the i-th one before.
+  /// Brings the faces into the order of a Hilbert curve; box_of_face(i) is the box of the i-th one before.
   template <typename BoxOfFace>
   void sort_faces(const BoxOfFace& box_of_face);
   void build_levels();
@@ -234,11 +276,13 @@ class BoxHierarchy {
   template <typename Visit>
   void visit_window(const Box& window, Visit& visit) const;
 
-  Vec3 origin_;
-  double scale_ = 1;
-  std::vector<std::uint32_t> faces_;  // in Morton order
+  struct LazySlabs;
+
+  Frame frame_;
+  std::vector<std::uint32_t> faces_;  // along a Hilbert curve
   std::vector<Box> face_boxes_;       // parallel to faces_
   std::vector<Level> levels_;         // [0]: the leaves; the last has one node
+  std::shared_ptr<LazySlabs> slabs_;
 };
 
 inline bool BoxHierarchy::Box::meets(const Box& other) const {
@@ -252,6 +296,18 @@ inline bool BoxHierarchy::Box::meets(const Box& other) const {
   return (min[0] <= other.max[0]) & (other.min[0] <= max[0]) & (min[1] <= other.max[1]) & (other.min[1] <= max[1]) &
          (min[2] <= other.max[2]) & (other.min[2] <= max[2]);
 #endif
+}
+
+inline BoxHierarchy::Place BoxHierarchy::place(Node node) const {
+  // What rounding to float moves a coordinate of this frame at most.
+  constexpr double kRounding = 0x1p-4;
+  const Box& box = levels_[node.level].boxes[node.index];
+  Place place;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    place.middle[axis] = 0.5 * (double{box.min[axis]} + double{box.max[axis]});
+    place.half[axis] = 0.5 * (double{box.max[axis]} - double{box.min[axis]}) + kRounding;
+  }
+  return place;
 }
 
 /// A box in this frame around what the other frame's box stands for. Both frames round to float, by 2^-24 of the
@@ -367,7 +423,7 @@ void BoxHierarchy::for_each_pair_with(const BoxHierarchy& other, Visit visit, Ap
     const CrossPair pair = stack.back();
     stack.pop_back();
     if (++steps % 4096 == 0 && !pause()) return;
-    if (std::max(pair.own.level, pair.other.level) <= kAskedLevel && are_apart(pair.own, pair.other)) continue;
+    if (are_apart(pair.own, pair.other)) continue;
     if (pair.own.level != pair.other.level)
       push_cross_children(other, change, pair, stack);
     else if (pair.own.level > 0)
@@ -393,7 +449,7 @@ void BoxHierarchy::for_each_near_pair_with(const BoxHierarchy& other, double rea
     stack.pop_back();
     if (++steps % 4096 == 0 && !pause()) return;
     if (pair.squared_gap > limit) continue;
-    if (std::max(pair.own.level, pair.other.level) <= kAskedLevel && are_apart(pair.own, pair.other)) continue;
+    if (are_apart(pair.own, pair.other)) continue;
     if (pair.own.level > 0 || pair.other.level > 0) {
       push_near_children(other, change, pair, stack);
       continue;
@@ -413,18 +469,32 @@ void BoxHierarchy::for_each_near_pair_with(const BoxHierarchy& other, double rea
   }
 }
 
-template <typename Visit>
-void BoxHierarchy::for_each_near(const Box3& where, double reach, Visit visit) const {
+template <typename Gap>
+void BoxHierarchy::push_near_children(const Node& node, const Box& where, Gap gap, std::vector<NearNode>& stack) const {
+  const std::vector<Box>& below = levels_[node.level - 1].boxes;
+  const auto end = std::min(2 * node.index + 2, static_cast<std::uint32_t>(below.size()));
+  const std::size_t first_new = stack.size();
+  for (std::uint32_t child = 2 * node.index; child < end; ++child) {
+    const Node opened{node.level - 1, child};
+    const double certain = std::max(0.0, gap(opened)) / 2 * frame_.scale * (1 - 0x1p-40);
+    stack.push_back({opened, std::max(squared_gap(below[child], where), certain * certain)});
+  }
+  if (stack.size() == first_new + 2 && stack[first_new].squared_gap < stack[first_new + 1].squared_gap)
+    std::swap(stack[first_new], stack[first_new + 1]);
+}
+
+template <typename Gap, typename Visit>
+void BoxHierarchy::for_each_near(const Box3& where, double reach, Gap gap, Visit visit) const {
   if (faces_.empty()) return;
   const Box place = scaled(where);
   double limit = squared_in_frame(reach);
-  std::vector<NearNode> stack{{{static_cast<std::uint32_t>(levels_.size() - 1), 0}, 0}};
+  std::vector<NearNode> stack{{root(), 0}};
   while (!stack.empty()) {
     const NearNode node = stack.back();
     stack.pop_back();
     if (node.squared_gap > limit) continue;
     if (node.level > 0) {
-      push_near_children(node, place, stack);
+      push_near_children(node, place, gap, stack);
       continue;
     }
     const std::size_t begin = node.index * kLeafSize, end = std::min(begin + kLeafSize, faces_.size());

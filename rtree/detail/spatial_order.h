@@ -5,11 +5,16 @@
 #include <utility>
 #include <vector>
 
+#include "algebra3d/base/hilbert.h"
 #include "algebra3d/base/scheduler.h"
-#include "rtree/detail/hilbert.h"
 #include "rtree/detail/radix_sort.h"
 
 namespace rtree {
+
+/// Number of bits of each coordinate of a cell.
+inline constexpr std::uint32_t kCellBits = 10;
+/// Number of cells on an axis.
+inline constexpr std::uint32_t kCellsOnAxis = 1U << kCellBits;
 
 /// A grid of cubes over a region, with kCellsOnAxis of them on its longest axis.
 class CellGrid {
@@ -26,7 +31,9 @@ class CellGrid {
   /// False if the region is a point, or next to one.
   bool divides() const { return scale_ < std::numeric_limits<double>::infinity(); }
   /// The place on the curve of the cell that has the centre of a box; of the nearest cell if it is outside.
-  std::uint32_t code(const Box3& box) const { return hilbert_code(cell(box, 0), cell(box, 1), cell(box, 2)); }
+  std::uint32_t code(const Box3& box) const {
+    return static_cast<std::uint32_t>(algebra3d::hilbert_code<kCellBits>(cell(box, 0), cell(box, 1), cell(box, 2)));
+  }
 
  private:
   static double finite(double x) {

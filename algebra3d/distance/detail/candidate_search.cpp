@@ -6,8 +6,9 @@
 #include <tuple>
 
 #include "algebra3d/distance/detail/near_pair.h"
-#include "algebra3d/distance/detail/slabs.h"
+#include "algebra3d/distance/detail/separation.h"
 #include "algebra3d/halfedge/node_gaps.h"
+#include "algebra3d/halfedge/slab_gaps.h"
 
 namespace algebra3d::distances {
 namespace {
@@ -18,8 +19,9 @@ class CandidateSearch {
       : a_(a),
         b_(b),
         rounded_(unite(a.hierarchy->bounds(), b.hierarchy->bounds())),
-        slabs_(a, b),
+        separation_(a, b),
         gaps_(*a.mesh, *a.hierarchy, *b.mesh, *b.hierarchy),
+        slab_gaps_(*a.mesh, *a.hierarchy, *b.mesh, *b.hierarchy),
         nearest_(reach),
         enough_(enough) {}
 
@@ -28,10 +30,10 @@ class CandidateSearch {
   double visit(FaceId first, FaceId second) {
     ++visits_;
     gaps_.note_visit();
-    if (slabs_.distance(first, second) > nearest_) return nearest_;
+    if (separation_.keeps_apart(first, second, nearest_)) return nearest_;
     const DistanceBounds bounds = this->bounds(first, second);
     // Also of a pair beyond the reach, the direction is a good one.
-    if (bounds.upper < closest_) turn_slabs(bounds);
+    if (bounds.upper < closest_) turn_separation(bounds);
     if (bounds.lower > nearest_) return nearest_;
     nearest_ = std::min(nearest_, bounds.upper);
     candidates_.push_back({first, second, bounds});
@@ -52,7 +54,8 @@ class CandidateSearch {
 
   /// True if no faces of two nodes are of interest.
   bool are_apart(BoxHierarchy::Node first, BoxHierarchy::Node second) {
-    return slabs_.distance(first, second) > nearest_ || gaps_.exceed(first, second, nearest_);
+    return separation_.keeps_apart(first, second, nearest_) || slab_gaps_.exceed(first, second, nearest_) ||
+           gaps_.exceed(first, second, nearest_);
   }
 
   std::vector<CandidatePair> take();
@@ -62,16 +65,16 @@ class CandidateSearch {
     return rounded_.bounds(Simplex::of_face(*a_.mesh, first), Simplex::of_face(*b_.mesh, second));
   }
 
-  /// Turns the slabs to the direction of the closest pair so far, unless it is little closer than that of the slabs and
-  /// these were turned not long ago.
-  void turn_slabs(const DistanceBounds& bounds) {
+  /// Turns the separation to the direction of the closest pair so far, unless it is little closer than that of its
+  /// direction and it was turned not long ago.
+  void turn_separation(const DistanceBounds& bounds) {
     constexpr double kMuch = 0.99;
     constexpr std::uint64_t kWhile = 256;
     closest_ = bounds.upper;
-    if (closest_ > kMuch * closest_of_slabs_ && visits_ < visits_of_slabs_ + kWhile) return;
-    slabs_.turn(bounds.direction);
-    closest_of_slabs_ = closest_;
-    visits_of_slabs_ = visits_;
+    if (closest_ > kMuch * closest_of_separation_ && visits_ < visits_of_separation_ + kWhile) return;
+    separation_.turn(bounds.direction, std::min(nearest_, closest_));
+    closest_of_separation_ = closest_;
+    visits_of_separation_ = visits_;
   }
 
   static constexpr std::size_t kFew = 64;
@@ -83,12 +86,13 @@ class CandidateSearch {
 
   const DistanceOperand &a_, &b_;
   RoundedDistances rounded_;
-  Slabs slabs_;
+  Separation separation_;
   NodeGaps gaps_;
+  SlabGaps slab_gaps_;
   double nearest_, enough_;
-  double closest_ = std::numeric_limits<double>::infinity();           // pair so far, also beyond `nearest_`
-  double closest_of_slabs_ = std::numeric_limits<double>::infinity();  // when they were turned
-  std::uint64_t visits_ = 0, visits_of_slabs_ = 0;
+  double closest_ = std::numeric_limits<double>::infinity();                // pair so far, also beyond `nearest_`
+  double closest_of_separation_ = std::numeric_limits<double>::infinity();  // when they were turned
+  std::uint64_t visits_ = 0, visits_of_separation_ = 0;
   std::vector<CandidatePair> candidates_;
   std::size_t kept_ = 0;  // after the last time when distant ones were dropped
 };

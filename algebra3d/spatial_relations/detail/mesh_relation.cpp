@@ -5,6 +5,7 @@
 
 #include "algebra3d/halfedge/circulators.h"
 #include "algebra3d/halfedge/node_gaps.h"
+#include "algebra3d/halfedge/slab_gaps.h"
 #include "algebra3d/spatial_relations/detail/common_point.h"
 #include "algebra3d/spatial_relations/detail/half_plane.h"
 
@@ -88,13 +89,14 @@ void MeshRelation::compare_extents() {
 void MeshRelation::compare_faces() {
   const Geometry &first = *set(Role::first).geometry, &second = *set(Role::second).geometry;
   NodeGaps gaps(first.mesh, first.hierarchy(), second.mesh, second.hierarchy());
+  SlabGaps slab_gaps(first.mesh, first.hierarchy(), second.mesh, second.hierarchy());
   first.hierarchy().for_each_pair_with(
       second.hierarchy(),
       [&](std::uint32_t f, std::uint32_t g) {
         gaps.note_visit();
         return visit(FaceId(f), FaceId(g));
       },
-      [&gaps](BoxHierarchy::Node m, BoxHierarchy::Node n) { return gaps.exceed(m, n, 0); },
+      [&](BoxHierarchy::Node m, BoxHierarchy::Node n) { return slab_gaps.exceed(m, n, 0) || gaps.exceed(m, n, 0); },
       [this] { return !monitor_.is_cancelled(); }, {0, 1});
 }
 

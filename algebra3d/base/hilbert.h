@@ -5,12 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace rtree {
-
-/// Number of bits of each coordinate of a cell.
-inline constexpr std::uint32_t kCellBits = 10;
-/// Number of cells on an axis.
-inline constexpr std::uint32_t kCellsOnAxis = 1U << kCellBits;
+namespace algebra3d {
 
 namespace hilbert_detail {
 
@@ -58,17 +53,22 @@ inline constexpr auto kSteps = make_steps();
 
 }  // namespace hilbert_detail
 
-/// The place of a cell on Hilbert's curve. Domain: coordinates below kCellsOnAxis.
-inline std::uint32_t hilbert_code(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
-  std::uint32_t code = 0, state = 0;
-  for (std::uint32_t bit = kCellBits; bit > 0;) {
+/// The place of a cell on Hilbert's curve through the cells of a cube, on which cells that follow one another have a
+/// side in common. The first `3 n` bits are the place of the cell of the first n bits of each coordinate. Domain: an
+/// even number of bits, coordinates below two to its power, and below 2^21.
+template <std::uint32_t bits>
+constexpr std::uint64_t hilbert_code(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+  static_assert(bits % 2 == 0 && bits <= 22);
+  std::uint64_t code = 0;
+  std::uint32_t state = 0;
+  for (std::uint32_t bit = bits; bit > 0;) {
     bit -= 2;
-    const std::uint32_t bits = (x >> bit & 3) << 4 | (y >> bit & 3) << 2 | (z >> bit & 3);
-    const auto step = hilbert_detail::kSteps[state][bits];
+    const std::uint32_t two_of_each = (x >> bit & 3) << 4 | (y >> bit & 3) << 2 | (z >> bit & 3);
+    const auto step = hilbert_detail::kSteps[state][two_of_each];
     code = code << 6 | step.code;
     state = step.state;
   }
   return code;
 }
 
-}  // namespace rtree
+}  // namespace algebra3d
