@@ -29,6 +29,7 @@ const session = new Session({
   statements: [
     "let Cube = createCube(makePoint3D(0, 0, 0), makePoint3D(2, 2, 2))",
     "let Ball = createSphere(makePoint3D(0, 0, 0), 1, 16)",
+    "let Fine = createSphere(makePoint3D(5, 1, 0), 1, 80)",
     `let Row = ${row} consume`,
     "let Open = [const surface3d value (((0 0 0) (2 0 0) (0 0 2)) ((2 0 0) (2 0 2) (0 0 2)))]",
     // Three triangles at one edge.
@@ -156,6 +157,20 @@ test("the smooth shading of a ball has more colours than the flat one", async ()
   const flat = await stillScene(page);
   expect(flat.difference(smooth)).toBeGreaterThan(0.05);
   expect(flat.colors()).toBeLessThan(smooth.colors());
+});
+
+test("the triangles that are left out, since they show their backs, are not missed", async () => {
+  await show("query Fine");
+  // In the front view without perspective, then with it, then from another side and nearer.
+  for (const keys of [[], ["5"], ["9"], ["9", "+"]]) {
+    for (const key of keys) await press(page, key);
+    await field(page, "appearance", "Opacity").fill("1");
+    const opaque = await stillScene(page);
+    expect(covered(opaque)).toBeGreaterThan(20_000);
+    // Nearly opaque objects are drawn with all their triangles.
+    await field(page, "appearance", "Opacity").fill("0.95");
+    expect((await stillScene(page)).difference(opaque)).toBeLessThan(0.003);
+  }
 });
 
 test("points have the chosen size and colour", async () => {
