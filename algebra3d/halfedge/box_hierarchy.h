@@ -83,7 +83,7 @@ class BoxHierarchy {
   };
   Place place(Node node) const;
   /// Slabs around the nodes, of the mesh that the hierarchy was built over. Made at the first call, by any thread.
-  /// Cost: linear at the first call, some 15 nanoseconds per face.
+  /// Cost: linear at the first call, some 30 nanoseconds per face.
   const NodeSlabs& slabs(const TriangleMesh& mesh) const;
   /// The same where they pay: null until searches have told of as many steps as would have been spent on making them.
   const NodeSlabs* slabs_after(std::size_t steps, const TriangleMesh& mesh) const;

@@ -19,7 +19,7 @@ namespace algebra3d {
 /// shortest side is kept, and that turned for each node.
 class NodeSlabs {
  public:
-  /// The slabs of a hierarchy over faces of `mesh`. Cost: linear, some 15 nanoseconds per face.
+  /// The slabs of a hierarchy over faces of `mesh`. Cost: linear, some 30 nanoseconds per face.
   NodeSlabs(const TriangleMesh& mesh, const BoxHierarchy& hierarchy);
 
   /// How far a node's faces reach along a direction from the middle of its box, whose place is given, in the frame of

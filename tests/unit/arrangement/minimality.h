@@ -9,6 +9,7 @@
 
 #include "algebra3d/exact/predicates.h"
 #include "algebra3d/halfedge/circulators.h"
+#include "algebra3d/halfedge/triangle_mesh.h"
 
 namespace algebra3d::solids {
 
