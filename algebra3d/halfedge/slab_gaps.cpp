@@ -70,14 +70,14 @@ bool SlabGaps::compare(BoxHierarchy::Node first, BoxHierarchy::Node second, doub
   if (length == 0) return false;
   const Vec3 along = (1 / length) * pair.way;
   if (pair.gap_along(along) > least) return true;
-  for (const Vec3& normal : {first_.slabs->normal(first), second_.slabs->normal(second)}) {
+  const auto tells_apart = [&](const Vec3& normal) {
     const Vec3 across = dot(normal, along) < 0 ? -1 * normal : normal;
     if (pair.gap_along(across) > least) return true;
     const Vec3 between = along + across;
     const double size = std::sqrt(dot(between, between));
-    if (size > 0 && pair.gap_along((1 / size) * between) > least) return true;
-  }
-  return false;
+    return size > 0 && pair.gap_along((1 / size) * between) > least;
+  };
+  return tells_apart(first_.slabs->normal(first)) || tells_apart(second_.slabs->normal(second));
 }
 
 }  // namespace algebra3d
