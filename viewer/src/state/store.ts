@@ -22,6 +22,8 @@ export interface RunOptions {
   readonly parameters?: Parameters;
   /** The offset of the statement in the editor, if it stands there. */
   readonly place?: number;
+  /** The new object that the statement stores: it fails, and stores nothing, if that would be undefined. */
+  readonly stores?: string;
 }
 
 /** All state of the page outside the scenes, and what can be done with it. */
@@ -91,7 +93,7 @@ export class Store {
 
   async #run(statement: string, options: RunOptions): Promise<Outcome | null> {
     this.failure.value = null;
-    const outcome = await this.runner.run(statement, options.parameters);
+    const outcome = await this.#outcomeOf(statement, options);
     const ok = !isFailure(outcome);
     this.history.add(statement, ok);
     if (!ok) {
@@ -103,6 +105,18 @@ export class Store {
     if (!isQuery(statement) || changes(statement))
       await this.catalogue.reloadObjects().catch(() => undefined);
     return outcome;
+  }
+
+  async #outcomeOf(statement: string, { parameters, stores }: RunOptions): Promise<Outcome | Failure> {
+    const outcome = await this.runner.run(statement, parameters);
+    if (stores === undefined || isFailure(outcome)) return outcome;
+    const defined = await this.runner.run(`query isdefined(${stores})`);
+    if (isFailure(defined)) return defined;
+    if (defined.answer.value === true) return outcome;
+    const deleted = await this.runner.run(`delete ${stores}`);
+    if (isFailure(deleted)) return deleted;
+    const message = outcome.answer.diagnostics.join(" ") || `${stores} would be undefined.`;
+    return { statement, message, remedy: "Nothing was stored.", code: "undefined", place: null };
   }
 
   #show(outcome: Outcome): void {

@@ -56,6 +56,7 @@ export function objectName(fileName: string, taken: readonly string[]): string {
 
 /** Uploads files and looks at them: as they are, their defects, and repaired. */
 export class Uploads {
+  /** The newest one first. */
   readonly reviews: ReadonlySignal<readonly Review[]>;
   readonly #reviews = signal<readonly Review[]>([]);
   readonly #store: Store;
@@ -84,11 +85,12 @@ export class Uploads {
     this.#reviews.value = this.#reviews.value.filter((other) => other !== review);
   }
 
-  /** Stores the repaired solid as an object. */
+  /** Stores the repaired solid as an object; the review stays if that fails, as for a file that is gone. */
   async store(review: Review, name: string): Promise<void> {
     const importer = importerOf(review.fileName);
     if (!importer) return;
-    const stored = await this.#store.run(`let ${name} = ${importer}(${quoted(review.path.value)})`);
+    const statement = `let ${name} = ${importer}(${quoted(review.path.value)})`;
+    const stored = await this.#store.run(statement, { stores: name });
     if (stored) this.close(review);
   }
 
@@ -106,7 +108,7 @@ export class Uploads {
   async #review(file: File): Promise<void> {
     const abort = new AbortController();
     const review = makeReview(++this.#count, file, () => abort.abort());
-    this.#reviews.value = [...this.#reviews.value, review];
+    this.#reviews.value = [review, ...this.#reviews.value];
     try {
       const upload = await uploadFile(
         this.#store.client,
