@@ -25,8 +25,8 @@ const kProgressInterval = 300;
 
 export interface LoaderEvents {
   progress(progress: LoadProgress): void;
-  /** Shapes of a column came or changed; `first` for its first ones. */
-  changed(column: Column, first: boolean): void;
+  /** Shapes of a column came: its first ones, those of more rows, or finer or coarser ones of rows that were there. */
+  changed(column: Column, came: "first" | "more" | "finer"): void;
 }
 
 /** Neighbouring rows of a column that are to be made finer. */
@@ -136,9 +136,10 @@ export class Loader {
       if (job.abort.signal.aborted) return null;
       const shapes = decodeShapes(batch.bytes);
       job.bytes += batch.bytes.byteLength;
-      const first = column.records.size === 0;
+      const before = column.records.size;
       this.store.addShapes(column, shapes);
-      this.events.changed(column, first && shapes.length > 0);
+      const more = column.records.size > before;
+      this.events.changed(column, !more ? "finer" : before === 0 ? "first" : "more");
       this.report(column, job, phase, null, "");
       const last = shapes.at(-1)?.row;
       return batch.next !== null && last !== undefined && batch.next <= last ? last + 1 : batch.next;
@@ -261,7 +262,7 @@ export class Loader {
       this.store.dropFinest(record);
       fine += record.shown;
       this.finished.add(record);
-      this.events.changed(record.column, false);
+      this.events.changed(record.column, "finer");
     }
   }
 

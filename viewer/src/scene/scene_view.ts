@@ -7,6 +7,7 @@ import { Additions } from "./additions";
 import type * as api from "./api";
 import { normalizedCamera } from "./camera";
 import { CameraControl } from "./camera_control";
+import { CameraFollow } from "./camera_follow";
 import { Canvas } from "./canvas";
 import { Coloring } from "./coloring";
 import { Emitter } from "./events";
@@ -42,6 +43,7 @@ export class View implements api.SceneView {
   private cameraSet = false;
   /** The camera is that of a link, for objects that are still to come. */
   private cameraRestored = false;
+  private readonly cameraFollow = new CameraFollow();
   private readonly cameraControl = new CameraControl({
     camera: () => this.state.camera,
     show: (camera, moving) => this.change({ camera }, moving),
@@ -56,7 +58,7 @@ export class View implements api.SceneView {
     this.coloring = new Coloring(this.stage.store, () => this.coloringChanged());
     this.loader = new Loader(this.stage.store, {
       progress: (progress) => this.emitter.emit("progress", progress),
-      changed: (column, first) => this.shapesCame(column, first),
+      changed: (column, came) => this.shapesCame(column, came),
     });
     this.picker = new Picker(this.stage.store, this.stage.projector, () => undefined);
     this.interaction = new Interaction(this.stage, this.picker, this.interactionHost());
@@ -161,25 +163,36 @@ export class View implements api.SceneView {
     this.loader.start(column);
   }
 
-  private shapesCame(column: Column, first: boolean): void {
+  private shapesCame(column: Column, came: "first" | "more" | "finer"): void {
     this.contentChanged();
     if (this.currentTool === "vertex") this.showVertices(true);
-    if (first) this.bringIntoSight(column);
+    if (came === "first") this.bringIntoSight(column);
+    else if (came === "more" && column.visible) this.followMore(column.source.result);
+  }
+
+  /** Fits again as long as the camera is where it was put for the first shapes of this result. */
+  private followMore(result: string): void {
+    if (!this.cameraFollow.follows(result, this.cameraControl.goal)) return;
+    this.fit();
+    this.cameraFollow.put(result, this.cameraControl.goal);
   }
 
   /** Moves the camera if nothing of what is new would be seen, or it is all that there is. */
   private bringIntoSight(column: Column): void {
     const { store } = this.stage;
     if (!column.visible || this.boxOf().isEmpty()) return;
+    const { result } = column.source;
     if (!this.cameraSet) {
       this.cameraSet = true;
       this.cameraControl.look("isometric", this.boxOf(), false);
+      this.cameraFollow.put(result, this.cameraControl.goal);
       return;
     }
-    const { result } = column.source;
     const alone = store.columns.every((other) => other.source.result === result || !other.visible);
     const unseen = !this.stage.isInSight(store.box(column.records.values()), this.cameraControl.goal);
-    if ((alone && !this.cameraRestored) || unseen) this.fit();
+    if ((!alone || this.cameraRestored) && !unseen) return;
+    this.fit();
+    this.cameraFollow.put(result, this.cameraControl.goal);
   }
 
   private contentChanged(): void {
