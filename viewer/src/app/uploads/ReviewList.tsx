@@ -1,4 +1,4 @@
-import { useEffect, useState } from "preact/hooks";
+import { useEffect, useRef, useState } from "preact/hooks";
 import type { Json, Row } from "../../api/types";
 import type { Outcome } from "../../state/outcome";
 import { summaryOf } from "../../state/outcome";
@@ -11,10 +11,13 @@ import { Icon } from "../ui/Icon";
 
 /** The dropped files that are being looked at. */
 export function ReviewList() {
-  const { uploads } = useApp().workspace;
+  const reviews = useApp().workspace.uploads.reviews.value;
+  const place = useRef<HTMLDivElement>(null);
+  // The newest one is the first.
+  useEffect(() => place.current?.scrollTo(0, 0), [reviews[0]]);
   return (
-    <div class="reviews">
-      {uploads.reviews.value.map((review) => (
+    <div class="reviews" ref={place}>
+      {reviews.map((review) => (
         <ReviewCard key={review.key} review={review} />
       ))}
     </div>
@@ -87,11 +90,16 @@ function ShownLine({ label, outcome }: { label: string; outcome: Outcome }) {
   );
 }
 
-/** The triangles that the repair added and took away, marked in 3D. */
+/** The triangles that the repair added and took away, marked in 3D while a form of the mesh is shown. */
 function ChangesLine({ review }: { review: Review }) {
-  const scene = useApp().workspace.scene.value;
+  const { store, workspace } = useApp();
+  const scene = workspace.scene.value;
   const changes = review.changes.value;
-  const [shown, setShown] = useState(true);
+  const [wanted, setWanted] = useState(true);
+  const isDrawn = (outcome: Outcome | null) =>
+    outcome !== null && outcome.shown.value.size > 0 && store.results.list.value.includes(outcome);
+  const drawn = [review.asIs.value, review.repaired.value].some(isDrawn);
+  const shown = wanted && drawn;
   useEffect(() => {
     if (!scene || !changes || !shown) return;
     const names = [`${review.key} added`, `${review.key} removed`] as const;
@@ -107,7 +115,8 @@ function ChangesLine({ review }: { review: Review }) {
         icon={shown ? "eye" : "eyeOff"}
         pressed={shown}
         label="Mark the changed triangles"
-        onClick={() => setShown(!shown)}
+        disabled={!drawn}
+        onClick={() => setWanted(!wanted)}
       />
       <span>Changes</span>
       <span class="grow" />
