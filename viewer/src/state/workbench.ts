@@ -301,6 +301,11 @@ export function cellOf(step: Step): CellRef {
 
 const isStep = (input: Step | CellRef): input is Step => "statement" in input;
 
+/** The mesh that was chosen last among the states of a side; those after it were made from it. */
+export function chosenOf(steps: readonly Step[]): Step | null {
+  return steps.findLast(({ inputs }) => !Object.values(inputs).some(isStep)) ?? steps[0] ?? null;
+}
+
 function isGone(error: unknown): boolean {
   return (
     error instanceof ApiError && (error.status === 410 || error.code === "gone" || error.code === "not_found")

@@ -4,7 +4,7 @@ import { createSceneView } from "../../scene";
 import type { SceneView } from "../../scene/api";
 import { readBytes, shapeSource } from "../../state/shape_source";
 import type { Store } from "../../state/store";
-import { cellOf, type Side, type SideName, type Step } from "../../state/workbench";
+import { cellOf, chosenOf, type Side, type SideName, type Step } from "../../state/workbench";
 import { vertexMove } from "../../state/workbench_operations";
 import { SceneToolbar } from "../../scene_panels";
 import { useApp } from "../context";
@@ -85,13 +85,22 @@ const colors = { left: "#7fa3d4", right: "#d6a15b" } as const;
 
 /** Keeps a scene in step with a side: its mesh, the control mesh, the theme, dragged vertices. */
 function bindSide(view: SceneView, side: Side, store: Store): () => void {
+  let seen = chosenOf(side.steps.peek());
+  /** The camera moves for another mesh that was chosen, not for what is made from it. */
+  const dropOld = () => {
+    const step = side.step.peek();
+    if (!step || !isDrawn(view, step)) return;
+    const chosen = chosenOf(side.steps.peek());
+    if (dropOldSteps(view, step) && chosen !== seen) view.fit();
+    seen = chosen;
+  };
   const ends = [
     effect(() => {
       const step = side.step.value;
       untracked(() => showStep(view, step, side, store));
     }),
     // After the view has decided about its camera.
-    view.on("shapes", () => queueMicrotask(() => dropOldSteps(view, side))),
+    view.on("shapes", () => queueMicrotask(dropOld)),
     effect(() => void showControl(view, side, store)),
     effect(() => {
       void store.theme.current.value;
@@ -117,15 +126,17 @@ function showStep(view: SceneView, step: Step | null, side: Side, store: Store):
   if (view.vertexTarget) view.vertexTarget = { ...view.vertexTarget, cell };
 }
 
-/** Removes earlier meshes when the present one is drawn; the camera moves only for one that was loaded. */
-function dropOldSteps(view: SceneView, side: Side): void {
-  const step = side.step.peek();
-  if (!step) return;
+/** Whether a scene has the mesh of a step. */
+export function isDrawn(view: SceneView, step: Step): boolean {
   const { result, column } = cellOf(step);
-  const old = view.results.filter((source) => source.result !== result);
-  if (old.length === 0 || view.shapes({ result, column }).length === 0) return;
-  for (const source of old) view.removeResult(source.result);
-  if (side.steps.peek()[0] === step) view.fit();
+  return view.shapes({ result, column }).length > 0;
+}
+
+/** Removes the meshes of other steps; whether there were any. */
+function dropOldSteps(view: SceneView, step: Step): boolean {
+  const old = view.results.filter(({ result }) => result !== cellOf(step).result);
+  for (const { result } of old) view.removeResult(result);
+  return old.length > 0;
 }
 
 async function showControl(view: SceneView, side: Side, store: Store): Promise<void> {

@@ -18,14 +18,15 @@ export function cameraFor(camera: CameraState, boxes: readonly Box[]): CameraSta
 
 /**
  * Lets two views with a common camera see both their contents, once for each value of `loaded`, which tells what was
- * loaded: later steps must not move the camera.
+ * loaded and is null until that is drawn: later steps must not move the camera.
  */
-export function keepBothInSight(a: SceneView, b: SceneView, loaded: () => string): () => void {
+export function keepBothInSight(a: SceneView, b: SceneView, loaded: () => string | null): () => void {
   let seen = "";
   const look = () => {
+    const now = loaded();
     const boxes = [a, b].map((view) => view.shapes().flatMap(({ box }) => (box ? [box] : [])));
-    if (loaded() === seen || boxes.some((list) => list.length === 0)) return;
-    seen = loaded();
+    if (now === null || now === seen || boxes.some((list) => list.length === 0)) return;
+    seen = now;
     a.setCamera(cameraFor(a.state.camera, boxes.flat()), { animate: false });
   };
   // After each view has decided about its own camera.
