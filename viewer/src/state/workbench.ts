@@ -1,6 +1,6 @@
 import { batch, signal, type ReadonlySignal } from "@preact/signals";
 import { ApiError, isAbort, messageOf } from "../api/errors";
-import type { Json, Row } from "../api/types";
+import type { Json, QueryAnswer, Row } from "../api/types";
 import type { CellRef } from "../scene/api";
 import { makeOutcome, type Outcome, type Parameters } from "./outcome";
 import type { Store } from "./store";
@@ -51,6 +51,8 @@ export class Side {
   #done: Step[] = [];
   #undone: Step[] = [];
   #abort: AbortController | null = null;
+  /** Of the statistics that are being computed. */
+  #counting = new AbortController();
 
   constructor(name: SideName, store: Store) {
     this.name = name;
@@ -106,6 +108,7 @@ export class Side {
 
   stop(): void {
     this.#abort?.abort();
+    this.#counting.abort();
   }
 
   async undo(): Promise<void> {
@@ -166,7 +169,9 @@ export class Side {
       this.#canRedo.value = this.#undone.length > 0;
       this.facts.value = null;
     });
-    void this.#readFacts();
+    this.#counting.abort();
+    this.#counting = new AbortController();
+    void this.#readFacts(this.#counting.signal);
   }
 
   /** Does one thing at a time; an error is shown at the side. */
@@ -239,7 +244,7 @@ export class Side {
     void this.#store.client.drop(cellOf(step).result).catch(() => undefined);
   }
 
-  async #readFacts(): Promise<void> {
+  async #readFacts(signal: AbortSignal): Promise<void> {
     const step = this.#step.value;
     if (!step) return;
     const parameters = { a: cellOf(step) };
@@ -248,24 +253,27 @@ export class Side {
       if (this.#step.value === step) this.facts.value = [{ name: "Type", value: step.type }, ...facts];
     };
     try {
-      const counts = await this.#store.client.query({ statement: factsStatement(step.type), parameters });
-      this.#forget(counts.result?.id);
+      const counts = await this.#count(factsStatement(step.type), parameters, signal);
       const [row = {}] = counts.value as readonly Row[];
       for (const [name, value] of Object.entries(row)) facts.push({ name, value });
       tell();
       if (step.type === "surface3d" || row["Closed"] !== true) return;
-      const volume = await this.#store.client.query({ statement: volumeStatement(step.type), parameters });
-      this.#forget(volume.result?.id);
+      const volume = await this.#count(volumeStatement(step.type), parameters, signal);
       facts.push({ name: "Volume", value: volume.value });
       tell();
     } catch (error) {
-      if (this.#step.value === step)
+      if (isAbort(error)) tell();
+      else if (this.#step.value === step)
         this.error.value = `The statistics cannot be computed. ${messageOf(error)}`;
     }
   }
 
-  #forget(result: string | undefined): void {
-    if (result !== undefined) void this.#store.client.drop(result).catch(() => undefined);
+  /** Runs a statement for its value alone. Aborting ends it on the server, too: that closes the connection. */
+  async #count(statement: string, parameters: Parameters, signal: AbortSignal): Promise<QueryAnswer> {
+    const { client } = this.#store;
+    const answer = await client.query({ statement, parameters }, signal);
+    if (answer.result) void client.drop(answer.result.id).catch(() => undefined);
+    return answer;
   }
 }
 
