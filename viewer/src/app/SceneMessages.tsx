@@ -18,7 +18,10 @@ export function SceneMessages({ view }: { view: SceneView }) {
         </div>
       </div>
     );
-  const shown = progress.filter(({ phase }) => phase !== "done");
+  // A failure goes with its result.
+  const shown = progress.filter(
+    (each) => each.phase !== "done" && (each.phase !== "failed" || view.isVisible(each)),
+  );
   if (shown.length === 0) return null;
   return (
     <div class="scene-loading" role="status" data-testid="scene-loading">
