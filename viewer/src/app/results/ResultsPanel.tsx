@@ -1,4 +1,4 @@
-import { useState } from "preact/hooks";
+import { useEffect, useRef, useState } from "preact/hooks";
 import { titleOf, type Outcome } from "../../state/outcome";
 import { useApp } from "../context";
 import { ResultTable } from "../table/ResultTable";
@@ -45,8 +45,12 @@ function ResultTab({ outcome, active }: { outcome: Outcome; active: boolean }) {
   const { results } = useApp().store;
   const title = titleOf(outcome.statement);
   const shown = outcome.shown.value.size > 0;
+  const place = useRef<HTMLSpanElement>(null);
+  useEffect(() => {
+    if (active && place.current) scrollIntoRow(place.current);
+  }, [active]);
   return (
-    <span class={`result-tab${active ? " active" : ""}`} data-testid="result-tab">
+    <span ref={place} class={`result-tab${active ? " active" : ""}`} data-testid="result-tab">
       {outcome.shapeColumns.length > 0 && (
         <IconButton
           small
@@ -74,6 +78,15 @@ function ResultTab({ outcome, active }: { outcome: Outcome; active: boolean }) {
       <IconButton small icon="close" label={`Close ${title}`} onClick={() => results.close(outcome)} />
     </span>
   );
+}
+
+/** Scrolls a row of tabs, and nothing around it, so that one of them is seen. */
+function scrollIntoRow(tab: HTMLElement): void {
+  const row = tab.parentElement;
+  if (!row) return;
+  const [inner, outer] = [tab.getBoundingClientRect(), row.getBoundingClientRect()];
+  if (inner.left < outer.left) row.scrollLeft -= outer.left - inner.left;
+  else if (inner.right > outer.right) row.scrollLeft += inner.right - outer.right;
 }
 
 function ResultBody({ outcome }: { outcome: Outcome }) {
