@@ -55,18 +55,7 @@ function Subdivide({ side }: { side: Side }) {
           <option key={each}>{each}</option>
         ))}
       </select>
-      <input
-        class="input steps-input"
-        type="number"
-        min={1}
-        max={8}
-        aria-label="Steps"
-        title="Number of steps"
-        value={steps}
-        onInput={(event) =>
-          setSteps(Math.min(8, Math.max(1, Math.round(Number(event.currentTarget.value) || 1))))
-        }
-      />
+      <WholeNumber label="Steps" value={steps} most={8} onValue={setSteps} />
       <button
         type="button"
         class="btn"
@@ -91,19 +80,41 @@ function Subdivide({ side }: { side: Side }) {
   );
 }
 
+interface WholeNumberProps {
+  readonly label: string;
+  readonly value: number;
+  readonly most: number;
+  readonly onValue: (value: number) => void;
+}
+
+/** A field of a whole number from 1 to `most`; another number gives way to the nearest of these, which is shown. */
+function WholeNumber({ label, value, most, onValue }: WholeNumberProps) {
+  const nearest = (text: string) => Math.min(most, Math.max(1, Math.round(Number(text) || 1)));
+  return (
+    <input
+      class="input steps-input"
+      type="number"
+      min={1}
+      max={most}
+      aria-label={label}
+      title={`${label}, 1 to ${most}`}
+      value={value}
+      onInput={({ currentTarget }) => currentTarget.value && onValue(nearest(currentTarget.value))}
+      onChange={({ currentTarget }) => {
+        const taken = currentTarget.value ? nearest(currentTarget.value) : value;
+        // By hand: nothing is drawn anew if the value is the one before.
+        currentTarget.value = String(taken);
+        onValue(taken);
+      }}
+    />
+  );
+}
+
 function Simplify({ side }: { side: Side }) {
   const [percent, setPercent] = useState(50);
   return (
     <div class="row">
-      <input
-        class="input steps-input"
-        type="number"
-        min={1}
-        max={99}
-        aria-label="Percentage of triangles that stay"
-        value={percent}
-        onInput={(event) => setPercent(Math.min(99, Math.max(1, Number(event.currentTarget.value) || 50)))}
-      />
+      <WholeNumber label="Percentage of triangles that stay" value={percent} most={99} onValue={setPercent} />
       <span class="muted">%</span>
       <button
         type="button"
