@@ -20,4 +20,5 @@ if (!root) throw new Error("index.html has no element #app.");
 render(<Page app={{ store, workspace }} />, root);
 void store.connection.check();
 void store.loaded.then(() => openLink({ store, workspace }, location.hash));
+addEventListener("focus", () => void store.refreshObjects());
 addEventListener("hashchange", () => void openLink({ store, workspace }, location.hash));

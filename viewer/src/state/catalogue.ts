@@ -9,6 +9,8 @@ export class Catalogue {
   readonly types = signal<readonly TypeInfo[]>([]);
   readonly keywords = signal<readonly string[]>([]);
   readonly #client: Client;
+  /** How often the objects were asked for. */
+  #readings = 0;
   readonly #help = new Map<string, Promise<OperatorHelp>>();
 
   constructor(client: Client) {
@@ -17,6 +19,7 @@ export class Catalogue {
 
   /** Reads everything; what the language has changes only with the program. */
   async load(): Promise<void> {
+    const reading = ++this.#readings;
     const [objects, operators, types, keywords] = await Promise.all([
       this.#client.objects(),
       this.#client.operators(),
@@ -24,15 +27,19 @@ export class Catalogue {
       this.#client.keywords(),
     ]);
     batch(() => {
-      this.objects.value = objects;
+      if (reading === this.#readings) this.objects.value = objects;
       this.operators.value = operators;
       this.types.value = types;
       this.keywords.value = keywords;
     });
   }
 
+  /** Reads the objects again; an answer that a later request has overtaken is left out. */
   async reloadObjects(): Promise<void> {
-    this.objects.value = await this.#client.objects();
+    const reading = ++this.#readings;
+    const objects = await this.#client.objects();
+    if (reading === this.#readings && JSON.stringify(objects) !== JSON.stringify(this.objects.value))
+      this.objects.value = objects;
   }
 
   /** The whole description of an operator; asked for once. */

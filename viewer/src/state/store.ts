@@ -6,7 +6,7 @@ import { Connection } from "./connection";
 import { History } from "./history";
 import { makeLayout, type Layout, type Mode } from "./layout";
 import { Notices } from "./notices";
-import { isQuery, type Outcome, type Parameters } from "./outcome";
+import { type Outcome, type Parameters } from "./outcome";
 import { Results } from "./results";
 import { failureOf, isFailure, Runner, type Failure } from "./runner";
 import { isString, keptSignal } from "./settings";
@@ -74,6 +74,12 @@ export class Store {
     }
   }
 
+  /** Reads the objects again, which others may have changed; if that fails, the list stays as it was. */
+  async refreshObjects(): Promise<void> {
+    if (this.connection.status.value === "online")
+      await this.catalogue.reloadObjects().catch(() => undefined);
+  }
+
   async useToken(token: string): Promise<void> {
     this.client.token = token;
     keepToken(token, this.#tabStorage);
@@ -102,8 +108,7 @@ export class Store {
     }
     if (outcome.table) this.#show(outcome);
     else this.notices.add("success", doneText(statement), { detail: outcome.answer.diagnostics.join("\n") });
-    if (!isQuery(statement) || changes(statement))
-      await this.catalogue.reloadObjects().catch(() => undefined);
+    await this.refreshObjects();
     return outcome;
   }
 
@@ -167,11 +172,6 @@ export class Store {
     const detail = [failure.message, failure.remedy].filter(Boolean).join("\n");
     this.notices.add("error", what, { detail });
   }
-}
-
-/** Operators of queries that change relations or write files. */
-function changes(statement: string): boolean {
-  return /\b(insert\w*|delete\w*|update\w*)\b/.test(statement);
 }
 
 function doneText(statement: string): string {
