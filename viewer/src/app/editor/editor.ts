@@ -72,7 +72,7 @@ export class Editor {
             ...defaultKeymap,
             indentWithTab,
           ]),
-          placeholder("query Parts feed count;"),
+          placeholder("query createSphere(makePoint3D(0, 0, 0), 1, 24);"),
           EditorView.lineWrapping,
           EditorView.contentAttributes.of({ "aria-label": "Statements", spellcheck: "false" }),
           EditorView.updateListener.of((update) => {
