@@ -106,6 +106,36 @@ test("steps are undone and redone, and the result is saved", async () => {
   expect(await server.run("query size(Round)")).toMatchObject({ value: 24 });
 });
 
+test("another mesh for a side is fitted", async () => {
+  await server.run("let Far = createCube(makePoint3D(500, 0, 0), makePoint3D(700, 200, 200))");
+  await page.getByRole("button", { name: "Read the list again" }).click();
+  await load("left", "Cube");
+  await stillScene(page, sceneOf("left"));
+  await load("left", "Far");
+  await expectFact("left", "Volume", "8,000,000");
+  const fitted = await stillScene(page, sceneOf("left"));
+  await page.locator(sceneOf("left")).focus();
+  await page.keyboard.press("Home");
+  const home = await stillScene(page, sceneOf("left"));
+  expect(home.colors()).toBeGreaterThan(10);
+  expect(home.difference(fitted)).toBeLessThan(0.01);
+});
+
+test("the number of steps is a whole number from 1 to 8, and shown as it is taken", async () => {
+  await load("left", "Cube");
+  const steps = side("left").getByLabel("Steps");
+  for (const [typed, taken] of [
+    ["-1", "1"],
+    ["0", "1"],
+    ["2.5", "3"],
+    ["99", "8"],
+  ] as const) {
+    await steps.fill(typed);
+    await steps.blur();
+    expect(await steps.inputValue()).toBe(taken);
+  }
+});
+
 test("an undone step is computed again if the server has dropped it", async () => {
   await load("left", "Cube");
   await press("left", "Subdivide");

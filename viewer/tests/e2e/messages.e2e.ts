@@ -104,6 +104,12 @@ test("the theme follows the system, and can be chosen", async () => {
   const light = await stillScene(page);
   await takePicture(page, "messages-light");
   expect(light.at(4, 4)[0]).toBeGreaterThan(200);
+  const main = page.locator(".btn.primary").first();
+  await main.hover();
+  // Its text is white.
+  await expect
+    .poll(() => main.evaluate((button) => getComputedStyle(button).backgroundColor))
+    .toBe("rgb(22, 79, 168)");
   await page.getByRole("button", { name: "Theme" }).click();
   await page.getByRole("menuitem", { name: "Dark theme" }).click();
   const dark = await stillScene(page);

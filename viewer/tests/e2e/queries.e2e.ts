@@ -195,6 +195,51 @@ test("several results are overlaid, each shown or hidden", async () => {
   expect(nothing.difference(hidden)).toBeGreaterThan(0.02);
 });
 
+test("all shapes of a large result are seen, which come one batch after the other", async () => {
+  await run(
+    page,
+    "query intstream(1, 3000) transformstream extend[S: createCube(makePoint3D(.Elem mod 100 * 3, .Elem div 100 * 3, 0), makePoint3D(.Elem mod 100 * 3 + 2, .Elem div 100 * 3 + 2, 2))] consume",
+  );
+  await page.mouse.move(2, 2); // no help of the editor over the scene
+  await page.locator(".cm-tooltip").waitFor({ state: "detached" });
+  const loaded = await stillScene(page);
+  await takePicture(page, "queries-large");
+  await page.getByTestId("scene").focus();
+  await page.keyboard.press("Home");
+  const home = await stillScene(page);
+  expect(home.difference(loaded)).toBeLessThan(0.01);
+});
+
+test("a failure of drawing is shown with its result only", async () => {
+  await run(page, "query createCube(makePoint3D(0, 0, 0), makePoint3D(1e300, 1e300, 1e300))");
+  const told = page.getByTestId("scene-loading").getByText("nothing of this size can be drawn");
+  await told.waitFor();
+  await run(page, "query createCube(makePoint3D(0, 0, 0), makePoint3D(2, 2, 2))");
+  await told.waitFor({ state: "detached" });
+  await stillScene(page);
+  browser.errors.length = 0; // the refused request
+});
+
+test("the tab of the newest result is in sight", async () => {
+  for (let count = 1; count <= 7; count++)
+    await run(page, `query "a title that needs some room" + "${count}"`);
+  const row = await page.locator(".result-tabs").boundingBox();
+  const tab = await page.getByTestId("result-tab").last().boundingBox();
+  expect(tab!.x).toBeGreaterThanOrEqual(row!.x - 1);
+  expect(tab!.x + tab!.width).toBeLessThanOrEqual(row!.x + row!.width + 1);
+  const first = await page.getByTestId("result-tab").first().boundingBox();
+  expect(first!.x).toBeLessThan(row!.x);
+});
+
+test("objects of others are listed after the next statement", async () => {
+  await server.run("let Elsewhere = 1");
+  await run(page, "query 1");
+  expect(await page.getByTestId("objects").getByText("Elsewhere").count()).toBe(1);
+  await server.run("delete Elsewhere");
+  await page.evaluate(() => dispatchEvent(new Event("focus")));
+  await page.getByTestId("objects").getByText("Elsewhere").waitFor({ state: "detached" });
+});
+
 test("notes of a statement are shown with its result", async () => {
   await run(page, "query 1 / 0");
   expect(await page.getByTestId("diagnostics").innerText()).toMatch(/division by zero|zero/i);

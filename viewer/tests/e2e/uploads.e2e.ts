@@ -88,6 +88,40 @@ test("the repaired solid is stored with one click", async () => {
   expect(await review().count()).toBe(0);
 });
 
+test("nothing is stored of a file that is gone, and its card stays", async () => {
+  await choose(file("gone.stl", stl("acb", "abd", "adc", "bcd")));
+  await page.locator('[data-testid="review"][data-phase="ready"]').waitFor();
+  expect((await fetch(`${server.url}api/uploads/gone.stl`, { method: "DELETE" })).ok).toBe(true);
+  await review().getByRole("button", { name: "Store" }).click();
+  await expect.poll(() => page.getByTestId("failure").innerText()).toMatch(/gone.*Nothing was stored/s);
+  expect(await review().count()).toBe(1);
+  expect(await page.getByText("Gone is stored.").count()).toBe(0);
+  await expect(server.run("query Gone")).rejects.toThrow();
+});
+
+test("the card of the newest file is the first, and the marks of a file go with its results", async () => {
+  await choose(file("first.stl", stl("acb", "abd", "adc")));
+  await page.locator('[data-testid="review"][data-phase="ready"]').waitFor();
+  await review().getByText("Changes").waitFor();
+  const isGreen = ([red, green, blue]: readonly number[]) => green! > red! + 40 && green! > blue! + 20;
+  const marked = (await stillScene(page)).count(isGreen);
+  await choose(file("second.stl", stl("acb", "abd", "adc", "bcd")));
+  const second = page.getByRole("region", { name: "second.stl" });
+  await second.and(page.locator('[data-phase="ready"]')).waitFor();
+  expect(await review().first().innerText()).toContain("second.stl");
+  const mark = page.getByRole("button", { name: "Mark the changed triangles" });
+  expect(await mark.isDisabled()).toBe(true);
+  // The card of the second one has green text.
+  await second.getByRole("button", { name: "Close second.stl" }).click();
+  const plain = (await stillScene(page)).count(isGreen);
+  expect(plain).toBeLessThan(marked / 4);
+  await page
+    .getByRole("region", { name: "first.stl" })
+    .getByRole("button", { name: "Show As it is in 3D" })
+    .click();
+  expect(await mark.isEnabled()).toBe(true);
+});
+
 test("a file and its repair are put side by side", async () => {
   await choose(file("tip.stl", stl("acb", "abd", "adc")));
   await page.locator('[data-testid="review"][data-phase="ready"]').waitFor();
