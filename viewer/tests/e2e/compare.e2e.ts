@@ -107,18 +107,17 @@ test("steps are undone and redone, and the result is saved", async () => {
 });
 
 test("another mesh for a side is fitted", async () => {
-  await server.run("let Far = createCube(makePoint3D(500, 0, 0), makePoint3D(700, 200, 200))");
+  await server.run("let Hall = createCube(makePoint3D(0, 0, 0), makePoint3D(100, 100, 100))");
   await page.getByRole("button", { name: "Read the list again" }).click();
-  await load("left", "Cube");
+  await load("left", "Hall");
   await stillScene(page, sceneOf("left"));
-  await load("left", "Far");
-  await expectFact("left", "Volume", "8,000,000");
+  await load("left", "Cube");
+  await expectFact("left", "Volume", "8");
   const fitted = await stillScene(page, sceneOf("left"));
-  await page.locator(sceneOf("left")).focus();
-  await page.keyboard.press("Home");
-  const home = await stillScene(page, sceneOf("left"));
-  expect(home.colors()).toBeGreaterThan(10);
-  expect(home.difference(fitted)).toBeLessThan(0.01);
+  await takePicture(page, "compare-another");
+  // With the camera of the hall it would be a dot.
+  const faces = fitted.count(([red, , blue]) => blue > red + 30 && blue > 100);
+  expect(faces).toBeGreaterThan(0.15 * fitted.width * fitted.height);
 });
 
 test("the number of steps is a whole number from 1 to 8, and shown as it is taken", async () => {
