@@ -299,7 +299,7 @@ inline bool BoxHierarchy::Box::meets(const Box& other) const {
 }
 
 inline BoxHierarchy::Place BoxHierarchy::place(Node node) const {
-  // What rounding to float moves a coordinate of this frame at most.
+  // The largest change of a coordinate of this frame by rounding to float.
   constexpr double kRounding = 0x1p-4;
   const Box& box = levels_[node.level].boxes[node.index];
   Place place;

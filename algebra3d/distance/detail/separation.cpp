@@ -100,7 +100,7 @@ void Separation::turn(const Vec3& direction, double limit) {
   first_.turn(direction);
   second_.turn(-1 * direction);
   if (credit_ < 0) return;
-  // What keeps that distance from the whole other set keeps it from all its parts.
+  // A part that is so far from the whole other set is so far from all of its parts.
   const double of_first = first_.of_all(), of_second = second_.of_all();
   const double farther = limit * (1 + 0x1p-40) + 2 * error_;
   first_.ignore_below(-farther - of_second);

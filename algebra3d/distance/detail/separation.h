@@ -20,7 +20,7 @@ class Reach {
 
   /// The direction to use from now on, of length 1 but for rounding. All that was kept is dropped.
   void turn(const Vec3& direction);
-  /// What reaches less far need not be told from what reaches so far.
+  /// A floor: parts that reach less far need not be told from parts that reach so far.
   void ignore_below(double floor) { floor_ = floor; }
 
   /// The largest product of a corner with the direction, but for roundings below 2^-48 of the largest coordinate.

@@ -27,7 +27,7 @@ class SolidRounding : public RoundingJob {
   /// First the candidate's form without superfluous vertices is tried. An empty one is refused if a wider reach than
   /// the first one was needed, or if a cell of the grid is found within the solid.
   Result<bool> accept(const RoundingCandidate& candidate) override;
-  /// Of a part with superfluous vertices only the form without them is tried.
+  /// If the part has superfluous vertices, only the form without them is tried.
   Result<bool> accept_moved() override;
 
   /// The last accepted candidate, put in place of the part; nothing is known of the vertices that moved.
