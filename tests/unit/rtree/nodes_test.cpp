@@ -59,7 +59,7 @@ TEST(Nodes, each_level_holds_all_entries) {
   }
 }
 
-// What comes after a node and lies deeper is below it.
+// Nodes that come after a node and lie deeper are below it.
 TEST(Nodes, boxes_of_parents_are_those_around_their_children) {
   const samples::Entries entries = samples::random_entries(3000, samples::Kind::clustered, 2);
   const auto nodes = nodes_of(samples::Tree::bulk_load(entries));
