@@ -99,9 +99,11 @@ struct DividedMesh {
 /// Many programs take vertices inside edges or faces of others for crossings, and edges that touch, too.
 Result<DividedMesh> divided_where_it_touches(const TriangleMesh& mesh, const CoordinateGrid& grid,
                                              const std::atomic<bool>* cancel) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto at_vertices, vertex_contacts(mesh, cancel));
-  const TriangleMesh divided = divided_at_contacts(mesh, at_vertices);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto at_edges, edge_contacts(divided, cancel));
+  ALGEBRA3D_ASSIGN_OR_RETURN(FacePairs touching, touching_faces(mesh, cancel));
+  if (touching.empty()) return DividedMesh{mesh};
+  const TriangleMesh divided = divided_at_contacts(mesh, vertex_contacts(mesh, touching));
+  ALGEBRA3D_ASSIGN_OR_RETURN(touching, touching_faces(divided, cancel));
+  const std::vector<EdgeContact> at_edges = edge_contacts(divided, touching);
   const auto is_left = [&](const EdgeContact& contact) { return !is_on_grid(contact.point, grid); };
   return DividedMesh{divided_at_edge_contacts(divided, at_edges, grid), std::ranges::count_if(at_edges, is_left)};
 }

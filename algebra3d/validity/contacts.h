@@ -5,9 +5,8 @@
 #include <vector>
 
 #include "algebra3d/base/error.h"
-#include "algebra3d/halfedge/box_hierarchy.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
-#include "algebra3d/validity/face_set.h"
+#include "algebra3d/validity/face_pairs.h"
 
 namespace algebra3d {
 
@@ -20,14 +19,13 @@ struct VertexContact {
   friend bool operator==(const VertexContact&, const VertexContact&) = default;
 };
 
-/// All contacts of vertices in a valid surface or volume, ascending by face, then vertex. Exact. Errors: interrupted.
-/// Cost: that of the pairs of faces whose boxes meet.
-Result<std::vector<VertexContact>> vertex_contacts(const TriangleMesh& mesh, const std::atomic<bool>* cancel);
+/// The pairs of faces of a valid surface or volume that have one point in common and no corner. Exact. Errors:
+/// interrupted. Cost: that of a proof (validity.h).
+Result<FacePairs> touching_faces(const TriangleMesh& mesh, const std::atomic<bool>* cancel);
 
-/// The same without the contacts in known faces of vertices that have known faces only. `hierarchy`: over all faces;
-/// its groups, if it has any, are of faces without contacts (detail/intersections.h).
-Result<std::vector<VertexContact>> vertex_contacts(const TriangleMesh& mesh, const BoxHierarchy& hierarchy,
-                                                   const FaceSet& known, const std::atomic<bool>* cancel);
+/// The contacts of vertices of `touching` faces in each other, ascending by face, then vertex; of all contacts of
+/// vertices in a mesh, if these are all its touching faces. Exact. Cost: near-linear in the pairs.
+std::vector<VertexContact> vertex_contacts(const TriangleMesh& mesh, const FacePairs& touching);
 
 /// The number of different vertices in contacts.
 std::size_t vertex_count_of(const std::vector<VertexContact>& contacts);

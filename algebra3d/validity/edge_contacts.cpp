@@ -6,10 +6,8 @@
 #include <map>
 
 #include "algebra3d/base/box3.h"
-#include "algebra3d/base/monitor.h"
 #include "algebra3d/exact/plane.h"
 #include "algebra3d/exact/predicates.h"
-#include "algebra3d/halfedge/box_hierarchy.h"
 #include "algebra3d/halfedge/boxes.h"
 
 namespace algebra3d {
@@ -65,17 +63,9 @@ class EdgeContactSearch {
 
 }  // namespace
 
-Result<std::vector<EdgeContact>> edge_contacts(const TriangleMesh& mesh, const std::atomic<bool>* cancel) {
+std::vector<EdgeContact> edge_contacts(const TriangleMesh& mesh, const FacePairs& touching) {
   EdgeContactSearch search(mesh);
-  const BoxHierarchy hierarchy(mesh);
-  const Monitor monitor(cancel);
-  hierarchy.for_each_pair(
-      [&](std::uint32_t f, std::uint32_t g) {
-        search.look_at(FaceId(f), FaceId(g));
-        return true;
-      },
-      [&] { return !monitor.is_cancelled(); });
-  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  for (const auto& [first, second] : touching) search.look_at(first, second);
   return search.contacts();
 }
 

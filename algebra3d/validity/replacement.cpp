@@ -15,12 +15,16 @@
 #include <map>
 #include <utility>
 
+#include "algebra3d/base/indices.h"
+#include "algebra3d/base/monitor.h"
 #include "algebra3d/exact/point_table.h"
 #include "algebra3d/halfedge/box_hierarchy.h"
+#include "algebra3d/halfedge/circulators.h"
 #include "algebra3d/halfedge/replaced_faces.h"
 #include "algebra3d/halfedge/topology.h"
 #include "algebra3d/validity/contacts.h"
 #include "algebra3d/validity/detail/edges.h"
+#include "algebra3d/validity/detail/front_ray.h"
 #include "algebra3d/validity/detail/intersections.h"
 #include "algebra3d/validity/detail/near_faces.h"
 #include "algebra3d/validity/detail/proved_parts.h"
@@ -77,31 +81,72 @@ bool have_same_boundary(const Replacement& replacement) {
   return std::ranges::all_of(balance, [](const auto& edge) { return edge.second == 0; });
 }
 
+/// Gathers faces of several meshes into one.
+class MeshAssembly {
+ public:
+  /// The faces of a mesh that are listed.
+  void add(const TriangleMesh& mesh, const std::vector<FaceId>& faces) {
+    std::vector<std::uint32_t> numbers(mesh.vertex_count(), kNone);
+    for (const FaceId face : faces) {
+      TriangleMesh::Triangle triangle = mesh.triangle(face);
+      for (std::uint32_t& corner : triangle) {
+        if (numbers[corner] == kNone) numbers[corner] = number_of(mesh.points()[corner]);
+        corner = numbers[corner];
+      }
+      triangles_.push_back(triangle);
+    }
+  }
+  TriangleMesh mesh() && { return {std::move(points_), triangles_}; }
+
+ private:
+  std::uint32_t number_of(const PointRef& point) {
+    const std::uint32_t number = places_.intern(point);
+    if (number == points_.size()) points_.push_back(point);
+    return number;
+  }
+
+  PointTable places_;
+  PointArray points_;
+  std::vector<TriangleMesh::Triangle> triangles_;
+};
+
 /// The added faces and those near them, as one mesh: first the added ones.
 TriangleMesh mesh_around(const Replacement& replacement, const std::vector<FaceId>& near) {
-  PointTable places;
-  PointArray points;
-  std::vector<TriangleMesh::Triangle> triangles;
-  const auto add = [&](const TriangleMesh& mesh, FaceId face) {
-    TriangleMesh::Triangle& triangle = triangles.emplace_back();
-    const TriangleRef corners = mesh.corners(face);
-    for (std::size_t i = 0; i < 3; ++i) {
-      triangle[i] = places.intern(corners[i]);
-      if (triangle[i] == points.size()) points.push_back(corners[i]);
-    }
-  };
-  for (std::uint32_t f = 0; f < replacement.added->face_count(); ++f) add(*replacement.added, FaceId(f));
-  for (const FaceId face : near) add(*replacement.volume, face);
-  return {std::move(points), triangles};
+  MeshAssembly assembly;
+  const auto added = faces(*replacement.added);
+  assembly.add(*replacement.added, {added.begin(), added.end()});
+  assembly.add(*replacement.volume, near);
+  return std::move(assembly).mesh();
 }
 
-/// True if every shell of the mesh goes on beyond it.
-bool do_all_shells_go_on(const TriangleMesh& mesh) {
+/// Of each shell of the mesh that does not go on beyond it, the first face that is not vertical. There is one: a shell
+/// bounds something, which has a top.
+std::vector<FaceId> faces_of_closed_shells(const TriangleMesh& mesh) {
   const FaceComponents shells = connected_components(mesh);
-  std::vector<bool> goes_on(shells.count);
+  std::vector<bool> is_done(shells.count);
   for (std::size_t i = 0; i < mesh.halfedge_count(); ++i)
-    if (mesh.is_boundary(HalfedgeId(i))) goes_on[shells.of_face[TriangleMesh::face(HalfedgeId(i)).index()]] = true;
-  return std::ranges::find(goes_on, false) == goes_on.end();
+    if (mesh.is_boundary(HalfedgeId(i))) is_done[shells.of_face[TriangleMesh::face(HalfedgeId(i)).index()]] = true;
+  std::vector<FaceId> chosen;
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    if (is_done[shells.of_face[f]] || is_vertical(mesh.corners(FaceId(f)))) continue;
+    is_done[shells.of_face[f]] = true;
+    chosen.emplace_back(f);
+  }
+  return chosen;
+}
+
+/// The winding number of the whole changed volume in front of a face of the `around` mesh. `goes_or_is_near`: the faces
+/// of the volume that this mesh stands for. Cost: a scan of all faces.
+int winding_in_front_of(FaceId face, const TriangleMesh& around, const TriangleMesh& volume,
+                        const std::vector<bool>& goes_or_is_near) {
+  for (int attempt = 0;; ++attempt) {
+    FrontRay ray(around.corners(face), attempt);
+    for (std::uint32_t f = 0; f < around.face_count(); ++f)
+      if (f != face.index()) ray.cross(around, FaceId(f));
+    for (std::uint32_t f = 0; f < volume.face_count(); ++f)
+      if (!goes_or_is_near[f]) ray.cross(volume, FaceId(f));
+    if (!ray.starts_on_other()) return ray.winding();
+  }
 }
 
 /// For a proof of a mesh that consists of faces that get along with each other, and of `count` added ones from `first`.
@@ -121,6 +166,25 @@ Result<bool> is_valid_whole(const Replacement& replacement, const std::atomic<bo
   return report.is_valid();
 }
 
+/// Of so many shells among the faces around it is cheaper to ask for each alone than to prove the whole volume.
+constexpr std::size_t kFewClosedShells = 16;
+
+/// True if the winding numbers in front of all shells are 0 that consist of added faces and those near them.
+Result<bool> have_right_windings(const Replacement& replacement, const TriangleMesh& around,
+                                 const std::vector<FaceId>& near, const std::atomic<bool>* cancel) {
+  const std::vector<FaceId> in_question = faces_of_closed_shells(around);
+  if (in_question.empty()) return true;
+  if (in_question.size() > kFewClosedShells) return is_valid_whole(replacement, cancel);
+  std::vector<bool> goes_or_is_near = *replacement.is_removed;
+  for (const FaceId face : near) goes_or_is_near[face.index()] = true;
+  const Monitor monitor(cancel);
+  const bool are_right = std::ranges::all_of(in_question, [&](FaceId face) {
+    return !monitor.is_cancelled() && winding_in_front_of(face, around, *replacement.volume, goes_or_is_near) == 0;
+  });
+  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  return are_right;
+}
+
 }  // namespace
 
 Result<ProofWithContacts> prove_replacement(const TriangleMesh& volume, const std::vector<bool>& is_removed,
@@ -128,7 +192,8 @@ Result<ProofWithContacts> prove_replacement(const TriangleMesh& volume, const st
                                             const std::atomic<bool>* cancel) {
   const Replacement replacement{&volume, &is_removed, &added};
   if (!have_same_boundary(replacement)) return ProofWithContacts{};
-  const TriangleMesh mesh = mesh_around(replacement, faces_near(volume, is_removed, added, movement));
+  const std::vector<FaceId> near = faces_near(volume, is_removed, added, movement);
+  const TriangleMesh mesh = mesh_around(replacement, near);
   const ProofOptions options = options_for(mesh.face_count(), 0, added.face_count(), cancel);
 
   ValidityReport report;
@@ -138,14 +203,12 @@ Result<ProofWithContacts> prove_replacement(const TriangleMesh& volume, const st
   if (!report.is_valid()) return ProofWithContacts{};
   BoxHierarchy hierarchy(mesh);
   FaceSet ignored;
-  ALGEBRA3D_RETURN_IF_ERROR(find_intersections(mesh, proved, hierarchy, options, report, ignored));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const FacePairs touching,
+                             find_intersections(mesh, proved, hierarchy, options, report, ignored));
   if (!report.is_valid()) return ProofWithContacts{};
-  if (!do_all_shells_go_on(mesh)) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, is_valid_whole(replacement, cancel));
-    if (!is_valid) return ProofWithContacts{};
-  }
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto contacts, vertex_contacts(mesh, hierarchy, options.known, cancel));
-  return ProofWithContacts{true, vertex_count_of(contacts)};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool are_right, have_right_windings(replacement, mesh, near, cancel));
+  if (!are_right) return ProofWithContacts{};
+  return ProofWithContacts{true, vertex_count_of(vertex_contacts(mesh, touching))};
 }
 
 }  // namespace algebra3d

@@ -41,7 +41,7 @@ struct ValidityReport {
   /// are arbitrary pairs.
   bool is_cut_short = false;
   /// How many vertices lie in faces without being their corners (contacts.h), where the face or one at the vertex is
-  /// not known. Only of valid meshes, and where ProofOptions ask for it; else 0.
+  /// not known (ProofOptions). Only of valid meshes; else 0.
   std::size_t contact_vertices = 0;
 
   bool is_valid() const { return total() == 0; }

@@ -78,14 +78,12 @@ Result<ValidityReport> prove(const TriangleMesh& mesh, Kind kind, const ProofOpt
   if (is_done()) return report;
   ALGEBRA3D_RETURN_IF_ERROR(check_cancelled(options));
   if (!hierarchy || sound != all) hierarchy.emplace(hierarchy_for_pairs(mesh, sound, options.preimage));
-  ALGEBRA3D_RETURN_IF_ERROR(find_intersections(mesh, *proved, *hierarchy, options, report, free));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const FacePairs touching,
+                             find_intersections(mesh, *proved, *hierarchy, options, report, free));
   // Off the beaten track a winding number means nothing.
   if (kind == Kind::volume && report.is_valid())
     ALGEBRA3D_RETURN_IF_ERROR(check_windings(mesh, proved->fields, *hierarchy, options, report));
-  if (options.counts_contacts && report.is_valid()) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const auto contacts, vertex_contacts(mesh, *hierarchy, options.known, options.cancel));
-    report.contact_vertices = vertex_count_of(contacts);
-  }
+  if (report.is_valid()) report.contact_vertices = vertex_count_of(vertex_contacts(mesh, touching));
   return report;
 }
 
@@ -110,7 +108,8 @@ Result<std::vector<Entanglement>> disentangle(const TriangleMesh& mesh, const st
     if (result[first.index()] == Entanglement::none) result[second.index()] = Entanglement::entangled;
     return true;
   };
-  ALGEBRA3D_RETURN_IF_ERROR(for_each_intersection(mesh, proved, hierarchy, cancel, part_from_first));
+  const auto touching = for_each_intersection(mesh, proved, hierarchy, cancel, part_from_first);
+  ALGEBRA3D_RETURN_IF_ERROR(touching);
   return result;
 }
 

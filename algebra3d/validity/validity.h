@@ -26,8 +26,6 @@ struct ProofOptions {
   /// Faces known from an earlier proof to be a valid surface by themselves; pairs of them are not tested again. A wrong
   /// set makes the proof wrong.
   FaceSet known = {};
-  /// Whether ValidityReport::contact_vertices is wanted.
-  bool counts_contacts = false;
   /// The valid surface or volume of which the mesh is the rounded image, with the same faces in the same order, if any.
   Preimage preimage = {};
 };

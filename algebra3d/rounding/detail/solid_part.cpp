@@ -57,8 +57,7 @@ class ShellsAtBoundary {
 };
 
 Result<ProofWithContacts> prove_whole(const TriangleMesh& mesh, const std::atomic<bool>* cancel, FaceSet known = {}) {
-  const ProofOptions options{
-      .thoroughness = Thoroughness::first_defect, .cancel = cancel, .known = std::move(known), .counts_contacts = true};
+  const ProofOptions options{.thoroughness = Thoroughness::first_defect, .cancel = cancel, .known = std::move(known)};
   ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport report, prove_volume(mesh, options));
   return ProofWithContacts{report.is_valid(), report.contact_vertices};
 }

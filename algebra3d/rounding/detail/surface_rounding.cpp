@@ -38,8 +38,7 @@ Result<bool> SurfaceRounding::accept(const RoundingCandidate& candidate) {
 
 Result<bool> SurfaceRounding::accept(const RoundingCandidate& candidate, const FaceSet& known) {
   if (candidate.mesh.is_empty() && candidate.reach > kFirstReach * spacing()) return false;
-  const ProofOptions options{
-      .thoroughness = Thoroughness::first_defect, .cancel = cancel(), .known = known, .counts_contacts = true};
+  const ProofOptions options{.thoroughness = Thoroughness::first_defect, .cancel = cancel(), .known = known};
   ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport report, prove_surface(candidate.mesh, options));
   if (!report.is_valid()) return false;
   result_ = RoundedSurface{candidate.mesh, "", 0, candidate.movement, candidate.method, report.contact_vertices,

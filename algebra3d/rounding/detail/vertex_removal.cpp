@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <unordered_map>
 #include <utility>
 
 #include "algebra3d/base/indices.h"
+#include "algebra3d/base/scheduler.h"
 #include "algebra3d/halfedge/circulators.h"
 #include "algebra3d/halfedge/topology.h"
 #include "algebra3d/rounding/detail/wide_vec3.h"
@@ -17,20 +19,31 @@ namespace algebra3d {
 namespace {
 
 /// Removing vertices makes others superfluous.
-constexpr int kMaxPasses = 8;
+constexpr int kMaxPasses = 16;
 /// Vertices with more neighbours stay: the cost is that of their cube.
 constexpr std::size_t kMaxNeighbours = 60;
 
+/// The neighbours of a vertex in their order, where its triangles form one closed fan.
+using Ring = std::vector<std::uint32_t>;
+
+/// The mesh while vertices are merged with neighbours. Concurrent calls of the const functions are safe.
 class VertexRemoval {
  public:
   VertexRemoval(const TriangleMesh& mesh, double tolerance)
-      : mesh_(mesh), tolerance_(tolerance), has_changed_(mesh.vertex_count(), true) {
+      : mesh_(mesh), tolerance_(tolerance), has_changed_(mesh.vertex_count()) {
     triangles_.reserve(mesh.face_count());
     for (const FaceId face : faces(mesh)) triangles_.push_back(mesh.triangle(face));
   }
 
-  /// True if the vertex has gone.
-  bool remove(std::uint32_t vertex);
+  /// How a vertex goes: it becomes one with `target`, a vertex of its ring.
+  struct Merger {
+    Ring ring;
+    std::uint32_t target;
+  };
+  /// Nothing if the vertex must stay.
+  std::optional<Merger> merger(std::uint32_t vertex) const;
+  void merge(std::uint32_t vertex, const Merger& merger);
+
   /// True if something near the vertex has changed since this was asked last: only then it may go if it could not
   /// before.
   bool has_changed(std::uint32_t vertex) {
@@ -41,25 +54,24 @@ class VertexRemoval {
   TriangleMesh result() const;
 
  private:
-  using Ring = std::vector<std::uint32_t>;
-
   const Vec3& rounded_place(std::uint32_t vertex) const { return mesh_.points().approx()[vertex]; }
   WideVec3 place(std::uint32_t vertex) const { return WideVec3(rounded_place(vertex)); }
   bool is_off_plane(std::uint32_t vertex, std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
-  const std::vector<std::uint32_t>& star(std::uint32_t vertex);
-  std::optional<Ring> ring(std::uint32_t vertex);
-  bool keeps_manifold(const Ring& ring, std::size_t target);
+  double height_bound(std::uint32_t vertex, const Ring& ring, std::size_t target) const;
+  template <typename Visit>
+  void for_each_triangle_at(std::uint32_t vertex, const Visit& visit) const;
+  std::optional<Ring> ring(std::uint32_t vertex) const;
+  bool keeps_manifold(const Ring& ring, std::size_t target) const;
   bool are_near(std::uint32_t vertex, const Ring& ring, std::size_t from, std::size_t to) const;
   bool follows_surface(std::uint32_t vertex, const Ring& ring, std::size_t target) const;
   long double least_height(std::uint32_t vertex, const Ring& ring, std::size_t target) const;
-  void merge(std::uint32_t vertex, std::uint32_t target);
   void note_change(const Ring& ring);
 
   const TriangleMesh& mesh_;
   double tolerance_;
-  std::vector<IndexTriangle> triangles_;  // those that went have kNone as corners
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> stars_;
-  std::vector<bool> has_changed_;  // per vertex
+  std::vector<IndexTriangle> triangles_;                                       // those that went have kNone as corners
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> grown_stars_;  // of targets; they may have lost faces
+  std::vector<bool> has_changed_;                                              // per vertex
 };
 
 /// The distance of two segments ab and cd that are no points. Source: [ericson2005], 5.1.9.
@@ -77,24 +89,25 @@ bool contains(const IndexTriangle& triangle, std::uint32_t vertex) {
   return std::ranges::find(triangle, vertex) != triangle.end();
 }
 
-/// The triangles at a vertex.
-const std::vector<std::uint32_t>& VertexRemoval::star(std::uint32_t vertex) {
-  const auto [found, is_new] = stars_.try_emplace(vertex);
-  if (is_new)
-    for (const FaceId face : faces_around(mesh_, VertexId(vertex))) found->second.push_back(face.index());
-  std::erase_if(found->second, [&](std::uint32_t face) { return !contains(triangles_[face], vertex); });
-  return found->second;
+/// Calls visit(t) with the number of each triangle at a vertex.
+template <typename Visit>
+void VertexRemoval::for_each_triangle_at(std::uint32_t vertex, const Visit& visit) const {
+  const auto visit_if_there = [&](std::uint32_t t) {
+    if (contains(triangles_[t], vertex)) visit(t);
+  };
+  if (const auto grown = grown_stars_.find(vertex); grown != grown_stars_.end())
+    std::ranges::for_each(grown->second, visit_if_there);
+  else
+    for (const FaceId face : faces_around(mesh_, VertexId(vertex))) visit_if_there(face.index());
 }
 
-/// The neighbours of a vertex in their order, if its triangles form one closed fan.
-std::optional<VertexRemoval::Ring> VertexRemoval::ring(std::uint32_t vertex) {
-  const std::vector<std::uint32_t>& faces = star(vertex);
+std::optional<Ring> VertexRemoval::ring(std::uint32_t vertex) const {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;  // opposite to the vertex
-  for (const std::uint32_t face : faces) {
-    const IndexTriangle& t = triangles_[face];
+  for_each_triangle_at(vertex, [&](std::uint32_t triangle) {
+    const IndexTriangle& t = triangles_[triangle];
     const auto at = static_cast<std::size_t>(std::ranges::find(t, vertex) - t.begin());
     sides.emplace_back(t[(at + 1) % 3], t[(at + 2) % 3]);
-  }
+  });
   if (sides.size() < 3) return std::nullopt;
   Ring result;
   for (std::uint32_t next = sides[0].first; result.size() < sides.size();) {
@@ -112,12 +125,15 @@ std::optional<VertexRemoval::Ring> VertexRemoval::ring(std::uint32_t vertex) {
 }
 
 /// The link condition [dey1999]: the target has no other neighbours in the ring than those beside it.
-bool VertexRemoval::keeps_manifold(const Ring& ring, std::size_t target) {
+bool VertexRemoval::keeps_manifold(const Ring& ring, std::size_t target) const {
   const std::size_t n = ring.size();
-  if (n == 3 && star(ring[target]).size() == 3) return false;  // a tetrahedron
+  std::size_t triangle_count = 0;
   std::vector<std::uint32_t> neighbours;
-  for (const std::uint32_t face : star(ring[target]))
-    for (const std::uint32_t corner : triangles_[face]) neighbours.push_back(corner);
+  for_each_triangle_at(ring[target], [&](std::uint32_t triangle) {
+    ++triangle_count;
+    neighbours.insert(neighbours.end(), triangles_[triangle].begin(), triangles_[triangle].end());
+  });
+  if (n == 3 && triangle_count == 3) return false;  // a tetrahedron
   for (std::size_t i = 0; i < n; ++i) {
     const bool is_beside = i == (target + 1) % n || (i + 1) % n == target;
     if (i != target && !is_beside && std::ranges::find(neighbours, ring[i]) != neighbours.end()) return false;
@@ -149,16 +165,32 @@ bool VertexRemoval::is_off_plane(std::uint32_t vertex, std::uint32_t a, std::uin
   const Vec3 to_b = rounded_place(b) - rounded_place(a), to_c = rounded_place(c) - rounded_place(a);
   const Vec3 to_vertex = rounded_place(vertex) - rounded_place(a);
   const Vec3 normal = cross(to_b, to_c);
-  const double error = 0x1p-46 * length(to_vertex) * length(to_b) * length(to_c);
+  const auto at_least_length = [](const Vec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
+  const double error = 0x1p-46 * at_least_length(to_vertex) * at_least_length(to_b) * at_least_length(to_c);
   constexpr double kUnderflow = 0x1p-900;
-  return error > kUnderflow && std::abs(dot(to_vertex, normal)) > (1 + 0x1p-40) * tolerance_ * length(normal) + error;
+  return error > kUnderflow &&
+         std::abs(dot(to_vertex, normal)) > (1 + 0x1p-40) * tolerance_ * at_least_length(normal) + error;
+}
+
+/// An upper bound of least_height by doubles, which is cheap and good but for needles.
+double VertexRemoval::height_bound(std::uint32_t vertex, const Ring& ring, std::size_t target) const {
+  constexpr double kError = 0x1p-46;
+  double least = std::numeric_limits<double>::max();
+  for (std::size_t i = (target + 1) % ring.size(); (i + 1) % ring.size() != target; i = (i + 1) % ring.size()) {
+    const std::uint32_t next = ring[(i + 1) % ring.size()];
+    if (is_off_plane(vertex, ring[target], ring[i], next)) return 0;
+    const Vec3 to_a = rounded_place(ring[i]) - rounded_place(ring[target]);
+    const Vec3 to_b = rounded_place(next) - rounded_place(ring[target]), side = to_b - to_a;
+    const Vec3 normal = cross(to_a, to_b);
+    const double longest = std::sqrt(std::max({dot(to_a, to_a), dot(to_b, to_b), dot(side, side)}));
+    least = std::min(least, std::sqrt(dot(normal, normal)) / longest + kError * longest);
+  }
+  return least;
 }
 
 /// The least height of the triangles that replace those around the vertex if it is merged with one of its ring, 0 if
 /// they do not represent the surface.
 long double VertexRemoval::least_height(std::uint32_t vertex, const Ring& ring, std::size_t target) const {
-  const std::size_t beside = (target + 1) % ring.size(), next = (target + 2) % ring.size();
-  if (is_off_plane(vertex, ring[target], ring[beside], ring[next])) return 0;
   const WideVec3 v = place(vertex), w = place(ring[target]);
   long double least = std::numeric_limits<long double>::max();
   bool is_near = false;
@@ -179,42 +211,49 @@ long double VertexRemoval::least_height(std::uint32_t vertex, const Ring& ring, 
   return is_near ? least : 0;
 }
 
-void VertexRemoval::merge(std::uint32_t vertex, std::uint32_t target) {
-  star(target);
-  for (const std::uint32_t face : star(vertex)) {
-    IndexTriangle& t = triangles_[face];
-    if (contains(t, target)) {
+void VertexRemoval::merge(std::uint32_t vertex, const Merger& merger) {
+  std::vector<std::uint32_t> grown;
+  const auto add = [&](std::uint32_t triangle) { grown.push_back(triangle); };
+  for_each_triangle_at(merger.target, add);
+  for_each_triangle_at(vertex, add);
+  for (const std::uint32_t triangle : grown) {
+    IndexTriangle& t = triangles_[triangle];
+    if (!contains(t, vertex)) continue;
+    if (contains(t, merger.target))
       t = {kNone, kNone, kNone};
-      continue;
-    }
-    std::ranges::replace(t, vertex, target);
-    stars_[target].push_back(face);
+    else
+      std::ranges::replace(t, vertex, merger.target);
   }
+  grown_stars_[merger.target] = std::move(grown);
+  note_change(merger.ring);
 }
 
 /// The stars of a ring have changed: that matters to it and to its neighbours.
 void VertexRemoval::note_change(const Ring& ring) {
   for (const std::uint32_t vertex : ring)
-    for (const std::uint32_t face : star(vertex))
-      for (const std::uint32_t corner : triangles_[face]) has_changed_[corner] = true;
+    for_each_triangle_at(vertex, [&](std::uint32_t triangle) {
+      for (const std::uint32_t corner : triangles_[triangle]) has_changed_[corner] = true;
+    });
 }
 
-bool VertexRemoval::remove(std::uint32_t vertex) {
-  const std::optional<Ring> around = ring(vertex);
-  if (!around || around->size() > kMaxNeighbours) return false;
-  std::size_t best = 0;
-  long double best_height = 2 * tolerance_;
-  for (std::size_t target = 0; target < around->size(); ++target) {
-    const long double height = least_height(vertex, *around, target);
-    if (height <= best_height || !keeps_manifold(*around, target) || !follows_surface(vertex, *around, target))
-      continue;
-    best = target;
-    best_height = height;
+/// With that of the ring for which the least height is largest, the first one of several.
+std::optional<VertexRemoval::Merger> VertexRemoval::merger(std::uint32_t vertex) const {
+  std::optional<Ring> around = ring(vertex);
+  if (!around || around->size() > kMaxNeighbours) return std::nullopt;
+  std::vector<std::pair<double, std::size_t>> bounds;
+  for (std::size_t target = 0; target < around->size(); ++target)
+    if (const double bound = height_bound(vertex, *around, target); bound > 2 * tolerance_)
+      bounds.emplace_back(-bound, target);
+  std::ranges::sort(bounds);
+  std::pair<long double, std::size_t> best{-2 * tolerance_, around->size()};  // the height with the other sign first
+  for (const auto& [bound, target] : bounds) {
+    if (bound > best.first) break;
+    const std::pair<long double, std::size_t> height{-least_height(vertex, *around, target), target};
+    if (height < best && keeps_manifold(*around, target) && follows_surface(vertex, *around, target)) best = height;
   }
-  if (best_height <= 2 * tolerance_) return false;
-  merge(vertex, (*around)[best]);
-  note_change(*around);
-  return true;
+  if (best.second == around->size()) return std::nullopt;
+  const std::uint32_t target = (*around)[best.second];
+  return Merger{*std::move(around), target};
 }
 
 TriangleMesh VertexRemoval::result() const {
@@ -235,21 +274,53 @@ TriangleMesh VertexRemoval::result() const {
   return {std::move(points), triangles};
 }
 
+using Merger = VertexRemoval::Merger;
+
+/// A vertex that may go, as long as nothing near it changes.
+struct Candidate {
+  std::uint32_t vertex;
+  Merger merger;
+};
+
+constexpr std::size_t kVerticesPerTask = 500;
+
+/// Those of the vertices that may go.
+std::vector<Candidate> candidates(const VertexRemoval& removal, const std::vector<std::uint32_t>& vertices,
+                                  const Monitor& monitor) {
+  return parallel_collect(vertices.size(), kVerticesPerTask, [&](std::size_t first, std::size_t end) {
+    std::vector<Candidate> found;
+    for (std::size_t i = first; i < end && !monitor.is_cancelled(); ++i)
+      if (auto merger = removal.merger(vertices[i])) found.push_back({vertices[i], *std::move(merger)});
+    return found;
+  });
+}
+
 }  // namespace
 
+// Most vertices must stay. Which may go is told in parallel for all that something has changed near, and told again
+// only where a vertex that has gone since then was near.
 Result<TriangleMesh> without_superfluous_vertices(const TriangleMesh& mesh, const std::vector<bool>& may_go,
                                                   double tolerance, const Monitor& monitor) {
   VertexRemoval removal(mesh, tolerance);
   std::vector<std::uint32_t> left;
   for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
     if (may_go[v] && !mesh.is_nonmanifold(VertexId(v)) && !mesh.is_isolated(VertexId(v))) left.push_back(v);
-  for (int pass = 0; pass < kMaxPasses; ++pass) {
-    const std::size_t gone = std::erase_if(
-        left, [&](std::uint32_t v) { return !monitor.is_cancelled() && removal.has_changed(v) && removal.remove(v); });
+  std::vector<std::uint32_t> in_question = left;
+  std::vector<bool> has_gone(mesh.vertex_count());
+  for (int pass = 0; pass < kMaxPasses && !in_question.empty(); ++pass) {
+    for (const auto& [vertex, merger] : candidates(removal, in_question, monitor)) {
+      const std::optional<Merger> now = removal.has_changed(vertex) ? removal.merger(vertex) : merger;
+      if (!now) continue;
+      removal.merge(vertex, *now);
+      has_gone[vertex] = true;
+    }
     ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
-    if (gone == 0) return pass == 0 ? mesh : removal.result();
+    std::erase_if(left, [&](std::uint32_t v) -> bool { return has_gone[v]; });
+    in_question.clear();
+    std::ranges::copy_if(left, std::back_inserter(in_question),
+                         [&](std::uint32_t v) { return removal.has_changed(v); });
   }
-  return removal.result();
+  return std::ranges::find(has_gone, true) == has_gone.end() ? mesh : removal.result();
 }
 
 }  // namespace algebra3d

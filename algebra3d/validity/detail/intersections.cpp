@@ -32,6 +32,12 @@ SharedCorners shared_corners(const TriangleMesh::Triangle& s, const TriangleMesh
   return shared;
 }
 
+/// True if the three points are certainly on one side of a plane.
+bool on_one_side(const detail::PlaneFilter& plane, const std::array<const Vec3*, 3>& points) {
+  const int side = plane.side(*points[0]);
+  return side != detail::kUndecided && side == plane.side(*points[1]) && side == plane.side(*points[2]);
+}
+
 /// True if the three points lie on one side of the plane of the triangle.
 bool on_one_side(const std::array<const Vec3*, 3>& triangle, const std::array<const Vec3*, 3>& points) {
   const int side = orient3d(*triangle[0], *triangle[1], *triangle[2], *points[0]);
@@ -39,20 +45,35 @@ bool on_one_side(const std::array<const Vec3*, 3>& triangle, const std::array<co
          orient3d(*triangle[0], *triangle[1], *triangle[2], *points[2]) == side;
 }
 
+/// What two faces have in common besides their common corners and edge.
+enum class Excess : std::uint8_t {
+  none,
+  point,    ///< one point; they have no corner in common
+  improper  ///< more than a valid surface allows
+};
+
 class PairTest {
  public:
   PairTest(const TriangleMesh& mesh, const ProvedParts& proved)
       : mesh_(mesh), proved_(proved), all_double_(mesh.points().exact_count() == 0) {}
 
-  bool is_improper(FaceId f, FaceId g) const {
-    if (proved_.fields.are_in_one(f, g)) return false;
-    if (proved_.known.contains(f.index()) && proved_.known.contains(g.index())) return false;
+  /// The plane of the face that was asked for last: pairs come in runs with the same first face.
+  struct LastPlane {
+    FaceId face;
+    std::optional<detail::PlaneFilter> plane;
+  };
+
+  /// Excess::none for pairs that are proved or known.
+  Excess excess(FaceId f, FaceId g, LastPlane& last) const {
+    if (proved_.fields.are_in_one(f, g)) return Excess::none;
+    if (proved_.known.contains(f.index()) && proved_.known.contains(g.index())) return Excess::none;
     const TriangleMesh::Triangle s = mesh_.triangle(f), t = mesh_.triangle(g);
     // Without branches: three of four pairs end here, but which is hard to predict.
     const int has0 = is_corner(s[0], t), has1 = is_corner(s[1], t), has2 = is_corner(s[2], t);
     const int embedded = (has0 & is_embedded(s[0])) | (has1 & is_embedded(s[1])) | (has2 & is_embedded(s[2]));
-    if (embedded != 0) return false;
-    return (has0 | has1 | has2) != 0 ? is_improper_neighbour(s, t) : is_improper_stranger(f, g);
+    if (embedded != 0) return Excess::none;
+    if ((has0 | has1 | has2) == 0) return excess_of_strangers(f, g, last);
+    return is_improper_neighbour(s, t) ? Excess::improper : Excess::none;
   }
 
  private:
@@ -62,13 +83,17 @@ class PairTest {
   }
   int is_embedded(std::uint32_t vertex) const { return static_cast<int>(proved_.stars.is_embedded(VertexId(vertex))); }
 
-  bool is_improper_stranger(FaceId f, FaceId g) const {
+  Excess excess_of_strangers(FaceId f, FaceId g, LastPlane& last) const {
     if (all_double_) {
       const std::array<const Vec3*, 3> s = doubles(f), t = doubles(g);
-      if (on_one_side(s, t) || on_one_side(t, s)) return false;
+      if (f != last.face) last = {f, detail::PlaneFilter(*s[0], *s[1], *s[2])};
+      if (on_one_side(*last.plane, t) || on_one_side(detail::PlaneFilter(*t[0], *t[1], *t[2]), s) ||
+          on_one_side(s, t) || on_one_side(t, s))
+        return Excess::none;
     }
     const Contact contact = intersect_triangles(mesh_.corners(f), mesh_.corners(g));
-    return contact == Contact::segment || contact == Contact::area;
+    if (contact == Contact::none) return Excess::none;
+    return contact == Contact::point ? Excess::point : Excess::improper;
   }
 
   bool is_improper_neighbour(const TriangleMesh::Triangle& s, const TriangleMesh::Triangle& t) const {
@@ -152,48 +177,59 @@ constexpr std::size_t kFewFaces = 2'000;
 /// More pairs are not kept, but searched again.
 constexpr std::size_t kMostPairs = 1'000'000;
 
+/// What a part of a search has found.
+struct FoundPairs {
+  FacePairs improper, touching;
+};
+
 /// Searches parts of a hierarchy for pairs that intersect.
 class PairSearch {
  public:
-  using Pairs = std::vector<std::pair<FaceId, FaceId>>;
-
   PairSearch(const PairTest& test, const BoxHierarchy& hierarchy, const std::atomic<bool>* cancel)
       : test_(test), hierarchy_(hierarchy), cancel_(cancel) {}
 
   bool is_cancelled() const { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
 
-  /// Calls visit for each pair of a part until it returns false, or go_on, which is asked now and then.
+  /// Adds the pairs of a part that touch in a point, and calls visit for each that intersects in more, until it returns
+  /// false, or go_on, which is asked now and then.
   template <typename Visit, typename GoOn>
-  void search(const BoxHierarchy::NodePair& part, const Visit& visit, const GoOn& go_on) const {
+  void search(const BoxHierarchy::NodePair& part, FacePairs& touching, const Visit& visit, const GoOn& go_on) const {
+    PairTest::LastPlane last;
     hierarchy_.for_each_pair(
         part,
         [&](std::uint32_t a, std::uint32_t b) {
+          const Excess excess = test_.excess(FaceId(a), FaceId(b), last);
+          if (excess == Excess::none) return true;
           const FaceId first(std::min(a, b)), second(std::max(a, b));
-          return !test_.is_improper(first, second) || visit(first, second);
+          if (excess == Excess::point) touching.emplace_back(first, second);
+          return excess != Excess::improper || visit(first, second);
         },
         go_on);
   }
 
-  /// All pairs, searched in parallel, or all up to the first one; in order. Nothing if there are too many.
-  std::optional<Pairs> all_pairs(const std::vector<BoxHierarchy::NodePair>& parts, bool only_first) const {
+  /// All pairs, searched in parallel, or all up to the first improper one; in order. Nothing if there are too many.
+  std::optional<FoundPairs> all_pairs(const std::vector<BoxHierarchy::NodePair>& parts, bool only_first) const {
     std::atomic<std::size_t> first_with_pair = SIZE_MAX, count = 0;
-    std::vector<Pairs> found(parts.size());
+    std::vector<FoundPairs> found(parts.size());
     parallel_for(parts.size(), 1, [&](std::size_t part) {
       const auto go_on = [&] {
         return !is_cancelled() && (!only_first || part <= first_with_pair) && count <= kMostPairs;
       };
       const auto add = [&](FaceId first, FaceId second) {
-        found[part].emplace_back(first, second);
+        found[part].improper.emplace_back(first, second);
         ++count;
         std::size_t other = first_with_pair;
         while (part < other && !first_with_pair.compare_exchange_weak(other, part)) continue;
         return !only_first;
       };
-      if (go_on()) search(parts[part], add, go_on);
+      if (go_on()) search(parts[part], found[part].touching, add, go_on);
     });
     if (count > kMostPairs) return std::nullopt;
-    Pairs all;
-    for (const Pairs& pairs : found) all.insert(all.end(), pairs.begin(), pairs.end());
+    FoundPairs all;
+    for (const FoundPairs& pairs : found) {
+      all.improper.insert(all.improper.end(), pairs.improper.begin(), pairs.improper.end());
+      all.touching.insert(all.touching.end(), pairs.touching.begin(), pairs.touching.end());
+    }
     return all;
   }
 
@@ -205,35 +241,37 @@ class PairSearch {
 
 }  // namespace
 
-Status for_each_intersection(const TriangleMesh& mesh, const ProvedParts& proved, BoxHierarchy& hierarchy,
-                             const std::atomic<bool>* cancel, const std::function<bool(FaceId, FaceId)>& visit,
-                             bool only_first) {
+Result<FacePairs> for_each_intersection(const TriangleMesh& mesh, const ProvedParts& proved, BoxHierarchy& hierarchy,
+                                        const std::atomic<bool>* cancel,
+                                        const std::function<bool(FaceId, FaceId)>& visit, bool only_first) {
   group_leaves(mesh, proved, hierarchy);
   const PairTest test(mesh, proved);
   const PairSearch search(test, hierarchy, cancel);
   const bool is_large = hierarchy.face_count() > kFewFaces;
   const std::vector<BoxHierarchy::NodePair> parts = hierarchy.parts_of_search(is_large ? kParts : 1);
-  const auto pairs = is_large ? search.all_pairs(parts, only_first) : std::nullopt;
+  auto pairs = is_large ? search.all_pairs(parts, only_first) : std::nullopt;
+  FacePairs touching;
   bool goes_on = true;
   if (pairs) {
-    for (const auto& [first, second] : *pairs) {
+    for (const auto& [first, second] : pairs->improper) {
       if (!goes_on) break;
       goes_on = visit(first, second);
     }
+    touching = std::move(pairs->touching);
   } else {
     for (const BoxHierarchy::NodePair& part : parts) {
       if (!goes_on) break;
       search.search(
-          part, [&](FaceId first, FaceId second) { return goes_on = visit(first, second); },
+          part, touching, [&](FaceId first, FaceId second) { return goes_on = visit(first, second); },
           [&] { return !search.is_cancelled(); });
     }
   }
   if (search.is_cancelled()) return Error{ErrorCode::interrupted, "interrupted"};
-  return {};
+  return touching;
 }
 
-Status find_intersections(const TriangleMesh& mesh, const ProvedParts& proved, BoxHierarchy& hierarchy,
-                          const ProofOptions& options, ValidityReport& report, FaceSet& free) {
+Result<FacePairs> find_intersections(const TriangleMesh& mesh, const ProvedParts& proved, BoxHierarchy& hierarchy,
+                                     const ProofOptions& options, ValidityReport& report, FaceSet& free) {
   const std::uint64_t limit = options.thoroughness == Thoroughness::first_defect
                                   ? 1
                                   : std::max<std::uint64_t>(options.max_intersecting_pairs, 1);

@@ -5,7 +5,6 @@
 #include <cstdint>
 
 #include "algebra3d/base/scheduler.h"
-#include "algebra3d/halfedge/box_hierarchy.h"
 #include "algebra3d/halfedge/boxes.h"
 
 namespace algebra3d {
@@ -70,37 +69,20 @@ class MarkedCells {
   std::vector<std::uint64_t> columns_ = std::vector<std::uint64_t>(std::size_t{kCells} * kCells);  // a bit per cell
 };
 
-/// The faces whose boxes meet marked cells.
-std::vector<std::uint32_t> faces_in_marked_cells(const TriangleMesh& mesh, const std::vector<bool>& is_excepted,
-                                                 const TriangleMesh& others, double reach) {
-  MarkedCells cells(padded(box_of_mesh(others), reach));
-  for (std::uint32_t f = 0; f < others.face_count(); ++f) cells.mark(padded(box_of_face(others, f), reach));
-  constexpr std::size_t kFacesPerScan = 20'000;
-  return parallel_collect(mesh.face_count(), kFacesPerScan, [&](std::size_t begin, std::size_t end) {
-    std::vector<std::uint32_t> found;
-    for (auto f = static_cast<std::uint32_t>(begin); f < end; ++f)
-      if (!is_excepted[f] && cells.meets_marked(box_of_face(mesh, f))) found.push_back(f);
-    return found;
-  });
-}
-
 }  // namespace
 
 std::vector<FaceId> faces_near(const TriangleMesh& mesh, const std::vector<bool>& is_excepted,
                                const TriangleMesh& others, double reach) {
   if (others.is_empty()) return {};
-  const std::vector<std::uint32_t> in_question = faces_in_marked_cells(mesh, is_excepted, others, reach);
-  const BoxHierarchy hierarchy(mesh, in_question, reach);
-  std::vector<bool> is_near(mesh.face_count());
-  const auto visit = [&](std::uint32_t face, std::uint32_t /*other*/) {
-    is_near[face] = true;
-    return true;
-  };
-  hierarchy.for_each_pair_with(BoxHierarchy(others), visit, [] { return true; });
-  std::vector<FaceId> near;
-  for (const std::uint32_t face : in_question)
-    if (is_near[face]) near.emplace_back(face);
-  return near;
+  MarkedCells cells(padded(box_of_mesh(others), reach));
+  for (std::uint32_t f = 0; f < others.face_count(); ++f) cells.mark(padded(box_of_face(others, f), reach));
+  constexpr std::size_t kFacesPerScan = 20'000;
+  return parallel_collect(mesh.face_count(), kFacesPerScan, [&](std::size_t begin, std::size_t end) {
+    std::vector<FaceId> found;
+    for (auto f = static_cast<std::uint32_t>(begin); f < end; ++f)
+      if (!is_excepted[f] && cells.meets_marked(box_of_face(mesh, f))) found.emplace_back(f);
+    return found;
+  });
 }
 
 }  // namespace algebra3d

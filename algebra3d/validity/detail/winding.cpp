@@ -22,8 +22,8 @@
 
 #include "algebra3d/base/disjoint_sets.h"
 #include "algebra3d/base/scheduler.h"
-#include "algebra3d/exact/plane.h"
-#include "algebra3d/exact/vertical_line.h"
+#include "algebra3d/halfedge/boxes.h"
+#include "algebra3d/validity/detail/front_ray.h"
 #include "algebra3d/validity/shell_tops.h"
 
 namespace algebra3d {
@@ -66,16 +66,6 @@ ShellWindings find_shells(const TriangleMesh& mesh, const HeightFields& fields) 
   return shells;
 }
 
-/// Inner point number `attempt` (at most 50) of a triangle. The points are all different, so that only finitely many
-/// can be points in which another triangle touches. The weights are fractions of a power of two, so that the point of a
-/// triangle with short coordinates is made of doubles, which are fast.
-ExactPoint inner_point(const TriangleRef& triangle, int attempt) {
-  const std::int64_t whole = std::int64_t{4} << attempt;
-  const RationalVec3 sum =
-      triangle[0].rational() + triangle[1].rational() + Rational(whole - 2) * triangle[2].rational();
-  return ExactPoint(Rational(1, whole) * sum);
-}
-
 class WindingQuery {
  public:
   WindingQuery(const TriangleMesh& mesh, const BoxHierarchy& hierarchy, const ShellWindings& shells)
@@ -94,52 +84,30 @@ class WindingQuery {
   /// Winding number in front of `face`, which must not be vertical.
   int in_front_of(FaceId face) const {
     for (int attempt = 0;; ++attempt) {
-      const Sum sum = ask(face, inner_point(mesh_.corners(face), attempt));
-      if (!sum.is_on_other_triangle) return sum.winding;
+      FrontRay ray(mesh_.corners(face), attempt);
+      const Box3 where = box_of(ray.start());
+      hierarchy_.for_each_on_vertical_ray(where, ray.upward(), [&](std::uint32_t other) {
+        // A shell is a cycle by itself, and its winding number is 0 outside its box.
+        if (other != face.index() && shell_boxes_[shells_.shell_of_face[other]].intersects(where))
+          ray.cross(mesh_, FaceId(other));
+      });
+      if (!ray.starts_on_other()) return ray.winding();
     }
   }
 
  private:
-  struct Sum {
-    int winding = 0;
-    bool is_on_other_triangle = false;
-  };
-
-  Sum ask(FaceId face, const ExactPoint& point) const {
-    const Box3 where = box_of(point);
-    const TriangleRef own = mesh_.corners(face);
-    // In front is above the point if the normal points up. Upwards, triangles whose normals point up are left through
-    // their fronts: each counts one for the place before it. Downwards it is those whose normals point down.
-    const int upward = orient2d(Projection::xy, own[0], own[1], own[2]);
-    Sum sum;
-    hierarchy_.for_each_on_vertical_ray(where, upward, [&](std::uint32_t other) {
-      // A shell is a cycle by itself, and its winding number is 0 outside its box.
-      if (other == face.index() || !shell_boxes_[shells_.shell_of_face[other]].intersects(where)) return;
-      const LineCrossing crossing = cross_vertical_line(point, mesh_.corners(FaceId(other)));
-      if (crossing.sign == 0) return;
-      if (crossing.side == 0) sum.is_on_other_triangle = true;
-      if (crossing.side == -upward) sum.winding += upward * crossing.sign;
-    });
-    return sum;
-  }
-
   const TriangleMesh& mesh_;
   const BoxHierarchy& hierarchy_;
   const ShellWindings& shells_;
   std::vector<Box3> shell_boxes_;
 };
 
-bool is_vertical(const TriangleMesh& mesh, FaceId face) {
-  const TriangleRef corners = mesh.corners(face);
-  return orient2d(Projection::xy, corners[0], corners[1], corners[2]) == 0;
-}
-
 /// Per shell, its first face that is not vertical. There is one: a shell bounds something, which has a top.
 std::vector<std::uint32_t> faces_to_ask(const TriangleMesh& mesh, const ShellWindings& shells) {
   std::vector<std::uint32_t> faces(shells.first_faces.size(), kNoShell);
   for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
     std::uint32_t& chosen = faces[shells.shell_of_face[face]];
-    if (chosen == kNoShell && !is_vertical(mesh, FaceId(face))) chosen = face;
+    if (chosen == kNoShell && !is_vertical(mesh.corners(FaceId(face)))) chosen = face;
   }
   return faces;
 }

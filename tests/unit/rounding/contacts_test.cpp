@@ -41,7 +41,11 @@ TriangleMesh together(const std::vector<TriangleMesh>& meshes) {
 }
 
 std::vector<VertexContact> contacts_of(const TriangleMesh& mesh) {
-  return *vertex_contacts(mesh, nullptr);
+  return vertex_contacts(mesh, *touching_faces(mesh, nullptr));
+}
+
+std::vector<EdgeContact> edge_contacts_of(const TriangleMesh& mesh) {
+  return edge_contacts(mesh, *touching_faces(mesh, nullptr));
 }
 
 TEST(VertexContacts, in_a_face_in_edges_and_at_a_corner) {
@@ -54,15 +58,15 @@ TEST(VertexContacts, in_a_face_in_edges_and_at_a_corner) {
     const TriangleMesh both = together({cube, standing_on(tip)});
     EXPECT_EQ(contacts_of(both).size(), expected) << tip;
     EXPECT_EQ(vertex_count_of(contacts_of(both)), expected > 0 ? 1U : 0U);
+    EXPECT_EQ(prove_volume(both)->contact_vertices, expected > 0 ? 1U : 0U);
     // The cube is known, or the tetrahedron is.
-    const BoxHierarchy hierarchy(both);
     for (const bool is_cube_known : {false, true}) {
       std::vector<bool> is_known(both.face_count(), is_cube_known);
       std::fill(is_known.begin() + 12, is_known.end(), !is_cube_known);
-      EXPECT_EQ(*vertex_contacts(both, hierarchy, FaceSet(is_known), nullptr), contacts_of(both));
+      EXPECT_EQ(prove_volume(both, {.known = FaceSet(is_known)})->contact_vertices, expected > 0 ? 1U : 0U);
     }
-    EXPECT_TRUE(
-        vertex_contacts(both, hierarchy, FaceSet(std::vector<bool>(both.face_count(), true)), nullptr)->empty());
+    const FaceSet all(std::vector<bool>(both.face_count(), true));
+    EXPECT_EQ(prove_volume(both, {.known = all})->contact_vertices, 0U);
   }
 }
 
@@ -89,16 +93,16 @@ TEST(EdgeContacts, are_corners_after_division) {
   const TriangleMesh above(PointArray(std::vector<Vec3>{{1, 0, 0}, {-1, 0, 0}, {0, -1, 1}, {0, 1, 1}}), faces);
   const TriangleMesh touched = together({below, above});
   ASSERT_EQ(prove_volume(touched)->text(), "");
-  const auto contacts = edge_contacts(touched, nullptr);
-  ASSERT_EQ(contacts->size(), 1U);
-  EXPECT_EQ((*contacts)[0].point, ExactPoint(Vec3{0, 0, 0}));
-  const TriangleMesh divided = divided_at_edge_contacts(touched, *contacts, CoordinateGrid::floats());
+  const std::vector<EdgeContact> contacts = edge_contacts_of(touched);
+  ASSERT_EQ(contacts.size(), 1U);
+  EXPECT_EQ(contacts[0].point, ExactPoint(Vec3{0, 0, 0}));
+  const TriangleMesh divided = divided_at_edge_contacts(touched, contacts, CoordinateGrid::floats());
   EXPECT_EQ(prove_volume(divided)->text(), "");
-  EXPECT_TRUE(edge_contacts(divided, nullptr)->empty());
+  EXPECT_TRUE(edge_contacts_of(divided).empty());
   EXPECT_EQ(divided.face_count(), touched.face_count() + 4);
   EXPECT_EQ(divided.vertex_count(), touched.vertex_count() + 1);
   const TriangleMesh same = divided_at_edge_contacts(
-      touched, {{(*contacts)[0].first, (*contacts)[0].second, ExactPoint(Vec3{0.3, 0, 0})}}, CoordinateGrid::floats());
+      touched, {{contacts[0].first, contacts[0].second, ExactPoint(Vec3{0.3, 0, 0})}}, CoordinateGrid::floats());
   EXPECT_EQ(same.face_count(), touched.face_count());
 }
 
@@ -144,14 +148,13 @@ TEST(VertexContacts, of_tetrahedra_that_touch_are_those_of_all_pairs) {
     const TriangleMesh divided = divided_at_contacts(both, contacts);
     EXPECT_EQ(prove_volume(divided)->text(), "");
     EXPECT_EQ(contacts_by_cgal(divided), std::pair(std::set<Vec3>(), crossings));
-    const auto edges = edge_contacts(divided, nullptr);
-    ASSERT_TRUE(edges.ok());
-    EXPECT_EQ(edges->empty(), crossings == 0);
-    const TriangleMesh touching = divided_at_edge_contacts(divided, *edges, CoordinateGrid::doubles());
+    const std::vector<EdgeContact> edges = edge_contacts_of(divided);
+    EXPECT_EQ(edges.empty(), crossings == 0);
+    const TriangleMesh touching = divided_at_edge_contacts(divided, edges, CoordinateGrid::doubles());
     EXPECT_EQ(prove_volume(touching)->text(), "");
     EXPECT_EQ(exact_volume_of(touching), exact_volume_of(both));
     const bool are_on_grid = std::ranges::all_of(
-        *edges, [](const EdgeContact& contact) { return is_on_grid(contact.point, CoordinateGrid::doubles()); });
+        edges, [](const EdgeContact& contact) { return is_on_grid(contact.point, CoordinateGrid::doubles()); });
     EXPECT_EQ(contacts_by_cgal(touching).second == 0, are_on_grid);
     contact_count += found.size();
     crossing_count += static_cast<std::size_t>(crossings);

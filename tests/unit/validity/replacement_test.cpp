@@ -1,7 +1,9 @@
 #include "algebra3d/validity/replacement.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -106,6 +108,46 @@ TEST(Replacement, that_turns_a_shell_inside_out_is_not_valid) {
   EXPECT_FALSE(is_valid_replacement(before, is_removed, flipped(tetrahedron), 2));
   // A shell may vanish.
   EXPECT_TRUE(is_valid_replacement(before, is_removed, TriangleMesh(), 2));
+}
+
+/// Two meshes as one.
+TriangleMesh both(const TriangleMesh& first, const TriangleMesh& second) {
+  std::vector<Vec3> points = first.points().approx();
+  std::vector<TriangleMesh::Triangle> triangles;
+  for (std::size_t f = 0; f < first.face_count(); ++f) triangles.push_back(first.triangle(FaceId(f)));
+  const auto shift = static_cast<std::uint32_t>(points.size());
+  for (std::size_t f = 0; f < second.face_count(); ++f) {
+    const auto [a, b, c] = second.triangle(FaceId(f));
+    triangles.push_back({a + shift, b + shift, c + shift});
+  }
+  points.insert(points.end(), second.points().approx().begin(), second.points().approx().end());
+  return {PointArray(std::move(points)), triangles};
+}
+
+TEST(Replacement, of_whole_shells_is_valid_if_the_whole_solid_is) {
+  // Boxes within boxes and beside them, outward or inward, some of which are turned over.
+  int valid = 0;
+  for (unsigned seed = 1; seed <= 300; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    const int count = seed % 3 == 0 ? 40 : 6;
+    TriangleMesh before = MeshMaker().box({-100, -100, -100}, {-90, -90, -90}).mesh(), after = before;
+    for (int i = 0; i < count; ++i) {
+      // In columns of three, each within the one before: a body, its cavity and a body in it.
+      const double size = 3 - i % 3, x = 10 * (i / 3);
+      const TriangleMesh box = MeshMaker().box({x - size, -size, -size}, {x + size, size, size}).mesh();
+      const bool is_turned_over = random() % 50 == 0;
+      before = both(before, i % 3 == 1 ? flipped(box) : box);
+      after = both(after, (i % 3 == 1) != is_turned_over ? flipped(box) : box);
+    }
+    std::vector<bool> is_removed(before.face_count(), true);
+    std::fill_n(is_removed.begin(), 12, false);
+    const bool is_valid = is_valid_replacement(before, is_removed, flagged_faces(after, is_removed), 0);
+    EXPECT_EQ(is_valid, prove_volume(after)->is_valid());
+    valid += static_cast<int>(is_valid);
+  }
+  EXPECT_GT(valid, 100);
+  EXPECT_LT(valid, 295);
 }
 
 TEST(Replacement, with_another_boundary_is_not_valid) {
