@@ -13,10 +13,12 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "algebra3d/base/indices.h"
 #include "algebra3d/base/monitor.h"
+#include "algebra3d/base/scheduler.h"
 #include "algebra3d/exact/point_table.h"
 #include "algebra3d/halfedge/box_hierarchy.h"
 #include "algebra3d/halfedge/circulators.h"
@@ -166,6 +168,9 @@ Result<bool> is_valid_whole(const Replacement& replacement, const std::atomic<bo
   return report.is_valid();
 }
 
+/// From so many added faces on, a second task pays.
+constexpr std::size_t kManyAdded = 1'000;
+
 /// Of so many shells among the faces around it is cheaper to ask for each alone than to prove the whole volume.
 constexpr std::size_t kFewClosedShells = 16;
 
@@ -191,20 +196,34 @@ Result<ProofWithContacts> prove_replacement(const TriangleMesh& volume, const st
                                             const TriangleMesh& added, double movement,
                                             const std::atomic<bool>* cancel) {
   const Replacement replacement{&volume, &is_removed, &added};
-  if (!have_same_boundary(replacement)) return ProofWithContacts{};
-  const std::vector<FaceId> near = faces_near(volume, is_removed, added, movement);
-  const TriangleMesh mesh = mesh_around(replacement, near);
-  const ProofOptions options = options_for(mesh.face_count(), 0, added.face_count(), cancel);
+  const bool is_large = added.face_count() > kManyAdded;
+  bool has_same_boundary = false;
+  std::vector<FaceId> near;
+  TriangleMesh mesh;
+  parallel_invoke(
+      is_large, [&] { has_same_boundary = have_same_boundary(replacement); },
+      [&] {
+        near = faces_near(volume, is_removed, added, movement);
+        mesh = mesh_around(replacement, near);
+      });
+  if (!has_same_boundary) return ProofWithContacts{};
 
+  const ProofOptions options = options_for(mesh.face_count(), 0, added.face_count(), cancel);
   ValidityReport report;
-  const ProvedParts proved(mesh, options.known);
-  const SoundFaces sound = check_triangles(mesh, proved, report);
-  check_edges(mesh, sound, report, options.known);
+  std::optional<ProvedParts> proved;
+  std::optional<BoxHierarchy> hierarchy;
+  parallel_invoke(
+      is_large,
+      [&] {
+        proved.emplace(mesh, options.known);
+        const SoundFaces sound = check_triangles(mesh, *proved, report);
+        check_edges(mesh, sound, report, options.known);
+      },
+      [&] { hierarchy.emplace(mesh); });
   if (!report.is_valid()) return ProofWithContacts{};
-  BoxHierarchy hierarchy(mesh);
   FaceSet ignored;
   ALGEBRA3D_ASSIGN_OR_RETURN(const FacePairs touching,
-                             find_intersections(mesh, proved, hierarchy, options, report, ignored));
+                             find_intersections(mesh, *proved, *hierarchy, options, report, ignored));
   if (!report.is_valid()) return ProofWithContacts{};
   ALGEBRA3D_ASSIGN_OR_RETURN(const bool are_right, have_right_windings(replacement, mesh, near, cancel));
   if (!are_right) return ProofWithContacts{};

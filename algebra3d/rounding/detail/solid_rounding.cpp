@@ -8,11 +8,14 @@
 
 #include "algebra3d/arrangement/operand.h"
 #include "algebra3d/autorefinement/winding_selection.h"
+#include "algebra3d/base/scheduler.h"
 #include "algebra3d/halfedge/boxes.h"
 #include "algebra3d/halfedge/circulators.h"
 #include "algebra3d/halfedge/topology.h"
 #include "algebra3d/rounding/detail/cell_cover.h"
 #include "algebra3d/rounding/detail/met_cells.h"
+#include "algebra3d/rounding/detail/needle_flips.h"
+#include "algebra3d/rounding/detail/triangle_stars.h"
 #include "algebra3d/rounding/detail/vertex_removal.h"
 
 namespace algebra3d {
@@ -28,6 +31,9 @@ constexpr double kFineGrid = 256;
 
 /// Among so many cells at its boundary one within a solid is looked for, before the solid may vanish.
 constexpr std::size_t kSearchedCells = 10'000;
+
+/// From so many faces on, a second task pays.
+constexpr std::size_t kManyFaces = 5'000;
 
 }  // namespace
 
@@ -72,13 +78,22 @@ Result<bool> SolidRounding::accept_as_it_is(const RoundingCandidate& candidate) 
     ALGEBRA3D_ASSIGN_OR_RETURN(const bool may_be_empty, may_vanish(candidate.reach));
     if (!may_be_empty) return false;
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(const ProofWithContacts proof,
-                             part_.prove_with(candidate.mesh, candidate.movement, cancel()));
-  if (!proof.is_valid) return false;
-  if (!part_.keeps_shells_with(candidate.mesh)) result_.shells_before = connected_components(solid_).count;
-  result_.mesh = part_.solid_with(candidate.mesh);
+  // Nearly all candidates are valid, so the solid is made while that is proved.
+  Result<ProofWithContacts> proof = ProofWithContacts{};
+  bool keeps_shells = false;
+  TriangleMesh solid;
+  parallel_invoke(
+      solid_.face_count() > kManyFaces, [&] { proof = part_.prove_with(candidate.mesh, candidate.movement, cancel()); },
+      [&] {
+        keeps_shells = part_.keeps_shells_with(candidate.mesh);
+        solid = part_.solid_with(candidate.mesh);
+      });
+  ALGEBRA3D_RETURN_IF_ERROR(proof);
+  if (!proof->is_valid) return false;
+  if (!keeps_shells) result_.shells_before = connected_components(solid_).count;
+  result_.mesh = std::move(solid);
   if (result_.shells_before > 0) result_.shells_after = connected_components(*result_.mesh).count;
-  result_.contact_vertices = proof.contact_vertices;
+  result_.contact_vertices = proof->contact_vertices;
   result_.largest_movement = candidate.movement;
   result_.reach = candidate.reach;
   result_.method = candidate.method;
@@ -86,24 +101,30 @@ Result<bool> SolidRounding::accept_as_it_is(const RoundingCandidate& candidate) 
 }
 
 /// Without corners of facets with moved corners that lie on the surface or on an edge anyway, up to a spacing or two of
-/// the grid: rounding left them there, now or earlier. On a grid of multiples that is coarse for the solid all stay.
-Result<RoundingCandidate> SolidRounding::without_superfluous(const RoundingCandidate& candidate) const {
-  if (!grid().is_floating() && size() < kFineGrid * spacing()) return candidate;
+/// the grid: rounding left them there, now or earlier; and without needles of that kind. Nothing if it has none of
+/// both. On a grid of multiples that is coarse for the solid all stay.
+Result<std::optional<RoundingCandidate>> SolidRounding::simplified(const RoundingCandidate& candidate) const {
+  if (!grid().is_floating() && size() < kFineGrid * spacing()) return std::optional<RoundingCandidate>();
   const double tolerance = (grid().is_floating() ? kSuperfluous : kSuperfluousOnMultiples) * spacing();
-  std::vector<bool> may_go;
-  may_go.reserve(candidate.mesh.vertex_count());
-  for (const Vec3& place : candidate.mesh.points().approx()) may_go.push_back(places_that_stay_.find(place) == kNone);
-  ALGEBRA3D_ASSIGN_OR_RETURN(TriangleMesh simpler,
-                             without_superfluous_vertices(candidate.mesh, may_go, tolerance, cancel()));
-  if (simpler.face_count() == candidate.mesh.face_count()) return candidate;
+  std::vector<bool> may_change;
+  may_change.reserve(candidate.mesh.vertex_count());
+  for (const Vec3& place : candidate.mesh.points().approx())
+    may_change.push_back(places_that_stay_.find(place) == kNone);
+  TriangleStars stars(candidate.mesh);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_smaller,
+                             remove_superfluous_vertices(stars, may_change, tolerance, cancel()));
+  const bool is_flipped = flip_needles(stars, may_change, tolerance);
+  if (!is_smaller && !is_flipped) return std::optional<RoundingCandidate>();
   const double movement = candidate.movement + rounded_up(2 * tolerance);
-  return RoundingCandidate{std::move(simpler), movement, candidate.reach, candidate.method};
+  return std::optional(RoundingCandidate{stars.mesh(), movement, candidate.reach, candidate.method});
 }
 
 Result<bool> SolidRounding::accept(const RoundingCandidate& candidate) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const RoundingCandidate simpler, without_superfluous(candidate));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, accept_as_it_is(simpler));
-  if (is_valid || simpler.mesh.face_count() == candidate.mesh.face_count()) return is_valid;
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<RoundingCandidate> simpler, simplified(candidate));
+  if (simpler) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, accept_as_it_is(*simpler));
+    if (is_valid) return true;
+  }
   return accept_as_it_is(candidate);
 }
 
@@ -112,9 +133,9 @@ Result<bool> SolidRounding::accept_moved() {
   if (!are_apart(all)) return false;
   const double movement = rounded_up(all.largest_movement);
   const RoundingCandidate moved_part{TriangleMesh(mesh(), vertices().points), movement};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const RoundingCandidate simpler, without_superfluous(moved_part));
-  if (simpler.mesh.face_count() < mesh().face_count()) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, accept_as_it_is(simpler));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<RoundingCandidate> simpler, simplified(moved_part));
+  if (simpler) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, accept_as_it_is(*simpler));
     return is_valid && result_.contact_vertices == 0;
   }
   TriangleMesh moved(solid_, std::move(all.points));

@@ -24,10 +24,10 @@ class SolidRounding : public RoundingJob {
   Folded folded() const override { return Folded::vanishes; }
   /// The cells with a positive winding number.
   Result<std::optional<TriangleMesh>> divided(const TriangleMesh& mesh) const override;
-  /// First the candidate's form without superfluous vertices is tried. An empty one is refused if a wider reach than
+  /// First the candidate's simplified form is tried. An empty one is refused if a wider reach than
   /// the first one was needed, or if a cell of the grid is found within the solid.
   Result<bool> accept(const RoundingCandidate& candidate) override;
-  /// If the part has superfluous vertices, only the form without them is tried.
+  /// If the part can be simplified, only its simplified form is tried.
   Result<bool> accept_moved() override;
 
   /// The last accepted candidate, put in place of the part; nothing is known of the vertices that moved.
@@ -36,7 +36,7 @@ class SolidRounding : public RoundingJob {
  private:
   void find_places_that_stay();
   Result<bool> may_vanish(double reach) const;
-  Result<RoundingCandidate> without_superfluous(const RoundingCandidate& candidate) const;
+  Result<std::optional<RoundingCandidate>> simplified(const RoundingCandidate& candidate) const;
   Result<bool> accept_as_it_is(const RoundingCandidate& candidate);
 
   const TriangleMesh& solid_;

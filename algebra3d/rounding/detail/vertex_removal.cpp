@@ -6,13 +6,9 @@
 #include <iterator>
 #include <limits>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 
-#include "algebra3d/base/indices.h"
 #include "algebra3d/base/scheduler.h"
-#include "algebra3d/halfedge/circulators.h"
-#include "algebra3d/halfedge/topology.h"
 #include "algebra3d/rounding/detail/wide_vec3.h"
 
 namespace algebra3d {
@@ -29,11 +25,8 @@ using Ring = std::vector<std::uint32_t>;
 /// The mesh while vertices are merged with neighbours. Concurrent calls of the const functions are safe.
 class VertexRemoval {
  public:
-  VertexRemoval(const TriangleMesh& mesh, double tolerance)
-      : mesh_(mesh), tolerance_(tolerance), has_changed_(mesh.vertex_count()) {
-    triangles_.reserve(mesh.face_count());
-    for (const FaceId face : faces(mesh)) triangles_.push_back(mesh.triangle(face));
-  }
+  VertexRemoval(TriangleStars& stars, double tolerance)
+      : stars_(stars), tolerance_(tolerance), has_changed_(stars.original().vertex_count()) {}
 
   /// How a vertex goes: it becomes one with `target`, a vertex of its ring.
   struct Merger {
@@ -51,15 +44,12 @@ class VertexRemoval {
     has_changed_[vertex] = false;
     return result;
   }
-  TriangleMesh result() const;
 
  private:
-  const Vec3& rounded_place(std::uint32_t vertex) const { return mesh_.points().approx()[vertex]; }
+  const Vec3& rounded_place(std::uint32_t vertex) const { return stars_.rounded_place(vertex); }
   WideVec3 place(std::uint32_t vertex) const { return WideVec3(rounded_place(vertex)); }
   bool is_off_plane(std::uint32_t vertex, std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
   double height_bound(std::uint32_t vertex, const Ring& ring, std::size_t target) const;
-  template <typename Visit>
-  void for_each_triangle_at(std::uint32_t vertex, const Visit& visit) const;
   std::optional<Ring> ring(std::uint32_t vertex) const;
   bool keeps_manifold(const Ring& ring, std::size_t target) const;
   bool are_near(std::uint32_t vertex, const Ring& ring, std::size_t from, std::size_t to) const;
@@ -67,11 +57,9 @@ class VertexRemoval {
   long double least_height(std::uint32_t vertex, const Ring& ring, std::size_t target) const;
   void note_change(const Ring& ring);
 
-  const TriangleMesh& mesh_;
+  TriangleStars& stars_;
   double tolerance_;
-  std::vector<IndexTriangle> triangles_;                                       // those that went have kNone as corners
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> grown_stars_;  // of targets; they may have lost faces
-  std::vector<bool> has_changed_;                                              // per vertex
+  std::vector<bool> has_changed_;  // per vertex
 };
 
 /// The distance of two segments ab and cd that are no points. Source: [ericson2005], 5.1.9.
@@ -85,26 +73,10 @@ long double segment_distance(const WideVec3& a, const WideVec3& b, const WideVec
   return length((a + s * ab) - (c + t * cd));
 }
 
-bool contains(const IndexTriangle& triangle, std::uint32_t vertex) {
-  return std::ranges::find(triangle, vertex) != triangle.end();
-}
-
-/// Calls visit(t) with the number of each triangle at a vertex.
-template <typename Visit>
-void VertexRemoval::for_each_triangle_at(std::uint32_t vertex, const Visit& visit) const {
-  const auto visit_if_there = [&](std::uint32_t t) {
-    if (contains(triangles_[t], vertex)) visit(t);
-  };
-  if (const auto grown = grown_stars_.find(vertex); grown != grown_stars_.end())
-    std::ranges::for_each(grown->second, visit_if_there);
-  else
-    for (const FaceId face : faces_around(mesh_, VertexId(vertex))) visit_if_there(face.index());
-}
-
 std::optional<Ring> VertexRemoval::ring(std::uint32_t vertex) const {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;  // opposite to the vertex
-  for_each_triangle_at(vertex, [&](std::uint32_t triangle) {
-    const IndexTriangle& t = triangles_[triangle];
+  stars_.for_each_at(vertex, [&](std::uint32_t triangle) {
+    const IndexTriangle& t = stars_[triangle];
     const auto at = static_cast<std::size_t>(std::ranges::find(t, vertex) - t.begin());
     sides.emplace_back(t[(at + 1) % 3], t[(at + 2) % 3]);
   });
@@ -129,9 +101,9 @@ bool VertexRemoval::keeps_manifold(const Ring& ring, std::size_t target) const {
   const std::size_t n = ring.size();
   std::size_t triangle_count = 0;
   std::vector<std::uint32_t> neighbours;
-  for_each_triangle_at(ring[target], [&](std::uint32_t triangle) {
+  stars_.for_each_at(ring[target], [&](std::uint32_t triangle) {
     ++triangle_count;
-    neighbours.insert(neighbours.end(), triangles_[triangle].begin(), triangles_[triangle].end());
+    neighbours.insert(neighbours.end(), stars_[triangle].begin(), stars_[triangle].end());
   });
   if (n == 3 && triangle_count == 3) return false;  // a tetrahedron
   for (std::size_t i = 0; i < n; ++i) {
@@ -212,27 +184,15 @@ long double VertexRemoval::least_height(std::uint32_t vertex, const Ring& ring, 
 }
 
 void VertexRemoval::merge(std::uint32_t vertex, const Merger& merger) {
-  std::vector<std::uint32_t> grown;
-  const auto add = [&](std::uint32_t triangle) { grown.push_back(triangle); };
-  for_each_triangle_at(merger.target, add);
-  for_each_triangle_at(vertex, add);
-  for (const std::uint32_t triangle : grown) {
-    IndexTriangle& t = triangles_[triangle];
-    if (!contains(t, vertex)) continue;
-    if (contains(t, merger.target))
-      t = {kNone, kNone, kNone};
-    else
-      std::ranges::replace(t, vertex, merger.target);
-  }
-  grown_stars_[merger.target] = std::move(grown);
+  stars_.merge(vertex, merger.target);
   note_change(merger.ring);
 }
 
 /// The stars of a ring have changed: that matters to it and to its neighbours.
 void VertexRemoval::note_change(const Ring& ring) {
   for (const std::uint32_t vertex : ring)
-    for_each_triangle_at(vertex, [&](std::uint32_t triangle) {
-      for (const std::uint32_t corner : triangles_[triangle]) has_changed_[corner] = true;
+    stars_.for_each_at(vertex, [&](std::uint32_t triangle) {
+      for (const std::uint32_t corner : stars_[triangle]) has_changed_[corner] = true;
     });
 }
 
@@ -254,24 +214,6 @@ std::optional<VertexRemoval::Merger> VertexRemoval::merger(std::uint32_t vertex)
   if (best.second == around->size()) return std::nullopt;
   const std::uint32_t target = (*around)[best.second];
   return Merger{*std::move(around), target};
-}
-
-TriangleMesh VertexRemoval::result() const {
-  PointArray points;
-  std::vector<std::uint32_t> numbers(mesh_.vertex_count(), kNone);
-  std::vector<IndexTriangle> triangles;
-  for (IndexTriangle t : triangles_) {
-    if (t[0] == kNone) continue;
-    for (std::uint32_t& corner : t) {
-      if (numbers[corner] == kNone) {
-        numbers[corner] = static_cast<std::uint32_t>(points.size());
-        points.push_back(mesh_.points()[corner]);
-      }
-      corner = numbers[corner];
-    }
-    triangles.push_back(t);
-  }
-  return {std::move(points), triangles};
 }
 
 using Merger = VertexRemoval::Merger;
@@ -299,20 +241,22 @@ std::vector<Candidate> candidates(const VertexRemoval& removal, const std::vecto
 
 // Most vertices must stay. Which may go is told in parallel for all that something has changed near, and told again
 // only where a vertex that has gone since then was near.
-Result<TriangleMesh> without_superfluous_vertices(const TriangleMesh& mesh, const std::vector<bool>& may_go,
-                                                  double tolerance, const Monitor& monitor) {
-  VertexRemoval removal(mesh, tolerance);
+Result<bool> remove_superfluous_vertices(TriangleStars& stars, const std::vector<bool>& may_go, double tolerance,
+                                         const Monitor& monitor) {
+  VertexRemoval removal(stars, tolerance);
+  const TriangleMesh& mesh = stars.original();
   std::vector<std::uint32_t> left;
   for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
     if (may_go[v] && !mesh.is_nonmanifold(VertexId(v)) && !mesh.is_isolated(VertexId(v))) left.push_back(v);
   std::vector<std::uint32_t> in_question = left;
   std::vector<bool> has_gone(mesh.vertex_count());
+  bool has_changed = false;
   for (int pass = 0; pass < kMaxPasses && !in_question.empty(); ++pass) {
     for (const auto& [vertex, merger] : candidates(removal, in_question, monitor)) {
       const std::optional<Merger> now = removal.has_changed(vertex) ? removal.merger(vertex) : merger;
       if (!now) continue;
       removal.merge(vertex, *now);
-      has_gone[vertex] = true;
+      has_gone[vertex] = has_changed = true;
     }
     ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
     std::erase_if(left, [&](std::uint32_t v) -> bool { return has_gone[v]; });
@@ -320,7 +264,7 @@ Result<TriangleMesh> without_superfluous_vertices(const TriangleMesh& mesh, cons
     std::ranges::copy_if(left, std::back_inserter(in_question),
                          [&](std::uint32_t v) { return removal.has_changed(v); });
   }
-  return std::ranges::find(has_gone, true) == has_gone.end() ? mesh : removal.result();
+  return has_changed;
 }
 
 }  // namespace algebra3d

@@ -34,6 +34,7 @@ SharedCorners shared_corners(const TriangleMesh::Triangle& s, const TriangleMesh
 
 /// True if the three points are certainly on one side of a plane.
 bool on_one_side(const detail::PlaneFilter& plane, const std::array<const Vec3*, 3>& points) {
+  detail::count_call();
   const int side = plane.side(*points[0]);
   return side != detail::kUndecided && side == plane.side(*points[1]) && side == plane.side(*points[2]);
 }
