@@ -1,5 +1,5 @@
-// withAttribute, setAttribute, removeAttribute, attributes, realAttribute, pointAttribute, vectorAttribute,
-// textAttribute.
+// withAttribute, setAttribute, clearAttribute, removeAttribute, meshAttributes, realAttribute, pointAttribute,
+// vectorAttribute, textAttribute.
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -84,15 +84,19 @@ Result<Mesh3d> with_attribute(const Mesh3d& mesh, const std::string& elements, c
   return mesh.with_attributes(mesh.attributes().with(element, name, values));
 }
 
+/// Nothing for the number of an element of the mesh, else what is wrong with it.
+std::optional<Undefined> number_fault(const Mesh3d& mesh, MeshElement element, std::int64_t id) {
+  const std::size_t count = element_count(mesh.mesh(), element);
+  if (id >= 0 && static_cast<std::uint64_t>(id) < count) return std::nullopt;
+  return Undefined{fmt::format("there is no {} {}; there are {}, numbered from 0", name_of(element), id, count)};
+}
+
 template <typename T>
 Result<Maybe<Mesh3d>> set_attribute(const Mesh3d& mesh, const std::string& elements, const std::string& name,
                                     std::int64_t id, const T& value) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const MeshElement element, element_of("setAttribute", elements));
-  const std::size_t count = element_count(mesh.mesh(), element);
-  if (id < 0 || static_cast<std::uint64_t>(id) >= count)
-    return Maybe<Mesh3d>(
-        Undefined{fmt::format("there is no {} {}; there are {}, numbered from 0", elements, id, count)});
-  AttributeValues values(ValueOf<T>::kKind, count);
+  if (auto fault = number_fault(mesh, element, id)) return Maybe<Mesh3d>(*std::move(fault));
+  AttributeValues values(ValueOf<T>::kKind, element_count(mesh.mesh(), element));
   if (const MeshAttribute* const found = mesh.attributes().find(element, name)) {
     if (found->values->kind() != ValueOf<T>::kKind)
       return Maybe<Mesh3d>(Undefined{fmt::format("the values of {} are of the kind {}, not {}", name,
@@ -100,6 +104,17 @@ Result<Maybe<Mesh3d>> set_attribute(const Mesh3d& mesh, const std::string& eleme
     values = *found->values;
   }
   ValueOf<T>::set(values, static_cast<std::size_t>(id), value);
+  return Maybe<Mesh3d>(mesh.with_attributes(mesh.attributes().with(element, name, values)));
+}
+
+Result<Maybe<Mesh3d>> clear_attribute(const Mesh3d& mesh, const std::string& elements, const std::string& name,
+                                      std::int64_t id) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const MeshElement element, element_of("clearAttribute", elements));
+  if (auto fault = number_fault(mesh, element, id)) return Maybe<Mesh3d>(*std::move(fault));
+  const MeshAttribute* const found = mesh.attributes().find(element, name);
+  if (found == nullptr) return Maybe<Mesh3d>(mesh);
+  AttributeValues values = *found->values;
+  values.clear(static_cast<std::size_t>(id));
   return Maybe<Mesh3d>(mesh.with_attributes(mesh.attributes().with(element, name, values)));
 }
 
@@ -154,7 +169,7 @@ void register_setting(Registry& registry) {
       .name = "withAttribute",
       .syntax = "withAttribute(_, _, _, _)",
       .doc = "The mesh with a named value, the same one for all its elements of a kind.",
-      .detail = std::string(kElements) + " Values with this name are replaced. Coordinates are rounded to doubles.",
+      .detail = std::string(kElements) + " Values with this name are replaced. Values are rounded to doubles.",
       .exactness = Exactness::rounded_once,
       .overloads = {overload<&with_attribute<double>>("mesh", "elements", "name", "value"),
                     overload<&with_attribute<Point2d>>("mesh", "elements", "name", "value"),
@@ -170,9 +185,10 @@ void register_setting(Registry& registry) {
       .name = "setAttribute",
       .syntax = "setAttribute(_, _, _, _, _)",
       .doc = "The mesh with another named value of one element.",
-      .detail = std::string(kElements) +
-                " If there are no values with this name, those of all others are undefined. Coordinates are rounded to "
-                "doubles. Undefined if the number is no element, or if the values with this name are of another kind.",
+      .detail =
+          std::string(kElements) +
+          " If there are no values with this name, those of all others are undefined. Values are rounded to doubles. "
+          "Undefined if the number is no element, or if the values with this name are of another kind.",
       .exactness = Exactness::rounded_once,
       .overloads = {overload<&set_attribute<double>>("mesh", "elements", "name", "id", "value"),
                     overload<&set_attribute<Point2d>>("mesh", "elements", "name", "id", "value"),
@@ -185,6 +201,24 @@ void register_setting(Registry& registry) {
                    {{kUndefinedMesh, R"("vertex")", R"("Weight")", "1", "2.5"}, "undefined"}},
       .errors = {{{kOneTriangle, R"("side")", R"("Weight")", "1", "2.5"},
                   R"(setAttribute: the elements are "side"; expected "vertex")"}},
+  });
+  registry.add({
+      .name = "clearAttribute",
+      .syntax = "clearAttribute(_, _, _, _)",
+      .doc = "The mesh with the named value of one element undefined.",
+      .detail = std::string(kElements) + " The mesh itself if there are no values with this name. Undefined if the "
+                                         "number is no element.",
+      .exactness = Exactness::exact,
+      .overloads = {overload<&clear_attribute>("mesh", "elements", "name", "id")},
+      .examples = {{{kWithWeights, R"("vertex")", R"("Weight")", "2"},
+                    R"((((0.0 0.0 0.0) (1.0 0.0 0.0) (0.0 1.0 0.0)) ((0 1 2)) )"
+                    R"(((vertex "Weight" real (1.0 undefined undefined)))))"},
+                   {{kOneTriangle, R"("vertex")", R"("Weight")", "2"},
+                    "(((0.0 0.0 0.0) (1.0 0.0 0.0) (0.0 1.0 0.0)) ((0 1 2)))"},
+                   {{kWithWeights, R"("vertex")", R"("Weight")", "3"}, "undefined"},
+                   {{kUndefinedMesh, R"("vertex")", R"("Weight")", "2"}, "undefined"}},
+      .errors = {{{kOneTriangle, R"("side")", R"("Weight")", "2"},
+                  R"(clearAttribute: the elements are "side"; expected "vertex")"}},
   });
   registry.add({
       .name = "removeAttribute",
