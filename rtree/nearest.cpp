@@ -2,6 +2,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <ranges>
 
 #include "rtree/detail/cursors.h"
 
@@ -14,22 +15,23 @@ constexpr double kLargeSquare = 0x1p1000;
 
 // Infinities that were subtracted from each other count as no gap.
 double largest_gap(double above, double below) {
-  const double gap = std::max(0.0, above);
-  return std::max(gap, below);
+  const double gap = above > 0 ? above : 0;
+  return below > gap ? below : gap;
 }
 
 double gap_on(const Box3& a, const Box3& b, std::size_t axis) {
   return largest_gap(a.min[axis] - b.max[axis], b.min[axis] - a.max[axis]);
 }
 
-// In the order of the scans of nodes.
+// In the order of the scans of nodes, and as a vector, so that it takes no branches.
 double square_of_distance(const Box3& a, const Box3& b) {
-  double sum = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double gap = gap_on(a, b, axis);
-    sum += gap * gap;
-  }
-  return sum;
+  using Axes = __attribute__((vector_size(4 * sizeof(double)))) double;
+  const Axes above = {a.min.x - b.max.x, a.min.y - b.max.y, a.min.z - b.max.z, 0};
+  const Axes below = {b.min.x - a.max.x, b.min.y - a.max.y, b.min.z - a.max.z, 0};
+  const Axes positive = above > 0.0 ? above : Axes{};
+  const Axes gap = below > positive ? below : positive;
+  const Axes squares = gap * gap;
+  return squares[0] + squares[1] + squares[2];
 }
 
 // Scaled by a power of two, the squares neither overflow nor underflow, and the distance is the one that the plain
@@ -83,15 +85,12 @@ template <typename Leaf>
 BasicNearestCursor<Leaf>::BasicNearestCursor(const TreeView<Leaf>& tree, const Box3& box, std::size_t limit)
     : tree_(tree), target_(box, tree.frame), limit_(limit) {
   if (tree.empty() || box.is_empty() || limit == 0) return;
-  const Box3 bounds = tree.frame.outer_box(tree.node(tree.root, tree.height).bounds()).box();
-  const auto any_reaches_beyond = [&](double length) {
-    return reaches_beyond(length, box) || reaches_beyond(length, bounds);
-  };
-  if (limit <= kMostNearest && !any_reaches_beyond(kNoSquareOverflow)) {
+  const Box3 bounds = tree.frame.outer_box(scans_->bounds(tree.node(tree.root, tree.height))).box();
+  if (limit <= kMostNearest && !reaches_beyond(kNoSquareOverflow, box) && !reaches_beyond(kNoSquareOverflow, bounds)) {
     find_all();
     return;
   }
-  is_far_ = any_reaches_beyond(kNoOverflow);
+  is_far_ = reaches_beyond(kNoOverflow, box) || reaches_beyond(kNoOverflow, bounds);
   push({0, tree.root, kNode + tree.height});
 }
 
@@ -100,14 +99,11 @@ template <typename Leaf>
 void BasicNearestCursor<Leaf>::find_all() {
   const std::vector<LeafSlot> places = k_nearest(tree_, target_, limit_);
   for (const LeafSlot& place : places) tree_.prefetch_exact_box(place.leaf, place.slot);
-  heap_.resize(places.size());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const Box3 box = tree_.exact_coordinates(places[i].leaf, places[i].slot);
-    const double square = square_of_distance(box, target_.box);
-    heap_[i] = {std::sqrt(square), tree_.leaves[places[i].leaf].reference[places[i].slot], kExact};
-    if (square < kSmallSquare || square > kLargeSquare) heap_[i].distance = distance_to(box, square);
-  }
-  std::sort(heap_.begin(), heap_.end(), [](const auto& a, const auto& b) { return a.is_after(b); });
+  heap_.reserve(places.size());
+  for (const LeafSlot& place : std::views::reverse(places)) heap_.push_back(measured(place));
+  // Nearly in order.
+  const auto comes_before = [](const auto& a, const auto& b) { return a.is_after(b); };
+  std::sort(heap_.begin(), heap_.end(), comes_before);
   is_sorted_ = true;
 }
 

@@ -1,33 +1,39 @@
 #include "rtree/detail/k_nearest.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <utility>
 
 namespace rtree {
 namespace {
 
 // Distances whose squares underflow are smaller.
 constexpr double kUnderflow = 0x1p-530;
-// More than what is rounded in a distance or its square.
-constexpr double kRounding = 1 + 0x1p-40;
+// More than what is rounded in a distance or its square, or is missing where a square has numbers in its lowest bits.
+constexpr double kRounding = 1 + 0x1p-38;
 
-// How much the distance of a box may be above that of its keys: on each axis as much as the coordinates of one key are
-// apart, most where they are largest.
-double resolution(const KeyFrame& frame, const KeyBox& bounds) {
-  double sum = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const AxisFrame& map = frame.axes[axis];
-    double widest = 0;
-    for (const std::int32_t key : {bounds.min[axis], bounds.max[axis]})
-      widest = std::max(widest, double_at(map.position(key, map.remainders())) - double_at(map.position(key, 0)));
-    sum += widest;
+// How much the distance of a box from the target may be above that of its keys: on each axis as much as the coordinates
+// of one key are apart at the side of the box that faces the target.
+class Resolution {
+ public:
+  Resolution(const KeyFrame& frame, const Box3& target) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      // A key has 2^shift doubles, each less than 2^-52 of the next power of two from the one before.
+      const double share = std::bit_cast<double>((1023 - 51 + std::uint64_t{frame.axes[axis].shift}) << 52);
+      at_target_ += share * std::max(std::abs(target.min[axis]), std::abs(target.max[axis]));
+      for_distance_ += share;
+    }
   }
-  return sum;
-}
+
+  /// For boxes whose keys are so far from the target.
+  double at(double distance) const { return at_target_ + for_distance_ * distance + kUnderflow; }
+
+ private:
+  double at_target_ = 0, for_distance_ = 0;
+};
 
 // Children that are fetched as long as no entries are known.
-constexpr int kFirstPrefetched = 4;
+constexpr std::size_t kFirstPrefetched = 4;
 
 template <typename Leaf>
 class Search {
@@ -36,69 +42,97 @@ class Search {
       : tree_(tree),
         target_(target),
         k_(k),
-        resolution_(resolution(tree.frame, tree.node(tree.root, tree.height).bounds())) {
-    found_.resize(4 * k + 2 * kFanOut);
-    std::ranges::fill(nearest(), Box3::kInfinity);
+        list_size_((k + kSpare + NearestList::kGrain - 1) / NearestList::kGrain * NearestList::kGrain),
+        resolution_(tree.frame, target.box) {
+    std::fill_n(nearest_.squares, list_size_, Box3::kInfinity);
   }
 
   std::vector<LeafSlot> run() {
     enter(tree_.root, tree_.height);
-    while (depth_ > 0) {
-      Frame& top = frames_[depth_ - 1];
-      const double square = scans_.least(top.children);
-      if (square > bound_ || square >= RankedSlots::kFarthest) {
-        --depth_;
-        continue;
-      }
-      const std::size_t slot = RankedSlots::slot(square);
-      top.children.squares[slot] = RankedSlots::kFarthest;
-      enter(top.node->reference[slot], top.level - 1);
-    }
-    std::vector<LeafSlot> result(found_count_);
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < found_count_; ++i) {
-      result[count] = found_[i].place;
-      count += found_[i].square <= bound_;
-    }
-    result.resize(count);
-    return result;
+    while (group_count_ > 0) visit_next(next_group());
+    const bool is_complete = node_count_ <= NearestList::kMaxNodes && nearest_.squares[list_size_ - 1] > bound_;
+    return is_complete ? listed() : collected();
   }
 
  private:
-  struct Frame {
+  // Beyond the k least ones, so that few others at the same distance are no trouble.
+  static constexpr std::size_t kSpare = 2;
+  static constexpr std::uint32_t kFewGroups = 16;
+
+  // Children of a node that are to be visited.
+  struct Group {
+    RankedSlots children;
     const InnerNode* node;
+    SlotMask slots;
     std::uint32_t level;
-    RankedSlots children;  // those that were visited are farthest
-  };
-  struct Found {
-    double square;
-    LeafSlot place;
+    double least;  // of their squares
   };
 
   void enter(NodeIndex node, std::uint32_t level) {
     if (level == 0) return enter_leaf(node);
-    Frame& frame = frames_[depth_++];
-    frame.node = &tree_.inner[node];
-    frame.level = level;
-    const SlotMask near = scans_.rank(*frame.node, target_, tree_.frame, bound_, frame.children);
-    if (level <= 2) prefetch_children(frame, near);
+    Group& group = groups_[group_count_];
+    group.node = &tree_.inner[node];
+    group.level = level;
+    group.slots = scans_.rank(*group.node, target_, tree_.frame, bound_, group.children);
+    if (group.slots == 0) return;
+    if (level <= 2) prefetch_children(group);
+    set_least(group_count_++);
+  }
+
+  // Inner nodes come before leaves at twice their distance: so that what is in these is on its way in time.
+  void set_least(std::uint32_t index) {
+    Group& group = groups_[index];
+    group.least = scans_.least(group.children, group.slots);
+    const auto bits = std::bit_cast<std::uint64_t>(group.least);
+    constexpr std::uint64_t kQuarter = std::uint64_t{2} << 52;
+    order_[index] = group.level > 1 ? std::max(bits, kQuarter) - kQuarter : bits;
+  }
+
+  std::uint32_t next_group() const {
+    std::uint32_t next = 0;
+    if (group_count_ < kFewGroups) {
+      std::uint64_t least = order_[0];
+      for (std::uint32_t i = 1; i < group_count_; ++i) {
+        next = order_[i] < least ? i : next;
+        least = order_[i] < least ? order_[i] : least;
+      }
+      return next;
+    }
+    // The lowest one, of which at most `height` follow.
+    for (std::uint32_t i = 1; i < group_count_; ++i)
+      if (groups_[i].level < groups_[next].level) next = i;
+    return next;
+  }
+
+  void visit_next(std::uint32_t index) {
+    Group& group = groups_[index];
+    if (group.least > bound_) return drop(index);
+    const std::size_t slot = RankedSlots::slot(group.least);
+    const NodeIndex child = group.node->reference[slot];
+    const std::uint32_t level = group.level - 1;
+    group.slots &= ~(SlotMask{1} << slot);
+    if (group.slots == 0)
+      drop(index);
+    else
+      set_least(index);
+    enter(child, level);
+  }
+
+  void drop(std::uint32_t index) {
+    --group_count_;
+    if (index == group_count_) return;
+    groups_[index] = groups_[group_count_];
+    order_[index] = order_[group_count_];
   }
 
   // What will most likely be entered is on its way meanwhile: the children within the bound; as long as there is none,
   // some of the nearest.
-  void prefetch_children(const Frame& frame, SlotMask near) const {
-    if (bound_ == Box3::kInfinity) {
-      near = 0;
-      RankedSlots children = frame.children;
-      for (int i = 0; i < kFirstPrefetched; ++i) {
-        const std::size_t slot = RankedSlots::slot(scans_.least(children));
-        children.squares[slot] = RankedSlots::kFarthest;
-        near |= SlotMask{1} << slot;
-      }
-    }
+  void prefetch_children(const Group& group) const {
+    SlotMask near = group.slots;
+    if (bound_ == Box3::kInfinity) near &= scans_.nearest(group.children, kFirstPrefetched);
     while (near != 0) {
-      const NodeIndex child = frame.node->reference[take_slot(near)];
-      if (frame.level == 1)
+      const NodeIndex child = group.node->reference[take_slot(near)];
+      if (group.level == 1)
         prefetch(tree_.leaves[child]);
       else
         prefetch(tree_.inner[child]);
@@ -107,41 +141,70 @@ class Search {
 
   void enter_leaf(NodeIndex index) {
     RankedSlots slots;
-    SlotMask near = scans_.rank(tree_.leaf(index), target_, tree_.frame, bound_, slots);
+    const SlotMask near = scans_.rank(tree_.leaf(index), target_, tree_.frame, bound_, slots);
     if (near == 0) return;
-    scans_.keep(slots, near, nearest());
-    if (found_.size() < found_count_ + kFanOut) found_.resize(2 * found_.size());
-    while (near != 0) {
-      const auto slot = static_cast<std::uint32_t>(take_slot(near));
-      found_[found_count_++] = {slots.squares[slot], {index, slot}};
-    }
-    if (nearest_[k_ - 1] < RankedSlots::kFarthest) lower_bound();
-  }
-
-  // At least the k smallest squares of entries.
-  std::span<double> nearest() {
-    constexpr std::size_t kGrain = RankedSlots::kListGrain;
-    return std::span(nearest_).first((k_ + kGrain - 1) / kGrain * kGrain);
+    const std::uint32_t number = std::min(node_count_++, NearestList::kMaxNodes - 1);
+    leaves_[number] = index;
+    scans_.keep(slots, near, number, nearest_, list_size_);
+    lower_bound();
   }
 
   // The bound comes from the largest of the k nearest squares seen. These are of keys: exact distances may be larger by
-  // the resolution and by what was rounded.
+  // the resolution, and squares of exact distances by what this adds.
   void lower_bound() {
-    const double distance = (std::sqrt(nearest_[k_ - 1]) + resolution_ + kUnderflow) * kRounding;
-    bound_ = distance * distance * kRounding + kUnderflow;
+    const double square = nearest_.squares[k_ - 1];
+    if (square < square_of_slack_ / 4) {
+      square_of_slack_ = square;
+      const double distance = std::sqrt(square), resolution = resolution_.at(distance);
+      slack_ = resolution * (2 * distance + resolution);
+    }
+    bound_ = (square + slack_) * kRounding;
+  }
+
+  std::vector<LeafSlot> listed() const {
+    std::vector<LeafSlot> result;
+    result.reserve(list_size_);
+    for (std::size_t i = 0; i < list_size_ && nearest_.squares[i] <= bound_; ++i)
+      result.push_back({leaves_[NearestList::node(nearest_.squares[i])],
+                        static_cast<std::uint32_t>(RankedSlots::slot(nearest_.squares[i]))});
+    return result;
+  }
+
+  // All within the bound, where these are too many for the list.
+  std::vector<LeafSlot> collected() const {
+    std::vector<LeafSlot> result;
+    std::vector<std::pair<NodeIndex, std::uint32_t>> waiting{{tree_.root, tree_.height}};
+    while (!waiting.empty()) {
+      const auto [node, level] = waiting.back();
+      waiting.pop_back();
+      RankedSlots ranked;
+      SlotMask near = scans_.rank(tree_.node(node, level), target_, tree_.frame, bound_, ranked);
+      while (near != 0) {
+        const auto slot = static_cast<std::uint32_t>(take_slot(near));
+        if (level == 0)
+          result.push_back({node, slot});
+        else
+          waiting.push_back({tree_.inner[node].reference[slot], level - 1});
+      }
+    }
+    return result;
   }
 
   const NodeScans& scans_ = node_scans();
   const TreeView<Leaf>& tree_;
   const Target& target_;
   std::size_t k_;
-  double resolution_;
+  std::size_t list_size_;
+  Resolution resolution_;
+  double square_of_slack_ = Box3::kInfinity;  // for which the slack was found
+  double slack_ = Box3::kInfinity;            // not less than for the squares that are bounds now
   double bound_ = Box3::kInfinity;            // on squares; farther entries are not among the nearest
-  std::array<double, kMostNearest> nearest_;  // squares, ascending
-  algebra3d::LargeVector<Found> found_;
-  std::size_t found_count_ = 0;
-  std::uint32_t depth_ = 0;
-  std::array<Frame, kMaxLevels> frames_;
+  NearestList nearest_;
+  NodeIndex leaves_[NearestList::kMaxNodes];
+  std::uint32_t node_count_ = 0;
+  std::uint32_t group_count_ = 0;
+  std::uint64_t order_[kFewGroups + kMaxLevels];
+  Group groups_[kFewGroups + kMaxLevels];
 };
 
 }  // namespace

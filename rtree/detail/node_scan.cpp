@@ -47,6 +47,10 @@ inline SlotMask wide_slots_of(const Signed& lanes) {
   return slots_of(__builtin_convertvector(lanes, Keys));
 }
 
+constexpr Signed kLaneBits = {1, 2, 4, 8};
+
+#define CHOSEN(slots, a, b) ((kLaneBits & static_cast<std::int64_t>(slots)) != 0 ? (a) : (b))
+
 #define LEAST_LANE(doubles) std::min(std::min(doubles[0], doubles[1]), std::min(doubles[2], doubles[3]))
 #define SHIFTED(before, here) __builtin_shufflevector(before, here, 3, 4, 5, 6)
 #define WIDENED(keys) __builtin_convertvector(keys, Signed)
@@ -55,6 +59,7 @@ inline SlotMask wide_slots_of(const Signed& lanes) {
 #undef SHIFTED
 #undef LEAST_LANE
 #undef WIDENED
+#undef CHOSEN
 
 }  // namespace common
 
@@ -83,6 +88,10 @@ SCAN_TARGET inline SlotMask wide_slots_of(const Signed& lanes) {
   return static_cast<SlotMask>(_mm256_movemask_pd(bits));
 }
 
+constexpr Signed kLaneBits = {1, 2, 4, 8};
+
+#define CHOSEN(slots, a, b) ((kLaneBits & static_cast<std::int64_t>(slots)) != 0 ? (a) : (b))
+
 #define LEAST_LANE(doubles) std::min(std::min(doubles[0], doubles[1]), std::min(doubles[2], doubles[3]))
 #define SHIFTED(before, here) __builtin_shufflevector(before, here, 3, 4, 5, 6)
 #define WIDENED(keys) __builtin_convertvector(keys, Signed)
@@ -91,6 +100,7 @@ SCAN_TARGET inline SlotMask wide_slots_of(const Signed& lanes) {
 #undef SHIFTED
 #undef LEAST_LANE
 #undef WIDENED
+#undef CHOSEN
 
 }  // namespace avx2
 
@@ -129,11 +139,13 @@ SCAN_TARGET inline double least_lane(const Doubles& doubles) {
 // g++ 12 makes two halves of a conversion, and warns of the plain intrinsic.
 #define WIDENED(keys) ((Signed)_mm512_maskz_cvtepi32_epi64(0xff, (__m256i)(keys)))
 #define LEAST_LANE(doubles) least_lane(doubles)
+#define CHOSEN(slots, a, b) ((Doubles)_mm512_mask_blend_pd(static_cast<__mmask8>(slots), (__m512d)(b), (__m512d)(a)))
 #include "rtree/detail/node_scan.inl"
 #undef SCAN_TARGET
 #undef SHIFTED
 #undef LEAST_LANE
 #undef WIDENED
+#undef CHOSEN
 
 }  // namespace avx512
 

@@ -30,13 +30,23 @@ struct Meeting {
 
 /// Lower bounds of squared distances, each with its slot in the lowest four bits: so the least of them names its slot.
 /// Those of unused slots are kFarthest at least.
-struct RankedSlots {
+struct alignas(64) RankedSlots {
   static constexpr double kFarthest = 0x1p1023;
-  static constexpr std::size_t kListGrain = 8;
 
   double squares[kFanOut];
 
   static std::size_t slot(double square) { return std::bit_cast<std::uint64_t>(square) % kFanOut; }
+};
+
+/// The least squared distances, ascending, each with the number of its node and its slot in the lowest bits.
+struct alignas(64) NearestList {
+  static constexpr std::size_t kGrain = 8;     ///< its length is a multiple of it
+  static constexpr std::size_t kMaxSize = 72;  ///< largest length
+  static constexpr std::uint32_t kMaxNodes = 256;
+
+  double squares[kMaxSize];
+
+  static std::size_t node(double square) { return std::bit_cast<std::uint64_t>(square) / kFanOut % kMaxNodes; }
 };
 
 /// The scans of nodes, in the widest vectors that the processor has. All give the same results.
@@ -54,11 +64,15 @@ struct NodeScans {
   /// coordinates whose squares do not overflow.
   SlotMask (*rank)(const KeyBoxes& node, const Target& target, const KeyFrame& frame, double limit,
                    RankedSlots& ranked);
-  /// Puts those of the slots into an ascending list, of which the largest numbers fall out; its length is a multiple of
-  /// RankedSlots::kListGrain.
-  void (*keep)(const RankedSlots& ranked, SlotMask slots, std::span<double> list);
-  /// The least of the ranked squares.
-  double (*least)(const RankedSlots& ranked);
+  /// Puts those of the slots of the `node`-th node into the first `size` places of a list, of which the largest numbers
+  /// fall out.
+  void (*keep)(const RankedSlots& ranked, SlotMask slots, std::uint32_t node, NearestList& list, std::size_t size);
+  /// The slots with the `count` least of the ranked squares.
+  SlotMask (*nearest)(const RankedSlots& ranked, std::size_t count);
+  /// The least of the ranked squares of the slots; kFarthest if there are none.
+  double (*least)(const RankedSlots& ranked, SlotMask slots);
+  /// The box around the boxes of all slots.
+  KeyBox (*bounds)(const KeyBoxes& node);
 };
 
 /// The scans for this processor.

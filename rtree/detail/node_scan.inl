@@ -2,7 +2,7 @@
 // before: SCAN_TARGET, the attribute of functions for the instruction set; kLanes and kWideLanes, the numbers of keys
 // and of doubles that are worked on at once; slots_of(Keys) and wide_slots_of(Signed), one bit for each lane that is
 // -1; LEAST_LANE(Doubles); WIDENED(WideKeys), the keys as Signed; SHIFTED(before, here), the last lane of the one and
-// all but the last of the other.
+// all but the last of the other; CHOSEN(slots, a, b), the lanes of a whose bits are set, else those of b.
 
 constexpr std::size_t kGroups = kFanOut / kLanes;
 
@@ -107,31 +107,91 @@ SCAN_TARGET SlotMask rank(const KeyBoxes& node, const Target& target, const KeyF
   return slots;
 }
 
-// Without branches: each place gets the smaller of itself and the larger of the place before and the new number.
-SCAN_TARGET void keep(const RankedSlots& ranked, SlotMask slots, std::span<double> list) {
+// The square of a slot with the number of its node.
+SCAN_TARGET inline double numbered(double square, std::uint64_t node) {
+  constexpr std::uint64_t kOfNode = (NearestList::kMaxNodes - 1) * std::uint64_t{kFanOut};
+  return __builtin_bit_cast(double, (__builtin_bit_cast(std::uint64_t, square) & ~kOfNode) | node * kFanOut);
+}
+
+// Puts a number in order without branches: each place gets the smaller of itself and the larger of the place before and
+// the new number.
+template <std::size_t groups>
+SCAN_TARGET inline void put(const Doubles& number, Doubles (&list)[groups]) {
+  for (std::size_t group = groups; group-- > 0;) {
+    const Doubles before = group > 0 ? list[group - 1] : Doubles{};
+    const Doubles shifted = SHIFTED(before, list[group]);
+    const Doubles larger = shifted > number ? shifted : number;
+    list[group] = list[group] < larger ? list[group] : larger;
+  }
+}
+
+// A list that stays in registers meanwhile.
+template <std::size_t size>
+SCAN_TARGET inline void keep_short(const RankedSlots& ranked, SlotMask slots, std::uint32_t node, NearestList& list) {
+  Doubles groups[size / kWideLanes];
+  for (std::size_t group = 0; group < size / kWideLanes; ++group)
+    __builtin_memcpy(&groups[group], list.squares + group * kWideLanes, sizeof(Doubles));
+  while (slots != 0) put(Doubles{} + numbered(ranked.squares[take_slot(slots)], node), groups);
+  for (std::size_t group = 0; group < size / kWideLanes; ++group)
+    __builtin_memcpy(list.squares + group * kWideLanes, &groups[group], sizeof(Doubles));
+}
+
+SCAN_TARGET void keep(const RankedSlots& ranked, SlotMask slots, std::uint32_t node, NearestList& list,
+                      std::size_t size) {
+  if (size == 8) return keep_short<8>(ranked, slots, node, list);
+  if (size == 16) return keep_short<16>(ranked, slots, node, list);
   while (slots != 0) {
-    const Doubles square = Doubles{} + ranked.squares[take_slot(slots)];
-    for (std::size_t group = list.size(); group > 0; group -= kWideLanes) {
+    const Doubles square = Doubles{} + numbered(ranked.squares[take_slot(slots)], node);
+    for (std::size_t group = size; group > 0; group -= kWideLanes) {
       Doubles here, before = {};
-      __builtin_memcpy(&here, list.data() + group - kWideLanes, sizeof(here));
-      if (group > kWideLanes) __builtin_memcpy(&before, list.data() + group - 2 * kWideLanes, sizeof(before));
+      __builtin_memcpy(&here, list.squares + group - kWideLanes, sizeof(here));
+      if (group > kWideLanes) __builtin_memcpy(&before, list.squares + group - 2 * kWideLanes, sizeof(before));
       const Doubles shifted = SHIFTED(before, here);
       const Doubles larger = shifted > square ? shifted : square;
       const Doubles kept = here < larger ? here : larger;
-      __builtin_memcpy(list.data() + group - kWideLanes, &kept, sizeof(kept));
+      __builtin_memcpy(list.squares + group - kWideLanes, &kept, sizeof(kept));
     }
   }
 }
 
-SCAN_TARGET double least(const RankedSlots& ranked) {
-  Doubles low;
-  __builtin_memcpy(&low, ranked.squares, sizeof(low));
-  for (std::size_t first = kWideLanes; first < kFanOut; first += kWideLanes) {
+// By counting for each how many are less: without branches, and in any order.
+SCAN_TARGET SlotMask nearest(const RankedSlots& ranked, std::size_t count) {
+  SlotMask slots = 0;
+  for (std::size_t first = 0; first < kFanOut; first += kWideLanes) {
+    Doubles squares;
+    __builtin_memcpy(&squares, ranked.squares + first, sizeof(squares));
+    Signed less = {};
+    for (const double square : ranked.squares) less += square < squares;  // true is -1
+    slots |= wide_slots_of(less > -static_cast<std::int64_t>(count)) << first;
+  }
+  return slots;
+}
+
+SCAN_TARGET double least(const RankedSlots& ranked, SlotMask slots) {
+  const Doubles farthest = Doubles{} + RankedSlots::kFarthest;
+  Doubles low = farthest;
+  for (std::size_t first = 0; first < kFanOut; first += kWideLanes) {
     Doubles other;
     __builtin_memcpy(&other, ranked.squares + first, sizeof(other));
-    low = other < low ? other : low;
+    other = CHOSEN(slots >> first, other, farthest);
+    low = first == 0 ? other : (other < low ? other : low);
   }
   return LEAST_LANE(low);
 }
 
-constexpr NodeScans kScans = {meeting, meeting_exactly, meeting_rows, squared_distances, rank, keep, least};
+// The compiler makes vectors of it.
+SCAN_TARGET KeyBox bounds(const KeyBoxes& node) {
+  KeyBox result{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::int32_t low = INT32_MAX, high = INT32_MIN;
+    for (std::size_t slot = 0; slot < kFanOut; ++slot) {
+      low = node.min[axis][slot] < low ? node.min[axis][slot] : low;
+      high = node.max[axis][slot] > high ? node.max[axis][slot] : high;
+    }
+    result.min[axis] = low;
+    result.max[axis] = high;
+  }
+  return result;
+}
+
+constexpr NodeScans kScans = {meeting, meeting_exactly, meeting_rows, squared_distances, rank, keep, nearest, least, bounds};

@@ -98,6 +98,45 @@ TEST(Nearest, a_limit_ends_the_search_and_changes_nothing_before) {
   }
 }
 
+// Many leaves at one distance, and more entries than those that are asked for.
+TEST(Nearest, ties_in_many_nodes_come_by_payload) {
+  Entries entries;
+  for (std::uint64_t id = 0; id < 20'000; ++id)
+    entries.push_back({{{0, 0, 0}, {1, 1, 1 + static_cast<double>(id % 7)}}, 19'999 - id});
+  const Tree tree = Tree::bulk_load(entries);
+  for (const Box3& box : {Box3::of({0.5, 0.5, 0.5}), Box3::of({3, 0.5, 0.5})}) {
+    for (const std::size_t limit : {1, 10, 60, 64}) {
+      auto cursor = tree.nearest(box, limit);
+      for (std::uint64_t id = 0; id < limit; ++id) ASSERT_EQ(cursor.next()->payload, id);
+      ASSERT_FALSE(cursor.next());
+    }
+  }
+}
+
+// One key has many of the small boxes then.
+TEST(Nearest, of_small_boxes_in_a_coarse_frame) {
+  for (const double far : {1e9, 1e40, 1e140}) {
+    std::mt19937_64 random(8);
+    Entries entries;
+    for (std::uint64_t id = 0; id < 3000; ++id) {
+      const Vec3 corner = samples::random_vec(random, 1, 2);
+      entries.push_back({samples::box_at(1e-5 * corner + Vec3{1, 1, 1}, 1e-7 * samples::random_vec(random, 0, 1)), id});
+    }
+    entries.push_back({Box3::of({far, -far, far}), 3000});
+    const Tree tree = Tree::bulk_load(entries);
+    for (int round = 0; round < 20; ++round) {
+      const Box3 box = entries[random() % entries.size()].box;
+      auto limited = tree.nearest(box, 12);
+      const std::vector<Expected> wanted = scan_distances(entries, box);
+      for (std::size_t i = 0; i < 12; ++i) {
+        const auto found = limited.next();
+        ASSERT_TRUE(found.has_value());
+        ASSERT_NEAR(found->distance, static_cast<double>(wanted[i].distance), 1e-20);
+      }
+    }
+  }
+}
+
 // All of them touch the ends of the frame of keys, before and behind which there are no keys.
 TEST(Nearest, of_boxes_outside_of_the_frame_of_keys) {
   Entries entries;

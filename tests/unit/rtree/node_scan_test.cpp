@@ -97,30 +97,77 @@ TEST(NodeScan, ranks_are_squares_with_their_slots) {
             ASSERT_GE(square, RankedSlots::kFarthest);
           }
         }
-        ASSERT_EQ(scans[i]->least(ranked), least);
+        ASSERT_EQ(scans[i]->least(ranked, 0xffff), least);
+        ASSERT_EQ(scans[i]->least(ranked, 0), RankedSlots::kFarthest);
+        const auto some = static_cast<SlotMask>(random() % 0x10000);
+        least = RankedSlots::kFarthest;
+        for (SlotMask slots = some; slots != 0;) least = std::min(least, ranked.squares[take_slot(slots)]);
+        ASSERT_EQ(scans[i]->least(ranked, some), least);
       }
     }
   }
 }
 
-TEST(NodeScan, lists_keep_the_least) {
+// Squares of different slots differ in their lowest bits.
+TEST(NodeScan, nearest_slots_have_the_least_squares) {
+  const NodeScans* scans[4];
+  const std::size_t count = available_scans(scans);
+  std::mt19937_64 random(6);
+  for (int round = 0; round < 300; ++round) {
+    RankedSlots ranked;
+    for (std::size_t slot = 0; slot < kFanOut; ++slot)
+      ranked.squares[slot] = std::bit_cast<double>(random() % 100 * 1000 * kFanOut + slot);
+    for (std::size_t wanted = 1; wanted <= kFanOut; ++wanted) {
+      std::vector<double> sorted(ranked.squares, ranked.squares + kFanOut);
+      std::ranges::sort(sorted);
+      SlotMask expected = 0;
+      for (std::size_t i = 0; i < wanted; ++i) expected |= SlotMask{1} << RankedSlots::slot(sorted[i]);
+      for (std::size_t i = 0; i < count; ++i) ASSERT_EQ(scans[i]->nearest(ranked, wanted), expected);
+    }
+  }
+}
+
+TEST(NodeScan, lists_keep_the_least_with_their_places) {
   const NodeScans* scans[4];
   const std::size_t count = available_scans(scans);
   std::mt19937_64 random(5);
   for (std::size_t i = 0; i < count; ++i) {
-    for (const std::size_t length : {8, 16, 64}) {
-      std::vector<double> list(length, samples::kInfinity), all;
-      for (int round = 0; round < 20; ++round) {
+    for (const std::size_t length : {8, 16, 24, 72}) {
+      NearestList list;
+      std::fill_n(list.squares, length, samples::kInfinity);
+      std::vector<std::pair<double, std::pair<std::size_t, std::size_t>>> all;
+      for (std::uint32_t node = 0; node < 20; ++node) {
         RankedSlots ranked;
-        for (double& square : ranked.squares) square = static_cast<double>(random() % 100);
+        for (std::size_t slot = 0; slot < kFanOut; ++slot) {
+          const auto square = std::bit_cast<std::uint64_t>(static_cast<double>(random() % 100));
+          ranked.squares[slot] = std::bit_cast<double>(square | 0xff0 | slot);
+        }
         const auto slots = static_cast<SlotMask>(random() % 0x10000);
-        scans[i]->keep(ranked, slots, list);
+        scans[i]->keep(ranked, slots, node, list, length);
         for (std::size_t slot = 0; slot < kFanOut; ++slot)
-          if ((slots >> slot & 1) != 0) all.push_back(ranked.squares[slot]);
+          if ((slots >> slot & 1) != 0) all.push_back({std::round(ranked.squares[slot]), {node, slot}});
         std::ranges::sort(all);
-        for (std::size_t j = 0; j < length; ++j) ASSERT_EQ(list[j], j < all.size() ? all[j] : samples::kInfinity);
+        for (std::size_t j = 0; j < length; ++j) {
+          if (j >= all.size()) {
+            ASSERT_EQ(list.squares[j], samples::kInfinity);
+            continue;
+          }
+          ASSERT_EQ(std::round(list.squares[j]), all[j].first);
+          ASSERT_EQ(NearestList::node(list.squares[j]), all[j].second.first);
+          ASSERT_EQ(RankedSlots::slot(list.squares[j]), all[j].second.second);
+        }
       }
     }
+  }
+}
+
+TEST(NodeScan, bounds_are_those_of_the_node) {
+  const NodeScans* scans[4];
+  const std::size_t count = available_scans(scans);
+  std::mt19937_64 random(7);
+  for (const Kind kind : samples::kKinds) {
+    const Sample node = sample(random, kind);
+    for (std::size_t i = 0; i < count; ++i) ASSERT_EQ(scans[i]->bounds(node.node), node.node.bounds());
   }
 }
 
