@@ -84,7 +84,7 @@ constexpr std::string_view kApi = "/api/";
 }  // namespace
 
 Api::Api(const algebra3d::Registry& registry, const ServerOptions& options, const ServerLimits& limits,
-         std::string token, std::vector<std::string> authorities, TemporaryFolder uploads, DatabaseIdentity database)
+         std::string token, std::vector<std::string> authorities, algebra3d::TemporaryFolder uploads, DatabaseIdentity database)
     : registry_(registry),
       options_(options),
       limits_(limits),

@@ -63,7 +63,7 @@ class ApiTest : public testing::Test {
       ASSERT_TRUE(session.open_file(options.database).ok());
     }
     api_ = std::make_unique<Api>(server_registry(), options, limits, "", authorities_of("127.0.0.1", 1, {}),
-                                 *TemporaryFolder::make(), *DatabaseIdentity::of(options.database));
+                                 *algebra3d::TemporaryFolder::make(), *DatabaseIdentity::of(options.database));
   }
 
   HttpAnswer ask(const std::string& method, const std::string& target, const std::string& body = {},
