@@ -198,7 +198,7 @@ TEST_F(ApiTest, WhatIsNotForManyUsersIsRefused) {
   for (const char* statement :
        {"begin transaction", "close database", "create database x", "open database x", "delete database x",
         "restore database x from 'y'", "set \"memory\" = 5", "{ query 1 | begin transaction }"})
-    EXPECT_EQ(query(statement)["error"]["code"], "not_evaluable") << statement;
+    EXPECT_EQ(query(statement)["error"]["code"], "wrong_usage") << statement;
 }
 
 TEST_F(ApiTest, FilesOutsideOfTheWorkingFolderAreRefused) {
