@@ -2,11 +2,11 @@
 
 #include <atomic>
 #include <cstddef>
-#include <filesystem>
 #include <span>
 #include <string_view>
 
 #include "algebra3d/base/error.h"
+#include "algebra3d/base/output_path.h"
 #include "mesh_files/mesh_content.h"
 
 namespace mesh_files {
@@ -45,7 +45,7 @@ struct MeshFormat {
   /// Writes the facets, which must be of the kind that the format stores; atomically (AtomicFile). `encoding` is one of
   /// the forms; `name` is ignored by formats without names. Errors: invalid_value with the place, limit_exceeded, those
   /// of AtomicFile.
-  algebra3d::Status (*write)(const std::filesystem::path& path, const Facets& facets, std::string_view name,
+  algebra3d::Status (*write)(const algebra3d::OutputPath& path, const Facets& facets, std::string_view name,
                              Encoding encoding);
   /// `read` with the attributes of polygons (PolygonSoup::attributes), which `write` then writes; null if the format
   /// has none.

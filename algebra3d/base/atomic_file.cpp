@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <mutex>
 #include <set>
@@ -76,6 +77,13 @@ void remove_leftovers(const fs::path& folder) {
     if (is_draft(entry->path().filename().string())) remove_if_abandoned(entry->path(), is_no_database);
 }
 
+// Renames unless the new name is taken (EEXIST). File systems that cannot do that at once, such as NFS, have links.
+bool rename_to_new(const fs::path& from, const fs::path& to) {
+  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;
+  if (errno != EINVAL && errno != ENOSYS) return false;
+  return ::link(from.c_str(), to.c_str()) == 0 && ::unlink(from.c_str()) == 0;
+}
+
 /// The file that a path means, whether it is there or not: links are followed to their end.
 Result<fs::path> target_of(const fs::path& path) {
   constexpr int kMostLinks = 40;  // as the system
@@ -99,10 +107,13 @@ Status AtomicFile::check_replaceable() const {
   return Error{ErrorCode::wrong_usage, "{}: {}", path_.string(), *kept};
 }
 
-Result<AtomicFile> AtomicFile::create(const fs::path& path) {
+Result<AtomicFile> AtomicFile::create(const OutputPath& output) {
+  const fs::path& path = output.path();
   ALGEBRA3D_RETURN_IF_ERROR(check_file_name(path));
+  ALGEBRA3D_RETURN_IF_ERROR(output.check_free());
   AtomicFile file;
   file.path_ = path;
+  file.may_replace_ = output.may_replace();
   ALGEBRA3D_ASSIGN_OR_RETURN(file.target_, target_of(path));
   struct stat facts {};
   const bool exists = ::stat(file.target_.c_str(), &facts) == 0;
@@ -123,6 +134,7 @@ Result<AtomicFile> AtomicFile::create(const fs::path& path) {
 
 AtomicFile::AtomicFile(AtomicFile&& other) noexcept
     : path_(std::move(other.path_)),
+      may_replace_(other.may_replace_),
       target_(std::move(other.target_)),
       draft_(std::exchange(other.draft_, std::nullopt)),
       buffer_(std::move(other.buffer_)),
@@ -130,6 +142,7 @@ AtomicFile::AtomicFile(AtomicFile&& other) noexcept
 
 AtomicFile& AtomicFile::operator=(AtomicFile&& other) noexcept {
   path_.swap(other.path_);
+  std::swap(may_replace_, other.may_replace_);
   target_.swap(other.target_);
   draft_.swap(other.draft_);
   buffer_.swap(other.buffer_);
@@ -153,11 +166,19 @@ Status AtomicFile::flush() {
   return write_all(draft_->descriptor(), buffer_.get(), std::exchange(buffered_, 0), path_);
 }
 
+// Of two that make the same new file, the second must find it.
+Status AtomicFile::give_name() const {
+  const fs::path& draft = draft_->path();
+  const bool is_named = may_replace_ ? ::rename(draft.c_str(), target_.c_str()) == 0 : rename_to_new(draft, target_);
+  if (is_named) return {};
+  return errno == EEXIST ? not_replaced(path_) : write_error(path_, errno);
+}
+
 Status AtomicFile::commit() {
   ALGEBRA3D_RETURN_IF_ERROR(flush());
   if (::fsync(draft_->descriptor()) != 0) return write_error(path_, errno);
   ALGEBRA3D_RETURN_IF_ERROR(check_replaceable());
-  if (::rename(draft_->path().c_str(), target_.c_str()) != 0) return write_error(path_, errno);
+  ALGEBRA3D_RETURN_IF_ERROR(give_name());
   // From here on the file stands; the network file systems that report a full disk only on closing did so on fsync.
   draft_.reset();
   sync_folder(folder_of(target_));

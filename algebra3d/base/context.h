@@ -33,8 +33,10 @@ struct Context {
   /// The error `interrupted` if the host has cancelled the statement. Long loops call it every few thousand steps.
   Status check_cancelled() const { return monitor().check(); }
 
-  /// The file that `name` means. Errors: permission_denied.
+  /// The file that `name` means, for reading. Errors: permission_denied.
   Result<std::filesystem::path> resolve(const std::filesystem::path& name) const { return folder.path_of(name); }
+  /// The same for writing. Errors: permission_denied, also where the host does not allow it.
+  Result<OutputPath> resolve_output(const std::filesystem::path& name) const { return folder.output_path_of(name); }
 };
 
 }  // namespace algebra3d

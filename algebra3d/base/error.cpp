@@ -50,7 +50,7 @@ constexpr std::array kDescriptions = {
                      "Look at the byte that the message gives."},
     ErrorDescription{io_error, "io_error", "58030", "Reading or writing failed.", "Check the device, then try again."},
     ErrorDescription{permission_denied, "permission_denied", "42501", "The host does not allow this.",
-                     "Use a file within the working folder, or run the statement in the shell."},
+                     "Use another file within the working folder, or run the statement in the shell."},
     ErrorDescription{limit_exceeded, "limit_exceeded", "54000", "A limit of the program is exceeded.",
                      "Split the work; the message names the limit."},
     ErrorDescription{out_of_memory, "out_of_memory", "53200", "Memory is exhausted.", "Split the work or add memory."},

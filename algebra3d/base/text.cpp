@@ -40,6 +40,12 @@ std::string found_text(std::string_view text) {
   return found + "'";
 }
 
+std::string with_replaced(std::string text, std::string_view from, std::string_view to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+  return text;
+}
+
 std::string one_line(std::string_view text) {
   std::string line(text);
   for (char& c : line)

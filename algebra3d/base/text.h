@@ -28,6 +28,9 @@ std::string counted(std::size_t count, std::string_view noun);
 /// of file".
 std::string found_text(std::string_view text);
 
+/// The text with every `from`, which is not empty, replaced by `to`.
+std::string with_replaced(std::string text, std::string_view from, std::string_view to);
+
 /// The text as one line: control characters become blanks; blanks at the ends are removed.
 std::string one_line(std::string_view text);
 

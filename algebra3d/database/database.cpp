@@ -1,23 +1,13 @@
 #include "algebra3d/database/database.h"
 
-#include <cstdlib>
-#include <system_error>
 #include <utility>
 
+#include "algebra3d/base/temporary_folder.h"
 #include "algebra3d/base/without_exceptions.h"
 #include "algebra3d/database/detail/engine.h"
 
 namespace algebra3d::database {
 namespace {
-
-Result<std::filesystem::path> new_temporary_folder() {
-  std::error_code error;
-  const std::filesystem::path parent = std::filesystem::temp_directory_path(error);
-  if (error) return Error{ErrorCode::io_error, "no folder for temporary files: {}", error.message()};
-  std::string name = (parent / "algebra3d-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) return Error{ErrorCode::io_error, "cannot make the folder '{}'", name};
-  return std::filesystem::path(name);
-}
 
 Error moved_from() {
   return {ErrorCode::wrong_usage, "the database was moved elsewhere"};
@@ -39,11 +29,12 @@ Result<Database> Database::open(const std::filesystem::path& file, const OpenOpt
 
 Result<Database> Database::temporary(const OpenOptions& options) {
   return without_exceptions([&]() -> Result<Database> {
-    ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path folder, new_temporary_folder());
+    ALGEBRA3D_ASSIGN_OR_RETURN(TemporaryFolder folder, TemporaryFolder::make());
+    const std::filesystem::path file = folder.path() / "temporary.db";
     OpenOptions writing = options;
     writing.read_only = false;
     writing.creates = true;
-    ALGEBRA3D_ASSIGN_OR_RETURN(auto engine, detail::Engine::open(folder / "temporary.db", writing, folder));
+    ALGEBRA3D_ASSIGN_OR_RETURN(auto engine, detail::Engine::open(file, writing, std::move(folder)));
     return Database(std::move(engine));
   });
 }

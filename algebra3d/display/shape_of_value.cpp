@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "algebra3d/display/detail/mesh_shapes.h"
+#include "algebra3d/display/detail/shape_parts.h"
 #include "algebra3d/display/detail/small_shapes.h"
 #include "algebra3d/types/mesh3d.h"
 #include "algebra3d/types/planar.h"
@@ -65,6 +66,7 @@ Result<Shape> shape_of(const Value& value, const Monitor& monitor) {
     ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.loaded());
     ALGEBRA3D_ASSIGN_OR_RETURN(shape, maker(loaded, monitor));
   }
+  detail::draw_as_point_if_tiny(shape);
   shape.kind = value.type().name();
   return shape;
 }

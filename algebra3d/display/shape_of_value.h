@@ -23,6 +23,7 @@ bool is_drawable(const Type& type);
 ///   nearest to the origin, as far to each side as that point is from the origin, at least 1: so it fills a right angle
 ///   seen from there.
 /// - A vector is an arrow from the origin. Values in the plane lie at z = 0, their front up.
+/// - What is smaller than 2^-100 (8e-31) is a point in the middle of its box.
 /// Exactness: coordinates are rounded to doubles, then to floats relative to the origin. Errors: limit_exceeded for
 /// boxes beyond the range of floats; interrupted; those of the store. Cost: linear; of meshes and regions see
 /// triangulate_faces and triangulate.

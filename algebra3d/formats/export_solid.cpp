@@ -47,7 +47,7 @@ ExportedSolid refuse(Context& context, ErrorCode code, const std::string& reason
 }
 
 /// Writes the rounded solid to the path.
-using MeshWriter = std::function<Status(const std::filesystem::path& path, const TriangleMesh& mesh)>;
+using MeshWriter = std::function<Status(const OutputPath& path, const TriangleMesh& mesh)>;
 
 /// What a file can hold: the numbers and their name.
 struct FileNumbers {
@@ -110,7 +110,7 @@ Result<DividedMesh> divided_where_it_touches(const TriangleMesh& mesh, const Coo
 
 Result<ExportedSolid> export_rounded(Context& context, const std::string& name, const Volume3d& solid,
                                      const std::string& file, const FileNumbers& numbers, const MeshWriter& write) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(file));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const OutputPath path, context.resolve_output(file));
   ALGEBRA3D_ASSIGN_OR_RETURN(const RoundedSolid rounded, rounded_solid(solid.mesh(), numbers.grid, context.cancel));
   const std::string rounding = fmt::format("{}: {}: rounded to {}, ", name, file, numbers.name);
   if (!rounded.mesh) return refuse(context, ErrorCode::invalid_value, rounding + rounded.reason + numbers.advice);
@@ -139,7 +139,7 @@ Result<ExportedSolid> export_solid(Context& context, const std::string& command,
   const mesh_files::MeshFormat& format = *form.format;
   const bool has_floats = format.form(form.encoding)->coordinates == mesh_files::CoordinateRange::floats;
   return export_rounded(context, command, solid, file, has_floats ? floats() : doubles(),
-                        [&](const std::filesystem::path& path, const TriangleMesh& mesh) {
+                        [&](const OutputPath& path, const TriangleMesh& mesh) {
                           const mesh_files::Facets facets = format.stores_triangles
                                                                 ? mesh_files::Facets(triangle_soup_of(mesh))
                                                                 : mesh_files::Facets(polygon_soup_of(mesh));

@@ -114,7 +114,7 @@ Result<ImportedMesh> import_mesh(const std::filesystem::path& path, const Monito
 Result<ExportedSolid> export_mesh(Context& context, const std::string& command, const Mesh3d& mesh,
                                   const std::string& name, const std::string& file, const MeshFileForm& form) {
   ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(file));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const OutputPath path, context.resolve_output(file));
   PolygonSoup soup = soup_of(mesh.mesh());
   const std::size_t left_out = add_attributes(mesh.attributes(), *form.format, soup);
   const std::size_t changed_texts = count_changed_texts(soup.attributes.get());

@@ -26,6 +26,10 @@ Result<std::vector<std::string>> files_below(const std::filesystem::path& folder
   for (; entry != fs::recursive_directory_iterator(); entry.increment(error)) {
     if (error) return Error{ErrorCode::io_error, "getDirectory: '{}': {}", shown, error.message()};
     ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+    if (context.folder.hides(entry->path().filename())) {
+      entry.disable_recursion_pending();
+      continue;
+    }
     std::error_code ignored;  // a file that has gone meanwhile, or a dangling link, is no file
     if (!entry->is_regular_file(ignored)) continue;
     if (fnmatch(pattern.c_str(), entry->path().filename().c_str(), FNM_CASEFOLD) != 0) continue;

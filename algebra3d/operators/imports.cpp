@@ -65,7 +65,7 @@ Result<Text> check_stl(Context& context, const Text& file) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(file.content));
   ALGEBRA3D_ASSIGN_OR_RETURN(ImportedSolid imported,
                              import_solid(path, stl, RepairOptions::strict(), context.monitor()));
-  return Text{std::move(imported.status)};
+  return Text{context.folder.with_names(std::move(imported.status))};
 }
 
 Result<Maybe<Surface3d>> import_as_surface(Context& context, const Text& file) {

@@ -34,7 +34,7 @@ Result<MeshContent> read_obj_with_attributes(std::string_view bytes, std::string
   return MeshContent{std::move(read.soup), Encoding::ascii, std::move(read.remarks), std::nullopt};
 }
 
-Status write_obj_content(const std::filesystem::path& path, const Facets& facets, std::string_view name,
+Status write_obj_content(const algebra3d::OutputPath& path, const Facets& facets, std::string_view name,
                          Encoding /*encoding*/) {
   return write_obj_file(path, std::get<PolygonSoup>(facets), name);
 }

@@ -20,6 +20,7 @@ using algebra3d::append_number;
 using algebra3d::AtomicFile;
 using algebra3d::kNone;
 using algebra3d::one_line;
+using algebra3d::OutputPath;
 using algebra3d::PolygonSoup;
 using algebra3d::SoupAttributes;
 using algebra3d::Status;
@@ -116,7 +117,7 @@ Status append_obj(AtomicFile& file, const PolygonSoup& soup, std::string_view na
   return soup.attributes == nullptr ? append_faces(file, soup) : append_with_attributes(file, soup);
 }
 
-Status write_obj(const std::filesystem::path& path, const PolygonSoup& soup, std::string_view name) {
+Status write_obj(const OutputPath& path, const PolygonSoup& soup, std::string_view name) {
   auto file = AtomicFile::create(path);
   if (!file) return std::move(file).error();
   ALGEBRA3D_RETURN_IF_ERROR(append_obj(*file, soup, one_line(name)));
@@ -125,8 +126,8 @@ Status write_obj(const std::filesystem::path& path, const PolygonSoup& soup, std
 
 }  // namespace
 
-Status write_obj_file(const std::filesystem::path& path, const PolygonSoup& soup, std::string_view name) {
-  ALGEBRA3D_RETURN_IF_ERROR(check_soup(path, soup, CoordinateRange::doubles));
+Status write_obj_file(const OutputPath& path, const PolygonSoup& soup, std::string_view name) {
+  ALGEBRA3D_RETURN_IF_ERROR(check_soup(path.path(), soup, CoordinateRange::doubles));
   return write_obj(path, soup, name);
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <filesystem>
 #include <string_view>
 
 #include "algebra3d/base/error.h"
+#include "algebra3d/base/output_path.h"
 #include "algebra3d/base/polygon_soup.h"
 
 namespace mesh_files {
@@ -17,7 +17,7 @@ namespace mesh_files {
 /// soup is not used. Exactness: digits are the shortest for the same double, so coordinates read back unchanged.
 /// Errors: invalid_value (a soup that breaks its invariants, or a face of fewer than 3 corners, with its place),
 /// disk_full, file_missing (no such folder), io_error, wrong_usage (the file is a database).
-algebra3d::Status write_obj_file(const std::filesystem::path& path, const algebra3d::PolygonSoup& soup,
+algebra3d::Status write_obj_file(const algebra3d::OutputPath& path, const algebra3d::PolygonSoup& soup,
                                  std::string_view name);
 
 }  // namespace mesh_files

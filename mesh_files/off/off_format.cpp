@@ -32,7 +32,7 @@ Result<MeshContent> read_off_content(std::string_view bytes, std::string_view fi
   return MeshContent{std::move(read.soup), encoding, std::move(read.remarks), std::nullopt};
 }
 
-Status write_off_content(const std::filesystem::path& path, const Facets& facets, std::string_view /*name*/,
+Status write_off_content(const algebra3d::OutputPath& path, const Facets& facets, std::string_view /*name*/,
                          Encoding encoding) {
   return write_off_file(path, std::get<PolygonSoup>(facets), encoding);
 }

@@ -16,6 +16,7 @@ using algebra3d::append_number;
 using algebra3d::AtomicFile;
 using algebra3d::Error;
 using algebra3d::ErrorCode;
+using algebra3d::OutputPath;
 using algebra3d::PolygonSoup;
 using algebra3d::Status;
 using algebra3d::Vec3;
@@ -68,7 +69,7 @@ Status append_binary_off(AtomicFile& file, const PolygonSoup& soup) {
   return {};
 }
 
-Status write_off(const std::filesystem::path& path, const PolygonSoup& soup, Encoding format) {
+Status write_off(const OutputPath& path, const PolygonSoup& soup, Encoding format) {
   auto file = AtomicFile::create(path);
   if (!file) return std::move(file).error();
   ALGEBRA3D_RETURN_IF_ERROR(format == Encoding::binary ? append_binary_off(*file, soup)
@@ -78,13 +79,14 @@ Status write_off(const std::filesystem::path& path, const PolygonSoup& soup, Enc
 
 }  // namespace
 
-Status write_off_file(const std::filesystem::path& path, const PolygonSoup& soup, Encoding format) {
+Status write_off_file(const OutputPath& path, const PolygonSoup& soup, Encoding format) {
   const bool is_binary = format == Encoding::binary;
   if (is_binary && std::max(soup.points.size(), soup.face_count()) > kMostInBinaryOff)
     return Error{ErrorCode::limit_exceeded,
                  "{}: {} points and {} faces, but a binary file holds at most 2147483647; ASCII holds more",
-                 path.string(), soup.points.size(), soup.face_count()};
-  ALGEBRA3D_RETURN_IF_ERROR(check_soup(path, soup, is_binary ? CoordinateRange::floats : CoordinateRange::doubles));
+                 path.path().string(), soup.points.size(), soup.face_count()};
+  ALGEBRA3D_RETURN_IF_ERROR(
+      check_soup(path.path(), soup, is_binary ? CoordinateRange::floats : CoordinateRange::doubles));
   return write_off(path, soup, format);
 }
 

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <filesystem>
-
 #include "algebra3d/base/error.h"
+#include "algebra3d/base/output_path.h"
 #include "algebra3d/base/polygon_soup.h"
 #include "mesh_files/mesh_content.h"
 
@@ -17,7 +16,7 @@ namespace mesh_files {
 /// than 3 corners, in a binary file also a coordinate beyond the range of float, with its place), limit_exceeded (more
 /// than 2^31 - 1 points or faces in a binary file), disk_full, file_missing (no such folder), io_error, wrong_usage
 /// (the file is a database).
-algebra3d::Status write_off_file(const std::filesystem::path& path, const algebra3d::PolygonSoup& soup,
+algebra3d::Status write_off_file(const algebra3d::OutputPath& path, const algebra3d::PolygonSoup& soup,
                                  Encoding format);
 
 }  // namespace mesh_files

@@ -38,7 +38,7 @@ Result<MeshContent> read_stl_content(std::string_view bytes, std::string_view fi
   return MeshContent{std::move(read.soup), read.format, std::move(read.remarks), read.wrong_count};
 }
 
-Status write_stl_content(const std::filesystem::path& path, const Facets& facets, std::string_view name,
+Status write_stl_content(const algebra3d::OutputPath& path, const Facets& facets, std::string_view name,
                          Encoding encoding) {
   return write_stl_file(path, std::get<TriangleSoup>(facets), name, encoding);
 }

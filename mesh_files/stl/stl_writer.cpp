@@ -20,6 +20,7 @@ using algebra3d::AtomicFile;
 using algebra3d::Error;
 using algebra3d::ErrorCode;
 using algebra3d::one_line;
+using algebra3d::OutputPath;
 using algebra3d::Result;
 using algebra3d::Status;
 using algebra3d::TriangleSoup;
@@ -151,7 +152,7 @@ Status append_ascii(AtomicFile& file, const TriangleSoup& soup, std::string_view
   return file.append("end" + named);
 }
 
-Status write(const std::filesystem::path& path, const TriangleSoup& soup, std::string_view name, Encoding format) {
+Status write(const OutputPath& path, const TriangleSoup& soup, std::string_view name, Encoding format) {
   ALGEBRA3D_ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(path));
   const std::string line = one_line(name);
   ALGEBRA3D_RETURN_IF_ERROR(format == Encoding::binary ? append_binary(file, soup, line)
@@ -161,15 +162,14 @@ Status write(const std::filesystem::path& path, const TriangleSoup& soup, std::s
 
 }  // namespace
 
-Status write_stl_file(const std::filesystem::path& path, const TriangleSoup& soup, std::string_view name,
-                      Encoding format) {
+Status write_stl_file(const OutputPath& path, const TriangleSoup& soup, std::string_view name, Encoding format) {
   if (format == Encoding::binary && soup.triangles.size() > std::numeric_limits<std::uint32_t>::max())
     return Error{ErrorCode::limit_exceeded,
-                 "{}: {} triangles, but a binary file holds at most 4294967295; ASCII holds more", path.string(),
+                 "{}: {} triangles, but a binary file holds at most 4294967295; ASCII holds more", path.path().string(),
                  soup.triangles.size()};
   auto status = write(path, soup, name, format);
   if (!status && status.error().code == ErrorCode::invalid_value)
-    return Error{ErrorCode::invalid_value, "{}: {}", path.string(), status.error().message};
+    return Error{ErrorCode::invalid_value, "{}: {}", path.path().string(), status.error().message};
   return status;
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <filesystem>
 #include <string_view>
 
 #include "algebra3d/base/error.h"
+#include "algebra3d/base/output_path.h"
 #include "algebra3d/base/triangle_soup.h"
 #include "mesh_files/stl/stl_content.h"
 
@@ -20,7 +20,7 @@ namespace mesh_files {
 /// otherwise normals are as exact as these differences). Errors: invalid_value (a coordinate that is not finite or
 /// beyond the range of float, with its triangle), limit_exceeded (more than 2^32 - 1 triangles in a binary file),
 /// disk_full, file_missing (no such folder), io_error. Source: [jeannerod2013], for the normals.
-algebra3d::Status write_stl_file(const std::filesystem::path& path, const algebra3d::TriangleSoup& soup,
+algebra3d::Status write_stl_file(const algebra3d::OutputPath& path, const algebra3d::TriangleSoup& soup,
                                  std::string_view name, Encoding format);
 
 }  // namespace mesh_files

@@ -18,7 +18,7 @@ CLI::App* add_serve_command(CLI::App& app, ServerOptions& options) {
   serve->add_option("--listen", options.listen, "Address to listen on; others than this machine's own need a token")
       ->type_name("ADDR")
       ->capture_default_str();
-  serve->add_flag("--read-only", options.read_only, "Change nothing");
+  serve->add_flag("--read-only", options.read_only, "Change nothing: neither the database nor files");
   serve
       ->add_option("--token-file", options.token_file,
                    "File with the token that every request must give (default: $ALGEBRA3D_TOKEN, if it is set)")
@@ -45,7 +45,8 @@ CLI::App* add_serve_command(CLI::App& app, ServerOptions& options) {
       ->type_name("DIR");
   serve->footer(
       "Open the printed address in a browser. Programs find the HTTP API at /api/openapi.json (docs/http-api.md).\n"
-      "Statements read and write files in the working folder only. Ctrl-C ends the server; the database stays intact.\n"
+      "Statements read files in the working folder only, but for hidden ones, and write new files there: no file is\n"
+      "replaced. Ctrl-C ends the server; the database stays intact.\n"
       "Exit status: 0 ended by Ctrl-C or SIGTERM, 1 the database could not be opened or the port is taken, 2 wrong "
       "usage.");
   return serve;

@@ -12,9 +12,9 @@
 
 #include <fmt/format.h>
 
+#include "algebra3d/base/temporary_folder.h"
 #include "queries/server/detail/api.h"
 #include "queries/server/detail/http_listener.h"
-#include "queries/server/detail/temporary_folder.h"
 
 namespace queries {
 namespace {
@@ -88,7 +88,7 @@ Status serve(const ServerOptions& options, const algebra3d::Registry& registry, 
   ALGEBRA3D_RETURN_IF_ERROR(prepare_database(options, registry, note));
   ALGEBRA3D_ASSIGN_OR_RETURN(DatabaseIdentity database, DatabaseIdentity::of(options.database));
   ALGEBRA3D_ASSIGN_OR_RETURN(const auto listener, HttpListener::bind(options.listen, options.port, limits.connections));
-  ALGEBRA3D_ASSIGN_OR_RETURN(TemporaryFolder uploads, TemporaryFolder::make());
+  ALGEBRA3D_ASSIGN_OR_RETURN(algebra3d::TemporaryFolder uploads, algebra3d::TemporaryFolder::make());
   Api api(registry, options, limits, token, authorities_of(options.listen, listener->port(), options.hosts),
           std::move(uploads), std::move(database));
   auto tended = std::chrono::steady_clock::now();

@@ -30,7 +30,7 @@ std::string word_of_database(const std::filesystem::path& file) {
 /// The file being saved, with the error that is told of it.
 class ListFile {
  public:
-  static Result<ListFile> create(const std::filesystem::path& path) {
+  static Result<ListFile> create(const algebra3d::OutputPath& path) {
     auto file = algebra3d::AtomicFile::create(path);
     if (!file) return cannot_write(file.error());
     return ListFile(std::move(file).value());
@@ -149,7 +149,7 @@ Status Session::note_underivable(const std::string& name, Context& context) {
 
 Status Session::run(const SaveDatabase& command, Presenter&, Context& context) {
   ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(command.file));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const algebra3d::OutputPath path, context.resolve_output(command.file));
   ALGEBRA3D_ASSIGN_OR_RETURN(ListFile file, ListFile::create(path));
   Status status = in_transaction(false, [&]() -> Status {
     ALGEBRA3D_RETURN_IF_ERROR(note_underivable({}, context));
@@ -169,7 +169,7 @@ Status Session::run(const SaveDatabase& command, Presenter&, Context& context) {
 
 Status Session::run(const SaveObject& command, Presenter&, Context& context) {
   ALGEBRA3D_ASSIGN_OR_RETURN(Store * store, required_store());
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path path, context.resolve(command.file));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const algebra3d::OutputPath path, context.resolve_output(command.file));
   ALGEBRA3D_ASSIGN_OR_RETURN(ListFile file, ListFile::create(path));
   Status status = in_transaction(false, [&]() -> Status {
     ALGEBRA3D_ASSIGN_OR_RETURN(const auto info, store->find(command.name));

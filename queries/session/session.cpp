@@ -1,6 +1,7 @@
 #include "queries/session/session.h"
 
 #include <new>
+#include <string_view>
 #include <type_traits>
 
 #include "queries/language/checker.h"
@@ -14,15 +15,23 @@
 namespace queries {
 namespace {
 
-// A command that concerns the session itself and not the content of the database.
-bool is_of_one_user(const CommandContent& command) {
-  const auto is_one = [](const auto& content) {
+// What to do instead of a command that concerns the session itself and not the content of a shared database; empty for
+// other commands.
+std::string_view instead_of(const CommandContent& command) {
+  const auto advice = [](const auto& content) -> std::string_view {
     using T = std::decay_t<decltype(content)>;
-    return std::is_same_v<T, CreateDatabase> || std::is_same_v<T, OpenDatabase> || std::is_same_v<T, CloseDatabase> ||
-           std::is_same_v<T, DeleteDatabase> || std::is_same_v<T, RestoreDatabase> ||
-           std::is_same_v<T, TransactionStep> || std::is_same_v<T, SetOption>;
+    if constexpr (std::is_same_v<T, TransactionStep>)
+      return "each statement is a transaction of its own; for one over several commands, send them as one statement, "
+             "{ let A = 1 | let B = 2 }";
+    if constexpr (std::is_same_v<T, SetOption>) return "options are those of whoever started the server";
+    if constexpr (std::is_same_v<T, OpenDatabase> || std::is_same_v<T, CloseDatabase>)
+      return "it stays open for all clients; for another database start another server";
+    if constexpr (std::is_same_v<T, CreateDatabase> || std::is_same_v<T, DeleteDatabase> ||
+                  std::is_same_v<T, RestoreDatabase>)
+      return "other databases are made, restored and deleted in the shell";
+    return {};
   };
-  return std::visit(is_one, command);
+  return std::visit(advice, command);
 }
 
 }  // namespace
@@ -87,8 +96,9 @@ void Session::report_failure(Error& error, std::string_view text, const Context&
   if (context.failed_calls == nullptr) return;
   try {
     const std::filesystem::path database = store_ != nullptr ? store_->file() : std::filesystem::path();
-    const std::string report = failure_report(
-        {text, error.message, *context.failed_calls, options_.parameters, database, context.folder.path()}, context);
+    const std::string report = failure_report({text, error.message, *context.failed_calls, options_.parameters,
+                                               database, std::filesystem::current_path() / context.folder.path()},
+                                              context);
     const auto file = write_failure_report(report, options_.failure_folders);
     error.message += file ? "; a script that repeats the failure is in " + file->string()
                           : "; a report could not be written: " + file.error().message;
@@ -98,11 +108,8 @@ void Session::report_failure(Error& error, std::string_view text, const Context&
 }
 
 Status Session::run(const Command& command, Presenter& presenter, Context& context) {
-  if (options_.is_shared && is_of_one_user(command.content))
-    return Error(ErrorCode::not_evaluable,
-                 "this database is shared: commands that open, close, make or restore databases, set options, or begin "
-                 "and end transactions run in the shell only")
-        .at(command.place);
+  if (const std::string_view advice = instead_of(command.content); options_.is_shared && !advice.empty())
+    return Error(ErrorCode::wrong_usage, "this database is shared: {}", advice).at(command.place);
   auto status = std::visit([&](const auto& content) { return run(content, presenter, context); }, command.content);
   if (!status) return std::move(status).error().at(command.place);
   return {};

@@ -64,7 +64,8 @@ struct SessionOptions {
   /// The values of `$name` in commands.
   SessionParameters parameters = {};
   /// Whether the session runs statements of many users on one database: commands that open, close, make or delete
-  /// databases, set options or take part in a transaction over several commands end with not_evaluable.
+  /// databases, set options or take part in a transaction over several commands end with wrong_usage, and the advice
+  /// what to do instead.
   bool is_shared = false;
   /// Whether `open_file` creates a database that does not exist.
   bool creates = true;

@@ -7,7 +7,7 @@
 #include <memory>
 #include <thread>
 
-#include "queries/test_runner/detail/scratch_folder.h"
+#include "algebra3d/base/temporary_folder.h"
 #include "queries/test_runner/detail/test_file.h"
 #include "queries/test_runner/detail/test_run.h"
 
@@ -38,12 +38,12 @@ struct PlannedRun {
 };
 
 Result<TestOutcome> run_once(const PlannedRun& plan, const Variation* variation) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto scratch, ScratchFolder::make());
+  ALGEBRA3D_ASSIGN_OR_RETURN(algebra3d::TemporaryFolder scratch, algebra3d::TemporaryFolder::make());
   if (plan.options.keeps_scratch) {
-    scratch->keep();
-    plan.options.print("  kept: " + scratch->path().string());
+    scratch.keep();
+    plan.options.print("  kept: " + scratch.path().string());
   }
-  const TestFolders folders{fs::absolute(plan.file).parent_path(), scratch->path()};
+  const TestFolders folders{fs::absolute(plan.file).parent_path(), scratch.path()};
   return TestRun(folders, plan.registry, plan.options, variation).run(plan.steps);
 }
 

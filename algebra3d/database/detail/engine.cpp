@@ -68,7 +68,7 @@ struct Engine::Task {
   std::shared_ptr<Handover> handover;
 };
 
-Engine::Engine(std::filesystem::path file, std::filesystem::path folder, std::filesystem::path temporary)
+Engine::Engine(std::filesystem::path file, std::filesystem::path folder, std::optional<TemporaryFolder> temporary)
     : file_(std::move(file)), folder_(std::move(folder)), temporary_(std::move(temporary)) {}
 
 Engine::~Engine() {
@@ -78,12 +78,10 @@ Engine::~Engine() {
     changed_.notify_all();
   }
   thread_.join();
-  std::error_code ignored;
-  if (!temporary_.empty()) std::filesystem::remove_all(temporary_, ignored);
 }
 
 Result<std::shared_ptr<Engine>> Engine::open(const std::filesystem::path& file, const OpenOptions& options,
-                                             const std::filesystem::path& temporary) {
+                                             std::optional<TemporaryFolder> temporary) {
   for (const std::filesystem::path& folder : {options.folder, options.failure_folder})
     if (!folder.empty()) ALGEBRA3D_RETURN_IF_ERROR(check_file_name(folder));
   ALGEBRA3D_RETURN_IF_ERROR(check_file_name(file));
@@ -92,7 +90,7 @@ Result<std::shared_ptr<Engine>> Engine::open(const std::filesystem::path& file, 
     if (!std::filesystem::exists(file, ignored))
       return Error{ErrorCode::database_missing, "there is no database '{}'", file.string()};
   }
-  std::shared_ptr<Engine> engine(new Engine(file, options.folder, temporary));
+  std::shared_ptr<Engine> engine(new Engine(file, options.folder, std::move(temporary)));
   ALGEBRA3D_RETURN_IF_ERROR(engine->open_session(options));
   return engine;
 }

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "algebra3d/base/stack_thread.h"
+#include "algebra3d/base/temporary_folder.h"
 #include "algebra3d/database/database.h"
 #include "algebra3d/database/detail/handover.h"
 #include "queries/language/command_reader.h"
@@ -19,9 +20,9 @@ namespace algebra3d::database::detail {
 /// An open database and the thread that runs its statements. Owned by the Database and by Rows that are being read.
 class Engine {
  public:
-  /// Opens a database. `temporary`: a folder that is deleted with the engine, or empty.
+  /// Opens a database. `temporary`: a folder that is removed with the engine, or none.
   static Result<std::shared_ptr<Engine>> open(const std::filesystem::path& file, const OpenOptions& options,
-                                              const std::filesystem::path& temporary);
+                                              std::optional<TemporaryFolder> temporary);
   ~Engine();
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
@@ -46,7 +47,7 @@ class Engine {
   struct Task;
   using Work = std::function<void()>;
 
-  Engine(std::filesystem::path file, std::filesystem::path folder, std::filesystem::path temporary);
+  Engine(std::filesystem::path file, std::filesystem::path folder, std::optional<TemporaryFolder> temporary);
   Status open_session(const OpenOptions& options);
   void post(Work work);
   void work_until_closed();
@@ -57,7 +58,7 @@ class Engine {
 
   std::filesystem::path file_;
   std::filesystem::path folder_;
-  std::filesystem::path temporary_;
+  std::optional<TemporaryFolder> temporary_;  // removed when the thread has ended
   std::string opening_notice_;
   Tell progress_;
   Report report_;  // of the last statement

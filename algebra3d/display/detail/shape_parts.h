@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
+#include <utility>
 
 #include "algebra3d/base/error.h"
 #include "algebra3d/display/shape.h"
@@ -23,6 +25,21 @@ inline Result<Shape> shape_in(const Box3& box) {
                    box.min[axis], box.max[axis], "xyz"[axis], 2 * kLargest);
   shape.origin = 0.5 * box.min + 0.5 * box.max;
   return shape;
+}
+
+/// A shape whose points floats cannot tell apart, since its box is smaller than 2^-100 (8e-31), becomes one point in
+/// its middle.
+inline void draw_as_point_if_tiny(Shape& shape) {
+  constexpr double kLeast = 0x1p-100;  // so that differences have all digits of a float
+  const Vec3 size = shape.box.max - shape.box.min;
+  if (shape.is_empty() || !(std::max({size.x, size.y, size.z}) < kLeast)) return;
+  Shape point;
+  point.box = shape.box;
+  point.origin = shape.origin;
+  point.triangle_count = shape.triangle_count;
+  point.positions = {{0, 0, 0}};
+  point.points = {0};
+  shape = std::move(point);
 }
 
 inline Shape::Position position_in(const Shape& shape, const Vec3& point) {

@@ -89,10 +89,11 @@ void bring_into_spatial_order(Shape& shape) {
   });
   const std::vector<std::uint32_t> order = spatial_order(points, shape.triangles);
   LargeVector<IndexTriangle> triangles(order.size());
-  LargeVector<std::uint32_t> face_ids(order.size());
+  const bool is_level = shape.deviation.has_value();  // whose triangles have no numbers in the value
+  LargeVector<std::uint32_t> face_ids(is_level ? 0 : order.size());
   parallel_for(order.size(), kElementsPerTask, [&](std::size_t i) {
     triangles[i] = shape.triangles[order[i]];
-    face_ids[i] = shape.face_ids.empty() ? order[i] : shape.face_ids[order[i]];
+    if (!is_level) face_ids[i] = shape.face_ids.empty() ? order[i] : shape.face_ids[order[i]];
   });
   shape.triangles = std::move(triangles);
   shape.face_ids = std::move(face_ids);

@@ -66,6 +66,13 @@ SessionOptions session_options(const ServerOptions& options) {
   return result;
 }
 
+// Relative to the working directory, so that messages name files as statements do.
+algebra3d::WorkingFolder confined_folder(const ServerOptions& options, const Uploads& uploads) {
+  using Writing = algebra3d::WorkingFolder::Writing;
+  return algebra3d::WorkingFolder::confined({}, uploads.folder(),
+                                            options.read_only ? Writing::none : Writing::new_files);
+}
+
 std::optional<Refusal> refuse_parameters(const HttpRequest& request, const Route& route) {
   for (const auto& [name, value] : request.query) {
     if (std::ranges::find(route.parameters, name) == route.parameters.end())
@@ -84,14 +91,15 @@ constexpr std::string_view kApi = "/api/";
 }  // namespace
 
 Api::Api(const algebra3d::Registry& registry, const ServerOptions& options, const ServerLimits& limits,
-         std::string token, std::vector<std::string> authorities, TemporaryFolder uploads, DatabaseIdentity database)
+         std::string token, std::vector<std::string> authorities, algebra3d::TemporaryFolder uploads,
+         DatabaseIdentity database)
     : registry_(registry),
       options_(options),
       limits_(limits),
       guard_(std::move(authorities), std::move(token)),
       database_(std::move(database)),
       uploads_(std::move(uploads), options.max_upload_megabytes << 20U, limits.uploads),
-      folder_(algebra3d::WorkingFolder::confined(std::filesystem::current_path(), uploads_.folder())),
+      folder_(confined_folder(options, uploads_)),
       sessions_(registry, session_options(options), options.database, limits.sessions, limits.idle_sessions),
       results_(limits.results) {}
 

@@ -5,11 +5,12 @@
 
 #include "algebra3d/base/diagnostics.h"
 #include "algebra3d/base/file_content.h"
+#include "algebra3d/base/temporary_folder.h"
+#include "algebra3d/base/text.h"
 #include "algebra3d/constructions/mesh_conversions.h"
 #include "algebra3d/formats/mesh3d_files.h"
 #include "algebra3d/types/mesh3d.h"
 #include "algebra3d/types/spatial.h"
-#include "queries/server/detail/temporary_folder.h"
 
 namespace queries {
 namespace {
@@ -19,6 +20,7 @@ using algebra3d::ExportedSolid;
 using algebra3d::Mesh3d;
 using algebra3d::MeshFileForm;
 using algebra3d::Surface3d;
+using algebra3d::TemporaryFolder;
 using algebra3d::TypeOf;
 using algebra3d::Volume3d;
 
@@ -55,6 +57,12 @@ Result<ExportedSolid> write(const Value& value, const std::string& name, const s
                type->name()};
 }
 
+// The error without the path of the temporary folder.
+Error with_own_name(Error error, const std::filesystem::path& folder) {
+  error.message = algebra3d::with_replaced(std::move(error.message), folder.string() + "/", "");
+  return error;
+}
+
 }  // namespace
 
 std::optional<MeshFileForm> file_form(std::string_view name) {
@@ -78,7 +86,7 @@ Result<CellFile> file_of(const Value& value, const std::string& name, const Mesh
               .memory = context.memory,
               .report = context.report};
   ALGEBRA3D_ASSIGN_OR_RETURN(const ExportedSolid written, write(loaded, name, result.name, form, own));
-  if (written.refusal) return *written.refusal;
+  if (written.refusal) return with_own_name(*written.refusal, folder.path());
   ALGEBRA3D_ASSIGN_OR_RETURN(const auto content,
                              algebra3d::FileContent::read(folder.path() / result.name, context.cancel));
   result.bytes = content.bytes();

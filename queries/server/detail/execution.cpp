@@ -66,7 +66,7 @@ Status Execution::ResultPresenter::present(const TypeExpr& type, const Datum& va
   answer_.count = table->count();
   const bool has_written = session_.store() != nullptr && session_.store()->has_written();
   if (is_query_ && !has_written) {
-    answer_.diagnostics = context.diagnostics.summary();
+    answer_.diagnostics = execution_.summary_of(context.diagnostics);
     answer_.seconds = execution_.seconds();
     execution_.answer(answer_);
     execution_.serve(*table);
@@ -89,10 +89,11 @@ void Execution::run(Session& session) {
   algebra3d::Diagnostics diagnostics;
   const algebra3d::Monitor::Report report = [this](const std::string& how_far) { note_progress(how_far); };
   Context context{.diagnostics = diagnostics, .cancel = &is_cancelled_, .folder = folder_, .report = &report};
-  const Status status = session.execute(request_.text, {"", 1, 1}, presenter, context);
+  Status status = session.execute(request_.text, {"", 1, 1}, presenter, context);
   session.set_parameters({});
   StatementAnswer& given = presenter.answer();
-  given.diagnostics = diagnostics.summary();
+  given.diagnostics = summary_of(diagnostics);
+  if (!status) status.error().message = folder_.with_names(std::move(status.error().message));
   given.seconds = seconds();
   const bool is_interrupted = !status && status.error().code == ErrorCode::interrupted;
   answer(status ? Result<StatementAnswer>(given) : is_interrupted ? interruption() : status.error());
@@ -100,6 +101,12 @@ void Execution::run(Session& session) {
   const std::lock_guard lock(mutex_);
   is_over_ = true;
   questions_.clear();
+}
+
+std::vector<std::string> Execution::summary_of(const algebra3d::Diagnostics& diagnostics) const {
+  std::vector<std::string> lines = diagnostics.summary();
+  for (std::string& line : lines) line = folder_.with_names(std::move(line));
+  return lines;
 }
 
 // The first answer counts: a result that could not be committed after its last question was answered long ago.

@@ -83,6 +83,7 @@ class Execution {
     Cancel cancel;
   };
 
+  std::vector<std::string> summary_of(const algebra3d::Diagnostics& diagnostics) const;
   void answer(Result<StatementAnswer> given);
   void serve(ResultTable& table);
   bool post(Question question);
@@ -119,6 +120,7 @@ Result<T> Execution::ask(const Connection* connection, std::function<Result<T>(R
     Context context{
         .diagnostics = diagnostics, .cancel = cancel.get(), .folder = folder_, .memory = memory_, .report = &report};
     Result<T> result = algebra3d::without_exceptions([&] { return work(table, context); });
+    if (!result) result.error().message = folder_.with_names(std::move(result.error().message));
     note_progress({});
     promise->set_value(std::move(result));
   };

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cctype>
 #include <initializer_list>
+#include <optional>
+#include <set>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -46,6 +49,23 @@ std::string text_of(const Json& value) {
   if (value.is_boolean()) return value.get<bool>() ? "TRUE" : "FALSE";
   return value.dump();
 }
+
+/// Looks for a key that an object has twice: the parser keeps the last one, another program might have read the first.
+class RepeatedKey {
+ public:
+  void note(Json::parse_event_t event, const Json& parsed) {
+    if (event == Json::parse_event_t::object_start) open_.emplace_back();
+    if (event == Json::parse_event_t::object_end) open_.pop_back();
+    if (event != Json::parse_event_t::key) return;
+    const auto key = parsed.get<std::string>();
+    if (!open_.back().insert(key).second && !found_) found_ = key;
+  }
+  const std::optional<std::string>& found() const { return found_; }
+
+ private:
+  std::vector<std::set<std::string>> open_;  // the keys of each object that has not ended
+  std::optional<std::string> found_;
+};
 
 Reply<SessionParameter> constant_parameter(const std::string& name, const Json& given,
                                            const algebra3d::Registry& registry) {
@@ -105,14 +125,17 @@ Reply<Json> parse_body(const std::string& body) {
   const auto checked = algebra3d::JsonTree::parse(body, 0);
   if (!checked) return Refusal::bad_request("the body is not JSON: " + checked.error().message);
   bool is_too_deep = false;
+  RepeatedKey repeated;
   const Json given = Json::parse(
       body,
-      [&](int depth, Json::parse_event_t, Json&) {
+      [&](int depth, Json::parse_event_t event, Json& parsed) {
         is_too_deep = is_too_deep || depth > kDeepest;
+        if (!is_too_deep) repeated.note(event, parsed);
         return !is_too_deep;
       },
       false);
   if (is_too_deep) return Refusal::bad_request(fmt::format("the body is nested deeper than {} levels", kDeepest));
+  if (repeated.found()) return Refusal::bad_request(fmt::format("the member '{}' is given twice", *repeated.found()));
   return given;
 }
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "algebra3d/base/temporary_folder.h"
 #include "queries/server/detail/http.h"
 #include "queries/server/detail/refusal.h"
-#include "queries/server/detail/temporary_folder.h"
 
 namespace queries {
 
@@ -21,7 +21,7 @@ class Uploads {
     std::uint64_t bytes = 0;
   };
 
-  Uploads(TemporaryFolder folder, std::uint64_t most_bytes, std::size_t most_files)
+  Uploads(algebra3d::TemporaryFolder folder, std::uint64_t most_bytes, std::size_t most_files)
       : folder_(std::move(folder)), most_bytes_(most_bytes), most_files_(most_files) {}
   Uploads(const Uploads&) = delete;
   Uploads& operator=(const Uploads&) = delete;
@@ -36,7 +36,7 @@ class Uploads {
   bool remove(const std::string& name);
 
  private:
-  TemporaryFolder folder_;
+  algebra3d::TemporaryFolder folder_;
   std::uint64_t most_bytes_;
   std::size_t most_files_;
   mutable std::mutex mutex_;  // guards files that are complete, and parts_

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "algebra3d/base/text.h"
 #include "queries/session/variables.h"
 
 namespace queries {
@@ -37,12 +38,6 @@ class ResultCollector final : public Presenter {
  private:
   NestedList result_;
 };
-
-std::string replaced(std::string text, std::string_view from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
-  return text;
-}
 
 // `ExtRelation-C++` and `RTreeAlgebra` are written with and without their endings.
 bool is_known_algebra(std::string name) {
@@ -182,7 +177,7 @@ void TestRun::set_expectation(const std::string& text) {
 }
 
 Expectation TestRun::expectation_from_file(const std::string& name) const {
-  const std::string written = replaced(name, "$(SCRATCH)", folders_.scratch.string());
+  const std::string written = algebra3d::with_replaced(name, "$(SCRATCH)", folders_.scratch.string());
   const fs::path file = folders_.file / with_variables(written);
   std::ifstream stream(file, std::ios::binary);
   if (!stream || fs::is_directory(file))
@@ -202,7 +197,7 @@ Expectation TestRun::expectation_from_object(const std::string& name) {
 Result<NestedList> TestRun::execute(const CommandText& command) {
   diagnostics_.clear();
   Context context{diagnostics_, options_.cancel, folders_.file};
-  std::string text = replaced(command.text, "$(SCRATCH)", folders_.scratch.string());
+  std::string text = algebra3d::with_replaced(command.text, "$(SCRATCH)", folders_.scratch.string());
   if (variation_ != nullptr) {
     ALGEBRA3D_ASSIGN_OR_RETURN(text, variation_->moved_command(text, folders_));
   }

@@ -251,6 +251,28 @@ TEST(ShapeOfValue, refuses_what_floats_cannot_hold) {
             "nothing of this size can be drawn: it reaches from 0 to 1e+300 along x; at most 1.7e+38 are possible");
 }
 
+TEST(ShapeOfValue, what_floats_cannot_resolve_is_a_point) {
+  for (const double size : {1e-30, 1e-160}) {
+    const TriangleMesh cube = cube_triangles(0, size);
+    const Result<Shape> shape = shape_of(Value::of(Volume3d::trusted(cube)));
+    ASSERT_TRUE(shape.ok());
+    EXPECT_EQ(shape->box.max, (Vec3{size, size, size}));
+    EXPECT_EQ(shape->triangle_count, 12U);
+    EXPECT_EQ(shape->kind, "volume3d");
+    if (size > 0x1p-100) {
+      EXPECT_EQ(shape->triangles.size(), 12U);
+      EXPECT_TRUE(shape->points.empty());
+      continue;
+    }
+    EXPECT_TRUE(shape->triangles.empty() && shape->edges.empty() && shape->normals.empty());
+    EXPECT_EQ(shape->origin, (Vec3{size / 2, size / 2, size / 2}));
+    ASSERT_EQ(shape->positions.size(), 1U);
+    EXPECT_EQ(shape->positions[0], (Shape::Position{0, 0, 0}));
+    ASSERT_EQ(shape->points.size(), 1U);
+    EXPECT_EQ(shape->points[0], 0U);
+  }
+}
+
 TEST(ShapeOfValue, can_be_interrupted) {
   const std::atomic<bool> cancel = true;
   const Result<Shape> shape = shape_of(Value::of(Volume3d::trusted(cube_triangles(0, 1))), Monitor(&cancel));

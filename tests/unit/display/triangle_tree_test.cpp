@@ -231,6 +231,18 @@ TEST(TriangleTree, triangles_in_spatial_order_stay_where_they_are) {
   EXPECT_FALSE(by_columns.face_ids.empty());
 }
 
+/// Its triangles are not those of the value, so they have no numbers there.
+TEST(TriangleTree, a_coarser_level_that_is_reordered_gets_no_ids) {
+  Shape level = shape_of_solid(unit_sphere(60, 120));
+  std::mt19937 random(1);
+  std::ranges::shuffle(level.triangles, random);
+  level.deviation = 0.1;
+  add_tree(level);
+  EXPECT_FALSE(level.tree.empty());
+  EXPECT_TRUE(level.face_ids.empty());
+  EXPECT_TRUE(level.vertex_ids.empty());
+}
+
 TEST(TriangleTree, small_shapes_have_none) {
   Shape shape = shape_of_solid(cube_triangles(0, 1));
   add_tree(shape);

@@ -147,9 +147,9 @@ algebra3d::Result<MeshContent> read_tri(std::string_view bytes, std::string_view
       {{{digit(0), digit(1), digit(2)}, {digit(3), digit(4), digit(5)}, {digit(6), digit(7), digit(8)}}});
   return MeshContent{soup, Encoding::ascii, {}, std::nullopt};
 }
-algebra3d::Status write_tri(const std::filesystem::path& path, const Facets& facets, std::string_view /*name*/,
+algebra3d::Status write_tri(const algebra3d::OutputPath& path, const Facets& facets, std::string_view /*name*/,
                             Encoding /*encoding*/) {
-  std::ofstream file(path);
+  std::ofstream file(path.path());
   file << "tri ";
   for (const auto& corner : std::get<algebra3d::TriangleSoup>(facets).triangles.at(0))
     file << corner.x << corner.y << corner.z;

@@ -319,7 +319,7 @@ TEST_F(StlWriter, replaces_a_file_behind_a_link_and_keeps_its_permissions) {
 TEST_F(StlWriter, a_name_without_folder_means_the_working_directory) {
   const auto before = std::filesystem::current_path();
   std::filesystem::current_path(folder_.path(""));
-  const auto status = write_stl_file("here.stl", {}, "", Encoding::ascii);
+  const auto status = write_stl_file(std::filesystem::path("here.stl"), {}, "", Encoding::ascii);
   std::filesystem::current_path(before);
   ASSERT_TRUE(status) << status.error().message;
   EXPECT_EQ(folder_.bytes("here.stl"), "solid\nendsolid\n");

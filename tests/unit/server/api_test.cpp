@@ -63,7 +63,7 @@ class ApiTest : public testing::Test {
       ASSERT_TRUE(session.open_file(options.database).ok());
     }
     api_ = std::make_unique<Api>(server_registry(), options, limits, "", authorities_of("127.0.0.1", 1, {}),
-                                 *TemporaryFolder::make(), *DatabaseIdentity::of(options.database));
+                                 *algebra3d::TemporaryFolder::make(), *DatabaseIdentity::of(options.database));
   }
 
   HttpAnswer ask(const std::string& method, const std::string& target, const std::string& body = {},
@@ -198,7 +198,7 @@ TEST_F(ApiTest, WhatIsNotForManyUsersIsRefused) {
   for (const char* statement :
        {"begin transaction", "close database", "create database x", "open database x", "delete database x",
         "restore database x from 'y'", "set \"memory\" = 5", "{ query 1 | begin transaction }"})
-    EXPECT_EQ(query(statement)["error"]["code"], "not_evaluable") << statement;
+    EXPECT_EQ(query(statement)["error"]["code"], "wrong_usage") << statement;
 }
 
 TEST_F(ApiTest, FilesOutsideOfTheWorkingFolderAreRefused) {

@@ -1,9 +1,10 @@
+import { useEffect, useState } from "preact/hooks";
 import type { LoadProgress, SceneView } from "../scene/api";
 import { useSceneReports } from "./SceneHost";
 import { WithCode } from "./ui/WithCode";
 import { Icon } from "./ui/Icon";
 
-/** Loading, failed loading, and a missing WebGL, drawn over a scene. */
+/** Loading, failed loading, objects far out of sight, and a missing WebGL, drawn over a scene. */
 export function SceneMessages({ view }: { view: SceneView }) {
   const { progress, problem } = useSceneReports(view);
   if (problem)
@@ -22,13 +23,35 @@ export function SceneMessages({ view }: { view: SceneView }) {
   const shown = progress.filter(
     (each) => each.phase !== "done" && (each.phase !== "failed" || view.isVisible(each)),
   );
-  if (shown.length === 0) return null;
   return (
-    <div class="scene-loading" role="status" data-testid="scene-loading">
-      {shown.map((each) => (
-        <LoadingLine key={`${each.result}/${each.column}`} progress={each} />
-      ))}
-    </div>
+    <>
+      {shown.length > 0 && (
+        <div class="scene-loading" role="status" data-testid="scene-loading">
+          {shown.map((each) => (
+            <LoadingLine key={`${each.result}/${each.column}`} progress={each} />
+          ))}
+        </div>
+      )}
+      <FarLine view={view} />
+    </>
+  );
+}
+
+/** Says that the camera has left out what is far away, and shows it on demand. */
+function FarLine({ view }: { view: SceneView }) {
+  const [count, setCount] = useState(view.farCount);
+  useEffect(() => {
+    setCount(view.farCount);
+    return view.on("far", (far) => setCount(far.count));
+  }, [view]);
+  if (count === 0) return null;
+  return (
+    <p class="scene-far" role="status" data-testid="scene-far">
+      {count === 1 ? "1 object is" : `${count.toLocaleString("en")} objects are`} far from the others.
+      <button type="button" class="btn small" onClick={() => view.fit()}>
+        Show all
+      </button>
+    </p>
   );
 }
 

@@ -4,6 +4,8 @@ import { isQuery, titleOf, type Outcome } from "../state/outcome";
 import type { SceneView } from "../scene/api";
 import { decodeView, encodeView, makeView, parametersOf, sceneOf, type LinkView } from "../state/permalink";
 import { foreignStatements, linkOf, restoreSides, type LinkCompare } from "../state/workbench_link";
+import { cellOf, type Step } from "../state/workbench";
+import { isDrawn } from "./compare/CompareSide";
 import type { App } from "./context";
 
 const prefix = "#view=";
@@ -111,7 +113,8 @@ async function restoreCompare(
   if (!(await restoreSides(workbench, link, results))) return;
   for (const name of ["right", "left"] as const) {
     const scene = await valueOf(sideScenes[name]);
-    if (link[name].steps.length > 0) await drawn(scene);
+    const step = workbench.side(name).step.value;
+    if (step) await drawn(scene, step);
   }
   // The views have chosen cameras of their own for what came; those of the link replace them.
   for (const name of ["right", "left"] as const) {
@@ -136,12 +139,16 @@ function valueOf<T>(source: ReadonlySignal<T | null>): Promise<T> {
   });
 }
 
-/** Waits until a scene shows something, or cannot. */
-function drawn(scene: SceneView): Promise<void> {
+/** Waits until a scene shows the mesh of a step, or cannot; what it showed before does not count. */
+function drawn(scene: SceneView, step: Step): Promise<void> {
+  const { result } = cellOf(step);
+  const hasFailed = () =>
+    scene.problem !== null ||
+    scene.progress.some((progress) => progress.result === result && progress.phase === "failed");
   return new Promise((resolve) => {
-    const ends = [scene.on("shapes", look), scene.on("problem", look)];
+    const ends = [scene.on("shapes", look), scene.on("problem", look), scene.on("progress", look)];
     function look(): void {
-      if (scene.shapes().length === 0 && !scene.problem) return;
+      if (!isDrawn(scene, step) && !hasFailed()) return;
       ends.forEach((end) => end());
       setTimeout(resolve);
     }

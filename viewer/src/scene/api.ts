@@ -161,6 +161,8 @@ export interface SceneEvents {
   /** The shapes or their levels of detail changed. */
   shapes: Record<string, never>;
   progress: LoadProgress;
+  /** See SceneView.farCount. */
+  far: { readonly count: number };
   vertex: VertexMove;
   /** null when it is over. */
   problem: SceneProblem | null;
@@ -264,6 +266,8 @@ export interface SceneView {
   fit(cells?: readonly CellRef[]): void;
   /** The standard view: isometric, all is seen. */
   home(): void;
+  /** Objects so far from the others that the camera did not go back for them by itself, until `fit` shows all. */
+  readonly farCount: number;
   look(view: StandardView): void;
   /** Rolls or turns by degrees: about the view direction, the upward or the sideways axis. */
   turn(axis: "roll" | "up" | "side", degrees: number): void;

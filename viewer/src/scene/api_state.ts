@@ -131,6 +131,14 @@ export interface DisplayState {
   readonly explode: number;
 }
 
+/** The R-tree of the database whose boxes the panel of indexes draws. */
+export interface IndexBoxesState {
+  /** "" for none. */
+  readonly name: string;
+  /** From the root, 0, to the leaves. */
+  readonly level: number;
+}
+
 export interface SceneState {
   readonly camera: CameraState;
   readonly navigation: NavigationState;
@@ -139,6 +147,7 @@ export interface SceneState {
   readonly lights: LightsState;
   readonly section: SectionState;
   readonly display: DisplayState;
+  readonly index: IndexBoxesState;
 }
 
 /** A part of the state to be changed; what is left out stays. */

@@ -15,6 +15,10 @@ import { fromVector3, toVector3 } from "./vec";
 export const kFieldOfView = 30;
 const kHalfTangent = Math.tan((kFieldOfView * Math.PI) / 360);
 
+/** Floats of a graphics card have all their digits down to about here. */
+const kLeastHeight = 1e-30;
+const kLargestHeight = 1e38;
+
 /** Free border around what is fitted, as a factor of its size. */
 const kMargin = 1.08;
 
@@ -42,7 +46,13 @@ export function eyeDistance(height: number): number {
   return height / (2 * kHalfTangent);
 }
 
-function placed(camera: CameraState, target: Vector3, basis: Basis, height: number): CameraState {
+/** The least that can be seen at a place: with less the eye could not be told from its target in doubles. */
+function leastHeight({ x, y, z }: Vector3): number {
+  return Math.max(kLeastHeight, 1e-11 * Math.max(Math.abs(x), Math.abs(y), Math.abs(z)));
+}
+
+function placed(camera: CameraState, target: Vector3, basis: Basis, wanted: number): CameraState {
+  const height = Math.max(wanted, leastHeight(target));
   const position = target.clone().addScaledVector(basis.back, eyeDistance(height));
   return {
     ...camera,
@@ -114,7 +124,8 @@ export function pan(camera: CameraState, right: number, upwards: number): Camera
 
 /** Changes what is seen by a factor (below 1: closer); the place `anchor` stays where it is in the picture. */
 export function zoom(camera: CameraState, factor: number, anchor: Vec3 = camera.target): CameraState {
-  const height = Math.min(1e30, Math.max(1e-30, camera.height * factor));
+  const least = leastHeight(toVector3(camera.target));
+  const height = Math.min(kLargestHeight, Math.max(least, camera.height * factor));
   const target = toVector3(camera.target)
     .sub(toVector3(anchor))
     .multiplyScalar(height / camera.height)
@@ -145,8 +156,9 @@ const kStandardViews: Readonly<Record<StandardView, { back: Vec3; up: Vec3 }>> =
 /** The same target and height, seen from a standard side. */
 export function looking(camera: CameraState, view: StandardView): CameraState {
   const { back, up } = kStandardViews[view];
-  const position = toVector3(camera.target).add(toVector3(back));
-  return normalizedCamera({ ...camera, position: fromVector3(position), up });
+  // About the origin: beside a target far away the direction would be lost.
+  const basis = basisOf({ ...camera, target: [0, 0, 0], position: back, up });
+  return placed(camera, toVector3(camera.target), basis, camera.height);
 }
 
 /** The camera, moved without turning so that all of the box is seen. */

@@ -54,6 +54,17 @@ function passLittle(shader: { fragmentShader: string }): void {
   shader.fragmentShader = shader.fragmentShader.replace(`#include <${chunk}>`, lights);
 }
 
+/** The normal of a flat face from directions of length about 1: those of tiny and of huge objects leave the floats. */
+function takeAnySize(shader: { fragmentShader: string }): void {
+  const chunk = "normal_fragment_begin";
+  const normals = ShaderChunk[chunk].replace(
+    "cross( fdx, fdy )",
+    `cross( fdx / max( max( abs( fdx.x ), abs( fdx.y ) ), abs( fdx.z ) ),
+            fdy / max( max( abs( fdy.x ), abs( fdy.y ) ), abs( fdy.z ) ) )`,
+  );
+  shader.fragmentShader = shader.fragmentShader.replace(`#include <${chunk}>`, normals);
+}
+
 /** Of faces; `closed`: backs are never seen unless the solid is cut open. */
 export function faceMaterial(vertexColors: boolean): MeshLambertMaterial {
   const material = new MeshLambertMaterial({
@@ -62,7 +73,10 @@ export function faceMaterial(vertexColors: boolean): MeshLambertMaterial {
     polygonOffsetFactor: 1,
     polygonOffsetUnits: 1,
   });
-  material.onBeforeCompile = passLittle;
+  material.onBeforeCompile = (shader) => {
+    passLittle(shader);
+    takeAnySize(shader);
+  };
   return material;
 }
 

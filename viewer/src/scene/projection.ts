@@ -22,6 +22,12 @@ export interface ScreenPoint {
   readonly visible: boolean;
 }
 
+/** Without perspective, depths are told apart evenly: beyond so many distances of the eye nothing near would be. */
+const kDeepest = 1e4;
+
+/** Distances of the eye from 2^-30 to 2^30 need no care. */
+const kLargestExponent = 30;
+
 export class Projector {
   private readonly perspective = new PerspectiveCamera(kFieldOfView);
   private readonly orthographic = new OrthographicCamera();
@@ -43,20 +49,23 @@ export class Projector {
     const camera = state.projection === "perspective" ? this.perspective : this.orthographic;
     if (camera instanceof PerspectiveCamera) {
       camera.aspect = this.aspect;
-      camera.near = Math.max(near, far * 1e-5, eye * 1e-4);
+      // Far things must not push the near plane over what is looked at.
+      camera.near = Math.max(near, Math.min(far * 1e-5, eye * 1e-2), eye * 1e-4);
     } else {
       camera.top = state.height / 2;
       camera.bottom = -camera.top;
       camera.right = camera.top * this.aspect;
       camera.left = -camera.right;
-      camera.near = near;
+      camera.near = Math.max(near, -kDeepest * eye);
     }
-    camera.far = Math.max(far, camera.near + eye * 1e-3);
+    const end = camera instanceof PerspectiveCamera ? far : Math.min(far, kDeepest * eye);
+    camera.far = Math.max(end, camera.near + eye * 1e-3);
     camera.position.copy(position);
     camera.up.copy(basis.up);
     camera.matrix.makeBasis(basis.right, basis.up, basis.back).setPosition(position);
     camera.matrix.decompose(camera.position, camera.quaternion, camera.scale);
     camera.updateProjectionMatrix();
+    if (camera instanceof PerspectiveCamera) scaleToUnit(camera, eye);
     camera.updateMatrixWorld(true);
     this.matrix.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
     return camera;
@@ -116,6 +125,18 @@ export class Projector {
     const depth = eye - point.clone().sub(toVector3(state.target)).dot(basis.back);
     return whole * Math.max(depth / eye, 1e-6);
   }
+}
+
+/**
+ * Divides the coordinates before the perspective division by a power of two near the distance of the eye, where that is
+ * extreme: the picture is the same, but the card interpolates with products of them, which must stay within floats.
+ */
+function scaleToUnit(camera: PerspectiveCamera, eye: number): void {
+  const exponent = Math.round(Math.log2(eye));
+  if (Math.abs(exponent) < kLargestExponent) return;
+  const factor = 2 ** -exponent;
+  camera.projectionMatrix.multiplyScalar(factor);
+  camera.projectionMatrixInverse.multiplyScalar(1 / factor);
 }
 
 function depthRange(position: Vector3, back: Vector3, box: Box3, eye: number): { near: number; far: number } {

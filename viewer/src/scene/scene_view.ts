@@ -1,15 +1,12 @@
 /** The view that the application sees; puts the parts of the scene together. */
 
-import type { Box3 } from "three";
-
 import { performAction } from "./actions";
 import { Additions } from "./additions";
 import type * as api from "./api";
 import { normalizedCamera } from "./camera";
-import { CameraControl } from "./camera_control";
-import { CameraFollow } from "./camera_follow";
 import { Canvas } from "./canvas";
 import { Coloring } from "./coloring";
+import { Contents } from "./contents";
 import { Emitter } from "./events";
 import { Interaction } from "./interaction";
 import { Loader } from "./loader";
@@ -17,8 +14,8 @@ import { Picker } from "./picking";
 import { PointerInput } from "./pointer";
 import type { QualityStep } from "./quality";
 import { takeScreenshot } from "./screenshot";
-import type { Column, ShapeRecord } from "./shape_store";
-import { sameColumn } from "./shape_store";
+import type { Column } from "./shape_store";
+import { Sight } from "./sight";
 import { kDefaultState, patched, stateToJson } from "./state";
 import { stateFromJson } from "./state_json";
 import { Stage } from "./stage";
@@ -36,30 +33,30 @@ export class View implements api.SceneView {
   private readonly additions: Additions;
   readonly coloring: Coloring;
   private readonly loader: Loader;
+  private readonly contents: Contents;
   private readonly picker: Picker;
   private readonly interaction: Interaction;
   private readonly input: PointerInput;
   private coloringStale = false;
-  private cameraSet = false;
-  /** The camera is that of a link, for objects that are still to come. */
-  private cameraRestored = false;
-  private readonly cameraFollow = new CameraFollow();
-  private readonly cameraControl = new CameraControl({
-    camera: () => this.state.camera,
-    show: (camera, moving) => this.change({ camera }, moving),
-    aspect: () => this.stage.projector.aspect,
-    isBlind: () => this.canvas.renderer === null,
-  });
+  private readonly sight: Sight;
 
   constructor(readonly element: HTMLElement) {
     if (getComputedStyle(element).position === "static") element.style.position = "relative";
     this.stage = new Stage(element);
     this.additions = new Additions(this.stage);
+    this.sight = new Sight(this.stage, {
+      camera: () => this.state.camera,
+      show: (camera, moving) => this.change({ camera }, moving),
+      aspect: () => this.stage.projector.aspect,
+      isBlind: () => this.canvas.renderer === null,
+      farChanged: (count) => this.emitter.emit("far", { count }),
+    });
     this.coloring = new Coloring(this.stage.store, () => this.coloringChanged());
     this.loader = new Loader(this.stage.store, {
       progress: (progress) => this.emitter.emit("progress", progress),
       changed: (column, came) => this.shapesCame(column, came),
     });
+    this.contents = new Contents(this.stage.store, this.loader, this.coloring);
     this.picker = new Picker(this.stage.store, this.stage.projector, () => undefined);
     this.interaction = new Interaction(this.stage, this.picker, this.interactionHost());
     this.canvas = new Canvas(element, {
@@ -129,70 +126,34 @@ export class View implements api.SceneView {
   // Results -------------------------------------------------------------------------------------------------------
 
   get results(): readonly api.ShapeSource[] {
-    return this.stage.store.columns.map(({ source }) => source);
+    return this.contents.sources;
   }
 
   get progress(): readonly api.LoadProgress[] {
-    return [...this.loader.latest.values()];
+    return this.contents.progress;
   }
 
   addResult(source: api.ShapeSource): void {
-    if (this.stage.store.column(source)) this.removeResult(source.result, source.column);
-    this.loader.start(this.stage.store.addColumn(source));
+    if (this.contents.has(source)) this.removeResult(source.result, source.column);
+    this.contents.add(source);
   }
 
   removeResult(result: string, column?: string): void {
-    for (const known of [...this.stage.store.columns]) {
-      if (known.source.result !== result || (column !== undefined && known.source.column !== column))
-        continue;
-      this.loader.stop(known);
-      this.coloring.forget(known);
-      this.stage.store.removeColumn(known);
-    }
+    this.contents.remove(result, column);
     const left = this.selection.filter((cell) => this.stage.store.record(cell));
     if (left.length !== this.selection.length) this.setSelection(left, false);
-    if (this.stage.store.columns.length === 0) this.cameraSet = false;
     this.contentChanged();
+    this.sight.left();
   }
 
   reloadResult(ref: api.ColumnRef): void {
-    const column = this.stage.store.column(ref);
-    if (!column) return;
-    this.loader.stop(column);
-    column.generation++;
-    this.loader.start(column);
+    this.contents.reload(ref);
   }
 
   private shapesCame(column: Column, came: "first" | "more" | "finer"): void {
     this.contentChanged();
     if (this.currentTool === "vertex") this.showVertices(true);
-    if (came === "first") this.bringIntoSight(column);
-    else if (came === "more" && column.visible) this.followMore(column.source.result);
-  }
-
-  /** Fits again as long as the camera is where it was put for the first shapes of this result. */
-  private followMore(result: string): void {
-    if (!this.cameraFollow.follows(result, this.cameraControl.goal)) return;
-    this.fit();
-    this.cameraFollow.put(result, this.cameraControl.goal);
-  }
-
-  /** Moves the camera if nothing of what is new would be seen, or it is all that there is. */
-  private bringIntoSight(column: Column): void {
-    const { store } = this.stage;
-    if (!column.visible || this.boxOf().isEmpty()) return;
-    const { result } = column.source;
-    if (!this.cameraSet) {
-      this.cameraSet = true;
-      this.cameraControl.look("isometric", this.boxOf(), false);
-      this.cameraFollow.put(result, this.cameraControl.goal);
-      return;
-    }
-    const alone = store.columns.every((other) => other.source.result === result || !other.visible);
-    const unseen = !this.stage.isInSight(store.box(column.records.values()), this.cameraControl.goal);
-    if ((!alone || this.cameraRestored) && !unseen) return;
-    this.fit();
-    this.cameraFollow.put(result, this.cameraControl.goal);
+    this.sight.came(column, came);
   }
 
   private contentChanged(): void {
@@ -204,39 +165,28 @@ export class View implements api.SceneView {
   }
 
   setVisible(what: api.ColumnRef & { readonly row?: number }, visible: boolean): void {
-    const column = this.stage.store.column(what);
-    if (!column) return;
-    const shown = what.row === undefined && visible && !column.visible;
-    if (what.row === undefined) column.visible = visible;
-    else {
-      const record = column.records.get(what.row);
-      if (record) record.hidden = !visible;
-    }
+    if (!this.contents.has(what)) return;
+    const appeared = this.contents.setVisible(what, visible);
     this.visibilityChanged();
-    if (shown) this.bringIntoSight(column);
+    if (appeared) this.sight.bringIn(appeared);
   }
 
   /** After `hidden` of records was changed. */
   visibilityChanged(): void {
-    this.stage.store.refreshVisibility();
+    this.contents.refreshVisibility();
     this.contentChanged();
-    this.loader.reconsider();
   }
 
   isVisible(what: api.ColumnRef & { readonly row?: number }): boolean {
-    const column = this.stage.store.column(what);
-    if (!column?.visible) return false;
-    return what.row === undefined || !column.records.get(what.row)?.hidden;
+    return this.contents.isVisible(what);
   }
 
   shapes(ref?: api.ColumnRef): readonly api.ShapeInfo[] {
-    return [...this.stage.store.records()]
-      .filter(({ column }) => !ref || sameColumn(column.source, ref))
-      .map((record) => record.info());
+    return this.contents.shapes(ref);
   }
 
   shape(cell: api.CellRef): api.ShapeInfo | null {
-    return this.stage.store.record(cell)?.info() ?? null;
+    return this.contents.shape(cell);
   }
 
   get attributes(): readonly { readonly name: string; readonly type: string }[] {
@@ -279,7 +229,7 @@ export class View implements api.SceneView {
   // State ---------------------------------------------------------------------------------------------------------
 
   update(patch: api.ScenePatch): void {
-    if (patch.camera) this.cameraControl.finish();
+    if (patch.camera) this.sight.finish();
     this.change(patch, false);
   }
 
@@ -288,7 +238,7 @@ export class View implements api.SceneView {
     if (parts.length === 0) return;
     const before = this.state;
     this.state = parts.includes("camera") ? { ...state, camera: normalizedCamera(state.camera) } : state;
-    if (parts.includes("camera")) this.cameraSet = true;
+    if (parts.includes("camera")) this.sight.changed();
     if (parts.some((part) => part === "appearance" || part === "overrides" || part === "display")) {
       this.coloringStale = true;
     }
@@ -322,7 +272,7 @@ export class View implements api.SceneView {
     this.update({ overrides });
     if (patch.camera) {
       this.update({ camera });
-      this.cameraRestored = true;
+      this.sight.restored();
     }
     return rejected;
   }
@@ -330,8 +280,7 @@ export class View implements api.SceneView {
   // Camera --------------------------------------------------------------------------------------------------------
 
   private moveCamera(camera: api.CameraState): void {
-    this.cameraControl.stop();
-    this.cameraRestored = false;
+    this.sight.movedByPerson();
     this.change({ camera }, true);
   }
 
@@ -339,14 +288,11 @@ export class View implements api.SceneView {
     const records = cells
       ?.map((cell) => this.stage.store.record(cell))
       .filter((record) => record !== undefined);
-    this.cameraControl.fit(this.boxOf(records));
+    this.sight.fit(records);
   }
 
-  private boxOf(records?: readonly ShapeRecord[]): Box3 {
-    if (records && records.length > 0) return this.stage.store.box(records);
-    const box = this.stage.store.box();
-    for (const { group } of this.stage.additions.values()) if (box.isEmpty()) box.expandByObject(group);
-    return box;
+  get farCount(): number {
+    return this.sight.farCount;
   }
 
   home(): void {
@@ -354,15 +300,15 @@ export class View implements api.SceneView {
   }
 
   look(view: api.StandardView): void {
-    this.cameraControl.look(view, this.boxOf());
+    this.sight.look(view);
   }
 
   turn(axis: "roll" | "up" | "side", degrees: number): void {
-    this.cameraControl.turn(axis, degrees);
+    this.sight.turn(axis, degrees);
   }
 
   setCamera(camera: api.CameraState, options: { readonly animate?: boolean } = {}): void {
-    this.cameraControl.go(camera, options.animate ?? true);
+    this.sight.go(camera, options.animate ?? true);
   }
 
   // Tools and additions -------------------------------------------------------------------------------------------
@@ -437,7 +383,7 @@ export class View implements api.SceneView {
   }
 
   dispose(): void {
-    this.cameraControl.stop();
+    this.sight.stop();
     this.loader.stopAll();
     this.additions.clear();
     this.input.dispose();

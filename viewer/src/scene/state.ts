@@ -57,6 +57,7 @@ export const kDefaultState: SceneState = {
     legend: true,
     explode: 0,
   },
+  index: { name: "", level: 0 },
 };
 
 type Part = keyof SceneState;
@@ -79,7 +80,7 @@ export function patched(state: SceneState, patch: ScenePatch): { state: SceneSta
 /** What differs from a new view; lights' markers and other things of the moment are left out. */
 export function stateToJson(state: SceneState): Record<string, unknown> {
   const json: Record<string, unknown> = { camera: state.camera };
-  for (const part of ["navigation", "appearance", "lights", "section", "display"] as const) {
+  for (const part of ["navigation", "appearance", "lights", "section", "display", "index"] as const) {
     const changes = Object.entries(state[part]).filter(
       ([key, value]) =>
         key !== "markers" &&

@@ -11,6 +11,10 @@ const isNumber =
   (min: number, max: number): Check =>
   (value) =>
     typeof value === "number" && value >= min && value <= max;
+const isCount =
+  (max: number): Check =>
+  (value) =>
+    Number.isInteger(value) && isNumber(0, max)(value);
 const isOneOf =
   (...names: readonly unknown[]): Check =>
   (value) =>
@@ -102,6 +106,11 @@ const kFields: Readonly<Record<Exclude<keyof SceneState, "overrides">, Readonly<
     nonManifold: isBoolean,
     legend: isBoolean,
     explode: isNumber(0, 100),
+  },
+  // The name becomes a part of a statement.
+  index: {
+    name: (value) => typeof value === "string" && /^(?:[A-Za-z]\w*)?$/.test(value),
+    level: isCount(64),
   },
 };
 

@@ -2,7 +2,7 @@ import { useEffect, useState } from "preact/hooks";
 
 import type { Database, IndexInfo, SceneView } from "../scene";
 import { Choice, Section, Slider } from "./fields";
-import { messageOf, useSceneEvents } from "./hooks";
+import { messageOf, useSceneEvents, useSceneState } from "./hooks";
 import { levelsOf, nodeBoxes } from "./index_boxes";
 import type { NodeBoxes } from "./index_boxes";
 
@@ -19,14 +19,12 @@ const kColor = "#e0803a";
 export function IndexPanel({ view, database }: Props) {
   useSceneEvents(view, "shapes");
   const indexes = ofShownFirst(database.indexes(), view);
-  const [name, setName] = useState(kNone);
-  const [level, setLevel] = useState(0);
-  const { levels, boxes, error } = useIndexBoxes(view, database, name, level);
+  const { index } = useSceneState(view, "index");
+  // That of a link may be gone.
+  const name = indexes.some((known) => known.name === index.name) ? index.name : kNone;
+  const { levels, boxes, error } = useIndexBoxes(view, database, name, index.level);
   if (indexes.length === 0) return null;
-  const choose = (next: string): void => {
-    setName(next);
-    setLevel(0);
-  };
+  const level = Math.min(index.level, Math.max(0, levels - 1));
   return (
     <Section title="Index boxes" open={false} testId="index-panel" inUse={name !== kNone}>
       <Choice
@@ -36,7 +34,7 @@ export function IndexPanel({ view, database }: Props) {
           { id: kNone, title: "none" },
           ...indexes.map((index) => ({ id: index.name, title: titleOf(index) })),
         ]}
-        onChange={choose}
+        onChange={(next) => view.update({ index: { name: next, level: 0 } })}
       />
       {name !== kNone && levels > 1 && (
         <Slider
@@ -46,7 +44,7 @@ export function IndexPanel({ view, database }: Props) {
           max={levels - 1}
           step={1}
           format={(value) => (value === 0 ? "root" : value === levels - 1 ? "leaves" : String(value))}
-          onChange={setLevel}
+          onChange={(next) => view.update({ index: { level: next } })}
         />
       )}
       {name !== kNone && (
@@ -88,11 +86,15 @@ function useIndexBoxes(
     if (name === kNone) return;
     const abort = new AbortController();
     setError("");
-    const fail = (failure: unknown): void => {
-      if (!abort.signal.aborted) setError(messageOf(failure));
+    const read = async (): Promise<void> => {
+      const count = await levelsOf(database, name, abort.signal);
+      setLevels(count);
+      const known = Math.min(level, Math.max(0, count - 1)); // the tree of a link may have become lower
+      setBoxes(await nodeBoxes(database, name, known, abort.signal));
     };
-    void levelsOf(database, name, abort.signal).then(setLevels).catch(fail);
-    void nodeBoxes(database, name, level, abort.signal).then(setBoxes).catch(fail);
+    read().catch((failure: unknown) => {
+      if (!abort.signal.aborted) setError(messageOf(failure));
+    });
     return () => {
       abort.abort();
       setBoxes(null);

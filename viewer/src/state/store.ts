@@ -90,22 +90,36 @@ export class Store {
 
   /** Runs a statement and shows its outcome. Returns null if it failed, which is shown. */
   async run(statement: string, options: RunOptions = {}): Promise<Outcome | null> {
+    const outcome = await this.#run(statement, options);
+    if (!isFailure(outcome)) return outcome;
+    this.fail(outcome, options.place ?? null);
+    return null;
+  }
+
+  /**
+   * Runs a statement that stores a new object. Answers with why it failed, for the place where the name was given; ""
+   * if it is stored.
+   */
+  async save(statement: string, options: RunOptions): Promise<string> {
+    const outcome = await this.#run(statement, options);
+    if (!isFailure(outcome)) return "";
+    if (hasNoAnswer(outcome)) void this.connection.check();
+    return [sentence(outcome.message), outcome.remedy].filter(Boolean).join(" ");
+  }
+
+  async #run(statement: string, options: RunOptions): Promise<Outcome | Failure> {
     try {
-      return await this.#run(statement, options);
+      return await this.#runAndShow(statement, options);
     } finally {
       this.ended.value++;
     }
   }
 
-  async #run(statement: string, options: RunOptions): Promise<Outcome | null> {
+  async #runAndShow(statement: string, options: RunOptions): Promise<Outcome | Failure> {
     this.failure.value = null;
     const outcome = await this.#outcomeOf(statement, options);
-    const ok = !isFailure(outcome);
-    this.history.add(statement, ok);
-    if (!ok) {
-      this.fail(outcome, options.place ?? null);
-      return null;
-    }
+    this.history.add(statement, !isFailure(outcome));
+    if (isFailure(outcome)) return outcome;
     if (outcome.table) this.#show(outcome);
     else this.notices.add("success", doneText(statement), { detail: outcome.answer.diagnostics.join("\n") });
     await this.refreshObjects();
@@ -157,8 +171,7 @@ export class Store {
   }
 
   fail(failure: Failure, place: number | null): void {
-    if (failure.code === "no_answer") void this.connection.check();
-    if (failure.code === "unauthorized") void this.connection.check();
+    if (hasNoAnswer(failure)) void this.connection.check();
     const range = place === null ? null : failureRange(failure.statement, failure.place);
     const shown = range && place !== null ? { from: range.from + place, to: range.to + place } : null;
     this.failure.value = { ...failure, range: shown };
@@ -172,6 +185,13 @@ export class Store {
     const detail = [failure.message, failure.remedy].filter(Boolean).join("\n");
     this.notices.add("error", what, { detail });
   }
+}
+
+const sentence = (text: string) => (/[.!?]$/.test(text) ? text : `${text}.`);
+
+/** Whether the server is gone or wants a token. */
+function hasNoAnswer({ code }: Failure): boolean {
+  return code === "no_answer" || code === "unauthorized";
 }
 
 function doneText(statement: string): string {

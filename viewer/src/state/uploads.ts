@@ -85,13 +85,13 @@ export class Uploads {
     this.#reviews.value = this.#reviews.value.filter((other) => other !== review);
   }
 
-  /** Stores the repaired solid as an object; the review stays if that fails, as for a file that is gone. */
-  async store(review: Review, name: string): Promise<void> {
-    const importer = importerOf(review.fileName);
-    if (!importer) return;
+  /** Stores the repaired solid as an object; why that failed, as for a file that is gone, or "": then the review ends. */
+  async store(review: Review, name: string): Promise<string> {
+    const importer = importerOf(review.fileName) ?? "";
     const statement = `let ${name} = ${importer}(${quoted(review.path.value)})`;
-    const stored = await this.#store.run(statement, { stores: name });
-    if (stored) this.close(review);
+    const refusal = await this.#store.save(statement, { stores: name });
+    if (refusal === "") this.close(review);
+    return refusal;
   }
 
   async #uploadOnly(file: File): Promise<void> {

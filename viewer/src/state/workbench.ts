@@ -41,6 +41,8 @@ export class Side {
   readonly busy = signal("");
   readonly error = signal("");
   readonly facts = signal<Facts | null>(null);
+  /** Statistics are being computed. */
+  readonly counting = signal(false);
   /** A mesh whose edges are drawn over this one: the control mesh of a limit surface. */
   readonly control = signal<CellRef | null>(null);
   readonly #store: Store;
@@ -127,11 +129,11 @@ export class Side {
     this.#changed();
   }
 
-  /** Stores the mesh as an object of the database. */
-  async save(name: string): Promise<void> {
+  /** Stores the mesh as an object of the database; why that failed, or "". */
+  async save(name: string): Promise<string> {
     const step = this.#step.value;
-    if (!step) return;
-    await this.#store.run(`let ${name} = $a`, { parameters: { a: cellOf(step) } });
+    if (!step) return "There is no mesh on this side.";
+    return this.#store.save(`let ${name} = $a`, { parameters: { a: cellOf(step) } });
   }
 
   /** Takes what an operation makes of a mesh of the other side, which is drawn over it as control mesh. */
@@ -168,6 +170,7 @@ export class Side {
       this.#canUndo.value = this.#done.length > 1;
       this.#canRedo.value = this.#undone.length > 0;
       this.facts.value = null;
+      this.counting.value = false;
     });
     this.#counting.abort();
     this.#counting = new AbortController();
@@ -247,6 +250,12 @@ export class Side {
   async #readFacts(signal: AbortSignal): Promise<void> {
     const step = this.#step.value;
     if (!step) return;
+    this.counting.value = true;
+    await this.#tellFacts(step, signal);
+    if (this.#step.value === step) this.counting.value = false;
+  }
+
+  async #tellFacts(step: Step, signal: AbortSignal): Promise<void> {
     const parameters = { a: cellOf(step) };
     const facts: { name: string; value: Json }[] = [];
     const tell = () => {

@@ -249,6 +249,8 @@ test("a vertex is dragged along its normal", async () => {
   await scene.focus();
   await page.keyboard.press("1");
   await page.keyboard.press("5");
+  await page.keyboard.press("-"); // so that the corner is not at the edge of the view
+  await page.keyboard.press("-");
   const corner = topRight(await stillScene(page, sceneOf("left")));
   await press("left", "Vertex ↕ normal");
   const box = await scene.boundingBox();
@@ -310,6 +312,55 @@ test("a link restores the split screen", async () => {
   } finally {
     await other.end();
   }
+});
+
+test("a link restores its cameras also where other meshes are shown", async () => {
+  await server.run("let_ Yard = createCube(makePoint3D(0, 0, 0), makePoint3D(50, 50, 50))");
+  await page.getByRole("button", { name: "Read the list again" }).click();
+  await load("left", "Cube");
+  await load("right", "Ball");
+  await page.getByLabel("Same camera").setChecked(false);
+  for (const name of ["left", "right"] as const) {
+    await page.locator(sceneOf(name)).focus();
+    await page.keyboard.press(name === "left" ? "1" : "7");
+    for (let i = 0; i < 3; i++) await page.keyboard.press("-");
+  }
+  const left = await stillScene(page, sceneOf("left"));
+  const right = await stillScene(page, sceneOf("right"));
+  await page.getByRole("button", { name: "Copy link" }).click();
+  await page.getByTestId("notice").first().waitFor();
+  const { hash } = new URL(page.url());
+  await page.evaluate(() => history.replaceState(null, "", "#"));
+  await load("left", "Yard");
+  await load("right", "Yard");
+  const other = await stillScene(page, sceneOf("left"));
+  expect(other.difference(left)).toBeGreaterThan(0.02);
+  await page.evaluate((link) => (location.hash = link), hash);
+  await expectFact("left", "Volume", "8");
+  await expectFact("right", "Faces", "528");
+  expect((await stillScene(page, sceneOf("left"))).difference(left)).toBeLessThan(0.01);
+  expect((await stillScene(page, sceneOf("right"))).difference(right)).toBeLessThan(0.01);
+});
+
+test("counting is stopped, and the mesh stays", async () => {
+  const held: (() => void)[] = [];
+  await page.route("**/api/query", async (route) => {
+    const { statement } = route.request().postDataJSON() as { statement: string };
+    if (/volume/i.test(statement)) await new Promise<void>((resolve) => held.push(resolve));
+    await route.continue().catch(() => undefined);
+  });
+  await load("left", "Cube");
+  await expectFact("left", "Faces", "12");
+  await side("left").getByText("Counting…").waitFor();
+  await takePicture(page, "compare-counting");
+  await press("left", "Stop");
+  await side("left").getByText("Counting…").waitFor({ state: "detached" });
+  expect(held.length).toBe(1);
+  expect(await side("left").locator('[data-fact="Faces"]').innerText()).toBe("12");
+  expect(await side("left").locator('[data-fact="Volume"]').count()).toBe(0);
+  expect(await side("left").locator(".steps").innerText()).toBe("Cube");
+  held.forEach((end) => end());
+  await page.unroute("**/api/query");
 });
 
 test("a running step is stopped, and what was there stays", async () => {

@@ -1,8 +1,8 @@
 import { expect, test } from "vitest";
 
-import { run, stillScene } from "./support/actions";
+import { ready, run, stillScene } from "./support/actions";
 import { takePicture } from "./support/browser";
-import { choose, field, frontView, isNear, plainScene } from "./support/scene";
+import { choose, field, frontView, isNear, openSettings, plainScene } from "./support/scene";
 import { Session } from "./support/session";
 
 // 64 cubes in a square that is seen from the front: more than a leaf holds.
@@ -55,4 +55,30 @@ test("a tree of one leaf has no level to choose", async () => {
     .poll(() => page.getByTestId("index-facts").innerText())
     .toBe("1 node of 1 level, with 2 members");
   expect(await field(page, "index", "Level").count()).toBe(0);
+});
+
+test("a link restores the index, its level and its boxes", async () => {
+  const { page, server } = session;
+  await run(page, "query Parts");
+  await plainScene(page);
+  await frontView(page);
+  await field(page, "index", "R-tree").selectOption("Parts_Solid");
+  await field(page, "index", "Level").fill("1");
+  const facts = () => page.getByTestId("index-facts");
+  await expect.poll(() => facts().innerText()).toMatch(/^\d+ nodes of 2 levels, with 64 members$/);
+  const before = await stillScene(page);
+  await page.getByRole("button", { name: "Copy link" }).click();
+  await page.getByTestId("notice").first().waitFor();
+  const link = page.url();
+  await page.goto(`${server.url}#`);
+  await page.reload();
+  await ready(page);
+  expect(await facts().count()).toBe(0);
+  await page.goto(link);
+  await page.getByTestId("table").waitFor();
+  await openSettings(page);
+  await expect.poll(() => facts().innerText()).toMatch(/^\d+ nodes of 2 levels, with 64 members$/);
+  expect(await field(page, "index", "R-tree").inputValue()).toBe("Parts_Solid");
+  expect(await field(page, "index", "Level").inputValue()).toBe("1");
+  expect((await stillScene(page)).difference(before)).toBeLessThan(0.01);
 });

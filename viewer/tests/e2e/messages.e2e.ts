@@ -119,6 +119,99 @@ test("the theme follows the system, and can be chosen", async () => {
   expect(await page.locator("html").getAttribute("data-theme")).toBe("dark");
 });
 
+/** The contrast of a text with what is behind it, as WCAG 2 defines it. */
+function contrastOf(element: Element): number {
+  const context = document.createElement("canvas").getContext("2d", { willReadFrequently: true })!;
+  const layers: { color: string; opacity: number }[] = [];
+  for (let at: Element | null = element; at; at = at.parentElement) {
+    const { backgroundColor, opacity } = getComputedStyle(at);
+    layers.unshift({ color: backgroundColor, opacity: Number(opacity) });
+  }
+  const paint = (color: string, alpha: number) => {
+    context.globalAlpha = alpha;
+    context.fillStyle = color;
+    context.fillRect(0, 0, 1, 1);
+  };
+  const luminance = () => {
+    const [red = 0, green = 0, blue = 0] = [...context.getImageData(0, 0, 1, 1).data].map((part) => {
+      const share = part / 255;
+      return share <= 0.04045 ? share / 12.92 : ((share + 0.055) / 1.055) ** 2.4;
+    });
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue;
+  };
+  for (const { color, opacity } of layers) paint(color, opacity);
+  const ground = luminance();
+  paint(
+    getComputedStyle(element).color,
+    layers.reduce((product, { opacity }) => product * opacity, 1),
+  );
+  const text = luminance();
+  return (Math.max(ground, text) + 0.05) / (Math.min(ground, text) + 0.05);
+}
+
+test.each(["dark", "light"] as const)("quiet texts can be read in the %s theme", async (theme) => {
+  const server = await startServer();
+  const browser = await startBrowser({ theme });
+  const page = await browser.open(server.url);
+  await ready(page);
+  await run(
+    page,
+    "query intstream(1, 3) transformstream extend[A: 1.0 / (.Elem - .Elem), P: makePoint3D(.Elem, 0, 0)] consume",
+  );
+  const cell = page.locator(".undefined").first();
+  const expectContrast = async (place: ReturnType<typeof page.locator>, name: string) =>
+    expect(await place.evaluate(contrastOf), name).toBeGreaterThanOrEqual(4.5);
+  await page.mouse.move(0, 0);
+  await expectContrast(cell, "undefined");
+  await cell.hover();
+  await expectContrast(cell, "undefined under the pointer");
+  await cell.click();
+  await page.locator('.table-row[aria-selected="true"]').waitFor();
+  await expectContrast(cell, "undefined in the selected row");
+  await page.locator(".cm-content").click();
+  await page.keyboard.press("Control+End");
+  await page.keyboard.type("\n# a remark\nquery 1");
+  await page.keyboard.press("Escape");
+  for (const number of await page.locator(".cm-lineNumbers .cm-gutterElement:visible").all())
+    await expectContrast(number, "number of a line");
+  await expectContrast(page.locator(".cm-line span", { hasText: "a remark" }).first(), "a remark");
+});
+
+test("why a mesh cannot be saved stands at its name", async () => {
+  const server = await startServer([cube]);
+  const browser = await startBrowser();
+  const page = await browser.open(server.url);
+  await ready(page);
+  await page.getByRole("button", { name: "Compare" }).click();
+  const side = page.getByTestId("side-left");
+  await side.getByLabel("Mesh of this side").selectOption("Cube");
+  await side.getByTestId("facts").waitFor();
+  await side.getByRole("button", { name: "Save as a new object" }).click();
+  const name = side.getByLabel("Name of the new object");
+  const problem = side.getByTestId("name-problem");
+  const save = side.getByRole("button", { name: "Save", exact: true });
+  const told = () => problem.textContent();
+  expect(await told()).toBe("");
+  await name.fill("1st");
+  expect(await told()).toContain("A name is a letter");
+  await name.fill("Cube");
+  expect(await told()).toContain("There is an object Cube already.");
+  // Somebody else takes a name that is free in the list of this page.
+  await server.run("let Taken = 1");
+  await name.fill("Taken");
+  expect(await told()).toBe("");
+  await save.click();
+  await expect.poll(told).toContain("there is an object 'Taken' already");
+  const [field, message] = [await name.boundingBox(), await problem.boundingBox()];
+  expect(message!.y - (field!.y + field!.height)).toBeLessThan(40);
+  await takePicture(page, "messages-refused-save");
+  await name.fill("Free");
+  expect(await told()).toBe("");
+  await save.click();
+  await name.waitFor({ state: "detached" });
+  expect(await server.run("query volume(Free)")).toMatchObject({ value: 8 });
+});
+
 test("a link restores statements, table, selection, colours and camera", async () => {
   const server = await startServer([cube]);
   const browser = await startBrowser();

@@ -48,6 +48,32 @@ test("the panels are sheets below the scene", async () => {
   expectNoErrors(browser.errors);
 });
 
+test("the card of a chosen file leaves the scene to see, and opens on demand", async () => {
+  const facets = ["0 0 0, 0 1 0, 1 0 0", "0 0 0, 1 0 0, 0 0 1", "0 0 0, 0 0 1, 0 1 0"].map(
+    (corners) =>
+      `facet normal 0 0 0 outer loop vertex ${corners.replaceAll(", ", " vertex ")} endloop endfacet`,
+  );
+  const stl = `solid part\n${facets.join("\n")}\nendsolid part\n`;
+  const part = { name: "part.stl", mimeType: "model/stl", buffer: Buffer.from(stl) };
+  await page.getByTestId("file-input").setInputFiles(part);
+  const card = page.locator('[data-testid="review"][data-phase="ready"]');
+  await card.waitFor();
+  await stillScene(page);
+  await takePicture(page, "phone-review");
+  const [folded, scene] = [await card.boundingBox(), await page.getByTestId("scene").boundingBox()];
+  expect(folded!.height).toBeLessThan(0.2 * scene!.height);
+  expect(await card.innerText()).toContain("1 kind of defect");
+  await expectToFit();
+  await card.getByRole("button", { name: "Details of part.stl" }).tap();
+  await card.getByRole("button", { name: "Store" }).waitFor();
+  expect(await card.innerText()).toMatch(/found\s+boundary edges\s+3/);
+  await card.getByRole("button", { name: "Details of part.stl" }).tap();
+  await card.getByRole("button", { name: "Store" }).waitFor({ state: "hidden" });
+  await card.getByRole("button", { name: "Close part.stl" }).tap();
+  await card.waitFor({ state: "detached" });
+  expectNoErrors(browser.errors);
+});
+
 test("the sides of the split screen stand one below the other, each with its scene", async () => {
   await page.getByTitle("Two meshes side by side").tap();
   for (const side of ["left", "right"]) {
@@ -92,6 +118,21 @@ test("the page is worked by the keyboard alone", async () => {
       `${name} in ${[...reached].join(" | ")}`,
     ).toBe(true);
   expect([...reached].some((each) => each.startsWith("3D view"))).toBe(true);
+});
+
+test("the editor tells how the keyboard leaves it", async () => {
+  const hint = page.getByText("then Tab leaves the editor");
+  await page.locator(".cm-content").focus();
+  await hint.waitFor();
+  const described = await page.locator(".cm-content").getAttribute("aria-describedby");
+  expect(await page.locator(`#${described ?? ""}`).innerText()).toMatch(/Tab indents; Esc then Tab leaves/);
+  const inEditor = () => page.evaluate(() => document.activeElement?.closest(".cm-editor") !== null);
+  await page.keyboard.press("Tab");
+  expect(await inEditor()).toBe(true);
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("Tab");
+  expect(await inEditor()).toBe(false);
+  await hint.waitFor({ state: "hidden" });
 });
 
 test("every control has a name", async () => {

@@ -88,12 +88,24 @@ test("the repaired solid is stored with one click", async () => {
   expect(await review().count()).toBe(0);
 });
 
+test("a file without faces is not called a valid solid", async () => {
+  await choose(file("nothing.stl", "solid nothing\nendsolid nothing\n"));
+  await page.locator('[data-testid="review"][data-phase="ready"]').waitFor();
+  const text = await review().innerText();
+  expect(text).toContain("The file has no faces");
+  expect(text).not.toContain("No defects");
+  await takePicture(page, "uploads-nothing");
+});
+
 test("nothing is stored of a file that is gone, and its card stays", async () => {
   await choose(file("gone.stl", stl("acb", "abd", "adc", "bcd")));
   await page.locator('[data-testid="review"][data-phase="ready"]').waitFor();
   expect((await fetch(`${server.url}api/uploads/gone.stl`, { method: "DELETE" })).ok).toBe(true);
   await review().getByRole("button", { name: "Store" }).click();
-  await expect.poll(() => page.getByTestId("failure").innerText()).toMatch(/gone.*Nothing was stored/s);
+  // Beside the name, and not at the editor, which is elsewhere.
+  const problem = review().getByTestId("name-problem");
+  await expect.poll(() => problem.innerText()).toMatch(/gone.*Nothing was stored/s);
+  expect(await page.getByTestId("failure").count()).toBe(0);
   expect(await review().count()).toBe(1);
   expect(await page.getByText("Gone is stored.").count()).toBe(0);
   await expect(server.run("query Gone")).rejects.toThrow();

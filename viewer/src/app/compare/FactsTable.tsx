@@ -1,17 +1,32 @@
 import type { Json } from "../../api/types";
-import type { Side } from "../../state/workbench";
+import type { Facts, Side } from "../../state/workbench";
 import { shortNumber } from "../table/format";
 
 /** Statistics of a mesh; what differs from the other side is emphasised. */
 export function FactsTable({ side, other }: { side: Side; other: Side }) {
   const facts = side.facts.value;
   if (!side.step.value) return null;
-  if (!facts) return <p class="side-facts muted">Counting…</p>;
-  const compared = new Map(other.facts.value?.map(({ name, value }) => [name, value]));
   return (
-    <dl class="side-facts" data-testid="facts">
+    <div class="side-facts">
+      {facts && <FactList facts={facts} compared={other.facts.value} />}
+      {side.counting.value && !side.busy.value && (
+        <p class="counting muted" role="status">
+          Counting…
+          <button type="button" class="btn small danger" onClick={() => side.stop()}>
+            Stop
+          </button>
+        </p>
+      )}
+    </div>
+  );
+}
+
+function FactList({ facts, compared }: { facts: Facts; compared: Facts | null }) {
+  const others = new Map(compared?.map(({ name, value }) => [name, value]));
+  return (
+    <dl data-testid="facts">
       {facts.map(({ name, value }) => (
-        <div key={name} class={compared.has(name) && compared.get(name) !== value ? "differs" : ""}>
+        <div key={name} class={others.has(name) && others.get(name) !== value ? "differs" : ""}>
           <dt>{name}</dt>
           <dd data-fact={name}>{factText(value)}</dd>
         </div>

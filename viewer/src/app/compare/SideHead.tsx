@@ -2,8 +2,9 @@ import { useState } from "preact/hooks";
 import type { Side } from "../../state/workbench";
 import { isMeshType } from "../../state/workbench_operations";
 import { useApp } from "../context";
-import { nameProblem } from "../messages/NameDialog";
 import { IconButton } from "../ui/controls";
+import { useNameForm } from "../ui/name_form";
+import { NameField } from "../ui/NameField";
 
 /** Which mesh a side has, undo and redo, and saving. */
 export function SideHead({ side }: { side: Side }) {
@@ -71,34 +72,19 @@ function loadSelected(side: Side, store: ReturnType<typeof useApp>["store"]): vo
 }
 
 function SaveForm({ side, onDone }: { side: Side; onDone: () => void }) {
-  const { store } = useApp();
-  const [name, setName] = useState("");
-  const problem = nameProblem(
-    name,
-    store.catalogue.objects.value.map((object) => object.name),
-  );
+  const form = useNameForm("", async (name) => {
+    const refusal = await side.save(name);
+    if (refusal === "") onDone();
+    return refusal;
+  });
   return (
     <form
-      class="row"
-      onSubmit={(event) => {
-        event.preventDefault();
-        if (problem) return;
-        onDone();
-        void side.save(name);
-      }}
+      class="row save-form"
+      onSubmit={form.submit}
       onKeyDown={(event) => event.key === "Escape" && onDone()}
     >
-      <input
-        class="input"
-        autofocus
-        size={12}
-        aria-label="Name of the new object"
-        placeholder="Name"
-        title={problem}
-        value={name}
-        onInput={(event) => setName(event.currentTarget.value)}
-      />
-      <button type="submit" class="btn primary" disabled={problem !== ""}>
+      <NameField form={form} label="Name of the new object" size={12} autofocus />
+      <button type="submit" class="btn primary" disabled={!form.canSubmit}>
         Save
       </button>
     </form>

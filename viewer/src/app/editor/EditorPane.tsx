@@ -10,6 +10,7 @@ import { Editor } from "./editor";
 
 const isMac = /Mac|iPhone|iPad/.test(navigator.userAgent);
 const control = isMac ? "⌘" : "Ctrl";
+const keysHint = "editor-keys";
 
 /** The editor of statements, what is running, and the latest failure. */
 export function EditorPane() {
@@ -44,6 +45,9 @@ export function EditorPane() {
         </span>
       </div>
       <div ref={place} class="editor" data-testid="editor" />
+      <p id={keysHint} class="muted hint editor-keys">
+        Tab indents; <kbd>Esc</kbd> then <kbd>Tab</kbd> leaves the editor.
+      </p>
       {running.map((each) => (
         <RunningLine key={each.id} running={each} />
       ))}
@@ -57,6 +61,7 @@ function mountEditor(parent: HTMLElement, app: App): () => void {
   const { catalogue } = store;
   const editor = new Editor(parent, {
     text: store.editorText.peek(),
+    describedBy: keysHint,
     known: () => ({
       keywords: catalogue.keywords.peek(),
       operators: catalogue.operators.peek(),

@@ -26,6 +26,8 @@ import { language, type Words } from "./language";
 
 export interface EditorOptions {
   readonly text: string;
+  /** The id of the element that tells how to use it by the keyboard. */
+  readonly describedBy: string;
   readonly known: () => Known;
   /** Runs the statement at the cursor, or the selected text. */
   readonly onRun: () => void;
@@ -74,7 +76,11 @@ export class Editor {
           ]),
           placeholder("query createSphere(makePoint3D(0, 0, 0), 1, 24);"),
           EditorView.lineWrapping,
-          EditorView.contentAttributes.of({ "aria-label": "Statements", spellcheck: "false" }),
+          EditorView.contentAttributes.of({
+            "aria-label": "Statements",
+            "aria-describedby": options.describedBy,
+            spellcheck: "false",
+          }),
           EditorView.updateListener.of((update) => {
             if (update.docChanged) options.onChange(update.state.doc.toString());
           }),

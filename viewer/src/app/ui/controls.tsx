@@ -7,12 +7,15 @@ interface IconButtonProps {
   readonly label: string;
   readonly onClick: (event: MouseEvent) => void;
   readonly pressed?: boolean;
+  /** Of a button that folds something. */
+  readonly expanded?: boolean;
   readonly disabled?: boolean;
   readonly small?: boolean;
   readonly testId?: string;
 }
 
-export function IconButton({ icon, label, onClick, pressed, disabled, small, testId }: IconButtonProps) {
+export function IconButton(props: IconButtonProps) {
+  const { icon, label, onClick, pressed, expanded, disabled, small, testId } = props;
   return (
     <button
       type="button"
@@ -20,6 +23,7 @@ export function IconButton({ icon, label, onClick, pressed, disabled, small, tes
       title={label}
       aria-label={label}
       aria-pressed={pressed}
+      aria-expanded={expanded}
       disabled={disabled}
       data-testid={testId}
       onClick={onClick}

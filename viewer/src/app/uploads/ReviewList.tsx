@@ -4,10 +4,11 @@ import type { Outcome } from "../../state/outcome";
 import { summaryOf } from "../../state/outcome";
 import { objectName, type Review } from "../../state/uploads";
 import { useApp } from "../context";
-import { nameProblem } from "../messages/NameDialog";
 import { bytesText, shortNumber } from "../table/format";
 import { IconButton } from "../ui/controls";
 import { Icon } from "../ui/Icon";
+import { useNameForm } from "../ui/name_form";
+import { NameField } from "../ui/NameField";
 
 /** The dropped files that are being looked at. */
 export function ReviewList() {
@@ -35,11 +36,27 @@ const phases = {
 function ReviewCard({ review }: { review: Review }) {
   const { uploads } = useApp().workspace;
   const phase = review.phase.value;
+  // On a narrow page the card lies over the scene, which is what a person wants to see first.
+  const [open, setOpen] = useState(() => !matchMedia("(max-width: 760px)").matches);
+  const shown = open || phase === "failed";
   return (
-    <section class="review" aria-label={review.fileName} data-testid="review" data-phase={phase}>
+    <section
+      class="review"
+      aria-label={review.fileName}
+      data-testid="review"
+      data-phase={phase}
+      data-open={shown}
+    >
       <div class="panel-head">
+        <IconButton
+          small
+          icon={shown ? "chevronDown" : "chevronRight"}
+          expanded={shown}
+          label={`Details of ${review.fileName}`}
+          onClick={() => setOpen(!shown)}
+        />
         <h3 class="panel-title ellipsis grow">{review.fileName}</h3>
-        <span class="muted">{bytesText(review.bytes)}</span>
+        <span class="muted">{shown ? bytesText(review.bytes) : verdictOf(review)}</span>
         <IconButton
           small
           icon="close"
@@ -47,7 +64,7 @@ function ReviewCard({ review }: { review: Review }) {
           onClick={() => uploads.close(review)}
         />
       </div>
-      <div class="review-body">
+      <div class="review-body" hidden={!shown}>
         {phase === "failed" && <p class="error-text">{review.problem.value}</p>}
         {phases[phase] && (
           <div>
@@ -60,12 +77,22 @@ function ReviewCard({ review }: { review: Review }) {
         {review.asIs.value && <ShownLine label="As it is" outcome={review.asIs.value} />}
         {review.repaired.value && <ShownLine label="Repaired" outcome={review.repaired.value} />}
         <ChangesLine review={review} />
-        {review.report.value && <Report outcome={review.report.value} />}
+        {review.report.value && <Report outcome={review.report.value} isEmpty={hasNoTriangles(review)} />}
         {phase === "ready" && <SideBySide review={review} />}
         {phase === "ready" && <StoreLine review={review} />}
       </div>
     </section>
   );
+}
+
+/** The outcome in a word or two. */
+function verdictOf(review: Review): string {
+  const phase = review.phase.value;
+  if (phases[phase]) return `${phases[phase]}…`;
+  const rows = (review.report.value?.answer.value ?? []) as readonly Row[];
+  const found = rows.filter(({ Phase }) => Phase === "found").length;
+  if (found > 0) return found === 1 ? "1 kind of defect" : `${found} kinds of defects`;
+  return hasNoTriangles(review) ? "no faces" : "no defects";
 }
 
 /** A form of the mesh with its size, shown or hidden in 3D. */
@@ -146,10 +173,20 @@ function SideBySide({ review }: { review: Review }) {
   );
 }
 
+/** Whether there is nothing in the file that could be a defect or a solid. */
+function hasNoTriangles({ asIs }: Review): boolean {
+  const value = asIs.value?.answer.value as Readonly<Record<string, Json>> | null | undefined;
+  return value?.["faces"] === 0;
+}
+
 /** What the import found and changed. */
-function Report({ outcome }: { outcome: Outcome }) {
+function Report({ outcome, isEmpty }: { outcome: Outcome; isEmpty: boolean }) {
   const rows = (outcome.answer.value ?? []) as readonly Row[];
   const told = rows.filter(({ Phase }) => Phase === "found" || Phase === "changed");
+  if (told.length === 0 && isEmpty)
+    return (
+      <p class="callout warning">The file has no faces: there is nothing to see, and the solid is empty.</p>
+    );
   if (told.length === 0)
     return (
       <p class="review-good">
@@ -176,30 +213,20 @@ const text = (value: Json | undefined) => (typeof value === "string" ? value : "
 
 function StoreLine({ review }: { review: Review }) {
   const { store, workspace } = useApp();
-  const taken = store.catalogue.objects.value.map((object) => object.name);
-  const [name, setName] = useState(() => objectName(review.fileName, taken));
-  const problem = nameProblem(name, taken);
+  const [first] = useState(() => {
+    const taken = store.catalogue.objects.value.map((object) => object.name);
+    return objectName(review.fileName, taken);
+  });
+  const form = useNameForm(first, (name) => workspace.uploads.store(review, name));
   const { readOnly } = store.connection.info.value ?? { readOnly: false };
   return (
-    <form
-      class="review-line"
-      onSubmit={(event) => {
-        event.preventDefault();
-        if (!problem) void workspace.uploads.store(review, name);
-      }}
-    >
-      <input
-        class="input grow"
-        aria-label="Name of the new object"
-        value={name}
-        title={problem}
-        onInput={(event) => setName(event.currentTarget.value)}
-      />
+    <form class="review-line" onSubmit={form.submit}>
+      <NameField form={form} label="Name of the new object" />
       <button
         type="submit"
         class="btn primary"
-        disabled={problem !== "" || readOnly}
-        title={problem || "Stores the repaired solid"}
+        disabled={!form.canSubmit || readOnly}
+        title="Stores the repaired solid"
       >
         <Icon name="save" /> Store
       </button>

@@ -8,7 +8,7 @@ import {
   seconds,
   viewOf,
 } from "../../../src/app/table/format";
-import { nameProblem } from "../../../src/app/messages/NameDialog";
+import { nameProblem } from "../../../src/app/ui/name_form";
 
 test("values by their kind", () => {
   expect(viewOf(null, "real")).toEqual({ kind: "undefined" });

@@ -27,6 +27,24 @@ function close(a: Vec3, b: Vec3): void {
 }
 
 describe("movements of the camera", () => {
+  it("keeps its direction where the eye could not be told from the target", () => {
+    for (const far of [1e9, 1e17, 1e30]) {
+      const box = new Box3(new Vector3(far, far, 0), new Vector3(far, far, 0));
+      const camera = normalizedCamera(fitted(start, box, 1.5));
+      const [before, after] = [basisOf(start).back, basisOf(camera).back];
+      expect(after.distanceTo(before)).toBeLessThan(1e-4);
+      const top = basisOf(looking(camera, "top"));
+      expect(top.back.distanceTo(new Vector3(0, 0, 1))).toBeLessThan(1e-4);
+    }
+  });
+
+  it("sees what is tiny as something tiny", () => {
+    const size = 1e-160;
+    const camera = fitted(start, new Box3(new Vector3(0, 0, 0), new Vector3(size, size, size)), 1.5);
+    expect(camera.height).toBe(1e-30);
+    expect(basisOf(normalizedCamera(camera)).back.distanceTo(basisOf(start).back)).toBeLessThan(1e-9);
+  });
+
   it("looks from the standard sides", () => {
     const backs: Record<StandardView, Vec3> = {
       front: [0, -1, 0],

@@ -28,6 +28,7 @@ describe("the state", () => {
       },
       section: { on: true, normal: [0, 1, 0] },
       display: { explode: 0.5 },
+      index: { name: "Parts_Solid", level: 2 },
       overrides: [{ cell: { result: "r1", row: 4, column: "Solid" }, color: "#00ff00" }],
     }).state;
     const json = JSON.parse(JSON.stringify(stateToJson(changed))) as unknown;
@@ -40,6 +41,11 @@ describe("the state", () => {
     expect(Object.keys(stateToJson(kDefaultState))).toEqual(["camera"]);
     const { state } = patched(kDefaultState, { display: { grid: true } });
     expect(stateToJson(state)["display"]).toEqual({ grid: true });
+  });
+
+  it("takes only names and whole levels of an index, which become a part of a statement", () => {
+    for (const index of [{ name: "a nodes count; delete b" }, { name: "1a" }, { level: 1.5 }, { level: -1 }])
+      expect(stateFromJson({ index }).rejected).toEqual([`index.${Object.keys(index)[0] ?? ""}`]);
   });
 
   it("leaves out what it does not understand, and says so", () => {

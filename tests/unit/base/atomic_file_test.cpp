@@ -1,0 +1,61 @@
+// AtomicFile with files that must be new; what it does to files that it replaces is tested by the writers of mesh
+// files.
+#include "algebra3d/base/atomic_file.h"
+
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "support/scratch_folder.h"
+
+namespace algebra3d {
+namespace {
+
+Status write_new(const ScratchFolder& scratch, const char* name, std::string_view bytes) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(OutputPath::new_file(scratch.path(name))));
+  ALGEBRA3D_RETURN_IF_ERROR(file.append(bytes));
+  return file.commit();
+}
+
+TEST(AtomicFile, ANewFileIsWritten) {
+  const ScratchFolder scratch;
+  EXPECT_TRUE(write_new(scratch, "new", "bytes").ok());
+  EXPECT_EQ(scratch.bytes("new"), "bytes");
+  EXPECT_EQ(scratch.file_count(), 1U);
+}
+
+TEST(AtomicFile, WhatIsThereStaysIfTheFileMustBeNew) {
+  const ScratchFolder scratch;
+  scratch.write("there", "kept");
+  std::filesystem::create_symlink("there", scratch.path("link"));
+  std::filesystem::create_symlink("nowhere", scratch.path("dangling"));
+  std::filesystem::create_directory(scratch.path("folder"));
+  const std::size_t before = scratch.file_count();
+  for (const char* name : {"there", "link", "dangling", "folder"}) {
+    const Status status = write_new(scratch, name, "bytes");
+    ASSERT_FALSE(status.ok()) << name;
+    EXPECT_EQ(status.error().code, ErrorCode::permission_denied) << name;
+  }
+  EXPECT_EQ(scratch.bytes("there"), "kept");
+  EXPECT_EQ(scratch.file_count(), before);
+}
+
+TEST(AtomicFile, OfTwoNewFilesOfOneNameTheFirstWins) {
+  const ScratchFolder scratch;
+  const OutputPath path = OutputPath::new_file(scratch.path("new"));
+  auto first = AtomicFile::create(path);
+  {
+    auto second = AtomicFile::create(path);
+    ASSERT_TRUE(first.ok() && second.ok());
+    ASSERT_TRUE(first->append("first").ok() && second->append("second").ok());
+    EXPECT_TRUE(first->commit().ok());
+    const Status late = second->commit();
+    ASSERT_FALSE(late.ok());
+    EXPECT_EQ(late.error().code, ErrorCode::permission_denied);
+  }
+  EXPECT_EQ(scratch.bytes("new"), "first");
+  EXPECT_EQ(scratch.file_count(), 1U);
+}
+
+}  // namespace
+}  // namespace algebra3d
