@@ -107,27 +107,27 @@ Status AtomicFile::check_replaceable() const {
   return Error{ErrorCode::wrong_usage, "{}: {}", path_.string(), *kept};
 }
 
-Result<AtomicFile> AtomicFile::create(const OutputPath& output) {
-  const fs::path& path = output.path();
-  ALGEBRA3D_RETURN_IF_ERROR(check_file_name(path));
-  ALGEBRA3D_RETURN_IF_ERROR(output.check_free());
+Result<AtomicFile> AtomicFile::create(const OutputPath& path) {
+  const fs::path& given = path.path();
+  ALGEBRA3D_RETURN_IF_ERROR(check_file_name(given));
+  ALGEBRA3D_RETURN_IF_ERROR(path.check_free());
   AtomicFile file;
-  file.path_ = path;
-  file.may_replace_ = output.may_replace();
-  ALGEBRA3D_ASSIGN_OR_RETURN(file.target_, target_of(path));
+  file.path_ = given;
+  file.may_replace_ = path.may_replace();
+  ALGEBRA3D_ASSIGN_OR_RETURN(file.target_, target_of(given));
   struct stat facts {};
   const bool exists = ::stat(file.target_.c_str(), &facts) == 0;
-  if (!exists && errno != ENOENT) return write_error(path, errno);
-  if (exists && S_ISDIR(facts.st_mode)) return write_error(path, EISDIR);
+  if (!exists && errno != ENOENT) return write_error(given, errno);
+  if (exists && S_ISDIR(facts.st_mode)) return write_error(given, EISDIR);
   if (exists && !S_ISREG(facts.st_mode))
-    return Error{ErrorCode::io_error, "{}: Not a regular file (but a pipe or device)", path.string()};
+    return Error{ErrorCode::io_error, "{}: Not a regular file (but a pipe or device)", given.string()};
   ALGEBRA3D_RETURN_IF_ERROR(file.check_replaceable());
   // Renaming needs no right to write the file that it replaces, but whoever protected a file means it.
   if (exists && ::access(file.target_.c_str(), W_OK) != 0) return write_error(file.target_, errno);
   remove_leftovers(folder_of(file.target_));
   ALGEBRA3D_ASSIGN_OR_RETURN(auto draft, DraftFile::create(file.target_, kDraftPrefix, kDraftEnding));
   file.draft_ = std::move(draft);
-  if (exists && ::fchmod(file.draft_->descriptor(), facts.st_mode & 0777) != 0) return write_error(path, errno);
+  if (exists && ::fchmod(file.draft_->descriptor(), facts.st_mode & 0777) != 0) return write_error(given, errno);
   file.buffer_ = std::make_unique<char[]>(kBufferBytes);
   return file;
 }

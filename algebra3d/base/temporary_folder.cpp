@@ -108,7 +108,12 @@ Result<TemporaryFolder> TemporaryFolder::make(const fs::path& parent) {
     if (::mkdtemp(name.data()) == nullptr) break;
     const fs::path outer = name;
     Descriptor lock = opened_lock_file(outer, O_CREAT | O_EXCL);
-    if (lock.number() < 0) break;
+    if (lock.number() < 0) {
+      const int reason = errno;
+      remove_all_of(outer);
+      errno = reason;
+      break;
+    }
     const bool is_locked = DraftFile::lock(lock.number()) || (errno != EAGAIN && errno != EACCES);
     if (!is_locked || !is_there(lock_file_of(outer), lock)) continue;
     TemporaryFolder made(outer, std::move(lock));

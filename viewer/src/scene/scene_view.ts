@@ -143,7 +143,7 @@ export class View implements api.SceneView {
     const left = this.selection.filter((cell) => this.stage.store.record(cell));
     if (left.length !== this.selection.length) this.setSelection(left, false);
     this.contentChanged();
-    this.sight.left();
+    this.sight.othersAreSeen();
   }
 
   reloadResult(ref: api.ColumnRef): void {
@@ -175,6 +175,7 @@ export class View implements api.SceneView {
   visibilityChanged(): void {
     this.contents.refreshVisibility();
     this.contentChanged();
+    this.sight.othersAreSeen();
   }
 
   isVisible(what: api.ColumnRef & { readonly row?: number }): boolean {

@@ -79,8 +79,8 @@ export class Sight {
     this.follow.put(result, this.control.goal);
   }
 
-  /** Columns were removed. */
-  left(): void {
+  /** Objects were removed, hidden or shown again. */
+  othersAreSeen(): void {
     if (this.stage.store.columns.length === 0) this.isSet = false;
     if (this.far > 0) this.mainBox();
   }

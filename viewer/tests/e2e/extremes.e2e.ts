@@ -106,6 +106,11 @@ test("a new object far away does not take the others out of sight", async () => 
   await run(page, "query createCube(makePoint3D(1e8, 0, 0), makePoint3D(100000002, 2, 2))");
   await page.getByTestId("scene-far").waitFor();
   expect((await stillScene(page)).difference(before)).toBeLessThan(0.05);
+  const eye = page.getByRole("button", { name: /^Show create.* in 3D/ }).first();
+  await eye.click();
+  await page.getByTestId("scene-far").waitFor({ state: "detached" });
+  await eye.click();
+  await page.getByTestId("scene-far").waitFor();
   // Taken away, there is nothing far any more.
   await page.getByRole("button", { name: /^Close create/ }).click();
   await page.getByTestId("scene-far").waitFor({ state: "detached" });

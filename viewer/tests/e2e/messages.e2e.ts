@@ -212,6 +212,28 @@ test("why a mesh cannot be saved stands at its name", async () => {
   expect(await server.run("query volume(Free)")).toMatchObject({ value: 8 });
 });
 
+test("the dialog for a name stays until the object is stored", async () => {
+  const server = await startServer([cube]);
+  const browser = await startBrowser();
+  const page = await browser.open(server.url);
+  await ready(page);
+  await page.getByTestId("objects").getByText("Cube").click();
+  await page.locator('.table-row [data-column="value"]').hover();
+  await page.getByRole("button", { name: "Actions for value" }).click();
+  await page.getByRole("menuitem", { name: "Store as object…" }).click();
+  const dialog = page.getByTestId("name-dialog");
+  await server.run("let Taken = 1");
+  await dialog.getByLabel("Name", { exact: true }).fill("Taken");
+  await dialog.getByRole("button", { name: "Store" }).click();
+  const problem = dialog.getByTestId("name-problem");
+  await expect.poll(() => problem.textContent()).toContain("there is an object 'Taken' already");
+  await takePicture(page, "messages-name-dialog");
+  await dialog.getByLabel("Name", { exact: true }).fill("Copy");
+  await dialog.getByRole("button", { name: "Store" }).click();
+  await dialog.waitFor({ state: "detached" });
+  expect(await server.run("query volume(Copy)")).toMatchObject({ value: 8 });
+});
+
 test("a link restores statements, table, selection, colours and camera", async () => {
   const server = await startServer([cube]);
   const browser = await startBrowser();
