@@ -72,7 +72,7 @@ class CandidateSearch {
     constexpr std::uint64_t kWhile = 256;
     closest_ = bounds.upper;
     if (closest_ > kMuch * closest_of_separation_ && visits_ < visits_of_separation_ + kWhile) return;
-    separation_.turn(bounds.direction, std::min(nearest_, closest_));
+    separation_.turn(bounds.direction);
     closest_of_separation_ = closest_;
     visits_of_separation_ = visits_;
   }
