@@ -28,7 +28,7 @@ class CandidateSearch {
   /// Takes a pair into account, and returns the distance beyond which pairs are of no interest: negative if the pair is
   /// enough.
   double visit(FaceId first, FaceId second) {
-    ++visits_;
+    if (++visits_ == kLong) start_from_parts();
     gaps_.note_visit();
     if (separation_.keeps_apart(first, second, nearest_)) return nearest_;
     const DistanceBounds bounds = this->bounds(first, second);
@@ -46,7 +46,7 @@ class CandidateSearch {
   void begin() {
     constexpr std::size_t kMany = 256;
     if (std::min(a_.hierarchy->face_count(), b_.hierarchy->face_count()) < kMany) return;
-    if (const auto pair = near_pair(a_, b_, rounded_)) visit(pair->first, pair->second);
+    start_from(b_.hierarchy->root());
   }
 
   /// The distance beyond which pairs are of no interest.
@@ -61,6 +61,21 @@ class CandidateSearch {
   std::vector<CandidatePair> take();
 
  private:
+  /// Visits after which a search is long: the sets are near each other in many places.
+  static constexpr std::uint64_t kLong = 2048;
+
+  void start_from(BoxHierarchy::Node node) {
+    const Box3 box = b_.hierarchy->bounds(node);
+    if (const auto pair = near_pair(a_, b_, 0.5 * box.min + 0.5 * box.max, rounded_)) visit(pair->first, pair->second);
+  }
+
+  /// From up to 16 parts of the second set: the pair that is nearest to the middle may be far from the nearest one.
+  void start_from_parts() {
+    constexpr std::uint32_t kLevels = 4;
+    const std::uint32_t top = b_.hierarchy->root().level, level = top - std::min(top, kLevels);
+    for (std::uint32_t index = 0; index < b_.hierarchy->node_count(level); ++index) start_from({level, index});
+  }
+
   DistanceBounds bounds(FaceId first, FaceId second) const {
     return rounded_.bounds(Simplex::of_face(*a_.mesh, first), Simplex::of_face(*b_.mesh, second));
   }
