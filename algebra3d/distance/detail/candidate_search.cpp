@@ -28,9 +28,10 @@ class CandidateSearch {
   /// Takes a pair into account, and returns the distance beyond which pairs are of no interest: negative if the pair is
   /// enough.
   double visit(FaceId first, FaceId second) {
-    if (++visits_ == kLong) start_from_parts();
+    ++visits_;
     gaps_.note_visit();
     if (separation_.keeps_apart(first, second, nearest_)) return nearest_;
+    if (++measured_ == kLong) start_from_parts();
     const DistanceBounds bounds = this->bounds(first, second);
     // Also of a pair beyond the reach, the direction is a good one.
     if (bounds.upper < closest_) turn_separation(bounds);
@@ -61,8 +62,8 @@ class CandidateSearch {
   std::vector<CandidatePair> take();
 
  private:
-  /// Visits after which a search is long: the sets are near each other in many places.
-  static constexpr std::uint64_t kLong = 2048;
+  /// Pairs of faces that are measured before a search is long: the sets are near each other in many places.
+  static constexpr std::uint64_t kLong = 1024;
 
   void start_from(BoxHierarchy::Node node) {
     const Box3 box = b_.hierarchy->bounds(node);
@@ -107,7 +108,7 @@ class CandidateSearch {
   double nearest_, enough_;
   double closest_ = std::numeric_limits<double>::infinity();                // pair so far, also beyond `nearest_`
   double closest_of_separation_ = std::numeric_limits<double>::infinity();  // when they were turned
-  std::uint64_t visits_ = 0, visits_of_separation_ = 0;
+  std::uint64_t visits_ = 0, visits_of_separation_ = 0, measured_ = 0;
   std::vector<CandidatePair> candidates_;
   std::size_t kept_ = 0;  // after the last time when distant ones were dropped
 };
