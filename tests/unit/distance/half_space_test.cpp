@@ -25,13 +25,12 @@ TEST(HalfSpace, HasWhatRationalsSay) {
   for (const double size : {1.0, 1e-320, 1e-160, 1e150, 1e300})
     for (const double of_normal : {1.0, 1e-310, 1e300}) {
       for (int round = 0; round < 200; ++round) {
-        const Vec3 point = vector(size), normal = vector(of_normal), along = vector(size);
+        const Vec3 point = vector(size), unit = vector(1), normal = of_normal * unit, along = vector(size);
         // Thirds are no doubles.
         const Rational third(Rational(1) / Rational(3));
         const RationalVec3 exact_normal = third * rational(normal);
         const HalfSpace half_space(rational(point), exact_normal);
         // In the plane but for roundings.
-        const Vec3 unit = (1 / of_normal) * normal;
         const Vec3 in_plane = point + along - (dot(unit, along) / dot(unit, unit)) * unit;
         for (const Vec3& at : {point, point + along, in_plane}) {
           const bool expected = dot(exact_normal, rational(at) - rational(point)).sign() >= 0;
