@@ -8,6 +8,7 @@
 
 #include "algebra3d/distance/detail/candidate_search.h"
 #include "algebra3d/distance/detail/exact_closest.h"
+#include "algebra3d/distance/detail/half_space.h"
 #include "algebra3d/exact/plane.h"
 
 namespace algebra3d {
@@ -22,7 +23,7 @@ using distances::Simplex;
 class FarSide {
  public:
   FarSide(const TriangleMesh& mesh, RationalVec3 point, RationalVec3 normal)
-      : mesh_(mesh), point_(std::move(point)), normal_(std::move(normal)) {}
+      : mesh_(mesh), half_space_(std::move(point), std::move(normal)) {}
 
   bool has(FaceId face) {
     return std::ranges::all_of(mesh_.triangle(face), [this](std::uint32_t corner) { return has(VertexId(corner)); });
@@ -31,12 +32,12 @@ class FarSide {
  private:
   bool has(VertexId vertex) {
     const auto [entry, is_new] = known_.try_emplace(vertex);
-    if (is_new) entry->second = dot(normal_, mesh_.point(vertex).rational() - point_).sign() >= 0;
+    if (is_new) entry->second = half_space_.has(mesh_.point(vertex));
     return entry->second;
   }
 
   const TriangleMesh& mesh_;
-  RationalVec3 point_, normal_;
+  distances::HalfSpace half_space_;
   std::unordered_map<VertexId, bool> known_;
 };
 

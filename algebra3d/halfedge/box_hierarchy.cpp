@@ -335,7 +335,7 @@ double BoxHierarchy::least_gap(const Box3& where, double reach) const {
     stack.pop_back();
     if (node.squared_gap > limit || node.squared_gap >= least) continue;
     if (node.level > 0) {
-      push_near_children(node, place, no_gap, stack);
+      push_near_children(node, place, std::min(limit, least), no_gap, stack);
       continue;
     }
     for (std::size_t i = node.index * kLeafSize; i < std::min((node.index + 1) * kLeafSize, faces_.size()); ++i)

@@ -239,9 +239,10 @@ class BoxHierarchy {
   struct NearNode : Node {
     double squared_gap;
   };
-  /// Pushes the children of an inner node, the nearest one on top.
+  /// Pushes the children of an inner node that are within the limit, the nearest one on top.
   template <typename Gap>
-  void push_near_children(const Node& node, const Box& where, Gap gap, std::vector<NearNode>& stack) const;
+  void push_near_children(const Node& node, const Box& where, double limit, Gap gap,
+                          std::vector<NearNode>& stack) const;
   static double no_gap(Node) { return 0; }
   /// A lower bound of the squared distance of what the boxes stand for, in this frame.
   static double squared_gap(const Box& own, const Box& other);
@@ -470,14 +471,17 @@ void BoxHierarchy::for_each_near_pair_with(const BoxHierarchy& other, double rea
 }
 
 template <typename Gap>
-void BoxHierarchy::push_near_children(const Node& node, const Box& where, Gap gap, std::vector<NearNode>& stack) const {
+void BoxHierarchy::push_near_children(const Node& node, const Box& where, double limit, Gap gap,
+                                      std::vector<NearNode>& stack) const {
   const std::vector<Box>& below = levels_[node.level - 1].boxes;
   const auto end = std::min(2 * node.index + 2, static_cast<std::uint32_t>(below.size()));
   const std::size_t first_new = stack.size();
   for (std::uint32_t child = 2 * node.index; child < end; ++child) {
     const Node opened{node.level - 1, child};
+    const double of_boxes = squared_gap(below[child], where);
+    if (of_boxes > limit) continue;
     const double certain = std::max(0.0, gap(opened)) / 2 * frame_.scale * (1 - 0x1p-40);
-    stack.push_back({opened, std::max(squared_gap(below[child], where), certain * certain)});
+    if (certain * certain <= limit) stack.push_back({opened, std::max(of_boxes, certain * certain)});
   }
   if (stack.size() == first_new + 2 && stack[first_new].squared_gap < stack[first_new + 1].squared_gap)
     std::swap(stack[first_new], stack[first_new + 1]);
@@ -494,7 +498,7 @@ void BoxHierarchy::for_each_near(const Box3& where, double reach, Gap gap, Visit
     stack.pop_back();
     if (node.squared_gap > limit) continue;
     if (node.level > 0) {
-      push_near_children(node, place, gap, stack);
+      push_near_children(node, place, limit, gap, stack);
       continue;
     }
     const std::size_t begin = node.index * kLeafSize, end = std::min(begin + kLeafSize, faces_.size());

@@ -31,6 +31,7 @@ class CandidateSearch {
     ++visits_;
     gaps_.note_visit();
     if (separation_.keeps_apart(first, second, nearest_)) return nearest_;
+    if (++measured_ == kLong) start_from_parts();
     const DistanceBounds bounds = this->bounds(first, second);
     // Also of a pair beyond the reach, the direction is a good one.
     if (bounds.upper < closest_) turn_separation(bounds);
@@ -46,7 +47,7 @@ class CandidateSearch {
   void begin() {
     constexpr std::size_t kMany = 256;
     if (std::min(a_.hierarchy->face_count(), b_.hierarchy->face_count()) < kMany) return;
-    if (const auto pair = near_pair(a_, b_, rounded_)) visit(pair->first, pair->second);
+    start_from(b_.hierarchy->root());
   }
 
   /// The distance beyond which pairs are of no interest.
@@ -61,6 +62,21 @@ class CandidateSearch {
   std::vector<CandidatePair> take();
 
  private:
+  /// Pairs of faces that are measured before a search is long: the sets are near each other in many places.
+  static constexpr std::uint64_t kLong = 1024;
+
+  void start_from(BoxHierarchy::Node node) {
+    const Box3 box = b_.hierarchy->bounds(node);
+    if (const auto pair = near_pair(a_, b_, 0.5 * box.min + 0.5 * box.max, rounded_)) visit(pair->first, pair->second);
+  }
+
+  /// From up to 16 parts of the second set: the pair that is nearest to the middle may be far from the nearest one.
+  void start_from_parts() {
+    constexpr std::uint32_t kLevels = 4;
+    const std::uint32_t top = b_.hierarchy->root().level, level = top - std::min(top, kLevels);
+    for (std::uint32_t index = 0; index < b_.hierarchy->node_count(level); ++index) start_from({level, index});
+  }
+
   DistanceBounds bounds(FaceId first, FaceId second) const {
     return rounded_.bounds(Simplex::of_face(*a_.mesh, first), Simplex::of_face(*b_.mesh, second));
   }
@@ -72,7 +88,7 @@ class CandidateSearch {
     constexpr std::uint64_t kWhile = 256;
     closest_ = bounds.upper;
     if (closest_ > kMuch * closest_of_separation_ && visits_ < visits_of_separation_ + kWhile) return;
-    separation_.turn(bounds.direction, std::min(nearest_, closest_));
+    separation_.turn(bounds.direction);
     closest_of_separation_ = closest_;
     visits_of_separation_ = visits_;
   }
@@ -92,7 +108,7 @@ class CandidateSearch {
   double nearest_, enough_;
   double closest_ = std::numeric_limits<double>::infinity();                // pair so far, also beyond `nearest_`
   double closest_of_separation_ = std::numeric_limits<double>::infinity();  // when they were turned
-  std::uint64_t visits_ = 0, visits_of_separation_ = 0;
+  std::uint64_t visits_ = 0, visits_of_separation_ = 0, measured_ = 0;
   std::vector<CandidatePair> candidates_;
   std::size_t kept_ = 0;  // after the last time when distant ones were dropped
 };

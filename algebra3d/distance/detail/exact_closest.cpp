@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "algebra3d/distance/detail/half_space.h"
 #include "algebra3d/exact/plane.h"
 
 namespace algebra3d::distances {
@@ -82,34 +83,37 @@ std::optional<ExactClosest> closest_of_features(const Corners& a, const Corners&
   return ExactClosest{*std::move(first), *std::move(second), dot(between, between)};
 }
 
-/// True if all corners lie on the side of the plane through `point` to which `normal` points, or in the plane.
-bool are_in_front(const Corners& corners, const RationalVec3& point, const RationalVec3& normal) {
-  return std::ranges::all_of(corners,
-                             [&](const RationalVec3& corner) { return dot(normal, corner - point).sign() >= 0; });
+/// True if all corners but those of a feature lie in a half-space.
+bool are_in(const HalfSpace& half_space, const Simplex& simplex, Feature but) {
+  for (std::size_t i = 0; i < simplex.size; ++i)
+    if ((but >> i & 1) == 0 && !half_space.has(simplex.corners[i])) return false;
+  return true;
 }
 
 /// True if no points of the simplices are nearer to each other: between convex sets, the planes through the two points
-/// across their connection separate them.
-bool are_closest(const Corners& a, const Corners& b, const ExactClosest& points) {
-  const RationalVec3 normal = points.second - points.first;
-  return are_in_front(b, points.second, normal) && are_in_front(a, points.first, points.first - points.second);
+/// across their connection separate them. The two features lie in these planes.
+bool are_closest(const Simplex& a, Feature of_a, const Simplex& b, Feature of_b, const ExactClosest& points) {
+  return are_in({points.second, points.second - points.first}, b, of_b) &&
+         are_in({points.first, points.first - points.second}, a, of_a);
 }
 
 class ClosestSearch {
  public:
-  ClosestSearch(const Simplex& a, const Simplex& b) : a_(corners_of(a)), b_(corners_of(b)) {}
+  ClosestSearch(const Simplex& a, const Simplex& b)
+      : a_(a), b_(b), corners_of_a_(corners_of(a)), corners_of_b_(corners_of(b)) {}
 
   std::optional<ExactClosest> try_features(Feature first, Feature second) const {
-    std::optional<ExactClosest> points = closest_of_features(corners_of(a_, first), corners_of(b_, second));
-    if (points && !are_closest(a_, b_, *points)) points.reset();
+    std::optional<ExactClosest> points =
+        closest_of_features(corners_of(corners_of_a_, first), corners_of(corners_of_b_, second));
+    if (points && !are_closest(a_, first, b_, second, *points)) points.reset();
     return points;
   }
 
   /// Small features first, which take the fewest operations.
   ExactClosest try_all() const {
     for (int corner_count = 2; corner_count <= 6; ++corner_count)
-      for (unsigned first = 1; first < 1U << a_.size(); ++first)
-        for (unsigned second = 1; second < 1U << b_.size(); ++second) {
+      for (unsigned first = 1; first < 1U << a_.size; ++first)
+        for (unsigned second = 1; second < 1U << b_.size; ++second) {
           if (std::popcount(first) + std::popcount(second) != corner_count) continue;
           if (std::optional<ExactClosest> points =
                   try_features(static_cast<Feature>(first), static_cast<Feature>(second)))
@@ -120,7 +124,8 @@ class ClosestSearch {
   }
 
  private:
-  Corners a_, b_;
+  const Simplex &a_, &b_;
+  Corners corners_of_a_, corners_of_b_;
 };
 
 }  // namespace

@@ -71,12 +71,10 @@ class NearFaceSearch {
 
 }  // namespace
 
-std::optional<std::pair<FaceId, FaceId>> near_pair(const DistanceOperand& a, const DistanceOperand& b,
+std::optional<std::pair<FaceId, FaceId>> near_pair(const DistanceOperand& a, const DistanceOperand& b, Vec3 place,
                                                    const RoundedDistances& rounded) {
   constexpr int kRounds = 6;
   constexpr double kMuch = 0.999;
-  const Box3 box = b.hierarchy->bounds();
-  Vec3 place = 0.5 * box.min + 0.5 * box.max;
   std::pair<FaceId, FaceId> pair;
   double way = std::numeric_limits<double>::infinity();  // between the faces of the pair
   for (int round = 0; round < kRounds; ++round) {
