@@ -12,18 +12,10 @@ Volume3d box(const Vec3& min, const Vec3& max) {
   std::vector<Vec3> points;
   for (unsigned i = 0; i < 8; ++i)
     points.push_back({(i & 1) != 0 ? max.x : min.x, (i & 2) != 0 ? max.y : min.y, (i & 4) != 0 ? max.z : min.z});
-  return Volume3d::trusted(TriangleMesh(PointArray(points), {{0, 2, 3},
-                                                             {0, 3, 1},
-                                                             {4, 5, 7},
-                                                             {4, 7, 6},
-                                                             {0, 1, 5},
-                                                             {0, 5, 4},
-                                                             {2, 6, 7},
-                                                             {2, 7, 3},
-                                                             {0, 4, 6},
-                                                             {0, 6, 2},
-                                                             {1, 3, 7},
-                                                             {1, 7, 5}}));
+  const std::vector<TriangleMesh::Triangle> triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6},
+                                                         {0, 1, 5}, {0, 5, 4}, {2, 6, 7}, {2, 7, 3},
+                                                         {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return Volume3d::trusted(TriangleMesh(PointArray(points), triangles));
 }
 
 bool is_corner(const ExactPoint& point, const Volume3d& of) {
