@@ -2,7 +2,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <ranges>
 
 #include "rtree/detail/cursors.h"
 
@@ -100,8 +99,8 @@ void BasicNearestCursor<Leaf>::find_all() {
   const std::vector<LeafSlot> places = k_nearest(tree_, target_, limit_);
   for (const LeafSlot& place : places) tree_.prefetch_exact_box(place.leaf, place.slot);
   heap_.reserve(places.size());
-  for (const LeafSlot& place : std::views::reverse(places)) heap_.push_back(measured(place));
   // Nearly in order.
+  for (std::size_t i = places.size(); i-- > 0;) heap_.push_back(measured(places[i]));
   const auto comes_before = [](const auto& a, const auto& b) { return a.is_after(b); };
   std::sort(heap_.begin(), heap_.end(), comes_before);
   is_sorted_ = true;

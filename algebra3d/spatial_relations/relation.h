@@ -53,7 +53,8 @@ struct MeetingWitness {
   ExactPoint point;                ///< common to both
   FaceId first_face, second_face;  ///< triangles of surfaces and solids that meet in it; else invalid
 };
-/// A common point, or nothing if there is none. Deterministic.
+/// A common point, or nothing if there is none: of surfaces and solids whose faces meet, a corner of two such faces
+/// where one lies in the other set. Deterministic.
 Result<std::optional<MeetingWitness>> witness_of_meeting(const SpatialSet& a, const SpatialSet& b,
                                                          const Monitor& monitor = {});
 

@@ -19,7 +19,7 @@ class Resolution {
   Resolution(const KeyFrame& frame, const Box3& target) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       // A key has 2^shift doubles, each less than 2^-52 of the next power of two from the one before.
-      const double share = std::bit_cast<double>((1023 - 51 + std::uint64_t{frame.axes[axis].shift}) << 52);
+      const auto share = std::bit_cast<double>((1023 - 51 + std::uint64_t{frame.axes[axis].shift}) << 52);
       at_target_ += share * std::max(std::abs(target.min[axis]), std::abs(target.max[axis]));
       for_distance_ += share;
     }
@@ -190,6 +190,12 @@ class Search {
     return result;
   }
 
+  NearestList nearest_;
+  Group groups_[kFewGroups + kMaxLevels];
+  std::uint64_t order_[kFewGroups + kMaxLevels];
+  std::uint32_t group_count_ = 0;
+  std::uint32_t node_count_ = 0;
+  NodeIndex leaves_[NearestList::kMaxNodes];
   const NodeScans& scans_ = node_scans();
   const TreeView<Leaf>& tree_;
   const Target& target_;
@@ -199,12 +205,6 @@ class Search {
   double square_of_slack_ = Box3::kInfinity;  // for which the slack was found
   double slack_ = Box3::kInfinity;            // not less than for the squares that are bounds now
   double bound_ = Box3::kInfinity;            // on squares; farther entries are not among the nearest
-  NearestList nearest_;
-  NodeIndex leaves_[NearestList::kMaxNodes];
-  std::uint32_t node_count_ = 0;
-  std::uint32_t group_count_ = 0;
-  std::uint64_t order_[kFewGroups + kMaxLevels];
-  Group groups_[kFewGroups + kMaxLevels];
 };
 
 }  // namespace

@@ -49,6 +49,7 @@ class MeshRelation {
   void compare_extents();
   void compare_faces();
   bool visit(FaceId f, FaceId g);
+  MeetingWitness witness(const FacePairContact& pair) const;
   void visit_point(const FacePairContact& pair);
   void visit_segment(const FacePairContact& pair);
   void visit_coplanar(const FacePairContact& pair);
@@ -108,7 +109,7 @@ bool MeshRelation::visit(FaceId f, FaceId g) {
   const Contact kind = pair.contact.kind;
   if (kind == Contact::none) return true;
   findings_.add_common(dimension_of(kind));
-  if (findings_.wants_witness()) findings_.add_witness({common_point(s, t, pair.contact), f, g});
+  if (findings_.wants_witness()) findings_.add_witness(witness(pair));
   if (findings_.is_complete()) return false;
   if (findings_.wants_boundaries()) compare_boundaries(pair);
   if (kind == Contact::point) {
@@ -118,6 +119,30 @@ bool MeshRelation::visit(FaceId f, FaceId g) {
     pair.contact.is_coplanar() ? visit_coplanar(pair) : visit_segment(pair);
   }
   return !findings_.is_complete();
+}
+
+/// A face of a mesh in which a point lies; invalid if there is none.
+FaceId face_with(const PointRef& point, const Geometry& geometry) {
+  FaceId result;
+  geometry.hierarchy().for_each_meeting(box_of(point), [&](std::uint32_t face) {
+    if (is_on_triangle(point, geometry.mesh.corners(FaceId(face)))) result = FaceId(face);
+    return !result.is_valid();
+  });
+  return result;
+}
+
+/// A corner of one of the two faces if one lies in the other set, whichever face of that has it: people know vertices
+/// of their parts again, and their coordinates are short.
+MeetingWitness MeshRelation::witness(const FacePairContact& pair) const {
+  for (const Role role : kRoles)
+    for (const PointRef& corner : pair.corners[index_of(role)]) {
+      const FaceId of_other = face_with(corner, *set(other(role)).geometry);
+      if (!of_other.is_valid()) continue;
+      std::array<FaceId, 2> faces = pair.faces;
+      faces[index_of(other(role))] = of_other;
+      return {ExactPoint(corner), faces[0], faces[1]};
+    }
+  return {common_point(pair.corners[0], pair.corners[1], pair.contact), pair.faces[0], pair.faces[1]};
 }
 
 /// Surfaces that touch in a point: their interiors meet unless it is on a boundary edge of one of them, perhaps one of
