@@ -81,7 +81,7 @@ Result<std::string> visible_change(const Context& context, const TriangleMesh& s
   const bool loses_shells = rounded.shells_after < rounded.shells_before;
   const bool is_seen = rounded.largest_movement > kVisiblePart * diagonal_of(solid) || changes_volume || loses_shells;
   if (!is_seen && rounded.reach == 0) return std::string();
-  std::string text = fmt::format("which moves the boundary by at most {} where it is left ({})",
+  std::string text = fmt::format("which moves what is left of the boundary by at most {} ({})",
                                  real_text(rounded.largest_movement), name_of(rounded.method));
   if (!is_seen) text += " where it is crowded";
   if (changes_volume)

@@ -32,11 +32,13 @@ template <typename Rounded>
 std::string rounding_note(const Rounded& rounded, std::size_t vertex_count) {
   if (rounded.mesh->is_empty()) return nothing_left(rounded);
   std::string text =
-      fmt::format("{} of {} vertices moved, and the boundary by at most {} where it is left; method: {}",
+      fmt::format("{} of {} vertices moved, and what is left of the boundary by at most {}; method: {}",
                   rounded.moved_vertices, vertex_count, real_text(rounded.largest_movement), name_of(rounded.method));
-  if (rounded.reach > 0) text += fmt::format(" within {}", real_text(rounded.reach));
+  if (rounded.reach > 0) text += fmt::format(" that were up to {} apart", real_text(rounded.reach));
   if (rounded.contact_vertices > 0)
-    text += fmt::format("; {} vertices lie inside edges or faces of others", rounded.contact_vertices);
+    text += fmt::format(
+        "; {} inside edges or faces of others",
+        rounded.contact_vertices == 1 ? "1 vertex lies" : fmt::format("{} vertices lie", rounded.contact_vertices));
   return text;
 }
 
@@ -117,8 +119,9 @@ void register_rounding(Registry& registry) {
           "the grid is "
           "unchanged. Of a solid only the facets with corners that move are changed and proved again, so the cost "
           "follows the length of the seams. Corners of a solid that rounding made "
-          "superfluous are removed, but not with a grid wider than 1/256 of the largest coordinate: there triangles "
-          "multiply in a long chain of rounded set operations. Undefined if a coordinate would be out of range, and "
+          "superfluous are removed, but not where the numbers are farther apart than 1/256 of the longest side of its "
+          "box: there triangles multiply in a long chain of rounded set operations. Undefined if a coordinate would be "
+          "out of range, and "
           "for other strings.",
       .exactness = Exactness::reported,
       .frame_use = FrameUse::coordinates,

@@ -8,6 +8,7 @@
 
 #include "algebra3d/arrangement/operand.h"
 #include "algebra3d/autorefinement/winding_selection.h"
+#include "algebra3d/base/box3.h"
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/halfedge/boxes.h"
 #include "algebra3d/halfedge/circulators.h"
@@ -24,10 +25,18 @@ namespace {
 /// Vertices no farther from the surface than so many spacings are superfluous. With one, a chain of 2000 turned
 /// intersections has twice as many triangles as it needs, with two a third more.
 constexpr double kSuperfluous = 2;
-/// The same on a grid of multiples, which was asked for and may be seen; and how many times its spacing the largest
-/// coordinate must be. On a coarser one a spacing may be half of a part of the solid.
+/// The same on a grid of multiples, which was asked for and may be seen.
 constexpr double kSuperfluousOnMultiples = 1;
+/// How many spacings long the box of the solid must be. On a coarser grid a spacing may be half of a part of the solid.
 constexpr double kFineGrid = 256;
+
+/// The longest side of the box around a mesh.
+double extent_of(const TriangleMesh& mesh) {
+  const Box3 box = Box3::around(mesh.points().approx());
+  if (box.is_empty()) return 0;
+  const Vec3 size = box.max - box.min;
+  return std::max({size.x, size.y, size.z});
+}
 
 /// Among so many cells at its boundary one within a solid is looked for, before the solid may vanish.
 constexpr std::size_t kSearchedCells = 10'000;
@@ -102,9 +111,9 @@ Result<bool> SolidRounding::accept_as_it_is(const RoundingCandidate& candidate) 
 
 /// Without corners of facets with moved corners that lie on the surface or on an edge anyway, up to a spacing or two of
 /// the grid: rounding left them there, now or earlier; and without needles of that kind. Nothing if it has none of
-/// both. On a grid of multiples that is coarse for the solid all stay.
+/// both. On a grid that is coarse for the solid all stay.
 Result<std::optional<RoundingCandidate>> SolidRounding::simplified(const RoundingCandidate& candidate) const {
-  if (!grid().is_floating() && size() < kFineGrid * spacing()) return std::optional<RoundingCandidate>();
+  if (extent_of(solid_) < kFineGrid * spacing()) return std::optional<RoundingCandidate>();
   const double tolerance = (grid().is_floating() ? kSuperfluous : kSuperfluousOnMultiples) * spacing();
   std::vector<bool> may_change;
   may_change.reserve(candidate.mesh.vertex_count());

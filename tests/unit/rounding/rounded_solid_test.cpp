@@ -23,6 +23,30 @@ void expect_on_grid(const TriangleMesh& mesh, double step) {
     for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_EQ(p[axis], std::round(p[axis] / step) * step);
 }
 
+// Where a solid lies must not decide how much of it rounding changes.
+TEST(RoundedSolid, on_a_coarse_grid_does_not_depend_on_the_place) {
+  SetOperations engine;
+  const auto at = [](double scale, const Vec3& middle) {
+    return mapped(geodesic_sphere(5), [&](const Vec3& p) {
+      const auto short_number = [&](double x) { return std::round(0x1p20 * scale * x) * 0x1p-20; };
+      return Vec3{short_number(p.x), short_number(p.y), short_number(p.z)} + middle;
+    });
+  };
+  const auto rounded_at = [&](double x, const CoordinateGrid& grid) {
+    const TriangleMesh solid = engine.intersect(at(3, {x, 0, 0}), at(2, {x + 0.5, 0, 0.5}));
+    const RoundedSolid rounded = *rounded_solid(solid, grid);
+    return mapped(*rounded.mesh, [&](const Vec3& p) { return p - Vec3{x, 0, 0}; });
+  };
+  const auto near = triangles_of(rounded_at(0, CoordinateGrid::multiples(0.25)));
+  for (const double x : {48.0, 64.0, 4096.0})
+    EXPECT_EQ(triangles_of(rounded_at(x, CoordinateGrid::multiples(0.25))), near) << x;
+  // There floats are 0.25 apart along x only, so the result is finer.
+  const TriangleMesh far = rounded_at(0x1p21, CoordinateGrid::floats());
+  EXPECT_EQ(prove_volume(far)->text(), "");
+  EXPECT_GT(exact_volume_of(far).nearest_double(),
+            0.95 * exact_volume_of(rounded_at(0, CoordinateGrid::doubles())).nearest_double());
+}
+
 TEST(RoundedSolid, of_doubles_is_itself) {
   const TriangleMesh solid = geodesic_sphere(3);
   const auto rounded = rounded_solid(solid, CoordinateGrid::doubles());
