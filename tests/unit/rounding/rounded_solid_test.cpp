@@ -9,6 +9,7 @@
 
 #include "algebra3d/exact/affine_map.h"
 #include "algebra3d/exact/vertical_line.h"
+#include "algebra3d/validity/validity.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/arrangement/set_operations.h"
 #include "unit/rounding/distances.h"
