@@ -352,8 +352,10 @@ void register_indexes(algebra3d::Registry& registry) {
       .doc = "The tuples of a relation by ascending distance of their indexed boxes from the box of a value; if k is "
              "given, only the first k.",
       .detail =
-          "Equal distances: by tuple id. No tuples for an undefined or empty value. With \"exact\" the distance is "
-          "that of the geometry, as by `distance`, compared before it is rounded.",
+          "Distances of boxes are compared as they are rounded to doubles. Equal distances: by tuple id. No tuples for "
+          "an undefined or empty value. With \"exact\" the distance is that of the geometry, as by `distance`, "
+          "compared "
+          "before it is rounded.",
       .sources = {"hjaltason1999"},
       .stream = stream_operator(map_distancescan(registry)),
       .signatures = {"(rtree3(tuple SPATIAL3D) rel(tuple) SPATIAL3D) -> stream(tuple)",
