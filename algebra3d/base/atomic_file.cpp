@@ -166,7 +166,7 @@ Status AtomicFile::flush() {
   return write_all(draft_->descriptor(), buffer_.get(), std::exchange(buffered_, 0), path_);
 }
 
-// Of two that make the same new file, the second must find it.
+// A new file never replaces one that another process made meanwhile: that is an error.
 Status AtomicFile::give_name() const {
   const fs::path& draft = draft_->path();
   const bool is_named = may_replace_ ? ::rename(draft.c_str(), target_.c_str()) == 0 : rename_to_new(draft, target_);

@@ -14,7 +14,7 @@ namespace algebra3d {
 /// be copied and used by several threads.
 class WorkingFolder {
  public:
-  /// What statements may write in a confined folder.
+  /// Rights of statements to write in a confined folder.
   enum class Writing : std::uint8_t {
     none,       ///< nothing
     new_files,  ///< files that do not exist yet

@@ -15,22 +15,13 @@
 #include <optional>
 #include <utility>
 
-#include "algebra3d/exact/plane.h"
+#include "algebra3d/exact/inner_point.h"
 #include "algebra3d/exact/vertical_line.h"
 #include "algebra3d/halfedge/topology.h"
 #include "algebra3d/validity/shell_tops.h"
 
 namespace algebra3d {
 namespace {
-
-/// Inner points of a triangle, all different; the weights have a power of two as their sum, so that the point of a
-/// triangle with short coordinates is made of doubles.
-ExactPoint inner_point(const TriangleRef& triangle, int attempt) {
-  const std::int64_t whole = std::int64_t{4} << attempt;
-  const RationalVec3 sum =
-      triangle[0].rational() + triangle[1].rational() + Rational(whole - 2) * triangle[2].rational();
-  return ExactPoint(Rational(1, whole) * sum);
-}
 
 /// The bodies around a shell by counting all that a vertical ray passes: for the few shells whose tops touch others.
 class BodiesByRays {

@@ -121,8 +121,8 @@ TriangleMesh mesh_around(const Replacement& replacement, const std::vector<FaceI
   return std::move(assembly).mesh();
 }
 
-/// Of each shell of the mesh that does not go on beyond it, the first face that is not vertical. There is one: a shell
-/// bounds something, which has a top.
+/// The first face that is not vertical of each closed shell of the mesh. There is one: a closed shell bounds something,
+/// which has a top.
 std::vector<FaceId> faces_of_closed_shells(const TriangleMesh& mesh) {
   const FaceComponents shells = connected_components(mesh);
   std::vector<bool> is_done(shells.count);
@@ -171,7 +171,7 @@ Result<bool> is_valid_whole(const Replacement& replacement, const std::atomic<bo
 /// From so many added faces on, a second task pays.
 constexpr std::size_t kManyAdded = 1'000;
 
-/// Of so many shells among the faces around it is cheaper to ask for each alone than to prove the whole volume.
+/// Up to so many closed shells, a ray for each is cheaper than the proof of the whole volume.
 constexpr std::size_t kFewClosedShells = 16;
 
 /// True if the winding numbers in front of all shells are 0 that consist of added faces and those near them.

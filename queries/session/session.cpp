@@ -15,8 +15,8 @@
 namespace queries {
 namespace {
 
-// What to do instead of a command that concerns the session itself and not the content of a shared database; empty for
-// other commands.
+// Advice for users of a shared session who give a command that concerns the session itself and not the content of its
+// database; empty for other commands.
 std::string_view instead_of(const CommandContent& command) {
   const auto advice = [](const auto& content) -> std::string_view {
     using T = std::decay_t<decltype(content)>;

@@ -125,8 +125,8 @@ class Search {
     order_[index] = order_[group_count_];
   }
 
-  // What will most likely be entered is on its way meanwhile: the children within the bound; as long as there is none,
-  // some of the nearest.
+  // Prefetches the children that are likely to be visited: those within the bound, or some of the nearest as long as
+  // there is no bound.
   void prefetch_children(const Group& group) const {
     SlotMask near = group.slots;
     if (bound_ == Box3::kInfinity) near &= scans_.nearest(group.children, kFirstPrefetched);

@@ -171,7 +171,7 @@ bool Separation::keeps_apart(BoxHierarchy::Node first, BoxHierarchy::Node second
   return is_told;
 }
 
-/// Of each node no more is found out than the other one leaves open.
+/// The reach of a node is bounded only as closely as that of the other one makes necessary.
 bool Separation::are_apart(BoxHierarchy::Node first, BoxHierarchy::Node second, double distance) {
   const double apart = -(distance * (1 + 0x1p-40) + 2 * error_);  // the sum of two reaches
   const double of_second = second_.at_most(second);

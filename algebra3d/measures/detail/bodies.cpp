@@ -13,6 +13,7 @@
 
 #include "algebra3d/base/disjoint_ids.h"
 #include "algebra3d/exact/exact_sum.h"
+#include "algebra3d/exact/inner_point.h"
 #include "algebra3d/exact/plane.h"
 #include "algebra3d/halfedge/mesh_triangles.h"
 #include "algebra3d/halfedge/topology.h"
@@ -71,15 +72,9 @@ Result<std::vector<Shell>> shells_of(const TriangleMesh& mesh, const Monitor& mo
   return shells;
 }
 
-/// Inner points of a triangle, all different.
-ExactPoint inner_point(const TriangleRef& triangle, std::int64_t attempt) {
-  const RationalVec3 sum = triangle[0].rational() + triangle[1].rational() + Rational(attempt) * triangle[2].rational();
-  return ExactPoint(Rational(1, attempt + 2) * sum);
-}
-
 /// True if the wall of a cavity is inside of an outer shell, which it may touch in points and edges.
 bool is_within(const Shell& cavity, const Geometry& outer) {
-  for (std::int64_t attempt = 1;; ++attempt) {
+  for (int attempt = 0;; ++attempt) {
     const ExactPoint point = inner_point(cavity.mesh.corners(FaceId(0)), attempt);
     const Placement placement = place_in_solid(point, outer);
     if (placement != Placement::boundary) return placement == Placement::inside;

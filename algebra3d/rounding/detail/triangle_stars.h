@@ -50,7 +50,7 @@ class TriangleStars {
 
   const TriangleMesh& mesh_;
   std::vector<IndexTriangle> triangles_;
-  // Of vertices that have got triangles, which may have gone again.
+  // Triangles of the vertices that have got new ones; some may not be at the vertex any more.
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> grown_;
 };
 

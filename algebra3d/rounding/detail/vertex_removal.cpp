@@ -226,7 +226,7 @@ struct Candidate {
 
 constexpr std::size_t kVerticesPerTask = 500;
 
-/// Those of the vertices that may go.
+/// The vertices among these that may be removed, with what they become one with.
 std::vector<Candidate> candidates(const VertexRemoval& removal, const std::vector<std::uint32_t>& vertices,
                                   const Monitor& monitor) {
   return parallel_collect(vertices.size(), kVerticesPerTask, [&](std::size_t first, std::size_t end) {

@@ -1,24 +1,14 @@
 #include "algebra3d/validity/detail/front_ray.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <vector>
 
-#include "algebra3d/exact/plane.h"
+#include "algebra3d/exact/inner_point.h"
 #include "algebra3d/exact/predicates.h"
 #include "algebra3d/exact/vertical_line.h"
 
 namespace algebra3d {
 namespace {
-
-/// The weights are fractions of a power of two, so that the point of a triangle with short coordinates is made of
-/// doubles, which are fast.
-ExactPoint inner_point(const TriangleRef& triangle, int attempt) {
-  const std::int64_t whole = std::int64_t{4} << attempt;
-  const RationalVec3 sum =
-      triangle[0].rational() + triangle[1].rational() + Rational(whole - 2) * triangle[2].rational();
-  return ExactPoint(Rational(1, whole) * sum);
-}
 
 /// True if the face lies on one side of the vertical plane through p along an axis. Rounded numbers tell, as rounding
 /// is monotonic.

@@ -46,7 +46,7 @@ bool on_one_side(const std::array<const Vec3*, 3>& triangle, const std::array<co
          orient3d(*triangle[0], *triangle[1], *triangle[2], *points[2]) == side;
 }
 
-/// What two faces have in common besides their common corners and edge.
+/// The intersection of two faces without their common corners and edge.
 enum class Excess : std::uint8_t {
   none,
   point,    ///< one point; they have no corner in common
@@ -178,7 +178,7 @@ constexpr std::size_t kFewFaces = 2'000;
 /// More pairs are not kept, but searched again.
 constexpr std::size_t kMostPairs = 1'000'000;
 
-/// What a part of a search has found.
+/// The pairs that a part of a search has found.
 struct FoundPairs {
   FacePairs improper, touching;
 };
