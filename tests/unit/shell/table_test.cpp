@@ -4,6 +4,7 @@
 
 #include "algebra3d/types/planar.h"
 #include "algebra3d/types/spatial.h"
+#include "queries/exchange/exchange_values.h"
 #include "support/cloud_type.h"
 
 namespace queries {
