@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "algebra3d/base/scheduler.h"
+#include "algebra3d/rounding/detail/vertex_fan.h"
 #include "algebra3d/rounding/detail/wide_vec3.h"
 
 namespace algebra3d {
@@ -19,7 +20,7 @@ constexpr int kMaxPasses = 16;
 /// Vertices with more neighbours stay: the cost is that of their cube.
 constexpr std::size_t kMaxNeighbours = 60;
 
-/// The neighbours of a vertex in their order, where its triangles form one closed fan.
+/// The neighbours of a vertex in their order.
 using Ring = std::vector<std::uint32_t>;
 
 /// The mesh while vertices are merged with neighbours. Concurrent calls of the const functions are safe.
@@ -33,8 +34,8 @@ class VertexRemoval {
     Ring ring;
     std::uint32_t target;
   };
-  /// Nothing if the vertex must stay.
-  std::optional<Merger> merger(std::uint32_t vertex) const;
+  /// Nothing if the vertex must stay. `fan` is room to work in.
+  std::optional<Merger> merger(std::uint32_t vertex, VertexFan& fan) const;
   void merge(std::uint32_t vertex, const Merger& merger);
 
   /// True if something near the vertex has changed since this was asked last: only then it may go if it could not
@@ -48,9 +49,7 @@ class VertexRemoval {
  private:
   const Vec3& rounded_place(std::uint32_t vertex) const { return stars_.rounded_place(vertex); }
   WideVec3 place(std::uint32_t vertex) const { return WideVec3(rounded_place(vertex)); }
-  bool is_off_plane(std::uint32_t vertex, std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
-  double height_bound(std::uint32_t vertex, const Ring& ring, std::size_t target) const;
-  std::optional<Ring> ring(std::uint32_t vertex) const;
+  double height_bound(const Ring& ring, std::size_t target) const;
   bool keeps_manifold(const Ring& ring, std::size_t target) const;
   bool are_near(std::uint32_t vertex, const Ring& ring, std::size_t from, std::size_t to) const;
   bool follows_surface(std::uint32_t vertex, const Ring& ring, std::size_t target) const;
@@ -71,29 +70,6 @@ long double segment_distance(const WideVec3& a, const WideVec3& b, const WideVec
   const long double t = std::clamp((both * s + across) / cd2, 0.0L, 1.0L);
   s = std::clamp((both * t - along) / ab2, 0.0L, 1.0L);
   return length((a + s * ab) - (c + t * cd));
-}
-
-std::optional<Ring> VertexRemoval::ring(std::uint32_t vertex) const {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;  // opposite to the vertex
-  stars_.for_each_at(vertex, [&](std::uint32_t triangle) {
-    const IndexTriangle& t = stars_[triangle];
-    const auto at = static_cast<std::size_t>(std::ranges::find(t, vertex) - t.begin());
-    sides.emplace_back(t[(at + 1) % 3], t[(at + 2) % 3]);
-  });
-  if (sides.size() < 3) return std::nullopt;
-  Ring result;
-  for (std::uint32_t next = sides[0].first; result.size() < sides.size();) {
-    result.push_back(next);
-    const auto side = std::ranges::find(sides, next, [](const auto& s) { return s.first; });
-    if (side == sides.end()) return std::nullopt;
-    next = side->second;
-    if (next == sides[0].first && result.size() < sides.size()) return std::nullopt;
-    if (result.size() == sides.size() && next != sides[0].first) return std::nullopt;
-  }
-  Ring sorted = result;
-  std::ranges::sort(sorted);
-  if (std::ranges::adjacent_find(sorted) != sorted.end()) return std::nullopt;
-  return result;
 }
 
 /// The link condition [dey1999]: the target has no other neighbours in the ring than those beside it.
@@ -131,26 +107,12 @@ bool VertexRemoval::follows_surface(std::uint32_t vertex, const Ring& ring, std:
   return true;
 }
 
-/// True if the vertex is certainly farther from the plane of three others than the tolerance. By doubles with a bound
-/// of their error, which decides for most vertices of curved surfaces.
-bool VertexRemoval::is_off_plane(std::uint32_t vertex, std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-  const Vec3 to_b = rounded_place(b) - rounded_place(a), to_c = rounded_place(c) - rounded_place(a);
-  const Vec3 to_vertex = rounded_place(vertex) - rounded_place(a);
-  const Vec3 normal = cross(to_b, to_c);
-  const auto at_least_length = [](const Vec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
-  const double error = 0x1p-46 * at_least_length(to_vertex) * at_least_length(to_b) * at_least_length(to_c);
-  constexpr double kUnderflow = 0x1p-900;
-  return error > kUnderflow &&
-         std::abs(dot(to_vertex, normal)) > (1 + 0x1p-40) * tolerance_ * at_least_length(normal) + error;
-}
-
 /// An upper bound of least_height by doubles, which is cheap and good but for needles.
-double VertexRemoval::height_bound(std::uint32_t vertex, const Ring& ring, std::size_t target) const {
+double VertexRemoval::height_bound(const Ring& ring, std::size_t target) const {
   constexpr double kError = 0x1p-46;
   double least = std::numeric_limits<double>::max();
   for (std::size_t i = (target + 1) % ring.size(); (i + 1) % ring.size() != target; i = (i + 1) % ring.size()) {
     const std::uint32_t next = ring[(i + 1) % ring.size()];
-    if (is_off_plane(vertex, ring[target], ring[i], next)) return 0;
     const Vec3 to_a = rounded_place(ring[i]) - rounded_place(ring[target]);
     const Vec3 to_b = rounded_place(next) - rounded_place(ring[target]), side = to_b - to_a;
     const Vec3 normal = cross(to_a, to_b);
@@ -197,23 +159,24 @@ void VertexRemoval::note_change(const Ring& ring) {
 }
 
 /// With that of the ring for which the least height is largest, the first one of several.
-std::optional<VertexRemoval::Merger> VertexRemoval::merger(std::uint32_t vertex) const {
-  std::optional<Ring> around = ring(vertex);
-  if (!around || around->size() > kMaxNeighbours) return std::nullopt;
+std::optional<VertexRemoval::Merger> VertexRemoval::merger(std::uint32_t vertex, VertexFan& fan) const {
+  if (!fan.surround(stars_, vertex, kMaxNeighbours)) return std::nullopt;
+  const Ring& ring = fan.ring();
+  fan.measure(stars_, tolerance_);
   std::vector<std::pair<double, std::size_t>> bounds;
-  for (std::size_t target = 0; target < around->size(); ++target)
-    if (const double bound = height_bound(vertex, *around, target); bound > 2 * tolerance_)
-      bounds.emplace_back(-bound, target);
+  for (std::size_t target = 0; target < ring.size(); ++target) {
+    if (fan.bends(target)) continue;
+    if (const double bound = height_bound(ring, target); bound > 2 * tolerance_) bounds.emplace_back(-bound, target);
+  }
   std::ranges::sort(bounds);
-  std::pair<long double, std::size_t> best{-2 * tolerance_, around->size()};  // the height with the other sign first
+  std::pair<long double, std::size_t> best{-2 * tolerance_, ring.size()};  // the height with the other sign first
   for (const auto& [bound, target] : bounds) {
     if (bound > best.first) break;
-    const std::pair<long double, std::size_t> height{-least_height(vertex, *around, target), target};
-    if (height < best && keeps_manifold(*around, target) && follows_surface(vertex, *around, target)) best = height;
+    const std::pair<long double, std::size_t> height{-least_height(vertex, ring, target), target};
+    if (height < best && keeps_manifold(ring, target) && follows_surface(vertex, ring, target)) best = height;
   }
-  if (best.second == around->size()) return std::nullopt;
-  const std::uint32_t target = (*around)[best.second];
-  return Merger{*std::move(around), target};
+  if (best.second == ring.size()) return std::nullopt;
+  return Merger{ring, ring[best.second]};
 }
 
 using Merger = VertexRemoval::Merger;
@@ -231,8 +194,9 @@ std::vector<Candidate> candidates(const VertexRemoval& removal, const std::vecto
                                   const Monitor& monitor) {
   return parallel_collect(vertices.size(), kVerticesPerTask, [&](std::size_t first, std::size_t end) {
     std::vector<Candidate> found;
+    VertexFan fan;
     for (std::size_t i = first; i < end && !monitor.is_cancelled(); ++i)
-      if (auto merger = removal.merger(vertices[i])) found.push_back({vertices[i], *std::move(merger)});
+      if (auto merger = removal.merger(vertices[i], fan)) found.push_back({vertices[i], *std::move(merger)});
     return found;
   });
 }
@@ -251,9 +215,10 @@ Result<bool> remove_superfluous_vertices(TriangleStars& stars, const std::vector
   std::vector<std::uint32_t> in_question = left;
   std::vector<bool> has_gone(mesh.vertex_count());
   bool has_changed = false;
+  VertexFan fan;
   for (int pass = 0; pass < kMaxPasses && !in_question.empty(); ++pass) {
     for (const auto& [vertex, merger] : candidates(removal, in_question, monitor)) {
-      const std::optional<Merger> now = removal.has_changed(vertex) ? removal.merger(vertex) : merger;
+      const std::optional<Merger> now = removal.has_changed(vertex) ? removal.merger(vertex, fan) : merger;
       if (!now) continue;
       removal.merge(vertex, *now);
       has_gone[vertex] = has_changed = true;
