@@ -96,6 +96,8 @@ struct SidedContact {
 };
 /// The same as `intersect_triangles`, with the sides that it finds on the way.
 SidedContact contact_of_triangles(const TriangleRef& s, const TriangleRef& t);
+/// The same if it is known already on which sides of the plane of s corners of t lie; detail::kUndecided for others.
+SidedContact contact_of_triangles(const TriangleRef& s, const TriangleRef& t, const std::array<int, 3>& known_t_sides);
 /// True if p lies on the triangle, its edges and corners included. It must not be degenerate. Exact. Cost: one orient3d
 /// if p is not in its plane.
 bool is_on_triangle(PointRef p, const TriangleRef& triangle);

@@ -57,6 +57,9 @@ class PlaneFilter {
     if (determinant < -error) return -1;
     return kUndecided;
   }
+  std::array<int, 3> sides(const std::array<const Vec3*, 3>& points) const {
+    return {side(*points[0]), side(*points[1]), side(*points[2])};
+  }
 
  private:
   Vec3 a_;

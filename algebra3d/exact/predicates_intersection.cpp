@@ -20,14 +20,37 @@ bool all_equal_and_not_zero(const Signs& signs) {
   return signs[0] != 0 && signs[0] == signs[1] && signs[0] == signs[2];
 }
 
+// For signs some of which are kUndecided.
+bool certainly_all_equal(const Signs& signs) {
+  return signs[0] != detail::kUndecided && all_equal_and_not_zero(signs);
+}
+
 bool all_zero(const Signs& signs) {
   return signs[0] == 0 && signs[1] == 0 && signs[2] == 0;
 }
 
-// orient3d, without counting the call, where the filter for doubles did not decide.
-int decide(const PointRef& a, const PointRef& b, const PointRef& c, const PointRef& d) {
-  return d.is_double() ? detail::decide_orient3d(a.approx, b.approx, c.approx, d.approx)
-                       : detail::orient3d_of_rationals(a, b, c, d);
+// The sides of the plane of `base` on which the corners of `triangle` lie, where the filter for doubles decides them.
+Signs filtered_sides(const TriangleRef& base, const TriangleRef& triangle) {
+  const auto& [a, b, c] = base;
+  detail::count_calls(3);
+  Signs sides{detail::kUndecided, detail::kUndecided, detail::kUndecided};
+  if (!a.is_double() || !b.is_double() || !c.is_double()) return sides;
+  const detail::PlaneFilter filter(a.approx, b.approx, c.approx);
+  for (std::size_t i = 0; i < 3; ++i)
+    if (triangle[i].is_double()) sides[i] = filter.side(triangle[i].approx);
+  return sides;
+}
+
+// Decides the sides that are undecided.
+void decide_sides(const TriangleRef& base, const TriangleRef& triangle, Signs& sides) {
+  const auto& [a, b, c] = base;
+  const bool has_double_base = a.is_double() && b.is_double() && c.is_double();
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (sides[i] != detail::kUndecided) continue;
+    const PointRef& d = triangle[i];
+    sides[i] = has_double_base && d.is_double() ? detail::decide_orient3d(a.approx, b.approx, c.approx, d.approx)
+                                                : detail::orient3d_of_rationals(a, b, c, d);
+  }
 }
 
 // ---- on one line, where lexicographic order is the order along the line
@@ -177,20 +200,9 @@ int half_turn(const PointRef& e0, const PointRef& e1, const PointRef& origin, co
 }  // namespace
 
 std::array<int, 3> sides_of_plane(const TriangleRef& base, const TriangleRef& triangle) {
-  const auto& [a, b, c] = base;
-  Signs heights{};
-  if (!a.is_double() || !b.is_double() || !c.is_double()) {
-    for (std::size_t i = 0; i < 3; ++i) heights[i] = orient3d(a, b, c, triangle[i]);
-    return heights;
-  }
-  detail::count_calls(3);
-  const detail::PlaneFilter filter(a.approx, b.approx, c.approx);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const PointRef& d = triangle[i];
-    heights[i] = d.is_double() ? filter.side(d.approx) : detail::kUndecided;
-    if (heights[i] == detail::kUndecided) heights[i] = decide(a, b, c, d);
-  }
-  return heights;
+  Signs sides = filtered_sides(base, triangle);
+  decide_sides(base, triangle, sides);
+  return sides;
 }
 
 Contact intersect_segments(PointRef a, PointRef b, PointRef c, PointRef d) {
@@ -230,16 +242,26 @@ Contact intersect_triangles(const TriangleRef& s, const TriangleRef& t) {
 }
 
 SidedContact contact_of_triangles(const TriangleRef& s, const TriangleRef& t) {
-  SidedContact contact;
-  contact.t_sides = sides_of_plane(s, t);
-  if (all_equal_and_not_zero(contact.t_sides)) return contact;
-  if (all_zero(contact.t_sides)) {
+  return contact_of_triangles(s, t, filtered_sides(s, t));
+}
+
+// Filters first: of two triangles that are apart one of the planes mostly tells it, where the other one may need an
+// exact answer.
+SidedContact contact_of_triangles(const TriangleRef& s, const TriangleRef& t, const std::array<int, 3>& known_t_sides) {
+  SidedContact contact{Contact::none, {}, known_t_sides};
+  Signs &s_sides = contact.s_sides, &t_sides = contact.t_sides;
+  if (certainly_all_equal(t_sides)) return contact;
+  s_sides = filtered_sides(t, s);
+  if (certainly_all_equal(s_sides)) return contact;
+  decide_sides(s, t, t_sides);
+  if (all_equal_and_not_zero(t_sides)) return contact;
+  if (all_zero(t_sides)) {
     contact.kind = intersect_coplanar_triangles(s, t);
+    s_sides = {};
     return contact;
   }
-  contact.s_sides = sides_of_plane(t, s);
-  if (!all_equal_and_not_zero(contact.s_sides))
-    contact.kind = intervals_on_common_line(s, contact.s_sides, t, contact.t_sides);
+  decide_sides(t, s, s_sides);
+  if (!all_equal_and_not_zero(s_sides)) contact.kind = intervals_on_common_line(s, s_sides, t, t_sides);
   return contact;
 }
 

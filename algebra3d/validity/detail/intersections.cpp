@@ -32,20 +32,6 @@ SharedCorners shared_corners(const TriangleMesh::Triangle& s, const TriangleMesh
   return shared;
 }
 
-/// True if the three points are certainly on one side of a plane.
-bool on_one_side(const detail::PlaneFilter& plane, const std::array<const Vec3*, 3>& points) {
-  detail::count_call();
-  const int side = plane.side(*points[0]);
-  return side != detail::kUndecided && side == plane.side(*points[1]) && side == plane.side(*points[2]);
-}
-
-/// True if the three points lie on one side of the plane of the triangle.
-bool on_one_side(const std::array<const Vec3*, 3>& triangle, const std::array<const Vec3*, 3>& points) {
-  const int side = orient3d(*triangle[0], *triangle[1], *triangle[2], *points[0]);
-  return side != 0 && orient3d(*triangle[0], *triangle[1], *triangle[2], *points[1]) == side &&
-         orient3d(*triangle[0], *triangle[1], *triangle[2], *points[2]) == side;
-}
-
 /// The intersection of two faces without their common corners and edge.
 enum class Excess : std::uint8_t {
   none,
@@ -85,14 +71,13 @@ class PairTest {
   int is_embedded(std::uint32_t vertex) const { return static_cast<int>(proved_.stars.is_embedded(VertexId(vertex))); }
 
   Excess excess_of_strangers(FaceId f, FaceId g, LastPlane& last) const {
+    std::array<int, 3> sides{detail::kUndecided, detail::kUndecided, detail::kUndecided};
     if (all_double_) {
-      const std::array<const Vec3*, 3> s = doubles(f), t = doubles(g);
-      if (f != last.face) last = {f, detail::PlaneFilter(*s[0], *s[1], *s[2])};
-      if (on_one_side(*last.plane, t) || on_one_side(detail::PlaneFilter(*t[0], *t[1], *t[2]), s) ||
-          on_one_side(s, t) || on_one_side(t, s))
-        return Excess::none;
+      if (f != last.face) last = {f, plane_filter(f)};
+      sides = last.plane->sides(doubles(g));
+      if (sides[0] != detail::kUndecided && sides[0] == sides[1] && sides[0] == sides[2]) return Excess::none;
     }
-    const Contact contact = intersect_triangles(mesh_.corners(f), mesh_.corners(g));
+    const Contact contact = contact_of_triangles(mesh_.corners(f), mesh_.corners(g), sides).kind;
     if (contact == Contact::none) return Excess::none;
     return contact == Contact::point ? Excess::point : Excess::improper;
   }
@@ -113,6 +98,11 @@ class PairTest {
     const TriangleMesh::Triangle t = mesh_.triangle(face);
     const std::vector<Vec3>& points = mesh_.points().approx();
     return {&points[t[0]], &points[t[1]], &points[t[2]]};
+  }
+
+  detail::PlaneFilter plane_filter(FaceId face) const {
+    const auto [a, b, c] = doubles(face);
+    return detail::PlaneFilter(*a, *b, *c);
   }
 
   const TriangleMesh& mesh_;

@@ -76,7 +76,7 @@ std::vector<FaceId> faces_near(const TriangleMesh& mesh, const std::vector<bool>
   if (others.is_empty()) return {};
   MarkedCells cells(padded(box_of_mesh(others), reach));
   for (std::uint32_t f = 0; f < others.face_count(); ++f) cells.mark(padded(box_of_face(others, f), reach));
-  constexpr std::size_t kFacesPerScan = 20'000;
+  constexpr std::size_t kFacesPerScan = 4'000;
   return parallel_collect(mesh.face_count(), kFacesPerScan, [&](std::size_t begin, std::size_t end) {
     std::vector<FaceId> found;
     for (auto f = static_cast<std::uint32_t>(begin); f < end; ++f)
