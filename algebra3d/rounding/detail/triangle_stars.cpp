@@ -4,7 +4,7 @@
 
 namespace algebra3d {
 
-TriangleStars::TriangleStars(const TriangleMesh& mesh) : mesh_(mesh) {
+TriangleStars::TriangleStars(const TriangleMesh& mesh) : mesh_(mesh), list_of_(mesh.vertex_count(), kNone) {
   triangles_.reserve(mesh.face_count());
   for (const FaceId face : faces(mesh)) triangles_.push_back(mesh.triangle(face));
 }
@@ -15,31 +15,35 @@ std::vector<std::uint32_t> TriangleStars::at(std::uint32_t vertex) const {
   return star;
 }
 
+std::vector<std::uint32_t>& TriangleStars::list(std::uint32_t vertex) {
+  if (list_of_[vertex] == kNone) {
+    lists_.push_back(at(vertex));
+    list_of_[vertex] = static_cast<std::uint32_t>(lists_.size() - 1);
+  }
+  return lists_[list_of_[vertex]];
+}
+
 void TriangleStars::merge(std::uint32_t vertex, std::uint32_t target) {
-  std::vector<std::uint32_t> grown = at(target);
-  for (const std::uint32_t triangle : at(vertex)) {
+  std::vector<std::uint32_t>& grown = list(target);
+  for_each_at(vertex, [&](std::uint32_t triangle) {
     IndexTriangle& t = triangles_[triangle];
     if (std::ranges::find(t, target) != t.end()) {
       t = {kNone, kNone, kNone};
-      continue;
+    } else {
+      std::ranges::replace(t, vertex, target);
+      grown.push_back(triangle);
     }
-    std::ranges::replace(t, vertex, target);
-    grown.push_back(triangle);
-  }
-  grown_[target] = std::move(grown);
+  });
 }
 
 void TriangleStars::flip(std::uint32_t first, std::uint32_t c, std::uint32_t second, std::uint32_t d) {
-  std::vector<std::uint32_t> at_c = at(c), at_d = at(d);
+  list(c).push_back(second);
+  list(d).push_back(first);
   IndexTriangle& t = triangles_[first];
   const auto i = static_cast<std::size_t>(std::ranges::find(t, c) - t.begin());
   const std::uint32_t a = t[(i + 1) % 3], b = t[(i + 2) % 3];
   t = {c, a, d};
   triangles_[second] = {d, b, c};
-  at_c.push_back(second);
-  at_d.push_back(first);
-  grown_[c] = std::move(at_c);
-  grown_[d] = std::move(at_d);
 }
 
 TriangleMesh TriangleStars::mesh() const {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 #include "algebra3d/base/indices.h"
@@ -14,7 +13,7 @@ namespace algebra3d {
 
 /// The triangles of a mesh while they are changed here and there; each vertex knows its own. Vertices keep their places
 /// and numbers. Concurrent calls of the const functions are safe. Refers to the mesh. Memory: 12 bytes per triangle,
-/// and the stars that have grown.
+/// 4 per vertex, and the stars that have grown.
 class TriangleStars {
  public:
   explicit TriangleStars(const TriangleMesh& mesh);
@@ -31,8 +30,8 @@ class TriangleStars {
     const auto visit_if_there = [&](std::uint32_t t) {
       if (std::ranges::find(triangles_[t], vertex) != triangles_[t].end()) visit(t);
     };
-    if (const auto grown = grown_.find(vertex); grown != grown_.end())
-      std::ranges::for_each(grown->second, visit_if_there);
+    if (const std::uint32_t list = list_of_[vertex]; list != kNone)
+      std::ranges::for_each(lists_[list], visit_if_there);
     else
       for (const FaceId face : faces_around(mesh_, VertexId(vertex))) visit_if_there(face.index());
   }
@@ -47,11 +46,14 @@ class TriangleStars {
 
  private:
   std::vector<std::uint32_t> at(std::uint32_t vertex) const;
+  /// The list of the triangles at a vertex, which others may be added to.
+  std::vector<std::uint32_t>& list(std::uint32_t vertex);
 
   const TriangleMesh& mesh_;
   std::vector<IndexTriangle> triangles_;
   // Triangles of the vertices that have got new ones; some may not be at the vertex any more.
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> grown_;
+  std::vector<std::vector<std::uint32_t>> lists_;
+  std::vector<std::uint32_t> list_of_;  // per vertex; kNone: as in the mesh
 };
 
 }  // namespace algebra3d

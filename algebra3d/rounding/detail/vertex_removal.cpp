@@ -27,38 +27,42 @@ using Ring = std::vector<std::uint32_t>;
 class VertexRemoval {
  public:
   VertexRemoval(TriangleStars& stars, double tolerance)
-      : stars_(stars), tolerance_(tolerance), has_changed_(stars.original().vertex_count()) {}
+      : stars_(stars), tolerance_(tolerance), changed_in_(stars.original().vertex_count()) {}
 
-  /// How a vertex goes: it becomes one with `target`, a vertex of its ring.
+  /// How a vertex goes: it becomes one with the vertex at the place `target` of its ring.
   struct Merger {
     Ring ring;
-    std::uint32_t target;
+    std::size_t target;
   };
   /// Nothing if the vertex must stay. `fan` is room to work in.
   std::optional<Merger> merger(std::uint32_t vertex, VertexFan& fan) const;
   void merge(std::uint32_t vertex, const Merger& merger);
 
-  /// True if something near the vertex has changed since this was asked last: only then it may go if it could not
-  /// before.
-  bool has_changed(std::uint32_t vertex) {
-    const bool result = has_changed_[vertex];
-    has_changed_[vertex] = false;
-    return result;
+  /// From here on it is asked what has changed.
+  void begin_pass() {
+    ++pass_;
+    changed_.clear();
   }
+  /// True if this is how the vertex goes, though others have gone in this pass.
+  bool still_holds(std::uint32_t vertex, const Merger& merger) const {
+    return changed_in_[vertex] != pass_ && keeps_manifold(merger.ring, merger.target);
+  }
+  /// The vertices whose triangles have changed in this pass, in no order.
+  const std::vector<std::uint32_t>& changed() const { return changed_; }
 
  private:
   const Vec3& rounded_place(std::uint32_t vertex) const { return stars_.rounded_place(vertex); }
   WideVec3 place(std::uint32_t vertex) const { return WideVec3(rounded_place(vertex)); }
-  double height_bound(const Ring& ring, std::size_t target) const;
   bool keeps_manifold(const Ring& ring, std::size_t target) const;
   bool are_near(std::uint32_t vertex, const Ring& ring, std::size_t from, std::size_t to) const;
   bool follows_surface(std::uint32_t vertex, const Ring& ring, std::size_t target) const;
   long double least_height(std::uint32_t vertex, const Ring& ring, std::size_t target) const;
-  void note_change(const Ring& ring);
 
   TriangleStars& stars_;
   double tolerance_;
-  std::vector<bool> has_changed_;  // per vertex
+  std::uint32_t pass_ = 0;
+  std::vector<std::uint32_t> changed_;     // in this pass
+  std::vector<std::uint32_t> changed_in_;  // per vertex: the pass in which its triangles have changed last
 };
 
 /// The distance of two segments ab and cd that are no points. Source: [ericson2005], 5.1.9.
@@ -107,21 +111,6 @@ bool VertexRemoval::follows_surface(std::uint32_t vertex, const Ring& ring, std:
   return true;
 }
 
-/// An upper bound of least_height by doubles, which is cheap and good but for needles.
-double VertexRemoval::height_bound(const Ring& ring, std::size_t target) const {
-  constexpr double kError = 0x1p-46;
-  double least = std::numeric_limits<double>::max();
-  for (std::size_t i = (target + 1) % ring.size(); (i + 1) % ring.size() != target; i = (i + 1) % ring.size()) {
-    const std::uint32_t next = ring[(i + 1) % ring.size()];
-    const Vec3 to_a = rounded_place(ring[i]) - rounded_place(ring[target]);
-    const Vec3 to_b = rounded_place(next) - rounded_place(ring[target]), side = to_b - to_a;
-    const Vec3 normal = cross(to_a, to_b);
-    const double longest = std::sqrt(std::max({dot(to_a, to_a), dot(to_b, to_b), dot(side, side)}));
-    least = std::min(least, std::sqrt(dot(normal, normal)) / longest + kError * longest);
-  }
-  return least;
-}
-
 /// The least height of the triangles that replace those around the vertex if it is merged with one of its ring, 0 if
 /// they do not represent the surface.
 long double VertexRemoval::least_height(std::uint32_t vertex, const Ring& ring, std::size_t target) const {
@@ -146,16 +135,11 @@ long double VertexRemoval::least_height(std::uint32_t vertex, const Ring& ring, 
 }
 
 void VertexRemoval::merge(std::uint32_t vertex, const Merger& merger) {
-  stars_.merge(vertex, merger.target);
-  note_change(merger.ring);
-}
-
-/// The stars of a ring have changed: that matters to it and to its neighbours.
-void VertexRemoval::note_change(const Ring& ring) {
-  for (const std::uint32_t vertex : ring)
-    stars_.for_each_at(vertex, [&](std::uint32_t triangle) {
-      for (const std::uint32_t corner : stars_[triangle]) has_changed_[corner] = true;
-    });
+  stars_.merge(vertex, merger.ring[merger.target]);
+  for (const std::uint32_t v : merger.ring) {
+    if (changed_in_[v] != pass_) changed_.push_back(v);
+    changed_in_[v] = pass_;
+  }
 }
 
 /// With that of the ring for which the least height is largest, the first one of several.
@@ -163,20 +147,17 @@ std::optional<VertexRemoval::Merger> VertexRemoval::merger(std::uint32_t vertex,
   if (!fan.surround(stars_, vertex, kMaxNeighbours)) return std::nullopt;
   const Ring& ring = fan.ring();
   fan.measure(stars_, tolerance_);
-  std::vector<std::pair<double, std::size_t>> bounds;
+  std::vector<std::pair<double, std::size_t>> heights;  // with the other sign
   for (std::size_t target = 0; target < ring.size(); ++target) {
     if (fan.bends(target)) continue;
-    if (const double bound = height_bound(ring, target); bound > 2 * tolerance_) bounds.emplace_back(-bound, target);
+    std::optional<double> height = fan.least_height(target);
+    if (!height) height = static_cast<double>(least_height(vertex, ring, target));
+    if (*height > 2 * tolerance_) heights.emplace_back(-*height, target);
   }
-  std::ranges::sort(bounds);
-  std::pair<long double, std::size_t> best{-2 * tolerance_, ring.size()};  // the height with the other sign first
-  for (const auto& [bound, target] : bounds) {
-    if (bound > best.first) break;
-    const std::pair<long double, std::size_t> height{-least_height(vertex, ring, target), target};
-    if (height < best && keeps_manifold(ring, target) && follows_surface(vertex, ring, target)) best = height;
-  }
-  if (best.second == ring.size()) return std::nullopt;
-  return Merger{ring, ring[best.second]};
+  std::ranges::sort(heights);
+  for (const auto& [height, target] : heights)
+    if (keeps_manifold(ring, target) && follows_surface(vertex, ring, target)) return Merger{ring, target};
+  return std::nullopt;
 }
 
 using Merger = VertexRemoval::Merger;
@@ -209,25 +190,27 @@ Result<bool> remove_superfluous_vertices(TriangleStars& stars, const std::vector
                                          const Monitor& monitor) {
   VertexRemoval removal(stars, tolerance);
   const TriangleMesh& mesh = stars.original();
-  std::vector<std::uint32_t> left;
-  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
-    if (may_go[v] && !mesh.is_nonmanifold(VertexId(v)) && !mesh.is_isolated(VertexId(v))) left.push_back(v);
-  std::vector<std::uint32_t> in_question = left;
-  std::vector<bool> has_gone(mesh.vertex_count());
+  std::vector<bool> is_in_play(may_go);
+  std::vector<std::uint32_t> in_question;
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    is_in_play[v] = may_go[v] && !mesh.is_nonmanifold(VertexId(v)) && !mesh.is_isolated(VertexId(v));
+    if (is_in_play[v]) in_question.push_back(v);
+  }
   bool has_changed = false;
   VertexFan fan;
   for (int pass = 0; pass < kMaxPasses && !in_question.empty(); ++pass) {
+    removal.begin_pass();
     for (const auto& [vertex, merger] : candidates(removal, in_question, monitor)) {
-      const std::optional<Merger> now = removal.has_changed(vertex) ? removal.merger(vertex, fan) : merger;
+      const std::optional<Merger> now = removal.still_holds(vertex, merger) ? merger : removal.merger(vertex, fan);
       if (!now) continue;
       removal.merge(vertex, *now);
-      has_gone[vertex] = has_changed = true;
+      is_in_play[vertex] = false;
+      has_changed = true;
     }
     ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
-    std::erase_if(left, [&](std::uint32_t v) -> bool { return has_gone[v]; });
-    in_question.clear();
-    std::ranges::copy_if(left, std::back_inserter(in_question),
-                         [&](std::uint32_t v) { return removal.has_changed(v); });
+    in_question = removal.changed();
+    std::erase_if(in_question, [&](std::uint32_t v) -> bool { return !is_in_play[v]; });
+    std::ranges::sort(in_question);
   }
   return has_changed;
 }
