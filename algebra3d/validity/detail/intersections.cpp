@@ -75,6 +75,7 @@ class PairTest {
     if (all_double_) {
       if (f != last.face) last = {f, plane_filter(f)};
       sides = last.plane->sides(doubles(g));
+      detail::count_calls(3);
       if (sides[0] != detail::kUndecided && sides[0] == sides[1] && sides[0] == sides[2]) return Excess::none;
     }
     const Contact contact = contact_of_triangles(mesh_.corners(f), mesh_.corners(g), sides).kind;
