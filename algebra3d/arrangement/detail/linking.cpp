@@ -32,7 +32,7 @@ class Linker {
   void order_round_edges();
   void order_round(IdRange<SubEdgeId> edge);
   void link_round(std::span<const SubEdgeSide> around);
-  std::size_t count_operands(IdRange<SubEdgeId> edge);
+  std::uint32_t count_operands(IdRange<SubEdgeId> edge);
 
   const Subdivision& subdivision_;
   const WindingJumps& jumps_;
@@ -85,14 +85,14 @@ void Linker::link_in_front_of_faces(SubEdgeId sub_edge, FrontWindingId patch) {
     }
 }
 
-std::size_t Linker::count_operands(IdRange<SubEdgeId> edge) {
+std::uint32_t Linker::count_operands(IdRange<SubEdgeId> edge) {
   operands_at_edge_.clear();
   for (const SubEdgeId s : edge)
     for (const IncidentFacet& incident : subdivision_.sub_edges.incident_to(s))
       operands_at_edge_.push_back(subdivision_.facets[incident.facet].operand);
   std::ranges::sort(operands_at_edge_);
-  return static_cast<std::size_t>(std::unique(operands_at_edge_.begin(), operands_at_edge_.end()) -
-                                  operands_at_edge_.begin());
+  return static_cast<std::uint32_t>(std::unique(operands_at_edge_.begin(), operands_at_edge_.end()) -
+                                    operands_at_edge_.begin());
 }
 
 void Linker::order_round(IdRange<SubEdgeId> edge) {

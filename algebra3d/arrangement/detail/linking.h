@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -17,7 +17,7 @@ struct SeedPlace {
   SubEdgeSide half_plane;        ///< one with a jump
   /// The number of operands with a face there. Of the seeds of a set, the first one with the most operands is used:
   /// where each operand is closed alone, only the others need rays.
-  std::size_t operand_count;
+  std::uint32_t operand_count;
 };
 
 /// Output of linking: front windings, known up to one constant for each set.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
 #include <utility>
 
 #include "algebra3d/arrangement/detail/bucket_sort.h"
@@ -20,6 +21,40 @@ struct EdgeEnd {
   bool is_outgoing;
 };
 
+/// The ends of all edges, node by node; each is twice the number of its edge, and one more for its target. Four bytes
+/// an end, and EdgeEnds are made at one node at a time: where operands nearly coincide all edges are edges of regions.
+class EndsOfNodes {
+ public:
+  EndsOfNodes(const std::vector<RegionEdge>& edges, std::size_t node_count) : edges_(edges), begins_(node_count + 1) {
+    for (const RegionEdge& edge : edges) {
+      ++begins_[edge.from.index() + std::size_t{1}];
+      ++begins_[edge.to.index() + std::size_t{1}];
+    }
+    std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
+    std::vector<std::uint32_t> next(begins_.begin(), begins_.end() - 1);
+    ends_.resize(begins_.back());
+    for (std::uint32_t edge = 0; edge < edges.size(); ++edge) {
+      ends_[next[edges[edge].from.index()]++] = 2 * edge;
+      ends_[next[edges[edge].to.index()]++] = 2 * edge + 1;
+    }
+  }
+
+  std::size_t node_count() const { return begins_.size() - 1; }
+  /// Appends the ends at a node, in no order.
+  void collect(NodeId node, std::vector<EdgeEnd>& ends) const {
+    for (std::uint32_t i = begins_[node.index()]; i < begins_[node.index() + std::size_t{1}]; ++i) {
+      const RegionEdge& edge = edges_[ends_[i] / 2];
+      const bool is_outgoing = ends_[i] % 2 == 0;
+      ends.push_back({node, is_outgoing ? edge.to : edge.from, edge.region, is_outgoing});
+    }
+  }
+
+ private:
+  const std::vector<RegionEdge>& edges_;
+  std::vector<std::uint32_t> begins_;  // per node, and where all end
+  std::vector<std::uint32_t> ends_;
+};
+
 /// Edge ends at one node. The edges of all regions that lead from there to one other node are an *arm*.
 using EdgeEnds = std::span<const EdgeEnd>;
 
@@ -34,7 +69,7 @@ class PseudoNodeFinder {
   std::vector<PseudoNode> take();
 
  private:
-  std::vector<PseudoNode> found_at_nodes(EdgeEnds ends, std::size_t begin, std::size_t end) const;
+  std::vector<PseudoNode> found_at_nodes(const EndsOfNodes& ends, std::size_t begin, std::size_t end) const;
   void find_at_node(EdgeEnds ends);
   void find_arms(EdgeEnds ends);
   bool is_straight(NodeId before, NodeId node, NodeId after) const;
@@ -57,25 +92,21 @@ bool is_less_at_node(const EdgeEnd& a, const EdgeEnd& b) {
 }
 
 void PseudoNodeFinder::find_between(const std::vector<RegionEdge>& edges) {
-  std::vector<EdgeEnd> ends;
-  ends.reserve(2 * edges.size());
-  for (const auto& [region, from, to] : edges) {
-    ends.push_back({from, to, region, true});
-    ends.push_back({to, from, region, false});
-  }
-  bucket_sort(
-      ends, subdivision_.complex.nodes.size(), [](const EdgeEnd& e) { return e.node.index(); }, is_less_at_node);
-  found_ = parallel_collect(ends.size(), kEdgeEndsPerTask,
+  const EndsOfNodes ends(edges, subdivision_.complex.nodes.size());
+  found_ = parallel_collect(ends.node_count(), kNodesPerTask,
                             [&](std::size_t begin, std::size_t end) { return found_at_nodes(ends, begin, end); });
 }
 
-/// At the nodes whose ends, node by node in `ends`, begin in a range.
-std::vector<PseudoNode> PseudoNodeFinder::found_at_nodes(EdgeEnds ends, std::size_t begin, std::size_t end) const {
+/// At the nodes in a range.
+std::vector<PseudoNode> PseudoNodeFinder::found_at_nodes(const EndsOfNodes& ends, std::size_t begin,
+                                                         std::size_t end) const {
   PseudoNodeFinder part(subdivision_, uncut_space_edges_, patch_corners_);
-  const auto is_at_new_node = [&](std::size_t i) { return i == 0 || ends[i].node != ends[i - 1].node; };
-  for (std::size_t first = begin, last = begin; first < end; first = last) {
-    for (++last; last < ends.size() && !is_at_new_node(last);) ++last;
-    if (is_at_new_node(first)) part.find_at_node(ends.subspan(first, last - first));
+  std::vector<EdgeEnd> at_node;
+  for (std::size_t node = begin; node < end; ++node) {
+    at_node.clear();
+    ends.collect(NodeId(node), at_node);
+    std::ranges::sort(at_node, is_less_at_node);
+    if (!at_node.empty()) part.find_at_node(at_node);
   }
   return std::move(part.found_);
 }

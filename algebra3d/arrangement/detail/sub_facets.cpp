@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <compare>
 #include <cstdint>
+#include <numeric>
 #include <span>
+#include <vector>
 
-#include "algebra3d/arrangement/detail/bucket_sort.h"
 #include "algebra3d/exact/predicates.h"
 
 namespace algebra3d::arrangement {
@@ -50,20 +51,40 @@ class AngularOrder {
   NodeId centre_;
 };
 
-/// By plane, then by origin.
-std::vector<OutgoingSubEdge> outgoing_sub_edges(const Subdivision& subdivision) {
-  std::vector<OutgoingSubEdge> result;
-  result.reserve(2 * subdivision.sub_edges.sub_edges.size());
-  for (const SubEdgeId s : subdivision.sub_edges.ids()) {
+/// The sub-edges plane by plane, ascending in each.
+class SubEdgesOfPlanes {
+ public:
+  explicit SubEdgesOfPlanes(const Subdivision& subdivision)
+      : begins_(subdivision.facets.planes.size() + 1), sub_edges_(subdivision.sub_edges.sub_edges.size()) {
+    for (const SubEdgeId s : subdivision.sub_edges.ids())
+      ++begins_[subdivision.sub_edges[s].plane.index() + std::size_t{1}];
+    std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
+    std::vector<std::uint32_t> next(begins_.begin(), begins_.end() - 1);
+    for (const SubEdgeId s : subdivision.sub_edges.ids())
+      sub_edges_[next[subdivision.sub_edges[s].plane.index()]++] = s;
+  }
+
+  std::span<const SubEdgeId> of(PlaneId plane) const {
+    return std::span(sub_edges_)
+        .subspan(begins_[plane.index()], begins_[plane.index() + std::size_t{1}] - begins_[plane.index()]);
+  }
+
+ private:
+  std::vector<std::uint32_t> begins_;  // per plane, and where all end
+  std::vector<SubEdgeId> sub_edges_;
+};
+
+/// The sub-edges of a plane as they leave their ends, by origin.
+void collect_outgoing(std::span<const SubEdgeId> in_plane, const Subdivision& subdivision,
+                      std::vector<OutgoingSubEdge>& outgoing) {
+  outgoing.clear();
+  for (const SubEdgeId s : in_plane) {
     const SubEdge& sub_edge = subdivision.sub_edges[s];
     const auto [u, v] = sub_edge.ends;
-    result.push_back({sub_edge.plane, u, v, s});
-    result.push_back({sub_edge.plane, v, u, s});
+    outgoing.push_back({sub_edge.plane, u, v, s});
+    outgoing.push_back({sub_edge.plane, v, u, s});
   }
-  bucket_sort(
-      result, subdivision.facets.planes.size(), [](const OutgoingSubEdge& s) { return s.plane.index(); },
-      [](const OutgoingSubEdge& s, const OutgoingSubEdge& t) { return s.key_in_plane() < t.key_in_plane(); });
-  return result;
+  std::ranges::sort(outgoing, {}, &OutgoingSubEdge::key_in_plane);
 }
 
 /// All sub-edges of a plane that leave a node.
@@ -87,16 +108,18 @@ Status pair_around(std::span<OutgoingSubEdge> around, const Subdivision& subdivi
 
 }  // namespace
 
+// Plane by plane, so that little is kept at a time.
 Result<std::vector<NeighbouringSides>> neighbouring_sides(const Subdivision& subdivision) {
-  std::vector<OutgoingSubEdge> outgoing = outgoing_sub_edges(subdivision);
+  const SubEdgesOfPlanes by_plane(subdivision);
   std::vector<NeighbouringSides> result;
-  result.reserve(outgoing.size());
-  const auto is_at_one_place = [](const OutgoingSubEdge& s, const OutgoingSubEdge& t) {
-    return s.plane == t.plane && s.origin == t.origin;
-  };
-  for (std::size_t begin = 0, end = 0; begin < outgoing.size(); begin = end) {
-    while (end < outgoing.size() && is_at_one_place(outgoing[end], outgoing[begin])) ++end;
-    ALGEBRA3D_RETURN_IF_ERROR(pair_around(std::span(outgoing).subspan(begin, end - begin), subdivision, result));
+  result.reserve(2 * subdivision.sub_edges.sub_edges.size());
+  std::vector<OutgoingSubEdge> outgoing;
+  for (const PlaneId plane : subdivision.facets.planes.ids()) {
+    collect_outgoing(by_plane.of(plane), subdivision, outgoing);
+    for (std::size_t begin = 0, end = 0; begin < outgoing.size(); begin = end) {
+      while (end < outgoing.size() && outgoing[end].origin == outgoing[begin].origin) ++end;
+      ALGEBRA3D_RETURN_IF_ERROR(pair_around(std::span(outgoing).subspan(begin, end - begin), subdivision, result));
+    }
   }
   return result;
 }

@@ -14,8 +14,8 @@ inline constexpr std::size_t kFacesWorthATask = 1500;
 inline constexpr std::size_t kPointsPerTask = 32;
 /// Planes in which one task overlays segments.
 inline constexpr std::size_t kPlanesPerTask = 32;
-/// Ends of edges of regions for which one task looks for pseudo-nodes.
-inline constexpr std::size_t kEdgeEndsPerTask = 512;
+/// Nodes at which one task looks for pseudo-nodes; many have no edge of a region.
+inline constexpr std::size_t kNodesPerTask = 128;
 /// Number of sub-edges from which on sorting them round nodes and round space edges is worth a task each.
 inline constexpr std::size_t kSubEdgesWorthATask = 500;
 
