@@ -7,6 +7,7 @@
 #include "algebra3d/exact/balanced_sum.h"
 #include "algebra3d/exact/detail/exact_sum_integers.h"
 #include "algebra3d/exact/detail/exact_sum_wide.h"
+#include "algebra3d/exact/detail/fixed_sums.h"
 #include "algebra3d/exact/detail/homogeneous.h"
 #include "algebra3d/exact/detail/rational_big.h"
 
@@ -14,74 +15,11 @@ namespace algebra3d {
 namespace {
 
 using detail::BitRange;
+using detail::kAxisPairs;
 using Triangle = std::array<std::uint32_t, 3>;
-
-/// The pairs of axes of second moments: xx, yy, zz, yz, zx, xy.
-constexpr std::array<std::array<std::size_t, 2>, 6> kAxisPairs{{{0, 0}, {1, 1}, {2, 2}, {1, 2}, {2, 0}, {0, 1}}};
 
 /// Per axis, the bits of the coordinates.
 using AxisRanges = std::array<BitRange, 3>;
-
-/// Sums over triangles whose coordinates are integers of at most 64 * Limbs - 4 bits on each axis.
-template <std::size_t Limbs>
-class FixedSums {
- public:
-  FixedSums(const PointArray& points, const AxisRanges& ranges) {
-    points_.reserve(points.size());
-    for (const Vec3& p : points.approx())
-      points_.push_back({detail::wide_integer<Limbs>(p.x, ranges[0].exponent()),
-                         detail::wide_integer<Limbs>(p.y, ranges[1].exponent()),
-                         detail::wide_integer<Limbs>(p.z, ranges[2].exponent())});
-  }
-
-  template <int kDegree>
-  void add(const Triangle& t) {
-    const Point &a = points_[t[0]], &b = points_[t[1]], &c = points_[t[2]];
-    // With k = 64 * Limbs - 4 bits per coordinate, a minor has 2k + 1 and the determinant 3k + 3.
-    detail::WideSum<3 * Limbs> determinant;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-      determinant.add(a[i] * detail::WideSum<2 * Limbs>().add(b[j] * c[k]).subtract(b[k] * c[j]).total());
-    }
-    const detail::WideInteger<3 * Limbs> product = determinant.total();
-    volume_.add(product);
-    if constexpr (kDegree >= 1) {
-      Point sum;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        sum[axis] = detail::WideSum<Limbs>().add(a[axis]).add(b[axis]).add(c[axis]).total();
-        moments_[axis].add(product * sum[axis]);
-      }
-      if constexpr (kDegree >= 2) add_second(product, sum, t);
-    }
-  }
-  void get_volume(mpz_class& result) const { detail::set_integer(result.get_mpz_t(), volume_.total()); }
-  void get_moment(std::size_t axis, mpz_class& result) const {
-    detail::set_integer(result.get_mpz_t(), moments_[axis].total());
-  }
-  void get_second_moment(std::size_t pair, mpz_class& result) const {
-    detail::set_integer(result.get_mpz_t(), second_[pair].total());
-  }
-
- private:
-  using Point = std::array<detail::WideInteger<Limbs>, 3>;
-
-  /// The factor of the determinant has 2k + 4 bits.
-  void add_second(const detail::WideInteger<3 * Limbs>& determinant, const Point& sum, const Triangle& t) {
-    for (std::size_t pair = 0; pair < kAxisPairs.size(); ++pair) {
-      const auto [i, j] = kAxisPairs[pair];
-      detail::WideSum<2 * Limbs> factor;
-      factor.add(sum[i] * sum[j]);
-      for (const std::uint32_t corner : t) factor.add(points_[corner][i] * points_[corner][j]);
-      second_[pair].add(determinant * factor.total());
-    }
-  }
-
-  std::vector<Point> points_;
-  // One limb more for the number of triangles.
-  detail::WideSum<3 * Limbs + 1> volume_;
-  std::array<detail::WideSum<4 * Limbs + 1>, 3> moments_;
-  std::array<detail::WideSum<5 * Limbs + 1>, 6> second_;
-};
 
 /// The same for integers of any size.
 class LongSums {
@@ -190,10 +128,20 @@ AxisRanges ranges_of(const PointArray& points) {
   return ranges;
 }
 
+template <std::size_t Limbs>
+detail::FixedSums<Limbs> fixed_sums(const PointArray& points, const AxisRanges& ranges) {
+  std::vector<typename detail::FixedSums<Limbs>::Point> integers;
+  integers.reserve(points.size());
+  for (const Vec3& p : points.approx())
+    integers.push_back({detail::wide_integer<Limbs>(p.x, ranges[0].exponent()),
+                        detail::wide_integer<Limbs>(p.y, ranges[1].exponent()),
+                        detail::wide_integer<Limbs>(p.z, ranges[2].exponent())});
+  return detail::FixedSums<Limbs>(std::move(integers));
+}
+
 template <int kDegree, typename Sums>
-Result<SolidSecondMoments> sum_with(const PointArray& points, const AxisRanges& ranges, IndexTriangles triangles,
-                                    const std::atomic<bool>* cancel) {
-  Sums sums(points, ranges);
+Result<SolidSecondMoments> sum_with(Sums sums, const PointArray& points, const AxisRanges& ranges,
+                                    IndexTriangles triangles, const std::atomic<bool>* cancel) {
   RationalSums rational(points);
   ALGEBRA3D_RETURN_IF_ERROR(detail::for_each_triangle(triangles, cancel, [&](const Triangle& t) {
     if (detail::has_exact_corner(points, t))
@@ -230,9 +178,10 @@ template <int kDegree>
 Result<SolidSecondMoments> sum(const PointArray& points, IndexTriangles triangles, const std::atomic<bool>* cancel) {
   const AxisRanges ranges = ranges_of(points);
   const int bits = std::max({ranges[0].bit_count(), ranges[1].bit_count(), ranges[2].bit_count()});
-  if (bits <= 60) return sum_with<kDegree, FixedSums<1>>(points, ranges, triangles, cancel);
-  if (bits <= 124) return sum_with<kDegree, FixedSums<2>>(points, ranges, triangles, cancel);
-  return sum_with<kDegree, LongSums>(points, ranges, triangles, cancel);
+  const auto with = [&](auto sums) { return sum_with<kDegree>(std::move(sums), points, ranges, triangles, cancel); };
+  if (bits <= 60) return with(fixed_sums<1>(points, ranges));
+  if (bits <= 124) return with(fixed_sums<2>(points, ranges));
+  return with(LongSums(points, ranges));
 }
 
 }  // namespace

@@ -22,6 +22,13 @@ using IndexTriangles = std::span<const std::array<std::uint32_t, 3>>;
 Result<Rational> exact_volume(const PointArray& points, IndexTriangles triangles,
                               const std::atomic<bool>* cancel = nullptr);
 
+/// `exact_volume`, rounded to nearest, with the same errors. Cost: linear; as `exact_volume` for doubles, and where
+/// corners are no doubles less than a microsecond per triangle, since coordinates that are cut off and a bound of what
+/// that changes nearly always decide. If they do not, that of `exact_volume` (counted in
+/// `exact_counters().filter_failures`).
+Result<double> nearest_volume(const PointArray& points, IndexTriangles triangles,
+                              const std::atomic<bool>* cancel = nullptr);
+
 /// The volume, and the integrals of x, y and z over the solid.
 struct SolidMoments {
   Rational volume;
@@ -30,6 +37,11 @@ struct SolidMoments {
 /// Volume and first moments. As `exact_volume`, at about twice the cost.
 Result<SolidMoments> exact_moments(const PointArray& points, IndexTriangles triangles,
                                    const std::atomic<bool>* cancel = nullptr);
+
+/// The first moments divided by the volume, which must not be 0; each coordinate rounded to nearest. Errors and cost as
+/// `nearest_volume`, about twice as much.
+Result<Vec3> nearest_centroid(const PointArray& points, IndexTriangles triangles,
+                              const std::atomic<bool>* cancel = nullptr);
 
 /// These, and the integrals of xx, yy, zz, yz, zx and xy.
 struct SolidSecondMoments {

@@ -13,17 +13,13 @@
 namespace algebra3d {
 namespace {
 
-Result<Rational> rational_volume(Context& context, const Volume3d& solid) {
-  return exact_volume(solid.mesh().points(), triangles_of(solid.mesh()), context.cancel);
-}
-
 Result<double> volume_of(Context& context, const Volume3d& solid) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Rational volume, rational_volume(context, solid));
-  return volume.nearest_double();
+  return nearest_volume(solid.mesh().points(), triangles_of(solid.mesh()), context.cancel);
 }
 
 Result<Text> volume_text(Context& context, const Volume3d& solid) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Rational volume, rational_volume(context, solid));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Rational volume,
+                             exact_volume(solid.mesh().points(), triangles_of(solid.mesh()), context.cancel));
   return Text{volume.text()};
 }
 
@@ -38,11 +34,10 @@ double area_of_region(const Region& region) {
 
 Result<Maybe<Point3d>> centroid_of(Context& context, const Volume3d& solid) {
   if (solid.mesh().is_empty()) return Maybe<Point3d>(Undefined{"an empty solid has no centroid"});
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SolidMoments moments,
-                             exact_moments(solid.mesh().points(), triangles_of(solid.mesh()), context.cancel));
   // A valid solid that is not empty has a positive volume, and its centroid lies in its box.
-  const auto coordinate = [&](std::size_t axis) { return (moments.first[axis] / moments.volume).nearest_double(); };
-  return Maybe<Point3d>(Point3d{ExactPoint(Vec3{coordinate(0), coordinate(1), coordinate(2)})});
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Vec3 centroid,
+                             nearest_centroid(solid.mesh().points(), triangles_of(solid.mesh()), context.cancel));
+  return Maybe<Point3d>(Point3d{ExactPoint(centroid)});
 }
 
 // Three and four long at the right angle, five high: 1/6 * 3 * 4 * 5.

@@ -71,6 +71,56 @@ TEST(Volume, sums_agree_with_rationals_for_coordinates_that_are_no_doubles) {
   expect_moments_as_by_rationals(samples::MeshMaker(Rational(1, 3)).box({0, 0, 0}, {1, 3, 6}).mesh());
 }
 
+/// Corners that are no doubles: some of those of a mesh of doubles are divided by an odd number.
+TriangleMesh with_fractions(const TriangleMesh& mesh, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  PointArray points;
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    const RationalVec3 place = mesh.points()[v].rational();
+    const auto divisor = static_cast<std::int64_t>(2 * (random() % 4) + 1);
+    points.push_back(ExactPoint(Rational(1, divisor) * place));
+  }
+  std::vector<TriangleMesh::Triangle> triangles;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) triangles.push_back(mesh.triangle(FaceId(f)));
+  return {std::move(points), triangles};
+}
+
+/// Volume and centroid rounded, beside the sums of rationals. Returns how often rounding needed these sums.
+std::uint64_t expect_nearest_as_by_rationals(const TriangleMesh& mesh) {
+  const SolidMoments expected = moments_by_rationals(mesh);
+  reset_exact_counters();
+  EXPECT_EQ(*nearest_volume(mesh.points(), triangles_of(mesh)), expected.volume.nearest_double());
+  const Vec3 centroid = *nearest_centroid(mesh.points(), triangles_of(mesh));
+  const std::uint64_t failures = exact_counters().filter_failures;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    EXPECT_EQ(centroid[axis], (expected.first[axis] / expected.volume).nearest_double());
+  return failures;
+}
+
+TEST(Volume, nearest_double_is_that_of_the_rational) {
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    EXPECT_EQ(expect_nearest_as_by_rationals(with_fractions(random_triangles(0, 5, true, seed), seed)), 0U);
+    EXPECT_EQ(expect_nearest_as_by_rationals(with_fractions(random_triangles(-20, 20, false, seed), seed)), 0U);
+    expect_nearest_as_by_rationals(with_fractions(random_triangles(-300, 300, false, seed), seed));
+    expect_nearest_as_by_rationals(random_triangles(-300, 300, false, seed));
+  }
+  using samples::MeshMaker;
+  const Rational third(1, 3);
+  EXPECT_EQ(expect_nearest_as_by_rationals(MeshMaker(third).box({1e-9, 1, -1e200}, {3e-9, 1e30, 1e190}).mesh()), 0U);
+  // Far from the origin: the volume is the 10^-60th part of the box around both.
+  EXPECT_EQ(expect_nearest_as_by_rationals(MeshMaker(third).box({1e20, 1e20, 1e20}, {1e20 + 32768, 2e20, 2e20}).mesh()),
+            0U);
+  EXPECT_EQ(expect_nearest_as_by_rationals(MeshMaker(third).box({1, 1, 1e300}, {2, 2, 2e300}).mesh()), 0U);
+}
+
+TEST(Volume, needs_the_rationals_to_round_what_lies_between_two_doubles) {
+  // 1/3 of a box of 3 (2^53 + 1) is the middle of two doubles; a centroid of exactly 0 has no digits to round.
+  const TriangleMesh middle = samples::MeshMaker(Rational(1, 3)).box({0, 0, 0}, {3, 3, 0x1p53 * 3 + 4}).mesh();
+  EXPECT_EQ(expect_nearest_as_by_rationals(middle), 0U);
+  const TriangleMesh centred = samples::MeshMaker(Rational(1, 3)).box({-1, -1, -1}, {1, 1, 1}).mesh();
+  EXPECT_GT(expect_nearest_as_by_rationals(centred), 0U);
+}
+
 TEST(Volume, integers_at_the_limit_of_the_fast_sum_do_not_overflow) {
   const double big = 0x1p60 - 256;  // below 2^60, with the lowest bit 2^8
   const TriangleMesh mesh = samples::MeshMaker().box({-big, -big, -big}, {big, big, big}).mesh();
