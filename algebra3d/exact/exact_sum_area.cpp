@@ -1,7 +1,13 @@
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
+#include "algebra3d/base/scheduler.h"
 #include "algebra3d/exact/counters.h"
+#include "algebra3d/exact/detail/exact_coordinates.h"
 #include "algebra3d/exact/detail/exact_sum_integers.h"
 #include "algebra3d/exact/detail/length_estimate.h"
 #include "algebra3d/exact/exact_sum.h"
@@ -91,38 +97,90 @@ bool are_in_range(const PointArray& points) {
   });
 }
 
-/// Twice the area of triangles of doubles, as precisely as it takes, where the estimate leaves the rounding open.
+/// Twice the area as precisely as it takes, where the estimate leaves the rounding open.
 Result<Rational> long_sum(const PointArray& points, IndexTriangles triangles, const std::atomic<bool>* cancel) {
   detail::count_filter_failure();
   BitRange range;
   for (const Vec3& p : points.approx())
     for (std::size_t axis = 0; axis < 3; ++axis) range.extend(p[axis]);
   LengthSum sum(points, range);
+  Rational with_exact_corners;
   ALGEBRA3D_RETURN_IF_ERROR(detail::for_each_triangle(triangles, cancel, [&](const Triangle& t) {
-    if (!detail::has_exact_corner(points, t)) sum.add(t);
+    if (detail::has_exact_corner(points, t))
+      with_exact_corners += double_area(points, t);
+    else
+      sum.add(t);
   }));
-  return sum.total();
+  return sum.total() + with_exact_corners;
+}
+
+/// Exact coordinates minus their roundings, as doubles; nothing if all points are doubles.
+class Rests {
+ public:
+  /// Bounds the error of a rest: two integers cut off to doubles, and their quotient.
+  static constexpr double kError = 0x1p-50;
+
+  explicit Rests(const PointArray& points) : points_(points), rests_(points.exact_count() == 0 ? 0 : points.size()) {
+    constexpr std::size_t kPointsPerTask = 2'000;
+    parallel_for(rests_.size(), kPointsPerTask, [&](std::size_t i) {
+      if (const PointRef p = points_[i]; !p.is_double())
+        for (std::size_t axis = 0; axis < 3; ++axis) rests_[i][axis] = rest(*p.exact, axis, p.approx[axis]);
+    });
+  }
+  std::array<detail::BoundedPair, 3> coordinates(std::uint32_t point) const {
+    std::array<detail::BoundedPair, 3> result;
+    const Vec3 &place = points_.approx()[point], &rests = rests_[point];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      result[axis] = {place[axis], rests[axis], kError * std::abs(rests[axis])};
+    return result;
+  }
+
+ private:
+  /// X / W - m 2^e = (X - m 2^e W) / W.
+  static double rest(const ExactCoordinates& exact, std::size_t axis, double rounded) {
+    thread_local mpz_class difference, product;  // NOLINT(misc-const-correctness): set through their pointers
+    const detail::IntegerDouble number(rounded);
+    mpz_mul_si(product.get_mpz_t(), exact[3], number.mantissa);
+    mpz_set(difference.get_mpz_t(), exact[axis]);
+    const int exponent = number.mantissa == 0 ? 0 : number.exponent;
+    mpz_ptr scaled = exponent >= 0 ? product.get_mpz_t() : difference.get_mpz_t();
+    mpz_mul_2exp(scaled, scaled, static_cast<mp_bitcnt_t>(std::abs(exponent)));
+    mpz_sub(difference.get_mpz_t(), difference.get_mpz_t(), product.get_mpz_t());
+    long difference_exponent = 0, divisor_exponent = 0;
+    const double numerator = mpz_get_d_2exp(&difference_exponent, difference.get_mpz_t());
+    const double divisor = mpz_get_d_2exp(&divisor_exponent, exact[3]);
+    return std::ldexp(numerator / divisor,
+                      static_cast<int>(difference_exponent - divisor_exponent) + std::min(exponent, 0));
+  }
+
+  const PointArray& points_;
+  std::vector<Vec3> rests_;
+};
+
+/// Bounds of twice the area, for points in range.
+Result<detail::LengthEstimate> estimated_sum(const PointArray& points, IndexTriangles triangles,
+                                             const std::atomic<bool>* cancel) {
+  const Rests rests(points);
+  detail::LengthEstimate estimate;
+  ALGEBRA3D_RETURN_IF_ERROR(detail::for_each_triangle(triangles, cancel, [&](const Triangle& t) {
+    if (detail::has_exact_corner(points, t))
+      estimate.add(rests.coordinates(t[0]), rests.coordinates(t[1]), rests.coordinates(t[2]));
+    else
+      estimate.add(points.approx()[t[0]], points.approx()[t[1]], points.approx()[t[2]]);
+  }));
+  return estimate;
 }
 
 }  // namespace
 
 Result<double> nearest_area(const PointArray& points, IndexTriangles triangles, const std::atomic<bool>* cancel) {
-  const bool is_estimated = are_in_range(points);
-  detail::LengthEstimate estimate;
-  Rational doubled;
-  ALGEBRA3D_RETURN_IF_ERROR(detail::for_each_triangle(triangles, cancel, [&](const Triangle& t) {
-    if (detail::has_exact_corner(points, t))
-      doubled += double_area(points, t);
-    else if (is_estimated)
-      estimate.add(points.approx()[t[0]], points.approx()[t[1]], points.approx()[t[2]]);
-  }));
-  if (is_estimated) {
-    const double low = half(estimate.lower() + doubled).nearest_double();
-    const double high = half(estimate.upper() + doubled).nearest_double();
-    if (low == high) return high;
+  if (are_in_range(points)) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const detail::LengthEstimate estimate, estimated_sum(points, triangles, cancel));
+    const double high = half(estimate.upper()).nearest_double();
+    if (half(estimate.lower()).nearest_double() == high) return high;
   }
   ALGEBRA3D_ASSIGN_OR_RETURN(const Rational sum, long_sum(points, triangles, cancel));
-  return half(sum + doubled).nearest_double();
+  return half(sum).nearest_double();
 }
 
 }  // namespace algebra3d

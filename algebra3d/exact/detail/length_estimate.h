@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "algebra3d/base/vec3.h"
+#include "algebra3d/exact/detail/bounded_pair.h"
 #include "algebra3d/exact/expansion.h"
 #include "algebra3d/exact/rational.h"
 
@@ -35,6 +36,31 @@ class LengthEstimate {
     for (std::size_t i = 0; i < 3; ++i)
       normal[i] = minor(v[(i + 1) % 3], w[(i + 2) % 3], v[(i + 2) % 3], w[(i + 1) % 3]);
     add_length(length_of(normal));
+  }
+
+  /// The same for corners whose coordinates are known up to errors.
+  void add(const std::array<BoundedPair, 3>& a, const std::array<BoundedPair, 3>& b,
+           const std::array<BoundedPair, 3>& c) {
+    std::array<BoundedPair, 3> v, w;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      v[axis] = b[axis] - a[axis];
+      w[axis] = c[axis] - a[axis];
+    }
+    BoundedPair square;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      const BoundedPair coordinate = v[j] * w[k] - v[k] * w[j];
+      square = square + coordinate * coordinate;
+    }
+    BoundedPair length;
+    if (square.value > 4 * square.error) {
+      length = root_of(square);
+    } else {  // anything from 0 to the root of the bound
+      length.value = std::sqrt(square.largest()) / 2;
+      length.error = length.value * (1 + 0x1p-50);
+    }
+    error_ += length.error;
+    add_length({length.value, length.rest});
   }
 
   /// Bounds of the sum.

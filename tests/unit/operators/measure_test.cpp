@@ -220,6 +220,32 @@ TEST(Area, of_many_triangles_is_the_exact_sum_rounded_once) {
   }
 }
 
+TEST(Area, of_triangles_with_fractions_is_rounded_once) {
+  // As above, all coordinates divided by an odd number; some legs are far shorter than doubles tell.
+  std::mt19937_64 random(6);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (const std::int64_t divisor : {3, 7, 1000000007}) {
+    const auto any = [&] { return Rational(number(random)) / Rational(divisor); };
+    for (int round = 0; round < 30; ++round) {
+      PointArray points;
+      std::vector<TriangleMesh::Triangle> triangles;
+      Rational expected;
+      for (std::uint32_t i = 0; i < 40; ++i) {
+        const Rational x = any(), y = any(), z = any();
+        const Rational width = i % 4 == 0 ? any() * Rational(0x1p-60) : any(), height = any();
+        points.push_back(ExactPoint(RationalVec3(x, y, z)));
+        points.push_back(ExactPoint(RationalVec3(x + width, y, z)));
+        points.push_back(ExactPoint(RationalVec3(x, y + height, z)));
+        triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+        expected += (width * height).abs() / Rational(2);
+      }
+      reset_exact_counters();
+      EXPECT_EQ(*nearest_area(points, triangles), expected.nearest_double());
+      EXPECT_EQ(exact_counters().filter_failures, 0U);
+    }
+  }
+}
+
 TEST(Area, halfway_between_two_doubles_is_rounded_to_even) {
   for (const double odd : {0x1p53 + 2, 0x1p53 + 4}) {
     // Triangles of the areas odd and 1.
