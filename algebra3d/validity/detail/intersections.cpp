@@ -103,7 +103,7 @@ class PairTest {
 
   detail::PlaneFilter plane_filter(FaceId face) const {
     const auto [a, b, c] = doubles(face);
-    return detail::PlaneFilter(*a, *b, *c);
+    return {*a, *b, *c};
   }
 
   const TriangleMesh& mesh_;
