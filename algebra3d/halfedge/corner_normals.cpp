@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "algebra3d/base/large_allocator.h"
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/halfedge/detail/weighted_normals.h"
 #include "algebra3d/halfedge/normals.h"
@@ -131,7 +132,7 @@ JoinedNormals joined(const std::vector<std::vector<Vec3>>& parts) {
     all.begins.push_back(static_cast<std::uint32_t>(count));
     count += part.size();
   }
-  detail::resize_large(all.normals, count);
+  resize_large(all.normals, count);
   parallel_for(parts.size(), 1,
                [&](std::size_t task) { std::ranges::copy(parts[task], all.normals.begin() + all.begins[task]); });
   return all;
@@ -144,7 +145,7 @@ CornerNormals corner_normals(const HalfedgeMesh<Layout>& mesh, std::span<const V
                              double crease_angle_degrees) {
   const CreaseTest is_crease(crease_angle_degrees);
   CornerNormals result;
-  detail::resize_large(result.of_corner, mesh.halfedge_count());
+  resize_large(result.of_corner, mesh.halfedge_count());
   const std::vector<Vec3> of_vertices = vertex_normals(mesh);
   std::vector<std::vector<Vec3>> parts(detail::vertex_task_count(mesh.vertex_count()));
   parallel_for(parts.size(), 1, [&](std::size_t task) {

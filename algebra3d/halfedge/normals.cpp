@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "algebra3d/base/large_allocator.h"
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/exact/plane.h"
 #include "algebra3d/halfedge/circulators.h"
@@ -49,7 +50,7 @@ void face_normals(const HalfedgeMesh<Layout>& mesh, std::span<Vec3> normals) {
 template <typename Layout>
 std::vector<Vec3> face_normals(const HalfedgeMesh<Layout>& mesh) {
   std::vector<Vec3> normals;
-  detail::resize_large(normals, mesh.face_count());
+  resize_large(normals, mesh.face_count());
   face_normals(mesh, normals);
   return normals;
 }

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "algebra3d/base/large_allocator.h"
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/halfedge/detail/corner_weights.h"
 #include "algebra3d/halfedge/detail/face_normal.h"
@@ -243,7 +244,7 @@ void vertex_normals(const HalfedgeMesh<Layout>& mesh, std::span<Vec3> normals) {
 template <typename Layout>
 std::vector<Vec3> vertex_normals(const HalfedgeMesh<Layout>& mesh) {
   std::vector<Vec3> normals;
-  detail::resize_large(normals, mesh.vertex_count());
+  resize_large(normals, mesh.vertex_count());
   vertex_normals(mesh, normals);
   return normals;
 }

@@ -8,7 +8,6 @@
 #include <span>
 #include <vector>
 
-#include "algebra3d/base/large_allocator.h"
 #include "algebra3d/halfedge/detail/angles.h"
 #include "algebra3d/halfedge/detail/corner_weights.h"
 #include "algebra3d/halfedge/halfedge_mesh.h"
@@ -73,14 +72,6 @@ inline constexpr std::size_t kVerticesPerTask = 10000;
 
 inline std::size_t vertex_task_count(std::size_t vertex_count) {
   return (vertex_count + kVerticesPerTask - 1) / kVerticesPerTask;
-}
-
-/// Resizes an empty array in huge pages: fewer faults of the processor.
-template <typename T>
-void resize_large(std::vector<T>& array, std::size_t size) {
-  array.reserve(size);
-  prefer_huge_pages(array.data(), size * sizeof(T));
-  array.resize(size);
 }
 
 }  // namespace algebra3d::detail
