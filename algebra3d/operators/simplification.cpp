@@ -188,7 +188,7 @@ const std::string kDetail =
     "Attributes of a mesh3d are kept: faces, vertices and edges have those of one that they were, corners those of the "
     "vertex that they are at, in their chart, that is, on their side of all edges where the values of corners "
     "differ. A mesh3d must consist of triangles, and its result may cross itself; edges with three or more faces "
-    "stay.";
+    "stay, and so do isolated vertices.";
 
 }  // namespace
 
