@@ -2,6 +2,9 @@
 // and vertices; on a closed mesh of a million triangles and one of half a million quadrilaterals, in the order of the
 // rows of a torus ("good") and in random order. Ours reorders what arrives in random order, as a part of building; the
 // others keep the order. "by_hand" are loops over the mesh as users write them, in place of the functions of CGAL.
+// Normals of vertices: "vertex_normals" is the function alone, "all_normals" begins with the points and makes those of
+// the faces as well where the function takes them from there: that of OpenMesh and the loop by hand do, ours and
+// CGAL's do not. OpenMesh's "correct" normals are sums of cross products of edges, from the points.
 // The counter is the number of bytes per face.
 #include <benchmark/benchmark.h>
 
@@ -48,11 +51,13 @@ const IndexedFaces& faces_of(std::uint32_t degree, Order order) {
 }
 
 // A structure has `build` (from `input` of the faces, if it has that, else from the faces), `one_ring` (a sum over the
-// centroids of all neighbourhoods and their sizes), `face_normals` and `vertex_normals`.
+// centroids of all neighbourhoods and their sizes), `face_normals`, `vertex_normals`, and `takes_face_normals` if that
+// needs those of the faces.
 
 template <std::uint32_t kDegree>
 struct Ours {
   static constexpr std::uint32_t degree = kDegree;
+  static constexpr bool takes_face_normals = false;
   using Mesh = std::conditional_t<kDegree == 3, TriangleMesh, PolygonMesh>;
   struct Built {
     Mesh mesh;
@@ -119,7 +124,7 @@ struct Ours {
     built.of_vertices.resize(built.mesh.vertex_count());
   }
   static void face_normals(Built& built) { algebra3d::face_normals(built.mesh, built.of_faces); }
-  static void vertex_normals(Built& built) { algebra3d::vertex_normals(built.mesh, built.of_faces, built.of_vertices); }
+  static void vertex_normals(Built& built) { algebra3d::vertex_normals(built.mesh, built.of_vertices); }
 };
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -128,6 +133,7 @@ using CgalMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 template <std::uint32_t kDegree>
 struct Cgal {
   static constexpr std::uint32_t degree = kDegree;
+  static constexpr bool takes_face_normals = false;
   using FaceNormals = CgalMesh::Property_map<CgalMesh::Face_index, Kernel::Vector_3>;
   using VertexNormals = CgalMesh::Property_map<CgalMesh::Vertex_index, Kernel::Vector_3>;
   struct Built {
@@ -179,6 +185,7 @@ struct Cgal {
 /// by angle, as ours are.
 template <std::uint32_t kDegree>
 struct CgalByHand : Cgal<kDegree> {
+  static constexpr bool takes_face_normals = true;
   using Built = typename Cgal<kDegree>::Built;
 
   static Kernel::Vector_3 unit(const Kernel::Vector_3& v) { return v / std::sqrt(v.squared_length()); }
@@ -218,6 +225,7 @@ struct Traits : OpenMesh::DefaultTraits {
 template <std::uint32_t kDegree>
 struct OpenMeshes {
   static constexpr std::uint32_t degree = kDegree;
+  static constexpr bool takes_face_normals = true;
   using Mesh =
       std::conditional_t<kDegree == 3, OpenMesh::TriMesh_ArrayKernelT<Traits>, OpenMesh::PolyMesh_ArrayKernelT<Traits>>;
   struct Built {
@@ -257,6 +265,18 @@ struct OpenMeshes {
   }
   static void face_normals(Built& built) { built.mesh.update_face_normals(); }
   static void vertex_normals(Built& built) { built.mesh.update_vertex_normals(); }
+};
+
+template <std::uint32_t kDegree>
+struct OpenMeshesCorrect : OpenMeshes<kDegree> {
+  static constexpr bool takes_face_normals = false;
+  static void vertex_normals(typename OpenMeshes<kDegree>::Built& built) {
+    for (const auto v : built.mesh.vertices()) {
+      OpenMesh::Vec3d normal;
+      built.mesh.calc_vertex_normal_correct(v, normal);
+      built.mesh.set_normal(v, normal.normalize_cond());
+    }
+  }
 };
 #endif
 
@@ -323,6 +343,15 @@ void vertex_normals(benchmark::State& state, Order order) {
   for (auto step : state) Structure::vertex_normals(built);
 }
 
+template <typename Structure>
+void all_normals(benchmark::State& state, Order order) {
+  auto built = prepared<Structure>(order);
+  for (auto step : state) {
+    if constexpr (Structure::takes_face_normals) Structure::face_normals(built);
+    Structure::vertex_normals(built);
+  }
+}
+
 using Work = void (*)(benchmark::State&, Order);
 
 void add(const std::string& name, Work work, int threads) {
@@ -346,6 +375,7 @@ void add_all(const std::string& name, int threads = 0) {
   add("one_ring/" + shape + "/" + name, one_ring<Structure>, threads);
   add("face_normals/" + shape + "/" + name, face_normals<Structure>, threads);
   add("vertex_normals/" + shape + "/" + name, vertex_normals<Structure>, threads);
+  add("all_normals/" + shape + "/" + name, all_normals<Structure>, threads);
 }
 
 template <std::uint32_t kDegree>
@@ -356,6 +386,8 @@ void add_structures() {
   add_all<CgalByHand<kDegree>>("cgal_by_hand");
 #ifdef BENCH_WITH_OPENMESH
   add_all<OpenMeshes<kDegree>>("openmesh");
+  add("all_normals/" + std::string(kDegree == 3 ? "triangles" : "quadrilaterals") + "/openmesh_correct",
+      all_normals<OpenMeshesCorrect<kDegree>>, 0);
 #endif
 }
 

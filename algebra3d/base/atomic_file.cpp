@@ -114,6 +114,7 @@ Result<AtomicFile> AtomicFile::create(const OutputPath& path) {
   AtomicFile file;
   file.path_ = given;
   file.may_replace_ = path.may_replace();
+  file.monitor_ = Monitor(path.cancel());
   ALGEBRA3D_ASSIGN_OR_RETURN(file.target_, target_of(given));
   struct stat facts {};
   const bool exists = ::stat(file.target_.c_str(), &facts) == 0;
@@ -135,6 +136,7 @@ Result<AtomicFile> AtomicFile::create(const OutputPath& path) {
 AtomicFile::AtomicFile(AtomicFile&& other) noexcept
     : path_(std::move(other.path_)),
       may_replace_(other.may_replace_),
+      monitor_(other.monitor_),
       target_(std::move(other.target_)),
       draft_(std::exchange(other.draft_, std::nullopt)),
       buffer_(std::move(other.buffer_)),
@@ -143,6 +145,7 @@ AtomicFile::AtomicFile(AtomicFile&& other) noexcept
 AtomicFile& AtomicFile::operator=(AtomicFile&& other) noexcept {
   path_.swap(other.path_);
   std::swap(may_replace_, other.may_replace_);
+  std::swap(monitor_, other.monitor_);
   target_.swap(other.target_);
   draft_.swap(other.draft_);
   buffer_.swap(other.buffer_);
@@ -163,6 +166,7 @@ Status AtomicFile::append(std::string_view bytes) {
 }
 
 Status AtomicFile::flush() {
+  ALGEBRA3D_RETURN_IF_ERROR(monitor_.check());
   return write_all(draft_->descriptor(), buffer_.get(), std::exchange(buffered_, 0), path_);
 }
 

@@ -8,6 +8,7 @@
 
 #include "algebra3d/base/draft_file.h"
 #include "algebra3d/base/error.h"
+#include "algebra3d/base/monitor.h"
 #include "algebra3d/base/output_path.h"
 
 namespace algebra3d {
@@ -16,9 +17,9 @@ namespace algebra3d {
 /// until `commit`; if destroyed before, or if commit fails, the temporary file is removed and the file at the path
 /// stays unchanged. The temporary file of a killed process is removed by the next process that writes to the folder.
 /// Used by one thread; of several objects for one path the last to commit wins. Errors of all members: disk_full,
-/// file_missing (no such folder, no name), io_error; all name the path and the reason. `create` and `commit` also:
-/// wrong_usage for a database and the files beside it (see database_part); permission_denied if there is a file that
-/// may not be replaced, also one that came meanwhile.
+/// file_missing (no such folder, no name), io_error; all name the path and the reason; interrupted (see OutputPath).
+/// `create` and `commit` also: wrong_usage for a database and the files beside it (see database_part);
+/// permission_denied if there is a file that may not be replaced, also one that came meanwhile.
 class AtomicFile {
  public:
   /// Begins to write the file at `path`. Domain: a new file, or, if it may be replaced, a writable regular file, also
@@ -45,6 +46,7 @@ class AtomicFile {
 
   std::filesystem::path path_;  // as given, for messages
   bool may_replace_ = true;
+  Monitor monitor_;
   std::filesystem::path target_;    // symbolic links resolved
   std::optional<DraftFile> draft_;  // empty: nothing to remove
   std::unique_ptr<char[]> buffer_;

@@ -35,8 +35,11 @@ struct Context {
 
   /// The file that `name` means, for reading. Errors: permission_denied.
   Result<std::filesystem::path> resolve(const std::filesystem::path& name) const { return folder.path_of(name); }
-  /// The same for writing. Errors: permission_denied, also where the host does not allow it.
-  Result<OutputPath> resolve_output(const std::filesystem::path& name) const { return folder.output_path_of(name); }
+  /// The same for writing, which the host can cancel. Errors: permission_denied, also where the host does not allow it.
+  Result<OutputPath> resolve_output(const std::filesystem::path& name) const {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const OutputPath path, folder.output_path_of(name));
+    return path.with_cancel(cancel);
+  }
 };
 
 }  // namespace algebra3d

@@ -15,6 +15,14 @@ void free_large(void* memory, std::size_t bytes, std::size_t alignment) noexcept
 /// Asks for huge pages in allocated memory that nothing has touched yet; a wish. For arrays whose allocator is another.
 void prefer_huge_pages(void* memory, std::size_t bytes);
 
+/// Resizes an empty array in huge pages: fewer faults of the processor.
+template <typename T>
+void resize_large(std::vector<T>& array, std::size_t size) {
+  array.reserve(size);
+  prefer_huge_pages(array.data(), size * sizeof(T));
+  array.resize(size);
+}
+
 /// An allocator for std::vector that uses allocate_large.
 template <typename T>
 struct LargeAllocator {

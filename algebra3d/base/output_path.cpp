@@ -10,6 +10,12 @@ OutputPath OutputPath::new_file(std::filesystem::path path) {
   return output;
 }
 
+OutputPath OutputPath::with_cancel(const std::atomic<bool>* cancel) const {
+  OutputPath output = *this;
+  output.cancel_ = cancel;
+  return output;
+}
+
 Status OutputPath::check_free(const std::filesystem::path& name) const {
   std::error_code ignored;  // what cannot be looked at cannot be written either
   if (may_replace_ || !std::filesystem::exists(std::filesystem::symlink_status(path_, ignored))) return {};

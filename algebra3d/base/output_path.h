@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <utility>
 
@@ -16,7 +17,11 @@ class OutputPath {
   /// A file that must be new.
   static OutputPath new_file(std::filesystem::path path);
 
+  /// The same; writing it ends with the error interrupted once `*cancel`, which must outlive the writing, is set.
+  OutputPath with_cancel(const std::atomic<bool>* cancel) const;
+
   const std::filesystem::path& path() const { return path_; }
+  const std::atomic<bool>* cancel() const { return cancel_; }
   bool may_replace() const { return may_replace_; }
   /// Errors: permission_denied if a file is there, of whatever kind, that must not be replaced; it calls the file
   /// `name`.
@@ -26,6 +31,7 @@ class OutputPath {
  private:
   std::filesystem::path path_;
   bool may_replace_ = true;
+  const std::atomic<bool>* cancel_ = nullptr;
 };
 
 /// The error permission_denied for a file that is there and must not be replaced.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -101,11 +102,21 @@ VectorArea rounded(const RationalVec3& doubled) {
   return result;
 }
 
+/// The sum with another double. Exact where the rests are exact together, as they are of a few numbers of one size.
+BoundedPair with_double(const BoundedPair& a, double b) {
+  const detail::Rounded sum = detail::two_sum(a.value, b), rests = detail::two_sum(sum.rest, a.rest);
+  const auto [value, rest] = detail::two_sum(sum.value, rests.value);
+  return {value, rest, a.error + std::abs(rests.rest)};
+}
+
 std::optional<double> estimated_mean(const PointArray& points, Corners corners, std::size_t axis) {
   BoundedPair sum;
-  for (const std::uint32_t corner : corners) sum = sum + BoundedPair{points[corner].approx[axis], 0, 0};
+  for (const std::uint32_t corner : corners) sum = with_double(sum, points[corner].approx[axis]);
   if (sum.is_zero()) return 0.0;
-  return (sum / BoundedPair{static_cast<double>(corners.size()), 0, 0}).nearest_double();
+  const auto count = static_cast<double>(corners.size());
+  // Of two or four numbers the mean is often a middle between two doubles.
+  if (sum.error == 0 && std::has_single_bit(corners.size())) return sum.value / count;
+  return (sum / BoundedPair{count, 0, 0}).nearest_double();
 }
 
 double exact_mean(const PointArray& points, Corners corners, std::size_t axis) {
@@ -142,6 +153,7 @@ Vec3 nearest_mean(const PointArray& points, std::span<const std::uint32_t> corne
   Vec3 mean;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto estimate = is_estimated ? estimated_mean(points, corners, axis) : std::nullopt;
+    if (is_estimated && !estimate) detail::count_filter_failure();
     mean[axis] = estimate ? *estimate : exact_mean(points, corners, axis);
   }
   return mean;

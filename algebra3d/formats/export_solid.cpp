@@ -128,6 +128,7 @@ Result<ExportedSolid> export_rounded(Context& context, const std::string& name, 
                     name, divided.contacts_left, numbers.name),
         file);
   const Status written = write(path, divided.mesh);
+  if (!written && written.error().code == ErrorCode::interrupted) return written.error();
   if (!written) return refuse(context, written.error().code, name + ": " + written.error().message);
   return ExportedSolid();
 }

@@ -120,6 +120,7 @@ Result<ExportedSolid> export_mesh(Context& context, const std::string& command, 
   const std::size_t changed_texts = count_changed_texts(soup.attributes.get());
   const Status written = form.format->write(path, facets_for(*form.format, std::move(soup)), name, form.encoding);
   if (!written) {
+    if (written.error().code == ErrorCode::interrupted) return written.error();
     const std::string reason = command + ": " + written.error().message;
     context.diagnostics.report(reason, {}, Diagnostics::About::unwritten);
     return ExportedSolid{Error(written.error().code, reason)};

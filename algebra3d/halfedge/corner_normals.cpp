@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "algebra3d/base/large_allocator.h"
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/halfedge/detail/weighted_normals.h"
 #include "algebra3d/halfedge/normals.h"
@@ -34,18 +35,21 @@ class CreaseTest {
 template <typename Layout>
 class CornerNormalsMaker {
  public:
-  CornerNormalsMaker(const HalfedgeMesh<Layout>& mesh, std::span<const Vec3> face_normals, const CreaseTest& is_crease,
+  CornerNormalsMaker(const HalfedgeMesh<Layout>& mesh, std::span<const Vec3> face_normals,
+                     std::span<const Vec3> vertex_normals, const CreaseTest& is_crease,
                      std::vector<std::uint32_t>& of_corner)
-      : mesh_(mesh), face_normals_(face_normals), is_crease_(is_crease), of_corner_(of_corner) {}
+      : mesh_(mesh),
+        face_normals_(face_normals),
+        vertex_normals_(vertex_normals),
+        is_crease_(is_crease),
+        of_corner_(of_corner) {}
 
   std::vector<Vec3> make(std::size_t begin, std::size_t end) && {
     // Most vertices have one normal.
-    std::vector<Vec3> vertex_normals(end - begin);
-    detail::VertexNormalsMaker<Layout>(mesh_, face_normals_, vertex_normals).make(begin, end, 0);
     for (std::size_t v = begin; v < end; ++v) {
       const std::span<const HalfedgeId> fans = mesh_.fans(VertexId(v));
       if (fans.size() == 1 && is_smooth(fans.front()))
-        add_smooth_fan(fans.front(), vertex_normals[v - begin]);
+        add_smooth_fan(fans.front(), vertex_normals_[v]);
       else
         for (const HalfedgeId first : fans) add_fan(first);
     }
@@ -98,7 +102,7 @@ class CornerNormalsMaker {
   }
 
   void add_part(std::span<const HalfedgeId> corners) {
-    detail::WeightedNormal sum;
+    detail::WeightedSum sum;
     for (const HalfedgeId h : corners) {
       sum.add(normal(h), detail::corner_angle(mesh_, h, normal(h)));
       of_corner_[h.index()] = static_cast<std::uint32_t>(normals_.size());
@@ -108,7 +112,7 @@ class CornerNormalsMaker {
   }
 
   const HalfedgeMesh<Layout>& mesh_;
-  std::span<const Vec3> face_normals_;
+  std::span<const Vec3> face_normals_, vertex_normals_;
   const CreaseTest& is_crease_;
   std::vector<std::uint32_t>& of_corner_;
   std::vector<Vec3> normals_;
@@ -128,7 +132,7 @@ JoinedNormals joined(const std::vector<std::vector<Vec3>>& parts) {
     all.begins.push_back(static_cast<std::uint32_t>(count));
     count += part.size();
   }
-  detail::resize_large(all.normals, count);
+  resize_large(all.normals, count);
   parallel_for(parts.size(), 1,
                [&](std::size_t task) { std::ranges::copy(parts[task], all.normals.begin() + all.begins[task]); });
   return all;
@@ -141,11 +145,13 @@ CornerNormals corner_normals(const HalfedgeMesh<Layout>& mesh, std::span<const V
                              double crease_angle_degrees) {
   const CreaseTest is_crease(crease_angle_degrees);
   CornerNormals result;
-  detail::resize_large(result.of_corner, mesh.halfedge_count());
+  resize_large(result.of_corner, mesh.halfedge_count());
+  const std::vector<Vec3> of_vertices = vertex_normals(mesh);
   std::vector<std::vector<Vec3>> parts(detail::vertex_task_count(mesh.vertex_count()));
   parallel_for(parts.size(), 1, [&](std::size_t task) {
     const std::size_t begin = task * kVerticesPerTask, end = std::min(mesh.vertex_count(), begin + kVerticesPerTask);
-    parts[task] = CornerNormalsMaker<Layout>(mesh, face_normals, is_crease, result.of_corner).make(begin, end);
+    parts[task] =
+        CornerNormalsMaker<Layout>(mesh, face_normals, of_vertices, is_crease, result.of_corner).make(begin, end);
   });
   JoinedNormals all = joined(parts);
   constexpr std::size_t kCornersPerTask = 100000;

@@ -1,7 +1,11 @@
 #include "algebra3d/halfedge/dual.h"
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
+#include "algebra3d/base/large_allocator.h"
+#include "algebra3d/base/scheduler.h"
 #include "algebra3d/halfedge/circulators.h"
 #include "algebra3d/halfedge/normals.h"
 
@@ -25,19 +29,28 @@ bool append_closed_fan(const HalfedgeMesh<Layout>& mesh, HalfedgeId first, Large
 }  // namespace
 
 template <typename Layout>
-PolygonMesh dual_mesh(const HalfedgeMesh<Layout>& mesh) {
-  PointArray points;
-  points.reserve(mesh.face_count());
-  for (const FaceId f : faces(mesh)) points.push_back(nearest_mean(mesh.points(), corner_indices(mesh, f)));
+Result<PolygonMesh> dual_mesh(const HalfedgeMesh<Layout>& mesh, const Monitor& monitor) {
+  constexpr std::size_t kPerTask = 4096;
+  std::vector<Vec3> points;
+  resize_large(points, mesh.face_count());
+  parallel_for((mesh.face_count() + kPerTask - 1) / kPerTask, 1, [&](std::size_t task) {
+    if (monitor.is_cancelled()) return;
+    const std::size_t end = std::min(mesh.face_count(), (task + 1) * kPerTask);
+    for (std::size_t f = task * kPerTask; f < end; ++f)
+      points[f] = nearest_mean(mesh.points(), corner_indices(mesh, FaceId(f)));
+  });
   LargeVector<std::uint32_t> corners, starts;
   starts.push_back(0);
-  for (const VertexId v : vertices(mesh))
+  for (const VertexId v : vertices(mesh)) {
+    if (v.index() % kPerTask == 0) ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
     for (const HalfedgeId first : mesh.fans(v))
       if (append_closed_fan(mesh, first, corners)) starts.push_back(static_cast<std::uint32_t>(corners.size()));
-  return {std::move(points), PolygonLayout(std::move(starts)), std::move(corners)};
+  }
+  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+  return PolygonMesh(PointArray(std::move(points)), PolygonLayout(std::move(starts)), std::move(corners));
 }
 
-template PolygonMesh dual_mesh(const HalfedgeMesh<TriangleLayout>&);
-template PolygonMesh dual_mesh(const HalfedgeMesh<PolygonLayout>&);
+template Result<PolygonMesh> dual_mesh(const HalfedgeMesh<TriangleLayout>&, const Monitor&);
+template Result<PolygonMesh> dual_mesh(const HalfedgeMesh<PolygonLayout>&, const Monitor&);
 
 }  // namespace algebra3d

@@ -38,6 +38,11 @@ Maybe<MeshEditor> MeshEditor::of(const PolygonMesh& mesh) {
 }
 
 void MeshEditor::take(const PolygonMesh& mesh) {
+  points_.reserve(mesh.vertex_count());
+  vertices_.reserve(mesh.vertex_count());
+  faces_.reserve(mesh.face_count());
+  face_sources_.reserve(mesh.face_count());
+  halfedges_.reserve(mesh.halfedge_count());
   for (const VertexId v : algebra3d::vertices(mesh)) {
     points_.emplace_back(mesh.point(v));
     vertices_.push_back({mesh.outgoing(v), true, v.index()});
@@ -75,6 +80,8 @@ PolygonMesh MeshEditor::mesh() const {
     points.push_back(points_[v]);
   }
   LargeVector<std::uint32_t> starts, corners;
+  starts.reserve(faces_.size() + 1);
+  corners.reserve(halfedges_.size());
   for (const HalfedgeId first : faces_) {
     if (!first.is_valid()) continue;
     starts.push_back(static_cast<std::uint32_t>(corners.size()));

@@ -4,56 +4,15 @@
 #include <cassert>
 #include <cmath>
 
+#include "algebra3d/base/large_allocator.h"
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/exact/plane.h"
 #include "algebra3d/halfedge/circulators.h"
+#include "algebra3d/halfedge/detail/face_normal.h"
 #include "algebra3d/halfedge/detail/weighted_normals.h"
 
 namespace algebra3d {
 namespace {
-
-// ---- faces
-
-/// A multiple of a normal by doubles, and the size of the products that it is a sum of, squared.
-struct RoundedNormal {
-  Vec3 sum;
-  double squared_products = 0;
-};
-
-RoundedNormal rounded_normal(const std::vector<Vec3>& points, std::span<const std::uint32_t> corners) {
-  const auto product = [](const Vec3& u, const Vec3& v) { return RoundedNormal{cross(u, v), dot(u, u) * dot(v, v)}; };
-  const Vec3 &a = points[corners[0]], &b = points[corners[1]], &c = points[corners[2]];
-  if (corners.size() == 3) return product(b - a, c - a);
-  if (corners.size() == 4) return product(c - a, points[corners[3]] - b);
-  RoundedNormal result;
-  double products = 0;
-  Vec3 before = b - a;
-  for (std::size_t i = 2; i < corners.size(); ++i) {
-    const Vec3 next = points[corners[i]] - a;
-    result.sum = result.sum + cross(before, next);
-    products += 0.5 * (dot(before, before) + dot(next, next));  // no less than the product of the lengths
-    before = next;
-  }
-  result.squared_products = products * products;
-  return result;
-}
-
-/// The normal by doubles alone; nothing where that is not within 1e-9: relative to the products the error is below
-/// 2^-50 per corner.
-std::optional<Vec3> quick_normal(const PointArray& points, std::span<const std::uint32_t> corners) {
-  constexpr double kLeastShare = 0x1p-20;
-  if (points.exact_count() != 0 &&
-      !std::ranges::all_of(corners, [&](std::uint32_t corner) { return points[corner].is_double(); }))
-    return std::nullopt;
-  const RoundedNormal rounded = rounded_normal(points.approx(), corners);
-  const double squared = dot(rounded.sum, rounded.sum);
-  if (!(squared > kLeastShare * kLeastShare * rounded.squared_products) || !(squared > 0x1p-800) ||
-      !(squared < 0x1p800))
-    return std::nullopt;
-  return 1 / std::sqrt(squared) * rounded.sum;
-}
-
-// ---- edges
 
 /// The sign of the angle at an edge: positive if it is convex. Exact.
 template <typename Layout>
@@ -84,23 +43,21 @@ template <typename Layout>
 void face_normals(const HalfedgeMesh<Layout>& mesh, std::span<Vec3> normals) {
   assert(normals.size() == mesh.face_count());
   constexpr std::size_t kFacesPerTask = 20000;
-  parallel_for(mesh.face_count(), kFacesPerTask, [&](std::size_t f) {
-    const std::optional<Vec3> quick = quick_normal(mesh.points(), corner_indices(mesh, FaceId(f)));
-    normals[f] = quick ? *quick : vector_area(mesh, FaceId(f)).normal;
-  });
+  parallel_for(mesh.face_count(), kFacesPerTask,
+               [&](std::size_t f) { normals[f] = detail::face_normal(mesh, FaceId(f)); });
 }
 
 template <typename Layout>
 std::vector<Vec3> face_normals(const HalfedgeMesh<Layout>& mesh) {
   std::vector<Vec3> normals;
-  detail::resize_large(normals, mesh.face_count());
+  resize_large(normals, mesh.face_count());
   face_normals(mesh, normals);
   return normals;
 }
 
 template <typename Layout>
 Vec3 vertex_normal(const HalfedgeMesh<Layout>& mesh, VertexId v) {
-  detail::WeightedNormal sum;
+  detail::WeightedSum sum;
   for (const HalfedgeId h : outgoing_halfedges(mesh, v)) {
     const Vec3 normal = vector_area(mesh, mesh.face(h)).normal;
     sum.add(normal, detail::corner_angle(mesh, h, normal));
@@ -108,34 +65,13 @@ Vec3 vertex_normal(const HalfedgeMesh<Layout>& mesh, VertexId v) {
   return sum.direction();
 }
 
-template <typename Layout>
-void vertex_normals(const HalfedgeMesh<Layout>& mesh, std::span<const Vec3> face_normals, std::span<Vec3> normals) {
-  assert(face_normals.size() == mesh.face_count() && normals.size() == mesh.vertex_count());
-  parallel_for(detail::vertex_task_count(mesh.vertex_count()), 1, [&](std::size_t task) {
-    const std::size_t begin = task * detail::kVerticesPerTask,
-                      end = std::min(mesh.vertex_count(), begin + detail::kVerticesPerTask);
-    detail::VertexNormalsMaker<Layout>(mesh, face_normals, normals).make(begin, end, begin);
-  });
-}
-
-template <typename Layout>
-std::vector<Vec3> vertex_normals(const HalfedgeMesh<Layout>& mesh, std::span<const Vec3> face_normals) {
-  std::vector<Vec3> normals(mesh.vertex_count());
-  vertex_normals(mesh, face_normals, normals);
-  return normals;
-}
-
 template std::optional<double> dihedral_angle_degrees(const HalfedgeMesh<TriangleLayout>&, HalfedgeId);
 template std::vector<Vec3> face_normals(const HalfedgeMesh<TriangleLayout>&);
 template void face_normals(const HalfedgeMesh<TriangleLayout>&, std::span<Vec3>);
 template Vec3 vertex_normal(const HalfedgeMesh<TriangleLayout>&, VertexId);
-template std::vector<Vec3> vertex_normals(const HalfedgeMesh<TriangleLayout>&, std::span<const Vec3>);
-template void vertex_normals(const HalfedgeMesh<TriangleLayout>&, std::span<const Vec3>, std::span<Vec3>);
 template std::optional<double> dihedral_angle_degrees(const HalfedgeMesh<PolygonLayout>&, HalfedgeId);
 template std::vector<Vec3> face_normals(const HalfedgeMesh<PolygonLayout>&);
 template void face_normals(const HalfedgeMesh<PolygonLayout>&, std::span<Vec3>);
 template Vec3 vertex_normal(const HalfedgeMesh<PolygonLayout>&, VertexId);
-template std::vector<Vec3> vertex_normals(const HalfedgeMesh<PolygonLayout>&, std::span<const Vec3>);
-template void vertex_normals(const HalfedgeMesh<PolygonLayout>&, std::span<const Vec3>, std::span<Vec3>);
 
 }  // namespace algebra3d

@@ -45,12 +45,15 @@ void face_normals(const HalfedgeMesh<Layout>& mesh, std::span<Vec3> normals);
 /// 1e-15 times the sum of the angles divided by the length of the sum. Source: [thuermer1998].
 template <typename Layout>
 Vec3 vertex_normal(const HalfedgeMesh<Layout>& mesh, VertexId v);
-/// The normals of all vertices, from those of the faces. Cost: linear.
+/// The normals of all vertices. Exactness: sums of normals as of face_normals and of angles that are within
+/// 2^-49 / sin(a), where a is the angle at a triangle's first corner, at most 1e-9 and mostly a few ulp; the same bits
+/// on all processors. Cost: linear; some nanoseconds per face with three or four corners, tens for others, and as
+/// vector_area for slivers and corners that are no doubles.
 template <typename Layout>
-std::vector<Vec3> vertex_normals(const HalfedgeMesh<Layout>& mesh, std::span<const Vec3> face_normals);
+std::vector<Vec3> vertex_normals(const HalfedgeMesh<Layout>& mesh);
 /// The same, written to `normals`, one per vertex.
 template <typename Layout>
-void vertex_normals(const HalfedgeMesh<Layout>& mesh, std::span<const Vec3> face_normals, std::span<Vec3> normals);
+void vertex_normals(const HalfedgeMesh<Layout>& mesh, std::span<Vec3> normals);
 
 /// Normals of corners; corners of a vertex share one unless a crease is between them.
 struct CornerNormals {

@@ -41,28 +41,31 @@ Result<HalfedgeId> edge_of(const char* name, const PolygonMesh& mesh, std::int64
   return no_element(name, "edge", id, static_cast<std::size_t>(number));
 }
 
-/// Applies `edit`, which returns a Maybe, to an editor of the mesh.
+/// Applies `edit`, which returns a Maybe, to an editor of the mesh. Errors: interrupted.
 template <typename Edit>
-Maybe<Mesh3d> edited(const Mesh3d& mesh, const Edit& edit) {
+Outcome3d edited(Context& context, const Mesh3d& mesh, const Edit& edit) {
   Maybe<MeshEditor> editor = MeshEditor::of(mesh.mesh());
-  if (!editor) return Undefined{editor.reason()};
-  if (auto done = edit(*editor); !done) return Undefined{done.reason()};
+  if (!editor) return Maybe<Mesh3d>(Undefined{editor.reason()});
+  ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+  if (auto done = edit(*editor); !done) return Maybe<Mesh3d>(Undefined{done.reason()});
   PolygonMesh result = editor->mesh();
+  ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
   MeshAttributes attributes = editor->attributes(mesh.attributes(), mesh.mesh(), result);
-  return Mesh3d(std::move(result), std::move(attributes));
+  return Maybe<Mesh3d>(Mesh3d(std::move(result), std::move(attributes)));
 }
 
-Outcome3d with_flipped_edge(Context& /*context*/, const Mesh3d& mesh, std::int64_t edge) {
+Outcome3d with_flipped_edge(Context& context, const Mesh3d& mesh, std::int64_t edge) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const HalfedgeId h, edge_of("flipEdge", mesh.mesh(), edge));
-  return edited(mesh, [h](MeshEditor& editor) { return editor.flip_edge(h); });
+  return edited(context, mesh, [h](MeshEditor& editor) { return editor.flip_edge(h); });
 }
 
-Outcome3d with_edge_split_at(Context& /*context*/, const Mesh3d& mesh, std::int64_t edge, const Point3d& point) {
+Outcome3d with_edge_split_at(Context& context, const Mesh3d& mesh, std::int64_t edge, const Point3d& point) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const HalfedgeId h, edge_of("splitEdge", mesh.mesh(), edge));
-  return edited(mesh, [&](MeshEditor& editor) { return Maybe<VertexId>(editor.split_edge(h, point.position)); });
+  return edited(context, mesh,
+                [&](MeshEditor& editor) { return Maybe<VertexId>(editor.split_edge(h, point.position)); });
 }
 
-Outcome3d with_split_edge(Context& /*context*/, const Mesh3d& mesh, std::int64_t edge, double share) {
+Outcome3d with_split_edge(Context& context, const Mesh3d& mesh, std::int64_t edge, double share) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const HalfedgeId h, edge_of("splitEdge", mesh.mesh(), edge));
   if (!(share > 0 && share < 1))
     return Maybe<Mesh3d>(Undefined{"the share must be greater than 0 and less than 1, got " + real_text(share)});
@@ -71,29 +74,28 @@ Outcome3d with_split_edge(Context& /*context*/, const Mesh3d& mesh, std::int64_t
   const Rational t(share);
   const auto between = [&](std::size_t axis) { return from[axis] + t * (to[axis] - from[axis]); };
   const ExactPoint point(RationalVec3{between(0), between(1), between(2)});
-  return edited(mesh, [&](MeshEditor& editor) { return Maybe<VertexId>(editor.split_edge(h, point, share)); });
+  return edited(context, mesh, [&](MeshEditor& editor) { return Maybe<VertexId>(editor.split_edge(h, point, share)); });
 }
 
-Outcome3d with_collapsed_edge(Context& /*context*/, const Mesh3d& mesh, std::int64_t edge) {
+Outcome3d with_collapsed_edge(Context& context, const Mesh3d& mesh, std::int64_t edge) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const HalfedgeId h, edge_of("collapseEdge", mesh.mesh(), edge));
-  return edited(mesh, [h](MeshEditor& editor) { return editor.collapse_edge(h); });
+  return edited(context, mesh, [h](MeshEditor& editor) { return editor.collapse_edge(h); });
 }
 
-Outcome3d with_split_face(Context& /*context*/, const Mesh3d& mesh, std::int64_t face, std::int64_t from,
-                          std::int64_t to) {
+Outcome3d with_split_face(Context& context, const Mesh3d& mesh, std::int64_t face, std::int64_t from, std::int64_t to) {
   if (!is_below(face, mesh.mesh().face_count())) return no_element("splitFace", "face", face, mesh.mesh().face_count());
   ALGEBRA3D_ASSIGN_OR_RETURN(const VertexId first, vertex_of("splitFace", mesh.mesh(), from));
   ALGEBRA3D_ASSIGN_OR_RETURN(const VertexId second, vertex_of("splitFace", mesh.mesh(), to));
   const FaceId f(static_cast<std::size_t>(face));
-  return edited(mesh, [&](MeshEditor& editor) { return editor.split_face(f, first, second); });
+  return edited(context, mesh, [&](MeshEditor& editor) { return editor.split_face(f, first, second); });
 }
 
-Outcome3d with_split_vertex(Context& /*context*/, const Mesh3d& mesh, std::int64_t vertex, std::int64_t first,
+Outcome3d with_split_vertex(Context& context, const Mesh3d& mesh, std::int64_t vertex, std::int64_t first,
                             std::int64_t last, const Point3d& point) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const VertexId v, vertex_of("splitVertex", mesh.mesh(), vertex));
   ALGEBRA3D_ASSIGN_OR_RETURN(const VertexId from, vertex_of("splitVertex", mesh.mesh(), first));
   ALGEBRA3D_ASSIGN_OR_RETURN(const VertexId to, vertex_of("splitVertex", mesh.mesh(), last));
-  return edited(mesh, [&](MeshEditor& editor) -> Maybe<VertexId> {
+  return edited(context, mesh, [&](MeshEditor& editor) -> Maybe<VertexId> {
     const HalfedgeId begin = editor.find(v, from), end = editor.find(v, to);
     for (const auto& [h, neighbour] : {std::pair(begin, from), std::pair(end, to)})
       if (!h.is_valid())

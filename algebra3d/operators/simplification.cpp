@@ -10,8 +10,10 @@
 
 #include <fmt/format.h>
 
+#include "algebra3d/base/large_allocator.h"
 #include "algebra3d/base/number_text.h"
 #include "algebra3d/base/polygon_soup.h"
+#include "algebra3d/base/scheduler.h"
 #include "algebra3d/halfedge/attribute_transfer.h"
 #include "algebra3d/operators/all.h"
 #include "algebra3d/operators/detail/sample_values.h"
@@ -44,19 +46,24 @@ Result<Maybe<TriangleMesh>> rounded_triangles(Context& context, const Surface3d&
   if (!rounded.mesh) return Maybe<TriangleMesh>(Undefined{rounded.reason});
   return Maybe<TriangleMesh>(*std::move(rounded.mesh));
 }
-Result<Maybe<TriangleMesh>> rounded_triangles(Context& /*context*/, const Mesh3d& mesh) {
+Result<Maybe<TriangleMesh>> rounded_triangles(Context& context, const Mesh3d& mesh) {
   const PolygonMesh& faces = mesh.mesh();
-  std::vector<TriangleMesh::Triangle> triangles;
-  triangles.reserve(faces.face_count());
-  for (std::size_t f = 0; f < faces.face_count(); ++f) {
-    const FaceId id(f);
-    if (faces.degree(id) != 3)
+  for (std::size_t f = 0; f < faces.face_count(); ++f)
+    if (faces.degree(FaceId(f)) != 3)
       return Error{ErrorCode::invalid_value,
-                   "simplify: face {} has {} corners, expected triangles; triangulate makes them", f, faces.degree(id)};
-    const auto corner = [&](std::uint32_t i) { return faces.origin(faces.halfedge(id, i)).index(); };
-    triangles.push_back({corner(0), corner(1), corner(2)});
-  }
-  return Maybe<TriangleMesh>(TriangleMesh(PointArray(faces.points().approx()), triangles));
+                   "simplify: face {} has {} corners, expected triangles; triangulate makes them", f,
+                   faces.degree(FaceId(f))};
+  LargeVector<std::uint32_t> opposites(faces.halfedge_count());
+  constexpr std::size_t kHalfedgesPerTask = 1U << 16U;
+  parallel_for(opposites.size(), kHalfedgesPerTask, [&](std::size_t h) {
+    const HalfedgeId opposite = faces.opposite(HalfedgeId(h));
+    opposites[h] = opposite.is_valid() ? opposite.index() : TriangleMesh::kUnlinked;
+  });
+  ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+  PointArray points(faces.points().approx());
+  ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+  return Maybe<TriangleMesh>(
+      TriangleMesh::with_proposed_links(std::move(points), faces.origins(), std::move(opposites)));
 }
 
 Result<Simplification> simplified_as(const Volume3d& /*kind*/, const TriangleMesh& mesh,
@@ -188,7 +195,7 @@ const std::string kDetail =
     "Attributes of a mesh3d are kept: faces, vertices and edges have those of one that they were, corners those of the "
     "vertex that they are at, in their chart, that is, on their side of all edges where the values of corners "
     "differ. A mesh3d must consist of triangles, and its result may cross itself; edges with three or more faces "
-    "stay.";
+    "stay, and so do isolated vertices.";
 
 }  // namespace
 

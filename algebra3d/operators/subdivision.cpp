@@ -142,8 +142,10 @@ void register_subdivision(Registry& registry) {
           "doubles; in each step the error is below (n + 16) 2^-52 times the largest coordinate, with n the largest "
           "number of edges at a vertex or of corners of a face. Without steps the mesh itself. Surfaces and solids "
           "are taken with the triangles that they have. Boundaries of open meshes become curves of their own; "
-          "doo-sabin makes no faces there. Vertices keep their numbers, except with doo-sabin; then come those on "
-          "edges, then those of faces. Attributes are kept: new faces and halves of edges have those of what they "
+          "doo-sabin makes no faces there. Vertices keep their numbers, also isolated ones, which stay where they "
+          "are; then come those on edges, then those of faces. With doo-sabin each vertex is a corner of a face of "
+          "the mesh, so isolated ones are left out. Attributes are kept: new faces and halves of edges have those of "
+          "what they "
           "were; those of vertices, and of corners within each face, are interpolated linearly, and texts are kept "
           "where they agree. Undefined for a negative number of steps. " +
           kRefused + " A result with too many faces is refused before work begins.",

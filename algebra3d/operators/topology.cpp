@@ -53,8 +53,9 @@ Maybe<Number> valence_of(const T& value, const Number& vertex) {
 }
 
 template <typename T>
-Mesh3d dual_of(const T& value) {
-  return Mesh3d(dual_mesh(value.mesh()));
+Result<Mesh3d> dual_of(Context& context, const T& value) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(PolygonMesh dual, dual_mesh(value.mesh(), context.monitor()));
+  return Mesh3d(std::move(dual));
 }
 
 // ---- boundary loops

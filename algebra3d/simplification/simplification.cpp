@@ -41,8 +41,8 @@ using Attempter = Result<Simplification> (*)(const TriangleMesh&, const Collapse
 
 Result<Simplification> any_mesh(const TriangleMesh& mesh, const CollapseLimits& limits, const Monitor& monitor,
                                 const CollapseConstraints& constraints) {
-  EdgeCollapser collapser(mesh, constraints);
-  ALGEBRA3D_RETURN_IF_ERROR(collapser.run(limits, monitor));
+  EdgeCollapser collapser(mesh, constraints, monitor);
+  ALGEBRA3D_RETURN_IF_ERROR(collapser.run(limits));
   return collapsed(collapser, 0);
 }
 
@@ -69,8 +69,8 @@ class ValidSearch {
   Status lock_until_valid() {
     std::vector<std::uint8_t> locked;
     for (std::size_t repetitions = 0;; ++repetitions) {
-      EdgeCollapser collapser(mesh_, {locked, crease_degrees_});
-      ALGEBRA3D_RETURN_IF_ERROR(collapser.run(limits_, monitor_));
+      EdgeCollapser collapser(mesh_, {locked, crease_degrees_}, monitor_);
+      ALGEBRA3D_RETURN_IF_ERROR(collapser.run(limits_));
       best_ = collapsed(collapser, repetitions);
       if (repetitions == 0) wanted_ = best_.mesh.face_count();
       ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<FaceId> defects, defects_of(best_));
@@ -96,8 +96,8 @@ class ValidSearch {
     while (invalid - valid > 1) {
       const int middle = valid + (invalid - valid) / 2;
       const auto faces = static_cast<std::size_t>(all * std::exp2(-middle / kStepsToHalf));
-      EdgeCollapser collapser(mesh_, {{}, crease_degrees_});
-      ALGEBRA3D_RETURN_IF_ERROR(collapser.run({faces, limits_.error}, monitor_));
+      EdgeCollapser collapser(mesh_, {{}, crease_degrees_}, monitor_);
+      ALGEBRA3D_RETURN_IF_ERROR(collapser.run({faces, limits_.error}));
       Simplification attempt = collapsed(collapser, best_.repetitions + 1);
       ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<FaceId> defects, defects_of(attempt));
       (defects.empty() ? valid : invalid) = middle;

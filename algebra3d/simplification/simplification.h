@@ -37,13 +37,13 @@ struct Simplification {
 };
 
 /// The mesh with fewer triangles: edges are collapsed, those first that cost the least quadric error. Topology stays:
-/// components, handles, boundary loops; edges of non-manifold vertices are not touched. No face turns by more than 78
-/// degrees in a step. Vertices are original ones or computed in rounded arithmetic; exact coordinates are rounded. The
-/// result may cross itself. As many triangles as demanded are left, or one less, or more where no further edge can be
-/// collapsed. A deviation is measured, and holds but for 2^-43 of the largest coordinate. Deterministic, whatever the
-/// number of threads. `locked`: empty, or for each vertex whether it and its edges stay as they are. Errors:
-/// interrupted. Cost: linear for each attempt; with a deviation, that of farthest_point besides. Source: [garland1997],
-/// [dey1999] for the link condition.
+/// components, handles, boundary loops; edges of non-manifold vertices are not touched, isolated vertices stay. No face
+/// turns by more than 78 degrees in a step. Vertices are original ones or computed in rounded arithmetic; exact
+/// coordinates are rounded. The result may cross itself. As many triangles as demanded are left, or one less, or more
+/// where no further edge can be collapsed. A deviation is measured, and holds but for 2^-43 of the largest coordinate.
+/// Deterministic, whatever the number of threads. `locked`: empty, or for each vertex whether it and its edges stay as
+/// they are. Errors: interrupted. Cost: linear for each attempt; with a deviation, that of farthest_point besides.
+/// Source: [garland1997], [dey1999] for the link condition.
 Result<Simplification> simplified(const TriangleMesh& mesh, const SimplificationTarget& target,
                                   const Monitor& monitor = {}, std::span<const std::uint8_t> locked = {});
 

@@ -121,7 +121,8 @@ std::vector<std::uint32_t> order_by_code(std::size_t face_count, const CodeOf& c
     coded[f] = {code_of(f), static_cast<std::uint32_t>(f)};
   });
   if (!merge_sort_few(coded)) radix_sort(coded);
-  std::vector<std::uint32_t> order(face_count);
+  std::vector<std::uint32_t> order;
+  resize_large(order, face_count);
   std::ranges::transform(coded, order.begin(), &CodedFace::face);
   return order;
 }
@@ -140,10 +141,10 @@ class PointNumbers {
     return number;
   }
   /// The points in the order of their numbers.
-  const std::vector<std::uint32_t>& used() const { return used_; }
+  std::span<const std::uint32_t> used() const { return used_; }
 
  private:
-  std::vector<std::uint32_t> numbers_, used_;
+  LargeVector<std::uint32_t> numbers_, used_;
 };
 
 // The corners of so many faces ahead are prefetched, since those of faces in random order lie anywhere in memory.
@@ -156,9 +157,7 @@ void prefetch(const void* address) {
 std::vector<Vec3> chosen(std::span<const Vec3> points, std::span<const std::uint32_t> indices) {
   constexpr std::size_t kPointsPerTask = 20000;
   std::vector<Vec3> result;
-  result.reserve(indices.size());
-  prefer_huge_pages(result.data(), indices.size() * sizeof(Vec3));
-  result.resize(indices.size());
+  resize_large(result, indices.size());
   parallel_for(indices.size(), kPointsPerTask, [&](std::size_t i) { result[i] = points[indices[i]]; });
   return result;
 }
@@ -211,8 +210,9 @@ PolygonSoup in_spatial_order(const PolygonSoup& soup) {
   PointNumbers number(soup.points.size());
   PolygonSoup result;
   result.name = soup.name;
-  result.corners.resize(soup.corners.size());
+  resize_large(result.corners, soup.corners.size());
   result.face_starts.reserve(soup.face_starts.size());
+  prefer_huge_pages(result.face_starts.data(), soup.face_starts.size() * sizeof(std::uint32_t));
   auto end = result.corners.begin();
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (i + 2 * kFacesAhead < order.size()) prefetch(&soup.face_starts[order[i + 2 * kFacesAhead]]);

@@ -7,8 +7,11 @@
 #include <fmt/format.h>
 
 #include "algebra3d/base/diagnostics.h"
+#include "algebra3d/constructions/mesh_conversions.h"
 #include "algebra3d/formats/export_solid.h"
+#include "algebra3d/formats/mesh3d_files.h"
 #include "algebra3d/types/coordinate_text.h"
+#include "algebra3d/types/mesh3d.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
 #include "mesh_files/mesh_format.h"
@@ -44,6 +47,35 @@ algebra3d::MeshFileForm form_of_ending(const std::string& ending) {
   return {format, format->forms.front().encoding};
 }
 
+template <typename T>
+bool is_a(const Value& value) {
+  return &value.type() == &algebra3d::TypeOf<T>::type();
+}
+
+/// Whether a value is written as a mesh file.
+bool has_faces(const Value& value) {
+  return is_a<algebra3d::Volume3d>(value) || is_a<algebra3d::Surface3d>(value) || is_a<algebra3d::Mesh3d>(value);
+}
+
+/// Writes a loaded solid, surface or mesh; surfaces as meshes with the same triangles.
+Result<algebra3d::ExportedSolid> export_faces(Context& context, const Value& value, const std::string& name,
+                                              const std::string& file, const algebra3d::MeshFileForm& form) {
+  const std::string command = "export" + std::string(form.format->name);
+  if (is_a<algebra3d::Volume3d>(value))
+    return export_solid(context, command, value.get<algebra3d::Volume3d>(), name, file, form);
+  if (is_a<algebra3d::Surface3d>(value)) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(
+        algebra3d::PolygonMesh mesh,
+        polygon_mesh_of(value.get<algebra3d::Surface3d>().mesh(), algebra3d::Merging::none, context.monitor()));
+    return export_mesh(context, command, algebra3d::Mesh3d(std::move(mesh)), name, file, form);
+  }
+  if (!form.format->stores_triangles)
+    return export_mesh(context, command, value.get<algebra3d::Mesh3d>(), name, file, form);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const algebra3d::Mesh3d triangles,
+                             triangulated(value.get<algebra3d::Mesh3d>(), context.monitor()));
+  return export_mesh(context, command, triangles, name, file, form);
+}
+
 std::string csv_text_of(const NestedList& list) {
   if (list.is_string()) return list.as_string();
   if (list.is_text()) return list.as_text();
@@ -62,7 +94,7 @@ Status written_or_error(Context& context, const Append& append) {
   ALGEBRA3D_RETURN_IF_ERROR(append(writing));
   const std::vector<std::string> lines = own.summary();
   if (own.count(About::unwritten) > 0 || own.count(About::undefined) > 0)
-    return Error{ErrorCode::io_error, "--geometry-dir: the solid is not written: {}", fmt::join(lines, "; ")};
+    return Error{ErrorCode::io_error, "--geometry-dir: not written: {}", fmt::join(lines, "; ")};
   for (const std::string& line : lines) context.diagnostics.show(line);
   return {};
 }
@@ -84,24 +116,23 @@ void append_csv_text(std::string& csv, std::string_view text) {
   csv += '"';
 }
 
-Result<NestedList> ExchangeValues::written_file(const Value& solid, const std::string& name, Context& context) {
+Result<NestedList> ExchangeValues::written_file(const Value& value, const std::string& name, Context& context) {
   std::error_code error;
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::filesystem::path folder, context.resolve(options_.folder));
   std::filesystem::create_directories(folder, error);
   if (error) return Error{ErrorCode::io_error, "--geometry-dir: '{}': {}", options_.folder.string(), error.message()};
   const std::string file =
       (options_.folder / fmt::format("{}_{}.{}", name, ++file_counts_[name], options_.mesh_ending)).string();
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, solid.loaded());
-  const algebra3d::MeshFileForm form = form_of_ending(options_.mesh_ending);
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto exported, export_solid(context, "export" + std::string(form.format->name),
-                                                               loaded.get<algebra3d::Volume3d>(), name, file, form));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.loaded());
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto exported,
+                             export_faces(context, loaded, name, file, form_of_ending(options_.mesh_ending)));
   return exported.refusal ? NestedList::symbol("undefined") : NestedList::text(file);
 }
 
 Result<ExchangeValues::Form> ExchangeValues::form_of(const Value& value, const std::string& name, Context& context) {
   using Geometry = ExchangeOptions::Geometry;
   if (is_summarised(value) && options_.geometry == Geometry::summary) return Form{{}, summary_json(value)};
-  if (options_.geometry == Geometry::file && &value.type() == &algebra3d::TypeOf<algebra3d::Volume3d>::type()) {
+  if (options_.geometry == Geometry::file && has_faces(value)) {
     ALGEBRA3D_ASSIGN_OR_RETURN(NestedList file, written_file(value, name, context));
     return Form{std::move(file), {}};
   }

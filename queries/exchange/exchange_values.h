@@ -18,7 +18,8 @@ constexpr std::size_t kBytesAtOnce = std::size_t{1} << 16U;
 
 /// Options for results as JSON or CSV.
 struct ExchangeOptions {
-  /// The form of solids, surfaces and point sets: count and box, value list, or (solids) the name of a mesh file.
+  /// The form of solids, surfaces, meshes and point sets: count and box, value list, or (but for point sets) the name
+  /// of a mesh file.
   enum class Geometry : std::uint8_t { summary, list, file };
   Geometry geometry = Geometry::summary;
   std::filesystem::path folder = {};  ///< of the mesh files
@@ -32,14 +33,14 @@ class ExchangeValues {
  public:
   explicit ExchangeValues(ExchangeOptions options) : options_(std::move(options)) {}
 
-  /// Appends the value of the attribute `name` as JSON; undefined is null. A solid whose file cannot be written is
-  /// null, with a diagnostic. Errors: those of the store; io_error for a folder that cannot be created.
+  /// Appends the value of the attribute `name` as JSON; undefined is null. A value whose mesh file cannot be
+  /// written is null, with a diagnostic. Errors: those of the store; io_error for a folder that cannot be created.
   Status append_json(const Value& value, const std::string& name, Context& context, std::string& json);
   /// Appends the value as a CSV cell: empty for undefined, quoted if necessary and for the empty string. Values without
   /// a CSV form are value lists, as in `(1.0 2.0 3.0)`.
   Status append_csv(const Value& value, const std::string& name, Context& context, std::string& csv);
 
-  /// The same for a value that is the whole result. Errors: also io_error for a solid whose file cannot be written.
+  /// The same for a value that is the whole result. Errors: also io_error for one whose file cannot be written.
   Status append_json_result(const Value& value, Context& context, std::string& json);
   Status append_csv_result(const Value& value, Context& context, std::string& csv);
 
@@ -52,7 +53,7 @@ class ExchangeValues {
     std::string json;  ///< a summary; empty if the list is used
   };
   Result<Form> form_of(const Value& value, const std::string& name, Context& context);
-  Result<NestedList> written_file(const Value& solid, const std::string& name, Context& context);
+  Result<NestedList> written_file(const Value& value, const std::string& name, Context& context);
 
   ExchangeOptions options_;
   std::map<std::string, std::size_t> file_counts_;  // by the name of the attribute

@@ -34,8 +34,14 @@ double scale_for(const Box3& box) {
 
 }  // namespace
 
-FaceBounds::FaceBounds(const TriangleMesh& from, const DistanceOperand& to, const Box3& box, double enough)
-    : from_(from), to_(to), box_(box), half_scale_(scale_for(box)), enough_(half_scale_ * (0.5 * enough)) {}
+FaceBounds::FaceBounds(const TriangleMesh& from, const DistanceOperand& to, const Box3& box, double enough,
+                       const Monitor& monitor)
+    : from_(from),
+      to_(to),
+      box_(box),
+      half_scale_(scale_for(box)),
+      enough_(half_scale_ * (0.5 * enough)),
+      monitor_(monitor) {}
 
 Vec3 FaceBounds::unscaled(const Vec3& point) const {
   Vec3 result;
@@ -141,7 +147,7 @@ FaceBound FaceBounds::of(FaceId face, const std::array<FaceId, 3>& nearest) {
   }
   best_ = {};
   waiting_.assign(1, whole);
-  while (!waiting_.empty()) {
+  while (!waiting_.empty() && !monitor_.is_cancelled()) {
     const Part part = waiting_.back();
     waiting_.pop_back();
     visit(part);

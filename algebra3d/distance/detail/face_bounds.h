@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "algebra3d/base/box3.h"
+#include "algebra3d/base/monitor.h"
 #include "algebra3d/base/vec3.h"
 #include "algebra3d/distance/distance.h"
 
@@ -26,8 +27,10 @@ struct FaceBound {
 /// each thread.
 class FaceBounds {
  public:
-  /// `box` holds both sets. Bounds up to `enough` are not of interest.
-  FaceBounds(const TriangleMesh& from, const DistanceOperand& to, const Box3& box, double enough);
+  /// `box` holds both sets. Bounds up to `enough` are not of interest. Once the work is cancelled, bounds are not
+  /// found.
+  FaceBounds(const TriangleMesh& from, const DistanceOperand& to, const Box3& box, double enough,
+             const Monitor& monitor = {});
 
   /// The bound for a face of `from`; `nearest` are faces of the set that are near its corners. Cost: some points
   /// against some triangles if one of these faces shows that it is enough; else a microsecond for each cell that the
@@ -88,6 +91,7 @@ class FaceBounds {
   Box3 box_;
   double half_scale_;  // from halved coordinates to units, in which the largest one is from 1 to 2
   double enough_;      // in units
+  Monitor monitor_;
   Farthest best_{};
   FaceId best_near_, hint_;
   std::vector<Part> waiting_, uncovered_;

@@ -34,8 +34,9 @@ double squared(const Vec3& v) {
 
 }  // namespace
 
-EdgeCollapser::EdgeCollapser(const TriangleMesh& mesh, const CollapseConstraints& constraints)
+EdgeCollapser::EdgeCollapser(const TriangleMesh& mesh, const CollapseConstraints& constraints, const Monitor& monitor)
     : mesh_(mesh),
+      monitor_(monitor),
       faces_(mesh),
       positions_(mesh.vertex_count()),
       quadrics_(mesh.vertex_count()),
@@ -87,6 +88,7 @@ Quadric EdgeCollapser::face_quadric(std::uint32_t f) const {
 void EdgeCollapser::find_quadrics() {
   // Each vertex gathers from its faces, so that the sum does not depend on the division of the work.
   parallel_for(positions_.size(), kGrain, [&](std::size_t v) {
+    if (monitor_.is_cancelled()) return;
     Quadric sum;
     if (faces_.place(static_cast<std::uint32_t>(v)) != Place::locked) {
       HalfedgeId h = mesh_.outgoing(VertexId(v));
@@ -104,6 +106,7 @@ void EdgeCollapser::find_creases(double crease_degrees) {
   const double least_cosine = std::cos(crease_degrees * std::numbers::pi / 180);
   // Each face marks its own half-edges.
   parallel_for(faces_.face_slots(), kGrain, [&](std::size_t f) {
+    if (monitor_.is_cancelled()) return;
     const Vec3 normal = face_normal(static_cast<std::uint32_t>(f));
     for (auto h = static_cast<std::uint32_t>(4 * f); h < 4 * f + 3; ++h) {
       if (faces_.opposite(h) == kNone) continue;
@@ -118,7 +121,7 @@ void EdgeCollapser::find_creases(double crease_degrees) {
 void EdgeCollapser::find_holds() {
   std::vector<std::uint8_t> counts(positions_.size(), 0);
   const auto count = [&](std::uint32_t v) { counts[v] = static_cast<std::uint8_t>(std::min(counts[v] + 1, 3)); };
-  for (std::uint32_t f = 0; f < faces_.face_slots(); ++f)
+  for (std::uint32_t f = 0; f < faces_.face_slots() && !monitor_.is_cancelled(); ++f)
     for (std::uint32_t h = 4 * f; h < 4 * f + 3; ++h) {
       if (!is_feature(h) || faces_.opposite(h) < h) continue;
       count(faces_.origin(h));
@@ -129,7 +132,7 @@ void EdgeCollapser::find_holds() {
 }
 
 void EdgeCollapser::add_feature_quadrics() {
-  for (std::uint32_t f = 0; f < faces_.face_slots(); ++f) {
+  for (std::uint32_t f = 0; f < faces_.face_slots() && !monitor_.is_cancelled(); ++f) {
     for (std::uint32_t h = 4 * f; h < 4 * f + 3; ++h) {
       if (!is_feature(h)) continue;
       const Vec3 &from = positions_[faces_.origin(h)], &to = positions_[faces_.target(h)];
@@ -185,11 +188,11 @@ void EdgeCollapser::push(std::uint32_t h, std::size_t bucket) {
   queue_.push(bucket, h);
 }
 
-Status EdgeCollapser::fill_queue(const Monitor& monitor) {
+Status EdgeCollapser::fill_queue() {
   constexpr std::uint16_t kNoBucket = 0xFFFF;
   LargeVector<std::array<std::uint16_t, 3>> buckets(faces_.face_slots());
   parallel_for(faces_.face_slots(), kGrain, [&](std::size_t f) {
-    for (std::uint32_t i = 0; i < 3 && !monitor.is_cancelled(); ++i) {
+    for (std::uint32_t i = 0; i < 3 && !monitor_.is_cancelled(); ++i) {
       const auto h = static_cast<std::uint32_t>(4 * f + i);
       buckets[f][i] = kNoBucket;
       if (faces_.opposite(h) < h) continue;
@@ -199,11 +202,11 @@ Status EdgeCollapser::fill_queue(const Monitor& monitor) {
       buckets[f][i] = static_cast<std::uint16_t>(CostBuckets::bucket_of(places.places[0].cost + penalty(h)));
     }
   });
-  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
-  for (std::size_t f = 0; f < buckets.size() && !monitor.is_cancelled(); ++f)
+  ALGEBRA3D_RETURN_IF_ERROR(monitor_.check());
+  for (std::size_t f = 0; f < buckets.size() && !monitor_.is_cancelled(); ++f)
     for (std::uint32_t i = 0; i < 3; ++i)
       if (buckets[f][i] != kNoBucket) push(static_cast<std::uint32_t>(4 * f + i), buckets[f][i]);
-  return monitor.check();
+  return monitor_.check();
 }
 
 /// Whether a face of the ring of `keep`, but for those at `other`, turns too far or loses its area if the vertex moves.
@@ -269,13 +272,13 @@ void EdgeCollapser::handle(std::uint32_t h, std::size_t bucket) {
   if (!try_collapse(h, places, bucket)) push(h, bucket + kRetry);
 }
 
-Status EdgeCollapser::run(const CollapseLimits& limits, const Monitor& monitor) {
+Status EdgeCollapser::run(const CollapseLimits& limits) {
   const double error = limits.error / unit_;
   largest_cost_ = error * error + 16 * kNoise;
-  ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
-  ALGEBRA3D_RETURN_IF_ERROR(fill_queue(monitor));
+  ALGEBRA3D_RETURN_IF_ERROR(monitor_.check());
+  ALGEBRA3D_RETURN_IF_ERROR(fill_queue());
   const std::size_t before = faces_.face_count();
-  Stage stage(monitor, "simplifying", before > limits.triangles ? before - limits.triangles : 0);
+  Stage stage(monitor_, "simplifying", before > limits.triangles ? before - limits.triangles : 0);
   for (std::size_t bucket = 0; bucket < CostBuckets::kCount; ++bucket) {
     for (std::size_t i = 0; i < queue_[bucket].size(); ++i) {
       if (faces_.face_count() <= limits.triangles) return {};
@@ -314,6 +317,8 @@ std::vector<std::uint32_t> EdgeCollapser::images() {
   for (std::uint32_t f = 0; f < faces_.face_slots(); ++f)
     if (faces_.is_alive(f))
       for (const std::uint32_t v : faces_.corners(f)) numbers[v] = 0;
+  for (std::uint32_t v = 0; v < numbers.size(); ++v)
+    if (mesh_.is_isolated(VertexId(v))) numbers[v] = 0;
   std::uint32_t count = 0;
   for (std::uint32_t& number : numbers)
     if (number != kNone) number = count++;

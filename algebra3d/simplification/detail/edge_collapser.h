@@ -39,15 +39,15 @@ struct CollapseConstraints {
 /// features meet or end stays where it is.
 class EdgeCollapser {
  public:
-  /// The mesh must not be empty.
-  EdgeCollapser(const TriangleMesh& mesh, const CollapseConstraints& constraints);
+  /// The mesh must not be empty. If the work is cancelled meanwhile, `run` returns that error.
+  EdgeCollapser(const TriangleMesh& mesh, const CollapseConstraints& constraints, const Monitor& monitor);
 
   /// Errors: interrupted.
-  Status run(const CollapseLimits& limits, const Monitor& monitor);
+  Status run(const CollapseLimits& limits);
 
-  /// The mesh of the faces that are left, in their order, without isolated vertices.
+  /// The mesh of the faces that are left, in their order, and of the isolated vertices that the mesh had.
   TriangleMesh result();
-  /// The vertex of the result that each vertex was merged into; kNone for isolated ones. Valid after `result`.
+  /// The vertex of the result that each vertex was merged into. Valid after `result`.
   std::vector<std::uint32_t> images();
   /// For each face of the result the one that it was, with the corners in the same places.
   std::vector<std::uint32_t> face_sources() const;
@@ -76,7 +76,7 @@ class EdgeCollapser {
   void add_feature_quadrics();
   bool is_feature(std::uint32_t h) const { return faces_.opposite(h) == kNone || faces_.is_crease(h); }
   Vec3 face_normal(std::uint32_t f) const;
-  Status fill_queue(const Monitor& monitor);
+  Status fill_queue();
   Quadric face_quadric(std::uint32_t f) const;
   Candidates candidates(std::uint32_t h) const;
   double penalty(std::uint32_t h) const;
@@ -89,6 +89,7 @@ class EdgeCollapser {
   Vec3 unframed(const Vec3& p) const;
 
   const TriangleMesh& mesh_;
+  const Monitor& monitor_;
   CollapseMesh faces_;
   Vec3 centre_;
   double unit_ = 1;

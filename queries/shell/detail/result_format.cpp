@@ -55,11 +55,12 @@ void add_format_options(CLI::App& app, ResultFormat& format) {
                  "Results as nested lists, tables, JSON, JSON lines or CSV (default: tables on a terminal, else lists)")
       ->check(CLI::IsMember({"auto", "list", "table", "json", "jsonl", "csv"}))
       ->type_name("NAME");
-  app.add_option("--geometry-dir", format.exchange.folder,
-                 "In JSON and CSV: write each solid as a mesh file into this folder, and show its name")
+  app.add_option(
+         "--geometry-dir", format.exchange.folder,
+         "In JSON and CSV: write each solid, surface and mesh as a mesh file into this folder, and show its name")
       ->type_name("DIR");
   app.add_option("--geometry", format.geometry,
-                 "In JSON and CSV, solids as summary (counts and box), list (all triangles) or file (see "
+                 "In JSON and CSV, geometry as summary (counts and box), list (all faces) or file (see "
                  "--geometry-dir); default: summary")
       ->check(CLI::IsMember({"summary", "list", "file"}))
       ->type_name("FORM");

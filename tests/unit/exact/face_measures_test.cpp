@@ -150,6 +150,9 @@ TEST(FaceMeasures, rationals_are_rare) {
   const PointArray points(std::move(doubles));
   reset_exact_counters();
   for (std::uint32_t i = 0; i < 3000; i += 3) nearest_vector_area(points, std::vector<std::uint32_t>{i, i + 1, i + 2});
+  // A mean of four is the middle between two doubles for every fourth number or so.
+  for (std::uint32_t i = 0; i + 4 <= 3000; i += 4)
+    nearest_mean(points, std::vector<std::uint32_t>{i, i + 1, i + 2, i + 3});
   EXPECT_EQ(exact_counters().filter_failures, 0U);
 }
 

@@ -5,6 +5,10 @@
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <gtest/gtest.h>
 
+#include <numeric>
+#include <random>
+
+#include "algebra3d/base/scheduler.h"
 #include "algebra3d/halfedge/circulators.h"
 #include "algebra3d/halfedge/detail/angles.h"
 #include "polygon_lists.h"
@@ -82,8 +86,8 @@ TEST(VertexNormals, of_a_cube_are_its_diagonals_however_it_is_divided) {
                          {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}};
   const TriangleMesh triangles(cube_points(), halves);
   const PolygonMesh quads = polygon_mesh(cube_faces(), cube_points());
-  const auto of_triangles = vertex_normals(triangles, face_normals(triangles));
-  const auto of_quads = vertex_normals(quads, face_normals(quads));
+  const auto of_triangles = vertex_normals(triangles);
+  const auto of_quads = vertex_normals(quads);
   for (const VertexId v : vertices(quads)) {
     const Vec3 p = quads.point(v).approx;
     const Vec3 expected{r * (2 * p.x - 1), r * (2 * p.y - 1), r * (2 * p.z - 1)};
@@ -113,7 +117,7 @@ TEST(VertexNormals, that_cancel_are_none) {
 /// The sums by brute force over all corners, with angles by the arc cosine.
 TEST(VertexNormals, are_weighted_by_angle) {
   const TriangleMesh mesh = torus_mesh(6, 8);
-  const std::vector<Vec3> of_faces = face_normals(mesh), found = vertex_normals(mesh, of_faces);
+  const std::vector<Vec3> of_faces = face_normals(mesh), found = vertex_normals(mesh);
   for (const VertexId v : vertices(mesh)) {
     Vec3 sum;
     for (const FaceId f : faces(mesh)) {
@@ -130,6 +134,86 @@ TEST(VertexNormals, are_weighted_by_angle) {
   }
 }
 
+/// A torus of faces with three, four and five corners in random order, larger than a block of vertices.
+PolygonList mixed_torus(std::uint32_t m, std::uint32_t n, std::mt19937& random) {
+  PolygonList list;
+  for (std::uint32_t i = 0; i < m; ++i) {
+    for (std::uint32_t j = 0; j < n; j += 2) {
+      const auto at = [&](std::uint32_t row, std::uint32_t column) { return (row % m) * n + column % n; };
+      const std::uint32_t a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1), e = at(i + 1, j + 2),
+                          f = at(i, j + 2);
+      switch (random() % 3) {
+        case 0:
+          list.insert(list.end(), {{a, b, c}, {a, c, d}, {d, c, e, f}});
+          break;
+        case 1:
+          list.insert(list.end(), {{a, b, c, d}, {d, c, e, f}});
+          break;
+        default:
+          list.insert(list.end(), {{a, b, c, e, d}, {d, e, f}});
+          break;
+      }
+    }
+  }
+  std::ranges::shuffle(list, random);
+  return list;
+}
+
+template <typename Mesh>
+void expect_normals_of_single_vertices(const Mesh& mesh) {
+  const std::vector<Vec3> found = vertex_normals(mesh);
+  ASSERT_EQ(found.size(), mesh.vertex_count());
+  for (const VertexId v : vertices(mesh)) expect_near(found[v.index()], vertex_normal(mesh, v), 1e-12);
+}
+
+TEST(VertexNormals, of_all_are_those_of_each) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (const PolygonList& list : all_polygon_lists()) {
+    std::uint32_t count = 0;
+    for (const auto& polygon : list) count = std::max(count, *std::ranges::max_element(polygon) + 1);
+    std::vector<Vec3> points;
+    for (std::uint32_t i = 0; i < count; ++i) points.push_back({number(random), number(random), number(random)});
+    expect_normals_of_single_vertices(polygon_mesh(list, PointArray(points)));
+  }
+  expect_normals_of_single_vertices(polygon_mesh(mixed_torus(200, 240, random), torus_points(200, 240)));
+}
+
+TEST(VertexNormals, do_not_depend_on_the_order_of_the_vertices_or_the_number_of_threads) {
+  std::mt19937 random(4);
+  const PolygonList list = mixed_torus(200, 240, random);
+  const PointArray points = torus_points(200, 240);
+  const std::vector<Vec3> expected = vertex_normals(polygon_mesh(list, points));
+  with_threads(1, [&] { EXPECT_EQ(vertex_normals(polygon_mesh(list, points)), expected); });
+
+  std::vector<std::uint32_t> place(points.size());
+  std::iota(place.begin(), place.end(), 0U);
+  std::ranges::shuffle(place, random);
+  PolygonList moved = list;
+  std::vector<Vec3> moved_points(points.size());
+  for (auto& polygon : moved)
+    for (std::uint32_t& corner : polygon) corner = place[corner];
+  for (std::size_t i = 0; i < place.size(); ++i) moved_points[place[i]] = points.approx()[i];
+  const std::vector<Vec3> found = vertex_normals(polygon_mesh(moved, PointArray(moved_points)));
+  for (std::size_t i = 0; i < place.size(); ++i) expect_near(found[place[i]], expected[i]);
+}
+
+TEST(VertexNormals, of_corners_that_are_no_doubles) {
+  PointArray points(std::vector<Vec3>{{1, 0, 0}, {0, 1, 0}, {1, 1, 1e-300}});
+  points.push_back(ExactPoint(RationalVec3(Rational(1, 3), Rational(1, 3), Rational(1, 3))));
+  const TriangleMesh mesh(points, Triangles{{3, 0, 1}, {3, 0, 2}, {0, 3, 1}});
+  expect_normals_of_single_vertices(mesh);
+}
+
+TEST(VertexNormals, of_slivers_and_of_huge_and_tiny_faces) {
+  for (const double scale : {1.0, 1e-170, 1e140, 1e300}) {
+    const PointArray points(std::vector<Vec3>{
+        {0, 0, 0}, {scale, 0, 0}, {scale, scale, scale * 1e-14}, {0, scale, 0}, {0.5 * scale, 1e-15 * scale, 0}});
+    expect_normals_of_single_vertices(polygon_mesh({{0, 1, 2, 3}, {0, 4, 1}, {3, 2, 4}}, points));
+    expect_normals_of_single_vertices(TriangleMesh(points, Triangles{{0, 1, 2}, {0, 4, 1}, {3, 2, 4}, {0, 0, 1}}));
+  }
+}
+
 TEST(CornerNormals, of_a_cube_with_and_without_creases) {
   const PolygonMesh cube = polygon_mesh(cube_faces(), cube_points());
   const std::vector<Vec3> of_faces = face_normals(cube);
@@ -141,7 +225,7 @@ TEST(CornerNormals, of_a_cube_with_and_without_creases) {
   // 90 degrees is not more than 90.
   const CornerNormals smooth = corner_normals(cube, of_faces, 90);
   EXPECT_EQ(smooth.normals.size(), 8U);
-  const std::vector<Vec3> of_vertices = vertex_normals(cube, of_faces);
+  const std::vector<Vec3> of_vertices = vertex_normals(cube);
   for (const HalfedgeId h : halfedges(cube))
     expect_near(smooth.normals[smooth.of_corner[h.index()]], of_vertices[cube.origin(h).index()]);
 }

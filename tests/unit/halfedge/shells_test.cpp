@@ -1,5 +1,6 @@
 #include "algebra3d/halfedge/shells.h"
 
+#include <atomic>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -73,12 +74,12 @@ TEST(Shells, euler_s_formula_holds_for_random_parts) {
     const TriangleMesh mesh = mesh_of(all);
     ASSERT_EQ(genus_of_shells(mesh).value(), handles);
     ASSERT_EQ(euler_characteristic(mesh), 2 * parts - 2 * handles);
-    ASSERT_EQ(genus_of_shells(dual_mesh(mesh)).value(), handles);
+    ASSERT_EQ(genus_of_shells(*dual_mesh(mesh)).value(), handles);
   }
 }
 
 TEST(Dual, of_a_cube_is_an_octahedron) {
-  const PolygonMesh dual = dual_mesh(polygon_mesh(cube_faces(), cube_points(2)));
+  const PolygonMesh dual = dual_mesh(polygon_mesh(cube_faces(), cube_points(2))).value();
   EXPECT_EQ(dual.vertex_count(), 6U);
   EXPECT_EQ(dual.face_count(), 8U);
   EXPECT_EQ(edge_count(dual), 12U);
@@ -96,7 +97,7 @@ TEST(Dual, of_a_cube_is_an_octahedron) {
 TEST(Dual, of_manifold_meshes_has_faces_and_vertices_exchanged) {
   for (const PolygonList& polygons : all_polygon_lists()) {
     const PolygonMesh mesh = polygon_mesh(polygons);
-    const PolygonMesh dual = dual_mesh(mesh);
+    const PolygonMesh dual = dual_mesh(mesh).value();
     ASSERT_TRUE(audit(dual).empty());
     ASSERT_EQ(dual.vertex_count(), mesh.face_count());
     if (!is_closed(mesh) || !is_manifold(mesh)) continue;
@@ -115,10 +116,17 @@ TEST(Dual, of_manifold_meshes_has_faces_and_vertices_exchanged) {
 }
 
 TEST(Dual, leaves_out_boundary_vertices) {
-  const PolygonMesh dual = dual_mesh(mesh_of(grid(3, 3, false, false)));
+  const PolygonMesh dual = dual_mesh(mesh_of(grid(3, 3, false, false))).value();
   EXPECT_EQ(dual.vertex_count(), 18U);
   EXPECT_EQ(dual.face_count(), 4U);
   for (const FaceId f : faces(dual)) EXPECT_EQ(dual.degree(f), 6U);
+}
+
+TEST(Dual, can_be_interrupted) {
+  const std::atomic<bool> cancel = true;
+  const auto dual = dual_mesh(mesh_of(grid(3, 3, false, false)), &cancel);
+  ASSERT_FALSE(dual.ok());
+  EXPECT_EQ(dual.error().code, ErrorCode::interrupted);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "algebra3d/formats/mesh3d_files.h"
 #include "algebra3d/operators/all.h"
 #include "queries/exchange/csv_presenter.h"
 #include "queries/exchange/json_presenter.h"
@@ -98,8 +99,32 @@ TEST_F(ScriptCommands, a_solid_that_is_the_result_and_not_written_is_an_error) {
     EXPECT_EQ(runner.run_script(script, "script"), RunResult::failed);
   }
   EXPECT_EQ(out_.str(), "");
-  EXPECT_NE(errors_.str().find("error: --geometry-dir: the solid is not written: exportOBJ: "), std::string::npos)
-      << errors_.str();
+  EXPECT_NE(errors_.str().find("error: --geometry-dir: not written: exportOBJ: "), std::string::npos) << errors_.str();
+}
+
+TEST_F(ScriptCommands, surfaces_and_meshes_are_written_as_mesh_files_too) {
+  Session session(registry(), {.folder = folder_, .read_only = false});
+  ExchangeOptions options;
+  options.geometry = ExchangeOptions::Geometry::file;
+  options.folder = folder_;
+  const std::string surface = "[const surface3d value (((0 0 0) (1 0 0) (0 1 0)))]",
+                    mesh = "[const mesh3d value (((0 0 0) (1 0 0) (1 1 0) (0 1 0)) ((0 1 2 3)))]";
+  for (const std::string ending : {"obj", "off", "stl"}) {
+    options.mesh_ending = ending;
+    ExchangeValues values(options);
+    JsonPresenter json(out_, values, JsonPresenter::Layout::document);
+    StatementRunner runner(session, json, {out_, errors_}, rules_);
+    std::istringstream script("query " + surface + "; query " + mesh + "; query [const points3d value ((0 0 0))]");
+    EXPECT_EQ(runner.run_script(script, "script"), RunResult::ok) << errors_.str();
+    const auto file = [&](const std::string& number) { return path("value_" + number + "." + ending); };
+    EXPECT_EQ(out_.str(), "\"" + file("1") + "\"\n\"" + file("2") + "\"\n[[0.0,0.0,0.0]]\n");
+    out_.str("");
+    const auto first = algebra3d::import_mesh(file("1")), second = algebra3d::import_mesh(file("2"));
+    ASSERT_TRUE(first->mesh && second->mesh);
+    EXPECT_EQ(first->mesh->mesh().face_count(), 1U);
+    EXPECT_EQ(second->mesh->mesh().face_count(), ending == "stl" ? 2U : 1U);
+    EXPECT_EQ(second->mesh->mesh().vertex_count(), 4U);
+  }
 }
 
 TEST_F(ScriptCommands, marked_comments_are_skipped_on_demand) {

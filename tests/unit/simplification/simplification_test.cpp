@@ -146,13 +146,19 @@ bool crosses_itself(const TriangleMesh& mesh) {
   return CGAL::Polygon_mesh_processing::does_self_intersect(result);
 }
 
+std::size_t isolated_count(const TriangleMesh& mesh) {
+  std::size_t count = 0;
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) count += mesh.is_isolated(VertexId(v)) ? 1 : 0;
+  return count;
+}
+
 void expect_same_topology(const TriangleMesh& before, const TriangleMesh& after) {
   EXPECT_EQ(audit(after), std::vector<std::string>());
   EXPECT_EQ(connected_components(after).count, connected_components(before).count);
   EXPECT_EQ(euler_characteristic(after), euler_characteristic(before));
   EXPECT_EQ(boundary_loops(after).size(), boundary_loops(before).size());
   EXPECT_EQ(is_manifold(after), is_manifold(before));
-  for (std::size_t v = 0; v < after.vertex_count(); ++v) EXPECT_FALSE(after.is_isolated(VertexId(v)));
+  EXPECT_EQ(isolated_count(after), isolated_count(before));
 }
 
 void expect_valid_volume(const TriangleMesh& mesh) {
@@ -340,6 +346,28 @@ TEST(Simplification, huge_and_tiny_coordinates) {
     EXPECT_EQ(result->mesh.face_count(), 12U);
     EXPECT_TRUE(prove_volume(result->mesh)->is_valid());
   }
+}
+
+TEST(Simplification, isolated_vertices_stay_in_their_order) {
+  const TriangleMesh cube = cube_mesh(5);
+  std::vector<Vec3> points{{7, 8, 9}};
+  points.insert(points.end(), cube.points().approx().begin(), cube.points().approx().end());
+  points.push_back({4, 5, 6});
+  std::vector<TriangleMesh::Triangle> triangles;
+  for (std::size_t f = 0; f < cube.face_count(); ++f) {
+    const auto [a, b, c] = cube.triangle(FaceId(f));
+    triangles.push_back({a + 1, b + 1, c + 1});
+  }
+  const std::size_t last = points.size() - 1;
+  const auto result = simplified(TriangleMesh(PointArray(std::move(points)), triangles), {12});
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->mesh.face_count(), 12U);
+  ASSERT_EQ(result->mesh.vertex_count(), 10U);
+  EXPECT_EQ(isolated_count(result->mesh), 2U);
+  EXPECT_EQ(result->mesh.point(VertexId(0)).approx, (Vec3{7, 8, 9}));
+  EXPECT_EQ(result->mesh.point(VertexId(9)).approx, (Vec3{4, 5, 6}));
+  EXPECT_EQ(result->vertices.front(), 0U);
+  EXPECT_EQ(result->vertices.back(), last);
 }
 
 TEST(Simplification, can_be_cancelled) {
