@@ -27,8 +27,8 @@ struct RelationState {
 
 /// True if the pages of `owner` hold a tree of this state. Errors: database_corrupt.
 algebra3d::Result<bool> has_tree(SqliteConnection& connection, std::int64_t owner, const RelationState& state);
-/// The tree that the pages of `owner` hold. Its leaves are read when they are first needed, within a statement of
-/// `database`. Errors: database_corrupt.
+/// The tree that the pages of `owner` hold. Its nodes are read when they are first needed, within a statement of
+/// `database`. Errors: database_corrupt; database_version for a tree of another version of the program.
 algebra3d::Result<std::shared_ptr<IndexCache::Tree>> load_tree(const std::shared_ptr<Database>& database,
                                                                std::int64_t owner);
 
