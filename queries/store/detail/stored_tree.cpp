@@ -158,17 +158,6 @@ Result<std::shared_ptr<Tree>> load_tree(const std::shared_ptr<Database>& databas
   return std::make_shared<Tree>(std::move(tree));
 }
 
-namespace {
-
-/// Writes the state of the relation beside a tree that stays as it is.
-Status store_state(SqliteConnection& connection, std::int64_t owner, const RelationState& state) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto header, read_header(connection, owner));
-  if (!header) return Error{ErrorCode::database_corrupt, "stored index: it is missing"};
-  header->state = state;
-  return write_index_page(connection, {owner, kHeaderPage}, encode_header(*header));
-}
-
-/// Writes a tree that is new, or what has changed in it since it was loaded or written.
 Status store_tree(SqliteConnection& connection, std::int64_t owner, const RelationState& state, Tree& tree,
                   bool is_new) {
   // A new tree is marked as stored when it is: until then it may be needed as a whole again.
@@ -179,6 +168,16 @@ Status store_tree(SqliteConnection& connection, std::int64_t owner, const Relati
   ALGEBRA3D_RETURN_IF_ERROR(write_array(connection, owner, kLeafPages, parts.leaves_bytes, parts.leaves));
   if (is_new) tree.take_changes();
   return {};
+}
+
+namespace {
+
+/// Writes the state of the relation beside a tree that stays as it is.
+Status store_state(SqliteConnection& connection, std::int64_t owner, const RelationState& state) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(auto header, read_header(connection, owner));
+  if (!header) return Error{ErrorCode::database_corrupt, "stored index: it is missing"};
+  header->state = state;
+  return write_index_page(connection, {owner, kHeaderPage}, encode_header(*header));
 }
 
 /// Runs `work`, which writes, and undoes it if it fails.

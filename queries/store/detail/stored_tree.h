@@ -32,6 +32,11 @@ algebra3d::Result<bool> has_tree(SqliteConnection& connection, std::int64_t owne
 algebra3d::Result<std::shared_ptr<IndexCache::Tree>> load_tree(const std::shared_ptr<Database>& database,
                                                                std::int64_t owner);
 
+/// Writes a tree that is new, or what has changed in it since it was loaded or written. For the steps of store_trees
+/// and for benchmarks. Errors: those of SQLite; throws what reading the tree throws.
+algebra3d::Status store_tree(SqliteConnection& connection, std::int64_t owner, const RelationState& state,
+                             IndexCache::Tree& tree, bool is_new);
+
 /// The number under which the tree of an attribute is stored, that of the first object that is an index on it; nothing
 /// if there is none.
 std::optional<std::int64_t> tree_owner(const Catalogue& catalogue, const RelationLayout& layout, std::size_t attribute);
