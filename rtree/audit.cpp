@@ -12,9 +12,10 @@ class Auditor {
       : storage_(storage), leaf_visits_(storage.leaves.size()), inner_visits_(storage.inner.size()) {}
 
   std::vector<std::string> run() {
+    storage_.unread.need_all();
     walk();
-    check_free_nodes(storage_.free_leaves, leaf_visits_, "leaf");
-    check_free_nodes(storage_.free_inner, inner_visits_, "inner node");
+    check_free_nodes(storage_.free_leaf, storage_.leaves, leaf_visits_, "leaf");
+    check_free_nodes(storage_.free_inner, storage_.inner, inner_visits_, "inner node");
     if (entries_found_ != storage_.entry_count)
       complain("{} entries in leaves, but the count says {}", entries_found_, storage_.entry_count);
     return std::move(problems_);
@@ -71,7 +72,7 @@ class Auditor {
   }
 
   void check_children(const Step& step, std::vector<Step>& steps) {
-    const InnerNode& node = storage_.inner[step.node];
+    const InnerNode& node = storage_.inner_node(step.node, step.level);
     for (std::size_t slot = 0; slot < node.count(); ++slot) {
       const Step child{node.reference[slot], step.level - 1};
       if (child.node >= visits(child.level).size()) {
@@ -90,13 +91,19 @@ class Auditor {
     }
   }
 
-  void check_free_nodes(const std::vector<NodeIndex>& free_nodes, std::vector<std::uint32_t>& visits,
+  template <typename Node>
+  void check_free_nodes(NodeIndex first, const LargeVector<Node>& nodes, std::vector<std::uint32_t>& visits,
                         const char* kind) {
-    for (const NodeIndex node : free_nodes) {
-      if (node >= visits.size())
+    for (std::uint64_t node = first; node != kNoNode; node = nodes[node].reference[0]) {
+      if (node >= visits.size()) {
         complain("free {} {} does not exist", kind, node);
-      else if (++visits[node] > 1)
+        break;
+      }
+      if (++visits[node] > 1) {
         complain("free {} {} is in use or listed twice", kind, node);
+        break;
+      }
+      if (!nodes[node].is_clear()) complain("free {} {} is not clear", kind, node);
     }
     for (std::size_t node = 0; node < visits.size(); ++node)
       if (visits[node] == 0) complain("{} {} is neither reachable nor free", kind, node);

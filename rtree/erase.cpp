@@ -33,7 +33,7 @@ class Finder {
         push_children(step);
         continue;
       }
-      for (SlotMask slots = containing(storage_.leaves[step.node]); slots != 0;) {
+      for (SlotMask slots = containing(storage_.leaf(step.node)); slots != 0;) {
         const std::size_t slot = take_slot(slots);
         const auto content = storage_.content(step.node, 0, slot);
         if (content.reference == payload_ && content.box == box_) return Found{step.path, step.node, slot};
@@ -50,7 +50,7 @@ class Finder {
   };
 
   void push_children(const Step& step) {
-    const InnerNode& node = storage_.inner[step.node];
+    const InnerNode& node = storage_.inner_node(step.node, step.level);
     for (SlotMask slots = containing(node); slots != 0;) {
       const std::size_t slot = take_slot(slots);
       Step next{step.path, node.reference[slot], step.level - 1};
@@ -124,7 +124,7 @@ void fill_up(Storage<ExactLeaf<Payload>>& storage, const PathStep& parent, std::
 // Shortens the tree while the root has a single child.
 template <typename Payload>
 void shrink_root(Storage<ExactLeaf<Payload>>& storage) {
-  while (storage.height > 0 && storage.inner[storage.root].count() == 1) {
+  while (storage.height > 0 && storage.inner_node(storage.root, storage.height).count() == 1) {
     const NodeIndex old_root = storage.root;
     storage.root = storage.inner[old_root].reference[0];
     storage.free_node(old_root, storage.height--);

@@ -24,7 +24,9 @@ namespace rtree {
 //           40  4  root: a leaf if the height is 0, else an inner node
 //           44  4  height
 //           48 48  for x, y, z: base of the keys (8, signed), their shift (4), zero (4)
-//           96 32  zero
+//           96  4  the first free inner node, or 0xffffffff
+//          100  4  the first free leaf, or 0xffffffff
+//          104 24  zero
 // inner    kInnerBytes for each inner node: least keys of the slots (3 x 16 x 4, signed), greatest keys (the same),
 //          children (16 x 4)
 // leaves   leaf_bytes for each leaf: least and greatest keys as above, payloads (16 x 4 or 8), remainders of the least
@@ -32,9 +34,10 @@ namespace rtree {
 //
 // Numbers are in the byte order of the machine; an image of the other order is refused. What keys and remainders mean
 // is told in detail/key_frame.h. Unused slots have the least keys INT32_MAX and the greatest keys INT32_MIN, else
-// zeros. Nodes that no node names are free; their bytes mean nothing. An image has no checksum.
+// zeros. Nodes that no node names are free: all their slots are unused, and their first child or payload is the next
+// free one, or 0xffffffff. An image has no checksum. Version 1 did not link free nodes.
 
-inline constexpr std::uint32_t kImageVersion = 1;
+inline constexpr std::uint32_t kImageVersion = 2;
 inline constexpr std::size_t kHeaderBytes = 128;
 inline constexpr std::size_t kInnerBytes = 448;
 inline constexpr std::size_t leaf_bytes(std::size_t payload_bytes) {
@@ -57,16 +60,16 @@ struct ImageParts {
   std::size_t inner_bytes = 0, leaves_bytes = 0;  ///< of the whole arrays
 };
 
-/// How the leaves of an image are read when they are first needed.
-struct LeafReader {
-  std::size_t bytes = 0;           ///< of the whole array, as it is stored
-  std::size_t leaves_at_once = 1;  ///< one call reads so many, from a multiple of it on; fewer at the end
-  /// Fills `bytes` with what the array of leaves has from `begin` on. Called from any thread, by one at a time. What it
-  /// throws comes out of the call that needed the leaves, which may then be asked for again.
+/// How the nodes of an array of an image are read when they are first needed.
+struct NodeReader {
+  std::size_t bytes = 0;          ///< of the whole array, as it is stored
+  std::size_t nodes_at_once = 1;  ///< one call reads a multiple of so many, from a multiple of it on; fewer at the end
+  /// Fills `bytes` with what the array has from `begin` on. Called from any thread, by one at a time. What it throws
+  /// comes out of the call that needed the nodes, which may then be asked for again.
   std::function<void(std::size_t begin, std::span<std::byte> bytes)> read;
 };
 
-/// Thrown when leaves that were read for an image are not such as a tree has. After it left `insert` or `erase` the
+/// Thrown when nodes that were read from an image are not such as a tree has. After it left `insert` or `erase` the
 /// tree may only be destroyed.
 class DamagedImage : public std::runtime_error {
  public:

@@ -72,7 +72,7 @@ Path choose_path(const Storage<ExactLeaf<Payload>>& storage, const Box3& added) 
   Path path;
   NodeIndex node = storage.root;
   for (std::uint32_t level = storage.height; level > 0; --level) {
-    const std::size_t slot = choose_slot(NodeBoxes(storage.inner[node], storage.frame), added);
+    const std::size_t slot = choose_slot(NodeBoxes(storage.inner_node(node, level), storage.frame), added);
     path[level - 1] = {node, slot};
     node = storage.inner[node].reference[slot];
   }
@@ -94,7 +94,7 @@ class LeafChoice {
     for (std::size_t visited = 0; !steps.empty() && visited < kMostVisited && least_cost_ > 0; ++visited) {
       const Step step = steps.back();
       steps.pop_back();
-      const InnerNode& node = storage_.inner[step.node];
+      const InnerNode& node = storage_.inner_node(step.node, step.level);
       for (SlotMask slots = node_scans().meeting(node, keys_); slots != 0;) {
         const std::size_t slot = take_slot(slots);
         Path path = step.path;
@@ -125,7 +125,7 @@ class LeafChoice {
     const Box3 box = storage_.frame.outer_box(node.box(slot)).box();
     double cost = surface(unite(box, added_)) - surface(box);
     if (!(cost < least_cost_)) return;
-    if (storage_.leaves[node.reference[slot]].is_used(kFanOut - 1)) cost += kSplitCost * surface(box);
+    if (storage_.leaf(node.reference[slot]).is_used(kFanOut - 1)) cost += kSplitCost * surface(box);
     if (!(cost < least_cost_)) return;
     least_cost_ = cost;
     best_ = path;

@@ -77,13 +77,13 @@ void BasicJoinCursor<Leaf>::expand(const Task& task) {
   if (within_one_ && task.first == task.second) return expand_self(task);
   if (task.first_level == task.second_level) return expand_both(task);
   if (task.first_level > task.second_level) {
-    const InnerNode& node = first_.inner[task.first];
+    const InnerNode& node = first_.inner_node(task.first, task.first_level);
     const KeyBox box = second_.node(task.second, task.second_level).bounds();
     for (SlotMask slots = scans_->meeting(node, box); slots != 0;)
       tasks_.push_back({node.reference[take_slot(slots)], task.second, task.first_level - 1, task.second_level});
     return;
   }
-  const InnerNode& node = second_.inner[task.second];
+  const InnerNode& node = second_.inner_node(task.second, task.second_level);
   const KeyBox box = first_.node(task.first, task.first_level).bounds();
   for (SlotMask slots = scans_->meeting(node, box); slots != 0;)
     tasks_.push_back({task.first, node.reference[take_slot(slots)], task.first_level, task.second_level - 1});
@@ -92,8 +92,8 @@ void BasicJoinCursor<Leaf>::expand(const Task& task) {
 // Only children that meet the other node are compared with its children: many pairs of nodes overlap in a small part.
 template <typename Leaf>
 void BasicJoinCursor<Leaf>::expand_both(const Task& task) {
-  const InnerNode& first = first_.inner[task.first];
-  const InnerNode& second = second_.inner[task.second];
+  const InnerNode& first = first_.inner_node(task.first, task.first_level);
+  const InnerNode& second = second_.inner_node(task.second, task.second_level);
   const std::uint32_t level = task.first_level - 1;
   for (SlotMask rows = scans_->meeting(first, second.bounds()); rows != 0;) {
     const std::size_t row = take_slot(rows);
@@ -104,7 +104,7 @@ void BasicJoinCursor<Leaf>::expand_both(const Task& task) {
 
 template <typename Leaf>
 void BasicJoinCursor<Leaf>::expand_self(const Task& task) {
-  const InnerNode& node = first_.inner[task.first];
+  const InnerNode& node = first_.inner_node(task.first, task.first_level);
   const std::uint32_t level = task.first_level - 1;
   for (std::size_t row = 0; row < kFanOut && node.is_used(row); ++row) {
     for (SlotMask columns = scans_->meeting(node, node.box(row)) & slots_after(row); columns != 0;)
@@ -120,8 +120,8 @@ void BasicJoinCursor<Leaf>::match(const Task& task, Pairs& pairs) const {
     if (is_self) return match_within(task.first, pairs);
     return match_leaves(task.first, task.second, 0xffff, pairs);
   }
-  const InnerNode& first = first_.inner[task.first];
-  const InnerNode& second = second_.inner[task.second];
+  const InnerNode& first = first_.inner_node(task.first, task.first_level);
+  const InnerNode& second = second_.inner_node(task.second, task.second_level);
   for (SlotMask rows = is_self ? 0xffff : scans_->meeting(first, second.bounds()); rows != 0;) {
     const std::size_t row = take_slot(rows);
     if (!first.is_used(row)) return;

@@ -140,7 +140,7 @@ void BasicNearestCursor<Leaf>::expand(NodeIndex index, std::uint32_t level) {
     if (level == 0)
       push({distance, std::uint64_t{index} * kFanOut + slot, kEntry});
     else
-      push({distance, tree_.inner[index].reference[slot], kNode + level - 1});
+      push({distance, tree_.inner_node(index, level).reference[slot], kNode + level - 1});
   }
 }
 

@@ -21,7 +21,8 @@ class NodeLister {
     nodes_.push_back({tree_.height - level, level == 0, count, {}});
     Box3 box;
     for (std::size_t slot = 0; slot < count; ++slot)
-      box.extend(level == 0 ? tree_.exact_coordinates(node, slot) : add(tree_.inner[node].reference[slot], level - 1));
+      box.extend(level == 0 ? tree_.exact_coordinates(node, slot)
+                            : add(tree_.inner_node(node, level).reference[slot], level - 1));
     nodes_[place].box = box;
     return box;
   }

@@ -30,9 +30,10 @@ bool RTree<Payload>::erase(const Box3& box, Payload payload) {
 template <typename Payload>
 std::vector<Entry<Payload>> RTree<Payload>::entries() const {
   std::vector<Entry<Payload>> result;
+  storage_.unread.need_all();
   result.reserve(size());
   // Free leaves have no slots in use.
-  for (const ExactLeaf<Payload>& leaf : storage_.leaves.all())
+  for (const ExactLeaf<Payload>& leaf : storage_.leaves)
     for (std::size_t slot = 0; slot < kFanOut && leaf.is_used(slot); ++slot)
       result.push_back({exact_box(storage_.frame, leaf, leaf.remainders, slot).box(), leaf.reference[slot]});
   return result;

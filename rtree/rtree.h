@@ -40,21 +40,17 @@ class RTree {
   bool erase(const Box3& box, Payload payload);
   void clear() { *this = {}; }
 
-  /// The whole state as bytes. Reads the leaves that were not read.
+  /// The whole state as bytes. Reads the nodes that were not read.
   ImageParts image() const;
   /// What has to be written to an image that has the state of the last call: the header and the parts of the arrays
   /// that were changed by inserts and erases since, in whole nodes; all at the first call, and none after from_image.
   /// Where the arrays became shorter, what is beyond their end is to be dropped.
   ImageParts take_changes();
-  /// The tree of an image. Cost: that of copying it, and of a look at each node: whatever the bytes are, the tree can
-  /// be used and changed without harm, but only bytes of an image give its answers. Errors: database_corrupt;
-  /// database_version for an image of another version or byte order.
-  static algebra3d::Result<RTree> from_image(std::span<const std::byte> header, std::span<const std::byte> inner,
-                                             std::span<const std::byte> leaves);
-  /// The same, where leaves are read when they are first needed, and looked at then: all other members may throw what
-  /// the reader throws, or DamagedImage. Cost: that of copying the inner nodes, one for 16 leaves, and looking at them.
-  static algebra3d::Result<RTree> from_image(std::span<const std::byte> header, std::span<const std::byte> inner,
-                                             LeafReader leaves);
+  /// The tree of an image, whose nodes are read when they are first needed, and looked at then: all other members may
+  /// throw what a reader throws, or DamagedImage. Whatever the bytes are, the tree can be used and changed without
+  /// harm, but only bytes of an image give its answers. A copy has all nodes in memory. Errors: database_corrupt;
+  /// database_version for an image of another version or byte order. Cost: linear, a byte for each node.
+  static algebra3d::Result<RTree> from_image(std::span<const std::byte> header, NodeReader inner, NodeReader leaves);
 
   /// The entries that meet `window`: `for (auto id : tree.window(box))`.
   WindowCursor<Payload> window(const Box3& window) const { return {view(), window}; }

@@ -12,7 +12,7 @@ BasicWindowCursor<Leaf>::BasicWindowCursor(const TreeView<Leaf>& tree, const Box
 template <typename Leaf>
 void BasicWindowCursor<Leaf>::enter(NodeIndex node, std::uint32_t level) {
   if (level == 0) return enter_leaf(node);
-  const InnerNode& inner = tree_.inner[node];
+  const InnerNode& inner = tree_.inner_node(node, level);
   SlotMask slots = scans_->meeting(inner, window_.keys);
   if (slots == 0) return;
   frames_[depth_++] = {&inner, slots, level};

@@ -17,6 +17,16 @@ bool is_large(std::size_t bytes) {
   return bytes >= 2 * kHugePage;
 }
 
+// For the huge pages that lie in the memory. Where the system does not grant the wish, small pages serve as well.
+void advise([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes, [[maybe_unused]] bool wants_huge_pages) {
+#if defined(__linux__)
+  if (!is_large(bytes)) return;
+  const std::size_t before = (kHugePage - reinterpret_cast<std::uintptr_t>(memory) % kHugePage) % kHugePage;
+  (void)madvise(static_cast<char*>(memory) + before, bytes - before,
+                wants_huge_pages ? MADV_HUGEPAGE : MADV_NOHUGEPAGE);
+#endif
+}
+
 }  // namespace
 
 void* allocate_large(std::size_t bytes, std::size_t alignment) {
@@ -28,14 +38,12 @@ void* allocate_large(std::size_t bytes, std::size_t alignment) {
   return memory;
 }
 
-void prefer_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
-#if defined(__linux__)
-  if (!is_large(bytes)) return;
-  // From the first huge page that lies in the memory. Where the system does not grant the wish, small pages serve as
-  // well.
-  const std::size_t before = (kHugePage - reinterpret_cast<std::uintptr_t>(memory) % kHugePage) % kHugePage;
-  (void)madvise(static_cast<char*>(memory) + before, bytes - before, MADV_HUGEPAGE);
-#endif
+void prefer_huge_pages(void* memory, std::size_t bytes) {
+  advise(memory, bytes, true);
+}
+
+void avoid_huge_pages(void* memory, std::size_t bytes) {
+  advise(memory, bytes, false);
 }
 
 void free_large(void* memory, std::size_t bytes, std::size_t alignment) noexcept {

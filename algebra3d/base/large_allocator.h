@@ -14,6 +14,8 @@ void free_large(void* memory, std::size_t bytes, std::size_t alignment) noexcept
 
 /// Asks for huge pages in allocated memory that nothing has touched yet; a wish. For arrays whose allocator is another.
 void prefer_huge_pages(void* memory, std::size_t bytes);
+/// Takes the wish back, for an array of which little will be touched: the first touch clears a huge page as a whole.
+void avoid_huge_pages(void* memory, std::size_t bytes);
 
 /// Resizes an empty array in huge pages: fewer faults of the processor.
 template <typename T>

@@ -12,7 +12,7 @@
 
 namespace queries {
 
-/// Thrown by members of a stored tree whose leaves cannot be read.
+/// Thrown by members of a stored tree whose nodes cannot be read.
 class TreeReadError : public std::exception {
  public:
   explicit TreeReadError(Error error) : error_(std::move(error)) {}
@@ -23,7 +23,7 @@ class TreeReadError : public std::exception {
   Error error_;
 };
 
-/// The result of `work`, which reads a tree. Errors: what the tree throws if its leaves cannot be read.
+/// The result of `work`, which reads a tree. Errors: what the tree throws if its nodes cannot be read.
 template <typename Work>
 Result<std::invoke_result_t<Work>> reading_tree(Work work) {
   try {
@@ -52,7 +52,7 @@ class SpatialIndex : public IndexObject {
   SpatialIndex(std::string relation, std::string attribute, Source source)
       : IndexObject(std::move(relation), std::move(attribute)), source_(std::move(source)) {}
 
-  /// The tree. What reads its leaves is to be called through `reading_tree` or `ask`. Errors: those of making it.
+  /// The tree. What reads its nodes is to be called through `reading_tree` or `ask`. Errors: those of making it.
   Result<TreePtr> tree() const { return source_.tree(); }
   /// The tree to ask instead, after this error. Errors: `failure` itself if it is another than damage.
   Result<TreePtr> tree_after(const Error& failure) const {

@@ -71,7 +71,7 @@ class Search {
   void enter(NodeIndex node, std::uint32_t level) {
     if (level == 0) return enter_leaf(node);
     Group& group = groups_[group_count_];
-    group.node = &tree_.inner[node];
+    group.node = &tree_.inner_node(node, level);
     group.level = level;
     group.slots = scans_.rank(*group.node, target_, tree_.frame, bound_, group.children);
     if (group.slots == 0) return;
@@ -184,7 +184,7 @@ class Search {
         if (level == 0)
           result.push_back({node, slot});
         else
-          waiting.push_back({tree_.inner[node].reference[slot], level - 1});
+          waiting.push_back({tree_.inner_node(node, level).reference[slot], level - 1});
       }
     }
     return result;

@@ -18,6 +18,7 @@ inline constexpr std::size_t kMinFill = 6;
 inline constexpr std::size_t kMaxLevels = 16;
 
 using NodeIndex = std::uint32_t;
+inline constexpr NodeIndex kNoNode = UINT32_MAX;
 
 /// One bit per slot; bit 0 is slot 0.
 using SlotMask = std::uint32_t;
@@ -67,6 +68,8 @@ struct alignas(64) KeyBoxes {
     while (result < kFanOut && is_used(result)) ++result;
     return result;
   }
+  /// True if all slots are as `clear` leaves them.
+  bool is_clear() const { return is_sound(0) && !is_used(0); }
   /// True if at least `fewest` slots are used, these come first with boxes that are not empty, and the others are as
   /// `clear` leaves them.
   bool is_sound(std::size_t fewest) const;

@@ -12,7 +12,7 @@ template <typename Payload>
 class Redistribution {
  public:
   void take(const Storage<ExactLeaf<Payload>>& storage, NodeIndex node, std::uint32_t level) {
-    const std::size_t count = level == 0 ? storage.leaves[node].count() : storage.inner[node].count();
+    const std::size_t count = storage.node(node, level).count();
     for (std::size_t slot = 0; slot < count; ++slot) take(storage.content(node, level, slot));
   }
   void take(const SlotContent<Payload>& content) {
@@ -40,8 +40,7 @@ class Redistribution {
 /// A node as its parent has it.
 template <typename Payload>
 SlotContent<Payload> child_content(const Storage<ExactLeaf<Payload>>& storage, NodeIndex node, std::uint32_t level) {
-  const KeyBox bounds = level == 0 ? storage.leaves[node].bounds() : storage.inner[node].bounds();
-  return {storage.frame.outer_box(bounds), Payload{node}};
+  return {storage.frame.outer_box(storage.node(node, level).bounds()), Payload{node}};
 }
 
 }  // namespace rtree

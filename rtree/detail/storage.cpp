@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include <fmt/format.h>
+
 namespace rtree {
 
 namespace {
@@ -19,7 +21,7 @@ FourKeys load(const std::int32_t* keys) {
 
 }  // namespace
 
-// In vectors, since all inner nodes of a stored tree are looked at when it is opened.
+// In vectors, since each node of a stored tree is looked at when it is read.
 bool KeyBoxes::is_sound(std::size_t fewest) const {
   FourKeys wrong{}, unused{};
   for (std::size_t slot = 0; slot < kFanOut; slot += kFour) {
@@ -60,7 +62,7 @@ Box3 TreeView<Leaf>::bounds() const {
       if (level == 0)
         result.extend(exact_box(index, slot));
       else
-        steps.push_back({inner[index].reference[slot], level - 1});
+        steps.push_back({inner_node(index, level).reference[slot], level - 1});
     }
   }
   return result.box();
@@ -68,36 +70,56 @@ Box3 TreeView<Leaf>::bounds() const {
 
 template <typename Leaf>
 NodeIndex Storage<Leaf>::add_node(std::uint32_t level) {
-  std::vector<NodeIndex>& free_nodes = level == 0 ? free_leaves : free_inner;
-  const std::size_t count = level == 0 ? leaves.size() : inner.size();
-  auto node = static_cast<NodeIndex>(count);
-  if (!free_nodes.empty()) {
-    node = free_nodes.back();
-    free_nodes.pop_back();
-  } else if (level == 0) {
-    leaves.resize(count + 1);
-  } else {
-    inner.emplace_back();
-  }
+  auto node = static_cast<NodeIndex>(level == 0 ? leaves.size() : inner.size());
+  if ((level == 0 ? free_leaf : free_inner) != kNoNode)
+    node = take_free(level);
+  else
+    add_to_arrays(level);
   clear(node, level);
+  return node;
+}
+
+template <typename Leaf>
+void Storage<Leaf>::add_to_arrays(std::uint32_t level) {
+  if (level == 0)
+    leaves.resize(leaves.size() + 1);
+  else
+    inner.emplace_back();
+  if (auto* const nodes = unread.get()) nodes->move_to(inner.data(), leaves.data());
+}
+
+template <typename Leaf>
+NodeIndex Storage<Leaf>::take_free(std::uint32_t level) {
+  NodeIndex& first = level == 0 ? free_leaf : free_inner;
+  const NodeIndex node = first;
+  if (node >= (level == 0 ? leaves.size() : inner.size()))
+    throw DamagedImage(fmt::format("image of an R-tree: node {} is listed as free", node));
+  if (auto* const nodes = unread.get()) nodes->take_free(node, level);
+  first = level == 0 ? static_cast<NodeIndex>(leaves[node].reference[0]) : inner[node].reference[0];
   return node;
 }
 
 template <typename Leaf>
 void Storage<Leaf>::free_node(NodeIndex node, std::uint32_t level) {
   clear(node, level);
-  (level == 0 ? free_leaves : free_inner).push_back(node);
+  if (auto* const nodes = unread.get()) nodes->set_free(node, level);
+  NodeIndex& first = level == 0 ? free_leaf : free_inner;
+  if (level == 0)
+    leaves[node].reference[0] = first;
+  else
+    inner[node].reference[0] = first;
+  first = node;
 }
 
 template <typename Leaf>
 void Storage<Leaf>::clear(NodeIndex node, std::uint32_t level) {
   mark(node, level);
   if (level > 0) {
-    inner[node].clear();
+    inner_node(node, level).clear();
     std::ranges::fill(inner[node].reference, 0);
     return;
   }
-  Leaf& leaf = leaves[node];
+  Leaf& leaf = this->leaf(node);
   leaf.clear();
   std::ranges::fill(leaf.reference, 0);
   leaf.remainders.clear();
@@ -105,8 +127,12 @@ void Storage<Leaf>::clear(NodeIndex node, std::uint32_t level) {
 
 template <typename Leaf>
 auto Storage<Leaf>::content(NodeIndex node, std::uint32_t level, std::size_t slot) const -> SlotContent<Payload> {
-  if (level > 0) return {frame.outer_box(inner[node].box(slot)), Payload{inner[node].reference[slot]}};
-  return {exact_box(frame, leaves[node], leaves[node].remainders, slot), leaves[node].reference[slot]};
+  if (level > 0) {
+    const InnerNode& found = inner_node(node, level);
+    return {frame.outer_box(found.box(slot)), Payload{found.reference[slot]}};
+  }
+  const Leaf& leaf = this->leaf(node);
+  return {exact_box(frame, leaf, leaf.remainders, slot), leaf.reference[slot]};
 }
 
 template <typename Leaf>
@@ -114,11 +140,12 @@ void Storage<Leaf>::set(NodeIndex node, std::uint32_t level, std::size_t slot, c
   mark(node, level);
   const KeyBox keys = frame.keys_in_range(content.box);
   if (level > 0) {
-    inner[node].set_box(slot, keys);
-    inner[node].reference[slot] = static_cast<NodeIndex>(content.reference);
+    InnerNode& found = inner_node(node, level);
+    found.set_box(slot, keys);
+    found.reference[slot] = static_cast<NodeIndex>(content.reference);
     return;
   }
-  Leaf& leaf = leaves[node];
+  Leaf& leaf = this->leaf(node);
   leaf.set_box(slot, keys);
   leaf.reference[slot] = content.reference;
   leaf.remainders.set(slot, content.box, frame);
@@ -140,7 +167,7 @@ void Storage<Leaf>::remove_slot(NodeIndex node, std::uint32_t level, std::size_t
     inner[node].reference[last] = 0;
     return;
   }
-  Leaf& leaf = leaves[node];
+  Leaf& leaf = this->leaf(node);
   leaf.KeyBoxes::clear(last);
   leaf.reference[last] = 0;
   leaf.remainders.set(last, {}, frame);
@@ -148,6 +175,7 @@ void Storage<Leaf>::remove_slot(NodeIndex node, std::uint32_t level, std::size_t
 
 template <typename Leaf>
 void Storage<Leaf>::widen_frame(const OrderedBox& box) {
+  unread.need_all();
   const KeyFrame old = frame;
   frame = old.widened(box);
   for (std::size_t i = 0; i < leaves.size(); ++i) {

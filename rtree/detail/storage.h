@@ -4,7 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "rtree/detail/leaf_array.h"
+#include "rtree/detail/key_frame.h"
+#include "rtree/detail/node_set.h"
+#include "rtree/detail/unread_nodes.h"
 
 namespace rtree {
 
@@ -15,7 +17,7 @@ struct TreeView {
 
   const InnerNode* inner = nullptr;
   const Leaf* leaves = nullptr;
-  const LeafArray<Leaf>* pending = nullptr;  ///< null if all leaves have been read
+  UnreadNodes<Leaf>* unread = nullptr;  ///< null if all nodes have been read
   std::size_t inner_count = 0, leaf_count = 0;
   const Box3* boxes = nullptr;  ///< by payload, if the leaves have no remainders
   KeyFrame frame;
@@ -24,12 +26,17 @@ struct TreeView {
   std::size_t entry_count = 0;
 
   bool empty() const { return entry_count == 0; }
+  /// A node at its level in the tree, which is read if it was not. Errors: those of UnreadNodes.
   const Leaf& leaf(NodeIndex index) const {
-    if (pending != nullptr) pending->need(index);
+    need(index, 0);
     return leaves[index];
   }
+  const InnerNode& inner_node(NodeIndex index, std::uint32_t level) const {
+    need(index, level);
+    return inner[index];
+  }
   const KeyBoxes& node(NodeIndex index, std::uint32_t level) const {
-    return level == 0 ? static_cast<const KeyBoxes&>(leaf(index)) : inner[index];
+    return level == 0 ? static_cast<const KeyBoxes&>(leaf(index)) : inner_node(index, level);
   }
   /// Domain: a leaf that has been read.
   OrderedBox exact_box(NodeIndex leaf, std::size_t slot) const {
@@ -54,6 +61,12 @@ struct TreeView {
   }
   /// Smallest box around all entries. Cost: that of finding the entries whose keys are those of the whole tree.
   Box3 bounds() const;
+
+ private:
+  void need(NodeIndex index, std::uint32_t level) const {
+    if constexpr (kHasRemainders<Leaf>)
+      if (unread != nullptr) unread->need(index, level);
+  }
 };
 
 /// What a slot holds: the box of an entry with its payload, or that of a child with its index.
@@ -63,7 +76,7 @@ struct SlotContent {
   Payload reference;
 };
 
-/// A slot of an inner node on the way from the root to a leaf.
+/// A slot of an inner node on the way from the root to a leaf. The node has been read.
 struct PathStep {
   NodeIndex node;
   std::size_t slot;
@@ -73,15 +86,17 @@ using Path = std::array<PathStep, kMaxLevels>;
 
 /// The nodes of a tree in flat arrays. Invariants (those that `audit` checks): all leaves have the same depth; the box
 /// of a child's slot is the union of the child's boxes; every node but the root has at least kMinFill used slots, an
-/// inner root two; every node is either reachable from the root exactly once or listed as free.
+/// inner root two; every node is either reachable from the root exactly once or free. Free nodes are clear, and linked
+/// by their first reference. Nodes of an image are read when they are asked for by `leaf`, `inner_node` or `node`.
 template <typename Leaf>
 struct Storage {
   using Payload = typename Leaf::Payload;
 
+  UnreadPart<Leaf> unread;
   LargeVector<InnerNode> inner;
-  LeafArray<Leaf> leaves;
-  std::vector<NodeIndex> free_inner, free_leaves;
-  NodeSet changed_inner, changed_leaves;  ///< since the state was last stored
+  LargeVector<Leaf> leaves;
+  NodeIndex free_inner = kNoNode, free_leaf = kNoNode;  ///< the first ones
+  NodeSet changed_inner, changed_leaves;                ///< since the state was last stored
   KeyFrame frame;
   NodeIndex root = 0;
   std::uint32_t height = 0;
@@ -89,18 +104,29 @@ struct Storage {
 
   bool empty() const { return entry_count == 0; }
   TreeView<Leaf> view(const Box3* boxes = nullptr) const {
-    return {inner.data(), leaves.data(), leaves.is_pending() ? &leaves : nullptr,
-            inner.size(), leaves.size(), boxes,
-            frame,        root,          height,
-            entry_count};
+    return {inner.data(), leaves.data(), unread.get(), inner.size(), leaves.size(),
+            boxes,        frame,         root,         height,       entry_count};
+  }
+  const Leaf& leaf(NodeIndex index) const {
+    need(index, 0);
+    return leaves[index];
+  }
+  Leaf& leaf(NodeIndex index) {
+    need(index, 0);
+    return leaves[index];
+  }
+  const InnerNode& inner_node(NodeIndex index, std::uint32_t level) const {
+    need(index, level);
+    return inner[index];
+  }
+  InnerNode& inner_node(NodeIndex index, std::uint32_t level) {
+    need(index, level);
+    return inner[index];
   }
   const KeyBoxes& node(NodeIndex index, std::uint32_t level) const {
-    return level == 0 ? static_cast<const KeyBoxes&>(leaves[index]) : inner[index];
+    return level == 0 ? static_cast<const KeyBoxes&>(leaf(index)) : inner_node(index, level);
   }
-  std::size_t heap_bytes() const {
-    return inner.capacity() * sizeof(InnerNode) + leaves.heap_bytes() +
-           (free_inner.capacity() + free_leaves.capacity()) * sizeof(NodeIndex);
-  }
+  std::size_t heap_bytes() const { return inner.capacity() * sizeof(InnerNode) + leaves.capacity() * sizeof(Leaf); }
 
   /// Adds an empty node.
   NodeIndex add_node(std::uint32_t level);
@@ -120,7 +146,13 @@ struct Storage {
   void widen_frame(const OrderedBox& box);
 
  private:
+  void need(NodeIndex node, std::uint32_t level) const {
+    if constexpr (kHasRemainders<Leaf>)
+      if (auto* const nodes = unread.get()) nodes->need(node, level);
+  }
   void mark(NodeIndex node, std::uint32_t level) { (level == 0 ? changed_leaves : changed_inner).insert(node); }
+  void add_to_arrays(std::uint32_t level);
+  NodeIndex take_free(std::uint32_t level);
 };
 
 /// Bulk loads the empty `storage` with the entries whose boxes are not empty; `fill` slots of each node are used.

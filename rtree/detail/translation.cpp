@@ -12,8 +12,12 @@ constexpr std::size_t kNodeGrain = 256;
 template <typename Leaf>
 Translation<Leaf>::Translation(const TreeView<Leaf>& tree, const KeyFrame& frame)
     : tree_(tree), frame_(frame), inner_(tree.inner_count), leaves_(tree.leaf_count) {
+  if constexpr (kHasRemainders<Leaf>) {
+    if (tree_.unread != nullptr) tree_.unread->need_all();
+    tree_.unread = nullptr;
+  }
   algebra3d::parallel_for(leaves_.size(), kNodeGrain, [&](std::size_t leaf) {
-    leaves_[leaf] = tree.leaf(static_cast<NodeIndex>(leaf));
+    leaves_[leaf] = tree.leaves[leaf];
     for (std::size_t slot = 0; slot < kFanOut && leaves_[leaf].is_used(slot); ++slot)
       leaves_[leaf].set_box(slot, translated(static_cast<NodeIndex>(leaf), slot));
   });
@@ -27,7 +31,7 @@ Translation<Leaf>::Translation(const TreeView<Leaf>& tree, const KeyFrame& frame
 // Mostly the key determines the other one; the exact box of an entry may have to be fetched from far away.
 template <typename Leaf>
 KeyBox Translation<Leaf>::translated(NodeIndex leaf, std::size_t slot) const {
-  const KeyBox keys = tree_.leaf(leaf).box(slot);
+  const KeyBox keys = tree_.leaves[leaf].box(slot);
   KeyBox least, greatest;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const AxisFrame &from = tree_.frame.axes[axis], &to = frame_.axes[axis];
@@ -44,7 +48,7 @@ TreeView<Leaf> Translation<Leaf>::view() const {
   TreeView<Leaf> result = tree_;
   result.inner = inner_.data();
   result.leaves = leaves_.data();
-  result.pending = nullptr;
+  result.unread = nullptr;
   result.boxes = nullptr;
   result.frame = frame_;
   return result;

@@ -1,5 +1,8 @@
 #include "queries/store/detail/index_pages.h"
 
+#include <algorithm>
+#include <cstring>
+
 namespace queries {
 namespace {
 
@@ -36,23 +39,25 @@ Result<std::optional<std::string>> read_index_page(SqliteConnection& connection,
   return std::optional(std::string(bytes.bytes));
 }
 
-Result<std::string> read_index_pages(SqliteConnection& connection, const IndexPage& first, std::uint32_t count) {
-  std::string result;
-  if (count == 0) return result;
-  result.reserve(std::size_t{count} * kIndexPageBytes);
+Status read_index_pages(SqliteConnection& connection, const IndexPage& first, std::size_t page_bytes,
+                        std::span<std::byte> bytes) {
+  const auto count = static_cast<std::int64_t>((bytes.size() + page_bytes - 1) / page_bytes);
   ALGEBRA3D_ASSIGN_OR_RETURN(
       SqliteStatement statement,
       connection.use("SELECT place, checksum, bytes FROM index_pages WHERE place >= ? AND place < ? ORDER BY place"));
   const std::int64_t begin = first.place();
-  statement.bind(1, begin).bind(2, begin + std::int64_t{count});
-  for (std::int64_t place = begin; place < begin + std::int64_t{count}; ++place) {
+  statement.bind(1, begin).bind(2, begin + count);
+  for (std::int64_t place = begin; place < begin + count; ++place) {
+    const std::size_t wanted = std::min(page_bytes, bytes.size());
     ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_row, statement.step());
     if (!has_row || statement.column(0).integer != place) return damaged_page(connection, place);
-    const Cell bytes = statement.column(2);
-    if (!is_sound(place, statement.column(1), bytes)) return damaged_page(connection, place);
-    result += bytes.bytes;
+    const Cell page = statement.column(2);
+    if (!is_sound(place, statement.column(1), page) || page.bytes.size() < wanted)
+      return damaged_page(connection, place);
+    std::memcpy(bytes.data(), page.bytes.data(), wanted);
+    bytes = bytes.subspan(wanted);
   }
-  return result;
+  return {};
 }
 
 Status write_index_page(SqliteConnection& connection, const IndexPage& page, std::string_view bytes) {

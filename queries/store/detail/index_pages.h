@@ -24,9 +24,10 @@ inline constexpr std::size_t kIndexPageBytes = 4032;
 
 /// Reads a page; nothing if there is none. Errors: database_corrupt if the bytes are not what was written.
 algebra3d::Result<std::optional<std::string>> read_index_page(SqliteConnection& connection, const IndexPage& page);
-/// Reads consecutive pages and joins them. Errors: as above, and database_corrupt for a page that is not there.
-algebra3d::Result<std::string> read_index_pages(SqliteConnection& connection, const IndexPage& first,
-                                                std::uint32_t count);
+/// Reads consecutive pages, whose first `page_bytes` bytes each are joined; fewer of the last one. Errors: as above,
+/// and database_corrupt for a page that is not there or too short.
+algebra3d::Status read_index_pages(SqliteConnection& connection, const IndexPage& first, std::size_t page_bytes,
+                                   std::span<std::byte> bytes);
 algebra3d::Status write_index_page(SqliteConnection& connection, const IndexPage& page, std::string_view bytes);
 /// Erases the pages from `first` on that come before `last`.
 algebra3d::Status erase_index_pages(SqliteConnection& connection, const IndexPage& first, const IndexPage& last);

@@ -13,8 +13,7 @@ namespace queries {
 namespace {
 
 Result<std::string> frozen(const SpatialIndex& index) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto tree, index.tree());
-  return encode_tree(*tree);
+  return index.ask(encode_tree);
 }
 
 Result<std::string> frozen(const OrderedIndex& index) {

@@ -89,20 +89,18 @@ std::span<const std::byte> bytes_of(std::string_view text) {
   return std::as_bytes(std::span(text.data(), text.size()));
 }
 
-/// Reads the page of leaves that begins at `begin`, for the tree of `owner`.
-void read_leaves(const std::weak_ptr<Database>& weak, std::int64_t owner, std::size_t begin,
-                 std::span<std::byte> bytes) {
-  const auto database = weak.lock();
-  const Status reading = database != nullptr ? database->check_reading()
-                                             : Error{ErrorCode::internal, "a stored index was used after its database"};
-  if (!reading) throw TreeReadError(reading.error());
-  const auto number = static_cast<std::uint32_t>(kLeafPages.first_page + begin / kLeafPages.page_bytes());
-  const auto page = read_index_page(database->connection(), {owner, number});
-  if (!page) throw TreeReadError(page.error());
-  if (!*page || (*page)->size() < bytes.size())
-    throw TreeReadError(
-        {ErrorCode::database_corrupt, "{}: a page of a spatial index is missing", database->file().string()});
-  std::memcpy(bytes.data(), (*page)->data(), bytes.size());
+/// Reads the pages of an array of a tree of `owner`, when its nodes are needed.
+rtree::NodeReader reader_of(const std::shared_ptr<Database>& database, std::int64_t owner, const PagedArray& array,
+                            std::size_t array_bytes) {
+  const auto read = [weak = std::weak_ptr(database), owner, array](std::size_t begin, std::span<std::byte> bytes) {
+    const auto own = weak.lock();
+    Status status = own != nullptr ? own->check_reading()
+                                   : Error{ErrorCode::internal, "a stored index was used after its database"};
+    const auto number = static_cast<std::uint32_t>(array.first_page + begin / array.page_bytes());
+    if (status) status = read_index_pages(own->connection(), {owner, number}, array.page_bytes(), bytes);
+    if (!status) throw TreeReadError(status.error());
+  };
+  return {array_bytes, array.nodes_on_page(), read};
 }
 
 /// Writes the pages of an array that `parts` changes, and erases those behind its end. What a page has besides is what
@@ -152,31 +150,14 @@ Result<std::shared_ptr<Tree>> load_tree(const std::shared_ptr<Database>& databas
   ALGEBRA3D_ASSIGN_OR_RETURN(const auto stored, read_header(connection, owner));
   if (!stored) return Error{ErrorCode::database_corrupt, "stored index: it is missing"};
   const TreeHeader& header = *stored;
-  ALGEBRA3D_ASSIGN_OR_RETURN(std::string inner, read_index_pages(connection, {owner, kInnerPages.first_page},
-                                                                 kInnerPages.page_count(header.inner_bytes)));
-  if (inner.size() < header.inner_bytes)
-    return Error{ErrorCode::database_corrupt, "stored index: {} bytes of inner nodes", inner.size()};
-  inner.resize(static_cast<std::size_t>(header.inner_bytes));
-  const auto read = [weak = std::weak_ptr(database), owner](std::size_t begin, std::span<std::byte> bytes) {
-    read_leaves(weak, owner, begin, bytes);
-  };
   ALGEBRA3D_ASSIGN_OR_RETURN(
-      Tree tree, Tree::from_image(bytes_of(header.image), bytes_of(inner),
-                                  {static_cast<std::size_t>(header.leaves_bytes), kLeafPages.nodes_on_page(), read}));
+      Tree tree,
+      Tree::from_image(bytes_of(header.image),
+                       reader_of(database, owner, kInnerPages, static_cast<std::size_t>(header.inner_bytes)),
+                       reader_of(database, owner, kLeafPages, static_cast<std::size_t>(header.leaves_bytes))));
   return std::make_shared<Tree>(std::move(tree));
 }
 
-namespace {
-
-/// Writes the state of the relation beside a tree that stays as it is.
-Status store_state(SqliteConnection& connection, std::int64_t owner, const RelationState& state) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(auto header, read_header(connection, owner));
-  if (!header) return Error{ErrorCode::database_corrupt, "stored index: it is missing"};
-  header->state = state;
-  return write_index_page(connection, {owner, kHeaderPage}, encode_header(*header));
-}
-
-/// Writes a tree that is new, or what has changed in it since it was loaded or written.
 Status store_tree(SqliteConnection& connection, std::int64_t owner, const RelationState& state, Tree& tree,
                   bool is_new) {
   // A new tree is marked as stored when it is: until then it may be needed as a whole again.
@@ -187,6 +168,16 @@ Status store_tree(SqliteConnection& connection, std::int64_t owner, const Relati
   ALGEBRA3D_RETURN_IF_ERROR(write_array(connection, owner, kLeafPages, parts.leaves_bytes, parts.leaves));
   if (is_new) tree.take_changes();
   return {};
+}
+
+namespace {
+
+/// Writes the state of the relation beside a tree that stays as it is.
+Status store_state(SqliteConnection& connection, std::int64_t owner, const RelationState& state) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(auto header, read_header(connection, owner));
+  if (!header) return Error{ErrorCode::database_corrupt, "stored index: it is missing"};
+  header->state = state;
+  return write_index_page(connection, {owner, kHeaderPage}, encode_header(*header));
 }
 
 /// Runs `work`, which writes, and undoes it if it fails.

@@ -27,10 +27,15 @@ struct RelationState {
 
 /// True if the pages of `owner` hold a tree of this state. Errors: database_corrupt.
 algebra3d::Result<bool> has_tree(SqliteConnection& connection, std::int64_t owner, const RelationState& state);
-/// The tree that the pages of `owner` hold. Its leaves are read when they are first needed, within a statement of
-/// `database`. Errors: database_corrupt.
+/// The tree that the pages of `owner` hold. Its nodes are read when they are first needed, within a statement of
+/// `database`. Errors: database_corrupt; database_version for a tree of another version of the program.
 algebra3d::Result<std::shared_ptr<IndexCache::Tree>> load_tree(const std::shared_ptr<Database>& database,
                                                                std::int64_t owner);
+
+/// Writes a tree that is new, or what has changed in it since it was loaded or written. For the steps of store_trees
+/// and for benchmarks. Errors: those of SQLite; throws what reading the tree throws.
+algebra3d::Status store_tree(SqliteConnection& connection, std::int64_t owner, const RelationState& state,
+                             IndexCache::Tree& tree, bool is_new);
 
 /// The number under which the tree of an attribute is stored, that of the first object that is an index on it; nothing
 /// if there is none.

@@ -51,11 +51,29 @@ TEST(Audit, finds_unreachable_and_twice_reached_nodes) {
   nodes.add_node(1);
   expect_complaint(nodes, "inner node 3 is neither reachable nor free");
   nodes = sound_nodes();
-  nodes.free_leaves.push_back(some_leaf(nodes));
+  nodes.free_leaf = some_leaf(nodes);
   expect_complaint(nodes, "is in use or listed twice");
+  nodes.free_leaf = 999'999;
+  expect_complaint(nodes, "free leaf 999999 does not exist");
   nodes = sound_nodes();
   nodes.inner[nodes.root].reference[1] = nodes.inner[nodes.root].reference[0];
   expect_complaint(nodes, "is reached more than once");
+}
+
+TEST(Audit, finds_free_nodes_that_are_linked_wrongly) {
+  Nodes nodes = sound_nodes();
+  const NodeIndex first = nodes.add_node(0), second = nodes.add_node(0);
+  nodes.free_node(first, 0);
+  nodes.free_node(second, 0);
+  EXPECT_EQ(audit(nodes), std::vector<std::string>{});
+  Nodes circle = nodes;
+  circle.leaves[first].reference[0] = second;
+  expect_complaint(circle, "is in use or listed twice");
+  Nodes cut = nodes;
+  cut.leaves[second].reference[0] = kNoNode;
+  expect_complaint(cut, "leaf 19 is neither reachable nor free");
+  nodes.leaves[first].set_box(0, {{0, 0, 0}, {1, 1, 1}});
+  expect_complaint(nodes, "free leaf 19 is not clear");
 }
 
 TEST(Audit, finds_wrong_references_and_heights) {

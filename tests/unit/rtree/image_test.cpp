@@ -13,6 +13,11 @@ using samples::Kind;
 using samples::Tree;
 using ByteVector = std::vector<std::byte>;
 
+// What was read of an image.
+struct Reads {
+  std::size_t calls = 0, inner_bytes = 0, leaf_bytes = 0;
+};
+
 // A stored image, to which changes are written as a store would.
 struct StoredImage {
   ByteVector header, inner, leaves;
@@ -21,16 +26,36 @@ struct StoredImage {
     header.assign(parts.header.begin(), parts.header.end());
     return write(parts.inner, parts.inner_bytes, inner) + write(parts.leaves, parts.leaves_bytes, leaves);
   }
-  Tree tree() const { return std::move(Tree::from_image(header, inner, leaves)).value(); }
-  Tree lazy_tree(std::size_t leaves_at_once, std::size_t* read_bytes = nullptr) const {
-    const auto read = [this, read_bytes](std::size_t begin, std::span<std::byte> bytes) {
-      std::memcpy(bytes.data(), leaves.data() + begin, bytes.size());
-      if (read_bytes != nullptr) *read_bytes += bytes.size();
-    };
-    return std::move(Tree::from_image(header, inner, LeafReader{leaves.size(), leaves_at_once, read})).value();
+  /// The tree, which reads its nodes as they are needed, each array in blocks of so many nodes. What is read is listed.
+  algebra3d::Result<Tree> open(std::size_t nodes_at_once, Reads* reads = nullptr) const {
+    return Tree::from_image(header, reader_of(inner, kInnerBytes, nodes_at_once, reads, false),
+                            reader_of(leaves, leaf_bytes(8), nodes_at_once, reads, true));
+  }
+  Tree lazy_tree(std::size_t nodes_at_once, Reads* reads = nullptr) const {
+    return std::move(open(nodes_at_once, reads)).value();
+  }
+  /// The same with all in memory.
+  Tree tree() const {
+    const Tree lazy = lazy_tree(16);
+    return lazy;  // NOLINT(performance-no-automatic-move): a copy has all
   }
 
  private:
+  static NodeReader reader_of(const ByteVector& array, std::size_t node_bytes, std::size_t nodes_at_once, Reads* reads,
+                              bool are_leaves) {
+    // The array may have more nodes later on.
+    const auto read = [=, &array, end = array.size()](std::size_t begin, std::span<std::byte> bytes) {
+      EXPECT_EQ(begin % (node_bytes * nodes_at_once), 0U);
+      EXPECT_LE(begin + bytes.size(), end);
+      EXPECT_TRUE(bytes.size() % (node_bytes * nodes_at_once) == 0 || begin + bytes.size() == end);
+      std::memcpy(bytes.data(), array.data() + begin, bytes.size());
+      if (reads == nullptr) return;
+      ++reads->calls;
+      (are_leaves ? reads->leaf_bytes : reads->inner_bytes) += bytes.size();
+    };
+    return {array.size(), nodes_at_once, read};
+  }
+
   static std::size_t write(const std::vector<ImagePart>& parts, std::size_t size, ByteVector& array) {
     array.resize(size);
     std::size_t written = 0;
@@ -85,10 +110,17 @@ TEST(Image, payloads_of_32_bits) {
     entries.push_back({entry.box, static_cast<std::uint32_t>(entry.payload)});
   const auto tree = RTree<std::uint32_t>::bulk_load(entries);
   const ImageParts parts = tree.image();
-  const auto again = RTree<std::uint32_t>::from_image(parts.header, parts.inner[0].bytes, parts.leaves[0].bytes);
+  const auto reader_of = [](std::span<const std::byte> array) {
+    const auto read = [array](std::size_t begin, std::span<std::byte> bytes) {
+      std::memcpy(bytes.data(), array.data() + begin, bytes.size());
+    };
+    return NodeReader{array.size(), 3, read};
+  };
+  const NodeReader inner = reader_of(parts.inner[0].bytes), leaves = reader_of(parts.leaves[0].bytes);
+  const auto again = RTree<std::uint32_t>::from_image(parts.header, inner, leaves);
   ASSERT_TRUE(again);
   EXPECT_EQ(again->entries(), tree.entries());
-  const auto other = Tree::from_image(parts.header, parts.inner[0].bytes, parts.leaves[0].bytes);
+  const auto other = Tree::from_image(parts.header, inner, leaves);
   ASSERT_FALSE(other);
   EXPECT_EQ(other.error().message, "image of an R-tree: payloads of 4 bytes and nodes of 16 slots");
 }
@@ -113,6 +145,8 @@ TEST(Image, of_one_entry_is_as_documented) {
   EXPECT_EQ(number(header, 32, 4), 0U);
   EXPECT_EQ(number(header, 36, 4), 1U);
   ASSERT_EQ(leaf.size(), leaf_bytes(8));
+  EXPECT_EQ(number(header, 96, 4), 0xffffffffU);
+  EXPECT_EQ(number(header, 100, 4), 0xffffffffU);
   EXPECT_EQ(number(leaf, 4, 4), 0x7fffffffU);
   EXPECT_EQ(number(leaf, 384, 8), 7U);
   // 1.0 is 0x3ff0000000000000: key and remainder give it back.
@@ -121,21 +155,81 @@ TEST(Image, of_one_entry_is_as_documented) {
   EXPECT_EQ((base + static_cast<std::uint64_t>(key)) << shift | number(leaf, 512, 4), 0x3ff0000000000000U);
 }
 
-TEST(Image, leaves_are_read_when_they_are_needed) {
+TEST(Image, nodes_are_read_when_they_are_needed) {
   const Entries entries = samples::random_entries(20'000, Kind::points, 2);
   const Tree tree = Tree::bulk_load(entries);
   const StoredImage image = stored(tree);
-  std::size_t read = 0;
-  const Tree lazy = image.lazy_tree(4, &read);
-  EXPECT_EQ(read, 0U);
+  Reads reads;
+  const Tree lazy = image.lazy_tree(4, &reads);
+  EXPECT_EQ(lazy.size(), entries.size());
+  EXPECT_EQ(reads.calls, 0U);
   EXPECT_EQ(samples::window_ids(lazy, entries[5].box), samples::scan(entries, entries[5].box));
-  EXPECT_LE(read, image.leaves.size() / 20);
+  EXPECT_LE(reads.leaf_bytes, image.leaves.size() / 20);
+  EXPECT_LE(reads.inner_bytes, image.inner.size() / 4);
   const Tree copy = lazy;
-  EXPECT_EQ(read, image.leaves.size());
+  EXPECT_EQ(reads.leaf_bytes, image.leaves.size());
+  EXPECT_EQ(reads.inner_bytes, image.inner.size());
   EXPECT_EQ(copy.entries(), tree.entries());
 }
 
-TEST(Image, leaves_are_read_by_many_threads) {
+// 200,000 entries are 12,500 leaves in 3,125 blocks.
+TEST(Image, a_tree_that_is_read_as_a_whole_is_read_in_runs) {
+  const Tree tree = Tree::bulk_load(samples::random_entries(200'000, Kind::points, 2));
+  const StoredImage image = stored(tree);
+  Reads reads;
+  const Tree lazy = image.lazy_tree(4, &reads);
+  EXPECT_EQ(order_of(lazy, lazy.bounds()), order_of(tree, tree.bounds()));
+  EXPECT_EQ(reads.leaf_bytes, image.leaves.size());
+  EXPECT_LE(reads.calls, 400U);
+}
+
+// Two changes of one box in a tree of 200,000 read few nodes; those that are not read stay as they are stored.
+TEST(Image, a_change_reads_few_nodes) {
+  Entries entries = samples::random_entries(200'000, Kind::points, 2);
+  StoredImage image;
+  {
+    Tree tree = Tree::bulk_load(entries, Filling::room_for_changes);
+    image.write(tree.take_changes());
+  }
+  Reads reads;
+  Tree lazy = image.lazy_tree(4, &reads);
+  for (const std::size_t i : {17, 150'000}) {
+    ASSERT_TRUE(lazy.erase(entries[i].box, entries[i].payload));
+    entries[i].box = {entries[i].box.min, entries[i].box.max + Vec3{0.25, 0, 0}};
+    ASSERT_TRUE(lazy.insert(entries[i].box, entries[i].payload));
+  }
+  EXPECT_LE(reads.calls, 60U);
+  EXPECT_LE(reads.leaf_bytes, image.leaves.size() / 40);
+  image.write(lazy.take_changes());
+  const Tree again = image.tree();
+  EXPECT_EQ(audit(again), std::vector<std::string>{});
+  for (const std::size_t i : {17, 150'000, 3})
+    EXPECT_EQ(samples::window_ids(again, entries[i].box), samples::scan(entries, entries[i].box));
+}
+
+// Free nodes of an image are used again, and one that is in use is not.
+TEST(Image, free_nodes_are_linked) {
+  const Entries entries = samples::random_entries(3000, Kind::uniform, 3);
+  Tree tree = Tree::bulk_load(entries);
+  for (std::size_t i = 0; i < 2500; ++i) ASSERT_TRUE(tree.erase(entries[i].box, entries[i].payload));
+  StoredImage image = stored(tree);
+  ASSERT_NE(tree.storage().free_leaf, kNoNode);
+  ASSERT_NE(tree.storage().free_inner, kNoNode);
+  Tree lazy = image.lazy_tree(4);
+  for (std::size_t i = 0; i < 2500; ++i) ASSERT_TRUE(lazy.insert(entries[i].box, entries[i].payload));
+  EXPECT_EQ(audit(lazy), std::vector<std::string>{});
+  EXPECT_LE(lazy.storage().leaves.size(), tree.storage().leaves.size() * 2);
+  EXPECT_EQ(lazy.storage().free_leaf, kNoNode);
+  const NodeIndex used = tree.storage().inner[tree.storage().root].reference[0];
+  std::memcpy(image.header.data() + 96, &used, sizeof(used));
+  Tree wrong = image.lazy_tree(4);
+  const auto insert_all = [&] {
+    for (const auto& entry : entries) wrong.insert(entry.box, entry.payload);
+  };
+  EXPECT_THROW(insert_all(), DamagedImage);
+}
+
+TEST(Image, nodes_are_read_by_many_threads) {
   const Tree tree = Tree::bulk_load(samples::random_entries(20'000, Kind::uniform, 3));
   const StoredImage image = stored(tree);
   for (const int threads : {1, 4})
@@ -203,7 +297,7 @@ TEST(Image, other_versions_and_byte_orders_are_refused) {
   for (const std::size_t place : {8, 12}) {
     StoredImage image = sound;
     image.header[place] ^= std::byte{1};
-    const auto tree = Tree::from_image(image.header, image.inner, image.leaves);
+    const auto tree = image.open(1);
     ASSERT_FALSE(tree);
     EXPECT_EQ(tree.error().code, algebra3d::ErrorCode::database_version);
   }
@@ -240,22 +334,15 @@ TEST(Image, damaged_bytes_do_no_harm) {
       array[place] = values[random() % 4];
     }
     if (random() % 10 == 0) image.leaves.resize(random() % image.leaves.size());
-    if (auto whole = Tree::from_image(image.header, image.inner, image.leaves)) {
-      use(*whole, random);
-      ++used;
-    } else {
-      ++refused;
-    }
-    image.leaves.resize(sound.leaves.size());
-    try {
-      const auto read = [&](std::size_t begin, std::span<std::byte> bytes) {
-        if (begin + bytes.size() > image.leaves.size()) throw DamagedImage("too short");
-        std::memcpy(bytes.data(), image.leaves.data() + begin, bytes.size());
-      };
-      auto lazy = Tree::from_image(image.header, image.inner, LeafReader{sound.leaves.size(), 2, read});
-      if (lazy) use(*lazy, random);
-    } catch (const DamagedImage&) {
-      ++refused;
+    for (const bool has_all : {false, true}) {
+      try {
+        auto opened = image.open(2);
+        if (opened && has_all) static_cast<void>(audit(*opened));
+        if (opened) use(*opened, random);
+        ++(opened ? used : refused);
+      } catch (const DamagedImage&) {
+        ++refused;
+      }
     }
   }
   EXPECT_GT(refused, 300U);

@@ -183,6 +183,43 @@ TEST_F(StoredTrees, a_tree_of_another_state_is_made_anew) {
   read([&] { expect_index_equals_scan(); });
 }
 
+// The header of the image names its version at byte 8, behind 56 bytes of the header of the tree.
+TEST_F(StoredTrees, a_tree_of_another_version_is_no_damage_and_made_anew) {
+  make_database();
+  const std::string place = sql("SELECT place FROM index_pages ORDER BY place LIMIT 1");
+  const std::string digits = sql("SELECT hex(bytes) FROM index_pages WHERE place = " + place);
+  std::string bytes;
+  for (std::size_t i = 0; i < digits.size(); i += 2)
+    bytes += static_cast<char>(std::stoi(digits.substr(i, 2), nullptr, 16));
+  ASSERT_EQ(bytes.at(64), static_cast<char>(rtree::kImageVersion));
+  bytes[64] = 1;
+  const auto checksum = static_cast<std::int64_t>(checksum_of(bytes, std::stoull(place)));
+  sql(fmt::format("UPDATE index_pages SET checksum = {}, bytes = x'{}01{}' WHERE place = {}", checksum,
+                  digits.substr(0, 128), digits.substr(130), place));
+  reopen();
+  expect_sound();
+  read([&] { expect_index_equals_scan(); });
+  EXPECT_EQ(sql("SELECT substr(hex(bytes), 129, 2) FROM index_pages WHERE place = " + place), "02");
+  EXPECT_TRUE(is_answered_without_scan());
+}
+
+// A change in a process of its own reads the nodes on its way, and writes beside nodes that it did not read.
+TEST_F(StoredTrees, a_change_in_a_new_process_reads_few_pages) {
+  make_database(20'000);
+  sql("CREATE TABLE kept AS SELECT * FROM index_pages");
+  for (const TupleId id : {5, 9000, 17'777}) {
+    reopen();
+    write([&] { ok(relation("R")->update(id, row({{1, 1, 1}, {2, 2, 2}}))); });
+  }
+  EXPECT_LE(std::stoi(sql("SELECT count(*) FROM index_pages JOIN kept USING(place) WHERE index_pages.bytes != "
+                          "kept.bytes")),
+            40);
+  sql("DROP TABLE kept");
+  reopen();
+  read([&] { expect_index_equals_scan(10); });
+  expect_sound();
+}
+
 TEST_F(StoredTrees, every_damaged_page_is_found_and_the_answers_stay_right) {
   make_database(700);
   const std::string pages = page_count();
