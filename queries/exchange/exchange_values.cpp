@@ -20,8 +20,6 @@
 namespace queries {
 namespace {
 
-using algebra3d::Text;
-
 // The box in the order of a rect3, so that it can be read as one.
 std::string summary_json(const Value& value) {
   const algebra3d::GeometryHeader header = value.header();

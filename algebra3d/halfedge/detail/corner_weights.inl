@@ -24,7 +24,8 @@ KERNEL_TARGET inline void store(double* to, const Doubles& from) {
 }
 
 // One corner of each of the faces that begin at `begins`.
-KERNEL_TARGET ALWAYS_INLINE Vectors corner_points(const FaceBatch& faces, const std::uint32_t* begins, std::uint32_t corner) {
+KERNEL_TARGET ALWAYS_INLINE Vectors corner_points(const FaceBatch& faces, const std::uint32_t* begins,
+                                                  std::uint32_t corner) {
   const Vec3* at[kLanes];
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     std::size_t point = faces.corners[begins[lane] + corner];

@@ -2,6 +2,7 @@
 // files.
 #include "algebra3d/base/atomic_file.h"
 
+#include <atomic>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -54,6 +55,24 @@ TEST(AtomicFile, OfTwoNewFilesOfOneNameTheFirstWins) {
     EXPECT_EQ(late.error().code, ErrorCode::permission_denied);
   }
   EXPECT_EQ(scratch.bytes("new"), "first");
+  EXPECT_EQ(scratch.file_count(), 1U);
+}
+
+TEST(AtomicFile, EndsWhenTheWritingIsCancelled) {
+  const ScratchFolder scratch;
+  scratch.write("there", "kept");
+  std::atomic<bool> cancel = false;
+  {
+    auto file = AtomicFile::create(OutputPath(scratch.path("there")).with_cancel(&cancel));
+    ASSERT_TRUE(file.ok());
+    EXPECT_TRUE(file->append("a few bytes").ok());
+    cancel = true;
+    // Noticed when the buffer is written, at the end at the latest.
+    const Status status = file->commit();
+    ASSERT_FALSE(status.ok());
+    EXPECT_EQ(status.error().code, ErrorCode::interrupted);
+  }
+  EXPECT_EQ(scratch.bytes("there"), "kept");
   EXPECT_EQ(scratch.file_count(), 1U);
 }
 
