@@ -135,8 +135,9 @@ Result<std::size_t> attribute_index(const TypeExpr& tuple, const std::string& na
   const auto found = std::ranges::find(names, name);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
   const std::string suggestion = algebra3d::nearest_name(name, names);
-  return Error{ErrorCode::unknown_name, "unknown attribute '{}'{}; the attributes are {}", name,
-               suggestion.empty() ? "" : ", did you mean '" + suggestion + "'?", algebra3d::enumerate(names, 20)};
+  return Error{ErrorCode::unknown_name, "unknown attribute '{}'{} attributes are {}", name,
+               suggestion.empty() ? "; the" : ", did you mean '" + suggestion + "'? The",
+               algebra3d::enumerate(names, 20)};
 }
 
 }  // namespace queries

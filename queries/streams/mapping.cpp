@@ -87,10 +87,10 @@ Result<std::size_t> MappingCheck::attribute_named(const std::string& name, const
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
   const std::string suggestion = algebra3d::nearest_name(name, names);
   return Error{ErrorCode::unknown_name,
-               "{}: unknown attribute '{}'{}; the attributes are {}",
+               "{}: unknown attribute '{}'{} attributes are {}",
                op_,
                name,
-               suggestion.empty() ? "" : ", did you mean '" + suggestion + "'?",
+               suggestion.empty() ? "; the" : ", did you mean '" + suggestion + "'? The",
                algebra3d::enumerate(names, 20)};
 }
 

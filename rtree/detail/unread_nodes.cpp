@@ -25,7 +25,8 @@ bool are_sound(const Remainders& remainders, const KeyFrame& frame) {
 
 // So many blocks have to be read before an array is taken for one of which much is read.
 constexpr std::size_t kFewBlocks = 16;
-constexpr std::size_t kLongestRun = 64;
+// Blocks before one that is to be read, by which it is decided whether others are read with it, and how many.
+constexpr std::size_t kNeighbours = 8, kMostNeighbours = 6, kNeighbourhood = 64;
 
 }  // namespace
 
@@ -49,12 +50,17 @@ bool UnreadArray<Node>::name(NodeIndex node, std::uint32_t level) {
   return true;
 }
 
-// The more has been read, the more is read at once: few questions read what they need, many read a run in the time of
-// few blocks, and never more than all.
+// Where most blocks just before have been read, more are read at once: scattered questions read what they need, and a
+// walk through many neighbours reads them in runs, whatever the order of threads.
 template <typename Node>
 std::size_t UnreadArray<Node>::run_length(std::size_t first_block) const {
-  const std::size_t longest = std::min(1 + read_blocks_ / kFewBlocks, kLongestRun);
-  const std::size_t end = std::min(first_block + longest, has_block_.size());
+  const auto here = has_block_.begin() + static_cast<std::ptrdiff_t>(first_block);
+  const auto read_of = [&](std::size_t before) {
+    const auto begin = here - static_cast<std::ptrdiff_t>(std::min(first_block, before));
+    return static_cast<std::size_t>(std::count(begin, here, true));
+  };
+  if (read_of(kNeighbours) < kMostNeighbours) return 1;
+  const std::size_t end = std::min(first_block + 1 + read_of(kNeighbourhood) / 2, has_block_.size());
   std::size_t block = first_block + 1;
   while (block < end && !has_block_[block]) ++block;
   return block - first_block;

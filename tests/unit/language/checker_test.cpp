@@ -106,7 +106,7 @@ TEST(CheckerErrors, unknown_names) {
   EXPECT_EQ(type_of("volum(1)"), "error 1:1 unknown operator 'volum', did you mean 'volume'?");
   EXPECT_EQ(type_of("[const valume3d value ()]"), "error 1:8 unknown type 'valume3d', did you mean 'volume3d'?");
   EXPECT_EQ(type_of("Parts feed filter[.Nam = \"a\"]"),
-            "error 1:19 unknown attribute 'Nam', did you mean 'Name'?; the attributes are Name or Solid");
+            "error 1:19 unknown attribute 'Nam', did you mean 'Name'? The attributes are Name or Solid");
   EXPECT_EQ(type_of("Parts feed project[Names] count").substr(0, 67),
             "error 1:12 project: unknown attribute 'Names', did you mean 'Name'?");
 }

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cstring>
+#include <thread>
 
 #include "algebra3d/base/scheduler.h"
 #include "unit/rtree/rtree_samples.h"
@@ -227,6 +229,23 @@ TEST(Image, free_nodes_are_linked) {
     for (const auto& entry : entries) wrong.insert(entry.box, entry.payload);
   };
   EXPECT_THROW(insert_all(), DamagedImage);
+}
+
+// Threads of their own, so that ThreadSanitizer sees all that synchronises them.
+TEST(Image, nodes_are_read_by_concurrent_windows) {
+  const Entries entries = samples::random_entries(20'000, Kind::points, 3);
+  const StoredImage image = stored(Tree::bulk_load(entries));
+  const Tree lazy = image.lazy_tree(3);
+  std::atomic<std::size_t> wrong = 0;
+  const auto ask = [&](std::size_t first) {
+    for (std::size_t i = first; i < entries.size(); i += 997)
+      wrong += samples::window_ids(lazy, entries[i].box) != samples::scan(entries, entries[i].box);
+  };
+  std::thread beside(ask, 1), reading_all([&] { wrong += lazy.entries().size() != entries.size(); });
+  ask(0);
+  beside.join();
+  reading_all.join();
+  EXPECT_EQ(wrong, 0U);
 }
 
 TEST(Image, nodes_are_read_by_many_threads) {
