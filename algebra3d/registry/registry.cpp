@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <functional>
 #include <optional>
 
 #include "algebra3d/base/diagnostics.h"
@@ -25,11 +26,29 @@ std::optional<std::size_t> cost_of(const Overload& overload, std::span<const Typ
   return sum;
 }
 
-std::vector<std::string> expected_arguments(const Operator& op) {
+// So many argument lists are told in a message.
+constexpr std::size_t kToldLists = 8;
+
+// The number of arguments that the overload would take, 0 if it takes another number of arguments.
+std::size_t fitting_arguments(const Overload& overload, std::span<const TypeExpr> arguments) {
+  if (overload.parameters.size() != arguments.size()) return 0;
+  std::size_t count = 0;
+  for (std::size_t place = 0; place < arguments.size(); ++place)
+    if (conversion_cost(arguments[place], overload.parameters[place].type->name())) ++count;
+  return count;
+}
+
+// The argument lists of all overloads. If they are too many to be told, those come first that the arguments fit best.
+std::vector<std::string> expected_arguments(const Operator& op, std::span<const TypeExpr> arguments) {
+  std::vector<const Overload*> overloads;
+  for (const Overload& overload : op.overloads) overloads.push_back(&overload);
+  if (overloads.size() > kToldLists)
+    std::ranges::stable_sort(overloads, std::greater(),
+                             [&](const Overload* overload) { return fitting_arguments(*overload, arguments); });
   std::vector<std::string> lists;
-  for (const Overload& overload : op.overloads) {
+  for (const Overload* overload : overloads) {
     std::vector<TypeExpr> types;
-    for (const Parameter& parameter : overload.parameters) types.emplace_back(parameter.type->name());
+    for (const Parameter& parameter : overload->parameters) types.emplace_back(parameter.type->name());
     std::string list = argument_list_text(types);
     if (std::ranges::find(lists, list) == lists.end()) lists.push_back(std::move(list));
   }
@@ -202,8 +221,8 @@ Result<ResolvedCall> Registry::resolve(const Operator& op, std::span<const TypeE
     return Error{ErrorCode::type_error, "{}: expected values of type {}, got {}", op.name,
                  enumerate(parameter_types(op)), arguments.front().text()};
   if (best == nullptr)
-    return Error{ErrorCode::type_error, "{}: expected {}, got {}", op.name, enumerate(expected_arguments(op)),
-                 argument_list_text(arguments)};
+    return Error{ErrorCode::type_error, "{}: expected {}, got {}", op.name,
+                 enumerate(expected_arguments(op, arguments), kToldLists), argument_list_text(arguments)};
   return ResolvedCall{&op, best};
 }
 

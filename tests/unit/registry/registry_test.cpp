@@ -113,6 +113,23 @@ TEST_F(RegistryTest, wrong_types_are_an_error_that_says_what_is_possible) {
   EXPECT_EQ(result.error().message, "f: expected (real) or (int int), got (bool)");
 }
 
+TEST_F(RegistryTest, of_many_overloads_those_that_fit_best_are_told) {
+  std::vector<Overload> overloads;
+  for (int i = 0; i < 9; ++i) {  // other numbers of arguments, and none that fits
+    Overload other = overload<&half>("x");
+    other.parameters.resize(static_cast<std::size_t>(i % 3 == 0 ? 3 : 1), other.parameters.front());
+    if (i % 3 != 0) other.parameters[0].type = &TypeOf<bool>::type();
+    overloads.push_back(std::move(other));
+  }
+  Overload with_bool = overload<&both>("a", "b");
+  with_bool.parameters[1].type = &TypeOf<bool>::type();
+  overloads.push_back(with_bool);
+  add("f", std::move(overloads));
+  const auto result = call("f", {Value::of<std::int64_t>(1), Value::of<std::int64_t>(2)});
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().message, "f: expected (int bool), (real real real) or (bool), got (int int)");
+}
+
 TEST_F(RegistryTest, undefined_in_gives_undefined_out_without_a_new_reason) {
   add("f", {overload<&half>("x")});
   EXPECT_FALSE(single("f", Value(TypeOf<double>::type())).is_defined());
