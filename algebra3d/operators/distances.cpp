@@ -105,7 +105,7 @@ void register_distances(Registry& registry) {
                    {{"(makePoint 4 5)", kUnitRegion}, "5.0"},
                    {{kCubeOfTwo, kEmptySolid}, "undefined"},
                    {{kCubeOfTwo, kUndefinedSolid}, "undefined"}},
-      .errors = {{{kCubeOfTwo, "1"}, "distance: expected (rect3 rect3)"}},
+      .errors = {{{kCubeOfTwo, "1"}, "distance: expected (volume3d rect3)"}},
   });
   registry.add({
       .name = "withinDistance",
@@ -137,7 +137,7 @@ void register_distances(Registry& registry) {
                    {{"(makePoint3D 1 1 4)", kCubeOfTwo}, "(((1.0 1.0 4.0) (1.0 1.0 2.0) 2.0))"},
                    {{kCubeOfTwo, kEmptySolid}, "()"},
                    {{kCubeOfTwo, kUndefinedSolid}, "()"}},
-      .errors = {{{kCubeOfTwo, "1"}, "closestPoints: expected (rect3 rect3)"}},
+      .errors = {{{kCubeOfTwo, "1"}, "closestPoints: expected (volume3d rect3)"}},
   });
 }
 

@@ -61,7 +61,7 @@ void register_hausdorff(Registry& registry) {
                    {{"(makePoint3D 0 0 5)", "(rectangle3 -1 1 -1 1 0 0)"}, "5.196152422706632"},
                    {{kUnitCube, "(volume3d ())"}, "undefined"},
                    {{kUnitCube, kUndefinedSolid}, "undefined"}},
-      .errors = {{{kUnitCube, "1"}, "hausdorffDistance: expected (rect3 rect3)"}},
+      .errors = {{{kUnitCube, "1"}, "hausdorffDistance: expected (volume3d rect3)"}},
   });
 }
 

@@ -252,7 +252,7 @@ void register_inclusion(Registry& registry) {
                    {{"(makePoint 2 0)", kUnitRegion}, "FALSE"},
                    {{"(theInstant 2012)", R"((interval ("2011-01-01" "2012-01-01" TRUE FALSE)))"}, "FALSE"},
                    {{kUnitBox, kUndefinedRect3}, "undefined"}},
-      .errors = {{{kUnitBox, "1"}, "inside: expected (instant interval), (rect3 rect3)"}},
+      .errors = {{{kUnitBox, "1"}, "inside: expected (rect3 rect3), (rect3 point3d)"}},
   });
   registry.add({
       .name = "contains",
@@ -268,7 +268,7 @@ void register_inclusion(Registry& registry) {
                    {{R"("gearbox")", R"("box")"}, "TRUE"},
                    {{"'gearbox.stl'", R"("cog")"}, "FALSE"},
                    {{kUnitBox, kUndefinedRect3}, "undefined"}},
-      .errors = {{{kUnitBox, "1"}, "contains: expected (string string), (text text), (rect3 rect3)"}},
+      .errors = {{{kUnitBox, "1"}, "contains: expected (rect3 rect3), (rect3 point3d)"}},
   });
   registry.add({
       .name = "coveredBy",
