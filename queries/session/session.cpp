@@ -21,8 +21,7 @@ std::string_view instead_of(const CommandContent& command) {
   const auto advice = [](const auto& content) -> std::string_view {
     using T = std::decay_t<decltype(content)>;
     if constexpr (std::is_same_v<T, TransactionStep>)
-      return "each statement is a transaction of its own; for one over several commands, send them as one statement, "
-             "{ let A = 1 | let B = 2 }";
+      return "each command is a transaction of its own; one over several commands is for the shell";
     if constexpr (std::is_same_v<T, SetOption>) return "options are those of whoever started the server";
     if constexpr (std::is_same_v<T, OpenDatabase> || std::is_same_v<T, CloseDatabase>)
       return "it stays open for all clients; for another database start another server";

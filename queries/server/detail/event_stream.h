@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -13,8 +14,9 @@ namespace queries {
 class EventStream {
  public:
   explicit EventStream(const SendPiece& send) : send_(send) {}
-  /// Sends an event; `json` has no line end. False if the client is gone.
-  bool send(std::string_view event, std::string_view json) {
+  /// Sends an event. False if the client is gone.
+  bool send(std::string_view event, std::string json) {
+    std::ranges::replace(json, '\n', ' ');  // a line end would end the data, and is white space in JSON
     is_open_ = is_open_ && send_(fmt::format("event: {}\ndata: {}\n\n", event, json));
     return is_open_;
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <random>
 
 #include <fmt/format.h>
 
@@ -18,7 +19,18 @@ std::uint64_t number_of(const std::string& id) {
   return error == std::errc() && end == id.data() + id.size() ? number : 0;
 }
 
+// Ids are beyond this number: it tells those of other runs of the server from what was never an id.
+constexpr std::uint64_t kLeastNumber = std::uint64_t{1} << 40U;
+
+// Before the first id of this run: no other run is likely to have the same ids.
+std::uint64_t random_start() {
+  std::random_device device;
+  return kLeastNumber + ((std::uint64_t{device()} << 16U) ^ device());
+}
+
 }  // namespace
+
+KeptResults::KeptResults(std::size_t most) : most_(most), last_(random_start()) {}
 
 KeptResults::~KeptResults() {
   drop_all();
@@ -59,8 +71,9 @@ Reply<std::shared_ptr<Execution>> KeptResults::find(const std::string& id) {
     found->second.used = Execution::Clock::now();
     return found->second.execution;
   }
-  if (number != 0 && number <= last_)
-    return Refusal{410, "gone", fmt::format("the result '{}' was dropped", id), "Run the statement again."};
+  if (number > kLeastNumber)
+    return Refusal{410, "gone", fmt::format("the result '{}' was dropped, or is of another run of the server", id),
+                   "Run the statement again."};
   return Refusal::not_found(fmt::format("there is no result '{}'", id));
 }
 

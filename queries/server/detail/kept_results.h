@@ -11,12 +11,13 @@
 
 namespace queries {
 
-/// The results that clients can ask, by their ids `r1`, `r2`, ... Beyond a number of them the one that was not used for
-/// longest is dropped, and so is one that nobody has used for a quarter of an hour. All functions may be called by any
-/// thread.
+/// The results that clients can ask, by their ids: `r` and a number, which begins at a random one in each run of the
+/// server, so that a page that is still open never gets the result of another run for its own. Beyond a number of them
+/// the one that was not used for longest is dropped, and so is one that nobody has used for a quarter of an hour. All
+/// functions may be called by any thread.
 class KeptResults {
  public:
-  explicit KeptResults(std::size_t most) : most_(most) {}
+  explicit KeptResults(std::size_t most);
   /// Drops all of them.
   ~KeptResults();
   KeptResults(const KeptResults&) = delete;
@@ -45,7 +46,7 @@ class KeptResults {
   const std::size_t most_;
   std::mutex mutex_;  // guards what follows
   std::map<std::uint64_t, Kept> results_;
-  std::uint64_t last_ = 0;
+  std::uint64_t last_;
 };
 
 }  // namespace queries
