@@ -108,9 +108,10 @@ export class Side {
     this.control.value = control ? cellOf(control) : null;
   }
 
+  /** Stops a running operation; without one, the counting. After the first, what is shown is still to be counted. */
   stop(): void {
-    this.#abort?.abort();
-    this.#counting.abort();
+    if (this.#abort) this.#abort.abort();
+    else this.#counting.abort();
   }
 
   async undo(): Promise<void> {

@@ -370,6 +370,7 @@ test("a running step is stopped, and what was there stays", async () => {
   await side("right").getByRole("button", { name: "Stop" }).click();
   await side("right").getByText("Stopped.").waitFor({ timeout: 60_000 });
   expect(await side("right").locator(".steps").innerText()).toContain("Ball");
+  await side("right").locator('[data-fact="Faces"]').waitFor({ timeout: 60_000 });
 });
 
 test("an operation that is not possible says why", async () => {

@@ -45,6 +45,13 @@ test("a statement is highlighted, run, and its rows are shown as a table", async
   expect(await table.locator('[data-row="0"] [data-column="Mass"]').innerText()).toBe("3");
 });
 
+test("an inquiry of many lines has an answer", async () => {
+  for (const statement of ["list operators;", "explain query Cubes feed count;"]) {
+    await run(page, statement);
+    expect(await page.getByTestId("failure").count()).toBe(0);
+  }
+});
+
 test("undefined values are marked as such, and are not the word", async () => {
   await run(
     page,
