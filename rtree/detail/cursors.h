@@ -183,7 +183,7 @@ class BasicJoinCursor {
   void expand_self(const Task& task);
   void match(const Task& task, Pairs& pairs) const;
   void match_leaves(NodeIndex first, NodeIndex second, SlotMask rows, Pairs& pairs) const;
-  void match_within(NodeIndex leaf, Pairs& pairs) const;
+  void match_within(NodeIndex index, Pairs& pairs) const;
   void emit(Payload first, Payload second, Pairs& pairs) const;
 
   const NodeScans* scans_ = &node_scans();
