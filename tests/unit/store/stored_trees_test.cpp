@@ -3,6 +3,7 @@
 #include <random>
 #include <set>
 
+#include "queries/store/detail/cell.h"
 #include "unit/store/store_fixture.h"
 
 namespace queries {
