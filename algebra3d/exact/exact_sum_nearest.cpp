@@ -20,7 +20,7 @@ namespace {
 
 using detail::BitRange, detail::FixedSums, detail::WideInteger;
 
-/// What a number lies between.
+/// Two bounds of a number that is not known exactly.
 struct Bounds {
   Rational lower, upper;
 
@@ -157,30 +157,30 @@ Result<std::optional<Vec3>> rounded_centroid(const PointArray& points, IndexTria
 /// Bits that nearly always suffice, and those that do but for a result that is tiny beside the coordinates.
 constexpr std::size_t kFewLimbs = 2, kManyLimbs = 5;
 
+/// An attempt with few limbs, or else with many. Nothing if neither decides, and for doubles, whose exact sum is fast.
+template <typename T, typename Attempt>
+Result<std::optional<T>> by_bounds(const PointArray& points, const Attempt& attempt) {
+  if (points.exact_count() == 0) return std::optional<T>();
+  Result<std::optional<T>> result = attempt.template operator()<kFewLimbs>();
+  if (result.ok() && !*result) result = attempt.template operator()<kManyLimbs>();
+  if (result.ok() && !*result) detail::count_filter_failure();
+  return result;
+}
+
 }  // namespace
 
 Result<double> nearest_volume(const PointArray& points, IndexTriangles triangles, const std::atomic<bool>* cancel) {
-  if (points.exact_count() != 0) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<double> volume, rounded_volume<kFewLimbs>(points, triangles, cancel));
-    if (!volume) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(volume, rounded_volume<kManyLimbs>(points, triangles, cancel));
-    }
-    if (volume) return *volume;
-    detail::count_filter_failure();
-  }
+  const auto attempt = [&]<std::size_t Limbs>() { return rounded_volume<Limbs>(points, triangles, cancel); };
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<double> bounded, by_bounds<double>(points, attempt));
+  if (bounded) return *bounded;
   ALGEBRA3D_ASSIGN_OR_RETURN(const Rational volume, exact_volume(points, triangles, cancel));
   return volume.nearest_double();
 }
 
 Result<Vec3> nearest_centroid(const PointArray& points, IndexTriangles triangles, const std::atomic<bool>* cancel) {
-  if (points.exact_count() != 0) {
-    ALGEBRA3D_ASSIGN_OR_RETURN(std::optional<Vec3> centroid, rounded_centroid<kFewLimbs>(points, triangles, cancel));
-    if (!centroid) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(centroid, rounded_centroid<kManyLimbs>(points, triangles, cancel));
-    }
-    if (centroid) return *centroid;
-    detail::count_filter_failure();
-  }
+  const auto attempt = [&]<std::size_t Limbs>() { return rounded_centroid<Limbs>(points, triangles, cancel); };
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<Vec3> bounded, by_bounds<Vec3>(points, attempt));
+  if (bounded) return *bounded;
   ALGEBRA3D_ASSIGN_OR_RETURN(const SolidMoments moments, exact_moments(points, triangles, cancel));
   const auto coordinate = [&](std::size_t axis) { return (moments.first[axis] / moments.volume).nearest_double(); };
   return Vec3{coordinate(0), coordinate(1), coordinate(2)};

@@ -114,7 +114,7 @@ std::optional<double> estimated_mean(const PointArray& points, Corners corners, 
   for (const std::uint32_t corner : corners) sum = with_double(sum, points[corner].approx[axis]);
   if (sum.is_zero()) return 0.0;
   const auto count = static_cast<double>(corners.size());
-  // Of two or four numbers the mean is often a middle between two doubles.
+  // The mean of two or four numbers is often in the middle between two doubles.
   if (sum.error == 0 && std::has_single_bit(corners.size())) return sum.value / count;
   return (sum / BoundedPair{count, 0, 0}).nearest_double();
 }

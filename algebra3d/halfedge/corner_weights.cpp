@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kHalfTurn = std::numbers::pi, kQuarterTurn = std::numbers::pi / 2;
 constexpr double kTangentOfEighth = 0.41421356237309503;  // of an eighth of a half turn, up to which the series is used
-// Of (atan(t) / t - 1) / t^2 as a polynomial of t^2, interpolated at Chebyshev nodes of [0, tan(pi / 8)^2]: the
+// The polynomial of t^2 for (atan(t) / t - 1) / t^2, interpolated at Chebyshev nodes of [0, tan(pi / 8)^2]: the
 // relative error of t + t^3 p(t^2) is below 2^-56 before rounding.
 constexpr double kArcTangent[] = {-0.3333333333333333,  0.1999999999999552,   -0.14285714284666542,
                                   0.11111111015256223,  -0.09090904578118268, 0.07692183190695215,

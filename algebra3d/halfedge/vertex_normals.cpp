@@ -51,7 +51,7 @@ class RunsByBlock {
     found_ = {};
     last_ = {};
   }
-  /// Those of a block, ascending.
+  /// The runs of a block, ascending.
   std::span<const FaceRun> runs(std::size_t block) const {
     return std::span(runs_).subspan(starts_[block], starts_[block + 1] - starts_[block]);
   }

@@ -12,7 +12,7 @@ template <typename... Args>
   throw DamagedImage("image of an R-tree: " + fmt::format(format, std::forward<Args>(args)...));
 }
 
-// What is beyond a remainder would change the key.
+// A remainder beyond its limit would change the key.
 bool are_sound(const Remainders& remainders, const KeyFrame& frame) {
   std::uint32_t excess = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -65,7 +65,7 @@ class UnreadArray {
 template <typename Leaf>
 class UnreadNodes {
  public:
-  /// What is known of a tree before its nodes are read.
+  /// The facts of a tree that are known before its nodes are read.
   struct Tree {
     KeyFrame frame;
     NodeIndex root;
@@ -104,7 +104,7 @@ class UnreadNodes {
   std::atomic<bool> has_all_ = false;
 };
 
-/// What a tree has of nodes that were not read. A copy of a tree has all in memory: for that, this is the member that
+/// The nodes of a tree that were not read yet. A copy of a tree has all in memory: for that, this is the member that
 /// is copied first.
 template <typename Leaf>
 class UnreadPart {

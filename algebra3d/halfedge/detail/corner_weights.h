@@ -10,7 +10,7 @@
 /// Normals and angles of many faces at once, in the vectors of the processor, and their sums at vertices.
 namespace algebra3d::detail {
 
-/// What a batch of faces adds to its vertices: a normal per face and an angle per corner.
+/// The normals of a batch of faces and the angles at their corners: the summands of vertex normals.
 struct CornerWeights {
   static constexpr std::size_t kMaxFaces = 128;
   static constexpr std::size_t kGrain = 8;  ///< lists of faces are padded to a multiple of it

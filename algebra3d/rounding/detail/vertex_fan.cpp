@@ -22,7 +22,7 @@ double norm(const Vec3& v) {
   return std::sqrt(dot(v, v));
 }
 
-/// What doubles tell.
+/// The answer of an estimate in doubles to a question.
 enum class Certainty : std::uint8_t { no, unknown, yes };
 
 Certainty is_positive(double value, double error) {

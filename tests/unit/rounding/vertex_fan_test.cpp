@@ -50,7 +50,7 @@ TriangleMesh cone(Chance& chance, std::uint32_t count, double off) {
   return {PointArray(points), triangles};
 }
 
-/// What VertexFan tells, by its definition.
+/// The right answers of VertexFan for one neighbour, by their definition.
 struct Definition {
   bool bends = false;            ///< a plane is farther than the tolerance from the vertex
   Exact squared_least_height{};  ///< 0: the triangles do not represent the surface

@@ -15,7 +15,7 @@ using samples::Kind;
 using samples::Tree;
 using ByteVector = std::vector<std::byte>;
 
-// What was read of an image.
+// The parts of an image that were read.
 struct Reads {
   std::size_t calls = 0, inner_bytes = 0, leaf_bytes = 0;
 };
