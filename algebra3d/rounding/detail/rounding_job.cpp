@@ -3,9 +3,24 @@
 #include <algorithm>
 #include <utility>
 
+#include "algebra3d/base/indices.h"
 #include "algebra3d/rounding/detail/snap_rounding.h"
 
 namespace algebra3d {
+
+FaceSet RoundingCandidate::kept_faces() const {
+  std::vector<bool> are_kept;
+  are_kept.reserve(kept.size());
+  for (const std::uint32_t face : kept) are_kept.push_back(face != kNone);
+  return FaceSet(std::move(are_kept));
+}
+
+RoundingCandidate with_its_faces(const TriangleMesh& mesh, const RoundedVertices& vertices) {
+  RoundingCandidate candidate{TriangleMesh(mesh, vertices.points), rounded_up(vertices.largest_movement)};
+  const std::vector<bool> moves = faces_that_move(mesh, vertices.movements);
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) candidate.kept.push_back(moves[f] ? kNone : f);
+  return candidate;
+}
 
 Result<RoundingCandidate> with_moved_vertices(const TriangleMesh& mesh, const RoundedVertices& vertices,
                                               const std::atomic<bool>* cancel) {

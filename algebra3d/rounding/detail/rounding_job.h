@@ -2,7 +2,9 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "algebra3d/base/error.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
@@ -10,6 +12,7 @@
 #include "algebra3d/rounding/detail/rounded_vertices.h"
 #include "algebra3d/rounding/detail/snapped_faces.h"
 #include "algebra3d/rounding/rounding_method.h"
+#include "algebra3d/validity/face_set.h"
 
 namespace algebra3d {
 
@@ -19,11 +22,19 @@ struct RoundingCandidate {
   double movement = 0;  ///< no point is farther from the given mesh, in coordinate units
   double reach = 0;     ///< within which features were joined, in coordinate units; 0 if none were
   RoundingMethod method = RoundingMethod::vertices_moved;
+  /// Per face: the number of the face of the given mesh that is the same, corner by corner; kNone if none is or it is
+  /// not known. Empty: of no face known.
+  std::vector<std::uint32_t> kept = {};
+
+  /// The faces that the given mesh has too.
+  FaceSet kept_faces() const;
 };
 
 /// The smallest reach within which features are joined, in spacings of the grid.
 inline constexpr double kFirstReach = 2;
 
+/// The vertices moved, and the faces as they were. Cost: linear.
+RoundingCandidate with_its_faces(const TriangleMesh& mesh, const RoundedVertices& vertices);
 /// The mesh with its vertices moved, and no more. Errors: interrupted.
 Result<RoundingCandidate> with_moved_vertices(const TriangleMesh& mesh, const RoundedVertices& vertices,
                                               const std::atomic<bool>* cancel);

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "algebra3d/base/error.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
+#include "algebra3d/validity/face_set.h"
 #include "algebra3d/validity/replacement.h"
 
 namespace algebra3d {
@@ -18,12 +21,20 @@ class SolidPart {
   /// `is_moved`: one flag per vertex. Cost: linear, a few nanoseconds per face.
   SolidPart(const TriangleMesh& solid, const std::vector<bool>& is_moved);
 
+  struct Change;
+  /// What is left to prove and to replace if all faces of the part become those of `rounded`: the faces that do not
+  /// stay, and those in their place. `kept` as in RoundingCandidate. Faces at an edge with more than two faces count as
+  /// changed. Nothing if no face is known to stay, or if the part is the whole and more than a quarter changes: then the
+  /// proof of the whole costs less. Cost: linear.
+  std::optional<Change> change_to(const TriangleMesh& rounded, const std::vector<std::uint32_t>& kept) const;
+
   bool is_whole() const { return is_in_.empty(); }
   const TriangleMesh& mesh() const { return is_whole() ? *solid_ : part_; }
 
   /// Proves or refutes that the solid is valid with `rounded` in place of the part, no point of which is farther from
-  /// the part than `movement`. Exact. Errors: interrupted. Cost: that of a proof of the part, and a scan of the solid.
-  Result<ProofWithContacts> prove_with(const TriangleMesh& rounded, double movement,
+  /// the part than `movement`. `known`: faces of `rounded` that the solid has too, of which pairs are not tested again
+  /// if the part is the whole. Exact. Errors: interrupted. Cost: that of a proof of the part, and a scan of the solid.
+  Result<ProofWithContacts> prove_with(const TriangleMesh& rounded, double movement, const FaceSet& known,
                                        const std::atomic<bool>* cancel) const;
   /// False if the solid may have another number of shells with `rounded` in place of the part. Cost: linear in the
   /// part.
@@ -32,9 +43,20 @@ class SolidPart {
   TriangleMesh solid_with(TriangleMesh rounded) const;
 
  private:
+  /// The flagged faces.
+  static SolidPart of_faces(const TriangleMesh& solid, std::vector<bool> is_in);
+  /// The numbers in the solid of the part's faces.
+  std::vector<FaceId> faces_of_solid() const;
+
   const TriangleMesh* solid_;
   std::vector<bool> is_in_;  // per face; empty: all
   TriangleMesh part_;
+};
+
+/// A part of a solid, and the faces that come in its place.
+struct SolidPart::Change {
+  SolidPart part;
+  TriangleMesh added;
 };
 
 /// Proves or refutes a valid solid whose vertices have moved, with the faces that it had. `movements`: one number per

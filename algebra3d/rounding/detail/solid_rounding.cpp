@@ -44,6 +44,15 @@ constexpr std::size_t kSearchedCells = 10'000;
 /// From so many faces on, a second task pays.
 constexpr std::size_t kManyFaces = 5'000;
 
+/// RoundingCandidate::kept for what has become of a candidate.
+std::vector<std::uint32_t> still_kept(const RoundingCandidate& candidate, const TriangleStars& stars) {
+  if (candidate.kept.empty()) return {};
+  std::vector<std::uint32_t> kept = stars.unchanged();
+  for (std::uint32_t& face : kept)
+    if (face != kNone) face = candidate.kept[face];
+  return kept;
+}
+
 }  // namespace
 
 SolidRounding::SolidRounding(const TriangleMesh& solid, const SolidPart& part, const CoordinateGrid& grid,
@@ -87,15 +96,22 @@ Result<bool> SolidRounding::accept_as_it_is(const RoundingCandidate& candidate) 
     ALGEBRA3D_ASSIGN_OR_RETURN(const bool may_be_empty, may_vanish(candidate.reach));
     if (!may_be_empty) return false;
   }
+  if (const auto change = part_.change_to(candidate.mesh, candidate.kept))
+    return accept_in_place_of(change->part, change->added, {}, candidate);
+  return accept_in_place_of(part_, candidate.mesh, candidate.kept_faces(), candidate);
+}
+
+Result<bool> SolidRounding::accept_in_place_of(const SolidPart& part, const TriangleMesh& added, const FaceSet& known,
+                                               const RoundingCandidate& candidate) {
   // Nearly all candidates are valid, so the solid is made while that is proved.
   Result<ProofWithContacts> proof = ProofWithContacts{};
   bool keeps_shells = false;
   TriangleMesh solid;
   parallel_invoke(
-      solid_.face_count() > kManyFaces, [&] { proof = part_.prove_with(candidate.mesh, candidate.movement, cancel()); },
+      solid_.face_count() > kManyFaces, [&] { proof = part.prove_with(added, candidate.movement, known, cancel()); },
       [&] {
-        keeps_shells = part_.keeps_shells_with(candidate.mesh);
-        solid = part_.solid_with(candidate.mesh);
+        keeps_shells = part.keeps_shells_with(added);
+        solid = part.solid_with(added);
       });
   ALGEBRA3D_RETURN_IF_ERROR(proof);
   if (!proof->is_valid) return false;
@@ -125,7 +141,8 @@ Result<std::optional<RoundingCandidate>> SolidRounding::simplified(const Roundin
   const bool is_flipped = flip_needles(stars, may_change, tolerance);
   if (!is_smaller && !is_flipped) return std::optional<RoundingCandidate>();
   const double movement = candidate.movement + rounded_up(2 * tolerance);
-  return std::optional(RoundingCandidate{stars.mesh(), movement, candidate.reach, candidate.method});
+  return std::optional(
+      RoundingCandidate{stars.mesh(), movement, candidate.reach, candidate.method, still_kept(candidate, stars)});
 }
 
 Result<bool> SolidRounding::accept(const RoundingCandidate& candidate) {
@@ -141,7 +158,7 @@ Result<bool> SolidRounding::accept_moved() {
   RoundedVertices all = rounded_vertices(solid_, grid());
   if (!are_apart(all)) return false;
   const double movement = rounded_up(all.largest_movement);
-  const RoundingCandidate moved_part{TriangleMesh(mesh(), vertices().points), movement};
+  const RoundingCandidate moved_part = with_its_faces(mesh(), vertices());
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<RoundingCandidate> simpler, simplified(moved_part));
   if (simpler) {
     ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, accept_as_it_is(*simpler));

@@ -38,6 +38,9 @@ class SolidRounding : public RoundingJob {
   Result<bool> may_vanish(double reach) const;
   Result<std::optional<RoundingCandidate>> simplified(const RoundingCandidate& candidate) const;
   Result<bool> accept_as_it_is(const RoundingCandidate& candidate);
+  /// Proves a candidate of which `added` comes in place of the part, and pairs of `known` faces need no test.
+  Result<bool> accept_in_place_of(const SolidPart& part, const TriangleMesh& added, const FaceSet& known,
+                                  const RoundingCandidate& candidate);
 
   const TriangleMesh& solid_;
   const SolidPart& part_;

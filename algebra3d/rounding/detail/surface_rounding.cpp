@@ -25,20 +25,14 @@ Result<std::optional<TriangleMesh>> SurfaceRounding::divided(const TriangleMesh&
 
 Result<bool> SurfaceRounding::accept_moved() {
   if (!are_apart(vertices())) return false;
-  std::vector<bool> stays = faces_that_move(mesh(), vertices().movements);
-  stays.flip();
-  const RoundingCandidate moved{TriangleMesh(mesh(), vertices().points), rounded_up(vertices().largest_movement)};
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, accept(moved, FaceSet(std::move(stays))));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_valid, accept(with_its_faces(mesh(), vertices())));
   return is_valid && result_.contact_vertices == 0;
 }
 
 Result<bool> SurfaceRounding::accept(const RoundingCandidate& candidate) {
-  return accept(candidate, FaceSet());
-}
-
-Result<bool> SurfaceRounding::accept(const RoundingCandidate& candidate, const FaceSet& known) {
   if (candidate.mesh.is_empty() && candidate.reach > kFirstReach * spacing()) return false;
-  const ProofOptions options{.thoroughness = Thoroughness::first_defect, .cancel = cancel(), .known = known};
+  const ProofOptions options{
+      .thoroughness = Thoroughness::first_defect, .cancel = cancel(), .known = candidate.kept_faces()};
   ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport report, prove_surface(candidate.mesh, options));
   if (!report.is_valid()) return false;
   result_ = RoundedSurface{candidate.mesh, "", 0, candidate.movement, candidate.method, report.contact_vertices,

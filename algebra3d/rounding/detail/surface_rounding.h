@@ -8,7 +8,6 @@
 #include "algebra3d/rounding/coordinate_grid.h"
 #include "algebra3d/rounding/detail/rounding_job.h"
 #include "algebra3d/rounding/rounded_surface.h"
-#include "algebra3d/validity/face_set.h"
 
 namespace algebra3d {
 
@@ -29,9 +28,6 @@ class SurfaceRounding : public RoundingJob {
   RoundedSurface&& result() { return std::move(result_); }
 
  private:
-  /// accept, where pairs of known faces need no proof.
-  Result<bool> accept(const RoundingCandidate& candidate, const FaceSet& known);
-
   RoundedSurface result_;
 };
 

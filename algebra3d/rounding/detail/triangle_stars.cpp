@@ -46,6 +46,14 @@ void TriangleStars::flip(std::uint32_t first, std::uint32_t c, std::uint32_t sec
   triangles_[second] = {d, b, c};
 }
 
+std::vector<std::uint32_t> TriangleStars::unchanged() const {
+  std::vector<std::uint32_t> numbers;
+  numbers.reserve(triangles_.size());
+  for (std::uint32_t t = 0; t < size(); ++t)
+    if (triangles_[t][0] != kNone) numbers.push_back(triangles_[t] == mesh_.triangle(FaceId(t)) ? t : kNone);
+  return numbers;
+}
+
 TriangleMesh TriangleStars::mesh() const {
   PointArray points;
   std::vector<std::uint32_t> numbers(mesh_.vertex_count(), kNone);

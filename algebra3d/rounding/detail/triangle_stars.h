@@ -43,6 +43,8 @@ class TriangleStars {
 
   /// The mesh of the triangles that are there, vertices numbered in their order. Cost: linear.
   TriangleMesh mesh() const;
+  /// For each of its triangles: its number here if it is as in the original mesh, else kNone.
+  std::vector<std::uint32_t> unchanged() const;
 
  private:
   std::vector<std::uint32_t> at(std::uint32_t vertex) const;
