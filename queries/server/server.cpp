@@ -101,12 +101,17 @@ Status serve(const ServerOptions& options, const algebra3d::Registry& registry, 
                  "--listen {}: without a token the server listens to loopback addresses only; give one by --token-file "
                  "or ALGEBRA3D_TOKEN",
                  options.listen};
+  std::vector<SiteName> further_names;
+  for (const std::string& text : options.hosts) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(SiteName name, site_name(text));
+    further_names.push_back(std::move(name));
+  }
   ALGEBRA3D_RETURN_IF_ERROR(prepare_database(options, registry, note));
   ALGEBRA3D_ASSIGN_OR_RETURN(DatabaseIdentity database, DatabaseIdentity::of(options.database));
   ALGEBRA3D_ASSIGN_OR_RETURN(const auto listener,
                              HttpListener::bind(options.listen, options.port, limits_of_connections(limits)));
   ALGEBRA3D_ASSIGN_OR_RETURN(algebra3d::TemporaryFolder uploads, algebra3d::TemporaryFolder::make());
-  Api api(registry, options, limits, token, authorities_of(options.listen, listener->port(), options.hosts),
+  Api api(registry, options, limits, token, site_names(options.listen, listener->port(), std::move(further_names)),
           std::move(uploads), std::move(database));
   auto tended = std::chrono::steady_clock::now();
   std::thread answering([&] { listener->run([&api](const HttpRequest& request) { return api.answer(request); }); });

@@ -29,7 +29,9 @@ TEST(RequestHead, PiecesMakeTheSameHead) {
     const State after_first = head.add(std::string_view(text).substr(0, first));
     ASSERT_NE(after_first, State::refused) << first;
     EXPECT_EQ(after_first == State::complete, first >= kHead.size()) << first;
-    if (after_first == State::incomplete) ASSERT_EQ(head.add(std::string_view(text).substr(first)), State::complete);
+    if (after_first == State::incomplete) {
+      ASSERT_EQ(head.add(std::string_view(text).substr(first)), State::complete);
+    }
     EXPECT_EQ(head.take(), after_first == State::complete ? text.substr(0, first) : text) << first;
   }
 }
