@@ -14,7 +14,6 @@
 #include <map>
 #include <mutex>
 #include <optional>
-#include <ranges>
 #include <set>
 #include <thread>
 #include <utility>
@@ -189,7 +188,7 @@ class OpenStreams {
     const auto latest = Clock::now() - kPatience;
     for (ConnectionStream* stream : streams_)
       if (const auto since = stream->waits_since(); since && *since < latest) slow.emplace(*since, stream);
-    for (const auto& [since, stream] : slow | std::views::take(count)) stream->give_up();
+    for (auto each = slow.begin(); each != slow.end() && count > 0; ++each, --count) each->second->give_up();
   }
   /// Ends all: those that wait for a request at once, those that still write an answer after a while.
   void end() {
