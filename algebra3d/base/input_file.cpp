@@ -1,6 +1,7 @@
 #include "algebra3d/base/input_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <memory>
 #include <system_error>
@@ -22,9 +23,11 @@ namespace {
 /// Large enough that system calls do not count, small enough that an interruption is soon noticed.
 constexpr std::size_t kBlockBytes = std::size_t{4} << 20;
 
+// What another name or other permissions would mend is no failure of the device.
 Error reading_error(const std::filesystem::path& path, int reason) {
-  const bool missing = reason == ENOENT || reason == ENOTDIR;
-  return {missing ? ErrorCode::file_missing : ErrorCode::io_error, "{}: {}", path.string(),
+  constexpr std::array kOfTheName = {ENOENT, ENOTDIR, EISDIR, EACCES, EPERM, ELOOP, ENAMETOOLONG};
+  const bool is_of_the_name = std::ranges::find(kOfTheName, reason) != kOfTheName.end();
+  return {is_of_the_name ? ErrorCode::file_missing : ErrorCode::io_error, "{}: {}", path.string(),
           std::generic_category().message(reason)};
 }
 
@@ -52,7 +55,8 @@ Descriptor::~Descriptor() {
 Result<InputFile> InputFile::open(const std::filesystem::path& path) {
   ALGEBRA3D_RETURN_IF_ERROR(check_file_name(path));
   if (const auto database = open_database_with(path))
-    return Error{ErrorCode::io_error, "{}: this file holds the open database '{}'", path.string(), database->string()};
+    return Error{ErrorCode::file_missing, "{}: this file holds the open database '{}'", path.string(),
+                 database->string()};
   // O_NONBLOCK: opening a pipe that nobody writes to must not wait for a writer.
   Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));  // NOLINT(*-vararg)
   if (file.number() < 0) return reading_error(path, errno);
@@ -60,7 +64,7 @@ Result<InputFile> InputFile::open(const std::filesystem::path& path) {
   if (::fstat(file.number(), &facts) != 0) return reading_error(path, errno);
   if (S_ISDIR(facts.st_mode)) return reading_error(path, EISDIR);
   if (!S_ISREG(facts.st_mode))
-    return Error{ErrorCode::io_error, "{}: Not a regular file (but a pipe or device)", path.string()};
+    return Error{ErrorCode::file_missing, "{}: Not a regular file (but a pipe or device)", path.string()};
   ::posix_fadvise(file.number(), 0, 0, POSIX_FADV_SEQUENTIAL);  // a hint: reads ahead in larger steps
   return InputFile(std::move(file), path, state_of(facts));
 }

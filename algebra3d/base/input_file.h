@@ -44,8 +44,8 @@ struct FileState {
 /// it return an error, since old and new bytes do not belong together. Concurrent reading is safe.
 class InputFile {
  public:
-  /// Opens a regular file; folders, pipes and devices are refused. Errors: file_missing (no such file, no name),
-  /// io_error (all others), with the path and the system's reason.
+  /// Opens a regular file; folders, pipes and devices are refused. Errors: file_missing (no such file, none that
+  /// may be read, none of data), io_error (all others), with the path and the system's reason.
   static Result<InputFile> open(const std::filesystem::path& path);
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }

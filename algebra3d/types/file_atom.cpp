@@ -31,9 +31,9 @@ Result<std::string> file_atom_content(const NestedList& atom, const Context& con
   if (!std::filesystem::exists(status))
     return Error{ErrorCode::file_missing, "file atom '{}': there is no such file", path};
   if (!std::filesystem::is_regular_file(status))
-    return Error{ErrorCode::io_error, "file atom '{}': expected a file, found something else", path};
+    return Error{ErrorCode::file_missing, "file atom '{}': expected a file, found something else", path};
   if (open_database_with(file))
-    return Error{ErrorCode::io_error, "file atom '{}': this file holds the open database", path};
+    return Error{ErrorCode::file_missing, "file atom '{}': this file holds the open database", path};
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (!error && size > kMaxFileAtomBytes)
     return Error{ErrorCode::limit_exceeded, "file atom '{}': the file has {} bytes, at most {} are read", path, size,

@@ -25,8 +25,9 @@ CLI::App* add_serve_command(CLI::App& app, ServerOptions& options) {
       ->type_name("FILE");
   serve
       ->add_option("--host", options.hosts,
-                   "Further name of this server in addresses, such as that of a proxy before it; may be repeated")
-      ->type_name("NAME[:PORT]")
+                   "Further name of this server in addresses, such as that of a proxy before it, with https:// if the "
+                   "proxy speaks it; may be repeated")
+      ->type_name("[SCHEME://]NAME[:PORT]")
       ->allow_extra_args(false);
   serve->add_option("--max-upload", options.max_upload_megabytes, "Largest file that can be sent, in megabytes")
       ->check(CLI::Range(1, 1 << 20))

@@ -1,5 +1,8 @@
 #include "queries/server/server.h"
 
+#include <sys/resource.h>
+
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
@@ -72,6 +75,19 @@ void give_back_large_arrays() {
 #endif
 }
 
+// As many descriptors as the process may have: a session takes three of them, and a connection one.
+ListenerLimits limits_of_connections(const ServerLimits& limits) {
+  constexpr std::size_t kMostUnanswered = 1024;
+  rlimit files{};
+  if (getrlimit(RLIMIT_NOFILE, &files) == 0) {
+    files.rlim_cur = files.rlim_max;
+    setrlimit(RLIMIT_NOFILE, &files);
+    getrlimit(RLIMIT_NOFILE, &files);
+  }
+  return {.requests = limits.connections,
+          .unanswered = std::clamp<std::size_t>(files.rlim_cur / 4, 16, kMostUnanswered)};
+}
+
 }  // namespace
 
 Status serve(const ServerOptions& options, const algebra3d::Registry& registry, const std::atomic<bool>& stop,
@@ -85,15 +101,20 @@ Status serve(const ServerOptions& options, const algebra3d::Registry& registry, 
                  "--listen {}: without a token the server listens to loopback addresses only; give one by --token-file "
                  "or ALGEBRA3D_TOKEN",
                  options.listen};
+  std::vector<SiteName> further_names;
+  for (const std::string& text : options.hosts) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(SiteName name, site_name(text));
+    further_names.push_back(std::move(name));
+  }
   ALGEBRA3D_RETURN_IF_ERROR(prepare_database(options, registry, note));
   ALGEBRA3D_ASSIGN_OR_RETURN(DatabaseIdentity database, DatabaseIdentity::of(options.database));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const auto listener, HttpListener::bind(options.listen, options.port, limits.connections));
+  ALGEBRA3D_ASSIGN_OR_RETURN(const auto listener,
+                             HttpListener::bind(options.listen, options.port, limits_of_connections(limits)));
   ALGEBRA3D_ASSIGN_OR_RETURN(algebra3d::TemporaryFolder uploads, algebra3d::TemporaryFolder::make());
-  Api api(registry, options, limits, token, authorities_of(options.listen, listener->port(), options.hosts),
+  Api api(registry, options, limits, token, site_names(options.listen, listener->port(), std::move(further_names)),
           std::move(uploads), std::move(database));
   auto tended = std::chrono::steady_clock::now();
   std::thread answering([&] { listener->run([&api](const HttpRequest& request) { return api.answer(request); }); });
-  while (!listener->is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   ready(url_of(options.listen, listener->port()) + (token.empty() ? "" : "#token=" + token));
   while (!stop) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));

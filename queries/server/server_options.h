@@ -19,7 +19,7 @@ struct ServerOptions {
   bool read_only = false;
   /// File with the token that requests must give; empty: the variable ALGEBRA3D_TOKEN, if it is set.
   std::filesystem::path token_file = {};
-  /// Further names in the header `Host`, for servers behind another one: NAME or NAME:PORT.
+  /// Further names in the headers `Host` and `Origin`, for servers behind another one: [SCHEME://]NAME[:PORT].
   std::vector<std::string> hosts = {};
   std::uint64_t max_upload_megabytes = 1024;
   double max_seconds = 0;  ///< of a statement; 0: no limit

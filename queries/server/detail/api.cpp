@@ -91,12 +91,11 @@ constexpr std::string_view kApi = "/api/";
 }  // namespace
 
 Api::Api(const algebra3d::Registry& registry, const ServerOptions& options, const ServerLimits& limits,
-         std::string token, std::vector<std::string> authorities, algebra3d::TemporaryFolder uploads,
-         DatabaseIdentity database)
+         std::string token, std::vector<SiteName> names, algebra3d::TemporaryFolder uploads, DatabaseIdentity database)
     : registry_(registry),
       options_(options),
       limits_(limits),
-      guard_(std::move(authorities), std::move(token)),
+      guard_(std::move(names), std::move(token)),
       database_(std::move(database)),
       uploads_(std::move(uploads), options.max_upload_megabytes << 20U, limits.uploads),
       folder_(confined_folder(options, uploads_)),

@@ -42,7 +42,7 @@ struct Route {
 class Api {
  public:
   Api(const algebra3d::Registry& registry, const ServerOptions& options, const ServerLimits& limits, std::string token,
-      std::vector<std::string> authorities, algebra3d::TemporaryFolder uploads, DatabaseIdentity database);
+      std::vector<SiteName> names, algebra3d::TemporaryFolder uploads, DatabaseIdentity database);
 
   /// Answers any request; never throws.
   HttpAnswer answer(const HttpRequest& request) noexcept;

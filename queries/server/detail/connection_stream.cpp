@@ -3,14 +3,18 @@
 #include <arpa/inet.h>
 #include <poll.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 
 namespace queries {
 namespace {
+
+// Without a byte of a body, or of an answer that is taken.
+constexpr std::chrono::milliseconds kSilence(20000);
+constexpr std::size_t kBufferBytes = 16384;
 
 using AskName = int (*)(int, sockaddr*, socklen_t*);
 
@@ -37,82 +41,91 @@ void tell_end(AskName ask, int socket, std::string& address, int& port) {
 
 }  // namespace
 
-// Half closed first, so that the client gets what was written, also if it has sent what nobody has read.
-ConnectionStream::~ConnectionStream() {
-  shutdown(socket_, SHUT_WR);
-  close(socket_);
-}
-
-bool ConnectionStream::wait_for(short events, Clock::duration time) const {
-  const auto milliseconds = std::chrono::ceil<std::chrono::milliseconds>(std::max(time, Clock::duration::zero()));
-  pollfd asked{socket_, events, 0};
+bool ConnectionStream::wait_for(short events) const {
+  pollfd asked{socket_.number(), events, 0};
+  waits_since_ = Clock::now().time_since_epoch().count();
   int found = 0;
-  do found = poll(&asked, 1, static_cast<int>(milliseconds.count()));
+  do found = poll(&asked, 1, static_cast<int>(kSilence.count()));
   while (found < 0 && errno == EINTR);
+  waits_since_ = 0;
+  if (found == 0) is_late_ = true;
   return found > 0;
 }
 
+std::optional<ConnectionStream::Clock::time_point> ConnectionStream::waits_since() const {
+  const Clock::rep since = waits_since_;
+  return since == 0 ? std::nullopt : std::optional(Clock::time_point(Clock::duration(since)));
+}
+
+void ConnectionStream::give_up() {
+  is_late_ = true;
+  shut(SHUT_RD);
+  pollfd asked{socket_.number(), POLLOUT, 0};
+  const bool is_taken = poll(&asked, 1, 0) > 0;  // what was written: so it will get the refusal
+  if (!is_taken) shut(SHUT_RDWR);
+}
+
+void ConnectionStream::shut(int how) const {
+  shutdown(socket_.number(), how);
+}
+
 bool ConnectionStream::is_gone() const {
-  pollfd asked{socket_, POLLRDHUP, 0};
+  pollfd asked{socket_.number(), POLLRDHUP, 0};
   return poll(&asked, 1, 0) > 0 && (asked.revents & (POLLRDHUP | POLLHUP | POLLERR)) != 0;
 }
 
 bool ConnectionStream::is_readable() const {
-  return begin_ < end_ || wait_for(POLLIN, limits_.silence);
+  return begin_ < buffer_.size() || wait_for(POLLIN);
 }
 
 bool ConnectionStream::is_writable() const {
-  return wait_for(POLLOUT, limits_.silence);
+  return wait_for(POLLOUT);
 }
 
 bool ConnectionStream::fill() {
-  const Clock::duration time = is_head_complete_ ? limits_.silence : start_ + limits_.head_time - Clock::now();
-  if (!wait_for(POLLIN, time)) return false;
-  ssize_t count = 0;
-  do count = recv(socket_, buffer_.data(), buffer_.size(), 0);
-  while (count < 0 && errno == EINTR);
+  if (!wait_for(POLLIN)) return false;
+  buffer_.resize(kBufferBytes);
   begin_ = 0;
-  end_ = count > 0 ? static_cast<std::size_t>(count) : 0;
+  ssize_t count = 0;
+  do count = recv(socket_.number(), buffer_.data(), buffer_.size(), 0);
+  while (count < 0 && errno == EINTR);
+  buffer_.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
   return count > 0;
 }
 
-// The head ends with an empty line.
-bool ConnectionStream::is_head_too_long(const char* bytes, std::size_t size) {
-  for (std::size_t i = 0; i < size && !is_head_complete_; ++i) {
-    ++head_bytes_;
-    if (bytes[i] == '\n') {
-      is_head_complete_ = line_bytes_ == 0;
-      line_bytes_ = 0;
-    } else if (bytes[i] != '\r') {
-      ++line_bytes_;
-    }
-  }
-  return head_bytes_ > limits_.head_bytes;
-}
-
 ssize_t ConnectionStream::read(char* bytes, std::size_t size) {
-  if (begin_ == end_ && !fill()) return -1;
-  const std::size_t count = std::min(size, end_ - begin_);
+  if (begin_ == buffer_.size() && !fill()) return -1;
+  const std::size_t count = std::min(size, buffer_.size() - begin_);
   std::memcpy(bytes, buffer_.data() + begin_, count);
   begin_ += count;
-  if (is_head_too_long(bytes, count)) return -1;
+  body_bytes_ -= std::min<std::uint64_t>(body_bytes_, count);
   return static_cast<ssize_t>(count);
 }
 
 ssize_t ConnectionStream::write(const char* bytes, std::size_t size) {
   if (!is_writable()) return -1;
   ssize_t count = 0;
-  do count = send(socket_, bytes, size, MSG_NOSIGNAL | MSG_DONTWAIT);
+  do count = send(socket_.number(), bytes, size, MSG_NOSIGNAL | MSG_DONTWAIT);
   while (count < 0 && errno == EINTR);
   return count;
 }
 
+bool ConnectionStream::is_unread() const {
+  char byte = 0;
+  return body_bytes_ > 0 || begin_ < buffer_.size() || recv(socket_.number(), &byte, 1, MSG_PEEK | MSG_DONTWAIT) > 0;
+}
+
+algebra3d::Descriptor ConnectionStream::end() {
+  shut(SHUT_WR);
+  return is_unread() ? std::exchange(socket_, algebra3d::Descriptor(-1)) : algebra3d::Descriptor(-1);
+}
+
 void ConnectionStream::get_remote_ip_and_port(std::string& address, int& port) const {
-  tell_end(getpeername, socket_, address, port);
+  tell_end(getpeername, socket_.number(), address, port);
 }
 
 void ConnectionStream::get_local_ip_and_port(std::string& address, int& port) const {
-  tell_end(getsockname, socket_, address, port);
+  tell_end(getsockname, socket_.number(), address, port);
 }
 
 }  // namespace queries

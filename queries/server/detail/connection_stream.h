@@ -1,28 +1,29 @@
 #pragma once
 
-#include <array>
+#include <atomic>
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 
+#include "algebra3d/base/input_file.h"
 #include "queries/server/detail/http.h"
 #include "queries/server/detail/http_library.h"
 
 namespace queries {
 
-/// Limits of what a client may make the server wait for or keep.
-struct ConnectionLimits {
-  std::size_t head_bytes = std::size_t{64} << 10U;  ///< of the request line and the headers together
-  std::chrono::seconds head_time{10};               ///< until they are complete
-  std::chrono::seconds silence{20};                 ///< without a byte of a body, or of an answer that is taken
-};
-
-/// The connection of one request, as the HTTP library reads and writes it. It bounds the head of the request, which the
-/// library would read without end, and knows whether the client is still there. Owns the socket.
+/// The connection of one request whose head is there, as the HTTP library reads and writes it. It knows whether the
+/// client is still there, and how long it has been waited for. Owns the socket.
 class ConnectionStream final : public httplib::Stream, public Connection {
  public:
-  ConnectionStream(int socket, const ConnectionLimits& limits) : socket_(socket), limits_(limits) {}
-  ~ConnectionStream() override;
+  using Clock = std::chrono::steady_clock;
+
+  /// `bytes`: what has come; at least the head.
+  ConnectionStream(algebra3d::Descriptor socket, std::string bytes)
+      : socket_(std::move(socket)), buffer_(std::move(bytes)) {}
+  ~ConnectionStream() override = default;
   ConnectionStream(const ConnectionStream&) = delete;
   ConnectionStream& operator=(const ConnectionStream&) = delete;
 
@@ -34,24 +35,34 @@ class ConnectionStream final : public httplib::Stream, public Connection {
   ssize_t write(const char* bytes, std::size_t size) override;
   void get_remote_ip_and_port(std::string& address, int& port) const override;
   void get_local_ip_and_port(std::string& address, int& port) const override;
-  socket_t socket() const override { return socket_; }
+  /// None: the library would refuse one that `select` cannot wait for, and waits by the functions above only.
+  socket_t socket() const override { return INVALID_SOCKET; }
+
+  /// The bytes of the body that the request announces; called when its head was read.
+  void expect_body(std::uint64_t bytes) { body_bytes_ = bytes; }
+  /// True if the client was silent for too long, or others needed its place.
+  bool is_late() const { return is_late_; }
+  /// Ends the answer. Returns the socket if the client has sent, or may still send, what nobody has read.
+  algebra3d::Descriptor end();
+
+  /// Since when the client has been waited for; nothing while it is not. May be called by any thread, as what follows.
+  std::optional<Clock::time_point> waits_since() const;
+  /// Ends the connection because others need its place.
+  void give_up();
+  /// Ends reading (SHUT_RD), or all (SHUT_RDWR).
+  void shut(int how) const;
 
  private:
-  using Clock = std::chrono::steady_clock;
-
-  bool wait_for(short events, Clock::duration time) const;
+  bool wait_for(short events) const;
   bool fill();
-  bool is_head_too_long(const char* bytes, std::size_t size);
+  bool is_unread() const;
 
-  const int socket_;
-  const ConnectionLimits limits_;
-  const Clock::time_point start_ = Clock::now();
-  std::array<char, 16384> buffer_{};
-  std::size_t begin_ = 0;  // of what lies in the buffer
-  std::size_t end_ = 0;
-  std::size_t head_bytes_ = 0;
-  std::size_t line_bytes_ = 1;  // of the line of the head that is being read
-  bool is_head_complete_ = false;
+  algebra3d::Descriptor socket_;
+  std::string buffer_;            // bytes that have come
+  std::size_t begin_ = 0;         // of those that were not read yet
+  std::uint64_t body_bytes_ = 0;  // that are announced and were not read
+  mutable std::atomic<bool> is_late_ = false;
+  mutable std::atomic<Clock::rep> waits_since_ = 0;  // 0: no
 };
 
 }  // namespace queries

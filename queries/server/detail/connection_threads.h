@@ -1,33 +1,35 @@
 #pragma once
 
 #include <condition_variable>
+#include <cstddef>
 #include <deque>
 #include <functional>
 #include <mutex>
 #include <thread>
 #include <vector>
 
-#include "queries/server/detail/http_library.h"
-
 namespace queries {
 
-/// Threads for connections, started as they are needed, up to a number of them; beyond it the server accepts no more
-/// connections until one has ended, so that they wait in the system and not in our memory.
-class ConnectionThreads final : public httplib::TaskQueue {
+/// Threads for requests, started as they are needed, up to a number of them; beyond it requests wait for one.
+class ConnectionThreads {
  public:
   explicit ConnectionThreads(std::size_t most) : most_(most) {}
-  ~ConnectionThreads() override = default;
   ConnectionThreads(const ConnectionThreads&) = delete;
   ConnectionThreads& operator=(const ConnectionThreads&) = delete;
+  ~ConnectionThreads() { shutdown(); }
 
-  void enqueue(std::function<void()> task) override;
-  void shutdown() override;
+  /// Runs a task, which must not throw, on a thread, now or when one is free.
+  void start(std::function<void()> task);
+  /// The number of tasks that wait for a thread.
+  std::size_t waiting() const;
+  /// Ends the threads when all tasks are done.
+  void shutdown();
 
  private:
   void work();
 
   const std::size_t most_;
-  std::mutex mutex_;  // guards what follows
+  mutable std::mutex mutex_;  // guards what follows
   std::condition_variable changed_;
   std::deque<std::function<void()>> tasks_;
   std::vector<std::thread> threads_;

@@ -1,19 +1,25 @@
-// With connection_stream and connection_threads the only sources that know the library for HTTP.
+// With connection_stream the only source that knows the library for HTTP.
 #include "queries/server/detail/http_listener.h"
 
+#include <fcntl.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <limits>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <set>
 #include <thread>
 #include <utility>
 
+#include "queries/server/detail/acceptor.h"
+#include "queries/server/detail/answer_text.h"
 #include "queries/server/detail/connection_stream.h"
 #include "queries/server/detail/connection_threads.h"
 #include "queries/server/detail/content_coding.h"
@@ -31,51 +37,42 @@ using algebra3d::ErrorCode;
 // A body must arrive at a tenth of a megabyte per second, after a start of some seconds.
 constexpr double kSlowestBytesPerSecond = 1e5;
 constexpr std::chrono::seconds kBodyStart(20);
-// The bytes of a refused body that are still read, so that the client reads the refusal and no reset.
-constexpr std::size_t kDrained = std::size_t{64} << 20U;
 // Connections that wait to be accepted; each request has one of its own.
 constexpr int kBacklog = 511;
+// Requests that wait for a thread; beyond them no connection is accepted.
+constexpr std::size_t kMostWaiting = 1024;
+// A client for whom a thread has waited for so long gives way when other requests wait.
+constexpr std::chrono::seconds kPatience(1);
 
-/// A body of announced length that the library reads piece by piece.
+/// A body of announced length that the library reads piece by piece. What is not read of it, because it is too large or
+/// the request is refused, the Acceptor drains.
 class ListenerBody final : public Body {
  public:
-  ListenerBody(const httplib::ContentReader& reader, std::uint64_t size) : reader_(reader), size_(size) {}
+  ListenerBody(const httplib::ContentReader& reader, std::uint64_t size, const ConnectionStream& stream)
+      : reader_(reader), size_(size), stream_(stream) {}
 
   Outcome read(std::size_t limit, const std::function<bool(std::string_view)>& take) override {
-    if (size_ > limit) return drained(Outcome::too_large);
-    is_read_ = true;
+    if (size_ > limit) return Outcome::too_large;
     Outcome outcome = Outcome::complete;
     std::size_t bytes = 0;
     const auto start = Clock::now();
     const bool is_whole = reader_([&](const char* data, std::size_t size) {
       bytes += size;
-      if (outcome != Outcome::complete) return bytes < kDrained;  // the rest of what is refused
       const std::chrono::duration<double> elapsed = Clock::now() - start;
       if (elapsed > kBodyStart && static_cast<double>(bytes) < elapsed.count() * kSlowestBytesPerSecond)
         outcome = Outcome::too_slow;
       else if (!take({data, size}))
         outcome = Outcome::refused;
-      return outcome != Outcome::too_slow;
+      return outcome == Outcome::complete;
     });
-    return is_whole || outcome != Outcome::complete ? outcome : Outcome::broken;
-  }
-
-  /// Reads what nobody has read.
-  void drain() {
-    if (!is_read_) (void)drained(Outcome::refused);
+    if (is_whole || outcome != Outcome::complete) return outcome;
+    return stream_.is_late() ? Outcome::too_slow : Outcome::broken;
   }
 
  private:
-  Outcome drained(Outcome outcome) {
-    is_read_ = true;
-    const auto start = Clock::now();
-    if (size_ <= kDrained) reader_([&](const char*, std::size_t) { return Clock::now() - start < kBodyStart; });
-    return outcome;
-  }
-
   const httplib::ContentReader& reader_;
   const std::uint64_t size_;
-  bool is_read_ = false;
+  const ConnectionStream& stream_;
 };
 
 // The header under which `Accept-Encoding` is hidden from the library.
@@ -114,18 +111,6 @@ std::optional<Refusal> refuse_form(const httplib::Request& request) {
   return std::nullopt;
 }
 
-// Nobody shows our pages in theirs, and they run nothing that is not ours.
-void set_security_headers(httplib::Response& response) {
-  response.set_header("X-Content-Type-Options", "nosniff");
-  response.set_header("X-Frame-Options", "DENY");
-  response.set_header("Cross-Origin-Resource-Policy", "same-origin");
-  response.set_header("Referrer-Policy", "no-referrer");
-  response.set_header(
-      "Content-Security-Policy",
-      "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
-      "worker-src 'self' blob:; object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'");
-}
-
 // Pages lie in the program as they are sent to browsers.
 void unpack(HttpAnswer& answer) {
   const auto coding =
@@ -148,7 +133,7 @@ void unpack(HttpAnswer& answer) {
 
 void give(HttpAnswer answer, httplib::Response& response) {
   response.status = answer.status;
-  set_security_headers(response);
+  for (const auto& [name, value] : common_headers()) response.set_header(name, value);
   for (const auto& [name, value] : answer.headers) response.set_header(name, value);
   if (answer.stream) {
     response.set_chunked_content_provider(
@@ -165,9 +150,8 @@ void give(HttpAnswer answer, httplib::Response& response) {
   response.set_header("Content-Type", answer.type);
 }
 
-// Only whole answers are given, and the library does not compress them.
+// The library does not compress answers.
 void forget_wishes(httplib::Request& request) {
-  request.ranges.clear();
   request.headers.erase(kAcceptEncoding);
   if (request.has_header("Accept-Encoding"))
     request.set_header(kAcceptEncoding, request.get_header_value("Accept-Encoding"));
@@ -179,28 +163,68 @@ void explain(const httplib::Request& request, httplib::Response& response) {
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): the library's own object, which it made as a variable
   forget_wishes(const_cast<httplib::Request&>(request));
   if (!response.body.empty()) return;
-  Refusal refusal{response.status, "bad_request", "the request is no HTTP that this server understands"};
+  Refusal refusal{response.status, "bad_request", "the address of the request is none"};
   if (response.status == 404) refusal = Refusal::not_found("there is no path '" + request.path + "'");
   if (response.status == 413) refusal = {413, "too_large", "the body is too large"};
-  if (response.status == 414) refusal = {414, "too_large", "the address is too long"};
   give(refusal.answer(), response);
 }
 
-/// The library's server with connections that are ours.
+/// The requests that are being answered.
+class OpenStreams {
+ public:
+  void add(ConnectionStream& stream) {
+    const std::lock_guard lock(mutex_);
+    streams_.insert(&stream);
+    if (is_ending_) stream.shut(SHUT_RD);
+  }
+  void remove(ConnectionStream& stream) {
+    const std::lock_guard lock(mutex_);
+    streams_.erase(&stream);
+  }
+  /// Gives up the streams, at most `count`, whose clients have been waited for longest, if longer than kPatience.
+  void give_up_slowest(std::size_t count) {
+    const std::lock_guard lock(mutex_);
+    std::multimap<Clock::time_point, ConnectionStream*> slow;
+    const auto latest = Clock::now() - kPatience;
+    for (ConnectionStream* stream : streams_)
+      if (const auto since = stream->waits_since(); since && *since < latest) slow.emplace(*since, stream);
+    for (auto each = slow.begin(); each != slow.end() && count > 0; ++each, --count) each->second->give_up();
+  }
+  /// Ends all: those that wait for a request at once, those that still write an answer after a while.
+  void end() {
+    constexpr std::chrono::milliseconds kWhile(500);
+    shut(SHUT_RD);
+    for (const auto end = Clock::now() + kWhile; Clock::now() < end && shut(SHUT_RD) > 0;)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    shut(SHUT_RDWR);
+  }
+
+ private:
+  std::size_t shut(int how) {
+    const std::lock_guard lock(mutex_);
+    is_ending_ = true;
+    for (const ConnectionStream* stream : streams_) stream->shut(how);
+    return streams_.size();
+  }
+
+  std::mutex mutex_;  // guards what follows
+  std::set<ConnectionStream*> streams_;
+  bool is_ending_ = false;
+};
+
+/// The library's server, which binds the address and understands requests; connections are ours.
 class Library final : public httplib::Server {
  public:
   using Handle = std::function<void(const httplib::Request&, httplib::Response&, Body*, const Connection*)>;
 
-  Library(std::size_t most_connections, Handle handle) : handle_(std::move(handle)) {
-    new_task_queue = [most_connections] { return new ConnectionThreads(most_connections); };
+  explicit Library(Handle handle) : handle_(std::move(handle)) {
     // Without SO_REUSEPORT, which would let two servers share a port.
-    set_socket_options([this](int socket) {
+    set_socket_options([](int socket) {
       const int yes = 1;
       setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
       // The bytes that a slow reader must take before it counts as silent; the system would let it grow to megabytes.
       const int send_bytes = 1 << 18;
       setsockopt(socket, SOL_SOCKET, SO_SNDBUF, &send_bytes, sizeof(send_bytes));
-      listening_ = socket;
     });
     set_error_handler(Handler(explain));
     set_exception_handler([](const httplib::Request&, httplib::Response& response, const std::exception_ptr&) {
@@ -213,119 +237,128 @@ class Library final : public httplib::Server {
     });
     const char* const any = R"([\s\S]*)";
     const auto without_body = [this](const httplib::Request& request, httplib::Response& response) {
-      handle_(request, response, nullptr, connection());
+      handle_(request, response, nullptr, current());
     };
     const auto with_body = [this](const httplib::Request& request, httplib::Response& response,
                                   const httplib::ContentReader& reader) {
       const std::uint64_t size = *length_of(request);
-      if (size == 0) return handle_(request, response, nullptr, connection());
-      ListenerBody body(reader, size);
-      handle_(request, response, &body, connection());
-      const int status = response.status;
-      body.drain();
-      response.status = status;  // the library changes it where a body is not read to its end
+      if (size == 0) return handle_(request, response, nullptr, current());
+      ListenerBody body(reader, size, *current());
+      handle_(request, response, &body, current());
     };
     Get(any, without_body).Options(any, without_body);
     Post(any, with_body).Put(any, with_body).Patch(any, with_body).Delete(any, with_body);
   }
 
-  int listening_socket() const { return listening_; }
-  /// Ends all connections: those that wait for a request at once, those that still write an answer after a while.
-  void shut_connections() {
-    constexpr std::chrono::milliseconds kWhile(500);
-    shut(SHUT_RD);
-    for (const auto end = Clock::now() + kWhile; Clock::now() < end && shut(SHUT_RD) > 0;)
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    shut(SHUT_RDWR);
+  /// Starts to listen; the socket.
+  int listening() const {
+    const int socket = svr_sock_;
+    ::listen(socket, kBacklog);
+    ::fcntl(socket, F_SETFL, O_NONBLOCK);  // NOLINT(*-vararg)
+    return socket;
+  }
+  void close() {
+    if (const int socket = svr_sock_.exchange(INVALID_SOCKET); socket != INVALID_SOCKET) ::close(socket);
+  }
+
+  /// Answers the request of a connection. One request on each: what a refused body leaves unread can never be taken for
+  /// the next request.
+  void answer(ConnectionStream& stream) {
+    current() = &stream;
+    bool is_closed = false;
+    process_request(stream, true, is_closed, [&stream](httplib::Request& request) {
+      forget_wishes(request);
+      const bool is_endless = request.has_header("Transfer-Encoding") || !length_of(request);
+      stream.expect_body(is_endless ? std::numeric_limits<std::uint64_t>::max() : *length_of(request));
+    });
+    current() = nullptr;
   }
 
  private:
   // The connection of the request that this thread answers.
-  static const Connection*& connection() {
-    thread_local const Connection* current = nullptr;
-    return current;
-  }
-
-  // One request on a connection: what a refused body leaves unread can never be taken for the next request.
-  bool process_and_close_socket(int socket) override {
-    note(socket, true);
-    bool is_answered = false;
-    {
-      ConnectionStream stream(socket, {});
-      connection() = &stream;
-      bool is_closed = false;
-      is_answered = process_request(stream, true, is_closed, forget_wishes);
-      connection() = nullptr;
-      note(socket, false);
-    }
-    return is_answered;
-  }
-
-  std::size_t shut(int how) {
-    const std::lock_guard lock(mutex_);
-    for (const int socket : sockets_) shutdown(socket, how);
-    return sockets_.size();
-  }
-
-  void note(int socket, bool is_open) {
-    const std::lock_guard lock(mutex_);
-    if (is_open)
-      sockets_.insert(socket);
-    else
-      sockets_.erase(socket);
+  static ConnectionStream*& current() {
+    thread_local ConnectionStream* stream = nullptr;
+    return stream;
   }
 
   const Handle handle_;
-  int listening_ = -1;
-  std::mutex mutex_;  // guards sockets_
-  std::set<int> sockets_;
 };
 
 class Listener final : public HttpListener {
  public:
-  explicit Listener(std::size_t most_connections)
-      : server_(most_connections, [this](const httplib::Request& request, httplib::Response& response, Body* body,
-                                         const Connection* connection) {
+  explicit Listener(const ListenerLimits& limits)
+      : library_([this](const httplib::Request& request, httplib::Response& response, Body* body,
+                        const Connection* connection) {
           HttpRequest given = request_of(request);
           given.body = body;
           given.connection = connection;
           HttpAnswer answer = answer_(given);
           if (!takes_gzip(given.header("accept-encoding"))) unpack(answer);
           give(std::move(answer), response);
-        }) {}
+        }),
+        acceptor_(
+            {.connections = limits.unanswered},
+            [this](auto socket, auto bytes) { take(std::move(socket), std::move(bytes)); }, [this] { return load(); }),
+        threads_(limits.requests) {}
+  ~Listener() override { library_.close(); }
+  Listener(const Listener&) = delete;
+  Listener& operator=(const Listener&) = delete;
 
   algebra3d::Status bind_to(const std::string& address, int port) {
     const bool is_bound =
-        port == 0 ? (port_ = server_.bind_to_any_port(address)) > 0 : server_.bind_to_port(address, port);
+        port == 0 ? (port_ = library_.bind_to_any_port(address)) > 0 : library_.bind_to_port(address, port);
     if (!is_bound)
       return Error{ErrorCode::io_error, "cannot listen on {} port {}: {}", address, port, std::strerror(errno)};
     if (port != 0) port_ = port;
-    listen(server_.listening_socket(), kBacklog);
+    listening_ = library_.listening();
     return {};
   }
 
   int port() const override { return port_; }
   void run(Answer answer) override {
     answer_ = std::move(answer);
-    server_.listen_after_bind();
+    acceptor_.run(listening_);
+    library_.close();
+    threads_.shutdown();
   }
-  bool is_running() const override { return server_.is_running(); }
   void stop() override {
-    server_.stop();
-    server_.shut_connections();
+    acceptor_.stop();
+    streams_.end();
   }
 
  private:
-  Library server_;
+  void take(algebra3d::Descriptor socket, std::string bytes) {
+    const auto stream = std::make_shared<ConnectionStream>(std::move(socket), std::move(bytes));
+    threads_.start([this, stream] {
+      streams_.add(*stream);
+      library_.answer(*stream);
+      streams_.remove(*stream);
+      if (algebra3d::Descriptor unread = stream->end(); unread.number() >= 0) acceptor_.drain(std::move(unread));
+    });
+  }
+
+  // Clients that are slow with a body, or in taking an answer, hold a thread each; where these are too few, they go.
+  Acceptor::Load load() {
+    const std::size_t waiting = threads_.waiting();
+    if (waiting == 0) return Acceptor::Load::light;
+    streams_.give_up_slowest(waiting);
+    return waiting < kMostWaiting ? Acceptor::Load::heavy : Acceptor::Load::full;
+  }
+
+  Library library_;
   Answer answer_;
+  int listening_ = -1;
   int port_ = 0;
+  OpenStreams streams_;
+  Acceptor acceptor_;
+  ConnectionThreads threads_;
 };
 
 }  // namespace
 
 algebra3d::Result<std::unique_ptr<HttpListener>> HttpListener::bind(const std::string& address, int port,
-                                                                    std::size_t most_connections) {
-  auto listener = std::make_unique<Listener>(most_connections);
+                                                                    const ListenerLimits& limits) {
+  auto listener = std::make_unique<Listener>(limits);
   ALGEBRA3D_RETURN_IF_ERROR(listener->bind_to(address, port));
   return std::unique_ptr<HttpListener>(std::move(listener));
 }

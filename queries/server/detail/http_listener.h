@@ -1,11 +1,18 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 
 #include "queries/server/detail/http.h"
 
 namespace queries {
+
+/// How many connections a server has at once.
+struct ListenerLimits {
+  std::size_t requests = 256;     ///< that are answered, each by a thread; others wait
+  std::size_t unanswered = 1024;  ///< whose request has not come, or whose client has not taken its answer
+};
 
 /// Answers HTTP requests on a TCP port, each on a connection of its own.
 class HttpListener {
@@ -14,7 +21,7 @@ class HttpListener {
 
   /// Listens on an address; port 0 takes a free one. Errors: io_error with the reason.
   static algebra3d::Result<std::unique_ptr<HttpListener>> bind(const std::string& address, int port,
-                                                               std::size_t most_connections);
+                                                               const ListenerLimits& limits);
   virtual ~HttpListener() = default;
   HttpListener(const HttpListener&) = delete;
   HttpListener& operator=(const HttpListener&) = delete;
@@ -22,9 +29,8 @@ class HttpListener {
   virtual int port() const = 0;
   /// Answers requests by `answer`, which is called by several threads at once, until `stop`.
   virtual void run(Answer answer) = 0;
-  /// True while `run` answers. Before that `stop` has no effect.
-  virtual bool is_running() const = 0;
-  /// Ends `run`, within a second also where clients neither send nor read; may be called by another thread.
+  /// Ends `run`, within a second also where clients neither send nor read; may be called by another thread, and before
+  /// it has begun.
   virtual void stop() = 0;
 
  protected:

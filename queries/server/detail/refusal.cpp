@@ -32,6 +32,18 @@ int status_of(ErrorCode code) {
   }
 }
 
+// The remedies of the language name options of the shell; a client has only the person who runs the server.
+std::string_view remedy_of(const algebra3d::ErrorDescription& description) {
+  switch (description.code) {
+    case ErrorCode::database_missing:
+      return "Put the file back, or restart the server with `--db` and the file that it shall serve.";
+    case ErrorCode::database_read_only:
+      return "Restart the server without `--read-only`, or check the permissions of the file and its folder.";
+    default:
+      return description.remedy;
+  }
+}
+
 void append_member(std::string& json, std::string_view name, std::string_view text) {
   append_json_string(json, name);
   json += ':';
@@ -62,7 +74,7 @@ HttpAnswer Refusal::answer() const {
 
 Refusal refusal_of(const algebra3d::Error& error) {
   const algebra3d::ErrorDescription& description = algebra3d::describe(error.code);
-  return {status_of(error.code), std::string(description.name), error.message, std::string(description.remedy),
+  return {status_of(error.code), std::string(description.name), error.message, std::string(remedy_of(description)),
           error.place};
 }
 

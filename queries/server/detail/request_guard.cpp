@@ -3,6 +3,7 @@
 #include <arpa/inet.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -19,10 +20,9 @@ std::string_view name_of(std::string_view authority) {
   return has_port ? authority.substr(0, colon) : authority;
 }
 
-// What follows `scheme://`; empty for the origin `null`.
-std::string_view authority_of(std::string_view origin) {
-  const std::size_t end = origin.find("://");
-  return end == std::string_view::npos ? std::string_view() : origin.substr(end + 3);
+bool is_name_of(const SiteName& site, std::string_view host) {
+  const std::string_view known = site.authority;
+  return known == host || (name_of(known) == known && known == name_of(host));
 }
 
 // Takes as long for a wrong first character as for a wrong last one.
@@ -35,11 +35,15 @@ bool is_equal_in_constant_time(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-bool RequestGuard::knows(std::string_view authority) const {
-  const std::string given = in_lower_case(authority);
-  return std::ranges::any_of(authorities_, [&](const std::string& known) {
-    return known == given || (name_of(known) == known && known == name_of(given));
-  });
+bool RequestGuard::knows(std::string_view host) const {
+  return std::ranges::any_of(names_, [&](const SiteName& site) { return is_name_of(site, host); });
+}
+
+std::vector<std::string> RequestGuard::origins_of(std::string_view host) const {
+  std::vector<std::string> origins;
+  for (const SiteName& site : names_)
+    if (is_name_of(site, host)) origins.push_back(fmt::format("{}://{}", site.scheme, host));
+  return origins;
 }
 
 bool RequestGuard::has_token(const HttpRequest& request) const {
@@ -50,15 +54,21 @@ bool RequestGuard::has_token(const HttpRequest& request) const {
 }
 
 std::optional<Refusal> RequestGuard::refuse(const HttpRequest& request, bool needs_token) const {
-  const std::string host = request.header("host");
-  if (request.headers.count("host") != 1 || !knows(host))
-    return Refusal{403, "forbidden", fmt::format("Host '{}': expected {}", host, fmt::join(authorities_, " or ")),
+  const std::string host = in_lower_case(request.header("host"));
+  if (request.headers.count("host") != 1 || !knows(host)) {
+    std::vector<std::string> known;
+    for (const SiteName& site : names_) known.push_back(site.authority);
+    return Refusal{403, "forbidden", fmt::format("Host '{}': expected {}", host, fmt::join(known, " or ")),
                    "Use the address that the server has printed; further names are given by --host."};
+  }
   if (request.headers.contains("origin")) {
     const std::string origin = request.header("origin");
-    if (request.headers.count("origin") != 1 || in_lower_case(authority_of(origin)) != in_lower_case(host))
+    const std::vector<std::string> own = origins_of(host);
+    if (request.headers.count("origin") != 1 || std::ranges::find(own, in_lower_case(origin)) == own.end())
       return Refusal{403, "forbidden",
-                     fmt::format("Origin '{}': pages of other servers cannot send requests to '{}'", origin, host)};
+                     fmt::format("Origin '{}': pages of other servers cannot send requests to '{}'; expected {}",
+                                 origin, host, fmt::join(own, " or ")),
+                     "Behind a proxy that speaks https, start the server with --host https://NAME."};
   }
   if (needs_token && !token_.empty() && !has_token(request))
     return Refusal{401, "unauthorized",
@@ -75,17 +85,29 @@ bool is_loopback(const std::string& address) {
   return inet_pton(AF_INET6, address.c_str(), &long_number) == 1 && IN6_IS_ADDR_LOOPBACK(&long_number);
 }
 
-std::vector<std::string> authorities_of(const std::string& address, int port, const std::vector<std::string>& hosts) {
+algebra3d::Result<SiteName> site_name(const std::string& text) {
+  const std::string lower = in_lower_case(text);
+  const std::size_t end = lower.find("://");
+  const bool has_scheme = end != std::string::npos;
+  SiteName site{.authority = has_scheme ? lower.substr(end + 3) : lower};
+  if (has_scheme) site.scheme = lower.substr(0, end);
+  const bool is_authority = !site.authority.empty() && site.authority.find_first_of("/?#@ \t,") == std::string::npos;
+  if (is_authority && (site.scheme == "http" || site.scheme == "https")) return site;
+  return algebra3d::Error{algebra3d::ErrorCode::wrong_usage,
+                          "--host {}: expected NAME, NAME:PORT, or one of them after http:// or https://", text};
+}
+
+std::vector<SiteName> site_names(const std::string& address, int port, std::vector<SiteName> further) {
   std::vector<std::string> names = {"localhost", "127.0.0.1", "[::1]"};
   const bool is_any = address == "0.0.0.0" || address == "::";
   const std::string own = address.find(':') == std::string::npos ? address : "[" + address + "]";
   if (!is_any && std::ranges::find(names, own) == names.end()) names.push_back(own);
-  std::vector<std::string> result;
+  std::vector<SiteName> result;
   for (const std::string& name : names) {
-    result.push_back(fmt::format("{}:{}", in_lower_case(name), port));
-    if (port == 80) result.push_back(in_lower_case(name));  // which browsers leave out
+    result.push_back({.authority = fmt::format("{}:{}", in_lower_case(name), port)});
+    if (port == 80) result.push_back({.authority = in_lower_case(name)});  // which browsers leave out
   }
-  for (const std::string& host : hosts) result.push_back(in_lower_case(host));
+  std::ranges::move(further, std::back_inserter(result));
   return result;
 }
 

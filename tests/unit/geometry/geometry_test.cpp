@@ -210,7 +210,7 @@ TEST(MeshFiles, that_cannot_be_used_have_the_code_of_the_reason) {
   const auto folder = std::filesystem::path(testing::TempDir()) / "geometry_codes_test";
   std::filesystem::create_directories(folder);
   EXPECT_EQ(read_surface(folder / "none.stl").error().code, ErrorCode::file_missing);
-  EXPECT_EQ(read_surface(folder).error().code, ErrorCode::io_error);
+  EXPECT_EQ(read_surface(folder).error().code, ErrorCode::file_missing);
   std::ofstream(folder / "wrong.off") << "OFF\n1 1";
   EXPECT_EQ(read_surface(folder / "wrong.off").error().code, ErrorCode::file_format);
   const Status nowhere = write_solid(box(0, 2), folder / "none" / "part.stl");

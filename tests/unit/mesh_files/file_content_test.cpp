@@ -63,21 +63,21 @@ TEST_F(FileContentTest, missing_files_and_folders_are_named) {
   expect_error(folder_.path("none"), ErrorCode::file_missing, "No such file or directory");
   expect_error(folder_.path("none/none"), ErrorCode::file_missing, "No such file or directory");
   expect_error(folder_.path("file/none"), ErrorCode::file_missing, "Not a directory");
-  expect_error(folder_.path(std::string(300, 'x')), ErrorCode::io_error, "File name too long");
+  expect_error(folder_.path(std::string(300, 'x')), ErrorCode::file_missing, "File name too long");
 }
 
 TEST_F(FileContentTest, folders_pipes_and_devices_are_refused_without_waiting) {
   ASSERT_EQ(::mkfifo(folder_.path("pipe").c_str(), 0600), 0);
-  expect_error(folder_.path(""), ErrorCode::io_error, "Is a directory");
-  expect_error(folder_.path("pipe"), ErrorCode::io_error, "Not a regular file (but a pipe or device)");
-  expect_error("/dev/zero", ErrorCode::io_error, "Not a regular file (but a pipe or device)");
+  expect_error(folder_.path(""), ErrorCode::file_missing, "Is a directory");
+  expect_error(folder_.path("pipe"), ErrorCode::file_missing, "Not a regular file (but a pipe or device)");
+  expect_error("/dev/zero", ErrorCode::file_missing, "Not a regular file (but a pipe or device)");
 }
 
 TEST_F(FileContentTest, files_without_permission_are_refused) {
   if (::geteuid() == 0) GTEST_SKIP() << "the superuser may read every file";
   folder_.write("secret", "x");
   std::filesystem::permissions(folder_.path("secret"), std::filesystem::perms::none);
-  expect_error(folder_.path("secret"), ErrorCode::io_error, "Permission denied");
+  expect_error(folder_.path("secret"), ErrorCode::file_missing, "Permission denied");
 }
 
 TEST_F(FileContentTest, large_files_go_through_a_temporary_file) {

@@ -62,7 +62,7 @@ class ApiTest : public testing::Test {
       Session session(server_registry(), {});
       ASSERT_TRUE(session.open_file(options.database).ok());
     }
-    api_ = std::make_unique<Api>(server_registry(), options, limits, "", authorities_of("127.0.0.1", 1, {}),
+    api_ = std::make_unique<Api>(server_registry(), options, limits, "", site_names("127.0.0.1", 1, {}),
                                  *algebra3d::TemporaryFolder::make(), *DatabaseIdentity::of(options.database));
   }
 

@@ -16,8 +16,14 @@ int status_with(const RequestGuard& guard, std::multimap<std::string, std::strin
   return refusal ? refusal->status : 200;
 }
 
+std::vector<SiteName> names_of(const std::vector<std::string>& texts) {
+  std::vector<SiteName> names;
+  for (const std::string& text : texts) names.push_back(*site_name(text));
+  return names;
+}
+
 TEST(RequestGuard, KnowsItsOwnNamesOnly) {
-  const RequestGuard guard(authorities_of("127.0.0.1", 8737, {"db.example", "proxy.example:443"}), "");
+  const RequestGuard guard(site_names("127.0.0.1", 8737, names_of({"db.example", "https://proxy.example:443"})), "");
   for (const char* host : {"127.0.0.1:8737", "localhost:8737", "LocalHost:8737", "[::1]:8737", "db.example",
                            "db.example:1234", "proxy.example:443"})
     EXPECT_EQ(status_with(guard, {{"host", host}}), 200) << host;
@@ -29,16 +35,36 @@ TEST(RequestGuard, KnowsItsOwnNamesOnly) {
 }
 
 TEST(RequestGuard, RefusesPagesOfOtherServers) {
-  const RequestGuard guard(authorities_of("127.0.0.1", 8737, {}), "");
+  const RequestGuard guard(site_names("127.0.0.1", 8737, {}), "");
   const std::string host = "localhost:8737";
   EXPECT_EQ(status_with(guard, {{"host", host}, {"origin", "http://localhost:8737"}}), 200);
   for (const char* origin : {"null", "", "http://evil.example", "http://localhost:8738", "http://localhost",
-                             "http://127.0.0.1:8737", "localhost:8737"})
+                             "http://127.0.0.1:8737", "localhost:8737", "https://localhost:8737",
+                             "http:/localhost:8737", "http://localhost:8737/", "http://localhost:8737 "})
     EXPECT_EQ(status_with(guard, {{"host", host}, {"origin", origin}}), 403) << origin;
 }
 
+TEST(RequestGuard, TheSchemeOfAProxyCounts) {
+  const RequestGuard guard(
+      site_names("127.0.0.1", 8737, names_of({"HTTPS://Db.example", "both.example", "https://both.example", "x:1"})),
+      "");
+  const auto with = [&](const std::string& host, const std::string& origin) {
+    return status_with(guard, {{"host", host}, {"origin", origin}});
+  };
+  EXPECT_EQ(with("db.example", "https://db.example"), 200);
+  EXPECT_EQ(with("db.example", "http://db.example"), 403);
+  EXPECT_EQ(with("db.example:8443", "https://db.example:8443"), 200);
+  EXPECT_EQ(with("db.example:8443", "https://db.example"), 403);
+  EXPECT_EQ(with("both.example", "http://both.example"), 200);
+  EXPECT_EQ(with("both.example", "https://both.example"), 200);
+  EXPECT_EQ(with("x:1", "http://x:1"), 200);
+  EXPECT_EQ(with("x:1", "https://x:1"), 403);
+  for (const char* wrong : {"", "https://", "ftp://a", "://a", "https://a/", "a/b", "a b", "user@a", "https:/a", "a,b"})
+    EXPECT_FALSE(site_name(wrong)) << wrong;
+}
+
 TEST(RequestGuard, WantsTheToken) {
-  const RequestGuard guard(authorities_of("0.0.0.0", 80, {"db.example"}), "0123456789abcdef");
+  const RequestGuard guard(site_names("0.0.0.0", 80, names_of({"db.example"})), "0123456789abcdef");
   const auto with = [&](const char* authorization) {
     return status_with(guard, {{"host", "db.example"}, {"authorization", authorization}});
   };

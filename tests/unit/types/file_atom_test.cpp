@@ -52,9 +52,9 @@ TEST_F(FileAtom, becomes_the_content_of_the_file) {
 
 TEST_F(FileAtom, of_what_is_no_file_is_an_error) {
   EXPECT_EQ(content("missing"), "file_missing: file atom 'missing': there is no such file");
-  EXPECT_EQ(content("."), "io_error: file atom '.': expected a file, found something else");
-  EXPECT_EQ(content("/dev/zero"), "io_error: file atom '/dev/zero': expected a file, found something else");
-  EXPECT_EQ(content(""), "io_error: file atom '': expected a file, found something else");
+  EXPECT_EQ(content("."), "file_missing: file atom '.': expected a file, found something else");
+  EXPECT_EQ(content("/dev/zero"), "file_missing: file atom '/dev/zero': expected a file, found something else");
+  EXPECT_EQ(content(""), "file_missing: file atom '': expected a file, found something else");
 }
 
 TEST_F(FileAtom, of_a_file_beyond_the_limit_is_an_error) {
