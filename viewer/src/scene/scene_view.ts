@@ -57,7 +57,9 @@ export class View implements api.SceneView {
       changed: (column, came) => this.shapesCame(column, came),
     });
     this.contents = new Contents(this.stage.store, this.loader, this.coloring);
-    this.picker = new Picker(this.stage.store, this.stage.projector, () => undefined);
+    const { store, projector } = this.stage;
+    const dots = () => this.stage.dots.dots(this.state.camera, projector.size.height);
+    this.picker = new Picker(store, projector, dots, () => undefined);
     this.interaction = new Interaction(this.stage, this.picker, this.interactionHost());
     this.canvas = new Canvas(element, {
       draw: (quality) => this.draw(quality),

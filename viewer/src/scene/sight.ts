@@ -146,7 +146,7 @@ export class Sight {
   private boxOf(records?: readonly ShapeRecord[]): Box3 {
     if (records && records.length > 0) return this.stage.store.box(records);
     const box = this.stage.store.box();
-    for (const { group } of this.stage.additions.values()) if (box.isEmpty()) box.expandByObject(group);
+    for (const addition of this.stage.additions.values()) if (box.isEmpty()) box.copy(addition.box);
     return box;
   }
 }
