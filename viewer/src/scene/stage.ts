@@ -12,7 +12,7 @@ import { drawLightMarkers, Lights } from "./lights";
 import type { Style } from "./look";
 import { drawLabels } from "./markers";
 import type { Addition } from "./markers";
-import { SharedMaterials } from "./materials";
+import { clip, SharedMaterials } from "./materials";
 import { Overlay } from "./overlay";
 import { Projector } from "./projection";
 import { outlineOf, Section } from "./section";
@@ -139,6 +139,7 @@ export class Stage {
     this.materials.apply(style);
     this.store.setStyle(style);
     this.dots.setStyle(style);
+    clip(this.boxes.material, clipping);
   }
 
   private updateFurniture(state: SceneState): void {
