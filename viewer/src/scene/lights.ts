@@ -113,11 +113,12 @@ export function lightAt(state: LightsState, projector: Projector, x: number, y: 
 export function newLight(state: LightsState, camera: CameraState): PointLightState {
   const id = state.lights.reduce((most, light) => Math.max(most, light.id), 0) + 1;
   const { right, up, back } = basisOf(camera);
-  const step = camera.height * 0.45;
+  // Near the border of the view, but in sight, so that its marker can be dragged.
+  const aside = camera.height * 0.3;
   const position = new Vector3(...camera.target)
-    .addScaledVector(back, step)
-    .addScaledVector(up, step)
-    .addScaledVector(right, step * (id % 2 === 1 ? 1 : -1));
+    .addScaledVector(back, camera.height * 0.45)
+    .addScaledVector(up, aside)
+    .addScaledVector(right, aside * (id % 2 === 1 ? 1 : -1));
   // Digits that are seen in the view.
   const grain = 10 ** Math.floor(Math.log10(camera.height) - 2);
   const round = (value: number): number => Number((Math.round(value / grain) * grain).toPrecision(15));

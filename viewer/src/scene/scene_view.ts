@@ -66,6 +66,7 @@ export class View implements api.SceneView {
       triangles: () => this.stage.store.triangleCounts(),
       problem: (problem) => this.setProblem(problem),
       resized: (size) => (this.stage.projector.size = size),
+      viewResized: () => this.sight.resized(),
     });
     element.append(this.stage.overlay.canvas); // above the picture
     this.input = new PointerInput(this.canvas.element, this.interaction);

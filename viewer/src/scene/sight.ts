@@ -79,6 +79,14 @@ export class Sight {
     this.follow.put(result, this.control.goal);
   }
 
+  /** The view has another shape: what was put into it by itself must fit again. */
+  resized(): void {
+    const result = this.follow.followed(this.control.goal);
+    if (result === null) return;
+    this.control.fit(this.mainBox(), false);
+    this.follow.put(result, this.control.goal);
+  }
+
   /** Objects were removed, hidden or shown again. */
   othersAreSeen(): void {
     if (this.stage.store.columns.length === 0) this.isSet = false;

@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 
 import { run, stillScene, write } from "./support/actions";
 import { takePicture } from "./support/browser";
-import { choose, field, press } from "./support/scene";
+import { choose, field, plainScene, press } from "./support/scene";
 import { Session } from "./support/session";
 
 const session = new Session({
@@ -130,4 +130,19 @@ test("bounding boxes end at the section", async () => {
   await field(page, "section", "Show the plane").setChecked(false);
   expect(await right()).toBe(0);
   await takePicture(page, "details-boxes");
+});
+
+test("what was put into the view by itself still fits when a panel opens beside it", async () => {
+  const { page } = session;
+  await run(page, "query Parts");
+  await stillScene(page);
+  await plainScene(page); // opens the panel
+  const picture = await stillScene(page);
+  await takePicture(page, "details-narrow");
+  const isObject = ([red, green, blue]: readonly number[]) => red! + green! + blue! < 700;
+  const inColumn = (x: number) =>
+    Array.from({ length: picture.height - 100 }, (_, y) => picture.at(x, y + 100)).filter(isObject).length;
+  const middle = Array.from({ length: 40 }, (_, i) => inColumn(picture.width / 2 - 20 + i));
+  expect(Math.max(...middle)).toBeGreaterThan(20);
+  for (const x of [3, 6, picture.width - 6, picture.width - 3]) expect(inColumn(x)).toBe(0);
 });
