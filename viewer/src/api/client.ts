@@ -48,6 +48,8 @@ export interface ShapesQuery {
 export class Client {
   /** Sent with every request; "" for none. */
   token = "";
+  /** Called at each answer of the server. */
+  onAnswer: () => void = () => undefined;
   readonly #base: string;
   readonly #fetch: typeof fetch;
 
@@ -200,6 +202,7 @@ export class Client {
       if (isAbort(error)) throw error;
       throw new ServerGone(messageOf(error));
     }
+    this.onAnswer();
     if (!response.ok) throw errorFromBody(response.status, await response.text().catch(() => ""));
     return response;
   }

@@ -1,17 +1,19 @@
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { createSceneView } from "../scene";
 import type { LoadProgress, SceneProblem, SceneView } from "../scene/api";
-import { SceneOverlay, SceneToolbar } from "../scene_panels";
+import { SceneOverlay, SceneToolbar, SectionReadout } from "../scene_panels";
 import { ReviewList } from "./uploads/ReviewList";
 import { useApp } from "./context";
+import { panelDatabase } from "./panel_database";
 import { bindScene } from "./scene_bridge";
-import { SceneMessages } from "./SceneMessages";
+import { SceneHint, SceneMessages } from "./SceneMessages";
 
 /** The scene of the results, with its messages. */
 export function SceneHost() {
   const app = useApp();
   const { store, workspace } = app;
   const place = useRef<HTMLDivElement>(null);
+  const database = useMemo(() => panelDatabase(app), [app]);
   useEffect(() => {
     if (!place.current) return;
     const view = createSceneView(place.current);
@@ -38,12 +40,20 @@ export function SceneHost() {
       />
       {view && <SceneToolbar view={view} />}
       {view && <SceneOverlay view={view} />}
+      {view && (
+        <SectionReadout
+          view={view}
+          database={database}
+          onSettings={() => workspace.openSettings("section")}
+        />
+      )}
       {view && <SceneMessages view={view} />}
       <ReviewList />
-      {nothing && view && !view.problem && (
-        <p class="scene-hint muted">
-          Run a query with solids, surfaces or points, click an object, or drop a mesh file here.
-        </p>
+      {nothing && view && (
+        <SceneHint
+          view={view}
+          text="Run a query with solids, surfaces or points, click an object, or drop a mesh file here."
+        />
       )}
     </section>
   );

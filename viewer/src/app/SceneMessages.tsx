@@ -37,6 +37,12 @@ export function SceneMessages({ view }: { view: SceneView }) {
   );
 }
 
+/** What to do while a scene is empty; nothing while it cannot be drawn. */
+export function SceneHint({ view, text }: { view: SceneView; text: string }) {
+  const { problem } = useSceneReports(view);
+  return problem ? null : <p class="scene-hint muted">{text}</p>;
+}
+
 /** Says that the camera has left out what is far away, and shows it on demand. */
 function FarLine({ view }: { view: SceneView }) {
   const [count, setCount] = useState(view.farCount);

@@ -31,6 +31,7 @@ export function TopBar() {
         type="button"
         class="btn quiet"
         title="Import STL, OBJ or OFF files"
+        aria-label="Import"
         onClick={() => workspace.chooseFiles()}
       >
         <Icon name="upload" />
@@ -40,6 +41,7 @@ export function TopBar() {
         type="button"
         class="btn quiet"
         title="Two meshes side by side"
+        aria-label="Compare"
         aria-pressed={compare}
         onClick={() => (mode.value = compare ? "explore" : "compare")}
       >
@@ -50,6 +52,7 @@ export function TopBar() {
         type="button"
         class="btn quiet"
         title="Link that restores this view"
+        aria-label="Copy link"
         onClick={() => void copyLink(app)}
       >
         <Icon name="link" />

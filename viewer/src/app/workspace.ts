@@ -48,6 +48,15 @@ export class Workspace {
     this.store.layout.sheet.value = "view";
   }
 
+  /** Shows the part of the settings of the view for a tool. */
+  openSettings(part: "section"): void {
+    this.store.layout.rightOpen.value = true;
+    this.store.layout.sheet.value = "view";
+    requestAnimationFrame(() =>
+      document.querySelector(`[data-testid="${part}-panel"]`)?.scrollIntoView({ block: "start" }),
+    );
+  }
+
   /** Colours the objects by the values of a column. */
   colourBy(attribute: string): void {
     this.scene.value?.update({ appearance: { scheme: { by: "attribute", attribute, palette: "viridis" } } });
@@ -58,7 +67,7 @@ export class Workspace {
     void this.workbench.side(side).loadObject(name);
   }
 
-  /** Puts a text at the cursor of the editor. */
+  /** Puts a name at the cursor of the editor. */
   insert(text: string): void {
     this.editor.value?.insert(text);
   }

@@ -20,8 +20,11 @@ export type StandardView = "front" | "back" | "left" | "right" | "top" | "bottom
 
 export interface CameraState {
   readonly projection: Projection;
-  readonly position: Vec3;
+  /** The place that is looked at: this point and, where doubles cannot hold it far from the origin, the rest. */
   readonly target: Vec3;
+  readonly rest: Vec3;
+  /** Unit vector from the target to the eye. */
+  readonly direction: Vec3;
   readonly up: Vec3;
   /** Height of what is seen at the target, in coordinate units; both projections keep it. */
   readonly height: number;

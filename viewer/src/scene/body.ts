@@ -1,7 +1,7 @@
 /** What is in the scene for one level of detail of one shape. */
 
 import type { Shape } from "../glb/shapes";
-import type { Eye } from "./front_faces";
+import type { EyeFrom } from "./front_faces";
 import type { Look, Style } from "./look";
 
 export interface Body {
@@ -10,7 +10,7 @@ export interface Body {
   setLook(look: Look): void;
   setStyle(style: Style): void;
   /** Draws only what shows its front to the eye, if nothing else can be seen; null: leaves that to the renderer. */
-  chooseFronts(eye: Eye | null): void;
+  chooseFronts(eyeFrom: EyeFrom | null): void;
   /** The positions of the shape were changed in place, as by dragging a vertex. */
   positionsChanged(): void;
   /** Marks the vertices, so that they can be taken hold of. Of merged shapes they are not marked. */

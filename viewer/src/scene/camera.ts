@@ -3,6 +3,9 @@
  *
  * `height` is what is seen at the target from the lower to the upper edge of the view. The distance of the eye follows
  * from it, so that both projections show the target at the same size.
+ *
+ * Places near the target are given relative to it: beside coordinates of 1e15, doubles would lose what is seen of
+ * objects of size 1.
  */
 
 import { Matrix4, Quaternion, Vector3 } from "three";
@@ -31,7 +34,7 @@ export interface Basis {
 
 /** The axes of the camera as unit vectors, also where `up` is (nearly) the direction of sight. */
 export function basisOf(camera: CameraState): Basis {
-  const back = toVector3(camera.position).sub(toVector3(camera.target));
+  const back = toVector3(camera.direction);
   if (back.lengthSq() === 0) back.set(0, -1, 0);
   back.normalize();
   let right = toVector3(camera.up).cross(back);
@@ -46,39 +49,55 @@ export function eyeDistance(height: number): number {
   return height / (2 * kHalfTangent);
 }
 
-/** The least that can be seen at a place: with less the eye could not be told from its target in doubles. */
-function leastHeight({ x, y, z }: Vector3): number {
-  return Math.max(kLeastHeight, 1e-11 * Math.max(Math.abs(x), Math.abs(y), Math.abs(z)));
+/** The least that can be seen at a place: doubles tell no more than four numbers in it apart. */
+function leastHeight([x, y, z]: Vec3): number {
+  return Math.max(kLeastHeight, 2 ** -50 * Math.max(Math.abs(x), Math.abs(y), Math.abs(z)));
 }
 
-function placed(camera: CameraState, target: Vector3, basis: Basis, wanted: number): CameraState {
-  const height = Math.max(wanted, leastHeight(target));
-  const position = target.clone().addScaledVector(basis.back, eyeDistance(height));
+/** The target moved by a vector, without losing digits of the vector beside those of the target. */
+function movedTarget({ target, rest }: CameraState, by: Vector3): Pick<CameraState, "target" | "rest"> {
+  const sums = [0, 1, 2].map((axis) => twoSum(target[axis]!, rest[axis]! + by.getComponent(axis)));
+  return { target: sums.map(([sum]) => sum) as never, rest: sums.map(([, error]) => error) as never };
+}
+
+/** The sum, rounded, and what was lost by rounding, exactly [knuth1997]. */
+function twoSum(a: number, b: number): readonly [number, number] {
+  const sum = a + b;
+  const part = sum - a;
+  return [sum, a - (sum - part) + (b - part)];
+}
+
+function placed(
+  camera: CameraState,
+  place: Pick<CameraState, "target" | "rest">,
+  basis: Basis,
+  wanted: number,
+): CameraState {
   return {
-    ...camera,
-    target: fromVector3(target),
-    position: fromVector3(position),
+    projection: camera.projection,
+    target: place.target,
+    rest: place.rest,
+    direction: fromVector3(basis.back),
     up: fromVector3(basis.up),
-    height,
+    height: Math.max(wanted, leastHeight(place.target)),
   };
 }
 
-/** The same view with the eye at the distance that its height demands, and `up` at right angles to the sight. */
+/** The same view with unit vectors, `up` at right angles to the sight, and a height that can be seen. */
 export function normalizedCamera(camera: CameraState): CameraState {
   const height = Number.isFinite(camera.height) && camera.height > 0 ? camera.height : 1;
-  return placed(camera, toVector3(camera.target), basisOf(camera), height);
+  return placed(camera, movedTarget(camera, new Vector3()), basisOf(camera), height);
 }
 
 /**
- * Turns the camera about `pivot` (the target if not given) by angles in radians: `sideways` to the right, `upwards`.
- * The turntable keeps the z axis upright and stops at the poles.
+ * Turns the camera about its target by angles in radians: `sideways` to the right, `upwards`. The turntable keeps the z
+ * axis upright and stops at the poles.
  */
 export function orbit(
   camera: CameraState,
   sideways: number,
   upwards: number,
   style: "turntable" | "trackball",
-  pivot: Vec3 = camera.target,
 ): CameraState {
   const basis = basisOf(camera);
   const turn = new Quaternion();
@@ -92,17 +111,16 @@ export function orbit(
     turn.setFromAxisAngle(basis.up, -sideways);
     turn.multiply(new Quaternion().setFromAxisAngle(basis.right, -upwards));
   }
-  return rotated(camera, basis, turn, toVector3(pivot));
+  return rotated(camera, basis, turn);
 }
 
-function rotated(camera: CameraState, basis: Basis, turn: Quaternion, pivot: Vector3): CameraState {
+function rotated(camera: CameraState, basis: Basis, turn: Quaternion): CameraState {
   const moved: Basis = {
     right: basis.right.clone().applyQuaternion(turn),
     up: basis.up.clone().applyQuaternion(turn),
     back: basis.back.clone().applyQuaternion(turn),
   };
-  const target = toVector3(camera.target).sub(pivot).applyQuaternion(turn).add(pivot);
-  return placed(camera, target, moved, camera.height);
+  return placed(camera, camera, moved, camera.height);
 }
 
 /** Turns by degrees about the direction of sight, the upward or the sideways axis of the camera. */
@@ -110,34 +128,34 @@ export function turned(camera: CameraState, axis: "roll" | "up" | "side", degree
   const basis = basisOf(camera);
   const direction = axis === "roll" ? basis.back : axis === "up" ? basis.up : basis.right;
   const turn = new Quaternion().setFromAxisAngle(direction, (degrees * Math.PI) / 180);
-  return rotated(camera, basis, turn, toVector3(camera.target));
+  return rotated(camera, basis, turn);
 }
 
 /** Moves what is seen by fractions of the height of the view: to the right and upwards. */
 export function pan(camera: CameraState, right: number, upwards: number): CameraState {
   const basis = basisOf(camera);
-  const target = toVector3(camera.target)
+  const by = new Vector3()
     .addScaledVector(basis.right, -right * camera.height)
     .addScaledVector(basis.up, -upwards * camera.height);
-  return placed(camera, target, basis, camera.height);
+  return placed(camera, movedTarget(camera, by), basis, camera.height);
 }
 
-/** Changes what is seen by a factor (below 1: closer); the place `anchor` stays where it is in the picture. */
-export function zoom(camera: CameraState, factor: number, anchor: Vec3 = camera.target): CameraState {
-  const least = leastHeight(toVector3(camera.target));
+/**
+ * Changes what is seen by a factor (below 1: closer); the place `anchor`, relative to the target, stays where it is in
+ * the picture.
+ */
+export function zoom(camera: CameraState, factor: number, anchor: Vec3 = [0, 0, 0]): CameraState {
+  const least = leastHeight(camera.target);
   const height = Math.min(kLargestHeight, Math.max(least, camera.height * factor));
-  const target = toVector3(camera.target)
-    .sub(toVector3(anchor))
-    .multiplyScalar(height / camera.height)
-    .add(toVector3(anchor));
-  return placed(camera, target, basisOf(camera), height);
+  const by = toVector3(anchor).multiplyScalar(1 - height / camera.height);
+  return placed(camera, movedTarget(camera, by), basisOf(camera), height);
 }
 
-/** The place in the plane through the target that is seen at (x, y), each from -1 to 1. */
+/** The place in the plane through the target that is seen at (x, y), each from -1 to 1; relative to the target. */
 export function placeInTargetPlane(camera: CameraState, x: number, y: number, aspect: number): Vec3 {
   const basis = basisOf(camera);
   return fromVector3(
-    toVector3(camera.target)
+    new Vector3()
       .addScaledVector(basis.right, (x * camera.height * aspect) / 2)
       .addScaledVector(basis.up, (y * camera.height) / 2),
   );
@@ -156,9 +174,7 @@ const kStandardViews: Readonly<Record<StandardView, { back: Vec3; up: Vec3 }>> =
 /** The same target and height, seen from a standard side. */
 export function looking(camera: CameraState, view: StandardView): CameraState {
   const { back, up } = kStandardViews[view];
-  // About the origin: beside a target far away the direction would be lost.
-  const basis = basisOf({ ...camera, target: [0, 0, 0], position: back, up });
-  return placed(camera, toVector3(camera.target), basis, camera.height);
+  return placed(camera, camera, basisOf({ ...camera, direction: back, up }), camera.height);
 }
 
 /** The camera, moved without turning so that all of the box is seen. */
@@ -176,7 +192,8 @@ export function fitted(camera: CameraState, box: Box3, aspect: number): CameraSt
     const depth = camera.projection === "perspective" ? offset.dot(basis.back) * kHalfTangent : 0;
     height = Math.max(height, 2 * (across + depth));
   }
-  return placed(camera, centre, basis, height > 0 ? height * kMargin : 1);
+  const place = { target: fromVector3(centre), rest: [0, 0, 0] } as const;
+  return placed(camera, place, basis, height > 0 ? height * kMargin : 1);
 }
 
 export function cornersOf(box: Box3): Vector3[] {
@@ -200,19 +217,24 @@ export function between(from: CameraState, to: CameraState, part: number): Camer
     up: new Vector3(0, 1, 0).applyQuaternion(turn),
     back: new Vector3(0, 0, 1).applyQuaternion(turn),
   };
-  const target = toVector3(from.target).lerp(toVector3(to.target), part);
+  const by = targetDifference(to, from).multiplyScalar(part);
   const height = from.height * Math.pow(to.height / from.height, part);
-  return placed(to, target, basis, height);
+  return placed(to, movedTarget(from, by), basis, height);
+}
+
+function targetDifference(a: CameraState, b: CameraState): Vector3 {
+  return toVector3(a.target)
+    .sub(toVector3(b.target))
+    .add(toVector3(a.rest).sub(toVector3(b.rest)));
 }
 
 /** How far two cameras differ, relative to their height; 0 if they show the same. */
 export function cameraDifference(a: CameraState, b: CameraState): number {
   if (a.projection !== b.projection) return 1;
   const scale = Math.max(a.height, b.height);
-  const part = (x: Vec3, y: Vec3): number => toVector3(x).distanceTo(toVector3(y)) / scale;
   return (
-    part(a.target, b.target) +
-    part(a.position, b.position) +
+    targetDifference(a, b).length() / scale +
+    toVector3(a.direction).distanceTo(toVector3(b.direction)) +
     toVector3(a.up).distanceTo(toVector3(b.up)) +
     Math.abs(a.height - b.height) / scale
   );

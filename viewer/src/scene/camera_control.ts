@@ -28,8 +28,8 @@ export class CameraControl {
   }
 
   /** Sees all of a box from the present side. */
-  fit(box: Box3): void {
-    this.go(fitted(this.goal, box, this.host.aspect()));
+  fit(box: Box3, animate = true): void {
+    this.go(fitted(this.goal, box, this.host.aspect()), animate);
   }
 
   look(view: StandardView, box: Box3, animate = true): void {

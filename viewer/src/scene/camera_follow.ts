@@ -17,6 +17,12 @@ export class CameraFollow {
 
   /** Whether the camera is still where it was put for this result. */
   follows(result: string, camera: CameraState): boolean {
-    return this.placed?.result === result && cameraDifference(this.placed.camera, camera) < kSameCamera;
+    return this.followed(camera) === result;
+  }
+
+  /** The result for which the camera was put where it still is; null if it was moved since. */
+  followed(camera: CameraState): string | null {
+    const { placed } = this;
+    return placed && cameraDifference(placed.camera, camera) < kSameCamera ? placed.result : null;
   }
 }

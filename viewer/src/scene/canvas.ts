@@ -34,6 +34,8 @@ export interface CanvasClient {
   triangles(): { readonly fine: number; readonly coarse: number };
   problem(problem: SceneProblem | null): void;
   resized(size: Size): void;
+  /** The view itself has another size, not only a picture that is taken of it. */
+  viewResized(): void;
 }
 
 export class Canvas {
@@ -119,6 +121,7 @@ export class Canvas {
     if (size.width === this.size.width && size.height === this.size.height) return;
     this.size = size;
     this.client.resized(size);
+    this.client.viewResized();
     if (this.frames > 0)
       this.drawNow(); // at once, since the new buffer is empty
     else this.request();

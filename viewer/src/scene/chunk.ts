@@ -1,6 +1,7 @@
 /**
  * Many small shapes in few draw calls: their vertices are copied into common arrays, relative to the origin of the
- * chunk. Each shape keeps a range of vertices, for its colour and offset, and of indices, left out while it is hidden.
+ * chunk, which follows the camera where floats would not tell apart what it looks at. Each shape keeps a range of
+ * vertices, for its colour and offset, and of indices, left out while it is hidden.
  */
 
 import {
@@ -12,20 +13,23 @@ import {
   LineSegments,
   Mesh,
   Points,
+  Vector3,
 } from "three";
 import type { Material, MeshLambertMaterial, Object3D } from "three";
 
+import type { Vec3 } from "./api";
 import type { IndexArray, Primitive, Role, Shape } from "../glb/shapes";
 import type { Body } from "./body";
 import { featureLines } from "./features";
-import { FrontFaces, isWorthChoosing, seenFrom } from "./front_faces";
-import type { Eye } from "./front_faces";
+import { FrontFaces, isWorthChoosing } from "./front_faces";
+import type { EyeFrom } from "./front_faces";
 import { triangleEdges } from "./geometry";
 import { isTransparent } from "./look";
 import type { Look, Style } from "./look";
 import { clip, faceMaterial, pointMaterial, styleFaces } from "./materials";
 import type { SharedMaterials } from "./materials";
 import { shownColor } from "./single_body";
+import { isFarOrigin } from "./vec";
 
 /** Shapes with fewer vertices are merged if there are many. */
 export const kSmallVertices = 4_000;
@@ -54,6 +58,7 @@ interface Slot {
   readonly firstVertex: number;
   readonly vertices: number;
   visible: boolean;
+  offset: Vec3;
 }
 
 const kRoles: readonly Role[] = ["faces", "edges", "boundary", "nonmanifold", "lines", "points"];
@@ -72,7 +77,7 @@ export class Chunk {
   private readonly sizes: Float32Array<ArrayBuffer> | null;
   private readonly attributes: Readonly<Record<"position" | "color", BufferAttribute>>;
   private readonly layers = new Map<Role | "all", Layer>();
-  private readonly origin: readonly [number, number, number];
+  private readonly origin = new Vector3();
   private style: Style | null = null;
   private hasTransparent = false;
   private indicesStale = false;
@@ -85,11 +90,11 @@ export class Chunk {
     private readonly parent: Object3D,
     private readonly shared: SharedMaterials,
   ) {
-    this.origin = shapes[0]?.translation ?? [0, 0, 0];
+    this.origin.fromArray(shapes[0]?.translation ?? [0, 0, 0]);
     let vertices = 0;
     for (const shape of shapes) {
       const count = vertexCount(shape);
-      this.slots.push({ shape, firstVertex: vertices, vertices: count, visible: true });
+      this.slots.push({ shape, firstVertex: vertices, vertices: count, visible: true, offset: [0, 0, 0] });
       vertices += count;
     }
     this.positions = new Float32Array(3 * vertices);
@@ -100,9 +105,9 @@ export class Chunk {
       position: new BufferAttribute(this.positions, 3),
       color: new BufferAttribute(this.colors, 4, true),
     };
-    for (const slot of this.slots) this.writePositions(slot, [0, 0, 0]);
+    for (const slot of this.slots) this.writePositions(slot);
     for (const role of kRoles) this.addLayer(role);
-    this.group.position.set(...this.origin);
+    this.group.position.copy(this.origin);
     parent.add(this.group);
   }
 
@@ -114,11 +119,19 @@ export class Chunk {
       setVisible: (visible) => this.setVisible(slot, visible),
       setLook: (look) => this.setLook(slot, look),
       setStyle: (style) => this.setStyle(style),
-      positionsChanged: () => this.writePositions(slot, [0, 0, 0]),
+      positionsChanged: () => this.writePositions(slot),
       chooseFronts: () => undefined, // of the chunk as a whole
       showVertices: () => undefined,
       dispose: () => this.release(slot),
     }));
+  }
+
+  /** Puts the origin where a view of this height looks, if it is too far from it. Cost: linear, seldom. */
+  approach(target: Vector3, height: number): void {
+    if (!isFarOrigin(this.origin, target, height)) return;
+    this.origin.copy(target);
+    this.group.position.copy(target);
+    for (const slot of this.slots) this.writePositions(slot);
   }
 
   /** Makes the indices of what is visible; called once before drawing, after any number of changes. */
@@ -139,13 +152,13 @@ export class Chunk {
   }
 
   /** As of a body. */
-  chooseFronts(eye: Eye | null): void {
+  chooseFronts(eyeFrom: EyeFrom | null): void {
     const layer = this.layers.get("faces");
     if (!layer?.object.visible) return;
     const { object, geometry } = layer;
-    const fronts = eye && faceMaterialOf(object).side === FrontSide ? this.frontFaces(geometry) : null;
+    const fronts = eyeFrom && faceMaterialOf(object).side === FrontSide ? this.frontFaces(geometry) : null;
     object.geometry = fronts?.geometry ?? geometry;
-    if (fronts && eye) fronts.choose(seenFrom(eye, this.group.position));
+    if (fronts && eyeFrom) fronts.choose(eyeFrom(this.group.position));
   }
 
   private frontFaces(whole: BufferGeometry): FrontFaces | null {
@@ -180,7 +193,8 @@ export class Chunk {
       this.hasTransparent = true;
       if (this.style) this.applyStyle(this.style);
     }
-    this.writePositions(slot, look.offset);
+    slot.offset = look.offset;
+    this.writePositions(slot);
   }
 
   private setStyle(style: Style): void {
@@ -243,12 +257,13 @@ export class Chunk {
     for (const mesh of this.stencils) mesh.visible = show;
   }
 
-  private writePositions(slot: Slot, offset: readonly [number, number, number]): void {
+  private writePositions({ shape, offset, firstVertex }: Slot): void {
     this.dropFronts();
-    const { translation } = slot.shape;
-    const shift = [0, 1, 2].map((axis) => translation[axis]! - this.origin[axis]! + offset[axis]!);
-    let at = 3 * slot.firstVertex;
-    for (const array of distinctPositions(slot.shape)) {
+    const { translation } = shape;
+    const origin = this.origin.toArray();
+    const shift = [0, 1, 2].map((axis) => translation[axis]! - origin[axis]! + offset[axis]!);
+    let at = 3 * firstVertex;
+    for (const array of distinctPositions(shape)) {
       for (let i = 0; i < array.length; i++) this.positions[at++] = array[i]! + shift[i % 3]!;
     }
     this.attributes.position.needsUpdate = true;

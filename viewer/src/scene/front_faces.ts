@@ -21,10 +21,8 @@ export function isWorthChoosing(triangles: IndexArray): boolean {
 /** Where one looks from, in homogeneous coordinates: a point and 1, or a direction towards the eye and 0. */
 export type Eye = readonly [number, number, number, 0 | 1];
 
-/** The eye as seen from an object that lies at `place`. */
-export function seenFrom([x, y, z, w]: Eye, place: Vector3): Eye {
-  return [x - w * place.x, y - w * place.y, z - w * place.z, w];
-}
+/** The eye as seen from an object that lies at a place. */
+export type EyeFrom = (place: Vector3) => Eye;
 
 export class FrontFaces {
   /** Draws the triangles that were chosen; has the attributes of the whole geometry. */

@@ -77,7 +77,9 @@ export class Grid {
 
   /** Makes the lines anew if the step or the place changed. */
   update(camera: CameraState, box: Box3, theme: SceneTheme): void {
-    const step = roundStep(camera.height / 24);
+    // A coordinate is a multiple of the step, which doubles must be able to tell.
+    const farthest = Math.max(...camera.target.map(Math.abs));
+    const step = roundStep(Math.max(camera.height / 24, 2 ** -48 * farthest));
     const axis = gridAxis(camera);
     const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
     const level = box.isEmpty() ? 0 : box.min.getComponent(axis);

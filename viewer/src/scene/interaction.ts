@@ -80,7 +80,7 @@ export class Interaction implements PointerClient {
     const [nx, ny] = projector.normalized(x, y);
     const anchor = navigation.zoomToPointer
       ? placeInTargetPlane(camera, nx, ny, projector.aspect)
-      : camera.target;
+      : undefined;
     this.host.moveCamera(zoom(camera, factor ** navigation.zoomSpeed, anchor));
   }
 
@@ -134,7 +134,7 @@ export class Interaction implements PointerClient {
     const { state, tool, snap } = this.host;
     const snaps = tool === "measure" || tool === "inspect" || tool === "vertex";
     const options = {
-      clipping: this.stage.section.clipping(state.section),
+      clipping: this.stage.section.clipping(state.section, this.stage.projector.origin),
       facesVisible: state.appearance.faces,
       snap: null,
     };
@@ -172,14 +172,14 @@ export class Interaction implements PointerClient {
     const light = lights.lights.find((candidate) => candidate.id === id);
     if (!light) return null;
     if (lights.selected !== light.id) this.host.update({ lights: { selected: light.id } });
-    const from = toVector3(light.position);
+    const from = projector.toLocal(light.position);
     const start = draggedTo(projector.ray(x, y), from, new Vector3(), "free");
     if (!start) return null;
     return {
       move: (px, py) => {
         const to = draggedTo(projector.ray(px, py), from, new Vector3(), "free");
         if (!to) return;
-        const position = fromVector3(from.clone().add(to.sub(start)));
+        const position = fromVector3(projector.toGlobal(from.clone().add(to.sub(start))));
         const moved = this.host.state.lights.lights.map((one) =>
           one.id === light.id ? { ...one, position } : one,
         );
@@ -199,20 +199,18 @@ export class Interaction implements PointerClient {
     if (!handle.visible || Math.hypot(handle.x - x, handle.y - y) > kHandleReach) return null;
     const normal = toVector3(normalized(section.normal));
     const start = toVector3(section.point);
-    const hold = closestOnLine(projector.ray(x, y), toVector3(tip), normal);
+    const held = projector.toLocal(tip);
+    const hold = closestOnLine(projector.ray(x, y), held, normal);
     return {
       move: (px, py, event) => {
         const ray = projector.ray(px, py);
         if (event.shiftKey) {
-          const to = draggedTo(ray, toVector3(tip), normal, "free");
-          if (to)
-            this.host.update(
-              { section: { normal: fromVector3(to.sub(toVector3(centre)).normalize()), cap: "preview" } },
-              true,
-            );
+          const to = draggedTo(ray, held, normal, "free");
+          const tilted = to?.sub(projector.toLocal(centre)).normalize();
+          if (tilted) this.host.update({ section: { normal: fromVector3(tilted), cap: "preview" } }, true);
           return;
         }
-        const to = closestOnLine(ray, toVector3(tip), normal);
+        const to = closestOnLine(ray, held, normal);
         if (!to || !hold) return;
         this.host.update(
           { section: { point: fromVector3(start.clone().add(to.sub(hold))), cap: "preview" } },
@@ -236,8 +234,9 @@ export class Interaction implements PointerClient {
     const record = this.stage.store.record(target.cell)!;
     const level = record.finest!;
     const faces = primitiveOf(level.shape, "faces")!;
-    const origin = originOf(record);
-    const vertex = nearestVertex(faces.positions, toVector3(hit.point).sub(origin));
+    const { projector } = this.stage;
+    const origin = projector.toLocal(originOf(record));
+    const vertex = nearestVertex(faces.positions, projector.toLocal(hit.point).sub(origin));
     const place = placeOf(faces, vertex);
     const from = new Vector3().fromArray(faces.positions, 3 * vertex).add(origin);
     let to = from;
@@ -245,13 +244,13 @@ export class Interaction implements PointerClient {
       this.host.vertexMoved({
         cell: target.cell,
         vertex: place.id,
-        from: fromVector3(from),
-        to: fromVector3(to),
+        from: fromVector3(projector.toGlobal(from)),
+        to: fromVector3(projector.toGlobal(to)),
         finished,
       });
     return {
       move: (px, py) => {
-        to = draggedTo(this.stage.projector.ray(px, py), from, place.normal, target.along) ?? to;
+        to = draggedTo(projector.ray(px, py), from, place.normal, target.along) ?? to;
         moveVertices(faces, place.vertices, to.clone().sub(origin));
         level.body.positionsChanged();
         this.host.redraw(true);

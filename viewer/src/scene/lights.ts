@@ -7,6 +7,7 @@ import { basisOf } from "./camera";
 import type { Overlay } from "./overlay";
 import type { Projector } from "./projection";
 import type { SceneTheme } from "./theme";
+import { toVector3 } from "./vec";
 
 /** Of three.js: a light of this intensity shows a white surface at right angles to it white. */
 const kFull = Math.PI;
@@ -18,9 +19,11 @@ export class Lights {
   private readonly ambient = new HemisphereLight();
   private readonly head = new DirectionalLight();
   private readonly lamps = new Map<number, PointLight>();
+  /** Of the lamps, in coordinates of the database. */
+  private readonly places = new Group();
 
   constructor() {
-    this.group.add(this.ambient, this.head, this.head.target);
+    this.group.add(this.ambient, this.head, this.head.target, this.places);
   }
 
   update(state: LightsState, camera: CameraState): void {
@@ -38,6 +41,7 @@ export class Lights {
       .addScaledVector(back, 1)
       .addScaledVector(up, 0.45)
       .addScaledVector(right, -0.35);
+    this.places.position.copy(toVector3(camera.target)).negate();
     this.updateLamps(state.lights);
   }
 
@@ -45,7 +49,7 @@ export class Lights {
     const wanted = new Set(states.map(({ id }) => id));
     for (const [id, lamp] of this.lamps) {
       if (wanted.has(id)) continue;
-      this.group.remove(lamp);
+      this.places.remove(lamp);
       this.lamps.delete(id);
     }
     for (const state of states) {
@@ -54,7 +58,7 @@ export class Lights {
         // Without decay: as bright everywhere near, and fading out towards its reach.
         lamp = new PointLight("#ffffff", 1, 0, 0);
         this.lamps.set(state.id, lamp);
-        this.group.add(lamp);
+        this.places.add(lamp);
       }
       lamp.visible = state.on;
       lamp.color.set(state.color);
@@ -109,12 +113,15 @@ export function lightAt(state: LightsState, projector: Projector, x: number, y: 
 export function newLight(state: LightsState, camera: CameraState): PointLightState {
   const id = state.lights.reduce((most, light) => Math.max(most, light.id), 0) + 1;
   const { right, up, back } = basisOf(camera);
-  const step = camera.height * 0.45;
+  // Near the border of the view, but in sight, so that its marker can be dragged.
+  const aside = camera.height * 0.3;
   const position = new Vector3(...camera.target)
-    .addScaledVector(back, step)
-    .addScaledVector(up, step)
-    .addScaledVector(right, step * (id % 2 === 1 ? 1 : -1));
-  const round = (value: number): number => Number(value.toPrecision(4));
+    .addScaledVector(back, camera.height * 0.45)
+    .addScaledVector(up, aside)
+    .addScaledVector(right, aside * (id % 2 === 1 ? 1 : -1));
+  // Digits that are seen in the view.
+  const grain = 10 ** Math.floor(Math.log10(camera.height) - 2);
+  const round = (value: number): number => Number((Math.round(value / grain) * grain).toPrecision(15));
   return {
     id,
     on: true,

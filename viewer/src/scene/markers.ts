@@ -1,6 +1,7 @@
 /** Points, segments and triangles that are highlighted in the scene, and shapes that belong to no result. */
 
 import {
+  Box3,
   BufferAttribute,
   BufferGeometry,
   DoubleSide,
@@ -29,6 +30,7 @@ import { toBox3 } from "./vec";
 /** A named addition to the picture. */
 export interface Addition {
   readonly group: Group;
+  readonly box: Box3;
   readonly labels: Markers["labels"];
 }
 
@@ -75,7 +77,7 @@ export function markersAddition(markers: Markers): Addition {
     child.frustumCulled = false;
   }
   if (markers.boxes) group.add(boxesOf(markers.boxes, new Vector3(...origin), markers.color));
-  return { group, labels: markers.labels };
+  return { group, box: new Box3().setFromObject(group), labels: markers.labels };
 }
 
 function middleOf(box: Box | undefined): Vec3 {
@@ -132,7 +134,7 @@ export function shapesAddition(shapes: readonly Shape[], style: OverlayStyle): A
     group.add(part);
   }
   if (style.onTop) group.traverse((object) => (object.renderOrder = 9));
-  return { group, labels: undefined };
+  return { group, box: new Box3().setFromObject(group), labels: undefined };
 }
 
 export function drawLabels(overlay: Overlay, labels: Markers["labels"], theme: SceneTheme): void {

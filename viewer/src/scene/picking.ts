@@ -5,6 +5,7 @@ import type { Plane } from "three";
 
 import type { Hit, Vec3 } from "./api";
 import type { Primitive } from "../glb/shapes";
+import type { Dot } from "./dots";
 import { primitiveOf } from "./geometry";
 import type { Projector } from "./projection";
 import type { ShapeRecord, ShapeStore } from "./shape_store";
@@ -17,7 +18,7 @@ import { fromVector3 } from "./vec";
 const kReach = 7;
 
 export interface PickOptions {
-  /** What lies on the negative side of these planes is cut away. */
+  /** What lies on the negative side of these planes is cut away; relative to the local origin of the projector. */
   readonly clipping: readonly Plane[];
   readonly facesVisible: boolean;
   readonly snap: SnapOptions | null;
@@ -25,7 +26,9 @@ export interface PickOptions {
 
 interface Candidate {
   readonly record: ShapeRecord;
-  readonly primitive: Primitive;
+  /** null: of a dot, which stands for the whole object. */
+  readonly primitive: Primitive | null;
+  /** Relative to the local origin, as the ray. */
   readonly point: Vector3;
   /** From the origin of the ray. */
   readonly distance: number;
@@ -40,6 +43,8 @@ export class Picker {
   constructor(
     private readonly store: ShapeStore,
     private readonly projector: Projector,
+    /** What is drawn as a dot now. */
+    private readonly dots: () => readonly Dot[],
     /** Called when a tree that was being built is there. */
     private readonly ready: () => void,
   ) {}
@@ -63,6 +68,7 @@ export class Picker {
         if (primitive) best = this.pickThin(record, primitive, [x, y], ray, range, best) ?? best;
       }
     }
+    for (const dot of this.dots()) best = this.pickDot(dot, [x, y], ray, range, best) ?? best;
     return best ? this.hitOf(best, [x, y], options.snap) : null;
   }
 
@@ -73,11 +79,11 @@ export class Picker {
     range: readonly number[],
   ): Candidate | null {
     const [near, far] = range;
-    if (near! >= far! || !ray.intersectsBox(record.box(kBox))) return null;
+    if (near! >= far! || !ray.intersectsBox(this.localBox(record))) return null;
     const tree = this.trees.tree(faces, this.geometryOf(faces), this.ready);
     if (!tree) return null;
-    const local = new Ray(ray.origin.clone().sub(originOf(record)), ray.direction);
-    const found = tree.raycastFirst(local, DoubleSide, near, far);
+    const fromShape = new Ray(ray.origin.clone().sub(this.localOrigin(record)), ray.direction);
+    const found = tree.raycastFirst(fromShape, DoubleSide, near, far);
     if (!found) return null;
     const point = ray.at(found.distance, new Vector3());
     return { record, primitive: faces, point, distance: found.distance, index: found.faceIndex ?? null };
@@ -92,22 +98,19 @@ export class Picker {
     range: readonly number[],
     best: Candidate | null,
   ): Candidate | null {
-    const box = record.box(kBox);
-    const margin = this.projector.unitsPerPixel(box.getCenter(new Vector3())) * kReach * 2;
+    const margin = this.projector.unitsPerPixel(record.box(kBox).getCenter(new Vector3())) * kReach * 2;
+    const box = this.localBox(record);
     if (!ray.intersectsBox(box.expandByScalar(margin))) return null;
-    const origin = originOf(record);
+    const origin = this.localOrigin(record);
     const { positions, indices } = primitive;
     const place = (vertex: number): Vector3 => new Vector3().fromArray(positions, 3 * vertex).add(origin);
     let found: Candidate | null = null;
     let nearest = Math.max(kReach, (record.look?.pointSize ?? 0) / 2);
     const offer = (point: Vector3, vertex: number | null): void => {
-      const screen = this.projector.project(point);
-      const gap = Math.hypot(screen.x - pointer[0], screen.y - pointer[1]);
-      if (!screen.visible || gap > nearest) return;
-      const distance = point.clone().sub(ray.origin).dot(ray.direction);
-      // A point on a face must win over the face.
-      const slack = this.projector.unitsPerPixel(point) * kReach;
-      if (distance < range[0]! || distance > range[1]! || (best && distance > best.distance + slack)) return;
+      const gap = this.gapTo(point, pointer);
+      if (gap > nearest) return;
+      const distance = this.reachedAt(point, ray, range, best);
+      if (distance === null) return;
       nearest = gap;
       found = {
         record,
@@ -135,6 +138,48 @@ export class Picker {
     return found;
   }
 
+  private pickDot(
+    { record, at }: Dot,
+    pointer: readonly [number, number],
+    ray: Ray,
+    range: readonly number[],
+    best: Candidate | null,
+  ): Candidate | null {
+    const point = this.projector.toLocal(at);
+    if (this.gapTo(point, pointer) > kReach) return null;
+    const distance = this.reachedAt(point, ray, range, best);
+    return distance === null ? null : { record, primitive: null, point, distance, index: null };
+  }
+
+  /** From the pointer to a local point, in CSS pixels. */
+  private gapTo(point: Vector3, pointer: readonly [number, number]): number {
+    const { x, y, visible } = this.projector.projectLocal(point);
+    return visible ? Math.hypot(x - pointer[0], y - pointer[1]) : Infinity;
+  }
+
+  /** The distance along the ray at which a point near it lies; null if it is cut away or hidden by `best`. */
+  private reachedAt(
+    point: Vector3,
+    ray: Ray,
+    range: readonly number[],
+    best: Candidate | null,
+  ): number | null {
+    const distance = point.clone().sub(ray.origin).dot(ray.direction);
+    // A point on a face must win over the face.
+    const slack = this.projector.unitsPerPixelLocal(point) * kReach;
+    const isReached = distance >= range[0]! && distance <= range[1]!;
+    return isReached && (!best || distance <= best.distance + slack) ? distance : null;
+  }
+
+  /** Relative to the local origin, as rays are. */
+  private localBox(record: ShapeRecord): Box3 {
+    return record.box(kBox).translate(this.projector.origin.clone().negate());
+  }
+
+  private localOrigin(record: ShapeRecord): Vector3 {
+    return this.projector.toLocal(originOf(record));
+  }
+
   /** A geometry for the trees, never drawn. */
   private geometryOf(primitive: Primitive): BufferGeometry {
     const known = this.geometries.get(primitive);
@@ -148,17 +193,18 @@ export class Picker {
 
   private hitOf(found: Candidate, pointer: readonly [number, number], snap: SnapOptions | null): Hit {
     const { record, primitive, index } = found;
+    const isPoints = primitive?.role === "points";
     const bare: Hit = {
       cell: record.cell,
-      point: fromVector3(found.point),
-      snap: primitive.role === "points" ? "point" : primitive.role === "faces" ? "face" : "edge",
+      point: fromVector3(this.projector.toGlobal(found.point)),
+      snap: primitive?.role === "faces" ? "face" : !primitive || isPoints ? "point" : "edge",
       face: null,
-      vertex: primitive.role === "points" && index !== null ? (primitive.vertexIds?.[index] ?? index) : null,
+      vertex: isPoints && index !== null ? (primitive.vertexIds?.[index] ?? index) : null,
       triangle: null,
       edge: null,
       deviation: record.deviation,
     };
-    if (primitive.role !== "faces" || index === null) return bare;
+    if (primitive?.role !== "faces" || index === null) return bare;
     const hit = { ...bare, ...triangleInfo(record, primitive, index) };
     return snap ? snapped(hit, primitive, originOf(record), this.projector, pointer, snap) : hit;
   }

@@ -1,11 +1,16 @@
-/** The camera of three.js for a CameraState, and the way from coordinates to pixels and back, all in doubles. */
+/**
+ * The camera of three.js for a CameraState, and the way from coordinates to pixels and back, all in doubles.
+ *
+ * What three.js computes with is relative to the target of the camera, the local origin: coordinates of the database
+ * may be so large that the objects would be lost beside them.
+ */
 
 import { Matrix4, OrthographicCamera, PerspectiveCamera, Ray, Vector3, Vector4 } from "three";
 import type { Box3 } from "three";
 
 import type { CameraState, Vec3 } from "./api";
 import { basisOf, cornersOf, eyeDistance, kFieldOfView } from "./camera";
-import type { Eye } from "./front_faces";
+import type { EyeFrom } from "./front_faces";
 import { toVector3 } from "./vec";
 
 export interface Size {
@@ -33,6 +38,8 @@ export class Projector {
   private readonly orthographic = new OrthographicCamera();
   private readonly matrix = new Matrix4();
   private state: CameraState | null = null;
+  /** The local origin. */
+  readonly origin = new Vector3();
   size: Size = { width: 1, height: 1 };
 
   get aspect(): number {
@@ -42,10 +49,16 @@ export class Projector {
   /** The camera for this state, with near and far around the box of all that may be seen. */
   camera(state: CameraState, box: Box3): PerspectiveCamera | OrthographicCamera {
     this.state = state;
+    this.origin.copy(toVector3(state.target));
     const basis = basisOf(state);
     const eye = eyeDistance(state.height);
-    const position = toVector3(state.target).addScaledVector(basis.back, eye);
-    const { near, far } = depthRange(position, basis.back, box, eye);
+    const position = toVector3(state.rest).addScaledVector(basis.back, eye);
+    const { near, far } = depthRange(
+      position,
+      basis.back,
+      box.clone().translate(this.origin.clone().negate()),
+      eye,
+    );
     const camera = state.projection === "perspective" ? this.perspective : this.orthographic;
     if (camera instanceof PerspectiveCamera) {
       camera.aspect = this.aspect;
@@ -72,7 +85,10 @@ export class Projector {
   }
 
   project(point: Vec3 | Vector3): ScreenPoint {
-    const [x, y, z] = point instanceof Vector3 ? point.toArray() : point;
+    return this.projectLocal(this.toLocal(point));
+  }
+
+  projectLocal({ x, y, z }: Vector3): ScreenPoint {
     const clip = new Vector4(x, y, z, 1).applyMatrix4(this.matrix);
     const w = clip.w === 0 ? 1e-30 : clip.w;
     return {
@@ -83,46 +99,60 @@ export class Projector {
     };
   }
 
+  /** Coordinates of the database relative to the local origin. */
+  toLocal(point: Vec3 | Vector3): Vector3 {
+    return (point instanceof Vector3 ? point.clone() : toVector3(point)).sub(this.origin);
+  }
+
+  /** Coordinates of the database, rounded to doubles. */
+  toGlobal(local: Vector3): Vector3 {
+    return local.clone().add(this.origin);
+  }
+
   /** Places of the view from -1 to 1, y upwards, for a place in CSS pixels. */
   normalized(x: number, y: number): readonly [number, number] {
     return [(2 * x) / this.size.width - 1, 1 - (2 * y) / this.size.height];
   }
 
-  /** The ray through a place in CSS pixels, with a unit direction; it begins before all that is seen. */
+  /** The ray through a place in CSS pixels, with a unit direction; local. It begins before all that is seen. */
   ray(x: number, y: number): Ray {
     const state = this.state!;
     const basis = basisOf(state);
     const [nx, ny] = this.normalized(x, y);
     const eye = eyeDistance(state.height);
-    const inPlane = toVector3(state.target)
+    const inPlane = toVector3(state.rest)
       .addScaledVector(basis.right, (nx * state.height * this.aspect) / 2)
       .addScaledVector(basis.up, (ny * state.height) / 2);
     if (state.projection === "perspective") {
-      const origin = toVector3(state.target).addScaledVector(basis.back, eye);
+      const origin = toVector3(state.rest).addScaledVector(basis.back, eye);
       return new Ray(origin, inPlane.sub(origin).normalize());
     }
     const reach = this.orthographic.far - this.orthographic.near + eye;
     return new Ray(inPlane.addScaledVector(basis.back, reach), basis.back.clone().negate());
   }
 
-  /** Where the camera looks from. */
-  get eye(): Eye {
+  /** Where the camera looks from, as seen from a place. */
+  readonly eyeFrom: EyeFrom = (place) => {
     const state = this.state!;
     const { back } = basisOf(state);
     if (state.projection === "orthographic") return [back.x, back.y, back.z, 0];
-    const { x, y, z } = toVector3(state.target).addScaledVector(back, eyeDistance(state.height));
+    const eye = toVector3(state.rest).addScaledVector(back, eyeDistance(state.height));
+    const { x, y, z } = eye.sub(this.toLocal(place));
     return [x, y, z, 1];
-  }
+  };
 
   /** Coordinate units of one CSS pixel at a place. */
   unitsPerPixel(at: Vec3 | Vector3): number {
+    return this.unitsPerPixelLocal(this.toLocal(at));
+  }
+
+  unitsPerPixelLocal(at: Vector3): number {
     const state = this.state!;
     const whole = state.height / this.size.height;
     if (state.projection === "orthographic") return whole;
-    const point = at instanceof Vector3 ? at : toVector3(at);
     const basis = basisOf(state);
     const eye = eyeDistance(state.height);
-    const depth = eye - point.clone().sub(toVector3(state.target)).dot(basis.back);
+    const depth = eye - at.clone().sub(toVector3(state.rest)).dot(basis.back);
     return whole * Math.max(depth / eye, 1e-6);
   }
 }

@@ -57,13 +57,16 @@ export class View implements api.SceneView {
       changed: (column, came) => this.shapesCame(column, came),
     });
     this.contents = new Contents(this.stage.store, this.loader, this.coloring);
-    this.picker = new Picker(this.stage.store, this.stage.projector, () => undefined);
+    const { store, projector } = this.stage;
+    const dots = () => this.stage.dots.dots(this.state.camera, projector.size.height);
+    this.picker = new Picker(store, projector, dots, () => undefined);
     this.interaction = new Interaction(this.stage, this.picker, this.interactionHost());
     this.canvas = new Canvas(element, {
       draw: (quality) => this.draw(quality),
       triangles: () => this.stage.store.triangleCounts(),
       problem: (problem) => this.setProblem(problem),
       resized: (size) => (this.stage.projector.size = size),
+      viewResized: () => this.sight.resized(),
     });
     element.append(this.stage.overlay.canvas); // above the picture
     this.input = new PointerInput(this.canvas.element, this.interaction);

@@ -64,11 +64,11 @@ export class Section {
     this.group.add(this.quad, this.caps);
   }
 
-  /** What all materials are clipped by. */
-  clipping(state: SectionState): readonly Plane[] {
+  /** What all materials are clipped by, relative to the local origin of a projector. */
+  clipping(state: SectionState, origin: Vector3): readonly Plane[] {
     if (!state.on) return [];
     const normal = toVector3(normalized(state.normal));
-    this.plane.setFromNormalAndCoplanarPoint(normal.negate(), toVector3(state.point));
+    this.plane.setFromNormalAndCoplanarPoint(normal.negate(), toVector3(state.point).sub(origin));
     return this.planes;
   }
 

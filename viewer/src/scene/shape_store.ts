@@ -2,16 +2,16 @@
 
 import { Box3, Object3D, Vector3 } from "three";
 
-import type { CellRef, ColumnRef, ShapeInfo, ShapeSource, Vec3 } from "./api";
+import type { CameraState, CellRef, ColumnRef, ShapeInfo, ShapeSource, Vec3 } from "./api";
 import type { Shape } from "../glb/shapes";
 import type { Body } from "./body";
-import type { Eye } from "./front_faces";
+import type { EyeFrom } from "./front_faces";
 import { Chunk, kChunkVertices, kSmallVertices, vertexCount } from "./chunk";
 import { primitiveOf } from "./geometry";
 import type { Look, Style } from "./look";
 import type { SharedMaterials } from "./materials";
 import { SingleBody } from "./single_body";
-import { toBox3 } from "./vec";
+import { toBox3, toVector3 } from "./vec";
 
 /** So many small shapes of one answer are worth a chunk. */
 const kMergeFrom = 24;
@@ -227,15 +227,16 @@ export class ShapeStore {
     for (const level of record.levels) level.body.setVisible(record.visible && level === shown);
   }
 
-  /** To be called before drawing; `eye` if triangles that show their backs are to be left out here. */
-  update(eye: Eye | null): void {
+  /** To be called before drawing; `eyeFrom` if triangles that show their backs are to be left out here. */
+  update({ target, height }: CameraState, eyeFrom: EyeFrom | null): void {
     for (const chunk of this.chunks) {
       if (chunk.isFree) this.chunks.delete(chunk);
+      chunk.approach(toVector3(target), height);
       chunk.update();
-      chunk.chooseFronts(eye);
+      chunk.chooseFronts(eyeFrom);
     }
     for (const record of this.visibleRecords()) {
-      for (const { body } of record.levels) body.chooseFronts(eye);
+      for (const { body } of record.levels) body.chooseFronts(eyeFrom);
     }
   }
 

@@ -79,6 +79,14 @@ export class Sight {
     this.follow.put(result, this.control.goal);
   }
 
+  /** The view has another shape: what was put into it by itself must fit again. */
+  resized(): void {
+    const result = this.follow.followed(this.control.goal);
+    if (result === null) return;
+    this.control.fit(this.mainBox(), false);
+    this.follow.put(result, this.control.goal);
+  }
+
   /** Objects were removed, hidden or shown again. */
   othersAreSeen(): void {
     if (this.stage.store.columns.length === 0) this.isSet = false;
@@ -146,7 +154,7 @@ export class Sight {
   private boxOf(records?: readonly ShapeRecord[]): Box3 {
     if (records && records.length > 0) return this.stage.store.box(records);
     const box = this.stage.store.box();
-    for (const { group } of this.stage.additions.values()) if (box.isEmpty()) box.expandByObject(group);
+    for (const addition of this.stage.additions.values()) if (box.isEmpty()) box.copy(addition.box);
     return box;
   }
 }

@@ -25,8 +25,8 @@ import {
   wideLines,
 } from "./geometry";
 import { featureLines } from "./features";
-import { FrontFaces, isWorthChoosing, seenFrom } from "./front_faces";
-import type { Eye } from "./front_faces";
+import { FrontFaces, isWorthChoosing } from "./front_faces";
+import type { EyeFrom } from "./front_faces";
 import { isTransparent, kSelectionColor } from "./look";
 import type { Look, Style } from "./look";
 import { clip, faceMaterial, pointMaterial, styleFaces } from "./materials";
@@ -126,12 +126,12 @@ export class SingleBody implements Body {
     this.refresh();
   }
 
-  chooseFronts(eye: Eye | null): void {
+  chooseFronts(eyeFrom: EyeFrom | null): void {
     const { faces, whole } = this;
     if (!faces || !whole || !this.group.visible || !faces.visible) return;
-    const fronts = eye && faces.material.side === FrontSide ? this.frontFaces(whole) : null;
+    const fronts = eyeFrom && faces.material.side === FrontSide ? this.frontFaces(whole) : null;
     faces.geometry = fronts?.geometry ?? whole;
-    if (fronts && eye) fronts.choose(seenFrom(eye, this.group.position));
+    if (fronts && eyeFrom) fronts.choose(eyeFrom(this.group.position));
   }
 
   private frontFaces(whole: BufferGeometry): FrontFaces | null {

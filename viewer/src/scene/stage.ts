@@ -1,17 +1,18 @@
 /** Everything that is drawn, and the drawing of one frame. */
 
-import { BufferGeometry, Color, LineBasicMaterial, LineSegments, Scene, Vector3 } from "three";
+import { BufferGeometry, Color, Group, LineBasicMaterial, LineSegments, Scene, Vector3 } from "three";
 import type { Box3 } from "three";
 
 import type { CameraState, SceneState, Tool } from "./api";
 import { cornersOf } from "./camera";
 import type { Canvas } from "./canvas";
+import { Dots } from "./dots";
 import { boxLines, drawAxes, drawScaleBar, Grid, setLines } from "./furniture";
 import { drawLightMarkers, Lights } from "./lights";
 import type { Style } from "./look";
 import { drawLabels } from "./markers";
 import type { Addition } from "./markers";
-import { SharedMaterials } from "./materials";
+import { clip, SharedMaterials } from "./materials";
 import { Overlay } from "./overlay";
 import { Projector } from "./projection";
 import { outlineOf, Section } from "./section";
@@ -19,6 +20,7 @@ import type { QualityStep } from "./quality";
 import { ShapeStore } from "./shape_store";
 import { themeOf } from "./theme";
 import type { SceneTheme } from "./theme";
+import { isFarOrigin, toVector3 } from "./vec";
 
 export interface FrameOptions {
   /** Drawn by the processor. */
@@ -34,10 +36,13 @@ export class Stage {
   readonly store = new ShapeStore(this.materials);
   readonly lights = new Lights();
   readonly section = new Section();
+  readonly dots = new Dots();
   readonly additions = new Map<string, Addition>();
   readonly overlay: Overlay;
   theme: SceneTheme;
   private readonly scene = new Scene();
+  /** Of all that has coordinates of the database: they become those relative to the camera's target. */
+  private readonly world = new Group();
   private readonly grid = new Grid();
   private readonly boxes = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
   private box: Box3;
@@ -50,7 +55,9 @@ export class Stage {
     this.theme = themeOf(element);
     this.box = this.store.box();
     this.boxes.frustumCulled = false;
-    this.scene.add(this.lights.group, this.store.root, this.section.group, this.grid.group, this.boxes);
+    const { points } = this.dots;
+    this.world.add(this.store.root, points, this.section.group, this.grid.group, this.boxes);
+    this.scene.add(this.lights.group, this.world);
   }
 
   /** The box of all that is visible, with additions left out. */
@@ -80,6 +87,7 @@ export class Stage {
   contentChanged(): void {
     this.box = this.store.box();
     this.boxesStale = true;
+    this.dots.setRecords(this.store.visibleRecords());
   }
 
   themeChanged(): void {
@@ -89,7 +97,7 @@ export class Stage {
 
   addAddition(name: string, addition: Addition): void {
     this.additions.set(name, addition);
-    this.scene.add(addition.group);
+    this.world.add(addition.group);
   }
 
   draw(canvas: Canvas, state: SceneState, options: FrameOptions): void {
@@ -103,7 +111,9 @@ export class Stage {
     this.section.update(state.section, this.box, state.appearance.edgeColor);
     this.updateFurniture(state);
     const camera = projector.camera(state.camera, this.depthBox(state));
-    this.store.update(options.software ? projector.eye : null);
+    this.world.position.copy(projector.origin).negate();
+    this.store.update(state.camera, options.software ? projector.eyeFrom : null);
+    this.dots.update(state.camera, projector.size.height);
     const background = state.appearance.background ?? theme.background;
     renderer.setClearColor(new Color(background), options.backgroundless ? 0 : 1);
     renderer.info.reset();
@@ -115,7 +125,7 @@ export class Stage {
   }
 
   private applyStyle(state: SceneState): void {
-    const clipping = this.section.clipping(state.section);
+    const clipping = this.section.clipping(state.section, toVector3(state.camera.target));
     const stencil = state.section.on && state.section.cap === "preview";
     const key = JSON.stringify([state.appearance, state.display, state.section.on, stencil]);
     if (key === this.styleKey) return;
@@ -128,15 +138,22 @@ export class Stage {
     };
     this.materials.apply(style);
     this.store.setStyle(style);
+    this.dots.setStyle(style);
+    clip(this.boxes.material, clipping);
   }
 
   private updateFurniture(state: SceneState): void {
     this.grid.group.visible = state.display.grid;
     if (state.display.grid) this.grid.update(state.camera, this.box, this.theme);
     this.boxes.visible = state.display.boxes;
-    if (!state.display.boxes || !this.boxesStale) return;
+    if (state.display.boxes) this.updateBoxes(state.camera);
+  }
+
+  private updateBoxes({ target, height }: CameraState): void {
+    const origin = toVector3(target);
+    if (isFarOrigin(this.boxes.position, origin, height)) this.boxesStale = true;
+    if (!this.boxesStale) return;
     this.boxesStale = false;
-    const origin = this.box.isEmpty() ? new Vector3() : this.box.getCenter(new Vector3());
     const boxes = [...this.store.visibleRecords()].map((record) => record.box());
     setLines(this.boxes, boxLines(boxes, origin), this.theme.accent);
     this.boxes.position.copy(origin);
@@ -146,7 +163,7 @@ export class Stage {
   private depthBox(state: SceneState): Box3 {
     const box = this.box.clone();
     if (!box.isEmpty() && state.display.grid) box.expandByScalar(state.camera.height);
-    for (const { group } of this.additions.values()) if (group.visible) box.expandByObject(group);
+    for (const { group, box: own } of this.additions.values()) if (group.visible) box.union(own);
     return box;
   }
 
@@ -180,6 +197,7 @@ export class Stage {
 
   dispose(): void {
     this.store.dispose();
+    this.dots.dispose();
     this.materials.dispose();
     this.lights.dispose();
     this.section.dispose();

@@ -4,8 +4,9 @@ import type { CameraState, SceneState, ScenePatch } from "./api";
 
 export const kDefaultCamera: CameraState = {
   projection: "perspective",
-  position: [10, -10, 10],
   target: [0, 0, 0],
+  rest: [0, 0, 0],
+  direction: [1, -1, 1],
   up: [0, 0, 1],
   height: 10,
 };

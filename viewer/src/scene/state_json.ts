@@ -60,8 +60,9 @@ export const isCell = hasFields({
 const kFields: Readonly<Record<Exclude<keyof SceneState, "overrides">, Readonly<Record<string, Check>>>> = {
   camera: {
     projection: isOneOf("perspective", "orthographic"),
-    position: isVec3,
     target: isVec3,
+    rest: isVec3,
+    direction: isDirection,
     up: isDirection,
     height: kPositive,
   },
@@ -119,12 +120,21 @@ const isOverride = hasFields(
   { color: isColor, pointSize: isNumber(1, 100), opacity: isNumber(0, 1) },
 );
 
+/** Links of former versions have the position of the eye in place of its direction. */
+function withDirection(camera: unknown): unknown {
+  if (!isRecord(camera) || !isVec3(camera["position"]) || !isVec3(camera["target"])) return camera;
+  const { position, ...others } = camera as { position: number[]; target: number[] };
+  const direction = position.map((part, axis) => part - others.target[axis]!);
+  return { direction, rest: [0, 0, 0], ...others };
+}
+
 /** The fields that are understood, as a patch, and the names of those that are not. */
 export function stateFromJson(json: unknown): { patch: ScenePatch; rejected: string[] } {
   const rejected: string[] = [];
   if (!isRecord(json)) return { patch: {}, rejected: ["the whole view"] };
   const patch: Record<string, unknown> = {};
-  for (const [part, value] of Object.entries(json)) {
+  for (const [part, given] of Object.entries(json)) {
+    const value = part === "camera" ? withDirection(given) : given;
     if (part === "overrides") {
       if (isListOf(isOverride, 100_000)(value)) patch[part] = value;
       else rejected.push(part);

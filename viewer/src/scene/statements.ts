@@ -47,6 +47,26 @@ export function isRegionExact(normal: Vec3): boolean {
   return normalized(normal).filter((part) => Math.abs(part) === 1).length === 1;
 }
 
+/** The directions of space that become the axes x and y of the region. */
+export function regionAxes(normal: Vec3): readonly [Vec3, Vec3] {
+  const n = normalized(normal);
+  const sine = Math.hypot(n[0], n[1]);
+  if (sine === 0) return n[2] > 0 ? [kX, kY] : [kX, [0, -1, 0]];
+  // The inverse of the turn about n x z that takes n to z, by Rodrigues' formula.
+  const axis: Vec3 = [n[1] / sine, -n[0] / sine, 0];
+  const back = (vector: Vec3): Vec3 => {
+    const along = vector[0] * axis[0] + vector[1] * axis[1];
+    const across = [axis[1] * vector[2], -axis[0] * vector[2], axis[0] * vector[1] - axis[1] * vector[0]];
+    return [0, 1, 2].map(
+      (i) => vector[i]! * n[2] - across[i]! * sine + axis[i]! * along * (1 - n[2]) + 0,
+    ) as unknown as Vec3;
+  };
+  return [back(kX), back(kY)];
+}
+
+const kX: Vec3 = [1, 0, 0];
+const kY: Vec3 = [0, 1, 0];
+
 /**
  * The cut as a region: the solid is turned about the point until the normal points upwards, and sliced at the height of
  * the point. Exact for normals along an axis; other angles are within 2^-50 rad.

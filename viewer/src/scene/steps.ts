@@ -12,7 +12,10 @@ export function roundStep(length: number): number {
 /** A coordinate that is a multiple of `step`, without digits below the step. */
 export function formatStep(value: number, step: number): string {
   if (Math.abs(value) < step / 2) return "0";
-  if (Math.abs(value) >= 1e7 || step < 1e-6) return String(Number(value.toPrecision(12)));
+  if (Math.abs(value) >= 1e7 || step < 1e-6) {
+    const digits = Math.ceil(Math.log10(Math.abs(value) / step)) + 1;
+    return String(Number(value.toPrecision(Math.min(17, Math.max(1, digits)))));
+  }
   const digits = Math.max(0, Math.min(20, -Math.floor(Math.log10(step * 1.0000001))));
   return value.toFixed(digits);
 }

@@ -20,6 +20,14 @@ export function distance(a: Vec3, b: Vec3): number {
   return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
+/** At so many heights of the view from their origin, floats tell less than a twentieth of a pixel apart. */
+const kFarOrigin = 2 ** 10;
+
+/** Whether coordinates relative to `origin`, in floats, are too coarse for a view of this height at `target`. */
+export function isFarOrigin(origin: Vector3, target: Vector3, height: number): boolean {
+  return origin.distanceTo(target) > kFarOrigin * height;
+}
+
 /** Unit vector; [0, 0, 1] for the zero vector. */
 export function normalized(v: Vec3): Vec3 {
   const length = Math.hypot(...v);

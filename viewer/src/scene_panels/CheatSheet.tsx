@@ -32,6 +32,10 @@ export function CheatSheet({ onClose, onAct }: { onClose: () => void; onAct: (ac
           aria-label="Search shortcuts"
           value={text}
           onInput={(event) => setText(event.currentTarget.value)}
+          onKeyDown={(event) => {
+            // A search field would take the key to empty itself.
+            if (event.key === "Escape") onClose();
+          }}
         />
         <button type="button" class="btn quiet" onClick={onClose}>
           Close

@@ -1,6 +1,6 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 
-import { isRegionExact } from "../scene";
+import { isRegionExact, regionAxes } from "../scene";
 import type { Database, SceneView, SectionState, ShapeInfo, Vec3 } from "../scene";
 import { Check, ColorField, NumberField, Section, shortNumber, Slider, VectorField } from "./fields";
 import { useSceneEvents, useSceneState } from "./hooks";
@@ -90,16 +90,18 @@ export function SectionPanel({ view, database }: Props) {
   );
 }
 
-function useSectionControl(view: SceneView, database: Database): SectionControl | null {
+/** The control of the view, if it has one yet; the component is rendered anew when its cuts change. */
+export function useSectionControl(view: SceneView, database: Database): SectionControl | null {
   const [, setCount] = useState(0);
   const control = useRef<SectionControl | null>(null);
   useEffect(() => {
-    const made = new SectionControl(view, database, () => setCount((count) => count + 1));
-    control.current = made;
-    setCount((count) => count + 1);
+    const listener = (): void => setCount((count) => count + 1);
+    const shared = SectionControl.of(view, database, listener);
+    control.current = shared;
+    listener();
     return () => {
       control.current = null;
-      made.dispose();
+      shared.leave(listener);
     };
   }, [view, database]);
   return control.current;
@@ -127,6 +129,7 @@ function Cuts({ control, database, normal }: { control: SectionControl; database
               <button
                 type="button"
                 class="btn small"
+                title={`${cut.regionQuestion.statement}\n${axesText(normal)}`}
                 onClick={() => database.show(cut.regionQuestion.statement, cut.regionQuestion.parameters)}
               >
                 As region
@@ -137,6 +140,11 @@ function Cuts({ control, database, normal }: { control: SectionControl; database
           </li>
         ))}
       </ul>
+      {cuts.length > 0 && (
+        <p class="muted" data-testid="region-axes">
+          {axesText(normal)}
+        </p>
+      )}
       {cuts.length > 0 && !isRegionExact(normal) && (
         <p class="muted">
           A region lies in the plane of x and y; for a plane that is not at right angles to an axis, the solid
@@ -145,6 +153,13 @@ function Cuts({ control, database, normal }: { control: SectionControl; database
       )}
     </div>
   );
+}
+
+/** Which directions of space the axes of a region are. */
+function axesText(normal: Vec3): string {
+  const [u, v] = regionAxes(normal);
+  const text = (axis: Vec3): string => `(${axis.map((part) => shortNumber(part)).join(", ")})`;
+  return `As a region: x is the direction ${text(u)}, y is ${text(v)}.`;
 }
 
 function dot(a: Vec3, b: Vec3): number {

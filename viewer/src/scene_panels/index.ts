@@ -1,7 +1,7 @@
 /**
  * The panels of a scene. A page with a scene has, each with the same view:
- * `SceneToolbar` and `SceneOverlay` as children of the element around the scene, `ScenePanels` in a panel beside it
- * (mounted also while it is hidden: the exact section is asked for from there), and one `SceneKeys` for the page.
+ * `SceneToolbar`, `SceneOverlay` and `SectionReadout` as children of the element around the scene, `ScenePanels` in a
+ * panel beside it, and one `SceneKeys` for the page. The exact section is asked for while one of its two is mounted.
  */
 
 import "./scene_panels.css";
@@ -10,3 +10,4 @@ export { SceneKeys } from "./SceneKeys";
 export { SceneOverlay } from "./SceneOverlay";
 export { ScenePanels } from "./ScenePanels";
 export { SceneToolbar } from "./SceneToolbar";
+export { SectionReadout } from "./SectionReadout";

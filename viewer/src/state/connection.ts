@@ -6,24 +6,22 @@ import type { ServerInfo } from "../api/types";
 export type ConnectionStatus = "connecting" | "online" | "gone" | "unauthorized";
 
 const pollSeconds = 10;
-const longestWait = 15;
+/** Asking a server that is gone costs nothing that anybody would notice. */
+const pollSecondsGone = 1;
 
-/** Whether the server answers; asks it now and then, and with growing pauses after it has gone. */
+/** Whether the server answers; asks it now and then, and each second after it has gone. */
 export class Connection {
   readonly status: ReadonlySignal<ConnectionStatus>;
   readonly info: ReadonlySignal<ServerInfo | null>;
   /** Why the server does not answer. */
   readonly reason: ReadonlySignal<string>;
-  /** When it is asked again, in milliseconds since the epoch; null if it is online or being asked. */
-  readonly nextTry: ReadonlySignal<number | null>;
   /** Called when the server answers for the first time, and again after it had gone. */
   onOnline: () => void = () => undefined;
   readonly #status = signal<ConnectionStatus>("connecting");
   readonly #info = signal<ServerInfo | null>(null);
   readonly #reason = signal("");
-  readonly #nextTry = signal<number | null>(null);
   readonly #client: Client;
-  #failures = 0;
+  #asking = false;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(client: Client) {
@@ -31,17 +29,15 @@ export class Connection {
     this.status = this.#status;
     this.info = this.#info;
     this.reason = this.#reason;
-    this.nextTry = this.#nextTry;
   }
 
   /** Asks the server now. */
   async check(): Promise<void> {
     clearTimeout(this.#timer);
-    this.#nextTry.value = null;
+    this.#asking = true;
     const before = this.#status.value;
     try {
       this.#info.value = await this.#client.server(AbortSignal.timeout(10_000));
-      this.#failures = 0;
       this.#status.value = "online";
     } catch (error) {
       this.#reason.value = messageOf(error);
@@ -49,8 +45,14 @@ export class Connection {
       if (error instanceof ApiError && error.status === 401) this.#status.value = "unauthorized";
       else this.#status.value = "gone";
     }
+    this.#asking = false;
     this.#schedule();
     if (this.#status.value === "online" && before !== "online") this.onOnline();
+  }
+
+  /** The server has answered something else. */
+  answered(): void {
+    if (this.#status.value === "gone" && !this.#asking) void this.check();
   }
 
   stop(): void {
@@ -61,8 +63,7 @@ export class Connection {
     clearTimeout(this.#timer);
     if (this.#status.value === "unauthorized") return;
     const gone = this.#status.value === "gone";
-    const wait = gone ? Math.min(2 ** this.#failures++, longestWait) : pollSeconds;
-    if (gone) this.#nextTry.value = Date.now() + wait * 1000;
+    const wait = gone ? pollSecondsGone : pollSeconds;
     this.#timer = setTimeout(() => void this.check(), wait * 1000);
   }
 }

@@ -25,6 +25,8 @@ export interface Outcome {
   readonly resultId: string | null;
   /** null for commands without a value. */
   readonly table: Table | null;
+  /** A description in place of a table. */
+  readonly text: string | null;
   /** The columns that can be drawn. */
   readonly shapeColumns: readonly string[];
   /** Those of them that are shown in 3D. */
@@ -50,8 +52,24 @@ export function makeOutcome(
     answer,
     resultId: answer.result?.id ?? null,
     table,
+    text: null,
     shapeColumns,
     shown: signal<ReadonlySet<string>>(new Set(shapeColumns)),
+  };
+}
+
+/** What `help` brought. */
+export function makeDescription(statement: string, text: string): Outcome {
+  return {
+    key: ++lastKey,
+    statement,
+    parameters: {},
+    answer: { type: null, value: null, diagnostics: [], seconds: 0 },
+    resultId: null,
+    table: null,
+    text,
+    shapeColumns: [],
+    shown: signal<ReadonlySet<string>>(new Set()),
   };
 }
 

@@ -3,10 +3,11 @@ import type { Client } from "../api/client";
 import { keepToken } from "../api/token";
 import { Catalogue } from "./catalogue";
 import { Connection } from "./connection";
+import { helpSubject, helpText } from "./help";
 import { History } from "./history";
 import { makeLayout, type Layout, type Mode } from "./layout";
 import { Notices } from "./notices";
-import { type Outcome, type Parameters } from "./outcome";
+import { makeDescription, type Outcome, type Parameters } from "./outcome";
 import { Results } from "./results";
 import { failureOf, isFailure, Runner, type Failure } from "./runner";
 import { isString, keptSignal } from "./settings";
@@ -53,6 +54,7 @@ export class Store {
     this.client = client;
     this.theme = theme;
     this.connection = new Connection(client);
+    client.onAnswer = () => this.connection.answered();
     this.catalogue = new Catalogue(client);
     this.results = new Results(client);
     this.runner = new Runner(client);
@@ -120,13 +122,23 @@ export class Store {
     const outcome = await this.#outcomeOf(statement, options);
     this.history.add(statement, !isFailure(outcome));
     if (isFailure(outcome)) return outcome;
-    if (outcome.table) this.#show(outcome);
+    if (outcome.table || outcome.text !== null) this.#show(outcome);
     else this.notices.add("success", doneText(statement), { detail: outcome.answer.diagnostics.join("\n") });
     await this.refreshObjects();
     return outcome;
   }
 
+  async #describe(statement: string, subject: string): Promise<Outcome | Failure> {
+    try {
+      return makeDescription(statement, await helpText(subject, this.catalogue));
+    } catch (error) {
+      return failureOf(statement, error);
+    }
+  }
+
   async #outcomeOf(statement: string, { parameters, stores }: RunOptions): Promise<Outcome | Failure> {
+    const subject = helpSubject(statement);
+    if (subject !== null) return this.#describe(statement, subject);
     const outcome = await this.runner.run(statement, parameters);
     if (stores === undefined || isFailure(outcome)) return outcome;
     const defined = await this.runner.run(`query isdefined(${stores})`);

@@ -53,7 +53,7 @@ function extent(picture: Picture): { width: number; height: number; left: number
   let [left, right, top, bottom] = [Infinity, -1, Infinity, -1];
   for (let y = 0; y < picture.height; y += 2) {
     for (let x = 0; x < picture.width; x += 2) {
-      if (y < 50 || isWhite(picture.at(x, y))) continue; // the toolbar is above
+      if (y < 60 || isWhite(picture.at(x, y))) continue; // the toolbar is above
       [left, right] = [Math.min(left, x), Math.max(right, x)];
       [top, bottom] = [Math.min(top, y), Math.max(bottom, y)];
     }

@@ -115,3 +115,50 @@ test("a new object far away does not take the others out of sight", async () => 
   await page.getByRole("button", { name: /^Close create/ }).click();
   await page.getByTestId("scene-far").waitFor({ state: "detached" });
 });
+
+test("a cube far from the origin looks like one at the origin", async () => {
+  const { page } = session;
+  const cubeAt = (far: string) => {
+    const low = `makePoint3D(${far}, ${far}, 0 - ${far})`;
+    return `query createCube(${low}, makePoint3D(${far} + 1, ${far} + 1, 1 - ${far}))`;
+  };
+  const expected = await pictureOf(cubeAt("0.0"), "extremes-at-0");
+  for (const far of ["1e12", "1e15"]) {
+    const picture = await pictureOf(cubeAt(far), `extremes-at-${far}`);
+    expect(picture.difference(expected), far).toBeLessThan(0.005);
+  }
+  // The section cuts it where it is, and the pointer finds it.
+  await press(page, "c");
+  await page.getByTestId("cut-area").waitFor();
+  expect(await page.getByTestId("cut-area").innerText()).toBe("1");
+  const halved = await stillScene(page);
+  await takePicture(page, "extremes-far-section");
+  expect(halved.difference(expected)).toBeGreaterThan(0.05);
+});
+
+test("two cubes far apart are seen as two dots, which can be picked", async () => {
+  const { page } = session;
+  const one = "createCube(makePoint3D(0, 0, 0), makePoint3D(1, 1, 1))";
+  const other = "createCube(makePoint3D(1e12, 0, 0), makePoint3D(1e12 + 1, 1, 1))";
+  const both = `query intstream(0, 1) transformstream extend[S: ifthenelse(.Elem = 0, ${one}, ${other})] project[S] consume`;
+  for (const [statement, name] of [
+    [both, "rows"],
+    [`query ${one} union ${other}`, "one"],
+  ] as const) {
+    await run(page, statement);
+    await stillScene(page);
+    await plainScene(page);
+    await choose(page, "navigation", "Projection", "Orthographic");
+    await press(page, "1");
+    await press(page, "f");
+    const picture = await stillScene(page);
+    await takePicture(page, `extremes-far-apart-${name}`);
+    const left = pixels(picture, 0, 0.2).filter(isObject).length;
+    const right = pixels(picture, 0.8, 1).filter(isObject).length;
+    for (const dot of [left, right]) {
+      expect(dot).toBeGreaterThanOrEqual(8);
+      expect(dot).toBeLessThan(40);
+    }
+    expect(pixels(picture, 0.2, 0.8).filter(isObject)).toEqual([]);
+  }
+});

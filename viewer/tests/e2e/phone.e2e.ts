@@ -20,6 +20,23 @@ afterAll(async () => {
   await server.remove();
 });
 
+/** Accessible names of what can be pressed. */
+const names = (page: Page) =>
+  page.evaluate(() =>
+    [...document.querySelectorAll<HTMLElement>("header button")]
+      .filter((button) => button.checkVisibility())
+      .map((button) => button.ariaLabel ?? button.innerText.trim()),
+  );
+
+/** What is too small for a finger. */
+const smallControls = () =>
+  page.evaluate(() =>
+    [...document.querySelectorAll<HTMLElement>("button, select, summary")]
+      .filter((control) => control.checkVisibility() && control.ariaHidden !== "true")
+      .filter(({ offsetWidth, offsetHeight }) => offsetWidth < 32 || offsetHeight < 32)
+      .map((control) => control.ariaLabel ?? control.innerText),
+  );
+
 /** Nothing reaches over the edge of the page. */
 async function expectToFit(): Promise<void> {
   const width = await page.evaluate(() => document.documentElement.scrollWidth);
@@ -150,4 +167,34 @@ test("every control has a name", async () => {
       .map((element) => element.outerHTML.slice(0, 120)),
   );
   expect(nameless).toEqual([]);
+});
+
+test("buttons have the names that they have on wide pages", async () => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  const narrow = await names(page);
+  const desk = await Browser.start({ width: 1280, height: 800 });
+  const wide = await desk.open(server.url);
+  await ready(wide);
+  const all = await names(wide);
+  await desk.end();
+  expect(narrow.length).toBeGreaterThan(3);
+  expect(all).toEqual(expect.arrayContaining(narrow));
+});
+
+test("fingers have room, and the bar says that it goes on", async () => {
+  const tabs = page.getByRole("navigation", { name: "Panels" });
+  await tabs.getByText("Query").tap();
+  await page.getByTestId("objects").getByText("Cube").tap();
+  await page.getByTestId("table").waitFor();
+  expect(await smallControls()).toEqual([]);
+  await tabs.getByText("View").tap();
+  expect(await smallControls()).toEqual([]);
+  const bar = page.getByTestId("scene-tools");
+  await expect.poll(() => bar.getAttribute("data-more")).toBe("right");
+  await takePicture(page, "phone-tools");
+  await page.locator(".tools-arrow.right").tap();
+  await expect.poll(() => bar.getAttribute("data-more")).toBe("left right");
+  await bar.evaluate((element) => (element.scrollLeft = element.scrollWidth));
+  await expect.poll(() => bar.getAttribute("data-more")).toBe("left");
+  expectNoErrors(browser.errors);
 });

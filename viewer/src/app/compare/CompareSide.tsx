@@ -1,14 +1,15 @@
 import { effect, untracked } from "@preact/signals";
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { createSceneView } from "../../scene";
 import type { SceneView } from "../../scene/api";
 import { readBytes, shapeSource } from "../../state/shape_source";
 import type { Store } from "../../state/store";
 import { cellOf, chosenOf, type Side, type SideName, type Step } from "../../state/workbench";
 import { vertexMove } from "../../state/workbench_operations";
-import { SceneToolbar } from "../../scene_panels";
+import { SceneToolbar, SectionReadout } from "../../scene_panels";
 import { useApp } from "../context";
-import { SceneMessages } from "../SceneMessages";
+import { panelDatabase } from "../panel_database";
+import { SceneHint, SceneMessages } from "../SceneMessages";
 import { FactsTable } from "./FactsTable";
 import { Operations } from "./Operations";
 import { SideHead } from "./SideHead";
@@ -21,8 +22,10 @@ interface Props {
 
 /** One mesh with its scene, operations and statistics. */
 export function CompareSide({ name, onView }: Props) {
-  const { store, workspace } = useApp();
+  const app = useApp();
+  const { store, workspace } = app;
   const side = workspace.workbench.side(name);
+  const database = useMemo(() => panelDatabase(app), [app]);
   const place = useRef<HTMLDivElement>(null);
   const [view, setView] = useState<SceneView | null>(null);
   useEffect(() => {
@@ -58,8 +61,9 @@ export function CompareSide({ name, onView }: Props) {
           onFocus={() => (workspace.keyScene.value = view)}
         />
         {view && <SceneToolbar view={view} />}
+        {view && <SectionReadout view={view} database={database} onSettings={null} />}
         {view && <SceneMessages view={view} />}
-        {!side.step.value && !busy && <p class="scene-hint muted">Choose a mesh for this side.</p>}
+        {view && !side.step.value && !busy && <SceneHint view={view} text="Choose a mesh for this side." />}
       </div>
       {busy && (
         <div class="running-line" role="status">

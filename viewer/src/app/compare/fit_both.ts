@@ -11,9 +11,7 @@ export function cameraFor(camera: CameraState, boxes: readonly Box[]): CameraSta
   const extent = ([low = 0, high = 0]: number[]) => high - low;
   const target: Vec3 = [middle(x), middle(y), middle(z)];
   const height = Math.hypot(extent(x), extent(y), extent(z)) || camera.height;
-  const scale = height / camera.height;
-  const along = (axis: 0 | 1 | 2) => target[axis] + (camera.position[axis] - camera.target[axis]) * scale;
-  return { ...camera, target, height, position: [along(0), along(1), along(2)] };
+  return { ...camera, target, rest: [0, 0, 0], height };
 }
 
 /**

@@ -22,6 +22,7 @@ import {
   type Tooltip,
 } from "@codemirror/view";
 import { complete, type Known } from "./completion";
+import { wordBetween } from "./word_between";
 import { language, type Words } from "./language";
 
 export interface EditorOptions {
@@ -104,9 +105,12 @@ export class Editor {
     this.view.dispatch({ changes: { from: 0, to: this.view.state.doc.length, insert: text } });
   }
 
-  /** Puts a text at the cursor, or in place of the selection. */
-  insert(text: string): void {
-    this.view.dispatch(this.view.state.replaceSelection(text));
+  /** Puts a name at the cursor, or in place of the selection, apart from words beside it. */
+  insert(name: string): void {
+    const { state } = this.view;
+    const { from, to } = state.selection.main;
+    const text = wordBetween(state.sliceDoc(Math.max(0, from - 1), from), name, state.sliceDoc(to, to + 1));
+    this.view.dispatch(state.replaceSelection(text));
     this.view.focus();
   }
 

@@ -1,6 +1,7 @@
 import { useState } from "preact/hooks";
 import { useApp } from "../context";
 import { IconButton, SearchField } from "../ui/controls";
+import { PlainText } from "../ui/PlainText";
 
 /** Statements that were run here; a click puts one into the editor. */
 export function HistoryList() {
@@ -25,7 +26,9 @@ export function HistoryList() {
               title={`${text}\n${new Date(time).toLocaleString("en-GB")}`}
               onClick={() => workspace.editor.value?.append(`${text};`)}
             >
-              <code class={`ellipsis ${ok ? "" : "error-text"}`}>{text.replace(/\s+/g, " ")}</code>
+              <code class={`ellipsis ${ok ? "" : "error-text"}`}>
+                <PlainText text={text.replace(/\s+/g, " ")} />
+              </code>
             </button>
             <IconButton small icon="play" label="Run again" onClick={() => void store.run(text)} />
           </li>

@@ -5,6 +5,7 @@ import { ResultTable } from "../table/ResultTable";
 import { seconds } from "../table/format";
 import { IconButton } from "../ui/controls";
 import { Icon } from "../ui/Icon";
+import { PlainText } from "../ui/PlainText";
 
 /** The results that are kept, and the table of one of them. */
 export function ResultsPanel() {
@@ -25,6 +26,7 @@ export function ResultsPanel() {
           class="btn quiet"
           aria-pressed={results.overlay.value}
           title="Show new results together with those that are shown already"
+          aria-label="Overlay"
           onClick={() => (results.overlay.value = !results.overlay.value)}
         >
           <Icon name="layers" />
@@ -69,7 +71,9 @@ function ResultTab({ outcome, active }: { outcome: Outcome; active: boolean }) {
         onClick={() => (results.activeKey.value = outcome.key)}
         onAuxClick={(event) => event.button === 1 && results.close(outcome)}
       >
-        <span class="ellipsis">{title}</span>
+        <span class="ellipsis">
+          <PlainText text={title} />
+        </span>
         {outcome.table?.isRelation && (
           <span class="tag">{outcome.table.rows.count.toLocaleString("en")}</span>
         )}
@@ -91,7 +95,7 @@ function scrollIntoRow(tab: HTMLElement): void {
 
 function ResultBody({ outcome }: { outcome: Outcome }) {
   const { store, workspace } = useApp();
-  const { answer, table, statement, parameters } = outcome;
+  const { answer, table, text, statement, parameters } = outcome;
   const [open, setOpen] = useState(answer.diagnostics.length > 0);
   const count = table?.isRelation
     ? table.rows.count === 1
@@ -102,7 +106,7 @@ function ResultBody({ outcome }: { outcome: Outcome }) {
     <>
       <div class="result-info">
         <code class="ellipsis grow" title={statement}>
-          {statement.replace(/\s+/g, " ")}
+          <PlainText text={statement.replace(/\s+/g, " ")} />
         </code>
         {answer.diagnostics.length > 0 && (
           <button type="button" class="btn small quiet" aria-expanded={open} onClick={() => setOpen(!open)}>
@@ -110,7 +114,9 @@ function ResultBody({ outcome }: { outcome: Outcome }) {
             {answer.diagnostics.length === 1 ? "1 note" : `${answer.diagnostics.length} notes`}
           </button>
         )}
-        <span class="muted">{[count, seconds(answer.seconds)].filter(Boolean).join(", ")}</span>
+        {text === null && (
+          <span class="muted">{[count, seconds(answer.seconds)].filter(Boolean).join(", ")}</span>
+        )}
         <IconButton
           small
           icon="code"
@@ -126,13 +132,19 @@ function ResultBody({ outcome }: { outcome: Outcome }) {
       </div>
       {open && (
         <div class="callout warning diagnostics" data-testid="diagnostics">
-          {answer.diagnostics.map((text) => (
-            <div key={text}>{text}</div>
+          {answer.diagnostics.map((note) => (
+            <div key={note}>
+              <PlainText text={note} />
+            </div>
           ))}
         </div>
       )}
-      {table && table.rows.count > 0 && <ResultTable outcome={outcome} table={table} />}
-      {table?.rows.count === 0 && <p class="empty">No rows.</p>}
+      {table && <ResultTable outcome={outcome} table={table} />}
+      {text !== null && (
+        <pre class="description" tabIndex={0} data-testid="description">
+          {text}
+        </pre>
+      )}
     </>
   );
 }

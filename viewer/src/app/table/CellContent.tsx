@@ -1,3 +1,4 @@
+import { PlainText } from "../ui/PlainText";
 import type { CellView } from "./format";
 
 /** One line of a cell. */
@@ -17,7 +18,7 @@ export function CellContent({ view }: { view: CellView }) {
     default:
       return (
         <span class="ellipsis" title={view.text.length > 30 ? view.text.slice(0, 500) : undefined}>
-          {view.text}
+          <PlainText text={view.text} />
         </span>
       );
   }

@@ -4,6 +4,7 @@ import type { Column, Json, Row } from "../../api/types";
 import { attributesOf } from "../../state/types";
 import { useApp } from "../context";
 import { IconButton } from "../ui/controls";
+import { PlainText } from "../ui/PlainText";
 import { CellContent } from "./CellContent";
 import { listText, viewOf } from "./format";
 
@@ -62,7 +63,7 @@ function WholeText({
   const more = text.length - shownCharacters;
   return (
     <pre tabIndex={0}>
-      {text.slice(0, shownCharacters)}
+      <PlainText text={text.slice(0, shownCharacters)} lines />
       {more > 0 && <span class="muted">{` … and ${more.toLocaleString("en")} characters more`}</span>}
     </pre>
   );

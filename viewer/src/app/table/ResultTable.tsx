@@ -6,7 +6,8 @@ import { columnWidths } from "./format";
 import { RowLayout } from "./row_layout";
 import { TableRow, type OpenedColumns } from "./TableRow";
 
-const rowHeight = 28;
+/** As `--row`: fingers need more room. */
+const rowHeight = matchMedia("(pointer: coarse)").matches ? 40 : 28;
 const headHeight = 40;
 const openedHeight = 220;
 const numberWidth = 64;
@@ -143,6 +144,7 @@ export function ResultTable({ outcome, table }: { outcome: Outcome; table: Table
           />
         ))}
       </div>
+      {table.rows.count === 0 && <p class="empty">No rows.</p>}
       {problem && <RowsProblem outcome={outcome} table={table} />}
     </div>
   );

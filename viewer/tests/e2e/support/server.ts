@@ -65,7 +65,7 @@ export class Server {
   }
 
   /** Runs a statement by the API. */
-  async run(statement: string): Promise<unknown> {
+  async run(statement: string): Promise<{ value: unknown }> {
     const response = await fetch(`http://127.0.0.1:${this.port}/api/query`, {
       method: "POST",
       headers: { "Content-Type": "application/json" },
@@ -73,7 +73,7 @@ export class Server {
     });
     const text = await response.text();
     if (!response.ok) throw new Error(`${statement}\n${response.status} ${text}`);
-    return JSON.parse(text) as unknown;
+    return JSON.parse(text) as { value: unknown };
   }
 
   /** Ends the program, but keeps the database. */

@@ -18,6 +18,7 @@ import {
 } from "../../../src/scene/camera";
 import type { CameraState, StandardView, Vec3 } from "../../../src/scene/api";
 import { Projector } from "../../../src/scene/projection";
+import { toVector3 } from "../../../src/scene/vec";
 import { kDefaultCamera } from "../../../src/scene/state";
 
 const start = normalizedCamera({ ...kDefaultCamera, target: [1, 2, 3] });
@@ -32,9 +33,27 @@ describe("movements of the camera", () => {
       const box = new Box3(new Vector3(far, far, 0), new Vector3(far, far, 0));
       const camera = normalizedCamera(fitted(start, box, 1.5));
       const [before, after] = [basisOf(start).back, basisOf(camera).back];
-      expect(after.distanceTo(before)).toBeLessThan(1e-4);
+      expect(after.distanceTo(before)).toBeLessThan(1e-15);
       const top = basisOf(looking(camera, "top"));
       expect(top.back.distanceTo(new Vector3(0, 0, 1))).toBeLessThan(1e-4);
+    }
+  });
+
+  it("fits an object of size 1 as far as doubles tell it from its neighbours, and moves about it in small steps", () => {
+    for (const far of [1e12, 1e15]) {
+      const box = new Box3(new Vector3(far, far, -far), new Vector3(far + 1, far + 1, 1 - far));
+      const camera = fitted(start, box, 1);
+      expect(camera.height).toBeLessThan(2);
+      let moved = camera;
+      for (let i = 0; i < 1000; i++) moved = pan(moved, 0.0007, 0);
+      const by = new Vector3(...moved.target)
+        .sub(new Vector3(...camera.target))
+        .add(new Vector3(...moved.rest));
+      const expected = basisOf(camera).right.multiplyScalar(-0.7 * camera.height);
+      expect(by.distanceTo(expected)).toBeLessThan(1e-12);
+      let turning = camera;
+      for (let i = 0; i < 1000; i++) turning = orbit(turning, Math.PI / 500, 0, "turntable");
+      expect(cameraDifference(turning, camera)).toBeLessThan(1e-9);
     }
   });
 
@@ -59,10 +78,6 @@ describe("movements of the camera", () => {
       const camera = looking(start, view as StandardView);
       close(basisOf(camera).back.toArray(), back);
       expect(camera.target).toEqual([1, 2, 3]);
-      expect(new Vector3(...camera.position).distanceTo(new Vector3(1, 2, 3))).toBeCloseTo(
-        eyeDistance(10),
-        9,
-      );
     }
     close(basisOf(looking(start, "front")).right.toArray(), [1, 0, 0]);
     close(basisOf(looking(start, "top")).right.toArray(), [1, 0, 0]);
@@ -84,13 +99,6 @@ describe("movements of the camera", () => {
     close(basisOf(over).up.toArray(), [0, 0, -1]);
   });
 
-  it("keeps a pivot where it is in the picture's depth", () => {
-    const pivot: Vec3 = [4, 2, 3];
-    const before = new Vector3(...start.position).distanceTo(new Vector3(...pivot));
-    const turnedAround = orbit(start, 0.7, 0.2, "turntable", pivot);
-    expect(new Vector3(...turnedAround.position).distanceTo(new Vector3(...pivot))).toBeCloseTo(before, 9);
-  });
-
   it("pans by fractions of the height", () => {
     const front = looking(start, "front");
     close(pan(front, 0.5, 0).target, [1 - 5, 2, 3]);
@@ -104,11 +112,12 @@ describe("movements of the camera", () => {
       const camera: CameraState = { ...start, projection };
       const anchor = placeInTargetPlane(camera, 0.6, -0.3, 800 / 600);
       projector.camera(camera, new Box3());
-      const before = projector.project(anchor);
+      const place = toVector3(camera.target).add(toVector3(anchor));
+      const before = projector.project(place);
       const closer = zoom(camera, 0.4, anchor);
       expect(closer.height).toBeCloseTo(4, 12);
       projector.camera(closer, new Box3());
-      const after = projector.project(anchor);
+      const after = projector.project(place);
       expect(after.x).toBeCloseTo(before.x, 6);
       expect(after.y).toBeCloseTo(before.y, 6);
     }
@@ -167,7 +176,7 @@ describe("Projector", () => {
       const point = new Vector3(...target).add(new Vector3(0.3, 0.2, -0.1));
       const { x, y, visible } = projector.project(point);
       expect(visible).toBe(true);
-      expect(projector.ray(x, y).distanceToPoint(point)).toBeLessThan(1e-5);
+      expect(projector.ray(x, y).distanceToPoint(projector.toLocal(point))).toBeLessThan(1e-7);
     }
   });
 
@@ -176,8 +185,7 @@ describe("Projector", () => {
     projector.size = { width: 1000, height: 500 };
     projector.camera(start, new Box3());
     expect(projector.unitsPerPixel(start.target)).toBeCloseTo(10 / 500, 12);
-    expect(
-      projector.unitsPerPixel(new Vector3(...start.position).lerp(new Vector3(...start.target), 0.5)),
-    ).toBeCloseTo(5 / 500, 12);
+    const halfway = toVector3(start.target).addScaledVector(basisOf(start).back, eyeDistance(10) / 2);
+    expect(projector.unitsPerPixel(halfway)).toBeCloseTo(5 / 500, 12);
   });
 });

@@ -14,6 +14,8 @@ test("the camera follows the result it was put for, until it is moved", () => {
   expect(follow.follows("r1", { ...front })).toBe(true);
   expect(follow.follows("r2", front)).toBe(false);
   expect(follow.follows("r1", top)).toBe(false);
+  expect(follow.followed(front)).toBe("r1");
+  expect(follow.followed(top)).toBeNull();
   follow.put("r2", top);
   expect(follow.follows("r1", top)).toBe(false);
   expect(follow.follows("r2", top)).toBe(true);

@@ -1,9 +1,12 @@
-import { Vector3 } from "three";
+import { Box3, Vector3 } from "three";
 import { expect, test } from "vitest";
 
-import { FrontFaces, isWorthChoosing, seenFrom } from "../../../src/scene/front_faces";
+import { eyeDistance } from "../../../src/scene/camera";
+import { FrontFaces, isWorthChoosing } from "../../../src/scene/front_faces";
 import type { Eye } from "../../../src/scene/front_faces";
 import { AttributeCache, geometryOf, primitiveOf } from "../../../src/scene/geometry";
+import { Projector } from "../../../src/scene/projection";
+import { kDefaultCamera } from "../../../src/scene/state";
 import { decodeShapes } from "../../../src/glb/shapes";
 import { buildGlb } from "./support/glb_builder";
 import { sphere } from "./support/solids";
@@ -59,9 +62,16 @@ test("keeps the order, and draws about half of a sphere", () => {
   expect(places.length / all.length).toBeLessThan(0.6);
 });
 
-test("an eye is seen from a place, a direction is the same everywhere", () => {
-  expect(seenFrom([1, 2, 3, 1], new Vector3(1, 1, 1))).toEqual([0, 1, 2, 1]);
-  expect(seenFrom([0, 0, 1, 0], new Vector3(1, 1, 1))).toEqual([0, 0, 1, 0]);
+test("an eye is seen from a place, however far it is; a direction is the same everywhere", () => {
+  const projector = new Projector();
+  const place = new Vector3(1e15, 0, 0);
+  for (const projection of ["perspective", "orthographic"] as const) {
+    const target = [1e15 + 1, 0, 0] as const;
+    const camera = { ...kDefaultCamera, projection, target, direction: [0, 0, 1] as const, height: 2 };
+    projector.camera(camera, new Box3());
+    const eye = projection === "perspective" ? [1, 0, eyeDistance(2), 1] : [0, 0, 1, 0];
+    expect(projector.eyeFrom(place)).toEqual(eye);
+  }
 });
 
 test("few triangles are drawn as they are, and too many", () => {

@@ -44,7 +44,8 @@ describe("picking", () => {
 
   it("sees through what the section cuts away", () => {
     const scene = sceneOf([cube(0, 2), cube(1, 2, [0, 0, 5])]);
-    const below = new Plane().setFromNormalAndCoplanarPoint(new Vector3(0, 0, -1), new Vector3(0, 0, 3));
+    const at = scene.projector.toLocal([0, 0, 3]);
+    const below = new Plane().setFromNormalAndCoplanarPoint(new Vector3(0, 0, -1), at);
     expect(pickAt(scene, [0.3, 0.2, 0], { ...plain, clipping: [below] })!.cell.row).toBe(0);
   });
 

@@ -92,13 +92,29 @@ describe("chunks of small shapes", () => {
     expect(Math.abs(parent.y + positions.getY(last) - 1e7)).toBe(0.5);
   });
 
+  it("are told apart in floats where the camera looks, however far that is", () => {
+    const far = 1e15;
+    const apart = shapes.map((shape, i) => (i < 20 ? shape : cube(i, 1, [far + 3 * i, far, 0])));
+    const { store, camera } = sceneOf(apart);
+    const mesh = drawn(store.root, "Mesh")[0]!;
+    const target = [far + 90, far, 0] as const;
+    store.update({ ...camera, target, height: 4 }, null);
+    const parent = mesh.parent!.position;
+    const positions = mesh.geometry.getAttribute("position");
+    const first = 30 * 24;
+    expect(parent.x + positions.getX(first)).toBe(far + 90 - 0.5);
+    expect(new Set(Array.from({ length: 24 }, (_, i) => positions.getX(first + i)))).toEqual(
+      new Set([-0.5, 0.5]),
+    );
+  });
+
   it("hide, colour and move single shapes", () => {
-    const { store } = sceneOf(shapes);
+    const { store, camera } = sceneOf(shapes);
     const mesh = drawn(store.root, "Mesh")[0]!;
     const record = store.record({ result: "r1", row: 5, column: "Solid" })!;
     record.hidden = true;
     store.refreshVisibility();
-    store.update(null);
+    store.update(camera, null);
     expect(mesh.geometry.index!.count).toBe(39 * 36);
     store.setLook(record, { ...look, offset: [0, 0, 7] });
     const color = mesh.geometry.getAttribute("color");

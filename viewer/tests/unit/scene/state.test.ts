@@ -16,7 +16,7 @@ describe("the state", () => {
 
   it("goes to JSON and back", () => {
     const changed = patched(kDefaultState, {
-      camera: { projection: "orthographic", position: [1, 2, 3], target: [0, 0, 1e9], height: 2e-5 },
+      camera: { projection: "orthographic", direction: [0.6, 0, 0.8], target: [0, 0, 1e9], height: 2e-5 },
       appearance: {
         edges: "all",
         scheme: { by: "attribute", attribute: "Volume", palette: "magma" },
@@ -48,9 +48,15 @@ describe("the state", () => {
       expect(stateFromJson({ index }).rejected).toEqual([`index.${Object.keys(index)[0] ?? ""}`]);
   });
 
+  it("takes the eye of former links for a direction", () => {
+    const { patch, rejected } = stateFromJson({ camera: { position: [1, 2, 13], target: [1, 2, 3] } });
+    expect(patch.camera).toEqual({ direction: [0, 0, 10], target: [1, 2, 3], rest: [0, 0, 0] });
+    expect(rejected).toEqual([]);
+  });
+
   it("leaves out what it does not understand, and says so", () => {
     const { patch, rejected } = stateFromJson({
-      camera: { position: [1, 2], height: -1, up: [0, 0, 0], projection: "fisheye", target: [1, 2, 3] },
+      camera: { direction: [1, 2], height: -1, up: [0, 0, 0], projection: "fisheye", target: [1, 2, 3] },
       appearance: { color: "javascript:alert(1)", opacity: 7, scheme: { by: "attribute" }, faces: false },
       __proto__: { x: 1 },
       constructor: {},
@@ -59,7 +65,7 @@ describe("the state", () => {
     });
     expect(patch).toEqual({ camera: { target: [1, 2, 3] }, appearance: { faces: false }, lights: {} });
     expect(rejected).toEqual([
-      "camera.position",
+      "camera.direction",
       "camera.height",
       "camera.up",
       "camera.projection",

@@ -1,5 +1,7 @@
 import { describe, expect, it } from "vitest";
 
+import { Vector3 } from "three";
+
 import type { Hit, Vec3 } from "../../../src/scene/api";
 import {
   angleOf,
@@ -8,6 +10,7 @@ import {
   faceAngleOf,
   faceAreaOf,
   isRegionExact,
+  regionAxes,
   regionOf,
   sectionOf,
 } from "../../../src/scene/statements";
@@ -27,6 +30,29 @@ function hit(point: Vec3, vertex: number | null = null, face: number | null = nu
     deviation: 0,
   };
 }
+
+const normals: readonly Vec3[] = [
+  [1, 0, 0],
+  [-1, 0, 0],
+  [0, 1, 0],
+  [0, -1, 0],
+  [0, 0, 1],
+  [0, 0, -1],
+  [0.48, -0.6, 0.64],
+  [-0.48, 0.64, -0.6],
+];
+
+it.each(normals)("the axes of a region are turned to x and y by its statement: (%d %d %d)", (...normal) => {
+  const { statement } = regionOf(cell, { point: [1, 2, 3], normal });
+  const turn = /makeVector3D\((\S+), (\S+), (\S+)\), (\S+)\]/.exec(statement)?.slice(1).map(Number);
+  const [x, y, z, degrees] = turn ?? [0, 0, 1, 0];
+  const axis = new Vector3(x, y, z).normalize();
+  const turned = ([a, b, c]: Vec3) => new Vector3(a, b, c).applyAxisAngle(axis, (degrees! * Math.PI) / 180);
+  const [u, v] = regionAxes(normal);
+  expect(turned(u).distanceTo(new Vector3(1, 0, 0))).toBeLessThan(1e-12);
+  expect(turned(v).distanceTo(new Vector3(0, 1, 0))).toBeLessThan(1e-12);
+  expect(turned(normal).distanceTo(new Vector3(0, 0, 1))).toBeLessThan(1e-12);
+});
 
 // The same statements are run by tests/e2e/tools.e2e.ts.
 describe("statements", () => {

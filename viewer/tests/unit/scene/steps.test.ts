@@ -21,6 +21,9 @@ describe("round steps", () => {
     expect(formatStep(-1e-18, 0.1)).toBe("0");
     expect(formatStep(250, 50)).toBe("250");
     expect(formatStep(1e9 + 5, 5)).toBe("1000000005");
+    expect(formatStep(1e12 + 0.5, 0.5)).toBe("1000000000000.5");
+    expect(formatStep(1e15 + 5, 5)).toBe("1000000000000005");
+    expect(formatStep(2e12, 2e12)).toBe("2000000000000");
   });
 
   it("have their multiples in a range", () => {

@@ -15,7 +15,7 @@ const info = {
   statementLimit: 1,
 };
 
-test("a server that is gone is asked again with growing pauses, and its return is told", async () => {
+test("a server that is gone is asked again each second, and its return is told", async () => {
   let up = true;
   let asked = 0;
   const connection = new Connection(
@@ -34,11 +34,27 @@ test("a server that is gone is asked again with growing pauses, and its return i
   await vi.advanceTimersByTimeAsync(10_000);
   expect(connection.status.value).toBe("gone");
   asked = 0;
-  await vi.advanceTimersByTimeAsync(1_000 + 2_000 + 4_000);
-  expect(asked).toBe(3);
+  await vi.advanceTimersByTimeAsync(7_000);
+  expect(asked).toBe(7);
   up = true;
-  await vi.advanceTimersByTimeAsync(8_000);
+  await vi.advanceTimersByTimeAsync(1_000);
   expect([connection.status.value, returned]).toEqual(["online", 2]);
+  connection.stop();
+});
+
+test("an answer to anything else tells that the server is back", async () => {
+  let up = false;
+  const client = new Client({
+    fetch: () => (up ? Promise.resolve(json(info)) : Promise.reject(new TypeError("Failed to fetch"))),
+  });
+  const connection = new Connection(client);
+  client.onAnswer = () => connection.answered();
+  await connection.check();
+  expect(connection.status.value).toBe("gone");
+  up = true;
+  await client.objects();
+  await vi.advanceTimersByTimeAsync(0);
+  expect(connection.status.value).toBe("online");
   connection.stop();
 });
 

@@ -2,6 +2,7 @@
 
 import type { CameraState, ShapeSource, StandardView } from "../../../../src/scene/api";
 import { fitted, looking } from "../../../../src/scene/camera";
+import { Dots } from "../../../../src/scene/dots";
 import { SharedMaterials } from "../../../../src/scene/materials";
 import { Picker } from "../../../../src/scene/picking";
 import { Projector } from "../../../../src/scene/projection";
@@ -31,6 +32,7 @@ export interface TestScene {
   readonly column: Column;
   readonly projector: Projector;
   readonly picker: Picker;
+  readonly dots: Dots;
   readonly camera: CameraState;
 }
 
@@ -43,5 +45,19 @@ export function sceneOf(shapes: readonly TestShape[], view: StandardView = "top"
   const standard: CameraState = { ...looking(kDefaultCamera, view), projection: "orthographic" };
   const camera = fitted(standard, store.box(), kSize.width / kSize.height);
   projector.camera(camera, store.box());
-  return { store, column, projector, camera, picker: new Picker(store, projector, () => undefined) };
+  const dots = new Dots();
+  dots.setRecords(store.visibleRecords());
+  return {
+    store,
+    column,
+    projector,
+    camera,
+    dots,
+    picker: new Picker(
+      store,
+      projector,
+      () => dots.dots(camera, kSize.height),
+      () => undefined,
+    ),
+  };
 }
