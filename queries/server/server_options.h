@@ -37,6 +37,7 @@ struct ServerLimits {
   std::size_t connections = 256;
   std::size_t uploads = 256;                              ///< files
   std::uintmax_t log_bytes = std::uintmax_t{256} << 20U;  ///< of the write-ahead log; beyond it results are dropped
+  std::uintmax_t usual_log_bytes = std::uintmax_t{16} << 20U;  ///< beyond it the log is emptied when no result needs it
 };
 
 }  // namespace queries

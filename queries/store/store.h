@@ -95,6 +95,12 @@ class Store {
   /// none. Without it, waiting ends after StoreOptions::busy_milliseconds with database_busy.
   virtual void end_waiting_when(const std::atomic<bool>* cancel) = 0;
 
+  /// Puts the changes of the write-ahead log into the file and empties the log. Waits until no reader needs the log any
+  /// more, `milliseconds` at most, in which nobody can write; new readers need none of it. False if a reader or writer
+  /// was in the way to the end, or the store is read-only. To be called outside statements and transactions. Errors:
+  /// disk_full, io_error.
+  virtual Result<bool> empty_log(int milliseconds) = 0;
+
   // A transaction over several statements. It holds the write lock from its beginning, unless the store is read-only.
   // Its statements see each other's commits; other processes see them after `commit_transaction`. `abort_transaction`
   // restores the state before it, and so does a failed `commit_transaction`. Some failures (a full disk) make SQLite

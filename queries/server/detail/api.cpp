@@ -99,6 +99,7 @@ Api::Api(const algebra3d::Registry& registry, const ServerOptions& options, cons
       database_(std::move(database)),
       uploads_(std::move(uploads), options.max_upload_megabytes << 20U, limits.uploads),
       folder_(confined_folder(options, uploads_)),
+      longest_log_(limits.usual_log_bytes),
       sessions_(registry, session_options(options), options.database, limits.sessions, limits.idle_sessions),
       results_(limits.results) {}
 
@@ -108,7 +109,22 @@ void Api::tend() {
   std::filesystem::path log = database_.file();
   log += "-wal";
   const std::uintmax_t bytes = std::filesystem::file_size(log, error);
-  if (!error && bytes > limits_.log_bytes) results_.drop_oldest();
+  if (error) return;
+  if (bytes > limits_.log_bytes) results_.drop_oldest();
+  if (bytes > longest_log_ && !options_.read_only) empty_log(bytes);
+}
+
+// SQLite begins the log anew when all readers have seen its end. Where they follow one another without a gap, that
+// needs a pause of the writers. After a failure the next one comes when the log has grown again.
+void Api::empty_log(std::uintmax_t bytes) {
+  constexpr int kLongestPause = 500;  // milliseconds
+  if (is_emptying_log_.exchange(true)) return;
+  const Status started = sessions_.run([this, bytes](Session& session) {
+    const Result<bool> is_empty = session.store()->empty_log(kLongestPause);
+    longest_log_ = limits_.usual_log_bytes + (is_empty && *is_empty ? 0 : bytes);
+    is_emptying_log_ = false;
+  });
+  if (!started) is_emptying_log_ = false;
 }
 
 void Api::close() {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -46,8 +48,8 @@ class Api {
 
   /// Answers any request; never throws.
   HttpAnswer answer(const HttpRequest& request) noexcept;
-  /// To be called about every second: drops results that nobody uses, and the oldest while the write-ahead log of the
-  /// database is large, which cannot be emptied while a result reads what was before it.
+  /// To be called about every second: drops results that nobody uses, empties the write-ahead log of the database if it
+  /// is long, and drops the oldest result while the log is very long: it cannot be emptied while a result needs it.
   void tend();
   /// Ends all statements and drops all results.
   void close();
@@ -91,6 +93,8 @@ class Api {
   HttpAnswer get_keywords(const Call& call);
   HttpAnswer get_openapi(const Call& call);
 
+  void empty_log(std::uintmax_t bytes);
+
   const algebra3d::Registry& registry_;
   const ServerOptions options_;
   const ServerLimits limits_;
@@ -99,8 +103,10 @@ class Api {
   Uploads uploads_;
   const algebra3d::WorkingFolder folder_;
   RunningStatements running_;
-  SessionPool sessions_;  // its work uses all of the above
-  KeptResults results_;   // ends the work of the sessions
+  std::atomic<bool> is_emptying_log_ = false;
+  std::atomic<std::uintmax_t> longest_log_;  // so long it may become before it is emptied
+  SessionPool sessions_;                     // its work uses all of the above
+  KeptResults results_;                      // ends the work of the sessions
 };
 
 }  // namespace queries

@@ -65,6 +65,7 @@ class Database : public std::enable_shared_from_this<Database> {
 
   // Transactions and statements, as in Store.
   void end_waiting_when(const std::atomic<bool>* cancel) { connection_->end_waiting_when(cancel); }
+  Result<bool> empty_log(int milliseconds);
   Status begin_transaction();
   Status commit_transaction();
   Status abort_transaction();

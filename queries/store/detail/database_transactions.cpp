@@ -146,6 +146,15 @@ Status Database::commit() {
 
 // A statement that only reads has made an index that is missing or damaged. What goes wrong here is tried again after
 // another statement: the answers come from memory meanwhile.
+Result<bool> Database::empty_log(int milliseconds) {
+  if (is_read_only_ || connection_->in_transaction()) return false;
+  connection_->wait_at_most(milliseconds);
+  const Result<std::int64_t> is_busy = connection_->integer("PRAGMA wal_checkpoint(TRUNCATE)");
+  connection_->wait_at_most(options_.busy_milliseconds);
+  if (!is_busy && is_busy.error().code != ErrorCode::database_busy) return is_busy.error();
+  return is_busy.ok() && *is_busy == 0;
+}
+
 void Database::restore_indexes() {
   if ((orders_to_restore_.empty() && indexes_.unstored().empty()) || is_explicit_ || is_read_only_) return;
   const std::vector<IndexPlace> places = std::exchange(orders_to_restore_, {});

@@ -19,6 +19,7 @@ class SqliteStore final : public Store {
   const std::string& opening_notice() const override { return database_->opening_notice(); }
 
   void end_waiting_when(const std::atomic<bool>* cancel) override { database_->end_waiting_when(cancel); }
+  Result<bool> empty_log(int milliseconds) override { return database_->empty_log(milliseconds); }
   Status begin_transaction() override { return database_->begin_transaction(); }
   Status commit_transaction() override { return database_->commit_transaction(); }
   Status abort_transaction() override { return database_->abort_transaction(); }

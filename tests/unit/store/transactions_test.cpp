@@ -64,6 +64,29 @@ TEST_F(StoreTransactions, a_rollback_restores_objects_tuples_and_ids) {
   });
 }
 
+TEST_F(StoreTransactions, the_log_is_emptied_once_no_reader_needs_it) {
+  write([&] { let_parts(2); });
+  const auto log_bytes = [&] { return std::filesystem::file_size(path().string() + "-wal"); };
+  const auto reader = opened(OpenMode::read_write);
+  ok(reader->begin(false));
+  EXPECT_EQ(*reader->read("Parts")->relation()->count(), 2);
+  ok(replaced(3));
+  EXPECT_GT(log_bytes(), 0);
+  EXPECT_FALSE(*store_->empty_log(20));
+  EXPECT_GT(log_bytes(), 0);
+  EXPECT_EQ(*reader->read("Parts")->relation()->count(), 2);
+  ok(reader->commit());
+  EXPECT_TRUE(*store_->empty_log(20));
+  EXPECT_EQ(log_bytes(), 0);
+  EXPECT_EQ(rows_now().size(), 3);
+  ok(replaced(4));
+  ok(store_->begin(true));
+  EXPECT_FALSE(*reader->empty_log(20)) << "a writer is in the way";
+  store_->rollback();
+  EXPECT_FALSE(*opened(OpenMode::read_only)->empty_log(20));
+  EXPECT_EQ(rows_now().size(), 4);
+}
+
 TEST_F(StoreTransactions, changes_outside_a_transaction_are_refused) {
   EXPECT_EQ(store_->create("x", "int").error().code, ErrorCode::internal);
   EXPECT_EQ(store_->read("x").error().code, ErrorCode::internal);
