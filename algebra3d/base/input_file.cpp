@@ -23,7 +23,7 @@ namespace {
 /// Large enough that system calls do not count, small enough that an interruption is soon noticed.
 constexpr std::size_t kBlockBytes = std::size_t{4} << 20;
 
-// What another name or other permissions would mend is no failure of the device.
+// Reasons that another name or other permissions would mend are file_missing, failures of the device io_error.
 Error reading_error(const std::filesystem::path& path, int reason) {
   constexpr std::array kOfTheName = {ENOENT, ENOTDIR, EISDIR, EACCES, EPERM, ELOOP, ENAMETOOLONG};
   const bool is_of_the_name = std::ranges::find(kOfTheName, reason) != kOfTheName.end();

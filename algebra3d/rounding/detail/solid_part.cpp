@@ -68,7 +68,7 @@ bool has_manifold_edges(const TriangleMesh& mesh, FaceId face) {
   return is_manifold(0) && is_manifold(1) && is_manifold(2);
 }
 
-Result<ProofWithContacts> prove_whole(const TriangleMesh& mesh, const std::atomic<bool>* cancel, FaceSet known = {}) {
+Result<ProofWithContacts> prove_whole(const TriangleMesh& mesh, const std::atomic<bool>* cancel, FaceSet known) {
   const ProofOptions options{.thoroughness = Thoroughness::first_defect, .cancel = cancel, .known = std::move(known)};
   ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport report, prove_volume(mesh, options));
   return ProofWithContacts{report.is_valid(), report.contact_vertices};

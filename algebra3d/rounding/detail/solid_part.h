@@ -22,10 +22,10 @@ class SolidPart {
   SolidPart(const TriangleMesh& solid, const std::vector<bool>& is_moved);
 
   struct Change;
-  /// What is left to prove and to replace if all faces of the part become those of `rounded`: the faces that do not
-  /// stay, and those in their place. `kept` as in RoundingCandidate. Faces at an edge with more than two faces count as
-  /// changed. Nothing if no face is known to stay, or if the part is the whole and more than a quarter changes: then
-  /// the proof of the whole costs less. Cost: linear.
+  /// The smaller replacement if all faces of the part become those of `rounded`: the faces that do not stay, and those
+  /// in their place. `kept` as in RoundingCandidate. Faces at an edge with more than two faces count as changed.
+  /// Nothing if no face is known to stay, or if the part is the whole and more than a quarter changes: then the proof
+  /// of the whole costs less. Cost: linear.
   std::optional<Change> change_to(const TriangleMesh& rounded, const std::vector<std::uint32_t>& kept) const;
 
   bool is_whole() const { return is_in_.empty(); }

@@ -22,7 +22,7 @@ constexpr std::size_t kPieceBytes = std::size_t{64} << 10U;
 constexpr std::chrono::milliseconds kSoon(50);
 constexpr std::chrono::seconds kLongestRound(1);
 
-// What is over is kept until the end of the round, without a socket.
+// Connections that have ended stay in the list, without a socket, until the end of the round.
 bool is_over(const Descriptor& socket) {
   return socket.number() < 0;
 }

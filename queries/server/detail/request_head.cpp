@@ -102,7 +102,7 @@ RequestHead::State RequestHead::add(std::string_view piece) {
   // RFC 9112, section 2.2: empty lines before a request are left out.
   while (head_.empty() && rest_.starts_with(kEnd)) rest_.erase(0, kEnd.size());
   if (head_.empty() && kEnd.starts_with(rest_)) return State::incomplete;
-  // Who speaks TLS sends no ends of lines, and would wait for an answer.
+  // Clients that speak TLS send no ends of lines: without this refusal they would wait until the time is over.
   if (head_.empty() && !is_token({rest_.data(), 1}))
     return refuse(
         Refusal::bad_request("expected a request of HTTP; is the address meant to begin with http, not https?"));
