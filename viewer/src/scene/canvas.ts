@@ -39,6 +39,7 @@ export interface CanvasClient {
 }
 
 export class Canvas {
+  /** Its attribute `data-drawn` is `full` when the last frame, in full quality, is drawn; before that `changing`. */
   readonly element: HTMLCanvasElement;
   readonly renderer: WebGLRenderer | null;
   /** Drawn by the processor: no hardware is behind it. */
@@ -138,6 +139,7 @@ export class Canvas {
       this.restLater();
     }
     this.stale = true;
+    this.element.dataset["drawn"] = "changing";
     this.awaitFrame();
   }
 
@@ -184,6 +186,7 @@ export class Canvas {
     this.stale = false;
     if (!this.renderer || this.lost || this.disposed) return;
     this.drawAt(this.pixelRatio(), this.moving ? this.quality.step : kFull);
+    if (!this.moving) this.element.dataset["drawn"] = "full";
   }
 
   private pixelRatio(): number {

@@ -52,6 +52,7 @@ export class Side {
   readonly #canRedo = signal(false);
   #done: Step[] = [];
   #undone: Step[] = [];
+  #travels: Promise<void> = Promise.resolve();
   #abort: AbortController | null = null;
   /** Of the statistics that are being computed. */
   #counting = new AbortController();
@@ -115,11 +116,11 @@ export class Side {
   }
 
   async undo(): Promise<void> {
-    await this.#travel(this.#done, this.#undone, this.#done.at(-2));
+    await this.#next(() => this.#travel(this.#done, this.#undone, this.#done.at(-2)));
   }
 
   async redo(): Promise<void> {
-    await this.#travel(this.#undone, this.#done, this.#undone.at(-1));
+    await this.#next(() => this.#travel(this.#undone, this.#done, this.#undone.at(-1)));
   }
 
   clear(): void {
@@ -144,6 +145,12 @@ export class Side {
       this.#push(await this.#make(label, `query ${expression}`, { a: from }, signal));
       this.control.value = cellOf(from);
     });
+  }
+
+  /** Undoes and redoes one after the other, however fast they are asked for. */
+  async #next(travel: () => Promise<void>): Promise<void> {
+    this.#travels = this.#travels.then(travel);
+    await this.#travels;
   }
 
   async #travel(from: Step[], to: Step[], target: Step | undefined): Promise<void> {

@@ -16,7 +16,11 @@ const sceneOf = (name: SideName) => `[data-testid="side-${name}"] .scene-canvas`
 
 async function load(name: SideName, object: string): Promise<void> {
   await side(name).getByLabel("Mesh of this side").selectOption(object);
+  await expect
+    .poll(() => side(name).locator(".steps").innerText(), { timeout: 20_000 })
+    .toMatch(new RegExp(`(^|› )${object}$`));
   await side(name).getByTestId("facts").waitFor();
+  await stillScene(page, sceneOf(name));
 }
 
 async function press(name: SideName, button: string): Promise<void> {
@@ -333,9 +337,7 @@ test("a link restores its cameras also where other meshes are shown", async () =
   await page.evaluate(() => history.replaceState(null, "", "#"));
   await load("left", "Yard");
   await load("right", "Yard");
-  // The numbers of a mesh may be there before its picture.
-  const changed = async () => (await stillScene(page, sceneOf("left"))).difference(left);
-  await expect.poll(changed, { timeout: 20_000 }).toBeGreaterThan(0.02);
+  expect((await stillScene(page, sceneOf("left"))).difference(left)).toBeGreaterThan(0.02);
   await page.evaluate((link) => (location.hash = link), hash);
   await expectFact("left", "Volume", "8");
   await expectFact("right", "Faces", "528");

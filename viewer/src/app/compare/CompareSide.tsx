@@ -28,10 +28,11 @@ export function CompareSide({ name, onView }: Props) {
   const database = useMemo(() => panelDatabase(app), [app]);
   const place = useRef<HTMLDivElement>(null);
   const [view, setView] = useState<SceneView | null>(null);
+  const [coming, setComing] = useState(false);
   useEffect(() => {
     if (!place.current) return;
     const made = createSceneView(place.current);
-    const end = bindSide(made, side, store);
+    const end = bindSide(made, side, store, setComing);
     setView(made);
     onView(made);
     workspace.keyScene.value = made;
@@ -56,6 +57,7 @@ export function CompareSide({ name, onView }: Props) {
           class="scene-canvas"
           tabIndex={0}
           role="application"
+          aria-busy={coming}
           aria-label={`3D view of the ${name} mesh; ? lists its keys`}
           onPointerDown={(event) => event.currentTarget.focus({ preventScroll: true })}
           onFocus={() => (workspace.keyScene.value = view)}
@@ -87,8 +89,16 @@ export function CompareSide({ name, onView }: Props) {
 
 const colors = { left: "#7fa3d4", right: "#d6a15b" } as const;
 
-/** Keeps a scene in step with a side: its mesh, the control mesh, the theme, dragged vertices. */
-function bindSide(view: SceneView, side: Side, store: Store): () => void {
+/**
+ * Keeps a scene in step with a side: its mesh, the control mesh, the theme, dragged vertices. Tells `onComing` whether
+ * the mesh is still on its way.
+ */
+function bindSide(
+  view: SceneView,
+  side: Side,
+  store: Store,
+  onComing: (coming: boolean) => void,
+): () => void {
   let seen = chosenOf(side.steps.peek());
   /** The camera moves for another mesh that was chosen, not for what is made from it. */
   const dropOld = () => {
@@ -97,11 +107,15 @@ function bindSide(view: SceneView, side: Side, store: Store): () => void {
     const chosen = chosenOf(side.steps.peek());
     if (dropOldSteps(view, step) && chosen !== seen) view.fit();
     seen = chosen;
+    onComing(false);
   };
   const ends = [
     effect(() => {
       const step = side.step.value;
-      untracked(() => showStep(view, step, side, store));
+      untracked(() => {
+        showStep(view, step, side, store);
+        onComing(step !== null && !isDrawn(view, step));
+      });
     }),
     // After the view has decided about its camera.
     view.on("shapes", () => queueMicrotask(dropOld)),

@@ -31,15 +31,19 @@ export async function selectedRow(page: Page): Promise<number | null> {
   return (await row.count()) === 0 ? null : Number(await row.getAttribute("data-row"));
 }
 
-/** The scene after everything is loaded and it stands still. */
+/** Of scenes whose shapes are on their way, or whose last frame in full quality is not drawn yet. */
+const kChangingScene =
+  '[data-testid="scene-loading"], [aria-busy="true"] > canvas, canvas[data-drawn="changing"]';
+
+/** The scene after everything is loaded, it stands still, and its last frame is drawn in full quality. */
 export async function stillScene(page: Page, selector = '[data-testid="scene"]'): Promise<Picture> {
   const scene = page.locator(selector).first();
   let last = await scene.screenshot();
   for (let attempt = 0; attempt < 60; attempt++) {
     await page.waitForTimeout(150);
     const next = await scene.screenshot();
-    const loading = await page.getByTestId("scene-loading").count();
-    if (loading === 0 && next.equals(last)) return readPng(next);
+    const changing = await page.locator(kChangingScene).count();
+    if (changing === 0 && next.equals(last)) return readPng(next);
     last = next;
   }
   throw new Error("the scene does not stand still");

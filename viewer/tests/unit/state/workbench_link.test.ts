@@ -1,9 +1,6 @@
 import { expect, test } from "vitest";
 
-import type { QueryAnswer } from "../../../src/api/types";
 import { decodeView, encodeView, makeView, sceneOf } from "../../../src/state/permalink";
-import type { Store } from "../../../src/state/store";
-import { Workbench } from "../../../src/state/workbench";
 import { foreignStatements, linkOf, restoreSides } from "../../../src/state/workbench_link";
 import {
   dual,
@@ -14,6 +11,7 @@ import {
   subdivision,
   vertexMove,
 } from "../../../src/state/workbench_operations";
+import { workbench } from "./workbench_fake";
 
 test.each([
   "query $a",
@@ -38,35 +36,6 @@ test.each([
 ])("%s is none", (statement) => {
   expect(isWorkbenchStatement(statement)).toBe(false);
 });
-
-/** A workbench whose server answers each statement with a cube of its own, and the statements that came. */
-function workbench(): { bench: Workbench; asked: { statement: string; parameters: unknown }[] } {
-  const asked: { statement: string; parameters: unknown }[] = [];
-  let count = 0;
-  const answer = (): QueryAnswer => ({
-    type: "volume3d",
-    value: { type: "volume3d", triangles: 12 },
-    diagnostics: [],
-    seconds: 0,
-    result: {
-      id: `r${++count}`,
-      count: 1,
-      columns: [{ name: "value", type: "volume3d", shape: true }],
-    },
-  });
-  const client = {
-    query: () => Promise.reject(new Error("no statistics here")),
-    drop: () => Promise.resolve(),
-  };
-  const runner = {
-    answer: (statement: string, parameters: unknown) => {
-      asked.push({ statement, parameters });
-      return Promise.resolve(answer());
-    },
-  };
-  const store = { client, runner } as unknown as Store;
-  return { bench: new Workbench(store), asked };
-}
 
 test("the sides are made again in an order in which each mesh has what it needs", async () => {
   const { bench } = workbench();
