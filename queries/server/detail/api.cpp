@@ -100,8 +100,8 @@ Api::Api(const algebra3d::Registry& registry, const ServerOptions& options, cons
       uploads_(std::move(uploads), options.max_upload_megabytes << 20U, limits.uploads),
       folder_(confined_folder(options, uploads_)),
       longest_log_(limits.usual_log_bytes),
-      sessions_(registry, session_options(options), options.database, limits.sessions, limits.idle_sessions),
-      results_(limits.results) {}
+      results_(limits.results),
+      sessions_(registry, session_options(options), options.database, limits.sessions, limits.idle_sessions) {}
 
 void Api::tend() {
   results_.drop_what_is_old();
@@ -114,13 +114,17 @@ void Api::tend() {
   if (bytes > longest_log_ && !options_.read_only) empty_log(bytes);
 }
 
-// SQLite begins the log anew when all readers have seen its end. Where they follow one another without a gap, that
-// needs a pause of the writers. After a failure the next one comes when the log has grown again.
+// SQLite begins the log anew when all readers have seen its end. Results that wait for questions are readers, and where
+// others follow one another without a gap, that needs a pause of the writers. After a failure the next attempt comes
+// when the log has grown again.
 void Api::empty_log(std::uintmax_t bytes) {
-  constexpr int kLongestPause = 500;  // milliseconds
+  static constexpr int kLongestPause = 500;  // milliseconds
+  static constexpr std::chrono::seconds kLongestWait(5);
   if (is_emptying_log_.exchange(true)) return;
   const Status started = sessions_.run([this, bytes](Session& session) {
+    results_.leave_database(Execution::Clock::now() + kLongestWait);
     const Result<bool> is_empty = session.store()->empty_log(kLongestPause);
+    results_.may_stay();
     longest_log_ = limits_.usual_log_bytes + (is_empty && *is_empty ? 0 : bytes);
     is_emptying_log_ = false;
   });

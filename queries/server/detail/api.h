@@ -46,10 +46,15 @@ class Api {
   Api(const algebra3d::Registry& registry, const ServerOptions& options, const ServerLimits& limits, std::string token,
       std::vector<SiteName> names, algebra3d::TemporaryFolder uploads, DatabaseIdentity database);
 
+  Api(const Api&) = delete;
+  Api& operator=(const Api&) = delete;
+  ~Api() { close(); }
+
   /// Answers any request; never throws.
   HttpAnswer answer(const HttpRequest& request) noexcept;
   /// To be called about every second: drops results that nobody uses, empties the write-ahead log of the database if it
-  /// is long, and drops the oldest result while the log is very long: it cannot be emptied while a result needs it.
+  /// is long, for which small results leave the database, and drops the oldest result while the log is very long: it
+  /// cannot be emptied while a result needs it.
   void tend();
   /// Ends all statements and drops all results.
   void close();
@@ -105,8 +110,8 @@ class Api {
   RunningStatements running_;
   std::atomic<bool> is_emptying_log_ = false;
   std::atomic<std::uintmax_t> longest_log_;  // so long it may become before it is emptied
-  SessionPool sessions_;                     // its work uses all of the above
-  KeptResults results_;                      // ends the work of the sessions
+  KeptResults results_;
+  SessionPool sessions_;  // its work uses all of the above
 };
 
 }  // namespace queries

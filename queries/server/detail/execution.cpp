@@ -1,6 +1,7 @@
 #include "queries/server/detail/execution.h"
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -8,6 +9,19 @@
 #include "queries/server/detail/result_json.h"
 
 namespace queries {
+namespace {
+
+constexpr std::size_t kAnySize = std::numeric_limits<std::size_t>::max();
+// Of a result that leaves the database: the rest of the copy is in a temporary file.
+constexpr std::size_t kLargestCopy = std::size_t{16} << 20U;
+constexpr std::size_t kCopyMemory = std::size_t{512} << 10U;
+
+}  // namespace
+
+Execution::Execution(StatementRequest request, algebra3d::WorkingFolder folder)
+    : request_(std::move(request)),
+      folder_(std::move(folder)),
+      copy_memory_(kCopyMemory, algebra3d::WorkMemory::default_folder()) {}
 
 /// Makes the answer of a statement from its result.
 class Execution::ResultPresenter final : public Presenter {
@@ -23,6 +37,7 @@ class Execution::ResultPresenter final : public Presenter {
   std::optional<ResultTable>& table() { return table_; }
 
  private:
+  Status serve(ResultTable& table, const Context& context);
   Result<std::optional<ResultTable>> table_of(const TypeExpr& type, const Datum& value, Context& context) const;
 
   Execution& execution_;
@@ -69,10 +84,22 @@ Status Execution::ResultPresenter::present(const TypeExpr& type, const Datum& va
     answer_.diagnostics = execution_.summary_of(context.diagnostics);
     answer_.seconds = execution_.seconds();
     execution_.answer(answer_);
-    execution_.serve(*table);
-    return {};
+    return serve(*table, context);
   }
-  ALGEBRA3D_ASSIGN_OR_RETURN(table_, table->loaded_copy(context));
+  ALGEBRA3D_ASSIGN_OR_RETURN(table_, table->loaded_copy(context, *context.memory, kAnySize));
+  return {};
+}
+
+// A copy that cannot be made, for want of space on the disk, say, does not harm the result.
+Status Execution::ResultPresenter::serve(ResultTable& table, const Context& context) {
+  while (execution_.serve(table)) {
+    Result<ResultTable> copy = table.loaded_copy(context, execution_.copy_memory_, kLargestCopy);
+    if (copy) {
+      table_ = *std::move(copy);
+      break;
+    }
+    execution_.end_leaving();
+  }
   return {};
 }
 
@@ -97,10 +124,13 @@ void Execution::run(Session& session) {
   given.seconds = seconds();
   const bool is_interrupted = !status && status.error().code == ErrorCode::interrupted;
   answer(status ? Result<StatementAnswer>(given) : is_interrupted ? interruption() : status.error());
-  if (status && presenter.table()) serve(*presenter.table());
+  end_leaving();
+  while (status && presenter.table() && serve(*presenter.table())) end_leaving();
   const std::lock_guard lock(mutex_);
   is_over_ = true;
+  is_to_leave_ = false;
   questions_.clear();
+  changed_.notify_all();
 }
 
 std::vector<std::string> Execution::summary_of(const algebra3d::Diagnostics& diagnostics) const {
@@ -128,19 +158,37 @@ bool Execution::has_result() const {
   return answer_ && *answer_ && !(*answer_)->columns.empty() && !is_over_;
 }
 
-void Execution::serve(ResultTable& table) {
+// Until the result is dropped (false), or is to leave the database.
+bool Execution::serve(ResultTable& table) {
   while (true) {
     Question question;
     {
       std::unique_lock lock(mutex_);
-      changed_.wait(lock, [this] { return is_dropped_ || !questions_.empty(); });
-      if (is_dropped_) break;
+      changed_.wait(lock, [this] { return is_dropped_ || is_to_leave_ || !questions_.empty(); });
+      if (is_dropped_ || is_to_leave_) return !is_dropped_;
       question = std::move(questions_.front());
       questions_.pop_front();
       asked_ = question.cancel;
     }
     question.work(table);
   }
+}
+
+void Execution::leave_database() {
+  const std::lock_guard lock(mutex_);
+  is_to_leave_ = !is_over_ && !is_dropped_;
+  changed_.notify_all();
+}
+
+void Execution::end_leaving() {
+  const std::lock_guard lock(mutex_);
+  is_to_leave_ = false;
+  changed_.notify_all();
+}
+
+void Execution::wait_until_left(Clock::time_point deadline) {
+  std::unique_lock lock(mutex_);
+  changed_.wait_until(lock, deadline, [this] { return !is_to_leave_ || is_dropped_; });
 }
 
 bool Execution::post(Question question) {

@@ -42,13 +42,12 @@ struct StatementAnswer {
 /// A statement, from the request to the end of its result. A session runs it on its own thread (`run`); when its answer
 /// is there, the session stays within the statement, so that the rows and the geometry of the result can still be read
 /// from the database as it was, until the result is dropped. A statement that has changed something is committed
-/// first, and its result is kept in memory. All functions but `run` may be called by any thread.
+/// first, and a copy of its result is served. All functions but `run` may be called by any thread.
 class Execution {
  public:
   using Clock = std::chrono::steady_clock;
 
-  Execution(StatementRequest request, algebra3d::WorkingFolder folder)
-      : request_(std::move(request)), folder_(std::move(folder)) {}
+  Execution(StatementRequest request, algebra3d::WorkingFolder folder);
   Execution(const Execution&) = delete;
   Execution& operator=(const Execution&) = delete;
 
@@ -64,6 +63,12 @@ class Execution {
   /// dropped meanwhile, or the client of `connection` (null: none) has gone.
   template <typename T>
   Result<T> ask(const Connection* connection, std::function<Result<T>(ResultTable&, Context&)> work);
+
+  /// Asks a result that is served to leave the database, which then may forget what the result has read: a copy takes
+  /// its place, unless that would be large.
+  void leave_database();
+  /// Waits until the result has left the database, stays there or is dropped.
+  void wait_until_left(Clock::time_point deadline);
 
   /// Ends the statement, also while it serves its result.
   void drop();
@@ -85,7 +90,8 @@ class Execution {
 
   std::vector<std::string> summary_of(const algebra3d::Diagnostics& diagnostics) const;
   void answer(Result<StatementAnswer> given);
-  void serve(ResultTable& table);
+  bool serve(ResultTable& table);
+  void end_leaving();
   bool post(Question question);
   void note_progress(const std::string& how_far);
   Error interruption() const;
@@ -95,6 +101,7 @@ class Execution {
   const Clock::time_point start_ = Clock::now();
   std::atomic<bool> is_cancelled_ = false;
   algebra3d::WorkMemory* memory_ = nullptr;  // of the session
+  algebra3d::WorkMemory copy_memory_;        // of a result that has left the database
 
   mutable std::mutex mutex_;  // guards what follows
   std::condition_variable changed_;
@@ -102,7 +109,8 @@ class Execution {
   std::deque<Question> questions_;
   Cancel asked_;  // of the question that is being answered
   bool is_dropped_ = false;
-  bool is_over_ = false;  // nobody serves the result any more
+  bool is_to_leave_ = false;  // the database
+  bool is_over_ = false;      // nobody serves the result any more
   std::string progress_;
   std::string why_cancelled_;
 };

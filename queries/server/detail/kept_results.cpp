@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <random>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -56,8 +57,25 @@ void KeptResults::drop_oldest() {
   if (!results_.empty()) drop(oldest());
 }
 
+void KeptResults::leave_database(Execution::Clock::time_point deadline) {
+  std::vector<std::shared_ptr<Execution>> present;
+  {
+    const std::lock_guard lock(mutex_);
+    are_to_leave_ = true;
+    for (const auto& [number, kept] : results_) present.push_back(kept.execution);
+  }
+  for (const auto& execution : present) execution->leave_database();
+  for (const auto& execution : present) execution->wait_until_left(deadline);
+}
+
+void KeptResults::may_stay() {
+  const std::lock_guard lock(mutex_);
+  are_to_leave_ = false;
+}
+
 std::string KeptResults::keep(std::shared_ptr<Execution> execution) {
   const std::lock_guard lock(mutex_);
+  if (are_to_leave_) execution->leave_database();
   while (results_.size() >= most_) drop(oldest());
   results_.emplace(++last_, Kept{std::move(execution), Execution::Clock::now()});
   return fmt::format("r{}", last_);

@@ -34,6 +34,9 @@ class KeptResults {
   void drop_what_is_old();
   /// Drops the result that was not used for longest, if there is one.
   void drop_oldest();
+  /// Has all results leave the database, also those that come before `may_stay`, and waits for those that are there.
+  void leave_database(Execution::Clock::time_point deadline);
+  void may_stay();
 
  private:
   struct Kept {
@@ -46,6 +49,7 @@ class KeptResults {
   const std::size_t most_;
   std::mutex mutex_;  // guards what follows
   std::map<std::uint64_t, Kept> results_;
+  bool are_to_leave_ = false;  // the database
   std::uint64_t last_;
 };
 

@@ -2,11 +2,31 @@
 
 #include <utility>
 
+#include "queries/streams/mapping.h"
+
 namespace queries {
 namespace {
 
 TypeExpr tuple_of(const algebra3d::Type& type) {
   return TypeExpr::tuple({{"value", TypeExpr(std::string(type.name()))}});
+}
+
+// Of deferred values as if they were loaded: points and triangles with their vertices take less than `kElement`.
+std::size_t loaded_bytes(const Tuple& tuple) {
+  constexpr std::size_t kElement = 64;
+  std::size_t result = heap_bytes(tuple);
+  for (const Value& value : tuple.attributes)
+    if (value.is_deferred()) result += kElement * value.header().size;
+  return result;
+}
+
+Result<TuplePtr> loaded(const Tuple& tuple) {
+  Tuple row{{}, tuple.id};
+  for (const Value& value : tuple.attributes) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(Value content, value.loaded());
+    row.attributes.push_back(std::move(content));
+  }
+  return std::make_shared<const Tuple>(std::move(row));
 }
 
 }  // namespace
@@ -21,22 +41,23 @@ ResultTable ResultTable::of_value(const Value& value) {
   return {std::make_shared<MemoryRelation>(tuple_of(value.type()), TupleBuffer(std::move(rows))), 1};
 }
 
-Result<ResultTable> ResultTable::loaded_copy(const algebra3d::Context& context) {
+Result<ResultTable> ResultTable::loaded_copy(const algebra3d::Context& context, algebra3d::WorkMemory& memory,
+                                             std::size_t most_bytes) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const TupleStreamPtr scan, relation_->scan());
-  std::vector<TuplePtr> rows;
-  while (true) {
-    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
-    ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr tuple, scan->next());
-    if (tuple == nullptr) break;
-    Tuple row{{}, tuple->id};
-    for (const Value& value : tuple->attributes) {
-      ALGEBRA3D_ASSIGN_OR_RETURN(Value loaded, value.loaded());
-      row.attributes.push_back(std::move(loaded));
-    }
-    rows.push_back(std::make_shared<const Tuple>(std::move(row)));
-  }
+  algebra3d::Context within = context;
+  within.memory = &memory;
+  TupleBuffer rows(within);
+  std::size_t bytes = 0;
+  ALGEBRA3D_RETURN_IF_ERROR(for_each_tuple(*scan, context, [&](const TuplePtr& tuple) -> Status {
+    bytes += loaded_bytes(*tuple);
+    if (bytes > most_bytes) return Error{ErrorCode::limit_exceeded, "more than {} bytes", most_bytes};
+    ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr row, loaded(*tuple));
+    return rows.add(std::move(row));
+  }));
   const std::size_t count = rows.size();
-  return ResultTable(std::make_shared<MemoryRelation>(tuple_type(), TupleBuffer(std::move(rows))), count);
+  ResultTable copy(std::make_shared<MemoryRelation>(tuple_type(), std::move(rows)), count);
+  copy.levels_ = levels_;
+  return copy;
 }
 
 Result<TuplePtr> ResultTable::next_row() {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algebra3d/base/context.h"
+#include "algebra3d/base/work_memory.h"
 #include "queries/server/detail/level_cache.h"
 #include "queries/streams/relation.h"
 
@@ -25,8 +26,11 @@ class ResultTable {
   std::size_t count() const { return count_; }
   /// The tuple of a row, which must exist. Errors: those of the store.
   Result<TuplePtr> row(std::size_t index);
-  /// A copy in memory whose values are loaded, which outlives the statement. Errors: those of the store, interrupted.
-  Result<ResultTable> loaded_copy(const algebra3d::Context& context);
+  /// A copy whose values are loaded, which outlives the statement. It takes `memory`, which must outlive it, and for
+  /// the rest a temporary file. Errors: limit_exceeded for more than `most_bytes` (estimated), in time that does not
+  /// depend on the size of a value; those of the store and of temporary files; interrupted.
+  Result<ResultTable> loaded_copy(const algebra3d::Context& context, algebra3d::WorkMemory& memory,
+                                  std::size_t most_bytes);
   /// What was made of its cells, to be asked for again.
   LevelCache& levels() { return levels_; }
 
