@@ -1,5 +1,6 @@
 #include "queries/language/command_list.h"
 
+#include <algorithm>
 #include <array>
 
 namespace queries {
@@ -41,6 +42,7 @@ constexpr auto kCommands = std::to_array<CommandDescription>({
     {"if EXPRESSION then COMMAND else COMMAND endif", "Run one command or the other"},
     {"while EXPRESSION do COMMAND endwhile", "Run a command as long as the condition holds"},
     {"{ COMMAND | COMMAND }", "Run commands up to the first error; {{ ... }} goes on after errors"},
+    // Of the shell:
     {"set \"timing\" = BOOL", "TRUE: show the time of each statement"},
     {"set \"paging\" = BOOL", "FALSE: never send long results through the pager"},
     {"set \"memory\" = INT", "Limit in megabytes for sorting, grouping and hashing"},
@@ -55,6 +57,12 @@ constexpr auto kCommands = std::to_array<CommandDescription>({
 
 std::span<const CommandDescription> command_list() {
   return kCommands;
+}
+
+std::span<const CommandDescription> language_commands() {
+  const auto first_of_shell =
+      std::ranges::find_if(kCommands, [](const auto& command) { return command.syntax.starts_with("set "); });
+  return {kCommands.begin(), first_of_shell};
 }
 
 }  // namespace queries

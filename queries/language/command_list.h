@@ -13,5 +13,7 @@ struct CommandDescription {
 
 /// All commands, those of the shell at the end (docs/language.md, "What there is").
 std::span<const CommandDescription> command_list();
+/// The commands of the language, which every host has: all but those of the shell.
+std::span<const CommandDescription> language_commands();
 
 }  // namespace queries

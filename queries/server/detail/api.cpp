@@ -162,6 +162,7 @@ std::span<const Route> Api::routes() {
       Route{"GET", "/api/types", &Api::get_types},
       Route{"GET", "/api/operators", &Api::get_operators},
       Route{"GET", "/api/operators/{name}", &Api::get_operator},
+      Route{"GET", "/api/commands", &Api::get_commands},
       Route{"GET", "/api/keywords", &Api::get_keywords},
       Route{"GET", "/api/openapi.json", &Api::get_openapi},
   };

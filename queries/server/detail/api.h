@@ -95,6 +95,7 @@ class Api {
   HttpAnswer get_types(const Call& call);
   HttpAnswer get_operators(const Call& call);
   HttpAnswer get_operator(const Call& call);
+  HttpAnswer get_commands(const Call& call);
   HttpAnswer get_keywords(const Call& call);
   HttpAnswer get_openapi(const Call& call);
 

@@ -138,6 +138,14 @@ HttpAnswer Api::get_operator(const Call& call) {
 }
 
 // The words of commands that are no placeholders.
+HttpAnswer Api::get_commands(const Call&) {
+  std::string json = "[";
+  for (const auto& [syntax, meaning] : language_commands())
+    json += fmt::format(R"({}{{"syntax":{},"doc":{}}})", json.size() > 1 ? "," : "", json_string(syntax),
+                        json_string(meaning));
+  return {.body = json + "]\n"};
+}
+
 HttpAnswer Api::get_keywords(const Call&) {
   std::set<std::string> words;
   for (const CommandDescription& command : command_list()) {

@@ -1,6 +1,7 @@
 import { ApiError, ServerGone, errorFromBody, isAbort, messageOf } from "./errors";
 import { readEvents } from "./event_stream";
 import type {
+  CommandInfo,
   CellText,
   DatabaseObject,
   ErrorBody,
@@ -64,6 +65,7 @@ export class Client {
   types = () => this.#get<TypeInfo[]>("api/types");
   operators = () => this.#get<OperatorInfo[]>("api/operators");
   operator = (name: string) => this.#get<OperatorHelp>(`api/operators/${encodeURIComponent(name)}`);
+  commands = () => this.#get<CommandInfo[]>("api/commands");
   keywords = () => this.#get<string[]>("api/keywords");
   statements = () => this.#get<RunningStatement[]>("api/statements");
 

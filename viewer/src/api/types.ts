@@ -107,6 +107,12 @@ export interface TypeInfo {
   readonly shape: boolean;
 }
 
+/** A command of the language; words in capital letters stand for something else. */
+export interface CommandInfo {
+  readonly syntax: string;
+  readonly doc: string;
+}
+
 export interface OperatorInfo {
   readonly name: string;
   readonly family: string;

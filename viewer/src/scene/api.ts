@@ -271,6 +271,8 @@ export interface SceneView {
   look(view: StandardView): void;
   /** Rolls or turns by degrees: about the view direction, the upward or the sideways axis. */
   turn(axis: "roll" | "up" | "side", degrees: number): void;
+  /** The camera that sees all of a box from the present direction. */
+  cameraSeeing(box: Box): CameraState;
   setCamera(camera: CameraState, options?: { readonly animate?: boolean }): void;
 
   // Tools

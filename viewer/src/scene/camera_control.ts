@@ -27,9 +27,13 @@ export class CameraControl {
     return this.going ?? this.host.camera();
   }
 
-  /** Sees all of a box from the present side. */
+  /** The camera that sees all of a box from the present side. */
+  seeing(box: Box3): CameraState {
+    return fitted(this.goal, box, this.host.aspect());
+  }
+
   fit(box: Box3, animate = true): void {
-    this.go(fitted(this.goal, box, this.host.aspect()), animate);
+    this.go(this.seeing(box), animate);
   }
 
   look(view: StandardView, box: Box3, animate = true): void {

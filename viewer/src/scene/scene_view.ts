@@ -19,6 +19,7 @@ import { Sight } from "./sight";
 import { kDefaultState, patched, stateToJson } from "./state";
 import { stateFromJson } from "./state_json";
 import { Stage } from "./stage";
+import { toBox3 } from "./vec";
 
 export class View implements api.SceneView {
   state: api.SceneState = kDefaultState;
@@ -106,11 +107,7 @@ export class View implements api.SceneView {
 
   private draw(quality: QualityStep): void {
     this.applyColoring();
-    this.stage.draw(this.canvas, this.state, {
-      software: this.canvas.software,
-      quality,
-      tool: this.tool,
-    });
+    this.stage.draw(this.canvas, this.state, { software: this.canvas.software, quality, tool: this.tool });
   }
 
   private setProblem(problem: api.SceneProblem | null): void {
@@ -289,10 +286,7 @@ export class View implements api.SceneView {
   }
 
   fit(cells?: readonly api.CellRef[]): void {
-    const records = cells
-      ?.map((cell) => this.stage.store.record(cell))
-      .filter((record) => record !== undefined);
-    this.sight.fit(records);
+    this.sight.fit(cells?.flatMap((cell) => this.stage.store.record(cell) ?? []));
   }
 
   get farCount(): number {
@@ -309,6 +303,10 @@ export class View implements api.SceneView {
 
   turn(axis: "roll" | "up" | "side", degrees: number): void {
     this.sight.turn(axis, degrees);
+  }
+
+  cameraSeeing(box: api.Box): api.CameraState {
+    return this.sight.seeing(toBox3(box));
   }
 
   setCamera(camera: api.CameraState, options: { readonly animate?: boolean } = {}): void {

@@ -117,6 +117,10 @@ export class Sight {
     if (!records) this.setFar(0);
   }
 
+  seeing(box: Box3): CameraState {
+    return this.control.seeing(box);
+  }
+
   look(view: StandardView): void {
     this.control.look(view, this.boxOf());
     this.setFar(0);

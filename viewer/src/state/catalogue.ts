@@ -1,12 +1,13 @@
 import { batch, signal } from "@preact/signals";
 import type { Client } from "../api/client";
-import type { DatabaseObject, OperatorHelp, OperatorInfo, TypeInfo } from "../api/types";
+import type { CommandInfo, DatabaseObject, OperatorHelp, OperatorInfo, TypeInfo } from "../api/types";
 
-/** What the database and the language have: objects, operators, types, words of commands. */
+/** What the database and the language have: objects, operators, types, commands and their words. */
 export class Catalogue {
   readonly objects = signal<readonly DatabaseObject[]>([]);
   readonly operators = signal<readonly OperatorInfo[]>([]);
   readonly types = signal<readonly TypeInfo[]>([]);
+  readonly commands = signal<readonly CommandInfo[]>([]);
   readonly keywords = signal<readonly string[]>([]);
   readonly #client: Client;
   /** How often the objects were asked for. */
@@ -20,16 +21,18 @@ export class Catalogue {
   /** Reads everything; what the language has changes only with the program. */
   async load(): Promise<void> {
     const reading = ++this.#readings;
-    const [objects, operators, types, keywords] = await Promise.all([
+    const [objects, operators, types, commands, keywords] = await Promise.all([
       this.#client.objects(),
       this.#client.operators(),
       this.#client.types(),
+      this.#client.commands(),
       this.#client.keywords(),
     ]);
     batch(() => {
       if (reading === this.#readings) this.objects.value = objects;
       this.operators.value = operators;
       this.types.value = types;
+      this.commands.value = commands;
       this.keywords.value = keywords;
     });
   }

@@ -1,7 +1,6 @@
 /** The command `help`, which the viewer answers itself: the server describes operators under addresses of their own. */
 
 import { ApiError } from "../api/errors";
-import type { OperatorInfo } from "../api/types";
 import type { Catalogue } from "./catalogue";
 
 /** What `help` is asked for: a name, or "" for everything; null if the statement is another command. */
@@ -14,29 +13,39 @@ export function helpSubject(statement: string): string | null {
 export async function helpText(subject: string, catalogue: Catalogue): Promise<string> {
   if (subject === "") return overview(catalogue);
   if (/\s/.test(subject)) throw unknown(subject);
-  const operator = catalogue.operators.value.find(({ name }) => name === subject);
-  if (operator) return (await catalogue.help(subject)).help;
-  const wanted = subject.toLowerCase();
-  const isFound = ({ name, doc }: OperatorInfo) => `${name} ${doc}`.toLowerCase().includes(wanted);
-  const found = catalogue.operators.value.filter(isFound);
-  const isCommand = catalogue.keywords.value.includes(subject);
-  if (found.length === 0 && !isCommand) throw unknown(subject);
-  return [
-    isCommand
-      ? `${subject} is a word of the language; docs/language.md describes the commands.`
-      : `There is no operator of the name ${subject}.`,
-    ...(found.length > 0 ? ["", `Operators with “${subject}” in their name or description`] : []),
-    ...found.map(line),
-  ].join("\n");
+  const commands = catalogue.commands.value
+    .filter(({ syntax }) => syntax.split(" ")[0] === subject)
+    .map(line);
+  if (catalogue.operators.value.some(({ name }) => name === subject))
+    return [...commands, ...(commands.length > 0 ? [""] : []), (await catalogue.help(subject)).help].join(
+      "\n",
+    );
+  return commands.length > 0 ? commands.join("\n") : found(subject, catalogue);
 }
 
-function overview({ operators, keywords }: Catalogue): string {
+/** The operators and commands with a word in their names or descriptions. */
+function found(subject: string, { operators, commands }: Catalogue): string {
+  const wanted = subject.toLowerCase();
+  const having = (texts: readonly Described[]) =>
+    texts.filter((text) => `${text.name ?? ""} ${text.syntax} ${text.doc}`.toLowerCase().includes(wanted));
+  const groups = [
+    {
+      title: `Operators with “${subject}” in their name or description`,
+      lines: having(operators.value).map(line),
+    },
+    { title: `Commands with “${subject}”`, lines: having(commands.value).map(line) },
+  ].filter(({ lines }) => lines.length > 0);
+  if (groups.length === 0) throw unknown(subject);
+  return groups.map(({ title, lines }) => [title, ...lines].join("\n")).join("\n\n");
+}
+
+function overview({ operators, commands }: Catalogue): string {
   const families = [...new Set(operators.value.map(({ family }) => family))];
   return [
-    "help NAME describes an operator, help WORD finds operators.",
+    "help NAME describes an operator or a command, help WORD finds them.",
     "",
-    "Words of commands and expressions",
-    `  ${[...keywords.value].sort().join(" ")}`,
+    "Commands",
+    ...commands.value.map(line),
     ...families.flatMap((family) => [
       "",
       `Operators: ${family}`,
@@ -45,14 +54,20 @@ function overview({ operators, keywords }: Catalogue): string {
   ].join("\n");
 }
 
-function line({ syntax, doc }: OperatorInfo): string {
+interface Described {
+  readonly name?: string;
+  readonly syntax: string;
+  readonly doc: string;
+}
+
+function line({ syntax, doc }: Described): string {
   return `  ${syntax.padEnd(36)} ${doc}`;
 }
 
 function unknown(subject: string): ApiError {
   return new ApiError(404, {
     code: "unknown_name",
-    message: `no operator has ${subject} in its name or description`,
-    remedy: "`help` lists all operators.",
+    message: `no operator or command has ${subject} in its name or description`,
+    remedy: "`help` lists all of them.",
   });
 }

@@ -71,7 +71,16 @@ test("two meshes stand side by side with their statistics", async () => {
   await takePicture(page, "compare-two");
   expect(left.colors()).toBeGreaterThan(10);
   expect(right.colors()).toBeGreaterThan(10);
+  for (const picture of [left, right]) expect(touchesSides(picture)).toBe(false);
 });
+
+/** Whether anything reaches the left or the right side of a scene, between the controls and the scale. */
+function touchesSides(picture: Picture): boolean {
+  const rows = Array.from({ length: picture.height - 200 }, (_, i) => i + 120);
+  const isGround = (x: number, y: number) =>
+    picture.at(x, y).every((part, i) => Math.abs(part - picture.at(4, 4)[i]!) < 12);
+  return rows.some((y) => !isGround(1, y) || !isGround(picture.width - 2, y));
+}
 
 test.each([
   ["loop", "48"],

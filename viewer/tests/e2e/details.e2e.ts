@@ -24,7 +24,7 @@ test("help shows the text of an operator, finds words and lists all", async () =
   expect(await text.innerText()).toContain("help NAME describes an operator");
   expect(await page.getByTestId("failure").count()).toBe(0);
   await run(page, "help xyzzy");
-  expect(await page.getByTestId("failure").innerText()).toContain("no operator has xyzzy");
+  expect(await page.getByTestId("failure").innerText()).toContain("no operator or command has xyzzy");
 });
 
 test("the section tells its area and how it moves over the scene, with the panel closed", async () => {

@@ -1,17 +1,10 @@
-import type { Box, CameraState, SceneView, Vec3 } from "../../scene/api";
+import type { Box, SceneView } from "../../scene/api";
 
-/** The camera with the same direction that sees all of several boxes. */
-export function cameraFor(camera: CameraState, boxes: readonly Box[]): CameraState {
-  const limits = (axis: number) => [
-    Math.min(...boxes.map((box) => box[axis * 2] ?? 0)),
-    Math.max(...boxes.map((box) => box[axis * 2 + 1] ?? 0)),
-  ];
-  const [x, y, z] = [limits(0), limits(1), limits(2)] as [number[], number[], number[]];
-  const middle = ([low = 0, high = 0]: number[]) => (low + high) / 2;
-  const extent = ([low = 0, high = 0]: number[]) => high - low;
-  const target: Vec3 = [middle(x), middle(y), middle(z)];
-  const height = Math.hypot(extent(x), extent(y), extent(z)) || camera.height;
-  return { ...camera, target, rest: [0, 0, 0], height };
+/** The smallest box around several boxes, of which there is at least one. */
+export function boxAround(boxes: readonly Box[]): Box {
+  const least = (i: number) => Math.min(...boxes.map((box) => box[i] ?? 0));
+  const most = (i: number) => Math.max(...boxes.map((box) => box[i] ?? 0));
+  return [least(0), most(1), least(2), most(3), least(4), most(5)];
 }
 
 /**
@@ -25,7 +18,9 @@ export function keepBothInSight(a: SceneView, b: SceneView, loaded: () => string
     const boxes = [a, b].map((view) => view.shapes().flatMap(({ box }) => (box ? [box] : [])));
     if (now === null || now === seen || boxes.some((list) => list.length === 0)) return;
     seen = now;
-    a.setCamera(cameraFor(a.state.camera, boxes.flat()), { animate: false });
+    const around = boxAround(boxes.flat());
+    const [ofA, ofB] = [a.cameraSeeing(around), b.cameraSeeing(around)];
+    a.setCamera(ofA.height > ofB.height ? ofA : ofB, { animate: false });
   };
   // After each view has decided about its own camera.
   const later = () => queueMicrotask(look);

@@ -18,6 +18,11 @@ async function makeCatalogue() {
     "api/objects": [],
     "api/types": [],
     "api/operators": [area, box],
+    "api/commands": [
+      { syntax: "query EXPRESSION", doc: "Show the value of an expression" },
+      { syntax: "let NAME = EXPRESSION", doc: "Make an object" },
+      { syntax: "delete type TYPE", doc: "Remove the name of a type" },
+    ],
     "api/keywords": ["query", "let"],
     "api/operators/area": { ...area, help: "area    area(_)\n\n  The whole text." },
   };
@@ -41,7 +46,10 @@ test("a name gives the server's text, a word what has it, nothing the whole list
   expect(found).toContain("bbox(_)");
   expect(found).not.toContain("area(_)");
   const all = await helpText("", catalogue);
-  for (const part of ["let query", "Operators: measures", "area(_)", "bbox(_)"]) expect(all).toContain(part);
-  expect(await helpText("query", catalogue)).toContain("query is a word of the language");
-  await expect(helpText("xyzzy", catalogue)).rejects.toThrow("no operator has xyzzy in its name");
+  for (const part of ["let NAME", "query EXPRESSION", "Operators: measures", "area(_)", "bbox(_)"])
+    expect(all).toContain(part);
+  expect(await helpText("query", catalogue)).toMatch(/^ *query EXPRESSION +Show the value of an expression$/);
+  const expression = await helpText("expression", catalogue);
+  expect(expression).toMatch(/^Commands with “expression”\n +query EXPRESSION .*\n +let NAME = EXPRESSION/);
+  await expect(helpText("xyzzy", catalogue)).rejects.toThrow("no operator or command has xyzzy in its name");
 });
