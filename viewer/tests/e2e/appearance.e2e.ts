@@ -86,6 +86,7 @@ test("faces and edges are drawn together or alone, in their colours", async () =
   expect(wire.count(isBluish)).toBeGreaterThan(200);
   await choose(page, "appearance", "Edges", "All");
   const triangles = await stillScene(page);
+  await takePicture(page, "scene-wireframe");
   // The diagonals of the faces.
   expect(covered(triangles) - covered(wire)).toBeGreaterThan(700);
   await field(page, "appearance", "Faces").setChecked(true);
@@ -105,6 +106,7 @@ test("transparent objects let the background through", async () => {
   expect(g).toBeGreaterThan(50);
   expect(g).toBeLessThan(200);
   expect(Math.abs(g - b)).toBeLessThan(6);
+  await takePicture(page, "scene-transparent");
 });
 
 test("a gradient goes from the first to the last row", async () => {
@@ -115,6 +117,7 @@ test("a gradient goes from the first to the last row", async () => {
   const picture = await stillScene(page);
   expect(picture.count(isReddish)).toBeGreaterThan(1000);
   expect(picture.count(isBluish)).toBeGreaterThan(1000);
+  await takePicture(page, "scene-gradient");
 });
 
 test("numbers colour by a palette, texts by different colours, both with a legend", async () => {
