@@ -11,7 +11,7 @@ TypeExpr tuple_of(const algebra3d::Type& type) {
   return TypeExpr::tuple({{"value", TypeExpr(std::string(type.name()))}});
 }
 
-// Of deferred values as if they were loaded: points and triangles with their vertices take less than `kElement`.
+// Estimated for deferred values: points and triangles with their vertices take less than `kElement`.
 std::size_t loaded_bytes(const Tuple& tuple) {
   constexpr std::size_t kElement = 64;
   std::size_t result = heap_bytes(tuple);
@@ -49,14 +49,15 @@ Result<ResultTable> ResultTable::loaded_copy(const algebra3d::Context& context, 
   TupleBuffer rows(within);
   std::size_t bytes = 0;
   ALGEBRA3D_RETURN_IF_ERROR(for_each_tuple(*scan, context, [&](const TuplePtr& tuple) -> Status {
-    bytes += loaded_bytes(*tuple);
-    if (bytes > most_bytes) return Error{ErrorCode::limit_exceeded, "more than {} bytes", most_bytes};
+    if (bytes + loaded_bytes(*tuple) > most_bytes)
+      return Error{ErrorCode::limit_exceeded, "more than {} bytes", most_bytes};
     ALGEBRA3D_ASSIGN_OR_RETURN(TuplePtr row, loaded(*tuple));
+    bytes += heap_bytes(*row);
     return rows.add(std::move(row));
   }));
   const std::size_t count = rows.size();
   ResultTable copy(std::make_shared<MemoryRelation>(tuple_type(), std::move(rows)), count);
-  copy.levels_ = levels_;
+  copy.levels_ = std::move(levels_);
   return copy;
 }
 
