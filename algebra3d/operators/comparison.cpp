@@ -162,9 +162,11 @@ void register_comparison(Registry& registry) {
         .doc = row.doc,
         .detail =
             "Both values have one type, or are an int and a real, whose values are compared, or a string and a text. "
-            "Points, surfaces and solids are equal if they are the same point set, whatever the triangles.",
+            "Points, surfaces and solids are equal if they are the same point set, whatever the triangles; nested "
+            "relations if they have the same tuples, whatever their order.",
         .exactness = Exactness::exact,
         .overloads = comparisons(registry, row.holds),
+        .overload_for = [holds = row.holds](const Type& type) { return comparison(type, type, holds); },
         .examples = {{{row.yes[0], row.yes[1]}, "TRUE"},
                      {{row.no[0], row.no[1]}, "FALSE"},
                      {{"1", "(int undefined)"}, "undefined"}},
@@ -177,6 +179,7 @@ void register_comparison(Registry& registry) {
       .doc = "True if the value lies between the bounds, both included, in the order of its type.",
       .exactness = Exactness::exact,
       .overloads = range_tests(registry),
+      .overload_for = [](const Type& type) { return range_test(type, type, type); },
       .examples = {{{"2", "1", "3"}, "TRUE"},
                    {{"0.5", "1", "3"}, "FALSE"},
                    {{"2", "1", "(int undefined)"}, "undefined"}},
@@ -189,6 +192,7 @@ void register_comparison(Registry& registry) {
       .doc = "True if the value is not undefined.",
       .exactness = Exactness::exact,
       .overloads = for_all_types(registry, definedness),
+      .overload_for = definedness,
       .examples = {{{"1"}, "TRUE"}, {{"(point3d undefined)"}, "FALSE"}},
       .errors = {{{"1", "2"}, "isdefined: expected (int)"}},
   });
@@ -199,6 +203,7 @@ void register_comparison(Registry& registry) {
       .doc = "The second argument if the condition is TRUE, the third if it is FALSE.",
       .detail = "Undefined if the condition is. Both branches are evaluated.",
       .overloads = for_all_types(registry, choice),
+      .overload_for = choice,
       .examples = {{{"(< 1 2)", R"("yes")", R"("no")"}, R"("yes")"},
                    {{"TRUE", "1", "(int undefined)"}, "1"},
                    {{"(bool undefined)", "1", "2"}, "undefined"}},
