@@ -33,7 +33,7 @@ Result<std::string> count_of(Store& store, const ObjectInfo& object) {
 // A relation that cannot be counted must not hide the others.
 std::string json_of(Store& store, const ObjectInfo& object, const algebra3d::Registry& registry) {
   const bool has_shape =
-      object.type.is_relation() ? has_geometry(object.type.element(), registry) : is_drawn(object.type, registry);
+      object.type.is_relation() ? has_drawn_column(object.type.element(), registry) : is_drawn(object.type, registry);
   std::string json = fmt::format(R"({{"name":{},"type":{},"kind":"{}","count":{},"shape":{},"hasValue":{})",
                                  json_string(object.name), json_string(object.type.text()), kind_of(object.type),
                                  count_of(store, object).value_or("null"), has_shape, object.has_value);

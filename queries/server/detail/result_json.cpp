@@ -93,10 +93,16 @@ std::string json_of_columns(const TypeExpr& tuple, const algebra3d::Registry& re
   return json + "]";
 }
 
+bool has_drawn_column(const TypeExpr& tuple, const algebra3d::Registry& registry) {
+  return std::ranges::any_of(tuple.attributes(),
+                             [&](const auto& attribute) { return is_drawn(attribute.type, registry); });
+}
+
 bool has_geometry(const TypeExpr& tuple, const algebra3d::Registry& registry) {
   return std::ranges::any_of(tuple.attributes(), [&](const auto& attribute) {
     const algebra3d::Type* const known = registry.value_type(attribute.type);
-    return known != nullptr && (algebra3d::is_drawable(*known) || !known->summary_unit().empty());
+    if (known == nullptr) return false;
+    return algebra3d::is_drawable(*known) || !known->summary_unit().empty() || attribute.type.is_nested_relation();
   });
 }
 

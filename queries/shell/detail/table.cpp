@@ -41,18 +41,18 @@ std::string summary(const Value& value) {
 
 // The number of tuples and the first of them: `3 tuples: (bolt, 2.5), (nut, 1), ...`
 std::string nested_text(const Value& value, std::size_t longest) {
-  constexpr std::size_t kMostShown = 3;
+  constexpr std::size_t kShownTuples = 3;
   std::string text = algebra3d::counted(value.header().size, "tuple");
   const auto loaded = value.loaded();
   if (!loaded) return text;
   const auto& relation = loaded->get<algebra3d::NestedRelation>();
-  for (std::size_t i = 0; i < std::min(relation.size(), kMostShown); ++i) {
+  for (std::size_t i = 0; i < std::min(relation.size(), kShownTuples); ++i) {
     text += i == 0 ? ": (" : ", (";
     for (std::size_t k = 0; k < relation.width(); ++k)
       text += (k > 0 ? ", " : "") + display_text(relation.tuple(i)[k], longest);
     text += ")";
   }
-  if (relation.size() > kMostShown) text += ", …";
+  if (relation.size() > kShownTuples) text += ", …";
   return one_line(text, longest);
 }
 
