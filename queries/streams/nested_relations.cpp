@@ -19,4 +19,10 @@ Result<RelationPtr> table_of(const TypeExpr& type, const Datum& value) {
   return RelationPtr(std::make_shared<MemoryRelation>(type.element(), TupleBuffer(std::move(tuples))));
 }
 
+std::vector<const algebra3d::Type*> listed_types(const algebra3d::Registry& registry) {
+  std::vector<const algebra3d::Type*> types = registry.types();
+  types.push_back(*algebra3d::NestedRelationType::of(TypeExpr::tuple({{"Name", "string"}})));
+  return types;
+}
+
 }  // namespace queries

@@ -13,6 +13,7 @@
 #include "queries/server/detail/api.h"
 #include "queries/server/detail/pages.h"
 #include "queries/server/detail/result_json.h"
+#include "queries/streams/nested_relations.h"
 
 namespace queries {
 namespace {
@@ -106,7 +107,7 @@ HttpAnswer Api::get_objects(const Call&) {
 
 HttpAnswer Api::get_types(const Call&) {
   std::string json = "[";
-  for (const algebra3d::Type* type : registry_.types()) {
+  for (const algebra3d::Type* type : listed_types(registry_)) {
     if (json.size() > 1) json += ',';
     json += fmt::format(R"({{"name":{},"doc":{},"shape":{}}})", json_string(type->name()), json_string(type->doc()),
                         algebra3d::is_drawable(*type));
