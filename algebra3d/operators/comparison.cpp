@@ -162,8 +162,7 @@ void register_comparison(Registry& registry) {
         .doc = row.doc,
         .detail =
             "Both values have one type, or are an int and a real, whose values are compared, or a string and a text. "
-            "Points, surfaces and solids are equal if they are the same point set, whatever the triangles; nested "
-            "relations if they have the same tuples, whatever their order.",
+            "Points, surfaces and solids are equal if they are the same point set, whatever the triangles.",
         .exactness = Exactness::exact,
         .overloads = comparisons(registry, row.holds),
         .overload_for = [holds = row.holds](const Type& type) { return comparison(type, type, holds); },

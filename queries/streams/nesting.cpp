@@ -10,7 +10,6 @@
 namespace queries {
 namespace {
 
-using algebra3d::NestedRelation;
 using algebra3d::NestedRelationType;
 
 Result<BoundOperator> map_aconsume(std::span<const ArgumentType> arguments) {
@@ -121,9 +120,9 @@ Result<BoundOperator> map_unnest(std::span<const ArgumentType> arguments) {
 }
 
 // Two groups by K, as a relation that the examples share.
-constexpr const char* kFlat = "[const rel(tuple([K: int, A: string])) value ((1 \"a\") (1 \"b\") (2 \"c\"))] feed ";
+constexpr const char* kFlat = R"([const rel(tuple([K: int, A: string])) value ((1 "a") (1 "b") (2 "c"))] feed )";
 constexpr const char* kNested =
-    "[const rel(tuple([K: int, R: arel(tuple([A: string]))])) value ((1 ((\"a\") (\"b\"))) (2 ()) (3 undefined))] "
+    R"([const rel(tuple([K: int, R: arel(tuple([A: string]))])) value ((1 (("a") ("b"))) (2 ()) (3 undefined))] )"
     "feed ";
 
 }  // namespace
@@ -140,7 +139,7 @@ void register_nesting(algebra3d::Registry& registry) {
       .stream = stream_operator(map_nest),
       .signatures = {"(stream(tuple) NAMES NAME) -> stream(tuple)"},
       .handles_undefined = true,
-      .query_examples = {{std::string(kFlat) + "nest[K; R] consume", "((1 ((\"a\") (\"b\"))) (2 ((\"c\"))))"},
+      .query_examples = {{std::string(kFlat) + "nest[K; R] consume", R"(((1 (("a") ("b"))) (2 (("c")))))"},
                          {std::string(kFlat) + "nest[; R] extend[N: .R count] project[N] consume", "((3))"},
                          {"[const rel(tuple([K: int, A: int])) value ((undefined 1) (undefined 2))] feed nest[K; R] "
                           "consume",
@@ -158,8 +157,8 @@ void register_nesting(algebra3d::Registry& registry) {
       .stream = stream_operator(map_unnest),
       .signatures = {"(stream(tuple) NAME) -> stream(tuple)"},
       .handles_undefined = true,
-      .query_examples = {{std::string(kNested) + "unnest[R] consume", "((1 \"a\") (1 \"b\"))"},
-                         {std::string(kFlat) + "nest[K; R] unnest[R] consume", "((1 \"a\") (1 \"b\") (2 \"c\"))"}},
+      .query_examples = {{std::string(kNested) + "unnest[R] consume", R"(((1 "a") (1 "b")))"},
+                         {std::string(kFlat) + "nest[K; R] unnest[R] consume", R"(((1 "a") (1 "b") (2 "c")))"}},
       .query_errors = {{"query " + std::string(kFlat) + "unnest[K] count",
                         "unnest: expected an attribute that is a nested relation, got int"},
                        {"query " + std::string(kFlat) +
@@ -175,7 +174,7 @@ void register_nesting(algebra3d::Registry& registry) {
       .stream = stream_operator(map_afeed),
       .signatures = {"(arel(tuple)) -> stream(tuple)"},
       .handles_undefined = true,
-      .query_examples = {{std::string(kNested) + "extend[N: .R afeed filter[.A = \"b\"] count] project[K, N] consume",
+      .query_examples = {{std::string(kNested) + R"(extend[N: .R afeed filter[.A = "b"] count] project[K, N] consume)",
                           "((1 1) (2 0) (3 0))"}},
       .query_errors = {{"query 5 afeed count", "afeed: expected a nested relation, got int"}},
   });
@@ -191,7 +190,7 @@ void register_nesting(algebra3d::Registry& registry) {
                           "consume",
                           "((1 ((1))) (2 ((1) (2))))"},
                          {std::string(kFlat) + "groupby[K; R: group feed project[A] aconsume] consume",
-                          "((1 ((\"a\") (\"b\"))) (2 ((\"c\"))))"},
+                          R"(((1 (("a") ("b"))) (2 (("c")))))"},
                          {"[const int value undefined] feed transformstream aconsume", "((undefined))"}},
       .query_errors = {{"query 5 aconsume", "aconsume: expected a stream of tuples, got int"}},
   });
