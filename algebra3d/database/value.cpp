@@ -13,6 +13,7 @@
 #include "algebra3d/geometry/shape_access.h"
 #include "algebra3d/registry/registry.h"
 #include "algebra3d/types/all.h"
+#include "algebra3d/types/nested_relation.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
 #include "algebra3d/types/time.h"
@@ -59,12 +60,21 @@ bool belongs_to_databases(std::string_view type) {
   return std::ranges::find(kConstructors, constructor) != kConstructors.end();
 }
 
+/// The type of nested relations that a nested list names; null for every other text.
+const Type* nested_relation_named(std::string_view name) {
+  const auto list = NestedList::parse(name);
+  if (!list || !list->is_list()) return nullptr;
+  const auto term = TypeExpr::from_nested(*list);
+  return term && term->is_nested_relation() ? value_type(*term) : nullptr;
+}
+
 Result<const Type*> type_named(std::string_view name) {
   std::vector<std::string> names;
   for (const Type* type : all_types()) {
     if (type->name() == name) return type;
     names.emplace_back(type->name());
   }
+  if (const Type* nested = nested_relation_named(name)) return nested;
   if (belongs_to_databases(name))
     return Error{
         ErrorCode::type_error,

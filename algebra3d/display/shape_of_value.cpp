@@ -1,11 +1,14 @@
 #include "algebra3d/display/shape_of_value.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "algebra3d/display/detail/mesh_shapes.h"
+#include "algebra3d/display/detail/nested_shapes.h"
 #include "algebra3d/display/detail/shape_parts.h"
 #include "algebra3d/display/detail/small_shapes.h"
 #include "algebra3d/types/mesh3d.h"
+#include "algebra3d/types/nested_relation.h"
 #include "algebra3d/types/planar.h"
 #include "algebra3d/types/spatial.h"
 
@@ -52,14 +55,31 @@ ShapeMaker maker_for(const Type& type) {
   return nullptr;
 }
 
+/// The shapes of all drawable values in a nested relation, as one. Recursion follows the nesting of its type.
+Result<Shape> shape_of_nested(const Value& value, const Monitor& monitor) {
+  const auto& relation = value.get<NestedRelation>();
+  std::vector<Shape> shapes;
+  for (std::size_t i = 0; i < relation.size(); ++i) {
+    ALGEBRA3D_RETURN_IF_ERROR(monitor.check());
+    for (const Value& attribute : relation.tuple(i)) {
+      if (!attribute.is_defined() || !is_drawable(attribute.type())) continue;
+      ALGEBRA3D_ASSIGN_OR_RETURN(Shape shape, shape_of(attribute, monitor.silent()));
+      if (!shape.is_empty()) shapes.push_back(std::move(shape));
+    }
+  }
+  return detail::joined(shapes);
+}
+
 }  // namespace
 
 bool is_drawable(const Type& type) {
-  return maker_for(type) != nullptr;
+  const NestedRelationType* const nested = as_nested_relation(type);
+  if (nested == nullptr) return maker_for(type) != nullptr;
+  return std::ranges::any_of(nested->attributes(), [](const auto& attribute) { return is_drawable(*attribute.type); });
 }
 
 Result<Shape> shape_of(const Value& value, const Monitor& monitor) {
-  const ShapeMaker maker = maker_for(value.type());
+  const ShapeMaker maker = as_nested_relation(value.type()) != nullptr ? shape_of_nested : maker_for(value.type());
   assert(maker != nullptr);
   Shape shape;
   if (value.is_defined()) {

@@ -8,8 +8,8 @@
 namespace algebra3d {
 
 /// True for types whose values have a shape: points, vectors, planes, boxes, surfaces, solids, meshes and regions, in
-/// space and in the plane. Moving regions have none: a picture of one instant would hide that they move, so the region
-/// at an instant is asked for (`atinstant`).
+/// space and in the plane, and nested relations with an attribute of such a type. Moving regions have none: a picture
+/// of one instant would hide that they move, so the region at an instant is asked for (`atinstant`).
 bool is_drawable(const Type& type);
 
 /// The shape of a value of a drawable type (asserted); empty for the undefined and the empty value. A deferred value is
@@ -23,6 +23,7 @@ bool is_drawable(const Type& type);
 ///   nearest to the origin, as far to each side as that point is from the origin, at least 1: so it fills a right angle
 ///   seen from there.
 /// - A vector is an arrow from the origin. Values in the plane lie at z = 0, their front up.
+/// - Of a nested relation, everything that its tuples have to draw, as one shape.
 /// - What is smaller than 2^-100 (8e-31) is a point in the middle of its box.
 /// Exactness: coordinates are rounded to doubles, then to floats relative to the origin. Errors: limit_exceeded for
 /// boxes beyond the range of floats; interrupted; those of the store. Cost: linear; of meshes and regions see

@@ -110,16 +110,18 @@ class Extreme final : public AggregateState {
   std::optional<Value> best_;
 };
 
+Overload extreme(const Type& type, bool is_least) {
+  Overload overload;
+  overload.parameters = {{"values", &type, true}};
+  overload.result = &type;
+  overload.start = [is_least] { return std::make_unique<Extreme>(is_least); };
+  return overload;
+}
+
 /// One overload for each type.
 std::vector<Overload> extremes(const Registry& registry, bool is_least) {
   std::vector<Overload> overloads;
-  for (const Type* type : registry.types()) {
-    Overload overload;
-    overload.parameters = {{"values", type, true}};
-    overload.result = type;
-    overload.start = [is_least] { return std::make_unique<Extreme>(is_least); };
-    overloads.push_back(std::move(overload));
-  }
+  for (const Type* type : registry.types()) overloads.push_back(extreme(*type, is_least));
   return overloads;
 }
 
@@ -151,12 +153,14 @@ void register_aggregates(Registry& registry) {
       .name = "min",
       .doc = "The smallest defined value, in the order of the type; undefined if there is none.",
       .overloads = extremes(registry, true),
+      .overload_for = [](const Type& type) { return extreme(type, true); },
       .examples = {{{"2", "1", "6"}, "1"}, {{R"("b")", R"("ab")"}, R"("ab")"}, {{"(int undefined)"}, "undefined"}},
   });
   registry.add({
       .name = "max",
       .doc = "The largest defined value, in the order of the type; undefined if there is none.",
       .overloads = extremes(registry, false),
+      .overload_for = [](const Type& type) { return extreme(type, false); },
       .examples = {{{"0.5", "(real undefined)", "1.0"}, "1.0"}, {{"(int)"}, "undefined"}},
   });
 }

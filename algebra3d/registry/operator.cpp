@@ -64,7 +64,7 @@ OperatorKind Overload::kind() const {
 }
 
 TypeExpr Overload::result_type() const {
-  if (kind() != OperatorKind::table) return {result->name()};
+  if (kind() != OperatorKind::table) return result->term();
   if (gives_elements) return TypeExpr::stream(columns.front().type->name());
   std::vector<TypeExpr::Attribute> attributes;
   for (const Column& column : columns) attributes.push_back({column.name, column.type->name()});
@@ -75,7 +75,7 @@ std::string Overload::signature() const {
   std::string text = "(";
   for (const Parameter& parameter : parameters) {
     if (text.size() > 1) text += ' ';
-    text += parameter.type->name();
+    text += parameter.type->term().text();
   }
   if (kind() == OperatorKind::aggregate) text += '*';
   return text + ") -> " + result_type().text();

@@ -9,17 +9,25 @@
 #include "algebra3d/registry/conversion.h"
 #include "algebra3d/registry/detail/guarded.h"
 #include "algebra3d/registry/detail/host_name.h"
+#include "algebra3d/registry/detail/made_overloads.h"
 #include "algebra3d/registry/failed_calls.h"
+#include "algebra3d/types/nested_relation.h"
 
 namespace algebra3d {
 namespace {
+
+// Cost of the conversion to a parameter. Nested relations are never converted.
+std::optional<std::size_t> cost_of(const TypeExpr& argument, const Type& type) {
+  if (argument.is_nested_relation()) return argument == type.term() ? std::optional(std::size_t{0}) : std::nullopt;
+  return conversion_cost(argument, type.name());
+}
 
 // Cost of the conversions that make `arguments` fit, or nothing if they do not.
 std::optional<std::size_t> cost_of(const Overload& overload, std::span<const TypeExpr> arguments) {
   if (overload.parameters.size() != arguments.size()) return std::nullopt;
   std::size_t sum = 0;
   for (std::size_t place = 0; place < arguments.size(); ++place) {
-    const auto cost = conversion_cost(arguments[place], overload.parameters[place].type->name());
+    const auto cost = cost_of(arguments[place], *overload.parameters[place].type);
     if (!cost) return std::nullopt;
     sum += *cost;
   }
@@ -153,6 +161,8 @@ void report_undefined(const Operator& op, const Undefined& undefined, Context& c
                              op.reads_files ? About::unreadable : About::undefined);
 }
 
+Registry::Registry() : made_overloads_(std::make_shared<detail::MadeOverloads>()) {}
+
 void Registry::add(const Type& type) {
   assert(find_type(type.name()) == nullptr);
   types_.push_back(&type);
@@ -186,6 +196,11 @@ const Type* Registry::find_type(std::string_view name) const {
   return found == types_.end() ? nullptr : *found;
 }
 
+const Type* Registry::value_type(const TypeExpr& term) const {
+  if (term.is_nested_relation()) return algebra3d::value_type(term);
+  return term.arguments().empty() ? find_type(term.name()) : nullptr;
+}
+
 const Operator* Registry::find_operator(std::string_view name) const {
   const auto found = operators_.find(name);
   return found == operators_.end() ? nullptr : &found->second.op;
@@ -217,6 +232,10 @@ Result<ResolvedCall> Registry::resolve(const Operator& op, std::span<const TypeE
     best = &overload;
     cheapest = *cost;
   }
+  for (const TypeExpr& argument : arguments) {
+    const Overload* const made = overload_for(op, argument);
+    if (best == nullptr && made != nullptr && cost_of(*made, arguments)) best = made;
+  }
   if (best == nullptr && op.kind() == OperatorKind::aggregate)
     return Error{ErrorCode::type_error, "{}: expected values of type {}, got {}", op.name,
                  enumerate(parameter_types(op)), arguments.front().text()};
@@ -224,6 +243,12 @@ Result<ResolvedCall> Registry::resolve(const Operator& op, std::span<const TypeE
     return Error{ErrorCode::type_error, "{}: expected {}, got {}", op.name,
                  enumerate(expected_arguments(op, arguments), kToldLists), argument_list_text(arguments)};
   return ResolvedCall{&op, best};
+}
+
+const Overload* Registry::overload_for(const Operator& op, const TypeExpr& term) const {
+  if (op.overload_for == nullptr || !term.is_nested_relation()) return nullptr;
+  const Type* const type = algebra3d::value_type(term);
+  return type == nullptr ? nullptr : &made_overloads_->find(op, *type);
 }
 
 Result<Value> Registry::call(const ResolvedCall& call, std::span<Value> arguments, Context& context) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,6 +12,10 @@
 #include "algebra3d/registry/operator.h"
 
 namespace algebra3d {
+
+namespace detail {
+class MadeOverloads;
+}
 
 /// Reports the reason of an undefined result of an operator, as "NAME: reason".
 void report_undefined(const Operator& op, const Undefined& undefined, Context& context);
@@ -25,6 +30,7 @@ struct ResolvedCall {
 /// concurrent reading is safe. Types and operators keep their addresses.
 class Registry {
  public:
+  Registry();
   void add(const Type& type);
   /// Sets the family of the operators that are added from here on; of families with one name the first sentence is
   /// kept.
@@ -35,6 +41,8 @@ class Registry {
   void add(Operator op);
 
   const Type* find_type(std::string_view name) const;
+  /// The object of a type of values: a registered type, or one of nested relations. Null for every other term.
+  const Type* value_type(const TypeExpr& term) const;
   const Operator* find_operator(std::string_view name) const;
   /// The parsed syntax of a registered operator.
   const SyntaxPattern& syntax(const Operator& op) const;
@@ -49,6 +57,9 @@ class Registry {
   /// The overload for these argument types: an exact match, else the one with the cheapest conversions (conversion.h).
   /// Errors: type_error "volume: expected (volume3d), got (int)".
   Result<ResolvedCall> resolve(const Operator& op, std::span<const TypeExpr> arguments) const;
+  /// The overload of an operator on values of every type (Operator::overload_for) for the type that such a term stands
+  /// for; null if the operator or the type is none such. Made once.
+  const Overload* overload_for(const Operator& op, const TypeExpr& term) const;
 
   /// Calls a scalar with arguments of the types for which it was resolved: converts, gives undefined for undefined
   /// where the overload does not ask for it, and reports the reason of a new undefined as "NAME: reason". The arguments
@@ -71,6 +82,7 @@ class Registry {
   std::map<std::string, Entry, std::less<>> operators_;
   Family family_;
   std::vector<Family> families_;
+  std::shared_ptr<detail::MadeOverloads> made_overloads_;
 };
 
 /// A list as text, "A, B or C": at most `limit` items and the number of the others.

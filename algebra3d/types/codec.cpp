@@ -210,9 +210,9 @@ Result<Value> decode_body(const Type& type, const Frame& frame, std::string_view
   return type.decode(buffer.view(), trusted);
 }
 
-/// The header of a value of any type.
+/// The header of a value of any type; of a type without headers all zero.
 GeometryHeader header_of(const Value& value) {
-  return value.is_defined() && value.type().is_spatial() ? value.header() : GeometryHeader();
+  return value.is_defined() && value.type().has_header() ? value.header() : GeometryHeader();
 }
 
 }  // namespace

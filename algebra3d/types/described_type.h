@@ -37,9 +37,9 @@ class DescribedType : public Type {
   std::string_view summary_unit() const override { return description_.summary_unit; }
   Coordinates coordinates() const override { return description_.coordinates; }
 
-  /// Spatial types override it; it must not be called for others.
+  /// Types with headers override it; it must not be called for others.
   GeometryHeader header(const Value& /*value*/) const override {
-    assert(is_spatial());
+    assert(has_header());
     return {};
   }
 

@@ -30,11 +30,13 @@ class TypeExpr {
 
   bool is(std::string_view name) const { return content_->name == name; }
   bool is_tuple() const { return is("tuple"); }
+  /// `arel(tuple(...))`: a relation that is the value of an attribute.
+  bool is_nested_relation() const { return is("arel") && arguments().size() == 1 && arguments()[0].is_tuple(); }
   bool is_relation() const { return is("rel") && arguments().size() == 1 && arguments()[0].is_tuple(); }
   bool is_stream() const { return is("stream") && arguments().size() == 1; }
   bool is_tuple_stream() const { return is_stream() && arguments()[0].is_tuple(); }
   bool is_function() const { return is("map"); }
-  /// The element type of a stream or relation.
+  /// The element type of a stream, relation or nested relation.
   const TypeExpr& element() const { return arguments().front(); }
   /// The result type of a function: the last argument of the term.
   const TypeExpr& function_result() const { return arguments().back(); }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "algebra3d/types/type_expr.h"
+
 namespace algebra3d {
 
 namespace {
@@ -12,6 +14,10 @@ namespace {
 }
 
 }  // namespace
+
+TypeExpr Type::term() const {
+  return {name()};
+}
 
 bool Type::is_spatial() const {
   const auto is_of_space = [](Kind kind) { return kind == Kind::spatial2d || kind == Kind::spatial3d; };

@@ -17,12 +17,13 @@
 
 namespace algebra3d {
 
+class TypeExpr;
 class Value;
 
-/// The header of a spatial value: what is known without its geometry.
+/// The header of a spatial or large value: what is known without the rest.
 struct GeometryHeader {
   Box3 box;                ///< smallest box of doubles around the exact geometry; empty for an empty value
-  std::uint32_t size = 0;  ///< the result of the operator `size`: number of points or triangles
+  std::uint32_t size = 0;  ///< number of points or triangles (the operator `size`), or of tuples
 };
 
 /// A database type: notation, storage and order of its values. One immutable object per type and process. Values passed
@@ -50,6 +51,8 @@ class Type {
   Type& operator=(const Type&) = delete;
 
   virtual std::string_view name() const = 0;
+  /// The type as a term of the language: its name, or a name with arguments.
+  virtual TypeExpr term() const;
   virtual std::string_view doc() const = 0;       ///< one sentence
   virtual std::string_view notation() const = 0;  ///< the value list, as in "(x y z)"
   virtual std::string_view example() const = 0;   ///< the value list of a defined value
@@ -58,8 +61,10 @@ class Type {
   virtual Storage storage() const = 0;
   /// True for values in the plane or in space: they have a box.
   bool is_spatial() const;
-  /// True for spatial types with large values: a relation stores them outside the row, which has box and count.
+  /// True for types with large values: a relation stores them outside the row, which has their header.
   virtual bool is_large() const { return false; }
+  /// True for types whose values have a header: those that are spatial or large.
+  bool has_header() const { return is_large() || is_spatial(); }
   /// The noun for GeometryHeader::size, in the singular ("triangle"), if tables show values as a summary (count and
   /// box); empty if they show the value list.
   virtual std::string_view summary_unit() const { return {}; }
@@ -81,7 +86,7 @@ class Type {
   /// Estimated heap memory of the value, which other values may share.
   virtual std::size_t heap_bytes(const Value& value) const = 0;
 
-  /// Box and count; only for spatial types.
+  /// Box and count; only for types with headers.
   virtual GeometryHeader header(const Value& value) const = 0;
 
   /// Appends the body of the binary form, to which codec.h adds header and checksum; see docs/file_format.md.
@@ -175,6 +180,13 @@ class Value {
   }
   template <typename T>
   static Value of(Maybe<T> content) = delete;
+  /// The same for a class that several types have in common, of which `type` is one.
+  template <typename T>
+  static Value of(const Type& type, T content) {
+    Value value(type);
+    value.take(std::move(content));
+    return value;
+  }
 
   const Type& type() const { return *type_; }
   bool is_defined() const { return form_ != Form::undefined; }
@@ -198,7 +210,7 @@ class Value {
 
   /// The loaded value. Errors: those of the store.
   Result<Value> loaded() const;
-  /// Box and count of a defined spatial value; does not load geometry.
+  /// Box and count of a defined value of a type with headers; does not load geometry.
   GeometryHeader header() const;
 
   /// The value list, or `undefined`. Requires a loaded value.

@@ -1,6 +1,7 @@
 #include "queries/exchange/csv_presenter.h"
 
 #include "queries/session/inquiry_table.h"
+#include "queries/streams/nested_relations.h"
 #include "queries/streams/relation.h"
 
 namespace queries {
@@ -13,7 +14,8 @@ std::string cell_of(const NestedList& list) {
 }  // namespace
 
 Status CsvPresenter::present(const TypeExpr& type, const Datum& value, Context& context) {
-  if (type.is_relation()) return present_relation(type.element(), *value.relation(), context);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const RelationPtr table, table_of(type, value));
+  if (table != nullptr) return present_relation(type.element(), *table, context);
   std::string csv;
   if (const auto* single = std::get_if<Value>(&value.content)) {
     ALGEBRA3D_RETURN_IF_ERROR(values_.append_csv_result(*single, context, csv));
@@ -28,6 +30,8 @@ Status CsvPresenter::present(const TypeExpr& type, const Datum& value, Context& 
 Status CsvPresenter::present_relation(const TypeExpr& tuple, Relation& relation, Context& context) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const TupleStreamPtr tuples, relation.scan());
   const auto& attributes = tuple.attributes();
+  for (const auto& [name, attribute] : attributes)
+    if (attribute.is_nested_relation()) return no_nested_in_csv(name);
   std::string csv;
   for (std::size_t i = 0; values_.options().has_header && i < attributes.size(); ++i)
     csv += (i > 0 ? "," : "") + attributes[i].name + (i + 1 == attributes.size() ? "\n" : "");

@@ -12,6 +12,7 @@
 #include "algebra3d/formats/mesh3d_files.h"
 #include "algebra3d/types/coordinate_text.h"
 #include "algebra3d/types/mesh3d.h"
+#include "algebra3d/types/nested_relation.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
 #include "mesh_files/mesh_format.h"
@@ -103,6 +104,11 @@ bool is_summarised(const Value& value) {
   return !value.type().summary_unit().empty();
 }
 
+Error no_nested_in_csv(const std::string& name) {
+  return {ErrorCode::type_error,
+          "csv: '{}' is a nested relation, which CSV does not have; leave it out, `unnest` it, or write JSON", name};
+}
+
 void append_csv_text(std::string& csv, std::string_view text) {
   const bool has_edge_blank = !text.empty() && (text.front() == ' ' || text.back() == ' ');
   if (!text.empty() && !has_edge_blank && text.find_first_of(",\"\r\n") == std::string_view::npos) {
@@ -139,11 +145,37 @@ Result<ExchangeValues::Form> ExchangeValues::form_of(const Value& value, const s
   return Form{options_.rounds_fractions ? with_doubles(std::move(list)) : std::move(list), {}};
 }
 
+// An array of objects, as a relation that is the whole result. Recursion follows the nesting of the type.
+Status ExchangeValues::append_nested(const Value& relation, Context& context, std::string& json) {
+  if (const std::size_t count = relation.header().size; count > options_.most_nested_tuples) {
+    json += fmt::format(R"({{"type":"arel","tuples":{}}})", count);
+    return {};
+  }
+  ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, relation.loaded());
+  const auto& attributes = algebra3d::as_nested_relation(loaded.type())->attributes();
+  const auto& tuples = loaded.get<algebra3d::NestedRelation>();
+  json += '[';
+  for (std::size_t i = 0; i < tuples.size(); ++i) {
+    ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+    json += i == 0 ? "{" : ",{";
+    for (std::size_t k = 0; k < attributes.size(); ++k) {
+      if (k > 0) json += ',';
+      append_json_string(json, attributes[k].name);
+      json += ':';
+      ALGEBRA3D_RETURN_IF_ERROR(append_json(tuples.tuple(i)[k], attributes[k].name, context, json));
+    }
+    json += '}';
+  }
+  json += ']';
+  return {};
+}
+
 Status ExchangeValues::append_json(const Value& value, const std::string& name, Context& context, std::string& json) {
   if (!value.is_defined()) {
     json += "null";
     return {};
   }
+  if (algebra3d::as_nested_relation(value.type()) != nullptr) return append_nested(value, context, json);
   ALGEBRA3D_ASSIGN_OR_RETURN(const Form form, form_of(value, name, context));
   if (form.json.empty())
     queries::append_json(json, form.list);
@@ -154,6 +186,7 @@ Status ExchangeValues::append_json(const Value& value, const std::string& name, 
 
 Status ExchangeValues::append_csv(const Value& value, const std::string& name, Context& context, std::string& csv) {
   if (!value.is_defined()) return {};
+  if (algebra3d::as_nested_relation(value.type()) != nullptr) return no_nested_in_csv(name);
   ALGEBRA3D_ASSIGN_OR_RETURN(const Form form, form_of(value, name, context));
   if (!form.json.empty())
     append_csv_text(csv, form.json);

@@ -2,6 +2,7 @@
 
 #include "queries/exchange/json_text.h"
 #include "queries/session/inquiry_table.h"
+#include "queries/streams/nested_relations.h"
 #include "queries/streams/relation.h"
 
 namespace queries {
@@ -28,7 +29,8 @@ Status append_json_row(const TypeExpr& tuple, const Tuple& row, ExchangeValues& 
 }
 
 Status JsonPresenter::present(const TypeExpr& type, const Datum& value, Context& context) {
-  if (type.is_relation()) return present_relation(type.element(), *value.relation(), context);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const RelationPtr table, table_of(type, value));
+  if (table != nullptr) return present_relation(type.element(), *table, context);
   std::string json;
   if (const auto* single = std::get_if<Value>(&value.content)) {
     ALGEBRA3D_RETURN_IF_ERROR(values_.append_json_result(*single, context, json));

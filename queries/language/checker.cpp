@@ -47,7 +47,7 @@ Result<TypedPtr> Checker::check(const TypedLiteral& literal, const SourcePlace& 
 }
 
 Result<TypedPtr> Checker::check(const HostValue& given, const SourcePlace& place) {
-  TypeExpr type(given.value.type().name());
+  TypeExpr type = given.value.type().term();
   if (!given.value.is_defined() && !given.reason.empty())
     return make_undefined(std::move(type), given.value, given.reason, place);
   return make_constant(std::move(type), Datum{given.value}, place);
@@ -139,7 +139,7 @@ Result<TypedPtr> Checker::stream_application(const Operator& op, const Applicati
     nodes.push_back(std::move(node).value());
     types.push_back(std::move(type));
   }
-  auto bound = bind_operator(op, types, context_);
+  auto bound = bind_operator(registry_, op, types, context_);
   if (!bound) return std::move(bound).error().at(place);
   return make_stream_call(std::move(bound).value(), std::move(nodes), place);
 }

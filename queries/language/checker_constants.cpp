@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "algebra3d/base/diagnostics.h"
+#include "algebra3d/types/nested_relation.h"
 #include "algebra3d/types/utf8.h"
 #include "queries/language/checker.h"
 #include "queries/language/list_pieces.h"
@@ -85,7 +86,7 @@ Result<TypedPtr> Checker::constant(const TypeExpr& type, const TypedLiteral& lit
     ALGEBRA3D_ASSIGN_OR_RETURN(Datum relation, relation_constant(type, literal, place));
     return make_constant(type, std::move(relation), place);
   }
-  const algebra3d::Type* value_type = type.arguments().empty() ? registry_.find_type(type.name()) : nullptr;
+  const algebra3d::Type* value_type = registry_.value_type(type);
   if (value_type == nullptr)
     return Error(ErrorCode::type_error, "a constant cannot be of type {}", type.text()).at(place);
   auto value = algebra3d::value_from_nested(*value_type, list, context_);
@@ -107,7 +108,7 @@ Result<Datum> Checker::relation_constant(const TypeExpr& type, const TypedLitera
           .at(place_of_element(literal, {tuples.size()}, place));
     Tuple tuple;
     for (std::size_t index = 0; index < attributes.size(); ++index) {
-      const algebra3d::Type* attribute_type = registry_.find_type(attributes[index].type.name());
+      const algebra3d::Type* attribute_type = registry_.value_type(attributes[index].type);
       auto value = algebra3d::value_from_nested(*attribute_type, row.elements()[index], context_);
       if (!value) {
         Error error = std::move(value).error();
@@ -138,9 +139,9 @@ Result<TypeExpr> Checker::resolve(const TypeSyntax& syntax) {
           return Error(ErrorCode::type_error, "tuple: duplicate attribute name '{}'; rename one of them", name)
               .at(syntax.place);
       ALGEBRA3D_ASSIGN_OR_RETURN(TypeExpr type, resolve(attribute));
-      if (registry_.find_type(type.name()) == nullptr)
-        return Error(ErrorCode::type_error, "tuple: attribute '{}': expected a type of kind DATA, got {}", name,
-                     type.text())
+      if (registry_.value_type(type) == nullptr)
+        return Error(ErrorCode::type_error, "tuple: attribute '{}': expected a type of kind DATA, got {}{}", name,
+                     type.text(), type.is_relation() ? "; a relation in a tuple is an arel" : "")
             .at(syntax.place);
       attributes.push_back({name, std::move(type)});
     }
@@ -164,8 +165,12 @@ Result<TypeExpr> Checker::resolve(const TypeSyntax& syntax) {
 
 Status Checker::check_type_name(const TypeExpr& type, const SourcePlace& place) {
   if (type.is_relation() || type.is_stream() || type.is_function()) return {};
-  if (type.arguments().empty() && registry_.find_type(type.name()) != nullptr) return {};
-  std::vector<std::string> names = {"rel", "tuple", "stream", "map"};
+  if (registry_.value_type(type) != nullptr) return {};
+  if (type.is_nested_relation()) {
+    const auto nested = algebra3d::NestedRelationType::of(type.element());
+    return nested ? Status() : Status(Error(nested.error()).at(place));
+  }
+  std::vector<std::string> names = {"rel", "arel", "tuple", "stream", "map"};
   for (const algebra3d::Type* known : registry_.types()) names.emplace_back(known->name());
   const std::string suggestion = algebra3d::nearest_name(type.name(), names);
   return Error(ErrorCode::unknown_name, "unknown type '{}'{}", type.text(),

@@ -7,6 +7,7 @@
 
 #include "algebra3d/registry/operator.h"
 #include "queries/language/example_queries.h"
+#include "queries/streams/nested_relations.h"
 
 namespace queries {
 namespace {
@@ -181,7 +182,7 @@ std::string reference_page(const Registry& registry) {
       std::string(kRules) + "\n| family | operators |\n|---|---|\n";
   for (const Family& family : registry.families()) text += contents_row(family, registry);
   text += "\n## Types\n\n| type | kinds | value list | meaning |\n|---|---|---|---|\n";
-  for (const Type* type : registry.types()) text += type_row(*type);
+  for (const Type* type : listed_types(registry)) text += type_row(*type);
   for (const Family& family : registry.families()) text += family_section(family, registry);
   return text;
 }

@@ -22,7 +22,7 @@ NestedList nested(const TypedLiteral& literal) {
 }
 // A stored function keeps the value, not the name.
 NestedList nested(const HostValue& given) {
-  return NestedList::list(symbol("const"), symbol(std::string(given.value.type().name())), symbol("value"),
+  return NestedList::list(symbol("const"), given.value.type().term().to_nested(), symbol("value"),
                           given.value.to_nested());
 }
 NestedList nested(const NameUse& use) {

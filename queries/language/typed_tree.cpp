@@ -327,7 +327,7 @@ class FunctionCallNode final : public TypedNode {
 class ConversionNode final : public ValueNode {
  public:
   ConversionNode(TypedPtr argument, const algebra3d::Type& to)
-      : ValueNode(TypeExpr(to.name()), argument->place()), argument_(std::move(argument)), to_(to) {}
+      : ValueNode(to.term(), argument->place()), argument_(std::move(argument)), to_(to) {}
   Result<Value> evaluate_value(const Frame* frame, Context& context) const override {
     ALGEBRA3D_ASSIGN_OR_RETURN(const Value value, argument_->evaluate_value(frame, context));
     return algebra3d::converted(value, to_);

@@ -15,7 +15,7 @@ namespace {
 
 bool can_be_stored(const TypeExpr& type, const algebra3d::Registry& registry) {
   if (type.is_relation() || type.is_function() || is_index(type)) return true;
-  return type.arguments().empty() && registry.find_type(type.name()) != nullptr;
+  return registry.value_type(type) != nullptr;
 }
 
 Error cannot_be_stored(std::string_view command, const TypeExpr& type) {

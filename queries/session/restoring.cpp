@@ -230,7 +230,7 @@ Status Session::Restorer::value_of(const std::string& name, const TypeExpr& type
     return store_.create_function(name, type, list.print());
   }
   ALGEBRA3D_RETURN_IF_ERROR(store_.create(name, type));
-  const algebra3d::Type* value_type = registry_.find_type(type.name());
+  const algebra3d::Type* value_type = registry_.value_type(type);
   if (value_type == nullptr) return Error{ErrorCode::unknown_name, "unknown type {}", type.text()};
   ALGEBRA3D_ASSIGN_OR_RETURN(Value value, algebra3d::value_from_nested(*value_type, list, context_));
   return store_.assign(name, Datum{std::move(value)}, context_);
@@ -244,7 +244,7 @@ Status Session::Restorer::relation_value(const std::string& name, const TypeExpr
     return Error{ErrorCode::invalid_value, "expected a list of tuples, found {}", piece->substr(0, 40)};
   }
   std::vector<const algebra3d::Type*> types;
-  for (const auto& attribute : type.element().attributes()) types.push_back(registry_.find_type(attribute.type.name()));
+  for (const auto& attribute : type.element().attributes()) types.push_back(registry_.value_type(attribute.type));
   std::size_t number = 0;
   const auto tuples = make_stream([&]() -> Result<TuplePtr> {
     ALGEBRA3D_ASSIGN_OR_RETURN(const auto piece, pieces_.next());

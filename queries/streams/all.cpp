@@ -19,6 +19,7 @@ void register_stream_operators(algebra3d::Registry& registry) {
   register_extremes(registry);
   registry.begin_family({"groups", "Grouping, folds, and the first tuple.", algebra3d::Cost::linear});
   register_grouping(registry);
+  register_nesting(registry);
   register_extracting(registry);
   register_folding(registry);
   registry.begin_family({"joins", "Joins of two streams.", algebra3d::Cost::pairs});

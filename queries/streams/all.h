@@ -22,6 +22,7 @@ void register_extending(algebra3d::Registry& registry);
 void register_extending_streams(algebra3d::Registry& registry);
 void register_ordering(algebra3d::Registry& registry);
 void register_grouping(algebra3d::Registry& registry);
+void register_nesting(algebra3d::Registry& registry);
 void register_extracting(algebra3d::Registry& registry);
 void register_extremes(algebra3d::Registry& registry);
 void register_folding(algebra3d::Registry& registry);

@@ -4,6 +4,7 @@
 #include "algebra3d/types/scalars.h"
 #include "queries/streams/all.h"
 #include "queries/streams/collection.h"
+#include "queries/streams/detail/nested_tuples.h"
 #include "queries/streams/mapping.h"
 #include "queries/streams/relation.h"
 
@@ -26,6 +27,12 @@ Result<BoundOperator> map_feed(std::span<const ArgumentType> arguments) {
                            ALGEBRA3D_ASSIGN_OR_RETURN(TupleStreamPtr tuples, given[0].relation()->scan());
                            return Datum{interruptible(std::move(tuples), context)};
                          }};
+  if (check[0].type.is_nested_relation())
+    return BoundOperator{
+        TypeExpr::stream(check[0].type.element()), [](std::vector<Datum> given, Context& context) -> Result<Datum> {
+          ALGEBRA3D_ASSIGN_OR_RETURN(TupleStreamPtr tuples, tuples_of_nested(given[0].value(), context));
+          return Datum{std::move(tuples)};
+        }};
   if (is_collection(check[0].type))
     return BoundOperator{
         TypeExpr::stream(check[0].type.element()),
@@ -69,9 +76,18 @@ Result<Datum> count_tuples(TupleStream& tuples, Context& context) {
   return counted(count);
 }
 
+// Known without loading the tuples.
+Datum count_nested(const Value& relation) {
+  if (!relation.is_defined()) return Datum{Value(algebra3d::TypeOf<std::int64_t>::type())};
+  return counted(relation.header().size);
+}
+
 Result<BoundOperator> map_count(std::span<const ArgumentType> arguments) {
   const MappingCheck check("count", arguments);
   const TypeExpr& type = check[0].type;
+  if (type.is_nested_relation())
+    return BoundOperator{
+        "int", [](std::vector<Datum> given, Context&) -> Result<Datum> { return count_nested(given[0].value()); }};
   if (!type.is_relation() && !type.is_stream() && !is_collection(type))
     return check.expected("a relation or a stream", type);
   return BoundOperator{"int", [](std::vector<Datum> given, Context& context) -> Result<Datum> {
@@ -93,12 +109,13 @@ void register_feeding(algebra3d::Registry& registry) {
   registry.add({
       .name = "feed",
       .syntax = "_ feed",
-      .doc = "A stream of the tuples of a relation, in storage order, of the elements of a collection, or of a "
-             "single value; a stream is returned unchanged.",
+      .doc = "A stream of the tuples of a relation or nested relation, in storage order, of the elements of a "
+             "collection, or of a single value; a stream is returned unchanged.",
       .stream = stream_operator(map_feed),
-      .signatures = {"(rel(tuple)) -> stream(tuple)", "(stream(tuple)) -> stream(tuple)",
-                     "(stream(DATA)) -> stream(DATA)", "(DATA) -> stream(DATA)", "(set(DATA)) -> stream(DATA)",
-                     "(multiset(DATA)) -> stream(DATA)", "(vector(DATA)) -> stream(DATA)"},
+      .signatures = {"(rel(tuple)) -> stream(tuple)", "(arel(tuple)) -> stream(tuple)",
+                     "(stream(tuple)) -> stream(tuple)", "(stream(DATA)) -> stream(DATA)", "(DATA) -> stream(DATA)",
+                     "(set(DATA)) -> stream(DATA)", "(multiset(DATA)) -> stream(DATA)",
+                     "(vector(DATA)) -> stream(DATA)"},
       .handles_undefined = true,
       .query_examples = {{"[const rel(tuple([A: int])) value ((1) (2))] feed consume", "((1) (2))"},
                          {"5 feed count", "1"},
@@ -132,10 +149,10 @@ void register_feeding(algebra3d::Registry& registry) {
   registry.add({
       .name = "count",
       .syntax = "_ count",
-      .doc = "The number of tuples of a relation, or of elements of a stream or collection.",
+      .doc = "The number of tuples of a relation or nested relation, or of elements of a stream or collection.",
       .stream = stream_operator(map_count),
-      .signatures = {"(rel(tuple)) -> int", "(stream(tuple)) -> int", "(stream(DATA)) -> int", "(set(DATA)) -> int",
-                     "(multiset(DATA)) -> int", "(vector(DATA)) -> int"},
+      .signatures = {"(rel(tuple)) -> int", "(arel(tuple)) -> int", "(stream(tuple)) -> int", "(stream(DATA)) -> int",
+                     "(set(DATA)) -> int", "(multiset(DATA)) -> int", "(vector(DATA)) -> int"},
       .handles_undefined = true,
       .query_examples = {{"intstream(1, 10) count", "10"},
                          {"[const rel(tuple([A: int])) value ()] count", "0"},

@@ -39,7 +39,7 @@ Result<Candidates> spatial_candidates(const IndexQuestion& question, const Spati
 
 /// An operand as a key of the index; nothing if it cannot be one.
 Result<std::optional<Value>> as_key(const Value& operand, const TypeExpr& key) {
-  const auto conversion = conversion_to(key, TypeExpr(operand.type().name()));
+  const auto conversion = conversion_to(key, operand.type().term());
   if (!conversion) return std::optional<Value>();
   ALGEBRA3D_ASSIGN_OR_RETURN(Value value, loaded_as(operand, *conversion));
   return std::optional(std::move(value));

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "algebra3d/registry/conversion.h"
-#include "algebra3d/types/all.h"
+#include "algebra3d/types/nested_relation.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/tuple_number.h"
 #include "queries/streams/detail/any_stream.h"
@@ -12,12 +12,12 @@
 namespace queries {
 
 bool is_value_type(const TypeExpr& type) {
+  if (type.is_nested_relation()) return true;
   return type.arguments().empty() && !type.is_tuple() && !type.is("list");
 }
 
 Value undefined_of(const TypeExpr& type) {
-  const auto types = algebra3d::all_types();
-  return Value(**std::ranges::find_if(types, [&](const algebra3d::Type* known) { return type.is(known->name()); }));
+  return Value(*algebra3d::value_type(type));
 }
 
 Error MappingCheck::error(std::string_view text) const {
@@ -163,7 +163,10 @@ Result<TypeExpr> MappingCheck::extended(const TypeExpr& tuple, std::size_t posit
   for (std::size_t i = 0; i < argument.names.size(); ++i) {
     ALGEBRA3D_RETURN_IF_ERROR(takes(argument.types[i], {parameter}));
     const TypeExpr& result = argument.types[i].function_result();
-    if (!is_value_type(result)) return expected("a value for the attribute '" + argument.names[i] + "'", result);
+    const std::string_view hint =
+        result.is_tuple_stream() ? " (write `aconsume` after the stream of tuples for a nested relation)" : "";
+    if (!is_value_type(result))
+      return expected(fmt::format("a value for the attribute '{}'{}", argument.names[i], hint), result);
     if (std::ranges::find(made, argument.names[i], &TypeExpr::Attribute::name) != made.end())
       return error("duplicate attribute name '" + argument.names[i] + "'; choose another name");
     made.push_back({argument.names[i], result});

@@ -14,6 +14,7 @@ using algebra3d::Aggregation;
 using algebra3d::Operator;
 using algebra3d::OperatorKind;
 using algebra3d::Overload;
+using algebra3d::Registry;
 using algebra3d::ResolvedCall;
 using algebra3d::Row;
 using algebra3d::RowSource;
@@ -38,16 +39,23 @@ Result<Datum> aggregated(const ResolvedCall& call, const TupleStreamPtr& tuples,
   return Datum{std::move(result)};
 }
 
-// The attribute has exactly the type of a parameter.
-Result<BoundOperator> bind_aggregate(const Operator& op, std::span<const ArgumentType> arguments) {
+// The overload of an aggregate for values of exactly that type; null if there is none.
+const Overload* overload_for_values(const Registry& registry, const Operator& op, const TypeExpr& type) {
+  if (type.is_nested_relation()) return registry.overload_for(op, type);
+  const auto found = std::ranges::find_if(
+      op.overloads, [&](const Overload& each) { return type.is(each.parameters.front().type->name()); });
+  return found == op.overloads.end() ? nullptr : &*found;
+}
+
+Result<BoundOperator> bind_aggregate(const Registry& registry, const Operator& op,
+                                     std::span<const ArgumentType> arguments) {
   const MappingCheck check(op.name, arguments);
   ALGEBRA3D_ASSIGN_OR_RETURN(const TypeExpr tuple, check.stream(0));
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::size_t attribute, check.attribute(1, tuple));
   const TypeExpr& type = tuple.attributes()[attribute].type;
-  const auto overload = std::ranges::find_if(
-      op.overloads, [&](const Overload& each) { return type.is(each.parameters.front().type->name()); });
-  if (overload == op.overloads.end()) return check.expected("an attribute of type " + parameter_types(op), type);
-  return BoundOperator{overload->result_type(), [call = ResolvedCall{&op, &*overload}, attribute](
+  const Overload* const overload = overload_for_values(registry, op, type);
+  if (overload == nullptr) return check.expected("an attribute of type " + parameter_types(op), type);
+  return BoundOperator{overload->result_type(), [call = ResolvedCall{&op, overload}, attribute](
                                                     const std::vector<Datum>& given, Context& running) {
                          return aggregated(call, given[0].tuples(), attribute, running);
                        }};
@@ -79,8 +87,9 @@ bool takes_streams(const Operator& op) {
   return op.kind() == OperatorKind::relational || op.kind() == OperatorKind::aggregate;
 }
 
-Result<BoundOperator> bind_operator(const Operator& op, std::span<const ArgumentType> arguments, Context& context) {
-  if (op.kind() == OperatorKind::aggregate) return bind_aggregate(op, arguments);
+Result<BoundOperator> bind_operator(const Registry& registry, const Operator& op,
+                                    std::span<const ArgumentType> arguments, Context& context) {
+  if (op.kind() == OperatorKind::aggregate) return bind_aggregate(registry, op, arguments);
   return static_cast<const StreamOperator&>(*op.stream).bind(arguments, context);
 }
 

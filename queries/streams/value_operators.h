@@ -11,9 +11,9 @@ namespace queries {
 // tuples.
 
 /// Binds an operator that takes streams: a relational operator, or an aggregate over an attribute of a stream.
-/// `op` and `context` outlive the result. Errors: type_error "filter: expected ..., got ...".
-Result<BoundOperator> bind_operator(const algebra3d::Operator& op, std::span<const ArgumentType> arguments,
-                                    algebra3d::Context& context);
+/// `op` of `registry` and `context` outlive the result. Errors: type_error "filter: expected ..., got ...".
+Result<BoundOperator> bind_operator(const algebra3d::Registry& registry, const algebra3d::Operator& op,
+                                    std::span<const ArgumentType> arguments, algebra3d::Context& context);
 /// Whether `bind_operator` accepts the operator; all others are called with values.
 bool takes_streams(const algebra3d::Operator& op);
 

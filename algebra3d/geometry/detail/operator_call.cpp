@@ -26,7 +26,7 @@ const Registry& operators() {
 Result<ResolvedCall> resolved(std::string_view name, const std::vector<Value>& arguments) {
   std::vector<TypeExpr> types;
   types.reserve(arguments.size());
-  for (const Value& argument : arguments) types.emplace_back(argument.type().name());
+  for (const Value& argument : arguments) types.push_back(argument.type().term());
   const Operator* op = operators().find_operator(name);
   if (op == nullptr) return Error{ErrorCode::internal, "there is no operator '{}'", name};
   return operators().resolve(*op, types);

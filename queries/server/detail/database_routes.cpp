@@ -13,6 +13,7 @@
 #include "queries/server/detail/api.h"
 #include "queries/server/detail/pages.h"
 #include "queries/server/detail/result_json.h"
+#include "queries/streams/nested_relations.h"
 
 namespace queries {
 namespace {
@@ -33,7 +34,7 @@ Result<std::string> count_of(Store& store, const ObjectInfo& object) {
 // A relation that cannot be counted must not hide the others.
 std::string json_of(Store& store, const ObjectInfo& object, const algebra3d::Registry& registry) {
   const bool has_shape =
-      object.type.is_relation() ? has_geometry(object.type.element(), registry) : is_drawn(object.type, registry);
+      object.type.is_relation() ? has_drawn_column(object.type.element(), registry) : is_drawn(object.type, registry);
   std::string json = fmt::format(R"({{"name":{},"type":{},"kind":"{}","count":{},"shape":{},"hasValue":{})",
                                  json_string(object.name), json_string(object.type.text()), kind_of(object.type),
                                  count_of(store, object).value_or("null"), has_shape, object.has_value);
@@ -106,7 +107,7 @@ HttpAnswer Api::get_objects(const Call&) {
 
 HttpAnswer Api::get_types(const Call&) {
   std::string json = "[";
-  for (const algebra3d::Type* type : registry_.types()) {
+  for (const algebra3d::Type* type : listed_types(registry_)) {
     if (json.size() > 1) json += ',';
     json += fmt::format(R"({{"name":{},"doc":{},"shape":{}}})", json_string(type->name()), json_string(type->doc()),
                         algebra3d::is_drawable(*type));

@@ -16,14 +16,13 @@ using algebra3d::Context;
 
 namespace {
 
+/// A cell with a longer nested relation has its number of tuples only.
+const ExchangeOptions kCells = {.most_nested_tuples = 1000};
+
 // The presenter ends its document with a line end.
 std::string without_line_end(std::string json) {
   while (json.ends_with('\n')) json.pop_back();
   return json;
-}
-
-const algebra3d::Type* value_type(const TypeExpr& type, const algebra3d::Registry& registry) {
-  return type.arguments().empty() ? registry.find_type(type.name()) : nullptr;
 }
 
 }  // namespace
@@ -44,7 +43,7 @@ std::string json_strings(const std::vector<std::string>& texts) {
 }
 
 Result<std::string> json_of_rows(ResultTable& table, std::size_t from, std::size_t count, Context& context) {
-  ExchangeValues values({});
+  ExchangeValues values(kCells);
   std::string json = "[";
   const std::size_t end = std::min(table.count(), from + count);
   for (std::size_t i = from; i < end && json.size() < kMostRowBytes; ++i) {
@@ -57,7 +56,7 @@ Result<std::string> json_of_rows(ResultTable& table, std::size_t from, std::size
 }
 
 Result<std::string> json_of_single(ResultTable& table, Context& context) {
-  ExchangeValues values({});
+  ExchangeValues values(kCells);
   std::string json;
   ALGEBRA3D_ASSIGN_OR_RETURN(const TuplePtr tuple, table.row(0));
   ALGEBRA3D_RETURN_IF_ERROR(values.append_json(tuple->attributes.front(), "value", context, json));
@@ -66,21 +65,21 @@ Result<std::string> json_of_single(ResultTable& table, Context& context) {
 
 Result<std::string> json_of_other(const TypeExpr& type, const Datum& value, Context& context) {
   std::ostringstream out;
-  ExchangeValues values({});
+  ExchangeValues values(kCells);
   ALGEBRA3D_RETURN_IF_ERROR(JsonPresenter(out, values, JsonPresenter::Layout::document).present(type, value, context));
   return without_line_end(std::move(out).str());
 }
 
 std::string json_of_inquiry(const algebra3d::NestedList& result) {
   std::ostringstream out;
-  ExchangeValues values({});
+  ExchangeValues values(kCells);
   // Writing to a string does not fail.
   (void)JsonPresenter(out, values, JsonPresenter::Layout::document).present_inquiry(result);
   return without_line_end(std::move(out).str());
 }
 
 bool is_drawn(const TypeExpr& type, const algebra3d::Registry& registry) {
-  const algebra3d::Type* const known = value_type(type, registry);
+  const algebra3d::Type* const known = registry.value_type(type);
   return known != nullptr && algebra3d::is_drawable(*known);
 }
 
@@ -94,10 +93,16 @@ std::string json_of_columns(const TypeExpr& tuple, const algebra3d::Registry& re
   return json + "]";
 }
 
+bool has_drawn_column(const TypeExpr& tuple, const algebra3d::Registry& registry) {
+  return std::ranges::any_of(tuple.attributes(),
+                             [&](const auto& attribute) { return is_drawn(attribute.type, registry); });
+}
+
 bool has_geometry(const TypeExpr& tuple, const algebra3d::Registry& registry) {
   return std::ranges::any_of(tuple.attributes(), [&](const auto& attribute) {
-    const algebra3d::Type* const known = value_type(attribute.type, registry);
-    return known != nullptr && (algebra3d::is_drawable(*known) || !known->summary_unit().empty());
+    const algebra3d::Type* const known = registry.value_type(attribute.type);
+    if (known == nullptr) return false;
+    return algebra3d::is_drawable(*known) || !known->summary_unit().empty() || attribute.type.is_nested_relation();
   });
 }
 

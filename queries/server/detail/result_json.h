@@ -33,7 +33,9 @@ std::string json_of_inquiry(const algebra3d::NestedList& result);
 std::string json_of_columns(const TypeExpr& tuple, const algebra3d::Registry& registry);
 /// Whether values of the type can be drawn.
 bool is_drawn(const TypeExpr& type, const algebra3d::Registry& registry);
-/// Whether a column has values that can be drawn, or that rows show as a summary.
+/// Whether a column has values that can be drawn.
+bool has_drawn_column(const TypeExpr& tuple, const algebra3d::Registry& registry);
+/// Whether a column has values that can be drawn, or that rows may show as a summary.
 bool has_geometry(const TypeExpr& tuple, const algebra3d::Registry& registry);
 
 }  // namespace queries

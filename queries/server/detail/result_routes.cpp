@@ -10,6 +10,7 @@
 #include "algebra3d/formats/export_solid.h"
 #include "algebra3d/formats/mesh3d_files.h"
 #include "algebra3d/types/spatial.h"
+#include "algebra3d/types/type_expr.h"
 #include "mesh_files/mesh_formats.h"
 #include "queries/server/detail/api.h"
 #include "queries/server/detail/cell_file.h"
@@ -54,7 +55,7 @@ Result<std::string> list_of_cell(ResultTable& table, std::size_t row, const std:
     ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.loaded());
     list = loaded.to_nested().print();
     if (list.size() <= kMostCellBytes)
-      return fmt::format(R"({{"type":{},"text":{}}})", json_string(value.type().name()), json_string(list));
+      return fmt::format(R"({{"type":{},"text":{}}})", json_string(value.type().term().text()), json_string(list));
   }
   return Error{ErrorCode::limit_exceeded, "the list of the value has more than {} bytes", kMostCellBytes};
 }

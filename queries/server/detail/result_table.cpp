@@ -8,7 +8,7 @@ namespace queries {
 namespace {
 
 TypeExpr tuple_of(const algebra3d::Type& type) {
-  return TypeExpr::tuple({{"value", TypeExpr(std::string(type.name()))}});
+  return TypeExpr::tuple({{"value", type.term()}});
 }
 
 // Estimated for deferred values: points and triangles with their vertices take less than `kElement`.

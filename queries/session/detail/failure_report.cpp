@@ -40,15 +40,15 @@ NestedList symbol_atom(std::string_view name) {
 
 /// `(const volume3d value (...))`
 std::string constant_text(const Value& value) {
-  return NestedList::list(symbol_atom("const"), symbol_atom(value.type().name()), symbol_atom("value"),
+  return NestedList::list(symbol_atom("const"), value.type().term().to_nested(), symbol_atom("value"),
                           value.to_nested())
       .print();
 }
 
 /// `(feed (const (rel (tuple ((Elem int)))) value ((1) (2))))`
 std::string stream_text(const FailedCall& call) {
-  std::string text =
-      fmt::format("(feed (const (rel (tuple ((Elem {})))) value (", call.overload->parameters.front().type->name());
+  std::string text = fmt::format("(feed (const (rel (tuple ((Elem {})))) value (",
+                                 call.overload->parameters.front().type->term().text());
   for (const Value& value : call.arguments) text += "\n  (" + value.to_nested().print() + ")";
   return text + ")))";
 }

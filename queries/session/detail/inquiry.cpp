@@ -6,6 +6,7 @@
 #include "algebra3d/exact/counters.h"
 #include "algebra3d/registry/operator.h"
 #include "algebra3d/types/utf8.h"
+#include "queries/streams/nested_relations.h"
 
 namespace queries {
 namespace {
@@ -73,7 +74,7 @@ NestedList operators(const algebra3d::Registry& registry) {
 
 NestedList type_constructors(const algebra3d::Registry& registry) {
   NestedList::List list;
-  for (const algebra3d::Type* type : registry.types()) {
+  for (const algebra3d::Type* type : listed_types(registry)) {
     NestedList::List kinds;
     for (const auto kind : type->kinds()) kinds.push_back(symbol(algebra3d::Type::kind_name(kind)));
     list.push_back(NestedList::list(symbol(type->name()), NestedList(std::move(kinds)),

@@ -6,6 +6,7 @@
 #include "queries/shell/detail/inquiry_text.h"
 #include "queries/shell/detail/screen.h"
 #include "queries/shell/detail/table.h"
+#include "queries/streams/nested_relations.h"
 
 namespace queries {
 namespace {
@@ -37,7 +38,8 @@ Status ListPresenter::present_inquiry(const NestedList& result) {
 }
 
 Status TablePresenter::present(const TypeExpr& type, const Datum& value, Context& context) {
-  if (type.is_relation()) return present_relation(type.element(), *value.relation(), context);
+  ALGEBRA3D_ASSIGN_OR_RETURN(const RelationPtr table, table_of(type, value));
+  if (table != nullptr) return present_relation(type.element(), *table, context);
   // A value alone is shown with all its digits, unless it is geometry.
   if (const auto* single = std::get_if<Value>(&value.content); single != nullptr && is_summarised(*single)) {
     out_ << display_text(*single) << "\n";

@@ -1,5 +1,6 @@
 #include "queries/shell/detail/session_names.h"
 #include "algebra3d/registry/operator.h"
+#include "queries/streams/nested_relations.h"
 
 #include <algorithm>
 #include <system_error>
@@ -48,7 +49,7 @@ CompletionNames session_names(Session& session) {
   CompletionNames names;
   for (const algebra3d::Operator* op : session.registry().operators())
     if (is_word(op->name)) names.operators.push_back(operator_candidate(*op));
-  for (const algebra3d::Type* type : session.registry().types()) names.types.emplace_back(type->name());
+  for (const algebra3d::Type* type : listed_types(session.registry())) names.types.emplace_back(type->name());
   names.databases = databases(session.options().folder);
   names.files = files;
   if (session.store() == nullptr) return names;

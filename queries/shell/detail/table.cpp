@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "algebra3d/base/text.h"
+#include "algebra3d/types/nested_relation.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/spatial.h"
 #include "algebra3d/types/utf8.h"
@@ -38,6 +39,23 @@ std::string summary(const Value& value) {
                      algebra3d::counted(header.size, value.type().summary_unit()), box_text(header.box));
 }
 
+// The number of tuples and the first of them: `3 tuples: (bolt, 2.5), (nut, 1), ...`
+std::string nested_text(const Value& value, std::size_t longest) {
+  constexpr std::size_t kShownTuples = 3;
+  std::string text = algebra3d::counted(value.header().size, "tuple");
+  const auto loaded = value.loaded();
+  if (!loaded) return text;
+  const auto& relation = loaded->get<algebra3d::NestedRelation>();
+  for (std::size_t i = 0; i < std::min(relation.size(), kShownTuples); ++i) {
+    text += i == 0 ? ": (" : ", (";
+    for (std::size_t k = 0; k < relation.width(); ++k)
+      text += (k > 0 ? ", " : "") + display_text(relation.tuple(i)[k], longest);
+    text += ")";
+  }
+  if (relation.size() > kShownTuples) text += ", …";
+  return one_line(text, longest);
+}
+
 // Long columns share what the short ones leave, none falls below a readable width.
 constexpr std::size_t kSmallestColumn = 6;
 
@@ -56,6 +74,7 @@ std::string one_line(std::string_view text, std::size_t longest) {
 
 std::string display_text(const Value& value, std::size_t longest) {
   if (!value.is_defined()) return "undefined";
+  if (algebra3d::as_nested_relation(value.type()) != nullptr) return nested_text(value, longest);
   if (is_summarised(value)) return summary(value);
   const algebra3d::Type* type = &value.type();
   if (type == &TypeOf<std::string>::type()) return one_line(value.get<std::string>(), longest);

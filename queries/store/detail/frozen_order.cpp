@@ -17,7 +17,7 @@ constexpr std::size_t kLeastEntryBytes = 9 + algebra3d::kCodecHeaderBytes;
 }  // namespace
 
 const algebra3d::Type* ordered_key_type(const algebra3d::Registry& registry, const TypeExpr& type) {
-  return type.arguments().size() == 2 ? registry.find_type(type.arguments()[1].name()) : nullptr;
+  return type.arguments().size() == 2 ? registry.value_type(type.arguments()[1]) : nullptr;
 }
 
 std::string encode_order(const OrderedTree& tree) {

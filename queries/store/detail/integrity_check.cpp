@@ -125,8 +125,8 @@ Status IntegrityCheck::check_value(const CatalogueEntry& entry) {
     return tree ? Status() : add({.object = entry.name}, tree.error());
   }
   const bool is_ordered = entry.type.is("btree");
-  const algebra3d::Type* const type = is_ordered ? ordered_key_type(database_->registry(), entry.type)
-                                                 : database_->registry().find_type(entry.type.name());
+  const algebra3d::Type* const type =
+      is_ordered ? ordered_key_type(database_->registry(), entry.type) : database_->registry().value_type(entry.type);
   if (type == nullptr) {
     add({.object = entry.name, .message = fmt::format("the type {} is not known", entry.type.text())});
     return {};

@@ -44,8 +44,8 @@ AttributeForm form_of(const Type& type) {
     case Type::Storage::bytes:
       break;
   }
-  if (!type.is_spatial()) return AttributeForm::bytes;
-  return type.is_large() ? AttributeForm::large : AttributeForm::spatial;
+  if (type.is_large()) return AttributeForm::large;
+  return type.is_spatial() ? AttributeForm::spatial : AttributeForm::bytes;
 }
 
 bool is_number(AttributeForm form) {
@@ -66,7 +66,7 @@ Result<std::shared_ptr<const RelationLayout>> RelationLayout::make(const Registr
   layout->tuple_ = tuple;
   layout->table_ = fmt::format("rel_{}_{}", table_number, plain(relation));
   for (const auto& [name, type_expr] : tuple.attributes()) {
-    const Type* type = type_expr.arguments().empty() ? registry.find_type(type_expr.name()) : nullptr;
+    const Type* type = registry.value_type(type_expr);
     if (type == nullptr)
       return Error{ErrorCode::type_error, "{}: an attribute of type {} cannot be stored", name, type_expr.text()};
     layout->attributes_.push_back({name, type, form_of(*type)});

@@ -57,7 +57,7 @@ Status SqliteStore::check_storable(const std::string& name, const TypeExpr& type
     return {};
   }
   if (is_index(type)) return {};
-  if (type.arguments().empty() && database_->registry().find_type(type.name()) != nullptr) return {};
+  if (database_->registry().value_type(type) != nullptr) return {};
   return Error{ErrorCode::type_error, "{}: a value of type {} cannot be stored", name, type.text()};
 }
 
@@ -110,7 +110,7 @@ Result<Datum> SqliteStore::read(const std::string& name) {
   if (entry->type.is_relation()) return read_relation(*entry);
   if (entry->type.is("rtree3")) return read_index(*entry);
   if (entry->type.is("btree")) return read_ordered_index(*entry);
-  const algebra3d::Type* const type = database_->registry().find_type(entry->type.name());
+  const algebra3d::Type* const type = database_->registry().value_type(entry->type);
   if (type == nullptr)
     return Error{ErrorCode::database_corrupt, "{}: the type {} is not known", name, entry->type.text()};
   auto large = StoredObjectValue::find(database_, *entry, *type);
@@ -142,8 +142,8 @@ Status SqliteStore::assign(const std::string& name, const Datum& value, const al
 }
 
 Status SqliteStore::assign_value(CatalogueEntry& entry, const Value& value) {
-  if (!entry.type.is(value.type().name()))
-    return Error{ErrorCode::internal, "{}: a value of type {}, expected {}", entry.name, value.type().name(),
+  if (&value.type() != database_->registry().value_type(entry.type))
+    return Error{ErrorCode::internal, "{}: a value of type {}, expected {}", entry.name, value.type().term().text(),
                  entry.type.text()};
   ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.loaded());
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::string bytes, algebra3d::encode_to_store(loaded));

@@ -202,8 +202,8 @@ Status RowWriter::add(std::size_t attribute, const Value& value) {
   const AttributeColumns& columns = layout_.attributes()[attribute];
   if (&value.type() != columns.type)
     return Error{ErrorCode::internal, "{}: a value of type {} for '{}', expected {}",
-                 layout_.relation(),  value.type().name(),
-                 columns.name,        columns.type->name()};
+                 layout_.relation(),  value.type().term().text(),
+                 columns.name,        columns.type->term().text()};
   if (!value.is_defined()) {
     const bool was_defined =
         old_ != nullptr && columns.has_box() && !old_->cells()[columns.box + kSizeAfterBox].is_null();

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "algebra3d/types/nested_relation.h"
 #include "algebra3d/types/utf8.h"
 #include "queries/streams/plain_text.h"
 
@@ -15,6 +16,7 @@ using algebra3d::ErrorCode;
 using algebra3d::JsonKind;
 using algebra3d::JsonTree;
 using algebra3d::NestedList;
+using algebra3d::NestedRelationType;
 using algebra3d::Result;
 using algebra3d::Type;
 using algebra3d::Value;
@@ -74,10 +76,49 @@ Result<NestedList> list_of_json(const Type& type, const JsonTree& tree) {
   return type.storage() == Type::Storage::bytes ? list_of_element(tree, 0) : list_of_text(type, tree.text(0));
 }
 
+/// The JSON texts of the attributes of a tuple: an object with their names, where members may be missing, or an array.
+Result<std::vector<std::string_view>> texts_of_tuple(const NestedRelationType& type, const JsonTree& tree,
+                                                     std::size_t tuple) {
+  std::vector<std::string_view> texts;
+  if (tree.kind(tuple) == JsonKind::object) {
+    for (const auto& attribute : type.attributes()) {
+      const auto member = tree.member(tuple, attribute.name);
+      texts.push_back(member ? tree.text(*member) : "null");
+    }
+    return texts;
+  }
+  if (tree.kind(tuple) == JsonKind::array)
+    for (std::size_t part = JsonTree::first(tuple); part != tree.end(tuple); part = tree.after(part))
+      texts.push_back(tree.text(part));
+  if (texts.size() == type.attributes().size()) return texts;
+  return Error{ErrorCode::invalid_value, "expected an object or an array of {} values", type.attributes().size()};
+}
+
+// Recursion, by value_of_json, follows the nesting of the type.
+Result<Value> nested_of_json(const NestedRelationType& type, const JsonTree& tree, Context& context) {
+  std::vector<Value> values;
+  std::size_t number = 0;
+  for (std::size_t tuple = JsonTree::first(0); tuple != tree.end(0); tuple = tree.after(tuple)) {
+    if (++number % 256 == 0) ALGEBRA3D_RETURN_IF_ERROR(context.check_cancelled());
+    const auto texts = texts_of_tuple(type, tree, tuple);
+    if (!texts) return Error{texts.error().code, "arel: tuple {}: {}", number, texts.error().message};
+    for (std::size_t i = 0; i < texts->size(); ++i) {
+      auto value = value_of_json(*type.attributes()[i].type, (*texts)[i], context);
+      if (!value)
+        return Error{value.error().code, "arel: tuple {}, attribute {}: {}", number, type.attributes()[i].name,
+                     value.error().message};
+      values.push_back(std::move(value).value());
+    }
+  }
+  return type.value_of(std::move(values));
+}
+
 }  // namespace
 
 Result<Value> value_of_json(const Type& type, std::string_view json, Context& context) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const JsonTree tree, JsonTree::parse(json, JsonTree::kWholeDepth, context.monitor()));
+  const NestedRelationType* const nested = algebra3d::as_nested_relation(type);
+  if (nested != nullptr && tree.kind(0) == JsonKind::array) return nested_of_json(*nested, tree, context);
   ALGEBRA3D_ASSIGN_OR_RETURN(const NestedList list, list_of_json(type, tree));
   return algebra3d::value_from_nested(type, list, context);
 }

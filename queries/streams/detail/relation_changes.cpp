@@ -31,7 +31,7 @@ std::size_t quick_hash(const Tuple& tuple) {
   std::size_t result = 0;
   for (const Value& value : tuple.attributes) {
     std::size_t own = 0;
-    if (value.is_defined() && value.type().is_spatial()) {
+    if (value.is_defined() && value.type().has_header()) {
       const auto header = value.header();
       own = std::hash<double>()(header.box.min.x) ^ (std::hash<double>()(header.box.max.y) << 1) ^ header.size;
     } else {

@@ -73,15 +73,17 @@ std::optional<NestedList> each(const NestedList& list, Change change) {
   return NestedList(std::move(changed));
 }
 
-// Applies `change` to the values of relations and tuples, attribute by attribute, and to any other value itself.
+// Applies `change` to the values in relations, attribute by attribute, and to any other value itself. Recursion follows
+// the nesting of relations, which is bounded.
 template <typename Change>
 NestedList each_value(const TypeExpr& type, const NestedList& list, Change change) {
-  if (!type.is_relation()) return change(type, list);
+  if (!type.is_relation() && !type.is_nested_relation()) return change(type, list);
   const auto& attributes = type.element().attributes();
   auto rows = each(list, [&](const NestedList& row) -> std::optional<NestedList> {
     if (!row.is_list() || row.elements().size() != attributes.size()) return std::nullopt;
     NestedList::List values;
-    for (std::size_t i = 0; i < attributes.size(); ++i) values.push_back(change(attributes[i].type, row.elements()[i]));
+    for (std::size_t i = 0; i < attributes.size(); ++i)
+      values.push_back(each_value(attributes[i].type, row.elements()[i], change));
     return NestedList(std::move(values));
   });
   return rows ? std::move(*rows) : list;
@@ -112,7 +114,8 @@ NestedList value_without_frame(Coordinates coordinates, const NestedList& list) 
 
 bool is_type_with_geometry(const Registry& types, const NestedList& list) {
   const auto type = TypeExpr::from_nested(list);
-  return type && (type->is_relation() || coordinates_of(types, *type) != Coordinates::none);
+  return type &&
+         (type->is_relation() || type->is_nested_relation() || coordinates_of(types, *type) != Coordinates::none);
 }
 
 /// Where in a list the type and the value of a constant stand.

@@ -65,7 +65,7 @@ bool is_bound_to_the_frame(const Operator& op, const Overload& overload, Variati
 Result<Value> image(const Value& value, const Motion& motion, Context& context) {
   if (!value.is_defined() || !Motion::moves(value.type())) return value;
   ALGEBRA3D_ASSIGN_OR_RETURN(const Value loaded, value.loaded());
-  const TypeExpr type(value.type().name());
+  const TypeExpr type = value.type().term();
   return algebra3d::value_from_nested(value.type(), motion.image(type, loaded.to_nested()), context);
 }
 

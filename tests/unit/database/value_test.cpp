@@ -126,6 +126,15 @@ TEST(DatabaseValue, is_read_as_any_integer_type_that_has_it) {
   EXPECT_EQ(Value(1).get_or("b"), "b");
 }
 
+TEST(DatabaseValue, nested_relations_have_types_with_arguments) {
+  const Value relation =
+      *Value::parse("(arel (tuple ((A int) (R (arel (tuple ((S string))))))))", R"(((1 (("a"))) (2 ())))");
+  EXPECT_TRUE(relation.is_defined());
+  EXPECT_EQ(relation.text(), R"(((1 (("a"))) (2 ())))");
+  EXPECT_EQ(Value::parse("(arel (tuple ((A int))))", "((x))").error().code, ErrorCode::invalid_value);
+  EXPECT_FALSE(Value::undefined("(arel (tuple ((A int))))")->is_defined());
+}
+
 TEST(DatabaseValue, of_a_relation_is_not_made_outside_of_a_database) {
   for (const char* type : {"rel(tuple([A: int]))", "(rel (tuple ((A int))))", "tuple([A: int])", "rtree3", "map"}) {
     const Result<Value> value = Value::parse(type, "((1))");

@@ -9,6 +9,7 @@
 
 #include "algebra3d/halfedge/mesh_triangles.h"
 #include "algebra3d/types/all.h"
+#include "algebra3d/types/nested_relation.h"
 #include "algebra3d/types/scalars.h"
 #include "algebra3d/types/time.h"
 #include "unit/display/values.h"
@@ -241,6 +242,44 @@ TEST(ShapeOfValue, all_spatial_types_but_moving_ones_are_drawable) {
   }
   EXPECT_EQ(others, (std::set<std::string_view>{"int", "real", "bool", "string", "text", "instant", "duration",
                                                 "interval", "tid", "uregion", "mregion"}));
+}
+
+TEST(ShapeOfValue, a_nested_relation_has_the_shapes_of_its_tuples) {
+  const auto type_of = [](std::string_view tuple) -> const Type& {
+    return **NestedRelationType::of(*TypeExpr::from_nested(*NestedList::parse(tuple)));
+  };
+  EXPECT_FALSE(is_drawable(type_of("(tuple ((A int)))")));
+  EXPECT_TRUE(is_drawable(type_of("(tuple ((A int) (R (arel (tuple ((P point3d)))))))")));
+  const Type& type = type_of("(tuple ((B rect3) (R (arel (tuple ((P point3d) (T surface3d)))))))");
+  Diagnostics diagnostics;
+  Context context{diagnostics, nullptr, {}};
+  const auto value =
+      value_from_nested(type,
+                        *NestedList::parse("(((0 2 0 2 0 2) (((9 9 9) (((8 0 0) (9 0 0) (8 1 0)))) (undefined ())))"
+                                           " (undefined undefined) ((10 20 0 2 0 2) (((15 1 1) undefined))))"),
+                        context);
+  ASSERT_TRUE(value.ok()) << value.error().message;
+  const Result<Shape> shape = shape_of(*value);
+  ASSERT_TRUE(shape.ok());
+  EXPECT_EQ(shape->kind, "arel");
+  EXPECT_EQ(shape->box, (Box3{{0, 0, 0}, {20, 9, 9}}));
+  EXPECT_EQ(shape->triangles.size(), 1U);
+  EXPECT_EQ(shape->triangle_count, 1U);
+  EXPECT_EQ(shape->lines.size(), 24U);
+  EXPECT_EQ(shape->points.size(), 2U);
+  EXPECT_EQ(shape->normals.size(), shape->positions.size());
+  const auto place_of = [&](std::uint32_t position) {
+    const Shape::Position& p = shape->positions[position];
+    return shape->origin + Vec3{p[0], p[1], p[2]};
+  };
+  EXPECT_EQ(place_of(shape->points[0]), (Vec3{9, 9, 9}));
+  EXPECT_EQ(place_of(shape->points[1]), (Vec3{15, 1, 1}));
+  for (const std::uint32_t corner : shape->triangles[0]) {
+    EXPECT_GE(place_of(corner).x, 8);
+    EXPECT_EQ(place_of(corner).z, 0);
+    EXPECT_NE(shape->normals[corner], Shape::Normal());
+  }
+  EXPECT_TRUE(shape_of(Value(type))->is_empty());
 }
 
 TEST(ShapeOfValue, refuses_what_floats_cannot_hold) {

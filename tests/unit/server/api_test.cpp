@@ -134,6 +134,47 @@ TEST_F(ApiTest, AStreamIsATableToo) {
   EXPECT_EQ(answer["result"]["count"], 5);
 }
 
+TEST_F(ApiTest, NestedRelationsAreArraysOfRows) {
+  const json answer = query(
+      "query intstream(1, 2) transformstream extend[R: intstream(1, .Elem) transformstream "
+      "extend[Cube: createCube(makePoint3D(0, 0, 0), makePoint3D(.Elem, 1, 1))] aconsume]");
+  EXPECT_EQ(answer["type"], "(stream (tuple ((Elem int) (R (arel (tuple ((Elem int) (Cube volume3d))))))))");
+  EXPECT_EQ(answer["value"][0]["R"].size(), 1);
+  EXPECT_EQ(answer["value"][1]["R"][1]["Elem"], 2);
+  EXPECT_EQ(answer["value"][1]["R"][1]["Cube"]["triangles"], 12);
+  EXPECT_EQ(answer["result"]["columns"][1]["shape"], true);
+  const std::string result = "/api/results/" + answer["result"]["id"].get<std::string>();
+  const json cell = get(result + "/cell?row=0&column=R");
+  EXPECT_EQ(cell["type"], "(arel (tuple ((Elem int) (Cube volume3d))))");
+  EXPECT_TRUE(cell["text"].get<std::string>().starts_with("((1 (((")) << cell["text"];
+  const HttpAnswer shapes = ask("GET", result + "/shapes?column=R&count=2");
+  EXPECT_EQ(shapes.status, 200);
+  EXPECT_NE(shapes.body.find(R"("kind":"arel")"), std::string::npos);
+  EXPECT_NE(shapes.body.find(R"("triangles":24)"), std::string::npos);
+  EXPECT_EQ(get(result + "/shapes?column=Elem")["status"], 404);
+}
+
+TEST_F(ApiTest, LongNestedRelationsAreCounted) {
+  const std::string rows =
+      "query intstream(0, 1) transformstream extend[R: intstream(1, 1000 + .Elem) transformstream "
+      "aconsume] consume";
+  const json answer = query(rows);
+  EXPECT_EQ(answer["value"][0]["R"].size(), 1000);
+  EXPECT_EQ(answer["value"][1]["R"], json::parse(R"({"type": "arel", "tuples": 1001})"));
+  EXPECT_EQ(answer["result"]["columns"][1]["shape"], false);
+  const std::string result = "/api/results/" + answer["result"]["id"].get<std::string>();
+  EXPECT_TRUE(get(result + "/cell?row=1&column=R")["text"].get<std::string>().ends_with("(1000) (1001))"));
+}
+
+TEST_F(ApiTest, ANestedRelationIsACellAndAParameter) {
+  const json answer = query("query intstream(1, 3) transformstream aconsume");
+  EXPECT_EQ(answer["type"], "(arel (tuple ((Elem int))))");
+  EXPECT_EQ(answer["value"], json::parse(R"([{"Elem":1},{"Elem":2},{"Elem":3}])"));
+  EXPECT_EQ(answer["result"]["count"], 1);
+  const json cell = {{"result", answer["result"]["id"]}};
+  EXPECT_EQ(query("query $r feed sum[Elem]", {{"parameters", {{"r", cell}}}})["value"], 6);
+}
+
 TEST_F(ApiTest, AResultShowsTheRelationAsItWas) {
   query("let R = intstream(1, 300) transformstream consume");
   const json before = query("query R", {{"rows", 1}});

@@ -77,7 +77,9 @@ function tableOf(client: Client, answer: QueryAnswer): Table | null {
   if (answer.type === null) return null;
   // Inquiries such as `list objects` are tables without a type of their own.
   const inquiry = answer.type === "inquiry";
-  const relation = (inquiry || isRelation(answer.type)) && Array.isArray(answer.value);
+  // A nested relation is a single value, too: a cell that opens in place.
+  const nested = answer.type.startsWith("(arel ");
+  const relation = (inquiry || (isRelation(answer.type) && !nested)) && Array.isArray(answer.value);
   const first = relation ? (answer.value as readonly Row[]) : [{ value: answer.value }];
   const { result } = answer;
   if (!result) {
