@@ -257,54 +257,21 @@ BoxHierarchy::FrameChange BoxHierarchy::change_from(const BoxHierarchy& other) c
   return change;
 }
 
-std::vector<BoxHierarchy::CrossPair> BoxHierarchy::cross_roots(const BoxHierarchy& other,
-                                                               const FrameChange& change) const {
+BoxHierarchy::CrossLevel BoxHierarchy::cross_roots(const BoxHierarchy& other, const FrameChange& change) const {
   // A small search is not worth the division.
   constexpr std::size_t kEnough = 48, kFewLeaves = 64;
-  std::vector<CrossPair> pairs, below;
-  const Box other_root = changed(change, other.levels_.back().boxes[0]);
-  if (levels_.back().boxes[0].meets(other_root))
-    pairs.push_back({{static_cast<std::uint32_t>(levels_.size() - 1), 0},
-                     {static_cast<std::uint32_t>(other.levels_.size() - 1), 0},
-                     other_root});
-  if (leaf_count() <= kFewLeaves && other.leaf_count() <= kFewLeaves) return pairs;
-  while (!pairs.empty() && pairs.size() < kEnough && pairs[0].own.level + pairs[0].other.level > 0) {
-    below.clear();
-    for (const CrossPair& pair : pairs) push_cross_children(other, change, pair, below);
-    pairs.swap(below);
+  CrossLevel roots{level_count() - 1, other.level_count() - 1};
+  if (levels_.back().boxes[0].meets(changed(change, other.levels_.back().boxes[0]))) roots.pairs.push_back({0, 0});
+  if (leaf_count() <= kFewLeaves && other.leaf_count() <= kFewLeaves) return roots;
+  while (!roots.pairs.empty() && roots.pairs.size() < kEnough && roots.own_level + roots.other_level > 0) {
+    // One level at a time, so that there are not many more.
+    const bool opens_own = roots.own_level > roots.other_level;
+    const Opened opened{opens_own, !opens_own};
+    CrossLevel below = level_below(roots, opened);
+    for (const CrossLevel::Pair pair : roots.pairs) open(other, change, pair, opened, below);
+    roots = std::move(below);
   }
-  return pairs;
-}
-
-void BoxHierarchy::push_cross_children(const BoxHierarchy& other, const FrameChange& change, const CrossPair& pair,
-                                       std::vector<CrossPair>& stack) const {
-  // The higher node is opened; of equals the other one, whose children have to be brought into this frame.
-  if (pair.own.level > pair.other.level) {
-    const std::vector<Box>& below = levels_[pair.own.level - 1].boxes;
-    const auto end = std::min(2 * pair.own.index + 2, static_cast<std::uint32_t>(below.size()));
-    for (std::uint32_t child = 2 * pair.own.index; child < end; ++child)
-      if (below[child].meets(pair.box)) stack.push_back({{pair.own.level - 1, child}, pair.other, pair.box});
-    return;
-  }
-  const Box& own = levels_[pair.own.level].boxes[pair.own.index];
-  const std::vector<Box>& below = other.levels_[pair.other.level - 1].boxes;
-  const auto end = std::min(2 * pair.other.index + 2, static_cast<std::uint32_t>(below.size()));
-  for (std::uint32_t child = 2 * pair.other.index; child < end; ++child)
-    if (const Box box = changed(change, below[child]); own.meets(box))
-      stack.push_back({pair.own, {pair.other.level - 1, child}, box});
-}
-
-void BoxHierarchy::push_children_of_both(const BoxHierarchy& other, const FrameChange& change, const CrossPair& pair,
-                                         std::vector<CrossPair>& stack) const {
-  const std::uint32_t level = pair.own.level - 1, own = 2 * pair.own.index, others = 2 * pair.other.index;
-  const std::span<const Box> own_boxes(levels_[level].boxes), other_boxes(other.levels_[level].boxes);
-  const auto own_end = std::min(own + 2, static_cast<std::uint32_t>(own_boxes.size()));
-  const auto other_end = std::min(others + 2, static_cast<std::uint32_t>(other_boxes.size()));
-  for (std::uint32_t j = others; j < other_end; ++j) {
-    const Box box = changed(change, other_boxes[j]);
-    for (std::uint32_t i = own; i < own_end; ++i)
-      if (own_boxes[i].meets(box)) stack.push_back({{level, i}, {level, j}, box});
-  }
+  return roots;
 }
 
 double BoxHierarchy::squared_gap(const Box& own, const Box& other) {
@@ -357,7 +324,7 @@ void BoxHierarchy::push_near_children(const BoxHierarchy& other, const FrameChan
     const Node node{opened.level - 1, child};
     const Box box = opens_own ? pair.box : changed(change, below[child]);
     const Box& own = opens_own ? below[child] : levels_[pair.own.level].boxes[pair.own.index];
-    stack.push_back({{opens_own ? node : pair.own, opens_own ? pair.other : node, box}, squared_gap(own, box)});
+    stack.push_back({opens_own ? node : pair.own, opens_own ? pair.other : node, box, squared_gap(own, box)});
   }
   if (stack.size() == first_new + 2 && stack[first_new].squared_gap < stack[first_new + 1].squared_gap)
     std::swap(stack[first_new], stack[first_new + 1]);
@@ -413,17 +380,6 @@ void BoxHierarchy::build_levels() {
 std::span<const std::uint32_t> BoxHierarchy::leaf_faces(std::size_t leaf) const {
   const std::size_t begin = leaf * kLeafSize;
   return std::span(faces_).subspan(begin, std::min(kLeafSize, faces_.size() - begin));
-}
-
-std::span<const std::uint32_t> BoxHierarchy::reaching(std::size_t leaf, const Box& box,
-                                                      std::array<std::uint32_t, kLeafSize>& positions) const {
-  const std::size_t begin = leaf * kLeafSize, end = std::min(begin + kLeafSize, faces_.size());
-  std::size_t count = 0;
-  for (std::size_t i = begin; i < end; ++i) {
-    positions[count] = static_cast<std::uint32_t>(i);
-    count += static_cast<std::size_t>(box.meets(face_boxes_[i]));
-  }
-  return std::span(positions).first(count);
 }
 
 void BoxHierarchy::set_groups(std::span<const std::uint32_t> leaf_groups) {
