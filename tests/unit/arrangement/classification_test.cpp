@@ -164,7 +164,7 @@ std::size_t set_count(const stages::Boxes& boxes) {
   LinkedWindings linked = link_windings(subdivision, jumps).value();
   std::set<FrontWindingId> sets;
   for (const SubEdgeSide side : subdivision.sub_edges.sides())
-    if (jumps[side] != WindingVector()) sets.insert(linked.sets.find(FrontWindingIds::of(side)).set);
+    if (jumps[side] != WindingVector()) sets.insert(linked.sets.find(linked.ids.of(side)).set);
   for (const PatchId patch : subdivision.patches.ids()) sets.insert(linked.sets.find(linked.ids.of(patch)).set);
   return sets.size();
 }
@@ -277,7 +277,7 @@ TEST(Linking, audit_sees_damage) {
   expect_seen([](LinkedWindings& linked) { linked.sets = WindingSets(linked.ids.count()); },
               "are not linked by the cell between them");
   expect_seen([](LinkedWindings& linked) { linked.sets = WindingSets(linked.ids.count() - 1); },
-              "front windings in the");
+              "front windings in the sets");
   // All in one set, and all the same.
   expect_seen(
       [](LinkedWindings& linked) {
