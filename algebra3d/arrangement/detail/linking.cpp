@@ -8,7 +8,6 @@
 #include "algebra3d/arrangement/detail/slice.h"
 #include "algebra3d/arrangement/detail/sub_facets.h"
 #include "algebra3d/arrangement/detail/task_sizes.h"
-#include "algebra3d/arrangement/detail/uncut_edges.h"
 #include "algebra3d/base/scheduler.h"
 
 namespace algebra3d::arrangement {
@@ -21,7 +20,7 @@ class Linker {
   Result<LinkedWindings> run();
 
  private:
-  void link_at_uncut_edges(const std::vector<UncutEdge>& edges);
+  void link_at_uncut_edges();
   FrontWindingId link_patches_at(const UncutEdge& edge);
   void link_in_front_of_faces(SubEdgeId sub_edge, FrontWindingId patch);
   void order_round_edges();
@@ -32,7 +31,6 @@ class Linker {
   const Subdivision& subdivision_;
   const WindingJumps& jumps_;
   LinkedWindings result_{{}, WindingSets(0), {}};
-  std::vector<SpaceEdge> uncut_space_edges_;  // ascending
   // Half-planes with jumps in radial order, space edge by space edge, and those of each.
   std::vector<SubEdgeSide> half_planes_;
   std::vector<Slice> round_edges_;
@@ -45,8 +43,8 @@ class Linker {
 
 /// No other operand is at an uncut edge, so the windings in front of all faces along each of its sub-edges are the
 /// same. What is between the faces is not looked at, for not all of them are in sub-facets.
-void Linker::link_at_uncut_edges(const std::vector<UncutEdge>& edges) {
-  for (const UncutEdge& edge : edges) {
+void Linker::link_at_uncut_edges() {
+  for (const UncutEdge& edge : subdivision_.uncut_edges.edges) {
     const FrontWindingId patch = link_patches_at(edge);
     const auto nodes = subdivision_.sub_edges.segments.nodes(edge.segment);
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
@@ -103,7 +101,7 @@ void Linker::order_round(IdRange<SubEdgeId> edge) {
 void Linker::order_round_edges() {
   subdivision_.sub_edges.for_each_space_edge([&](IdRange<SubEdgeId> edge) {
     const SpaceEdge ends = subdivision_.sub_edges[edge.front()].ends;
-    if (!std::ranges::binary_search(uncut_space_edges_, ends)) order_round(edge);
+    if (!subdivision_.uncut_edges.space_edges.contains(ends)) order_round(edge);
   });
 }
 
@@ -116,8 +114,6 @@ void Linker::link_round(std::span<const SubEdgeSide> around) {
 }
 
 Result<LinkedWindings> Linker::run() {
-  const std::vector<UncutEdge> uncut = uncut_edges(subdivision_.operands, subdivision_.complex, subdivision_.patches);
-  uncut_space_edges_ = space_edges_of(uncut, subdivision_.sub_edges);
   // The geometry of both kinds of links first, which is most of the work, and then the sets that they share.
   Result<FrontWindingIds> ids = FrontWindingIds();
   parallel_invoke(
@@ -125,7 +121,7 @@ Result<LinkedWindings> Linker::run() {
       [&] { ids = number_front_windings(subdivision_); }, [&] { order_round_edges(); });
   ALGEBRA3D_ASSIGN_OR_RETURN(result_.ids, std::move(ids));
   result_.sets = WindingSets(result_.ids.count());
-  link_at_uncut_edges(uncut);
+  link_at_uncut_edges();
   for (const Slice& edge : round_edges_) link_round(edge.of(half_planes_));
   return std::move(result_);
 }

@@ -3,7 +3,6 @@
 #include "algebra3d/arrangement/detail/linking.h"
 #include "algebra3d/arrangement/detail/radial_order.h"
 #include "algebra3d/arrangement/detail/stage_audit.h"
-#include "algebra3d/arrangement/detail/uncut_edges.h"
 
 namespace algebra3d::arrangement {
 namespace {
@@ -85,14 +84,12 @@ void LinkingAudit::check_seed(const SeedPlace& seed) {
 
 std::vector<std::string> LinkingAudit::run() {
   if (!check_sizes()) return violations_.take();
-  const auto uncut = uncut_edges(subdivision_.operands, subdivision_.complex, subdivision_.patches);
-  const std::vector<SpaceEdge> uncut_space_edges = space_edges_of(uncut, subdivision_.sub_edges);
   subdivision_.sub_edges.for_each_space_edge([&](IdRange<SubEdgeId> line) {
     // At uncut edges not all faces are in sub-facets.
-    if (!std::ranges::binary_search(uncut_space_edges, subdivision_.sub_edges[line.front()].ends))
+    if (!subdivision_.uncut_edges.space_edges.contains(subdivision_.sub_edges[line.front()].ends))
       check_space_edge(line);
   });
-  for (const UncutEdge& edge : uncut) check_uncut_edge(edge);
+  for (const UncutEdge& edge : subdivision_.uncut_edges.edges) check_uncut_edge(edge);
   for (const SeedPlace& seed : linked_.seeds) check_seed(seed);
   return violations_.take();
 }

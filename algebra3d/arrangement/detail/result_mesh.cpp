@@ -20,6 +20,7 @@ ResultMesh::ResultMesh(const Subdivision& subdivision, const PatchCorners& patch
     values->reserve(capacity);
     values->resize(3 * runs_.face_count());
   }
+  take_patches();
 }
 
 void ResultMesh::take_patches() {

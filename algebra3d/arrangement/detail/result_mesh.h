@@ -11,20 +11,20 @@
 namespace algebra3d::arrangement {
 
 /// The mesh of a result as it grows: first the faces of patches, which bring their adjacency along, then triangles of
-/// regions. Call take_patches, `add` for each region, and `finish`, in this order. The first needs no regions.
+/// regions. Call `add` for each region, then `finish`.
 class ResultMesh {
  public:
+  /// Takes the faces of patches with their corners, adjacency and planes, in parallel. Edges between two vertices that
+  /// are not settled (taken_vertices.h) are left to `finish`.
   ResultMesh(const Subdivision& subdivision, const PatchCorners& patch_corners, const KeptPatches& kept);
 
-  /// Adds the faces of patches with their corners, adjacency and planes, in parallel. Edges between two vertices that
-  /// are not settled (taken_vertices.h) are left to `finish`.
-  void take_patches();
   /// Adds triangles with nodes for corners. If some corner is no double, the plane is kept.
   void add(const Region& region);
   /// The mesh, with all edges linked. Leaves this object empty.
   TriangleMesh finish();
 
  private:
+  void take_patches();
   void take_faces(FaceId first, FaceId last);
   void take_corners(const TakenRun& run, FaceId first, std::size_t count);
   void take_opposites(const TakenRun& run, FaceId first, std::size_t count);

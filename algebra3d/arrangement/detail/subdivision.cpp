@@ -17,7 +17,9 @@ namespace {
 /// Makes the segment complex, and divides its segments where they cut one another.
 Result<SubEdges> find_sub_edges(Subdivision& subdivision, const PairContacts& contacts, Boundaries boundaries,
                                 const ArrangementOptions& options, const Monitor& monitor) {
-  auto& [operands, facets, complex, sub_edges, patches] = subdivision;
+  const Operands& operands = subdivision.operands;
+  const Facets& facets = subdivision.facets;
+  SegmentComplex& complex = subdivision.complex;
   ALGEBRA3D_ASSIGN_OR_RETURN(complex, find_facet_contacts(operands, facets, contacts));
   ALGEBRA3D_RETURN_IF_ERROR(check_stage(
       "the facet contacts", [&] { return audit(subdivision.operands, subdivision.facets, subdivision.complex); }));
@@ -38,7 +40,7 @@ Result<SubEdges> find_sub_edges(Subdivision& subdivision, const PairContacts& co
 
 Result<Subdivision> subdivide(std::span<const Operand> list, Boundaries boundaries, const ArrangementOptions& options,
                               const Monitor& monitor) {
-  Subdivision result{Operands(list), {}, {}, {}, {}};
+  Subdivision result{Operands(list), {}, {}, {}, {}, {}};
   const Operands& operands = result.operands;
   ALGEBRA3D_RETURN_IF_ERROR(check_stage("the operands", [&] { return audit(operands); }));
   ALGEBRA3D_ASSIGN_OR_RETURN(const Candidates candidates, find_candidates(operands, monitor, options.max_pairs));
@@ -55,6 +57,7 @@ Result<Subdivision> subdivide(std::span<const Operand> list, Boundaries boundari
       [&] { result.patches = find_patches(operands, result.facets); });
   ALGEBRA3D_ASSIGN_OR_RETURN(result.sub_edges, std::move(sub_edges));
   ALGEBRA3D_RETURN_IF_ERROR(check_stage("the patches", [&] { return audit(operands, result.facets, result.patches); }));
+  result.uncut_edges = find_uncut_edges(operands, result.complex, result.sub_edges, result.patches);
   return result;
 }
 
