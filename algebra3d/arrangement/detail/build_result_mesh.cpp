@@ -5,7 +5,6 @@
 
 #include "algebra3d/arrangement/detail/pseudo_nodes.h"
 #include "algebra3d/arrangement/detail/regions.h"
-#include "algebra3d/arrangement/detail/result_mesh.h"
 #include "algebra3d/arrangement/detail/stage_audit.h"
 #include "algebra3d/arrangement/detail/task_sizes.h"
 #include "algebra3d/base/scheduler.h"
@@ -37,7 +36,7 @@ Result<std::vector<Region>> find_regions(const Subdivision& subdivision, const S
 
 }  // namespace
 
-Result<TriangleMesh> build_result_mesh(const Subdivision& subdivision, const Selection& selection) {
+Result<UnlinkedMesh> build_unlinked_mesh(const Subdivision& subdivision, const Selection& selection) {
   KeptPatches kept;
   kept.reserve(subdivision.patches.patches.size());
   for (const PatchId patch : subdivision.patches.ids()) kept.push_back(selection.patch(patch));
@@ -53,9 +52,18 @@ Result<TriangleMesh> build_result_mesh(const Subdivision& subdivision, const Sel
     mesh->add(region);
     region = {};
   }
-  TriangleMesh result = mesh->finish();
+  return mesh->finish();
+}
+
+Result<TriangleMesh> linked_and_audited(UnlinkedMesh mesh) {
+  TriangleMesh result = linked(std::move(mesh));
   ALGEBRA3D_RETURN_IF_ERROR(check_stage("the result mesh", [&] { return audit(result); }));
   return result;
+}
+
+Result<TriangleMesh> build_result_mesh(const Subdivision& subdivision, const Selection& selection) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(UnlinkedMesh mesh, build_unlinked_mesh(subdivision, selection));
+  return linked_and_audited(std::move(mesh));
 }
 
 }  // namespace algebra3d::arrangement
