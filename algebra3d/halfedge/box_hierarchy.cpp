@@ -67,13 +67,13 @@ class Histograms {
 };
 
 /// Stable sort by the upper halves; a round whose digit is the same everywhere is left out.
-void radix_sort(std::vector<CodedFace>& faces) {
+void radix_sort(LargeVector<CodedFace>& faces) {
   // The lower halves ascend.
   if (faces.size() < kFewFaces) {
     std::ranges::sort(faces);
     return;
   }
-  std::vector<CodedFace> sorted(faces.size());
+  LargeVector<CodedFace> sorted(faces.size());
   Histograms histograms(faces.size());
   for (unsigned round = 0; round < kRounds; ++round) {
     histograms.for_each_range(faces.size(), [&](auto counts, std::size_t begin, std::size_t end) {
@@ -91,7 +91,7 @@ void radix_sort(std::vector<CodedFace>& faces) {
 /// Orders by the full codes, where more faces than a leaf holds have the same upper half: small parts far apart.
 /// code_of(i) is the full code of the i-th face.
 template <typename CodeOf>
-void sort_ties(std::vector<CodedFace>& faces, const CodeOf& code_of) {
+void sort_ties(LargeVector<CodedFace>& faces, const CodeOf& code_of) {
   const auto full_code = [&](CodedFace face) { return std::pair(code_of(static_cast<std::uint32_t>(face)), face); };
   for (std::size_t begin = 0, end = 0; begin < faces.size(); begin = end) {
     while (end < faces.size() && faces[end] >> 32 == faces[begin] >> 32) ++end;
@@ -162,7 +162,7 @@ BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> 
   const auto box_of_point = [&](std::size_t i) { return scaled(wide_box_of(points[i], margin)); };
   // Boxes of points are made once, unless the faces are few: a part of the mesh near a seam.
   const bool has_few_faces = 3 * faces_.size() < points.size();
-  std::vector<Box> boxes_of_points(has_few_faces ? 0 : points.size());
+  LargeVector<Box> boxes_of_points(has_few_faces ? 0 : points.size());
   parallel_for(boxes_of_points.size(), kFacesPerTask, [&](std::size_t i) { boxes_of_points[i] = box_of_point(i); });
   const auto box_of_corner = [&](std::uint32_t v) { return has_few_faces ? box_of_point(v) : boxes_of_points[v]; };
   const auto box_of_face = [&](std::size_t i) {
@@ -317,7 +317,7 @@ void BoxHierarchy::push_near_children(const BoxHierarchy& other, const FrameChan
                                       std::vector<NearPair>& stack) const {
   const bool opens_own = pair.own.level > pair.other.level;
   const Node& opened = opens_own ? pair.own : pair.other;
-  const std::vector<Box>& below = (opens_own ? levels_ : other.levels_)[opened.level - 1].boxes;
+  const LargeVector<Box>& below = (opens_own ? levels_ : other.levels_)[opened.level - 1].boxes;
   const std::size_t first_new = stack.size();
   const auto end = std::min(2 * opened.index + 2, static_cast<std::uint32_t>(below.size()));
   for (std::uint32_t child = 2 * opened.index; child < end; ++child) {
@@ -350,7 +350,7 @@ void BoxHierarchy::sort_faces(const BoxOfFace& box_of_face) {
     const auto [x, y, z] = cells_of(i);
     return hilbert_code<12>(x >> 10, y >> 10, z >> 10) >> 1;
   };
-  std::vector<CodedFace> coded(faces_.size());
+  LargeVector<CodedFace> coded(faces_.size());
   parallel_for(coded.size(), kFacesPerTask, [&](std::size_t i) { coded[i] = begin_of_code_of(i) << 32 | i; });
   radix_sort(coded);
   sort_ties(coded, code_of);
@@ -362,7 +362,7 @@ void BoxHierarchy::sort_faces(const BoxOfFace& box_of_face) {
 
 void BoxHierarchy::build_levels() {
   // A box around the next `count` boxes of the level below.
-  const auto make_level = [](const std::vector<Box>& below, std::size_t count) {
+  const auto make_level = [](const LargeVector<Box>& below, std::size_t count) {
     Level level;
     level.boxes.resize((below.size() + count - 1) / count);
     parallel_for(level.boxes.size(), kFacesPerTask / count, [&](std::size_t node) {
@@ -396,7 +396,7 @@ void BoxHierarchy::set_groups(std::span<const std::uint32_t> leaf_groups) {
 }
 
 void BoxHierarchy::push_from_highest(const Node& node, std::vector<Node>& stack) const {
-  const std::vector<Box>& below = levels_[node.level - 1].boxes;
+  const LargeVector<Box>& below = levels_[node.level - 1].boxes;
   const std::uint32_t first = 2 * node.index, second = first + 1;
   if (second == below.size()) {
     stack.push_back({node.level - 1, first});

@@ -15,6 +15,7 @@
 #endif
 
 #include "algebra3d/base/box3.h"
+#include "algebra3d/base/large_allocator.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
 
 namespace algebra3d {
@@ -188,7 +189,7 @@ class BoxHierarchy {
 
   /// The nodes of one level.
   struct Level {
-    std::vector<Box> boxes;
+    LargeVector<Box> boxes;
     std::vector<std::uint32_t> groups;  // empty: none
   };
 
@@ -297,7 +298,7 @@ class BoxHierarchy {
 
   Frame frame_;
   std::vector<std::uint32_t> faces_;  // along a Hilbert curve
-  std::vector<Box> face_boxes_;       // parallel to faces_
+  LargeVector<Box> face_boxes_;       // parallel to faces_
   std::vector<Level> levels_;         // [0]: the leaves; the last has one node
   std::shared_ptr<LazySlabs> slabs_;
 };
@@ -451,7 +452,7 @@ void BoxHierarchy::for_each_near_pair_with(const BoxHierarchy& other, double rea
 template <typename Gap>
 void BoxHierarchy::push_near_children(const Node& node, const Box& where, double limit, Gap gap,
                                       std::vector<NearNode>& stack) const {
-  const std::vector<Box>& below = levels_[node.level - 1].boxes;
+  const LargeVector<Box>& below = levels_[node.level - 1].boxes;
   const auto end = std::min(2 * node.index + 2, static_cast<std::uint32_t>(below.size()));
   const std::size_t first_new = stack.size();
   for (std::uint32_t child = 2 * node.index; child < end; ++child) {
