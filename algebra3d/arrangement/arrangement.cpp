@@ -47,7 +47,8 @@ struct SolidArrangement::Parts {
 
   /// rule(front, back) as FaceRule; inlined, where a std::function would be called through.
   template <typename Rule>
-  Result<TriangleMesh> faces(Rule rule) const;
+  Result<arrangement::UnlinkedMesh> faces(Rule rule) const;
+  Result<arrangement::UnlinkedMesh> solid(const KeepRule& rule) const;
 };
 
 SolidArrangement::SolidArrangement(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -76,7 +77,7 @@ Result<SolidArrangement> SolidArrangement::make(std::span<const Operand> operand
 }
 
 template <typename Rule>
-Result<TriangleMesh> SolidArrangement::Parts::faces(Rule rule) const {
+Result<arrangement::UnlinkedMesh> SolidArrangement::Parts::faces(Rule rule) const {
   using arrangement::PatchId, arrangement::SubEdgeSide;
   const auto keep_sub_facet = [&](SubEdgeSide side) {
     return jumps[side] == WindingVector() ? 0 : rule(fronts.at_sides[side], fronts.at_sides[side] + jumps[side]);
@@ -85,23 +86,35 @@ Result<TriangleMesh> SolidArrangement::Parts::faces(Rule rule) const {
     const std::size_t group = subdivision.operands.group(subdivision.patches[patch].operand);
     return rule(fronts.at_patches[patch], fronts.at_patches[patch] + WindingVector::of_group(group, 1));
   };
-  return arrangement::build_result_mesh(subdivision, {keep_sub_facet, keep_patch});
+  return arrangement::build_unlinked_mesh(subdivision, {keep_sub_facet, keep_patch});
 }
 
-Result<TriangleMesh> SolidArrangement::faces(const FaceRule& rule) const {
-  return parts_->faces(std::cref(rule));
-}
-
-Result<TriangleMesh> SolidArrangement::solid(const KeepRule& rule) const {
+Result<arrangement::UnlinkedMesh> SolidArrangement::Parts::solid(const KeepRule& rule) const {
   RememberedRule keeps(rule);
-  return parts_->faces([&](const WindingVector& front, const WindingVector& back) {
+  return faces([&](const WindingVector& front, const WindingVector& back) {
     return static_cast<int>(keeps(back)) - static_cast<int>(keeps(front));
   });
 }
 
+Result<TriangleMesh> SolidArrangement::faces(const FaceRule& rule) const {
+  ALGEBRA3D_ASSIGN_OR_RETURN(arrangement::UnlinkedMesh mesh, parts_->faces(std::cref(rule)));
+  return arrangement::linked_and_audited(std::move(mesh));
+}
+
+Result<TriangleMesh> SolidArrangement::solid(const KeepRule& rule) const& {
+  ALGEBRA3D_ASSIGN_OR_RETURN(arrangement::UnlinkedMesh mesh, parts_->solid(rule));
+  return arrangement::linked_and_audited(std::move(mesh));
+}
+
+Result<TriangleMesh> SolidArrangement::solid(const KeepRule& rule) && {
+  ALGEBRA3D_ASSIGN_OR_RETURN(arrangement::UnlinkedMesh mesh, parts_->solid(rule));
+  parts_.reset();
+  return arrangement::linked_and_audited(std::move(mesh));
+}
+
 Result<TriangleMesh> combine_solids(std::span<const Operand> operands, const KeepRule& rule, const Monitor& monitor) {
-  ALGEBRA3D_ASSIGN_OR_RETURN(const SolidArrangement arrangement, SolidArrangement::make(operands, monitor));
-  return arrangement.solid(rule);
+  ALGEBRA3D_ASSIGN_OR_RETURN(SolidArrangement arrangement, SolidArrangement::make(operands, monitor));
+  return std::move(arrangement).solid(rule);
 }
 
 }  // namespace algebra3d

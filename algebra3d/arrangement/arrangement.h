@@ -32,7 +32,9 @@ class SolidArrangement {
   /// The regularised set operation of the rule: the closure of the interior of the set of points that it keeps. A valid
   /// volume, with cavities, nested bodies and bodies that touch; the empty mesh if nothing is kept. Vertices,
   /// minimality, errors and cost as of `faces`.
-  Result<TriangleMesh> solid(const KeepRule& rule) const;
+  Result<TriangleMesh> solid(const KeepRule& rule) const&;
+  /// The same by an arrangement that is not needed any more: what it holds is freed before the mesh is linked.
+  Result<TriangleMesh> solid(const KeepRule& rule) &&;
   /// The faces that the rule keeps: a valid surface. For rules that look at both sides of a face, as a section of a
   /// solid does; a solid needs `solid` only.
   ///

@@ -33,7 +33,10 @@ class WindingVector {
     return {a[0] - b[0], a[1] - b[1]};
   }
   friend constexpr WindingVector operator-(const WindingVector& a) { return {-a[0], -a[1]}; }
-  friend constexpr bool operator==(const WindingVector&, const WindingVector&) = default;
+  /// Not the default one, which calls memcmp.
+  friend constexpr bool operator==(const WindingVector& a, const WindingVector& b) {
+    return a[0] == b[0] && a[1] == b[1];
+  }
 
  private:
   std::array<std::int32_t, kGroupCount> windings_{};

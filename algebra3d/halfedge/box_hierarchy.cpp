@@ -67,13 +67,13 @@ class Histograms {
 };
 
 /// Stable sort by the upper halves; a round whose digit is the same everywhere is left out.
-void radix_sort(std::vector<CodedFace>& faces) {
+void radix_sort(LargeVector<CodedFace>& faces) {
   // The lower halves ascend.
   if (faces.size() < kFewFaces) {
     std::ranges::sort(faces);
     return;
   }
-  std::vector<CodedFace> sorted(faces.size());
+  LargeVector<CodedFace> sorted(faces.size());
   Histograms histograms(faces.size());
   for (unsigned round = 0; round < kRounds; ++round) {
     histograms.for_each_range(faces.size(), [&](auto counts, std::size_t begin, std::size_t end) {
@@ -91,7 +91,7 @@ void radix_sort(std::vector<CodedFace>& faces) {
 /// Orders by the full codes, where more faces than a leaf holds have the same upper half: small parts far apart.
 /// code_of(i) is the full code of the i-th face.
 template <typename CodeOf>
-void sort_ties(std::vector<CodedFace>& faces, const CodeOf& code_of) {
+void sort_ties(LargeVector<CodedFace>& faces, const CodeOf& code_of) {
   const auto full_code = [&](CodedFace face) { return std::pair(code_of(static_cast<std::uint32_t>(face)), face); };
   for (std::size_t begin = 0, end = 0; begin < faces.size(); begin = end) {
     while (end < faces.size() && faces[end] >> 32 == faces[begin] >> 32) ++end;
@@ -162,7 +162,7 @@ BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> 
   const auto box_of_point = [&](std::size_t i) { return scaled(wide_box_of(points[i], margin)); };
   // Boxes of points are made once, unless the faces are few: a part of the mesh near a seam.
   const bool has_few_faces = 3 * faces_.size() < points.size();
-  std::vector<Box> boxes_of_points(has_few_faces ? 0 : points.size());
+  LargeVector<Box> boxes_of_points(has_few_faces ? 0 : points.size());
   parallel_for(boxes_of_points.size(), kFacesPerTask, [&](std::size_t i) { boxes_of_points[i] = box_of_point(i); });
   const auto box_of_corner = [&](std::uint32_t v) { return has_few_faces ? box_of_point(v) : boxes_of_points[v]; };
   const auto box_of_face = [&](std::size_t i) {
@@ -257,54 +257,21 @@ BoxHierarchy::FrameChange BoxHierarchy::change_from(const BoxHierarchy& other) c
   return change;
 }
 
-std::vector<BoxHierarchy::CrossPair> BoxHierarchy::cross_roots(const BoxHierarchy& other,
-                                                               const FrameChange& change) const {
+BoxHierarchy::CrossLevel BoxHierarchy::cross_roots(const BoxHierarchy& other, const FrameChange& change) const {
   // A small search is not worth the division.
   constexpr std::size_t kEnough = 48, kFewLeaves = 64;
-  std::vector<CrossPair> pairs, below;
-  const Box other_root = changed(change, other.levels_.back().boxes[0]);
-  if (levels_.back().boxes[0].meets(other_root))
-    pairs.push_back({{static_cast<std::uint32_t>(levels_.size() - 1), 0},
-                     {static_cast<std::uint32_t>(other.levels_.size() - 1), 0},
-                     other_root});
-  if (leaf_count() <= kFewLeaves && other.leaf_count() <= kFewLeaves) return pairs;
-  while (!pairs.empty() && pairs.size() < kEnough && pairs[0].own.level + pairs[0].other.level > 0) {
-    below.clear();
-    for (const CrossPair& pair : pairs) push_cross_children(other, change, pair, below);
-    pairs.swap(below);
+  CrossLevel roots{level_count() - 1, other.level_count() - 1};
+  if (levels_.back().boxes[0].meets(changed(change, other.levels_.back().boxes[0]))) roots.pairs.push_back({0, 0});
+  if (leaf_count() <= kFewLeaves && other.leaf_count() <= kFewLeaves) return roots;
+  while (!roots.pairs.empty() && roots.pairs.size() < kEnough && roots.own_level + roots.other_level > 0) {
+    // One level at a time, so that there are not many more.
+    const bool opens_own = roots.own_level > roots.other_level;
+    const Opened opened{opens_own, !opens_own};
+    CrossLevel below = level_below(roots, opened);
+    for (const CrossLevel::Pair pair : roots.pairs) open(other, change, pair, opened, below);
+    roots = std::move(below);
   }
-  return pairs;
-}
-
-void BoxHierarchy::push_cross_children(const BoxHierarchy& other, const FrameChange& change, const CrossPair& pair,
-                                       std::vector<CrossPair>& stack) const {
-  // The higher node is opened; of equals the other one, whose children have to be brought into this frame.
-  if (pair.own.level > pair.other.level) {
-    const std::vector<Box>& below = levels_[pair.own.level - 1].boxes;
-    const auto end = std::min(2 * pair.own.index + 2, static_cast<std::uint32_t>(below.size()));
-    for (std::uint32_t child = 2 * pair.own.index; child < end; ++child)
-      if (below[child].meets(pair.box)) stack.push_back({{pair.own.level - 1, child}, pair.other, pair.box});
-    return;
-  }
-  const Box& own = levels_[pair.own.level].boxes[pair.own.index];
-  const std::vector<Box>& below = other.levels_[pair.other.level - 1].boxes;
-  const auto end = std::min(2 * pair.other.index + 2, static_cast<std::uint32_t>(below.size()));
-  for (std::uint32_t child = 2 * pair.other.index; child < end; ++child)
-    if (const Box box = changed(change, below[child]); own.meets(box))
-      stack.push_back({pair.own, {pair.other.level - 1, child}, box});
-}
-
-void BoxHierarchy::push_children_of_both(const BoxHierarchy& other, const FrameChange& change, const CrossPair& pair,
-                                         std::vector<CrossPair>& stack) const {
-  const std::uint32_t level = pair.own.level - 1, own = 2 * pair.own.index, others = 2 * pair.other.index;
-  const std::span<const Box> own_boxes(levels_[level].boxes), other_boxes(other.levels_[level].boxes);
-  const auto own_end = std::min(own + 2, static_cast<std::uint32_t>(own_boxes.size()));
-  const auto other_end = std::min(others + 2, static_cast<std::uint32_t>(other_boxes.size()));
-  for (std::uint32_t j = others; j < other_end; ++j) {
-    const Box box = changed(change, other_boxes[j]);
-    for (std::uint32_t i = own; i < own_end; ++i)
-      if (own_boxes[i].meets(box)) stack.push_back({{level, i}, {level, j}, box});
-  }
+  return roots;
 }
 
 double BoxHierarchy::squared_gap(const Box& own, const Box& other) {
@@ -350,14 +317,14 @@ void BoxHierarchy::push_near_children(const BoxHierarchy& other, const FrameChan
                                       std::vector<NearPair>& stack) const {
   const bool opens_own = pair.own.level > pair.other.level;
   const Node& opened = opens_own ? pair.own : pair.other;
-  const std::vector<Box>& below = (opens_own ? levels_ : other.levels_)[opened.level - 1].boxes;
+  const LargeVector<Box>& below = (opens_own ? levels_ : other.levels_)[opened.level - 1].boxes;
   const std::size_t first_new = stack.size();
   const auto end = std::min(2 * opened.index + 2, static_cast<std::uint32_t>(below.size()));
   for (std::uint32_t child = 2 * opened.index; child < end; ++child) {
     const Node node{opened.level - 1, child};
     const Box box = opens_own ? pair.box : changed(change, below[child]);
     const Box& own = opens_own ? below[child] : levels_[pair.own.level].boxes[pair.own.index];
-    stack.push_back({{opens_own ? node : pair.own, opens_own ? pair.other : node, box}, squared_gap(own, box)});
+    stack.push_back({opens_own ? node : pair.own, opens_own ? pair.other : node, box, squared_gap(own, box)});
   }
   if (stack.size() == first_new + 2 && stack[first_new].squared_gap < stack[first_new + 1].squared_gap)
     std::swap(stack[first_new], stack[first_new + 1]);
@@ -383,7 +350,7 @@ void BoxHierarchy::sort_faces(const BoxOfFace& box_of_face) {
     const auto [x, y, z] = cells_of(i);
     return hilbert_code<12>(x >> 10, y >> 10, z >> 10) >> 1;
   };
-  std::vector<CodedFace> coded(faces_.size());
+  LargeVector<CodedFace> coded(faces_.size());
   parallel_for(coded.size(), kFacesPerTask, [&](std::size_t i) { coded[i] = begin_of_code_of(i) << 32 | i; });
   radix_sort(coded);
   sort_ties(coded, code_of);
@@ -395,7 +362,7 @@ void BoxHierarchy::sort_faces(const BoxOfFace& box_of_face) {
 
 void BoxHierarchy::build_levels() {
   // A box around the next `count` boxes of the level below.
-  const auto make_level = [](const std::vector<Box>& below, std::size_t count) {
+  const auto make_level = [](const LargeVector<Box>& below, std::size_t count) {
     Level level;
     level.boxes.resize((below.size() + count - 1) / count);
     parallel_for(level.boxes.size(), kFacesPerTask / count, [&](std::size_t node) {
@@ -415,17 +382,6 @@ std::span<const std::uint32_t> BoxHierarchy::leaf_faces(std::size_t leaf) const 
   return std::span(faces_).subspan(begin, std::min(kLeafSize, faces_.size() - begin));
 }
 
-std::span<const std::uint32_t> BoxHierarchy::reaching(std::size_t leaf, const Box& box,
-                                                      std::array<std::uint32_t, kLeafSize>& positions) const {
-  const std::size_t begin = leaf * kLeafSize, end = std::min(begin + kLeafSize, faces_.size());
-  std::size_t count = 0;
-  for (std::size_t i = begin; i < end; ++i) {
-    positions[count] = static_cast<std::uint32_t>(i);
-    count += static_cast<std::size_t>(box.meets(face_boxes_[i]));
-  }
-  return std::span(positions).first(count);
-}
-
 void BoxHierarchy::set_groups(std::span<const std::uint32_t> leaf_groups) {
   assert(leaf_groups.size() == leaf_count());
   if (leaf_groups.empty()) return;
@@ -440,7 +396,7 @@ void BoxHierarchy::set_groups(std::span<const std::uint32_t> leaf_groups) {
 }
 
 void BoxHierarchy::push_from_highest(const Node& node, std::vector<Node>& stack) const {
-  const std::vector<Box>& below = levels_[node.level - 1].boxes;
+  const LargeVector<Box>& below = levels_[node.level - 1].boxes;
   const std::uint32_t first = 2 * node.index, second = first + 1;
   if (second == below.size()) {
     stack.push_back({node.level - 1, first});

@@ -15,6 +15,7 @@
 #endif
 
 #include "algebra3d/base/box3.h"
+#include "algebra3d/base/large_allocator.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
 
 namespace algebra3d {
@@ -188,14 +189,8 @@ class BoxHierarchy {
 
   /// The nodes of one level.
   struct Level {
-    std::vector<Box> boxes;
+    LargeVector<Box> boxes;
     std::vector<std::uint32_t> groups;  // empty: none
-  };
-
-  /// A node of this hierarchy and one of another, whose box is given in the frame of this one.
-  struct CrossPair {
-    Node own, other;
-    Box box;
   };
 
   void choose_scale(const PointArray& points, double margin);
@@ -215,24 +210,46 @@ class BoxHierarchy {
 
   FrameChange change_from(const BoxHierarchy& other) const;
   static Box changed(const FrameChange& change, const Box& box);
+  /// Nodes of this hierarchy and of another one, by their indices: all of one level here, and of one level there.
+  struct CrossLevel {
+    struct Pair {
+      std::uint32_t own, other;
+    };
+    std::uint32_t own_level, other_level;
+    std::vector<Pair> pairs = {};  ///< in the order of the search
+  };
+  /// Which of two nodes are replaced by their children.
+  struct Opened {
+    bool own, other;
+  };
+  /// The higher level is opened, or both.
+  static Opened opened_below(const CrossLevel& level) {
+    return {level.own_level >= level.other_level, level.other_level >= level.own_level};
+  }
+  /// Without pairs.
+  static CrossLevel level_below(const CrossLevel& level, Opened opened) {
+    return {level.own_level - (opened.own ? 1U : 0U), level.other_level - (opened.other ? 1U : 0U)};
+  }
   /// Pairs of nodes that meet, up to some dozens; together they contain all pairs of faces that meet.
-  std::vector<CrossPair> cross_roots(const BoxHierarchy& other, const FrameChange& change) const;
-  /// Pushes the pairs of children that meet.
-  void push_cross_children(const BoxHierarchy& other, const FrameChange& change, const CrossPair& pair,
-                           std::vector<CrossPair>& stack) const;
-  /// The same for a pair of one level, above the leaves, of which both nodes are opened: the pairs that opening one
-  /// after the other gives, in the same order.
-  void push_children_of_both(const BoxHierarchy& other, const FrameChange& change, const CrossPair& pair,
-                             std::vector<CrossPair>& stack) const;
-  /// The boxes of the faces of a leaf of another hierarchy, in the frame of this one.
+  CrossLevel cross_roots(const BoxHierarchy& other, const FrameChange& change) const;
+  /// Adds to the level below a level the pairs that meet of those that a pair contains.
+  void open(const BoxHierarchy& other, const FrameChange& change, CrossLevel::Pair pair, Opened opened,
+            CrossLevel& below) const;
+  /// A leaf of another hierarchy, and the boxes of its faces, in the frame of this one.
   struct ChangedLeaf {
     std::uint32_t index = std::numeric_limits<std::uint32_t>::max();
-    std::array<Box, kLeafSize> boxes{};
+    Box box{};
+    std::array<Box, kLeafSize> face_boxes{};
   };
-  /// The same with all pairs of children, their squared distances, and the nearest pair on top.
-  struct NearPair : CrossPair {
+  class ChangedLeaves;
+  /// A node of this hierarchy and one of another, whose box is given in the frame of this one; the squared distance of
+  /// their boxes.
+  struct NearPair {
+    Node own, other;
+    Box box;
     double squared_gap;
   };
+  /// Pushes all pairs of children, the nearest one on top.
   void push_near_children(const BoxHierarchy& other, const FrameChange& change, const NearPair& pair,
                           std::vector<NearPair>& stack) const;
   /// A node, and a lower bound of its squared distance from a place, in this frame.
@@ -268,8 +285,8 @@ class BoxHierarchy {
   template <typename Visit>
   bool visit_leaf(std::size_t leaf, Visit& visit) const;
   template <typename Visit>
-  bool visit_cross_leaves(const BoxHierarchy& other, const FrameChange& change, const CrossPair& pair,
-                          ChangedLeaf& changed_leaf, Visit& visit) const;
+  bool visit_cross_leaves(std::uint32_t leaf, const ChangedLeaf& of_other, std::span<const std::uint32_t> other_faces,
+                          Visit& visit) const;
   /// Appends to the first `end` of `reaching` those from `begin` on whose windows meet the box. Returns the new end.
   static std::size_t filter_windows(std::span<const Box> windows, const Box& box, std::size_t begin, std::size_t end,
                                     std::vector<std::uint32_t>& reaching);
@@ -281,7 +298,7 @@ class BoxHierarchy {
 
   Frame frame_;
   std::vector<std::uint32_t> faces_;  // along a Hilbert curve
-  std::vector<Box> face_boxes_;       // parallel to faces_
+  LargeVector<Box> face_boxes_;       // parallel to faces_
   std::vector<Level> levels_;         // [0]: the leaves; the last has one node
   std::shared_ptr<LazySlabs> slabs_;
 };
@@ -326,6 +343,17 @@ inline BoxHierarchy::Box BoxHierarchy::changed(const FrameChange& change, const 
   result.min.fill(-kInfinity);
   result.max.fill(kInfinity);
   return result;
+}
+
+inline std::span<const std::uint32_t> BoxHierarchy::reaching(std::size_t leaf, const Box& box,
+                                                             std::array<std::uint32_t, kLeafSize>& positions) const {
+  const std::size_t begin = leaf * kLeafSize, end = std::min(begin + kLeafSize, faces_.size());
+  std::size_t count = 0;
+  for (std::size_t i = begin; i < end; ++i) {
+    positions[count] = static_cast<std::uint32_t>(i);
+    count += static_cast<std::size_t>(box.meets(face_boxes_[i]));
+  }
+  return std::span(positions).first(count);
 }
 
 template <typename Visit>
@@ -388,62 +416,13 @@ void BoxHierarchy::for_each_pair(const NodePair& part, Visit visit, Pause pause)
   }
 }
 
-/// `changed_leaf` is that of the last pair: pairs of one leaf of the other hierarchy often follow one another.
-template <typename Visit>
-bool BoxHierarchy::visit_cross_leaves(const BoxHierarchy& other, const FrameChange& change, const CrossPair& pair,
-                                      ChangedLeaf& changed_leaf, Visit& visit) const {
-  std::array<std::uint32_t, kLeafSize> positions{};
-  const std::span<const std::uint32_t> reached = reaching(pair.own.index, pair.box, positions);
-  if (reached.empty()) return true;
-  const std::size_t begin = pair.other.index * kLeafSize, count = other.leaf_faces(pair.other.index).size();
-  if (changed_leaf.index != pair.other.index) {
-    changed_leaf.index = pair.other.index;
-    for (std::size_t i = 0; i < count; ++i) changed_leaf.boxes[i] = changed(change, other.face_boxes_[begin + i]);
-  }
-  const Box own = levels_[0].boxes[pair.own.index];
-  for (std::size_t i = 0; i < count; ++i) {
-    const Box& box = changed_leaf.boxes[i];
-    if (!box.meets(own)) continue;
-    for (const std::uint32_t position : reached)
-      if (box.meets(face_boxes_[position]) && !visit(faces_[position], other.faces_[begin + i])) return false;
-  }
-  return true;
-}
-
-template <typename Visit, typename Apart, typename Pause>
-void BoxHierarchy::for_each_pair_with(const BoxHierarchy& other, Visit visit, Apart are_apart, Pause pause,
-                                      Share share) const {
-  if (faces_.empty() || other.faces_.empty()) return;
-  const FrameChange change = change_from(other);
-  const std::vector<CrossPair> roots = cross_roots(other, change);
-  std::vector<CrossPair> stack;
-  for (std::size_t root = share.index; root < roots.size(); root += share.count) stack.push_back(roots[root]);
-  ChangedLeaf changed_leaf;
-  std::uint32_t steps = 0;
-  while (!stack.empty()) {
-    const CrossPair pair = stack.back();
-    stack.pop_back();
-    if (++steps % 4096 == 0 && !pause()) return;
-    if (are_apart(pair.own, pair.other)) continue;
-    if (pair.own.level != pair.other.level)
-      push_cross_children(other, change, pair, stack);
-    else if (pair.own.level > 0)
-      push_children_of_both(other, change, pair, stack);
-    else if (!visit_cross_leaves(other, change, pair, changed_leaf, visit))
-      return;
-  }
-}
-
 template <typename Visit, typename Apart, typename Pause>
 void BoxHierarchy::for_each_near_pair_with(const BoxHierarchy& other, double reach, Visit visit, Apart are_apart,
                                            Pause pause) const {
   if (faces_.empty() || other.faces_.empty()) return;
   const FrameChange change = change_from(other);
   double limit = squared_in_frame(reach);
-  std::vector<NearPair> stack{{{{static_cast<std::uint32_t>(levels_.size() - 1), 0},
-                                {static_cast<std::uint32_t>(other.levels_.size() - 1), 0},
-                                changed(change, other.levels_.back().boxes[0])},
-                               0}};
+  std::vector<NearPair> stack{{root(), other.root(), changed(change, other.levels_.back().boxes[0]), 0}};
   std::uint32_t steps = 0;
   while (!stack.empty()) {
     const NearPair pair = stack.back();
@@ -473,7 +452,7 @@ void BoxHierarchy::for_each_near_pair_with(const BoxHierarchy& other, double rea
 template <typename Gap>
 void BoxHierarchy::push_near_children(const Node& node, const Box& where, double limit, Gap gap,
                                       std::vector<NearNode>& stack) const {
-  const std::vector<Box>& below = levels_[node.level - 1].boxes;
+  const LargeVector<Box>& below = levels_[node.level - 1].boxes;
   const auto end = std::min(2 * node.index + 2, static_cast<std::uint32_t>(below.size()));
   const std::size_t first_new = stack.size();
   for (std::uint32_t child = 2 * node.index; child < end; ++child) {
@@ -628,3 +607,5 @@ void BoxHierarchy::for_each_above(const Box3& where, Visit visit) const {
 }
 
 }  // namespace algebra3d
+
+#include "algebra3d/halfedge/detail/cross_search.h"  // for_each_pair_with

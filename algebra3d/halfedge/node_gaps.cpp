@@ -57,9 +57,8 @@ NodeGaps::NodeGaps(const TriangleMesh& first, const BoxHierarchy& of_first, cons
   error_ = 0x1p-46 * std::max(detail::largest(box.min), detail::largest(box.max)) + 0x1p-1000;
 }
 
-bool NodeGaps::exceed(BoxHierarchy::Node first, BoxHierarchy::Node second, double distance) {
-  if (first.level == 0 && second.level == 0) note_leaves();
-  if (std::max(first.level, second.level) > kMaxLevel || credit_ < 0 || !std::isfinite(distance)) return false;
+bool NodeGaps::are_far(BoxHierarchy::Node first, BoxHierarchy::Node second, double distance) {
+  if (!std::isfinite(distance)) return false;
   return are_far(first_, first, second_.hierarchy.bounds(second), distance) ||
          are_far(second_, second, first_.hierarchy.bounds(first), distance);
 }

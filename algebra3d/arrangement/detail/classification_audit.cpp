@@ -3,7 +3,6 @@
 #include "algebra3d/arrangement/detail/classification.h"
 #include "algebra3d/arrangement/detail/radial_order.h"
 #include "algebra3d/arrangement/detail/stage_audit.h"
-#include "algebra3d/arrangement/detail/uncut_edges.h"
 
 namespace algebra3d::arrangement {
 namespace {
@@ -88,16 +87,14 @@ std::vector<std::string> ClassificationAudit::run() {
                        jumps_.size() == fronts_.at_sides.size() &&
                        fronts_.at_patches.size() == subdivision_.patches.patches.size();
   if (!violations_.expect(has_all, "front windings are missing")) return violations_.take();
-  const auto uncut = uncut_edges(subdivision_.operands, subdivision_.complex, subdivision_.patches);
-  const std::vector<SpaceEdge> uncut_space_edges = space_edges_of(uncut, subdivision_.sub_edges);
   subdivision_.sub_edges.for_each_space_edge([&](IdRange<SubEdgeId> edge) {
     // At uncut edges not all faces are in sub-facets.
     const SpaceEdge ends = subdivision_.sub_edges[edge.front()].ends;
-    if (!std::ranges::binary_search(uncut_space_edges, ends)) check_edge(edge);
+    if (!subdivision_.uncut_edges.space_edges.contains(ends)) check_edge(edge);
   });
   for (const SubEdgeSide side : subdivision_.sub_edges.sides()) check_range(side);
   for (const PatchId patch : subdivision_.patches.ids()) check_patch(patch);
-  for (const UncutEdge& edge : uncut) check_uncut_edge(edge);
+  for (const UncutEdge& edge : subdivision_.uncut_edges.edges) check_uncut_edge(edge);
   return violations_.take();
 }
 

@@ -223,6 +223,7 @@ Result<SegmentComplex> FacetContactFinder::run(const PairContacts& contacts) {
     while (end < contacts_.size() && facets_of(contacts_[end]) == facets_of(contacts_[begin])) ++end;
     ALGEBRA3D_RETURN_IF_ERROR(join_facets(std::span(contacts_).subspan(begin, end - begin)));
   }
+  std::vector<FaceContact>().swap(contacts_);
   segments_.add_boundaries();
   return std::move(complex_);
 }

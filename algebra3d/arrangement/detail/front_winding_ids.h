@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 
 #include "algebra3d/arrangement/detail/ids.h"
+#include "algebra3d/base/id_vector.h"
 
 namespace algebra3d::arrangement {
 
@@ -10,19 +12,23 @@ namespace algebra3d::arrangement {
 /// front of a patch, by the front of its faces.
 using FrontWindingId = StrongId<struct FrontWindingTag>;
 
-/// The numbering of all front windings: those at the sides of sub-edges come first (each is that of the sub-facet
-/// there, so a sub-facet has several), then those of patches.
+/// The numbering of all front windings: those of sub-facets come first, one for each closed chain of sides round a
+/// sub-facet (sub_facets.h; a sub-facet with holes has several), then those of patches.
 class FrontWindingIds {
  public:
-  FrontWindingIds(std::size_t side_count, std::size_t patch_count)
-      : side_count_(side_count), patch_count_(patch_count) {}
+  FrontWindingIds() = default;
+  /// `of_sides`: the chain of each side, numbered from 0; none if no facet covers the side.
+  FrontWindingIds(IdVector<SubEdgeSide, FrontWindingId> of_sides, std::size_t chain_count, std::size_t patch_count)
+      : of_sides_(std::move(of_sides)), chain_count_(chain_count), patch_count_(patch_count) {}
 
-  std::size_t count() const { return side_count_ + patch_count_; }
-  static FrontWindingId of(SubEdgeSide side) { return FrontWindingId(side.index()); }
-  FrontWindingId of(PatchId patch) const { return FrontWindingId(side_count_ + patch.index()); }
+  std::size_t count() const { return chain_count_ + patch_count_; }
+  /// None if no facet covers the side.
+  FrontWindingId of(SubEdgeSide side) const { return of_sides_[side]; }
+  FrontWindingId of(PatchId patch) const { return FrontWindingId(chain_count_ + patch.index()); }
 
  private:
-  std::size_t side_count_, patch_count_;
+  IdVector<SubEdgeSide, FrontWindingId> of_sides_;
+  std::size_t chain_count_ = 0, patch_count_ = 0;
 };
 
 }  // namespace algebra3d::arrangement

@@ -8,7 +8,6 @@
 #include "algebra3d/arrangement/detail/slice.h"
 #include "algebra3d/arrangement/detail/sub_facets.h"
 #include "algebra3d/arrangement/detail/task_sizes.h"
-#include "algebra3d/arrangement/detail/uncut_edges.h"
 #include "algebra3d/base/scheduler.h"
 
 namespace algebra3d::arrangement {
@@ -16,17 +15,12 @@ namespace {
 
 class Linker {
  public:
-  Linker(const Subdivision& subdivision, const WindingJumps& jumps)
-      : subdivision_(subdivision), jumps_(jumps), result_(empty_result(subdivision)) {}
+  Linker(const Subdivision& subdivision, const WindingJumps& jumps) : subdivision_(subdivision), jumps_(jumps) {}
 
   Result<LinkedWindings> run();
 
  private:
-  static LinkedWindings empty_result(const Subdivision& subdivision) {
-    const FrontWindingIds ids(subdivision.sub_edges.sides().size(), subdivision.patches.patches.size());
-    return {ids, WindingSets(ids.count()), {}};
-  }
-  void link_at_uncut_edges(const std::vector<UncutEdge>& edges);
+  void link_at_uncut_edges();
   FrontWindingId link_patches_at(const UncutEdge& edge);
   void link_in_front_of_faces(SubEdgeId sub_edge, FrontWindingId patch);
   void order_round_edges();
@@ -36,8 +30,7 @@ class Linker {
 
   const Subdivision& subdivision_;
   const WindingJumps& jumps_;
-  LinkedWindings result_;
-  std::vector<SpaceEdge> uncut_space_edges_;  // ascending
+  LinkedWindings result_{{}, WindingSets(0), {}};
   // Half-planes with jumps in radial order, space edge by space edge, and those of each.
   std::vector<SubEdgeSide> half_planes_;
   std::vector<Slice> round_edges_;
@@ -50,8 +43,8 @@ class Linker {
 
 /// No other operand is at an uncut edge, so the windings in front of all faces along each of its sub-edges are the
 /// same. What is between the faces is not looked at, for not all of them are in sub-facets.
-void Linker::link_at_uncut_edges(const std::vector<UncutEdge>& edges) {
-  for (const UncutEdge& edge : edges) {
+void Linker::link_at_uncut_edges() {
+  for (const UncutEdge& edge : subdivision_.uncut_edges.edges) {
     const FrontWindingId patch = link_patches_at(edge);
     const auto nodes = subdivision_.sub_edges.segments.nodes(edge.segment);
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
@@ -81,7 +74,7 @@ void Linker::link_in_front_of_faces(SubEdgeId sub_edge, FrontWindingId patch) {
       // In front of the face is in front of the plane, unless the face looks to the back of its plane.
       const SubEdgeSide at(sub_edge, side);
       const WindingVector excess = subdivision_.facets[facet].orientation > 0 ? WindingVector() : jumps_[at];
-      result_.sets.unite(patch, FrontWindingIds::of(at), -excess);
+      result_.sets.unite(patch, result_.ids.of(at), -excess);
     }
 }
 
@@ -108,7 +101,7 @@ void Linker::order_round(IdRange<SubEdgeId> edge) {
 void Linker::order_round_edges() {
   subdivision_.sub_edges.for_each_space_edge([&](IdRange<SubEdgeId> edge) {
     const SpaceEdge ends = subdivision_.sub_edges[edge.front()].ends;
-    if (!std::ranges::binary_search(uncut_space_edges_, ends)) order_round(edge);
+    if (!subdivision_.uncut_edges.space_edges.contains(ends)) order_round(edge);
   });
 }
 
@@ -116,23 +109,19 @@ void Linker::link_round(std::span<const SubEdgeSide> around) {
   for (std::size_t i = 0; i < around.size(); ++i) {
     const SubEdgeSide h = around[i], next = around[i + 1 == around.size() ? 0 : i + 1];
     // Both give the windings of the cell between the two: their front winding and the excess.
-    result_.sets.unite(FrontWindingIds::of(h), FrontWindingIds::of(next),
-                       excess_after(jumps_, h) - excess_before(jumps_, next));
+    result_.sets.unite(result_.ids.of(h), result_.ids.of(next), excess_after(jumps_, h) - excess_before(jumps_, next));
   }
 }
 
 Result<LinkedWindings> Linker::run() {
-  const std::vector<UncutEdge> uncut = uncut_edges(subdivision_.operands, subdivision_.complex, subdivision_.patches);
-  uncut_space_edges_ = space_edges_of(uncut, subdivision_.sub_edges);
   // The geometry of both kinds of links first, which is most of the work, and then the sets that they share.
-  Result<std::vector<NeighbouringSides>> sides = std::vector<NeighbouringSides>();
+  Result<FrontWindingIds> ids = FrontWindingIds();
   parallel_invoke(
-      subdivision_.sub_edges.sub_edges.size() >= kSubEdgesWorthATask, [&] { sides = neighbouring_sides(subdivision_); },
-      [&] { order_round_edges(); });
-  if (!sides.ok()) return std::move(sides).error();
-  for (const auto& [first, second] : *sides)
-    result_.sets.unite(FrontWindingIds::of(first), FrontWindingIds::of(second), {});
-  link_at_uncut_edges(uncut);
+      subdivision_.sub_edges.sub_edges.size() >= kSubEdgesWorthATask,
+      [&] { ids = number_front_windings(subdivision_); }, [&] { order_round_edges(); });
+  ALGEBRA3D_ASSIGN_OR_RETURN(result_.ids, std::move(ids));
+  result_.sets = WindingSets(result_.ids.count());
+  link_at_uncut_edges();
   for (const Slice& edge : round_edges_) link_round(edge.of(half_planes_));
   return std::move(result_);
 }

@@ -27,16 +27,16 @@ struct LinkedWindings {
   std::vector<SeedPlace> seeds;  ///< one for each space edge with a jump that is not on an uncut edge
 };
 
-/// Step 1 of stage 8: unites front windings whose difference is known. Round each node, neighbouring sub-edges of a
-/// plane bound the same sub-facet (sub_facets.h); round each space edge, the radial order of the half-planes with jumps
-/// says how windings change from cell to cell; at uncut edges windings go on into patches. Exact. Errors: internal as
-/// neighbouring_sides. Cost: n log n.
+/// Step 1 of stage 8: unites front windings whose difference is known. The sides of sub-edges
+/// round a sub-facet have one front winding (sub_facets.h); round each space edge, the radial order of the half-planes
+/// with jumps says how windings change from cell to cell; at uncut edges windings go on into patches. Exact. Errors:
+/// internal as number_front_windings. Cost: n log n.
 Result<LinkedWindings> link_windings(const Subdivision& subdivision, const WindingJumps& jumps);
 
-/// Every violated invariant, one sentence each: there is a front winding for each side and each patch; half-planes with
-/// jumps that follow each other round a space edge are in one set, and agree on the cell between them; so do patches at
-/// an uncut edge; seeds are at space edges, each with a half-plane of its own that has a jump, and an operand. Cost: n
-/// log n, with exact predicates.
+/// Every violated invariant, one sentence each: the sets have all front windings, and each side with a jump has one;
+/// half-planes with jumps that follow each other round a space edge are in one set, and agree on the cell between them;
+/// so do patches at an uncut edge; seeds are at space edges, each with a half-plane of its own that has a jump, and an
+/// operand. Cost: n log n, with exact predicates.
 std::vector<std::string> audit(const Subdivision& subdivision, const WindingJumps& jumps, const LinkedWindings& linked);
 
 }  // namespace algebra3d::arrangement

@@ -3,7 +3,6 @@
 #include "algebra3d/arrangement/detail/linking.h"
 #include "algebra3d/arrangement/detail/radial_order.h"
 #include "algebra3d/arrangement/detail/stage_audit.h"
-#include "algebra3d/arrangement/detail/uncut_edges.h"
 
 namespace algebra3d::arrangement {
 namespace {
@@ -34,10 +33,13 @@ class LinkingAudit {
 };
 
 bool LinkingAudit::check_sizes() {
-  const std::size_t expected = subdivision_.sub_edges.sides().size() + subdivision_.patches.patches.size();
-  return violations_.expect(linked_.ids.count() == expected && sets_.ids().size() == expected,
-                            "{} front windings in the sets of {}, expected {}", linked_.ids.count(), sets_.ids().size(),
-                            expected);
+  const auto has_front = [&](SubEdgeSide side) {
+    return jumps_[side] == WindingVector() || linked_.ids.of(side) < linked_.ids.of(PatchId(0));
+  };
+  return violations_.expect(sets_.ids().size() == linked_.ids.count(), "{} of {} front windings in the sets",
+                            sets_.ids().size(), linked_.ids.count()) &&
+         violations_.expect(std::ranges::all_of(subdivision_.sub_edges.sides(), has_front),
+                            "a side with a jump has no front winding");
 }
 
 void LinkingAudit::check_space_edge(IdRange<SubEdgeId> line) {
@@ -46,10 +48,9 @@ void LinkingAudit::check_space_edge(IdRange<SubEdgeId> line) {
   sort_around_space_edge(subdivision_, around);
   for (std::size_t i = 0; i < around.size(); ++i) {
     const SubEdgeSide h = around[i], next = around[i + 1 == around.size() ? 0 : i + 1];
-    violations_.expect(is_linked(FrontWindingIds::of(h), FrontWindingIds::of(next),
-                                 excess_after(jumps_, h) - excess_before(jumps_, next)),
-                       "sub-edges {} and {} are not linked by the cell between them", h.sub_edge().index(),
-                       next.sub_edge().index());
+    violations_.expect(
+        is_linked(linked_.ids.of(h), linked_.ids.of(next), excess_after(jumps_, h) - excess_before(jumps_, next)),
+        "sub-edges {} and {} are not linked by the cell between them", h.sub_edge().index(), next.sub_edge().index());
   }
 }
 
@@ -83,14 +84,12 @@ void LinkingAudit::check_seed(const SeedPlace& seed) {
 
 std::vector<std::string> LinkingAudit::run() {
   if (!check_sizes()) return violations_.take();
-  const auto uncut = uncut_edges(subdivision_.operands, subdivision_.complex, subdivision_.patches);
-  const std::vector<SpaceEdge> uncut_space_edges = space_edges_of(uncut, subdivision_.sub_edges);
   subdivision_.sub_edges.for_each_space_edge([&](IdRange<SubEdgeId> line) {
     // At uncut edges not all faces are in sub-facets.
-    if (!std::ranges::binary_search(uncut_space_edges, subdivision_.sub_edges[line.front()].ends))
+    if (!subdivision_.uncut_edges.space_edges.contains(subdivision_.sub_edges[line.front()].ends))
       check_space_edge(line);
   });
-  for (const UncutEdge& edge : uncut) check_uncut_edge(edge);
+  for (const UncutEdge& edge : subdivision_.uncut_edges.edges) check_uncut_edge(edge);
   for (const SeedPlace& seed : linked_.seeds) check_seed(seed);
   return violations_.take();
 }

@@ -3,17 +3,19 @@
 namespace algebra3d::arrangement {
 
 Classification propagate_windings(const Subdivision& subdivision, LinkedWindings& linked, const SetWindings& known) {
-  const auto windings_of = [&](FrontWindingId front) {
+  IdVector<FrontWindingId, WindingVector> fronts(linked.ids.count());
+  for (const FrontWindingId front : fronts.ids()) {
     const auto [set, difference] = linked.sets.find(front);
-    const auto found = known.find(set);
-    return found == known.end() ? WindingVector() : found->second + difference;
-  };
+    if (const auto found = known.find(set); found != known.end()) fronts[front] = found->second + difference;
+  }
   Classification result;
   result.at_sides.reserve(subdivision.sub_edges.sides().size());
-  for (const SubEdgeSide side : subdivision.sub_edges.sides())
-    result.at_sides.push_back(windings_of(FrontWindingIds::of(side)));
+  for (const SubEdgeSide side : subdivision.sub_edges.sides()) {
+    const FrontWindingId front = linked.ids.of(side);
+    result.at_sides.push_back(front.is_none() ? WindingVector() : fronts[front]);
+  }
   result.at_patches.reserve(subdivision.patches.patches.size());
-  for (const PatchId patch : subdivision.patches.ids()) result.at_patches.push_back(windings_of(linked.ids.of(patch)));
+  for (const PatchId patch : subdivision.patches.ids()) result.at_patches.push_back(fronts[linked.ids.of(patch)]);
   return result;
 }
 

@@ -60,9 +60,8 @@ using EdgeEnds = std::span<const EdgeEnd>;
 
 class PseudoNodeFinder {
  public:
-  PseudoNodeFinder(const Subdivision& subdivision, const std::vector<SpaceEdge>& uncut_space_edges,
-                   const PatchCorners& patch_corners)
-      : subdivision_(subdivision), uncut_space_edges_(uncut_space_edges), patch_corners_(patch_corners) {}
+  PseudoNodeFinder(const Subdivision& subdivision, const PatchCorners& patch_corners)
+      : subdivision_(subdivision), patch_corners_(patch_corners) {}
 
   void find_between(const std::vector<RegionEdge>& edges);
   void find_along(const UncutEdge& edge);
@@ -78,7 +77,6 @@ class PseudoNodeFinder {
   void add_along(std::span<const NodeId> nodes, PlaneId plane, bool is_forward);
 
   const Subdivision& subdivision_;
-  const std::vector<SpaceEdge>& uncut_space_edges_;
   const PatchCorners& patch_corners_;
   std::vector<PseudoNode> found_;
   std::vector<EdgeEnds> arms_;  // at the node at hand; a member, so that its memory is used again
@@ -100,7 +98,7 @@ void PseudoNodeFinder::find_between(const std::vector<RegionEdge>& edges) {
 /// At the nodes in a range.
 std::vector<PseudoNode> PseudoNodeFinder::found_at_nodes(const EndsOfNodes& ends, std::size_t begin,
                                                          std::size_t end) const {
-  PseudoNodeFinder part(subdivision_, uncut_space_edges_, patch_corners_);
+  PseudoNodeFinder part(subdivision_, patch_corners_);
   std::vector<EdgeEnd> at_node;
   for (std::size_t node = begin; node < end; ++node) {
     at_node.clear();
@@ -118,7 +116,7 @@ void PseudoNodeFinder::find_arms(EdgeEnds ends) {
   for (std::size_t first = 0, last = 0; first < ends.size(); first = last) {
     while (last < ends.size() && ends[last].other == ends[first].other) ++last;
     const SpaceEdge line = SpaceEdge::of(ends[first].node, ends[first].other);
-    if (!is_corner || !std::ranges::binary_search(uncut_space_edges_, line))
+    if (!is_corner || !subdivision_.uncut_edges.space_edges.contains(line))
       arms_.push_back(ends.subspan(first, last - first));
   }
 }
@@ -214,12 +212,10 @@ NodeId node_beyond(const RegionEdge& edge, std::span<const PseudoNode> all) {
 }  // namespace
 
 std::vector<PseudoNode> find_pseudo_nodes(const Subdivision& subdivision, const std::vector<RegionEdge>& edges,
-                                          const std::vector<UncutEdge>& uncut_edges,
-                                          const std::vector<SpaceEdge>& uncut_space_edges,
                                           const PatchCorners& patch_corners) {
-  PseudoNodeFinder finder(subdivision, uncut_space_edges, patch_corners);
+  PseudoNodeFinder finder(subdivision, patch_corners);
   finder.find_between(edges);
-  for (const UncutEdge& edge : uncut_edges) finder.find_along(edge);
+  for (const UncutEdge& edge : subdivision.uncut_edges.edges) finder.find_along(edge);
   return finder.take();
 }
 

@@ -28,8 +28,6 @@ struct PseudoNode {
 /// if a face that is taken over has a corner there (`patch_corners`): the patch ends its edge there, too. Other edges
 /// may be led straight past such a corner. Exact. Cost: near-linear in the edges.
 std::vector<PseudoNode> find_pseudo_nodes(const Subdivision& subdivision, const std::vector<RegionEdge>& edges,
-                                          const std::vector<UncutEdge>& uncut_edges,
-                                          const std::vector<SpaceEdge>& uncut_space_edges,
                                           const PatchCorners& patch_corners);
 
 /// Every violated invariant, one sentence each: pseudo-nodes ascend; each lies between its neighbours, straight on; a

@@ -20,15 +20,15 @@ KeptSides kept_sides(const SubEdges& sub_edges, const Selection& selection, SubE
 
 }  // namespace
 
-std::vector<RegionEdge> region_edges(const SubEdges& sub_edges, const Selection& selection,
-                                     const std::vector<SpaceEdge>& uncut_space_edges) {
+std::vector<RegionEdge> region_edges(const Subdivision& subdivision, const Selection& selection) {
+  const SubEdges& sub_edges = subdivision.sub_edges;
   std::vector<RegionEdge> edges;
   std::vector<KeptSides> kept;
   sub_edges.for_each_space_edge([&](IdRange<SubEdgeId> edge) {
     kept.clear();
     std::size_t plane_count = 0;
     const auto [u, v] = sub_edges[edge.front()].ends;
-    bool is_parted = std::ranges::binary_search(uncut_space_edges, SpaceEdge{u, v});
+    bool is_parted = subdivision.uncut_edges.space_edges.contains({u, v});
     for (const SubEdgeId s : edge) {
       kept.push_back(kept_sides(sub_edges, selection, s));
       const auto& [left, right] = kept.back();

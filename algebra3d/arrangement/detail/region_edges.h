@@ -7,7 +7,6 @@
 
 #include "algebra3d/arrangement/detail/selection.h"
 #include "algebra3d/arrangement/detail/subdivision.h"
-#include "algebra3d/arrangement/detail/uncut_edges.h"
 
 namespace algebra3d::arrangement {
 
@@ -35,9 +34,8 @@ struct RegionEdge {
 
 /// The boundary edges of all regions of a selection. A space edge at which anything is kept is an edge of the result,
 /// unless exactly two kept half-planes lie at it, in one plane and with the same front, and no patch ends there.
-/// `uncut_space_edges`: where patches end (uncut_edges.h). Cost: near-linear in the sub-edges.
-std::vector<RegionEdge> region_edges(const SubEdges& sub_edges, const Selection& selection,
-                                     const std::vector<SpaceEdge>& uncut_space_edges);
+/// Cost: near-linear in the sub-edges.
+std::vector<RegionEdge> region_edges(const Subdivision& subdivision, const Selection& selection);
 
 /// Every violated invariant, one sentence each: an edge leads from one node to another one, both in the plane of its
 /// region; a region has no edge twice; at each node as many edges of a region end as begin. So for edges that were

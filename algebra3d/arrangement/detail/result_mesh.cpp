@@ -16,15 +16,16 @@ ResultMesh::ResultMesh(const Subdivision& subdivision, const PatchCorners& patch
       planes_(subdivision) {
   // Regions mostly have fewer triangles than half of the sub-edges, one of which has two sides in each of its planes.
   const std::size_t capacity = 3 * (runs_.face_count() + subdivision.sub_edges.sub_edges.size() / 2);
-  for (auto* values : {&origins_, &opposites_}) {
+  for (auto* values : {&mesh_.origins, &mesh_.opposites}) {
     values->reserve(capacity);
     values->resize(3 * runs_.face_count());
   }
+  take_patches();
 }
 
 void ResultMesh::take_patches() {
   const auto take_points_and_planes = [&] {
-    points_ = vertices_.points();
+    mesh_.points = vertices_.points();
     for (const TakenRun& run : runs_) planes_.take(run);
   };
   const auto take_faces = [&] {
@@ -32,7 +33,7 @@ void ResultMesh::take_patches() {
     parallel_for((count + kFacesPerTask - 1) / kFacesPerTask, 1, [&](std::size_t i) {
       this->take_faces(FaceId(i * kFacesPerTask), FaceId(std::min((i + 1) * kFacesPerTask, count)));
     });
-    outgoing_ = vertices_.outgoing(runs_);
+    mesh_.outgoing = vertices_.outgoing(runs_);
   };
   parallel_invoke(subdivision_.operands.face_count() >= kFacesWorthATask, take_points_and_planes, take_faces);
 }
@@ -52,7 +53,7 @@ void ResultMesh::take_faces(FaceId first, FaceId last) {
 void ResultMesh::take_corners(const TakenRun& run, FaceId first, std::size_t count) {
   const TriangleMesh& mesh = subdivision_.operands.mesh(run.operand);
   std::uint32_t* origin =
-      &origins_[3 * std::size_t{TriangleMesh::face(run.along(TriangleMesh::halfedge(first))).index()}];
+      &mesh_.origins[3 * std::size_t{TriangleMesh::face(run.along(TriangleMesh::halfedge(first))).index()}];
   for (const FaceId face : IdRange(first, FaceId(first.index() + count))) {
     const IndexTriangle corners = mesh.triangle(face);
     for (std::size_t i = 0; i < 3; ++i)
@@ -77,32 +78,39 @@ void ResultMesh::take_opposites(const TakenRun& run, FaceId first, std::size_t c
       if (found == nullptr) continue;
       beyond = found;
     }
-    opposites_[run.along(h).index()] = beyond->along(opposite).index();
+    mesh_.opposites[run.along(h).index()] = beyond->along(opposite).index();
   }
 }
 
 void ResultMesh::add(const Region& region) {
-  const FaceId first(origins_.size() / 3);
+  LargeVector<std::uint32_t>& origins = mesh_.origins;
+  const FaceId first(origins.size() / 3);
   for (const IndexTriangle& corners : region.triangles) {
-    const std::size_t at = origins_.size();
-    for (const std::uint32_t node : corners) origins_.push_back(vertex_at(NodeId(node)).index());
-    if (region.key.is_flipped) std::swap(origins_[at + 1], origins_[at + 2]);
+    const std::size_t at = origins.size();
+    for (const std::uint32_t node : corners) origins.push_back(vertex_at(NodeId(node)).index());
+    if (region.key.is_flipped) std::swap(origins[at + 1], origins[at + 2]);
   }
-  opposites_.resize(origins_.size());
+  mesh_.opposites.resize(origins.size());
   if (region.has_exact_corner)
-    planes_.add({first, FaceId(origins_.size() / 3)}, region.key.plane, region.key.is_flipped);
+    planes_.add({first, FaceId(origins.size() / 3)}, region.key.plane, region.key.is_flipped);
 }
 
 VertexId ResultMesh::vertex_at(NodeId node) {
   VertexId& vertex = at_nodes_[node];
   if (vertex.is_valid()) return vertex;
-  vertex = VertexId(points_.size());
-  points_.push_back(subdivision_.complex.nodes[node]);
+  vertex = VertexId(mesh_.points.size());
+  mesh_.points.push_back(subdivision_.complex.nodes[node]);
   return vertex;
 }
 
-TriangleMesh ResultMesh::finish() {
-  return {std::move(points_), std::move(origins_), std::move(opposites_), std::move(outgoing_), planes_.take_planes()};
+UnlinkedMesh ResultMesh::finish() {
+  mesh_.planes = planes_.take_planes();
+  return std::move(mesh_);
+}
+
+TriangleMesh linked(UnlinkedMesh mesh) {
+  return {std::move(mesh.points), std::move(mesh.origins), std::move(mesh.opposites), std::move(mesh.outgoing),
+          std::move(mesh.planes)};
 }
 
 }  // namespace algebra3d::arrangement

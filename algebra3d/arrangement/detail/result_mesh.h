@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vector>
+#include <cstdint>
 
 #include "algebra3d/arrangement/detail/patch_corners.h"
 #include "algebra3d/arrangement/detail/regions.h"
@@ -10,21 +10,33 @@
 
 namespace algebra3d::arrangement {
 
+/// A mesh that is complete but for links between edges at vertices that are not settled (taken_vertices.h), and refers
+/// to nothing: what made it can be freed before these are found.
+struct UnlinkedMesh {
+  PointArray points;
+  LargeVector<std::uint32_t> origins, opposites;  ///< as TriangleMesh takes them
+  LargeVector<HalfedgeId> outgoing;               ///< of the settled vertices
+  FacePlanes planes;
+};
+
+/// The mesh, with all edges linked. Cost: linear in the half-edges, and little for those that are linked.
+TriangleMesh linked(UnlinkedMesh mesh);
+
 /// The mesh of a result as it grows: first the faces of patches, which bring their adjacency along, then triangles of
-/// regions. Call take_patches, `add` for each region, and `finish`, in this order. The first needs no regions.
+/// regions. Call `add` for each region, then `finish`.
 class ResultMesh {
  public:
+  /// Takes the faces of patches with their corners, adjacency and planes, in parallel. Edges between two vertices that
+  /// are not settled are not linked.
   ResultMesh(const Subdivision& subdivision, const PatchCorners& patch_corners, const KeptPatches& kept);
 
-  /// Adds the faces of patches with their corners, adjacency and planes, in parallel. Edges between two vertices that
-  /// are not settled (taken_vertices.h) are left to `finish`.
-  void take_patches();
   /// Adds triangles with nodes for corners. If some corner is no double, the plane is kept.
   void add(const Region& region);
-  /// The mesh, with all edges linked. Leaves this object empty.
-  TriangleMesh finish();
+  /// The mesh. Leaves this object empty.
+  UnlinkedMesh finish();
 
  private:
+  void take_patches();
   void take_faces(FaceId first, FaceId last);
   void take_corners(const TakenRun& run, FaceId first, std::size_t count);
   void take_opposites(const TakenRun& run, FaceId first, std::size_t count);
@@ -34,9 +46,7 @@ class ResultMesh {
   TakenRuns runs_;
   TakenVertices vertices_;
   IdVector<NodeId, VertexId> at_nodes_;  // invalid: not there so far
-  PointArray points_;
-  LargeVector<std::uint32_t> origins_, opposites_;  // as TriangleMesh takes them
-  LargeVector<HalfedgeId> outgoing_;
+  UnlinkedMesh mesh_;                    // without planes
   ResultPlanes planes_;
 };
 

@@ -13,7 +13,7 @@ WindingVector SeedFromAbove::at_place(const SeedPlace& seed) {
   const auto [u, v] = subdivision_.sub_edges[below.sub_edge()].ends;
   const WindingVector front =
       location_.windings_above(subdivision_.complex.nodes.middle(u, v)) - excess_after(jumps_, below);
-  const auto from = sets_.find(FrontWindingIds::of(below)), to = sets_.find(FrontWindingIds::of(seed.half_plane));
+  const auto from = linked_.sets.find(linked_.ids.of(below)), to = linked_.sets.find(linked_.ids.of(seed.half_plane));
   return front - from.difference + to.difference;
 }
 

@@ -22,7 +22,7 @@ Status seed_each_set(Source source, LinkedWindings& linked, const Patches& patch
     return {};
   };
   for (const SeedPlace& place : linked.seeds)
-    ALGEBRA3D_RETURN_IF_ERROR(seed(FrontWindingIds::of(place.half_plane), [&] { return source.at_place(place); }));
+    ALGEBRA3D_RETURN_IF_ERROR(seed(linked.ids.of(place.half_plane), [&] { return source.at_place(place); }));
   for (const PatchId patch : patches.ids())
     ALGEBRA3D_RETURN_IF_ERROR(seed(linked.ids.of(patch), [&] { return source.at_patch(patch); }));
   return {};
@@ -43,7 +43,7 @@ Result<SetWindings> seed_windings(const Subdivision& subdivision, const WindingJ
   const Status status =
       closure == Closure::each
           ? seed_each_set(SeedFromFaces(subdivision, jumps, location), linked, patches, monitor, known)
-          : seed_each_set(SeedFromAbove(subdivision, jumps, location, linked.sets), linked, patches, monitor, known);
+          : seed_each_set(SeedFromAbove(subdivision, jumps, location, linked), linked, patches, monitor, known);
   ALGEBRA3D_RETURN_IF_ERROR(status);
   return known;
 }

@@ -16,7 +16,14 @@ struct FacetSubEdge {
   FacetSides sides;
 
   auto place() const { return std::tie(ends, plane); }
-  friend auto operator<=>(const FacetSubEdge&, const FacetSubEdge&) = default;
+  /// Three numbers, in which they are compared.
+  auto key() const {
+    return std::tuple(ends.key(), std::uint64_t{plane.index()} << 32U | facet.index(),
+                      static_cast<std::uint8_t>(sides));
+  }
+
+  friend bool operator==(const FacetSubEdge& a, const FacetSubEdge& b) { return a.key() == b.key(); }
+  friend auto operator<=>(const FacetSubEdge& a, const FacetSubEdge& b) { return a.key() <=> b.key(); }
 };
 
 /// Ascending, each once.

@@ -5,8 +5,11 @@
 #include <cstdint>
 #include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "algebra3d/arrangement/detail/task_sizes.h"
+#include "algebra3d/base/scheduler.h"
 #include "algebra3d/exact/predicates.h"
 
 namespace algebra3d::arrangement {
@@ -14,15 +17,14 @@ namespace {
 
 /// A sub-edge as it leaves one of its ends.
 struct OutgoingSubEdge {
-  PlaneId plane;
   NodeId origin, target;
-  SubEdgeId sub_edge;
+  std::uint32_t place;  ///< among the sub-edges of the plane
 
   /// The origin, then the sub-edge.
-  std::uint64_t key_in_plane() const { return std::uint64_t{origin.index()} << 32U | sub_edge.index(); }
-  /// The sides for someone who walks away from the origin.
-  SubEdgeSide left() const { return {sub_edge, origin < target ? Side::left : Side::right}; }
-  SubEdgeSide right() const { return {sub_edge, origin < target ? Side::right : Side::left}; }
+  std::uint64_t key() const { return std::uint64_t{origin.index()} << 32U | place; }
+  /// The sides for someone who walks away from the origin, among those of the plane.
+  std::uint32_t left() const { return 2 * place + (origin < target ? 0 : 1); }
+  std::uint32_t right() const { return 2 * place + (origin < target ? 1 : 0); }
 };
 
 /// Angular order of the sub-edges that leave a node, from the direction just beyond -y (or -x) counter-clockwise.
@@ -64,9 +66,10 @@ class SubEdgesOfPlanes {
       sub_edges_[next[subdivision.sub_edges[s].plane.index()]++] = s;
   }
 
-  std::span<const SubEdgeId> of(PlaneId plane) const {
-    return std::span(sub_edges_)
-        .subspan(begins_[plane.index()], begins_[plane.index() + std::size_t{1}] - begins_[plane.index()]);
+  std::size_t plane_count() const { return begins_.size() - 1; }
+  /// Those of the planes from one up to another one, without that.
+  std::span<const SubEdgeId> of(std::size_t first_plane, std::size_t last_plane) const {
+    return std::span(sub_edges_).subspan(begins_[first_plane], begins_[last_plane] - begins_[first_plane]);
   }
 
  private:
@@ -74,54 +77,126 @@ class SubEdgesOfPlanes {
   std::vector<SubEdgeId> sub_edges_;
 };
 
-/// The sub-edges of a plane as they leave their ends, by origin.
-void collect_outgoing(std::span<const SubEdgeId> in_plane, const Subdivision& subdivision,
-                      std::vector<OutgoingSubEdge>& outgoing) {
-  outgoing.clear();
-  for (const SubEdgeId s : in_plane) {
-    const SubEdge& sub_edge = subdivision.sub_edges[s];
-    const auto [u, v] = sub_edge.ends;
-    outgoing.push_back({sub_edge.plane, u, v, s});
-    outgoing.push_back({sub_edge.plane, v, u, s});
+/// Finds the closed chains of sides in some planes, and numbers them from 0.
+class ChainFinder {
+ public:
+  ChainFinder(const Subdivision& subdivision, IdVector<SubEdgeSide, FrontWindingId>& chains)
+      : subdivision_(subdivision), chains_(chains) {}
+
+  /// The sub-edges of one plane.
+  Status add(std::span<const SubEdgeId> in_plane);
+  std::size_t count() const { return count_; }
+
+ private:
+  static constexpr std::uint32_t kNone = 0xFFFFFFFF;
+
+  void collect_sides(std::span<const SubEdgeId> in_plane);
+  Status join_around(std::span<OutgoingSubEdge> around, Projection projection);
+  void number_chains(std::span<const SubEdgeId> in_plane);
+
+  const Subdivision& subdivision_;
+  IdVector<SubEdgeSide, FrontWindingId>& chains_;
+  std::size_t count_ = 0;
+  // Of the plane at hand; members, so that their memory is used again.
+  std::vector<OutgoingSubEdge> outgoing_;  // by origin
+  std::vector<bool> is_covered_;           // per side
+  std::vector<std::uint32_t> next_;        // the side that follows in the chain; kNone for sides that are not covered
+};
+
+void ChainFinder::collect_sides(std::span<const SubEdgeId> in_plane) {
+  outgoing_.clear();
+  is_covered_.assign(2 * in_plane.size(), false);
+  for (std::uint32_t place = 0; place < in_plane.size(); ++place) {
+    const auto [u, v] = subdivision_.sub_edges[in_plane[place]].ends;
+    outgoing_.push_back({u, v, place});
+    outgoing_.push_back({v, u, place});
+    for (const IncidentFacet& incident : subdivision_.sub_edges.incident_to(in_plane[place]))
+      for (const Side side : kSides)
+        if (includes(incident.sides, side)) is_covered_[2 * place + static_cast<std::uint32_t>(side)] = true;
   }
-  std::ranges::sort(outgoing, {}, &OutgoingSubEdge::key_in_plane);
+  std::ranges::sort(outgoing_, {}, &OutgoingSubEdge::key);
 }
 
 /// All sub-edges of a plane that leave a node.
-Status pair_around(std::span<OutgoingSubEdge> around, const Subdivision& subdivision,
-                   std::vector<NeighbouringSides>& result) {
-  const Projection projection = subdivision.facets.planes[around[0].plane].projection;
-  const NodePool& nodes = subdivision.complex.nodes;
+Status ChainFinder::join_around(std::span<OutgoingSubEdge> around, Projection projection) {
+  const NodePool& nodes = subdivision_.complex.nodes;
   if (around.size() > 2) std::ranges::sort(around, AngularOrder(nodes, projection, around[0].origin));
   for (std::size_t i = 0; i < around.size(); ++i) {
-    const SubEdgeSide left = around[i].left(), right = around[i + 1 == around.size() ? 0 : i + 1].right();
-    const bool is_covered = subdivision.sub_edges.is_covered(left);
-    if (is_covered != subdivision.sub_edges.is_covered(right)) {
+    const std::uint32_t left = around[i].left(), right = around[i + 1 == around.size() ? 0 : i + 1].right();
+    if (is_covered_[left] != is_covered_[right]) {
       const Vec3 at = nodes[around[0].origin].approx;
       return Error{ErrorCode::internal, "dividing a plane: a facet ends beside no edge at ({} {} {})", at.x, at.y,
                    at.z};
     }
-    if (is_covered) result.push_back({left, right});
+    if (is_covered_[left]) next_[right] = left;
   }
   return {};
 }
 
+/// Each covered side is followed by one side and follows one.
+void ChainFinder::number_chains(std::span<const SubEdgeId> in_plane) {
+  for (std::uint32_t first = 0; first < next_.size(); ++first) {
+    if (next_[first] == kNone) continue;
+    const FrontWindingId chain(count_++);
+    for (std::uint32_t side = first; next_[side] != kNone; side = std::exchange(next_[side], kNone))
+      chains_[{in_plane[side / 2], static_cast<Side>(side % 2)}] = chain;
+  }
+}
+
+Status ChainFinder::add(std::span<const SubEdgeId> in_plane) {
+  if (in_plane.empty()) return {};
+  collect_sides(in_plane);
+  next_.assign(2 * in_plane.size(), kNone);
+  const Projection projection = subdivision_.plane_of(in_plane.front()).projection;
+  for (std::size_t begin = 0, end = 0; begin < outgoing_.size(); begin = end) {
+    while (end < outgoing_.size() && outgoing_[end].origin == outgoing_[begin].origin) ++end;
+    ALGEBRA3D_RETURN_IF_ERROR(join_around(std::span(outgoing_).subspan(begin, end - begin), projection));
+  }
+  number_chains(in_plane);
+  return {};
+}
+
+/// Consecutive planes, and the number of their chains.
+struct PlaneBlock {
+  std::size_t first_plane, last_plane;
+  std::size_t chain_count = 0;
+  Status status = {};
+};
+
+std::vector<PlaneBlock> plane_blocks(std::size_t plane_count) {
+  std::vector<PlaneBlock> blocks;
+  for (std::size_t first = 0; first < plane_count; first += kPlanesPerTask)
+    blocks.push_back({first, std::min(first + kPlanesPerTask, plane_count)});
+  return blocks;
+}
+
 }  // namespace
 
-// Plane by plane, so that little is kept at a time.
-Result<std::vector<NeighbouringSides>> neighbouring_sides(const Subdivision& subdivision) {
+Result<FrontWindingIds> number_front_windings(const Subdivision& subdivision) {
   const SubEdgesOfPlanes by_plane(subdivision);
-  std::vector<NeighbouringSides> result;
-  result.reserve(2 * subdivision.sub_edges.sub_edges.size());
-  std::vector<OutgoingSubEdge> outgoing;
-  for (const PlaneId plane : subdivision.facets.planes.ids()) {
-    collect_outgoing(by_plane.of(plane), subdivision, outgoing);
-    for (std::size_t begin = 0, end = 0; begin < outgoing.size(); begin = end) {
-      while (end < outgoing.size() && outgoing[end].origin == outgoing[begin].origin) ++end;
-      ALGEBRA3D_RETURN_IF_ERROR(pair_around(std::span(outgoing).subspan(begin, end - begin), subdivision, result));
-    }
+  IdVector<SubEdgeSide, FrontWindingId> chains(subdivision.sub_edges.sides().size());
+  std::vector<PlaneBlock> blocks = plane_blocks(by_plane.plane_count());
+  parallel_for(blocks.size(), 1, [&](std::size_t i) {
+    PlaneBlock& block = blocks[i];
+    ChainFinder finder(subdivision, chains);
+    for (std::size_t plane = block.first_plane; plane < block.last_plane && block.status.ok(); ++plane)
+      block.status = finder.add(by_plane.of(plane, plane + 1));
+    block.chain_count = finder.count();
+  });
+  std::vector<std::size_t> first_chains;
+  std::size_t chain_count = 0;
+  for (PlaneBlock& block : blocks) {
+    ALGEBRA3D_RETURN_IF_ERROR(std::move(block.status));
+    first_chains.push_back(chain_count);
+    chain_count += block.chain_count;
   }
-  return result;
+  parallel_for(blocks.size(), 1, [&](std::size_t i) {
+    for (const SubEdgeId s : by_plane.of(blocks[i].first_plane, blocks[i].last_plane))
+      for (const Side side : kSides)
+        if (FrontWindingId& chain = chains[{s, side}]; !chain.is_none())
+          chain = FrontWindingId(first_chains[i] + chain.index());
+  });
+  return FrontWindingIds(std::move(chains), chain_count, subdivision.patches.patches.size());
 }
 
 }  // namespace algebra3d::arrangement

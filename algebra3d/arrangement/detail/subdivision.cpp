@@ -15,10 +15,13 @@ namespace algebra3d::arrangement {
 namespace {
 
 /// Makes the segment complex, and divides its segments where they cut one another.
-Result<SubEdges> find_sub_edges(Subdivision& subdivision, const PairContacts& contacts, Boundaries boundaries,
+Result<SubEdges> find_sub_edges(Subdivision& subdivision, PairContacts contacts, Boundaries boundaries,
                                 const ArrangementOptions& options, const Monitor& monitor) {
-  auto& [operands, facets, complex, sub_edges, patches] = subdivision;
+  const Operands& operands = subdivision.operands;
+  const Facets& facets = subdivision.facets;
+  SegmentComplex& complex = subdivision.complex;
   ALGEBRA3D_ASSIGN_OR_RETURN(complex, find_facet_contacts(operands, facets, contacts));
+  contacts = {{}, PlanesOfFaces(operands)};  // freed
   ALGEBRA3D_RETURN_IF_ERROR(check_stage(
       "the facet contacts", [&] { return audit(subdivision.operands, subdivision.facets, subdivision.complex); }));
   ALGEBRA3D_ASSIGN_OR_RETURN(complex, overlay(operands, facets, std::move(complex), monitor, options.max_cuts));
@@ -38,12 +41,13 @@ Result<SubEdges> find_sub_edges(Subdivision& subdivision, const PairContacts& co
 
 Result<Subdivision> subdivide(std::span<const Operand> list, Boundaries boundaries, const ArrangementOptions& options,
                               const Monitor& monitor) {
-  Subdivision result{Operands(list), {}, {}, {}, {}};
+  Subdivision result{Operands(list), {}, {}, {}, {}, {}};
   const Operands& operands = result.operands;
   ALGEBRA3D_RETURN_IF_ERROR(check_stage("the operands", [&] { return audit(operands); }));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const Candidates candidates, find_candidates(operands, monitor, options.max_pairs));
+  ALGEBRA3D_ASSIGN_OR_RETURN(Candidates candidates, find_candidates(operands, monitor, options.max_pairs));
   ALGEBRA3D_RETURN_IF_ERROR(check_stage("the candidates", [&] { return audit(operands, candidates); }));
-  ALGEBRA3D_ASSIGN_OR_RETURN(const PairContacts contacts, find_pair_contacts(operands, candidates, monitor));
+  ALGEBRA3D_ASSIGN_OR_RETURN(PairContacts contacts, find_pair_contacts(operands, candidates, monitor));
+  candidates = {};  // freed
   ALGEBRA3D_RETURN_IF_ERROR(check_stage("the contacts", [&] { return audit(operands, contacts); }));
   result.facets = make_facets(operands, contacts);
   ALGEBRA3D_RETURN_IF_ERROR(check_stage("the facets", [&] { return audit(operands, result.facets); }));
@@ -51,10 +55,11 @@ Result<Subdivision> subdivide(std::span<const Operand> list, Boundaries boundari
   Result<SubEdges> sub_edges = SubEdges();
   parallel_invoke(
       operands.face_count() >= kFacesWorthATask,
-      [&] { sub_edges = find_sub_edges(result, contacts, boundaries, options, monitor); },
+      [&] { sub_edges = find_sub_edges(result, std::move(contacts), boundaries, options, monitor); },
       [&] { result.patches = find_patches(operands, result.facets); });
   ALGEBRA3D_ASSIGN_OR_RETURN(result.sub_edges, std::move(sub_edges));
   ALGEBRA3D_RETURN_IF_ERROR(check_stage("the patches", [&] { return audit(operands, result.facets, result.patches); }));
+  result.uncut_edges = find_uncut_edges(operands, result.complex, result.sub_edges, result.patches);
   return result;
 }
 

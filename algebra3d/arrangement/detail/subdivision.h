@@ -4,6 +4,7 @@
 
 #include "algebra3d/arrangement/detail/patches.h"
 #include "algebra3d/arrangement/detail/sub_edges.h"
+#include "algebra3d/arrangement/detail/uncut_edges.h"
 #include "algebra3d/arrangement/operand.h"
 #include "algebra3d/base/error.h"
 #include "algebra3d/base/monitor.h"
@@ -17,6 +18,7 @@ struct Subdivision {
   SegmentComplex complex;
   SubEdges sub_edges;
   Patches patches;
+  UncutEdges uncut_edges;
 
   const Plane& plane_of(SubEdgeId sub_edge) const { return facets.planes[sub_edges[sub_edge].plane]; }
 };

@@ -1,30 +1,36 @@
 #include "algebra3d/arrangement/detail/uncut_edges.h"
 
-#include <algorithm>
+#include <numeric>
 
 namespace algebra3d::arrangement {
 
-std::vector<UncutEdge> uncut_edges(const Operands& operands, const SegmentComplex& complex, const Patches& patches) {
-  std::vector<UncutEdge> result;
+SpaceEdgeSet::SpaceEdgeSet(std::span<const SpaceEdge> edges, std::size_t node_count) {
+  if (edges.empty()) return;
+  begins_.resize(node_count + 1);
+  ends_.resize(edges.size());
+  // Counted, added up, and filled from behind, so that each begin ends where it has to be.
+  for (const SpaceEdge& edge : edges) ++begins_[edge.u.index()];
+  std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
+  for (const SpaceEdge& edge : edges) ends_[--begins_[edge.u.index()]] = edge.v;
+}
+
+UncutEdges find_uncut_edges(const Operands& operands, const SegmentComplex& complex, const SubEdges& sub_edges,
+                            const Patches& patches) {
+  UncutEdges result;
+  std::vector<SpaceEdge> space_edges;
   std::vector<InputHalfedgeId> along;
   const auto is_of_patch = [&](InputHalfedgeId h) { return !patches.of_face[Operands::face(h)].is_none(); };
   for (const SegmentId s : complex.segments.ids()) {
     const Segment& segment = complex.segments[s];
     if (segment.edge.is_none()) continue;
     operands.halfedges_along(segment.edge, along);
-    if (std::ranges::any_of(along, is_of_patch)) result.push_back({s, segment.edge});
+    if (!std::ranges::any_of(along, is_of_patch)) continue;
+    result.edges.push_back({s, segment.edge});
+    const auto nodes = sub_edges.segments.nodes(s);
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) space_edges.push_back(SpaceEdge::of(nodes[i], nodes[i + 1]));
   }
+  result.space_edges = SpaceEdgeSet(space_edges, complex.nodes.size());
   return result;
-}
-
-std::vector<SpaceEdge> space_edges_of(const std::vector<UncutEdge>& uncut_edges, const SubEdges& sub_edges) {
-  std::vector<SpaceEdge> edges;
-  for (const UncutEdge& edge : uncut_edges) {
-    const auto nodes = sub_edges.segments.nodes(edge.segment);
-    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) edges.push_back(SpaceEdge::of(nodes[i], nodes[i + 1]));
-  }
-  std::ranges::sort(edges);
-  return edges;
 }
 
 }  // namespace algebra3d::arrangement

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "algebra3d/arrangement/detail/patches.h"
@@ -15,10 +19,33 @@ struct UncutEdge {
   InputEdgeId edge;
 };
 
-/// All uncut edges, in the order of their segments. Cost: linear in the segments.
-std::vector<UncutEdge> uncut_edges(const Operands& operands, const SegmentComplex& complex, const Patches& patches);
+/// A set of space edges, which is asked for every space edge several times. Constant once it is made.
+class SpaceEdgeSet {
+ public:
+  SpaceEdgeSet() = default;
+  /// `edges`: each once. Cost: linear in these and in the nodes.
+  SpaceEdgeSet(std::span<const SpaceEdge> edges, std::size_t node_count);
 
-/// The space edges along uncut edges, ascending. These are where patches end.
-std::vector<SpaceEdge> space_edges_of(const std::vector<UncutEdge>& uncut_edges, const SubEdges& sub_edges);
+  /// Cost: that of the members with the same first node.
+  bool contains(const SpaceEdge& edge) const {
+    if (ends_.empty()) return false;
+    const std::uint32_t *const begin = &begins_[edge.u.index()], *const end = begin + 1;
+    return std::find(ends_.begin() + *begin, ends_.begin() + *end, edge.v) != ends_.begin() + *end;
+  }
+
+ private:
+  std::vector<std::uint32_t> begins_;  // of ends_: per first node, and where all end
+  std::vector<NodeId> ends_;           // the second nodes
+};
+
+/// All uncut edges.
+struct UncutEdges {
+  std::vector<UncutEdge> edges;  ///< in the order of their segments
+  SpaceEdgeSet space_edges;      ///< those along them: where patches end
+};
+
+/// Cost: linear in the segments and nodes.
+UncutEdges find_uncut_edges(const Operands& operands, const SegmentComplex& complex, const SubEdges& sub_edges,
+                            const Patches& patches);
 
 }  // namespace algebra3d::arrangement

@@ -3,7 +3,6 @@
 
 #include "algebra3d/arrangement/detail/radial_order.h"
 #include "algebra3d/arrangement/detail/stage_audit.h"
-#include "algebra3d/arrangement/detail/uncut_edges.h"
 #include "algebra3d/arrangement/detail/winding_jumps.h"
 
 namespace algebra3d::arrangement {
@@ -54,11 +53,9 @@ std::vector<std::string> WindingJumpsAudit::run() {
                           sub_edges_.sides().size()))
     return violations_.take();
   for (const SubEdgeSide side : sub_edges_.sides()) check_side(side);
-  const std::vector<SpaceEdge> uncut_space_edges =
-      space_edges_of(uncut_edges(subdivision_.operands, subdivision_.complex, subdivision_.patches), sub_edges_);
   sub_edges_.for_each_space_edge([&](IdRange<SubEdgeId> line) {
     // At uncut edges not all faces are in sub-facets.
-    if (!std::ranges::binary_search(uncut_space_edges, sub_edges_[line.front()].ends)) check_space_edge(line);
+    if (!subdivision_.uncut_edges.space_edges.contains(sub_edges_[line.front()].ends)) check_space_edge(line);
   });
   return violations_.take();
 }

@@ -43,10 +43,8 @@ class UnionSteps {
         selection(union_of(subdivision, jumps_, fronts_)) {
     KeptPatches kept;
     for (const PatchId patch : subdivision.patches.ids()) kept.push_back(selection.patch(patch));
-    const std::vector<UncutEdge> uncut = uncut_edges(subdivision.operands, subdivision.complex, subdivision.patches);
-    const std::vector<SpaceEdge> uncut_space_edges = space_edges_of(uncut, subdivision.sub_edges);
-    edges = region_edges(subdivision.sub_edges, selection, uncut_space_edges);
-    pseudo_nodes = find_pseudo_nodes(subdivision, edges, uncut, uncut_space_edges, PatchCorners(subdivision, kept));
+    edges = region_edges(subdivision, selection);
+    pseudo_nodes = find_pseudo_nodes(subdivision, edges, PatchCorners(subdivision, kept));
     straight = straightened(edges, pseudo_nodes);
     regions = triangulate_regions(subdivision, straight).value();
   }

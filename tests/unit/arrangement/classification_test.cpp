@@ -4,11 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 #include "algebra3d/arrangement/detail/linking.h"
 #include "algebra3d/arrangement/detail/propagating.h"
 #include "algebra3d/arrangement/detail/seeding.h"
+#include "algebra3d/arrangement/detail/sub_facets.h"
 #include "unit/arrangement/stages.h"
 
 namespace algebra3d::arrangement {
@@ -157,6 +159,37 @@ TEST(WindingJumps, of_one_group_cancel_out) {
   EXPECT_EQ(in_common_plane, 4U);  // the inner sides of the four sub-edges round the square
 }
 
+TEST(FrontWindings, are_those_of_sub_facets_and_patches) {
+  // Three sides of each cube are divided into a square and an L. Each cube has one patch.
+  const stages::CrossingCubes boxes;
+  const Subdivision subdivision = boxes.subdivision();
+  const FrontWindingIds ids = number_front_windings(subdivision).value();
+  EXPECT_EQ(ids.count(), 2U * 3U * 2U + 2U);
+  // Squares have four sides, Ls six; those of an L along an uncut edge are undivided.
+  std::map<FrontWindingId, std::size_t> sides;
+  for (const SubEdgeSide side : subdivision.sub_edges.sides()) {
+    EXPECT_EQ(ids.of(side).is_none(), !subdivision.sub_edges.is_covered(side));
+    if (!ids.of(side).is_none()) ++sides[ids.of(side)];
+  }
+  std::map<std::size_t, std::size_t> sub_facets_by_sides;
+  for (const auto& [front, count] : sides) ++sub_facets_by_sides[count];
+  EXPECT_EQ(sub_facets_by_sides, (std::map<std::size_t, std::size_t>{{4, 6}, {6, 6}}));
+}
+
+TEST(FrontWindings, of_what_touches_nothing_are_those_of_patches) {
+  const stages::Cavity boxes;
+  EXPECT_EQ(number_front_windings(boxes.subdivision()).value().count(), 2U);
+}
+
+TEST(SpaceEdgeSet, has_its_edges_and_no_others) {
+  const auto edge = [](int u, int v) { return SpaceEdge{NodeId(u), NodeId(v)}; };
+  const std::vector<SpaceEdge> edges{edge(0, 3), edge(2, 3), edge(0, 1)};
+  const SpaceEdgeSet set(edges, 4);
+  for (const SpaceEdge& member : edges) EXPECT_TRUE(set.contains(member));
+  for (const SpaceEdge& other : {edge(0, 2), edge(1, 3), edge(1, 2)}) EXPECT_FALSE(set.contains(other));
+  EXPECT_FALSE(SpaceEdgeSet().contains(edge(0, 1)));
+}
+
 /// Sets of front windings that have a jump or are those of patches.
 std::size_t set_count(const stages::Boxes& boxes) {
   const Subdivision subdivision = boxes.subdivision();
@@ -164,7 +197,7 @@ std::size_t set_count(const stages::Boxes& boxes) {
   LinkedWindings linked = link_windings(subdivision, jumps).value();
   std::set<FrontWindingId> sets;
   for (const SubEdgeSide side : subdivision.sub_edges.sides())
-    if (jumps[side] != WindingVector()) sets.insert(linked.sets.find(FrontWindingIds::of(side)).set);
+    if (jumps[side] != WindingVector()) sets.insert(linked.sets.find(linked.ids.of(side)).set);
   for (const PatchId patch : subdivision.patches.ids()) sets.insert(linked.sets.find(linked.ids.of(patch)).set);
   return sets.size();
 }
@@ -277,7 +310,7 @@ TEST(Linking, audit_sees_damage) {
   expect_seen([](LinkedWindings& linked) { linked.sets = WindingSets(linked.ids.count()); },
               "are not linked by the cell between them");
   expect_seen([](LinkedWindings& linked) { linked.sets = WindingSets(linked.ids.count() - 1); },
-              "front windings in the");
+              "front windings in the sets");
   // All in one set, and all the same.
   expect_seen(
       [](LinkedWindings& linked) {

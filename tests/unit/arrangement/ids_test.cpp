@@ -36,11 +36,15 @@ TEST(Ids, a_side_of_a_sub_edge_is_both) {
   EXPECT_EQ(SubEdgeSide(left.index()), left);
 }
 
-TEST(Ids, front_windings_of_patches_follow_those_at_sides) {
-  const FrontWindingIds ids(6, 2);
-  EXPECT_EQ(ids.count(), 8U);
-  EXPECT_EQ(FrontWindingIds::of(SubEdgeSide(SubEdgeId(2), Side::right)), FrontWindingId(5));
-  EXPECT_EQ(ids.of(PatchId(0)), FrontWindingId(6));
+TEST(Ids, front_windings_of_patches_follow_those_of_sub_facets) {
+  // Two sub-edges: the left sides bound one sub-facet, the right side of the second one another, that of the first
+  // none.
+  const FrontWindingId one(0), other(1);
+  const FrontWindingIds ids({one, FrontWindingId::none(), one, other}, 2, 2);
+  EXPECT_EQ(ids.count(), 4U);
+  EXPECT_EQ(ids.of(SubEdgeSide(SubEdgeId(1), Side::right)), other);
+  EXPECT_TRUE(ids.of(SubEdgeSide(SubEdgeId(0), Side::right)).is_none());
+  EXPECT_EQ(ids.of(PatchId(0)), FrontWindingId(2));
 }
 
 }  // namespace
