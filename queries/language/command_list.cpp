@@ -60,7 +60,7 @@ std::span<const CommandDescription> command_list() {
 }
 
 std::span<const CommandDescription> language_commands() {
-  const auto first_of_shell =
+  const auto* const first_of_shell =
       std::ranges::find_if(kCommands, [](const auto& command) { return command.syntax.starts_with("set "); });
   return {kCommands.begin(), first_of_shell};
 }
