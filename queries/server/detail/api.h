@@ -110,7 +110,8 @@ class Api {
   const algebra3d::WorkingFolder folder_;
   RunningStatements running_;
   std::atomic<bool> is_emptying_log_ = false;
-  std::atomic<std::uintmax_t> longest_log_;  // so long it may become before it is emptied
+  std::atomic<std::uintmax_t> longest_log_;        // so long it may become before it is emptied
+  Execution::Clock::time_point emptied_log_ = {};  // when that was last tried
   KeptResults results_;
   SessionPool sessions_;  // its work uses all of the above
 };
