@@ -174,8 +174,8 @@ struct Operator {
   bool writes_files = false;
   std::vector<std::string> sources = {};  ///< keys of docs/references.md
   std::vector<Overload> overloads = {};   ///< none of a relational operator
-  /// Of an operator on values of every type: makes the overload for a type that is not registered, such as one of
-  /// nested relations.
+  /// Factory of an operator on values of every type: makes the overload for a type that is not registered, such as one
+  /// of nested relations.
   std::function<Overload(const Type&)> overload_for = nullptr;
   std::shared_ptr<const StreamImplementation> stream = nullptr;  ///< of a relational operator
   std::vector<std::string> signatures = {};  ///< of a relational operator, for people; others deduce theirs

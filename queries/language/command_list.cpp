@@ -42,7 +42,7 @@ constexpr auto kCommands = std::to_array<CommandDescription>({
     {"if EXPRESSION then COMMAND else COMMAND endif", "Run one command or the other"},
     {"while EXPRESSION do COMMAND endwhile", "Run a command as long as the condition holds"},
     {"{ COMMAND | COMMAND }", "Run commands up to the first error; {{ ... }} goes on after errors"},
-    // Of the shell:
+    // Commands of the shell:
     {"set \"timing\" = BOOL", "TRUE: show the time of each statement"},
     {"set \"paging\" = BOOL", "FALSE: never send long results through the pager"},
     {"set \"memory\" = INT", "Limit in megabytes for sorting, grouping and hashing"},

@@ -67,7 +67,7 @@ class SubEdgesOfPlanes {
   }
 
   std::size_t plane_count() const { return begins_.size() - 1; }
-  /// Those of the planes from one up to another one, without that.
+  /// The sub-edges of the planes in [first_plane, last_plane).
   std::span<const SubEdgeId> of(std::size_t first_plane, std::size_t last_plane) const {
     return std::span(sub_edges_).subspan(begins_[first_plane], begins_[last_plane] - begins_[first_plane]);
   }
@@ -97,7 +97,7 @@ class ChainFinder {
   const Subdivision& subdivision_;
   IdVector<SubEdgeSide, FrontWindingId>& chains_;
   std::size_t count_ = 0;
-  // Of the plane at hand; members, so that their memory is used again.
+  // Working arrays for one plane, kept between planes for their memory.
   std::vector<OutgoingSubEdge> outgoing_;  // by origin
   std::vector<bool> is_covered_;           // per side
   std::vector<std::uint32_t> next_;        // the side that follows in the chain; kNone for sides that are not covered

@@ -99,40 +99,13 @@ Api::Api(const algebra3d::Registry& registry, const ServerOptions& options, cons
       database_(std::move(database)),
       uploads_(std::move(uploads), options.max_upload_megabytes << 20U, limits.uploads),
       folder_(confined_folder(options, uploads_)),
-      longest_log_(limits.usual_log_bytes),
       results_(limits.results),
+      log_keeper_(database_.file(), options.read_only, limits, results_, sessions_),
       sessions_(registry, session_options(options), options.database, limits.sessions, limits.idle_sessions) {}
 
 void Api::tend() {
   results_.drop_what_is_old();
-  std::error_code error;
-  std::filesystem::path log = database_.file();
-  log += "-wal";
-  const std::uintmax_t bytes = std::filesystem::file_size(log, error);
-  if (error) return;
-  if (bytes > limits_.log_bytes) results_.drop_oldest();
-  if (options_.read_only) return;
-  constexpr std::chrono::seconds kBetweenAttempts(30);
-  const bool is_time = Execution::Clock::now() - emptied_log_ > kBetweenAttempts;
-  if (bytes > (is_time ? limits_.usual_log_bytes : longest_log_.load())) empty_log(bytes);
-}
-
-// SQLite begins the log anew when all readers have seen its end. Results that wait for questions are readers, and where
-// others follow one another without a gap, that needs a pause of the writers. After a failure the next attempt comes
-// when the log has grown again, or half a minute later: SQLite may begin the log anew without making it shorter.
-void Api::empty_log(std::uintmax_t bytes) {
-  static constexpr int kLongestPause = 500;  // milliseconds
-  static constexpr std::chrono::seconds kLongestWait(5);
-  if (is_emptying_log_.exchange(true)) return;
-  emptied_log_ = Execution::Clock::now();
-  const Status started = sessions_.run([this, bytes](Session& session) {
-    results_.leave_database(Execution::Clock::now() + kLongestWait);
-    const Result<bool> is_empty = session.store()->empty_log(kLongestPause);
-    results_.may_stay();
-    longest_log_ = limits_.usual_log_bytes + (is_empty && *is_empty ? 0 : bytes);
-    is_emptying_log_ = false;
-  });
-  if (!started) is_emptying_log_ = false;
+  log_keeper_.tend();
 }
 
 void Api::close() {

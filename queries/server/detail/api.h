@@ -1,7 +1,5 @@
 #pragma once
 
-#include <atomic>
-#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -15,6 +13,7 @@
 #include "queries/server/detail/database_identity.h"
 #include "queries/server/detail/http.h"
 #include "queries/server/detail/kept_results.h"
+#include "queries/server/detail/log_keeper.h"
 #include "queries/server/detail/query_request.h"
 #include "queries/server/detail/request_guard.h"
 #include "queries/server/detail/running_statements.h"
@@ -52,9 +51,7 @@ class Api {
 
   /// Answers any request; never throws.
   HttpAnswer answer(const HttpRequest& request) noexcept;
-  /// To be called about every second: drops results that nobody uses, empties the write-ahead log of the database if it
-  /// is long, for which small results leave the database, and drops the oldest result while the log is very long: it
-  /// cannot be emptied while a result needs it.
+  /// To be called about every second: drops results that nobody uses, and keeps the log of the database short.
   void tend();
   /// Ends all statements and drops all results.
   void close();
@@ -99,8 +96,6 @@ class Api {
   HttpAnswer get_keywords(const Call& call);
   HttpAnswer get_openapi(const Call& call);
 
-  void empty_log(std::uintmax_t bytes);
-
   const algebra3d::Registry& registry_;
   const ServerOptions options_;
   const ServerLimits limits_;
@@ -109,10 +104,8 @@ class Api {
   Uploads uploads_;
   const algebra3d::WorkingFolder folder_;
   RunningStatements running_;
-  std::atomic<bool> is_emptying_log_ = false;
-  std::atomic<std::uintmax_t> longest_log_;        // so long it may become before it is emptied
-  Execution::Clock::time_point emptied_log_ = {};  // when that was last tried
   KeptResults results_;
+  LogKeeper log_keeper_;
   SessionPool sessions_;  // its work uses all of the above
 };
 

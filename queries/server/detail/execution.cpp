@@ -12,7 +12,7 @@ namespace queries {
 namespace {
 
 constexpr std::size_t kAnySize = std::numeric_limits<std::size_t>::max();
-// Of a result that leaves the database: the rest of the copy is in a temporary file.
+// Limits of the copy that a result makes when it leaves the database: its size, and its part in memory.
 constexpr std::size_t kLargestCopy = std::size_t{16} << 20U;
 constexpr std::size_t kCopyMemory = std::size_t{512} << 10U;
 
@@ -158,7 +158,7 @@ bool Execution::has_result() const {
   return answer_ && *answer_ && !(*answer_)->columns.empty() && !is_over_;
 }
 
-// Until the result is dropped (false), or is to leave the database.
+// Answers questions until the result is dropped (false), or is to leave the database (true).
 bool Execution::serve(ResultTable& table) {
   while (true) {
     Question question;

@@ -109,7 +109,7 @@ class Execution {
   std::deque<Question> questions_;
   Cancel asked_;  // of the question that is being answered
   bool is_dropped_ = false;
-  bool is_to_leave_ = false;  // the database
+  bool is_to_leave_ = false;  // whether the result is asked to leave the database
   bool is_over_ = false;      // nobody serves the result any more
   std::string progress_;
   std::string why_cancelled_;

@@ -49,7 +49,7 @@ class KeptResults {
   const std::size_t most_;
   std::mutex mutex_;  // guards what follows
   std::map<std::uint64_t, Kept> results_;
-  bool are_to_leave_ = false;  // the database
+  bool are_to_leave_ = false;  // whether new results leave the database, too
   std::uint64_t last_;
 };
 
