@@ -71,7 +71,7 @@ PlanePoints::PlanePoints(const PointArray& points, const std::vector<std::uint32
     const auto begin = sorted.begin() + static_cast<std::ptrdiff_t>(s * count / strips);
     const auto end = sorted.begin() + static_cast<std::ptrdiff_t>((s + 1) * count / strips);
     std::sort(begin, end, [&](const auto& a, const auto& b) { return order.by_y(a, b); });
-    strip_ends_.push_back(VertexId(end - sorted.begin()));
+    strip_ends_.emplace_back(end - sorted.begin());
   }
   places_.reserve(count);
   indices_.reserve(count);
