@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <type_traits>
+#include <utility>
 
 #include "algebra3d/base/nearest_in_triangle.h"
 
@@ -11,18 +14,33 @@ namespace {
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 /// A bound of the roundings of a distance, and of exact corners, in units: coordinates are below 2.
-constexpr double kOfDistance = 0x1p-48;
+template <typename Number>
+constexpr Number kOfDistance = 16 * std::numeric_limits<Number>::epsilon();
 /// A bound of the roundings of a point of an edge: of its coordinates, and twice that for each unit of the edge.
-constexpr double kOfPoint = 0x1p-52;
+template <typename Number>
+constexpr Number kOfPoint = std::numeric_limits<Number>::epsilon();
 /// Grows a number by more than a few roundings.
-constexpr double kGrown = 1 + 0x1p-50;
+template <typename Number>
+constexpr Number kGrown = 1 + 4 * std::numeric_limits<Number>::epsilon();
 /// More candidates for a part are not compared with it one by one.
 constexpr std::size_t kManyCandidates = 64;
-/// Parts are not divided more often.
-constexpr std::uint32_t kMaxDepth = 96;
+/// After so many parts of a face those that are left are bounded by one triangle each.
+constexpr std::size_t kMaxParts = 1 << 14;
+/// Parts are not divided more often, which halves two of their sides as often as there are digits, and more.
+template <typename Number>
+constexpr std::uint32_t kMaxDepth = sizeof(Number) > sizeof(double) ? 192 : 96;
 
-double size_of(const Vec3& v) {
+template <typename Vector>
+auto size_of(const Vector& v) {
   return std::sqrt(dot(v, v));
+}
+
+/// The distance of a point from the segment from 0 to `edge`.
+template <typename Vector>
+auto distance_from_edge(const Vector& point, const Vector& edge) {
+  const auto whole = dot(edge, edge), along = dot(point, edge);
+  if (!(along > 0)) return size_of(point);
+  return along < whole ? size_of(point - along / whole * edge) : size_of(point - edge);
 }
 
 double scale_for(const Box3& box) {
@@ -34,8 +52,9 @@ double scale_for(const Box3& box) {
 
 }  // namespace
 
-FaceBounds::FaceBounds(const TriangleMesh& from, const DistanceOperand& to, const Box3& box, double enough,
-                       const Monitor& monitor)
+template <typename Vector>
+FaceBounds<Vector>::FaceBounds(const TriangleMesh& from, const DistanceOperand& to, const Box3& box, double enough,
+                               const Monitor& monitor)
     : from_(from),
       to_(to),
       box_(box),
@@ -43,68 +62,89 @@ FaceBounds::FaceBounds(const TriangleMesh& from, const DistanceOperand& to, cons
       enough_(half_scale_ * (0.5 * enough)),
       monitor_(monitor) {}
 
-Vec3 FaceBounds::unscaled(const Vec3& point) const {
-  Vec3 result;
+template <typename Vector>
+Vec3 FaceBounds<Vector>::unscaled(const Vector& point) const {
+  Vec3 result{static_cast<double>(point.x), static_cast<double>(point.y), static_cast<double>(point.z)};
   for (std::size_t axis = 0; axis < 3; ++axis)
-    result[axis] = std::clamp(unscaled(point[axis]), box_.min[axis], box_.max[axis]);
+    result[axis] = std::clamp(result[axis] / half_scale_ * 2, box_.min[axis], box_.max[axis]);
   return result;
 }
 
-FaceBounds::Target FaceBounds::target(FaceId face) const {
+/// Rounded up.
+template <typename Vector>
+double FaceBounds<Vector>::unscaled(Number length) const {
+  const Number exact = length / half_scale_ * 2;
+  const auto rounded = static_cast<double>(exact);
+  return rounded < exact ? std::nextafter(rounded, kUnbounded) : rounded;
+}
+
+template <typename Vector>
+auto FaceBounds<Vector>::target(FaceId face) const -> Target {
   const auto [a, b, c] = to_.mesh->triangle(face);
   const std::vector<Vec3>& points = to_.mesh->points().approx();
-  const Vec3 corner = scaled(points[a]);
+  const Vector corner = scaled(points[a]);
   return {face, corner, scaled(points[b]) - corner, scaled(points[c]) - corner};
 }
 
-Vec3 FaceBounds::unit_normal(FaceId face) const {
+template <typename Vector>
+Vector FaceBounds<Vector>::unit_normal(FaceId face) const {
   const Target at = target(face);
-  const Vec3 normal = cross(at.first_edge, at.second_edge);
-  const double size = size_of(normal);
-  return size > 0 ? 1 / size * normal : Vec3{};
+  const Vector normal = cross(at.first_edge, at.second_edge);
+  const Number size = size_of(normal);
+  return size > 0 ? 1 / size * normal : Vector{};
 }
 
 /// The sides of the cell along the edges. An edge without a neighbour has one at right angles to the triangle.
-std::array<FaceBounds::CellSide, 3> FaceBounds::cell_of(FaceId face) const {
+template <typename Vector>
+auto FaceBounds<Vector>::cell_of(FaceId face) const -> std::array<CellSide, 3> {
   const TriangleMesh& mesh = *to_.mesh;
   const std::vector<Vec3>& points = mesh.points().approx();
-  const Vec3 normal = unit_normal(face);
+  const Vector normal = unit_normal(face);
   std::array<CellSide, 3> sides;
   for (std::uint32_t i = 0; i < 3; ++i) {
     const HalfedgeId edge = TriangleMesh::halfedge(face, i), opposite = mesh.opposite(edge);
-    const Vec3 upward = opposite.is_valid() ? normal + unit_normal(TriangleMesh::face(opposite)) : normal;
-    const Vec3 begin = scaled(points[mesh.origin(edge).index()]), end = scaled(points[mesh.target(edge).index()]);
+    const Vector upward = opposite.is_valid() ? normal + unit_normal(TriangleMesh::face(opposite)) : normal;
+    const Vector begin = scaled(points[mesh.origin(edge).index()]), end = scaled(points[mesh.target(edge).index()]);
     sides[i] = {begin, cross(upward, end - begin)};
   }
   return sides;
 }
 
 /// The distance of a point of the triangle that is nearest but for roundings: never too small by more than roundings.
-double FaceBounds::distance(const Vec3& point, const Target& target) {
-  const Vec3 from_corner = point - target.corner;
+template <typename Vector>
+auto FaceBounds<Vector>::distance(const Vector& point, const Target& target) -> Number {
+  const Vector from_corner = point - target.corner;
   const auto [first, second] = nearest_in_triangle(from_corner, target.first_edge, target.second_edge);
-  return size_of(from_corner - (first * target.first_edge + second * target.second_edge));
+  const Number inside = size_of(from_corner - (first * target.first_edge + second * target.second_edge));
+  if constexpr (std::is_same_v<Number, double>) return inside;
+  // In a needle roundings hide where the nearest point is, but not along an edge.
+  return std::min({inside, distance_from_edge(from_corner, target.first_edge),
+                   distance_from_edge(from_corner, target.second_edge),
+                   distance_from_edge(from_corner - target.first_edge, target.second_edge - target.first_edge)});
 }
 
-FaceBounds::Farthest FaceBounds::farthest(const Part& part, const Target& target) {
+template <typename Vector>
+auto FaceBounds<Vector>::farthest(const Part& part, const Target& target) -> Farthest {
   Farthest result{-1, {}};
   for (std::uint32_t i = 0; i < part.size; ++i)
-    if (const double own = distance(part.corners[i], target); own > result.upper) result = {own, part.corners[i]};
-  result.upper = (result.upper + (kOfDistance + part.deviation)) * kGrown;
+    if (const Number own = distance(part.corners[i], target); own > result.upper) result = {own, part.corners[i]};
+  result.upper = (result.upper + (kOfDistance<Number> + part.deviation)) * kGrown<Number>;
   return result;
 }
 
-Vec3 FaceBounds::centre_of(const Part& part) {
-  Vec3 sum;
+template <typename Vector>
+Vector FaceBounds<Vector>::centre_of(const Part& part) {
+  Vector sum;
   for (std::uint32_t i = 0; i < part.size; ++i) sum = sum + part.corners[i];
-  return 1.0 / part.size * sum;
+  return Number(1) / part.size * sum;
 }
 
-FaceBounds::Near FaceBounds::nearest(const Vec3& point, FaceId near) const {
+template <typename Vector>
+auto FaceBounds<Vector>::nearest(const Vector& point, FaceId near) const -> Near {
   Near best{near, distance(point, target(near))};
-  const auto reach = [&] { return unscaled(best.distance + kOfDistance); };
+  const auto reach = [&] { return unscaled(best.distance + kOfDistance<Number>); };
   to_.hierarchy->for_each_near(Box3::of(unscaled(point)), reach(), [&](std::uint32_t face) {
-    const double own = distance(point, target(FaceId(face)));
+    const Number own = distance(point, target(FaceId(face)));
     if (own < best.distance) best = {FaceId(face), own};
     return reach();
   });
@@ -112,7 +152,8 @@ FaceBounds::Near FaceBounds::nearest(const Vec3& point, FaceId near) const {
 }
 
 /// From face to neighbouring face as long as that is nearer: mostly what is nearest, if the first one is near.
-FaceBounds::Near FaceBounds::walk(const Vec3& point, FaceId from) const {
+template <typename Vector>
+auto FaceBounds<Vector>::walk(const Vector& point, FaceId from) const -> Near {
   Near best{from, distance(point, target(from))};
   for (bool has_moved = true; has_moved;) {
     has_moved = false;
@@ -120,7 +161,7 @@ FaceBounds::Near FaceBounds::walk(const Vec3& point, FaceId from) const {
     for (std::uint32_t i = 0; i < 3; ++i) {
       const HalfedgeId opposite = to_.mesh->opposite(TriangleMesh::halfedge(face, i));
       if (!opposite.is_valid()) continue;
-      const double own = distance(point, target(TriangleMesh::face(opposite)));
+      const Number own = distance(point, target(TriangleMesh::face(opposite)));
       if (own >= best.distance) continue;
       best = {TriangleMesh::face(opposite), own};
       has_moved = true;
@@ -129,28 +170,34 @@ FaceBounds::Near FaceBounds::walk(const Vec3& point, FaceId from) const {
   return best;
 }
 
-void FaceBounds::take(const Farthest& farthest, FaceId near) {
+template <typename Vector>
+void FaceBounds<Vector>::take(const Farthest& farthest, FaceId near) {
   if (farthest.upper <= irrelevant()) return;
   best_ = farthest;
   best_near_ = near;
 }
 
-FaceBound FaceBounds::of(FaceId face, const std::array<FaceId, 3>& nearest) {
+template <typename Vector>
+FaceBound FaceBounds<Vector>::of(FaceId face, const std::array<FaceId, 3>& nearest) {
   Part whole;
   for (const std::uint32_t corner : from_.triangle(face)) whole.add(scaled(from_.points().approx()[corner]));
-  double least = kUnbounded;
+  Number least = kUnbounded;
   for (const FaceId near : nearest) {
-    const double upper = farthest(whole, target(near)).upper;
+    const Number upper = farthest(whole, target(near)).upper;
     if (upper <= enough_) return {};
     if (upper < least) hint_ = near;
     least = std::min(least, upper);
   }
+  normal_ = cross(whole.corners[1] - whole.corners[0], whole.corners[2] - whole.corners[0]);
   best_ = {};
   waiting_.assign(1, whole);
-  while (!waiting_.empty() && !monitor_.is_cancelled()) {
+  for (std::size_t count = 0; !waiting_.empty() && !monitor_.is_cancelled(); ++count) {
     const Part part = waiting_.back();
     waiting_.pop_back();
-    visit(part);
+    if (count < kMaxParts)
+      visit(part);
+    else
+      take(farthest(part, target(hint_)), hint_);
   }
   if (best_.upper <= enough_) return {};
   return {unscaled(best_.upper), unscaled(best_.where), best_near_};
@@ -158,8 +205,8 @@ FaceBound FaceBounds::of(FaceId face, const std::array<FaceId, 3>& nearest) {
 
 /// The faces that may be nearest to a point of the part, none of which is farther than `reach` from the set. False if
 /// they are too many.
-bool FaceBounds::gather(const Part& part, double reach) {
-  candidates_.clear();
+template <typename Vector>
+bool FaceBounds<Vector>::gather(const Part& part, Number reach) {
   Box3 box;
   for (std::uint32_t i = 0; i < part.size; ++i) box.extend(unscaled(part.corners[i]));
   const double limit = unscaled(reach);
@@ -167,23 +214,59 @@ bool FaceBounds::gather(const Part& part, double reach) {
     box.min[axis] = std::nextafter(box.min[axis] - limit, -kUnbounded);
     box.max[axis] = std::nextafter(box.max[axis] + limit, kUnbounded);
   }
-  to_.hierarchy->for_each_meeting(box, [&](std::uint32_t face) {
-    candidates_.push_back(target(FaceId(face)));
+  const auto gather_where = [&](auto is_candidate) {
+    candidates_.clear();
+    to_.hierarchy->for_each_meeting(box, [&](std::uint32_t face) {
+      const Target candidate = target(FaceId(face));
+      if (is_candidate(candidate)) candidates_.push_back(candidate);
+      return candidates_.size() <= kManyCandidates;
+    });
     return candidates_.size() <= kManyCandidates;
-  });
-  return !candidates_.empty() && candidates_.size() <= kManyCandidates;
+  };
+  const bool are_few = gather_where([](const Target&) { return true; }) ||
+                       gather_where([&](const Target& candidate) { return !are_apart(part, candidate, reach); });
+  return are_few && !candidates_.empty();
+}
+
+/// True if the line along an edge of one of both, seen along the normal of the face, shows that they are farther apart:
+/// boxes do not tell slanted needles apart.
+template <typename Vector>
+bool FaceBounds<Vector>::are_apart(const Part& part, const Target& target, Number reach) const {
+  const std::array<Vector, 3> corners = {target.corner, target.corner + target.first_edge,
+                                         target.corner + target.second_edge};
+  const std::span<const Vector> ours(part.corners.data(), part.size);
+  const auto tells_apart = [&](const Vector& from, const Vector& to) {
+    const Vector across = cross(normal_, to - from);
+    const auto range_of = [&](std::span<const Vector> points) {
+      std::pair<Number, Number> range(kUnbounded, -kUnbounded);
+      for (const Vector& p : points) {
+        const Number at = dot(across, p - from);
+        range = {std::min(range.first, at), std::max(range.second, at)};
+      }
+      return range;
+    };
+    const auto [our_least, our_most] = range_of(ours);
+    const auto [least, most] = range_of(corners);
+    return std::max(least - our_most, our_least - most) > reach * size_of(across);
+  };
+  for (std::size_t i = 0; i < 3; ++i)
+    if (tells_apart(corners[i], corners[(i + 1) % 3])) return true;
+  for (std::size_t i = 0; i < ours.size(); ++i)
+    if (tells_apart(ours[i], ours[(i + 1) % ours.size()])) return true;
+  return false;
 }
 
 /// Bounds the part, or divides it until few faces are near.
-void FaceBounds::visit(const Part& part) {
-  const Vec3 centre = centre_of(part);
-  double radius = 0;
+template <typename Vector>
+void FaceBounds<Vector>::visit(const Part& part) {
+  const Vector centre = centre_of(part);
+  Number radius = 0;
   for (std::uint32_t i = 0; i < part.size; ++i) radius = std::max(radius, size_of(part.corners[i] - centre));
   Near near = walk(centre, hint_);
   Farthest bound = farthest(part, target(near.face));
   const auto is_bounded = [&] { return bound.upper <= irrelevant(); };
   const auto has_gathered = [&] {
-    return gather(part, std::min(bound.upper, (near.distance + radius + kOfDistance) * kGrown));
+    return gather(part, std::min(bound.upper, (near.distance + radius + kOfDistance<Number>)*kGrown<Number>));
   };
   if (is_bounded()) return;
   bool has_few = has_gathered();
@@ -196,31 +279,32 @@ void FaceBounds::visit(const Part& part) {
   hint_ = near.face;
   if (has_few)
     cover(part);
-  else if (near.distance < radius && part.depth < kMaxDepth / 2)
+  else if (near.distance < radius && part.depth < kMaxDepth<Number> / 2)
     halve(part, waiting_);
   else
     take(bound, near.face);
 }
 
 /// Covers the part with the cells of the candidates.
-void FaceBounds::cover(const Part& part) {
+template <typename Vector>
+void FaceBounds<Vector>::cover(const Part& part) {
   std::size_t steps = 4 * candidates_.size() + 32;
   uncovered_.assign(1, part);
   while (!uncovered_.empty()) {
     const Part next = uncovered_.back();
     uncovered_.pop_back();
-    const Vec3 centre = centre_of(next);
+    const Vector centre = centre_of(next);
     const Target* near = &candidates_.front();
-    double least = kUnbounded;
+    Number least = kUnbounded;
     for (const Target& candidate : candidates_) {
-      const double own = distance(centre, candidate);
+      const Number own = distance(centre, candidate);
       if (own < least) near = &candidate;
       least = std::min(least, own);
     }
     const Farthest bound = farthest(next, *near);
     if (bound.upper <= irrelevant()) continue;
-    if (steps == 0 || next.depth >= kMaxDepth) {
-      take(bound, near->face);
+    if (steps == 0 || next.depth >= kMaxDepth<Number>) {
+      take_least(next);
       continue;
     }
     --steps;
@@ -229,7 +313,8 @@ void FaceBounds::cover(const Part& part) {
 }
 
 /// Takes the bound of what is in the cell, and leaves the rest uncovered. False if nothing is.
-bool FaceBounds::divide_by_cell(const Part& part, const Target& target) {
+template <typename Vector>
+bool FaceBounds<Vector>::divide_by_cell(const Part& part, const Target& target) {
   const std::size_t count = uncovered_.size();
   Part inside = part;
   for (const CellSide& side : cell_of(target.face)) {
@@ -243,16 +328,43 @@ bool FaceBounds::divide_by_cell(const Part& part, const Target& target) {
     uncovered_.resize(count);
     return false;
   }
-  take(farthest(inside, target), target.face);
+  const Farthest bound = farthest(inside, target);
+  if (bound.upper <= irrelevant()) return true;
+  if (is_tight(bound))
+    take(bound, target.face);
+  else
+    halve(inside, uncovered_);
   return true;
+}
+
+/// False if a candidate is clearly nearer to the farthest corner.
+template <typename Vector>
+bool FaceBounds<Vector>::is_tight(const Farthest& bound) const {
+  constexpr Number kClearly = Number(7) / 8;
+  return std::ranges::none_of(
+      candidates_, [&](const Target& candidate) { return distance(bound.where, candidate) < kClearly * bound.upper; });
+}
+
+/// Takes the least bound of the part that a candidate gives.
+template <typename Vector>
+void FaceBounds<Vector>::take_least(const Part& part) {
+  Farthest least{kUnbounded, {}};
+  FaceId of_least;
+  for (const Target& candidate : candidates_)
+    if (const Farthest bound = farthest(part, candidate); bound.upper < least.upper) {
+      least = bound;
+      of_least = candidate.face;
+    }
+  take(least, of_least);
 }
 
 /// Divides a part along a plane. False if the part has too many corners, or if roundings hide where the plane is. The
 /// division is exact in this sense: the cuts are at shares of the edges, and the exact part has the same ones.
-bool FaceBounds::cut(const Part& part, const CellSide& side, Part& inside, Part& outside) {
-  constexpr double kNear = 0x1p-50;
-  std::array<double, Part::kMaxCorners> heights;  // NOLINT(cppcoreguidelines-pro-type-member-init): as far as used
-  double highest = 0, longest = 0;
+template <typename Vector>
+bool FaceBounds<Vector>::cut(const Part& part, const CellSide& side, Part& inside, Part& outside) {
+  constexpr Number kNear = 4 * std::numeric_limits<Number>::epsilon();
+  std::array<Number, Part::kMaxCorners> heights;  // NOLINT(cppcoreguidelines-pro-type-member-init): as far as used
+  Number highest = 0, longest = 0;
   for (std::uint32_t i = 0; i < part.size; ++i) {
     heights[i] = dot(side.inward, part.corners[i] - side.point);
     highest = std::max(highest, std::abs(heights[i]));
@@ -264,7 +376,7 @@ bool FaceBounds::cut(const Part& part, const CellSide& side, Part& inside, Part&
   bool has_inside = false, has_outside = false;
   for (std::uint32_t i = 0; i < part.size; ++i) {
     const std::uint32_t next = i + 1 < part.size ? i + 1 : 0;
-    const double height = heights[i], other = heights[next];
+    const Number height = heights[i], other = heights[next];
     has_inside = has_inside || height > 0;
     has_outside = has_outside || height < 0;
     if (inside.size + 1 >= Part::kMaxCorners || outside.size + 1 >= Part::kMaxCorners) return false;
@@ -272,8 +384,8 @@ bool FaceBounds::cut(const Part& part, const CellSide& side, Part& inside, Part&
     if (height <= 0) outside.add(part.corners[i]);
     on_plane += static_cast<int>(height == 0);
     if (!((height > 0 && other < 0) || (height < 0 && other > 0))) continue;
-    const Vec3 edge = part.corners[next] - part.corners[i];
-    const Vec3 point = part.corners[i] + height / (height - other) * edge;
+    const Vector edge = part.corners[next] - part.corners[i];
+    const Vector point = part.corners[i] + height / (height - other) * edge;
     longest = std::max(longest, size_of(edge));
     inside.add(point);
     outside.add(point);
@@ -291,12 +403,13 @@ bool FaceBounds::cut(const Part& part, const CellSide& side, Part& inside, Part&
   }
   if (cut_count + on_plane != 2) return false;
   inside.depth = outside.depth = part.depth + 1;
-  inside.deviation = outside.deviation = part.deviation + (cut_count > 0 ? kOfPoint * (1 + 2 * longest) : 0);
+  inside.deviation = outside.deviation = part.deviation + (cut_count > 0 ? kOfPoint<Number> * (1 + 2 * longest) : 0);
   return true;
 }
 
 /// Divides a part by a line between two corners, a triangle at the middle of its longest edge.
-void FaceBounds::halve(const Part& part, std::vector<Part>& halves) {
+template <typename Vector>
+void FaceBounds<Vector>::halve(const Part& part, std::vector<Part>& halves) {
   Part first, second;
   first.depth = second.depth = part.depth + 1;
   first.deviation = second.deviation = part.deviation;
@@ -307,20 +420,23 @@ void FaceBounds::halve(const Part& part, std::vector<Part>& halves) {
     second.add(part.corners[0]);
   } else {
     std::uint32_t longest = 0;
-    double length = -1;
+    Number length = -1;
     for (std::uint32_t i = 0; i < 3; ++i) {
-      const double own = size_of(part.corners[(i + 1) % 3] - part.corners[i]);
+      const Number own = size_of(part.corners[(i + 1) % 3] - part.corners[i]);
       if (own > length) longest = i;
       length = std::max(length, own);
     }
-    const Vec3 &a = part.corners[longest], &b = part.corners[(longest + 1) % 3], &c = part.corners[(longest + 2) % 3];
-    const Vec3 middle = 0.5 * a + 0.5 * b;
-    first.deviation = second.deviation = part.deviation + kOfPoint;
-    for (const Vec3& corner : {a, middle, c}) first.add(corner);
-    for (const Vec3& corner : {middle, b, c}) second.add(corner);
+    const Vector &a = part.corners[longest], &b = part.corners[(longest + 1) % 3], &c = part.corners[(longest + 2) % 3];
+    const Vector middle = 0.5 * a + 0.5 * b;
+    first.deviation = second.deviation = part.deviation + kOfPoint<Number>;
+    for (const Vector& corner : {a, middle, c}) first.add(corner);
+    for (const Vector& corner : {middle, b, c}) second.add(corner);
   }
   halves.push_back(first);
   halves.push_back(second);
 }
+
+template class FaceBounds<Vec3>;
+template class FaceBounds<WideVec3>;
 
 }  // namespace algebra3d::distances

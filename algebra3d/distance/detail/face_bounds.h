@@ -8,6 +8,7 @@
 #include "algebra3d/base/box3.h"
 #include "algebra3d/base/monitor.h"
 #include "algebra3d/base/vec3.h"
+#include "algebra3d/base/wide_vec3.h"
 #include "algebra3d/distance/distance.h"
 
 namespace algebra3d::distances {
@@ -24,7 +25,8 @@ struct FaceBound {
 /// at its edges. The distance from one triangle is convex, so the part in a cell has its largest distance from that
 /// triangle in a corner. Where the cells hold what is nearest to their triangles, as they do near a manifold set whose
 /// angles are flat, the bound is tight. It holds in any case, since any division does. Has its own storage: one for
-/// each thread.
+/// each thread. Vector: Vec3, or WideVec3 for bounds that are near a small part of the spacing of doubles.
+template <typename Vector>
 class FaceBounds {
  public:
   /// `box` holds both sets. Bounds up to `enough` are not of interest. Once the work is cancelled, bounds are not
@@ -38,50 +40,55 @@ class FaceBounds {
   FaceBound of(FaceId face, const std::array<FaceId, 3>& nearest);
 
  private:
+  using Number = decltype(Vector::x);
+
   /// A triangle by a corner and two edges.
   struct Target {
     FaceId face;
-    Vec3 corner, first_edge, second_edge;
+    Vector corner, first_edge, second_edge;
   };
   /// A convex part of the face. The exact part has corners within `deviation` of these.
   struct Part {
     static constexpr std::size_t kMaxCorners = 12;
-    std::array<Vec3, kMaxCorners> corners;
+    std::array<Vector, kMaxCorners> corners;
     std::uint32_t size = 0, depth = 0;
-    double deviation = 0;
+    Number deviation = 0;
 
-    void add(const Vec3& corner) { corners[size++] = corner; }
+    void add(const Vector& corner) { corners[size++] = corner; }
   };
   struct Near {
     FaceId face;
-    double distance;
+    Number distance;
   };
   /// The corner of a part that is farthest from a triangle, and a bound for the part.
   struct Farthest {
-    double upper;
-    Vec3 where;
+    Number upper;
+    Vector where;
   };
   /// A plane through a point; what lies along the normal is inside.
   struct CellSide {
-    Vec3 point, inward;
+    Vector point, inward;
   };
 
-  Vec3 scaled(const Vec3& point) const { return half_scale_ * (0.5 * point); }
-  Vec3 unscaled(const Vec3& point) const;
-  double unscaled(double length) const { return length / half_scale_ * 2; }
+  Vector scaled(const Vec3& point) const { return Vector(half_scale_ * (0.5 * point)); }
+  Vec3 unscaled(const Vector& point) const;
+  double unscaled(Number length) const;
   Target target(FaceId face) const;
-  Vec3 unit_normal(FaceId face) const;
+  Vector unit_normal(FaceId face) const;
   std::array<CellSide, 3> cell_of(FaceId face) const;
-  static double distance(const Vec3& point, const Target& target);
+  static Number distance(const Vector& point, const Target& target);
   static Farthest farthest(const Part& part, const Target& target);
-  static Vec3 centre_of(const Part& part);
-  Near walk(const Vec3& point, FaceId from) const;
-  Near nearest(const Vec3& point, FaceId near) const;
-  double irrelevant() const { return best_.upper > enough_ ? best_.upper : enough_; }
+  static Vector centre_of(const Part& part);
+  Near walk(const Vector& point, FaceId from) const;
+  Near nearest(const Vector& point, FaceId near) const;
+  Number irrelevant() const { return best_.upper > enough_ ? best_.upper : enough_; }
   void take(const Farthest& farthest, FaceId near);
-  bool gather(const Part& part, double reach);
+  bool are_apart(const Part& part, const Target& target, Number reach) const;
+  bool gather(const Part& part, Number reach);
   void visit(const Part& part);
   void cover(const Part& part);
+  bool is_tight(const Farthest& bound) const;
+  void take_least(const Part& part);
   bool divide_by_cell(const Part& part, const Target& target);
   static bool cut(const Part& part, const CellSide& side, Part& inside, Part& outside);
   static void halve(const Part& part, std::vector<Part>& halves);
@@ -90,12 +97,16 @@ class FaceBounds {
   DistanceOperand to_;
   Box3 box_;
   double half_scale_;  // from halved coordinates to units, in which the largest one is from 1 to 2
-  double enough_;      // in units
+  Number enough_;      // in units
   Monitor monitor_;
+  Vector normal_;  // of the face; of any length, rounded
   Farthest best_{};
   FaceId best_near_, hint_;
   std::vector<Part> waiting_, uncovered_;
   std::vector<Target> candidates_;
 };
+
+extern template class FaceBounds<Vec3>;
+extern template class FaceBounds<WideVec3>;
 
 }  // namespace algebra3d::distances

@@ -86,7 +86,7 @@ Status PieceSearch::bound_faces(double at_least, const Monitor& monitor) {
   const Stage stage(monitor, "bounding distances", count);
   parallel_for((count + kTask - 1) / kTask, 1, [&](std::size_t task) {
     Stage own(stage);
-    FaceBounds bounds(from_, to_, box_, enough(), monitor);
+    FaceBounds<Vec3> bounds(from_, to_, box_, enough(), monitor);
     for (std::size_t f = task * kTask; f < std::min((task + 1) * kTask, count) && own.begin_step(); ++f) {
       const auto [a, b, c] = from_.triangle(FaceId(f));
       face_bounds_[f] =

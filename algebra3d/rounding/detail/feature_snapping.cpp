@@ -19,6 +19,9 @@ namespace {
 
 /// The reach at level 0, in spacings. It is doubled from level to level. Levels differ from place to place.
 constexpr double kLeastReach = 2;
+/// Distances up to so many spacings need no better bound.
+constexpr double kSmallDistance = 4;
+
 /// So many rounds are made at a level, and so many of these without fewer crossings than ever.
 constexpr int kMaxSnappingRounds = 40;
 constexpr int kMaxRoundsWithoutGain = 10;
@@ -235,7 +238,8 @@ Result<FeatureSnappedMesh> FeatureSnapping::run() {
     if (!left.again.empty()) faces_.untie(left.again);
     ALGEBRA3D_RETURN_IF_ERROR(faces_.apply(std::move(joins), cancel_));
   }
-  FeatureSnappedMesh result{faces_.mesh(), faces_.largest_displacement(), reached_, crossings_before};
+  ALGEBRA3D_ASSIGN_OR_RETURN(const double distance, faces_.largest_distance(kSmallDistance * spacing_, cancel_));
+  FeatureSnappedMesh result{faces_.mesh(), distance, reached_, crossings_before};
   for (const auto& [cluster, progress] : progress_)
     if (progress.is_given_up) result.crossing_pairs += progress.crossings;
   return result;

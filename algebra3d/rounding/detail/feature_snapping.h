@@ -13,7 +13,7 @@ namespace algebra3d {
 /// The result of feature snapping.
 struct FeatureSnappedMesh {
   TriangleMesh mesh;
-  double largest_displacement = 0;   ///< no point of the mesh is farther from the given one
+  double largest_distance = 0;       ///< no point of the mesh is farther from the given one
   double reach = 0;                  ///< the largest one within which features were joined; 0 if nothing crossed
   std::size_t crossings_before = 0;  ///< pairs of faces that crossed
   std::size_t crossing_pairs = 0;    ///< 0 if no faces cross any more; else an upper bound of their pairs

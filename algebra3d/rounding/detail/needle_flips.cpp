@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "algebra3d/rounding/detail/wide_vec3.h"
+#include "algebra3d/base/wide_vec3.h"
 
 namespace algebra3d {
 namespace {

@@ -81,7 +81,7 @@ Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, const 
     ALGEBRA3D_ASSIGN_OR_RETURN(FeatureSnappedMesh joined,
                                snap_features(candidate.mesh, grid, spacing, largest_reach, job.cancel(), job.folded()));
     candidate.mesh = std::move(joined.mesh);
-    candidate.movement += joined.largest_displacement;
+    candidate.movement += joined.largest_distance;
     candidate.reach = std::max(candidate.reach, joined.reach);
     if (joined.reach > 0) candidate.method = std::max(candidate.method, RoundingMethod::features_joined);
     if (joined.crossing_pairs == 0) {

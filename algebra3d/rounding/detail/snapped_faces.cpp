@@ -6,6 +6,8 @@
 #include <tuple>
 
 #include "algebra3d/base/indices.h"
+#include "algebra3d/distance/distance_bound.h"
+#include "algebra3d/halfedge/box_hierarchy.h"
 #include "algebra3d/rounding/detail/rounded_vertices.h"
 
 namespace algebra3d {
@@ -370,11 +372,29 @@ TriangleMesh SnappedFaces::given_mesh() const {
   return mesh_of(given);
 }
 
+double SnappedFaces::largest_displacement(const Face& face) {
+  double largest = 0;
+  for (const Vec3& displacement : face.displacements) largest = std::max(largest, length(displacement));
+  return rounded_up(largest);
+}
+
 double SnappedFaces::largest_displacement() const {
   double largest = 0;
-  for (const std::size_t face : changed_)
-    for (const Vec3& displacement : faces_[face].displacements) largest = std::max(largest, length(displacement));
-  return rounded_up(largest);
+  for (const std::size_t face : changed_) largest = std::max(largest, largest_displacement(faces_[face]));
+  return largest;
+}
+
+Result<double> SnappedFaces::largest_distance(double enough, const Monitor& monitor) const {
+  const double displacement = largest_displacement();
+  if (displacement <= enough) return displacement;
+  std::vector<BoundedFace> faces;
+  for (std::size_t i = 0; i < changed_.size(); ++i) {
+    const Face& face = faces_[changed_[i]];
+    faces.push_back({FaceId(i), largest_displacement(face), FaceId(face.given)});
+  }
+  const TriangleMesh given = given_mesh();
+  const BoxHierarchy hierarchy(given);
+  return bounded_distance(mesh_of(changed_), faces, {&given, &hierarchy}, enough, monitor);
 }
 
 }  // namespace algebra3d

@@ -13,11 +13,11 @@
 #include "algebra3d/base/id_vector.h"
 #include "algebra3d/base/indices.h"
 #include "algebra3d/base/monitor.h"
+#include "algebra3d/base/wide_vec3.h"
 #include "algebra3d/exact/point_table.h"
 #include "algebra3d/exact/predicates.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
 #include "algebra3d/rounding/detail/moved_points.h"
-#include "algebra3d/rounding/detail/wide_vec3.h"
 
 namespace algebra3d {
 
@@ -40,8 +40,8 @@ struct FeatureJoins {
 
 /// The faces of a mesh while its features are snapped to each other. A closed mesh stays closed: along every edge as
 /// many triangles run one way as the other. Points with equal coordinates are one. For each corner it is known which
-/// point of the given mesh it stands for, so that the largest distance between the two surfaces has a bound that does
-/// not grow with the number of steps.
+/// point of the given mesh it stands for, so that the distance of the faces from that mesh has a bound that does not
+/// grow with the number of steps.
 ///
 /// A face keeps its number as long as it is there: first come the given ones, then those into which they changed. The
 /// cost of a change is that of the faces at it.
@@ -100,8 +100,13 @@ class SnappedFaces {
   TriangleMesh mesh_of(std::span<const std::size_t> faces) const;
   /// The mesh of the given faces.
   TriangleMesh given_mesh() const;
-  /// No point of the faces is farther from the given mesh; rounded up.
+  /// No corner is farther from the point of the given mesh that it stands for, and so no point of the faces from that
+  /// mesh; rounded up.
   double largest_displacement() const;
+  /// No point of the faces is farther from the given mesh; at most the largest displacement, and found to be smaller,
+  /// if that is more than `enough`, where corners moved along the mesh. Errors: interrupted. Cost: nothing unless
+  /// corners moved farther than `enough`; then that of the hierarchy of the given mesh and of bounded_distance.
+  Result<double> largest_distance(double enough, const Monitor& monitor = {}) const;
 
  private:
   /// A corner, and its vector from the point of the given mesh for which it stands.
@@ -121,6 +126,7 @@ class SnappedFaces {
 
   static Corner corner(const Face& face, std::size_t index) { return {face.corners[index], face.displacements[index]}; }
   static Face part_of(std::size_t given, const Corner& a, const Corner& b, const Corner& c);
+  static double largest_displacement(const Face& face);
   WideVec3 origin(const Corner& corner) const { return place(corner.point) - WideVec3(corner.displacement); }
 
   void drop_folded_given();

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "algebra3d/base/scheduler.h"
+#include "algebra3d/base/wide_vec3.h"
 #include "algebra3d/rounding/detail/vertex_fan.h"
-#include "algebra3d/rounding/detail/wide_vec3.h"
 
 namespace algebra3d {
 namespace {

@@ -1,13 +1,17 @@
 // The largest distance of sets that nearly coincide, where it is in the inside of faces: closed forms, and samples.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <random>
+#include <type_traits>
 
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/distance/detail/face_bounds.h"
+#include "algebra3d/distance/distance_bound.h"
 #include "unit/distance/farthest.h"
 
 namespace algebra3d {
@@ -164,21 +168,29 @@ TEST(NearCoincident, FarFromOneInSize) {
   }
 }
 
-void expect_bounds(const TriangleSet& from, const TriangleSet& to, bool is_tight) {
+template <typename Vector>
+void expect_bounds_with(const TriangleSet& from, const TriangleSet& to, bool is_tight) {
+  // Points are doubles, which may be nearly so far off the face.
+  const double rounding = std::is_same_v<Vector, Vec3> ? 0 : 0x1p-51;
   const Box3 box = unite(from.hierarchy.bounds(), to.hierarchy.bounds());
-  distances::FaceBounds bounds(from.mesh, to.operand(), box, 0);
+  distances::FaceBounds<Vector> bounds(from.mesh, to.operand(), box, 0);
   std::vector<double> upper(from.mesh.face_count()), sampled(from.mesh.face_count());
   for (std::size_t f = 0; f < upper.size(); ++f) {
     const distances::FaceBound bound = bounds.of(FaceId(f), {FaceId(0), FaceId(1), FaceId(2)});
     upper[f] = bound.upper;
     const double at_where = distance_from(bound.where, to);
-    EXPECT_LE(at_where, bound.upper);
+    EXPECT_LE(at_where, bound.upper + rounding);
     EXPECT_NEAR(at_where, bound.upper, is_tight ? 1e-12 : std::numeric_limits<double>::infinity());
   }
   for_each_sample(from, 8, [&](FaceId f, const Vec3& p) {
     sampled[f.index()] = std::max(sampled[f.index()], rounded_distance_from(p, to));
   });
-  for (std::size_t f = 0; f < upper.size(); ++f) EXPECT_LE(sampled[f], upper[f]);
+  for (std::size_t f = 0; f < upper.size(); ++f) EXPECT_LE(sampled[f], upper[f] + rounding);
+}
+
+void expect_bounds(const TriangleSet& from, const TriangleSet& to, bool is_tight) {
+  expect_bounds_with<Vec3>(from, to, is_tight);
+  expect_bounds_with<WideVec3>(from, to, is_tight);
 }
 
 TEST(FaceBounds, OfSurfacesThatNearlyCoincide) {
@@ -186,6 +198,66 @@ TEST(FaceBounds, OfSurfacesThatNearlyCoincide) {
   expect_bounds(square(5, 9, 0.3), dents(8, 0.01), true);
   expect_bounds(sphere(6, 2, {0, 0, 1}, 0), sphere(9, 2, {0.6, 0, 0.8}, 0.4), false);
   expect_bounds(sphere(5, 2, {0, 0, 1}, 0), sphere(40, 1.9, {0.6, 0, 0.8}, 0.4, 0.01), false);
+}
+
+/// The faces of a set, of which no more is known than `at_most`.
+std::vector<BoundedFace> all_faces(const TriangleSet& set, double at_most) {
+  std::vector<BoundedFace> faces;
+  for (std::size_t f = 0; f < set.mesh.face_count(); ++f) faces.push_back({FaceId(f), at_most, FaceId(0)});
+  return faces;
+}
+
+TriangleSet lifted(const TriangleSet& set, double height) {
+  std::vector<Vec3> points;
+  for (const Vec3& p : set.mesh.points().approx()) points.push_back(p + Vec3{0, 0, height});
+  Triangles triangles;
+  for (std::size_t f = 0; f < set.mesh.face_count(); ++f) triangles.push_back(set.mesh.triangle(FaceId(f)));
+  return {std::move(points), std::move(triangles)};
+}
+
+// Faces that moved along a plane by a whole side, and off it by some spacings of doubles.
+TEST(BoundedDistance, IsThatOffTheSet) {
+  const TriangleSet plane = square(3, 5, 0.3);
+  for (const double height : {0.0, 0x1p-53, 0x1p-50, 0x1p-20}) {
+    const TriangleSet off = lifted(square(1, 3, 0.7), height);
+    const double bound = *bounded_distance(off.mesh, all_faces(off, 1), plane.operand(), 0);
+    EXPECT_GE(bound, height);
+    EXPECT_LE(bound, height + 0x1p-56);
+    EXPECT_EQ(*bounded_distance(off.mesh, all_faces(off, 1), plane.operand(), 0x1p-10), 0x1p-10);
+    EXPECT_EQ(*bounded_distance(off.mesh, all_faces(off, height), plane.operand(), 0), height);
+  }
+}
+
+// Needles that end in one point, seen by needles that end some spacings of doubles beside it.
+TEST(BoundedDistance, BetweenFansOfNeedles) {
+  const auto fan = [](int count, const Vec3& tip, double turn) {
+    std::vector<Vec3> points = {tip};
+    Triangles triangles;
+    for (int i = 0; i < count; ++i) {
+      const double at = 2 * std::numbers::pi * (i + turn) / count;
+      points.push_back({0.04 * std::cos(at), 0.04 * std::sin(at), 0.999});
+      const auto a = static_cast<std::uint32_t>(i + 1), b = static_cast<std::uint32_t>((i + 1) % count + 1);
+      triangles.push_back({0, a, b});
+    }
+    return TriangleSet(std::move(points), std::move(triangles));
+  };
+  const TriangleSet given = fan(160, {0, 0, 1}, 0);
+  for (const double aside : {20.0, 100.0, 500.0}) {
+    // Moved along the slope of one needle, which is 1 / 40.
+    const TriangleSet moved = fan(160, {0x1p-53 * aside, 0, 1}, 0);
+    const double bound = *bounded_distance(moved.mesh, all_faces(moved, 0x1p-53 * aside), given.operand(), 0);
+    double farthest = 0;
+    for_each_sample(moved, 6, [&](FaceId, const Vec3& p) { farthest = std::max(farthest, distance_from(p, given)); });
+    EXPECT_GE(bound + 0x1p-54, farthest);  // samples are rounded
+    EXPECT_LE(bound, 0x1p-53 * (aside / 20 + 1));
+  }
+}
+
+TEST(BoundedDistance, EndsWhenItIsCancelled) {
+  const std::atomic<bool> cancel = true;
+  const TriangleSet plane = square(3, 5, 0.3), off = square(1, 3, 0.7);
+  EXPECT_EQ(bounded_distance(off.mesh, all_faces(off, 1), plane.operand(), 0, &cancel).error().code,
+            ErrorCode::interrupted);
 }
 
 TEST(FaceBounds, OfRandomTriangles) {

@@ -1,6 +1,7 @@
 #include "algebra3d/rounding/detail/feature_snapping.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <map>
 #include <utility>
@@ -8,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "algebra3d/distance/farthest_point.h"
+#include "algebra3d/halfedge/box_hierarchy.h"
 #include "algebra3d/rounding/detail/crossing_faces.h"
 #include "algebra3d/rounding/detail/near_features.h"
 #include "algebra3d/rounding/detail/snapped_faces.h"
@@ -93,6 +96,24 @@ TEST(SnappedFaces, edges_are_led_through_points_in_their_order) {
   EXPECT_NEAR(faces.largest_displacement(), 0.5, 1e-9);
   EXPECT_EQ(CrossingSearch(faces).find(nullptr)->size(), 0U);
   EXPECT_TRUE(is_closed(faces));
+}
+
+// Every corner of the upper face goes to one that is 8 away; so do the four sides, but only half of each.
+TEST(SnappedFaces, distance_is_less_than_displacement_where_corners_move_along_the_mesh) {
+  SnappedFaces faces(box({0, 0, 0}, {8, 8, 8}));
+  const PointId from = faces.add_point({8, 8, 8}), to = faces.add_point({8, 0, 8});
+  FeatureJoins joins;
+  joins.merged = {ordered(from, to)};
+  ASSERT_TRUE(faces.apply(std::move(joins)));
+  EXPECT_NEAR(faces.largest_displacement(), 8, 1e-9);
+  const TriangleMesh given = box({0, 0, 0}, {8, 8, 8}), changed = faces.mesh();
+  const BoxHierarchy of_given(given), of_changed(changed);
+  const double distance = farthest_point(std::array{FarthestSearch{{&changed, &of_changed}, {&given, &of_given}}})
+                              ->value()
+                              .squared_distance.nearest_root();
+  EXPECT_LT(distance, 4.1);
+  EXPECT_NEAR(*faces.largest_distance(1), distance, 1e-9);
+  EXPECT_EQ(*faces.largest_distance(9), faces.largest_displacement());
 }
 
 TEST(SnappedFaces, changes_end_when_they_are_cancelled) {
@@ -222,7 +243,7 @@ TEST(FeatureSnapping, of_a_mesh_without_crossings_is_the_mesh) {
   const auto snapped = snap_features(sphere, CoordinateGrid::doubles(), 0x1p-52, 16, nullptr);
   ASSERT_TRUE(snapped.ok());
   EXPECT_EQ(triangles_of(snapped->mesh), triangles_of(sphere));
-  EXPECT_EQ(snapped->largest_displacement, 0);
+  EXPECT_EQ(snapped->largest_distance, 0);
   EXPECT_EQ(snapped->crossing_pairs, 0U);
 }
 
@@ -231,7 +252,7 @@ TEST(FeatureSnapping, leaves_no_crossings_between_boxes_that_overlap_by_a_hair) 
   const auto snapped = snap_features(boxes, CoordinateGrid::multiples(0x1p-20), 0x1p-20, 16, nullptr);
   ASSERT_TRUE(snapped.ok());
   EXPECT_EQ(snapped->crossing_pairs, 0U);
-  EXPECT_LE(snapped->largest_displacement, 0x1p-18);
+  EXPECT_LE(snapped->largest_distance, 0x1p-18);
 }
 
 TEST(FeatureSnapping, can_be_interrupted) {

@@ -8,9 +8,9 @@
 namespace algebra3d {
 
 /// Three long doubles. With eleven bits more than doubles they tell how far a point is from a long edge to a small part
-/// of the spacing of doubles. For choices, never for decisions on validity.
+/// of the spacing of doubles. For choices and for bounds, never for decisions on validity.
 struct WideVec3 {
-  long double x, y, z;
+  long double x = 0, y = 0, z = 0;
 
   WideVec3() = default;
   WideVec3(long double x_, long double y_, long double z_) : x(x_), y(y_), z(z_) {}
