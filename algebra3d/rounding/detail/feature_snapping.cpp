@@ -239,7 +239,7 @@ Result<FeatureSnappedMesh> FeatureSnapping::run() {
     ALGEBRA3D_RETURN_IF_ERROR(faces_.apply(std::move(joins), cancel_));
   }
   ALGEBRA3D_ASSIGN_OR_RETURN(const double distance, faces_.largest_distance(kSmallDistance * spacing_, cancel_));
-  FeatureSnappedMesh result{faces_.mesh(), distance, reached_, crossings_before};
+  FeatureSnappedMesh result{faces_.mesh(), faces_.largest_displacement(), distance, reached_, crossings_before};
   for (const auto& [cluster, progress] : progress_)
     if (progress.is_given_up) result.crossing_pairs += progress.crossings;
   return result;

@@ -13,6 +13,7 @@ namespace algebra3d {
 /// The result of feature snapping.
 struct FeatureSnappedMesh {
   TriangleMesh mesh;
+  double largest_displacement = 0;   ///< no corner is farther from the point of the given mesh that it stands for
   double largest_distance = 0;       ///< no point of the mesh is farther from the given one
   double reach = 0;                  ///< the largest one within which features were joined; 0 if nothing crossed
   std::size_t crossings_before = 0;  ///< pairs of faces that crossed

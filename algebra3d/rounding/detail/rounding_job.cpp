@@ -16,7 +16,7 @@ FaceSet RoundingCandidate::kept_faces() const {
 }
 
 RoundingCandidate with_its_faces(const TriangleMesh& mesh, const RoundedVertices& vertices) {
-  RoundingCandidate candidate{TriangleMesh(mesh, vertices.points), rounded_up(vertices.largest_movement)};
+  RoundingCandidate candidate{TriangleMesh(mesh, vertices.points), Movement(rounded_up(vertices.largest_movement))};
   const std::vector<bool> moves = faces_that_move(mesh, vertices.movements);
   for (std::uint32_t f = 0; f < mesh.face_count(); ++f) candidate.kept.push_back(moves[f] ? kNone : f);
   return candidate;
@@ -25,7 +25,8 @@ RoundingCandidate with_its_faces(const TriangleMesh& mesh, const RoundedVertices
 Result<RoundingCandidate> with_moved_vertices(const TriangleMesh& mesh, const RoundedVertices& vertices,
                                               const std::atomic<bool>* cancel) {
   ALGEBRA3D_ASSIGN_OR_RETURN(SnappedMesh moved, moved_mesh(mesh, vertices.points, cancel));
-  return RoundingCandidate{std::move(moved.mesh), rounded_up(vertices.largest_movement + moved.largest_detour)};
+  return RoundingCandidate{std::move(moved.mesh),
+                           Movement(rounded_up(vertices.largest_movement + moved.largest_detour))};
 }
 
 Result<RoundingCandidate> snap_rounded(const TriangleMesh& mesh, const RoundedVertices& vertices,
@@ -33,8 +34,8 @@ Result<RoundingCandidate> snap_rounded(const TriangleMesh& mesh, const RoundedVe
   ALGEBRA3D_ASSIGN_OR_RETURN(SnappedMesh snapped, snap_round(mesh, vertices, cancel));
   const RoundingMethod method =
       snapped.largest_detour > 0 ? RoundingMethod::edges_led_round : RoundingMethod::vertices_moved;
-  return RoundingCandidate{std::move(snapped.mesh), rounded_up(vertices.largest_movement + snapped.largest_detour), 0,
-                           method};
+  return RoundingCandidate{std::move(snapped.mesh),
+                           Movement(rounded_up(vertices.largest_movement + snapped.largest_detour)), 0, method};
 }
 
 // Far out multiples of a grid are denser than doubles.

@@ -16,11 +16,27 @@
 
 namespace algebra3d {
 
+/// How far a mesh was moved at most, in coordinate units.
+struct Movement {
+  double displacement = 0;  ///< each point can be led to its new place on a way that is no longer
+  double distance = 0;      ///< no point of the result is farther from the given mesh; at most the displacement
+
+  Movement() = default;
+  /// No more is known than the displacement.
+  explicit Movement(double displacement_) : displacement(displacement_), distance(displacement_) {}
+  Movement(double displacement_, double distance_) : displacement(displacement_), distance(distance_) {}
+
+  /// One movement after the other.
+  friend Movement operator+(const Movement& a, const Movement& b) {
+    return {a.displacement + b.displacement, a.distance + b.distance};
+  }
+};
+
 /// A mesh on the grid that may be the rounded one.
 struct RoundingCandidate {
   TriangleMesh mesh;
-  double movement = 0;  ///< no point is farther from the given mesh, in coordinate units
-  double reach = 0;     ///< within which features were joined, in coordinate units; 0 if none were
+  Movement movement = {};  ///< from the given mesh
+  double reach = 0;        ///< within which features were joined, in coordinate units; 0 if none were
   RoundingMethod method = RoundingMethod::vertices_moved;
   /// Per face: the number of the face of the given mesh that is the same, corner by corner; kNone if none is or it is
   /// not known. Empty: of no face known.

@@ -52,7 +52,7 @@ Result<bool> divide(const RoundingJob& job, RoundingCandidate& candidate, const 
   }
   ALGEBRA3D_ASSIGN_OR_RETURN(RoundingCandidate snapped, snap_rounded(*divided, vertices, job.cancel()));
   candidate.mesh = std::move(snapped.mesh);
-  candidate.movement += snapped.movement;
+  candidate.movement = candidate.movement + snapped.movement;
   return true;
 }
 
@@ -62,10 +62,10 @@ Result<bool> divide_at_crossings(RoundingJob& job, RoundingCandidate candidate) 
   for (int i = 0; i < kMaxDivisions; ++i) {
     ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<TriangleMesh> divided, job.divided(candidate.mesh));
     if (!divided || divided->face_count() > max_faces(job.mesh())) return false;
-    const double moved_before = candidate.movement;
+    const Movement moved_before = candidate.movement;
     ALGEBRA3D_ASSIGN_OR_RETURN(candidate,
                                with_moved_vertices(*divided, rounded_vertices(*divided, job.grid()), job.cancel()));
-    candidate.movement += moved_before;
+    candidate.movement = moved_before + candidate.movement;
     candidate.method = RoundingMethod::crossings_divided;
     ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_accepted, job.accept(candidate));
     if (is_accepted) return true;
@@ -81,7 +81,7 @@ Result<bool> join_features(RoundingJob& job, RoundingCandidate candidate, const 
     ALGEBRA3D_ASSIGN_OR_RETURN(FeatureSnappedMesh joined,
                                snap_features(candidate.mesh, grid, spacing, largest_reach, job.cancel(), job.folded()));
     candidate.mesh = std::move(joined.mesh);
-    candidate.movement += joined.largest_distance;
+    candidate.movement = candidate.movement + Movement(joined.largest_displacement, joined.largest_distance);
     candidate.reach = std::max(candidate.reach, joined.reach);
     if (joined.reach > 0) candidate.method = std::max(candidate.method, RoundingMethod::features_joined);
     if (joined.crossing_pairs == 0) {
@@ -114,7 +114,7 @@ Result<bool> join_coplanar(RoundingJob& job, const std::vector<bool>& crowded, d
   const double farthest = std::ranges::max(moved.movements);
   if (farthest == 0) return false;
   ALGEBRA3D_ASSIGN_OR_RETURN(SnappedMesh snapped, snap_round(job.mesh(), moved, job.cancel()));
-  RoundingCandidate coplanar{std::move(snapped.mesh), rounded_up(farthest + snapped.largest_detour),
+  RoundingCandidate coplanar{std::move(snapped.mesh), Movement(rounded_up(farthest + snapped.largest_detour)),
                              reach * job.spacing(), RoundingMethod::facets_made_coplanar};
   ALGEBRA3D_ASSIGN_OR_RETURN(const bool is_divided, divide(job, coplanar, job.grid()));
   return is_divided ? join_features(job, std::move(coplanar), job.grid(), largest_reach) : Result<bool>(false);
@@ -144,7 +144,7 @@ Result<std::optional<RoundingCandidate>> cover_of_cubes(const TriangleMesh& soli
   if (!met) return std::optional<RoundingCandidate>();
   ALGEBRA3D_ASSIGN_OR_RETURN(TriangleMesh boundary, CellCover(solid, *met).boundary(cancel));
   return std::optional(
-      RoundingCandidate{std::move(boundary), met->lattice.diagonal(), 0, RoundingMethod::cover_of_cubes});
+      RoundingCandidate{std::move(boundary), Movement(met->lattice.diagonal()), 0, RoundingMethod::cover_of_cubes});
 }
 
 }  // namespace algebra3d

@@ -31,9 +31,10 @@ class SolidPart {
   bool is_whole() const { return is_in_.empty(); }
   const TriangleMesh& mesh() const { return is_whole() ? *solid_ : part_; }
 
-  /// Proves or refutes that the solid is valid with `rounded` in place of the part, no point of which is farther from
-  /// the part than `movement`. `known`: faces of `rounded` that the solid has too, of which pairs are not tested again
-  /// if the part is the whole. Exact. Errors: interrupted. Cost: that of a proof of the part, and a scan of the solid.
+  /// Proves or refutes that the solid is valid with `rounded` in place of the part, which can be deformed into it so
+  /// that no point moves farther than `movement`. `known`: faces of `rounded` that the solid has too, of which pairs
+  /// are not tested again if the part is the whole. Exact. Errors: interrupted. Cost: that of a proof of the part, and
+  /// a scan of the solid.
   Result<ProofWithContacts> prove_with(const TriangleMesh& rounded, double movement, const FaceSet& known,
                                        const std::atomic<bool>* cancel) const;
   /// False if the solid may have another number of shells with `rounded` in place of the part. Cost: linear in the

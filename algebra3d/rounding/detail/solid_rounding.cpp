@@ -108,7 +108,8 @@ Result<bool> SolidRounding::accept_in_place_of(const SolidPart& part, const Tria
   bool keeps_shells = false;
   TriangleMesh solid;
   parallel_invoke(
-      solid_.face_count() > kManyFaces, [&] { proof = part.prove_with(added, candidate.movement, known, cancel()); },
+      solid_.face_count() > kManyFaces,
+      [&] { proof = part.prove_with(added, candidate.movement.displacement, known, cancel()); },
       [&] {
         keeps_shells = part.keeps_shells_with(added);
         solid = part.solid_with(added);
@@ -119,7 +120,7 @@ Result<bool> SolidRounding::accept_in_place_of(const SolidPart& part, const Tria
   result_.mesh = std::move(solid);
   if (result_.shells_before > 0) result_.shells_after = connected_components(*result_.mesh).count;
   result_.contact_vertices = proof->contact_vertices;
-  result_.largest_movement = candidate.movement;
+  result_.largest_movement = candidate.movement.distance;
   result_.reach = candidate.reach;
   result_.method = candidate.method;
   return true;
@@ -140,7 +141,7 @@ Result<std::optional<RoundingCandidate>> SolidRounding::simplified(const Roundin
                              remove_superfluous_vertices(stars, may_change, tolerance, cancel()));
   const bool is_flipped = flip_needles(stars, may_change, tolerance);
   if (!is_smaller && !is_flipped) return std::optional<RoundingCandidate>();
-  const double movement = candidate.movement + rounded_up(2 * tolerance);
+  const Movement movement = candidate.movement + Movement(rounded_up(2 * tolerance));
   return std::optional(
       RoundingCandidate{stars.mesh(), movement, candidate.reach, candidate.method, still_kept(candidate, stars)});
 }

@@ -35,8 +35,8 @@ Result<bool> SurfaceRounding::accept(const RoundingCandidate& candidate) {
       .thoroughness = Thoroughness::first_defect, .cancel = cancel(), .known = candidate.kept_faces()};
   ALGEBRA3D_ASSIGN_OR_RETURN(const ValidityReport report, prove_surface(candidate.mesh, options));
   if (!report.is_valid()) return false;
-  result_ = RoundedSurface{candidate.mesh, "", 0, candidate.movement, candidate.method, report.contact_vertices,
-                           candidate.reach};
+  result_ = RoundedSurface{
+      candidate.mesh, "", 0, candidate.movement.distance, candidate.method, report.contact_vertices, candidate.reach};
   return true;
 }
 

@@ -35,7 +35,7 @@ void expect_cover_of(const TriangleMesh& solid, const CoordinateGrid& grid) {
     EXPECT_EQ(p, (Vec3{grid.nearest(p.x), grid.nearest(p.y), grid.nearest(p.z)}));
   // A few triangles, for speed.
   const std::vector<FaceId> some = {FaceId(0), FaceId(mesh.face_count() / 2), FaceId(mesh.face_count() - 1)};
-  expect_near(submesh(mesh, some), solid, (*cover)->movement);
+  expect_near(submesh(mesh, some), solid, (*cover)->movement.distance);
 }
 
 TEST(CubeCover, of_random_solids_is_valid_and_near_and_contains_them) {
@@ -76,7 +76,7 @@ TEST(CubeCover, is_as_fine_as_the_grid_and_the_budget_allow) {
   const TriangleMesh cube = box({0, 0, 0}, {1, 1, 1});
   const double diagonal = std::sqrt(3.0);
   const auto movement = [&](double step, std::size_t budget) {
-    return (*cover_of_cubes(cube, CoordinateGrid::multiples(step), budget, nullptr))->movement;
+    return (*cover_of_cubes(cube, CoordinateGrid::multiples(step), budget, nullptr))->movement.distance;
   };
   EXPECT_NEAR(movement(3, kBudget), 3 * diagonal, 1e-9);
   EXPECT_NEAR(movement(0.125, kBudget), 0.125 * diagonal, 1e-9);    // 8 cubes long: 296 at the boundary
