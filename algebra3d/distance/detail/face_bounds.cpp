@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
-#include <span>
 #include <type_traits>
-#include <utility>
 
 #include "algebra3d/base/nearest_in_triangle.h"
 
@@ -16,9 +15,6 @@ constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 /// A bound of the roundings of a distance, and of exact corners, in units: coordinates are below 2.
 template <typename Number>
 constexpr Number kOfDistance = 16 * std::numeric_limits<Number>::epsilon();
-/// A bound of the roundings of a point of an edge: of its coordinates, and twice that for each unit of the edge.
-template <typename Number>
-constexpr Number kOfPoint = std::numeric_limits<Number>::epsilon();
 /// Grows a number by more than a few roundings.
 template <typename Number>
 constexpr Number kGrown = 1 + 4 * std::numeric_limits<Number>::epsilon();
@@ -29,11 +25,6 @@ constexpr std::size_t kMaxParts = 1 << 14;
 /// Parts are not divided more often, which halves two of their sides as often as there are digits, and more.
 template <typename Number>
 constexpr std::uint32_t kMaxDepth = sizeof(Number) > sizeof(double) ? 192 : 96;
-
-template <typename Vector>
-auto size_of(const Vector& v) {
-  return std::sqrt(dot(v, v));
-}
 
 /// The distance of a point from the segment from 0 to `edge`.
 template <typename Vector>
@@ -96,11 +87,11 @@ Vector FaceBounds<Vector>::unit_normal(FaceId face) const {
 
 /// The sides of the cell along the edges. An edge without a neighbour has one at right angles to the triangle.
 template <typename Vector>
-auto FaceBounds<Vector>::cell_of(FaceId face) const -> std::array<CellSide, 3> {
+auto FaceBounds<Vector>::cell_of(FaceId face) const -> std::array<CellSide<Vector>, 3> {
   const TriangleMesh& mesh = *to_.mesh;
   const std::vector<Vec3>& points = mesh.points().approx();
   const Vector normal = unit_normal(face);
-  std::array<CellSide, 3> sides;
+  std::array<CellSide<Vector>, 3> sides;
   for (std::uint32_t i = 0; i < 3; ++i) {
     const HalfedgeId edge = TriangleMesh::halfedge(face, i), opposite = mesh.opposite(edge);
     const Vector upward = opposite.is_valid() ? normal + unit_normal(TriangleMesh::face(opposite)) : normal;
@@ -130,13 +121,6 @@ auto FaceBounds<Vector>::farthest(const Part& part, const Target& target) -> Far
     if (const Number own = distance(part.corners[i], target); own > result.upper) result = {own, part.corners[i]};
   result.upper = (result.upper + (kOfDistance<Number> + part.deviation)) * kGrown<Number>;
   return result;
-}
-
-template <typename Vector>
-Vector FaceBounds<Vector>::centre_of(const Part& part) {
-  Vector sum;
-  for (std::uint32_t i = 0; i < part.size; ++i) sum = sum + part.corners[i];
-  return Number(1) / part.size * sum;
 }
 
 template <typename Vector>
@@ -228,38 +212,17 @@ bool FaceBounds<Vector>::gather(const Part& part, Number reach) {
   return are_few && !candidates_.empty();
 }
 
-/// True if the line along an edge of one of both, seen along the normal of the face, shows that they are farther apart:
-/// boxes do not tell slanted needles apart.
 template <typename Vector>
 bool FaceBounds<Vector>::are_apart(const Part& part, const Target& target, Number reach) const {
   const std::array<Vector, 3> corners = {target.corner, target.corner + target.first_edge,
                                          target.corner + target.second_edge};
-  const std::span<const Vector> ours(part.corners.data(), part.size);
-  const auto tells_apart = [&](const Vector& from, const Vector& to) {
-    const Vector across = cross(normal_, to - from);
-    const auto range_of = [&](std::span<const Vector> points) {
-      std::pair<Number, Number> range(kUnbounded, -kUnbounded);
-      for (const Vector& p : points) {
-        const Number at = dot(across, p - from);
-        range = {std::min(range.first, at), std::max(range.second, at)};
-      }
-      return range;
-    };
-    const auto [our_least, our_most] = range_of(ours);
-    const auto [least, most] = range_of(corners);
-    return std::max(least - our_most, our_least - most) > reach * size_of(across);
-  };
-  for (std::size_t i = 0; i < 3; ++i)
-    if (tells_apart(corners[i], corners[(i + 1) % 3])) return true;
-  for (std::size_t i = 0; i < ours.size(); ++i)
-    if (tells_apart(ours[i], ours[(i + 1) % ours.size()])) return true;
-  return false;
+  return are_apart_seen_along<Vector>(normal_, corners, part.corner_span(), reach);
 }
 
 /// Bounds the part, or divides it until few faces are near.
 template <typename Vector>
 void FaceBounds<Vector>::visit(const Part& part) {
-  const Vector centre = centre_of(part);
+  const Vector centre = part.centre();
   Number radius = 0;
   for (std::uint32_t i = 0; i < part.size; ++i) radius = std::max(radius, size_of(part.corners[i] - centre));
   Near near = walk(centre, hint_);
@@ -280,7 +243,7 @@ void FaceBounds<Vector>::visit(const Part& part) {
   if (has_few)
     cover(part);
   else if (near.distance < radius && part.depth < kMaxDepth<Number> / 2)
-    halve(part, waiting_);
+    std::ranges::copy(part.halves(), std::back_inserter(waiting_));
   else
     take(bound, near.face);
 }
@@ -293,7 +256,7 @@ void FaceBounds<Vector>::cover(const Part& part) {
   while (!uncovered_.empty()) {
     const Part next = uncovered_.back();
     uncovered_.pop_back();
-    const Vector centre = centre_of(next);
+    const Vector centre = next.centre();
     const Target* near = &candidates_.front();
     Number least = kUnbounded;
     for (const Target& candidate : candidates_) {
@@ -308,7 +271,7 @@ void FaceBounds<Vector>::cover(const Part& part) {
       continue;
     }
     --steps;
-    if (!divide_by_cell(next, *near)) halve(next, uncovered_);
+    if (!divide_by_cell(next, *near)) std::ranges::copy(next.halves(), std::back_inserter(uncovered_));
   }
 }
 
@@ -317,9 +280,9 @@ template <typename Vector>
 bool FaceBounds<Vector>::divide_by_cell(const Part& part, const Target& target) {
   const std::size_t count = uncovered_.size();
   Part inside = part;
-  for (const CellSide& side : cell_of(target.face)) {
+  for (const CellSide<Vector>& side : cell_of(target.face)) {
     Part in, out;
-    if (!cut(inside, side, in, out)) continue;
+    if (!inside.cut(side, in, out)) continue;
     if (out.size > 0) uncovered_.push_back(out);
     inside = in;
     if (inside.size == 0) break;
@@ -333,7 +296,7 @@ bool FaceBounds<Vector>::divide_by_cell(const Part& part, const Target& target) 
   if (is_tight(bound))
     take(bound, target.face);
   else
-    halve(inside, uncovered_);
+    std::ranges::copy(inside.halves(), std::back_inserter(uncovered_));
   return true;
 }
 
@@ -356,84 +319,6 @@ void FaceBounds<Vector>::take_least(const Part& part) {
       of_least = candidate.face;
     }
   take(least, of_least);
-}
-
-/// Divides a part along a plane. False if the part has too many corners, or if roundings hide where the plane is. The
-/// division is exact in this sense: the cuts are at shares of the edges, and the exact part has the same ones.
-template <typename Vector>
-bool FaceBounds<Vector>::cut(const Part& part, const CellSide& side, Part& inside, Part& outside) {
-  constexpr Number kNear = 4 * std::numeric_limits<Number>::epsilon();
-  std::array<Number, Part::kMaxCorners> heights;  // NOLINT(cppcoreguidelines-pro-type-member-init): as far as used
-  Number highest = 0, longest = 0;
-  for (std::uint32_t i = 0; i < part.size; ++i) {
-    heights[i] = dot(side.inward, part.corners[i] - side.point);
-    highest = std::max(highest, std::abs(heights[i]));
-  }
-  for (std::uint32_t i = 0; i < part.size; ++i)
-    if (std::abs(heights[i]) <= kNear * highest) heights[i] = 0;
-  inside.size = outside.size = 0;
-  int cut_count = 0, on_plane = 0;
-  bool has_inside = false, has_outside = false;
-  for (std::uint32_t i = 0; i < part.size; ++i) {
-    const std::uint32_t next = i + 1 < part.size ? i + 1 : 0;
-    const Number height = heights[i], other = heights[next];
-    has_inside = has_inside || height > 0;
-    has_outside = has_outside || height < 0;
-    if (inside.size + 1 >= Part::kMaxCorners || outside.size + 1 >= Part::kMaxCorners) return false;
-    if (height >= 0) inside.add(part.corners[i]);
-    if (height <= 0) outside.add(part.corners[i]);
-    on_plane += static_cast<int>(height == 0);
-    if (!((height > 0 && other < 0) || (height < 0 && other > 0))) continue;
-    const Vector edge = part.corners[next] - part.corners[i];
-    const Vector point = part.corners[i] + height / (height - other) * edge;
-    longest = std::max(longest, size_of(edge));
-    inside.add(point);
-    outside.add(point);
-    ++cut_count;
-  }
-  if (!has_outside) {
-    inside = part;
-    outside.size = 0;
-    return true;
-  }
-  if (!has_inside) {
-    outside = part;
-    inside.size = 0;
-    return true;
-  }
-  if (cut_count + on_plane != 2) return false;
-  inside.depth = outside.depth = part.depth + 1;
-  inside.deviation = outside.deviation = part.deviation + (cut_count > 0 ? kOfPoint<Number> * (1 + 2 * longest) : 0);
-  return true;
-}
-
-/// Divides a part by a line between two corners, a triangle at the middle of its longest edge.
-template <typename Vector>
-void FaceBounds<Vector>::halve(const Part& part, std::vector<Part>& halves) {
-  Part first, second;
-  first.depth = second.depth = part.depth + 1;
-  first.deviation = second.deviation = part.deviation;
-  if (part.size > 3) {
-    const std::uint32_t middle = part.size / 2;
-    for (std::uint32_t i = 0; i <= middle; ++i) first.add(part.corners[i]);
-    for (std::uint32_t i = middle; i < part.size; ++i) second.add(part.corners[i]);
-    second.add(part.corners[0]);
-  } else {
-    std::uint32_t longest = 0;
-    Number length = -1;
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      const Number own = size_of(part.corners[(i + 1) % 3] - part.corners[i]);
-      if (own > length) longest = i;
-      length = std::max(length, own);
-    }
-    const Vector &a = part.corners[longest], &b = part.corners[(longest + 1) % 3], &c = part.corners[(longest + 2) % 3];
-    const Vector middle = 0.5 * a + 0.5 * b;
-    first.deviation = second.deviation = part.deviation + kOfPoint<Number>;
-    for (const Vector& corner : {a, middle, c}) first.add(corner);
-    for (const Vector& corner : {middle, b, c}) second.add(corner);
-  }
-  halves.push_back(first);
-  halves.push_back(second);
 }
 
 template class FaceBounds<Vec3>;

@@ -1,14 +1,13 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include "algebra3d/base/box3.h"
 #include "algebra3d/base/monitor.h"
 #include "algebra3d/base/vec3.h"
 #include "algebra3d/base/wide_vec3.h"
+#include "algebra3d/distance/detail/face_part.h"
 #include "algebra3d/distance/distance.h"
 
 namespace algebra3d::distances {
@@ -41,20 +40,12 @@ class FaceBounds {
 
  private:
   using Number = decltype(Vector::x);
+  using Part = FacePart<Vector>;
 
   /// A triangle by a corner and two edges.
   struct Target {
     FaceId face;
     Vector corner, first_edge, second_edge;
-  };
-  /// A convex part of the face. The exact part has corners within `deviation` of these.
-  struct Part {
-    static constexpr std::size_t kMaxCorners = 12;
-    std::array<Vector, kMaxCorners> corners;
-    std::uint32_t size = 0, depth = 0;
-    Number deviation = 0;
-
-    void add(const Vector& corner) { corners[size++] = corner; }
   };
   struct Near {
     FaceId face;
@@ -65,20 +56,15 @@ class FaceBounds {
     Number upper;
     Vector where;
   };
-  /// A plane through a point; what lies along the normal is inside.
-  struct CellSide {
-    Vector point, inward;
-  };
 
   Vector scaled(const Vec3& point) const { return Vector(half_scale_ * (0.5 * point)); }
   Vec3 unscaled(const Vector& point) const;
   double unscaled(Number length) const;
   Target target(FaceId face) const;
   Vector unit_normal(FaceId face) const;
-  std::array<CellSide, 3> cell_of(FaceId face) const;
+  std::array<CellSide<Vector>, 3> cell_of(FaceId face) const;
   static Number distance(const Vector& point, const Target& target);
   static Farthest farthest(const Part& part, const Target& target);
-  static Vector centre_of(const Part& part);
   Near walk(const Vector& point, FaceId from) const;
   Near nearest(const Vector& point, FaceId near) const;
   Number irrelevant() const { return best_.upper > enough_ ? best_.upper : enough_; }
@@ -90,8 +76,6 @@ class FaceBounds {
   bool is_tight(const Farthest& bound) const;
   void take_least(const Part& part);
   bool divide_by_cell(const Part& part, const Target& target);
-  static bool cut(const Part& part, const CellSide& side, Part& inside, Part& outside);
-  static void halve(const Part& part, std::vector<Part>& halves);
 
   const TriangleMesh& from_;
   DistanceOperand to_;
