@@ -24,9 +24,11 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 KEPT = ROOT / "build" / "compare"
-NAMES = ("predicates", "arithmetic", "validity", "set_operations", "import", "mesh_files", "rtree", "delaunay", "database", "relational")
+NAMES = (*sorted(path.name.removesuffix("_bench.cpp") for path in (ROOT / "bench").glob("*_bench.cpp")), "relational")
 # Benchmarks of other programs' code, which is the same in both.
-PEERS = re.compile(r"cgal|corefine|nef|boost|admesh|assimp|epick|sqlite|mp[zq]_class|cpp_|int256|int512", re.I)
+PEERS = re.compile(
+    r"cgal|corefine|nef|boost|admesh|assimp|epick|sqlite|mp[zq]_class|cpp_|int256|int512|fcl|openmesh|meshoptimizer|draco", re.I
+)
 
 
 def git(*arguments):
