@@ -31,6 +31,7 @@ std::int64_t row_number(FaceId face) {
 
 Maybe<RayRows> ray_rows(const std::vector<RayHit>& hits, bool has_triangles) {
   std::vector<RayRows::Cells> rows;
+  rows.reserve(hits.size());
   for (const RayHit& hit : hits)
     rows.emplace_back(if_finite(hit.first.nearest_double()), if_finite(hit.last.nearest_double()),
                       Point3d{hit.first_point}, Point3d{hit.last_point}, std::string(name_of(hit.kind)),
@@ -68,6 +69,7 @@ using ThicknessRows = Rows<std::int64_t, Point3d, std::optional<double>, std::in
 Result<ThicknessRows> thickness_rows(Context& context, const Volume3d& solid) {
   ALGEBRA3D_ASSIGN_OR_RETURN(const std::vector<FacetThickness> all, facet_thicknesses(solid, context.monitor()));
   std::vector<ThicknessRows::Cells> rows;
+  rows.reserve(all.size());
   for (const FacetThickness& facet : all)
     rows.emplace_back(row_number(facet.face), Point3d{facet.centroid},
                       if_finite(facet.squared_thickness.nearest_root()), row_number(facet.opposite));
