@@ -73,7 +73,7 @@ class Counter {
       context.diagnostics.report_undefined("addcounter: the counter is beyond the range of ints");
       return Value(algebra3d::TypeOf<std::int64_t>::type());
     }
-    const Value value = Value::of(*next_);
+    Value value = Value::of(*next_);
     is_used_up_ = __builtin_add_overflow(*next_, 1, &*next_);
     return value;
   }

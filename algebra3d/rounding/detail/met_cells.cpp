@@ -13,6 +13,9 @@ namespace {
 
 using Block = CellLattice::Block;
 
+/// The most cells along an axis: with one or two more at the ends, keys have room for them.
+constexpr double kMostCells = 0x1p20;
+
 /// The halves of a block, across its longest axis.
 std::pair<Block, Block> halves(const Block& block) {
   std::size_t longest = 0;
@@ -83,11 +86,16 @@ Result<std::optional<std::vector<std::uint64_t>>> cells_of(const TriangleMesh& m
   return std::move(keys).keys();
 }
 
+double cells_along_longest_side(const Box3& bounds, double edge) {
+  double most = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) most = std::max(most, bounds.max[axis] / edge - bounds.min[axis] / edge);
+  return most;
+}
+
 /// The edge length of a lattice of a few cells over the bounds: a power of two times the smallest one.
 double coarsest_edge(const Box3& bounds, double smallest) {
   double edge = smallest;
-  const auto is_longer = [&](std::size_t axis) { return bounds.max[axis] / edge - bounds.min[axis] / edge > 4; };
-  while (is_longer(0) || is_longer(1) || is_longer(2)) edge *= 2;
+  while (cells_along_longest_side(bounds, edge) > 4) edge *= 2;
   return edge;
 }
 
@@ -112,7 +120,7 @@ Result<std::optional<MetCells>> finest_met_cells(const TriangleMesh& mesh, const
   while (smallest < CoordinateGrid::doubles().spacing_up_to(size)) smallest *= 2;
   std::optional<MetCells> finest;
   double edge = coarsest_edge(bounds, smallest);
-  while (edge >= smallest) {
+  while (edge >= smallest && cells_along_longest_side(bounds, edge) <= kMostCells) {
     CellLattice lattice(bounds, edge, grid);
     if (!lattice.covers(bounds)) break;
     ALGEBRA3D_ASSIGN_OR_RETURN(auto keys, cells_of(mesh, lattice, budget, cancel));

@@ -31,7 +31,8 @@ inline std::size_t cell_budget(const TriangleMesh& mesh) {
   return std::clamp<std::size_t>(mesh.face_count(), 50'000, 500'000);
 }
 
-/// The finest lattice of which at most `budget` cells meet the triangles of a mesh. Its edges are a power of two times
+/// The finest lattice of which at most `budget` cells meet the triangles of a mesh, and that has at most 2^20 cells
+/// along an axis. Its edges are a power of two times
 /// the spacing of the grid, and at least that. None if the mesh reaches beyond the largest number of the grid.
 /// `budget`: from 1000 to 2^19. Deterministic. Errors: interrupted. Cost: a few times that of the cells of all
 /// triangles.

@@ -13,6 +13,7 @@
 #include "algebra3d/halfedge/boxes.h"
 #include "algebra3d/halfedge/circulators.h"
 #include "algebra3d/halfedge/topology.h"
+#include "algebra3d/rounding/detail/bodies_apart.h"
 #include "algebra3d/rounding/detail/cell_cover.h"
 #include "algebra3d/rounding/detail/met_cells.h"
 #include "algebra3d/rounding/detail/needle_flips.h"
@@ -38,8 +39,16 @@ double extent_of(const TriangleMesh& mesh) {
   return std::max({size.x, size.y, size.z});
 }
 
-/// Among so many cells at its boundary one within a solid is looked for, before the solid may vanish.
+/// Before a solid may vanish, a cell within it is looked for in so many of its bodies, the largest ones, among so many
+/// cells at the boundary of each.
+constexpr std::size_t kSearchedBodies = 16;
 constexpr std::size_t kSearchedCells = 10'000;
+
+/// True if a cell of the grid, or of a coarser one, was found in the body.
+Result<bool> has_inner_cell(const TriangleMesh& body, const CoordinateGrid& grid, const std::atomic<bool>* cancel) {
+  ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<MetCells> met, finest_met_cells(body, grid, kSearchedCells, cancel));
+  return met ? CellCover(body, *met).has_inner_cell(cancel) : Result<bool>(false);
+}
 
 /// From so many faces on, a second task pays.
 constexpr std::size_t kManyFaces = 5'000;
@@ -84,11 +93,12 @@ void SolidRounding::find_places_that_stay() {
 Result<bool> SolidRounding::may_vanish(double reach) const {
   if (reach > kFirstReach * spacing()) return false;
   if (!is_whole()) return true;  // the rest stays
-  ALGEBRA3D_ASSIGN_OR_RETURN(const std::optional<MetCells> met,
-                             finest_met_cells(mesh(), grid(), kSearchedCells, cancel()));
-  if (!met) return true;
-  ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_inner_cell, CellCover(mesh(), *met).has_inner_cell(cancel()));
-  return !has_inner_cell;
+  const std::vector<std::vector<FaceId>> bodies = bodies_apart(mesh());
+  for (std::size_t i = 0; i < std::min(bodies.size(), kSearchedBodies); ++i) {
+    ALGEBRA3D_ASSIGN_OR_RETURN(const bool has_cell, has_inner_cell(submesh(mesh(), bodies[i]), grid(), cancel()));
+    if (has_cell) return false;
+  }
+  return true;
 }
 
 Result<bool> SolidRounding::accept_as_it_is(const RoundingCandidate& candidate) {

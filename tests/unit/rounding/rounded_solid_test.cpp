@@ -4,11 +4,14 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "algebra3d/exact/affine_map.h"
 #include "algebra3d/exact/vertical_line.h"
+#include "algebra3d/halfedge/topology.h"
+#include "algebra3d/rounding/detail/bodies_apart.h"
 #include "algebra3d/validity/validity.h"
 #include "unit/arrangement/random_solids.h"
 #include "unit/arrangement/set_operations.h"
@@ -153,6 +156,36 @@ TEST(RoundedSolid, to_a_coarse_grid_is_valid_and_near) {
     const auto again = rounded_solid(*rounded->mesh, CoordinateGrid::multiples(step));
     EXPECT_EQ(again->moved_vertices, 0U);
   }
+}
+
+// Small bodies far apart: a lattice over both would have 10^12 cells along an axis.
+TEST(RoundedSolid, bodies_far_apart_vanish_each_for_itself) {
+  const auto pair = [](double size, double far) {
+    return SetOperations().unite(box({0, 0, 0}, {0.125, 0.125, 0.125}),
+                                 box({far, far, 0}, {far + size, far + size, size}));
+  };
+  const CoordinateGrid grid = CoordinateGrid::multiples(0.375);
+  for (const double far : {10.0, 1e6, 0x1p40}) {
+    SCOPED_TRACE(far);
+    const Result<RoundedSolid> none = rounded_solid(pair(0.125, far), grid);
+    ASSERT_TRUE(none);
+    EXPECT_TRUE(none->mesh->is_empty());
+    const Result<RoundedSolid> one = rounded_solid(pair(3, far), grid);
+    ASSERT_TRUE(one);
+    EXPECT_EQ(one->mesh->face_count(), 12U);
+  }
+}
+
+TEST(BodiesApart, are_divided_by_planes_and_sorted_by_size) {
+  SetOperations engine;
+  const TriangleMesh with_cavity = engine.subtract(box({0, 0, 5}, {4, 4, 9}), box({1, 1, 6}, {2, 2, 7}));
+  TriangleMesh all = box({0, 0, 0}, {1, 1, 1});
+  for (const TriangleMesh& other : {box({2, 0, 0}, {3.5, 1, 1}), box({0, 2, 0}, {9, 3, 1}), with_cavity})
+    all = engine.unite(all, other);
+  std::vector<Rational> volumes;
+  for (const std::vector<FaceId>& body : bodies_apart(all)) volumes.push_back(exact_volume_of(submesh(all, body)));
+  EXPECT_EQ(volumes, (std::vector<Rational>{Rational(9), Rational(63), Rational(1.5), Rational(1)}));
+  EXPECT_TRUE(bodies_apart(TriangleMesh()).empty());
 }
 
 TEST(RoundedSolid, thinner_than_the_grid_vanishes) {
