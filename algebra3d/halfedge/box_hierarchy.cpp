@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "algebra3d/base/hilbert.h"
+#include "algebra3d/base/next_number.h"
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/halfedge/boxes.h"
 #include "algebra3d/halfedge/node_slabs.h"
@@ -197,14 +198,13 @@ BoxHierarchy::Box BoxHierarchy::scaled(const Box3& box) const {
 }
 
 Box3 BoxHierarchy::unscaled(const Box& box) const {
-  constexpr float kFar = std::numeric_limits<float>::infinity();
   Box3 result;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     // A step of float covers the rounding to float, and a step of double that of the sum.
-    const double min = (double{std::nextafter(box.min[axis], -kFar)} / frame_.scale + frame_.origin[axis] / 2) * 2;
-    const double max = (double{std::nextafter(box.max[axis], kFar)} / frame_.scale + frame_.origin[axis] / 2) * 2;
-    result.min[axis] = std::nextafter(min, -Box3::kInfinity);
-    result.max[axis] = std::nextafter(max, Box3::kInfinity);
+    const double min = (double{next_below(box.min[axis])} / frame_.scale + frame_.origin[axis] / 2) * 2;
+    const double max = (double{next_above(box.max[axis])} / frame_.scale + frame_.origin[axis] / 2) * 2;
+    result.min[axis] = next_below(min);
+    result.max[axis] = next_above(max);
   }
   return result;
 }
