@@ -33,7 +33,9 @@ double bound_of(double gap, double squared_length, double error) {
 
 /// Between the products of the corners with an axis, and those of the box, which are up to `reach`.
 double gap_between(const std::array<double, 3>& products, double reach) {
-  const auto [least, greatest] = std::minmax({products[0], products[1], products[2]});
+  // Not std::minmax of three, which branches.
+  const double least = std::min(std::min(products[0], products[1]), products[2]);
+  const double greatest = std::max(std::max(products[0], products[1]), products[2]);
   return std::max(least - reach, -greatest - reach);
 }
 
