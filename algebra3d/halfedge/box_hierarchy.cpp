@@ -273,16 +273,16 @@ void BoxHierarchy::sort_faces(const BoxOfFace& box_of_face, const FaceOrder* kno
   // With the upper 32 of the 63 bits.
   const auto placed = [&](std::size_t i) {
     const auto [x, y, z] = cells_of(i);
-    return placed_face(static_cast<std::uint32_t>(hilbert_code<12>(x >> 10, y >> 10, z >> 10) >> 1),
-                       static_cast<std::uint32_t>(i));
+    return PlacedFace(static_cast<std::uint32_t>(hilbert_code<12>(x >> 10, y >> 10, z >> 10) >> 1),
+                      static_cast<std::uint32_t>(i));
   };
   LargeVector<PlacedFace> order = may_take_over(known) ? completed(*known, placed) : sorted(placed);
   curve_order::sort_ties(order, kLeafSize, code_of);
   std::vector<std::uint32_t> faces(order.size());
   places_.resize(order.size());
   parallel_for(order.size(), kFacesPerTask, [&](std::size_t i) {
-    faces[i] = faces_[face_of(order[i])];
-    places_[i] = place_of(order[i]);
+    faces[i] = faces_[order[i].face()];
+    places_[i] = order[i].place();
   });
   faces_ = std::move(faces);
 }
@@ -302,7 +302,7 @@ LargeVector<PlacedFace> BoxHierarchy::sorted(const Placed& placed) const {
 
 template <typename Placed>
 LargeVector<PlacedFace> BoxHierarchy::completed(const FaceOrder& known, const Placed& placed) const {
-  assert(std::ranges::all_of(known.faces, [&](PlacedFace face) { return face == placed(face_of(face)); }));
+  assert(std::ranges::all_of(known.faces, [&](PlacedFace face) { return face == placed(face.face()); }));
   const std::vector<std::uint32_t> others = curve_order::faces_beyond(known.faces, faces_.size());
   LargeVector<PlacedFace> placed_others(others.size());
   for (std::size_t i = 0; i < others.size(); ++i) placed_others[i] = placed(others[i]);

@@ -46,7 +46,7 @@ class BoxHierarchy {
   std::size_t leaf_count() const { return (faces_.size() + kLeafSize - 1) / kLeafSize; }
   /// All faces in their order, with their places along the curve; of faces that were not given in ascending order, or
   /// with a margin, this order means nothing to other hierarchies.
-  PlacedFace placed(std::size_t i) const { return placed_face(places_[i], faces_[i]); }
+  PlacedFace placed(std::size_t i) const { return {places_[i], faces_[i]}; }
   /// Faces of a leaf: at most kLeafSize.
   std::span<const std::uint32_t> leaf_faces(std::size_t leaf) const;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <vector>
 
@@ -17,18 +18,20 @@ struct BoxFrame {
   friend bool operator==(const BoxFrame&, const BoxFrame&) = default;
 };
 
-/// A face (lower half) and the first 32 bits of its place along the Hilbert curve of a frame (upper half).
-using PlacedFace = std::uint64_t;
+/// A face and the first 32 bits of its place along the Hilbert curve of a frame. Ordered by places, then by faces.
+class PlacedFace {
+ public:
+  PlacedFace() = default;
+  constexpr PlacedFace(std::uint32_t place, std::uint32_t face) : code_(std::uint64_t{place} << 32U | face) {}
 
-constexpr std::uint32_t face_of(PlacedFace placed) {
-  return static_cast<std::uint32_t>(placed);
-}
-constexpr std::uint32_t place_of(PlacedFace placed) {
-  return static_cast<std::uint32_t>(placed >> 32U);
-}
-constexpr PlacedFace placed_face(std::uint32_t place, std::uint32_t face) {
-  return PlacedFace{place} << 32U | face;
-}
+  constexpr std::uint32_t place() const { return static_cast<std::uint32_t>(code_ >> 32U); }
+  constexpr std::uint32_t face() const { return static_cast<std::uint32_t>(code_); }
+
+  friend auto operator<=>(const PlacedFace&, const PlacedFace&) = default;
+
+ private:
+  std::uint64_t code_;  // one number, which is sorted fast
+};
 
 /// Some faces of a mesh, each once, by ascending places along the curve of a frame. What a set operation takes over
 /// from an operand has the places that it had there, if the frame is still the same; so most of a hierarchy's order is

@@ -26,8 +26,7 @@ TriangleMesh::TriangleMesh(PointArray points, LargeVector<std::uint32_t> origins
 }
 
 TriangleMesh::TriangleMesh(PointArray points, LargeVector<std::uint32_t> origins, LargeVector<std::uint32_t> opposites,
-                           LargeVector<HalfedgeId> outgoing, FacePlanes planes,
-                           std::shared_ptr<const FaceOrder> order)
+                           LargeVector<HalfedgeId> outgoing, FacePlanes planes, std::shared_ptr<const FaceOrder> order)
     : HalfedgeMesh(std::move(points), {}, std::move(origins), std::move(opposites), std::move(outgoing),
                    Links::all_but_between_open_vertices),
       planes_(std::move(planes)),

@@ -111,8 +111,8 @@ UnlinkedMesh ResultMesh::finish() {
 }
 
 TriangleMesh linked(UnlinkedMesh mesh) {
-  return {std::move(mesh.points), std::move(mesh.origins), std::move(mesh.opposites), std::move(mesh.outgoing),
-          std::move(mesh.planes), std::move(mesh.order)};
+  return {std::move(mesh.points),   std::move(mesh.origins), std::move(mesh.opposites),
+          std::move(mesh.outgoing), std::move(mesh.planes),  std::move(mesh.order)};
 }
 
 }  // namespace algebra3d::arrangement

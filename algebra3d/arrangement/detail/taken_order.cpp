@@ -46,8 +46,8 @@ std::shared_ptr<const FaceOrder> taken_order(const Operands& operands, const Tak
     std::size_t count = 0;
     for (std::size_t i = begin; i < end; ++i) {
       const PlacedFace placed = hierarchy.placed(i);
-      const FaceId face = new_face_of[face_of(placed)];
-      taken[count] = placed_face(place_of(placed), face.index());
+      const FaceId face = new_face_of[placed.face()];
+      taken[count] = PlacedFace(placed.place(), face.index());
       count += face.is_valid() ? 1 : 0;
     }
     taken.resize(count);

@@ -13,7 +13,7 @@ constexpr std::size_t kFacesPerHistogram = 16384;
 constexpr std::size_t kFewFaces = 256;
 
 unsigned digit(PlacedFace face, unsigned round) {
-  return (place_of(face) >> (round * kDigitBits)) % kBuckets;
+  return (face.place() >> (round * kDigitBits)) % kBuckets;
 }
 
 /// For each range of faces and each digit: the number of faces, then the place of the first one in the sorted order.
@@ -77,7 +77,7 @@ LargeVector<PlacedFace> merged(std::span<const PlacedFace> known, std::span<cons
   auto next = known.begin();
   for (const PlacedFace other : others) {
     const auto from = next;
-    while (next != known.end() && place_of(*next) <= place_of(other)) ++next;
+    while (next != known.end() && next->place() <= other.place()) ++next;
     end = std::copy(from, next, end);
     *end++ = other;
   }
@@ -87,7 +87,7 @@ LargeVector<PlacedFace> merged(std::span<const PlacedFace> known, std::span<cons
 
 std::vector<std::uint32_t> faces_beyond(std::span<const PlacedFace> known, std::size_t face_count) {
   std::vector<std::uint8_t> is_known(face_count);
-  for (const PlacedFace placed : known) is_known[face_of(placed)] = 1;
+  for (const PlacedFace placed : known) is_known[placed.face()] = 1;
   std::vector<std::uint32_t> others;
   for (std::uint32_t face = 0; face < face_count; ++face)
     if (is_known[face] == 0) others.push_back(face);

@@ -25,9 +25,9 @@ std::vector<std::uint32_t> faces_beyond(std::span<const PlacedFace> known, std::
 /// code_of(face) is the full code.
 template <typename CodeOf>
 void sort_ties(LargeVector<PlacedFace>& faces, std::size_t few, const CodeOf& code_of) {
-  const auto by_code = [&](PlacedFace placed) { return std::pair(code_of(face_of(placed)), placed); };
+  const auto by_code = [&](PlacedFace placed) { return std::pair(code_of(placed.face()), placed); };
   for (std::size_t begin = 0, end = 0; begin < faces.size(); begin = end) {
-    while (end < faces.size() && place_of(faces[end]) == place_of(faces[begin])) ++end;
+    while (end < faces.size() && faces[end].place() == faces[begin].place()) ++end;
     const std::span<PlacedFace> ties = std::span(faces).subspan(begin, end - begin);
     if (ties.size() > few)
       std::ranges::sort(ties, {}, by_code);
