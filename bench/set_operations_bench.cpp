@@ -12,7 +12,6 @@
 #include <CGAL/boost/graph/copy_face_graph.h>
 
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <random>
 
@@ -42,11 +41,8 @@ struct Solid {
   TriangleMesh mesh;
   std::unique_ptr<BoxHierarchy> hierarchy;
 
-  explicit Solid(TriangleMesh triangles) : mesh(std::move(triangles)) {
-    std::vector<std::uint32_t> faces(mesh.face_count());
-    std::iota(faces.begin(), faces.end(), 0U);
-    hierarchy = std::make_unique<BoxHierarchy>(mesh, std::move(faces));
-  }
+  explicit Solid(TriangleMesh triangles)
+      : mesh(std::move(triangles)), hierarchy(std::make_unique<BoxHierarchy>(mesh)) {}
   explicit Solid(const Shape& shape) : Solid(mesh_of(shape)) {}
   Operand operand(std::uint32_t group) const { return {&mesh, group, hierarchy.get()}; }
 };

@@ -4,8 +4,8 @@
 #include <bit>
 #include <cassert>
 #include <cstdint>
-#include <limits>
 
+#include "algebra3d/base/next_number.h"
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/base/shrink.h"
 #include "algebra3d/exact/detail/exact_coordinates.h"
@@ -19,13 +19,6 @@ namespace {
 // -0 + 0 is 0 when rounding to nearest; all other values stay.
 Vec3 without_negative_zero(const Vec3& v) {
   return {v.x + 0.0, v.y + 0.0, v.z + 0.0};
-}
-
-/// The next double up (1) or down (-1), as std::nextafter gives it, without a call. The number must be finite.
-double next_double(double number, int direction) {
-  if (number == 0) return direction * std::numeric_limits<double>::denorm_min();
-  const auto bits = std::bit_cast<std::uint64_t>(number);
-  return std::bit_cast<double>((number > 0) == (direction > 0) ? bits + 1 : bits - 1);
 }
 
 std::size_t combined(std::size_t hash, std::uint64_t value) {
@@ -87,11 +80,36 @@ void PointArray::append(const PointArray& from, std::size_t first, std::size_t c
   const std::size_t shift = approx_.size() - first;
   approx_.insert(approx_.end(), from.approx_.begin() + static_cast<std::ptrdiff_t>(first),
                  from.approx_.begin() + static_cast<std::ptrdiff_t>(first + count));
-  const std::size_t begin = std::max(first, from.first_exact_);
-  const std::size_t end = std::min(first + count, from.first_exact_ + from.exact_.size());
-  for (std::size_t i = begin; i < end; ++i)
-    if (const SharedCoordinates& exact = from.exact_[i - from.first_exact_]; exact.get() != nullptr)
-      set_exact(i + shift, exact);
+  append_exact(from, std::max(first, from.first_exact_),
+               std::min(first + count, from.first_exact_ + from.exact_.size()), shift);
+}
+
+/// Of the points from `first` to `end`, which become those `shift` further on.
+void PointArray::append_exact(const PointArray& from, std::size_t first, std::size_t end, std::size_t shift) {
+  const auto is_double = [&](std::size_t i) { return from.exact_[i - from.first_exact_].get() == nullptr; };
+  while (first < end && is_double(first)) ++first;
+  while (first < end && is_double(end - 1)) --end;
+  if (first >= end) return;
+  if (exact_.empty()) first_exact_ = first + shift;
+  exact_.resize(first + shift - first_exact_);
+  for (std::size_t i = first; i < end; ++i) {
+    const std::size_t place = i - from.first_exact_;
+    prefetch_beyond(from.exact_, place);
+    exact_.push_back(from.exact_[place]);
+    exact_count_ += exact_.back().get() != nullptr ? 1 : 0;
+  }
+}
+
+void PointArray::prefetch_beyond(const std::vector<SharedCoordinates>& exact, std::size_t place) {
+  constexpr std::size_t kAhead = 8;
+  if (place + kAhead < exact.size()) __builtin_prefetch(exact[place + kAhead].get(), 1);
+}
+
+PointArray::~PointArray() {
+  for (std::size_t place = 0; place < exact_.size(); ++place) {
+    prefetch_beyond(exact_, place);
+    exact_[place] = SharedCoordinates();
+  }
 }
 
 void PointArray::shrink() {
@@ -123,7 +141,7 @@ Box3 detail::box_around(const PointRef& point) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const int beyond = point.exact->beyond(axis);
     double& bound = beyond < 0 ? box.min[axis] : box.max[axis];
-    if (beyond != 0) bound = next_double(bound, beyond);
+    if (beyond != 0) bound = beyond < 0 ? next_below(bound) : next_above(bound);
   }
   return box;
 }

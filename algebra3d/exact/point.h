@@ -110,6 +110,11 @@ class PointArray {
   PointArray() = default;
   /// From doubles, which must be finite; negative zeros become zeros.
   explicit PointArray(std::vector<Vec3> doubles);
+  PointArray(const PointArray&) = default;
+  PointArray(PointArray&&) noexcept = default;
+  PointArray& operator=(const PointArray&) = default;
+  PointArray& operator=(PointArray&&) noexcept = default;
+  ~PointArray();
 
   std::size_t size() const { return approx_.size(); }
   void reserve(std::size_t count) { approx_.reserve(count); }
@@ -134,6 +139,9 @@ class PointArray {
 
  private:
   void set_exact(std::size_t index, SharedCoordinates exact);
+  void append_exact(const PointArray& from, std::size_t first, std::size_t end, std::size_t shift);
+  /// Fetches the count of owners of a point some places further on: each is in a heap block of its own.
+  static void prefetch_beyond(const std::vector<SharedCoordinates>& exact, std::size_t place);
 
   std::vector<Vec3> approx_;
   std::vector<SharedCoordinates> exact_;  // from the first to the last point that is no triple of doubles

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "algebra3d/exact/detail/homogeneous.h"
+#include "algebra3d/exact/detail/pair_coordinates.h"
 #include "algebra3d/exact/detail/predicates_integers.h"
 #include "algebra3d/exact/expansion.h"
 #include "algebra3d/exact/interval.h"
@@ -24,7 +25,7 @@ bool is_zero(const Vec3& v) {
   return v.x == 0 && v.y == 0 && v.z == 0;
 }
 
-// Number is Interval or Rational; the rows are differences from the first point.
+// Number is Interval or BoundedPair; the rows are differences from the first point.
 template <typename Number, typename Coordinate>
 Number determinant3(Coordinate coordinate, const std::array<const PointRef*, 4>& points) {
   std::array<std::array<Number, 3>, 3> m;
@@ -108,7 +109,9 @@ int decide_orient2d(Projection plane, const Vec3& a, const Vec3& b, const Vec3& 
 int orient3d_of_rationals(const PointRef& a, const PointRef& b, const PointRef& c, const PointRef& d) {
   const std::array<const PointRef*, 4> points{&a, &b, &c, &d};
   int sign = filter_rounded_orient3d(a.approx, b.approx, c.approx, d.approx);
-  if (sign == kUndecided) sign = determinant3<Interval>(interval_of, points).sign();
+  if (sign == kUndecided)
+    sign = have_pairs(points) ? sign_of(determinant3<BoundedPair>(pair_of, points))
+                              : determinant3<Interval>(interval_of, points).sign();
   if (sign != kUndecided) return sign;
   count_filter_failure();
   return orient3d_by_rationals(points);
@@ -117,7 +120,9 @@ int orient3d_of_rationals(const PointRef& a, const PointRef& b, const PointRef& 
 int orient2d_of_rationals(Projection plane, const PointRef& a, const PointRef& b, const PointRef& c) {
   const std::array<const PointRef*, 3> points{&a, &b, &c};
   int sign = filter_rounded_orient2d(plane, a.approx, b.approx, c.approx);
-  if (sign == kUndecided) sign = determinant2<Interval>(interval_of, plane, points).sign();
+  if (sign == kUndecided)
+    sign = have_pairs(points) ? sign_of(determinant2<BoundedPair>(pair_of, plane, points))
+                              : determinant2<Interval>(interval_of, plane, points).sign();
   if (sign != kUndecided) return sign;
   count_filter_failure();
   return orient2d_by_rationals(plane, points);

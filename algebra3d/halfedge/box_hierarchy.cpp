@@ -10,8 +10,10 @@
 #include <utility>
 
 #include "algebra3d/base/hilbert.h"
+#include "algebra3d/base/next_number.h"
 #include "algebra3d/base/scheduler.h"
 #include "algebra3d/halfedge/boxes.h"
+#include "algebra3d/halfedge/detail/curve_order.h"
 #include "algebra3d/halfedge/node_slabs.h"
 
 namespace algebra3d {
@@ -19,86 +21,6 @@ namespace {
 
 /// Faces or points of one task.
 constexpr std::size_t kFacesPerTask = 10000;
-
-/// Upper 32 bits of a place along the Hilbert curve, and the position of its face in the lower half.
-using CodedFace = std::uint64_t;
-
-constexpr unsigned kDigitBits = 11, kRounds = 3;
-constexpr std::size_t kBuckets = std::size_t{1} << kDigitBits;
-
-constexpr std::size_t kFacesPerHistogram = 16384;
-/// Up to so many, comparisons cost less than histograms.
-constexpr std::size_t kFewFaces = 256;
-
-unsigned digit(CodedFace face, unsigned round) {
-  return static_cast<unsigned>(face >> (32 + round * kDigitBits)) % kBuckets;
-}
-
-/// For each range of faces and each digit: the number of faces, then the place of the first one in the sorted order.
-class Histograms {
- public:
-  explicit Histograms(std::size_t face_count)
-      : ranges_((face_count + kFacesPerHistogram - 1) / kFacesPerHistogram), counts_(ranges_ * kBuckets) {}
-
-  /// Calls visit(counts, begin, end) for each range, in parallel.
-  template <typename Visit>
-  void for_each_range(std::size_t face_count, const Visit& visit) {
-    parallel_for(ranges_, 1, [&](std::size_t range) {
-      const std::size_t begin = range * kFacesPerHistogram;
-      visit(std::span(counts_).subspan(range * kBuckets, kBuckets), begin,
-            std::min(begin + kFacesPerHistogram, face_count));
-    });
-  }
-  /// From counts to places. False if all faces have one digit.
-  bool add_up(std::size_t face_count) {
-    std::uint32_t sum = 0;
-    for (std::size_t bucket = 0; bucket < kBuckets; ++bucket) {
-      const std::uint32_t before = sum;
-      for (std::size_t range = 0; range < ranges_; ++range)
-        sum += std::exchange(counts_[range * kBuckets + bucket], sum);
-      if (sum - before == face_count) return false;
-    }
-    return true;
-  }
-
- private:
-  std::size_t ranges_;
-  std::vector<std::uint32_t> counts_;
-};
-
-/// Stable sort by the upper halves; a round whose digit is the same everywhere is left out.
-void radix_sort(LargeVector<CodedFace>& faces) {
-  // The lower halves ascend.
-  if (faces.size() < kFewFaces) {
-    std::ranges::sort(faces);
-    return;
-  }
-  LargeVector<CodedFace> sorted(faces.size());
-  Histograms histograms(faces.size());
-  for (unsigned round = 0; round < kRounds; ++round) {
-    histograms.for_each_range(faces.size(), [&](auto counts, std::size_t begin, std::size_t end) {
-      std::ranges::fill(counts, 0U);
-      for (std::size_t i = begin; i < end; ++i) ++counts[digit(faces[i], round)];
-    });
-    if (!histograms.add_up(faces.size())) continue;
-    histograms.for_each_range(faces.size(), [&](auto places, std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) sorted[places[digit(faces[i], round)]++] = faces[i];
-    });
-    faces.swap(sorted);
-  }
-}
-
-/// Orders by the full codes, where more faces than a leaf holds have the same upper half: small parts far apart.
-/// code_of(i) is the full code of the i-th face.
-template <typename CodeOf>
-void sort_ties(LargeVector<CodedFace>& faces, const CodeOf& code_of) {
-  const auto full_code = [&](CodedFace face) { return std::pair(code_of(static_cast<std::uint32_t>(face)), face); };
-  for (std::size_t begin = 0, end = 0; begin < faces.size(); begin = end) {
-    while (end < faces.size() && faces[end] >> 32 == faces[begin] >> 32) ++end;
-    if (end - begin > BoxHierarchy::kLeafSize)
-      std::ranges::sort(std::span(faces).subspan(begin, end - begin), {}, full_code);
-  }
-}
 
 /// A box that reaches at least `margin` beyond the point. Not the smallest: made without a look at exact coordinates,
 /// which would have to be fetched from far off.
@@ -152,9 +74,13 @@ void BoxHierarchy::Box::extend(const Box& other) {
   }
 }
 
-BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh) : BoxHierarchy(mesh, all_faces(mesh)) {}
+BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh) : BoxHierarchy(mesh, all_faces(mesh), 0, mesh.face_order()) {}
 
 BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> faces, double margin)
+    : BoxHierarchy(mesh, std::move(faces), margin, nullptr) {}
+
+BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> faces, double margin,
+                           const FaceOrder* known)
     : faces_(std::move(faces)), slabs_(std::make_shared<LazySlabs>()) {
   if (faces_.empty()) return;
   const PointArray& points = mesh.points();
@@ -172,7 +98,7 @@ BoxHierarchy::BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> 
     box.extend(box_of_corner(triangle[2]));
     return box;
   };
-  sort_faces(box_of_face);
+  sort_faces(box_of_face, known);
   face_boxes_.resize(faces_.size());
   parallel_for(faces_.size(), kFacesPerTask, [&](std::size_t i) { face_boxes_[i] = box_of_face(i); });
   build_levels();
@@ -197,14 +123,13 @@ BoxHierarchy::Box BoxHierarchy::scaled(const Box3& box) const {
 }
 
 Box3 BoxHierarchy::unscaled(const Box& box) const {
-  constexpr float kFar = std::numeric_limits<float>::infinity();
   Box3 result;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     // A step of float covers the rounding to float, and a step of double that of the sum.
-    const double min = (double{std::nextafter(box.min[axis], -kFar)} / frame_.scale + frame_.origin[axis] / 2) * 2;
-    const double max = (double{std::nextafter(box.max[axis], kFar)} / frame_.scale + frame_.origin[axis] / 2) * 2;
-    result.min[axis] = std::nextafter(min, -Box3::kInfinity);
-    result.max[axis] = std::nextafter(max, Box3::kInfinity);
+    const double min = (double{next_below(box.min[axis])} / frame_.scale + frame_.origin[axis] / 2) * 2;
+    const double max = (double{next_above(box.max[axis])} / frame_.scale + frame_.origin[axis] / 2) * 2;
+    result.min[axis] = next_below(min);
+    result.max[axis] = next_above(max);
   }
   return result;
 }
@@ -331,7 +256,7 @@ void BoxHierarchy::push_near_children(const BoxHierarchy& other, const FrameChan
 }
 
 template <typename BoxOfFace>
-void BoxHierarchy::sort_faces(const BoxOfFace& box_of_face) {
+void BoxHierarchy::sort_faces(const BoxOfFace& box_of_face, const FaceOrder* known) {
   // Cells of the sums of two coordinates up to 2^20; 21 bits hold all but the very last value. The number of bits of a
   // code is even, so the first three are 0.
   const auto cells_of = [&](std::size_t i) {
@@ -345,19 +270,44 @@ void BoxHierarchy::sort_faces(const BoxOfFace& box_of_face) {
     const auto [x, y, z] = cells_of(i);
     return hilbert_code<22>(x, y, z);
   };
-  // The upper 32 of the 63 bits.
-  const auto begin_of_code_of = [&](std::size_t i) {
+  // With the upper 32 of the 63 bits.
+  const auto placed = [&](std::size_t i) {
     const auto [x, y, z] = cells_of(i);
-    return hilbert_code<12>(x >> 10, y >> 10, z >> 10) >> 1;
+    return PlacedFace(static_cast<std::uint32_t>(hilbert_code<12>(x >> 10, y >> 10, z >> 10) >> 1),
+                      static_cast<std::uint32_t>(i));
   };
-  LargeVector<CodedFace> coded(faces_.size());
-  parallel_for(coded.size(), kFacesPerTask, [&](std::size_t i) { coded[i] = begin_of_code_of(i) << 32 | i; });
-  radix_sort(coded);
-  sort_ties(coded, code_of);
-  std::vector<std::uint32_t> sorted(coded.size());
-  parallel_for(coded.size(), kFacesPerTask,
-               [&](std::size_t i) { sorted[i] = faces_[static_cast<std::uint32_t>(coded[i])]; });
-  faces_ = std::move(sorted);
+  LargeVector<PlacedFace> order = may_take_over(known) ? completed(*known, placed) : sorted(placed);
+  curve_order::sort_ties(order, kLeafSize, code_of);
+  std::vector<std::uint32_t> faces(order.size());
+  places_.resize(order.size());
+  parallel_for(order.size(), kFacesPerTask, [&](std::size_t i) {
+    faces[i] = faces_[order[i].face()];
+    places_[i] = order[i].place();
+  });
+  faces_ = std::move(faces);
+}
+
+/// If many faces are new, sorting takes no longer.
+bool BoxHierarchy::may_take_over(const FaceOrder* known) const {
+  return known != nullptr && known->frame == frame_ && known->faces.size() >= faces_.size() - faces_.size() / 4;
+}
+
+template <typename Placed>
+LargeVector<PlacedFace> BoxHierarchy::sorted(const Placed& placed) const {
+  LargeVector<PlacedFace> order(faces_.size());
+  parallel_for(order.size(), kFacesPerTask, [&](std::size_t i) { order[i] = placed(i); });
+  curve_order::sort_by_places(order);
+  return order;
+}
+
+template <typename Placed>
+LargeVector<PlacedFace> BoxHierarchy::completed(const FaceOrder& known, const Placed& placed) const {
+  assert(std::ranges::all_of(known.faces, [&](PlacedFace face) { return face == placed(face.face()); }));
+  const std::vector<std::uint32_t> others = curve_order::faces_beyond(known.faces, faces_.size());
+  LargeVector<PlacedFace> placed_others(others.size());
+  for (std::size_t i = 0; i < others.size(); ++i) placed_others[i] = placed(others[i]);
+  curve_order::sort_by_places(placed_others);
+  return curve_order::merged(known.faces, placed_others);
 }
 
 void BoxHierarchy::build_levels() {

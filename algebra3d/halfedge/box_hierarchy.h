@@ -16,6 +16,7 @@
 
 #include "algebra3d/base/box3.h"
 #include "algebra3d/base/large_allocator.h"
+#include "algebra3d/halfedge/face_order.h"
 #include "algebra3d/halfedge/triangle_mesh.h"
 
 namespace algebra3d {
@@ -27,7 +28,7 @@ class NodeSlabs;
 ///
 /// Boxes are floats, scaled to the mesh by a monotonic map (subtract, scale, round), so boxes that touch or overlap
 /// still do so afterwards: a query may find too many candidates, never too few, however far from the origin the mesh
-/// lies. Immutable after construction and `set_groups`; refers to nothing. Memory: 50 bytes per triangle, and 5 more
+/// lies. Immutable after construction and `set_groups`; refers to nothing. Memory: 54 bytes per triangle, and 5 more
 /// for slabs once they are asked for. Deterministic. Source: [lauterbach2009] for the order of the triangles.
 class BoxHierarchy {
  public:
@@ -37,11 +38,15 @@ class BoxHierarchy {
   /// Builds the hierarchy over `faces` of `mesh`. Boxes are enlarged by `margin` on each side, so that boxes of faces
   /// up to two margins apart meet. Cost: linear (radix sort).
   BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> faces, double margin = 0);
-  /// The same over all faces.
+  /// The same over all faces. If the mesh knows most of their order (TriangleMesh::face_order), only the others are
+  /// sorted; the hierarchy is the same.
   explicit BoxHierarchy(const TriangleMesh& mesh);
 
   std::size_t face_count() const { return faces_.size(); }
   std::size_t leaf_count() const { return (faces_.size() + kLeafSize - 1) / kLeafSize; }
+  /// All faces in their order, with their places along the curve; of faces that were not given in ascending order, or
+  /// with a margin, this order means nothing to other hierarchies.
+  PlacedFace placed(std::size_t i) const { return {places_[i], faces_[i]}; }
   /// Faces of a leaf: at most kLeafSize.
   std::span<const std::uint32_t> leaf_faces(std::size_t leaf) const;
 
@@ -64,14 +69,8 @@ class BoxHierarchy {
   /// A box around the faces of a node, slightly larger than the smallest one.
   Box3 bounds(Node node) const { return unscaled(levels_[node.level].boxes[node.index]); }
 
-  /// The frame of the boxes: coordinates are half their distance from `origin`, times `scale`, a power of two. The mesh
-  /// has an extent of 2^19 to 2^20 in it, but for meshes of one point or below some 2^-980.
-  struct Frame {
-    Vec3 origin;
-    double scale = 1;
-
-    Vec3 place_of(const Vec3& point) const { return scale * (0.5 * point - 0.5 * origin); }
-  };
+  using Frame = BoxFrame;
+  /// The frame of the boxes.
   const Frame& frame() const { return frame_; }
   /// A box around the faces of a node by its middle and half its sides, in the frame.
   struct Place {
@@ -193,6 +192,7 @@ class BoxHierarchy {
     std::vector<std::uint32_t> groups;  // empty: none
   };
 
+  BoxHierarchy(const TriangleMesh& mesh, std::vector<std::uint32_t> faces, double margin, const FaceOrder* known);
   void choose_scale(const PointArray& points, double margin);
   /// Maps a coordinate to the scaled frame; monotonic.
   float scaled(double coordinate, std::size_t axis) const {
@@ -265,9 +265,17 @@ class BoxHierarchy {
   static double squared_gap(const Box& own, const Box& other);
   /// The square of a length in coordinate units, in this frame, rounded up.
   double squared_in_frame(double length) const;
-  /// Brings the faces into the order of a Hilbert curve; box_of_face(i) is the box of the i-th one before.
+  /// Brings the faces into the order of a Hilbert curve; box_of_face(i) is the box of the i-th one before. `known` may
+  /// be null; else the faces must be those of the mesh, ascending.
   template <typename BoxOfFace>
-  void sort_faces(const BoxOfFace& box_of_face);
+  void sort_faces(const BoxOfFace& box_of_face, const FaceOrder* known);
+  bool may_take_over(const FaceOrder* known) const;
+  /// All faces by their places; placed(i) gives that of the i-th one, with i in place of the face.
+  template <typename Placed>
+  LargeVector<PlacedFace> sorted(const Placed& placed) const;
+  /// The same, where the places of most are known.
+  template <typename Placed>
+  LargeVector<PlacedFace> completed(const FaceOrder& known, const Placed& placed) const;
   void build_levels();
   static bool is_one_group(const Level& level, std::uint32_t a, std::uint32_t b) {
     return !level.groups.empty() && level.groups[a] != kNoGroup && level.groups[a] == level.groups[b];
@@ -297,9 +305,10 @@ class BoxHierarchy {
   struct LazySlabs;
 
   Frame frame_;
-  std::vector<std::uint32_t> faces_;  // along a Hilbert curve
-  LargeVector<Box> face_boxes_;       // parallel to faces_
-  std::vector<Level> levels_;         // [0]: the leaves; the last has one node
+  std::vector<std::uint32_t> faces_;   // along a Hilbert curve
+  std::vector<std::uint32_t> places_;  // parallel to faces_: on the curve
+  LargeVector<Box> face_boxes_;        // parallel to faces_
+  std::vector<Level> levels_;          // [0]: the leaves; the last has one node
   std::shared_ptr<LazySlabs> slabs_;
 };
 

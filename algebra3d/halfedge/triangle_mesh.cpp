@@ -26,10 +26,11 @@ TriangleMesh::TriangleMesh(PointArray points, LargeVector<std::uint32_t> origins
 }
 
 TriangleMesh::TriangleMesh(PointArray points, LargeVector<std::uint32_t> origins, LargeVector<std::uint32_t> opposites,
-                           LargeVector<HalfedgeId> outgoing, FacePlanes planes)
+                           LargeVector<HalfedgeId> outgoing, FacePlanes planes, std::shared_ptr<const FaceOrder> order)
     : HalfedgeMesh(std::move(points), {}, std::move(origins), std::move(opposites), std::move(outgoing),
                    Links::all_but_between_open_vertices),
-      planes_(std::move(planes)) {
+      planes_(std::move(planes)),
+      face_order_(std::move(order)) {
   assert(halfedge_count() % 3 == 0);
 }
 
@@ -39,6 +40,11 @@ TriangleMesh TriangleMesh::with_proposed_links(PointArray points, LargeVector<st
                                                LargeVector<std::uint32_t> opposites) {
   assert(origins.size() % 3 == 0);
   return {std::move(points), {}, std::move(origins), std::move(opposites), {}, Links::proposed};
+}
+
+std::size_t TriangleMesh::heap_bytes() const {
+  const std::size_t of_order = face_order_ == nullptr ? 0 : face_order_->faces.capacity() * sizeof(PlacedFace);
+  return HalfedgeMesh::heap_bytes() + planes_.heap_bytes() + of_order;
 }
 
 TriangleRef TriangleMesh::corners(FaceId f) const {

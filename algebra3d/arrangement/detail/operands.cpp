@@ -1,16 +1,13 @@
 #include "algebra3d/arrangement/detail/operands.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "algebra3d/halfedge/circulators.h"
 
 namespace algebra3d::arrangement {
 
 std::unique_ptr<const BoxHierarchy> hierarchy_of(const TriangleMesh& mesh) {
-  std::vector<std::uint32_t> faces(mesh.face_count());
-  std::iota(faces.begin(), faces.end(), 0U);
-  return std::make_unique<const BoxHierarchy>(mesh, std::move(faces));
+  return std::make_unique<const BoxHierarchy>(mesh);
 }
 
 Operands::Operands(std::span<const Operand> operands) : operands_(operands) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "algebra3d/arrangement/detail/taken_order.h"
 #include "algebra3d/arrangement/detail/task_sizes.h"
 #include "algebra3d/base/scheduler.h"
 
@@ -27,6 +28,7 @@ void ResultMesh::take_patches() {
   const auto take_points_and_planes = [&] {
     mesh_.points = vertices_.points();
     for (const TakenRun& run : runs_) planes_.take(run);
+    mesh_.order = taken_order(subdivision_.operands, runs_);
   };
   const auto take_faces = [&] {
     const std::size_t count = runs_.face_count();
@@ -109,8 +111,8 @@ UnlinkedMesh ResultMesh::finish() {
 }
 
 TriangleMesh linked(UnlinkedMesh mesh) {
-  return {std::move(mesh.points), std::move(mesh.origins), std::move(mesh.opposites), std::move(mesh.outgoing),
-          std::move(mesh.planes)};
+  return {std::move(mesh.points),   std::move(mesh.origins), std::move(mesh.opposites),
+          std::move(mesh.outgoing), std::move(mesh.planes),  std::move(mesh.order)};
 }
 
 }  // namespace algebra3d::arrangement

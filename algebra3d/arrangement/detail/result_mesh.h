@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include "algebra3d/arrangement/detail/patch_corners.h"
 #include "algebra3d/arrangement/detail/regions.h"
@@ -17,6 +18,7 @@ struct UnlinkedMesh {
   LargeVector<std::uint32_t> origins, opposites;  ///< as TriangleMesh takes them
   LargeVector<HalfedgeId> outgoing;               ///< of the settled vertices
   FacePlanes planes;
+  std::shared_ptr<const FaceOrder> order;  ///< as TriangleMesh::face_order
 };
 
 /// The mesh, with all edges linked. Cost: linear in the half-edges, and little for those that are linked.

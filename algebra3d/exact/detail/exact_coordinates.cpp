@@ -1,6 +1,7 @@
 #include "algebra3d/exact/detail/exact_coordinates.h"
 
 #include <algorithm>
+#include <cmath>
 #include <compare>
 #include <new>
 
@@ -51,6 +52,38 @@ SharedCoordinates ExactCoordinates::make(HomogeneousPoint& numbers, Vec3& approx
 
 Rational ExactCoordinates::coordinate(std::size_t axis) const {
   return RationalAccess::quotient(&numbers_[axis], &numbers_[3]);
+}
+
+double ExactCoordinates::rest(std::size_t axis, double rounded) const {
+  if (beyond_[axis] == 0) return 0;
+  const double known = rests_[axis].load(std::memory_order_relaxed);
+  if (!std::isnan(known)) return known;
+  const double computed = compute_rest(axis, rounded);
+  rests_[axis].store(computed, std::memory_order_relaxed);
+  return computed;
+}
+
+/// (X - m W) / W, where the rounding m is an integer times a power of two.
+double ExactCoordinates::compute_rest(std::size_t axis, double rounded) const {
+  thread_local mpz_class difference, product;
+  constexpr int kBits = std::numeric_limits<double>::digits;
+  int exponent = 0;
+  const double mantissa = std::frexp(rounded, &exponent);
+  exponent -= kBits;
+  mpz_mul_si(product.get_mpz_t(), &numbers_[3], static_cast<long>(std::ldexp(mantissa, kBits)));
+  const auto shift = static_cast<mp_bitcnt_t>(std::abs(exponent));
+  if (exponent >= 0) {
+    mpz_mul_2exp(product.get_mpz_t(), product.get_mpz_t(), shift);
+    mpz_sub(difference.get_mpz_t(), &numbers_[axis], product.get_mpz_t());
+  } else {
+    mpz_mul_2exp(difference.get_mpz_t(), &numbers_[axis], shift);
+    mpz_sub(difference.get_mpz_t(), difference.get_mpz_t(), product.get_mpz_t());
+  }
+  long difference_exponent = 0, divisor_exponent = 0;
+  const double dividend = mpz_get_d_2exp(&difference_exponent, difference.get_mpz_t());
+  const double divisor = mpz_get_d_2exp(&divisor_exponent, &numbers_[3]);
+  return std::ldexp(dividend / divisor,
+                    static_cast<int>(difference_exponent - divisor_exponent + std::min(exponent, 0)));
 }
 
 std::size_t ExactCoordinates::heap_bytes() const {

@@ -57,6 +57,23 @@ TEST(counters, coordinates_beyond_the_safe_range_and_rationals_are_counted_as_bi
   EXPECT_EQ(exact_counters().big_fallbacks, 2U) << "intervals decide what is not near the plane";
 }
 
+TEST(counters, pairs_of_doubles_decide_what_lies_some_roundings_off_a_plane) {
+  // Thirds of corners of the plane x + y + z = 3, and a point that is 2^-80 off it: beyond what roundings tell.
+  const auto thirds = [](int x, int y, int z, const Rational& off) {
+    return ExactPoint(RationalVec3(Rational(x, 3), Rational(y, 3), Rational(z, 3) + off));
+  };
+  const ExactPoint a = thirds(7, 1, 1, 0), b = thirds(1, 7, 1, 0), c = thirds(1, 1, 7, 0);
+  const Rational off(0x1p-80);
+  reset_exact_counters();
+  EXPECT_EQ(orient3d(a, b, c, thirds(4, 4, 1, off)), 1);
+  EXPECT_EQ(orient3d(a, b, c, thirds(4, 4, 1, -off)), -1);
+  EXPECT_EQ(orient2d(Projection::zx, a, c, thirds(4, 2, 4, off)), 1);
+  EXPECT_EQ(orient2d(Projection::zx, a, c, thirds(4, 2, 4, -off)), -1);
+  EXPECT_EQ(exact_counters().big_fallbacks, 0U);
+  EXPECT_EQ(orient3d(a, b, c, thirds(4, 4, 1, 0)), 0) << "a plane that no axis is parallel to needs integers";
+  EXPECT_EQ(exact_counters().big_fallbacks, 1U);
+}
+
 TEST(counters, a_rational_point_on_an_axis_parallel_plane_needs_no_rationals) {
   const Rational third(1, 3);
   const ExactPoint on_plane(RationalVec3(third, third, 5));

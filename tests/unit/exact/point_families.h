@@ -58,10 +58,23 @@ inline double real(Random& random) {
 }
 
 /// Families of points; in each, four points are coplanar and three collinear often enough to matter.
-enum class Family { uniform, grid, scaled_grid, near_plane, wide_plane, extreme, thirds, far_thirds, mixed_thirds };
-inline constexpr std::array kFamilies{Family::uniform,    Family::grid,       Family::scaled_grid,
-                                      Family::near_plane, Family::wide_plane, Family::extreme,
-                                      Family::thirds,     Family::far_thirds, Family::mixed_thirds};
+enum class Family {
+  uniform,
+  grid,
+  scaled_grid,
+  near_plane,
+  wide_plane,
+  extreme,
+  thirds,
+  far_thirds,
+  mixed_thirds,
+  near_plane_thirds,
+  scaled_thirds
+};
+inline constexpr std::array kFamilies{
+    Family::uniform,      Family::grid,   Family::scaled_grid, Family::near_plane,   Family::wide_plane,
+    Family::extreme,      Family::thirds, Family::far_thirds,  Family::mixed_thirds, Family::near_plane_thirds,
+    Family::scaled_thirds};
 
 inline double moved_by_ulps(double value, int ulps) {
   for (; ulps > 0; --ulps) value = std::nextafter(value, 9);
@@ -74,7 +87,8 @@ inline Vec3 grid_point(Random& random) {
   return {coordinate(), coordinate(), coordinate()};
 }
 
-inline std::vector<TestPoint> near_plane(Random& random, std::size_t count) {
+/// Some roundings off a plane or a line, each coordinate divided.
+inline std::vector<TestPoint> near_plane(Random& random, std::size_t count, std::int64_t divisor) {
   const Vec3 a{real(random), real(random), real(random)};
   const Vec3 u{real(random), real(random), real(random)};
   const Vec3 v{real(random), real(random), real(random)};
@@ -84,7 +98,7 @@ inline std::vector<TestPoint> near_plane(Random& random, std::size_t count) {
     Vec3 p = a + real(random) * u;
     if (!on_line) p = p + real(random) * v;
     for (std::size_t axis = 0; axis < 3; ++axis) p[axis] = moved_by_ulps(p[axis], integer(random, -2, 2));
-    points.emplace_back(p);
+    points.emplace_back(Number{p.x, divisor}, Number{p.y, divisor}, Number{p.z, divisor});
   }
   return points;
 }
@@ -104,7 +118,8 @@ inline double extreme(Random& random) {
 }
 
 inline std::vector<TestPoint> make_points(Family family, Random& random, std::size_t count) {
-  if (family == Family::near_plane) return near_plane(random, count);
+  if (family == Family::near_plane) return near_plane(random, count, 1);
+  if (family == Family::near_plane_thirds) return near_plane(random, count, 3);
   constexpr std::array kScales{-1074, -1073, -1022, -520, -330, -201, -30, 0, 40, 299, 310, 520, 1021};
   const auto scale = [&] { return kScales[static_cast<std::size_t>(integer(random, 0, kScales.size() - 1))]; };
   const std::array exponents{scale(), scale(), scale()};
@@ -134,6 +149,9 @@ inline std::vector<TestPoint> make_points(Family family, Random& random, std::si
       case Family::thirds:
         points.emplace_back(Number{g.x, 3}, Number{g.y, 7}, Number{g.z, 3});
         break;
+      case Family::scaled_thirds:
+        points.emplace_back(Number{scaled(0), 3}, Number{scaled(1), 7}, Number{scaled(2), 3});
+        break;
       case Family::far_thirds:
         points.emplace_back(Number{far + g.x, 3}, Number{g.y, 3}, Number{far - g.z, 5});
         break;
@@ -147,7 +165,7 @@ inline std::vector<TestPoint> make_points(Family family, Random& random, std::si
 
 /// The oracle's numbers are long where exponents are extreme.
 inline int sample_count(Family family) {
-  return family == Family::extreme ? 300 : 4000;
+  return family == Family::extreme || family == Family::scaled_thirds ? 300 : 4000;
 }
 
 inline int sign_of(CGAL::Sign sign) {

@@ -93,5 +93,34 @@ TEST(box_of, encloses_the_exact_point_and_no_more) {
   EXPECT_EQ(box.max, (Vec3{std::nextafter(1.0 / 3.0, 1.0), -1.0 / 3.0, 3}));
 }
 
+TEST(point_array, appends_any_part_of_another_one_and_owns_its_exact_points) {
+  // Exact points with doubles before, between and behind them.
+  const auto is_exact = [](std::size_t i) { return i >= 5 && i < 40 && i % 3 != 0; };
+  const auto point = [&](std::size_t i) {
+    return ExactPoint(RationalVec3(Rational(i), is_exact(i) ? kThird : Rational(7), Rational(1)));
+  };
+  for (const std::size_t first : {0U, 4U, 5U, 6U, 20U, 41U})
+    for (const std::size_t count : {0U, 1U, 2U, 19U, 30U}) {
+      std::size_t exact = 1;
+      PointArray result;
+      result.push_back(Vec3{9, 9, 9});
+      {
+        PointArray source;
+        for (std::size_t i = 0; i < 80; ++i) source.push_back(point(i));
+        result.append(source, first, count);
+        result.append(source, 6, 2);
+      }
+      result.push_back(ExactPoint(RationalVec3(kThird, 0, 0)));
+      ASSERT_EQ(result.size(), count + 4);
+      for (std::size_t i = 0; i < count; ++i) {
+        EXPECT_EQ(result.point(1 + i), point(first + i));
+        exact += is_exact(first + i) ? 1 : 0;
+      }
+      for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(result.point(1 + count + i), point(6 + i));
+      EXPECT_EQ(result.point(count + 3).rational().x, kThird);
+      EXPECT_EQ(result.exact_count(), exact + 1) << "of the second part, 7 is exact and 6 is not";
+    }
+}
+
 }  // namespace
 }  // namespace algebra3d

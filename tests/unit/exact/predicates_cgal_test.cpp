@@ -16,6 +16,12 @@ namespace {
 
 using namespace point_families;
 
+Rational power_of_two(int exponent) {
+  Rational power(1);
+  for (; exponent < 0; ++exponent) power = power / Rational(2);
+  return power;
+}
+
 class EachFamily : public testing::TestWithParam<Family> {};
 INSTANTIATE_TEST_SUITE_P(predicates, EachFamily, testing::ValuesIn(kFamilies));
 
@@ -63,6 +69,26 @@ TEST_P(EachFamily, comparison_and_collinearity_are_exact) {
   }
   const bool is_small_grid = GetParam() == Family::grid || GetParam() == Family::thirds;
   EXPECT_GE(collinear_count, is_small_grid ? 20 : 0);
+}
+
+// What a coordinate exceeds its rounding by may be far below 2^-53 of it, and products of such differences underflow.
+TEST(orient3d, coordinates_that_exceed_a_double_by_hardly_anything_are_decided) {
+  for (const int size : {0, -90, -100, -101, -300})
+    for (const int exponent : {-60, -110, -160, -210, -270, -400, -700, -1100}) {
+      const Rational off = power_of_two(exponent), side = power_of_two(size);
+      const auto point = [&](const Rational& x, const Rational& y, const Rational& beyond) {
+        return ExactPoint(RationalVec3(x, y, side + beyond));
+      };
+      const Rational third(1, 3), none(0);
+      const ExactPoint a = point(none, none, none), b = point(side, none, none), c = point(none, side, none);
+      EXPECT_EQ(orient3d(a, b, c, point(third, third, off)), 1) << size << ' ' << exponent;
+      EXPECT_EQ(orient3d(a, b, c, point(third, third, -off)), -1) << size << ' ' << exponent;
+      EXPECT_EQ(orient3d(point(none, none, off), point(side, none, off), point(none, side, off), c), -1);
+      EXPECT_EQ(
+          orient3d(point(third, none, off), point(side, none, off), point(none, side, off), point(side, side, off)), 0);
+      EXPECT_EQ(orient2d(Projection::yz, a, c, point(none, third, off)), 1) << size << ' ' << exponent;
+      EXPECT_EQ(orient2d(Projection::yz, a, c, point(none, third, -off)), -1) << size << ' ' << exponent;
+    }
 }
 
 TEST(orient3d, a_subnormal_coordinate_counts_beside_a_huge_one) {
