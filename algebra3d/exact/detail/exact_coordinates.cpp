@@ -24,15 +24,14 @@ void make_denominator_positive(HomogeneousPoint& numbers) {
 
 }  // namespace
 
-// NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast)
 ExactCoordinates::ExactCoordinates(const HomogeneousPoint& numbers, const std::array<std::int8_t, 3>& beyond)
-    : beyond_(beyond), numbers_(detail::copy_to(reinterpret_cast<mp_limb_t*>(this + 1), numbers)) {}
+    : beyond_(beyond), numbers_(numbers) {}
 
 const ExactCoordinates* ExactCoordinates::allocate(const HomogeneousPoint& numbers,
                                                    const std::array<std::int8_t, 3>& beyond) {
   static_assert(sizeof(ExactCoordinates) % alignof(mp_limb_t) == 0);
   detail::count_heap_rational();
-  void* block = ::operator new(sizeof(ExactCoordinates) + detail::limb_count(numbers) * sizeof(mp_limb_t));
+  void* block = ::operator new(sizeof(ExactCoordinates) + detail::PackedIntegers::bytes_behind(numbers));
   return new (block) ExactCoordinates(numbers, beyond);
 }
 
@@ -50,13 +49,11 @@ SharedCoordinates ExactCoordinates::make(HomogeneousPoint& numbers, Vec3& approx
 }
 
 Rational ExactCoordinates::coordinate(std::size_t axis) const {
-  return RationalAccess::quotient(&numbers_[axis], &numbers_[3]);
+  return RationalAccess::quotient(numbers_[axis], numbers_[3]);
 }
 
 std::size_t ExactCoordinates::heap_bytes() const {
-  std::size_t limbs = 0;
-  for (const __mpz_struct& number : numbers_) limbs += mpz_size(&number);
-  return sizeof(ExactCoordinates) + limbs * sizeof(mp_limb_t);
+  return sizeof(ExactCoordinates) + numbers_.bytes_behind();
 }
 
 bool operator==(const ExactCoordinates& a, const ExactCoordinates& b) {
