@@ -34,7 +34,7 @@ bool keeps(SurfaceRule rule, bool is_in_first, bool is_in_second) {
 template <typename Visit>
 void for_each_facet(const Subdivision& subdivision, SubEdgeSide at, const Visit& visit) {
   for (const IncidentFacet& incident : subdivision.sub_edges.incident_to(at.sub_edge()))
-    if (includes(incident.sides, at.side())) visit(subdivision.facets[incident.facet]);
+    if (includes(incident.sides(), at.side())) visit(subdivision.facets[incident.facet()]);
 }
 
 /// The choice of the rule for a sub-facet, oriented as in the first operand that covers it.

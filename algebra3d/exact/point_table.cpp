@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "algebra3d/base/shrink.h"
 #include "algebra3d/exact/detail/exact_coordinates.h"
 
 namespace algebra3d {
@@ -21,6 +22,13 @@ std::uint32_t PointTable::intern(ExactPoint point) {
 
 bool PointTable::are_equal(const ExactCoordinates* a, const ExactCoordinates* b) {
   return a != nullptr && b != nullptr && *a == *b;
+}
+
+void PointTable::finish() {
+  std::vector<Slot>().swap(slots_);
+  shrink(approx_);
+  shrink(exact_);
+  shrink(owned_);
 }
 
 // Points are inserted anew in their order: the table depends on the points alone, not on its history.

@@ -63,6 +63,9 @@ class PointTable {
     return slots_.empty() ? kNone : slots_[place_of(point, hash_of(point.approx))].number;
   }
 
+  /// Frees what finding points takes, and unused capacity. Only the points themselves can be asked for from then on.
+  void finish();
+
   PointRef operator[](std::uint32_t number) const { return {approx_[number], exact_of(number)}; }
   std::size_t size() const { return approx_.size(); }
 

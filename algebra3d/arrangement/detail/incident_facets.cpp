@@ -34,7 +34,7 @@ void add_missing(const Operands& operands, const Facets& facets, const ExactPoin
     const auto own = std::span(incident).subspan(first);
     if (std::ranges::find(own, facet, &IncidentFacet::facet) != own.end()) return;
     // Not on the facet's boundary, along which the facet would be incident already: inside.
-    if (TriangleInPlane(operands.corners(face)).place(middle)) incident.push_back({facet, FacetSides::both});
+    if (TriangleInPlane(operands.corners(face)).place(middle)) incident.emplace_back(facet, FacetSides::both);
   });
 }
 
@@ -46,14 +46,15 @@ Result<SubEdges> with_all_incident_facets(const Operands& operands, const Facets
   std::vector<IncidentFacet> incident;
   incident.reserve(sub_edges.incident.size());
   Stage stage(monitor.silent(), {}, sub_edges.sub_edges.size());
-  for (SubEdge& sub_edge : sub_edges.sub_edges) {
+  for (const SubEdgeId id : sub_edges.ids()) {
     if (!stage.begin_step()) return Monitor::interrupted();
-    const auto given = sub_edge.incident.of(sub_edges.incident);
+    SubEdge& sub_edge = sub_edges.sub_edges[id];
+    const auto given = sub_edges.incident_to(id);
     const std::size_t first = incident.size();
     incident.insert(incident.end(), given.begin(), given.end());
     add_missing(operands, facets, complex.nodes.middle(sub_edge.ends.u, sub_edge.ends.v), trees[sub_edge.plane], first,
                 incident);
-    sub_edge.incident = Slice::from(first, incident);
+    sub_edge.first_incident = static_cast<std::uint32_t>(first);
   }
   sub_edges.incident = std::move(incident);
   return sub_edges;

@@ -19,6 +19,9 @@ class NodePool {
   /// The same for a point whose coordinates the pool keeps alive.
   NodeId intern(ExactPoint point) { return NodeId(points_.intern(std::move(point))); }
 
+  /// Frees what finding points takes: no more are added.
+  void finish() { points_.finish(); }
+
   PointRef operator[](NodeId node) const { return points_[node.index()]; }
   std::size_t size() const { return points_.size(); }
   IdRange<NodeId> ids() const { return IdRange<NodeId>(size()); }

@@ -163,7 +163,7 @@ bool PseudoNodeFinder::is_half_disc(const EdgeEnd& end, NodeId opposite, EdgeEnd
 
 /// Where a patch ends, its edge is whole; so it has to be whole in the regions on its other sides.
 void PseudoNodeFinder::find_along(const UncutEdge& edge) {
-  const auto nodes = subdivision_.sub_edges.segments.nodes(edge.segment);
+  const auto nodes = subdivision_.uncut_edges.nodes_along(edge);
   if (nodes.size() == 2) return;
   std::vector<InputHalfedgeId> along;
   subdivision_.operands.halfedges_along(edge.edge, along);

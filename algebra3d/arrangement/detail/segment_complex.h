@@ -83,13 +83,17 @@ struct SegmentComplex {
   std::vector<NodeOfVertex> nodes_of_vertices;
   PlaneCoefficients coefficients;  ///< of the planes that crossings were computed from
 
-  /// Frees what only the stages up to the division into sub-edges need: incidences, cuts, touches, collinear segments.
+  /// Frees what only the stages up to the division into sub-edges need: incidences, cuts, touches, collinear segments,
+  /// and what finding nodes takes.
   void free_divided() {
+    nodes.finish();
     std::vector<SegmentIncidence>().swap(incidences);
     std::vector<Cut>().swap(cuts);
     std::vector<Touch>().swap(touches);
     std::vector<CollinearSegments>().swap(collinear);
   }
+  /// Frees the segments themselves, once uncut edges are known.
+  void free_segments() { IdVector<SegmentId, Segment>().values().swap(segments.values()); }
   /// Notes that two segments lie on one line; does nothing if they are the same.
   void note_collinear(SegmentId a, SegmentId b) {
     if (a != b) collinear.push_back({a, b});

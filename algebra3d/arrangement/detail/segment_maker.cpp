@@ -51,11 +51,29 @@ void SegmentMaker::add_boundary(FacetId facet, InputHalfedgeId halfedge) {
   complex_.incidences.push_back({segment, facet, is_left ? FacetSides::left : FacetSides::right});
 }
 
-void SegmentMaker::add_boundaries() {
+/// Calls visit(facet, half-edge) for the boundaries of all facets.
+template <typename Visit>
+void SegmentMaker::for_each_boundary(const Visit& visit) const {
   for (const FacetId facet : facets_.ids())
     for (const InputFaceId face : facets_.faces_of(facet))
       for (const InputHalfedgeId h : Operands::halfedges(face))
-        if (facets_.is_boundary(operands_, h)) add_boundary(facet, h);
+        if (facets_.is_boundary(operands_, h)) visit(facet, h);
+}
+
+/// Exact room for what `add_boundaries` adds, at most for the edges that are segments without being noted as such.
+void SegmentMaker::reserve_boundaries() {
+  std::size_t incidence_count = 0, edge_count = 0;
+  for_each_boundary([&](FacetId, InputHalfedgeId h) {
+    ++incidence_count;
+    edge_count += Operands::halfedge(operands_.edge(h)) == h ? 1 : 0;
+  });
+  complex_.incidences.reserve(complex_.incidences.size() + incidence_count);
+  complex_.segments.reserve(complex_.segments.size() + edge_count - std::min(edge_count, of_edges_.size()));
+}
+
+void SegmentMaker::add_boundaries() {
+  reserve_boundaries();
+  for_each_boundary([&](FacetId facet, InputHalfedgeId h) { add_boundary(facet, h); });
 }
 
 }  // namespace algebra3d::arrangement

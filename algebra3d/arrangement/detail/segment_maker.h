@@ -26,6 +26,9 @@ class SegmentMaker {
 
  private:
   SegmentId between(NodeId from, NodeId to);
+  template <typename Visit>
+  void for_each_boundary(const Visit& visit) const;
+  void reserve_boundaries();
   void add_boundary(FacetId facet, InputHalfedgeId halfedge);
 
   const Operands& operands_;

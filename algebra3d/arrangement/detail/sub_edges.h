@@ -16,11 +16,18 @@ namespace algebra3d::arrangement {
 
 /// An incident facet of a sub-edge: a facet of its plane that holds it, on both sides of it or on one, seen from the
 /// front of the plane by someone who walks from u to v.
-struct IncidentFacet {
-  FacetId facet;
-  FacetSides sides;
+class IncidentFacet {
+ public:
+  IncidentFacet(FacetId facet, FacetSides sides)
+      : facet_and_sides_(facet.index() << 2U | static_cast<std::uint32_t>(sides)) {}
+
+  FacetId facet() const { return FacetId(facet_and_sides_ >> 2U); }
+  FacetSides sides() const { return static_cast<FacetSides>(facet_and_sides_ & 3U); }
 
   friend bool operator==(const IncidentFacet&, const IncidentFacet&) = default;
+
+ private:
+  std::uint32_t facet_and_sides_;  // there are fewer than 2^30 faces (TriangleMesh::kMaxFaces), and so facets
 };
 
 /// An undivided piece of a segment in space, by its two nodes, u < v. It is one sub-edge in each plane in which it
@@ -41,7 +48,7 @@ struct SpaceEdge {
 struct SubEdge {
   SpaceEdge ends;
   PlaneId plane;
-  Slice incident;  ///< of SubEdges::incident
+  std::uint32_t first_incident;  ///< in SubEdges::incident; those of the next sub-edge follow
 };
 
 /// Output of stage 6: the subdivision of all planes.
@@ -53,19 +60,22 @@ struct SubEdges {
   /// operand that holds the sub-edge meets G there, so stage 4 has found it as a contact; one of the same operand has
   /// the sub-edge in its boundary, which stage 4 adds.
   std::vector<IncidentFacet> incident;
-  CutSegments segments;  ///< the nodes along each segment, for uncut edges
+  CutSegments segments;  ///< the nodes along each segment; freed once uncut edges are known
 
   IdRange<SubEdgeId> ids() const { return sub_edges.ids(); }
   IdRange<SubEdgeSide> sides() const { return IdRange<SubEdgeSide>(2 * sub_edges.size()); }
   const SubEdge& operator[](SubEdgeId sub_edge) const { return sub_edges[sub_edge]; }
   /// The incident facets of a sub-edge.
   std::span<const IncidentFacet> incident_to(SubEdgeId sub_edge) const {
-    return sub_edges[sub_edge].incident.of(incident);
+    const std::size_t next = sub_edge.index() + std::size_t{1};
+    const std::size_t first = sub_edges[sub_edge].first_incident;
+    return std::span(incident).subspan(
+        first, (next < sub_edges.size() ? sub_edges[SubEdgeId(next)].first_incident : incident.size()) - first);
   }
   /// True if a facet covers the sub-facet at that side.
   bool is_covered(SubEdgeSide side) const {
     return std::ranges::any_of(incident_to(side.sub_edge()),
-                               [&](const IncidentFacet& f) { return includes(f.sides, side.side()); });
+                               [&](const IncidentFacet& f) { return includes(f.sides(), side.side()); });
   }
   /// The sub-edges along a space edge, one for each plane.
   IdRange<SubEdgeId> along(const SpaceEdge& ends) const {
@@ -76,9 +86,23 @@ struct SubEdges {
   /// Calls visit(sub_edges) for the sub-edges along each space edge.
   template <typename Visit>
   void for_each_space_edge(const Visit& visit) const {
-    for (SubEdgeId first(0), last(0); first < sub_edges.next_id(); first = last) {
-      while (last < sub_edges.next_id() && sub_edges[last].ends == sub_edges[first].ends)
+    for_each_space_edge(ids(), visit);
+  }
+  /// The same for each space edge whose first sub-edge is in a range.
+  template <typename Visit>
+  void for_each_space_edge(IdRange<SubEdgeId> range, const Visit& visit) const {
+    const auto end_of = [&](SubEdgeId last) {
+      do {
         last = SubEdgeId(last.index() + 1);
+      } while (last < sub_edges.next_id() && sub_edges[last].ends == sub_edges[SubEdgeId(last.index() - 1)].ends);
+      return last;
+    };
+    SubEdgeId first = *range.begin();
+    const SubEdgeId end = *range.end();
+    if (first < end && first.index() > 0 && sub_edges[first].ends == sub_edges[SubEdgeId(first.index() - 1)].ends)
+      first = end_of(first);
+    for (SubEdgeId last; first < end; first = last) {
+      last = end_of(first);
       visit(IdRange(first, last));
     }
   }

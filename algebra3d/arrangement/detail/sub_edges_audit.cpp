@@ -39,18 +39,19 @@ bool SubEdgesAudit::check_lists() {
   bool holds = true;
   std::size_t first = 0;
   for (const SubEdgeId id : sub_edges_.ids()) {
-    const auto& [ends, plane, incident] = sub_edges_[id];
+    const auto& [ends, plane, begin] = sub_edges_[id];
+    const bool is_last = id.index() + std::size_t{1} == sub_edges_.sub_edges.size();
+    const std::size_t end = is_last ? sub_edges_.incident.size() : sub_edges_[SubEdgeId(id.index() + 1)].first_incident;
     holds &=
         violations_.expect(ends.u < ends.v && ends.v.index() < nodes_.size() && plane.index() < facets_.planes.size(),
                            "sub-edge {} has no two ends, ascending, or no plane", id.index());
-    holds &= violations_.expect(
-        incident.first == first && incident.last > first && incident.last <= sub_edges_.incident.size(),
-        "sub-edge {} has the incident facets {} to {} of {}", id.index(), incident.first, incident.last,
-        sub_edges_.incident.size());
-    first = incident.last;
+    holds &= violations_.expect(begin == first && end > first && end <= sub_edges_.incident.size(),
+                                "sub-edge {} has the incident facets {} to {} of {}", id.index(), begin, end,
+                                sub_edges_.incident.size());
+    first = end;
   }
   for (const IncidentFacet& incident : sub_edges_.incident)
-    holds &= violations_.expect(incident.facet.index() < facets_.facets.size(), "an incident facet is not there");
+    holds &= violations_.expect(incident.facet().index() < facets_.facets.size(), "an incident facet is not there");
   return holds;
 }
 
@@ -61,17 +62,18 @@ void SubEdgesAudit::check_order() {
 }
 
 void SubEdgesAudit::check_incident_facets(SubEdgeId id) {
-  const auto& [ends, plane, slice] = sub_edges_[id];
+  const auto& [ends, plane, first_incident] = sub_edges_[id];
   violations_.expect(is_in_plane(ends.u, plane) && is_in_plane(ends.v, plane), "sub-edge {} is not in its plane {}",
                      id.index(), plane.index());
   const auto incident = sub_edges_.incident_to(id);
-  for (const auto& [facet, sides] : incident) {
+  for (const IncidentFacet& at : incident) {
+    const FacetId facet = at.facet();
     violations_.expect(facets_[facet].plane == plane, "sub-edge {}: facet {} is in another plane", id.index(),
                        facet.index());
     // A facet may have the line for a boundary twice, once from each side.
-    const auto is_same = [facet = facet, sides = sides](const IncidentFacet& f) {
-      return f.facet == facet &&
-             std::ranges::any_of(kSides, [&](Side s) { return includes(f.sides, s) && includes(sides, s); });
+    const auto is_same = [&](const IncidentFacet& f) {
+      return f.facet() == facet &&
+             std::ranges::any_of(kSides, [&](Side s) { return includes(f.sides(), s) && includes(at.sides(), s); });
     };
     violations_.expect(std::ranges::count_if(incident, is_same) == 1, "sub-edge {}: facet {} is on one side twice",
                        id.index(), facet.index());
