@@ -10,7 +10,7 @@ namespace algebra3d::arrangement {
 
 ExactPoint Crossings::meeting_point(const EdgeAndPlane& where) {
   const PointRef from = start(where.edge), to = end(where.edge);
-  const TriangleRef& triangle = facets_.planes[where.plane].triangle;
+  const TriangleRef triangle = facets_.planes[where.plane].triangle();
   if (from.is_double() && to.is_double() && std::ranges::all_of(triangle, &PointRef::is_double))
     return intersect_line_plane(from, to, triangle);
   return intersect_line_plane(from, to, complex_.coefficients.get(facets_, where.plane));

@@ -202,8 +202,8 @@ std::optional<ContactEnd> FacetContactFinder::end_of_chain(const ContactEnd& sta
 }
 
 Error FacetContactFinder::broken_chain(const ContactEnd& start) const {
-  const Vec3 first = facets_.plane_of(start.contact->first_facet).triangle[0].approx;
-  const Vec3 second = facets_.plane_of(start.contact->second_facet).triangle[0].approx;
+  const Vec3 first = facets_.plane_of(start.contact->first_facet).triangle()[0].approx;
+  const Vec3 second = facets_.plane_of(start.contact->second_facet).triangle()[0].approx;
   return {ErrorCode::internal,
           "joining the common parts of the facets with triangles near ({} {} {}) and ({} {} {}): one ends inside both",
           first.x,
@@ -240,6 +240,7 @@ Result<SegmentComplex> FacetContactFinder::run(const PairContacts& contacts) {
   const NumbersByBucket by_first_facet(contacts.contacts.size(), facets_.facets.size(), [&](std::size_t number) {
     return facets_.of_face[contacts.contacts[number].first_face].index();
   });
+  segments_.reserve(contacts.contacts.size());
   for (const FacetId facet : facets_.ids()) {
     find_face_contacts(contacts, by_first_facet.of(facet.index()));
     if (block_.size() < kContactsPerBlock) continue;

@@ -108,6 +108,7 @@ Result<SegmentComplex> overlay(const Operands& operands, const Facets& facets, S
                                const Monitor& monitor, std::size_t max_cuts) {
   monitor.tell("finding crossings");
   ALGEBRA3D_RETURN_IF_ERROR(Overlay(operands, facets, complex, monitor, max_cuts).run());
+  complex.nodes.finish();
   share_cuts(complex);
   bucket_sort(
       complex.cuts, complex.segments.size(), [](const Cut& cut) { return cut.segment.index(); }, std::less());

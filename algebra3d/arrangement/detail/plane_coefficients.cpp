@@ -11,7 +11,7 @@ PlaneCoefficients::PlaneCoefficients(const Facets& facets) {
 }
 
 const IntegerPlane& PlaneCoefficients::get(const Facets& facets, PlaneId plane) {
-  if (known_[plane].is_null()) known_[plane] = IntegerPlane::through(facets.planes[plane].triangle);
+  if (known_[plane].is_null()) known_[plane] = IntegerPlane::through(facets.planes[plane].triangle());
   return known_[plane];
 }
 
@@ -20,7 +20,7 @@ void PlaneCoefficients::compute(const Facets& facets, std::span<const PlaneId> p
 }
 
 IntegerPlane PlaneCoefficients::find_or_compute(const Facets& facets, PlaneId plane) const {
-  return known_[plane].is_null() ? IntegerPlane::through(facets.planes[plane].triangle) : known_[plane];
+  return known_[plane].is_null() ? IntegerPlane::through(facets.planes[plane].triangle()) : known_[plane];
 }
 
 }  // namespace algebra3d::arrangement

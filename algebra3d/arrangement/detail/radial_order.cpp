@@ -13,10 +13,10 @@ namespace {
 int turn_of_normals(const Subdivision& subdivision, SubEdgeId a, SubEdgeId b) {
   if (subdivision.sub_edges[a].plane == subdivision.sub_edges[b].plane) return 0;
   const Plane& plane_a = subdivision.plane_of(a);
-  const TriangleRef& in_b = subdivision.plane_of(b).triangle;
+  const TriangleRef in_b = subdivision.plane_of(b).triangle();
   const SpaceEdge ends = subdivision.sub_edges[a].ends;
   const PointRef u = subdivision.complex.nodes[ends.u], v = subdivision.complex.nodes[ends.v];
-  for (const PointRef& corner : plane_a.triangle) {
+  for (const PointRef& corner : plane_a.triangle()) {
     const int side = orient2d(plane_a.projection, u, v, corner);
     // The direction to the left of the line is m x d, and n (m x d) = - d (m x n).
     if (side != 0) return -side * orient3d(in_b[0], in_b[1], in_b[2], corner);

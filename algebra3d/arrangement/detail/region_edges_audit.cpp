@@ -25,7 +25,7 @@ class RegionEdgesAudit {
   void check_repetitions();
   void check_boundaries();
   bool is_in_plane(NodeId node, PlaneId plane) const {
-    const TriangleRef& triangle = subdivision_.facets.planes[plane].triangle;
+    const TriangleRef triangle = subdivision_.facets.planes[plane].triangle();
     return orient3d(triangle[0], triangle[1], triangle[2], subdivision_.complex.nodes[node]) == 0;
   }
 

@@ -83,10 +83,8 @@ struct SegmentComplex {
   std::vector<NodeOfVertex> nodes_of_vertices;
   PlaneCoefficients coefficients;  ///< of the planes that crossings were computed from
 
-  /// Frees what only the stages up to the division into sub-edges need: incidences, cuts, touches, collinear segments,
-  /// and what finding nodes takes.
+  /// Frees what only the stages up to the division into sub-edges need: incidences, cuts, touches, collinear segments.
   void free_divided() {
-    nodes.finish();
     std::vector<SegmentIncidence>().swap(incidences);
     std::vector<Cut>().swap(cuts);
     std::vector<Touch>().swap(touches);

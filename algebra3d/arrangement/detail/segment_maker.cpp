@@ -60,19 +60,17 @@ void SegmentMaker::for_each_boundary(const Visit& visit) const {
         if (facets_.is_boundary(operands_, h)) visit(facet, h);
 }
 
-/// Exact room for what `add_boundaries` adds, at most for the edges that are segments without being noted as such.
-void SegmentMaker::reserve_boundaries() {
+void SegmentMaker::reserve(std::size_t contact_count) {
   std::size_t incidence_count = 0, edge_count = 0;
   for_each_boundary([&](FacetId, InputHalfedgeId h) {
     ++incidence_count;
     edge_count += Operands::halfedge(operands_.edge(h)) == h ? 1 : 0;
   });
-  complex_.incidences.reserve(complex_.incidences.size() + incidence_count);
-  complex_.segments.reserve(complex_.segments.size() + edge_count - std::min(edge_count, of_edges_.size()));
+  complex_.incidences.reserve(2 * contact_count + incidence_count);
+  complex_.segments.reserve(contact_count + edge_count);
 }
 
 void SegmentMaker::add_boundaries() {
-  reserve_boundaries();
   for_each_boundary([&](FacetId facet, InputHalfedgeId h) { add_boundary(facet, h); });
 }
 

@@ -23,7 +23,7 @@ class SubEdgesAudit {
   void check_pair(SubEdgeId a, SubEdgeId b);
   void check_cut_segments();
   bool is_in_plane(NodeId node, PlaneId plane) const {
-    const TriangleRef& triangle = facets_.planes[plane].triangle;
+    const TriangleRef triangle = facets_.planes[plane].triangle();
     return orient3d(triangle[0], triangle[1], triangle[2], nodes_[node]) == 0;
   }
 
